@@ -1,0 +1,124 @@
+#include <ostream>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/scene_file.hpp"
+#include "cli/text.hpp"
+#include "cli/unknown_name.hpp"
+#include "engine/error.hpp"
+#include "engine/method_info.hpp"
+
+namespace taut {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string bounds(std::optional<double> low, std::optional<double> high) {
+  if (!low && !high) return "any";
+  return (low ? brief(*low) : "-inf") + " to " + (high ? brief(*high) : "inf");
+}
+
+void print_table(std::ostream& out, std::string_view title, const Rows& rows, std::size_t headers = 0) {
+  if (rows.size() > headers) out << '\n' << title << '\n' << in_columns(rows);
+}
+
+Rows material_rows(const Scene& scene) {
+  Rows rows{{"name", "density", "Young's modulus", "Poisson's ratio", "sound speed"}};
+  for (const Material& m : scene.materials)
+    rows.push_back({m.name, brief(m.density) + " kg/m³", brief(m.youngs_modulus) + " Pa",
+                    brief(m.poisson_ratio), brief(m.sound_speed()) + " m/s"});
+  return rows;
+}
+
+Rows parameter_rows(const std::vector<Parameter>& parameters) {
+  Rows rows{{"name", "default", "unit", "bounds", "meaning"}};
+  for (const Parameter& p : parameters)
+    rows.push_back({p.name, brief(p.value), p.unit.empty() ? "-" : p.unit, bounds(p.low, p.high), p.help});
+  return rows;
+}
+
+Rows measure_rows(const Scene& scene) {
+  Rows rows{{"name", "unit", "references"}};
+  for (const Measure& m : scene.measures) {
+    std::string names;
+    for (const auto& [law, reference] : scene.references)
+      if (reference.value.contains(m.name) || reference.table.contains(m.name))
+        names += (names.empty() ? "" : "; ") + reference.name + " (" + law + ")";
+    rows.push_back({m.name, m.unit.empty() ? "-" : m.unit, names.empty() ? "none" : names});
+  }
+  return rows;
+}
+
+void describe_scene(const std::string& name, std::ostream& out) {
+  const SceneFile file = read_scene(find_scene(name));
+  const Scene& scene = file.scene;
+  Rows bodies;
+  for (const Body& body : scene.bodies)
+    bodies.push_back({body.name, scene.materials[static_cast<std::size_t>(body.material)].name,
+                      body.held ? "held in part" : ""});
+  Rows probes;
+  for (const Probe& probe : scene.probes) probes.push_back({probe.name});
+  out << scene.title << '\n'
+      << in_columns({{"scene", scene.name},
+                     {"file", file.path.string()},
+                     {"source", scene.source},
+                     {"dimensions", std::to_string(scene.dim)},
+                     {"spacing", brief(scene.spacing) + " m"},
+                     {"until", brief(scene.until) + " s"},
+                     {"method", file.settings.method + " unless --method says otherwise"}});
+  print_table(out, "Parameters, changed with --set NAME=VALUE", parameter_rows(file.parameters), 1);
+  print_table(out, "Materials", material_rows(scene), 1);
+  print_table(out, "Bodies", bodies);
+  print_table(out, "Probes, followed in history.csv", probes);
+  print_table(out, "Measures", measure_rows(scene), 1);
+}
+
+void describe_method(const MethodInfo& method, std::ostream& out) {
+  Rows terms, constants{{"name", "default", "bounds", "meaning"}};
+  for (const std::string_view term : method.terms) terms.push_back({std::string(term)});
+  for (const MethodConstant& c : method.constants)
+    constants.push_back({std::string(c.name), brief(c.value), bounds(c.low, c.high), std::string(c.help)});
+  out << method.name << ": " << method.summary << '\n'
+      << in_columns({{"paper", std::string(method.paper)},
+                     {"material law", std::string(method.material_law)},
+                     {"conserves", std::string(method.conserves)},
+                     {"CFL number", brief(method.cfl)}});
+  print_table(out, "Terms", terms);
+  print_table(out, "Constants, changed with --set method.NAME=VALUE", constants, 1);
+}
+
+[[noreturn]] void refuse(const std::string& name) {
+  std::vector<std::string> names = scene_names();
+  for (const MethodInfo& m : methods()) names.emplace_back(m.name);
+  throw UsageError(unknown_name("scene or method", name, names));
+}
+
+/// A path is a scene, whether or not it exists.
+bool is_scene(const std::string& name) {
+  if (name.ends_with(".toml") || name.find('/') != std::string::npos) return true;
+  for (const std::string& known : scene_names())
+    if (known == name) return true;
+  return false;
+}
+
+}  // namespace
+
+std::function<int(Streams)> declare_describe(CLI::App& app) {
+  auto name = std::make_shared<std::string>();
+  app.add_option("NAME", *name, "a scene or a method (`taut list`), or the path of a scene file")
+      ->option_text(" ")
+      ->required();
+  return [name](Streams streams) {
+    if (const MethodInfo* method = find_method(*name))
+      describe_method(*method, streams.out);
+    else if (is_scene(*name))
+      describe_scene(*name, streams.out);
+    else
+      refuse(*name);
+    return exit_fine;
+  };
+}
+
+}  // namespace taut

@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <ostream>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/scene_file.hpp"
+#include "cli/text.hpp"
+#include "cli/unknown_name.hpp"
+#include "engine/error.hpp"
+#include "engine/field.hpp"
+#include "engine/method_info.hpp"
+#include "render/colormap.hpp"
+
+namespace taut {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A list to print: an object per row, all with the same keys; the first one is the name.
+struct Listing {
+  std::string_view kind;
+  Json (*rows)();
+};
+
+Json scene_rows() {
+  Json rows = Json::array();
+  for (const std::string& name : scene_names()) {
+    const Scene scene = read_scene(find_scene(name)).scene;
+    rows.push_back({{"name", name}, {"title", scene.title}, {"source", scene.source}});
+  }
+  return rows;
+}
+
+Json method_rows() {
+  Json rows = Json::array();
+  for (const MethodInfo& m : methods())
+    rows.push_back({{"name", m.name}, {"summary", m.summary}, {"paper", m.paper}});
+  return rows;
+}
+
+Json field_rows() {
+  Json rows = Json::array();
+  for (const Field& f : fields()) rows.push_back({{"name", f.key}, {"unit", f.unit}, {"help", f.help}});
+  return rows;
+}
+
+Json colormap_rows() {
+  Json rows = Json::array();
+  for (const Colormap& c : colormaps()) rows.push_back({{"name", c.key}, {"help", c.help}});
+  return rows;
+}
+
+constexpr Listing listings[] = {
+    {"scenes", scene_rows}, {"methods", method_rows}, {"fields", field_rows}, {"colormaps", colormap_rows}};
+
+std::string as_text(const Json& rows) {
+  std::vector<std::vector<std::string>> cells;
+  for (const Json& row : rows) {
+    cells.emplace_back();
+    for (const auto& [key, value] : row.items()) cells.back().push_back(value.get<std::string>());
+  }
+  return in_columns(cells);
+}
+
+const Listing& find_listing(const std::string& kind) {
+  const auto* found = std::ranges::find(listings, kind, &Listing::kind);
+  if (found != std::end(listings)) return *found;
+  std::vector<std::string> kinds;
+  for (const Listing& l : listings) kinds.emplace_back(l.kind);
+  throw UsageError(unknown_name("list of", kind, kinds));
+}
+
+int list_all(bool json, std::ostream& out) {
+  Json all;
+  for (const Listing& l : listings) {
+    const Json rows = l.rows();
+    if (json)
+      all[std::string(l.kind)] = rows;
+    else
+      out << l.kind << '\n' << as_text(rows) << '\n';
+  }
+  if (json) out << all.dump(2) << '\n';
+  return exit_fine;
+}
+
+int list_one(const std::string& kind, bool json, std::ostream& out) {
+  const Json rows = find_listing(kind).rows();
+  out << (json ? rows.dump(2) + "\n" : as_text(rows));
+  return exit_fine;
+}
+
+}  // namespace
+
+std::function<int(Streams)> declare_list(CLI::App& app) {
+  struct Options {
+    std::string kind;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  app.add_option("KIND", options->kind, "scenes, methods, fields or colormaps; all four if left out")
+      ->option_text(" ");
+  app.add_flag("--json", options->json, "as JSON, for scripts");
+  return [options](Streams streams) {
+    return options->kind.empty() ? list_all(options->json, streams.out)
+                                 : list_one(options->kind, options->json, streams.out);
+  };
+}
+
+}  // namespace taut

@@ -1,0 +1,38 @@
+#include "cli/command.hpp"
+
+namespace taut {
+
+std::function<int(Streams)> declare_run(CLI::App&);
+std::function<int(Streams)> declare_diff(CLI::App&);
+std::function<int(Streams)> declare_list(CLI::App&);
+std::function<int(Streams)> declare_describe(CLI::App&);
+
+namespace {
+
+constexpr Command table[] = {
+    {"run", "simulate a scene; leaves frames, histories and a verdict in a run folder",
+     "  taut run colliding-rings\n"
+     "  taut run colliding-rings --method og --set v0=0.12 --fail-on fractured\n"
+     "  taut run colliding-rings --color pressure --range -2e6:2e6 --size 1920x1080 --out out/rings\n"
+     "  taut run out/rings/scene.toml             the same run again\n",
+     declare_run},
+    {"diff", "compare two images; exit code 0 when alike, 1 when different",
+     "  taut diff a/frames/frame_00060.png b/frames/frame_00060.png\n"
+     "  taut diff a.png b.png --max-difference 2 --out diff.png\n",
+     declare_diff},
+    {"list", "name the scenes, methods, fields and colour maps there are",
+     "  taut list\n"
+     "  taut list methods\n"
+     "  taut list scenes --json\n",
+     declare_list},
+    {"describe", "say what a scene or a method is: equations, parameters with units and bounds, source",
+     "  taut describe colliding-rings\n"
+     "  taut describe enog\n",
+     declare_describe},
+};
+
+}  // namespace
+
+std::span<const Command> commands() { return table; }
+
+}  // namespace taut

@@ -1,0 +1,16 @@
+#pragma once
+
+namespace taut {
+
+/// What the program tells the shell; scripts rely on these numbers.
+enum ExitCode : int {
+  exit_fine = 0,           // a verdict is a result, not an error
+  exit_different = 1,      // `diff`: the two differ
+  exit_bug = 1,            // an error that is nobody's but ours
+  exit_wrong_input = 2,    // the command line or a scene is wrong
+  exit_diverged = 3,       // the simulation diverged, or its verdict is one that --fail-on names
+  exit_not_written = 4,    // output could not be written
+  exit_interrupted = 130,  // 128 + SIGINT, as shells have it
+};
+
+}  // namespace taut

@@ -1,0 +1,94 @@
+#include "cli/frames.hpp"
+
+#include <algorithm>
+
+#include "cli/sequence_bounds.hpp"
+#include "cli/stopwatch.hpp"
+#include "engine/frame_view.hpp"
+#include "render/image.hpp"
+
+namespace taut {
+namespace {
+
+std::unique_ptr<Renderer> make_renderer(const DrawingPlan& plan, double until) {
+  DrawOptions options{};
+  options.width = plan.width;
+  options.height = plan.height;
+  if (plan.view) options.view = *plan.view;
+  options.low = (*plan.range)[0];
+  options.high = (*plan.range)[1];
+  options.colormap = plan.colormap;
+  options.until = until;
+  return std::make_unique<Renderer>(options);
+}
+
+}  // namespace
+
+Frames::Frames(const DrawingPlan& plan, const RunFolder& folder, Captions captions, Seconds& seconds)
+    : plan_(plan), folder_(folder), captions_(std::move(captions)), seconds_(seconds) {
+  if (plan_.range && plan_.view) renderer_ = make_renderer(plan_, captions_.until);
+}
+
+Frames::~Frames() = default;
+
+void Frames::add(const Snapshot& snapshot) {
+  dim_ = snapshot.dim;
+  diameter_ = snapshot.diameter;
+  if (renderer_)
+    draw(snapshot.time, snapshot.x, evaluate(*plan_.field, snapshot));
+  else
+    keep(snapshot);
+}
+
+void Frames::keep(const Snapshot& snapshot) {
+  const Timed timed(seconds_.render);
+  const std::vector<double> value = evaluate(*plan_.field, snapshot);
+  kept_.push_back({snapshot.time, {snapshot.x.begin(), snapshot.x.end()}, {value.begin(), value.end()}});
+}
+
+void Frames::choose_range_and_view() {
+  const double diameter = diameter_.empty() ? 0 : std::ranges::max(diameter_);
+  SequenceBounds bounds;
+  for (const Kept& frame : kept_) {
+    bounds.add_values(frame.value);
+    bounds.add_positions(frame.x, dim_, diameter);
+  }
+  if (!plan_.range) plan_.range = bounds.range(plan_.field->is_signed);
+  if (!plan_.view) plan_.view = bounds.view();
+}
+
+bool Frames::draw_kept(const std::function<bool(int)>& go_on) {
+  if (kept_.empty()) return true;
+  choose_range_and_view();
+  renderer_ = make_renderer(plan_, captions_.until);
+  for (const Kept& frame : kept_) {
+    if (!go_on(written_)) return false;
+    const std::vector<double> x(frame.x.begin(), frame.x.end());
+    const std::vector<double> value(frame.value.begin(), frame.value.end());
+    draw(frame.time, x, value);
+  }
+  return true;
+}
+
+void Frames::draw(double time, std::span<const double> x, std::span<const double> value) {
+  FrameView view;
+  view.dim = dim_;
+  view.time = time;
+  view.x = x;
+  view.diameter = diameter_;
+  view.value = value;
+  view.field = plan_.field->name;
+  view.unit = plan_.field->unit;
+  view.title = captions_.title;
+  view.method = captions_.method;
+  const Image* image = nullptr;
+  {
+    const Timed timed(seconds_.render);
+    image = &renderer_->draw(view);
+  }
+  const Timed timed(seconds_.write);
+  write_png(*image, folder_.frame(written_));
+  ++written_;
+}
+
+}  // namespace taut

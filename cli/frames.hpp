@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/drawing_options.hpp"
+#include "cli/run_folder.hpp"
+#include "cli/run_record.hpp"
+
+namespace taut {
+
+/// What stands beside the picture of every frame.
+struct Captions {
+  std::string title, method;
+  double until = 0;  // s, the last time: gives the unit of all times
+};
+
+/// Draws the frames of a run: each at once when the range and the view are known beforehand; otherwise what a
+/// frame shows is kept in memory, and all are drawn at the end over the range and view of the whole sequence.
+class Frames {
+ public:
+  /// Draws nothing, but fails where no picture can be drawn at all.
+  /// The time it takes is added to `seconds`.
+  Frames(const DrawingPlan& plan, const RunFolder& folder, Captions captions, Seconds& seconds);
+  ~Frames();
+
+  void add(const Snapshot& snapshot);
+  /// Draws what was kept; asks `go_on` before each frame. False if it was told to stop.
+  bool draw_kept(const std::function<bool(int drawn)>& go_on);
+
+  int kept() const { return static_cast<int>(kept_.size()); }
+  int written() const { return written_; }
+
+ private:
+  /// What one frame shows, in single precision: a picture has no more.
+  struct Kept {
+    double time;  // s
+    std::vector<float> x, value;
+  };
+  void keep(const Snapshot& snapshot);
+  void choose_range_and_view();
+  void draw(double time, std::span<const double> x, std::span<const double> value);
+
+  DrawingPlan plan_;
+  RunFolder folder_;
+  Captions captions_;
+  Seconds& seconds_;
+  int dim_ = 2;
+  std::vector<double> diameter_;  // m
+  std::vector<Kept> kept_;
+  std::unique_ptr<Renderer> renderer_;  // made when the range and the view are known
+  int written_ = 0;
+};
+
+}  // namespace taut

@@ -1,0 +1,36 @@
+#include "cli/history.hpp"
+
+#include "cli/text.hpp"
+
+namespace taut {
+namespace {
+
+std::string header(const Scene& scene) {
+  std::string names = "t,step,kinetic_energy,strain_energy,total_energy,momentum_x,momentum_y";
+  names += scene.dim == 3 ? ",momentum_z,angular_momentum_x,angular_momentum_y,angular_momentum_z"
+                          : ",angular_momentum";
+  for (const Probe& probe : scene.probes) names += "," + probe.name;
+  return names + ",pieces";
+}
+
+}  // namespace
+
+History::History(const std::filesystem::path& path, const Scene& scene) : file_(path), dim_(scene.dim) {
+  file_.append(header(scene));
+}
+
+void History::add(const Simulation& simulation, const Balance& balance, int pieces) {
+  if (simulation.steps() == last_step_) return;
+  last_step_ = simulation.steps();
+  std::string row = exact(simulation.time()) + "," + std::to_string(simulation.steps());
+  const auto cell = [&row](double value) { (row += ',') += exact(value); };
+  cell(balance.kinetic);
+  cell(balance.strain);
+  cell(balance.kinetic + balance.strain);
+  for (int k = 0; k < dim_; ++k) cell(balance.linear_momentum[static_cast<std::size_t>(k)]);
+  for (int k = dim_ == 3 ? 0 : 2; k < 3; ++k) cell(balance.angular_momentum[static_cast<std::size_t>(k)]);
+  for (const std::vector<double>& series : simulation.series().value) cell(series.back());
+  file_.append(row + "," + std::to_string(pieces));
+}
+
+}  // namespace taut

@@ -1,0 +1,219 @@
+#include "cli/run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/divergence.hpp"
+#include "cli/frames.hpp"
+#include "cli/history.hpp"
+#include "cli/output_times.hpp"
+#include "cli/pace.hpp"
+#include "cli/text.hpp"
+#include "cli/whole_file.hpp"
+#include "engine/error.hpp"
+#include "engine/method_info.hpp"
+
+namespace taut {
+namespace {
+
+constexpr double record_interval = 5.0;  // s between two states of run.json while running
+
+/// Drives a simulation from one output time to the next and records what it shows.
+class Run {
+ public:
+  Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Interrupts& interrupts,
+      Progress& progress, RunRecord record);
+  Run(const Run&) = delete;  // its parts refer to one another
+  Run& operator=(const Run&) = delete;
+
+  RunResult execute();
+
+ private:
+  void simulate();
+  void advance(double target);
+  void look();
+  void draw_what_is_due();
+  bool draw_the_rest();
+  void save(RunRecord::Status status);
+  std::string state_line() const;
+
+  const RunPlan& plan_;
+  std::unique_ptr<Simulation> simulation_;
+  const Interrupts& interrupts_;
+  Progress& progress_;
+  RunResult result_;
+  RunRecord& record_ = result_.record;
+  Agenda frame_agenda_, history_agenda_;
+  Judge judge_;
+  Drift drift_;
+  std::optional<History> history_;
+  std::optional<Frames> frames_;
+  Pace pace_;
+  bool has_held_ = false;
+  Stopwatch since_saved_;
+};
+
+Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Interrupts& interrupts,
+         Progress& progress, RunRecord record)
+    : plan_(plan),
+      simulation_(std::move(simulation)),
+      interrupts_(interrupts),
+      progress_(progress),
+      result_{std::move(record), 0, ""},
+      frame_agenda_(plan.frame_times),
+      history_agenda_(plan.history_times),
+      judge_(plan.file.scene, simulation_->snapshot(), simulation_->support()),
+      pace_(record_.until),
+      has_held_(
+          std::ranges::any_of(simulation_->snapshot().held, [](unsigned char held) { return held != 0; })) {
+  if (plan.drawing)
+    frames_.emplace(*plan.drawing, plan.folder,
+                    Captions{plan.file.scene.title, record_.method, record_.until}, record_.seconds);
+}
+
+RunResult Run::execute() {
+  plan_.folder.claim(to_json(record_).dump(2) + "\n");
+  write_whole(plan_.folder.scene(), plan_.file.resolved);
+  history_.emplace(plan_.folder.history(), plan_.file.scene);
+  try {
+    simulate();
+  } catch (const NumericalError& e) {
+    result_.failure = describe_divergence(e);
+    record_.verdict = Verdict::diverged;
+    record_.since.try_emplace(Verdict::diverged, e.time);
+    record_.reached = e.time;
+    record_.steps = e.step;
+  }
+  using enum RunRecord::Status;
+  const bool complete = record_.reached >= record_.until;
+  const RunRecord::Status status = !result_.failure.empty() ? failed : complete ? finished : interrupted;
+  save(status);  // the drawing of frames that were kept takes time, and may be interrupted as well
+  const bool all_drawn = draw_the_rest();
+  save(status == finished && !all_drawn ? interrupted : status);
+  return std::move(result_);
+}
+
+void Run::simulate() {
+  progress_.begin(plan_.file.scene.name + ", " + record_.method + ", " + std::to_string(record_.particles) +
+                  " particles");
+  look();
+  draw_what_is_due();
+  while (record_.reached < record_.until && !interrupts_.asked()) {
+    advance(std::min({frame_agenda_.next(), history_agenda_.next(), record_.until}));
+    const bool last = record_.reached >= record_.until || interrupts_.asked();
+    if (history_agenda_.next() <= record_.reached || last) look();
+    if (!result_.failure.empty()) break;
+    draw_what_is_due();
+    if (since_saved_.seconds() > record_interval) save(RunRecord::Status::running);
+  }
+  progress_.end(state_line());
+}
+
+/// In slices, so that an interrupt is seen soon: a stop in between does not change the steps.
+void Run::advance(double target) {
+  while (record_.reached < target && !interrupts_.asked()) {
+    const Stopwatch watch;
+    const double from = record_.reached;
+    simulation_->advance_to(std::min(target, from + pace_.slice()));
+    record_.seconds.solve += watch.seconds();
+    record_.reached = simulation_->time();
+    record_.steps = simulation_->steps();
+    pace_.took(record_.reached - from, watch.seconds());
+    progress_.show(record_.reached / record_.until, state_line());
+  }
+}
+
+/// The state at hand goes into the history and before the judge.
+void Run::look() {
+  const Timed timed(record_.seconds.write);
+  history_agenda_.reached(record_.reached);
+  const Snapshot& now = simulation_->snapshot();
+  const Balance sums = balance(now, plan_.file.scene);
+  judge_.look(now, sums);
+  drift_.look(sums);
+  history_->add(*simulation_, sums, judge_.pieces());
+  record_.pieces = judge_.pieces();
+  record_.verdict = judge_.verdict();
+  record_.since = judge_.since();
+  if (record_.verdict == Verdict::diverged) result_.failure = describe_divergence(now, sums);
+}
+
+void Run::draw_what_is_due() {
+  if (!frames_) return;
+  // several frames may show one step, where they are asked for closer together than the steps are
+  for (int due = frame_agenda_.reached(record_.reached); due > 0; --due)
+    frames_->add(simulation_->snapshot());
+}
+
+/// False if it was interrupted.
+bool Run::draw_the_rest() {
+  if (!frames_ || frames_->kept() == 0) return true;
+  const int count = frames_->kept();
+  const bool asked_before = interrupts_.asked();  // what there is of an interrupted run is drawn all the same
+  progress_.begin("drawing " + std::to_string(count) + " frames");
+  const bool all = frames_->draw_kept([&](int drawn) {
+    progress_.show(static_cast<double>(drawn) / count, "frame " + std::to_string(drawn + 1));
+    return asked_before || !interrupts_.asked();
+  });
+  progress_.end(std::to_string(frames_->written()) + " frames");
+  return all;
+}
+
+void Run::save(RunRecord::Status status) {
+  since_saved_ = {};
+  record_.status = status;
+  record_.conservation = drift_.conservation(has_held_);
+  record_.measures = measure(plan_.file.scene, simulation_->series(), record_.material_law);
+  if (frames_) result_.frames = frames_->written();
+  write_whole(plan_.folder.record(), to_json(record_).dump(2) + "\n");
+}
+
+std::string Run::state_line() const {
+  std::string text = "t = " + brief(record_.reached) + " s";
+  if (const auto speed = record_.particle_steps_per_second())
+    text += ", " + with_prefix(*speed) + " particle-steps/s";
+  return text;
+}
+
+/// The engine knows no files: an error about the scene gets its place in the file here.
+std::unique_ptr<Simulation> start(const SceneFile& file) try {
+  return make_simulation(file.scene, file.settings);
+} catch (const SceneError& e) {
+  throw locate(file, e);
+}
+
+RunRecord new_record(const RunPlan& plan, const Simulation& simulation) {
+  const SceneFile& file = plan.file;
+  const Snapshot& start = simulation.snapshot();
+  RunRecord record;
+  record.scene = file.scene.name;
+  record.method = file.settings.method;
+  record.material_law = find_method(record.method)->material_law;
+  record.parameters = file.parameters;
+  record.dim = file.scene.dim;
+  record.spacing = file.scene.spacing;
+  if (const auto asked = plan.spacing_asked;
+      asked && std::abs(*asked - record.spacing) > 1e-9 * record.spacing)
+    record.spacing_asked = asked;
+  record.particles = static_cast<long>(start.size());
+  record.mass = std::accumulate(start.m.begin(), start.m.end(), 0.0);
+  record.until = file.scene.until;
+  record.threads = simulation.threads();
+  return record;
+}
+
+}  // namespace
+
+RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress& progress,
+                    double setup_seconds) {
+  const Stopwatch watch;
+  std::unique_ptr<Simulation> simulation = start(plan.file);
+  RunRecord record = new_record(plan, *simulation);
+  record.seconds.setup = setup_seconds + watch.seconds();
+  return Run(plan, std::move(simulation), interrupts, progress, std::move(record)).execute();
+}
+
+}  // namespace taut

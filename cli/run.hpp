@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "cli/drawing_options.hpp"
+#include "cli/interrupts.hpp"
+#include "cli/progress.hpp"
+#include "cli/run_folder.hpp"
+#include "cli/run_record.hpp"
+#include "cli/scene_file.hpp"
+
+namespace taut {
+
+/// What a run is to do, checked: nothing in it can be wrong any more.
+struct RunPlan {
+  SceneFile file;
+  std::optional<double> spacing_asked;             // m, on the command line
+  std::optional<DrawingPlan> drawing;              // none: no frames
+  std::vector<double> frame_times, history_times;  // s, sorted
+  RunFolder folder{"."};
+};
+
+struct RunResult {
+  RunRecord record;
+  int frames = 0;       // written
+  std::string failure;  // why the run stopped early; empty if it did not fail
+};
+
+/// Simulates `plan` and leaves its run folder. Throws OutputError, and what make_simulation throws before the
+/// folder is touched. `setup_seconds` is what the caller has spent on reading the scene.
+RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress& progress,
+                    double setup_seconds);
+
+}  // namespace taut

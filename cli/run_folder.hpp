@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace taut {
+
+/// Where a run leaves its output; see README for what each file holds.
+class RunFolder {
+ public:
+  explicit RunFolder(std::filesystem::path path) : path_(std::move(path)) {}
+
+  /// Throws UsageError when the folder holds something that no run of taut left there. Touches nothing.
+  void check() const;
+  /// Creates the folder, or removes what an earlier run left; `record` becomes its run.json first of all, so
+  /// that the folder is recognised at any time. Throws OutputError.
+  void claim(std::string_view record) const;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path frames() const { return path_ / "frames"; }
+  std::filesystem::path frame(int number) const;
+  std::filesystem::path history() const { return path_ / "history.csv"; }
+  std::filesystem::path scene() const { return path_ / "scene.toml"; }
+  std::filesystem::path record() const { return path_ / "run.json"; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace taut

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "cli/drift.hpp"
+#include "cli/scene_file.hpp"
+#include "engine/verdict.hpp"
+
+namespace taut {
+
+/// Wall clock of the parts of a run, s. `write` holds all files and the sums that history.csv shows.
+struct Seconds {
+  double setup = 0, solve = 0, render = 0, write = 0;
+};
+
+/// What run.json says of a run.
+struct RunRecord {
+  enum class Status { running, finished, interrupted, failed };
+
+  std::string scene, method, material_law;
+  std::vector<Parameter> parameters;
+  int dim = 2;
+  double spacing = 0;                   // m, as used
+  std::optional<double> spacing_asked;  // m, where it is not the one used
+  long particles = 0;
+  double mass = 0;                // kg (per metre depth in 2D)
+  double until = 0, reached = 0;  // s
+  Status status = Status::running;
+  long steps = 0;
+  int threads = 1;
+  Seconds seconds;
+  Verdict verdict = Verdict::stable;
+  std::map<Verdict, double> since;  // s
+  int pieces = 0;
+  Conservation conservation;
+  std::vector<MeasureResult> measures;
+
+  /// Particles × steps / solve, 1/s; none before the first step.
+  std::optional<double> particle_steps_per_second() const;
+};
+
+/// In the order of the keys as users read them; what is unknown or not finite is null.
+nlohmann::ordered_json to_json(const RunRecord& record);
+
+}  // namespace taut

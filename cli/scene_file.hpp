@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/file_place.hpp"
+#include "engine/error.hpp"
+#include "engine/scene.hpp"
+#include "engine/simulation.hpp"
+
+namespace taut {
+
+/// A scene's parameter: may be set with --set and swept.
+struct Parameter {
+  std::string name;
+  double value = 0;
+  std::string unit;  // shown to the user; no conversion is made
+  std::string help;
+  std::optional<double> low, high;  // bounds, both included
+  double default_value = 0;         // the value without overrides
+};
+
+/// How a scene wants to be drawn.
+struct Drawing {
+  std::string color = "von_mises";
+  std::optional<std::array<double, 2>> range;  // in the field's SI unit; none = auto, over the whole sequence
+  std::string colormap;                       // empty = by the field: viridis, or diverging for signed fields
+  std::optional<std::array<double, 4>> view;  // x_min, x_max, y_min, y_max, m; none = from the particles
+  std::array<int, 2> size{1280, 720};         // pixels
+  int frames = 60;                            // evenly spaced after the one at t = 0
+};
+
+/// What the command line changes about a scene file; everything else stands in the file. A name of `set` is a
+/// parameter, "method.CONSTANT" or one of method, spacing, until, cfl, stepping; the last one of a name
+/// counts, before `method`, `spacing` and `until`. A value is a number or an expression of the parameters
+/// before it.
+struct Overrides {
+  std::vector<std::pair<std::string, std::string>> set;  // "--set name=value", in order, value as typed
+  std::optional<std::string> method;
+  std::optional<double> spacing, until;
+};
+
+/// A scene file as read: the engine's scene and what only the program needs.
+struct SceneFile {
+  std::filesystem::path path;
+  Scene scene;
+  Settings settings;  // method, all its constants, stepping, cfl
+  Drawing drawing;
+  std::optional<double> history;  // interval of history.csv, s; until / 1000 where the file says nothing
+  std::vector<Parameter> parameters;
+  std::string
+      resolved;  // the scene as run, in TOML, every default written out; reading it gives the same scene
+  std::map<std::string, FilePlace> places;  // by dotted path: "spacing", "body.left.velocity"
+};
+
+/// The folder of the scenes that come with taut.
+std::filesystem::path scenes_folder();
+/// Names of the scenes there, sorted.
+std::vector<std::string> scene_names();
+/// `scene` is a path or a name; throws UsageError with the nearest names.
+std::filesystem::path find_scene(const std::string& scene);
+/// Throws SceneError (with file, line, column) for the file, UsageError for the overrides.
+SceneFile read_scene(const std::filesystem::path& path, const Overrides& overrides = {});
+/// `error`, thrown by the engine for this scene, with the file and the place of its key.
+SceneError locate(const SceneFile& scene, const SceneError& error);
+/// `resolved` with history and drawing as they stand in `scene` now.
+std::string resolved_text(const SceneFile& scene);
+
+}  // namespace taut

@@ -1,0 +1,144 @@
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "cli/scene_file_parts.hpp"
+#include "cli/text.hpp"
+
+namespace taut {
+namespace {
+
+const std::vector<std::string> axis_names = {"x", "y", "z"};
+
+/// What a probe of a kind has to say.
+struct ProbeKind {
+  std::string_view name;
+  Probe::Kind kind;
+  int bodies;
+  bool at, to, axis;
+};
+constexpr std::array probe_kinds{
+    ProbeKind{"displacement", Probe::Kind::displacement, 1, true, false, true},
+    ProbeKind{"position", Probe::Kind::position, 1, true, false, true},
+    ProbeKind{"distance", Probe::Kind::distance, 1, true, true, false},
+    ProbeKind{"mean_velocity", Probe::Kind::mean_velocity, 1, false, false, true},
+    ProbeKind{"gap", Probe::Kind::gap, 2, false, false, false},
+    ProbeKind{"mirror_asymmetry", Probe::Kind::mirror_asymmetry, 2, false, false, true},
+};
+
+/// What a measure of a kind may say besides name, probe and unit.
+struct MeasureKind {
+  std::string_view name;
+  Measure::Kind kind;
+  bool threshold, scale;
+};
+constexpr std::array measure_kinds{
+    MeasureKind{"period", Measure::Kind::period, false, false},
+    MeasureKind{"first_peak", Measure::Kind::first_peak, false, false},
+    MeasureKind{"decay", Measure::Kind::decay, false, false},
+    MeasureKind{"rmse", Measure::Kind::rmse, false, false},
+    MeasureKind{"minimum", Measure::Kind::minimum, false, false},
+    MeasureKind{"maximum", Measure::Kind::maximum, false, false},
+    MeasureKind{"first_below", Measure::Kind::first_below, true, false},
+    MeasureKind{"last_below", Measure::Kind::last_below, true, false},
+    MeasureKind{"final_ratio", Measure::Kind::final_ratio, true, true},
+};
+
+int body_index(TomlCursor& cursor, const TomlValue& value, std::string_view key, const Scene& scene) {
+  const std::string name = cursor.text_of(value, key);
+  const std::size_t i = index_of(scene.bodies, name);
+  if (i == scene.bodies.size()) cursor.fail_unknown(value, key, "body", name, names_of(scene.bodies));
+  return static_cast<int>(i);
+}
+
+std::vector<int> probe_bodies(TomlCursor& cursor, int number, const Scene& scene) {
+  if (number == 1) return {body_index(cursor, cursor.need("body"), "body", scene)};
+  const TomlValue& pair = cursor.need("bodies");
+  if (pair.kind != TomlValue::Kind::array || pair.items.size() != 2)
+    cursor.fail(pair, "bodies", "bodies must be an array of two names of bodies");
+  std::vector<int> bodies;
+  for (const TomlValue& item : pair.items) bodies.push_back(body_index(cursor, item, "bodies", scene));
+  if (bodies[0] == bodies[1]) cursor.fail(pair, "bodies", "bodies must be two different ones");
+  return bodies;
+}
+
+Probe read_probe(TomlCursor& cursor, const Scene& scene) {
+  Probe probe;
+  probe.name = label(cursor, names_of(scene.probes));
+  const ProbeKind& kind = probe_kinds[index_of(probe_kinds, cursor.choice("of", names_of(probe_kinds)))];
+  probe.kind = kind.kind;
+  probe.bodies = probe_bodies(cursor, kind.bodies, scene);
+  const int material = scene.bodies[static_cast<std::size_t>(probe.bodies.front())].material;
+  add_names(cursor.names(), scene.materials[static_cast<std::size_t>(material)]);
+  if (kind.at) probe.at = cursor.point("at", scene.dim);
+  if (kind.to) probe.to = cursor.point("to", scene.dim);
+  if (kind.axis) {
+    const std::vector<std::string> allowed(axis_names.begin(), axis_names.begin() + scene.dim);
+    const auto axis = std::find(allowed.begin(), allowed.end(), cursor.choice("component", allowed));
+    probe.axis = static_cast<int>(axis - allowed.begin());
+  }
+  cursor.finish();
+  return probe;
+}
+
+Measure read_measure(TomlCursor& cursor, const Scene& scene) {
+  Measure measure;
+  measure.name = label(cursor, names_of(scene.measures));
+  const MeasureKind& kind =
+      measure_kinds[index_of(measure_kinds, cursor.choice("of", names_of(measure_kinds)))];
+  measure.kind = kind.kind;
+  const auto known_probe = [&](std::string_view key) {
+    const std::string name = cursor.text(key);
+    if (index_of(scene.probes, name) == scene.probes.size())
+      cursor.fail_unknown(cursor.need(key), key, "probe", name, names_of(scene.probes));
+    return name;
+  };
+  measure.probe = known_probe("probe");
+  measure.unit = cursor.text("unit", "");
+  const Probe& probe = scene.probes[index_of(scene.probes, measure.probe)];
+  const int material = scene.bodies[static_cast<std::size_t>(probe.bodies.front())].material;
+  add_names(cursor.names(), scene.materials[static_cast<std::size_t>(material)]);
+  if (kind.threshold) measure.threshold = cursor.number("threshold", measure.threshold);
+  if (kind.scale) {
+    measure.scale = cursor.number("scale", measure.scale);
+    if (measure.scale == 0)
+      cursor.fail(cursor.need("scale"), "scale", "scale is 0; the ratio to it would be infinite");
+    if (!cursor.text("free", "").empty()) measure.free = known_probe("free");
+  }
+  cursor.finish();
+  return measure;
+}
+
+/// The tables of [[key]], each with a cursor that knows its name.
+template <class Read>
+void read_each(TomlCursor& root, const std::string& key, const Read& read) {
+  int number = 0;
+  for (TomlValue& value : root.list(key)) {
+    const TomlEntry* name = value.find("name");
+    const std::string known_as = name ? name->value.text : std::to_string(++number);
+    TomlCursor cursor = root.enter(value, key + "." + known_as, key + " '" + known_as + "'");
+    read(cursor);
+  }
+}
+
+}  // namespace
+
+void read_probes(TomlCursor& root, Scene& scene) {
+  read_each(root, "probe", [&](TomlCursor& cursor) { scene.probes.push_back(read_probe(cursor, scene)); });
+}
+
+void read_measures(TomlCursor& root, Scene& scene) {
+  read_each(root, "measure",
+            [&](TomlCursor& cursor) { scene.measures.push_back(read_measure(cursor, scene)); });
+  std::set<std::string> used;
+  for (const Measure& measure : scene.measures) used.insert({measure.probe, measure.free});
+  for (TomlValue& value : root.list("probe")) {
+    const TomlEntry& name = *value.find("name");
+    if (!used.contains(name.value.text))
+      root.fail(name.value, "probe." + name.value.text,
+                "the probe '" + name.value.text +
+                    "' is unused: no [[measure]] follows it; remove it or measure it");
+  }
+}
+
+}  // namespace taut

@@ -1,0 +1,202 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cli/scene_file_parts.hpp"
+#include "cli/suggest.hpp"
+#include "cli/text.hpp"
+#include "engine/field.hpp"
+#include "engine/method_info.hpp"
+#include "render/colormap.hpp"
+
+namespace taut {
+namespace {
+
+constexpr std::string_view automatic = "auto";
+
+const std::vector<std::string> stepping_names = {"dual", "single"};
+
+std::string bounds_text(const MethodConstant& constant) {
+  return "; allowed: " + exact(constant.low) + " to " + exact(constant.high);
+}
+
+bool within_bounds(const MethodConstant& constant, double value) {
+  return value >= constant.low && value <= constant.high;
+}
+
+/// The method of the file.
+const MethodInfo& file_method(TomlCursor& root) {
+  const std::string name = root.text("method", Settings().method);
+  const MethodInfo* method = find_method(name);
+  if (!method) root.fail_unknown(*root.find("method"), "method", "method", name, names_of(methods()));
+  return *method;
+}
+
+const MethodInfo& changed_method(const std::string& name) {
+  const MethodInfo* method = find_method(name);
+  const std::vector<std::string> known = names_of(methods());
+  if (!method)
+    throw UsageError("unknown method '" + name + "'" + did_you_mean(name, known) +
+                     "; there are: " + join(known));
+  return *method;
+}
+
+/// Checks the file's constants against the method of the file.
+void check_constants(TomlCursor& section, const MethodInfo& method) {
+  for (TomlEntry& entry : section.table().entries) {
+    const std::size_t i = index_of(method.constants, entry.key);
+    if (i == method.constants.size())
+      section.fail(entry.place, entry.key,
+                   "the method '" + std::string(method.name) + "' has no constant '" + entry.key + "'" +
+                       did_you_mean(entry.key, names_of(method.constants)) +
+                       "; it has: " + (method.constants.empty() ? "none" : join(names_of(method.constants))));
+    const double value = section.number(entry.key);
+    if (!within_bounds(method.constants[i], value))
+      section.fail(entry.value, entry.key,
+                   entry.key + " = " + exact(value) + " is out of bounds" + bounds_text(method.constants[i]));
+  }
+}
+
+/// Every constant of the method: as changed, else as in the file, else the published default.
+void read_constants(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method,
+                    const Changes& changes, Settings& settings) {
+  TomlCursor section = root.section("method_constants", "[method_constants]");
+  check_constants(section, of_file);
+  if (&of_file != &method) section.table().entries.clear();
+  for (const MethodConstant& constant : method.constants) {
+    const std::string name(constant.name);
+    double value = section.number(name, constant.value);
+    if (const auto change = changes.constants.find(name); change != changes.constants.end()) {
+      value = changed_number("method." + name, change->second, root.names());
+      if (!within_bounds(constant, value))
+        throw UsageError("method." + name + " = " + change->second + " is out of bounds" +
+                         bounds_text(constant));
+    }
+    section.table().set(name, TomlValue(value));
+    settings.constants[name] = value;
+  }
+}
+
+void read_range(TomlCursor& render, Drawing& drawing) {
+  const TomlValue* range = render.find("range");
+  if (!range) render.table().set("range", TomlValue(std::string(automatic)));
+  if (!range || (range->kind == TomlValue::Kind::text && range->text == automatic)) return;
+  if (range->kind != TomlValue::Kind::array)
+    render.fail(*range, "range",
+                "range must be \"auto\" or [low, high], this is " + std::string(range->kind_name()));
+  const std::vector<double> ends = render.numbers("range", 2);
+  if (!(ends[0] < ends[1]))
+    render.fail(
+        *range, "range",
+        "range = [" + exact(ends[0]) + ", " + exact(ends[1]) + "]: the first must be less than the second");
+  drawing.range = {ends[0], ends[1]};
+}
+
+void read_view(TomlCursor& render, Drawing& drawing) {
+  const TomlValue* view = render.find("view");
+  if (!view) render.table().set("view", TomlValue(std::string(automatic)));
+  if (!view || (view->kind == TomlValue::Kind::text && view->text == automatic)) return;
+  if (view->kind != TomlValue::Kind::array)
+    render.fail(
+        *view, "view",
+        "view must be \"auto\" or [x_min, x_max, y_min, y_max], this is " + std::string(view->kind_name()));
+  const std::vector<double> ends = render.numbers("view", 4);
+  if (!(ends[0] < ends[1]) || !(ends[2] < ends[3]))
+    render.fail(*view, "view", "view = [x_min, x_max, y_min, y_max] needs x_min < x_max and y_min < y_max");
+  drawing.view = {ends[0], ends[1], ends[2], ends[3]};
+}
+
+void read_colors(TomlCursor& render, Drawing& drawing) {
+  drawing.color = render.text("color", drawing.color);
+  std::vector<std::string> known;
+  for (const Field& field : fields()) known.emplace_back(field.key);
+  if (!find_field(drawing.color))
+    render.fail_unknown(*render.find("color"), "color", "field", drawing.color, known);
+  drawing.colormap = render.text("colormap", automatic);
+  if (drawing.colormap == automatic) drawing.colormap.clear();
+  if (drawing.colormap.empty() || find_colormap(drawing.colormap)) return;
+  known = {std::string(automatic)};
+  for (const Colormap& map : colormaps()) known.emplace_back(map.key);
+  render.fail_unknown(*render.find("colormap"), "colormap", "colour map", drawing.colormap, known);
+}
+
+void read_size(TomlCursor& render, Drawing& drawing) {
+  constexpr int most_pixels = 16384;  // along one side
+  if (!render.find("size")) {
+    TomlValue size;
+    size.kind = TomlValue::Kind::array;
+    for (const int pixels : drawing.size) size.items.emplace_back(static_cast<double>(pixels)).whole = true;
+    render.table().set("size", std::move(size));
+  }
+  const std::vector<double> size = render.numbers("size", 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!(size[i] >= 1 && size[i] <= most_pixels) || size[i] != std::floor(size[i]))
+      render.fail(*render.find("size"), "size",
+                  "size must be two whole numbers of pixels from 1 to " + std::to_string(most_pixels));
+    drawing.size[i] = static_cast<int>(size[i]);
+  }
+}
+
+TomlValue number_array(const auto& numbers, bool whole) {
+  TomlValue array;
+  array.kind = TomlValue::Kind::array;
+  for (const auto number : numbers) array.items.emplace_back(static_cast<double>(number)).whole = whole;
+  return array;
+}
+
+}  // namespace
+
+void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
+  const MethodInfo& of_file = file_method(root);
+  const MethodInfo& method = changes.method ? changed_method(*changes.method) : of_file;
+  file.settings.method = std::string(method.name);
+  root.table().set("method", TomlValue(file.settings.method));
+  check_names(changes, file);
+
+  root.text("stepping", stepping_names.front());
+  std::string stepping = root.choice("stepping", stepping_names);
+  if (changes.stepping) {
+    stepping = *changes.stepping;
+    if (std::find(stepping_names.begin(), stepping_names.end(), stepping) == stepping_names.end())
+      throw UsageError("unknown stepping '" + stepping + "'" + did_you_mean(stepping, stepping_names) +
+                       "; there are: " + join(stepping_names));
+    root.table().set("stepping", TomlValue(stepping));
+  }
+  file.settings.stepping = stepping == stepping_names.front() ? Stepping::dual : Stepping::single;
+
+  // constants and CFL number of a file belong to the method of the file; another one takes its own
+  double cfl = root.find("cfl") ? root.positive("cfl") : of_file.cfl;
+  if (&method != &of_file) cfl = method.cfl;
+  if (changes.cfl) cfl = changed_positive("cfl", *changes.cfl, root.names());
+  root.table().set("cfl", TomlValue(cfl));
+  file.settings.cfl = cfl;
+  read_constants(root, of_file, method, changes, file.settings);
+}
+
+void read_drawing(TomlCursor& root, Drawing& drawing) {
+  constexpr int most_frames = 1000000;
+  TomlCursor render = root.section("render", "[render]");
+  read_colors(render, drawing);
+  read_range(render, drawing);
+  read_view(render, drawing);
+  read_size(render, drawing);
+  drawing.frames = render.whole("frames", drawing.frames, 1, most_frames);
+  render.finish();
+}
+
+TomlValue drawing_table(const Drawing& drawing) {
+  TomlValue table;
+  table.section = true;
+  const TomlValue none{std::string(automatic)};
+  table.set("color", TomlValue(drawing.color));
+  table.set("range", drawing.range ? number_array(*drawing.range, false) : none);
+  table.set("colormap", drawing.colormap.empty() ? none : TomlValue(drawing.colormap));
+  table.set("view", drawing.view ? number_array(*drawing.view, false) : none);
+  table.set("size", number_array(drawing.size, true));
+  TomlValue frames(static_cast<double>(drawing.frames));
+  frames.whole = true;
+  table.set("frames", std::move(frames));
+  return table;
+}
+
+}  // namespace taut

@@ -1,0 +1,54 @@
+# Sourced by cli/quickstart and tests/run: what both need before they can do their work.
+
+build_packages=(g++ cmake ninja-build pkg-config libosmesa6-dev libpng-dev libcli11-dev libtomlplusplus-dev
+                libmuparser-dev nlohmann-json3-dev libcairo2-dev libfreetype-dev fonts-dejavu-core)
+test_packages=(doctest-dev)
+
+fail() { echo "$0: $*" >&2; exit 1; }
+
+# The packages of "$@" that are not installed, one per line.
+missing_packages() {
+  local installed
+  installed=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' "$@" 2>/dev/null |
+              sed -n 's/ installed$//p') || true
+  printf '%s\n' "$@" | grep -vxF -e "${installed:-none}" || true
+}
+
+install_packages() {
+  if ! command -v dpkg-query >/dev/null; then
+    echo "This is not a Debian: what is needed is expected to be there (in Debian's names: $*)."
+    return
+  fi
+  local missing
+  mapfile -t missing < <(missing_packages "$@")
+  ((${#missing[@]})) || return 0
+  echo "Packages to install with apt-get: ${missing[*]}"
+  local apt=(env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300)
+  if ((EUID != 0)); then
+    command -v sudo >/dev/null || fail "apt-get needs root, and there is no sudo. As root, run
+  apt-get update && apt-get install -y --no-install-recommends ${missing[*]}
+and then this again."
+    apt=(sudo "${apt[@]}")
+  fi
+  local install=("${apt[@]}" install -y --no-install-recommends "${missing[@]}")
+  # package lists that are missing or out of date make the first attempt fail
+  if apt-cache show --no-all-versions "${missing[@]}" >/dev/null 2>&1 && "${install[@]}"; then return; fi
+  "${apt[@]}" update && "${install[@]}" || fail "apt-get could not install ${missing[*]}; its messages are above"
+}
+
+# build FOLDER [-D...]: configures if that has not been done for this very place, and builds what has changed.
+build() {
+  local folder=$1 fresh=()
+  shift
+  if ! { [[ -f $folder/build.ninja || -f $folder/Makefile ]] &&
+         grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$folder/CMakeCache.txt"; } 2>/dev/null; then
+    [[ -f $folder/CMakeCache.txt ]] && fresh=(--fresh)
+    command -v ninja >/dev/null && fresh+=(-G Ninja)
+    echo "Configuring $folder"
+    cmake -S . -B "$folder" "${fresh[@]}" -DCMAKE_BUILD_TYPE=Release "$@" >"$folder.log" 2>&1 ||
+      { cat "$folder.log" >&2; rm -f "$folder.log"; fail "cmake could not configure $folder; its messages are above"; }
+    rm -f "$folder.log"
+  fi
+  echo "Building $folder"
+  cmake --build "$folder" --parallel "$(nproc)" || fail "the build failed; its messages are above"
+}

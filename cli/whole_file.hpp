@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
+namespace taut {
+
+/// Writes a file that others see either in its old or in its new state, never half: a temporary file beside
+/// it, renamed when complete. Throws OutputError and leaves no temporary file.
+void write_whole(const std::filesystem::path& path, std::string_view text);
+
+/// A file that grows by whole lines: each one is handed to the system at once, and a line that did not fit is
+/// taken back, so that neither a crash nor a full disk leaves half a line.
+class LineFile {
+ public:
+  explicit LineFile(std::filesystem::path path);
+  ~LineFile();
+  LineFile(const LineFile&) = delete;
+  LineFile& operator=(const LineFile&) = delete;
+
+  /// `line` without its end. Throws OutputError.
+  void append(std::string_view line);
+
+ private:
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+  std::int64_t length_ = 0;  // bytes of the lines that are complete
+};
+
+}  // namespace taut

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cmath>
+
+#include "engine/core/isa.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// Four doubles that are worked on at once: four neighbours of one particle. A vector type of the compiler,
+/// so that arithmetic, comparison and `mask ? a : b` read as for a double, and a term written for T serves
+/// both. Without AVX it is two SSE2 halves with the same results to the last bit.
+inline constexpr int lanes = 4;
+typedef double Pack __attribute__((vector_size(lanes * sizeof(double))));
+typedef long long PackIndex __attribute__((vector_size(lanes * sizeof(long long))));
+
+inline double sum(const Pack& a) { return (a[0] + a[1]) + (a[2] + a[3]); }
+
+inline Pack root(const Pack& a) {
+#ifdef __AVX__
+  return __builtin_ia32_sqrtpd256(a);
+#else
+  return Pack{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+#endif
+}
+inline double root(double a) { return std::sqrt(a); }
+
+template <class T>
+T min(const T& a, const T& b) {
+  return a < b ? a : b;
+}
+template <class T>
+T max(const T& a, const T& b) {
+  return a > b ? a : b;
+}
+template <int N, class T>
+T power(const T& a) {
+  T r = a;
+  for (int k = 1; k < N; ++k) r *= a;
+  return r;
+}
+template <class T>
+T filled(double value) {
+  return T{} + value;
+}
+
+/// Rows j[0…3] of a table with `Width` doubles a row (a multiple of 4, rows aligned to 32 bytes), transposed:
+/// out[k] holds column k of the four rows.
+template <int Width>
+inline void gather(const double* table, const int* j, Pack* out) {
+  static_assert(Width % lanes == 0);
+  for (int k = 0; k < Width; k += lanes) {
+    const Pack a = *reinterpret_cast<const Pack*>(table + std::ptrdiff_t{j[0]} * Width + k);
+    const Pack b = *reinterpret_cast<const Pack*>(table + std::ptrdiff_t{j[1]} * Width + k);
+    const Pack c = *reinterpret_cast<const Pack*>(table + std::ptrdiff_t{j[2]} * Width + k);
+    const Pack d = *reinterpret_cast<const Pack*>(table + std::ptrdiff_t{j[3]} * Width + k);
+    const Pack ab_even = __builtin_shuffle(a, b, PackIndex{0, 4, 2, 6});
+    const Pack ab_odd = __builtin_shuffle(a, b, PackIndex{1, 5, 3, 7});
+    const Pack cd_even = __builtin_shuffle(c, d, PackIndex{0, 4, 2, 6});
+    const Pack cd_odd = __builtin_shuffle(c, d, PackIndex{1, 5, 3, 7});
+    out[k] = __builtin_shuffle(ab_even, cd_even, PackIndex{0, 1, 4, 5});
+    out[k + 1] = __builtin_shuffle(ab_odd, cd_odd, PackIndex{0, 1, 4, 5});
+    out[k + 2] = __builtin_shuffle(ab_even, cd_even, PackIndex{2, 3, 6, 7});
+    out[k + 3] = __builtin_shuffle(ab_odd, cd_odd, PackIndex{2, 3, 6, 7});
+  }
+}
+
+}  // namespace taut::inline TAUT_ISA

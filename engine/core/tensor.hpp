@@ -1,0 +1,157 @@
+#pragma once
+
+#include "engine/core/pack.hpp"
+
+/// Small vectors and tensors over T = double or Pack. Eigen is not used in the solver: its fixed-size types
+/// change alignment with the instruction set, and the solver is compiled for several.
+namespace taut::inline TAUT_ISA {
+
+template <class T, int Dim>
+struct Vec {
+  T c[Dim];
+
+  T& operator[](int k) { return c[k]; }
+  const T& operator[](int k) const { return c[k]; }
+
+  Vec& operator+=(const Vec& b) {
+    for (int k = 0; k < Dim; ++k) c[k] += b[k];
+    return *this;
+  }
+  Vec& operator-=(const Vec& b) {
+    for (int k = 0; k < Dim; ++k) c[k] -= b[k];
+    return *this;
+  }
+  friend Vec operator+(Vec a, const Vec& b) { return a += b; }
+  friend Vec operator-(Vec a, const Vec& b) { return a -= b; }
+  friend Vec operator*(const T& s, Vec a) {
+    for (int k = 0; k < Dim; ++k) a[k] *= s;
+    return a;
+  }
+};
+
+template <class T, int Dim>
+T dot(const Vec<T, Dim>& a, const Vec<T, Dim>& b) {
+  T s = a[0] * b[0];
+  for (int k = 1; k < Dim; ++k) s += a[k] * b[k];
+  return s;
+}
+
+/// A full tensor, row by row: A(a, b).
+template <class T, int Dim>
+struct Mat {
+  T c[Dim][Dim];
+
+  T& operator()(int a, int b) { return c[a][b]; }
+  const T& operator()(int a, int b) const { return c[a][b]; }
+
+  Mat& operator+=(const Mat& o) {
+    for (int a = 0; a < Dim; ++a)
+      for (int b = 0; b < Dim; ++b) c[a][b] += o(a, b);
+    return *this;
+  }
+};
+
+/// A symmetric tensor, upper triangle row by row: xx, xy, yy or xx, xy, xz, yy, yz, zz.
+template <class T, int Dim>
+struct Sym {
+  static constexpr int size = Dim * (Dim + 1) / 2;
+  T c[size];
+
+  static constexpr int index(int a, int b) {
+    return a <= b ? a * Dim - a * (a - 1) / 2 + (b - a) : index(b, a);
+  }
+  T& operator()(int a, int b) { return c[index(a, b)]; }
+  const T& operator()(int a, int b) const { return c[index(a, b)]; }
+
+  Sym& operator+=(const Sym& o) {
+    for (int k = 0; k < size; ++k) c[k] += o.c[k];
+    return *this;
+  }
+  friend Sym operator+(Sym a, const Sym& b) { return a += b; }
+  friend Sym operator*(const T& s, Sym a) {
+    for (T& component : a.c) component *= s;
+    return a;
+  }
+  friend Vec<T, Dim> operator*(const Sym& a, const Vec<T, Dim>& v) {
+    Vec<T, Dim> r{};
+    for (int k = 0; k < Dim; ++k)
+      for (int l = 0; l < Dim; ++l) r[k] += a(k, l) * v[l];
+    return r;
+  }
+};
+
+template <class T, int Dim>
+T trace(const Sym<T, Dim>& a) {
+  T s = a(0, 0);
+  for (int k = 1; k < Dim; ++k) s += a(k, k);
+  return s;
+}
+
+/// A += s a ⊗ b
+template <class T, int Dim>
+void add_outer(Mat<T, Dim>& A, const T& s, const Vec<T, Dim>& a, const Vec<T, Dim>& b) {
+  for (int k = 0; k < Dim; ++k)
+    for (int l = 0; l < Dim; ++l) A(k, l) += s * a[k] * b[l];
+}
+
+/// A += s a ⊗ a
+template <class T, int Dim>
+void add_outer(Sym<T, Dim>& A, const T& s, const Vec<T, Dim>& a) {
+  for (int k = 0; k < Dim; ++k)
+    for (int l = k; l < Dim; ++l) A(k, l) += s * a[k] * a[l];
+}
+
+/// A · B
+template <class T, int Dim>
+Mat<T, Dim> product(const Mat<T, Dim>& A, const Sym<T, Dim>& B) {
+  Mat<T, Dim> C{};
+  for (int a = 0; a < Dim; ++a)
+    for (int b = 0; b < Dim; ++b)
+      for (int k = 0; k < Dim; ++k) C(a, b) += A(a, k) * B(k, b);
+  return C;
+}
+
+/// Inverse of a symmetric tensor; 0 where it has none, as for a particle without neighbours.
+inline Sym<double, 2> inverse(const Sym<double, 2>& a) {
+  const double det = a(0, 0) * a(1, 1) - a(0, 1) * a(0, 1);
+  const double scale = trace(a) * trace(a);
+  if (!(det > 1e-12 * scale)) return {};
+  return (1 / det) * Sym<double, 2>{a(1, 1), -a(0, 1), a(0, 0)};
+}
+
+/// Lane sums.
+template <int Dim>
+Vec<double, Dim> sum(const Vec<Pack, Dim>& a) {
+  Vec<double, Dim> r;
+  for (int k = 0; k < Dim; ++k) r[k] = sum(a[k]);
+  return r;
+}
+template <int Dim>
+Mat<double, Dim> sum(const Mat<Pack, Dim>& a) {
+  Mat<double, Dim> r;
+  for (int k = 0; k < Dim; ++k)
+    for (int l = 0; l < Dim; ++l) r(k, l) = sum(a(k, l));
+  return r;
+}
+template <int Dim>
+Sym<double, Dim> sum(const Sym<Pack, Dim>& a) {
+  Sym<double, Dim> r;
+  for (int k = 0; k < Sym<double, Dim>::size; ++k) r.c[k] = sum(a.c[k]);
+  return r;
+}
+
+/// The same value in each lane.
+template <int Dim>
+Vec<Pack, Dim> spread(const Vec<double, Dim>& a) {
+  Vec<Pack, Dim> r;
+  for (int k = 0; k < Dim; ++k) r[k] = filled<Pack>(a[k]);
+  return r;
+}
+template <int Dim>
+Sym<Pack, Dim> spread(const Sym<double, Dim>& a) {
+  Sym<Pack, Dim> r;
+  for (int k = 0; k < Sym<double, Dim>::size; ++k) r.c[k] = filled<Pack>(a.c[k]);
+  return r;
+}
+
+}  // namespace taut::inline TAUT_ISA

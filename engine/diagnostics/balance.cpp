@@ -1,0 +1,58 @@
+#include <array>
+#include <cmath>
+
+#include "engine/diagnostics/compensated_sum.hpp"
+#include "engine/diagnostics/deviator.hpp"
+#include "engine/simulation.hpp"
+
+namespace taut {
+namespace {
+
+Point vector_of(const std::vector<double>& vectors, const Snapshot& now, std::size_t particle) {
+  const auto dim = static_cast<std::size_t>(now.dim);
+  Point point{};
+  for (std::size_t a = 0; a < dim; ++a) point[a] = vectors[particle * dim + a];
+  return point;
+}
+
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// V (p²/2K + s:s/4G), J: linear elasticity, with the present volume V = m/ρ.
+double strain_energy(const Snapshot& now, std::size_t i, const Material& material) {
+  const double volumetric = now.p[i] * now.p[i] / (2 * material.bulk_modulus());
+  const double deviatoric = deviator_squared(now, i) / (4 * material.shear_modulus());
+  return now.m[i] / now.rho[i] * (volumetric + deviatoric);
+}
+
+Point values(const std::array<CompensatedSum, 3>& sums) {
+  return {sums[0].value(), sums[1].value(), sums[2].value()};
+}
+
+}  // namespace
+
+Balance balance(const Snapshot& now, const Scene& scene) {
+  CompensatedSum kinetic, strain, momentum_scale, angular_scale;
+  std::array<CompensatedSum, 3> linear, angular;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const Point x = vector_of(now.x, now, i), v = vector_of(now.v, now, i);
+    const Body& body = scene.bodies.at(static_cast<std::size_t>(now.body[i]));
+    const double m = now.m[i], speed = std::sqrt(dot(v, v));
+    kinetic += 0.5 * m * dot(v, v);
+    strain += strain_energy(now, i, scene.materials.at(static_cast<std::size_t>(body.material)));
+    momentum_scale += m * speed;
+    angular_scale += m * std::sqrt(dot(x, x)) * speed;
+    const Point spin = cross(x, v);
+    for (std::size_t a = 0; a < 3; ++a) {
+      linear[a] += m * v[a];
+      angular[a] += m * spin[a];
+    }
+  }
+  return {kinetic.value(), strain.value(),         values(linear),
+          values(angular), momentum_scale.value(), angular_scale.value()};
+}
+
+}  // namespace taut

@@ -1,0 +1,85 @@
+#include "engine/diagnostics/curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace taut {
+namespace {
+
+/// The extremum of the parabola through samples k − 1, k and k + 1, which are unequally spaced; k's value if
+/// they lie on a line.
+double vertex(const Curve& c, std::size_t k) {
+  const double before = (c.y[k] - c.y[k - 1]) / (c.t[k] - c.t[k - 1]);
+  const double after = (c.y[k + 1] - c.y[k]) / (c.t[k + 1] - c.t[k]);
+  const double curvature = (after - before) / (c.t[k + 1] - c.t[k - 1]);  // half the second derivative
+  if (curvature == 0) return c.y[k];
+  const double slope = before + curvature * (c.t[k] - c.t[k - 1]);
+  return c.y[k] - slope * slope / (4 * curvature);
+}
+
+/// Begin, end and the samples of both curves in between: what is straight between two of them.
+std::vector<double> joint_times(const Curve& a, const Curve& b, double begin, double end) {
+  std::vector<double> times = {begin, end};
+  const auto inside = [=](double t) { return begin < t && t < end; };
+  std::ranges::copy_if(a.t, std::back_inserter(times), inside);
+  std::ranges::copy_if(b.t, std::back_inserter(times), inside);
+  std::ranges::sort(times);
+  return times;
+}
+
+}  // namespace
+
+Curve finite_part(Curve curve) {
+  const auto end = std::ranges::find_if_not(curve.y, [](double y) { return std::isfinite(y); });
+  const auto kept = static_cast<std::size_t>(end - curve.y.begin());
+  return {curve.t.first(kept), curve.y.first(kept)};
+}
+
+double value_at(const Curve& curve, double time) {
+  const auto next = std::ranges::upper_bound(curve.t, time);
+  if (next == curve.t.begin()) return curve.y.front();
+  if (next == curve.t.end()) return curve.y.back();
+  const auto k = static_cast<std::size_t>(next - curve.t.begin());
+  return std::lerp(curve.y[k - 1], curve.y[k], (time - curve.t[k - 1]) / (curve.t[k] - curve.t[k - 1]));
+}
+
+double crossing_time(const Curve& curve, std::size_t k, double level) {
+  const double share = (level - curve.y[k - 1]) / (curve.y[k] - curve.y[k - 1]);
+  return std::lerp(curve.t[k - 1], curve.t[k], std::clamp(share, 0.0, 1.0));
+}
+
+std::vector<HalfCycle> half_cycles(const Curve& curve) {
+  constexpr double round_off = 1e-9;  // of the greatest value so far: counts as 0
+  std::vector<HalfCycle> found;
+  double greatest = 0;
+  std::size_t top = 0;                              // of the half cycle in progress; 0 before the first
+  for (std::size_t k = 1; k < curve.size(); ++k) {  // the start is 0, whatever its round-off
+    const double y = curve.y[k];
+    greatest = std::max(greatest, std::abs(y));
+    if (std::abs(y) <= round_off * greatest) continue;
+    if (top == 0) {
+      top = k;
+    } else if (std::signbit(y) != std::signbit(curve.y[top])) {
+      found.push_back({crossing_time(curve, k, 0), vertex(curve, top)});
+      top = k;
+    } else if (std::abs(y) > std::abs(curve.y[top])) {
+      top = k;
+    }
+  }
+  return found;
+}
+
+double rms_difference(const Curve& a, const Curve& b, double begin, double end) {
+  const std::vector<double> times = joint_times(a, b, begin, end);
+  double integral = 0;
+  double left = value_at(a, begin) - value_at(b, begin);
+  for (std::size_t k = 1; k < times.size(); ++k) {
+    const double right = value_at(a, times[k]) - value_at(b, times[k]);
+    integral += (times[k] - times[k - 1]) * (left * left + left * right + right * right) / 3;
+    left = right;
+  }
+  return std::sqrt(integral / (end - begin));
+}
+
+}  // namespace taut

@@ -1,0 +1,82 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/diagnostics/deviator.hpp"
+#include "engine/field.hpp"
+
+namespace taut {
+namespace {
+
+double component(const std::vector<double>& vectors, const Snapshot& now, std::size_t particle, int axis) {
+  return vectors[particle * static_cast<std::size_t>(now.dim) + static_cast<std::size_t>(axis)];
+}
+
+double von_mises(const Snapshot& now, std::size_t i) { return std::sqrt(1.5 * deviator_squared(now, i)); }
+
+double pressure(const Snapshot& now, std::size_t i) { return now.p[i]; }
+
+/// Cauchy stress σ = −p I + s, positive in tension.
+double stress_xx(const Snapshot& now, std::size_t i) { return -now.p[i] + deviator(now, i)[0]; }
+double stress_xy(const Snapshot& now, std::size_t i) { return deviator(now, i)[1]; }
+double stress_yy(const Snapshot& now, std::size_t i) {
+  return -now.p[i] + deviator(now, i)[now.dim == 3 ? 3 : 2];
+}
+
+template <int Axis>
+double velocity(const Snapshot& now, std::size_t i) {
+  return component(now.v, now, i, Axis);
+}
+
+template <int Axis>
+double displacement(const Snapshot& now, std::size_t i) {
+  return component(now.x, now, i, Axis) - component(now.x0, now, i, Axis);
+}
+
+double speed(const Snapshot& now, std::size_t i) {
+  double squared = 0;
+  for (int a = 0; a < now.dim; ++a) squared += std::pow(component(now.v, now, i, a), 2);
+  return std::sqrt(squared);
+}
+
+double distance_moved(const Snapshot& now, std::size_t i) {
+  double squared = 0;
+  for (int a = 0; a < now.dim; ++a) {
+    squared += std::pow(component(now.x, now, i, a) - component(now.x0, now, i, a), 2);
+  }
+  return std::sqrt(squared);
+}
+
+double density(const Snapshot& now, std::size_t i) { return now.rho[i]; }
+
+constexpr std::array all = {
+    Field{"von_mises", "von Mises stress", "Pa", "√(3/2 s:s) of the deviatoric stress s", false, von_mises},
+    Field{"pressure", "pressure", "Pa", "positive in compression", true, pressure},
+    Field{"stress_xx", "stress xx", "Pa", "Cauchy stress, positive in tension", true, stress_xx},
+    Field{"stress_xy", "stress xy", "Pa", "Cauchy stress, shear", true, stress_xy},
+    Field{"stress_yy", "stress yy", "Pa", "Cauchy stress, positive in tension", true, stress_yy},
+    Field{"speed", "speed", "m/s", "magnitude of the velocity", false, speed},
+    Field{"density", "density", "kg/m³", "mass per present volume", false, density},
+    Field{"displacement", "displacement", "m", "distance from the initial position", false, distance_moved},
+    Field{"displacement_x", "displacement x", "m", "from the initial position", true, displacement<0>},
+    Field{"displacement_y", "displacement y", "m", "from the initial position", true, displacement<1>},
+    Field{"velocity_x", "velocity x", "m/s", "component of the velocity", true, velocity<0>},
+    Field{"velocity_y", "velocity y", "m/s", "component of the velocity", true, velocity<1>},
+};
+
+}  // namespace
+
+std::span<const Field> fields() { return all; }
+
+const Field* find_field(std::string_view key) {
+  const auto* found = std::ranges::find(all, key, &Field::key);
+  return found == all.end() ? nullptr : found;
+}
+
+std::vector<double> evaluate(const Field& field, const Snapshot& snapshot) {
+  std::vector<double> values(snapshot.size());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = field.value(snapshot, i);
+  return values;
+}
+
+}  // namespace taut

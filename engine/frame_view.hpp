@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace taut {
+
+/// All that a renderer may know of a simulation: positions, sizes and one coloured field at one time.
+/// The arrays belong to the caller and hold n particles, n × dim coordinates.
+struct FrameView {
+  int dim = 2;
+  double time = 0;                   // s
+  std::span<const double> x;         // position, particle after particle, m
+  std::span<const double> diameter;  // m
+  std::span<const double> value;     // the coloured field, in `unit`
+  std::string_view field;            // "von Mises stress"
+  std::string_view unit;             // "Pa"
+  std::string_view title;            // "Colliding rubber rings"
+  std::string_view method;           // "enog"
+};
+
+}  // namespace taut

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/scene.hpp"
+
+namespace taut {
+
+/// The particles of a scene at t = 0, body after body.
+struct Layout {
+  int dim = 2;
+  std::vector<Point> x, v;          // m, m/s
+  std::vector<double> V0;           // m^dim
+  std::vector<int> body;            // index into Scene::bodies
+  std::vector<unsigned char> held;  // 1: stays where it is
+  std::vector<int> first;           // first particle of each body, and one past the last of all
+
+  int size() const { return static_cast<int>(x.size()); }
+};
+
+inline constexpr double greatest_particle_number = 20e6;
+
+/// Boxes and discs are filled with a square lattice, rings with concentric layers whose particles share the
+/// layer's area, so that their mass is exact. Throws SceneError: no particles, too many, bodies that overlap.
+Layout make_layout(const Scene& scene);
+
+}  // namespace taut

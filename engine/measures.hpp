@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/simulation.hpp"
+
+namespace taut {
+
+struct MeasureResult {
+  std::string name, unit;
+  std::optional<double> value;      // none: the run was too short; rmse: or there is no table
+  std::optional<double> reference;  // none: no reference for these parameters and this material; rmse: 0
+  std::string reference_name;       // empty without reference
+  std::optional<double> error;      // |value − reference| / |reference|; where the reference is 0, |value|
+};
+
+/// Every measure of the scene from the series recorded so far, against the reference of material `law`.
+/// Between steps a series is a straight line (first_peak and decay: a parabola through three steps); what
+/// follows a value that is not finite is left out.
+///
+///   period, first_peak, decay  a half cycle lies between two crossings of zero; one that only touches zero
+///                              goes on, and one that has not ended yet does not count. A peak keeps its
+///                              sign. decay = 1 − (A_n/A_1)^(1/(n−1)) of the n ≥ 2 peaks on the side of the
+///                              first.
+///   rmse                       √(1/T ∫ (series − table)² dt) over the time that both cover, up to `until`;
+///   the
+///                              table is found by the measure's name. Its reference is 0: it is its own
+///                              error.
+///   minimum, maximum           none while the series ends at its extreme, which may then still be ahead;
+///                              mirror_asymmetry is a fault that grows, so there the extreme so far counts.
+///   final_ratio                none while `free` ends ≤ 0 (in touch) and if it never was ≤ 0 (no contact).
+///
+/// Throws SceneError for a measure of a probe that does not exist.
+std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std::string_view law);
+
+}  // namespace taut

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace taut {
+
+/// A constant of a method that a user may set ("--set method.zeta=4") and sweep.
+struct MethodConstant {
+  std::string_view name;
+  double value;  // published default
+  double low, high;
+  std::string_view help;
+};
+
+/// What `list` and `describe` say of a method, derived from its Formulation.
+struct MethodInfo {
+  std::string_view name;
+  std::string_view paper;
+  std::string_view summary;
+  std::string_view material_law;   // "2d_deviator" or "neo_hookean": the reference to compare with
+  std::string_view conserves;
+  std::vector<std::string_view> terms;  // one line per term, with its equation
+  std::vector<MethodConstant> constants;
+  double cfl;  // default acoustic CFL number
+};
+
+/// Every method by name, in the order in which they are listed.
+std::span<const MethodInfo> methods();
+/// nullptr if there is none of that name.
+const MethodInfo* find_method(std::string_view name);
+
+}  // namespace taut

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "engine/kernels/kernel.hpp"
+
+namespace taut {
+
+/// How the shear stress acts on the velocity.
+enum class Shear : std::uint8_t {
+  nested_stress,         // ∇·s, s from the Jaumann rate of the velocity gradient; [Zhang2024] Eq. 7, 13, 14
+  laplacian_velocity,    // ∫ G/ρ ∇²v dt with the angular-momentum-conserving operator; [Zhang2024] Eq. 19, 20
+  laplacian_velocity_nonconservative,  // the same with the plain operator; [Zhang2024] Eq. 18
+};
+
+/// The trace that is taken from the strain rate: two different materials in plane strain.
+enum class Deviator : std::uint8_t {
+  in_plane,      // 1/d of the trace, [Zhang2024] Eq. 7: in-plane bulk modulus K, s_zz = 0
+  plane_strain,  // 1/3 of the trace, [Khayyer2024] Eq. 6: in-plane bulk modulus K + G/3
+};
+
+/// What a method is. Named values of it, and nothing else, are instantiated.
+struct Formulation {
+  std::string_view name;
+  std::string_view paper;
+  std::string_view summary;
+  std::string_view conserves;
+  Shear shear;
+  bool artificial_stress = false;  // Gray's
+  Deviator deviator = Deviator::in_plane;
+  KernelName kernel = KernelName::wendland_c2;
+  double h_over_dp = 1.3;      // smoothing length over spacing
+  double cfl = 0.4;            // acoustic, [Zhang2024] Eq. 22
+  double cfl_advection = 0.2;  // [Zhang2024] Eq. 21
+};
+
+/// The stress a method keeps for each particle is one it computes with (true), or one that is only
+/// recovered to be shown (false).
+constexpr bool carries_stress(const Formulation& m) { return m.shear == Shear::nested_stress; }
+
+/// Mixtures that make no sense are refused at compile time.
+constexpr bool consistent(const Formulation& m) {
+  return (!m.artificial_stress || carries_stress(m))  // there is no stress to take it from
+         && m.h_over_dp > 0 && m.cfl > 0 && m.cfl_advection > 0 && !m.name.empty();
+}
+
+inline constexpr Formulation og{
+    .name = "og",
+    .paper = "Zhang2024 §3",
+    .summary = "nested shear stress, low-dissipation Riemann terms, no cure for tension: fractures",
+    .conserves = "linear momentum",
+    .shear = Shear::nested_stress,
+};
+inline constexpr Formulation oas{
+    .name = "oas",
+    .paper = "Zhang2024 §6",
+    .summary = "og with Gray's artificial stress: no fracture at first, zigzag modes stay",
+    .conserves = "linear momentum",
+    .shear = Shear::nested_stress,
+    .artificial_stress = true,
+};
+inline constexpr Formulation enog{
+    .name = "enog",
+    .paper = "Zhang2024 §4",
+    .summary = "shear acceleration from a non-nested Laplacian of the velocity: no zigzag, no tension instability",
+    .conserves = "linear momentum",
+    .shear = Shear::laplacian_velocity,
+};
+inline constexpr Formulation enog_nonconservative{
+    .name = "enog-nonconservative",
+    .paper = "Zhang2024 Eq. 18, Fig. 7",
+    .summary = "enog with the plain Laplacian: resists rotation, as published",
+    .conserves = "linear momentum",
+    .shear = Shear::laplacian_velocity_nonconservative,
+};
+
+/// Every method, in the order in which they are listed. A method is one value above and its name here.
+template <const Formulation&... M>
+struct MethodList {
+  static_assert((consistent(M) && ...));
+};
+using Methods = MethodList<og, oas, enog, enog_nonconservative>;
+
+}  // namespace taut

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace taut {
+
+/// A point or vector of up to three components; those beyond the scene's dimension are 0. SI units.
+using Point = std::array<double, 3>;
+/// A function of the position in the initial configuration, evaluated at set-up only.
+using Expression = std::function<double(const Point&)>;
+
+struct Material {
+  std::string name;
+  double density = 0;         // ρ0, kg/m³
+  double youngs_modulus = 0;  // E, Pa
+  double poisson_ratio = 0;   // ν
+
+  double bulk_modulus() const { return youngs_modulus / (3 * (1 - 2 * poisson_ratio)); }   // K, Pa
+  double shear_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio)); }      // G, Pa
+  double sound_speed() const;  // c0 = √(K/ρ0), m/s [Zhang2024] Eq. 5
+};
+
+struct Box {  // a rectangle in 2D
+  Point low{}, high{};
+};
+struct Disc {  // a ball in 3D
+  Point centre{};
+  double radius = 0;
+};
+struct Ring {  // a hollow ball in 3D
+  Point centre{};
+  double inner = 0, outer = 0;
+};
+using Shape = std::variant<Box, Disc, Ring>;
+
+struct Body {
+  std::string name;
+  std::vector<Shape> shapes;        // their union; the first one anchors the lattice
+  int material = 0;                 // index into Scene::materials
+  std::array<Expression, 3> velocity;  // initial velocity, m/s; empty = 0
+  Expression held;                  // particles where it is not 0 stay where they are; empty = none
+  std::array<bool, 3> mirror{};     // the layout is reflected along these axes about the first shape's centre
+};
+
+/// A quantity followed at every step.
+struct Probe {
+  enum class Kind {
+    displacement,   // of material point `at` of `bodies[0]`, component `axis`, m
+    position,       // of material point `at`, component `axis`, m
+    distance,       // between material points `at` and `to` of `bodies[0]`, m
+    mean_velocity,  // mass-weighted, of `bodies[0]`, component `axis`, m/s
+    gap,            // least distance of two particles of `bodies[0]` and `bodies[1]` less their mean diameter, m
+    mirror_asymmetry  // greatest |x_a − mirror(x_b)| over particles of two bodies of equal layout, plane ⊥ axis, m
+  };
+  std::string name;
+  Kind kind{};
+  std::vector<int> bodies;
+  Point at{}, to{};
+  int axis = 0;
+};
+
+/// A number made from a probe's series, with its unit as it stands in run.json.
+struct Measure {
+  enum class Kind {
+    period,       // time of the second zero crossing of a series that starts at 0
+    first_peak,   // first extremum of a series that starts at 0
+    decay,        // loss of peak amplitude per period, as a share
+    rmse,         // root mean square difference from the reference's table
+    minimum,      // least value
+    maximum,      // greatest value
+    first_below,  // first time at which the series is ≤ threshold
+    last_below,   // last time at which it was; null unless it is above at the end
+    final_ratio,  // last value over `scale`; null while series `free` is ≤ 0 at the end
+  };
+  std::string name;
+  Kind kind{};
+  std::string probe;
+  std::string unit;
+  double threshold = 0;
+  double scale = 1;
+  std::string free;  // final_ratio: the probe that says that the bodies are apart; may be empty
+};
+
+/// A table of an independent solution: time and one column, linearly interpolated.
+struct ReferenceTable {
+  std::vector<double> t, value;  // s, the probe's unit
+};
+
+/// Independent values for the measures of this very scene (the parameters as they stand).
+struct Reference {
+  std::string name;                     // "finite elements, 2d deviator, ..."
+  std::map<std::string, double> value;  // measure → value in the measure's unit
+  std::map<std::string, ReferenceTable> table;
+};
+
+/// What is simulated. Plain data: every expression of a scene file has been evaluated or bound.
+struct Scene {
+  std::string name;
+  std::string title;
+  std::string source;
+  int dim = 2;
+  double spacing = 0;  // dp, m; divides the first body (see fitted_spacing)
+  double until = 0;    // s
+  std::vector<Material> materials;
+  std::vector<Body> bodies;
+  std::vector<Probe> probes;
+  std::vector<Measure> measures;
+  /// By deviator law ("2d_deviator", "neo_hookean"); empty where there is none for these parameters.
+  std::map<std::string, Reference> references;
+};
+
+/// The spacing nearest to `spacing` that divides the thinnest extent of the first body's first shape into
+/// whole particles.
+double fitted_spacing(const Body& first, int dim, double spacing);
+
+}  // namespace taut

@@ -1,0 +1,110 @@
+#include "engine/simulation.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+
+#include "engine/error.hpp"
+#include "engine/layout.hpp"
+#include "engine/method_info.hpp"
+#include "engine/solver/solver.hpp"
+
+namespace taut {
+namespace {
+
+/// The default of each constant of the method, unless the settings say otherwise.
+class ConstantValues {
+ public:
+  ConstantValues(const MethodInfo& method, const Settings& settings) : method_(method), settings_(settings) {
+    for (const auto& [name, value] : settings.constants) {
+      const MethodConstant* constant = find(name);
+      if (!constant)
+        throw UsageError("method '" + std::string(method.name) + "' has no constant '" + name + "'; it has " + names());
+      if (!(value >= constant->low && value <= constant->high))
+        throw UsageError("constant '" + name + "' is " + std::to_string(value) + "; allowed is " +
+                         std::to_string(constant->low) + " to " + std::to_string(constant->high));
+    }
+  }
+  double operator()(std::string_view name) const {
+    if (const auto it = settings_.constants.find(std::string(name)); it != settings_.constants.end()) return it->second;
+    const MethodConstant* constant = find(name);
+    return constant ? constant->value : 0;
+  }
+
+ private:
+  const MethodConstant* find(std::string_view name) const {
+    for (const MethodConstant& c : method_.constants)
+      if (c.name == name) return &c;
+    return nullptr;
+  }
+  std::string names() const {
+    std::string all;
+    for (const MethodConstant& c : method_.constants) all += (all.empty() ? "" : ", ") + std::string(c.name);
+    return all;
+  }
+
+  const MethodInfo& method_;
+  const Settings& settings_;
+};
+
+bool same(const Material& a, const Material& b) {
+  return a.density == b.density && a.youngs_modulus == b.youngs_modulus && a.poisson_ratio == b.poisson_ratio;
+}
+
+const Material& only_material(const Scene& scene, std::string_view method) {
+  const Material& first = scene.materials[scene.bodies.front().material];
+  for (const Body& body : scene.bodies)
+    if (!same(first, scene.materials[body.material]))
+      throw SceneError("body." + body.name, "method '" + std::string(method) + "' takes one material; body '" + body.name +
+                                                "' has another one than body '" + scene.bodies.front().name + "'");
+  return first;
+}
+
+Constants make_constants(const Scene& scene, const Settings& settings, const MethodInfo& method) {
+  const ConstantValues value(method, settings);
+  const Material& material = only_material(scene, method.name);
+  Constants c;
+  c.dp = scene.spacing;
+  c.h = value("h") * scene.spacing;
+  c.rho0 = material.density;
+  c.c0 = material.sound_speed();
+  c.K = material.bulk_modulus();
+  c.G = material.shear_modulus();
+  c.zeta = value("zeta");
+  c.epsilon = value("epsilon");
+  c.exponent = value("exponent");
+  c.riemann_limiter = value("riemann_limiter");
+  c.beta_least = value("beta_least");
+  c.pressure_diffusion = value("pressure_diffusion");
+  c.cfl = settings.cfl > 0 ? settings.cfl : method.cfl;
+  c.cfl_advection = value("cfl_advection");
+  return c;
+}
+
+bool has_x86_64_v3() {
+#if defined(__x86_64__)
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+#else
+  return false;
+#endif
+}
+
+}  // namespace
+
+std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Settings& settings) {
+  const MethodInfo* method = find_method(settings.method);
+  if (!method) throw UsageError("there is no method '" + settings.method + "'");
+  if (scene.dim != 2) throw SceneError("dim", "only dim = 2 is available in this version");
+  if (scene.bodies.empty()) throw SceneError("body", "the scene has no particles; add a [[body]]");
+  const Constants constants = make_constants(scene, settings, *method);
+  const Layout layout = make_layout(scene);
+  const int threads = settings.threads > 0 ? settings.threads : omp_get_max_threads();
+  const SolverInput input{scene, layout, constants, settings.stepping, threads};
+#if defined(__x86_64__)
+  if (settings.instruction_set == InstructionSet::best && has_x86_64_v3())
+    return x86_64_v3::make_solver(settings.method, input);
+#endif
+  return make_solver(settings.method, input);
+}
+
+}  // namespace taut

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/scene.hpp"
+
+namespace taut {
+
+enum class Stepping { dual, single };  // [Zhang2024] §5: pair geometry held between advection steps, or not
+
+/// Which build of the solver runs: the best that this machine has, or the one for any machine. The results
+/// are the same to the last bit.
+enum class InstructionSet { best, baseline };
+
+/// How a scene is run; what is left out takes the method's published default.
+struct Settings {
+  std::string method = "enog";
+  std::map<std::string, double> constants;  // a method's own constants by name, e.g. {"zeta", 4.0}
+  Stepping stepping = Stepping::dual;
+  double cfl = 0;  // acoustic step over h/(c0 + |v|max); 0 = the method's default
+  int threads = 0;  // 0 = all cores
+  InstructionSet instruction_set = InstructionSet::best;
+};
+
+/// The particles at one time, in the order of their creation, whatever order the solver keeps them in.
+struct Snapshot {
+  int dim = 2;
+  double time = 0;  // s
+  long step = 0;
+  std::vector<double> x0;        // initial position, n × dim, m
+  std::vector<double> x;         // position, n × dim, m
+  std::vector<double> v;         // velocity, n × dim, m/s
+  std::vector<double> m;         // mass (per metre depth in 2D), kg
+  std::vector<double> rho;       // density, kg/m³
+  std::vector<double> p;         // pressure, positive in compression, Pa
+  std::vector<double> s;         // deviatoric stress xx, xy, yy, zz (2D) or xx, xy, xz, yy, yz, zz (3D), Pa
+  std::vector<double> diameter;  // of a particle as drawn: V0^(1/dim), m
+  std::vector<int> body;         // index into Scene::bodies
+  std::vector<unsigned char> held;
+
+  std::size_t size() const { return m.size(); }
+};
+
+/// Sums over all particles, of the state that `Snapshot` shows.
+struct Balance {
+  double kinetic = 0, strain = 0;  // J (per metre depth in 2D)
+  Point linear_momentum{};         // kg m/s
+  Point angular_momentum{};        // about the origin, kg m²/s; in 2D only the last component
+  double momentum_scale = 0;       // Σ |m v|
+  double angular_scale = 0;        // Σ m |x| |v|
+};
+
+/// The series of a scene's probes: one row per step.
+struct Series {
+  std::vector<double> time;                // s
+  std::vector<std::vector<double>> value;  // [probe][step]
+};
+
+/// A running simulation. The only virtual call is `advance_to`.
+class Simulation {
+ public:
+  virtual ~Simulation() = default;
+
+  /// Steps until the first step at or past time `t` (never cut short: output does not alter a run), then
+  /// refreshes `snapshot`. Throws NumericalError when a value is no longer finite.
+  virtual void advance_to(double t) = 0;
+
+  const Snapshot& snapshot() const { return snapshot_; }
+  const Series& series() const { return series_; }
+  double time() const { return snapshot_.time; }
+  long steps() const { return snapshot_.step; }
+  double support() const { return support_; }  // radius of interaction, m
+  /// Greatest number of threads in use.
+  int threads() const { return threads_; }
+
+ protected:
+  Snapshot snapshot_;
+  Series series_;
+  double support_ = 0;
+  int threads_ = 1;
+};
+
+/// Throws UsageError for an unknown method or constant, SceneError for a scene the method cannot run.
+std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Settings& settings);
+
+Balance balance(const Snapshot& now, const Scene& scene);
+
+}  // namespace taut

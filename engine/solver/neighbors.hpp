@@ -1,0 +1,158 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "engine/core/parallel.hpp"
+#include "engine/core/tensor.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// Cells at least as wide as the support, a border of empty ones around them. Particles are meant to be kept
+/// in the order of their cells, x fastest, so that three cells side by side are one stretch of memory.
+template <int Dim>
+class CellGrid {
+ public:
+  /// Lays the grid around `x` and returns the order in which the particles must be stored (stable).
+  const std::vector<int>& sort(const std::vector<Vec<double, Dim>>& x, double support) {
+    place(x, support);
+    const int n = static_cast<int>(x.size());
+    cell_.resize(n);
+    order_.resize(n);
+    start_.assign(cells_ + 1, 0);
+    for (int i = 0; i < n; ++i) ++start_[(cell_[i] = cell_of(x[i])) + 1];
+    for (int c = 0; c < cells_; ++c) start_[c + 1] += start_[c];
+    for (int i = 0; i < n; ++i) order_[start_[cell_[i]]++] = i;
+    for (int c = cells_; c > 0; --c) start_[c] = start_[c - 1];
+    start_[0] = 0;
+    return order_;
+  }
+
+  /// f(first, last) for each stretch of stored particles that may hold neighbours of a particle at x.
+  template <class F>
+  void for_each_row(const Vec<double, Dim>& x, const F& f) const {
+    const int c = cell_of(x);
+    const int depth = Dim == 3 ? 1 : 0;
+    for (int dz = -depth; dz <= depth; ++dz) {
+      for (int dy = -1; dy <= 1; ++dy) {
+        const int row = c + dy * stride_[1] + (Dim == 3 ? dz * stride_[Dim - 1] : 0);
+        f(start_[row - 1], start_[row + 2]);
+      }
+    }
+  }
+
+ private:
+  void place(const std::vector<Vec<double, Dim>>& x, double support) {
+    Vec<double, Dim> low = x[0], high = x[0];
+    for (const auto& p : x)
+      for (int k = 0; k < Dim; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+    // a body that flies apart must not ask for more memory: wider cells are as right, only slower
+    const double most = 1000 + 8.0 * static_cast<double>(x.size());
+    size_ = support;
+    const auto along = [&](int k) { return std::floor((high[k] - low[k]) / size_) + 4; };
+    const auto count = [&] {
+      double cells = 1;
+      for (int k = 0; k < Dim; ++k) cells *= along(k);
+      return cells;
+    };
+    while (count() > most) size_ *= 1.5;
+    cells_ = 1;
+    for (int k = 0; k < Dim; ++k) {
+      origin_[k] = low[k] - 1.5 * size_;  // not by one cell: rounding could put the first particle into the border
+      stride_[k] = cells_;
+      cells_ *= static_cast<int>(along(k));
+    }
+  }
+
+  int cell_of(const Vec<double, Dim>& x) const {
+    int c = 0;
+    for (int k = 0; k < Dim; ++k) c += stride_[k] * static_cast<int>((x[k] - origin_[k]) / size_);
+    return c;
+  }
+
+  Vec<double, Dim> origin_{};
+  double size_ = 0;  // m
+  int stride_[Dim] = {};
+  int cells_ = 0;
+  std::vector<int> start_;  // [cell] first stored particle
+  std::vector<int> cell_, order_;
+};
+
+/// Neighbours of each particle, flat: those of i are j[lanes · begin[i]] … j[lanes · begin[i + 1] − 1], filled up
+/// with i itself to whole packs.
+struct Neighbors {
+  std::vector<int> begin;  // [n + 1] in packs
+  std::vector<int> j;
+  long pairs = 0;  // directed, without the filling
+
+  const int* pack(int b) const { return &j[static_cast<std::size_t>(lanes) * b]; }
+};
+
+/// All pairs with 0 < r < support, of particles stored in the grid's order. The lists do not depend on
+/// the number of threads.
+template <int Dim>
+class NeighborSearch {
+ public:
+  void operator()(const CellGrid<Dim>& grid, const std::vector<Vec<double, Dim>>& x, double support, int threads,
+                  Neighbors& out) {
+    const int n = static_cast<int>(x.size());
+    out.begin.resize(n + 1);
+    out.begin[0] = 0;
+    count_.resize(n);
+    found_.resize(threads);
+#pragma omp parallel num_threads(threads)
+    {
+      const int thread = omp_get_thread_num(), of = omp_get_num_threads();
+      const int first = static_cast<int>(static_cast<long>(n) * thread / of);
+      const int last = static_cast<int>(static_cast<long>(n) * (thread + 1) / of);
+      std::vector<int>& found = found_[thread];
+      find(grid, x, support, first, last, found);
+#pragma omp barrier
+#pragma omp single
+      {
+        out.pairs = 0;
+        for (int i = 0; i < n; ++i) {
+          out.begin[i + 1] = out.begin[i] + (count_[i] + lanes - 1) / lanes;
+          out.pairs += count_[i];
+        }
+        out.j.resize(static_cast<std::size_t>(lanes) * out.begin[n]);
+      }
+      const int* from = found.data();
+      for (int i = first; i < last; ++i) {
+        int* to = out.j.data() + static_cast<std::size_t>(lanes) * out.begin[i];
+        int* const end = out.j.data() + static_cast<std::size_t>(lanes) * out.begin[i + 1];
+        to = std::copy(from, from + count_[i], to);
+        std::fill(to, end, i);
+        from += count_[i];
+      }
+    }
+  }
+
+ private:
+  void find(const CellGrid<Dim>& grid, const std::vector<Vec<double, Dim>>& x, double support, int first,
+                   int last, std::vector<int>& found) {
+    const double support2 = support * support;
+    std::size_t size = 0;
+    for (int i = first; i < last; ++i) {
+      const Vec<double, Dim> x_i = x[i];
+      const std::size_t before = size;
+      grid.for_each_row(x_i, [&](int begin, int end) {
+        if (found.size() < size + (end - begin)) found.resize(2 * (size + (end - begin)));
+        int* const list = found.data();
+        for (int j = begin; j < end; ++j) {
+          const Vec<double, Dim> d = x_i - x[j];
+          list[size] = j;
+          size += (dot(d, d) < support2) & (j != i);
+        }
+      });
+      count_[i] = static_cast<int>(size - before);
+    }
+  }
+
+  std::vector<int> count_;
+  std::vector<std::vector<int>> found_;  // per thread
+};
+
+}  // namespace taut::inline TAUT_ISA

@@ -1,0 +1,28 @@
+// Compiled once per instruction set; see engine/CMakeLists.txt.
+#include "engine/solver/solver.hpp"
+
+#include "engine/methods/formulation.hpp"
+#include "engine/solver/updated_lagrangian.hpp"
+
+namespace taut::inline TAUT_ISA {
+namespace {
+
+template <int Dim, const Formulation&... M>
+std::unique_ptr<Simulation> make(std::string_view method, const SolverInput& input, MethodList<M...>) {
+  std::unique_ptr<Simulation> simulation;
+  const auto made = [&]<const Formulation& F>() {
+    if (F.name != method) return false;
+    simulation = std::make_unique<UpdatedLagrangian<F, Dim>>(input);
+    return true;
+  };
+  static_cast<void>((made.template operator()<M>() || ...));
+  return simulation;
+}
+
+}  // namespace
+
+std::unique_ptr<Simulation> make_solver(std::string_view method, const SolverInput& input) {
+  return make<2>(method, input, Methods{});
+}
+
+}  // namespace taut::inline TAUT_ISA

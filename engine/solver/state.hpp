@@ -1,0 +1,130 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "engine/core/tensor.hpp"
+#include "engine/kernels/kernel.hpp"
+#include "engine/methods/constants.hpp"
+#include "engine/solver/neighbors.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// A particle's row of `Width` doubles, filled up to whole packs, as the passes gather it.
+template <int Width>
+struct alignas(lanes * sizeof(double)) Row {
+  static constexpr int width = (Width + lanes - 1) / lanes * lanes;
+  double c[width] = {};
+};
+
+/// What every pass gathers about a neighbour: velocity (or any other vector), pressure, volume.
+template <int Dim>
+struct FlowRow : Row<Dim + 2> {
+  void set(const Vec<double, Dim>& v, double p, double V) {
+    for (int k = 0; k < Dim; ++k) this->c[k] = v[k];
+    this->c[Dim] = p;
+    this->c[Dim + 1] = V;
+  }
+};
+template <int Dim, class T>
+struct Flow {
+  Vec<T, Dim> v;  // m/s
+  T p;            // Pa
+  T V;            // m^Dim
+};
+
+/// A symmetric tensor and a scalar of a particle, as the passes gather them.
+template <int Dim>
+struct TensorRow : Row<Sym<double, Dim>::size + 1> {
+  void set(const Sym<double, Dim>& s, double a = 0) {
+    for (int k = 0; k < Sym<double, Dim>::size; ++k) this->c[k] = s.c[k];
+    this->c[Sym<double, Dim>::size] = a;
+  }
+};
+
+template <int Dim>
+Flow<Dim, Pack> gather_flow(const std::vector<FlowRow<Dim>>& rows, const int* j) {
+  Pack column[FlowRow<Dim>::width];
+  gather<FlowRow<Dim>::width>(rows[0].c, j, column);
+  Flow<Dim, Pack> f;
+  for (int k = 0; k < Dim; ++k) f.v[k] = column[k];
+  f.p = column[Dim];
+  f.V = column[Dim + 1];
+  return f;
+}
+template <int Dim>
+Flow<Dim, Pack> spread_flow(const FlowRow<Dim>& row) {
+  Flow<Dim, Pack> f;
+  for (int k = 0; k < Dim; ++k) f.v[k] = filled<Pack>(row.c[k]);
+  f.p = filled<Pack>(row.c[Dim]);
+  f.V = filled<Pack>(row.c[Dim + 1]);
+  return f;
+}
+
+template <int Dim>
+struct Tensor {
+  Sym<Pack, Dim> s;
+  Pack a;
+};
+template <int Dim>
+Tensor<Dim> gather_tensor(const std::vector<TensorRow<Dim>>& rows, const int* j) {
+  Pack column[TensorRow<Dim>::width];
+  gather<TensorRow<Dim>::width>(rows[0].c, j, column);
+  Tensor<Dim> t;
+  for (int k = 0; k < Sym<Pack, Dim>::size; ++k) t.s.c[k] = column[k];
+  t.a = column[Sym<Pack, Dim>::size];
+  return t;
+}
+template <int Dim>
+Tensor<Dim> spread_tensor(const TensorRow<Dim>& row) {
+  Tensor<Dim> t;
+  for (int k = 0; k < Sym<Pack, Dim>::size; ++k) t.s.c[k] = filled<Pack>(row.c[k]);
+  t.a = filled<Pack>(row.c[Sym<Pack, Dim>::size]);
+  return t;
+}
+
+/// Geometry of four pairs (i, j), held between rebuilds. The filling has dW = 0.
+template <int Dim>
+struct PairGeometry {
+  Vec<Pack, Dim> e;  // unit vector from j to i
+  Pack dW;           // ∂W/∂r, 1/m^(Dim+1), ≤ 0
+  Pack inv_r;        // 1/r, 1/m; 0 for a pair of two bodies, between which no shear acts
+
+  /// ∂W/∂r of pairs within a body, 0 for the others.
+  Pack dW_inside() const { return inv_r > 0 ? dW : Pack{}; }
+};
+
+/// The particles in the order of their cells, and what a method integrates for each. Arrays that a method
+/// does not use stay empty.
+template <int Dim>
+struct State {
+  using V = Vec<double, Dim>;
+  using S = Sym<double, Dim>;
+
+  std::vector<V> x, v;             // m, m/s
+  std::vector<double> m;           // kg (per metre depth in 2D)
+  std::vector<double> mobile;      // 1, or 0 where held
+  std::vector<double> rho, drho;   // kg/m³ and its rate
+  std::vector<V> a_shear, da_shear;  // accumulated shear acceleration, m/s², and its rate
+  std::vector<S> s, ds;            // deviatoric stress, Pa, and its rate
+  std::vector<V> x_recovered;      // where x stood when a recovered stress was last brought up to date, m
+  std::vector<int> id;             // place in the order of creation
+  std::vector<int> body;
+
+  // gathered by the passes
+  std::vector<FlowRow<Dim>> flow;          // at the middle of the step: v, p, V
+  std::vector<FlowRow<Dim>> flow_new;      // with the new velocity, or any other vector to take the gradient of
+  std::vector<TensorRow<Dim>> stress;      // s
+  std::vector<TensorRow<Dim>> repulsion;   // artificial stress R and mass
+
+  // of the last rebuild
+  Neighbors neighbors;
+  std::vector<PairGeometry<Dim>> pairs;  // one for each pack of neighbours
+  std::vector<std::pair<int, int>> contacts;  // (i, pack) of pairs between bodies
+  bool several_bodies = false;
+  std::vector<Pack> closeness;           // (W/W(dp))ⁿ, where the method has artificial stress
+
+  int size() const { return static_cast<int>(x.size()); }
+};
+
+}  // namespace taut::inline TAUT_ISA

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cmath>
+
+#include "engine/core/tensor.hpp"
+
+/// Gray's artificial stress: tension is met by a small repulsion between close particles.
+/// [Zhang2024] names it for SPH-OAS with neither equations nor values; these are Gray, Monaghan, Swift (2001):
+/// ε = 0.3, n = 4, R of both particles over ρ².
+namespace taut::inline TAUT_ISA {
+
+/// σ⁺ = Σ_k max(σ_k, 0) n_k ⊗ n_k over the principal stresses.
+inline Sym<double, 2> positive_part(const Sym<double, 2>& sigma) {
+  const double mean = 0.5 * trace(sigma);
+  const double half = 0.5 * (sigma(0, 0) - sigma(1, 1));
+  const double radius = std::sqrt(half * half + sigma(0, 1) * sigma(0, 1));
+  const double greatest = mean + radius;
+  if (mean - radius >= 0) return sigma;
+  if (greatest <= 0) return {};
+  const double scale = 0.5 * greatest / radius;  // greatest · n ⊗ n = ½ greatest (I + deviator/radius)
+  return {scale * (radius + half), scale * sigma(0, 1), scale * (radius - half)};
+}
+
+/// R = −ε σ⁺/ρ², Pa m⁶/kg²
+template <int Dim>
+Sym<double, Dim> artificial_stress(const Sym<double, Dim>& sigma, double rho, double epsilon) {
+  return (-epsilon / (rho * rho)) * positive_part(sigma);
+}
+
+/// m_j (R_i + R_j) (W/W(dp))ⁿ·∇_i W: its sum over j is an acceleration, m/s².
+template <class T, int Dim>
+Vec<T, Dim> artificial_stress_term(const Sym<T, Dim>& R_i, const Sym<T, Dim>& R_j, const T& m_j,
+                                   const T& closeness, const T& dW, const Vec<T, Dim>& e_ij) {
+  return T(m_j * closeness * dW) * ((R_i + R_j) * e_ij);
+}
+
+}  // namespace taut::inline TAUT_ISA

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "engine/measures.hpp"
+#include "engine/simulation.hpp"
+
+namespace taut {
+
+/// From best to worst; the verdict of a run is the worst that ever held.
+enum class Verdict { stable, fractured, diverged };
+std::string_view name(Verdict);
+/// None if there is no verdict of that name.
+std::optional<Verdict> find_verdict(std::string_view name);
+
+/// Watches a run at history times.
+///
+/// connectivity: a bond joins two particles of one body that are at most 1.5 dp apart at the start; it is
+///   broken while it is longer than max(support, 2 dp). More pieces of the graph of unbroken bonds than at
+///   the start = fractured. "At the start", not "bodies": a body may consist of parts.
+/// energy: kinetic + strain above twice the start's, or anything that is not finite = diverged. The work of
+///   loads and driven parts, which do not exist yet, would have to be added to the start's; a scene that
+///   starts without energy is judged by finiteness only.
+class Judge {
+ public:
+  Judge(const Scene& scene, const Snapshot& start, double support);
+  /// Looks at the state at one time and remembers when each failure began.
+  void look(const Snapshot& now, const Balance& balance);
+
+  Verdict verdict() const;
+  /// The first time of each failure, s; those that never held are absent.
+  const std::map<Verdict, double>& since() const { return since_; }
+  int pieces() const { return pieces_; }  // of the graph of unbroken bonds, at the last look
+
+ private:
+  struct Bond {
+    int i, j;
+  };
+  std::vector<bool> find_broken(const Snapshot& now) const;
+  int count_pieces(const std::vector<bool>& broken) const;
+
+  std::vector<Bond> bonds_;
+  std::vector<bool> broken_;  // of bonds_, at the last look
+  std::size_t particles_ = 0;
+  double longest_ = 0;       // m, of an unbroken bond
+  double start_energy_ = 0;  // J
+  int start_pieces_ = 0;
+  int pieces_ = 0;
+  std::map<Verdict, double> since_;
+};
+
+}  // namespace taut

@@ -1,0 +1,67 @@
+#include "render/colormap.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut {
+namespace {
+
+// viridis, plasma: van der Walt & Smith 2015, released as CC0; cividis: Nuñez, Anderton & Renslow 2018. The
+// tables of 256 colours sampled at 19 places; what lies between is within 3 of 255 levels of the original.
+constexpr std::uint32_t viridis[] = {0x440154, 0x481668, 0x482878, 0x443a83, 0x3e4989, 0x375a8c, 0x31688e,
+                                     0x2b758e, 0x26828e, 0x21908c, 0x1f9e89, 0x25ab82, 0x35b779, 0x4ec36b,
+                                     0x6ece58, 0x90d741, 0xb5de2b, 0xdde31e, 0xfde725};
+constexpr std::uint32_t plasma[] = {0x0d0887, 0x2b0793, 0x46039f, 0x5d00a6, 0x7201a8, 0x880aa5, 0x9c179e,
+                                    0xad2693, 0xbd3786, 0xcb4779, 0xd8576b, 0xe3685f, 0xed7953, 0xf58b46,
+                                    0xfb9f3a, 0xfeb32f, 0xfdca26, 0xfae31f, 0xf0f921};
+constexpr std::uint32_t cividis[] = {0x00224e, 0x002c65, 0x123570, 0x2b406d, 0x3b496c, 0x4a536c, 0x575d6d,
+                                     0x646770, 0x707173, 0x7c7b78, 0x8a8678, 0x979177, 0xa59c74, 0xb4a76f,
+                                     0xc3b369, 0xd2bf60, 0xe1cc55, 0xf1d945, 0xfee838};
+// Moreland 2009, "Diverging Color Maps for Scientific Visualization", in his polar CIELAB space "Msh"
+constexpr std::uint32_t coolwarm[] = {0x3b4cc0, 0x4e68d7, 0x6282ea, 0x779af7, 0x8db0fe, 0xa3c2ff,
+                                      0xb8d0f9, 0xccd9ee, 0xdddddd, 0xecd3c6, 0xf5c4ad, 0xf7b194,
+                                      0xf49a7b, 0xec7f63, 0xde614c, 0xcb3e38, 0xb40426};
+// hue from 240° down to 0° at full saturation
+constexpr std::uint32_t rainbow[] = {0x0000ff, 0x00ffff, 0x00ff00, 0xffff00, 0xff0000};
+// stops short of white, which is the background
+constexpr std::uint32_t gray[] = {0x101010, 0xe0e0e0};
+
+constexpr Colormap maps[] = {
+    {"viridis", "perceptually uniform, blue to yellow", false, viridis},
+    {"plasma", "perceptually uniform, blue over red to yellow", false, plasma},
+    {"cividis", "perceptually uniform, looks alike with colour-blind eyes", false, cividis},
+    {"coolwarm", "diverging, blue over gray to red, for signed fields", true, coolwarm},
+    {"rainbow", "blue over green to red, as in the papers; not perceptually uniform", false, rainbow},
+    {"gray", "dark to light gray, for print", false, gray},
+};
+
+double channel(std::uint32_t color, int shift) { return static_cast<double>((color >> shift) & 0xff); }
+
+}  // namespace
+
+Rgb Colormap::at(double t) const {
+  const double last = static_cast<double>(stops.size() - 1);
+  const double place = t > 0 ? std::min(t, 1.0) * last : 0.0;  // written so that NaN gives 0
+  const auto i = static_cast<std::size_t>(std::min(place, last - 1));
+  const double f = place - static_cast<double>(i);
+  const auto mix = [&](int shift) {
+    const double value = (1 - f) * channel(stops[i], shift) + f * channel(stops[i + 1], shift);
+    return static_cast<std::uint8_t>(std::lround(value));
+  };
+  return {mix(16), mix(8), mix(0)};
+}
+
+std::array<Rgb, 256> Colormap::table() const {
+  std::array<Rgb, 256> colors;
+  for (std::size_t i = 0; i < colors.size(); ++i) colors[i] = at(static_cast<double>(i) / 255.0);
+  return colors;
+}
+
+std::span<const Colormap> colormaps() { return maps; }
+
+const Colormap* find_colormap(std::string_view key) {
+  const auto* found = std::ranges::find(maps, key, &Colormap::key);
+  return found == std::end(maps) ? nullptr : found;
+}
+
+}  // namespace taut

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "render/image.hpp"
+
+namespace taut {
+
+/// A colour map: evenly spaced colours, linear in sRGB in between.
+struct Colormap {
+  std::string_view key;
+  std::string_view help;
+  bool diverging;  // has a neutral middle: for signed fields, with a range symmetric about zero
+  std::span<const std::uint32_t> stops;  // 0xRRGGBB from low to high
+
+  /// The colour at t in [0, 1]; t beyond the ends is clamped, NaN gives the low end.
+  Rgb at(double t) const;
+
+  /// 256 colours from low to high.
+  std::array<Rgb, 256> table() const;
+};
+
+std::span<const Colormap> colormaps();
+
+/// nullptr if there is none of that name.
+const Colormap* find_colormap(std::string_view key);
+
+}  // namespace taut

@@ -1,0 +1,165 @@
+#include <chrono>
+#include <csignal>
+#include <spawn.h>
+#include <sys/mount.h>
+#include <sys/wait.h>
+#include <thread>
+
+#include <doctest/doctest.h>
+
+#include "program_runner.hpp"
+#include "render/image.hpp"
+
+using namespace taut::test;
+
+namespace {
+
+/// The program itself, in a process of its own that a signal can be sent to.
+pid_t spawn_taut(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), TAUT_BINARY_DIR "/taut");
+  std::vector<char*> raw;
+  for (std::string& argument : arguments) raw.push_back(argument.data());
+  raw.push_back(nullptr);
+  posix_spawn_file_actions_t quiet;
+  ::posix_spawn_file_actions_init(&quiet);
+  ::posix_spawn_file_actions_addopen(&quiet, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  pid_t child = 0;
+  const int error = ::posix_spawn(&child, raw[0], &quiet, nullptr, raw.data(), environ);
+  ::posix_spawn_file_actions_destroy(&quiet);
+  REQUIRE(error == 0);
+  return child;
+}
+
+int exit_code_of(pid_t child) {
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+void wait_for(const fs::path& file) {
+  using namespace std::chrono_literals;
+  for (int k = 0; k < 6000 && !fs::exists(file); ++k) std::this_thread::sleep_for(10ms);
+  REQUIRE(fs::exists(file));
+}
+
+/// A file system of 64 KiB, where that can be had.
+class TinyDisk {
+ public:
+  explicit TinyDisk(const fs::path& at) : at_(at) {
+    fs::create_directories(at_);
+    mounted_ = ::mount("tmpfs", at_.c_str(), "tmpfs", 0, "size=64k") == 0;
+  }
+  ~TinyDisk() {
+    if (mounted_) ::umount(at_.c_str());
+  }
+  TinyDisk(const TinyDisk&) = delete;
+  TinyDisk& operator=(const TinyDisk&) = delete;
+  bool mounted() const { return mounted_; }
+
+ private:
+  fs::path at_;
+  bool mounted_ = false;
+};
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("an interrupt ends a run in good order with exit code 130") {
+    for (const int signal : {SIGINT, SIGTERM}) {
+      const TemporaryFolder folder;
+      // the next output is a thousand seconds away: the interrupt must be seen in between
+      const pid_t child =
+          spawn_taut(tiny_run(folder, "out", {"--until", "1000", "--frames", "1", "--history", "1000"}));
+      wait_for(folder / "out/frames/frame_00000.png");
+      ::kill(child, signal);
+      CHECK(exit_code_of(child) == 130);
+      const auto record = json_of(folder / "out/run.json");
+      CHECK(record["status"] == "interrupted");
+      CHECK(record["steps"].get<long>() > 0);
+      CHECK(record["reached"].get<double>() < 1000);
+      CHECK(lines_of(folder / "out/history.csv").size() == 3);
+      CHECK(taut::read_png(folder / "out/frames/frame_00000.png").width == 160);
+      CHECK(files_in(folder / "out/frames") == 1);
+    }
+  }
+
+  TEST_CASE("an interrupted run draws the frames it kept for an automatic range") {
+    const TemporaryFolder folder;
+    const pid_t child = spawn_taut(tiny_run(
+        folder, "out", {"--until", "1000", "--frames", "1", "--history", "1000", "--range", "auto"}));
+    wait_for(folder / "out/history.csv");
+    ::kill(child, SIGINT);
+    CHECK(exit_code_of(child) == 130);
+    CHECK(taut::read_png(folder / "out/frames/frame_00000.png").width == 160);
+  }
+
+  TEST_CASE("a second interrupt ends the program and leaves whole files") {
+    const TemporaryFolder folder;
+    const pid_t child = spawn_taut(tiny_run(folder, "out", {"--until", "1000", "--frames", "1"}));
+    wait_for(folder / "out/frames/frame_00000.png");
+    ::kill(child, SIGINT);
+    ::kill(child, SIGTERM);
+    CHECK(exit_code_of(child) == 130);
+    CHECK(json_of(folder / "out/run.json").contains("status"));
+  }
+
+  TEST_CASE("a run that diverges keeps its output and ends with exit code 3") {
+    const TemporaryFolder folder;
+    const Outcome outcome = call(tiny_run(folder, "out", {"--set", "cfl=20", "--until", "0.02"}));
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 3);
+    CHECK(contains(outcome.err, "t = "));
+    CHECK(contains(outcome.err, "particle"));
+    const auto record = json_of(folder / "out/run.json");
+    CHECK(record["status"] == "failed");
+    CHECK(record["verdict"] == "diverged");
+    CHECK(record["since"]["diverged"].get<double>() <= record["reached"].get<double>());
+    CHECK(record["reached"].get<double>() < 0.02);
+    CHECK(files_in(folder / "out/frames") >= 1);
+    CHECK(lines_of(folder / "out/history.csv").size() >= 2);
+  }
+
+  TEST_CASE("a verdict is a result unless --fail-on names it") {
+    const TemporaryFolder folder;
+    const std::vector<std::string> torn{"--no-render", "--method", "og",     "--set",
+                                        "pull=8000",   "--set",    "speed=0"};
+    REQUIRE(call(tiny_run(folder, "out", torn)).code == 0);
+    const auto record = json_of(folder / "out/run.json");
+    CHECK(record["verdict"] == "fractured");
+    CHECK(record["status"] == "finished");
+    CHECK(record["indicators"]["pieces"].get<int>() > 2);
+    CHECK(record["since"]["fractured"].get<double>() > 0);
+    std::vector<std::string> strict = torn;
+    strict.insert(strict.end(), {"--fail-on", "fractured"});
+    CHECK(call(tiny_run(folder, "out", strict)).code == 3);
+    strict.back() = "diverged";
+    CHECK(call(tiny_run(folder, "out", strict)).code == 0);
+  }
+
+  TEST_CASE("output that cannot be written is exit code 4 with the path") {
+    const TemporaryFolder folder;
+    write_tiny_scene(folder);
+    const Outcome outcome = call(tiny_run(folder, "discs.toml/out"));
+    CHECK(outcome.code == 4);
+    CHECK(contains(outcome.err, folder.str("discs.toml/out")));
+  }
+
+  TEST_CASE("a full disk is exit code 4 and what stands there is whole") {
+    const TemporaryFolder folder;
+    const TinyDisk disk(folder / "disk");
+    if (!disk.mounted()) {
+      MESSAGE("skipped: only root can mount a small file system");
+      return;
+    }
+    const Outcome outcome = call(tiny_run(folder, "disk/out", {"--size", "640x480", "--frames", "100"}));
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 4);
+    CHECK(contains(outcome.err, "No space left"));
+    CHECK(json_of(folder / "disk/out/run.json").contains("status"));
+    CHECK(text_of(folder / "disk/out/history.csv").back() == '\n');
+    for (const auto& file : fs::directory_iterator(folder / "disk/out/frames")) {
+      CHECK(file.path().extension() == ".png");
+      CHECK(taut::read_png(file.path()).width == 640);
+    }
+  }
+}

@@ -1,0 +1,108 @@
+#include <limits>
+
+#include <doctest/doctest.h>
+
+#include "cli/drift.hpp"
+#include "cli/output_times.hpp"
+#include "cli/pace.hpp"
+#include "cli/sequence_bounds.hpp"
+#include "cli/text.hpp"
+#include "cli/whole_file.hpp"
+#include "engine/error.hpp"
+#include "program_runner.hpp"
+
+using namespace taut;
+using namespace taut::test;
+
+TEST_SUITE("unit") {
+  TEST_CASE("output times hold both ends and survive rounding") {
+    CHECK(times_in_parts(0.75, 3) == std::vector<double>{0, 0.25, 0.5, 0.75});
+    CHECK(times_every(0.3, 0.1) == std::vector<double>{0, 0.1, 0.2, 0.3});  // but 0.3 / 0.1 < 3
+    CHECK(times_every(0.35, 0.1).back() == doctest::Approx(0.3));
+    CHECK(times_every(1, 2) == std::vector<double>{0});
+  }
+
+  TEST_CASE("an agenda ticks off every time once") {
+    Agenda agenda({0, 1, 2, 5});
+    CHECK(agenda.reached(0) == 1);
+    CHECK(agenda.next() == 1);
+    CHECK(agenda.reached(2.5) == 2);
+    CHECK(agenda.reached(2.5) == 0);
+    CHECK(agenda.reached(5) == 1);
+    CHECK(agenda.next() == std::numeric_limits<double>::infinity());
+  }
+
+  TEST_CASE("the pace settles where a slice takes a fifth of a second") {
+    Pace pace(100);
+    constexpr double seconds_per_time = 3;
+    for (int k = 0; k < 40; ++k) pace.took(pace.slice(), pace.slice() * seconds_per_time);
+    CHECK(pace.slice() * seconds_per_time == doctest::Approx(0.2));
+  }
+
+  TEST_CASE("drift is relative to the greatest scale seen and absent with held particles") {
+    Balance start;
+    start.kinetic = 4;
+    start.linear_momentum = {1, 0, 0};
+    start.momentum_scale = 2;
+    Balance later = start;
+    later.kinetic = 1;
+    later.strain = 2;
+    later.linear_momentum = {1, 0.5, 0};
+    later.momentum_scale = 5;
+    Drift drift;
+    drift.look(start);
+    drift.look(later);
+    drift.look(start);
+    CHECK(*drift.conservation(false).energy == doctest::Approx(0.25));
+    CHECK(*drift.conservation(false).linear_momentum == doctest::Approx(0.1));
+    CHECK_FALSE(drift.conservation(false).angular_momentum);  // nothing turns: no scale
+    CHECK_FALSE(drift.conservation(true).linear_momentum);
+    CHECK(drift.conservation(true).energy);
+  }
+
+  TEST_CASE("the range of a sequence skips what is no number and is symmetric for signed fields") {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    SequenceBounds bounds;
+    bounds.add_values(std::vector<float>{1, nan, -3});
+    bounds.add_values(std::vector<float>{2});
+    CHECK(bounds.range(false) == std::array<double, 2>{-3, 2});
+    CHECK(bounds.range(true) == std::array<double, 2>{-3, 3});
+    SequenceBounds flat;
+    flat.add_values(std::vector<float>{0, 0});
+    CHECK(flat.range(true)[0] < flat.range(true)[1]);
+    CHECK(SequenceBounds().range(false)[0] < SequenceBounds().range(false)[1]);
+  }
+
+  TEST_CASE("the view of a sequence holds every particle") {
+    SequenceBounds bounds;
+    bounds.add_positions(std::vector<float>{0, 0, 1, 2}, 2, 0.2);
+    bounds.add_positions(std::vector<float>{-1, 0, 1, 1}, 2, 0.2);
+    const View view = bounds.view();
+    CHECK(view.x_min < -1.1);
+    CHECK(view.x_max > 1.1);
+    CHECK(view.y_min < -0.1);
+    CHECK(view.y_max > 2.1);
+    CHECK(view.y_max < 2.5);
+  }
+
+  TEST_CASE("columns line up by what a terminal shows") {
+    CHECK(in_columns({{"σ", "a"}, {"long", "b"}}, 0) == "σ     a\nlong  b\n");
+    CHECK(clock_time(7.4) == "0:07");
+    CHECK(clock_time(3723) == "1:02:03");
+    CHECK(with_prefix(4.1e6) == "4.1 M");
+    CHECK(exact(0.1) == "0.1");
+  }
+
+  TEST_CASE("a file is written whole or not at all") {
+    const TemporaryFolder folder;
+    write_whole(folder / "a.txt", "old");
+    write_whole(folder / "a.txt", "new");
+    CHECK(text_of(folder / "a.txt") == "new");
+    CHECK_FALSE(fs::exists(folder / "a.txt.tmp"));
+    fs::create_directories(folder / "b/full");  // a folder cannot be replaced by a file
+    CHECK_THROWS_AS(write_whole(folder / "b", "text"), OutputError);
+    CHECK_FALSE(fs::exists(folder / "b.tmp"));
+    LineFile full("/dev/full");
+    CHECK_THROWS_AS(full.append("line"), OutputError);
+  }
+}
