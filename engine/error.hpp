@@ -40,8 +40,7 @@ class NumericalError : public std::runtime_error {
 /// Output could not be written.
 class OutputError : public std::runtime_error {
  public:
-  OutputError(std::string path, const std::string& what)
-      : std::runtime_error(what), path(std::move(path)) {}
+  OutputError(std::string path, const std::string& what) : std::runtime_error(what), path(std::move(path)) {}
 
   std::string path;
 };

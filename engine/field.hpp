@@ -14,7 +14,7 @@ struct Field {
   std::string_view name;  // "von Mises stress", as on the colour bar
   std::string_view unit;  // "Pa"
   std::string_view help;
-  bool is_signed;          // drawn with a diverging colour map by default
+  bool is_signed;  // drawn with a diverging colour map by default
   double (*value)(const Snapshot&, std::size_t particle);
 };
 

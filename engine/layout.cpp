@@ -82,7 +82,8 @@ std::vector<Site> concentric_sites(const Ring& ring, double dp) {
     const double V0 = 2 * std::numbers::pi * r * thickness / static_cast<double>(n);
     for (long k = 0; k < n; ++k) {
       // angles from −π to π, so that the layer is its own mirror image in y to the last bit
-      const double angle = 2 * std::numbers::pi * static_cast<double>(2 * k <= n ? k : k - n) / static_cast<double>(n);
+      const double angle =
+          2 * std::numbers::pi * static_cast<double>(2 * k <= n ? k : k - n) / static_cast<double>(n);
       sites.push_back({{ring.centre[0] + r * std::cos(angle), ring.centre[1] + r * std::sin(angle), 0}, V0});
     }
   }
@@ -102,7 +103,8 @@ std::vector<Site> lattice_sites(const Body& body, int dim, double dp) {
   Bounds all = bounds(body.shapes.front());
   for (const Shape& shape : body.shapes) {
     const Bounds b = bounds(shape);
-    for (int k = 0; k < 3; ++k) all.low[k] = std::min(all.low[k], b.low[k]), all.high[k] = std::max(all.high[k], b.high[k]);
+    for (int k = 0; k < 3; ++k)
+      all.low[k] = std::min(all.low[k], b.low[k]), all.high[k] = std::max(all.high[k], b.high[k]);
   }
   long from[3] = {0, 0, 0}, to[3] = {0, 0, 0};
   for (int k = 0; k < dim; ++k) {
@@ -114,7 +116,8 @@ std::vector<Site> lattice_sites(const Body& body, int dim, double dp) {
   for (long k = from[2]; k <= to[2]; ++k) {
     for (long j = from[1]; j <= to[1]; ++j) {
       for (long i = from[0]; i <= to[0]; ++i) {
-        Point x{anchor[0] + (static_cast<double>(i) + 0.5) * dp, anchor[1] + (static_cast<double>(j) + 0.5) * dp, 0};
+        Point x{anchor[0] + (static_cast<double>(i) + 0.5) * dp,
+                anchor[1] + (static_cast<double>(j) + 0.5) * dp, 0};
         if (dim == 3) x[2] = anchor[2] + (static_cast<double>(k) + 0.5) * dp;
         const auto holds = [&](const Shape& s) { return inside(s, x, dim, edge_tolerance * dp); };
         if (std::any_of(body.shapes.begin(), body.shapes.end(), holds)) sites.push_back({x, V0});
@@ -126,8 +129,8 @@ std::vector<Site> lattice_sites(const Body& body, int dim, double dp) {
 
 std::vector<Site> body_sites(const Body& body, int dim, double dp) {
   const auto* ring = std::get_if<Ring>(&body.shapes.front());
-  std::vector<Site> sites =
-      ring && body.shapes.size() == 1 && dim == 2 ? concentric_sites(*ring, dp) : lattice_sites(body, dim, dp);
+  std::vector<Site> sites = ring && body.shapes.size() == 1 && dim == 2 ? concentric_sites(*ring, dp)
+                                                                        : lattice_sites(body, dim, dp);
   const Bounds b = bounds(body.shapes.front());
   for (int k = 0; k < dim; ++k) {
     if (!body.mirror[k]) continue;
@@ -143,8 +146,9 @@ void append(Layout& layout, const Scene& scene, int b) {
   const Body& body = scene.bodies[b];
   const std::vector<Site> sites = body_sites(body, scene.dim, scene.spacing);
   if (sites.empty())
-    throw SceneError("body." + body.name, "body '" + body.name + "' holds no particle: its shapes are smaller than the spacing; "
-                                          "choose a smaller spacing");
+    throw SceneError("body." + body.name, "body '" + body.name +
+                                              "' holds no particle: its shapes are smaller than the spacing; "
+                                              "choose a smaller spacing");
   for (const Site& site : sites) {
     layout.x.push_back(site.x);
     layout.V0.push_back(site.V0);
@@ -164,7 +168,8 @@ void refuse_overlap(const Layout& layout, const Scene& scene) {
   const double reach = 0.5 * scene.spacing;
   const auto cell = [&](double x) { return static_cast<long>(std::floor(x / reach)); };
   const auto key = [](long i, long j, long k) {
-    return static_cast<std::size_t>(i) * 73856093u ^ static_cast<std::size_t>(j) * 19349663u ^ static_cast<std::size_t>(k) * 83492791u;
+    return static_cast<std::size_t>(i) * 73856093u ^ static_cast<std::size_t>(j) * 19349663u ^
+           static_cast<std::size_t>(k) * 83492791u;
   };
   std::unordered_multimap<std::size_t, int> grid;
   for (int i = 0; i < layout.size(); ++i) {
@@ -182,7 +187,8 @@ void refuse_overlap(const Layout& layout, const Scene& scene) {
             for (int k = 0; k < 3; ++k) r2 += (x[k] - layout.x[j][k]) * (x[k] - layout.x[j][k]);
             if (r2 >= reach * reach) continue;
             const std::string &a = scene.bodies[layout.body[i]].name, &b = scene.bodies[layout.body[j]].name;
-            throw SceneError("body." + a, "bodies '" + a + "' and '" + b + "' overlap: two of their particles are " +
+            throw SceneError("body." + a, "bodies '" + a + "' and '" + b +
+                                              "' overlap: two of their particles are " +
                                               std::to_string(std::sqrt(r2) / scene.spacing) +
                                               " spacings apart, at least 0.5 are needed; move one of them");
           }
@@ -218,7 +224,8 @@ Layout make_layout(const Scene& scene) {
   for (const Body& body : scene.bodies) expected += expected_number(body, scene.dim, scene.spacing);
   if (!(expected <= greatest_particle_number))
     throw SceneError("spacing", "a spacing of " + std::to_string(scene.spacing) + " m would make about " +
-                                    std::to_string(expected / 1e6) + " million particles; at most 20 million are allowed");
+                                    std::to_string(expected / 1e6) +
+                                    " million particles; at most 20 million are allowed");
   Layout layout;
   layout.dim = scene.dim;
   layout.first.push_back(0);

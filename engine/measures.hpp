@@ -31,7 +31,8 @@ struct MeasureResult {
 ///                              error.
 ///   minimum, maximum           none while the series ends at its extreme, which may then still be ahead;
 ///                              mirror_asymmetry is a fault that grows, so there the extreme so far counts.
-///   final_ratio                none while `free` ends ≤ 0 (in touch) and if it never was ≤ 0 (no contact).
+///   final_ratio                none while `free` ends ≤ threshold (in touch), and if it never was (no
+///   contact).
 ///
 /// Throws SceneError for a measure of a probe that does not exist.
 std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std::string_view law);

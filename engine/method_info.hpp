@@ -19,7 +19,7 @@ struct MethodInfo {
   std::string_view name;
   std::string_view paper;
   std::string_view summary;
-  std::string_view material_law;   // "2d_deviator" or "neo_hookean": the reference to compare with
+  std::string_view material_law;  // "2d_deviator" or "neo_hookean": the reference to compare with
   std::string_view conserves;
   std::vector<std::string_view> terms;  // one line per term, with its equation
   std::vector<MethodConstant> constants;

@@ -21,8 +21,8 @@ struct Material {
   double youngs_modulus = 0;  // E, Pa
   double poisson_ratio = 0;   // ν
 
-  double bulk_modulus() const { return youngs_modulus / (3 * (1 - 2 * poisson_ratio)); }   // K, Pa
-  double shear_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio)); }      // G, Pa
+  double bulk_modulus() const { return youngs_modulus / (3 * (1 - 2 * poisson_ratio)); }  // K, Pa
+  double shear_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio)); }     // G, Pa
   double sound_speed() const;  // c0 = √(K/ρ0), m/s [Zhang2024] Eq. 5
 };
 
@@ -41,11 +41,11 @@ using Shape = std::variant<Box, Disc, Ring>;
 
 struct Body {
   std::string name;
-  std::vector<Shape> shapes;        // their union; the first one anchors the lattice
-  int material = 0;                 // index into Scene::materials
+  std::vector<Shape> shapes;           // their union; the first one anchors the lattice
+  int material = 0;                    // index into Scene::materials
   std::array<Expression, 3> velocity;  // initial velocity, m/s; empty = 0
-  Expression held;                  // particles where it is not 0 stay where they are; empty = none
-  std::array<bool, 3> mirror{};     // the layout is reflected along these axes about the first shape's centre
+  Expression held;                     // particles where it is not 0 stay where they are; empty = none
+  std::array<bool, 3> mirror{};  // the layout is reflected along these axes about the first shape's centre
 };
 
 /// A quantity followed at every step.
@@ -55,8 +55,9 @@ struct Probe {
     position,       // of material point `at`, component `axis`, m
     distance,       // between material points `at` and `to` of `bodies[0]`, m
     mean_velocity,  // mass-weighted, of `bodies[0]`, component `axis`, m/s
-    gap,            // least distance of two particles of `bodies[0]` and `bodies[1]` less their mean diameter, m
-    mirror_asymmetry  // greatest |x_a − mirror(x_b)| over particles of two bodies of equal layout, plane ⊥ axis, m
+    gap,  // least distance of two particles of `bodies[0]` and `bodies[1]` less their mean diameter, m
+    mirror_asymmetry  // greatest |x_a − mirror(x_b)| over particles of two bodies of equal layout, plane ⊥
+                      // axis, m
   };
   std::string name;
   Kind kind{};
@@ -76,7 +77,7 @@ struct Measure {
     maximum,      // greatest value
     first_below,  // first time at which the series is ≤ threshold
     last_below,   // last time at which it was; null unless it is above at the end
-    final_ratio,  // last value over `scale`; null while series `free` is ≤ 0 at the end
+    final_ratio,  // last value over `scale`; null while series `free` is ≤ threshold at the end
   };
   std::string name;
   Kind kind{};

@@ -1,8 +1,8 @@
 #include "engine/simulation.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
+
+#include <omp.h>
 
 #include "engine/error.hpp"
 #include "engine/layout.hpp"
@@ -19,14 +19,16 @@ class ConstantValues {
     for (const auto& [name, value] : settings.constants) {
       const MethodConstant* constant = find(name);
       if (!constant)
-        throw UsageError("method '" + std::string(method.name) + "' has no constant '" + name + "'; it has " + names());
+        throw UsageError("method '" + std::string(method.name) + "' has no constant '" + name + "'; it has " +
+                         names());
       if (!(value >= constant->low && value <= constant->high))
         throw UsageError("constant '" + name + "' is " + std::to_string(value) + "; allowed is " +
                          std::to_string(constant->low) + " to " + std::to_string(constant->high));
     }
   }
   double operator()(std::string_view name) const {
-    if (const auto it = settings_.constants.find(std::string(name)); it != settings_.constants.end()) return it->second;
+    if (const auto it = settings_.constants.find(std::string(name)); it != settings_.constants.end())
+      return it->second;
     const MethodConstant* constant = find(name);
     return constant ? constant->value : 0;
   }
@@ -55,8 +57,9 @@ const Material& only_material(const Scene& scene, std::string_view method) {
   const Material& first = scene.materials[scene.bodies.front().material];
   for (const Body& body : scene.bodies)
     if (!same(first, scene.materials[body.material]))
-      throw SceneError("body." + body.name, "method '" + std::string(method) + "' takes one material; body '" + body.name +
-                                                "' has another one than body '" + scene.bodies.front().name + "'");
+      throw SceneError("body." + body.name,
+                       "method '" + std::string(method) + "' takes one material; body '" + body.name +
+                           "' has another one than body '" + scene.bodies.front().name + "'");
   return first;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <omp.h>
-
 #include <vector>
+
+#include <omp.h>
 
 #include "engine/core/isa.hpp"
 

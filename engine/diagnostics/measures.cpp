@@ -66,11 +66,11 @@ Value last_below(const Curve& curve, double threshold) {
   return crossing_time(curve, above, threshold);
 }
 
-Value final_ratio(const Source& source, double scale) {
+Value final_ratio(const Source& source, double scale, double threshold) {
   if (source.free) {
     const auto& gap = source.free->y;
-    const bool touched = std::ranges::any_of(gap, [](double y) { return y <= 0; });
-    if (!touched || gap.back() <= 0) return std::nullopt;
+    const bool touched = std::ranges::any_of(gap, [&](double y) { return y <= threshold; });
+    if (!touched || gap.back() <= threshold) return std::nullopt;
   }
   return source.curve.y.back() / scale;
 }
@@ -95,7 +95,7 @@ Value value_of(const Measure& measure, const Source& source) {
     case Measure::Kind::last_below:
       return last_below(source.curve, measure.threshold);
     case Measure::Kind::final_ratio:
-      return final_ratio(source, measure.scale);
+      return final_ratio(source, measure.scale, measure.threshold);
   }
   return std::nullopt;
 }

@@ -4,10 +4,7 @@
 #include <string_view>
 
 #include "engine/core/pack.hpp"
-
-namespace taut {
-enum class KernelName : unsigned char { wendland_c2 };
-}
+#include "engine/kernels/kernel_name.hpp"
 
 namespace taut::inline TAUT_ISA {
 

@@ -4,15 +4,15 @@ namespace taut {
 
 /// The numbers of one run of a method on one material. SI units.
 struct Constants {
-  double dp = 0;    // particle spacing, m
-  double h = 0;     // smoothing length, m
-  double rho0 = 0;  // kg/m³
-  double c0 = 0;    // sound speed, m/s, [Zhang2024] Eq. 5
-  double K = 0, G = 0;  // bulk and shear modulus, Pa
-  double zeta = 0;       // factor of the Laplacian, [Zhang2024] Eq. 19
-  double epsilon = 0, exponent = 0;  // artificial stress
+  double dp = 0;                               // particle spacing, m
+  double h = 0;                                // smoothing length, m
+  double rho0 = 0;                             // kg/m³
+  double c0 = 0;                               // sound speed, m/s, [Zhang2024] Eq. 5
+  double K = 0, G = 0;                         // bulk and shear modulus, Pa
+  double zeta = 0;                             // factor of the Laplacian, [Zhang2024] Eq. 19
+  double epsilon = 0, exponent = 0;            // artificial stress
   double riemann_limiter = 0, beta_least = 1;  // β = min(max(limiter · (U_L − U_R)/c0, β_least), 1)
-  double pressure_diffusion = 0;     // share of (p_i − p_j)/(2 ρ0 c0) in U*: 0 or 1
+  double pressure_diffusion = 0;               // share of (p_i − p_j)/(2 ρ0 c0) in U*: 0 or 1
   double cfl = 0, cfl_advection = 0;
 };
 

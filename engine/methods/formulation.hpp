@@ -3,14 +3,14 @@
 #include <cstdint>
 #include <string_view>
 
-#include "engine/kernels/kernel.hpp"
+#include "engine/kernels/kernel_name.hpp"
 
 namespace taut {
 
 /// How the shear stress acts on the velocity.
 enum class Shear : std::uint8_t {
-  nested_stress,         // ∇·s, s from the Jaumann rate of the velocity gradient; [Zhang2024] Eq. 7, 13, 14
-  laplacian_velocity,    // ∫ G/ρ ∇²v dt with the angular-momentum-conserving operator; [Zhang2024] Eq. 19, 20
+  nested_stress,       // ∇·s, s from the Jaumann rate of the velocity gradient; [Zhang2024] Eq. 7, 13, 14
+  laplacian_velocity,  // ∫ G/ρ ∇²v dt with the angular-momentum-conserving operator; [Zhang2024] Eq. 19, 20
   laplacian_velocity_nonconservative,  // the same with the plain operator; [Zhang2024] Eq. 18
 };
 
@@ -30,6 +30,7 @@ struct Formulation {
   bool artificial_stress = false;  // Gray's
   Deviator deviator = Deviator::in_plane;
   KernelName kernel = KernelName::wendland_c2;
+  double beta_least = 1;       // of the dissipation in P*: 1 = linear, 0 = limited; see terms/riemann.hpp
   double h_over_dp = 1.3;      // smoothing length over spacing
   double cfl = 0.4;            // acoustic, [Zhang2024] Eq. 22
   double cfl_advection = 0.2;  // [Zhang2024] Eq. 21
@@ -38,6 +39,12 @@ struct Formulation {
 /// The stress a method keeps for each particle is one it computes with (true), or one that is only
 /// recovered to be shown (false).
 constexpr bool carries_stress(const Formulation& m) { return m.shear == Shear::nested_stress; }
+
+/// Held particles of a method with stress are strained by the others, so that the stress is continuous across
+/// the clamp: with an unstrained clamp `oas` tears off it. Those of the other methods are rigid, their
+/// density stays: strained, `enog` would be stiffer at the clamp and not converge to the period of the plate.
+/// [Zhang2024] does not say.
+constexpr bool strains_what_is_held(const Formulation& m) { return carries_stress(m); }
 
 /// Mixtures that make no sense are refused at compile time.
 constexpr bool consistent(const Formulation& m) {
@@ -51,6 +58,7 @@ inline constexpr Formulation og{
     .summary = "nested shear stress, low-dissipation Riemann terms, no cure for tension: fractures",
     .conserves = "linear momentum",
     .shear = Shear::nested_stress,
+    .beta_least = 0,
 };
 inline constexpr Formulation oas{
     .name = "oas",
@@ -63,7 +71,8 @@ inline constexpr Formulation oas{
 inline constexpr Formulation enog{
     .name = "enog",
     .paper = "Zhang2024 §4",
-    .summary = "shear acceleration from a non-nested Laplacian of the velocity: no zigzag, no tension instability",
+    .summary =
+        "shear acceleration from a non-nested Laplacian of the velocity: no zigzag, no tension instability",
     .conserves = "linear momentum",
     .shear = Shear::laplacian_velocity,
 };

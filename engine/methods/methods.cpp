@@ -15,35 +15,45 @@ std::vector<std::string_view> terms(const Formulation& m) {
   };
   switch (m.shear) {
     case Shear::nested_stress:
-      t.push_back("velocity gradient  L = −Σ V_j v_ij ⊗ ∇W                                    [Zhang2024] Eq. 14");
-      t.push_back("stress rate        ds/dt = 2G (D − tr D/d I) + ω s − s ω  (Jaumann)        [Zhang2024] Eq. 7");
-      t.push_back("shear force        dv/dt = Σ m_j (s_i + s_j)/(ρ_i ρ_j)·∇W                  [Zhang2024] Eq. 13");
+      t.push_back(
+          "velocity gradient  L = −Σ V_j v_ij ⊗ ∇W                                    [Zhang2024] Eq. 14");
+      t.push_back(
+          "stress rate        ds/dt = 2G (D − tr D/d I) + ω s − s ω  (Jaumann)        [Zhang2024] Eq. 7");
+      t.push_back(
+          "shear force        dv/dt = Σ m_j (s_i + s_j)/(ρ_i ρ_j)·∇W                  [Zhang2024] Eq. 13");
       break;
     case Shear::laplacian_velocity:
-      t.push_back("shear force        dv/dt = ∫ 2ζ G/ρ Σ V_j (e·v_ij)/r ∇W dt                 [Zhang2024] Eq. 20");
+      t.push_back(
+          "shear force        dv/dt = ∫ 2ζ G/ρ Σ V_j (e·v_ij)/r ∇W dt                 [Zhang2024] Eq. 20");
       break;
     case Shear::laplacian_velocity_nonconservative:
-      t.push_back("shear force        dv/dt = ∫ 2 G/ρ Σ V_j v_ij/r ∂W/∂r dt                   [Zhang2024] Eq. 18");
+      t.push_back(
+          "shear force        dv/dt = ∫ 2 G/ρ Σ V_j v_ij/r ∂W/∂r dt                   [Zhang2024] Eq. 18");
       break;
   }
   if (m.artificial_stress)
-    t.push_back("artificial stress  dv/dt = Σ m_j (R_i + R_j) (W/W(dp))ⁿ·∇W, R = −ε σ⁺/ρ²    Gray et al. 2001");
+    t.push_back(
+        "artificial stress  dv/dt = Σ m_j (R_i + R_j) (W/W(dp))ⁿ·∇W, R = −ε σ⁺/ρ²    Gray et al. 2001");
   if (!carries_stress(m))
-    t.push_back("stress shown       s = ∫ 2G dev D + rotation dt, corrected gradient        [Zhang2024] Eq. 26–27");
-  t.push_back("time               position Verlet, dual-criteria steps                    [Zhang2024] Eq. 21–25");
+    t.push_back(
+        "stress shown       s = ∫ 2G dev D + rotation dt, corrected gradient        [Zhang2024] Eq. 26–27");
+  t.push_back(
+      "time               position Verlet, dual-criteria steps                    [Zhang2024] Eq. 21–25");
   return t;
 }
 
 std::vector<MethodConstant> constants(const Formulation& m) {
   std::vector<MethodConstant> c{
       {"h", m.h_over_dp, 0.8, 3.0, "smoothing length over the spacing"},
-      {"beta_least", 1.0, 0.0, 1.0, "least β of the dissipation in P*: 1 linear, 0 limited"},
+      {"beta_least", m.beta_least, 0.0, 1.0, "least β of the dissipation in P*: 1 linear, 0 limited"},
       {"riemann_limiter", 3.0, 0.0, 1000.0, "β = min(max(limiter · closing speed/c0, beta_least), 1)"},
-      {"pressure_diffusion", 0.0, 0.0, 1.0, "share of (p_i − p_j)/(2 ρ0 c0) in U*: 1 as in the paper's solver, 0 without"},
+      {"pressure_diffusion", 0.0, 0.0, 1.0,
+       "share of (p_i − p_j)/(2 ρ0 c0) in U*: 1 as in the paper's solver, 0 without"},
       {"cfl_advection", m.cfl_advection, 1e-3, 1.0, "way over h between rebuilds (Eq. 21)"},
   };
   if (m.shear == Shear::laplacian_velocity)
-    c.push_back({"zeta", 0.7 * 2 + 2.1, 0.0, 100.0, "ζ of the Laplacian: 0.7 d + 2.1 calibrated, d + 2 consistent"});
+    c.push_back(
+        {"zeta", 0.7 * 2 + 2.1, 0.0, 100.0, "ζ of the Laplacian: 0.7 d + 2.1 calibrated, d + 2 consistent"});
   if (m.artificial_stress) {
     c.push_back({"epsilon", 0.3, 0.0, 10.0, "ε of the artificial stress"});
     c.push_back({"exponent", 4.0, 0.0, 20.0, "n of the artificial stress"});
@@ -52,8 +62,9 @@ std::vector<MethodConstant> constants(const Formulation& m) {
 }
 
 MethodInfo info(const Formulation& m) {
-  return {m.name,      m.paper, m.summary, m.deviator == Deviator::in_plane ? "2d_deviator" : "neo_hookean",
-          m.conserves, terms(m), constants(m), m.cfl};
+  return {
+      m.name,      m.paper,  m.summary,    m.deviator == Deviator::in_plane ? "2d_deviator" : "neo_hookean",
+      m.conserves, terms(m), constants(m), m.cfl};
 }
 
 template <const Formulation&... M>

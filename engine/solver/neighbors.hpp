@@ -60,7 +60,8 @@ class CellGrid {
     while (count() > most) size_ *= 1.5;
     cells_ = 1;
     for (int k = 0; k < Dim; ++k) {
-      origin_[k] = low[k] - 1.5 * size_;  // not by one cell: rounding could put the first particle into the border
+      origin_[k] =
+          low[k] - 1.5 * size_;  // not by one cell: rounding could put the first particle into the border
       stride_[k] = cells_;
       cells_ *= static_cast<int>(along(k));
     }
@@ -80,8 +81,8 @@ class CellGrid {
   std::vector<int> cell_, order_;
 };
 
-/// Neighbours of each particle, flat: those of i are j[lanes · begin[i]] … j[lanes · begin[i + 1] − 1], filled up
-/// with i itself to whole packs.
+/// Neighbours of each particle, flat: those of i are j[lanes · begin[i]] … j[lanes · begin[i + 1] − 1],
+/// filled up with i itself to whole packs.
 struct Neighbors {
   std::vector<int> begin;  // [n + 1] in packs
   std::vector<int> j;
@@ -95,8 +96,8 @@ struct Neighbors {
 template <int Dim>
 class NeighborSearch {
  public:
-  void operator()(const CellGrid<Dim>& grid, const std::vector<Vec<double, Dim>>& x, double support, int threads,
-                  Neighbors& out) {
+  void operator()(const CellGrid<Dim>& grid, const std::vector<Vec<double, Dim>>& x, double support,
+                  int threads, Neighbors& out) {
     const int n = static_cast<int>(x.size());
     out.begin.resize(n + 1);
     out.begin[0] = 0;
@@ -132,7 +133,7 @@ class NeighborSearch {
 
  private:
   void find(const CellGrid<Dim>& grid, const std::vector<Vec<double, Dim>>& x, double support, int first,
-                   int last, std::vector<int>& found) {
+            int last, std::vector<int>& found) {
     const double support2 = support * support;
     std::size_t size = 0;
     for (int i = first; i < last; ++i) {

@@ -23,9 +23,11 @@ PairGeometry<Dim> pair_geometry(const State<Dim>& s, const Constants& c, int i, 
   const double far = 2 * K::support * c.h;
   const int* j = s.neighbors.pack(b);
   Vec<Pack, Dim> d;
-  for (int k = 0; k < Dim; ++k) d[k] = s.x[i][k] - Pack{s.x[j[0]][k], s.x[j[1]][k], s.x[j[2]][k], s.x[j[3]][k]};
+  for (int k = 0; k < Dim; ++k)
+    d[k] = s.x[i][k] - Pack{s.x[j[0]][k], s.x[j[1]][k], s.x[j[2]][k], s.x[j[3]][k]};
   const Pack r2 = dot(d, d);
-  const Pack r = root(r2 == 0 ? filled<Pack>(far * far) : r2);  // the filling and coincident particles: no force
+  const Pack r =
+      root(r2 == 0 ? filled<Pack>(far * far) : r2);  // the filling and coincident particles: no force
   PairGeometry<Dim> pair;
   pair.inv_r = 1 / r;
   pair.e = pair.inv_r * d;
@@ -64,7 +66,8 @@ void geometry_pass(State<Dim>& s, const Constants& c, int threads) {
   for (int i = 0; i < s.size(); ++i) {
     const auto other_body = [&](int j) { return s.body[j] != s.body[i]; };
     for (int b = s.neighbors.begin[i]; b < s.neighbors.begin[i + 1]; ++b)
-      if (std::any_of(s.neighbors.pack(b), s.neighbors.pack(b) + lanes, other_body)) s.contacts.emplace_back(i, b);
+      if (std::any_of(s.neighbors.pack(b), s.neighbors.pack(b) + lanes, other_body))
+        s.contacts.emplace_back(i, b);
   }
 }
 
@@ -133,13 +136,15 @@ void rate_pass(State<Dim>& s, const Constants& c, int threads, const Use& use) {
       compression += compression_term(f_j.V, g.dW, Pack(-dot(v_ij, g.e)));
       if constexpr (pressure_diffusion)
         compression += pressure_diffusion_term(f_j.V, g.dW, f_i.p, f_j.p, c.pressure_diffusion, c.rho0, c.c0);
-      if constexpr (M.shear == Shear::nested_stress) add_velocity_gradient(L, f_j.V, g.dW_inside(), v_ij, g.e);
+      if constexpr (M.shear == Shear::nested_stress)
+        add_velocity_gradient(L, f_j.V, g.dW_inside(), v_ij, g.e);
       if constexpr (M.shear == Shear::laplacian_velocity)
         laplacian += laplacian_term(v_ij, f_j.V, g.dW, g.inv_r, g.e);
       if constexpr (M.shear == Shear::laplacian_velocity_nonconservative)
         laplacian += laplacian_term_nonconservative(v_ij, f_j.V, g.dW, g.inv_r);
     }
     s.drho[i] = s.rho[i] * sum(compression);
+    if constexpr (!strains_what_is_held(M)) s.drho[i] *= s.mobile[i];
     if constexpr (M.shear == Shear::nested_stress) s.ds[i] = jaumann_rate<M.deviator>(sum(L), s.s[i], c.G);
     // G/ρ stands inside the time integral: outside, as [Zhang2024] Eq. 20 prints it, m_i/ρ_i V_j would not be
     // V_i V_j of the same time and linear momentum would drift.
@@ -153,8 +158,8 @@ void rate_pass(State<Dim>& s, const Constants& c, int threads, const Use& use) {
 }
 
 /// Brings the stress up to date that a method does not compute with, from the displacement d in `flow_new`
-/// since it was last done: s += 2G dev ε(d) + rotation, with the corrected gradient.  [Zhang2024] Eq. 6–8, 26, 27
-/// The geometry of the pairs is held meanwhile, so that this is the integral over all steps since.
+/// since it was last done: s += 2G dev ε(d) + rotation, with the corrected gradient.  [Zhang2024] Eq. 6–8,
+/// 26, 27 The geometry of the pairs is held meanwhile, so that this is the integral over all steps since.
 template <const Formulation& M, int Dim, class Use>
 void stress_recovery_pass(const State<Dim>& s, const Constants& c, int threads, const Use& use) {
   parallel_for(s.size(), threads, [&](int i) {

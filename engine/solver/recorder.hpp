@@ -47,9 +47,9 @@ class Recorder {
 
   std::vector<Probe> probes_;
   std::vector<Follower> followers_;
-  std::vector<int> where_;  // [id] place in the solver's order
-  std::vector<int> first_;  // first particle of each body
-  std::vector<int> body_;   // [id]
+  std::vector<int> where_;        // [id] place in the solver's order
+  std::vector<int> first_;        // first particle of each body
+  std::vector<int> body_;         // [id]
   std::vector<double> diameter_;  // [id] m
   double support_ = 0;
 };
@@ -120,7 +120,8 @@ void Recorder<Dim>::rebuilt(const State<Dim>& s, double support) {
   for (int i = 0; i < s.size(); ++i) where_[s.id[i]] = i;
   for (std::size_t k = 0; k < probes_.size(); ++k) {
     if (probes_[k].kind == Probe::Kind::gap) find_close_pairs(s, probes_[k], followers_[k]);
-    if (probes_[k].kind == Probe::Kind::mirror_asymmetry) followers_[k].held_value = mirror_asymmetry(s, probes_[k]);
+    if (probes_[k].kind == Probe::Kind::mirror_asymmetry)
+      followers_[k].held_value = mirror_asymmetry(s, probes_[k]);
   }
 }
 
@@ -154,8 +155,10 @@ double Recorder<Dim>::mirror_asymmetry(const State<Dim>& s, const Probe& probe) 
 template <int Dim>
 double Recorder<Dim>::value(const State<Dim>& s, const Probe& probe, const Follower& f) const {
   switch (probe.kind) {
-    case Probe::Kind::displacement: return place(s, f.at)[probe.axis] - probe.at[probe.axis];
-    case Probe::Kind::position: return place(s, f.at)[probe.axis];
+    case Probe::Kind::displacement:
+      return place(s, f.at)[probe.axis] - probe.at[probe.axis];
+    case Probe::Kind::position:
+      return place(s, f.at)[probe.axis];
     case Probe::Kind::distance: {
       const Vec<double, Dim> d = place(s, f.to) - place(s, f.at);
       return std::sqrt(dot(d, d));
@@ -173,7 +176,8 @@ double Recorder<Dim>::value(const State<Dim>& s, const Probe& probe, const Follo
       }
       return least;
     }
-    case Probe::Kind::mirror_asymmetry: return f.held_value;
+    case Probe::Kind::mirror_asymmetry:
+      return f.held_value;
   }
   return 0;
 }

@@ -10,7 +10,7 @@ namespace {
 template <int Dim, const Formulation&... M>
 std::unique_ptr<Simulation> make(std::string_view method, const SolverInput& input, MethodList<M...>) {
   std::unique_ptr<Simulation> simulation;
-  const auto made = [&]<const Formulation& F>() {
+  const auto made = [&]<const Formulation & F>() {
     if (F.name != method) return false;
     simulation = std::make_unique<UpdatedLagrangian<F, Dim>>(input);
     return true;

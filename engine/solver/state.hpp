@@ -101,28 +101,28 @@ struct State {
   using V = Vec<double, Dim>;
   using S = Sym<double, Dim>;
 
-  std::vector<V> x, v;             // m, m/s
-  std::vector<double> m;           // kg (per metre depth in 2D)
-  std::vector<double> mobile;      // 1, or 0 where held
-  std::vector<double> rho, drho;   // kg/m³ and its rate
+  std::vector<V> x, v;               // m, m/s
+  std::vector<double> m;             // kg (per metre depth in 2D)
+  std::vector<double> mobile;        // 1, or 0 where held
+  std::vector<double> rho, drho;     // kg/m³ and its rate
   std::vector<V> a_shear, da_shear;  // accumulated shear acceleration, m/s², and its rate
-  std::vector<S> s, ds;            // deviatoric stress, Pa, and its rate
-  std::vector<V> x_recovered;      // where x stood when a recovered stress was last brought up to date, m
-  std::vector<int> id;             // place in the order of creation
+  std::vector<S> s, ds;              // deviatoric stress, Pa, and its rate
+  std::vector<V> x_recovered;        // where x stood when a recovered stress was last brought up to date, m
+  std::vector<int> id;               // place in the order of creation
   std::vector<int> body;
 
   // gathered by the passes
-  std::vector<FlowRow<Dim>> flow;          // at the middle of the step: v, p, V
-  std::vector<FlowRow<Dim>> flow_new;      // with the new velocity, or any other vector to take the gradient of
-  std::vector<TensorRow<Dim>> stress;      // s
-  std::vector<TensorRow<Dim>> repulsion;   // artificial stress R and mass
+  std::vector<FlowRow<Dim>> flow;      // at the middle of the step: v, p, V
+  std::vector<FlowRow<Dim>> flow_new;  // with the new velocity, or any other vector to take the gradient of
+  std::vector<TensorRow<Dim>> stress;  // s
+  std::vector<TensorRow<Dim>> repulsion;  // artificial stress R and mass
 
   // of the last rebuild
   Neighbors neighbors;
-  std::vector<PairGeometry<Dim>> pairs;  // one for each pack of neighbours
+  std::vector<PairGeometry<Dim>> pairs;       // one for each pack of neighbours
   std::vector<std::pair<int, int>> contacts;  // (i, pack) of pairs between bodies
   bool several_bodies = false;
-  std::vector<Pack> closeness;           // (W/W(dp))ⁿ, where the method has artificial stress
+  std::vector<Pack> closeness;  // (W/W(dp))ⁿ, where the method has artificial stress
 
   int size() const { return static_cast<int>(x.size()); }
 };

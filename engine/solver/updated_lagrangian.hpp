@@ -35,6 +35,7 @@ class UpdatedLagrangian final : public Simulation {
     place_particles();
     rebuild();
     vmax_ = parallel_max(s_.size(), threads_, [&](int i) { return std::sqrt(dot(s_.v[i], s_.v[i])); });
+    greatest_speed_ = vmax_;
     recorder_.record(s_, time_, series_);
     take_snapshot();
   }
@@ -69,16 +70,18 @@ class UpdatedLagrangian final : public Simulation {
   CellGrid<Dim> grid_;
   NeighborSearch<Dim> search_;
   Recorder<Dim> recorder_;
-  double time_ = 0;      // s
+  double time_ = 0;  // s
   long step_ = 0;
-  double vmax_ = 0;      // m/s
-  double advected_ = 0;  // ∫ |v|max dt since the last rebuild, m
+  double vmax_ = 0;            // m/s
+  double greatest_speed_ = 0;  // m/s, so far
+  double advected_ = 0;        // way at the greatest speed since the last rebuild, m
 };
 
 /// One acoustic step, [Zhang2024] Eq. 22–25.
 template <const Formulation& M, int Dim>
 void UpdatedLagrangian<M, Dim>::step() {
-  // Eq. 21 as a distance, so that a body that speeds up within an advection step is rebuilt in time
+  // Eq. 21 as a distance, and with the greatest speed so far: a body that speeds up within an advection step
+  // is rebuilt in time, and one at the turning point of its swing is not left with pairs from long ago.
   if (stepping_ == Stepping::single ? step_ > 0 : advected_ >= c_.cfl_advection * c_.h) rebuild();
   const double dt = c_.cfl * c_.h / (c_.c0 + vmax_);
   half_drift(0.5 * dt);
@@ -86,7 +89,7 @@ void UpdatedLagrangian<M, Dim>::step() {
   kick(dt);
   close_rates(0.5 * dt);
   time_ += dt;
-  advected_ += vmax_ * dt;
+  advected_ += greatest_speed_ * dt;
   ++step_;
   recorder_.record(s_, time_, series_);
 }
@@ -126,6 +129,7 @@ void UpdatedLagrangian<M, Dim>::kick(double dt) {
     return dot(v, v);
   });
   vmax_ = std::sqrt(vmax2);
+  greatest_speed_ = std::max(greatest_speed_, vmax_);
   if (!(vmax_ <= greatest_mach_number * c_.c0)) fail();
 }
 
@@ -217,7 +221,8 @@ void UpdatedLagrangian<M, Dim>::reorder(const std::vector<int>& order) {
     parallel_for(s_.size(), threads_, [&](int i) { sorted[i] = array[order[i]]; });
     array.swap(sorted);
   };
-  apply(s_.x), apply(s_.v), apply(s_.m), apply(s_.mobile), apply(s_.rho), apply(s_.drho), apply(s_.id), apply(s_.body);
+  apply(s_.x), apply(s_.v), apply(s_.m), apply(s_.mobile), apply(s_.rho), apply(s_.drho), apply(s_.id),
+      apply(s_.body);
   apply(s_.a_shear), apply(s_.da_shear), apply(s_.s), apply(s_.ds), apply(s_.x_recovered);
 }
 

@@ -5,8 +5,8 @@
 #include "engine/core/tensor.hpp"
 
 /// Gray's artificial stress: tension is met by a small repulsion between close particles.
-/// [Zhang2024] names it for SPH-OAS with neither equations nor values; these are Gray, Monaghan, Swift (2001):
-/// ε = 0.3, n = 4, R of both particles over ρ².
+/// [Zhang2024] names it for SPH-OAS with neither equations nor values; these are Gray, Monaghan, Swift
+/// (2001): ε = 0.3, n = 4, R of both particles over ρ².
 namespace taut::inline TAUT_ISA {
 
 /// σ⁺ = Σ_k max(σ_k, 0) n_k ⊗ n_k over the principal stresses.

@@ -14,8 +14,8 @@ Vec<T, Dim> nested_shear_term(const Sym<T, Dim>& s_i, const Sym<T, Dim>& s_j, co
 
 /// 2 V_j (e_ij·v_ij)/r_ij ∇_i W: its sum over j times ζ is ∇²v, 1/(m s).             [Zhang2024] Eq. 19
 /// The force acts along e_ij, so that a rigid rotation gives none. In the continuum the operator equals
-/// (∇²v + 2 ∇∇·v)/(d + 2): consistency asks for ζ = d + 2; the published 0.7 d + 2.1 is a calibration, and the
-/// ∇∇· part adds to the bulk stiffness.
+/// (∇²v + 2 ∇∇·v)/(d + 2): consistency asks for ζ = d + 2; the published 0.7 d + 2.1 is a calibration, and
+/// the ∇∇· part adds to the bulk stiffness.
 template <class T, int Dim>
 Vec<T, Dim> laplacian_term(const Vec<T, Dim>& v_ij, const T& V_j, const T& dW, const T& inv_r,
                            const Vec<T, Dim>& e_ij) {
@@ -25,7 +25,8 @@ Vec<T, Dim> laplacian_term(const Vec<T, Dim>& v_ij, const T& V_j, const T& dW, c
 /// 2 V_j v_ij/r_ij ∂W/∂r: its sum over j is ∇²v, 1/(m s).                           [Zhang2024] Eq. 18
 /// Does not vanish for a rigid rotation.
 template <class T, int Dim>
-Vec<T, Dim> laplacian_term_nonconservative(const Vec<T, Dim>& v_ij, const T& V_j, const T& dW, const T& inv_r) {
+Vec<T, Dim> laplacian_term_nonconservative(const Vec<T, Dim>& v_ij, const T& V_j, const T& dW,
+                                           const T& inv_r) {
   return T(2 * V_j * dW * inv_r) * v_ij;
 }
 

@@ -1,0 +1,7 @@
+#pragma once
+
+namespace taut {
+
+enum class KernelName : unsigned char { wendland_c2 };
+
+}  // namespace taut
