@@ -79,7 +79,8 @@ void Progress::draw_bar(double share, const std::string& detail) {
   const std::size_t width = terminal_width() - 1;  // the last column would wrap on some terminals
   std::string line = what_ + " [";
   const std::size_t taken = line.size() + tail.size();
-  const std::size_t cells = width > taken ? std::min<std::size_t>(width - taken, 40) : 0;
+  // what does not fit is cut off at the end: the bar is what one looks at
+  const std::size_t cells = std::clamp<std::size_t>(width > taken ? width - taken : 0, 10, 40);
   const auto full = static_cast<std::size_t>(share * static_cast<double>(cells));
   line += std::string(full, '#') + std::string(cells - full, '.') + tail;
   err_ << '\r' << line.substr(0, width) << "\x1b[K" << std::flush;

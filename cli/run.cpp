@@ -33,11 +33,14 @@ class Run {
 
  private:
   void simulate();
+  void step_through();
+  RunRecord::Status how_it_ended() const;
   void advance(double target);
   void look();
   void draw_what_is_due();
   bool draw_the_rest();
   void save(RunRecord::Status status);
+  void save_what_can_be_saved();
   std::string state_line() const;
 
   const RunPlan& plan_;
@@ -76,10 +79,38 @@ Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Inte
 
 RunResult Run::execute() {
   plan_.folder.claim(to_json(record_).dump(2) + "\n");
-  write_whole(plan_.folder.scene(), plan_.file.resolved);
-  history_.emplace(plan_.folder.history(), plan_.file.scene);
   try {
+    write_whole(plan_.folder.scene(), plan_.file.resolved);
+    history_.emplace(plan_.folder.history(), plan_.file.scene);
     simulate();
+    const RunRecord::Status status = how_it_ended();
+    save(status);  // the drawing of frames that were kept takes time, and may be interrupted as well
+    const bool all_drawn = draw_the_rest();
+    save(status == RunRecord::Status::finished && !all_drawn ? RunRecord::Status::interrupted : status);
+  } catch (const OutputError&) {
+    save_what_can_be_saved();
+    throw;
+  }
+  return std::move(result_);
+}
+
+RunRecord::Status Run::how_it_ended() const {
+  if (!result_.failure.empty()) return RunRecord::Status::failed;
+  return record_.reached >= record_.until ? RunRecord::Status::finished : RunRecord::Status::interrupted;
+}
+
+/// When some output could not be written, run.json can often still say so.
+void Run::save_what_can_be_saved() {
+  try {
+    save(RunRecord::Status::failed);
+  } catch (const OutputError&) {
+    // the first failure is the one to report
+  }
+}
+
+void Run::simulate() {
+  try {
+    step_through();
   } catch (const NumericalError& e) {
     result_.failure = describe_divergence(e);
     record_.verdict = Verdict::diverged;
@@ -87,27 +118,19 @@ RunResult Run::execute() {
     record_.reached = e.time;
     record_.steps = e.step;
   }
-  using enum RunRecord::Status;
-  const bool complete = record_.reached >= record_.until;
-  const RunRecord::Status status = !result_.failure.empty() ? failed : complete ? finished : interrupted;
-  save(status);  // the drawing of frames that were kept takes time, and may be interrupted as well
-  const bool all_drawn = draw_the_rest();
-  save(status == finished && !all_drawn ? interrupted : status);
-  return std::move(result_);
 }
 
-void Run::simulate() {
+void Run::step_through() {
   progress_.begin(plan_.file.scene.name + ", " + record_.method + ", " + std::to_string(record_.particles) +
                   " particles");
   look();
   draw_what_is_due();
-  while (record_.reached < record_.until && !interrupts_.asked()) {
+  for (bool going = result_.failure.empty(); going;) {
     advance(std::min({frame_agenda_.next(), history_agenda_.next(), record_.until}));
-    const bool last = record_.reached >= record_.until || interrupts_.asked();
-    if (history_agenda_.next() <= record_.reached || last) look();
+    going = record_.reached < record_.until && !interrupts_.asked();
+    if (history_agenda_.next() <= record_.reached || !going) look();
     if (!result_.failure.empty()) break;
     draw_what_is_due();
-    if (since_saved_.seconds() > record_interval) save(RunRecord::Status::running);
   }
   progress_.end(state_line());
 }
@@ -123,6 +146,7 @@ void Run::advance(double target) {
     record_.steps = simulation_->steps();
     pace_.took(record_.reached - from, watch.seconds());
     progress_.show(record_.reached / record_.until, state_line());
+    if (since_saved_.seconds() > record_interval) save(RunRecord::Status::running);
   }
 }
 

@@ -73,6 +73,8 @@ class Simulation {
   const Series& series() const { return series_; }
   double time() const { return snapshot_.time; }
   long steps() const { return snapshot_.step; }
+  /// Directed pairs of neighbours, as of the last rebuild.
+  long pairs() const { return pairs_; }
   double support() const { return support_; }  // radius of interaction, m
   /// Greatest number of threads in use.
   int threads() const { return threads_; }
@@ -80,6 +82,7 @@ class Simulation {
  protected:
   Snapshot snapshot_;
   Series series_;
+  long pairs_ = 0;
   double support_ = 0;
   int threads_ = 1;
 };

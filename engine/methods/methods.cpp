@@ -11,7 +11,7 @@ std::vector<std::string_view> terms(const Formulation& m) {
   std::vector<std::string_view> t{
       "pressure           p = c0² (ρ − ρ0)                                       [Zhang2024] Eq. 4",
       "continuity         dρ/dt = ρ_i Σ V_j v_ij·∇W                              [Zhang2024] Eq. 11",
-      "pressure force     dv/dt = −2 Σ m_j P*/(ρ_i ρ_j) ∇W, low-dissipation P*   [Zhang2024] Eq. 12",
+      "pressure force     dv/dt = −2 Σ m_j P*/(ρ_i ρ_j) ∇W, P* of a Riemann problem [Zhang2024] Eq. 12",
   };
   switch (m.shear) {
     case Shear::nested_stress:

@@ -200,6 +200,7 @@ void UpdatedLagrangian<M, Dim>::rebuild() {
   }
   reorder(grid_.sort(s_.x, support_));
   search_(grid_, s_.x, support_, threads_, s_.neighbors);
+  pairs_ = s_.neighbors.pairs;
   geometry_pass<M>(s_, c_, threads_);
   recorder_.rebuilt(s_, support_);
   advected_ = 0;

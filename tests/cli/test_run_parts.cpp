@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "cli/drift.hpp"
+#include "cli/history.hpp"
 #include "cli/output_times.hpp"
 #include "cli/pace.hpp"
 #include "cli/sequence_bounds.hpp"
@@ -13,6 +14,18 @@
 
 using namespace taut;
 using namespace taut::test;
+
+namespace {
+
+/// No particles: only the time goes by.
+struct StandingSimulation : Simulation {
+  void advance_to(double t) override {
+    snapshot_.time = t;
+    ++snapshot_.step;
+  }
+};
+
+}  // namespace
 
 TEST_SUITE("unit") {
   TEST_CASE("output times hold both ends and survive rounding") {
@@ -91,6 +104,19 @@ TEST_SUITE("unit") {
     CHECK(clock_time(3723) == "1:02:03");
     CHECK(with_prefix(4.1e6) == "4.1 M");
     CHECK(exact(0.1) == "0.1");
+  }
+
+  TEST_CASE("a step has one row in the history, however often it is looked at") {
+    const TemporaryFolder folder;
+    StandingSimulation simulation;
+    {
+      History history(folder / "history.csv", Scene());
+      history.add(simulation, {}, 1);
+      history.add(simulation, {}, 1);
+      simulation.advance_to(1);
+      history.add(simulation, {}, 1);
+    }
+    CHECK(lines_of(folder / "history.csv").size() == 3);
   }
 
   TEST_CASE("a file is written whole or not at all") {

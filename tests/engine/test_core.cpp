@@ -1,0 +1,185 @@
+#pragma GCC diagnostic ignored "-Wpsabi"  // packs stay within this file
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "engine/core/parallel.hpp"
+#include "engine/core/tensor.hpp"
+
+using namespace taut;
+using doctest::Approx;
+
+namespace {
+
+/// Values without a pattern, all different.
+double scramble(int k) { return std::sin(1.0 + 2.7 * k) + 0.1 * k; }
+
+template <int Dim>
+Sym<double, Dim> some_sym(int seed) {
+  Sym<double, Dim> a;
+  for (int k = 0; k < Sym<double, Dim>::size; ++k) a.c[k] = scramble(seed + k);
+  return a;
+}
+
+template <int Dim>
+Mat<double, Dim> some_mat(int seed) {
+  Mat<double, Dim> a;
+  for (int k = 0; k < Dim; ++k)
+    for (int l = 0; l < Dim; ++l) a(k, l) = scramble(seed + Dim * k + l);
+  return a;
+}
+
+template <int Dim>
+void check_symmetric_tensor() {
+  CAPTURE(Dim);
+  std::set<int> places;
+  int expected = 0;
+  for (int a = 0; a < Dim; ++a) {
+    for (int b = a; b < Dim; ++b) {
+      CHECK(Sym<double, Dim>::index(a, b) == expected++);  // upper triangle, row by row
+      CHECK(Sym<double, Dim>::index(a, b) == Sym<double, Dim>::index(b, a));
+    }
+  }
+  CHECK(expected == Sym<double, Dim>::size);
+
+  const Sym<double, Dim> s = some_sym<Dim>(1);
+  Vec<double, Dim> v;
+  for (int k = 0; k < Dim; ++k) v[k] = scramble(40 + k);
+  const Vec<double, Dim> sv = s * v;
+  double diagonal = 0;
+  for (int k = 0; k < Dim; ++k) {
+    double row = 0;
+    for (int l = 0; l < Dim; ++l) row += s.c[Sym<double, Dim>::index(std::min(k, l), std::max(k, l))] * v[l];
+    CHECK(sv[k] == Approx(row));
+    diagonal += s(k, k);
+  }
+  CHECK(trace(s) == Approx(diagonal));
+}
+
+template <int Dim>
+void check_products() {
+  CAPTURE(Dim);
+  const Mat<double, Dim> A = some_mat<Dim>(3);
+  const Sym<double, Dim> B = some_sym<Dim>(20);
+  const Mat<double, Dim> C = product(A, B);
+  Vec<double, Dim> a, b;
+  for (int k = 0; k < Dim; ++k) a[k] = scramble(50 + k), b[k] = scramble(60 + k);
+  Mat<double, Dim> outer = A;
+  add_outer(outer, 2.0, a, b);
+  Sym<double, Dim> square = B;
+  add_outer(square, 3.0, a);
+  for (int k = 0; k < Dim; ++k) {
+    for (int l = 0; l < Dim; ++l) {
+      double element = 0;
+      for (int m = 0; m < Dim; ++m) element += A(k, m) * B(m, l);
+      CHECK(C(k, l) == Approx(element));
+      CHECK(outer(k, l) == Approx(A(k, l) + 2 * a[k] * b[l]));
+      CHECK(square(k, l) == Approx(B(k, l) + 3 * a[k] * a[l]));
+    }
+  }
+}
+
+template <int Width>
+void check_gather() {
+  CAPTURE(Width);
+  const int rows = 9;
+  alignas(sizeof(Pack)) double table[rows * Width];
+  for (int k = 0; k < rows * Width; ++k) table[k] = scramble(k);
+  for (const auto& j : {std::array{0, 1, 2, 3}, std::array{8, 2, 2, 5}, std::array{7, 7, 7, 7}}) {
+    Pack out[Width];
+    gather<Width>(table, j.data(), out);
+    for (int lane = 0; lane < lanes; ++lane)
+      for (int k = 0; k < Width; ++k) CHECK(out[k][lane] == table[j[lane] * Width + k]);
+  }
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("tensor: a symmetric one is stored as its upper triangle") {
+    check_symmetric_tensor<2>();
+    check_symmetric_tensor<3>();
+  }
+
+  TEST_CASE("tensor: products") {
+    check_products<2>();
+    check_products<3>();
+  }
+
+  TEST_CASE("tensor: the inverse of a moment") {
+    for (const double scale : {1e-12, 1.0, 1e9}) {  // does not depend on the unit
+      const Sym<double, 2> a = scale * Sym<double, 2>{2.0, -0.7, 1.3};
+      const Sym<double, 2> b = inverse(a);
+      CHECK(a(0, 0) * b(0, 0) + a(0, 1) * b(1, 0) == Approx(1));
+      CHECK(a(1, 0) * b(0, 1) + a(1, 1) * b(1, 1) == Approx(1));
+      CHECK(a(0, 0) * b(0, 1) + a(0, 1) * b(1, 1) == Approx(0));
+      CHECK(a(1, 0) * b(0, 0) + a(1, 1) * b(1, 0) == Approx(0));
+    }
+  }
+
+  TEST_CASE("tensor: what has no inverse gives 0") {
+    Sym<double, 2> line{};  // neighbours in one direction only
+    add_outer(line, 0.3, Vec<double, 2>{0.6, 0.8});
+    for (const Sym<double, 2>& a : {Sym<double, 2>{0, 0, 0}, line}) {
+      const Sym<double, 2> b = inverse(a);
+      for (const double component : b.c) CHECK(component == 0);
+    }
+  }
+
+  TEST_CASE("tensor: what is spread over the lanes adds up to four times itself") {
+    const Vec<double, 3> v = {1.5, -2, 0.25};
+    const Sym<double, 2> s = some_sym<2>(9);
+    for (int k = 0; k < 3; ++k) CHECK(sum(spread(v))[k] == 4 * v[k]);
+    for (int k = 0; k < 3; ++k) CHECK(sum(spread(s)).c[k] == Approx(4 * s.c[k]));
+    Mat<Pack, 2> m{};
+    add_outer(m, Pack{1, 2, 3, 4}, spread(Vec<double, 2>{1, 2}), spread(Vec<double, 2>{3, 5}));
+    CHECK(sum(m)(0, 1) == 10 * 5);
+    CHECK(sum(m)(1, 0) == 10 * 6);
+  }
+
+  TEST_CASE("pack: gathers and transposes four rows") {
+    check_gather<4>();
+    check_gather<8>();
+  }
+
+  TEST_CASE("pack: functions act on each lane") {
+    const Pack a = {0.3, 4, 0, 7.7}, b = {1, -4, 0, 7.6};
+    for (int lane = 0; lane < lanes; ++lane) {
+      CHECK(root(a)[lane] == std::sqrt(a[lane]));
+      CHECK(min(a, b)[lane] == std::min(a[lane], b[lane]));
+      CHECK(max(a, b)[lane] == std::max(a[lane], b[lane]));
+      CHECK(power<3>(b)[lane] == b[lane] * b[lane] * b[lane]);
+      CHECK(filled<Pack>(2.5)[lane] == 2.5);
+    }
+    CHECK(sum(Pack{1, 20, 300, 4000}) == 4321);
+  }
+
+  TEST_CASE("parallel: every index once, on any number of threads") {
+    for (const int threads : {1, 2, 3}) {
+      for (const int n : {0, 1, 2, 100}) {
+        std::vector<int> visits(n, 0);
+        parallel_for(n, threads, [&](int i) { ++visits[i]; });
+        for (const int count : visits) CHECK(count == 1);
+      }
+    }
+  }
+
+  TEST_CASE("parallel: the greatest value, and NaN above all") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const int threads : {1, 2, 3}) {
+      CAPTURE(threads);
+      for (int special = 0; special < 10; ++special) {
+        CAPTURE(special);
+        CHECK(parallel_max(10, threads, [&](int i) { return i == special ? 5.0 : 0.1 * i; }) == 5);
+        CHECK(std::isnan(parallel_max(10, threads, [&](int i) { return i == special ? nan : 0.1 * i; })));
+      }
+      CHECK(parallel_max(0, threads, [](int) { return 1.0; }) == 0);
+    }
+  }
+}
