@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/team_size.hpp"
 #include "engine/error.hpp"
 #include "engine/layout.hpp"
 #include "engine/methods/constants.hpp"
@@ -29,19 +30,24 @@ class UpdatedLagrangian final : public Simulation {
       : c_(setup.constants),
         stepping_(setup.stepping),
         layout_(setup.layout),
+        team_(setup.threads),
         recorder_(setup.scene, setup.layout, Kernel<M.kernel>::support * setup.constants.h) {
     threads_ = setup.threads;
     support_ = Kernel<M.kernel>::support * c_.h;
     place_particles();
     rebuild();
-    vmax_ = parallel_max(s_.size(), threads_, [&](int i) { return std::sqrt(dot(s_.v[i], s_.v[i])); });
+    vmax_ = parallel_max(s_.size(), team_.threads(), [&](int i) { return std::sqrt(dot(s_.v[i], s_.v[i])); });
     greatest_speed_ = vmax_;
     recorder_.record(s_, time_, series_);
     take_snapshot();
   }
 
   void advance_to(double t) override {
-    while (time_ < t) step();
+    team_.resume();
+    while (time_ < t) {
+      step();
+      team_.step_done();
+    }
     take_snapshot();
   }
 
@@ -66,6 +72,7 @@ class UpdatedLagrangian final : public Simulation {
   Constants c_;
   Stepping stepping_;
   Layout layout_;
+  TeamSize team_;
   State<Dim> s_;
   CellGrid<Dim> grid_;
   NeighborSearch<Dim> search_;
@@ -97,7 +104,7 @@ void UpdatedLagrangian<M, Dim>::step() {
 /// Positions, densities and shear to the middle of the step, Eq. 23.
 template <const Formulation& M, int Dim>
 void UpdatedLagrangian<M, Dim>::half_drift(double dt) {
-  parallel_for(s_.size(), threads_, [&](int i) {
+  parallel_for(s_.size(), team_.threads(), [&](int i) {
     s_.x[i] += dt * s_.v[i];
     s_.rho[i] += dt * s_.drho[i];
     const double p = pressure(s_.rho[i], c_.rho0, c_.c0);
@@ -119,7 +126,7 @@ void UpdatedLagrangian<M, Dim>::half_drift(double dt) {
 /// Velocities over the whole step, Eq. 24, and positions to its end, Eq. 25.
 template <const Formulation& M, int Dim>
 void UpdatedLagrangian<M, Dim>::kick(double dt) {
-  const double vmax2 = momentum_pass<M>(s_, c_, threads_, [&](int i, const V& a) {
+  const double vmax2 = momentum_pass<M>(s_, c_, team_.threads(), [&](int i, const V& a) {
     V v = s_.v[i];
     v += (dt * s_.mobile[i]) * a;
     s_.v[i] = v;
@@ -145,7 +152,7 @@ void UpdatedLagrangian<M, Dim>::close_rates(double dt) {
 template <const Formulation& M, int Dim>
 template <bool pressure_diffusion>
 void UpdatedLagrangian<M, Dim>::rates(double dt) {
-  rate_pass<M, Dim, pressure_diffusion>(s_, c_, threads_, [&](int i) {
+  rate_pass<M, Dim, pressure_diffusion>(s_, c_, team_.threads(), [&](int i) {
     s_.rho[i] += dt * s_.drho[i];
     if constexpr (nested)
       s_.s[i] += dt * s_.ds[i];
@@ -194,12 +201,13 @@ void UpdatedLagrangian<M, Dim>::rebuild() {
   if constexpr (!nested) {
     if (step_ > 0) {
       set_recovery_displacements();
-      stress_recovery_pass<M>(s_, c_, threads_, [&](int i, const Sym<double, Dim>& s) { s_.s[i] = s; });
+      stress_recovery_pass<M>(s_, c_, team_.threads(),
+                              [&](int i, const Sym<double, Dim>& s) { s_.s[i] = s; });
       s_.x_recovered = s_.x;
     }
   }
   reorder(grid_.sort(s_.x, support_));
-  search_(grid_, s_.x, support_, threads_, s_.neighbors);
+  search_(grid_, s_.x, support_, team_.threads(), s_.neighbors);
   pairs_ = s_.neighbors.pairs;
   geometry_pass<M>(s_, c_, threads_);
   recorder_.rebuilt(s_, support_);
@@ -219,7 +227,7 @@ void UpdatedLagrangian<M, Dim>::reorder(const std::vector<int>& order) {
   const auto apply = [&](auto& array) {
     if (array.empty()) return;
     auto sorted = array;
-    parallel_for(s_.size(), threads_, [&](int i) { sorted[i] = array[order[i]]; });
+    parallel_for(s_.size(), team_.threads(), [&](int i) { sorted[i] = array[order[i]]; });
     array.swap(sorted);
   };
   apply(s_.x), apply(s_.v), apply(s_.m), apply(s_.mobile), apply(s_.rho), apply(s_.drho), apply(s_.id),
@@ -229,7 +237,7 @@ void UpdatedLagrangian<M, Dim>::reorder(const std::vector<int>& order) {
 
 template <const Formulation& M, int Dim>
 void UpdatedLagrangian<M, Dim>::set_recovery_displacements() {
-  parallel_for(s_.size(), threads_,
+  parallel_for(s_.size(), team_.threads(),
                [&](int i) { s_.flow_new[i].set(s_.x[i] - s_.x_recovered[i], 0, s_.m[i] / s_.rho[i]); });
 }
 
@@ -276,10 +284,10 @@ void UpdatedLagrangian<M, Dim>::take_snapshot() {
     if constexpr (Dim == 2) out.s[id * S + 3] = M.deviator == Deviator::plane_strain ? -trace(s) : 0;
   };
   if constexpr (nested) {
-    parallel_for(s_.size(), threads_, [&](int i) { store(i, s_.s[i]); });
+    parallel_for(s_.size(), team_.threads(), [&](int i) { store(i, s_.s[i]); });
   } else {
     set_recovery_displacements();
-    stress_recovery_pass<M>(s_, c_, threads_, store);
+    stress_recovery_pass<M>(s_, c_, team_.threads(), store);
   }
 }
 

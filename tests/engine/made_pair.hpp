@@ -6,7 +6,7 @@
 
 namespace taut::test {
 
-/// One of two particles with every value different.
+/// One of two particles with every value different, which close.
 struct PairedParticle {
   Vec<double, 2> x, v;     // m, m/s
   double m, V, p;          // kg/m, m², Pa
@@ -14,8 +14,8 @@ struct PairedParticle {
   double rho() const { return m / V; }
 };
 
-inline constexpr PairedParticle first_of_pair{{0.1, 0.7}, {3, -1}, 1.7, 0.9, 5, {2, -3, 4}};
-inline constexpr PairedParticle second_of_pair{{-0.5, 0.2}, {-2, 0.5}, 0.8, 1.1, -7, {-1, 6, 3}};
+inline constexpr PairedParticle first_of_pair{{0.1, 0.7}, {-3, 1}, 1.7, 0.9, 5, {2, -3, 4}};
+inline constexpr PairedParticle second_of_pair{{-0.5, 0.2}, {2, 0.5}, 0.8, 1.1, -7, {-1, 6, 3}};
 inline constexpr double slope_of_pair = -0.83;  // ∂W/∂r, 1/m³
 
 /// What a term is given for the pair (i, j).

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <tuple>
 
 #include <doctest/doctest.h>
@@ -21,7 +22,7 @@ void for_each_kernel(const F& f) {
   std::apply(
       [&](const auto&... kernel) {
         const auto one = [&]<class K>(const K&) {
-          CAPTURE(K::name);
+          CAPTURE(std::string(K::name));
           f.template operator()<K>();
         };
         (one(kernel), ...);

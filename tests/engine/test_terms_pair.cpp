@@ -1,6 +1,7 @@
 #pragma GCC diagnostic ignored "-Wpsabi"  // packs stay within this file
 
 #include <cmath>
+#include <string>
 
 #include <doctest/doctest.h>
 
@@ -18,7 +19,7 @@ namespace {
 
 /// Each force term as the momentum that j gives to i, so that it must be the opposite of what i gives to j.
 struct ForceTerm {
-  const char* name;
+  std::string name;
   Vec<double, 2> (*force)(const PairedParticle& i, const PairedParticle& j);
 };
 

@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "tests/engine/runs.hpp"
+#include "tests/engine/scenes.hpp"
+
+using namespace taut;
+using namespace taut::test;
+
+namespace {
+
+constexpr int steps = 60;
+
+template <class T>
+bool same(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+bool same_bytes(const Snapshot& a, const Snapshot& b) {
+  return a.dim == b.dim && a.time == b.time && a.step == b.step && same(a.x0, b.x0) && same(a.x, b.x) &&
+         same(a.v, b.v) && same(a.m, b.m) && same(a.rho, b.rho) && same(a.p, b.p) && same(a.s, b.s) &&
+         same(a.diameter, b.diameter) && same(a.body, b.body) && same(a.held, b.held);
+}
+
+/// The two small scenes, with a probe each.
+std::vector<Scene> probed_scenes() {
+  std::vector<Scene> scenes = {small_collision(), small_clamped_plate()};
+  for (Scene& scene : scenes) scene.probes = {make_probe("speed", Probe::Kind::mean_velocity)};
+  return scenes;
+}
+
+/// f(scene, method) for each of both.
+template <class F>
+void for_each_run(const F& f) {
+  for (const Scene& scene : probed_scenes()) {
+    for (const MethodInfo& method : methods()) {
+      const std::string name(method.name);
+      CAPTURE(scene.name);
+      CAPTURE(name);
+      f(scene, name);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_SUITE("determinism") {
+  TEST_CASE("threads: 1, 2 and 3 give the same bytes") {
+    for_each_run([](const Scene& scene, const std::string& method) {
+      Settings settings = with_method(method);
+      const Snapshot one = state_after(steps, scene, settings);
+      for (const int threads : {2, 3}) {
+        settings.threads = threads;
+        CHECK(make_simulation(scene, settings)->threads() == threads);
+        CHECK(same_bytes(state_after(steps, scene, settings), one));
+      }
+    });
+  }
+
+  TEST_CASE("runs: two of the same give the same bytes, and something moved") {
+    for_each_run([](const Scene& scene, const std::string& method) {
+      const Snapshot first = state_after(steps, scene, with_method(method));
+      CHECK(same_bytes(first, state_after(steps, scene, with_method(method))));
+      CHECK_FALSE(same_bytes(first, state_after(steps + 1, scene, with_method(method))));
+      CHECK_FALSE(same(first.x, first.x0));
+    });
+  }
+
+  TEST_CASE("instruction sets: the best of this machine and the one for any give the same bytes") {
+    for_each_run([](const Scene& scene, const std::string& method) {
+      Settings settings = with_method(method);
+      const Snapshot best = state_after(steps, scene, settings);
+      settings.instruction_set = InstructionSet::baseline;
+      CHECK(same_bytes(state_after(steps, scene, settings), best));
+    });
+  }
+
+  TEST_CASE("output: looking 10, 100 times or once gives the same bytes and the same series") {
+    for_each_run([](const Scene& scene, const std::string& method) {
+      const auto once = make_simulation(scene, with_method(method));
+      // between two steps, so that the rounding of k/looks does not decide which one is the last
+      const double until = 0.5 * (state_after(steps - 1, scene, with_method(method)).time +
+                                  state_after(steps, scene, with_method(method)).time);
+      once->advance_to(until);
+      CHECK(once->steps() == steps);
+      for (const int looks : {10, 100}) {
+        const auto often = make_simulation(scene, with_method(method));
+        for (int k = 1; k <= looks; ++k) often->advance_to(until * k / looks);
+        CHECK(same_bytes(often->snapshot(), once->snapshot()));
+        CHECK(same(often->series().time, once->series().time));
+        CHECK(same(often->series().value[0], once->series().value[0]));
+      }
+      CHECK(once->series().time.size() == steps + 1);  // every step, and the start
+    });
+  }
+
+  TEST_CASE("output: probes do not alter a run") {
+    for_each_run([](const Scene& scene, const std::string& method) {
+      Scene unwatched = scene;
+      unwatched.probes.clear();
+      CHECK(same_bytes(state_after(steps, unwatched, with_method(method)),
+                       state_after(steps, scene, with_method(method))));
+    });
+  }
+
+  TEST_CASE("stepping: dual and single are not the same run") {
+    for_each_run([](const Scene& scene, const std::string& method) {
+      const Snapshot dual = state_after(steps, scene, with_method(method, Stepping::dual));
+      const Snapshot single = state_after(steps, scene, with_method(method, Stepping::single));
+      double difference = 0;
+      for (std::size_t k = 0; k < dual.x.size(); ++k)
+        difference = std::max(difference, std::abs(dual.x[k] - single.x[k]));
+      CHECK(difference > 1e-6 * scene.spacing);  // far beyond rounding
+      CHECK(difference < scene.spacing);         // the same motion all the same
+    });
+  }
+}

@@ -1,0 +1,187 @@
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "engine/error.hpp"
+#include "tests/engine/runs.hpp"
+#include "tests/engine/scenes.hpp"
+
+using namespace taut;
+using namespace taut::test;
+using doctest::Approx;
+
+namespace {
+
+/// The message of the error E that make_simulation throws.
+template <class E>
+std::string message(const Scene& scene, const Settings& settings) {
+  try {
+    make_simulation(scene, settings);
+  } catch (const E& error) {
+    return error.what();
+  }
+  FAIL("nothing was thrown");
+  return "";
+}
+
+std::string usage_error(const Settings& settings) { return message<UsageError>(small_collision(), settings); }
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("methods: each is found by its name, and says what it is") {
+    CHECK(methods().size() >= 4);
+    for (const MethodInfo& method : methods()) {
+      CAPTURE(std::string(method.name));
+      CHECK(find_method(method.name) == &method);
+      CHECK(make_simulation(small_collision(), with_method(std::string(method.name)))->snapshot().size() > 200);
+      CHECK_FALSE(method.paper.empty());
+      CHECK_FALSE(method.summary.empty());
+      CHECK_FALSE(method.conserves.empty());
+      CHECK_FALSE(method.terms.empty());
+      CHECK(method.cfl > 0);
+      for (const MethodConstant& constant : method.constants) {
+        CAPTURE(std::string(constant.name));
+        CHECK(constant.low <= constant.value);
+        CHECK(constant.value <= constant.high);
+        CHECK_FALSE(constant.help.empty());
+      }
+    }
+    CHECK(find_method("nog") == nullptr);
+    CHECK(find_method("") == nullptr);
+  }
+
+  TEST_CASE("methods: an unknown one is named") {
+    CHECK(contains(usage_error(with_method("nog")), "'nog'"));
+    CHECK_FALSE(usage_error(with_method("")).empty());
+  }
+
+  TEST_CASE("constants: an unknown one is named, with those there are") {
+    Settings settings = with_method("enog");
+    settings.constants = {{"zeal", 1}};
+    CHECK(contains(usage_error(settings), "'zeal'"));
+    CHECK(contains(usage_error(settings), "zeta"));
+    settings.constants = {{"epsilon", 0.3}};  // of another method
+    CHECK(contains(usage_error(settings), "'epsilon'"));
+  }
+
+  TEST_CASE("constants: both bounds are allowed, beyond them is an error that names them") {
+    for (const MethodInfo& method : methods()) {
+      for (const MethodConstant& constant : method.constants) {
+        CAPTURE(std::string(method.name));
+        CAPTURE(std::string(constant.name));
+        const std::string name(constant.name);
+        Settings settings = with_method(std::string(method.name));
+        for (const double value : {constant.low, constant.high}) {
+          settings.constants = {{name, value}};
+          CHECK_NOTHROW(make_simulation(small_collision(), settings));
+        }
+        for (const double value : {constant.low - 1e-3, constant.high + 1e-3,
+                                   std::numeric_limits<double>::quiet_NaN()}) {
+          settings.constants = {{name, value}};
+          const std::string error = usage_error(settings);
+          CHECK(contains(error, "'" + name + "'"));
+          CHECK(contains(error, std::to_string(constant.low)));
+          CHECK(contains(error, std::to_string(constant.high)));
+        }
+      }
+    }
+  }
+
+  TEST_CASE("constants: what is set is used") {
+    const Scene scene = small_collision();
+    for (const MethodInfo& method : methods()) {
+      const Settings plain = with_method(std::string(method.name));
+      const Snapshot usual = state_after(20, scene, plain);
+      for (const MethodConstant& constant : method.constants) {
+        CAPTURE(std::string(method.name));
+        CAPTURE(std::string(constant.name));
+        Settings settings = plain;
+        if (constant.name == "riemann_limiter") settings.constants["beta_least"] = 0;  // it says nothing at 1
+        settings.constants[std::string(constant.name)] = constant.value;
+        const Snapshot same = state_after(20, scene, settings);
+        const double middle = 0.5 * (constant.value + constant.low);
+        settings.constants[std::string(constant.name)] = middle == constant.value ? constant.high : middle;
+        CHECK(state_after(20, scene, settings).v != same.v);
+        if (constant.name != "riemann_limiter") CHECK(same.v == usual.v);  // the default is the default
+      }
+    }
+  }
+
+  TEST_CASE("settings: the step follows the CFL number") {
+    const Scene scene = small_collision();
+    Settings settings = with_method("enog");
+    const double usual = state_after(1, scene, settings).time;
+    const double h = 1.3 * scene.spacing, c0 = scene.materials[0].sound_speed();
+    const double vmax = 0.12 * c0;  // about: the shake adds to it
+    CHECK(usual == Approx(0.4 * h / (c0 + vmax)).epsilon(0.05));
+    settings.cfl = 0.1;
+    CHECK(state_after(1, scene, settings).time == Approx(usual * 0.1 / 0.4));
+  }
+
+  TEST_CASE("scene: two materials are refused, with the name of the second") {
+    Scene scene = small_collision();
+    scene.materials.push_back(scene.materials[0]);
+    scene.bodies[1].material = 1;
+    CHECK_NOTHROW(make_simulation(scene, with_method("enog")));  // the same twice
+    scene.materials[1].youngs_modulus *= 2;
+    const std::string error = message<SceneError>(scene, with_method("enog"));
+    CHECK(contains(error, "'disc'"));
+    CHECK(contains(error, "one material"));
+  }
+
+  TEST_CASE("scene: three dimensions are refused") {
+    Scene scene = small_collision();
+    scene.dim = 3;
+    CHECK(contains(message<SceneError>(scene, with_method("enog")), "dim = 2"));
+  }
+
+  TEST_CASE("divergence: a step far too large is an error with step, time and particle") {
+    const Scene scene = small_collision();
+    for (const MethodInfo& method : methods()) {
+      CAPTURE(std::string(method.name));
+      Settings settings = with_method(std::string(method.name));
+      settings.cfl = 5;
+      const auto simulation = make_simulation(scene, settings);
+      const auto particles = static_cast<long>(simulation->snapshot().size());
+      try {
+        simulation->advance_to(0.01);
+        FAIL("it did not diverge");
+      } catch (const NumericalError& error) {
+        const double longest_step = 5 * 1.3 * scene.spacing / scene.materials[0].sound_speed();
+        CHECK(error.step > 0);
+        CHECK(error.step < 100);
+        CHECK(error.time > 0);
+        CHECK(error.time < static_cast<double>(error.step + 1) * longest_step);
+        CHECK(error.particle >= 0);
+        CHECK(error.particle < particles);
+        CHECK(error.field == "velocity");
+        CHECK(contains(error.what(), "particle " + std::to_string(error.particle)));
+      }
+    }
+  }
+
+  TEST_CASE("divergence: the error does not depend on the number of threads") {
+    Settings settings = with_method("enog");
+    settings.cfl = 5;
+    const auto where = [&](int threads) {
+      settings.threads = threads;
+      const auto simulation = make_simulation(small_collision(), settings);
+      try {
+        simulation->advance_to(0.01);
+      } catch (const NumericalError& error) {
+        return std::tuple{error.step, error.time, error.particle};
+      }
+      return std::tuple{-1L, 0.0, -1L};
+    };
+    CHECK(std::get<0>(where(1)) > 0);
+    CHECK(where(2) == where(1));
+    CHECK(where(3) == where(1));
+  }
+}
