@@ -67,6 +67,7 @@ class TemporaryFolder {
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
+  const fs::path& path() const { return path_; }
   fs::path operator/(const std::string& name) const { return path_ / name; }
   std::string str(const std::string& name) const { return (path_ / name).string(); }
 

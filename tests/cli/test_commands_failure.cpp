@@ -130,7 +130,8 @@ TEST_SUITE("cli") {
     const Outcome outcome = call(tiny_run(folder, "out", {"--set", "cfl=20", "--until", "0.02"}));
     CAPTURE(outcome.err);
     CHECK(outcome.code == 3);
-    CHECK(contains(outcome.err, "t = "));
+    CHECK(contains(outcome.err, "diverged at t = "));
+    CHECK(contains(outcome.err, " s, step "));
     CHECK(contains(outcome.err, "particle"));
     const auto record = json_of(folder / "out/run.json");
     CHECK(record["status"] == "failed");

@@ -8,9 +8,9 @@ namespace taut::test {
 
 /// One of two particles with every value different, which close.
 struct PairedParticle {
-  Vec<double, 2> x, v;     // m, m/s
-  double m, V, p;          // kg/m, m², Pa
-  Sym<double, 2> s;        // Pa
+  Vec<double, 2> x, v;  // m, m/s
+  double m, V, p;       // kg/m, m², Pa
+  Sym<double, 2> s;     // Pa
   double rho() const { return m / V; }
 };
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "engine/method_info.hpp"
 #include "engine/simulation.hpp"
@@ -28,6 +30,14 @@ inline Snapshot state_after(long steps, const Scene& scene, const Settings& sett
   const auto simulation = make_simulation(scene, settings);
   make_steps(*simulation, steps);
   return simulation->snapshot();
+}
+
+/// The first probe at time `t`, linear between steps.
+inline double value_at(const Series& series, double t) {
+  const auto after = std::ranges::lower_bound(series.time, t) - series.time.begin();
+  const double t0 = series.time[after - 1], t1 = series.time[after];
+  const std::vector<double>& y = series.value[0];
+  return y[after - 1] + (t - t0) / (t1 - t0) * (y[after] - y[after - 1]);
 }
 
 }  // namespace taut::test

@@ -52,8 +52,7 @@ inline Scene oscillating_plate(double vf, int across = 10) {
   const double grip = 4 * scene.spacing, clamp = 0.06 + grip;
   Body plate;
   plate.name = "plate";
-  plate.shapes = {Box{{0, -H / 2, 0}, {L, H / 2, 0}},
-                  Box{{-clamp, -H / 2 - grip, 0}, {0, H / 2 + grip, 0}}};
+  plate.shapes = {Box{{0, -H / 2, 0}, {L, H / 2, 0}}, Box{{-clamp, -H / 2 - grip, 0}, {0, H / 2 + grip, 0}}};
   plate.held = [](const Point& x) { return x[0] < 0 ? 1.0 : 0.0; };
   const auto f = [=](double x) {
     const double kx = kL * x / L;

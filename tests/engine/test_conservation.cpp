@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -92,6 +93,25 @@ TEST_SUITE("conservation") {
       const Balance after = balance(simulation->snapshot(), scene);
       CHECK(after.kinetic + after.strain < before.kinetic);
       CHECK(after.kinetic + after.strain > 0.1 * before.kinetic);
+    }
+  }
+
+  TEST_CASE("free flight: a body that flies without strain keeps every velocity and stays unstressed") {
+    Scene scene = small_collision();
+    scene.bodies.pop_back();
+    const double speed = 0.1 * scene.materials[0].sound_speed();
+    scene.bodies[0].velocity = {constant(speed), constant(-0.5 * speed), {}};
+    for (const MethodInfo& method : methods()) {
+      CAPTURE(std::string(method.name));
+      const Snapshot now = state_after(steps, scene, with_method(std::string(method.name)));
+      double change = 0, stress = 0;
+      for (std::size_t i = 0; i < now.size(); ++i) {
+        change = std::max({change, std::abs(now.v[2 * i] - speed), std::abs(now.v[2 * i + 1] + 0.5 * speed)});
+        stress = std::max({stress, std::abs(now.p[i]), std::abs(now.s[4 * i]), std::abs(now.s[4 * i + 1])});
+      }
+      CHECK(now.x[0] - now.x0[0] > scene.spacing);
+      CHECK(change < round_off * speed);
+      CHECK(stress < round_off * scene.materials[0].youngs_modulus);
     }
   }
 

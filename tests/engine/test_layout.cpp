@@ -18,9 +18,7 @@ using doctest::Approx;
 
 namespace {
 
-double volume(const Layout& layout) {
-  return std::accumulate(layout.V0.begin(), layout.V0.end(), 0.0);
-}
+double volume(const Layout& layout) { return std::accumulate(layout.V0.begin(), layout.V0.end(), 0.0); }
 
 long held(const Layout& layout) { return std::count(layout.held.begin(), layout.held.end(), 1); }
 

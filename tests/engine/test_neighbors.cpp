@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <sys/resource.h>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -59,6 +60,13 @@ std::vector<int> brute_force(const Points<Dim>& x, int i, double reach) {
     if (j != i && dot(d, d) < reach * reach) list.push_back(j);
   }
   return list;
+}
+
+/// Of the program so far, KiB.
+long peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
 }
 
 /// The lists are those of brute force; returns the number of directed pairs.
@@ -120,6 +128,7 @@ TEST_SUITE("neighbors") {
   }
 
   TEST_CASE("neighbors: outliers, however far, neither lose pairs nor ask for the memory between") {
+    const long before = peak_memory();
     for (const double far : {1e3, 1e7, 1e300}) {
       CAPTURE(far);
       Points<2> x = random_points<2>(300, 1, 11);
@@ -130,6 +139,7 @@ TEST_SUITE("neighbors") {
       CHECK(pairs > 300);
       CHECK(check_against_brute_force(x) == pairs);
     }
+    CHECK(peak_memory() - before < 32 * 1024);
   }
 
   TEST_CASE("neighbors: a point at exactly the support radius is none") {

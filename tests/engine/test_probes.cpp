@@ -41,12 +41,10 @@ TEST_SUITE("unit") {
     const double speed = 3;
     Scene scene = two_discs(0.01, speed);
     const Point corner = {0.014, 0.003, 0}, inside = {0.0117, -0.0004, 0};
-    scene.probes = {at_point(Probe::Kind::displacement, 1, corner, 0),
-                    at_point(Probe::Kind::position, 1, inside, 0),
-                    at_point(Probe::Kind::position, 1, inside, 1),
-                    at_point(Probe::Kind::distance, 1, corner, 0),
-                    at_point(Probe::Kind::mean_velocity, 1, {}, 0),
-                    at_point(Probe::Kind::mean_velocity, 0, {}, 0)};
+    scene.probes = {
+        at_point(Probe::Kind::displacement, 1, corner, 0), at_point(Probe::Kind::position, 1, inside, 0),
+        at_point(Probe::Kind::position, 1, inside, 1),     at_point(Probe::Kind::distance, 1, corner, 0),
+        at_point(Probe::Kind::mean_velocity, 1, {}, 0),    at_point(Probe::Kind::mean_velocity, 0, {}, 0)};
     scene.probes[3].to = inside;
     const auto simulation = make_simulation(scene, with_method("enog"));
     make_steps(*simulation, 40);
@@ -91,8 +89,8 @@ TEST_SUITE("unit") {
     CHECK(series.value[0][0] == Approx(start));
     double least = start;
     for (const double gap : series.value[0]) least = std::min(least, gap);
-    CHECK(least < 0.5 * start);   // they met
-    CHECK(least > -0.5 * dp);     // and did not pass through each other
+    CHECK(least < 0.5 * start);  // they met
+    CHECK(least > -0.5 * dp);    // and did not pass through each other
   }
 
   TEST_CASE("probes: out of reach the gap is as large as can be seen") {

@@ -62,7 +62,8 @@ Snapshot engine_run(const Scene& scene, const std::string& method, Stepping step
   return simulation->snapshot();
 }
 
-void check_field(const std::string& field, const std::vector<double>& engine, const std::vector<double>& expected) {
+void check_field(const std::string& field, const std::vector<double>& engine,
+                 const std::vector<double>& expected) {
   CAPTURE(field);
   REQUIRE(engine.size() == expected.size());
   double greatest = 0, difference = 0;

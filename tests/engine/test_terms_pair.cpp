@@ -171,8 +171,8 @@ TEST_SUITE("term") {
     CHECK(dissipation_of(1, 0) == Approx(limiter * 1 / c0));
     CHECK(dissipation_of(2, 0) == Approx(limiter * 2 / c0));
     CHECK(dissipation_of(2, 0.7) == Approx(0.7));
-    CHECK(dissipation_of(5, 0) == Approx(1));    // limited above
-    CHECK(dissipation_of(-1, 0) == Approx(0));   // no pull on what parts
+    CHECK(dissipation_of(5, 0) == Approx(1));   // limited above
+    CHECK(dissipation_of(-1, 0) == Approx(0));  // no pull on what parts
     CHECK(dissipation_of(-1, 0.4) == Approx(0.4));
     CHECK(dissipation_of(0.01, 1) == Approx(1));  // linear
     CHECK(dissipation_of(-9, 1) == Approx(1));

@@ -61,8 +61,8 @@ struct Results {
   }
 
   static PairedParticle in_units(const PairedParticle& p, const Units& u) {
-    return {u.length * p.x,         u.speed() * p.v,    u.mass_per_depth() * p.m,
-            u.area() * p.V,         u.pressure() * p.p, u.pressure() * p.s};
+    return {u.length * p.x, u.speed() * p.v,    u.mass_per_depth() * p.m,
+            u.area() * p.V, u.pressure() * p.p, u.pressure() * p.s};
   }
 };
 
@@ -80,11 +80,11 @@ TEST_SUITE("term") {
       CAPTURE(u.mass);
       const Results r(u);
       for (int k = 0; k < 2; ++k) {
-        CHECK(r.nested[k] == Approx(u.pressure() / u.length * si.nested[k]));            // N/m³
-        CHECK(r.laplacian[k] == Approx(1 / (u.length * u.time) * si.laplacian[k]));      // 1/(m s)
-        CHECK(r.plain[k] == Approx(1 / (u.length * u.time) * si.plain[k]));              // 1/(m s)
-        CHECK(r.repulsion[k] == Approx(u.acceleration() * si.repulsion[k]));             // m/s²
-        CHECK(r.L(0, k) == Approx(1 / u.time * si.L(0, k)));                             // 1/s
+        CHECK(r.nested[k] == Approx(u.pressure() / u.length * si.nested[k]));        // N/m³
+        CHECK(r.laplacian[k] == Approx(1 / (u.length * u.time) * si.laplacian[k]));  // 1/(m s)
+        CHECK(r.plain[k] == Approx(1 / (u.length * u.time) * si.plain[k]));          // 1/(m s)
+        CHECK(r.repulsion[k] == Approx(u.acceleration() * si.repulsion[k]));         // m/s²
+        CHECK(r.L(0, k) == Approx(1 / u.time * si.L(0, k)));                         // 1/s
       }
       CHECK(r.riemann == Approx(u.pressure() * si.riemann));
       CHECK(r.compression == Approx(1 / u.time * si.compression));
