@@ -125,6 +125,20 @@ struct State {
   std::vector<Pack> closeness;  // (W/W(dp))ⁿ, where the method has artificial stress
 
   int size() const { return static_cast<int>(x.size()); }
+
+  /// Stores the particles in another order: what stood at order[i] comes to i.
+  void reorder(const std::vector<int>& order, int threads) {
+    const auto apply = [&](auto&... arrays) {
+      const auto one = [&](auto& array) {
+        if (array.empty()) return;
+        auto sorted = array;
+        parallel_for(size(), threads, [&](int i) { sorted[i] = array[order[i]]; });
+        array.swap(sorted);
+      };
+      (one(arrays), ...);
+    };
+    apply(x, v, m, mobile, rho, drho, a_shear, da_shear, s, ds, x_recovered, id, body);
+  }
 };
 
 }  // namespace taut::inline TAUT_ISA

@@ -1,0 +1,148 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "engine/core/team_size.hpp"
+#include "engine/error.hpp"
+#include "engine/layout.hpp"
+#include "engine/methods/constants.hpp"
+#include "engine/simulation.hpp"
+#include "engine/solver/recorder.hpp"
+#include "engine/solver/solver.hpp"
+#include "engine/solver/state.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// Beyond this multiple of the sound speed the steps shrink without end: the run has diverged.
+inline constexpr double greatest_mach_number = 10;
+
+/// What every solver has: particles, time, probes and the snapshot. A solver adds `step`.
+template <int Dim>
+class ParticleSolver : public Simulation {
+ protected:
+  using V = Vec<double, Dim>;
+
+  /// Particles in the order of creation, at rest on what they were laid on.
+  ParticleSolver(const SolverInput& input, double support);
+
+  /// Runs `step` up to the first time at or past t.
+  template <class Step>
+  void run_to(double t, const Step& step) {
+    team_.resume();
+    while (time_ < t) {
+      step();
+      recorder_.record(s_, time_, series_);
+      team_.step_done();
+    }
+  }
+  /// The probes at t = 0.
+  void record_start() { recorder_.record(s_, time_, series_); }
+  double step_size() const { return c_.cfl * c_.h / (c_.c0 + vmax_); }  // s, [Zhang2024] Eq. 22
+  int threads_now() const { return team_.threads(); }
+
+  void finish_step(double dt) {
+    time_ += dt;
+    ++step_;
+  }
+  /// Takes the greatest v² of a step; NumericalError if it is out of all bounds.
+  void set_greatest_speed(double v2) {
+    vmax_ = std::sqrt(v2);
+    if (!(vmax_ <= greatest_mach_number * c_.c0)) fail();
+  }
+
+  /// Time and sizes of the snapshot; then every particle is to be stored.
+  void begin_snapshot();
+  void store(int i, double rho, double p, const Sym<double, Dim>& s, double s_zz);
+
+  Constants c_;
+  Layout layout_;
+  State<Dim> s_;
+  Recorder<Dim> recorder_;
+  double time_ = 0;  // s
+  long step_ = 0;
+  double vmax_ = 0;  // m/s
+
+ private:
+  [[noreturn]] void fail() const;
+
+  TeamSize team_;
+};
+
+template <int Dim>
+ParticleSolver<Dim>::ParticleSolver(const SolverInput& input, double support)
+    : c_(input.constants),
+      layout_(input.layout),
+      recorder_(input.scene, input.layout, support),
+      team_(input.threads) {
+  threads_ = input.threads;
+  support_ = support;
+  const auto point = [](const Point& p) {
+    V v;
+    for (int k = 0; k < Dim; ++k) v[k] = p[k];
+    return v;
+  };
+  for (int i = 0; i < layout_.size(); ++i) {
+    s_.x.push_back(point(layout_.x[i]));
+    s_.v.push_back(point(layout_.v[i]));
+    s_.m.push_back(c_.rho0 * layout_.V0[i]);
+    s_.mobile.push_back(layout_.held[i] ? 0 : 1);
+    vmax_ = std::max(vmax_, std::sqrt(dot(s_.v[i], s_.v[i])));
+  }
+  s_.id.resize(s_.size());
+  std::iota(s_.id.begin(), s_.id.end(), 0);
+  s_.body = layout_.body;
+  s_.several_bodies = layout_.first.size() > 2;
+}
+
+/// Names the first particle in the order of creation that went wrong.
+template <int Dim>
+void ParticleSolver<Dim>::fail() const {
+  const double limit = greatest_mach_number * c_.c0;
+  int culprit = s_.size();  // id
+  for (int i = 0; i < s_.size(); ++i)
+    if (!(dot(s_.v[i], s_.v[i]) <= limit * limit)) culprit = std::min(culprit, s_.id[i]);
+  throw NumericalError(step_, time_, culprit, "velocity",
+                       "particle " + std::to_string(culprit) + " is faster than " + std::to_string(limit) +
+                           " m/s (" + std::to_string(greatest_mach_number) + " c0) or not a number");
+}
+
+template <int Dim>
+void ParticleSolver<Dim>::begin_snapshot() {
+  const std::size_t n = s_.size();
+  Snapshot& out = snapshot_;
+  out.time = time_;
+  out.step = step_;
+  if (!out.m.empty()) return;
+  constexpr int S = Sym<double, Dim>::size + (Dim == 2);  // in 2D s_zz is stored too
+  out.dim = Dim;
+  out.x0.resize(n * Dim), out.x.resize(n * Dim), out.v.resize(n * Dim);
+  out.m.resize(n), out.rho.resize(n), out.p.resize(n), out.s.resize(n * S), out.diameter.resize(n);
+  out.body = layout_.body;
+  out.held = layout_.held;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (int k = 0; k < Dim; ++k) out.x0[i * Dim + k] = layout_.x[i][k];
+    out.diameter[i] = std::pow(layout_.V0[i], 1.0 / Dim);
+  }
+}
+
+template <int Dim>
+void ParticleSolver<Dim>::store(int i, double rho, double p, const Sym<double, Dim>& s, double s_zz) {
+  constexpr int S = Sym<double, Dim>::size + (Dim == 2);
+  Snapshot& out = snapshot_;
+  const std::size_t id = s_.id[i];
+  for (int k = 0; k < Dim; ++k) {
+    out.x[id * Dim + k] = s_.x[i][k];
+    out.v[id * Dim + k] = s_.v[i][k];
+  }
+  out.m[id] = s_.m[i];
+  out.rho[id] = rho;
+  out.p[id] = p;
+  for (int k = 0; k < Sym<double, Dim>::size; ++k) out.s[id * S + k] = s.c[k];
+  if constexpr (Dim == 2) out.s[id * S + S - 1] = s_zz;
+}
+
+}  // namespace taut::inline TAUT_ISA
