@@ -31,13 +31,15 @@ struct Snapshot {
   int dim = 2;
   double time = 0;  // s
   long step = 0;
-  std::vector<double> x0;        // initial position, n × dim, m
-  std::vector<double> x;         // position, n × dim, m
-  std::vector<double> v;         // velocity, n × dim, m/s
-  std::vector<double> m;         // mass (per metre depth in 2D), kg
-  std::vector<double> rho;       // density, kg/m³
-  std::vector<double> p;         // pressure, positive in compression, Pa
-  std::vector<double> s;         // deviatoric stress xx, xy, yy, zz (2D) or xx, xy, xz, yy, yz, zz (3D), Pa
+  std::vector<double> x0;   // initial position, n × dim, m
+  std::vector<double> x;    // position, n × dim, m
+  std::vector<double> v;    // velocity, n × dim, m/s
+  std::vector<double> m;    // mass (per metre depth in 2D), kg
+  std::vector<double> rho;  // density, kg/m³
+  std::vector<double> p;    // pressure, positive in compression, Pa
+  std::vector<double> s;    // deviatoric stress xx, xy, yy, zz (2D) or xx, xy, xz, yy, yz, zz (3D), Pa
+  std::vector<double>
+      strain_energy;  // of methods that have one of their own, J (per metre depth in 2D); else empty
   std::vector<double> diameter;  // of a particle as drawn: V0^(1/dim), m
   std::vector<int> body;         // index into Scene::bodies
   std::vector<unsigned char> held;

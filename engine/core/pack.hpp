@@ -44,15 +44,15 @@ T filled(double value) {
 }
 
 /// Rows j[0…3] of a table with `Width` doubles a row (a multiple of 4, rows aligned to 32 bytes), transposed:
-/// out[k] holds column k of the four rows.
-template <int Width>
+/// out[k] holds column k of the four rows. With `Stride` > Width only the first columns of a wider table.
+template <int Width, int Stride = Width>
 inline void gather(const double* table, const int* j, Pack* out) {
-  static_assert(Width % lanes == 0);
+  static_assert(Width % lanes == 0 && Stride % lanes == 0);
   for (int k = 0; k < Width; k += lanes) {
-    const Pack a = *reinterpret_cast<const Pack*>(table + std::ptrdiff_t{j[0]} * Width + k);
-    const Pack b = *reinterpret_cast<const Pack*>(table + std::ptrdiff_t{j[1]} * Width + k);
-    const Pack c = *reinterpret_cast<const Pack*>(table + std::ptrdiff_t{j[2]} * Width + k);
-    const Pack d = *reinterpret_cast<const Pack*>(table + std::ptrdiff_t{j[3]} * Width + k);
+    const Pack a = *reinterpret_cast<const Pack*>(table + std::ptrdiff_t{j[0]} * Stride + k);
+    const Pack b = *reinterpret_cast<const Pack*>(table + std::ptrdiff_t{j[1]} * Stride + k);
+    const Pack c = *reinterpret_cast<const Pack*>(table + std::ptrdiff_t{j[2]} * Stride + k);
+    const Pack d = *reinterpret_cast<const Pack*>(table + std::ptrdiff_t{j[3]} * Stride + k);
     const Pack ab_even = __builtin_shuffle(a, b, PackIndex{0, 4, 2, 6});
     const Pack ab_odd = __builtin_shuffle(a, b, PackIndex{1, 5, 3, 7});
     const Pack cd_even = __builtin_shuffle(c, d, PackIndex{0, 4, 2, 6});

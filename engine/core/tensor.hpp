@@ -111,6 +111,13 @@ Mat<T, Dim> product(const Mat<T, Dim>& A, const Sym<T, Dim>& B) {
   return C;
 }
 
+inline double determinant(const Mat<double, 2>& A) { return A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0); }
+
+/// ∂ det A/∂A
+inline Mat<double, 2> cofactor(const Mat<double, 2>& A) {
+  return {{{A(1, 1), -A(1, 0)}, {-A(0, 1), A(0, 0)}}};
+}
+
 /// Inverse of a symmetric tensor; 0 where it has none, as for a particle without neighbours.
 inline Sym<double, 2> inverse(const Sym<double, 2>& a) {
   const double det = a(0, 0) * a(1, 1) - a(0, 1) * a(0, 1);

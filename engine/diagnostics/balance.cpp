@@ -21,8 +21,9 @@ Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// V (p²/2K + s:s/4G), J: linear elasticity, with the present volume V = m/ρ.
+/// The method's own, or V (p²/2K + s:s/4G), J: linear elasticity, with the present volume V = m/ρ.
 double strain_energy(const Snapshot& now, std::size_t i, const Material& material) {
+  if (!now.strain_energy.empty()) return now.strain_energy[i];
   const double volumetric = now.p[i] * now.p[i] / (2 * material.bulk_modulus());
   const double deviatoric = deviator_squared(now, i) / (4 * material.shear_modulus());
   return now.m[i] / now.rho[i] * (volumetric + deviatoric);

@@ -11,6 +11,7 @@ namespace taut {
 enum class Shear : std::uint8_t {
   nested_stress,       // ∇·s, s from the Jaumann rate of the velocity gradient; [Zhang2024] Eq. 7, 13, 14
   laplacian_velocity,  // ∫ G/ρ ∇²v dt with the angular-momentum-conserving operator; [Zhang2024] Eq. 19, 20
+  bonds,  // the force of ∫ G/ρ ∇²v dt kept for each pair and turned with it: an energy; ours, terms/bond.hpp
   laplacian_velocity_nonconservative,  // the same with the plain operator; [Zhang2024] Eq. 18
 };
 
@@ -84,11 +85,23 @@ inline constexpr Formulation enog_nonconservative{
     .shear = Shear::laplacian_velocity_nonconservative,
 };
 
+inline constexpr Formulation oenog{
+    .name = "oenog",
+    .paper = "none: ours",
+    .summary =
+        "objective ENOG: its pair forces turn with the pairs of the start; an energy, and no search in a "
+        "body",
+    .conserves = "linear momentum, angular momentum, energy",
+    .shear = Shear::bonds,
+    .deviator = Deviator::plane_strain,
+    .h_over_dp = 1.05,  // 12 bonds on a square lattice: the shortest whose moments can be right on rings too
+};
+
 /// Every method, in the order in which they are listed. A method is one value above and its name here.
 template <const Formulation&... M>
 struct MethodList {
   static_assert((consistent(M) && ...));
 };
-using Methods = MethodList<og, oas, enog, enog_nonconservative>;
+using Methods = MethodList<og, oas, enog, enog_nonconservative, oenog>;
 
 }  // namespace taut

@@ -7,7 +7,20 @@
 namespace taut {
 namespace {
 
+std::vector<std::string_view> bonded_terms() {
+  return {
+      "energy             E = Σ_i V_i [ G Σ_j w_ij φ(r_ij/r0_ij) + U(det F_i) ]       terms/bond.hpp",
+      "bond force         f_i = Σ_j κ_ij φ′(λ_ij) e_ji                              from [Zhang2024] Eq. 20",
+      "pressure force     f_i = Σ_j (V_i P_i g_ij − V_j P_j g_ji), P = U′(J) cof F     terms/bond.hpp",
+      "contact            f = K dp^(d−2) (dp − r) between bodies                     "
+      "terms/penalty_contact.hpp",
+      "stress shown       neo-Hookean stress of F                                    terms/bond.hpp",
+      "time               position Verlet, one step                                  [Zhang2024] Eq. 22–25",
+  };
+}
+
 std::vector<std::string_view> terms(const Formulation& m) {
+  if (m.shear == Shear::bonds) return bonded_terms();
   std::vector<std::string_view> t{
       "pressure           p = c0² (ρ − ρ0)                                       [Zhang2024] Eq. 4",
       "continuity         dρ/dt = ρ_i Σ V_j v_ij·∇W                              [Zhang2024] Eq. 11",
@@ -21,6 +34,8 @@ std::vector<std::string_view> terms(const Formulation& m) {
           "stress rate        ds/dt = 2G (D − tr D/d I) + ω s − s ω  (Jaumann)        [Zhang2024] Eq. 7");
       t.push_back(
           "shear force        dv/dt = Σ m_j (s_i + s_j)/(ρ_i ρ_j)·∇W                  [Zhang2024] Eq. 13");
+      break;
+    case Shear::bonds:
       break;
     case Shear::laplacian_velocity:
       t.push_back(
@@ -43,6 +58,7 @@ std::vector<std::string_view> terms(const Formulation& m) {
 }
 
 std::vector<MethodConstant> constants(const Formulation& m) {
+  if (m.shear == Shear::bonds) return {{"h", m.h_over_dp, 0.8, 3.0, "smoothing length over the spacing"}};
   std::vector<MethodConstant> c{
       {"h", m.h_over_dp, 0.8, 3.0, "smoothing length over the spacing"},
       {"beta_least", m.beta_least, 0.0, 1.0, "least β of the dissipation in P*: 1 linear, 0 limited"},

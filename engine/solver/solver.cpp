@@ -2,17 +2,21 @@
 #include "engine/solver/solver.hpp"
 
 #include "engine/methods/formulation.hpp"
+#include "engine/solver/bonded.hpp"
 #include "engine/solver/updated_lagrangian.hpp"
 
 namespace taut::inline TAUT_ISA {
 namespace {
+
+template <const Formulation& M, int Dim>
+using SolverOf = std::conditional_t<M.shear == Shear::bonds, Bonded<M, Dim>, UpdatedLagrangian<M, Dim>>;
 
 template <int Dim, const Formulation&... M>
 std::unique_ptr<Simulation> make(std::string_view method, const SolverInput& input, MethodList<M...>) {
   std::unique_ptr<Simulation> simulation;
   const auto made = [&]<const Formulation & F>() {
     if (F.name != method) return false;
-    simulation = std::make_unique<UpdatedLagrangian<F, Dim>>(input);
+    simulation = std::make_unique<SolverOf<F, Dim>>(input);
     return true;
   };
   static_cast<void>((made.template operator()<M>() || ...));

@@ -1,5 +1,3 @@
-#pragma GCC diagnostic ignored "-Wpsabi"  // packs stay within this file
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/core/parallel.hpp"
+#include "engine/core/team_size.hpp"
 #include "engine/core/tensor.hpp"
 
 using namespace taut;
@@ -180,6 +179,18 @@ TEST_SUITE("unit") {
         CHECK(std::isnan(parallel_max(10, threads, [&](int i) { return i == special ? nan : 0.1 * i; })));
       }
       CHECK(parallel_max(0, threads, [](int) { return 1.0; }) == 0);
+    }
+  }
+
+  TEST_CASE("team: one thread takes the first block of steps, all take the second") {
+    for (const int most : {1, 3}) {
+      TeamSize team(most);
+      team.resume();
+      for (int step = 0; step < 32; ++step) {
+        CAPTURE(step);
+        CHECK(team.threads() == (step < 16 ? 1 : most));
+        team.step_done();
+      }
     }
   }
 }

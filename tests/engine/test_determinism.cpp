@@ -53,7 +53,8 @@ TEST_SUITE("determinism") {
   TEST_CASE("threads: 1, 2 and 3 give the same bytes") {
     for_each_run([](const Scene& scene, const std::string& method) {
       Settings settings = with_method(method);
-      const int few = 25;  // more threads than cores are slow; the bodies touch and are rebuilt all the same
+      // one thread takes the first 16 steps, all of them the next 16; more threads than cores are slow
+      const int few = 32;
       const Snapshot one = state_after(few, scene, settings);
       for (const int threads : {2, 3}) {
         settings.threads = threads;
@@ -116,8 +117,11 @@ TEST_SUITE("determinism") {
       double difference = 0;
       for (std::size_t k = 0; k < dual.x.size(); ++k)
         difference = std::max(difference, std::abs(dual.x[k] - single.x[k]));
-      CHECK(difference > 1e-6 * scene.spacing);  // far beyond rounding
-      CHECK(difference < scene.spacing);         // the same motion all the same
+      if (method == "oenog")
+        CHECK(difference == 0);  // there is nothing to rebuild
+      else
+        CHECK(difference > 1e-6 * scene.spacing);  // far beyond rounding
+      CHECK(difference < scene.spacing);           // the same motion all the same
     });
   }
 }

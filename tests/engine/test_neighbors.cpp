@@ -1,5 +1,3 @@
-#pragma GCC diagnostic ignored "-Wpsabi"  // packs stay within this file
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "engine/solver/neighbors.hpp"
+#include "engine/solver/state.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// The pairs of particles of two bodies that may come within `reach` before the next search, flat, by
+/// particle. Only particles in the box of another body, widened by what it reaches, are searched.
+template <int Dim>
+class BodyContacts {
+ public:
+  /// Pairs up to reach + skin are listed: they hold until a particle has gone half the skin.
+  BodyContacts(double reach, double skin) : reach_(reach + skin), skin_(skin) {}
+
+  double lasts_for() const { return 0.5 * skin_; }  // m, of the fastest particle
+
+  void search(const State<Dim>& s) {
+    choose_candidates(s);
+    begin.assign(s.size() + 1, 0);
+    j.clear();
+    if (candidates_.empty()) return;
+    const std::vector<int>& order = grid_.sort(x_, reach_);
+    stored_.resize(x_.size());
+    for (std::size_t k = 0; k < order.size(); ++k) stored_[k] = candidates_[order[k]];
+    int next = 0;  // particle whose list begins next
+    for (const int i : candidates_) {
+      while (next <= i) begin[next++] = static_cast<int>(j.size());
+      grid_.for_each_row(s.x[i], [&](int first, int last) {
+        for (int k = first; k < last; ++k) {
+          const int other = stored_[k];
+          if (s.body[other] == s.body[i]) continue;
+          const Vec<double, Dim> d = s.x[i] - s.x[other];
+          if (dot(d, d) < reach_ * reach_) j.push_back(other);
+        }
+      });
+    }
+    while (next <= s.size()) begin[next++] = static_cast<int>(j.size());
+  }
+
+  std::vector<int> begin, j;
+
+ private:
+  struct Bounds {
+    Vec<double, Dim> low, high;
+    bool holds(const Vec<double, Dim>& x, double margin) const {
+      for (int k = 0; k < Dim; ++k)
+        if (x[k] < low[k] - margin || x[k] > high[k] + margin) return false;
+      return true;
+    }
+  };
+
+  void choose_candidates(const State<Dim>& s) {
+    const int bodies = 1 + *std::max_element(s.body.begin(), s.body.end());
+    std::vector<Bounds> box(bodies);
+    std::vector<bool> begun(bodies);
+    for (int i = 0; i < s.size(); ++i) {
+      Bounds& b = box[s.body[i]];
+      if (!begun[s.body[i]]) b = {s.x[i], s.x[i]};
+      begun[s.body[i]] = true;
+      for (int k = 0; k < Dim; ++k)
+        b.low[k] = std::min(b.low[k], s.x[i][k]), b.high[k] = std::max(b.high[k], s.x[i][k]);
+    }
+    candidates_.clear();
+    x_.clear();
+    for (int i = 0; i < s.size(); ++i) {
+      bool near = false;
+      for (int b = 0; b < bodies && !near; ++b) near = b != s.body[i] && box[b].holds(s.x[i], reach_);
+      if (!near) continue;
+      candidates_.push_back(i);
+      x_.push_back(s.x[i]);
+    }
+  }
+
+  double reach_, skin_;  // m
+  CellGrid<Dim> grid_;
+  std::vector<int> candidates_;  // in rising order
+  std::vector<int> stored_;      // the same in the order of the grid's cells
+  std::vector<Vec<double, Dim>> x_;
+};
+
+}  // namespace taut::inline TAUT_ISA
