@@ -10,10 +10,10 @@
 #include "engine/terms/stress_rate.hpp"
 #include "engine/terms/velocity_gradient.hpp"
 #include "tests/engine/made_pair.hpp"
+#include "tests/engine/relative.hpp"
 
 using namespace taut;
 using namespace taut::test;
-using doctest::Approx;
 
 namespace {
 
@@ -78,20 +78,20 @@ TEST_SUITE("term") {
       CAPTURE(u.mass);
       const Results r(u);
       for (int k = 0; k < 2; ++k) {
-        CHECK(r.nested[k] == Approx(u.pressure() / u.length * si.nested[k]));        // N/m³
-        CHECK(r.laplacian[k] == Approx(1 / (u.length * u.time) * si.laplacian[k]));  // 1/(m s)
-        CHECK(r.plain[k] == Approx(1 / (u.length * u.time) * si.plain[k]));          // 1/(m s)
-        CHECK(r.repulsion[k] == Approx(u.acceleration() * si.repulsion[k]));         // m/s²
-        CHECK(r.L(0, k) == Approx(1 / u.time * si.L(0, k)));                         // 1/s
+        CHECK(r.nested[k] == relative(u.pressure() / u.length * si.nested[k]));        // N/m³
+        CHECK(r.laplacian[k] == relative(1 / (u.length * u.time) * si.laplacian[k]));  // 1/(m s)
+        CHECK(r.plain[k] == relative(1 / (u.length * u.time) * si.plain[k]));          // 1/(m s)
+        CHECK(r.repulsion[k] == relative(u.acceleration() * si.repulsion[k]));         // m/s²
+        CHECK(r.L(0, k) == relative(1 / u.time * si.L(0, k)));                         // 1/s
       }
-      CHECK(r.riemann == Approx(u.pressure() * si.riemann));
-      CHECK(r.compression == Approx(1 / u.time * si.compression));
-      CHECK(r.diffusion == Approx(1 / u.time * si.diffusion));
-      CHECK(r.eos == Approx(u.pressure() * si.eos));
+      CHECK(r.riemann == relative(u.pressure() * si.riemann));
+      CHECK(r.compression == relative(1 / u.time * si.compression));
+      CHECK(r.diffusion == relative(1 / u.time * si.diffusion));
+      CHECK(r.eos == relative(u.pressure() * si.eos));
       for (int k = 0; k < 3; ++k) {
-        CHECK(r.moment.c[k] == Approx(si.moment.c[k]));
-        CHECK(r.rate.c[k] == Approx(u.pressure() / u.time * si.rate.c[k]));
-        CHECK(r.R.c[k] == Approx(u.pressure() / (u.density() * u.density()) * si.R.c[k]));  // Pa m⁶/kg²
+        CHECK(r.moment.c[k] == relative(si.moment.c[k]));
+        CHECK(r.rate.c[k] == relative(u.pressure() / u.time * si.rate.c[k]));
+        CHECK(r.R.c[k] == relative(u.pressure() / (u.density() * u.density()) * si.R.c[k]));  // Pa m⁶/kg²
       }
     }
   }
