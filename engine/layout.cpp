@@ -153,6 +153,12 @@ void append(Layout& layout, const Scene& scene, int b) {
     layout.x.push_back(site.x);
     layout.V0.push_back(site.V0);
     layout.body.push_back(b);
+    layout.material.push_back(body.material);
+    for (const Part& part : body.parts)
+      if (value_of(part.where, site.x) != 0) layout.material.back() = part.material;
+    layout.drive.push_back(-1);
+    for (std::size_t k = 0; k < body.drives.size(); ++k)
+      if (value_of(body.drives[k].where, site.x) != 0) layout.drive.back() = static_cast<int>(k);
     layout.held.push_back(value_of(body.held, site.x) != 0);
     Point v{};
     if (!layout.held.back())
@@ -202,6 +208,11 @@ void refuse_overlap(const Layout& layout, const Scene& scene) {
 }  // namespace
 
 double Material::sound_speed() const { return std::sqrt(bulk_modulus() / density); }
+
+std::string_view name(ContactLaw law) {
+  constexpr std::string_view names[] = {"published", "sph", "impulse", "penalty"};
+  return names[static_cast<int>(law)];
+}
 
 double fitted_spacing(const Body& first, int dim, double spacing) {
   double extent = 0;

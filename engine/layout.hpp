@@ -12,6 +12,8 @@ struct Layout {
   std::vector<Point> x, v;          // m, m/s
   std::vector<double> V0;           // m^dim
   std::vector<int> body;            // index into Scene::bodies
+  std::vector<int> material;        // index into Scene::materials
+  std::vector<int> drive;           // index into the body's drives, or -1
   std::vector<unsigned char> held;  // 1: stays where it is
   std::vector<int> first;           // first particle of each body, and one past the last of all
 

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/scene.hpp"
+
 namespace taut {
 
 /// A constant of a method that a user may set ("--set method.zeta=4") and sweep.
@@ -23,7 +25,10 @@ struct MethodInfo {
   std::string_view conserves;
   std::vector<std::string_view> terms;  // one line per term, with its equation
   std::vector<MethodConstant> constants;
-  double cfl;  // default acoustic CFL number
+  double cfl;                            // default acoustic CFL number
+  ContactLaw contact;                    // the published one
+  std::vector<ContactLaw> contact_laws;  // those that the method can run with
+  bool several_materials;                // in one scene
 };
 
 /// Every method by name, in the order in which they are listed.

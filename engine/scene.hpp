@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -17,12 +19,15 @@ using Expression = std::function<double(const Point&)>;
 
 struct Material {
   std::string name;
-  double density = 0;         // ρ0, kg/m³
-  double youngs_modulus = 0;  // E, Pa
-  double poisson_ratio = 0;   // ν
+  double density = 0;             // ρ0, kg/m³
+  double youngs_modulus = 0;      // E, Pa
+  double poisson_ratio = 0;       // ν
+  double given_bulk_modulus = 0;  // Pa; 0 = the one of E and ν. [Khayyer2024] §4.5 takes E, Eq. 57
 
-  double bulk_modulus() const { return youngs_modulus / (3 * (1 - 2 * poisson_ratio)); }  // K, Pa
-  double shear_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio)); }     // G, Pa
+  double bulk_modulus() const {  // K, Pa
+    return given_bulk_modulus > 0 ? given_bulk_modulus : youngs_modulus / (3 * (1 - 2 * poisson_ratio));
+  }
+  double shear_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio)); }  // G, Pa
   double sound_speed() const;  // c0 = √(K/ρ0), m/s [Zhang2024] Eq. 5
 };
 
@@ -39,10 +44,36 @@ struct Ring {  // a hollow ball in 3D
 };
 using Shape = std::variant<Box, Disc, Ring>;
 
+/// A region of a body that is made of another material.
+struct Part {
+  int material = 0;  // index into Scene::materials
+  Expression where;  // particles where it is not 0
+};
+
+/// A region of a body that is moved: its particles have this velocity up to a time, and are free from then
+/// on.
+struct Drive {
+  Expression where;                                       // particles where it is not 0
+  std::array<std::function<double(double)>, 3> velocity;  // m/s, of the time in s; empty = 0
+  double until = 0;                                       // s
+};
+
+/// How bodies act on each other.
+enum class ContactLaw : std::uint8_t {
+  published,  // the law of the method's paper
+  sph,        // as particles of one body do, [Zhang2024]
+  impulse,    // the approach of two particles is stopped, [Khayyer2024] Eq. 53, 54
+  penalty,    // a spring of the bulk modulus, [TranDuc2023] Eq. 2.13–2.15
+};
+
+std::string_view name(ContactLaw law);
+
 struct Body {
   std::string name;
   std::vector<Shape> shapes;           // their union; the first one anchors the lattice
   int material = 0;                    // index into Scene::materials
+  std::vector<Part> parts;             // of other materials; of several that hold the last counts
+  std::vector<Drive> drives;           // of several that hold the last counts
   std::array<Expression, 3> velocity;  // initial velocity, m/s; empty = 0
   Expression held;                     // particles where it is not 0 stay where they are; empty = none
   std::array<bool, 3> mirror{};  // the layout is reflected along these axes about the first shape's centre
@@ -110,6 +141,7 @@ struct Scene {
   double until = 0;    // s
   std::vector<Material> materials;
   std::vector<Body> bodies;
+  ContactLaw contact = ContactLaw::published;
   std::vector<Probe> probes;
   std::vector<Measure> measures;
   /// By deviator law ("2d_deviator", "neo_hookean"); empty where there is none for these parameters.

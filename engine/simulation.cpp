@@ -49,30 +49,54 @@ class ConstantValues {
   const Settings& settings_;
 };
 
+Elasticity elasticity(const Material& material) {
+  return {material.density, material.sound_speed(), material.bulk_modulus(), material.shear_modulus()};
+}
+
+std::vector<Elasticity> elasticities(const Scene& scene) {
+  std::vector<Elasticity> all;
+  for (const Material& material : scene.materials) all.push_back(elasticity(material));
+  return all;
+}
+
 bool same(const Material& a, const Material& b) {
-  return a.density == b.density && a.youngs_modulus == b.youngs_modulus && a.poisson_ratio == b.poisson_ratio;
+  return a.density == b.density && a.youngs_modulus == b.youngs_modulus &&
+         a.poisson_ratio == b.poisson_ratio && a.bulk_modulus() == b.bulk_modulus();
 }
 
-const Material& only_material(const Scene& scene, std::string_view method) {
-  const Material& first = scene.materials[scene.bodies.front().material];
-  for (const Body& body : scene.bodies)
-    if (!same(first, scene.materials[body.material]))
-      throw SceneError("body." + body.name,
-                       "method '" + std::string(method) + "' takes one material; body '" + body.name +
-                           "' has another one than body '" + scene.bodies.front().name + "'");
-  return first;
+/// Throws SceneError if the scene has several materials and the method takes one.
+void check_materials(const Scene& scene, const Layout& layout, const MethodInfo& method) {
+  if (method.several_materials) return;
+  const int first = layout.material.front();
+  for (int i = 0; i < layout.size(); ++i) {
+    if (same(scene.materials[layout.material[i]], scene.materials[first])) continue;
+    const std::string& body = scene.bodies[layout.body[i]].name;
+    throw SceneError("body." + body, "method '" + std::string(method.name) + "' takes one material; body '" +
+                                         body + "' has '" + scene.materials[layout.material[i]].name +
+                                         "' where body '" + scene.bodies.front().name + "' has '" +
+                                         scene.materials[first].name + "'");
+  }
 }
 
-Constants make_constants(const Scene& scene, const Settings& settings, const MethodInfo& method) {
+/// Throws SceneError for a law that the method cannot run with.
+ContactLaw contact_law(const Scene& scene, const MethodInfo& method) {
+  if (scene.contact == ContactLaw::published) return method.contact;
+  std::string known;
+  for (const ContactLaw law : method.contact_laws) {
+    if (law == scene.contact) return law;
+    known += (known.empty() ? "" : ", ") + std::string(name(law));
+  }
+  throw SceneError("contact", "method '" + std::string(method.name) + "' cannot run with the contact law '" +
+                                  std::string(name(scene.contact)) + "'; it can with: " + known);
+}
+
+Constants make_constants(const std::vector<Elasticity>& materials, int first, const Scene& scene,
+                         const Settings& settings, const MethodInfo& method) {
   const ConstantValues value(method, settings);
-  const Material& material = only_material(scene, method.name);
-  Constants c;
+  Constants c{materials[first]};
+  for (const Elasticity& material : materials) c.c0 = std::max(c.c0, material.c0);
   c.dp = scene.spacing;
   c.h = value("h") * scene.spacing;
-  c.rho0 = material.density;
-  c.c0 = material.sound_speed();
-  c.K = material.bulk_modulus();
-  c.G = material.shear_modulus();
   c.zeta = value("zeta");
   c.epsilon = value("epsilon");
   c.exponent = value("exponent");
@@ -99,10 +123,17 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Settings& 
   if (!method) throw UsageError("there is no method '" + settings.method + "'");
   if (scene.dim != 2) throw SceneError("dim", "only dim = 2 is available in this version");
   if (scene.bodies.empty()) throw SceneError("body", "the scene has no particles; add a [[body]]");
-  const Constants constants = make_constants(scene, settings, *method);
   const Layout layout = make_layout(scene);
+  check_materials(scene, layout, *method);
+  const std::vector<Elasticity> materials = elasticities(scene);
   const int threads = settings.threads > 0 ? settings.threads : omp_get_max_threads();
-  const SolverInput input{scene, layout, constants, settings.stepping, threads};
+  const SolverInput input{scene,
+                          layout,
+                          make_constants(materials, layout.material.front(), scene, settings, *method),
+                          materials,
+                          contact_law(scene, *method),
+                          settings.stepping,
+                          threads};
 #if defined(__x86_64__)
   if (settings.instruction_set == InstructionSet::best && has_x86_64_v3())
     return x86_64_v3::make_solver(settings.method, input);

@@ -42,6 +42,7 @@ struct Snapshot {
       strain_energy;  // of methods that have one of their own, J (per metre depth in 2D); else empty
   std::vector<double> diameter;  // of a particle as drawn: V0^(1/dim), m
   std::vector<int> body;         // index into Scene::bodies
+  std::vector<int> material;     // index into Scene::materials
   std::vector<unsigned char> held;
 
   std::size_t size() const { return m.size(); }

@@ -40,10 +40,9 @@ Balance balance(const Snapshot& now, const Scene& scene) {
   std::array<CompensatedSum, 3> linear, angular;
   for (std::size_t i = 0; i < now.size(); ++i) {
     const Point x = vector_of(now.x, now, i), v = vector_of(now.v, now, i);
-    const Body& body = scene.bodies.at(static_cast<std::size_t>(now.body[i]));
     const double m = now.m[i], speed = std::sqrt(dot(v, v));
     kinetic += 0.5 * m * dot(v, v);
-    strain += strain_energy(now, i, scene.materials.at(static_cast<std::size_t>(body.material)));
+    strain += strain_energy(now, i, scene.materials.at(static_cast<std::size_t>(now.material[i])));
     momentum_scale += m * speed;
     angular_scale += m * std::sqrt(dot(x, x)) * speed;
     const Point spin = cross(x, v);

@@ -2,13 +2,18 @@
 
 namespace taut {
 
-/// The numbers of one run of a method on one material. SI units.
-struct Constants {
+/// The numbers of a material.
+struct Elasticity {
+  double rho0 = 0;      // kg/m³
+  double c0 = 0;        // sound speed √(K/ρ0), m/s, [Zhang2024] Eq. 5
+  double K = 0, G = 0;  // bulk and shear modulus, Pa
+};
+
+/// The numbers of one run of a method. SI units. Those of the material are of the only one; where there are
+/// several, of the first body's, with the greatest sound speed of all.
+struct Constants : Elasticity {
   double dp = 0;                               // particle spacing, m
   double h = 0;                                // smoothing length, m
-  double rho0 = 0;                             // kg/m³
-  double c0 = 0;                               // sound speed, m/s, [Zhang2024] Eq. 5
-  double K = 0, G = 0;                         // bulk and shear modulus, Pa
   double zeta = 0;                             // factor of the Laplacian, [Zhang2024] Eq. 19
   double epsilon = 0, exponent = 0;            // artificial stress
   double riemann_limiter = 0, beta_least = 1;  // β = min(max(limiter · (U_L − U_R)/c0, β_least), 1)

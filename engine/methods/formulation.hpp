@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "engine/kernels/kernel_name.hpp"
+#include "engine/scene.hpp"
 
 namespace taut {
 
@@ -31,6 +32,8 @@ struct Formulation {
   bool artificial_stress = false;  // Gray's
   Deviator deviator = Deviator::in_plane;
   KernelName kernel = KernelName::wendland_c2;
+  ContactLaw contact = ContactLaw::sph;  // the published one
+  bool several_materials = false;        // in one scene
   double beta_least = 1;       // of the dissipation in P*: 1 = linear, 0 = limited; see terms/riemann.hpp
   double h_over_dp = 1.3;      // smoothing length over spacing
   double cfl = 0.4;            // acoustic, [Zhang2024] Eq. 22
@@ -94,6 +97,7 @@ inline constexpr Formulation oenog{
     .conserves = "linear momentum, angular momentum, energy",
     .shear = Shear::bonds,
     .deviator = Deviator::plane_strain,
+    .contact = ContactLaw::penalty,
     .h_over_dp = 1.05,  // 12 bonds on a square lattice: the shortest whose moments can be right on rings too
 };
 

@@ -77,10 +77,27 @@ std::vector<MethodConstant> constants(const Formulation& m) {
   return c;
 }
 
+/// Bonds hold a body together, whatever is near: particles of two bodies cannot act on each other as those of
+/// one.
+std::vector<ContactLaw> contact_laws(const Formulation& m) {
+  if (m.shear == Shear::bonds) return {ContactLaw::penalty};
+  return {ContactLaw::sph};
+}
+
 MethodInfo info(const Formulation& m) {
   return {
-      m.name,      m.paper,  m.summary,    m.deviator == Deviator::in_plane ? "2d_deviator" : "neo_hookean",
-      m.conserves, terms(m), constants(m), m.cfl};
+      .name = m.name,
+      .paper = m.paper,
+      .summary = m.summary,
+      .material_law = m.deviator == Deviator::in_plane ? "2d_deviator" : "neo_hookean",
+      .conserves = m.conserves,
+      .terms = terms(m),
+      .constants = constants(m),
+      .cfl = m.cfl,
+      .contact = m.contact,
+      .contact_laws = contact_laws(m),
+      .several_materials = m.several_materials,
+  };
 }
 
 template <const Formulation&... M>

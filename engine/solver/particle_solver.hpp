@@ -88,7 +88,7 @@ ParticleSolver<Dim>::ParticleSolver(const SolverInput& input, double support)
   for (int i = 0; i < layout_.size(); ++i) {
     s_.x.push_back(point(layout_.x[i]));
     s_.v.push_back(point(layout_.v[i]));
-    s_.m.push_back(c_.rho0 * layout_.V0[i]);
+    s_.m.push_back(input.materials[layout_.material[i]].rho0 * layout_.V0[i]);
     s_.mobile.push_back(layout_.held[i] ? 0 : 1);
     vmax_ = std::max(vmax_, std::sqrt(dot(s_.v[i], s_.v[i])));
   }
@@ -122,6 +122,7 @@ void ParticleSolver<Dim>::begin_snapshot() {
   out.x0.resize(n * Dim), out.x.resize(n * Dim), out.v.resize(n * Dim);
   out.m.resize(n), out.rho.resize(n), out.p.resize(n), out.s.resize(n * S), out.diameter.resize(n);
   out.body = layout_.body;
+  out.material = layout_.material;
   out.held = layout_.held;
   for (std::size_t i = 0; i < n; ++i) {
     for (int k = 0; k < Dim; ++k) out.x0[i * Dim + k] = layout_.x[i][k];

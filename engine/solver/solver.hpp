@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include "engine/core/isa.hpp"
 #include "engine/layout.hpp"
@@ -16,6 +17,8 @@ struct SolverInput {
   const Scene& scene;
   const Layout& layout;
   Constants constants;
+  std::vector<Elasticity> materials;  // in the order of Scene::materials
+  ContactLaw contact;                 // never `published`
   Stepping stepping;
   int threads;
 };

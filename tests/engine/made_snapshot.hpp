@@ -20,6 +20,7 @@ inline Snapshot made_snapshot(int dim, const std::vector<Point>& places) {
   now.s.assign(n * (dim == 3 ? 6 : 4), 0);
   now.diameter.assign(n, 1);
   now.body.assign(n, 0);
+  now.material.assign(n, 0);
   now.held.assign(n, 0);
   return now;
 }

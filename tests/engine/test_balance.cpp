@@ -62,12 +62,12 @@ TEST_SUITE("unit") {
     CHECK(balance(now, scene).strain == Approx(sigma * sigma / (2 * rubber.youngs_modulus)));
   }
 
-  TEST_CASE("balance: a particle's body names its material") {
+  TEST_CASE("balance: each particle counts with its own material") {
     const Scene scene = two_materials(2);
     Snapshot now = made_snapshot(2, {{0, 0, 0}});
     now.p = {4};
     CHECK(balance(now, scene).strain == Approx(8));
-    now.body = {1};
+    now.material = {1};
     CHECK(balance(now, scene).strain == Approx(1));
   }
 
