@@ -109,15 +109,13 @@ std::string with_place(const SceneError& e) {
 
 }  // namespace
 
-int run_program(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+int guarded(const std::function<int()>& action, std::ostream& err) {
   const auto fail = [&err](const std::string& message, int code) {
     err << "taut: " << message << '\n';
     return code;
   };
   try {
-    const int code = dispatch(arguments, {out, err});
-    if (!out.flush()) throw OutputError("standard output", "could not be written");
-    return code;
+    return action();
   } catch (const SceneError& e) {
     err << with_place(e) << '\n';
     return exit_wrong_input;
@@ -133,6 +131,15 @@ int run_program(const std::vector<std::string>& arguments, std::ostream& out, st
   } catch (const std::exception& e) {
     return fail(std::string(e.what()) + " (this is a bug of taut)", exit_bug);
   }
+}
+
+int run_program(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+  const auto all = [&] {
+    const int code = dispatch(arguments, {out, err});
+    if (!out.flush()) throw OutputError("standard output", "could not be written");
+    return code;
+  };
+  return guarded(all, err);
 }
 
 }  // namespace taut

@@ -1,5 +1,6 @@
 #include "cli/run_report.hpp"
 
+#include "cli/exit_code.hpp"
 #include "cli/text.hpp"
 
 namespace taut {
@@ -64,6 +65,12 @@ std::string run_report(const RunPlan& plan, const RunResult& result) {
   if (plan.drawing)
     rows.push_back({"frames", plan.folder.frames().string() + " (" + std::to_string(result.frames) + ")"});
   return heading(record) + "\n" + measures_table(record.measures) + in_columns(rows);
+}
+
+int exit_code(const RunResult& result, const std::optional<Verdict>& fail_on) {
+  if (!result.failure.empty()) return exit_diverged;
+  if (result.record.status == RunRecord::Status::interrupted) return exit_interrupted;
+  return fail_on && result.record.verdict >= *fail_on ? exit_diverged : exit_fine;
 }
 
 }  // namespace taut

@@ -10,4 +10,7 @@ namespace taut {
 /// and where the output is.
 std::string run_report(const RunPlan& plan, const RunResult& result);
 
+/// What a run tells the shell. `fail_on`: the mildest verdict that fails; without it only divergence does.
+int exit_code(const RunResult& result, const std::optional<Verdict>& fail_on = {});
+
 }  // namespace taut

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/drawing_options.hpp"
+#include "cli/run.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace taut {
+
+/// The options of `taut run` as typed; what is left out stands in the scene.
+struct RunOptions {
+  std::string scene;
+  std::optional<std::string> method, out;
+  std::vector<std::string> set;  // "name=value"
+  std::optional<double> spacing, until, every, history;
+  std::optional<int> frames;
+  DrawingOptions drawing;
+  int threads = 0;  // 0 = all cores
+  bool no_render = false;
+};
+
+/// --method, --set, --spacing, --until: what is simulated.
+void declare_setting_options(CLI::App& app, RunOptions& options);
+/// --frames, --every, --history and the drawing options: what is left of it.
+void declare_output_options(CLI::App& app, RunOptions& options);
+
+/// Reads and checks all there is to check, without touching the run folder. Throws UsageError and SceneError.
+RunPlan make_plan(const RunOptions& options);
+
+/// Throws UsageError, with the nearest names, for a verdict that does not exist or cannot be failed on.
+std::optional<Verdict> parse_verdict(const std::optional<std::string>& text);
+
+}  // namespace taut
