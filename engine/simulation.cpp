@@ -87,7 +87,10 @@ ContactLaw contact_law(const Scene& scene, const MethodInfo& method) {
     known += (known.empty() ? "" : ", ") + std::string(name(law));
   }
   throw SceneError("contact", "method '" + std::string(method.name) + "' cannot run with the contact law '" +
-                                  std::string(name(scene.contact)) + "'; it can with: " + known);
+                                  std::string(name(scene.contact)) +
+                                  "': its particles act on their neighbours of the start, not on what comes "
+                                  "near; it can with: " +
+                                  known);
 }
 
 Constants make_constants(const std::vector<Elasticity>& materials, int first, const Scene& scene,
@@ -103,6 +106,7 @@ Constants make_constants(const std::vector<Elasticity>& materials, int first, co
   c.riemann_limiter = value("riemann_limiter");
   c.beta_least = value("beta_least");
   c.pressure_diffusion = value("pressure_diffusion");
+  c.contact_stiffness = value("contact_stiffness");
   c.cfl = settings.cfl > 0 ? settings.cfl : method.cfl;
   c.cfl_advection = value("cfl_advection");
   return c;

@@ -39,7 +39,8 @@ struct Snapshot {
   std::vector<double> p;    // pressure, positive in compression, Pa
   std::vector<double> s;    // deviatoric stress xx, xy, yy, zz (2D) or xx, xy, xz, yy, yz, zz (3D), Pa
   std::vector<double>
-      strain_energy;  // of methods that have one of their own, J (per metre depth in 2D); else empty
+      strain_energy;          // of methods that have one of their own, J (per metre depth in 2D); else empty
+  double contact_energy = 0;  // of the contacts of bodies, J (per metre depth in 2D)
   std::vector<double> diameter;  // of a particle as drawn: V0^(1/dim), m
   std::vector<int> body;         // index into Scene::bodies
   std::vector<int> material;     // index into Scene::materials
@@ -50,7 +51,7 @@ struct Snapshot {
 
 /// Sums over all particles, of the state that `Snapshot` shows.
 struct Balance {
-  double kinetic = 0, strain = 0;  // J (per metre depth in 2D)
+  double kinetic = 0, strain = 0;  // J (per metre depth in 2D); strain with that of contacts
   Point linear_momentum{};         // kg m/s
   Point angular_momentum{};        // about the origin, kg m²/s; in 2D only the last component
   double momentum_scale = 0;       // Σ |m v|

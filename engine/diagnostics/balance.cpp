@@ -51,6 +51,7 @@ Balance balance(const Snapshot& now, const Scene& scene) {
       angular[a] += m * spin[a];
     }
   }
+  strain += now.contact_energy;
   return {kinetic.value(), strain.value(),         values(linear),
           values(angular), momentum_scale.value(), angular_scale.value()};
 }

@@ -18,6 +18,7 @@ struct Constants : Elasticity {
   double epsilon = 0, exponent = 0;            // artificial stress
   double riemann_limiter = 0, beta_least = 1;  // β = min(max(limiter · (U_L − U_R)/c0, β_least), 1)
   double pressure_diffusion = 0;               // share of (p_i − p_j)/(2 ρ0 c0) in U*: 0 or 1
+  double contact_stiffness = 1;                // of the penalty, over K1 K2/(K1 + K2)
   double cfl = 0, cfl_advection = 0;
 };
 

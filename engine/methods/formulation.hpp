@@ -33,6 +33,7 @@ struct Formulation {
   Deviator deviator = Deviator::in_plane;
   KernelName kernel = KernelName::wendland_c2;
   ContactLaw contact = ContactLaw::sph;  // the published one
+  double contact_stiffness = 1;          // of the penalty, see terms/penalty_contact.hpp
   bool several_materials = false;        // in one scene
   double beta_least = 1;       // of the dissipation in P*: 1 = linear, 0 = limited; see terms/riemann.hpp
   double h_over_dp = 1.3;      // smoothing length over spacing
@@ -98,6 +99,7 @@ inline constexpr Formulation oenog{
     .shear = Shear::bonds,
     .deviator = Deviator::plane_strain,
     .contact = ContactLaw::penalty,
+    .contact_stiffness = 2,  // a layer of the material
     .h_over_dp = 1.05,  // 12 bonds on a square lattice: the shortest whose moments can be right on rings too
 };
 

@@ -77,11 +77,17 @@ std::vector<MethodConstant> constants(const Formulation& m) {
   return c;
 }
 
-/// Bonds hold a body together, whatever is near: particles of two bodies cannot act on each other as those of
-/// one.
+/// Those that every method has.
+std::vector<MethodConstant> with_contact(std::vector<MethodConstant> c, const Formulation& m) {
+  c.push_back({"contact_stiffness", m.contact_stiffness, 0.01, 100.0,
+               "stiffness of a penalty contact over K1 K2/(K1 + K2): 1 as published, 2 as the material"});
+  return c;
+}
+
+/// Bonds act between neighbours of the start, not on what comes near.
 std::vector<ContactLaw> contact_laws(const Formulation& m) {
-  if (m.shear == Shear::bonds) return {ContactLaw::penalty};
-  return {ContactLaw::sph};
+  if (m.shear == Shear::bonds) return {ContactLaw::penalty, ContactLaw::impulse};
+  return {ContactLaw::sph, ContactLaw::impulse, ContactLaw::penalty};
 }
 
 MethodInfo info(const Formulation& m) {
@@ -92,7 +98,7 @@ MethodInfo info(const Formulation& m) {
       .material_law = m.deviator == Deviator::in_plane ? "2d_deviator" : "neo_hookean",
       .conserves = m.conserves,
       .terms = terms(m),
-      .constants = constants(m),
+      .constants = with_contact(constants(m), m),
       .cfl = m.cfl,
       .contact = m.contact,
       .contact_laws = contact_laws(m),

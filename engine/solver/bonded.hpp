@@ -3,28 +3,25 @@
 #include <vector>
 
 #include "engine/bonds.hpp"
-#include "engine/solver/body_contacts.hpp"
 #include "engine/solver/particle_solver.hpp"
 #include "engine/terms/bond.hpp"
-#include "engine/terms/penalty_contact.hpp"
 
 namespace taut::inline TAUT_ISA {
 
-/// Bodies held together by bonds (terms/bond.hpp), which touch each other through a penalty. Position Verlet,
+/// Bodies held together by bonds (terms/bond.hpp), which touch by a contact law. Position Verlet,
 /// so that the energy has no drift; no dissipation.
 template <const Formulation& M, int Dim>
 class Bonded final : public ParticleSolver<Dim> {
  public:
   explicit Bonded(const SolverInput& input)
-      : Base(input, Kernel<M.kernel>::support * input.constants.h),
-        volumetric_(c_.K, c_.G),
-        contacts_(contact_reach * c_.dp, 0.5 * c_.dp) {
+      : Base(input, Kernel<M.kernel>::support * input.constants.h), volumetric_(c_.K, c_.G) {
     CellGrid<Dim> grid;
     s_.reorder(grid.sort(s_.x, this->support_), threads_now());
     rows_.resize(s_.size());
     F_.resize(s_.size());
     make_bond_packs(make_bonds(this->layout_, c_.h, this->support_));
-    search_contacts();
+    contact_.search(s_);
+    show_contacts_to_probes();
     Base::record_start();
     take_snapshot();
   }
@@ -36,11 +33,8 @@ class Bonded final : public ParticleSolver<Dim> {
 
  private:
   using Base = ParticleSolver<Dim>;
-  using Base::c_, Base::s_, Base::threads_now, Base::vmax_;
+  using Base::c_, Base::s_, Base::contact_, Base::threads_now, Base::vmax_;
   using typename Base::V;
-
-  /// Beyond the touch of two particles, so that probes see a gap before it closes; in spacings.
-  static constexpr double contact_reach = 2;
 
   /// What the passes gather about a particle: x, then P row by row, each filled up to whole packs.
   static constexpr int place = (Dim + lanes - 1) / lanes * lanes;
@@ -56,11 +50,10 @@ class Bonded final : public ParticleSolver<Dim> {
   };
 
   void make_bond_packs(const Bonds& bonds);
-  void search_contacts();
+  void show_contacts_to_probes();
   void step();
   void deformation_pass();
   double force_pass(double dt);
-  V contact_force(int i) const;
   double strain_energy(int i) const;
   void set_rows();
   void take_snapshot();
@@ -71,8 +64,6 @@ class Bonded final : public ParticleSolver<Dim> {
   }
 
   Volumetric volumetric_;
-  BodyContacts<Dim> contacts_;
-  double travelled_ = 0;  // by the fastest particle since contacts were searched, m
   std::vector<BondRow> rows_;
   std::vector<Mat<double, Dim>> F_;
   std::vector<int> begin_, j_;        // bonds in packs, as in Neighbors
@@ -120,29 +111,19 @@ void Bonded<M, Dim>::make_bond_packs(const Bonds& bonds) {
   this->pairs_ = static_cast<long>(bonds.j.size());
 }
 
+/// There are no other neighbours; those of a body never change.
 template <const Formulation& M, int Dim>
-void Bonded<M, Dim>::search_contacts() {
-  travelled_ = 0;
-  if (s_.several_bodies) contacts_.search(s_);
-  // the probes look for pairs of two bodies in the neighbours
-  s_.neighbors = {};
-  s_.neighbors.begin.push_back(0);
-  for (int i = 0; i < s_.size(); ++i) {
-    if (s_.several_bodies)
-      s_.neighbors.j.insert(s_.neighbors.j.end(), contacts_.j.begin() + contacts_.begin[i],
-                            contacts_.j.begin() + contacts_.begin[i + 1]);
-    while (s_.neighbors.j.size() % lanes != 0) s_.neighbors.j.push_back(i);
-    s_.neighbors.begin.push_back(static_cast<int>(s_.neighbors.j.size()) / lanes);
-  }
-  this->recorder_.rebuilt(s_, contact_reach * c_.dp);
+void Bonded<M, Dim>::show_contacts_to_probes() {
+  s_.neighbors = contact_.neighbors(s_.size());
+  this->recorder_.rebuilt(s_, Contact<Dim>::reach * c_.dp);
 }
 
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::step() {
   const double dt = Base::step_size();
-  travelled_ += vmax_ * dt;
-  if (s_.several_bodies && travelled_ > contacts_.lasts_for()) search_contacts();
+  if (contact_.prepare(s_, vmax_ * dt)) show_contacts_to_probes();
   parallel_for(s_.size(), threads_now(), [&](int i) { s_.x[i] += (0.5 * dt) * s_.v[i]; });
+  contact_.evaluate(s_, dt);
   set_rows();
   deformation_pass();
   Base::set_greatest_speed(force_pass(dt));
@@ -200,7 +181,7 @@ double Bonded<M, Dim>::force_pass(double dt) {
     V force = sum(f);
     for (int a = 0; a < Dim; ++a)
       for (int k = 0; k < Dim; ++k) force[a] += rows_[i].c[place + a * Dim + k] * sum_V_i_g_ij_[i][k];
-    if (s_.several_bodies) force += contact_force(i);
+    if (contact_.active()) force += contact_.force(i);
     V v = s_.v[i];
     v += (dt * s_.mobile[i] / s_.m[i]) * force;
     s_.v[i] = v;
@@ -209,18 +190,7 @@ double Bonded<M, Dim>::force_pass(double dt) {
   });
 }
 
-template <const Formulation& M, int Dim>
-auto Bonded<M, Dim>::contact_force(int i) const -> V {
-  V force{};
-  for (int k = contacts_.begin[i]; k < contacts_.begin[i + 1]; ++k) {
-    const V d = stored_place(i) - stored_place(contacts_.j[k]);
-    const double r = std::sqrt(dot(d, d));
-    if (r > 0) force += (penalty_force(r, c_.dp, c_.K, Dim) / r) * d;
-  }
-  return force;
-}
-
-/// J (per metre depth in 2D): its own U, half of each bond's and of each contact's.
+/// J (per metre depth in 2D): its own U and half of each bond's.
 template <const Formulation& M, int Dim>
 double Bonded<M, Dim>::strain_energy(int i) const {
   Pack bonds{};
@@ -233,13 +203,7 @@ double Bonded<M, Dim>::strain_energy(int i) const {
     const Pack lambda = max(Pack(root(dot(d, d)) * bonds_[b].inv_r0), filled<Pack>(1e-3));
     bonds += bonds_[b].kappa / bonds_[b].inv_r0 * bond_energy(lambda);
   }
-  double contact = 0;
-  for (int k = s_.several_bodies ? contacts_.begin[i] : 0; s_.several_bodies && k < contacts_.begin[i + 1];
-       ++k) {
-    const V d = stored_place(i) - stored_place(contacts_.j[k]);
-    contact += penalty_energy(std::sqrt(dot(d, d)), c_.dp, c_.K, Dim);
-  }
-  return s_.m[i] / c_.rho0 * volumetric_.energy(determinant(F_[i])) + 0.5 * (sum(bonds) + contact);
+  return s_.m[i] / c_.rho0 * volumetric_.energy(determinant(F_[i])) + 0.5 * sum(bonds);
 }
 
 /// The stress shown is the neo-Hookean one of F: p = −K (J − 1), s = G J^(−5/3) dev(F Fᵀ) with (F Fᵀ)_zz = 1

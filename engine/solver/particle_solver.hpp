@@ -11,6 +11,7 @@
 #include "engine/layout.hpp"
 #include "engine/methods/constants.hpp"
 #include "engine/simulation.hpp"
+#include "engine/solver/contact.hpp"
 #include "engine/solver/recorder.hpp"
 #include "engine/solver/solver.hpp"
 #include "engine/solver/state.hpp"
@@ -61,6 +62,7 @@ class ParticleSolver : public Simulation {
   Constants c_;
   Layout layout_;
   State<Dim> s_;
+  Contact<Dim> contact_;
   Recorder<Dim> recorder_;
   double time_ = 0;  // s
   long step_ = 0;
@@ -76,6 +78,7 @@ template <int Dim>
 ParticleSolver<Dim>::ParticleSolver(const SolverInput& input, double support)
     : c_(input.constants),
       layout_(input.layout),
+      contact_(input),
       recorder_(input.scene, input.layout, support),
       team_(input.threads) {
   threads_ = input.threads;
@@ -95,7 +98,7 @@ ParticleSolver<Dim>::ParticleSolver(const SolverInput& input, double support)
   s_.id.resize(s_.size());
   std::iota(s_.id.begin(), s_.id.end(), 0);
   s_.body = layout_.body;
-  s_.several_bodies = layout_.first.size() > 2;
+  s_.sph_contact = input.contact == ContactLaw::sph && layout_.first.size() > 2;
 }
 
 /// Names the first particle in the order of creation that went wrong.
@@ -116,6 +119,7 @@ void ParticleSolver<Dim>::begin_snapshot() {
   Snapshot& out = snapshot_;
   out.time = time_;
   out.step = step_;
+  out.contact_energy = contact_.energy(s_);
   if (!out.m.empty()) return;
   constexpr int S = Sym<double, Dim>::size + (Dim == 2);  // in 2D s_zz is stored too
   out.dim = Dim;

@@ -32,8 +32,11 @@ PairGeometry<Dim> pair_geometry(const State<Dim>& s, const Constants& c, int i, 
   pair.inv_r = 1 / r;
   pair.e = pair.inv_r * d;
   pair.dW = K::alpha(Dim) / power<Dim + 1>(c.h) * K::dw(Pack(r / c.h));
-  for (int lane = 0; lane < lanes; ++lane)
-    if (s.body[j[lane]] != s.body[i]) pair.inv_r[lane] = 0;
+  for (int lane = 0; lane < lanes; ++lane) {
+    if (s.body[j[lane]] == s.body[i]) continue;
+    pair.inv_r[lane] = 0;
+    if (!s.sph_contact) pair.dW[lane] = 0;
+  }
   return pair;
 }
 
@@ -50,7 +53,7 @@ Pack pair_closeness(const State<Dim>& s, const Constants& c, int i, int b) {
   return closeness;
 }
 
-/// The geometry of every pair, and the list of packs that hold pairs of two bodies.
+/// The geometry of every pair, and the list of packs that hold pairs of two bodies which act as one.
 template <const Formulation& M, int Dim>
 void geometry_pass(State<Dim>& s, const Constants& c, int threads) {
   s.pairs.resize(s.neighbors.begin.back());
@@ -62,7 +65,7 @@ void geometry_pass(State<Dim>& s, const Constants& c, int threads) {
     }
   });
   s.contacts.clear();
-  if (!s.several_bodies) return;
+  if (!s.sph_contact) return;
   for (int i = 0; i < s.size(); ++i) {
     const auto other_body = [&](int j) { return s.body[j] != s.body[i]; };
     for (int b = s.neighbors.begin[i]; b < s.neighbors.begin[i + 1]; ++b)

@@ -88,7 +88,8 @@ template <int Dim>
 struct PairGeometry {
   Vec<Pack, Dim> e;  // unit vector from j to i
   Pack dW;           // ∂W/∂r, 1/m^(Dim+1), ≤ 0
-  Pack inv_r;        // 1/r, 1/m; 0 for a pair of two bodies, between which no shear acts
+  Pack inv_r;        // 1/r, 1/m; 0 for a pair of two bodies, between which no shear acts, and no dW
+                     // either unless they act on each other as one body
 
   /// ∂W/∂r of pairs within a body, 0 for the others.
   Pack dW_inside() const { return inv_r > 0 ? dW : Pack{}; }
@@ -110,6 +111,7 @@ struct State {
   std::vector<V> x_recovered;        // where x stood when a recovered stress was last brought up to date, m
   std::vector<int> id;               // place in the order of creation
   std::vector<int> body;
+  bool sph_contact = false;  // of several bodies, whose particles act on each other as those of one
 
   // gathered by the passes
   std::vector<FlowRow<Dim>> flow;      // at the middle of the step: v, p, V
@@ -120,9 +122,8 @@ struct State {
   // of the last rebuild
   Neighbors neighbors;
   std::vector<PairGeometry<Dim>> pairs;       // one for each pack of neighbours
-  std::vector<std::pair<int, int>> contacts;  // (i, pack) of pairs between bodies
-  bool several_bodies = false;
-  std::vector<Pack> closeness;  // (W/W(dp))ⁿ, where the method has artificial stress
+  std::vector<std::pair<int, int>> contacts;  // (i, pack) of pairs between bodies, if they act as in one
+  std::vector<Pack> closeness;                // (W/W(dp))ⁿ, where the method has artificial stress
 
   int size() const { return static_cast<int>(x.size()); }
 

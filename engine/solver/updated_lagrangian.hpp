@@ -28,7 +28,8 @@ class UpdatedLagrangian final : public ParticleSolver<Dim> {
 
  private:
   using Base = ParticleSolver<Dim>;
-  using Base::c_, Base::s_, Base::recorder_, Base::step_, Base::vmax_, Base::support_, Base::threads_now;
+  using Base::c_, Base::s_, Base::contact_, Base::recorder_, Base::step_, Base::vmax_, Base::support_,
+      Base::threads_now;
   using typename Base::V;
   static constexpr bool nested = carries_stress(M);
 
@@ -58,8 +59,10 @@ void UpdatedLagrangian<M, Dim>::step() {
   // is rebuilt in time, and one at the turning point of its swing is not left with pairs from long ago.
   if (stepping_ == Stepping::single ? step_ > 0 : advected_ >= c_.cfl_advection * c_.h) rebuild();
   const double dt = Base::step_size();
+  contact_.prepare(s_, vmax_ * dt);
   half_drift(0.5 * dt);
   contact_geometry_pass<M>(s_, c_);
+  contact_.evaluate(s_, dt);
   kick(dt);
   close_rates(0.5 * dt);
   advected_ += greatest_speed_ * dt;
@@ -91,7 +94,9 @@ void UpdatedLagrangian<M, Dim>::half_drift(double dt) {
 /// Velocities over the whole step, Eq. 24, and positions to its end, Eq. 25.
 template <const Formulation& M, int Dim>
 void UpdatedLagrangian<M, Dim>::kick(double dt) {
-  const double vmax2 = momentum_pass<M>(s_, c_, threads_now(), [&](int i, const V& a) {
+  const bool contact = contact_.active();
+  const double vmax2 = momentum_pass<M>(s_, c_, threads_now(), [&](int i, V a) {
+    if (contact) a += (1 / s_.m[i]) * contact_.force(i);
     V v = s_.v[i];
     v += (dt * s_.mobile[i]) * a;
     s_.v[i] = v;
@@ -159,6 +164,7 @@ void UpdatedLagrangian<M, Dim>::rebuild() {
   search_(grid_, s_.x, support_, threads_now(), s_.neighbors);
   this->pairs_ = s_.neighbors.pairs;
   geometry_pass<M>(s_, c_, threads_now());
+  contact_.search(s_);
   recorder_.rebuilt(s_, support_);
   advected_ = 0;
   if (step_ == 0) take_rates_at_start();
