@@ -25,10 +25,11 @@ void print_table(std::ostream& out, std::string_view title, const Rows& rows, st
 }
 
 Rows material_rows(const Scene& scene) {
-  Rows rows{{"name", "density", "Young's modulus", "Poisson's ratio", "sound speed"}};
+  Rows rows{{"name", "density", "Young's modulus", "Poisson's ratio", "bulk modulus", "sound speed"}};
   for (const Material& m : scene.materials)
     rows.push_back({m.name, brief(m.density) + " kg/m³", brief(m.youngs_modulus) + " Pa",
-                    brief(m.poisson_ratio), brief(m.sound_speed()) + " m/s"});
+                    brief(m.poisson_ratio), brief(m.bulk_modulus()) + " Pa",
+                    brief(m.sound_speed()) + " m/s"});
   return rows;
 }
 
@@ -51,26 +52,53 @@ Rows measure_rows(const Scene& scene) {
   return rows;
 }
 
+Rows body_rows(const Scene& scene) {
+  Rows rows;
+  for (const Body& body : scene.bodies) {
+    std::string materials = scene.materials[static_cast<std::size_t>(body.material)].name;
+    for (const Part& part : body.parts)
+      materials += ", " + scene.materials[static_cast<std::size_t>(part.material)].name + " in part";
+    std::string motion = body.held ? "held in part" : "";
+    for (const Drive& drive : body.drives)
+      motion +=
+          (motion.empty() ? "" : ", ") + std::string("driven in part until ") + brief(drive.until) + " s";
+    rows.push_back({body.name, materials, motion});
+  }
+  return rows;
+}
+
+/// How bodies act on each other, with the method of the file.
+std::string contact_text(const SceneFile& file) {
+  const std::string of_file(name(file.scene.contact));
+  if (file.scene.contact != ContactLaw::published) return of_file + ", changed with --set contact=LAW";
+  const ContactLaw law = contact_law(file.scene, *find_method(file.settings.method));
+  return std::string(name(law)) + ", as published with the method, unless --set contact=LAW says otherwise";
+}
+
+std::string contact_text(const MethodInfo& method) {
+  std::string others;
+  for (const ContactLaw law : method.contact_laws)
+    if (law != method.contact) others += (others.empty() ? "; also " : ", ") + std::string(name(law));
+  return std::string(name(method.contact)) + " as published" + others;
+}
+
 void describe_scene(const std::string& name, std::ostream& out) {
   const SceneFile file = read_scene(find_scene(name));
   const Scene& scene = file.scene;
-  Rows bodies;
-  for (const Body& body : scene.bodies)
-    bodies.push_back({body.name, scene.materials[static_cast<std::size_t>(body.material)].name,
-                      body.held ? "held in part" : ""});
   Rows probes;
   for (const Probe& probe : scene.probes) probes.push_back({probe.name});
-  out << scene.title << '\n'
-      << in_columns({{"scene", scene.name},
-                     {"file", file.path.string()},
-                     {"source", scene.source},
-                     {"dimensions", std::to_string(scene.dim)},
-                     {"spacing", brief(scene.spacing) + " m"},
-                     {"until", brief(scene.until) + " s"},
-                     {"method", file.settings.method + " unless --method says otherwise"}});
+  Rows head{{"scene", scene.name},
+            {"file", file.path.string()},
+            {"source", scene.source},
+            {"dimensions", std::to_string(scene.dim)},
+            {"spacing", brief(scene.spacing) + " m"},
+            {"until", brief(scene.until) + " s"},
+            {"method", file.settings.method + " unless --method says otherwise"}};
+  if (scene.bodies.size() > 1) head.push_back({"contact", contact_text(file)});
+  out << scene.title << '\n' << in_columns(head);
   print_table(out, "Parameters, changed with --set NAME=VALUE", parameter_rows(file.parameters), 1);
   print_table(out, "Materials", material_rows(scene), 1);
-  print_table(out, "Bodies", bodies);
+  print_table(out, "Bodies", body_rows(scene));
   print_table(out, "Probes, followed in history.csv", probes);
   print_table(out, "Measures", measure_rows(scene), 1);
 }
@@ -84,6 +112,7 @@ void describe_method(const MethodInfo& method, std::ostream& out) {
       << in_columns({{"paper", std::string(method.paper)},
                      {"material law", std::string(method.material_law)},
                      {"conserves", std::string(method.conserves)},
+                     {"contact", contact_text(method)},
                      {"CFL number", brief(method.cfl)}});
   print_table(out, "Terms", terms);
   print_table(out, "Constants, changed with --set method.NAME=VALUE", constants, 1);

@@ -8,7 +8,8 @@ namespace {
 
 double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
-double energy(const Balance& sums) { return sums.kinetic + sums.strain; }
+/// What is left of it when the work of drives is taken off.
+double energy(const Balance& sums) { return sums.kinetic + sums.strain - sums.work; }
 
 std::optional<double> ratio(double change, double scale) {
   return scale > 0 ? std::optional(change / scale) : std::nullopt;
@@ -23,13 +24,14 @@ void Drift::look(const Balance& now) {
   linear_scale_ = std::max(linear_scale_, now.momentum_scale);
   angular_scale_ = std::max(angular_scale_, now.angular_scale);
   energy_ = std::max(energy_, std::abs(energy(now) - energy(*start_)));
+  energy_scale_ = std::max(energy_scale_, energy(*start_) + now.work);
 }
 
-Conservation Drift::conservation(bool has_held_particles) const {
+Conservation Drift::conservation(bool exchanges_momentum) const {
   Conservation result;
   if (!start_) return result;
-  result.energy = ratio(energy_, energy(*start_));
-  if (has_held_particles) return result;
+  result.energy = ratio(energy_, energy_scale_);
+  if (exchanges_momentum) return result;
   result.linear_momentum = ratio(linear_, linear_scale_);
   result.angular_momentum = ratio(angular_, angular_scale_);
   return result;

@@ -9,21 +9,23 @@ namespace taut {
 /// Greatest relative drift of what a closed system keeps; none where it says nothing.
 struct Conservation {
   std::optional<double>
-      linear_momentum;  // |Δp| over the greatest Σ|m v|; none with held particles, which take it
-  std::optional<double> angular_momentum;  // |ΔL| over the greatest Σ m|x||v|; none with held particles
-  std::optional<double> energy;            // greatest |E − E0| / E0; none when E0 = 0
+      linear_momentum;  // |Δp| over the greatest Σ|m v|; none with held or driven particles, which take it
+  std::optional<double> angular_momentum;  // |ΔL| over the greatest Σ m|x||v|; none with such particles
+  /// Greatest |E − W − E0| over the greatest E0 + W, W the work of drives; none when there is no energy.
+  std::optional<double> energy;
 };
 
 /// Follows the sums of a run from one look to the next.
 class Drift {
  public:
   void look(const Balance& now);
-  Conservation conservation(bool has_held_particles) const;
+  /// `exchanges_momentum`: there are held or driven particles.
+  Conservation conservation(bool exchanges_momentum) const;
 
  private:
   std::optional<Balance> start_;
   double linear_ = 0, angular_ = 0, energy_ = 0;  // greatest |change|
-  double linear_scale_ = 0, angular_scale_ = 0;
+  double linear_scale_ = 0, angular_scale_ = 0, energy_scale_ = 0;
 };
 
 }  // namespace taut

@@ -1,6 +1,7 @@
 #include "cli/expression.hpp"
 
 #include <cctype>
+#include <initializer_list>
 #include <memory>
 #include <numbers>
 #include <string_view>
@@ -18,7 +19,7 @@ namespace {
 struct Formula {
   mu::Parser parser;
   Names names;
-  Point position{};
+  Point place{};  // of its variables
 };
 
 std::vector<std::string> known_names(const Formula& formula) {
@@ -62,7 +63,8 @@ void define_pi(mu::Parser& parser) {
   parser.DefineConst("pi", std::numbers::pi);
 }
 
-std::unique_ptr<Formula> parse(const std::string& text, const Names& names, bool of_position) {
+std::unique_ptr<Formula> parse(const std::string& text, const Names& names,
+                               std::initializer_list<const char*> variables) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     throw ExpressionError("the expression is empty: write a number or an expression", 0);
   refuse_assignment(text);
@@ -70,11 +72,8 @@ std::unique_ptr<Formula> parse(const std::string& text, const Names& names, bool
   formula->names = names;
   define_pi(formula->parser);
   for (auto& [name, value] : formula->names) formula->parser.DefineVar(name, &value);
-  if (of_position) {
-    formula->parser.DefineVar("x", &formula->position[0]);
-    formula->parser.DefineVar("y", &formula->position[1]);
-    formula->parser.DefineVar("z", &formula->position[2]);
-  }
+  double* value = formula->place.data();
+  for (const char* variable : variables) formula->parser.DefineVar(variable, value++);
   try {
     formula->parser.SetExpr(text);
     formula->parser.Eval();
@@ -88,13 +87,18 @@ std::unique_ptr<Formula> parse(const std::string& text, const Names& names, bool
 
 }  // namespace
 
-double evaluate(const std::string& text, const Names& names) {
-  return parse(text, names, false)->parser.Eval();
-}
+double evaluate(const std::string& text, const Names& names) { return parse(text, names, {})->parser.Eval(); }
 
 Expression compile(const std::string& text, const Names& names) {
-  return [formula = std::shared_ptr<Formula>(parse(text, names, true))](const Point& position) {
-    formula->position = position;
+  return [formula = std::shared_ptr<Formula>(parse(text, names, {"x", "y", "z"}))](const Point& position) {
+    formula->place = position;
+    return formula->parser.Eval();
+  };
+}
+
+std::function<double(double)> compile_of_time(const std::string& text, const Names& names) {
+  return [formula = std::shared_ptr<Formula>(parse(text, names, {"t"}))](double t) {
+    formula->place[0] = t;
     return formula->parser.Eval();
   };
 }

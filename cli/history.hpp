@@ -19,6 +19,7 @@ class History {
  private:
   LineFile file_;
   int dim_;
+  bool driven_;
   long last_step_ = -1;
 };
 

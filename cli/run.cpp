@@ -55,7 +55,7 @@ class Run {
   std::optional<History> history_;
   std::optional<Frames> frames_;
   Pace pace_;
-  bool has_held_ = false;
+  bool exchanges_momentum_ = false;
   Stopwatch since_saved_;
 };
 
@@ -70,8 +70,9 @@ Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Inte
       history_agenda_(plan.history_times),
       judge_(plan.file.scene, simulation_->snapshot(), simulation_->support()),
       pace_(record_.until),
-      has_held_(
-          std::ranges::any_of(simulation_->snapshot().held, [](unsigned char held) { return held != 0; })) {
+      exchanges_momentum_(
+          std::ranges::any_of(simulation_->snapshot().held, [](unsigned char held) { return held != 0; }) ||
+          has_drives(plan.file.scene)) {
   if (plan.drawing)
     frames_.emplace(*plan.drawing, plan.folder,
                     Captions{plan.file.scene.title, record_.method, record_.until}, record_.seconds);
@@ -189,7 +190,7 @@ bool Run::draw_the_rest() {
 void Run::save(RunRecord::Status status) {
   since_saved_ = {};
   record_.status = status;
-  record_.conservation = drift_.conservation(has_held_);
+  record_.conservation = drift_.conservation(exchanges_momentum_);
   record_.measures = measure(plan_.file.scene, simulation_->series(), record_.material_law);
   if (frames_) result_.frames = frames_->written();
   write_whole(plan_.folder.record(), to_json(record_).dump(2) + "\n");
@@ -215,7 +216,10 @@ RunRecord new_record(const RunPlan& plan, const Simulation& simulation) {
   RunRecord record;
   record.scene = file.scene.name;
   record.method = file.settings.method;
-  record.material_law = find_method(record.method)->material_law;
+  const MethodInfo& method = *find_method(record.method);
+  record.material_law = method.material_law;
+  if (plan.file.scene.bodies.size() > 1)
+    record.contact = std::string(name(contact_law(plan.file.scene, method)));
   record.parameters = file.parameters;
   record.dim = file.scene.dim;
   record.spacing = file.scene.spacing;

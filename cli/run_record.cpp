@@ -65,6 +65,7 @@ Json to_json(const RunRecord& record) {
   json["scene"] = record.scene;
   json["method"] = record.method;
   json["material_law"] = record.material_law;
+  if (record.contact) json["contact"] = *record.contact;
   json["parameters"] = parameters(record);
   json["dim"] = record.dim;
   json["spacing"] = number(record.spacing);

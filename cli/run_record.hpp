@@ -23,6 +23,7 @@ struct RunRecord {
   enum class Status { running, finished, interrupted, failed };
 
   std::string scene, method, material_law;
+  std::optional<std::string> contact;  // the law between bodies, where there are several
   std::vector<Parameter> parameters;
   int dim = 2;
   double spacing = 0;                   // m, as used

@@ -26,9 +26,9 @@ void collect_places(const TomlValue& value, const std::string& path,
 
 /// First of all: a misspelt table would else be reported as missing.
 void refuse_unknown_keys(TomlCursor& root) {
-  for (const char* key :
-       {"name", "title", "source", "dim", "spacing", "until", "history", "method", "stepping", "cfl",
-        "method_constants", "parameters", "material", "body", "probe", "measure", "reference", "render"})
+  for (const char* key : {"name", "title", "source", "dim", "spacing", "until", "history", "method",
+                          "stepping", "cfl", "contact", "method_constants", "parameters", "material", "body",
+                          "probe", "measure", "reference", "render"})
     root.find(key);
   root.finish();
 }

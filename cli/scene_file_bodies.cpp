@@ -54,29 +54,78 @@ std::vector<Shape> read_shapes(TomlCursor& body, int dim) {
   return shapes;
 }
 
-void read_velocity(TomlCursor& cursor, int dim, Body& body) {
+TomlValue array_of(std::vector<TomlValue> items) {
+  TomlValue array;
+  array.kind = Kind::array;
+  array.items = std::move(items);
+  return array;
+}
+
+/// The components of `velocity`, which must be there.
+const std::vector<TomlValue>& velocity_components(TomlCursor& cursor, int dim) {
   const std::size_t components = static_cast<std::size_t>(dim);
-  if (!cursor.find("velocity")) {
-    TomlValue rest;
-    rest.kind = Kind::array;
-    rest.items.assign(components, TomlValue(0.0));
-    cursor.table().set("velocity", std::move(rest));
-  }
-  const TomlValue& value = *cursor.find("velocity");
+  const TomlValue& value = cursor.need("velocity");
   if (value.kind != Kind::array || value.items.size() != components)
     cursor.fail(value, "velocity",
                 "velocity must be an array of " + std::to_string(components) +
                     " numbers or expressions, one per axis");
-  for (std::size_t k = 0; k < components; ++k)
-    body.velocity[k] = cursor.function_of(value.items[k], "velocity");
+  return value.items;
+}
+
+void read_velocity(TomlCursor& cursor, int dim, Body& body) {
+  if (!cursor.find("velocity"))
+    cursor.table().set("velocity", array_of({static_cast<std::size_t>(dim), TomlValue(0.0)}));
+  std::size_t axis = 0;
+  for (const TomlValue& component : velocity_components(cursor, dim))
+    body.velocity[axis++] = cursor.function_of(component, "velocity");
+}
+
+/// The tables of `key`, none by default; `what` names one in messages.
+std::vector<TomlCursor> tables(TomlCursor& body, std::string_view key, const std::string& what) {
+  if (!body.find(key)) body.table().set(std::string(key), array_of({}));
+  TomlValue& value = *body.find(key);
+  if (value.kind != Kind::array)
+    body.fail(value, key,
+              std::string(key) + " must be an array of tables: " + std::string(key) + " = [{ ... }]");
+  std::vector<TomlCursor> cursors;
+  for (TomlValue& item : value.items) cursors.push_back(body.enter(item, key, what + " of " + body.what()));
+  return cursors;
+}
+
+int read_material_of(TomlCursor& cursor, const Scene& scene) {
+  const std::string name = cursor.text("material");
+  const std::size_t material = index_of(scene.materials, name);
+  if (material == scene.materials.size())
+    cursor.fail_unknown(cursor.need("material"), "material", "material", name, names_of(scene.materials));
+  return static_cast<int>(material);
+}
+
+void read_parts(TomlCursor& cursor, const Scene& scene, Body& body) {
+  for (TomlCursor& entry : tables(cursor, "parts", "a part")) {
+    Part part;
+    part.material = read_material_of(entry, scene);
+    part.where = entry.function_of(entry.need("where"), "where");
+    entry.finish();
+    body.parts.push_back(std::move(part));
+  }
+}
+
+void read_drives(TomlCursor& cursor, const Scene& scene, Body& body) {
+  for (TomlCursor& entry : tables(cursor, "driven", "a driven region")) {
+    Drive drive;
+    drive.where = entry.function_of(entry.need("where"), "where");
+    std::size_t axis = 0;
+    for (const TomlValue& component : velocity_components(entry, scene.dim))
+      drive.velocity[axis++] = entry.function_of_time(component, "velocity");
+    if (!entry.find("until")) entry.table().set("until", TomlValue(scene.until));
+    drive.until = entry.positive("until");
+    entry.finish();
+    body.drives.push_back(std::move(drive));
+  }
 }
 
 void read_mirror(TomlCursor& cursor, int dim, Body& body) {
-  if (!cursor.find("mirror")) {
-    TomlValue none;
-    none.kind = Kind::array;
-    cursor.table().set("mirror", std::move(none));
-  }
+  if (!cursor.find("mirror")) cursor.table().set("mirror", array_of({}));
   const std::vector<std::string> allowed(axis_names.begin(), axis_names.begin() + dim);
   const auto add = [&](const TomlValue& axis) {
     const std::size_t k = static_cast<std::size_t>(
@@ -92,35 +141,17 @@ void read_mirror(TomlCursor& cursor, int dim, Body& body) {
 Body read_body(TomlCursor& cursor, const Scene& scene) {
   Body body;
   body.name = label(cursor, names_of(scene.bodies));
-  const std::size_t material = index_of(scene.materials, cursor.text("material"));
-  if (material == scene.materials.size())
-    cursor.fail_unknown(cursor.need("material"), "material", "material", cursor.text("material"),
-                        names_of(scene.materials));
-  body.material = static_cast<int>(material);
-  add_names(cursor.names(), scene.materials[material]);
+  body.material = read_material_of(cursor, scene);
+  add_names(cursor.names(), scene.materials[static_cast<std::size_t>(body.material)]);
   body.shapes = read_shapes(cursor, scene.dim);
   read_velocity(cursor, scene.dim, body);
   if (!cursor.find("held")) cursor.table().set("held", TomlValue(0.0));
   body.held = cursor.function_of(cursor.need("held"), "held");
   read_mirror(cursor, scene.dim, body);
+  read_parts(cursor, scene, body);
+  read_drives(cursor, scene, body);
   cursor.finish();
   return body;
-}
-
-Material read_material(TomlCursor cursor, const std::string& name) {
-  Material material{.name = name,
-                    .density = cursor.positive("density"),
-                    .youngs_modulus = cursor.positive("youngs_modulus"),
-                    .poisson_ratio = cursor.number("poisson_ratio")};
-  if (!(material.poisson_ratio > -1 && material.poisson_ratio < 0.5))
-    cursor.fail(
-        cursor.need("poisson_ratio"), "poisson_ratio",
-        "poisson_ratio = " + exact(material.poisson_ratio) +
-            " must lie between -1 and 0.5, without both ends" +
-            (material.poisson_ratio == 0.5 ? ": at 0.5 the bulk modulus would be infinite; 0.49 is rubber"
-                                           : ""));
-  cursor.finish();
-  return material;
 }
 
 }  // namespace
@@ -137,24 +168,6 @@ std::string label(TomlCursor& entry, const std::vector<std::string>& taken) {
   return name;
 }
 
-void add_names(Names& names, const Material& material) {
-  names["c0"] = material.sound_speed();
-  names["E"] = material.youngs_modulus;
-  names["nu"] = material.poisson_ratio;
-  names["rho"] = material.density;
-  names["K"] = material.bulk_modulus();
-  names["G"] = material.shear_modulus();
-}
-
-void read_materials(TomlCursor& root, Scene& scene) {
-  TomlCursor materials = root.enter(root.need("material"), "material", "[material]");
-  for (TomlEntry& entry : materials.table().entries) {
-    materials.find(entry.key);
-    scene.materials.push_back(
-        read_material(materials.enter(entry.value, entry.key, "material '" + entry.key + "'"), entry.key));
-  }
-}
-
 void read_bodies(TomlCursor& root, Scene& scene) {
   for (TomlValue& value : root.list("body")) {
     const TomlEntry* name = value.find("name");
@@ -167,9 +180,11 @@ void read_bodies(TomlCursor& root, Scene& scene) {
               "the scene has no bodies: write at least one [[body]] with name, shape and material");
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const std::string& name = scene.materials[i].name;
-    const bool used = std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                                  [&](const Body& body) { return body.material == static_cast<int>(i); });
-    if (!used)
+    const auto is_it = [&](const auto& region) { return region.material == static_cast<int>(i); };
+    const auto holds_it = [&](const Body& body) {
+      return is_it(body) || std::ranges::any_of(body.parts, is_it);
+    };
+    if (std::ranges::none_of(scene.bodies, holds_it))
       root.fail(root.need("material").find(name)->place, "material." + name,
                 "the material '" + name + "' is unused: no body is made of it; remove it or use it");
   }

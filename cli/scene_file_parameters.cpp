@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::string_view constant_prefix = "method.";
 // what a scene's own expressions and --set give a meaning to
-const std::vector<std::string> reserved_names = {"dp",     "pi",      "x",     "y",   "z",       "t",
-                                                 "c0",     "E",       "nu",    "rho", "K",       "G",
-                                                 "method", "spacing", "until", "cfl", "stepping"};
+const std::vector<std::string> reserved_names = {"dp",     "pi",      "x",     "y",   "z",        "t",
+                                                 "c0",     "E",       "nu",    "rho", "K",        "G",
+                                                 "method", "spacing", "until", "cfl", "stepping", "contact"};
 
 std::string bounds_text(const Parameter& parameter) {
   const std::string low = parameter.low ? exact(*parameter.low) : "any",
@@ -92,6 +92,8 @@ Changes by_target(const Overrides& overrides) {
       changes.method = text;
     else if (name == "stepping")
       changes.stepping = text;
+    else if (name == "contact")
+      changes.contact = text;
     else if (name == "cfl")
       changes.cfl = text;
     else if (name == "spacing")
@@ -110,7 +112,8 @@ void check_names(const Changes& changes, const SceneFile& file) {
   std::vector<std::string> known = names_of(file.parameters);
   for (const MethodConstant& constant : find_method(file.settings.method)->constants)
     known.push_back(std::string(constant_prefix) + std::string(constant.name));
-  for (const char* reserved : {"method", "spacing", "until", "cfl", "stepping"}) known.emplace_back(reserved);
+  for (const char* reserved : {"method", "spacing", "until", "cfl", "stepping", "contact"})
+    known.emplace_back(reserved);
   const auto check = [&](const std::string& name) {
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw UsageError("'" + name + "' cannot be set in the scene '" + file.scene.name +

@@ -17,7 +17,7 @@ namespace taut {
 
 /// Overrides by what they change, as typed; the last one of a name counts.
 struct Changes {
-  std::optional<std::string> method, stepping, cfl, spacing, until;
+  std::optional<std::string> method, stepping, contact, cfl, spacing, until;
   std::map<std::string, std::string> parameters;
   std::map<std::string, std::string> constants;  // of the method
 };
@@ -33,7 +33,7 @@ double changed_positive(std::string_view name, const std::string& text, const Na
 void read_parameters(TomlCursor& root, const Changes& changes, std::optional<double> dp, SceneFile& file);
 /// dp and the parameters that follow from it.
 std::set<std::string> names_that_need_dp(TomlCursor& root, const Changes& changes);
-/// Method, its constants, stepping, cfl.
+/// Method, its constants, stepping, cfl, contact.
 void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file);
 void read_materials(TomlCursor& root, Scene& scene);
 void read_bodies(TomlCursor& root, Scene& scene);

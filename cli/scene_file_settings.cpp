@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -15,6 +16,28 @@ namespace {
 constexpr std::string_view automatic = "auto";
 
 const std::vector<std::string> stepping_names = {"dual", "single"};
+
+constexpr std::array contact_laws = {ContactLaw::published, ContactLaw::sph, ContactLaw::impulse,
+                                     ContactLaw::penalty};
+
+std::vector<std::string> names_of_laws() {
+  std::vector<std::string> names;
+  for (const ContactLaw law : contact_laws) names.emplace_back(name(law));
+  return names;
+}
+
+/// One of `names`, the first by default: as changed, else as in the file.
+std::string chosen(TomlCursor& root, const std::string& key, const std::vector<std::string>& names,
+                   const std::optional<std::string>& change) {
+  root.text(key, names.front());
+  const std::string in_file = root.choice(key, names);
+  if (!change) return in_file;
+  if (std::find(names.begin(), names.end(), *change) == names.end())
+    throw UsageError("unknown " + key + " '" + *change + "'" + did_you_mean(*change, names) +
+                     "; there are: " + join(names));
+  root.table().set(key, TomlValue(*change));
+  return *change;
+}
 
 std::string bounds_text(const MethodConstant& constant) {
   return "; allowed: " + exact(constant.low) + " to " + exact(constant.high);
@@ -153,16 +176,10 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   root.table().set("method", TomlValue(file.settings.method));
   check_names(changes, file);
 
-  root.text("stepping", stepping_names.front());
-  std::string stepping = root.choice("stepping", stepping_names);
-  if (changes.stepping) {
-    stepping = *changes.stepping;
-    if (std::find(stepping_names.begin(), stepping_names.end(), stepping) == stepping_names.end())
-      throw UsageError("unknown stepping '" + stepping + "'" + did_you_mean(stepping, stepping_names) +
-                       "; there are: " + join(stepping_names));
-    root.table().set("stepping", TomlValue(stepping));
-  }
+  const std::string stepping = chosen(root, "stepping", stepping_names, changes.stepping);
   file.settings.stepping = stepping == stepping_names.front() ? Stepping::dual : Stepping::single;
+  const std::string contact = chosen(root, "contact", names_of_laws(), changes.contact);
+  file.scene.contact = *std::ranges::find(contact_laws, contact, [](ContactLaw law) { return name(law); });
 
   // constants and CFL number of a file belong to the method of the file; another one takes its own
   double cfl = root.find("cfl") ? root.positive("cfl") : of_file.cfl;

@@ -133,12 +133,14 @@ double TomlCursor::value_of(const TomlValue& value, std::string_view key) {
   return result;
 }
 
-Expression TomlCursor::function_of(const TomlValue& value, std::string_view key) {
-  Expression function;
+template <class Argument, class Compile, class Show>
+std::function<double(Argument)> TomlCursor::function(const TomlValue& value, std::string_view key,
+                                                     const Compile& compile, const Show& show) {
+  std::function<double(Argument)> function;
   if (value.kind != Kind::text) {
     const double constant = value_of(value, key);
     if (constant == 0) return {};
-    return [constant](const Point&) { return constant; };
+    return [constant](Argument) { return constant; };
   }
   try {
     function = compile(value.text, names_);
@@ -147,14 +149,24 @@ Expression TomlCursor::function_of(const TomlValue& value, std::string_view key)
   }
   note_names(value.text);
   const SceneError failure(source_.file, value.place.line, value.place.column, full_path(key), "");
-  return [function, failure, name = std::string(key), text = value.text](const Point& x) {
-    const double result = function(x);
+  return [function, failure, show, name = std::string(key), text = value.text](Argument at) {
+    const double result = function(at);
     if (!std::isfinite(result))
-      throw SceneError(failure.file, failure.line, failure.column, failure.key,
-                       name + " = '" + text + "' is " + exact(result) + " at (" + exact(x[0]) + ", " +
-                           exact(x[1]) + ", " + exact(x[2]) + "); a finite number is needed");
+      throw SceneError(
+          failure.file, failure.line, failure.column, failure.key,
+          name + " = '" + text + "' is " + exact(result) + " at " + show(at) + "; a finite number is needed");
     return result;
   };
+}
+
+Expression TomlCursor::function_of(const TomlValue& value, std::string_view key) {
+  return function<const Point&>(value, key, compile, [](const Point& x) {
+    return "(" + exact(x[0]) + ", " + exact(x[1]) + ", " + exact(x[2]) + ")";
+  });
+}
+
+std::function<double(double)> TomlCursor::function_of_time(const TomlValue& value, std::string_view key) {
+  return function<double>(value, key, compile_of_time, [](double t) { return "t = " + exact(t) + " s"; });
 }
 
 std::string TomlCursor::text_of(const TomlValue& value, std::string_view key) {

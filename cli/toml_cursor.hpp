@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <span>
@@ -52,6 +53,8 @@ class TomlCursor {
   double value_of(const TomlValue& value, std::string_view key);
   /// A function of the position, which throws SceneError where its value is not finite; empty for 0.
   Expression function_of(const TomlValue& value, std::string_view key);
+  /// The same, of the time t in s.
+  std::function<double(double)> function_of_time(const TomlValue& value, std::string_view key);
   std::string text_of(const TomlValue& value, std::string_view key);
 
   /// A cursor on the table `value`, with the same names.
@@ -72,6 +75,10 @@ class TomlCursor {
  private:
   [[noreturn]] void fail_expression(const TomlValue& value, std::string_view key,
                                     const ExpressionError& error) const;
+  /// `compile`(text, names) as a function whose value is checked to be finite; `show` says where.
+  template <class Argument, class Compile, class Show>
+  std::function<double(Argument)> function(const TomlValue& value, std::string_view key,
+                                           const Compile& compile, const Show& show);
   void note_names(const std::string& text);
   std::string full_path(std::string_view key) const;
 

@@ -142,6 +142,27 @@ std::vector<Site> body_sites(const Body& body, int dim, double dp) {
 
 double value_of(const Expression& f, const Point& x) { return f ? f(x) : 0; }
 
+/// Index of the last of the regions that hold at x, or -1.
+template <class Region>
+int last_that_holds(const std::vector<Region>& regions, const Point& x) {
+  int k = static_cast<int>(regions.size()) - 1;
+  while (k >= 0 && value_of(regions[k].where, x) == 0) --k;
+  return k;
+}
+
+/// A region without particles is a slip of whoever wrote it.
+template <class Region>
+void refuse_empty(const std::vector<Region>& regions, const std::vector<Site>& sites, const Body& body,
+                  const std::string& key) {
+  for (std::size_t k = 0; k < regions.size(); ++k) {
+    const auto holds = [&](const Site& site) { return value_of(regions[k].where, site.x) != 0; };
+    if (std::ranges::none_of(sites, holds))
+      throw SceneError("body." + body.name + "." + key, key + ": no particle of body '" + body.name +
+                                                            "' is in region " + std::to_string(k + 1) +
+                                                            ": its 'where' is 0 at all of them");
+  }
+}
+
 void append(Layout& layout, const Scene& scene, int b) {
   const Body& body = scene.bodies[b];
   const std::vector<Site> sites = body_sites(body, scene.dim, scene.spacing);
@@ -149,17 +170,20 @@ void append(Layout& layout, const Scene& scene, int b) {
     throw SceneError("body." + body.name, "body '" + body.name +
                                               "' holds no particle: its shapes are smaller than the spacing; "
                                               "choose a smaller spacing");
+  refuse_empty(body.parts, sites, body, "parts");
+  refuse_empty(body.drives, sites, body, "driven");
   for (const Site& site : sites) {
     layout.x.push_back(site.x);
     layout.V0.push_back(site.V0);
     layout.body.push_back(b);
-    layout.material.push_back(body.material);
-    for (const Part& part : body.parts)
-      if (value_of(part.where, site.x) != 0) layout.material.back() = part.material;
-    layout.drive.push_back(-1);
-    for (std::size_t k = 0; k < body.drives.size(); ++k)
-      if (value_of(body.drives[k].where, site.x) != 0) layout.drive.back() = static_cast<int>(k);
+    const int part = last_that_holds(body.parts, site.x);
+    layout.material.push_back(part < 0 ? body.material : body.parts[part].material);
+    layout.drive.push_back(last_that_holds(body.drives, site.x));
     layout.held.push_back(value_of(body.held, site.x) != 0);
+    if (layout.held.back() && layout.drive.back() >= 0)
+      throw SceneError("body." + body.name + ".driven",
+                       "particles of body '" + body.name +
+                           "' are both held and driven; let 'held' and the 'where' of 'driven' not overlap");
     Point v{};
     if (!layout.held.back())
       for (int k = 0; k < scene.dim; ++k) v[k] = value_of(body.velocity[k], site.x);
@@ -208,6 +232,10 @@ void refuse_overlap(const Layout& layout, const Scene& scene) {
 }  // namespace
 
 double Material::sound_speed() const { return std::sqrt(bulk_modulus() / density); }
+
+bool has_drives(const Scene& scene) {
+  return std::ranges::any_of(scene.bodies, [](const Body& body) { return !body.drives.empty(); });
+}
 
 std::string_view name(ContactLaw law) {
   constexpr std::string_view names[] = {"published", "sph", "impulse", "penalty"};

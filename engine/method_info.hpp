@@ -35,5 +35,8 @@ struct MethodInfo {
 std::span<const MethodInfo> methods();
 /// nullptr if there is none of that name.
 const MethodInfo* find_method(std::string_view name);
+/// How the bodies of the scene act on each other with this method, never `published`. Throws SceneError for a
+/// law that the method cannot run with.
+ContactLaw contact_law(const Scene& scene, const MethodInfo& method);
 
 }  // namespace taut

@@ -148,6 +148,9 @@ struct Scene {
   std::map<std::string, Reference> references;
 };
 
+/// There are driven regions.
+bool has_drives(const Scene& scene);
+
 /// The spacing nearest to `spacing` that divides the thinnest extent of the first body's first shape into
 /// whole particles.
 double fitted_spacing(const Body& first, int dim, double spacing);

@@ -78,21 +78,6 @@ void check_materials(const Scene& scene, const Layout& layout, const MethodInfo&
   }
 }
 
-/// Throws SceneError for a law that the method cannot run with.
-ContactLaw contact_law(const Scene& scene, const MethodInfo& method) {
-  if (scene.contact == ContactLaw::published) return method.contact;
-  std::string known;
-  for (const ContactLaw law : method.contact_laws) {
-    if (law == scene.contact) return law;
-    known += (known.empty() ? "" : ", ") + std::string(name(law));
-  }
-  throw SceneError("contact", "method '" + std::string(method.name) + "' cannot run with the contact law '" +
-                                  std::string(name(scene.contact)) +
-                                  "': its particles act on their neighbours of the start, not on what comes "
-                                  "near; it can with: " +
-                                  known);
-}
-
 Constants make_constants(const std::vector<Elasticity>& materials, int first, const Scene& scene,
                          const Settings& settings, const MethodInfo& method) {
   const ConstantValues value(method, settings);
@@ -121,6 +106,20 @@ bool has_x86_64_v3() {
 }
 
 }  // namespace
+
+ContactLaw contact_law(const Scene& scene, const MethodInfo& method) {
+  if (scene.contact == ContactLaw::published) return method.contact;
+  std::string known;
+  for (const ContactLaw law : method.contact_laws) {
+    if (law == scene.contact) return law;
+    known += (known.empty() ? "" : ", ") + std::string(name(law));
+  }
+  throw SceneError("contact", "method '" + std::string(method.name) + "' cannot run with the contact law '" +
+                                  std::string(name(scene.contact)) +
+                                  "': its particles act on their neighbours of the start, not on what comes "
+                                  "near; it can with: " +
+                                  known);
+}
 
 std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Settings& settings) {
   const MethodInfo* method = find_method(settings.method);

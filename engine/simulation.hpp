@@ -41,6 +41,7 @@ struct Snapshot {
   std::vector<double>
       strain_energy;          // of methods that have one of their own, J (per metre depth in 2D); else empty
   double contact_energy = 0;  // of the contacts of bodies, J (per metre depth in 2D)
+  double work = 0;            // of driven particles so far, J (per metre depth in 2D)
   std::vector<double> diameter;  // of a particle as drawn: V0^(1/dim), m
   std::vector<int> body;         // index into Scene::bodies
   std::vector<int> material;     // index into Scene::materials
@@ -56,6 +57,7 @@ struct Balance {
   Point angular_momentum{};        // about the origin, kg m²/s; in 2D only the last component
   double momentum_scale = 0;       // Σ |m v|
   double angular_scale = 0;        // Σ m |x| |v|
+  double work = 0;                 // done on the bodies so far by what drives them, J (per metre depth in 2D)
 };
 
 /// The series of a scene's probes: one row per step.

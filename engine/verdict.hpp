@@ -21,9 +21,9 @@ std::optional<Verdict> find_verdict(std::string_view name);
 /// connectivity: a bond joins two particles of one body that are at most 1.5 dp apart at the start; it is
 ///   broken while it is longer than max(support, 2 dp). More pieces of the graph of unbroken bonds than at
 ///   the start = fractured. "At the start", not "bodies": a body may consist of parts.
-/// energy: kinetic + strain above twice the start's, or anything that is not finite = diverged. The work of
-///   loads and driven parts, which do not exist yet, would have to be added to the start's; a scene that
-///   starts without energy is judged by finiteness only.
+/// energy: kinetic + strain above twice what was given, or anything that is not finite = diverged. Given is
+///   the start's and the work of what is driven, at its greatest so far: a drive that takes energy back may
+///   leave noise, not more. A scene that is given none is judged by finiteness only.
 class Judge {
  public:
   Judge(const Scene& scene, const Snapshot& start, double support);
@@ -47,6 +47,7 @@ class Judge {
   std::size_t particles_ = 0;
   double longest_ = 0;       // m, of an unbroken bond
   double start_energy_ = 0;  // J
+  double given_energy_ = 0;  // J, greatest so far
   int start_pieces_ = 0;
   int pieces_ = 0;
   std::map<Verdict, double> since_;

@@ -52,8 +52,8 @@ Balance balance(const Snapshot& now, const Scene& scene) {
     }
   }
   strain += now.contact_energy;
-  return {kinetic.value(), strain.value(),         values(linear),
-          values(angular), momentum_scale.value(), angular_scale.value()};
+  return {kinetic.value(),        strain.value(),        values(linear), values(angular),
+          momentum_scale.value(), angular_scale.value(), now.work};
 }
 
 }  // namespace taut

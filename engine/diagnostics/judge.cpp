@@ -82,14 +82,15 @@ Judge::Judge(const Scene& scene, const Snapshot& start, double support)
   broken_.assign(bonds_.size(), false);
   pieces_ = start_pieces_ = count_pieces(broken_);
   const Balance at_start = balance(start, scene);
-  start_energy_ = at_start.kinetic + at_start.strain;
+  start_energy_ = given_energy_ = at_start.kinetic + at_start.strain;
 }
 
 void Judge::look(const Snapshot& now, const Balance& balance) {
   const double energy = balance.kinetic + balance.strain;
   // the angular scale contains every position, the energies every other value
   const bool finite = std::isfinite(energy) && std::isfinite(balance.angular_scale);
-  if (!finite || (start_energy_ > 0 && energy > 2 * start_energy_)) {
+  given_energy_ = std::max(given_energy_, start_energy_ + balance.work);
+  if (!finite || (given_energy_ > 0 && energy > 2 * given_energy_)) {
     since_.try_emplace(Verdict::diverged, now.time);
   }
   if (!finite) return;

@@ -33,7 +33,7 @@ class Bonded final : public ParticleSolver<Dim> {
 
  private:
   using Base = ParticleSolver<Dim>;
-  using Base::c_, Base::s_, Base::contact_, Base::threads_now, Base::vmax_;
+  using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::threads_now, Base::vmax_;
   using typename Base::V;
 
   /// What the passes gather about a particle: x, then P row by row, each filled up to whole packs.
@@ -162,6 +162,8 @@ void Bonded<M, Dim>::deformation_pass() {
 /// of x. The greatest v², m²/s².
 template <const Formulation& M, int Dim>
 double Bonded<M, Dim>::force_pass(double dt) {
+  drives_.set_time(this->time_ + dt);
+  const bool contact = contact_.active(), driven = drives_.active();
   return parallel_max(s_.size(), threads_now(), [&](int i) {
     const Vec<Pack, Dim> x_i = spread(stored_place(i));
     Vec<Pack, Dim> f{};
@@ -181,9 +183,10 @@ double Bonded<M, Dim>::force_pass(double dt) {
     V force = sum(f);
     for (int a = 0; a < Dim; ++a)
       for (int k = 0; k < Dim; ++k) force[a] += rows_[i].c[place + a * Dim + k] * sum_V_i_g_ij_[i][k];
-    if (contact_.active()) force += contact_.force(i);
+    if (contact) force += contact_.force(i);
     V v = s_.v[i];
     v += (dt * s_.mobile[i] / s_.m[i]) * force;
+    if (driven) drives_.replace(s_, i, v);
     s_.v[i] = v;
     s_.x[i] += (0.5 * dt) * v;
     return dot(v, v);

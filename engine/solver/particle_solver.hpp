@@ -12,6 +12,7 @@
 #include "engine/methods/constants.hpp"
 #include "engine/simulation.hpp"
 #include "engine/solver/contact.hpp"
+#include "engine/solver/drives.hpp"
 #include "engine/solver/recorder.hpp"
 #include "engine/solver/solver.hpp"
 #include "engine/solver/state.hpp"
@@ -63,6 +64,7 @@ class ParticleSolver : public Simulation {
   Layout layout_;
   State<Dim> s_;
   Contact<Dim> contact_;
+  Drives<Dim> drives_;
   Recorder<Dim> recorder_;
   double time_ = 0;  // s
   long step_ = 0;
@@ -79,6 +81,7 @@ ParticleSolver<Dim>::ParticleSolver(const SolverInput& input, double support)
     : c_(input.constants),
       layout_(input.layout),
       contact_(input),
+      drives_(input.scene, input.layout),
       recorder_(input.scene, input.layout, support),
       team_(input.threads) {
   threads_ = input.threads;
@@ -90,7 +93,7 @@ ParticleSolver<Dim>::ParticleSolver(const SolverInput& input, double support)
   };
   for (int i = 0; i < layout_.size(); ++i) {
     s_.x.push_back(point(layout_.x[i]));
-    s_.v.push_back(point(layout_.v[i]));
+    s_.v.push_back(drives_.moves(i) ? drives_.velocity(i) : point(layout_.v[i]));
     s_.m.push_back(input.materials[layout_.material[i]].rho0 * layout_.V0[i]);
     s_.mobile.push_back(layout_.held[i] ? 0 : 1);
     vmax_ = std::max(vmax_, std::sqrt(dot(s_.v[i], s_.v[i])));
@@ -120,6 +123,7 @@ void ParticleSolver<Dim>::begin_snapshot() {
   out.time = time_;
   out.step = step_;
   out.contact_energy = contact_.energy(s_);
+  out.work = drives_.work();
   if (!out.m.empty()) return;
   constexpr int S = Sym<double, Dim>::size + (Dim == 2);  // in 2D s_zz is stored too
   out.dim = Dim;

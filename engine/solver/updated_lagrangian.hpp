@@ -28,8 +28,8 @@ class UpdatedLagrangian final : public ParticleSolver<Dim> {
 
  private:
   using Base = ParticleSolver<Dim>;
-  using Base::c_, Base::s_, Base::contact_, Base::recorder_, Base::step_, Base::vmax_, Base::support_,
-      Base::threads_now;
+  using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::recorder_, Base::step_, Base::vmax_,
+      Base::support_, Base::threads_now;
   using typename Base::V;
   static constexpr bool nested = carries_stress(M);
 
@@ -94,11 +94,13 @@ void UpdatedLagrangian<M, Dim>::half_drift(double dt) {
 /// Velocities over the whole step, Eq. 24, and positions to its end, Eq. 25.
 template <const Formulation& M, int Dim>
 void UpdatedLagrangian<M, Dim>::kick(double dt) {
-  const bool contact = contact_.active();
+  drives_.set_time(this->time_ + dt);
+  const bool contact = contact_.active(), driven = drives_.active();
   const double vmax2 = momentum_pass<M>(s_, c_, threads_now(), [&](int i, V a) {
     if (contact) a += (1 / s_.m[i]) * contact_.force(i);
     V v = s_.v[i];
     v += (dt * s_.mobile[i]) * a;
+    if (driven) drives_.replace(s_, i, v);
     s_.v[i] = v;
     s_.x[i] += (0.5 * dt) * v;
     const FlowRow<Dim>& old = s_.flow[i];

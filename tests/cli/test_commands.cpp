@@ -109,11 +109,13 @@ TEST_SUITE("cli") {
     const TemporaryFolder folder;
     const Outcome scene = call({"describe", write_tiny_scene(folder)});
     CHECK(scene.code == 0);
-    for (const std::string part : {"Two discs", "speed", "m/s", "0 to inf", "of each disc", "touch_time"})
+    for (const std::string part :
+         {"Two discs", "speed", "m/s", "0 to inf", "of each disc", "touch_time", "sph, as published"})
       CHECK(contains(scene.out, part));
     const Outcome method = call({"describe", "enog"});
     CHECK(method.code == 0);
-    for (const std::string part : {"Zhang2024", "zeta", "conserves", "2d_deviator"})
+    for (const std::string part :
+         {"Zhang2024", "zeta", "conserves", "2d_deviator", "sph as published; also impulse, penalty"})
       CHECK(contains(method.out, part));
   }
 

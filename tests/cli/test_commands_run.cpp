@@ -39,16 +39,32 @@ TEST_SUITE("cli") {
     CHECK(last.height == 120);
 
     const auto record = json_of(folder / "out/run.json");
-    CHECK(keys(record) ==
-          std::vector<std::string>{"taut",       "scene",   "method",     "material_law",
-                                   "parameters", "dim",     "spacing",    "particles",
-                                   "mass",       "until",   "reached",    "status",
-                                   "steps",      "threads", "seconds",    "particle_steps_per_second",
-                                   "verdict",    "since",   "indicators", "conservation",
-                                   "measures"});
+    CHECK(keys(record) == std::vector<std::string>{"taut",
+                                                   "scene",
+                                                   "method",
+                                                   "material_law",
+                                                   "contact",
+                                                   "parameters",
+                                                   "dim",
+                                                   "spacing",
+                                                   "particles",
+                                                   "mass",
+                                                   "until",
+                                                   "reached",
+                                                   "status",
+                                                   "steps",
+                                                   "threads",
+                                                   "seconds",
+                                                   "particle_steps_per_second",
+                                                   "verdict",
+                                                   "since",
+                                                   "indicators",
+                                                   "conservation",
+                                                   "measures"});
     CHECK(record["status"] == "finished");
     CHECK(record["verdict"] == "stable");
     CHECK(record["scene"] == "discs");
+    CHECK(record["contact"] == "sph");
     CHECK(record["parameters"]["speed"] == 2.0);
     CHECK(record["reached"].get<double>() >= 0.002);
     CHECK(record["indicators"]["pieces"] == 2);

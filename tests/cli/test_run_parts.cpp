@@ -73,6 +73,18 @@ TEST_SUITE("unit") {
     CHECK(drift.conservation(true).energy);
   }
 
+  TEST_CASE("drift of the energy leaves out the work of drives") {
+    Balance start, later;  // at rest
+    later.kinetic = 3;
+    later.strain = 2;
+    later.work = 4;
+    Drift drift;
+    drift.look(start);
+    CHECK_FALSE(drift.conservation(true).energy);  // no energy yet: no scale
+    drift.look(later);
+    CHECK(*drift.conservation(true).energy == doctest::Approx(0.25));
+  }
+
   TEST_CASE("the range of a sequence skips what is no number and is symmetric for signed fields") {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float infinity = std::numeric_limits<float>::infinity();

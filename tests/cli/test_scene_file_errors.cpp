@@ -220,10 +220,12 @@ TEST_SUITE("cli") {
     CHECK(says(set_error("vo", "1"), "did you mean 'v0'"));
     CHECK(says(set_error("speed", "1"), "what can be set: v0, method."));
     CHECK(says(set_error("speed", "1"), "method.zeta, "));
-    CHECK(says(set_error("speed", "1"), ", method, spacing, until, cfl, stepping"));
+    CHECK(says(set_error("speed", "1"), ", method, spacing, until, cfl, stepping, contact"));
     CHECK(says(set_error("method.zta", "1"), "did you mean 'method.zeta'"));
     CHECK(says(set_error("method", "enogg"), "did you mean 'enog'"));
     CHECK(says(set_error("stepping", "duel"), "dual, single"));
+    CHECK(says(set_error("contact", "impuls"), "did you mean 'impulse'"));
+    CHECK(says(set_error("contact", "impuls"), "published, sph, impulse, penalty"));
   }
 
   TEST_CASE("overrides: values") {

@@ -31,6 +31,16 @@ void check_same(const Expression& a, const Expression& b) {
   for (const Point& x : {Point{0, 0, 0}, Point{0.0731, -0.003, 0}, Point{-0.3, 0.1, 0}}) CHECK(a(x) == b(x));
 }
 
+void check_same(const Drive& a, const Drive& b) {
+  CHECK(a.until == b.until);
+  check_same(a.where, b.where);
+  for (std::size_t k = 0; k < 3; ++k) {
+    REQUIRE(static_cast<bool>(a.velocity[k]) == static_cast<bool>(b.velocity[k]));
+    for (const double t : {0.0, 0.3})
+      if (a.velocity[k]) CHECK(a.velocity[k](t) == b.velocity[k](t));
+  }
+}
+
 void check_same(const Body& a, const Body& b) {
   CHECK(a.name == b.name);
   CHECK(a.material == b.material);
@@ -39,6 +49,13 @@ void check_same(const Body& a, const Body& b) {
   for (std::size_t i = 0; i < a.shapes.size(); ++i) check_same(a.shapes[i], b.shapes[i]);
   for (std::size_t k = 0; k < 3; ++k) check_same(a.velocity[k], b.velocity[k]);
   check_same(a.held, b.held);
+  REQUIRE(a.parts.size() == b.parts.size());
+  for (std::size_t i = 0; i < a.parts.size(); ++i) {
+    CHECK(a.parts[i].material == b.parts[i].material);
+    check_same(a.parts[i].where, b.parts[i].where);
+  }
+  REQUIRE(a.drives.size() == b.drives.size());
+  for (std::size_t i = 0; i < a.drives.size(); ++i) check_same(a.drives[i], b.drives[i]);
 }
 
 void check_same(const Scene& a, const Scene& b) {
@@ -47,11 +64,13 @@ void check_same(const Scene& a, const Scene& b) {
   CHECK(a.source == b.source);
   CHECK(a.spacing == b.spacing);
   CHECK(a.until == b.until);
+  CHECK(a.contact == b.contact);
   REQUIRE(a.materials.size() == b.materials.size());
   for (std::size_t i = 0; i < a.materials.size(); ++i) {
     CHECK(a.materials[i].density == b.materials[i].density);
     CHECK(a.materials[i].youngs_modulus == b.materials[i].youngs_modulus);
     CHECK(a.materials[i].poisson_ratio == b.materials[i].poisson_ratio);
+    CHECK(a.materials[i].bulk_modulus() == b.materials[i].bulk_modulus());
   }
   REQUIRE(a.bodies.size() == b.bodies.size());
   for (std::size_t i = 0; i < a.bodies.size(); ++i) check_same(a.bodies[i], b.bodies[i]);
@@ -119,6 +138,28 @@ TEST_SUITE("unit") {
       CHECK(again.scene.name == name);
       CHECK_FALSE(again.scene.references.empty());
     }
+  }
+
+  TEST_CASE("contact, parts, driven regions and a bulk modulus stand in the resolved text") {
+    const std::string text = replaced(
+        replaced(
+            small_scene, "material = \"rubber\"\nvelocity",
+            "material = \"rubber\"\nparts = [{ material = \"steel\", where = \"x > 1\" }]\n"
+            "driven = [{ where = \"x < dp\", velocity = [\"v0*c0*sin(pi*t)\", 0], until = \"until0\" },\n"
+            "          { where = \"y < dp\", velocity = [0, 1] }]\nvelocity"),
+        "[material.rubber]",
+        "until0 = { value = 0.5 }\n[material.steel]\ndensity = 8000\nyoungs_modulus = 2e11\n"
+        "poisson_ratio = 0.3\nbulk_modulus = \"E\"\n[material.rubber]");
+    const SceneFile file = read_text(text, set({{"contact", "impulse"}, {"until0", "0.7"}}));
+    const SceneFile again = check_round_trip(file);
+    CHECK(again.scene.contact == ContactLaw::impulse);
+    CHECK(again.scene.materials[0].bulk_modulus() == 2e11);
+    CHECK(again.scene.bodies[0].parts[0].material == 0);
+    CHECK(again.scene.bodies[0].drives[0].until == 0.7);
+    CHECK(again.scene.bodies[0].drives[1].until == 2);  // the scene's
+    Overrides other;
+    other.method = "oenog";
+    CHECK(read_text(small_scene, other).scene.contact == ContactLaw::published);
   }
 
   TEST_CASE("overrides stand in the resolved text") {

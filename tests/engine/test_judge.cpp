@@ -200,6 +200,22 @@ TEST_SUITE("unit") {
     CHECK(judge.verdict() == Verdict::stable);
   }
 
+  TEST_CASE("judge: the greatest work of drives so far counts as energy given") {
+    const Scene scene = one_body(2);
+    Snapshot now = lattice(2, 6, 1);
+    Judge judge(scene, now, support);
+    now.v[0] = 1;  // 0.5 J
+    now.work = 0.26;
+    look(judge, now, scene, 1);
+    CHECK(judge.verdict() == Verdict::stable);
+    now.work = -0.3;
+    look(judge, now, scene, 2);
+    CHECK(judge.verdict() == Verdict::stable);
+    now.v[0] = 1.03;  // 0.53 J
+    look(judge, now, scene, 3);
+    CHECK(judge.since() == std::map<Verdict, double>{{Verdict::diverged, 3.0}});
+  }
+
   TEST_CASE("judge: a value that is not finite is divergence, wherever it stands") {
     const Scene scene = one_body(2);
     const Snapshot start = lattice(2, 6, 1);

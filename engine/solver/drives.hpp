@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <numeric>
+#include <vector>
+
+#include "engine/layout.hpp"
+#include "engine/solver/state.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// Particles whose velocity is given up to a time (Drive in engine/scene.hpp). Everything else about them
+/// goes on as usual: density and stress follow from the velocities, and others feel them.
+///
+/// In each step: `set_time`, then `replace` for each new velocity before it is used.
+template <int Dim>
+class Drives {
+ public:
+  using V = Vec<double, Dim>;
+
+  Drives(const Scene& scene, const Layout& layout) {
+    std::vector<int> first;  // of each body
+    for (const Body& body : scene.bodies) {
+      first.push_back(static_cast<int>(drives_.size()));
+      for (const Drive& drive : body.drives) drives_.push_back({drive.velocity, drive.until});
+    }
+    if (drives_.empty()) return;
+    for (int id = 0; id < layout.size(); ++id)
+      drive_.push_back(layout.drive[id] < 0 ? -1 : first[layout.body[id]] + layout.drive[id]);
+    work_.assign(drive_.size(), 0);
+    active_ = true;
+    set_time(0);
+  }
+
+  /// False without drives, and once all of them are over.
+  bool active() const { return active_; }
+
+  /// `t`, s, is where in time the new velocities of a step stand: at its end for a scheme that takes half of
+  /// the way with the old and half with the new ones, in its middle for one that takes all of it with the
+  /// new. So the way of a driven particle is the integral of its velocity to second order in either. Not for
+  /// use inside a pass: expressions serve one thread.
+  void set_time(double t) {
+    if (!active_) return;
+    active_ = false;
+    for (Timed& drive : drives_) {
+      drive.on = t <= drive.until;
+      active_ |= drive.on;
+      for (int k = 0; k < Dim && drive.on; ++k) drive.now[k] = drive.velocity[k] ? drive.velocity[k](t) : 0;
+    }
+  }
+
+  bool moves(int id) const { return active_ && drive_[id] >= 0 && drives_[drive_[id]].on; }
+  const V& velocity(int id) const { return drives_[drive_[id]].now; }  // m/s, of one that is moved
+
+  /// Replaces `v`, the velocity that particle i would take as a free one, by its own if it is moved. What the
+  /// drive adds to the momentum, times the mean of the old and the new velocity, is its work.
+  void replace(const State<Dim>& s, int i, V& v) {
+    const int id = s.id[i];
+    if (!moves(id)) return;
+    const V& given = velocity(id);
+    work_[id] += 0.5 * s.m[i] * dot(given - v, s.v[i] + given);
+    v = given;
+  }
+
+  /// Of all drives so far, J (per metre depth in 2D).
+  double work() const { return std::accumulate(work_.begin(), work_.end(), 0.0); }
+
+ private:
+  struct Timed {
+    std::array<std::function<double(double)>, 3> velocity;  // m/s, of the time in s
+    double until;                                           // s
+    bool on = true;
+    V now{};  // m/s
+  };
+
+  bool active_ = false;
+  std::vector<Timed> drives_;
+  std::vector<int> drive_;    // [id] index into drives_, or -1
+  std::vector<double> work_;  // [id] J
+};
+
+}  // namespace taut::inline TAUT_ISA

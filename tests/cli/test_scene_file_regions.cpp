@@ -1,0 +1,132 @@
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "cli/scene_file.hpp"
+#include "engine/error.hpp"
+#include "engine/layout.hpp"
+#include "scene_text.hpp"
+
+using namespace taut;
+using namespace taut::test;
+
+namespace {
+
+constexpr const char* block_material = "material = \"rubber\"\nvelocity";
+
+std::string with_block(const std::string& keys) {
+  return replaced(small_scene, block_material, "material = \"rubber\"\n" + keys + "\nvelocity");
+}
+
+/// The block with `keys`, which are wrong at the mark.
+void check_block_error(const std::string& keys, std::initializer_list<const char*> parts) {
+  check_error(block_material, "material = \"rubber\"\n" + keys + "\nvelocity", parts);
+}
+
+/// The error of laying the particles out, at its place in the file.
+SceneError layout_error(const std::string& keys) {
+  const SceneFile file = read_text(with_block(keys));
+  try {
+    make_layout(file.scene);
+  } catch (const SceneError& error) {
+    return locate(file, error);
+  }
+  FAIL("no error");
+  return {"", ""};
+}
+
+bool says(const SceneError& error, const std::string& part) {
+  return std::string(error.what()).find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("scene: parts of a body are of other materials, the last that holds counts") {
+    const std::string steel =
+        "[material.steel]\ndensity = 8000\nyoungs_modulus = 2e11\npoisson_ratio = 0.3\n[[body]]\nname = "
+        "\"block\"";
+    const SceneFile file =
+        read_text(replaced(with_block("parts = [{ material = \"steel\", where = \"x > 1\" },\n"
+                                      "{ material = \"rubber\", where = \"y > 0.5 && c0 < 200\" }]"),
+                           "[[body]]\nname = \"block\"", steel));
+    const Layout layout = make_layout(file.scene);
+    int steels = 0;
+    for (int i = 0; i < layout.first[1]; ++i) {
+      const bool is_steel = layout.x[i][0] > 1 && layout.x[i][1] < 0.5;
+      steels += is_steel;
+      CHECK(layout.material[i] == (is_steel ? 1 : 0));
+    }
+    CHECK(steels == 50);
+    check_block_error("parts = [{ material = @\"ruber\", where = 1 }]",
+                      {"unknown material 'ruber'", "did you mean 'rubber'"});
+    check_block_error("parts = [@{ material = \"rubber\" }]",
+                      {"'where' is missing in a part of body 'block'"});
+    check_block_error("parts = [{ material = \"rubber\", @were = 1 }]", {"'where' is missing", "'were'"});
+    check_block_error("parts = [{ material = \"rubber\", where = \"@a < 1\" }]", {"unknown name 'a'", "x"});
+    check_block_error("parts = @{ material = \"rubber\", where = 1 }", {"parts must be an array of tables"});
+    const SceneError empty = layout_error("parts = [{ material = \"rubber\", where = \"x > 9\" }]");
+    CHECK(says(empty, "no particle of body 'block' is in region 1"));
+    CHECK(empty.line == 14);
+  }
+
+  TEST_CASE("scene: driven regions have a velocity of the time") {
+    const SceneFile file =
+        read_text(with_block("driven = [{ where = \"x < dp\", velocity = [\"v0*t^2\", -3], until = 0.25 }]"));
+    const Drive& drive = file.scene.bodies[0].drives.at(0);
+    CHECK(drive.velocity[0](2) == 0.24);
+    CHECK(drive.velocity[1](2) == -3);
+    CHECK(drive.until == 0.25);
+    const Layout layout = make_layout(file.scene);
+    for (int i = 0; i < layout.size(); ++i) CHECK(layout.drive[i] == (layout.x[i][0] < 0.1 ? 0 : -1));
+    check_block_error("driven = [{ where = 1, velocity = [\"@x\", 0] }]", {"unknown name 'x'", "t"});
+    check_block_error("driven = [{ where = 1, velocity = @[\"t\"] }]", {"velocity must be an array of 2"});
+    check_block_error("driven = [@{ where = 1 }]",
+                      {"'velocity' is missing in a driven region of body 'block'"});
+    check_block_error("driven = [{ where = 1, velocity = [1, 0], until = @0 }]",
+                      {"until = 0 must be greater than 0"});
+    check_block_error("driven = [{ where = 1, velocity = [1, 0], @untl = 1 }]",
+                      {"unknown key 'untl'", "'until'"});
+    CHECK(says(layout_error("driven = [{ where = \"x > 9\", velocity = [1, 0] }]"), "driven: no particle"));
+    const SceneError both = layout_error("held = \"x < 1\"\ndriven = [{ where = 1, velocity = [1, 0] }]");
+    CHECK(says(both, "both held and driven"));
+    CHECK(both.line == 15);
+    const SceneFile infinite = read_text(with_block("driven = [{ where = 1, velocity = [\"1/(t-1)\", 0] }]"));
+    try {
+      infinite.scene.bodies[0].drives[0].velocity[0](1);
+      FAIL("no error");
+    } catch (const SceneError& error) {
+      CHECK(says(error, "is inf at t = 1 s"));
+      CHECK(error.line == 14);
+    }
+  }
+
+  TEST_CASE("scene: a bulk modulus is of E and nu unless it is given, and c0 follows it") {
+    const SceneFile usual = read_text(small_scene);
+    CHECK(usual.scene.materials[0].bulk_modulus() == 1e7 / (3 * (1 - 2 * 0.4)));
+    const SceneFile given = read_text(
+        replaced(small_scene, "poisson_ratio = 0.4", "poisson_ratio = 0.4\nbulk_modulus = \"3*E\""));
+    CHECK(given.scene.materials[0].bulk_modulus() == 3e7);
+    CHECK(given.scene.bodies[0].velocity[0]({1, 0, 0}) == doctest::Approx(0.06 * std::sqrt(3e7 / 1200)));
+    check_error("poisson_ratio = 0.4", "poisson_ratio = 0.4\nbulk_modulus = @\"-E\"",
+                {"bulk_modulus = -1e+07 must be greater than 0"});
+    check_error("poisson_ratio = 0.4", "poisson_ratio = 0.4\nbulk_modulus = \"@c0\"", {"unknown name 'c0'"});
+  }
+
+  TEST_CASE("scene: the contact law is one there is, and one that the method can run with") {
+    CHECK(read_text(replaced(small_scene, "until = 2", "until = 2\ncontact = \"penalty\"")).scene.contact ==
+          ContactLaw::penalty);
+    check_error("until = 2", "until = 2\ncontact = @\"impuls\"",
+                {"unknown contact 'impuls'", "did you mean 'impulse'", "published, sph, impulse, penalty"});
+    const SceneFile file =
+        read_text(replaced(small_scene, "until = 2", "until = 2\nmethod = \"oenog\"\ncontact = \"sph\""));
+    try {
+      make_simulation(file.scene, file.settings);
+      FAIL("no error");
+    } catch (const SceneError& error) {
+      const SceneError located = locate(file, error);
+      CHECK(located.line == 5);
+      CHECK(says(located, "it can with: penalty, impulse"));
+    }
+  }
+}
