@@ -1,53 +1,71 @@
-#include <cmath>
-#include <optional>
+#include <filesystem>
 #include <ostream>
 
 #include <CLI/CLI.hpp>
 
 #include "cli/command.hpp"
+#include "cli/difference_report.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/option_checks.hpp"
-#include "cli/text.hpp"
-#include "render/image_difference.hpp"
+#include "engine/error.hpp"
+
+namespace fs = std::filesystem;
 
 namespace taut {
 namespace {
 
-struct Options {
+struct Options : DifferenceOptions {
   std::string a, b;
-  std::optional<double> max_difference;
   std::optional<std::string> out;
 };
 
-int diff(const Options& options, std::ostream& out) {
+int diff_images(const Options& options, std::ostream& out) {
   const Image a = read_png(options.a);
   const Image b = read_png(options.b);
-  const ImageDifference d = compare(a, b);
-  const bool same = options.max_difference ? d.greatest <= *options.max_difference : alike(d);
+  const DifferenceLimit limit = limit_of(options);
+  const ImageDifference difference = compare(a, b);
   if (options.out) write_png(difference_picture(a, b), *options.out);
-  out << (same ? "alike" : "different") << '\n'
-      << in_columns({{"pixels that differ visibly", percent(d.share)},
-                     {"greatest difference",
-                      brief(d.greatest) + " of 100 (ΔE*ab; an eye notices " + brief(just_noticeable) + ")"},
-                     {"densest window", percent(d.densest) + " of " + std::to_string(d.width) + "x" +
-                                            std::to_string(d.height) + " pixels at " +
-                                            std::to_string(d.column) + "," + std::to_string(d.row)}});
-  return same ? exit_fine : exit_different;
+  out << difference_report(difference, limit);
+  return alike(difference, limit) ? exit_fine : exit_different;
+}
+
+fs::path folder_with_pictures(const std::string& given) {
+  const fs::path frames = frames_of(given);
+  if (picture_names(frames).empty()) throw UsageError("there are no pictures (PNG) in " + frames.string());
+  return frames;
+}
+
+int diff_folders(const Options& options, std::ostream& out) {
+  const fs::path a = folder_with_pictures(options.a);
+  const fs::path b = folder_with_pictures(options.b);
+  const FolderDifference difference = compare_folders(a, b, limit_of(options));
+  if (options.out && difference.compared > 0)
+    write_png(difference_picture(read_png(a / difference.worst), read_png(b / difference.worst)),
+              *options.out);
+  out << difference_report(difference, a.string(), b.string());
+  return difference.alike() ? exit_fine : exit_different;
+}
+
+int diff(const Options& options, std::ostream& out) {
+  const bool folder_a = fs::is_directory(options.a);
+  if (folder_a != fs::is_directory(options.b))
+    throw UsageError("'" + (folder_a ? options.a : options.b) + "' is a folder and '" +
+                     (folder_a ? options.b : options.a) + "' is not; give two images or two folders");
+  return folder_a ? diff_folders(options, out) : diff_images(options, out);
 }
 
 }  // namespace
 
 std::function<int(Streams)> declare_diff(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  app.add_option("A", options->a, "an image (PNG)")->option_text(" ")->required();
-  app.add_option("B", options->b, "another of the same size")->option_text(" ")->required();
-  app.add_option(
-         "--max-difference", options->max_difference,
-         "alike when no pixel differs by more (ΔE*ab, black to white is 100; 0: every pixel is the same); "
-         "default: alike when hardly a pixel differs visibly and nowhere many together")
-      ->option_text("X")
-      ->check(not_negative_number);
-  app.add_option("--out", options->out, "draw where they differ")->option_text("diff.png");
+  app.add_option("A", options->a, "an image (PNG), a folder of images or a run folder")
+      ->option_text(" ")
+      ->required();
+  app.add_option("B", options->b, "another; images of one name are compared and must be of one size")
+      ->option_text(" ")
+      ->required();
+  declare_difference_options(app, *options);
+  app.add_option("--out", options->out, "draw where they differ; of folders, the worst pair")
+      ->option_text("diff.png");
   return [options](Streams streams) { return diff(*options, streams.out); };
 }
 

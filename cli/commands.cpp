@@ -4,6 +4,7 @@ namespace taut {
 
 std::function<int(Streams)> declare_run(CLI::App&);
 std::function<int(Streams)> declare_diff(CLI::App&);
+std::function<int(Streams)> declare_snapshot(CLI::App&);
 std::function<int(Streams)> declare_list(CLI::App&);
 std::function<int(Streams)> declare_describe(CLI::App&);
 
@@ -16,10 +17,15 @@ constexpr Command table[] = {
      "  taut run colliding-rings --color pressure --range -2e6:2e6 --size 1920x1080 --out out/rings\n"
      "  taut run out/rings/scene.toml             the same run again\n",
      declare_run},
-    {"diff", "compare two images; exit code 0 when alike, 1 when different",
+    {"diff", "compare two images or two folders of frames; exit code 0 when alike, 1 when different",
+     "  taut diff out/a out/b                     the frames of two runs, name by name\n"
      "  taut diff a/frames/frame_00060.png b/frames/frame_00060.png\n"
      "  taut diff a.png b.png --max-difference 2 --out diff.png\n",
      declare_diff},
+    {"snapshot", "run a scene and compare its frames with a baseline; exit code 1 when they differ",
+     "  taut snapshot my.toml --baseline baselines/my --frames 4 --size 320x180 --update     makes it\n"
+     "  taut snapshot my.toml --baseline baselines/my --frames 4 --size 320x180              checks\n",
+     declare_snapshot},
     {"list", "name the scenes, methods, fields and colour maps there are",
      "  taut list\n"
      "  taut list methods\n"

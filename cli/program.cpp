@@ -23,7 +23,8 @@ void print_help(std::ostream& out) {
   out << "\nOptions:\n"
          "  --help      this text; `taut COMMAND --help` shows the options and examples of a command\n"
          "  --version   the version of the program\n\n"
-         "Exit codes: 0 fine, 1 a bug of taut (diff: different), 2 wrong command line or scene, 3 the "
+         "Exit codes: 0 fine, 1 a bug of taut (diff, snapshot: different), 2 wrong command line or scene, 3 "
+         "the "
          "simulation\n"
          "diverged, 4 output could not be written, 130 interrupted.\n\n"
          "Example:\n  taut run colliding-rings\n";

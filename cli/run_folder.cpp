@@ -21,12 +21,6 @@ bool is_run_record(const fs::path& path) {
   return record.is_object() && record.contains("taut");
 }
 
-/// Names that only `RunFolder::frame` gives, whole or in the making.
-bool is_frame(const fs::path& path) {
-  const std::string name = path.filename().string();
-  return name.starts_with("frame_") && (name.ends_with(".png") || name.ends_with(".png.tmp"));
-}
-
 void make_folder(const fs::path& path) {
   std::error_code error;
   fs::create_directories(path, error);
@@ -40,6 +34,12 @@ void remove_file(const fs::path& path) {
 }
 
 }  // namespace
+
+bool is_frame(const fs::path& path) {
+  const std::string name = path.filename().string();
+  return name.starts_with("frame_") &&
+         (name.ends_with(".png") || name.find(".png.part") != std::string::npos);
+}
 
 void RunFolder::check() const {
   std::error_code error;
@@ -62,6 +62,7 @@ void RunFolder::claim(std::string_view record_text) const {
     if (is_frame(entry.path())) remove_file(entry.path());
   remove_file(history());
   remove_file(scene());
+  remove_file(difference());
 }
 
 fs::path RunFolder::frame(int number) const {

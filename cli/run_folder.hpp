@@ -5,6 +5,9 @@
 
 namespace taut {
 
+/// Whether a file has a name that only `RunFolder::frame` gives, whole or in the making.
+bool is_frame(const std::filesystem::path& path);
+
 /// Where a run leaves its output; see README for what each file holds.
 class RunFolder {
  public:
@@ -22,6 +25,8 @@ class RunFolder {
   std::filesystem::path history() const { return path_ / "history.csv"; }
   std::filesystem::path scene() const { return path_ / "scene.toml"; }
   std::filesystem::path record() const { return path_ / "run.json"; }
+  /// Where the frames differ from a baseline that they were compared with.
+  std::filesystem::path difference() const { return path_ / "difference.png"; }
 
  private:
   std::filesystem::path path_;

@@ -100,8 +100,16 @@ ImageDifference compare(const Image& a, const Image& b, double tolerance) {
   return result;
 }
 
+double excess(const ImageDifference& difference, const DifferenceLimit& limit) {
+  const auto times = [](double value, double most) {
+    return value > 0 ? value / most : 0.0;
+  };  // most may be 0
+  return std::max({times(difference.share, limit.share), times(difference.densest, limit.densest),
+                   times(difference.greatest, limit.greatest)});
+}
+
 bool alike(const ImageDifference& difference, const DifferenceLimit& limit) {
-  return difference.share <= limit.share && difference.densest <= limit.densest;
+  return excess(difference, limit) <= 1;
 }
 
 Image difference_picture(const Image& a, const Image& b, double tolerance) {

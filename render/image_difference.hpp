@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "render/image.hpp"
 
 namespace taut {
@@ -23,10 +25,15 @@ struct ImageDifference {
 struct DifferenceLimit {
   double share = 0.002;
   double densest = 0.05;
+  double greatest = std::numeric_limits<double>::infinity();  // ΔE*ab
 };
 
 /// UsageError if the sizes differ.
 ImageDifference compare(const Image& a, const Image& b, double tolerance = just_noticeable);
+
+/// How many times its limit a difference is, in the worst respect: alike up to 1. The greatest of several
+/// tells the worst picture.
+double excess(const ImageDifference& difference, const DifferenceLimit& limit = {});
 
 bool alike(const ImageDifference& difference, const DifferenceLimit& limit = {});
 

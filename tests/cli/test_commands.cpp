@@ -84,7 +84,7 @@ TEST_SUITE("cli") {
 
   TEST_CASE("help and version are results") {
     CHECK(call({"--version"}).out == "taut 0.1.0\n");
-    for (const std::string command : {"run", "diff", "list", "describe"}) {
+    for (const std::string command : {"run", "diff", "snapshot", "list", "describe"}) {
       CHECK(contains(call({"--help"}).out, "  " + command + " "));
       const Outcome help = call({command, "--help"});
       CHECK(help.code == 0);

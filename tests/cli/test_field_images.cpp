@@ -1,5 +1,7 @@
-// One picture per colour field, drawn by `taut run` at small size and compared with tests/golden/fields.
-// TAUT_UPDATE_GOLDEN=1 cli_tests --test-suite=image   writes them anew; look at them before they are kept.
+// Golden pictures of every colour field, drawn small and kept by `taut snapshot` in tests/golden/fields.
+// After a change that is meant to alter them:
+//   TAUT_UPDATE_GOLDEN=1 build-tests/tests/cli_tests --test-suite=image
+// writes them anew; look at them before they are kept.
 
 #include <cstdlib>
 #include <filesystem>
@@ -8,7 +10,6 @@
 #include <doctest/doctest.h>
 
 #include "engine/field.hpp"
-#include "render/image_difference.hpp"
 #include "tests/cli/program_runner.hpp"
 
 namespace {
@@ -18,35 +19,46 @@ using namespace taut::test;
 
 const fs::path golden_folder = fs::path(TAUT_SOURCE_DIR) / "tests/golden/fields";
 
-/// The rings at 3 ms, pressed together, at twice the usual spacing; moments of about 0.2 s of work.
-Image picture_of(std::string_view field, const fs::path& folder, const std::string& until = "0.003") {
-  const Outcome run = call({"run", "colliding-rings", "--spacing", "0.002", "--until", until, "--frames", "1",
-                            "--color", std::string(field), "--range", "auto", "--size", "320x180",
-                            "--threads", "1", "--quiet", "--out", folder.string()});
-  REQUIRE_MESSAGE(run.code == 0, run.err);
-  return read_png(folder / "frames/frame_00001.png");
+/// The rings up to 3 ms, where they are pressed together, at twice the usual spacing; about 0.2 s of work.
+Outcome snapshot(std::string_view field, const fs::path& baseline, const fs::path& run,
+                 const std::vector<std::string>& more = {}, const std::string& until = "0.003") {
+  std::vector<std::string> arguments{"snapshot",   "colliding-rings",
+                                     "--baseline", baseline,
+                                     "--out",      run,
+                                     "--spacing",  "0.002",
+                                     "--until",    until,
+                                     "--frames",   "1",
+                                     "--color",    std::string(field),
+                                     "--range",    "auto",
+                                     "--size",     "320x180",
+                                     "--threads",  "1",
+                                     "--quiet"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return call(arguments);
 }
 
 }  // namespace
 
 TEST_SUITE("image") {
-  TEST_CASE("every field is drawn as in its golden picture") {
+  TEST_CASE("every field is drawn as in its golden pictures") {
     const TemporaryFolder folder;
+    const bool update = std::getenv("TAUT_UPDATE_GOLDEN") != nullptr;
     for (const Field& field : fields()) {
       CAPTURE(field.key);
-      const fs::path golden = golden_folder / (std::string(field.key) + ".png");
-      const Image picture = picture_of(field.key, folder / "run");
-      if (std::getenv("TAUT_UPDATE_GOLDEN")) write_png(picture, golden);
-      REQUIRE_MESSAGE(fs::exists(golden), "no golden picture; run with TAUT_UPDATE_GOLDEN=1 and look at it");
-      const ImageDifference difference = compare(picture, read_png(golden));
-      CHECK_MESSAGE(alike(difference), "share ", difference.share, ", densest window ", difference.densest);
+      const Outcome outcome =
+          snapshot(field.key, golden_folder / field.key, folder / "run",
+                   update ? std::vector<std::string>{"--update"} : std::vector<std::string>{});
+      CHECK_MESSAGE(outcome.code == 0, outcome.out, outcome.err);
     }
   }
 
   TEST_CASE("a wrong picture is found: another field, and the same a moment later") {
     const TemporaryFolder folder;
-    const Image golden = read_png(golden_folder / "von_mises.png");
-    CHECK_FALSE(alike(compare(golden, read_png(golden_folder / "speed.png"))));
-    CHECK_FALSE(alike(compare(golden, picture_of("von_mises", folder / "run", "0.0031"))));
+    const fs::path golden = golden_folder / "von_mises";
+    CHECK(snapshot("speed", golden, folder / "run").code == 1);
+    const Outcome later = snapshot("von_mises", golden, folder / "run", {}, "0.0031");
+    CHECK(later.code == 1);
+    CHECK(contains(later.out, "frame_00001.png"));
+    CHECK(fs::exists(folder / "run/difference.png"));
   }
 }

@@ -94,6 +94,17 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE("a difference is as many times its limit as in its worst respect") {
+    const ImageDifference difference{.share = 0.01, .greatest = 30, .densest = 0.02};
+    CHECK(excess(difference, {.share = 0.005, .densest = 0.04}) == doctest::Approx(2));
+    CHECK(excess(difference, {.share = 0.02, .densest = 0.005}) == doctest::Approx(4));
+    CHECK(excess(difference, {.share = 1, .densest = 1, .greatest = 10}) == doctest::Approx(3));
+    CHECK(alike(difference, {.share = 1, .densest = 1, .greatest = 30}));
+    CHECK_FALSE(alike(difference, {.share = 1, .densest = 1, .greatest = 29}));
+    CHECK_FALSE(alike(difference, {.share = 1, .densest = 1, .greatest = 0}));
+    CHECK(alike({}, {.share = 0, .densest = 0, .greatest = 0}));
+  }
+
   TEST_CASE("different sizes are refused") {
     CHECK_THROWS_WITH_AS(compare(Image(4, 5), Image(5, 4)),
                          "the images differ in size: 4x5 and 5x4; draw both with the same --size",
