@@ -45,7 +45,8 @@ Rows measure_rows(const Scene& scene) {
   for (const Measure& m : scene.measures) {
     std::string names;
     for (const auto& [law, reference] : scene.references)
-      if (reference.value.contains(m.name) || reference.table.contains(m.name))
+      if (reference.value.contains(m.name) || reference.table.contains(m.name) ||
+          reference.solution.contains(m.name))
         names += (names.empty() ? "" : "; ") + reference.name + " (" + law + ")";
     rows.push_back({m.name, m.unit.empty() ? "-" : m.unit, names.empty() ? "none" : names});
   }

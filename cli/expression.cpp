@@ -1,5 +1,7 @@
 #include "cli/expression.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cctype>
 #include <initializer_list>
 #include <memory>
@@ -19,7 +21,7 @@ namespace {
 struct Formula {
   mu::Parser parser;
   Names names;
-  Point place{};  // of its variables
+  std::array<double, 4> variables{};
 };
 
 std::vector<std::string> known_names(const Formula& formula) {
@@ -72,7 +74,7 @@ std::unique_ptr<Formula> parse(const std::string& text, const Names& names,
   formula->names = names;
   define_pi(formula->parser);
   for (auto& [name, value] : formula->names) formula->parser.DefineVar(name, &value);
-  double* value = formula->place.data();
+  double* value = formula->variables.data();
   for (const char* variable : variables) formula->parser.DefineVar(variable, value++);
   try {
     formula->parser.SetExpr(text);
@@ -91,14 +93,23 @@ double evaluate(const std::string& text, const Names& names) { return parse(text
 
 Expression compile(const std::string& text, const Names& names) {
   return [formula = std::shared_ptr<Formula>(parse(text, names, {"x", "y", "z"}))](const Point& position) {
-    formula->place = position;
+    std::ranges::copy(position, formula->variables.begin());
+    return formula->parser.Eval();
+  };
+}
+
+Solution compile_in_time(const std::string& text, const Names& names) {
+  return [formula = std::shared_ptr<Formula>(parse(text, names, {"x", "y", "z", "t"}))](const Point& position,
+                                                                                        double t) {
+    std::ranges::copy(position, formula->variables.begin());
+    formula->variables.back() = t;
     return formula->parser.Eval();
   };
 }
 
 std::function<double(double)> compile_of_time(const std::string& text, const Names& names) {
   return [formula = std::shared_ptr<Formula>(parse(text, names, {"t"}))](double t) {
-    formula->place[0] = t;
+    formula->variables[0] = t;
     return formula->parser.Eval();
   };
 }

@@ -30,18 +30,21 @@ constexpr std::array probe_kinds{
 struct MeasureKind {
   std::string_view name;
   Measure::Kind kind;
-  bool threshold, scale;
+  bool threshold, scale, free;
+  std::size_t probes = 1;
 };
 constexpr std::array measure_kinds{
-    MeasureKind{"period", Measure::Kind::period, false, false},
-    MeasureKind{"first_peak", Measure::Kind::first_peak, false, false},
-    MeasureKind{"decay", Measure::Kind::decay, false, false},
-    MeasureKind{"rmse", Measure::Kind::rmse, false, false},
-    MeasureKind{"minimum", Measure::Kind::minimum, false, false},
-    MeasureKind{"maximum", Measure::Kind::maximum, false, false},
-    MeasureKind{"first_below", Measure::Kind::first_below, true, false},
-    MeasureKind{"last_below", Measure::Kind::last_below, true, false},
-    MeasureKind{"final_ratio", Measure::Kind::final_ratio, true, true},
+    MeasureKind{"period", Measure::Kind::period, false, false, false},
+    MeasureKind{"first_peak", Measure::Kind::first_peak, false, false, false},
+    MeasureKind{"decay", Measure::Kind::decay, false, false, false},
+    MeasureKind{"rmse", Measure::Kind::rmse, false, false, false},
+    MeasureKind{"minimum", Measure::Kind::minimum, false, false, false},
+    MeasureKind{"maximum", Measure::Kind::maximum, false, false, false},
+    MeasureKind{"first_below", Measure::Kind::first_below, true, false, false},
+    MeasureKind{"last_below", Measure::Kind::last_below, true, false, false},
+    MeasureKind{"final_ratio", Measure::Kind::final_ratio, true, true, true},
+    MeasureKind{"path_error", Measure::Kind::path_error, false, true, false, 2},
+    MeasureKind{"turn", Measure::Kind::turn, false, false, false, 2},
 };
 
 int body_index(TomlCursor& cursor, const TomlValue& value, std::string_view key, const Scene& scene) {
@@ -81,21 +84,36 @@ Probe read_probe(TomlCursor& cursor, const Scene& scene) {
   return probe;
 }
 
+std::string known_probe(TomlCursor& cursor, const TomlValue& value, std::string_view key,
+                        const Scene& scene) {
+  const std::string name = cursor.text_of(value, key);
+  if (index_of(scene.probes, name) == scene.probes.size())
+    cursor.fail_unknown(value, key, "probe", name, names_of(scene.probes));
+  return name;
+}
+
+/// `probe = "name"`, or `probes = ["x", "y"]` of a measure that takes several.
+std::vector<std::string> measured_probes(TomlCursor& cursor, const MeasureKind& kind, const Scene& scene) {
+  if (kind.probes == 1) return {known_probe(cursor, cursor.need("probe"), "probe", scene)};
+  const TomlValue& value = cursor.need("probes");
+  if (value.kind != TomlValue::Kind::array || value.items.size() != kind.probes)
+    cursor.fail(value, "probes",
+                "probes must be an array of " + std::to_string(kind.probes) +
+                    " names of probes: those of x and y of a point");
+  std::vector<std::string> probes;
+  for (const TomlValue& item : value.items) probes.push_back(known_probe(cursor, item, "probes", scene));
+  return probes;
+}
+
 Measure read_measure(TomlCursor& cursor, const Scene& scene) {
   Measure measure;
   measure.name = label(cursor, names_of(scene.measures));
   const MeasureKind& kind =
       measure_kinds[index_of(measure_kinds, cursor.choice("of", names_of(measure_kinds)))];
   measure.kind = kind.kind;
-  const auto known_probe = [&](std::string_view key) {
-    const std::string name = cursor.text(key);
-    if (index_of(scene.probes, name) == scene.probes.size())
-      cursor.fail_unknown(cursor.need(key), key, "probe", name, names_of(scene.probes));
-    return name;
-  };
-  measure.probe = known_probe("probe");
+  measure.probes = measured_probes(cursor, kind, scene);
   measure.unit = cursor.text("unit", "");
-  const Probe& probe = scene.probes[index_of(scene.probes, measure.probe)];
+  const Probe& probe = scene.probes[index_of(scene.probes, measure.probes.front())];
   const int material = scene.bodies[static_cast<std::size_t>(probe.bodies.front())].material;
   add_names(cursor.names(), scene.materials[static_cast<std::size_t>(material)]);
   if (kind.threshold) measure.threshold = cursor.number("threshold", measure.threshold);
@@ -103,8 +121,9 @@ Measure read_measure(TomlCursor& cursor, const Scene& scene) {
     measure.scale = cursor.number("scale", measure.scale);
     if (measure.scale == 0)
       cursor.fail(cursor.need("scale"), "scale", "scale is 0; the ratio to it would be infinite");
-    if (!cursor.text("free", "").empty()) measure.free = known_probe("free");
   }
+  if (kind.free && !cursor.text("free", "").empty())
+    measure.free = known_probe(cursor, cursor.need("free"), "free", scene);
   cursor.finish();
   return measure;
 }
@@ -131,7 +150,10 @@ void read_measures(TomlCursor& root, Scene& scene) {
   read_each(root, "measure",
             [&](TomlCursor& cursor) { scene.measures.push_back(read_measure(cursor, scene)); });
   std::set<std::string> used;
-  for (const Measure& measure : scene.measures) used.insert({measure.probe, measure.free});
+  for (const Measure& measure : scene.measures) {
+    used.insert(measure.free);
+    used.insert(measure.probes.begin(), measure.probes.end());
+  }
   for (TomlValue& value : root.list("probe")) {
     const TomlEntry& name = *value.find("name");
     if (!used.contains(name.value.text))

@@ -25,19 +25,6 @@ bool within_bounds(const Parameter& parameter, double value) {
   return !(parameter.low && value < *parameter.low) && !(parameter.high && value > *parameter.high);
 }
 
-void check_name(const TomlCursor& parameters, const TomlEntry& entry) {
-  const auto taken = [&](const std::vector<std::string>& names) {
-    return std::find(names.begin(), names.end(), entry.key) != names.end();
-  };
-  if (!is_identifier(entry.key))
-    parameters.fail(entry.place, entry.key,
-                    "'" + entry.key + "' is no name for a parameter: letters, digits and '_' are allowed");
-  if (taken(reserved_names) || taken(function_names()))
-    parameters.fail(entry.place, entry.key,
-                    "the name '" + entry.key + "' has a meaning already; choose another one than " +
-                        join(reserved_names) + " and the names of functions");
-}
-
 /// `names` and `defaults` are the values so far, with and without overrides.
 Parameter read_parameter(TomlCursor& entry, const std::string& name, const Changes& changes,
                          const Names& names, const Names& defaults) {
@@ -81,6 +68,20 @@ std::set<std::string> names_in_parameter(const TomlValue& table, const std::stri
 }
 
 }  // namespace
+
+void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string_view kind) {
+  const auto taken = [&](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), entry.key) != names.end();
+  };
+  if (!is_identifier(entry.key))
+    table.fail(entry.place, entry.key,
+               "'" + entry.key + "' is no name for a " + std::string(kind) +
+                   ": letters, digits and '_' are allowed");
+  if (taken(reserved_names) || taken(function_names()))
+    table.fail(entry.place, entry.key,
+               "the name '" + entry.key + "' has a meaning already; choose another one than " +
+                   join(reserved_names) + " and the names of functions");
+}
 
 Changes by_target(const Overrides& overrides) {
   Changes changes;
@@ -164,7 +165,7 @@ void read_parameters(TomlCursor& root, const Changes& changes, std::optional<dou
   if (dp) names["dp"] = defaults["dp"] = *dp;
   for (TomlEntry& entry : parameters.table().entries) {
     parameters.find(entry.key);
-    check_name(parameters, entry);
+    check_new_name(parameters, entry, "parameter");
     if (left_out.contains(entry.key)) continue;
     TomlCursor cursor = parameters.enter(entry.value, entry.key, "parameter '" + entry.key + "'");
     const Parameter parameter = read_parameter(cursor, entry.key, changes, names, defaults);

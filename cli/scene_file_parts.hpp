@@ -44,12 +44,14 @@ void read_drawing(TomlCursor& root, Drawing& drawing);
 /// The drawing as a table of its own.
 TomlValue drawing_table(const Drawing& drawing);
 
-/// Columns `t` and `column` of a CSV file; lines that start with # are comments. Throws SceneError with the
+/// Columns `t` and `columns` of a CSV file; lines that start with # are comments. Throws SceneError with the
 /// place in that file.
-ReferenceTable read_table(const std::filesystem::path& path, const std::string& column);
+ReferenceTable read_table(const std::filesystem::path& path, const std::vector<std::string>& columns);
 /// The whole file; throws SceneError if it is not there, cannot be read or is larger than 4 MiB.
 std::string file_text(const std::filesystem::path& path);
 
+/// Throws SceneError for a key that cannot be a name in expressions, or is one already.
+void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string_view kind);
 /// The name of an entry: letters, digits, '_' and '-', not one of `taken`.
 std::string label(TomlCursor& entry, const std::vector<std::string>& taken);
 /// The names that an expression about a body knows besides the parameters: c0, E, nu, rho, K, G.

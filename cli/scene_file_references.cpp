@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 
 #include "cli/scene_file_parts.hpp"
 #include "cli/text.hpp"
@@ -15,21 +16,39 @@ bool alike(double a, double b) {
   return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
 }
 
-/// A reference was made for one set of parameters: those of `when`, and the scene's own for the rest.
+/// A reference was made for one set of parameters: those of `when`, and the scene's own for the rest. One
+/// that only has solutions, which are expressions of the parameters, holds for all but those of `when`.
 bool holds(TomlCursor& reference, const std::vector<Parameter>& parameters) {
   std::map<std::string, double> wanted;
-  for (const Parameter& parameter : parameters) wanted[parameter.name] = parameter.default_value;
+  if (reference.find("values") || reference.find("tables"))
+    for (const Parameter& parameter : parameters) wanted[parameter.name] = parameter.default_value;
   if (TomlValue* value = reference.find("when")) {
     TomlCursor when = reference.enter(*value, "when", "'when' of " + reference.what());
     for (const TomlEntry& entry : when.table().entries) {
-      if (!wanted.contains(entry.key))
+      if (index_of(parameters, entry.key) == parameters.size())
         when.fail_unknown(entry.value, entry.key, "parameter", entry.key, names_of(parameters));
       wanted[entry.key] = when.number(entry.key);
     }
   }
   return std::all_of(parameters.begin(), parameters.end(), [&](const Parameter& parameter) {
-    return alike(parameter.value, wanted[parameter.name]);
+    const auto found = wanted.find(parameter.name);
+    return found == wanted.end() || alike(parameter.value, found->second);
   });
+}
+
+/// Numbers for the expressions of a reference, each of the ones before.
+void read_names(TomlCursor& reference) {
+  TomlValue* table = reference.find("let");
+  if (!table) return;
+  TomlCursor cursor = reference.enter(*table, "let", "'let' of " + reference.what());
+  for (const TomlEntry& entry : cursor.table().entries) {
+    check_new_name(cursor, entry, "number");
+    if (cursor.names().contains(entry.key))
+      cursor.fail(entry.place, entry.key, "the name '" + entry.key + "' stands for a parameter already");
+    const double value = cursor.number(entry.key);
+    cursor.names()[entry.key] = value;
+  }
+  reference.names() = cursor.names();
 }
 
 const Measure& known_measure(TomlCursor& cursor, const TomlEntry& entry, const Scene& scene) {
@@ -52,16 +71,44 @@ std::map<std::string, double> read_values(TomlCursor& reference, const Scene& sc
   return values;
 }
 
-ReferenceTable read_one_table(TomlCursor entry, const std::filesystem::path& folder) {
+bool follows_time(const Measure& measure) {
+  return measure.kind == Measure::Kind::rmse || measure.kind == Measure::Kind::path_error ||
+         measure.kind == Measure::Kind::turn;
+}
+
+/// The measure of an entry, which must be one that is compared with a curve over time.
+const Measure& curve_measure(TomlCursor& cursor, const TomlEntry& entry, const Scene& scene) {
+  const Measure& measure = known_measure(cursor, entry, scene);
+  if (!follows_time(measure))
+    cursor.fail(entry.place, entry.key,
+                "the measure '" + entry.key +
+                    "' is compared with a value; only one of rmse, path_error or turn takes a curve");
+  return measure;
+}
+
+/// `column = "uy"`, or `columns = ["x", "y"]` for a measure of several probes.
+std::vector<std::string> column_names(TomlCursor& entry, const Measure& measure) {
+  const std::size_t number = measure.probes.size();
+  if (number == 1) return {entry.text("column")};
+  const TomlValue& value = entry.need("columns");
+  if (value.kind != TomlValue::Kind::array || value.items.size() != number)
+    entry.fail(value, "columns",
+               "columns must be an array of " + std::to_string(number) + " names of columns, one per probe");
+  std::vector<std::string> names;
+  for (const TomlValue& item : value.items) names.push_back(entry.text_of(item, "columns"));
+  return names;
+}
+
+ReferenceTable read_one_table(TomlCursor entry, const Measure& measure, const std::filesystem::path& folder) {
   const std::filesystem::path path = (folder / entry.text("file")).lexically_normal();
-  const std::string column = entry.text("column");
+  const std::vector<std::string> columns = column_names(entry, measure);
   entry.finish();
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
     entry.fail(entry.need("file"), "file",
                "there is no table '" + path.string() + "'; the path starts at the scene's folder");
   entry.table().set("file", TomlValue(path.string()));
-  return read_table(path, column);
+  return read_table(path, columns);
 }
 
 std::map<std::string, ReferenceTable> read_tables(TomlCursor& reference, const SceneFile& file) {
@@ -71,13 +118,40 @@ std::map<std::string, ReferenceTable> read_tables(TomlCursor& reference, const S
   const std::filesystem::path folder = std::filesystem::absolute(file.path).parent_path();
   TomlCursor cursor = reference.enter(*table, "tables", "'tables' of " + reference.what());
   for (TomlEntry& entry : cursor.table().entries) {
-    if (known_measure(cursor, entry, file.scene).kind != Measure::Kind::rmse)
-      cursor.fail(entry.place, entry.key,
-                  "the measure '" + entry.key + "' is compared with a value; only one of rmse takes a table");
+    const Measure& measure = curve_measure(cursor, entry, file.scene);
     tables[entry.key] =
-        read_one_table(cursor.enter(entry.value, entry.key, "table '" + entry.key + "'"), folder);
+        read_one_table(cursor.enter(entry.value, entry.key, "table '" + entry.key + "'"), measure, folder);
   }
   return tables;
+}
+
+/// An expression of t, or an array of them for a measure of several probes.
+std::map<std::string, std::vector<Solution>> read_solutions(TomlCursor& reference, const Scene& scene) {
+  std::map<std::string, std::vector<Solution>> solutions;
+  TomlValue* table = reference.find("solutions");
+  if (!table) return solutions;
+  TomlCursor cursor = reference.enter(*table, "solutions", "'solutions' of " + reference.what());
+  for (const TomlEntry& entry : cursor.table().entries) {
+    const std::size_t number = curve_measure(cursor, entry, scene).probes.size();
+    const bool several = entry.value.kind == TomlValue::Kind::array;
+    if (number != (several ? entry.value.items.size() : 1))
+      cursor.fail(entry.value, entry.key,
+                  "the measure '" + entry.key + "' follows " + std::to_string(number) +
+                      " probes: write an array of as many expressions of t");
+    const std::span<const TomlValue> items =
+        several ? std::span<const TomlValue>(entry.value.items) : std::span(&entry.value, 1);
+    for (const TomlValue& item : items)
+      solutions[entry.key].push_back(cursor.solution(item, entry.key));
+  }
+  return solutions;
+}
+
+/// A measure is compared with one thing.
+void refuse_second_curve(TomlCursor& cursor, const TomlValue& value, const Reference& reference) {
+  for (const auto& entry : reference.solution)
+    if (reference.table.contains(entry.first))
+      cursor.fail(value, "solutions",
+                  "the measure '" + entry.first + "' has a table and a solution; leave one out");
 }
 
 }  // namespace
@@ -86,9 +160,12 @@ void read_references(TomlCursor& root, SceneFile& file) {
   for (TomlValue& value : root.list("reference")) {
     TomlCursor cursor = root.enter(value, "reference", "a reference");
     const std::string law = cursor.choice("law", laws);
+    read_names(cursor);
     const Reference reference{.name = cursor.text("name"),
                               .value = read_values(cursor, file.scene),
-                              .table = read_tables(cursor, file)};
+                              .table = read_tables(cursor, file),
+                              .solution = read_solutions(cursor, file.scene)};
+    refuse_second_curve(cursor, value, reference);
     const bool applies = holds(cursor, file.parameters);
     cursor.finish();
     if (applies && !file.scene.references.emplace(law, reference).second)

@@ -81,15 +81,18 @@ std::string file_text(const std::filesystem::path& path) {
   return text;
 }
 
-ReferenceTable read_table(const std::filesystem::path& path, const std::string& column) {
+ReferenceTable read_table(const std::filesystem::path& path, const std::vector<std::string>& columns) {
   Rows rows{.file = path.string(), .text = file_text(path)};
   const auto head = rows.read();
-  if (!head) rows.fail("the table is empty; it needs a head with 't' and '" + column + "'");
-  const std::size_t t = column_of(rows, *head, "t"), value = column_of(rows, *head, column);
+  if (!head) rows.fail("the table is empty; it needs a head with 't' and " + join(columns));
+  const std::size_t t = column_of(rows, *head, "t");
+  std::vector<std::size_t> places;
+  for (const std::string& name : columns) places.push_back(column_of(rows, *head, name));
   ReferenceTable table;
+  table.value.resize(columns.size());
   while (const auto row = rows.read()) {
     table.t.push_back(rows.number(*row, t));
-    table.value.push_back(rows.number(*row, value));
+    for (std::size_t k = 0; k < places.size(); ++k) table.value[k].push_back(rows.number(*row, places[k]));
     if (table.t.size() > 1 && !(table.t.back() > table.t[table.t.size() - 2]))
       rows.fail("t must grow from row to row");
   }

@@ -14,6 +14,12 @@ namespace {
 
 using Kind = TomlValue::Kind;
 
+std::string place_text(const Point& x) {
+  return "(" + exact(x[0]) + ", " + exact(x[1]) + ", " + exact(x[2]) + ")";
+}
+
+std::string time_text(double t) { return "t = " + exact(t) + " s"; }
+
 std::string quote(std::string_view name) { return std::string("'").append(name).append("'"); }
 
 }  // namespace
@@ -133,14 +139,14 @@ double TomlCursor::value_of(const TomlValue& value, std::string_view key) {
   return result;
 }
 
-template <class Argument, class Compile, class Show>
-std::function<double(Argument)> TomlCursor::function(const TomlValue& value, std::string_view key,
-                                                     const Compile& compile, const Show& show) {
-  std::function<double(Argument)> function;
+template <class... Arguments, class Compile, class Show>
+std::function<double(Arguments...)> TomlCursor::function(const TomlValue& value, std::string_view key,
+                                                         const Compile& compile, const Show& show) {
+  std::function<double(Arguments...)> function;
   if (value.kind != Kind::text) {
     const double constant = value_of(value, key);
     if (constant == 0) return {};
-    return [constant](Argument) { return constant; };
+    return [constant](Arguments...) { return constant; };
   }
   try {
     function = compile(value.text, names_);
@@ -149,24 +155,29 @@ std::function<double(Argument)> TomlCursor::function(const TomlValue& value, std
   }
   note_names(value.text);
   const SceneError failure(source_.file, value.place.line, value.place.column, full_path(key), "");
-  return [function, failure, show, name = std::string(key), text = value.text](Argument at) {
-    const double result = function(at);
+  return [function, failure, show, name = std::string(key), text = value.text](Arguments... at) {
+    const double result = function(at...);
     if (!std::isfinite(result))
-      throw SceneError(
-          failure.file, failure.line, failure.column, failure.key,
-          name + " = '" + text + "' is " + exact(result) + " at " + show(at) + "; a finite number is needed");
+      throw SceneError(failure.file, failure.line, failure.column, failure.key,
+                       name + " = '" + text + "' is " + exact(result) + " at " + show(at...) +
+                           "; a finite number is needed");
     return result;
   };
 }
 
 Expression TomlCursor::function_of(const TomlValue& value, std::string_view key) {
-  return function<const Point&>(value, key, compile, [](const Point& x) {
-    return "(" + exact(x[0]) + ", " + exact(x[1]) + ", " + exact(x[2]) + ")";
-  });
+  return function<const Point&>(value, key, compile, place_text);
 }
 
 std::function<double(double)> TomlCursor::function_of_time(const TomlValue& value, std::string_view key) {
-  return function<double>(value, key, compile_of_time, [](double t) { return "t = " + exact(t) + " s"; });
+  return function<double>(value, key, compile_of_time, time_text);
+}
+
+Solution TomlCursor::solution(const TomlValue& value, std::string_view key) {
+  const Solution solution = function<const Point&, double>(
+      value, key, compile_in_time,
+      [](const Point& x, double t) { return place_text(x) + ", " + time_text(t); });
+  return solution ? solution : [](const Point&, double) { return 0.0; };
 }
 
 std::string TomlCursor::text_of(const TomlValue& value, std::string_view key) {

@@ -55,6 +55,8 @@ class TomlCursor {
   Expression function_of(const TomlValue& value, std::string_view key);
   /// The same, of the time t in s.
   std::function<double(double)> function_of_time(const TomlValue& value, std::string_view key);
+  /// The same, of the position and the time.
+  Solution solution(const TomlValue& value, std::string_view key);
   std::string text_of(const TomlValue& value, std::string_view key);
 
   /// A cursor on the table `value`, with the same names.
@@ -76,9 +78,9 @@ class TomlCursor {
   [[noreturn]] void fail_expression(const TomlValue& value, std::string_view key,
                                     const ExpressionError& error) const;
   /// `compile`(text, names) as a function whose value is checked to be finite; `show` says where.
-  template <class Argument, class Compile, class Show>
-  std::function<double(Argument)> function(const TomlValue& value, std::string_view key,
-                                           const Compile& compile, const Show& show);
+  template <class... Arguments, class Compile, class Show>
+  std::function<double(Arguments...)> function(const TomlValue& value, std::string_view key,
+                                               const Compile& compile, const Show& show);
   void note_names(const std::string& text);
   std::string full_path(std::string_view key) const;
 

@@ -11,8 +11,9 @@ namespace taut {
 
 struct MeasureResult {
   std::string name, unit;
-  std::optional<double> value;      // none: the run was too short; rmse: or there is no table
-  std::optional<double> reference;  // none: no reference for these parameters and this material; rmse: 0
+  std::optional<double> value;      // none: the run was too short; rmse, path_error: or there is no reference
+  std::optional<double> reference;  // none: no reference for these parameters and this material; rmse,
+                                    // path_error: 0
   std::string reference_name;       // empty without reference
   std::optional<double> error;      // |value − reference| / |reference|; where the reference is 0, |value|
 };
@@ -25,10 +26,15 @@ struct MeasureResult {
 ///                              goes on, and one that has not ended yet does not count. A peak keeps its
 ///                              sign. decay = 1 − (A_n/A_1)^(1/(n−1)) of the n ≥ 2 peaks on the side of the
 ///                              first.
-///   rmse                       √(1/T ∫ (series − table)² dt) over the time that both cover, up to `until`;
-///   the
-///                              table is found by the measure's name. Its reference is 0: it is its own
-///                              error.
+///   rmse                       √(1/T ∫ (series − reference)² dt) over the time that both cover, up to
+///                              `until`; the reference's table or exact solution is found by the measure's
+///                              name. Its reference is 0: it is its own error.
+///   path_error                 greatest distance of the point (x, y) of two probes from where the reference
+///                              has it at the same time, over `scale`, at the rows of its table or at the
+///                              steps; as rmse else.
+///   turn                       angle of the point (x, y) of two probes about the origin from the start to
+///                              `until`, whole turns counted; none before. Its reference is the turn of the
+///                              reference's path up to `until`.
 ///   minimum, maximum           none while the series ends at its extreme, which may then still be ahead;
 ///                              mirror_asymmetry is a fault that grows, so there the extreme so far counts.
 ///   final_ratio                none while `free` ends ≤ threshold (in touch), and if it never was (no

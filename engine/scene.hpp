@@ -16,6 +16,8 @@ namespace taut {
 using Point = std::array<double, 3>;
 /// A function of the position in the initial configuration, evaluated at set-up only.
 using Expression = std::function<double(const Point&)>;
+/// A function of the position in the initial configuration and of the time in s.
+using Solution = std::function<double(const Point&, double)>;
 
 struct Material {
   std::string name;
@@ -97,38 +99,42 @@ struct Probe {
   int axis = 0;
 };
 
-/// A number made from a probe's series, with its unit as it stands in run.json.
+/// A number made from the series of probes, with its unit as it stands in run.json.
 struct Measure {
   enum class Kind {
     period,       // time of the second zero crossing of a series that starts at 0
     first_peak,   // first extremum of a series that starts at 0
     decay,        // loss of peak amplitude per period, as a share
-    rmse,         // root mean square difference from the reference's table
+    rmse,         // root mean square difference from the reference's curve
     minimum,      // least value
     maximum,      // greatest value
     first_below,  // first time at which the series is ≤ threshold
     last_below,   // last time at which it was; null unless it is above at the end
     final_ratio,  // last value over `scale`; null while series `free` is ≤ threshold at the end
+    path_error,   // greatest distance of a point from the reference's curve at the same time, over `scale`
+    turn,         // angle a point has turned by about the origin, counter-clockwise, rad
   };
   std::string name;
   Kind kind{};
-  std::string probe;
+  std::vector<std::string> probes;  // one; path_error, turn: two, the point's x and y
   std::string unit;
   double threshold = 0;
   double scale = 1;
   std::string free;  // final_ratio: the probe that says that the bodies are apart; may be empty
 };
 
-/// A table of an independent solution: time and one column, linearly interpolated.
+/// A table of an independent solution: time and a column for each probe of a measure, linearly interpolated.
 struct ReferenceTable {
-  std::vector<double> t, value;  // s, the probe's unit
+  std::vector<double> t;                   // s
+  std::vector<std::vector<double>> value;  // [probe], the probe's unit
 };
 
 /// Independent values for the measures of this very scene (the parameters as they stand).
 struct Reference {
   std::string name;                     // "finite elements, 2d deviator, ..."
-  std::map<std::string, double> value;  // measure → value in the measure's unit
-  std::map<std::string, ReferenceTable> table;
+  std::map<std::string, double> value{};  // measure → value in the measure's unit
+  std::map<std::string, ReferenceTable> table{};
+  std::map<std::string, std::vector<Solution>> solution{};  // measure → exact solution, [probe]
 };
 
 /// What is simulated. Plain data: every expression of a scene file has been evaluated or bound.

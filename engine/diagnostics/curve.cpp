@@ -1,6 +1,7 @@
 #include "engine/diagnostics/curve.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -16,16 +17,6 @@ double vertex(const Curve& c, std::size_t k) {
   if (curvature == 0) return c.y[k];
   const double slope = before + curvature * (c.t[k] - c.t[k - 1]);
   return c.y[k] - slope * slope / (4 * curvature);
-}
-
-/// Begin, end and the samples of both curves in between: what is straight between two of them.
-std::vector<double> joint_times(const Curve& a, const Curve& b, double begin, double end) {
-  std::vector<double> times = {begin, end};
-  const auto inside = [=](double t) { return begin < t && t < end; };
-  std::ranges::copy_if(a.t, std::back_inserter(times), inside);
-  std::ranges::copy_if(b.t, std::back_inserter(times), inside);
-  std::ranges::sort(times);
-  return times;
 }
 
 }  // namespace
@@ -70,8 +61,16 @@ std::vector<HalfCycle> half_cycles(const Curve& curve) {
   return found;
 }
 
+std::vector<double> joint_times(std::span<const Curve> curves, double begin, double end) {
+  std::vector<double> times = {begin, end};
+  const auto inside = [=](double t) { return begin < t && t < end; };
+  for (const Curve& curve : curves) std::ranges::copy_if(curve.t, std::back_inserter(times), inside);
+  std::ranges::sort(times);
+  return times;
+}
+
 double rms_difference(const Curve& a, const Curve& b, double begin, double end) {
-  const std::vector<double> times = joint_times(a, b, begin, end);
+  const std::vector<double> times = joint_times(std::array{a, b}, begin, end);
   double integral = 0;
   double left = value_at(a, begin) - value_at(b, begin);
   for (std::size_t k = 1; k < times.size(); ++k) {
@@ -80,6 +79,31 @@ double rms_difference(const Curve& a, const Curve& b, double begin, double end) 
     left = right;
   }
   return std::sqrt(integral / (end - begin));
+}
+
+double rms_difference(const Curve& a, const std::function<double(double)>& b, double begin, double end) {
+  const double node = std::sqrt(3.0 / 5);  // of Gauss–Legendre, from −1 to 1
+  const std::vector<double> times = joint_times(std::span(&a, 1), begin, end);
+  double integral = 0;
+  for (std::size_t k = 1; k < times.size(); ++k) {
+    const double middle = (times[k - 1] + times[k]) / 2, half = (times[k] - times[k - 1]) / 2;
+    const auto square = [&](double at) {
+      const double t = middle + at * half, difference = value_at(a, t) - b(t);
+      return difference * difference;
+    };
+    integral += half * (5 * square(-node) + 8 * square(0) + 5 * square(node)) / 9;
+  }
+  return std::sqrt(integral / (end - begin));
+}
+
+double turn(const Curve& x, const Curve& y, double end) {
+  double angle = 0, x0 = x.y.front(), y0 = y.y.front();
+  for (const double t : joint_times(std::array{x, y}, x.t.front(), end)) {
+    const double x1 = value_at(x, t), y1 = value_at(y, t);
+    angle += std::atan2(x0 * y1 - y0 * x1, x0 * x1 + y0 * y1);
+    x0 = x1, y0 = y1;
+  }
+  return angle;
 }
 
 }  // namespace taut

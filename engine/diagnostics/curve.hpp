@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -31,7 +31,16 @@ struct HalfCycle {
 /// Every half cycle that has ended, of a curve that starts at 0; the first one begins at the start.
 std::vector<HalfCycle> half_cycles(const Curve& curve);
 
+/// Begin, end and the samples of all curves in between: each curve is straight from one to the next.
+std::vector<double> joint_times(std::span<const Curve> curves, double begin, double end);
+
 /// √(1/(end − begin) ∫ (a − b)² dt), exact; begin < end lie within both curves.
 double rms_difference(const Curve& a, const Curve& b, double begin, double end);
+/// The same with a function of time: three Gauss points between two samples of `a`.
+double rms_difference(const Curve& a, const std::function<double(double)>& b, double begin, double end);
+
+/// The angle by which the point (x, y) turns about the origin from the first sample to `end`, rad,
+/// counter-clockwise positive, full turns counted: between two samples it is less than half a turn.
+double turn(const Curve& x, const Curve& y, double end);
 
 }  // namespace taut

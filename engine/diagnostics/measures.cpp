@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "engine/diagnostics/curve.hpp"
@@ -12,14 +13,38 @@ namespace {
 
 using Value = std::optional<double>;
 
+/// What a reference says over time, of each probe of a measure: a table or an exact solution, or neither.
+struct ReferenceCurves {
+  std::vector<Curve> table;
+  const std::vector<Solution>* exact = nullptr;
+
+  bool empty() const { return table.empty() && exact == nullptr; }
+  double begin() const { return exact ? 0 : table.front().t.front(); }
+  double end() const { return exact ? std::numeric_limits<double>::infinity() : table.front().t.back(); }
+  double at(std::size_t probe, double t) const {
+    return exact ? (*exact)[probe]({}, t) : value_at(table[probe], t);
+  }
+};
+
 /// What a measure is made from.
 struct Source {
-  Curve curve;
-  std::optional<Curve> free;              // final_ratio
-  const ReferenceTable* table = nullptr;  // rmse
-  double until = 0;                       // s
-  bool turns = true;                      // an extreme at the end is not the last word
+  std::vector<Curve> curve;   // of each probe
+  std::optional<Curve> free;  // final_ratio
+  ReferenceCurves reference;  // rmse, path_error, turn
+  double until = 0;           // s
+  bool turns = true;          // an extreme at the end is not the last word
 };
+
+/// The time that a run and the reference's curves both cover, up to the end of the run; nothing while the run
+/// goes on within it.
+std::optional<std::pair<double, double>> common_time(const Source& source) {
+  if (source.reference.empty()) return std::nullopt;
+  const double begin = std::max(source.curve.front().t.front(), source.reference.begin());
+  const double end = std::min(source.until, source.reference.end());
+  for (const Curve& curve : source.curve)
+    if (curve.t.back() < end) return std::nullopt;
+  return end > begin ? std::optional(std::pair(begin, end)) : std::nullopt;
+}
 
 Value period(const Curve& curve) {
   const std::vector<HalfCycle> cycles = half_cycles(curve);
@@ -40,16 +65,52 @@ Value decay(const Curve& curve) {
 }
 
 Value rmse(const Source& source) {
-  if (source.table == nullptr || source.table->t.empty()) return std::nullopt;
-  const Curve table = {source.table->t, source.table->value};
-  const double begin = std::max(source.curve.t.front(), table.t.front());
-  const double end = std::min(source.until, table.t.back());
-  if (source.curve.t.back() < end || end <= begin) return std::nullopt;
-  return rms_difference(source.curve, table, begin, end);
+  const auto time = common_time(source);
+  if (!time) return std::nullopt;
+  const auto& [begin, end] = *time;
+  const ReferenceCurves& reference = source.reference;
+  if (!reference.exact) return rms_difference(source.curve[0], reference.table[0], begin, end);
+  return rms_difference(
+      source.curve[0], [&](double t) { return reference.at(0, t); }, begin, end);
+}
+
+/// Seen at the rows of a table, since a path that bends is not straight between them, or at the steps.
+Value path_error(const Source& source, double scale) {
+  const auto time = common_time(source);
+  if (!time) return std::nullopt;
+  const ReferenceCurves& reference = source.reference;
+  Value greatest;
+  for (const double t : reference.exact ? source.curve[0].t : reference.table[0].t) {
+    if (t < time->first || t > time->second) continue;
+    double squared = 0;
+    for (std::size_t k = 0; k < source.curve.size(); ++k)
+      squared += std::pow(value_at(source.curve[k], t) - reference.at(k, t), 2);
+    greatest = std::max(greatest.value_or(0), std::sqrt(squared) / scale);
+  }
+  return greatest;
+}
+
+Value turn(const std::vector<Curve>& point, double until) {
+  const bool over = std::ranges::all_of(point, [=](const Curve& c) { return c.t.back() >= until; });
+  return over ? Value(turn(point[0], point[1], until)) : std::nullopt;
+}
+
+/// Of an exact solution at the steps of the run.
+Value reference_turn(const Source& source) {
+  const ReferenceCurves& reference = source.reference;
+  if (reference.empty()) return std::nullopt;
+  if (!reference.exact) return turn(reference.table, source.until);
+  const std::span<const double> t = source.curve[0].t;
+  std::vector<double> x, y;
+  for (const double time : t) {
+    x.push_back(reference.at(0, time));
+    y.push_back(reference.at(1, time));
+  }
+  return t.empty() ? std::nullopt : turn({Curve{t, x}, Curve{t, y}}, source.until);
 }
 
 Value extreme(const Source& source, double value) {
-  return source.turns && source.curve.y.back() == value ? std::nullopt : Value(value);
+  return source.turns && source.curve[0].y.back() == value ? std::nullopt : Value(value);
 }
 
 Value first_below(const Curve& curve, double threshold) {
@@ -72,30 +133,35 @@ Value final_ratio(const Source& source, double scale, double threshold) {
     const bool touched = std::ranges::any_of(gap, [&](double y) { return y <= threshold; });
     if (!touched || gap.back() <= threshold) return std::nullopt;
   }
-  return source.curve.y.back() / scale;
+  return source.curve[0].y.back() / scale;
 }
 
 Value value_of(const Measure& measure, const Source& source) {
-  if (source.curve.size() == 0) return std::nullopt;
+  if (std::ranges::any_of(source.curve, [](const Curve& c) { return c.size() == 0; })) return std::nullopt;
+  const Curve& curve = source.curve.front();
   switch (measure.kind) {
     case Measure::Kind::period:
-      return period(source.curve);
+      return period(curve);
     case Measure::Kind::first_peak:
-      return first_peak(source.curve);
+      return first_peak(curve);
     case Measure::Kind::decay:
-      return decay(source.curve);
+      return decay(curve);
     case Measure::Kind::rmse:
       return rmse(source);
     case Measure::Kind::minimum:
-      return extreme(source, std::ranges::min(source.curve.y));
+      return extreme(source, std::ranges::min(curve.y));
     case Measure::Kind::maximum:
-      return extreme(source, std::ranges::max(source.curve.y));
+      return extreme(source, std::ranges::max(curve.y));
     case Measure::Kind::first_below:
-      return first_below(source.curve, measure.threshold);
+      return first_below(curve, measure.threshold);
     case Measure::Kind::last_below:
-      return last_below(source.curve, measure.threshold);
+      return last_below(curve, measure.threshold);
     case Measure::Kind::final_ratio:
       return final_ratio(source, measure.scale, measure.threshold);
+    case Measure::Kind::path_error:
+      return path_error(source, measure.scale);
+    case Measure::Kind::turn:
+      return turn(source.curve, source.until);
   }
   return std::nullopt;
 }
@@ -114,29 +180,47 @@ auto find_or_null(const Map& map, const std::string& key) -> const typename Map:
   return found == map.end() ? nullptr : &found->second;
 }
 
+ReferenceCurves reference_curves(const Measure& measure, const Reference* reference) {
+  ReferenceCurves curves;
+  if (reference == nullptr) return curves;
+  curves.exact = find_or_null(reference->solution, measure.name);
+  const ReferenceTable* table = find_or_null(reference->table, measure.name);
+  if (table != nullptr && !table->t.empty())
+    for (const std::vector<double>& column : table->value) curves.table.push_back({table->t, column});
+  return curves;
+}
+
 Source source_of(const Measure& measure, const Scene& scene, const Series& series,
                  const Reference* reference) {
   const std::string key = "measure." + measure.name;
-  const std::size_t probe = probe_index(scene, measure.probe, key + ".probe");
   Source source;
-  source.curve = finite_part({series.time, series.value.at(probe)});
+  for (const std::string& name : measure.probes) {
+    const std::size_t probe = probe_index(scene, name, key + ".probe");
+    source.curve.push_back(finite_part({series.time, series.value.at(probe)}));
+    if (scene.probes[probe].kind == Probe::Kind::mirror_asymmetry) source.turns = false;
+  }
   if (!measure.free.empty()) {
     source.free =
         finite_part({series.time, series.value.at(probe_index(scene, measure.free, key + ".free"))});
   }
-  if (reference != nullptr) source.table = find_or_null(reference->table, measure.name);
+  source.reference = reference_curves(measure, reference);
   source.until = scene.until;
-  source.turns = scene.probes[probe].kind != Probe::Kind::mirror_asymmetry;
   return source;
 }
 
-Value reference_value(const Measure& measure, const Reference* reference) {
+Value reference_value(const Measure& measure, const Source& source, const Reference* reference) {
   if (reference == nullptr) return std::nullopt;
-  if (measure.kind == Measure::Kind::rmse) {
-    return find_or_null(reference->table, measure.name) ? Value(0) : std::nullopt;
+  switch (measure.kind) {
+    case Measure::Kind::rmse:
+    case Measure::Kind::path_error:
+      return source.reference.empty() ? std::nullopt : Value(0);
+    case Measure::Kind::turn:
+      return reference_turn(source);
+    default: {
+      const double* value = find_or_null(reference->value, measure.name);
+      return value == nullptr ? std::nullopt : Value(*value);
+    }
   }
-  const double* value = find_or_null(reference->value, measure.name);
-  return value == nullptr ? std::nullopt : Value(*value);
 }
 
 Value error_of(const Value& value, const Value& reference) {
@@ -154,8 +238,9 @@ std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std
     MeasureResult result;
     result.name = each.name;
     result.unit = each.unit;
-    result.value = value_of(each, source_of(each, scene, series, reference));
-    result.reference = reference_value(each, reference);
+    const Source source = source_of(each, scene, series, reference);
+    result.value = value_of(each, source);
+    result.reference = reference_value(each, source, reference);
     if (result.reference) result.reference_name = reference->name;
     result.error = error_of(result.value, result.reference);
     results.push_back(std::move(result));

@@ -55,6 +55,13 @@ TEST_SUITE("unit") {
     CHECK(f({1, 0, 0}) == 2);
   }
 
+  TEST_CASE("an expression of the place and the time") {
+    const taut::Solution f = taut::compile_in_time("a*x + y - z*t", {{"a", 2}});
+    CHECK(f({1, 2, 3}, 10) == -26);
+    CHECK(f({1, 2, 3}, 0) == 4);
+    CHECK_THROWS_AS(taut::compile("t", {}), ExpressionError);
+  }
+
   TEST_CASE("the names in an expression") {
     CHECK(taut::names_in("2*a + sin(b1)*1e5 + pi") == std::set<std::string>{"a", "b1"});
     CHECK(taut::names_in("a + (").empty());

@@ -107,8 +107,30 @@ TEST_SUITE("unit") {
     CHECK(read_text(text, set({{"v0", "0.07000001"}})).scene.references.empty());
   }
 
+  TEST_CASE("a solution holds for any parameters, unless `when` says otherwise") {
+    const std::string rmse = replaced(small_scene, "of = \"maximum\"", "of = \"rmse\"");
+    const std::string text =
+        replaced(rmse, "values = { peak = 3 }",
+                 "let = { a = \"2*v0\", b = \"a + 1\" }\nsolutions = { peak = \"b*t + x\" }");
+    const auto peak = [&](const std::string& scene, const Overrides& overrides = {}) {
+      return read_text(scene, overrides)
+          .scene.references.at("neo_hookean")
+          .solution.at("peak")
+          .at(0)({5, 0, 0}, 10);
+    };
+    CHECK(peak(text) == Approx(16.2).epsilon(1e-14));
+    CHECK(peak(text, set({{"v0", "0.5"}})) == Approx(25).epsilon(1e-14));
+    const std::string when = replaced(text, "let =", "when = { v0 = 0.06 }\nlet =");
+    CHECK(peak(when) == Approx(16.2).epsilon(1e-14));
+    CHECK(read_text(when, set({{"v0", "0.5"}})).scene.references.empty());
+    // with a value beside it, it is of these parameters again
+    const std::string valued = replaced(text, "let =", "values = { peak = 3 }\nlet =");
+    CHECK(read_text(valued, set({{"v0", "0.5"}})).scene.references.empty());
+  }
+
   TEST_CASE("scenes are found by name and by path") {
-    CHECK(scene_names() == std::vector<std::string>{"ball-plate", "colliding-rings", "oscillating-plate"});
+    CHECK(scene_names() ==
+          std::vector<std::string>{"ball-plate", "colliding-rings", "oscillating-plate", "rotating-plate"});
     CHECK(find_scene("ball-plate") == scenes_folder() / "ball-plate.toml");
     const std::string path = write_scene(small_scene).string();
     CHECK(find_scene(path) == path);
@@ -197,8 +219,8 @@ TEST_SUITE("unit") {
     REQUIRE(tip.t.size() == 1001);
     CHECK(tip.t.back() == 1);
     CHECK(tip.t[1] == 0.001);
-    CHECK(tip.value[1] == 0.00277107307);
-    CHECK(scene.references.at("neo_hookean").table.at("tip_rmse").value[1] == 0.002771050745);
+    CHECK(tip.value.at(0)[1] == 0.00277107307);
+    CHECK(scene.references.at("neo_hookean").table.at("tip_rmse").value.at(0)[1] == 0.002771050745);
   }
 
   TEST_CASE("ball and plate: the numbers of Zhang2024 6.5") {
@@ -219,5 +241,35 @@ TEST_SUITE("unit") {
     CHECK(scene.references.at("neo_hookean").value.at("deflection") == -0.07766);
     CHECK(scene.references.at("2d_deviator").value.at("rebound_ratio") == 0.7189);
     CHECK(particles(scene) == 2928);
+  }
+
+  TEST_CASE("rotating plate: the numbers of Khayyer2024 4.2") {
+    const Scene scene = shipped("rotating-plate").scene;
+    CHECK(scene.spacing == 0.04);
+    CHECK(scene.until == 0.2);
+    CHECK(scene.materials.at(0).density == 1100);
+    CHECK(scene.materials[0].youngs_modulus == 17e6);
+    CHECK(scene.materials[0].poisson_ratio == 0.45);
+    CHECK(scene.bodies.at(0).velocity[0]({0.3, -0.2, 0}) == Approx(21).epsilon(1e-14));
+    CHECK(scene.bodies[0].velocity[1]({0.3, -0.2, 0}) == Approx(31.5).epsilon(1e-14));
+    CHECK(particles(scene) == 625);
+    for (std::size_t k = 0; k < 2; ++k) {
+      CHECK(scene.measures.at(k).probes == std::vector<std::string>{"corner_x", "corner_y"});
+      CHECK(scene.probes.at(k).at == Point{0.5, 0.5, 0});
+      CHECK(scene.probes[k].axis == static_cast<int>(k));
+    }
+    CHECK(scene.measures[0].scale == 1);
+    for (const char* law : {"neo_hookean", "2d_deviator"})
+      for (const char* measure : {"corner_error", "corner_angle"}) {
+        const ReferenceTable& table = scene.references.at(law).table.at(measure);
+        REQUIRE(table.t.size() == 401);
+        CHECK(table.t.back() == 0.2);
+        CHECK(table.value.at(0).front() == 0.5);
+        CHECK(table.value.at(1).size() == 401);
+      }
+    const ReferenceTable& own = scene.references.at("neo_hookean").table.at("corner_error");
+    CHECK(own.value[0].back() == Approx(-0.49487).epsilon(1e-5));
+    CHECK(own.value[1].back() == Approx(0.51579).epsilon(1e-5));
+    CHECK(shipped("rotating-plate", set({{"omega", "100"}})).scene.references.empty());
   }
 }

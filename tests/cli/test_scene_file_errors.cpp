@@ -189,7 +189,37 @@ TEST_SUITE("cli") {
   TEST_CASE("scene: measures and tables") {
     check_error("of = \"maximum\"", "of = \"final_ratio\"\nscale = @0", {"scale is 0"});
     check_error("values = { peak = 3 }", "tables = { @peak = { file = \"no.csv\", column = \"a\" } }",
-                {"only one of rmse"});
+                {"only one of rmse, path_error or turn"});
+    check_error("of = \"maximum\"\nprobe = \"tip\"", "of = \"turn\"\nprobes = @[\"tip\"]",
+                {"probes must be an array of 2 names"});
+    check_error("of = \"maximum\"\nprobe = \"tip\"", "of = \"turn\"\nprobes = [\"tip\", @\"top\"]",
+                {"unknown probe 'top'", "'tip'"});
+    check_error("[[measure]]\nname = \"peak\"\nof = \"maximum\"\nprobe",
+                "[[measure]]\nname = \"peak\"\nof = \"turn\"\n@probe",
+                {"'probes' is missing", "there is 'probe'"});
+    check_error("values = { peak = 3 }", "solutions = { @peak = \"t\" }",
+                {"only one of rmse, path_error or turn"});
+    check_error("values = { peak = 3 }", "let = { @t = 1 }", {"the name 't' has a meaning already"});
+    check_error("values = { peak = 3 }", "let = { @v0 = 1 }", {"'v0' stands for a parameter already"});
+    check_error("values = { peak = 3 }", "let = { a = \"@q + 1\" }", {"unknown name 'q'"});
+    check_error(
+        "of = \"maximum\"\nprobe = \"tip\"\nunit = \"m\"\n[[reference]]\nlaw = \"neo_hookean\"\nname = "
+        "\"made up\"\nvalues = { peak = 3 }",
+        "of = \"rmse\"\nprobe = \"tip\"\n[[reference]]\nlaw = \"neo_hookean\"\nname = \"made up\"\nsolutions "
+        "= { peak = \"2*@tt\" }",
+        {"unknown name 'tt'"});
+    check_error(
+        "of = \"maximum\"\nprobe = \"tip\"\nunit = \"m\"\n[[reference]]\nlaw = \"neo_hookean\"\nname = "
+        "\"made up\"\nvalues = { peak = 3 }",
+        "of = \"turn\"\nprobes = [\"tip\", \"tip\"]\n[[reference]]\nlaw = \"neo_hookean\"\nname = \"made "
+        "up\"\nsolutions = { peak = @\"t\" }",
+        {"follows 2 probes", "an array of as many"});
+    check_error(
+        "of = \"maximum\"\nprobe = \"tip\"\nunit = \"m\"\n[[reference]]\nlaw = \"neo_hookean\"\nname = "
+        "\"made up\"\nvalues = { peak = 3 }",
+        "of = \"turn\"\nprobes = [\"tip\", \"tip\"]\n[[reference]]\nlaw = \"neo_hookean\"\nname = \"made "
+        "up\"\ntables = { peak = { file = \"table.csv\", columns = @[\"uy\"] } }",
+        {"array of 2 names of columns"});
     const auto with_rmse = [](const std::string& table) {
       return replaced(replaced(small_scene, "of = \"maximum\"", "of = \"rmse\""), "values = { peak = 3 }",
                       "tables = { peak = { file = \"" + table + "\", column = \"uy\" } }");
@@ -206,6 +236,9 @@ TEST_SUITE("cli") {
       return std::string("none");
     };
     CHECK(table_error("# head\nt,uy\n0,1\n1,2\n") == "none");
+    CHECK_THROWS_WITH_AS(
+        read_text(replaced(with_rmse("table.csv"), "tables =", "solutions = { peak = \"t\" }\ntables =")),
+        doctest::Contains("has a table and a solution"), SceneError);
     CHECK(says(table_error("# head\nt,ux\n0,1\n1,2\n"),
                "2: the table has no column 'uy' (did you mean 'ux'?)"));
     CHECK(says(table_error("t,uy\n0,1\n1,two\n"), "3: 'two' is not a finite number"));

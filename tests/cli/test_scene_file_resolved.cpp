@@ -41,6 +41,12 @@ void check_same(const Drive& a, const Drive& b) {
   }
 }
 
+void check_same(const std::vector<Solution>& a, const std::vector<Solution>& b) {
+  REQUIRE(a.size() == b.size());
+  for (std::size_t k = 0; k < a.size(); ++k)
+    for (const double t : {0.0, 1.37e-4, 0.2}) CHECK(a[k]({0.31, 0, 0}, t) == b[k]({0.31, 0, 0}, t));
+}
+
 void check_same(const Body& a, const Body& b) {
   CHECK(a.name == b.name);
   CHECK(a.material == b.material);
@@ -81,7 +87,10 @@ void check_same(const Scene& a, const Scene& b) {
     CHECK(a.probes[i].to == b.probes[i].to);
   }
   REQUIRE(a.measures.size() == b.measures.size());
-  for (std::size_t i = 0; i < a.measures.size(); ++i) CHECK(a.measures[i].scale == b.measures[i].scale);
+  for (std::size_t i = 0; i < a.measures.size(); ++i) {
+    CHECK(a.measures[i].scale == b.measures[i].scale);
+    CHECK(a.measures[i].probes == b.measures[i].probes);
+  }
   REQUIRE(a.references.size() == b.references.size());
   for (const auto& [law, reference] : a.references) {
     const Reference& other = b.references.at(law);
@@ -89,6 +98,9 @@ void check_same(const Scene& a, const Scene& b) {
     CHECK(reference.value == other.value);
     REQUIRE(reference.table.size() == other.table.size());
     for (const auto& [measure, table] : reference.table) CHECK(table.value == other.table.at(measure).value);
+    REQUIRE(reference.solution.size() == other.solution.size());
+    for (const auto& [measure, solution] : reference.solution)
+      check_same(solution, other.solution.at(measure));
   }
 }
 

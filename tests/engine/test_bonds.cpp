@@ -192,7 +192,7 @@ TEST_SUITE("convergence") {
       Scene scene = oscillating_plate(0.001, 5 << k);
       Measure period;
       period.kind = Measure::Kind::period;
-      period.probe = scene.probes[0].name;
+      period.probes = {scene.probes[0].name};
       scene.measures = {period};
       const auto simulation = make_simulation(scene, with_method("oenog"));
       simulation->advance_to(0.28);

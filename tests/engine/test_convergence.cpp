@@ -27,7 +27,7 @@ TEST_SUITE("convergence") {
     Measure period;
     period.name = "period";
     period.kind = Measure::Kind::period;
-    period.probe = "tip";
+    period.probes = {"tip"};
     scene.measures = {period};
     const auto simulation = make_simulation(scene, with_method("enog"));
     simulation->advance_to(0.275);

@@ -2,6 +2,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <doctest/doctest.h>
 
@@ -39,7 +40,7 @@ Scene scene_of(Kind kind) {
   Measure measure;
   measure.name = "number";
   measure.kind = kind;
-  measure.probe = "y";
+  measure.probes = {"y"};
   measure.unit = "mm";
   scene.measures = {measure};
   return scene;
@@ -142,7 +143,7 @@ TEST_SUITE("unit") {
   TEST_CASE("rmse: of straight lines, over the common time only") {
     Scene scene = scene_of(Kind::rmse);
     scene.references["neo_hookean"] = {
-        "a table", {}, {{"number", {{0.5, 0.8, 2.5}, {1.5, 1.8, 3.5}}}}};  // 1 + t
+        "a table", {}, {{"number", {{0.5, 0.8, 2.5}, {{1.5, 1.8, 3.5}}}}}};  // 1 + t
     scene.until = 2;
     const Series series{{0, 0.7, 1.1, 2.2}, {{2, 2.7, 3.1, 4.2}}};  // 2 + t
     const MeasureResult constant = result(scene, series);
@@ -157,7 +158,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("rmse: weighs time, not steps") {
     Scene scene = scene_of(Kind::rmse);
-    scene.references["neo_hookean"] = {"zero", {}, {{"number", {{0, 1}, {0, 0}}}}};
+    scene.references["neo_hookean"] = {"zero", {}, {{"number", {{0, 1}, {{0, 0}}}}}};
     const auto wave = [](double t) { return std::sin(2 * pi * t) * (t < 0.5 ? 1 : 0); };
     std::vector<double> times = unequal_times(0.5, 1e-4);
     for (int k = 1; times.back() < 1; ++k) times.push_back(times.back() + 1e-2);
@@ -166,7 +167,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("rmse: of a table finer than the steps") {
     Scene scene = scene_of(Kind::rmse);
-    scene.references["neo_hookean"] = {"a tent", {}, {{"number", {{0, 0.5, 1}, {0, 1, 0}}}}};
+    scene.references["neo_hookean"] = {"a tent", {}, {{"number", {{0, 0.5, 1}, {{0, 1, 0}}}}}};
     expect(result(scene, Series{{0, 1}, {{0, 0}}}).value, std::sqrt(1 / 3.0));
   }
 
@@ -175,18 +176,103 @@ TEST_SUITE("unit") {
     const Series series{{0, 0.5, 0.95}, {{1, 1, 1}}};
     CHECK_FALSE(result(scene, series).value);
     CHECK_FALSE(result(scene, series).reference);
-    scene.references["neo_hookean"] = {"zero", {}, {{"number", {{0, 9}, {0, 0}}}}};
+    scene.references["neo_hookean"] = {"zero", {}, {{"number", {{0, 9}, {{0, 0}}}}}};
     CHECK_FALSE(result(scene, series).value);  // until = 1
     CHECK(result(scene, series).reference == 0.0);
     CHECK_FALSE(result(scene, series).error);
     scene.until = 0.95;
     expect(result(scene, series).value, 1);
     scene.until = 1;
-    scene.references["neo_hookean"].table["number"] = {{0, 0.9}, {0, 0}};
+    scene.references["neo_hookean"].table["number"] = {{0, 0.9}, {{0, 0}}};
     expect(result(scene, series).value, 1);
     scene.until = 0.95;
-    scene.references["neo_hookean"].table["number"] = {{3, 4}, {0, 0}};
+    scene.references["neo_hookean"].table["number"] = {{3, 4}, {{0, 0}}};
     CHECK_FALSE(result(scene, series).value);
+  }
+
+  TEST_CASE("rmse: of an exact solution, with its kinks between steps") {
+    Scene scene = scene_of(Kind::rmse);
+    // the difference from 2t is t²: √(∫ t⁴ dt) over 0 … 1
+    scene.references["neo_hookean"] = {
+        "exact", {}, {}, {{"number", {[](const Point&, double t) { return 2 * t - t * t; }}}}};
+    const Series series{{0, 0.3, 0.9, 1.5}, {{0, 0.6, 1.8, 3}}};
+    expect(result(scene, series).value, std::sqrt(1 / 5.0));
+    CHECK(result(scene, series).reference == 0.0);
+    scene.until = 2;
+    CHECK_FALSE(result(scene, series).value);
+    // a step up at 0.7 within one of 1000 steps
+    scene.until = 1;
+    scene.references["neo_hookean"].solution["number"] = {[](const Point&, double t) { return t > 0.7; }};
+    std::vector<double> times;
+    for (int k = 0; k <= 1000; ++k) times.push_back(k * 1e-3);
+    expect(result(scene, sampled(times, [](double) { return 0.0; })).value, std::sqrt(0.3), 1e-3);
+  }
+
+  TEST_CASE("path_error: the greatest distance at one time, at the rows of a table") {
+    Scene scene = scene_of(Kind::path_error);
+    scene.measures[0].probes = {"y", "gap"};
+    scene.measures[0].scale = 10;
+    scene.references["neo_hookean"] = {
+        "table", {}, {{"number", {{0, 0.5, 1, 1.5}, {{0, 0, 0, 9}, {0, 0, 0, 9}}}}}, {}};
+    const Series series{{0, 0.5, 0.75, 1.2}, {{0, 3, 90, 5}, {0, 4, 90, 12}}};
+    expect(result(scene, series).value,
+           std::hypot(90 - 85 * 0.25 / 0.45, 90 - 78 * 0.25 / 0.45) / 10);  // at 1 s
+    CHECK(result(scene, series).reference == 0.0);
+    scene.until = 0.75;  // the row at 0.5 s alone
+    expect(result(scene, series).value, 0.5);
+    expect(result(scene, series).error, 0.5);
+    scene.until = 1.25;
+    CHECK_FALSE(result(scene, series).value);
+    scene.references.clear();
+    CHECK_FALSE(result(scene, series).value);
+    CHECK_FALSE(result(scene, series).reference);
+  }
+
+  TEST_CASE("path_error: from an exact path, at the steps") {
+    Scene scene = scene_of(Kind::path_error);
+    scene.measures[0].probes = {"y", "gap"};
+    scene.references["neo_hookean"] = {"exact",
+                                       {},
+                                       {},
+                                       {{"number",
+                                         {[](const Point&, double t) { return std::cos(t); },
+                                          [](const Point&, double t) { return std::sin(t); }}}}};
+    Series series{unequal_times(1, 1e-2), {{}, {}}};
+    for (const double t : series.time) {  // ahead by up to 0.1 at t = 0.5
+      const double angle = t + 0.1 * std::exp(-100 * (t - 0.5) * (t - 0.5));
+      series.value[0].push_back(std::cos(angle));
+      series.value[1].push_back(std::sin(angle));
+    }
+    expect(result(scene, series).value, 2 * std::sin(0.05), 1e-2);
+  }
+
+  TEST_CASE("turn: whole turns count, with their sense, up to the end") {
+    Scene scene = scene_of(Kind::turn);
+    scene.measures[0].probes = {"y", "gap"};
+    scene.until = 3;
+    for (const double omega : {9.0, -9.0}) {
+      Series series{unequal_times(3.1, 1e-3), {{}, {}}};
+      for (const double t : series.time) {
+        series.value[0].push_back(0.7 * std::cos(1 + omega * t));
+        series.value[1].push_back(0.7 * std::sin(1 + omega * t));
+      }
+      scene.references["neo_hookean"] = {
+          "table", {}, {{"number", {{0, 1, 2, 3}, {{1, 0, -1, 0}, {0, 1, 0, -1}}}}}, {}};
+      const MeasureResult found = result(scene, series);
+      expect(found.value, 3 * omega, 1e-6);
+      expect(found.reference, 1.5 * pi);
+      expect(found.error, std::abs(3 * omega / (1.5 * pi) - 1), 1e-6);
+      scene.references["neo_hookean"] = {"exact",
+                                         {},
+                                         {},
+                                         {{"number",
+                                           {[](const Point&, double t) { return std::cos(4 * t); },
+                                            [](const Point&, double t) { return std::sin(4 * t); }}}}};
+      expect(result(scene, series).reference, 12, 1e-6);
+      scene.until = 3.2;
+      CHECK_FALSE(result(scene, series).value);
+      scene.until = 3;
+    }
   }
 
   TEST_CASE("minimum and maximum: of the steps, none while still on the way") {
@@ -234,8 +320,8 @@ TEST_SUITE("unit") {
 
   TEST_CASE("measure: a reference of its own law gives a relative error, absolute where it is 0") {
     Scene scene = scene_of(Kind::maximum);
-    scene.references["neo_hookean"] = {"finite elements", {{"number", -8}}, {}};
-    scene.references["2d_deviator"] = {"other", {{"number", 0}, {"another", 1}}, {}};
+    scene.references["neo_hookean"] = {"finite elements", {{"number", -8}}, {}, {}};
+    scene.references["2d_deviator"] = {"other", {{"number", 0}, {"another", 1}}, {}, {}};
     const Series series{{0, 1, 2}, {{-9, -6, -7}}};
     const MeasureResult own = result(scene, series);
     CHECK(own.name == "number");
@@ -247,7 +333,7 @@ TEST_SUITE("unit") {
     const MeasureResult other = measure(scene, series, "2d_deviator").at(0);
     expect(other.error, 6);
     CHECK(other.reference_name == "other");
-    scene.references["silent"] = {"says nothing", {{"another", 1}}, {}};
+    scene.references["silent"] = {"says nothing", {{"another", 1}}, {}, {}};
     CHECK_FALSE(measure(scene, series, "silent").at(0).reference);
     CHECK(measure(scene, series, "silent").at(0).reference_name.empty());
     const MeasureResult none = measure(scene, series, "rubber").at(0);
@@ -258,12 +344,14 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("measure: every kind is none, not wrong, before the first step") {
-    for (const Kind kind : {Kind::period, Kind::first_peak, Kind::decay, Kind::rmse, Kind::minimum,
-                            Kind::maximum, Kind::first_below, Kind::last_below, Kind::final_ratio}) {
+    for (const Kind kind :
+         {Kind::period, Kind::first_peak, Kind::decay, Kind::rmse, Kind::minimum, Kind::maximum,
+          Kind::first_below, Kind::last_below, Kind::final_ratio, Kind::path_error, Kind::turn}) {
       CAPTURE(static_cast<int>(kind));
       Scene scene = scene_of(kind);
+      if (kind == Kind::path_error || kind == Kind::turn) scene.measures[0].probes = {"y", "gap"};
       scene.measures[0].free = "gap";
-      scene.references["neo_hookean"] = {"r", {{"number", 1}}, {{"number", {{0, 1}, {0, 0}}}}};
+      scene.references["neo_hookean"] = {"r", {{"number", 1}}, {{"number", {{0, 1}, {{0, 1}, {1, 0}}}}}, {}};
       const MeasureResult empty = result(scene, Series{{}, {{}, {}}});
       CHECK_FALSE(empty.value);
       CHECK_FALSE(empty.error);
@@ -291,10 +379,40 @@ TEST_SUITE("unit") {
     CHECK(ratio(Kind::decay) == Approx(1));
   }
 
+  TEST_CASE("measure: other units rescale what is compared with a path") {
+    Scene scene = scene_of(Kind::path_error);
+    scene.measures[0].probes = {"y", "gap"};
+    scene.measures[0].scale = 2;
+    Series series{unequal_times(1, 1e-2), {{}, {}}};
+    ReferenceTable table{{0, 0.2, 0.4, 1}, {{1, 0.5, 0.1, -0.4}, {0, 0.6, 0.9, 0.8}}};
+    for (const double t : series.time) {
+      series.value[0].push_back(std::cos(2.1 * t));
+      series.value[1].push_back(std::sin(2.1 * t));
+    }
+    const auto both = [&] {
+      scene.references["neo_hookean"].table["number"] = table;
+      scene.measures[0].kind = Kind::path_error;
+      const double error = *result(scene, series).value;
+      scene.measures[0].kind = Kind::turn;
+      return std::pair(error, *result(scene, series).value);
+    };
+    const auto [error, angle] = both();
+    CHECK(error > 0.01);
+    for (std::vector<double>* times : {&series.time, &table.t})
+      for (double& t : *times) t *= 60;
+    scene.until *= 60;
+    for (std::vector<std::vector<double>>* columns : {&series.value, &table.value})
+      for (std::vector<double>& column : *columns)
+        for (double& y : column) y *= 1e-3;
+    const auto [error_mm, angle_same] = both();
+    CHECK(error_mm == Approx(1e-3 * error).epsilon(1e-9));  // the scale is in m still
+    CHECK(angle_same == Approx(angle).epsilon(1e-9));
+  }
+
   TEST_CASE("measure: of an unknown probe is the scene's error, and says where") {
     for (const bool free : {false, true}) {
       Scene scene = scene_of(Kind::final_ratio);
-      (free ? scene.measures[0].free : scene.measures[0].probe) = "gpa";
+      (free ? scene.measures[0].free : scene.measures[0].probes[0]) = "gpa";
       try {
         result(scene, Series{{0}, {{1}, {1}}});
         FAIL("no error");

@@ -80,6 +80,26 @@ TEST_SUITE("unit") {
     CHECK(simulation->series().value[1][1] == relative(angle * at[0], 1e-4));
   }
 
+  TEST_CASE("probes: a corner is where a linear field puts it, at the start to rounding") {
+    Scene scene = rotating_plate(1e-6);
+    const double half = 0.01;
+    for (const double x : {-half, half})
+      for (const double y : {-half, half})
+        for (const int axis : {0, 1})
+          scene.probes.push_back(at_point(Probe::Kind::position, 0, {x, y, 0}, axis));
+    const auto simulation = make_simulation(scene, with_method("oenog"));
+    for (std::size_t k = 0; k < scene.probes.size(); ++k)
+      CHECK(simulation->series().value[k][0] == relative(scene.probes[k].at[scene.probes[k].axis], 1e-13));
+    make_steps(*simulation, 1);
+    const double angle = scene.bodies[0].velocity[1]({1, 0, 0}) * simulation->time();
+    REQUIRE(angle > 1e-8);
+    for (std::size_t k = 0; k < scene.probes.size(); k += 2) {
+      const Point& at = scene.probes[k].at;
+      CHECK(simulation->series().value[k][1] - at[0] == relative(-angle * at[1], 1e-4));
+      CHECK(simulation->series().value[k + 1][1] - at[1] == relative(angle * at[0], 1e-4));
+    }
+  }
+
   TEST_CASE("probes: the gap of two faces closes at their speed") {
     const double speed = 10, start = 0.0012, dp = 0.001;
     Scene scene = two_discs(start, speed);
