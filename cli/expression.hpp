@@ -30,11 +30,10 @@ double evaluate(const std::string& text, const Names& names);
 /// `text` as a function of the position: x, y, z are known besides `names`. Copies share their state, so
 /// only one thread at a time may call it.
 Expression compile(const std::string& text, const Names& names);
-/// The same of the position and the time t.
-Solution compile_in_time(const std::string& text, const Names& names);
-
 /// The same as a function of the time; t is known besides `names`.
 std::function<double(double)> compile_of_time(const std::string& text, const Names& names);
+/// The same as a function of the position and the time.
+Solution compile_in_time(const std::string& text, const Names& names);
 
 /// The names that occur in `text`, known or not, without functions; empty where it cannot be read.
 std::set<std::string> names_in(const std::string& text);

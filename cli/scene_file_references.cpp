@@ -140,8 +140,7 @@ std::map<std::string, std::vector<Solution>> read_solutions(TomlCursor& referenc
                       " probes: write an array of as many expressions of t");
     const std::span<const TomlValue> items =
         several ? std::span<const TomlValue>(entry.value.items) : std::span(&entry.value, 1);
-    for (const TomlValue& item : items)
-      solutions[entry.key].push_back(cursor.solution(item, entry.key));
+    for (const TomlValue& item : items) solutions[entry.key].push_back(cursor.solution(item, entry.key));
   }
   return solutions;
 }

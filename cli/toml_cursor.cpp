@@ -15,7 +15,13 @@ namespace {
 using Kind = TomlValue::Kind;
 
 std::string place_text(const Point& x) {
-  return "(" + exact(x[0]) + ", " + exact(x[1]) + ", " + exact(x[2]) + ")";
+  std::string text = "(";
+  return text.append(exact(x[0]))
+      .append(", ")
+      .append(exact(x[1]))
+      .append(", ")
+      .append(exact(x[2]))
+      .append(")");
 }
 
 std::string time_text(double t) { return "t = " + exact(t) + " s"; }
