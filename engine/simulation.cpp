@@ -92,6 +92,13 @@ Constants make_constants(const std::vector<Elasticity>& materials, int first, co
   c.beta_least = value("beta_least");
   c.pressure_diffusion = value("pressure_diffusion");
   c.contact_stiffness = value("contact_stiffness");
+  c.alpha = value("alpha");
+  c.xsph = value("xsph");
+  c.delta = value("delta");
+  c.riemann_factor = value("riemann_factor");
+  c.surface_colour = value("surface_colour");
+  c.vicinity = value("vicinity");
+  c.surface_artificial_stress = value("surface_artificial_stress");
   c.cfl = settings.cfl > 0 ? settings.cfl : method.cfl;
   c.cfl_advection = value("cfl_advection");
   return c;

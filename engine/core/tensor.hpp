@@ -49,6 +49,18 @@ struct Mat {
       for (int b = 0; b < Dim; ++b) c[a][b] += o(a, b);
     return *this;
   }
+  friend Mat operator+(Mat a, const Mat& b) { return a += b; }
+  friend Mat operator*(const T& s, Mat a) {
+    for (auto& row : a.c)
+      for (T& component : row) component *= s;
+    return a;
+  }
+  friend Vec<T, Dim> operator*(const Mat& a, const Vec<T, Dim>& v) {
+    Vec<T, Dim> r{};
+    for (int k = 0; k < Dim; ++k)
+      for (int l = 0; l < Dim; ++l) r[k] += a(k, l) * v[l];
+    return r;
+  }
 };
 
 /// A symmetric tensor, upper triangle row by row: xx, xy, yy or xx, xy, xz, yy, yz, zz.
@@ -87,6 +99,22 @@ T trace(const Sym<T, Dim>& a) {
   return s;
 }
 
+template <class T, int Dim>
+T trace(const Mat<T, Dim>& A) {
+  T s = A(0, 0);
+  for (int k = 1; k < Dim; ++k) s += A(k, k);
+  return s;
+}
+
+/// All components of a symmetric tensor.
+template <class T, int Dim>
+Mat<T, Dim> full(const Sym<T, Dim>& S) {
+  Mat<T, Dim> A;
+  for (int a = 0; a < Dim; ++a)
+    for (int b = 0; b < Dim; ++b) A(a, b) = S(a, b);
+  return A;
+}
+
 /// A += s a ⊗ b
 template <class T, int Dim>
 void add_outer(Mat<T, Dim>& A, const T& s, const Vec<T, Dim>& a, const Vec<T, Dim>& b) {
@@ -109,6 +137,25 @@ Mat<T, Dim> product(const Mat<T, Dim>& A, const Sym<T, Dim>& B) {
     for (int b = 0; b < Dim; ++b)
       for (int k = 0; k < Dim; ++k) C(a, b) += A(a, k) * B(k, b);
   return C;
+}
+
+/// A · B, which is not symmetric unless they commute
+template <class T, int Dim>
+Mat<T, Dim> product(const Sym<T, Dim>& A, const Sym<T, Dim>& B) {
+  Mat<T, Dim> C{};
+  for (int a = 0; a < Dim; ++a)
+    for (int b = 0; b < Dim; ++b)
+      for (int k = 0; k < Dim; ++k) C(a, b) += A(a, k) * B(k, b);
+  return C;
+}
+
+/// ½ (A + Aᵀ)
+template <class T, int Dim>
+Sym<T, Dim> symmetric_part(const Mat<T, Dim>& A) {
+  Sym<T, Dim> S;
+  for (int a = 0; a < Dim; ++a)
+    for (int b = a; b < Dim; ++b) S(a, b) = 0.5 * (A(a, b) + A(b, a));
+  return S;
 }
 
 inline double determinant(const Mat<double, 2>& A) { return A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0); }
@@ -152,6 +199,13 @@ template <int Dim>
 Vec<Pack, Dim> spread(const Vec<double, Dim>& a) {
   Vec<Pack, Dim> r;
   for (int k = 0; k < Dim; ++k) r[k] = filled<Pack>(a[k]);
+  return r;
+}
+template <int Dim>
+Mat<Pack, Dim> spread(const Mat<double, Dim>& a) {
+  Mat<Pack, Dim> r;
+  for (int k = 0; k < Dim; ++k)
+    for (int l = 0; l < Dim; ++l) r(k, l) = filled<Pack>(a(k, l));
   return r;
 }
 template <int Dim>

@@ -2,6 +2,6 @@
 
 namespace taut {
 
-enum class KernelName : unsigned char { wendland_c2 };
+enum class KernelName : unsigned char { wendland_c2, sinc };
 
 }  // namespace taut

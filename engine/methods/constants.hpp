@@ -19,6 +19,13 @@ struct Constants : Elasticity {
   double riemann_limiter = 0, beta_least = 1;  // β = min(max(limiter · (U_L − U_R)/c0, β_least), 1)
   double pressure_diffusion = 0;               // share of (p_i − p_j)/(2 ρ0 c0) in U*: 0 or 1
   double contact_stiffness = 1;                // of the penalty, over K1 K2/(K1 + K2)
+  double alpha = 0;                            // artificial viscosity
+  double xsph = 0;                             // share of the mean velocity around in the transport velocity
+  double delta = 0;                            // density diffusion
+  double riemann_factor = 0;                   // dissipation of the second-order Riemann term
+  double surface_colour = 0;                   // colour function below which a particle is of the surface
+  double vicinity = 0;                         // reach of the surface, spacings
+  double surface_artificial_stress = 0;        // share of it where there is no tensile control
   double cfl = 0, cfl_advection = 0;
 };
 

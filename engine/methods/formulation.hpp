@@ -14,12 +14,26 @@ enum class Shear : std::uint8_t {
   laplacian_velocity,  // ∫ G/ρ ∇²v dt with the angular-momentum-conserving operator; [Zhang2024] Eq. 19, 20
   bonds,  // the force of ∫ G/ρ ∇²v dt kept for each pair and turned with it: an energy; ours, terms/bond.hpp
   laplacian_velocity_nonconservative,  // the same with the plain operator; [Zhang2024] Eq. 18
+  cauchy_stress,  // as part of σ = −pI + s, whose divergence is taken; [Khayyer2024] Eq. 9
 };
 
 /// The trace that is taken from the strain rate: two different materials in plane strain.
 enum class Deviator : std::uint8_t {
   in_plane,      // 1/d of the trace, [Zhang2024] Eq. 7: in-plane bulk modulus K, s_zz = 0
   plane_strain,  // 1/3 of the trace, [Khayyer2024] Eq. 6: in-plane bulk modulus K + G/3
+};
+
+/// What each pair contributes to (1/ρ) ∇·σ.
+enum class PairStress : std::uint8_t {
+  product,  // m_j (σ_i + σ_j)/(ρ_i ρ_j), [Khayyer2024] Eq. 9
+  squares,  // m_j (σ_i/ρ_i² + σ_j/ρ_j²), [TranDuc2023] Eq. 2.3
+};
+
+/// What damps the velocities of pairs.
+enum class Viscosity : std::uint8_t {
+  none,
+  artificial,  // [Khayyer2024] Eq. 15, 16
+  riemann,     // from a Riemann problem of second order, [Khayyer2024] Eq. 39–45
 };
 
 /// What a method is. Named values of it, and nothing else, are instantiated.
@@ -30,6 +44,12 @@ struct Formulation {
   std::string_view conserves;
   Shear shear;
   bool artificial_stress = false;  // Gray's
+  PairStress pair_stress = PairStress::product;
+  Viscosity viscosity = Viscosity::none;  // of methods with a Cauchy stress
+  bool corrected = false;                 // kernel gradients, [Khayyer2024] Eq. 27–31
+  bool transport_velocity = false;        // XSPH, [Khayyer2024] Eq. 14
+  bool density_diffusion = false;         // [Khayyer2024] Eq. 32–35
+  bool tensile_control = false;           // TIC inside, artificial stress at surfaces, [Khayyer2024] §3.4
   Deviator deviator = Deviator::in_plane;
   KernelName kernel = KernelName::wendland_c2;
   ContactLaw contact = ContactLaw::sph;  // the published one
@@ -43,7 +63,15 @@ struct Formulation {
 
 /// The stress a method keeps for each particle is one it computes with (true), or one that is only
 /// recovered to be shown (false).
-constexpr bool carries_stress(const Formulation& m) { return m.shear == Shear::nested_stress; }
+constexpr bool carries_stress(const Formulation& m) {
+  return m.shear == Shear::nested_stress || m.shear == Shear::cauchy_stress;
+}
+
+/// What only the solver of methods with a Cauchy stress has.
+constexpr bool has_cauchy_switches(const Formulation& m) {
+  return m.pair_stress != PairStress::product || m.viscosity != Viscosity::none || m.corrected ||
+         m.transport_velocity || m.density_diffusion || m.tensile_control;
+}
 
 /// Held particles of a method with stress are strained by the others, so that the stress is continuous across
 /// the clamp: with an unstrained clamp `oas` tears off it. Those of the other methods are rigid, their
@@ -54,6 +82,12 @@ constexpr bool strains_what_is_held(const Formulation& m) { return carries_stres
 /// Mixtures that make no sense are refused at compile time.
 constexpr bool consistent(const Formulation& m) {
   return (!m.artificial_stress || carries_stress(m))  // there is no stress to take it from
+         && (m.shear == Shear::cauchy_stress || !has_cauchy_switches(m))
+         // ∇ρ and ∇u of the second-order terms are corrected ones, and so is what TIC switches to
+         && (m.corrected ||
+             (!m.density_diffusion && m.viscosity != Viscosity::riemann && !m.tensile_control)) &&
+         (!m.tensile_control || m.artificial_stress)                   // which the surface keeps
+         && (m.pair_stress == PairStress::product || !m.corrected)     // no paper has both
          && m.h_over_dp > 0 && m.cfl > 0 && m.cfl_advection > 0 && !m.name.empty();
 }
 
@@ -102,12 +136,5 @@ inline constexpr Formulation oenog{
     .contact_stiffness = 2,  // a layer of the material
     .h_over_dp = 1.05,  // 12 bonds on a square lattice: the shortest whose moments can be right on rings too
 };
-
-/// Every method, in the order in which they are listed. A method is one value above and its name here.
-template <const Formulation&... M>
-struct MethodList {
-  static_assert((consistent(M) && ...));
-};
-using Methods = MethodList<og, oas, enog, enog_nonconservative, oenog>;
 
 }  // namespace taut

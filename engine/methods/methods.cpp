@@ -2,7 +2,7 @@
 #include <array>
 
 #include "engine/method_info.hpp"
-#include "engine/methods/formulation.hpp"
+#include "engine/methods/all.hpp"
 
 namespace taut {
 namespace {
@@ -36,6 +36,7 @@ std::vector<std::string_view> terms(const Formulation& m) {
           "shear force        dv/dt = Σ m_j (s_i + s_j)/(ρ_i ρ_j)·∇W                  [Zhang2024] Eq. 13");
       break;
     case Shear::bonds:
+    case Shear::cauchy_stress:
       break;
     case Shear::laplacian_velocity:
       t.push_back(
@@ -57,7 +58,29 @@ std::vector<std::string_view> terms(const Formulation& m) {
   return t;
 }
 
+std::vector<MethodConstant> cauchy_constants(const Formulation& m) {
+  std::vector<MethodConstant> c{{"h", m.h_over_dp, 0.8, 3.0, "smoothing length over the spacing"}};
+  if (m.viscosity == Viscosity::artificial)
+    c.push_back({"alpha", 1.0, 0.0, 10.0, "α of the artificial viscosity"});
+  if (m.viscosity == Viscosity::riemann)
+    c.push_back({"riemann_factor", 1.0, 0.0, 2.0, "dissipation over that of Eq. 39; Eq. 43 prints 2, CFL ≤ 0.5"});
+  if (m.transport_velocity) c.push_back({"xsph", 0.5, 0.0, 1.0, "ε of the transport velocity"});
+  if (m.density_diffusion) c.push_back({"delta", 0.002, 0.0, 0.1, "δ of the density diffusion"});
+  if (m.artificial_stress) {
+    const bool khayyer = m.pair_stress == PairStress::product;
+    c.push_back({"epsilon", khayyer ? 0.15 : 0.3, 0.0, 10.0, "ε of the artificial stress"});
+    c.push_back({"exponent", khayyer ? 8.0 : 6.0, 0.0, 20.0, "n of the artificial stress"});
+  }
+  if (m.tensile_control) {
+    c.push_back({"surface_colour", 0.9, 0.0, 2.0, "colour function below which a particle is of the surface"});
+    c.push_back({"vicinity", 1.2, 0.0, 3.0, "reach of the surface in spacings"});
+    c.push_back({"surface_artificial_stress", 1.0, 0.0, 1.0, "share of the artificial stress at surfaces"});
+  }
+  return c;
+}
+
 std::vector<MethodConstant> constants(const Formulation& m) {
+  if (m.shear == Shear::cauchy_stress) return cauchy_constants(m);
   if (m.shear == Shear::bonds) return {{"h", m.h_over_dp, 0.8, 3.0, "smoothing length over the spacing"}};
   std::vector<MethodConstant> c{
       {"h", m.h_over_dp, 0.8, 3.0, "smoothing length over the spacing"},

@@ -101,6 +101,7 @@ ParticleSolver<Dim>::ParticleSolver(const SolverInput& input, double support)
   s_.id.resize(s_.size());
   std::iota(s_.id.begin(), s_.id.end(), 0);
   s_.body = layout_.body;
+  s_.material = layout_.material;
   s_.sph_contact = input.contact == ContactLaw::sph && layout_.first.size() > 2;
 }
 

@@ -8,6 +8,7 @@
 #include "engine/solver/state.hpp"
 #include "engine/terms/artificial_stress.hpp"
 #include "engine/terms/equation_of_state.hpp"
+#include "engine/terms/gradient_correction.hpp"
 #include "engine/terms/riemann.hpp"
 #include "engine/terms/shear.hpp"
 #include "engine/terms/stress_rate.hpp"
@@ -177,7 +178,7 @@ void stress_recovery_pass(const State<Dim>& s, const Constants& c, int threads, 
       add_velocity_gradient(gradient, f_j.V, dW, f_i.v - f_j.v, g.e);
       add_gradient_moment(moment, f_j.V, dW, Pack(1 / max(g.inv_r, filled<Pack>(1e-300))), g.e);
     }
-    const Mat<double, Dim> dL = product(sum(gradient), inverse(sum(moment)));
+    const Mat<double, Dim> dL = product(sum(gradient), gradient_correction(sum(moment)));
     Sym<double, Dim> stress = s.s[i];
     use(i, stress += jaumann_rate<M.deviator>(dL, stress, c.G));
   });

@@ -111,6 +111,7 @@ struct State {
   std::vector<V> x_recovered;        // where x stood when a recovered stress was last brought up to date, m
   std::vector<int> id;               // place in the order of creation
   std::vector<int> body;
+  std::vector<int> material;  // index into the materials of the scene
   bool sph_contact = false;  // of several bodies, whose particles act on each other as those of one
 
   // gathered by the passes
@@ -138,7 +139,7 @@ struct State {
       };
       (one(arrays), ...);
     };
-    apply(x, v, m, mobile, rho, drho, a_shear, da_shear, s, ds, x_recovered, id, body);
+    apply(x, v, m, mobile, rho, drho, a_shear, da_shear, s, ds, x_recovered, id, body, material);
   }
 };
 

@@ -26,4 +26,19 @@ Sym<double, Dim> jaumann_rate(const Mat<double, Dim>& L, const Sym<double, Dim>&
   return rate;
 }
 
+/// The deviatoric stress a time dt later, s → R s Rᵀ + 2G (D − tr D/n I) dt: Jaumann's rate with its rotation
+/// terms over the whole step, R = (I − ½ dt ω)⁻¹ (I + ½ dt ω). A rigid rotation of the particles then turns s
+/// and leaves its size, in a step of any length.
+/// Differs from [Khayyer2024] Eq. 24, s + dt ds/dt, by which s grows by 1 + 2 (ω dt)² in each step.
+template <Deviator deviator>
+Sym<double, 2> turned_stress(const Mat<double, 2>& L, const Sym<double, 2>& s, double G, double dt) {
+  const double half = 0.25 * dt * (L(0, 1) - L(1, 0)), scale = 1 / (1 + half * half);
+  const double cosine = scale * (1 - half * half), sine = 2 * scale * half;  // R = [cos sin; −sin cos]
+  const double mean = 0.5 * trace(s), difference = 0.5 * (s(0, 0) - s(1, 1));
+  const double cos2 = cosine * cosine - sine * sine, sin2 = 2 * sine * cosine;
+  const double turned = cos2 * difference + sin2 * s(0, 1);
+  Sym<double, 2> result{mean + turned, cos2 * s(0, 1) - sin2 * difference, mean - turned};
+  return result += dt * jaumann_rate<deviator>(L, Sym<double, 2>{}, G);
+}
+
 }  // namespace taut::inline TAUT_ISA

@@ -10,6 +10,7 @@
 #include "engine/kernels/kernel.hpp"
 #include "engine/terms/artificial_stress.hpp"
 #include "engine/terms/equation_of_state.hpp"
+#include "engine/terms/gradient_correction.hpp"
 #include "engine/terms/stress_rate.hpp"
 #include "engine/terms/velocity_gradient.hpp"
 #include "tests/engine/made_pair.hpp"

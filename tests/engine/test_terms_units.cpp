@@ -5,6 +5,7 @@
 #include "engine/kernels/kernel.hpp"
 #include "engine/terms/artificial_stress.hpp"
 #include "engine/terms/equation_of_state.hpp"
+#include "engine/terms/gradient_correction.hpp"
 #include "engine/terms/riemann.hpp"
 #include "engine/terms/shear.hpp"
 #include "engine/terms/stress_rate.hpp"

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "engine/core/tensor.hpp"
+
+/// The kernel gradient is corrected so that the gradient of a linear field is exact, L_i·∇_i W in place of
+/// ∇_i W.
+namespace taut::inline TAUT_ISA {
+
+/// M = −Σ V_j r_ij ⊗ ∇_i W: adds the part of one neighbour, dimensionless.
+/// [Zhang2024] Eq. 27, with the sign of Eq. 14 (terms/velocity_gradient.hpp); [Khayyer2024] §3.1 takes it
+/// from its reference 43
+template <class T, int Dim>
+void add_gradient_moment(Sym<T, Dim>& M, const T& V_j, const T& dW, const T& r, const Vec<T, Dim>& e_ij) {
+  add_outer(M, T(-V_j * dW * r), e_ij);
+}
+
+/// L = M⁻¹; 0 where M has no inverse, as for a particle without neighbours, or with all of them in one line.
+template <int Dim>
+Sym<double, Dim> gradient_correction(const Sym<double, Dim>& M) {
+  return inverse(M);
+}
+
+}  // namespace taut::inline TAUT_ISA

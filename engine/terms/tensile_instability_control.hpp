@@ -1,0 +1,22 @@
+#pragma once
+
+#include "engine/core/tensor.hpp"
+
+/// In the inner region the stress divergence of a particle in tension takes differences instead of sums: with
+/// R = −σ⁺, σ⁺ the tensile part, σ_i·L_i becomes (σ_i + 2 R_i)·L_i.              [Khayyer2024] §3.4
+/// Linear momentum is not conserved there, since the pair forces of i and j differ.
+namespace taut::inline TAUT_ISA {
+
+/// Adds to C = Σ_j W V_j, the particle itself included: below 0.9 it is one of the surface; 1.
+/// [Khayyer2024] Eq. 52
+template <class T>
+T colour_term(const T& W, const T& V_j) {
+  return W * V_j;
+}
+
+/// 2 R_i·L_i·Σ V_j ∇_i W, force per volume of an inner particle, N/m³.          [Khayyer2024] Eq. 50, 51
+inline Vec<double, 2> tensile_control(const Mat<double, 2>& R_L, const Vec<double, 2>& sum_V_gradient) {
+  return 2.0 * (R_L * sum_V_gradient);
+}
+
+}  // namespace taut::inline TAUT_ISA
