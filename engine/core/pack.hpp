@@ -13,6 +13,12 @@ inline constexpr int lanes = 4;
 typedef double Pack __attribute__((vector_size(lanes * sizeof(double))));
 typedef long long PackIndex __attribute__((vector_size(lanes * sizeof(long long))));
 
+/// A Pack in a std::vector. Vectors of the bare type would be one type for all builds of the solver, and the
+/// linker would let the one without AVX, for which a Pack is less aligned, make room for the others.
+struct StoredPack {
+  alignas(lanes * sizeof(double)) Pack value;
+};
+
 inline double sum(const Pack& a) { return (a[0] + a[1]) + (a[2] + a[3]); }
 
 inline Pack root(const Pack& a) {

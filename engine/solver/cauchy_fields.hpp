@@ -165,11 +165,11 @@ struct CauchyFields {
   std::vector<StressRow<M, Dim>> stress;
   Neighbors near;  // those that act as particles of one body
   std::vector<CauchyPair<Dim>> pairs;
-  std::vector<Pack> W;
-  std::vector<Pack> of_one_material;  // 1 or 0; empty where all are
+  std::vector<StoredPack> W;
+  std::vector<StoredPack> of_one_material;  // 1 or 0; empty where all are
 
   int size() const { return static_cast<int>(motion.size()); }
-  Pack same_material(int b) const { return of_one_material.empty() ? filled<Pack>(1) : of_one_material[b]; }
+  Pack same_material(int b) const { return of_one_material.empty() ? filled<Pack>(1) : of_one_material[b].value; }
 
   void resize_particles(std::size_t n) {
     motion.resize(n);

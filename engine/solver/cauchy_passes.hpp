@@ -48,7 +48,7 @@ void gradient_pass(CauchyFields<M, Dim>& f, const Constants& c, int threads, con
       const Motion<Dim> o = gather_motion(f.motion, f.near.pack(b));
       const CauchyPair<Dim> g = f.pairs[b] = cauchy_pair<M>(a.x - o.x, c);
       const Pack W = alpha * K::w(Pack(g.r / c.h));
-      if constexpr (needs_kernel(M)) f.W[b] = W;
+      if constexpr (needs_kernel(M)) f.W[b].value = W;
       if constexpr (M.corrected) add_gradient_moment(moment, o.V, g.dW, g.r, g.e);
       if constexpr (M.viscosity == Viscosity::riemann) add_velocity_gradient(L, o.V, g.dW, a.v - o.v, g.e);
       if constexpr (M.density_diffusion)
@@ -97,7 +97,7 @@ double stress_pass(const CauchyFields<M, Dim>& f, const Constants& c, int thread
       const Pack weight = M.pair_stress == PairStress::squares ? Pack(o.rho() * o.V()) : o.V();
       force += stress_divergence_term(a.T(), o.T(), weight, g.dW, g.e);
       if constexpr (M.artificial_stress) {
-        const Pack close = closeness(Pack(per_W_dp * f.W[b]), c.exponent);
+        const Pack close = closeness(Pack(per_W_dp * f.W[b].value), c.exponent);
         repulsion += stress_divergence_term(a.R(), o.R(), Pack(close * weight), g.dW, g.e);
       }
       const Pack closing_speed = -dot(a.v() - o.v(), g.e);
@@ -143,7 +143,7 @@ double transport_pass(const CauchyFields<M, Dim>& f, const Constants& c, int thr
     Vec<Pack, Dim> du{};
     for (int b = f.near.begin[i]; b < f.near.begin[i + 1]; ++b) {
       const Motion<Dim> o = gather_motion_only(f.moved, f.near.pack(b));
-      du += xsph_term(a.v - o.v, a.rho, o.rho, o.V, f.W[b]);
+      du += xsph_term(a.v - o.v, a.rho, o.rho, o.V, f.W[b].value);
     }
     return use(i, c.xsph * sum(du));
   });

@@ -178,7 +178,7 @@ void CauchyStress<M, Dim>::mark_materials() {
   parallel_for(s_.size(), threads_now(), [&](int i) {
     for (int b = f_.near.begin[i]; b < f_.near.begin[i + 1]; ++b)
       for (int lane = 0; lane < lanes; ++lane)
-        f_.of_one_material[b][lane] = s_.material[f_.near.pack(b)[lane]] == s_.material[i];
+        f_.of_one_material[b].value[lane] = s_.material[f_.near.pack(b)[lane]] == s_.material[i];
   });
 }
 

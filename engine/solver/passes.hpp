@@ -62,7 +62,7 @@ void geometry_pass(State<Dim>& s, const Constants& c, int threads) {
   parallel_for(s.size(), threads, [&](int i) {
     for (int b = s.neighbors.begin[i]; b < s.neighbors.begin[i + 1]; ++b) {
       s.pairs[b] = pair_geometry<M>(s, c, i, b);
-      if constexpr (M.artificial_stress) s.closeness[b] = pair_closeness<M>(s, c, i, b);
+      if constexpr (M.artificial_stress) s.closeness[b].value = pair_closeness<M>(s, c, i, b);
     }
   });
   s.contacts.clear();
@@ -112,7 +112,7 @@ double momentum_pass(State<Dim>& s, const Constants& c, int threads, const Use& 
         force += nested_shear_term(s_i.s, gather_tensor(s.stress, j).s, f_j.V, g.dW_inside(), g.e);
       if constexpr (M.artificial_stress) {
         const Tensor<Dim> R_j = gather_tensor(s.repulsion, j);
-        repulsion += artificial_stress_term(R_i.s, R_j.s, R_j.a, s.closeness[b], g.dW, g.e);
+        repulsion += artificial_stress_term(R_i.s, R_j.s, R_j.a, s.closeness[b].value, g.dW, g.e);
       }
     }
     const double inv_rho = s.flow[i].c[Dim + 1] / s.m[i];

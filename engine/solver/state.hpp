@@ -124,7 +124,7 @@ struct State {
   Neighbors neighbors;
   std::vector<PairGeometry<Dim>> pairs;       // one for each pack of neighbours
   std::vector<std::pair<int, int>> contacts;  // (i, pack) of pairs between bodies, if they act as in one
-  std::vector<Pack> closeness;                // (W/W(dp))ⁿ, where the method has artificial stress
+  std::vector<StoredPack> closeness;          // (W/W(dp))ⁿ, where the method has artificial stress
 
   int size() const { return static_cast<int>(x.size()); }
 
