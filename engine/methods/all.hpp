@@ -12,7 +12,7 @@ struct MethodList {
   static_assert((consistent(M) && ...));
 };
 using Methods =
-    MethodList<og, oas, enog, enog_nonconservative, oenog, ulsph_av_as_uncorrected, ulsph_av_as, d_ulsph_av_as,
-               d_ulsph_av_tic, d_ulsph_r_as, ulsph_r_tic, d_ulsph_r_tic, ccb, ccbwat>;
+    MethodList<og, oas, enog, enog_nonconservative, oenog, ulsph_av_as_uncorrected, ulsph_av_as,
+               d_ulsph_av_as, d_ulsph_av_tic, d_ulsph_r_as, ulsph_r_tic, d_ulsph_r_tic, ccb, ccbwat>;
 
 }  // namespace taut

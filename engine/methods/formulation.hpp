@@ -84,10 +84,10 @@ constexpr bool consistent(const Formulation& m) {
   return (!m.artificial_stress || carries_stress(m))  // there is no stress to take it from
          && (m.shear == Shear::cauchy_stress || !has_cauchy_switches(m))
          // ∇ρ and ∇u of the second-order terms are corrected ones, and so is what TIC switches to
-         && (m.corrected ||
-             (!m.density_diffusion && m.viscosity != Viscosity::riemann && !m.tensile_control)) &&
-         (!m.tensile_control || m.artificial_stress)                   // which the surface keeps
-         && (m.pair_stress == PairStress::product || !m.corrected)     // no paper has both
+         &&
+         (m.corrected || (!m.density_diffusion && m.viscosity != Viscosity::riemann && !m.tensile_control)) &&
+         (!m.tensile_control || m.artificial_stress)                // which the surface keeps
+         && (m.pair_stress == PairStress::product || !m.corrected)  // no paper has both
          && m.h_over_dp > 0 && m.cfl > 0 && m.cfl_advection > 0 && !m.name.empty();
 }
 

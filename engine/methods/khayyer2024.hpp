@@ -12,6 +12,7 @@ constexpr Formulation ladder(Formulation step) {
   step.artificial_stress = true;
   step.transport_velocity = true;
   step.deviator = Deviator::plane_strain;
+  step.contact = ContactLaw::impulse;
   step.several_materials = true;
   step.h_over_dp = 1.2;
   step.cfl = 0.5;
@@ -59,7 +60,8 @@ inline constexpr Formulation d_ulsph_av_tic = ladder({
 inline constexpr Formulation d_ulsph_r_as = ladder({
     .name = "d-ulsph-r-as",
     .paper = "Khayyer2024 §3.3",
-    .summary = "d-ulsph-av-as with a second-order Riemann term instead of artificial viscosity: noisy in tension",
+    .summary =
+        "d-ulsph-av-as with a second-order Riemann term instead of artificial viscosity: noisy in tension",
     .conserves = "linear momentum",
     .shear = Shear::cauchy_stress,
     .viscosity = Viscosity::riemann,

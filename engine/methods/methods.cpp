@@ -63,7 +63,8 @@ std::vector<MethodConstant> cauchy_constants(const Formulation& m) {
   if (m.viscosity == Viscosity::artificial)
     c.push_back({"alpha", 1.0, 0.0, 10.0, "α of the artificial viscosity"});
   if (m.viscosity == Viscosity::riemann)
-    c.push_back({"riemann_factor", 1.0, 0.0, 2.0, "dissipation over that of Eq. 39; Eq. 43 prints 2, CFL ≤ 0.5"});
+    c.push_back(
+        {"riemann_factor", 1.0, 0.0, 2.0, "dissipation over that of Eq. 39; Eq. 43 prints 2, CFL ≤ 0.5"});
   if (m.transport_velocity) c.push_back({"xsph", 0.5, 0.0, 1.0, "ε of the transport velocity"});
   if (m.density_diffusion) c.push_back({"delta", 0.002, 0.0, 0.1, "δ of the density diffusion"});
   if (m.artificial_stress) {
@@ -72,7 +73,8 @@ std::vector<MethodConstant> cauchy_constants(const Formulation& m) {
     c.push_back({"exponent", khayyer ? 8.0 : 6.0, 0.0, 20.0, "n of the artificial stress"});
   }
   if (m.tensile_control) {
-    c.push_back({"surface_colour", 0.9, 0.0, 2.0, "colour function below which a particle is of the surface"});
+    c.push_back(
+        {"surface_colour", 0.9, 0.0, 2.0, "colour function below which a particle is of the surface"});
     c.push_back({"vicinity", 1.2, 0.0, 3.0, "reach of the surface in spacings"});
     c.push_back({"surface_artificial_stress", 1.0, 0.0, 1.0, "share of the artificial stress at surfaces"});
   }

@@ -169,7 +169,9 @@ struct CauchyFields {
   std::vector<StoredPack> of_one_material;  // 1 or 0; empty where all are
 
   int size() const { return static_cast<int>(motion.size()); }
-  Pack same_material(int b) const { return of_one_material.empty() ? filled<Pack>(1) : of_one_material[b].value; }
+  Pack same_material(int b) const {
+    return of_one_material.empty() ? filled<Pack>(1) : of_one_material[b].value;
+  }
 
   void resize_particles(std::size_t n) {
     motion.resize(n);

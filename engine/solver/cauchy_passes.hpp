@@ -15,8 +15,8 @@
 #include "engine/terms/velocity_gradient.hpp"
 #include "engine/terms/xsph.hpp"
 
-/// The loops over neighbours of the methods whose Cauchy stress acts as a whole. All of them gather over i, so
-/// that no result depends on the number of threads.
+/// The loops over neighbours of the methods whose Cauchy stress acts as a whole. All of them gather over i,
+/// so that no result depends on the number of threads.
 namespace taut::inline TAUT_ISA {
 
 /// Four pairs (i, j) with x_i − x_j = d. The filling and coincident particles are out of reach.
@@ -57,8 +57,7 @@ void gradient_pass(CauchyFields<M, Dim>& f, const Constants& c, int threads, con
     }
     Gradients<Dim> result;
     if constexpr (M.corrected) result.L = gradient_correction(sum(moment));
-    if constexpr (M.viscosity == Viscosity::riemann)
-      result.D = symmetric_part(product(sum(L), result.L));
+    if constexpr (M.viscosity == Viscosity::riemann) result.D = symmetric_part(product(sum(L), result.L));
     if constexpr (M.density_diffusion) result.grad_rho = result.L * sum(grad_rho);
     if constexpr (M.tensile_control)
       result.colour = sum(colour) + colour_term(alpha * K::w(0.0), sum(a.V) / lanes);
@@ -134,8 +133,8 @@ double stress_pass(const CauchyFields<M, Dim>& f, const Constants& c, int thread
   });
 }
 
-/// û of every particle, from the new velocities. `use(i, du)` receives û_i − u_i, m/s, and returns a number of
-/// which the greatest is returned.                                                [Khayyer2024] Eq. 14
+/// û of every particle, from the new velocities. `use(i, du)` receives û_i − u_i, m/s, and returns a number
+/// of which the greatest is returned.                                                [Khayyer2024] Eq. 14
 template <const Formulation& M, int Dim, class Use>
 double transport_pass(const CauchyFields<M, Dim>& f, const Constants& c, int threads, const Use& use) {
   return parallel_max(f.size(), threads, [&](int i) {

@@ -39,7 +39,7 @@ class CauchyStress final : public ParticleSolver<Dim> {
 
  private:
   using Base = ParticleSolver<Dim>;
-  using Base::c_, Base::s_, Base::recorder_, Base::support_, Base::threads_now;
+  using Base::c_, Base::s_, Base::contact_, Base::recorder_, Base::support_, Base::threads_now, Base::vmax_;
   using typename Base::V;
   using S = Sym<double, Dim>;
 
@@ -49,6 +49,7 @@ class CauchyStress final : public ParticleSolver<Dim> {
   const Elasticity& material(int i) const { return materials_[s_.material[i]]; }
   void step();
   void rebuild();
+  void show_contacts_to_probes();
   void mark_materials();
   void set_motion();
   void set_stress(int i, const Gradients<Dim>& g);
@@ -73,6 +74,8 @@ template <const Formulation& M, int Dim>
 void CauchyStress<M, Dim>::step() {
   if (2 * way_ > skin * c_.dp) rebuild();
   const double dt = c_.cfl * c_.h / c_.c0;  // Eq. 26
+  if (contact_.prepare(s_, vmax_ * dt)) show_contacts_to_probes();
+  contact_.evaluate(s_, dt);
   gradient_pass(f_, c_, threads_now(), [&](int i, const Gradients<Dim>& g) { set_stress(i, g); });
   accelerate(dt);
   transport(dt);
@@ -113,7 +116,9 @@ void CauchyStress<M, Dim>::set_stress(int i, const Gradients<Dim>& g) {
 /// Velocities over the whole step, from the stresses of its start.
 template <const Formulation& M, int Dim>
 void CauchyStress<M, Dim>::accelerate(double dt) {
-  const double v2 = stress_pass(f_, c_, threads_now(), [&](int i, const V& a, double density_diffusion) {
+  const bool contact = contact_.active();
+  const double v2 = stress_pass(f_, c_, threads_now(), [&](int i, V a, double density_diffusion) {
+    if (contact) a += (1 / s_.m[i]) * contact_.force(i);
     V v = s_.v[i];
     v += (dt * s_.mobile[i]) * a;
     s_.v[i] = v;
@@ -134,7 +139,7 @@ void CauchyStress<M, Dim>::transport(double dt) {
     V x = s_.x[i];
     x += (0.5 * dt) * u;
     f_.transported[i].set(u, s_.rho[i], s_.m[i] / s_.rho[i], x);
-    const V against = u - drift_[s_.body[i]];
+    const V against = s_.sph_contact ? u : u - drift_[s_.body[i]];
     return dot(against, against);
   };
   double fastest2 = 0;
@@ -161,14 +166,25 @@ template <const Formulation& M, int Dim>
 void CauchyStress<M, Dim>::rebuild() {
   const double reach = support_ + skin * c_.dp;
   s_.reorder(grid_.sort(s_.x, reach), threads_now());
-  search_(grid_, s_.x, reach, threads_now(), s_.neighbors);
-  this->pairs_ = s_.neighbors.pairs;
-  f_.near = s_.neighbors;
+  if (contact_.active())
+    search_(grid_, s_.x, reach, threads_now(), f_.near,
+            [this](int i, int j) { return s_.body[i] == s_.body[j]; });
+  else
+    search_(grid_, s_.x, reach, threads_now(), f_.near);
+  this->pairs_ = f_.near.pairs;
   f_.resize_pairs();
   mark_materials();
   set_motion();
-  recorder_.rebuilt(s_, support_);
+  contact_.search(s_);
+  show_contacts_to_probes();
   way_ = 0;
+}
+
+/// Pairs of two bodies are in the lists only where they act as in one.
+template <const Formulation& M, int Dim>
+void CauchyStress<M, Dim>::show_contacts_to_probes() {
+  s_.neighbors = s_.sph_contact ? f_.near : contact_.neighbors(s_.size());
+  recorder_.rebuilt(s_, s_.sph_contact ? support_ : Contact<Dim>::reach * c_.dp);
 }
 
 template <const Formulation& M, int Dim>

@@ -91,13 +91,19 @@ struct Neighbors {
   const int* pack(int b) const { return &j[static_cast<std::size_t>(lanes) * b]; }
 };
 
-/// All pairs with 0 < r < support, of particles stored in the grid's order. The lists do not depend on
-/// the number of threads.
+/// All pairs with 0 < r < support, of particles stored in the grid's order, that `wanted(i, j)`. The lists do
+/// not depend on the number of threads.
 template <int Dim>
 class NeighborSearch {
  public:
   void operator()(const CellGrid<Dim>& grid, const std::vector<Vec<double, Dim>>& x, double support,
                   int threads, Neighbors& out) {
+    (*this)(grid, x, support, threads, out, [](int, int) { return true; });
+  }
+
+  template <class Wanted>
+  void operator()(const CellGrid<Dim>& grid, const std::vector<Vec<double, Dim>>& x, double support,
+                  int threads, Neighbors& out, const Wanted& wanted) {
     const int n = static_cast<int>(x.size());
     out.begin.resize(n + 1);
     out.begin[0] = 0;
@@ -109,7 +115,7 @@ class NeighborSearch {
       const int first = static_cast<int>(static_cast<long>(n) * thread / of);
       const int last = static_cast<int>(static_cast<long>(n) * (thread + 1) / of);
       std::vector<int>& found = found_[thread];
-      find(grid, x, support, first, last, found);
+      find(grid, x, support, first, last, wanted, found);
 #pragma omp barrier
 #pragma omp single
       {
@@ -132,8 +138,9 @@ class NeighborSearch {
   }
 
  private:
+  template <class Wanted>
   void find(const CellGrid<Dim>& grid, const std::vector<Vec<double, Dim>>& x, double support, int first,
-            int last, std::vector<int>& found) {
+            int last, const Wanted& wanted, std::vector<int>& found) {
     const double support2 = support * support;
     std::size_t size = 0;
     for (int i = first; i < last; ++i) {
@@ -145,7 +152,7 @@ class NeighborSearch {
         for (int j = begin; j < end; ++j) {
           const Vec<double, Dim> d = x_i - x[j];
           list[size] = j;
-          size += (dot(d, d) < support2) & (j != i);
+          size += (dot(d, d) < support2) & (j != i) & wanted(i, j);
         }
       });
       count_[i] = static_cast<int>(size - before);
