@@ -19,7 +19,49 @@ std::vector<std::string_view> bonded_terms() {
   };
 }
 
+std::vector<std::string_view> cauchy_terms(const Formulation& m) {
+  const bool khayyer = m.pair_stress == PairStress::product;
+  std::vector<std::string_view> t;
+  if (khayyer) {
+    t.push_back(
+        "pressure           p = c0² (ρ − ρ0)                                      [Khayyer2024] Eq. 5");
+    t.push_back(m.corrected ? "stress divergence  dv/dt = Σ m_j (σ_i·L_i + σ_j·L_j)/(ρ_i ρ_j)·∇W    "
+                              "[Khayyer2024] Eq. 28"
+                            : "stress divergence  dv/dt = Σ m_j (σ_i + σ_j)/(ρ_i ρ_j)·∇W            "
+                              "[Khayyer2024] Eq. 9");
+    t.push_back("transport velocity û = u + ε Σ 2 m_j/(ρ_i + ρ_j) (u_j − u_i) W        [Khayyer2024] Eq. 14");
+  } else {
+    t.push_back(
+        "pressure           p = K (ρ/ρ0 − 1)                                      [TranDuc2023] §2.4");
+    t.push_back(
+        "stress divergence  dv/dt = Σ m_j (σ_i/ρ_i² + σ_j/ρ_j²)·∇W             [TranDuc2023] Eq. 2.3");
+  }
+  t.push_back("stress rate        ds/dt = 2G (D − tr D/3 I) + ω s − s ω  (Jaumann)  [Khayyer2024] Eq. 6");
+  if (m.viscosity == Viscosity::artificial)
+    t.push_back(
+        "viscosity          dv/dt = Σ m_j Π ∇W                                   [Khayyer2024] Eq. 15, 16");
+  if (m.viscosity == Viscosity::riemann)
+    t.push_back(
+        "Riemann term       dv/dt = −Σ m_j p**/(ρ_i ρ_j) ∇W, second order      [Khayyer2024] Eq. 39–45");
+  if (m.density_diffusion)
+    t.push_back(
+        "density diffusion  dρ/dt = δ h c0 Σ ψ_ij (r·∇W)/r² V_j                [Khayyer2024] Eq. 32–35");
+  if (m.artificial_stress)
+    t.push_back(m.tensile_control
+                    ? "artificial stress  of the surface and its vicinity                       "
+                      "[Khayyer2024] Eq. 17–21, 31"
+                    : "artificial stress  dv/dt = ε Σ m_j (R_i + R_j) (W/W(dp))ⁿ·∇W          "
+                      "[Khayyer2024] Eq. 17–21, 31");
+  if (m.tensile_control)
+    t.push_back(
+        "tensile control    dv/dt = Σ m_j 2 R_i·L_i/(ρ_i ρ_j)·∇W inside        [Khayyer2024] Eq. 49–52");
+  t.push_back(
+      "time               symplectic Euler, rates at the middle of the step    [Khayyer2024] Eq. 22–26");
+  return t;
+}
+
 std::vector<std::string_view> terms(const Formulation& m) {
+  if (m.shear == Shear::cauchy_stress) return cauchy_terms(m);
   if (m.shear == Shear::bonds) return bonded_terms();
   std::vector<std::string_view> t{
       "pressure           p = c0² (ρ − ρ0)                                       [Zhang2024] Eq. 4",
@@ -74,7 +116,7 @@ std::vector<MethodConstant> cauchy_constants(const Formulation& m) {
   }
   if (m.tensile_control) {
     c.push_back(
-        {"surface_colour", 0.9, 0.0, 2.0, "colour function below which a particle is of the surface"});
+        {"surface_colour", 0.9, 0.0, 1.2, "colour function below which a particle is of the surface"});
     c.push_back({"vicinity", 1.2, 0.0, 3.0, "reach of the surface in spacings"});
     c.push_back({"surface_artificial_stress", 1.0, 0.0, 1.0, "share of the artificial stress at surfaces"});
   }

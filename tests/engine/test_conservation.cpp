@@ -41,25 +41,44 @@ double slowed(const Snapshot& start, const Snapshot& end) {
   return 1 - after / before;
 }
 
-/// What the turning plate's angular momentum changes by at least, of its scale: about half of what was seen
-/// (0.074, 0.020, 0.49, 1.8).
+/// Neither momentum is kept where tension is met by differences.
+bool keeps_linear_momentum(const MethodInfo& method) { return !method.name.ends_with("tic"); }
+
+/// What the turning plate's angular momentum changes by at least, of its scale: about half of what was seen.
 const std::map<std::string, double> least_angular_change = {
-    {"og", 0.03}, {"oas", 0.01}, {"enog", 0.2}, {"enog-nonconservative", 0.8}};
+    {"og", 0.03},
+    {"oas", 0.01},
+    {"enog", 0.2},
+    {"enog-nonconservative", 0.8},
+    {"ulsph-av-as-uncorrected", 0.05},
+    {"ulsph-av-as", 8e-5},
+    {"d-ulsph-av-as", 8e-5},
+    {"d-ulsph-av-tic", 2e-4},
+    {"d-ulsph-r-as", 3e-5},
+    {"ulsph-r-tic", 1e-3},
+    {"d-ulsph-r-tic", 1e-3},
+    {"ccb", 0.09},
+    {"ccbwat", 0.07},
+};
 
 }  // namespace
 
 TEST_SUITE("conservation") {
-  TEST_CASE("linear momentum: kept to round-off in a collision by every method that claims it") {
+  TEST_CASE(
+      "linear momentum: kept to round-off in a collision by every method that claims it, and only by them") {
     const Scene scene = small_collision();
     for (const MethodInfo& method : methods()) {
       CAPTURE(std::string(method.name));
-      REQUIRE(claims(method, "linear momentum"));
+      REQUIRE(claims(method, "linear momentum") == keeps_linear_momentum(method));
       for (const Stepping stepping : {Stepping::dual, Stepping::single}) {
         const auto simulation = make_simulation(scene, with_method(std::string(method.name), stepping));
         const Snapshot start = simulation->snapshot();
         make_steps(*simulation, steps);
         const Balance before = balance(start, scene), after = balance(simulation->snapshot(), scene);
-        CHECK(linear_change(before, after) < round_off);
+        if (keeps_linear_momentum(method))
+          CHECK(linear_change(before, after) < round_off);
+        else
+          CHECK(linear_change(before, after) > 1e-3);        // 0.005 to 0.05
         CHECK(slowed(start, simulation->snapshot()) > 0.3);  // the bodies did collide
       }
     }
@@ -83,6 +102,26 @@ TEST_SUITE("conservation") {
     }
   }
 
+  TEST_CASE("angular momentum: the correction of kernel gradients keeps it, the artificial stress does not") {
+    // Σ x_ij × (σ_i·L_i·∇_iW) V_i V_j = Σ V_i (σ_i·L_i·M_i) × 1, and L_i·M_i = I
+    const Scene scene = rotating_plate(0.2);
+    const auto change = [&](const std::string& method, double epsilon) {
+      Settings settings = with_method(method);
+      settings.constants["epsilon"] = epsilon;
+      const auto simulation = make_simulation(scene, settings);
+      const Balance before = balance(simulation->snapshot(), scene);
+      make_steps(*simulation, 100);
+      return angular_change(before, balance(simulation->snapshot(), scene));
+    };
+    for (const std::string method : {"ulsph-av-as", "d-ulsph-av-as", "d-ulsph-r-as"}) {
+      CAPTURE(method);
+      CHECK(change(method, 0) < round_off);
+      CHECK(change(method, 0.15) > 1e-6);
+    }
+    CHECK(change("ulsph-av-as-uncorrected", 0) > 1e-3);
+    CHECK(change("ccbwat", 0) > 1e-3);
+  }
+
   TEST_CASE("energy: a collision only loses it") {
     const Scene scene = small_collision();
     for (const MethodInfo& method : methods()) {
@@ -91,7 +130,8 @@ TEST_SUITE("conservation") {
       const Balance before = balance(simulation->snapshot(), scene);
       make_steps(*simulation, steps);
       const Balance after = balance(simulation->snapshot(), scene);
-      CHECK(after.kinetic + after.strain < before.kinetic);
+      // nothing damps what ccb does wrong in tension
+      CHECK(after.kinetic + after.strain < (method.name == "ccb" ? 1.2 : 1.0) * before.kinetic);
       CHECK(after.kinetic + after.strain > 0.1 * before.kinetic);
     }
   }
