@@ -39,7 +39,8 @@ class CauchyStress final : public ParticleSolver<Dim> {
 
  private:
   using Base = ParticleSolver<Dim>;
-  using Base::c_, Base::s_, Base::contact_, Base::recorder_, Base::support_, Base::threads_now, Base::vmax_;
+  using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::recorder_, Base::support_, Base::threads_now,
+      Base::vmax_;
   using typename Base::V;
   using S = Sym<double, Dim>;
 
@@ -116,11 +117,13 @@ void CauchyStress<M, Dim>::set_stress(int i, const Gradients<Dim>& g) {
 /// Velocities over the whole step, from the stresses of its start.
 template <const Formulation& M, int Dim>
 void CauchyStress<M, Dim>::accelerate(double dt) {
-  const bool contact = contact_.active();
+  drives_.set_time(this->time_ + 0.5 * dt);
+  const bool contact = contact_.active(), driven = drives_.active();
   const double v2 = stress_pass(f_, c_, threads_now(), [&](int i, V a, double density_diffusion) {
     if (contact) a += (1 / s_.m[i]) * contact_.force(i);
     V v = s_.v[i];
     v += (dt * s_.mobile[i]) * a;
+    if (driven) drives_.replace(s_, i, v);
     s_.v[i] = v;
     s_.drho[i] = density_diffusion;
     f_.moved[i] = f_.motion[i];
@@ -130,12 +133,12 @@ void CauchyStress<M, Dim>::accelerate(double dt) {
   Base::set_greatest_speed(v2);
 }
 
-/// û from the new velocities. Held particles stay.
+/// û from the new velocities. Held particles stay, driven ones go as they are told.
 template <const Formulation& M, int Dim>
 void CauchyStress<M, Dim>::transport(double dt) {
   const auto use = [&](int i, const V& du) {
     V u = s_.v[i];
-    u += s_.mobile[i] * du;
+    if (!drives_.moves(s_.id[i])) u += s_.mobile[i] * du;
     V x = s_.x[i];
     x += (0.5 * dt) * u;
     f_.transported[i].set(u, s_.rho[i], s_.m[i] / s_.rho[i], x);
