@@ -2,6 +2,7 @@
 
 #include "engine/methods/formulation.hpp"
 #include "engine/methods/khayyer2024.hpp"
+#include "engine/methods/total_lagrangian.hpp"
 #include "engine/methods/tranduc2023.hpp"
 
 namespace taut {
@@ -13,6 +14,6 @@ struct MethodList {
 };
 using Methods =
     MethodList<og, oas, enog, enog_nonconservative, oenog, ulsph_av_as_uncorrected, ulsph_av_as,
-               d_ulsph_av_as, d_ulsph_av_tic, d_ulsph_r_as, ulsph_r_tic, d_ulsph_r_tic, ccb, ccbwat>;
+               d_ulsph_av_as, d_ulsph_av_tic, d_ulsph_r_as, ulsph_r_tic, d_ulsph_r_tic, ccb, ccbwat, icb, tl>;
 
 }  // namespace taut

@@ -26,6 +26,7 @@ struct Constants : Elasticity {
   double surface_colour = 0;                   // colour function below which a particle is of the surface
   double vicinity = 0;                         // reach of the surface, spacings
   double surface_artificial_stress = 0;        // share of it where there is no tensile control
+  double normalised = 0;                       // 1: gradients over the sum of kernels, where not corrected
   double cfl = 0, cfl_advection = 0;
 };
 

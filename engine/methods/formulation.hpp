@@ -14,7 +14,9 @@ enum class Shear : std::uint8_t {
   laplacian_velocity,  // ∫ G/ρ ∇²v dt with the angular-momentum-conserving operator; [Zhang2024] Eq. 19, 20
   bonds,  // the force of ∫ G/ρ ∇²v dt kept for each pair and turned with it: an energy; ours, terms/bond.hpp
   laplacian_velocity_nonconservative,  // the same with the plain operator; [Zhang2024] Eq. 18
-  cauchy_stress,  // as part of σ = −pI + s, whose divergence is taken; [Khayyer2024] Eq. 9
+  cauchy_stress,     // as part of σ = −pI + s, whose divergence is taken; [Khayyer2024] Eq. 9
+  reference_stress,  // as part of the first Piola–Kirchhoff stress on neighbours of the start; [Lee2016]
+                     // Eq. 29c
 };
 
 /// The trace that is taken from the strain rate: two different materials in plane strain.
@@ -35,6 +37,11 @@ enum class Viscosity : std::uint8_t {
   artificial,  // [Khayyer2024] Eq. 15, 16
   riemann,     // from a Riemann problem of second order, [Khayyer2024] Eq. 39–45
 };
+/// What gives the stress for the deformation gradient; engine/materials/.
+enum class Law : std::uint8_t { none, neo_hookean, st_venant_kirchhoff, linear_elastic, rotated_piola };
+
+/// How gradients on neighbours of the start are made right; solver/reference_pairs.hpp.
+enum class GradientCorrection : std::uint8_t { corrected, normalised, plain };
 
 /// What a method is. Named values of it, and nothing else, are instantiated.
 struct Formulation {
@@ -50,6 +57,8 @@ struct Formulation {
   bool transport_velocity = false;        // XSPH, [Khayyer2024] Eq. 14
   bool density_diffusion = false;         // [Khayyer2024] Eq. 32–35
   bool tensile_control = false;           // TIC inside, artificial stress at surfaces, [Khayyer2024] §3.4
+  Law law = Law::none;                    // of methods on the configuration of the start
+  GradientCorrection gradient = GradientCorrection::corrected;  // of the same
   Deviator deviator = Deviator::in_plane;
   KernelName kernel = KernelName::wendland_c2;
   ContactLaw contact = ContactLaw::sph;  // the published one
@@ -86,8 +95,9 @@ constexpr bool consistent(const Formulation& m) {
          // ∇ρ and ∇u of the second-order terms are corrected ones, and so is what TIC switches to
          &&
          (m.corrected || (!m.density_diffusion && m.viscosity != Viscosity::riemann && !m.tensile_control)) &&
-         (!m.tensile_control || m.artificial_stress)                // which the surface keeps
-         && (m.pair_stress == PairStress::product || !m.corrected)  // no paper has both
+         (!m.tensile_control || m.artificial_stress)                      // which the surface keeps
+         && (m.pair_stress == PairStress::product || !m.corrected)        // no paper has both
+         && (m.shear == Shear::reference_stress) == (m.law != Law::none)  // others have a stress rate
          && m.h_over_dp > 0 && m.cfl > 0 && m.cfl_advection > 0 && !m.name.empty();
 }
 

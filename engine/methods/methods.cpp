@@ -3,6 +3,7 @@
 
 #include "engine/method_info.hpp"
 #include "engine/methods/all.hpp"
+#include "engine/methods/methods_total_lagrangian.hpp"
 
 namespace taut {
 namespace {
@@ -63,6 +64,7 @@ std::vector<std::string_view> cauchy_terms(const Formulation& m) {
 std::vector<std::string_view> terms(const Formulation& m) {
   if (m.shear == Shear::cauchy_stress) return cauchy_terms(m);
   if (m.shear == Shear::bonds) return bonded_terms();
+  if (m.shear == Shear::reference_stress) return total_lagrangian_terms(m);
   std::vector<std::string_view> t{
       "pressure           p = c0² (ρ − ρ0)                                       [Zhang2024] Eq. 4",
       "continuity         dρ/dt = ρ_i Σ V_j v_ij·∇W                              [Zhang2024] Eq. 11",
@@ -79,6 +81,7 @@ std::vector<std::string_view> terms(const Formulation& m) {
       break;
     case Shear::bonds:
     case Shear::cauchy_stress:
+    case Shear::reference_stress:
       break;
     case Shear::laplacian_velocity:
       t.push_back(
@@ -125,6 +128,7 @@ std::vector<MethodConstant> cauchy_constants(const Formulation& m) {
 
 std::vector<MethodConstant> constants(const Formulation& m) {
   if (m.shear == Shear::cauchy_stress) return cauchy_constants(m);
+  if (m.shear == Shear::reference_stress) return total_lagrangian_constants(m);
   if (m.shear == Shear::bonds) return {{"h", m.h_over_dp, 0.8, 3.0, "smoothing length over the spacing"}};
   std::vector<MethodConstant> c{
       {"h", m.h_over_dp, 0.8, 3.0, "smoothing length over the spacing"},
@@ -153,7 +157,8 @@ std::vector<MethodConstant> with_contact(std::vector<MethodConstant> c, const Fo
 
 /// Bonds act between neighbours of the start, not on what comes near.
 std::vector<ContactLaw> contact_laws(const Formulation& m) {
-  if (m.shear == Shear::bonds) return {ContactLaw::penalty, ContactLaw::impulse};
+  if (m.shear == Shear::bonds || m.shear == Shear::reference_stress)
+    return {ContactLaw::penalty, ContactLaw::impulse};
   return {ContactLaw::sph, ContactLaw::impulse, ContactLaw::penalty};
 }
 

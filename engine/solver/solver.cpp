@@ -1,19 +1,31 @@
 // Compiled once per instruction set; see engine/CMakeLists.txt.
 #include "engine/solver/solver.hpp"
 
+#include <type_traits>
+
 #include "engine/methods/all.hpp"
 #include "engine/solver/bonded.hpp"
 #include "engine/solver/cauchy_stress.hpp"
+#include "engine/solver/total_lagrangian.hpp"
 #include "engine/solver/updated_lagrangian.hpp"
 
 namespace taut::inline TAUT_ISA {
 namespace {
 
+/// The solver of a method for its scenes' dimension.
 template <const Formulation& M, int Dim>
-using SolverOf =
-    std::conditional_t<M.shear == Shear::bonds, Bonded<M, Dim>,
-                       std::conditional_t<M.shear == Shear::cauchy_stress, CauchyStress<M, Dim>,
-                                          UpdatedLagrangian<M, Dim>>>;
+auto solver_of() {
+  if constexpr (M.shear == Shear::bonds)
+    return std::type_identity<Bonded<M, Dim>>();
+  else if constexpr (M.shear == Shear::cauchy_stress)
+    return std::type_identity<CauchyStress<M, Dim>>();
+  else if constexpr (M.shear == Shear::reference_stress)
+    return std::type_identity<TotalLagrangian<M, Dim>>();
+  else
+    return std::type_identity<UpdatedLagrangian<M, Dim>>();
+}
+template <const Formulation& M, int Dim>
+using SolverOf = typename decltype(solver_of<M, Dim>())::type;
 
 template <int Dim, const Formulation&... M>
 std::unique_ptr<Simulation> make(std::string_view method, const SolverInput& input, MethodList<M...>) {

@@ -13,7 +13,7 @@ using doctest::Approx;
 namespace {
 
 /// Every kernel; one line for each.
-using Kernels = std::tuple<Kernel<KernelName::wendland_c2>>;
+using Kernels = std::tuple<Kernel<KernelName::wendland_c2>, Kernel<KernelName::sinc>>;
 
 template <class F>
 void for_each_kernel(const F& f) {

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cmath>
+
+#include "engine/core/tensor.hpp"
+#include "engine/methods/formulation.hpp"
+
+/// What a law of elasticity gives for the deformation gradient F = ∂x/∂X of a particle, in plane strain in 2D
+/// (F_zz = 1). Each law is one header beside this one, a struct of K and G (Pa) with
+///   P = piola(F, J)       first Piola–Kirchhoff stress, N per m² of the start
+///   ψ = energy(F, J)      J per m³ of the start, 0 at rest
+///   σ = cauchy(F, J)      stress in the deformed body, Pa
+/// and a row at the end of laws.hpp. J is det F, or, where a method follows J by an equation of its own
+/// ([Lee2016] Eq. 33c), that J.
+namespace taut::inline TAUT_ISA {
+
+/// Cauchy stress with the component normal to the plane, which is not part of it in 2D.
+template <int Dim>
+struct Cauchy {
+  Sym<double, Dim> sigma;  // Pa
+  double zz;               // Pa; 0 in 3D
+};
+
+/// The specialisation of a law is its struct.
+template <Law law>
+struct LawOf;
+
+/// A : B
+template <int Dim>
+double contraction(const Mat<double, Dim>& A, const Mat<double, Dim>& B) {
+  double s = 0;
+  for (int a = 0; a < Dim; ++a)
+    for (int b = 0; b < Dim; ++b) s += A(a, b) * B(a, b);
+  return s;
+}
+
+/// s A + t B
+template <int Dim>
+Mat<double, Dim> combination(double s, const Mat<double, Dim>& A, double t, const Mat<double, Dim>& B) {
+  Mat<double, Dim> C;
+  for (int a = 0; a < Dim; ++a)
+    for (int b = 0; b < Dim; ++b) C(a, b) = s * A(a, b) + t * B(a, b);
+  return C;
+}
+
+/// Green–Lagrange strain E = ½ (Fᵀ F − I)
+template <int Dim>
+Sym<double, Dim> green_strain(const Mat<double, Dim>& F) {
+  Sym<double, Dim> E;
+  for (int a = 0; a < Dim; ++a) {
+    for (int b = a; b < Dim; ++b) {
+      double c = 0;
+      for (int k = 0; k < Dim; ++k) c += F(k, a) * F(k, b);
+      E(a, b) = 0.5 * (c - (a == b ? 1 : 0));
+    }
+  }
+  return E;
+}
+
+/// Hooke's law, 2G ε + (K − 2G/3) tr ε I, Pa; ε has no component normal to the plane.
+template <int Dim>
+Sym<double, Dim> hooke(const Sym<double, Dim>& strain, double K, double G) {
+  Sym<double, Dim> stress = (2 * G) * strain;
+  const double volumetric = (K - 2.0 / 3 * G) * trace(strain);
+  for (int k = 0; k < Dim; ++k) stress(k, k) += volumetric;
+  return stress;
+}
+/// ½ ε : (2G ε + (K − 2G/3) tr ε I), J/m³
+template <int Dim>
+double hooke_energy(const Sym<double, Dim>& strain, double K, double G) {
+  double squares = 0;
+  for (int a = 0; a < Dim; ++a)
+    for (int b = 0; b < Dim; ++b) squares += strain(a, b) * strain(a, b);
+  return G * squares + (0.5 * K - G / 3) * trace(strain) * trace(strain);
+}
+
+/// σ = P Fᵀ/J, symmetric for every law that turns with the body
+template <int Dim>
+Sym<double, Dim> push_forward(const Mat<double, Dim>& P, const Mat<double, Dim>& F, double J) {
+  Sym<double, Dim> sigma{};
+  for (int a = 0; a < Dim; ++a)
+    for (int b = a; b < Dim; ++b)
+      for (int k = 0; k < Dim; ++k) sigma(a, b) += P(a, k) * F(b, k) / J;
+  return sigma;
+}
+
+}  // namespace taut::inline TAUT_ISA

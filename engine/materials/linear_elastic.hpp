@@ -1,0 +1,40 @@
+#pragma once
+
+#include "engine/materials/law.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// Linear elasticity, σ = 2G ε + (K − 2G/3) tr ε I with ε = ½ (F + Fᵀ) − I, the same in every configuration:
+/// P = σ. [Zhang2020] Eq. 3, 4, with the paper's G twice the shear modulus. A rotation by θ is taken for the
+/// strain (cos θ − 1) I: for small strains with little rotation.
+struct LinearElastic {
+  double K, G;  // Pa
+
+  template <int Dim>
+  static Sym<double, Dim> strain(const Mat<double, Dim>& F) {
+    Sym<double, Dim> e;
+    for (int a = 0; a < Dim; ++a)
+      for (int b = a; b < Dim; ++b) e(a, b) = 0.5 * (F(a, b) + F(b, a)) - (a == b ? 1 : 0);
+    return e;
+  }
+  template <int Dim>
+  Mat<double, Dim> piola(const Mat<double, Dim>& F, double) const {
+    const Sym<double, Dim> sigma = hooke(strain(F), K, G);
+    Mat<double, Dim> P;
+    for (int a = 0; a < Dim; ++a)
+      for (int b = 0; b < Dim; ++b) P(a, b) = sigma(a, b);
+    return P;
+  }
+  template <int Dim>
+  double energy(const Mat<double, Dim>& F, double) const {
+    return hooke_energy(strain(F), K, G);
+  }
+  template <int Dim>
+  Cauchy<Dim> cauchy(const Mat<double, Dim>& F, double) const {
+    return {hooke(strain(F), K, G), (K - 2.0 / 3 * G) * trace(strain(F))};
+  }
+};
+template <>
+struct LawOf<Law::linear_elastic> : LinearElastic {};
+
+}  // namespace taut::inline TAUT_ISA

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "engine/materials/law.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// Nearly incompressible neo-Hookean, [Lee2016] Eq. 8–12 with ξ = 0 and 2ζ = G:
+///   ψ = G/2 (J^(−2/3) F:F − 3) + K/2 (J − 1)²,
+///   P = G J^(−2/3) F + (K (J − 1) − G/3 J^(−5/3) F:F) H,   H = cof F.
+/// In plane strain F:F holds F_zz² = 1.
+struct NeoHookean {
+  double K, G;  // Pa
+
+  template <int Dim>
+  static double square(const Mat<double, Dim>& F) {
+    return contraction(F, F) + (3 - Dim);
+  }
+  template <int Dim>
+  Mat<double, Dim> piola(const Mat<double, Dim>& F, double J) const {
+    const double inv_cube_root = 1 / std::cbrt(J), shear = G * inv_cube_root * inv_cube_root;
+    return combination(shear, F, K * (J - 1) - shear * square(F) / (3 * J), cofactor(F));
+  }
+  template <int Dim>
+  double energy(const Mat<double, Dim>& F, double J) const {
+    const double inv_cube_root = 1 / std::cbrt(J);
+    return 0.5 * G * (inv_cube_root * inv_cube_root * square(F) - 3) + 0.5 * K * (J - 1) * (J - 1);
+  }
+  template <int Dim>
+  Cauchy<Dim> cauchy(const Mat<double, Dim>& F, double J) const {
+    const double shear = G / (J * std::cbrt(J * J));
+    return {push_forward(piola(F, J), F, J), K * (J - 1) + shear * (1 - square(F) / 3)};
+  }
+};
+template <>
+struct LawOf<Law::neo_hookean> : NeoHookean {};
+
+}  // namespace taut::inline TAUT_ISA

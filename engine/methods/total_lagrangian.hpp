@@ -1,0 +1,44 @@
+#pragma once
+
+#include "engine/methods/formulation.hpp"
+
+/// Methods on the configuration of the start. None of their papers states contact between bodies but
+/// [TranDuc2023]; all take its penalty, `icb` with the printed stiffness, the others with that of a layer of
+/// the material.
+namespace taut {
+
+/// [Lee2016] states neither kernel nor h. A short support costs and smooths least: 1.05 dp is the shortest
+/// that reaches the 12 nearest on a square lattice, and below 1.25 dp the kernel's own Laplacian is positive
+/// at every neighbour, without which the biharmonic term would not see every zigzag.
+constexpr Formulation lee2016(Formulation m) {
+  m.deviator = Deviator::plane_strain;
+  m.law = Law::neo_hookean;
+  m.contact = ContactLaw::penalty;
+  m.contact_stiffness = 2;
+  m.h_over_dp = 1.05;
+  return m;
+}
+
+inline constexpr Formulation tl = lee2016({
+    .name = "tl",
+    .paper = "Lee2016 §8.4",
+    .summary = "deformation gradient from positions, neighbours of the start: no tension instability, but "
+               "zigzags cost nothing",
+    .conserves = "linear momentum, angular momentum, energy",
+    .shear = Shear::reference_stress,
+});
+inline constexpr Formulation icb{
+    .name = "icb",
+    .paper = "TranDuc2023 §2.3",
+    .summary = "second Piola–Kirchhoff stress turned by the rotation of each particle: for moderate strains",
+    .conserves = "linear momentum",
+    .shear = Shear::reference_stress,
+    .law = Law::rotated_piola,
+    .deviator = Deviator::plane_strain,
+    .kernel = KernelName::sinc,
+    .contact = ContactLaw::penalty,
+    .several_materials = true,
+    .h_over_dp = 1.2,
+};
+
+}  // namespace taut

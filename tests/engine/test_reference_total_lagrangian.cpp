@@ -1,0 +1,120 @@
+// Total-Lagrangian methods against a transcription of their papers.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "engine/layout.hpp"
+#include "tests/engine/naive_total_lagrangian.hpp"
+#include "tests/engine/relative.hpp"
+#include "tests/engine/runs.hpp"
+#include "tests/engine/scenes.hpp"
+
+using namespace taut;
+using namespace taut::test;
+using naive_reference::Method;
+
+namespace {
+
+constexpr int steps = 60;
+constexpr double agreement = 1e-10;  // of the greatest magnitude of each field
+
+struct Case {
+  std::string name;
+  Method method;
+};
+
+double constant_of(const MethodInfo& method, std::string_view name) {
+  for (const MethodConstant& c : method.constants)
+    if (c.name == name) return c.value;
+  return 0;
+}
+
+naive_reference::Run naive_run(const Scene& scene, const Case& test) {
+  const MethodInfo& info = *find_method(test.name);
+  const Material& material = scene.materials[0];
+  naive_reference::Run run{test.method,
+                           scene.spacing,
+                           constant_of(info, "h") * scene.spacing,
+                           info.cfl,
+                           material.density,
+                           material.bulk_modulus(),
+                           material.shear_modulus(),
+                           constant_of(info, "contact_stiffness"),
+                           {}};
+  const Layout layout = make_layout(scene);
+  for (int i = 0; i < layout.size(); ++i) {
+    naive_reference::Particle a;
+    for (int k = 0; k < 2; ++k) a.X[k] = a.x[k] = layout.x[i][k], a.v[k] = layout.v[i][k];
+    a.V = layout.V0[i];
+    a.m = material.density * a.V;
+    a.body = layout.body[i];
+    a.held = layout.held[i];
+    run.particles.push_back(a);
+  }
+  run.start();
+  for (int k = 0; k < steps; ++k) run.step();
+  run.deform();
+  return run;
+}
+
+void check_field(const std::string& field, const std::vector<double>& engine,
+                 const std::vector<double>& expected) {
+  CAPTURE(field);
+  REQUIRE(engine.size() == expected.size());
+  double greatest = 0, difference = 0;
+  for (std::size_t k = 0; k < engine.size(); ++k) {
+    greatest = std::max(greatest, std::abs(expected[k]));
+    difference = std::max(difference, std::abs(engine[k] - expected[k]));
+  }
+  CHECK(greatest > 0);
+  CHECK(difference <= agreement * greatest);
+}
+
+void check_method(const Scene& scene, const Case& test) {
+  CAPTURE(test.name);
+  const naive_reference::Run run = naive_run(scene, test);
+  const Snapshot now = state_after(steps, scene, with_method(test.name));
+  CHECK(run.contacts > 100);
+  CHECK(now.time == relative(run.time, 1e-12));
+  std::vector<double> x, v, rho, sigma, engine_sigma;
+  double most_strained = 0;
+  for (std::size_t n = 0; n < run.particles.size(); ++n) {
+    const naive_reference::Particle& a = run.particles[n];
+    x.insert(x.end(), a.x.begin(), a.x.end());
+    v.insert(v.end(), a.v.begin(), a.v.end());
+    const double J = naive_reference::det(a.F);
+    most_strained = std::max(most_strained, std::abs(J - 1));
+    rho.push_back(run.rho0 / J);
+    const bool small = run.small();
+    for (int p = 0; p < 2; ++p)
+      for (int q = p; q < 2; ++q)
+        sigma.push_back(small ? a.P[p][q] : (a.P[p][0] * a.F[q][0] + a.P[p][1] * a.F[q][1]) / J);
+    engine_sigma.push_back(now.s[4 * n] - now.p[n]);
+    engine_sigma.push_back(now.s[4 * n + 1]);
+    engine_sigma.push_back(now.s[4 * n + 2] - now.p[n]);
+    CHECK(std::abs(now.s[4 * n] + now.s[4 * n + 2] + now.s[4 * n + 3]) <
+          1e-9 * scene.materials[0].youngs_modulus);
+  }
+  CHECK(most_strained > 0.01);
+  check_field("x", now.x, x);
+  check_field("v", now.v, v);
+  check_field("rho", now.rho, rho);
+  check_field("stress", engine_sigma, sigma);
+}
+
+const Case cases[] = {{"tl", Method::tl}, {"icb", Method::icb}};
+
+}  // namespace
+
+TEST_SUITE("reference") {
+  TEST_CASE("total Lagrangian: a ring and a disc that collide") {
+    for (const Case& test : cases) check_method(small_collision(), test);
+  }
+  TEST_CASE("total Lagrangian: a clamped plate hit on its clamp") {
+    for (const Case& test : cases) check_method(small_clamped_plate(), test);
+  }
+}
