@@ -31,7 +31,7 @@ inline constexpr Formulation icb{
     .name = "icb",
     .paper = "TranDuc2023 §2.3",
     .summary = "second Piola–Kirchhoff stress turned by the rotation of each particle: for moderate strains",
-    .conserves = "linear momentum",
+    .conserves = "linear momentum, angular momentum",
     .shear = Shear::reference_stress,
     .law = Law::rotated_piola,
     .deviator = Deviator::plane_strain,

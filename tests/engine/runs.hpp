@@ -11,6 +11,12 @@
 
 namespace taut::test {
 
+/// Particles act on their neighbours of the start: strains come from positions, and there is nothing to
+/// rebuild.
+inline bool keeps_neighbors(const MethodInfo& method) {
+  return std::ranges::find(method.contact_laws, ContactLaw::sph) == method.contact_laws.end();
+}
+
 /// Settings of a method on one thread.
 inline Settings with_method(const std::string& method, Stepping stepping = Stepping::dual) {
   Settings settings;

@@ -1,0 +1,200 @@
+// Methods on the configuration of the start: exact fields, rotations, energy.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "engine/layout.hpp"
+#include "engine/materials/laws.hpp"
+#include "engine/solver/reference_pairs.hpp"
+#include "engine/verdict.hpp"
+#include "tests/engine/relative.hpp"
+#include "tests/engine/runs.hpp"
+#include "tests/engine/scenes.hpp"
+
+using namespace taut;
+using namespace taut::test;
+
+namespace {
+
+using V2 = Vec<double, 2>;
+using M2 = Mat<double, 2>;
+using Wendland = Kernel<KernelName::wendland_c2>;
+
+/// A ring and a disc apart from each other, as a solver stores them.
+struct Cloud {
+  std::vector<V2> X;
+  std::vector<double> V;
+  std::vector<int> first;
+  double dp;
+
+  Cloud() {
+    const Scene scene = small_collision();
+    const Layout layout = make_layout(scene);
+    dp = scene.spacing;
+    first = layout.first;
+    std::vector<V2> x;
+    for (const Point& p : layout.x) x.push_back({p[0], p[1]});
+    for (const int i : order_in_space(x, first, Wendland::support * 1.05 * dp)) {
+      X.push_back(x[i]);
+      V.push_back(layout.V0[i]);
+    }
+  }
+  ReferencePairs<2> pairs(GradientCorrection gradient = GradientCorrection::corrected) const {
+    return make_reference_pairs<Wendland>(X, V, first, 1.05 * dp, gradient);
+  }
+};
+
+/// ∇u of every particle.
+std::vector<M2> gradients(const ReferencePairs<2>& pairs, const std::vector<V2>& u) {
+  std::vector<Tile<2>> rows;
+  for (const V2& one : u) rows.push_back(in_rows(one));
+  std::vector<M2> all;
+  for (int i = 0; i < pairs.size(); ++i)
+    all.push_back(product(matrix(pairs.difference_sum(rows, i)), pairs.B[i]));
+  return all;
+}
+
+/// Greatest stress of a cloud that is turned as a whole, Pa.
+template <class L>
+double stress_when_turned(const L& law, double angle) {
+  const Cloud cloud;
+  std::vector<V2> u;
+  for (const V2& X : cloud.X)
+    u.push_back({(std::cos(angle) - 1) * X[0] - std::sin(angle) * X[1],
+                 std::sin(angle) * X[0] + (std::cos(angle) - 1) * X[1]});
+  double most = 0;
+  for (M2 F : gradients(cloud.pairs(), u)) {
+    F(0, 0) += 1, F(1, 1) += 1;
+    const auto [sigma, zz] = law.cauchy(F, determinant(F));
+    most =
+        std::max({most, std::abs(sigma(0, 0)), std::abs(sigma(0, 1)), std::abs(sigma(1, 1)), std::abs(zz)});
+  }
+  return most;
+}
+
+/// Greatest stress of a free plate that has turned by `angle`, over the ρ v² of its corners.
+double stress_of_turning(const std::string& method, double angle) {
+  const double speed = 0.01;  // of the corners, in sound speeds
+  const Scene scene = rotating_plate(speed);
+  const double v = speed * scene.materials[0].sound_speed();
+  const auto simulation = make_simulation(scene, with_method(method));
+  simulation->advance_to(angle * std::numbers::sqrt2 * 0.01 / v);
+  double most = 0;
+  for (const double p : simulation->snapshot().p) most = std::max(most, std::abs(p));
+  for (const double s : simulation->snapshot().s) most = std::max(most, std::abs(s));
+  return most / (scene.materials[0].density * v * v);
+}
+
+}  // namespace
+
+TEST_SUITE("term") {
+  TEST_CASE("pairs of the start: antisymmetric, within a body, gradients of linear fields exact") {
+    const Cloud cloud;
+    const ReferencePairs<2> pairs = cloud.pairs();
+    const M2 A{{{0.3, -1.2}, {0.7, 2.1}}};
+    std::vector<V2> u;
+    for (const V2& X : cloud.X)
+      u.push_back({A(0, 0) * X[0] + A(0, 1) * X[1], A(1, 0) * X[0] + A(1, 1) * X[1]});
+    double lack = 0;
+    for (const M2& gradient : gradients(pairs, u))
+      for (int a = 0; a < 2; ++a)
+        for (int b = 0; b < 2; ++b) lack = std::max(lack, std::abs(gradient(a, b) - A(a, b)));
+    CHECK(lack < 1e-12);
+    long seen = 0;
+    for (int i = 0; i < pairs.size(); ++i) {
+      for (int p = pairs.begin[i]; p < pairs.begin[i + 1]; ++p) {
+        const int j = pairs.j[p];
+        REQUIRE((i < cloud.first[1]) == (j < cloud.first[1]));
+        for (int q = pairs.begin[j]; q < pairs.begin[j + 1]; ++q) {
+          if (pairs.j[q] != i) continue;
+          ++seen;
+          CHECK((pairs.k[p][0] == -pairs.k[q][0] && pairs.k[p][1] == -pairs.k[q][1]));
+        }
+      }
+    }
+    CHECK(seen == static_cast<long>(pairs.j.size()));
+    CHECK(seen > 10 * pairs.size());
+  }
+
+  TEST_CASE("pairs of the start: the force is minus the derivative of the energy") {
+    const Cloud cloud;
+    const ReferencePairs<2> pairs = cloud.pairs();
+    const LawOf<Law::neo_hookean> law{{5e6, 2e6}};
+    std::vector<V2> u;
+    for (const V2& X : cloud.X)
+      u.push_back({1e-4 * std::sin(900 * X[0] + 300 * X[1]), 1e-4 * std::cos(700 * X[1])});
+    const auto F_of = [&](const std::vector<V2>& displacement) {
+      std::vector<M2> F = gradients(pairs, displacement);
+      for (M2& f : F) f(0, 0) += 1, f(1, 1) += 1;
+      return F;
+    };
+    const auto energy = [&](const std::vector<V2>& displacement) {
+      const std::vector<M2> F = F_of(displacement);
+      double sum = 0;
+      for (int i = 0; i < pairs.size(); ++i) sum += cloud.V[i] * law.energy(F[i], determinant(F[i]));
+      return sum;
+    };
+    std::vector<Tile<2>> stress;
+    const std::vector<M2> F = F_of(u);
+    for (int i = 0; i < pairs.size(); ++i)
+      stress.push_back(tile(product(law.piola(F[i], determinant(F[i])), cloud.V[i] * pairs.B[i])));
+    const double step = 1e-4 * cloud.dp;
+    for (const int i : {0, 7, pairs.size() / 2, pairs.size() - 1}) {
+      const V2 force = pairs.pair_sum(stress, i);
+      for (int a = 0; a < 2; ++a) {
+        std::vector<V2> up = u, down = u;
+        up[i][a] += step, down[i][a] -= step;
+        CHECK(force[a] == relative(-(energy(up) - energy(down)) / (2 * step), 1e-5));
+      }
+    }
+  }
+}
+
+TEST_SUITE("analytic") {
+  TEST_CASE("total Lagrangian: a turn by any angle creates no stress; with the linear law it does") {
+    for (const double angle : {0.4, 1.6, 3.1, -2.0}) {
+      CAPTURE(angle);
+      CHECK(stress_when_turned(LawOf<Law::neo_hookean>{{1, 1}}, angle) < 1e-12);
+      CHECK(stress_when_turned(LawOf<Law::st_venant_kirchhoff>{{1, 1}}, angle) < 1e-12);
+      CHECK(stress_when_turned(LawOf<Law::rotated_piola>{{1, 1}}, angle) < 1e-12);
+      CHECK(stress_when_turned(LawOf<Law::linear_elastic>{{1, 1}}, angle) > 0.1);
+    }
+  }
+  TEST_CASE("total Lagrangian: a plate that turns by half a turn is strained by its inertia only") {
+    for (const std::string method : {"tl", "icb"}) {
+      CAPTURE(method);
+      const double stress = stress_of_turning(method, 3.1);
+      CHECK(stress > 0.1);
+      CHECK(stress < 3);
+    }
+  }
+}
+
+TEST_SUITE("conservation") {
+  TEST_CASE(
+      "tl: a collision through the penalty keeps the energy; the error is of second order in the step") {
+    const Scene scene = small_collision();
+    double drift[2] = {};
+    for (int k = 0; k < 2; ++k) {
+      Settings settings = with_method("tl");
+      settings.cfl = k == 0 ? 0.2 : 0.1;
+      const auto simulation = make_simulation(scene, settings);
+      const Balance before = balance(simulation->snapshot(), scene);
+      double pressed = 0;
+      for (int look = 1; look <= 20; ++look) {
+        simulation->advance_to(5e-6 * look);
+        const Balance now = balance(simulation->snapshot(), scene);
+        pressed = std::max(pressed, simulation->snapshot().contact_energy / before.kinetic);
+        drift[k] = std::max(drift[k], std::abs(now.kinetic + now.strain - before.kinetic) / before.kinetic);
+      }
+      CHECK(pressed > 0.01);
+    }
+    MESSAGE("drift of the energy: " << drift[0] << ", " << drift[1]);
+    CHECK(drift[0] < 1e-2);
+    CHECK(drift[1] < 0.35 * drift[0]);
+  }
+}
