@@ -26,7 +26,8 @@ class TotalLagrangian final : public ReferenceSolver<M, Dim> {
 
  private:
   using Base = ReferenceSolver<M, Dim>;
-  using Base::c_, Base::s_, Base::contact_, Base::threads_now, Base::vmax_, Base::pairs_of_start_, Base::V0_, Base::X_;
+  using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::threads_now, Base::vmax_,
+      Base::pairs_of_start_, Base::V0_, Base::X_;
   using typename Base::Mat;
   using typename Base::V;
 
@@ -68,11 +69,14 @@ void TotalLagrangian<M, Dim>::deformation_pass() {
 /// Internal and contact force; then v and the second half of x. The greatest v², m²/s².
 template <const Formulation& M, int Dim>
 double TotalLagrangian<M, Dim>::force_pass(double dt) {
+  drives_.set_time(this->time_ + dt);
+  const bool contact = contact_.active(), driven = drives_.active();
   return parallel_max(s_.size(), threads_now(), [&](int i) {
     V force = pairs_of_start_.pair_sum(stress_, i);
-    if (contact_.active()) force += contact_.force(i);
+    if (contact) force += contact_.force(i);
     V v = s_.v[i];
     v += (dt * s_.mobile[i] / s_.m[i]) * force;
+    if (driven) drives_.replace(s_, i, v);
     s_.v[i] = v;
     s_.x[i] += (0.5 * dt) * v;
     return dot(v, v);
