@@ -123,10 +123,11 @@ void Bonded<M, Dim>::step() {
   const double dt = Base::step_size();
   if (contact_.prepare(s_, vmax_ * dt)) show_contacts_to_probes();
   parallel_for(s_.size(), threads_now(), [&](int i) { s_.x[i] += (0.5 * dt) * s_.v[i]; });
-  contact_.evaluate(s_, dt);
+  contact_.evaluate(s_);
   set_rows();
   deformation_pass();
   Base::set_greatest_speed(force_pass(dt));
+  Base::stop_approach(0.5 * dt, [&](int i, const V& change) { s_.x[i] += (0.5 * dt) * change; });
   Base::finish_step(dt);
 }
 

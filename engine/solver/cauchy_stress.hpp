@@ -76,7 +76,7 @@ void CauchyStress<M, Dim>::step() {
   if (2 * way_ > skin * c_.dp) rebuild();
   const double dt = c_.cfl * c_.h / c_.c0;  // Eq. 26
   if (contact_.prepare(s_, vmax_ * dt)) show_contacts_to_probes();
-  contact_.evaluate(s_, dt);
+  contact_.evaluate(s_);
   gradient_pass(f_, c_, threads_now(), [&](int i, const Gradients<Dim>& g) { set_stress(i, g); });
   accelerate(dt);
   transport(dt);
@@ -114,7 +114,7 @@ void CauchyStress<M, Dim>::set_stress(int i, const Gradients<Dim>& g) {
   if constexpr (M.tensile_control) row.put(Row::surface_at, g.colour < c_.surface_colour);
 }
 
-/// Velocities over the whole step, from the stresses of its start.
+/// Velocities over the whole step, from the stresses of its start and the contact of bodies.
 template <const Formulation& M, int Dim>
 void CauchyStress<M, Dim>::accelerate(double dt) {
   drives_.set_time(this->time_ + 0.5 * dt);
@@ -131,6 +131,7 @@ void CauchyStress<M, Dim>::accelerate(double dt) {
     return dot(v, v);
   });
   Base::set_greatest_speed(v2);
+  Base::stop_approach(0, [&](int i, const V&) { f_.moved[i].put_velocity(s_.v[i]); });
 }
 
 /// û from the new velocities. Held particles stay, driven ones go as they are told.

@@ -56,6 +56,22 @@ class ParticleSolver : public Simulation {
     if (!(vmax_ <= greatest_mach_number * c_.c0)) fail();
   }
 
+  /// The new velocities of particles that meet those of other bodies, under the impulse law: each is changed
+  /// so that the approach ends, and `follow(i, change)` corrects what was made of it. Positions have followed
+  /// the new velocities for `gone`, s, already.
+  template <class Follow>
+  void stop_approach(double gone, const Follow& follow) {
+    const auto inverse_mass = [&](int i) { return drives_.moves(s_.id[i]) ? 0 : s_.mobile[i] / s_.m[i]; };
+    contact_.stop_approach(s_, gone, inverse_mass, [&](int i, const V& impulse) {
+      V v = s_.v[i];
+      v += (s_.mobile[i] / s_.m[i]) * impulse;
+      drives_.replace(s_, i, v);
+      const V change = v - s_.v[i];
+      s_.v[i] = v;
+      follow(i, change);
+    });
+  }
+
   /// Time and sizes of the snapshot; then every particle is to be stored.
   void begin_snapshot();
   void store(int i, double rho, double p, const Sym<double, Dim>& s, double s_zz);

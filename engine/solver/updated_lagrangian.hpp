@@ -62,7 +62,7 @@ void UpdatedLagrangian<M, Dim>::step() {
   contact_.prepare(s_, vmax_ * dt);
   half_drift(0.5 * dt);
   contact_geometry_pass<M>(s_, c_);
-  contact_.evaluate(s_, dt);
+  contact_.evaluate(s_);
   kick(dt);
   close_rates(0.5 * dt);
   advected_ += greatest_speed_ * dt;
@@ -108,6 +108,11 @@ void UpdatedLagrangian<M, Dim>::kick(double dt) {
     return dot(v, v);
   });
   Base::set_greatest_speed(vmax2);
+  Base::stop_approach(0.5 * dt, [&](int i, const V& change) {
+    s_.x[i] += (0.5 * dt) * change;
+    const FlowRow<Dim>& old = s_.flow[i];
+    s_.flow_new[i].set(s_.v[i], old.c[Dim], old.c[Dim + 1]);
+  });
   greatest_speed_ = std::max(greatest_speed_, vmax_);
 }
 
