@@ -112,7 +112,7 @@ struct State {
   std::vector<int> id;               // place in the order of creation
   std::vector<int> body;
   std::vector<int> material;  // index into the materials of the scene
-  bool sph_contact = false;  // of several bodies, whose particles act on each other as those of one
+  bool sph_contact = false;   // of several bodies, whose particles act on each other as those of one
 
   // gathered by the passes
   std::vector<FlowRow<Dim>> flow;      // at the middle of the step: v, p, V
