@@ -23,6 +23,7 @@ void declare_options(CLI::App& app, Options& o) {
   app.add_option("--out", o.out, "the run folder; default: out/SCENE-METHOD. An older run in it is replaced")
       ->option_text("DIR");
   declare_output_options(app, o);
+  declare_particle_options(app, o);
   app.add_option("--threads", o.threads, "default: all cores")
       ->option_text("N")
       ->check(positive_whole_number);

@@ -3,6 +3,7 @@
 namespace taut {
 
 std::function<int(Streams)> declare_run(CLI::App&);
+std::function<int(Streams)> declare_render(CLI::App&);
 std::function<int(Streams)> declare_diff(CLI::App&);
 std::function<int(Streams)> declare_snapshot(CLI::App&);
 std::function<int(Streams)> declare_list(CLI::App&);
@@ -17,6 +18,10 @@ constexpr Command table[] = {
      "  taut run colliding-rings --color pressure --range -2e6:2e6 --size 1920x1080 --out out/rings\n"
      "  taut run out/rings/scene.toml             the same run again\n",
      declare_run},
+    {"render", "draw a run again from its saved particles, with other colours, ranges, views or sizes",
+     "  taut render out/rings --color pressure --range -2e6:2e6\n"
+     "  taut render out/rings --view -0.01:0.01:-0.04:0.04 --size 800x800 --out out/close\n",
+     declare_render},
     {"diff", "compare two images or two folders of frames; exit code 0 when alike, 1 when different",
      "  taut diff out/a out/b                     the frames of two runs, name by name\n"
      "  taut diff a/frames/frame_00060.png b/frames/frame_00060.png\n"

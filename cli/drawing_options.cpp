@@ -12,6 +12,8 @@
 namespace taut {
 namespace {
 
+constexpr std::string_view automatic = "auto";
+
 template <class Number>
 std::optional<Number> number(std::string_view text) {
   Number value{};
@@ -20,28 +22,42 @@ std::optional<Number> number(std::string_view text) {
   return value;
 }
 
-/// The two numbers about `between`.
-template <class Number>
-std::optional<std::array<Number, 2>> pair_of(std::string_view text, char between) {
-  const std::size_t at = text.find(between);
-  if (at == std::string_view::npos) return std::nullopt;
-  const auto first = number<Number>(text.substr(0, at));
-  const auto second = number<Number>(text.substr(at + 1));
-  if (!first || !second) return std::nullopt;
-  return std::array<Number, 2>{*first, *second};
+/// Exactly `Count` numbers with `between` between them.
+template <class Number, std::size_t Count>
+std::optional<std::array<Number, Count>> numbers(std::string_view text, char between) {
+  std::array<Number, Count> values{};
+  for (std::size_t k = 0; k < Count; ++k) {
+    const std::size_t end = k + 1 < Count ? text.find(between) : text.size();
+    const auto value = end == std::string_view::npos ? std::nullopt : number<Number>(text.substr(0, end));
+    if (!value) return std::nullopt;
+    values[k] = *value;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return values;
 }
 
 std::optional<std::array<double, 2>> parse_range(const std::string& text) {
-  if (text == "auto") return std::nullopt;
-  const auto range = pair_of<double>(text, ':');
+  if (text == automatic) return std::nullopt;
+  const auto range = numbers<double, 2>(text, ':');
   if (!range || !std::isfinite((*range)[0]) || !std::isfinite((*range)[1]) || (*range)[0] >= (*range)[1])
     throw UsageError("--range is '" + text + "', not LOW:HIGH with LOW less than HIGH (0:2e6), nor 'auto'");
   return range;
 }
 
+std::optional<std::array<double, 4>> parse_view(const std::string& text) {
+  if (text == automatic) return std::nullopt;
+  const auto view = numbers<double, 4>(text, ':');
+  const bool good = view && std::ranges::all_of(*view, [](double end) { return std::isfinite(end); }) &&
+                    (*view)[0] < (*view)[1] && (*view)[2] < (*view)[3];
+  if (!good)
+    throw UsageError("--view is '" + text +
+                     "', not X_MIN:X_MAX:Y_MIN:Y_MAX in metres (-0.1:0.1:0:0.05), nor 'auto'");
+  return view;
+}
+
 std::array<int, 2> parse_size(const std::string& text) {
   const auto fits = [](int side) { return side >= least_size && side <= greatest_size; };
-  const auto size = pair_of<int>(text, 'x');
+  const auto size = numbers<int, 2>(text, 'x');
   if (!size || !fits((*size)[0]) || !fits((*size)[1]))
     throw UsageError("--size is '" + text + "', not WIDTHxHEIGHT (1280x720), each from " +
                      std::to_string(least_size) + " to " + std::to_string(greatest_size) + " pixels");
@@ -70,6 +86,8 @@ void declare_drawing_options(CLI::App& app, DrawingOptions& options) {
       ->option_text("LOW:HIGH|auto");
   app.add_option("--colormap", options.colormap, "`taut list colormaps`; default: by the field")
       ->option_text("NAME");
+  app.add_option("--view", options.view, "what is seen, m; auto: the whole motion")
+      ->option_text("X0:X1:Y0:Y1|auto");
   app.add_option("--size", options.size, "of a frame, in pixels")->option_text("WIDTHxHEIGHT");
 }
 
@@ -81,14 +99,19 @@ Drawing with_options(Drawing drawing, const DrawingOptions& options) {
   }
   if (options.range) drawing.range = parse_range(*options.range);
   if (options.colormap) drawing.colormap = *options.colormap;
+  if (options.view) drawing.view = parse_view(*options.view);
   if (options.size) drawing.size = parse_size(*options.size);
   return drawing;
 }
 
+const Field& known_field(const std::string& key) {
+  if (const Field* field = find_field(key)) return *field;
+  throw UsageError(unknown_name("field", key, keys(fields())));
+}
+
 DrawingPlan plan_drawing(const Drawing& drawing) {
   DrawingPlan plan{};
-  plan.field = find_field(drawing.color);
-  if (!plan.field) throw UsageError(unknown_name("field", drawing.color, keys(fields())));
+  plan.field = &known_field(drawing.color);
   plan.colormap = drawing.colormap.empty() ? default_colormap(*plan.field) : find_colormap(drawing.colormap);
   if (!plan.colormap) throw UsageError(unknown_name("colour map", drawing.colormap, keys(colormaps())));
   plan.range = drawing.range;

@@ -17,7 +17,7 @@ namespace taut {
 
 /// The drawing options of a command as typed; what is left out stands in the scene.
 struct DrawingOptions {
-  std::optional<std::string> color, range, colormap, size;
+  std::optional<std::string> color, range, colormap, view, size;
 };
 
 void declare_drawing_options(CLI::App& app, DrawingOptions& options);
@@ -25,6 +25,9 @@ void declare_drawing_options(CLI::App& app, DrawingOptions& options);
 /// What `drawing` becomes with the options. A range and a colour map of the scene belong to the scene's own
 /// field: another field does without them. Throws UsageError.
 Drawing with_options(Drawing drawing, const DrawingOptions& options);
+
+/// Throws UsageError, with the nearest name, for a field that does not exist.
+const Field& known_field(const std::string& key);
 
 /// How the frames of a run are drawn: the names of a Drawing looked up.
 struct DrawingPlan {

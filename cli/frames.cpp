@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "cli/run_folder.hpp"
 #include "cli/sequence_bounds.hpp"
 #include "cli/stopwatch.hpp"
-#include "engine/frame_view.hpp"
 #include "render/image.hpp"
 
 namespace taut {
@@ -24,26 +24,42 @@ std::unique_ptr<Renderer> make_renderer(const DrawingPlan& plan, double until) {
 
 }  // namespace
 
-Frames::Frames(const DrawingPlan& plan, const RunFolder& folder, Captions captions, Seconds& seconds)
-    : plan_(plan), folder_(folder), captions_(std::move(captions)), seconds_(seconds) {
+Frames::Frames(const DrawingPlan& plan, std::filesystem::path folder, Captions captions, Seconds& seconds)
+    : plan_(plan), folder_(std::move(folder)), captions_(std::move(captions)), seconds_(seconds) {
   if (plan_.range && plan_.view) renderer_ = make_renderer(plan_, captions_.until);
 }
 
 Frames::~Frames() = default;
 
 void Frames::add(const Snapshot& snapshot) {
-  dim_ = snapshot.dim;
-  diameter_ = snapshot.diameter;
-  if (renderer_)
-    draw(snapshot.time, snapshot.x, evaluate(*plan_.field, snapshot));
-  else
-    keep(snapshot);
+  std::vector<double> value;
+  {
+    const Timed timed(seconds_.render);
+    value = evaluate(*plan_.field, snapshot);
+  }
+  FrameView view;
+  view.dim = snapshot.dim;
+  view.time = snapshot.time;
+  view.x = snapshot.x;
+  view.diameter = snapshot.diameter;
+  view.value = value;
+  add(view);
 }
 
-void Frames::keep(const Snapshot& snapshot) {
+void Frames::add(const FrameView& particles) {
+  if (renderer_)
+    draw(particles);
+  else
+    keep(particles);
+}
+
+void Frames::keep(const FrameView& particles) {
   const Timed timed(seconds_.render);
-  const std::vector<double> value = evaluate(*plan_.field, snapshot);
-  kept_.push_back({snapshot.time, {snapshot.x.begin(), snapshot.x.end()}, {value.begin(), value.end()}});
+  dim_ = particles.dim;
+  diameter_.assign(particles.diameter.begin(), particles.diameter.end());
+  kept_.push_back({particles.time,
+                   {particles.x.begin(), particles.x.end()},
+                   {particles.value.begin(), particles.value.end()}});
 }
 
 void Frames::choose_range_and_view() {
@@ -65,18 +81,18 @@ bool Frames::draw_kept(const std::function<bool(int)>& go_on) {
     if (!go_on(written_)) return false;
     const std::vector<double> x(frame.x.begin(), frame.x.end());
     const std::vector<double> value(frame.value.begin(), frame.value.end());
-    draw(frame.time, x, value);
+    FrameView view;
+    view.dim = dim_;
+    view.time = frame.time;
+    view.x = x;
+    view.diameter = diameter_;
+    view.value = value;
+    draw(view);
   }
   return true;
 }
 
-void Frames::draw(double time, std::span<const double> x, std::span<const double> value) {
-  FrameView view;
-  view.dim = dim_;
-  view.time = time;
-  view.x = x;
-  view.diameter = diameter_;
-  view.value = value;
+void Frames::draw(FrameView view) {
   view.field = plan_.field->name;
   view.unit = plan_.field->unit;
   view.title = captions_.title;
@@ -87,7 +103,7 @@ void Frames::draw(double time, std::span<const double> x, std::span<const double
     image = &renderer_->draw(view);
   }
   const Timed timed(seconds_.write);
-  write_png(*image, folder_.frame(written_));
+  write_png(*image, folder_ / frame_name(written_));
   ++written_;
 }
 

@@ -1,13 +1,14 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "cli/drawing_options.hpp"
-#include "cli/run_folder.hpp"
 #include "cli/run_record.hpp"
+#include "engine/frame_view.hpp"
 
 namespace taut {
 
@@ -23,10 +24,12 @@ class Frames {
  public:
   /// Draws nothing, but fails where no picture can be drawn at all.
   /// The time it takes is added to `seconds`.
-  Frames(const DrawingPlan& plan, const RunFolder& folder, Captions captions, Seconds& seconds);
+  Frames(const DrawingPlan& plan, std::filesystem::path folder, Captions captions, Seconds& seconds);
   ~Frames();
 
   void add(const Snapshot& snapshot);
+  /// Particles with the values of the plan's field; the texts are added here.
+  void add(const FrameView& particles);
   /// Draws what was kept; asks `go_on` before each frame. False if it was told to stop.
   bool draw_kept(const std::function<bool(int drawn)>& go_on);
 
@@ -39,12 +42,12 @@ class Frames {
     double time;  // s
     std::vector<float> x, value;
   };
-  void keep(const Snapshot& snapshot);
+  void keep(const FrameView& particles);
   void choose_range_and_view();
-  void draw(double time, std::span<const double> x, std::span<const double> value);
+  void draw(FrameView particles);
 
   DrawingPlan plan_;
-  RunFolder folder_;
+  std::filesystem::path folder_;
   Captions captions_;
   Seconds& seconds_;
   int dim_ = 2;

@@ -11,6 +11,7 @@
 #include "cli/history.hpp"
 #include "cli/output_times.hpp"
 #include "cli/pace.hpp"
+#include "cli/particle_series.hpp"
 #include "cli/text.hpp"
 #include "cli/whole_file.hpp"
 #include "engine/error.hpp"
@@ -37,7 +38,7 @@ class Run {
   RunRecord::Status how_it_ended() const;
   void advance(double target);
   void look();
-  void draw_what_is_due();
+  void show_what_is_due();
   bool draw_the_rest();
   void save(RunRecord::Status status);
   void save_what_can_be_saved();
@@ -54,6 +55,7 @@ class Run {
   Drift drift_;
   std::optional<History> history_;
   std::optional<Frames> frames_;
+  std::optional<ParticleSeries> particles_;
   Pace pace_;
   bool exchanges_momentum_ = false;
   Stopwatch since_saved_;
@@ -74,8 +76,9 @@ Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Inte
           std::ranges::any_of(simulation_->snapshot().held, [](unsigned char held) { return held != 0; }) ||
           has_drives(plan.file.scene)) {
   if (plan.drawing)
-    frames_.emplace(*plan.drawing, plan.folder,
+    frames_.emplace(*plan.drawing, plan.folder.frames(),
                     Captions{plan.file.scene.title, record_.method, record_.until}, record_.seconds);
+  if (!plan.particle_fields.empty()) particles_.emplace(plan.particle_fields, plan.folder, record_.seconds);
 }
 
 RunResult Run::execute() {
@@ -125,13 +128,13 @@ void Run::step_through() {
   progress_.begin(plan_.file.scene.name + ", " + record_.method + ", " + std::to_string(record_.particles) +
                   " particles");
   look();
-  draw_what_is_due();
+  show_what_is_due();
   for (bool going = result_.failure.empty(); going;) {
     advance(std::min({frame_agenda_.next(), history_agenda_.next(), record_.until}));
     going = record_.reached < record_.until && !interrupts_.asked();
     if (history_agenda_.next() <= record_.reached || !going) look();
     if (!result_.failure.empty()) break;
-    draw_what_is_due();
+    show_what_is_due();
   }
   progress_.end(state_line());
 }
@@ -166,11 +169,12 @@ void Run::look() {
   if (record_.verdict == Verdict::diverged) result_.failure = describe_divergence(now, sums);
 }
 
-void Run::draw_what_is_due() {
-  if (!frames_) return;
+void Run::show_what_is_due() {
   // several frames may show one step, where they are asked for closer together than the steps are
-  for (int due = frame_agenda_.reached(record_.reached); due > 0; --due)
-    frames_->add(simulation_->snapshot());
+  for (int due = frame_agenda_.reached(record_.reached); due > 0; --due) {
+    if (frames_) frames_->add(simulation_->snapshot());
+    if (particles_) particles_->add(simulation_->snapshot());
+  }
 }
 
 /// False if it was interrupted.
@@ -193,6 +197,7 @@ void Run::save(RunRecord::Status status) {
   record_.conservation = drift_.conservation(exchanges_momentum_);
   record_.measures = measure(plan_.file.scene, simulation_->series(), record_.material_law);
   if (frames_) result_.frames = frames_->written();
+  if (particles_) particles_->save_index();
   write_whole(plan_.folder.record(), to_json(record_).dump(2) + "\n");
 }
 

@@ -18,7 +18,8 @@ struct RunPlan {
   SceneFile file;
   std::optional<double> spacing_asked;             // m, on the command line
   std::optional<DrawingPlan> drawing;              // none: no frames
-  std::vector<double> frame_times, history_times;  // s, sorted
+  std::vector<const Field*> particle_fields;       // none: particles are not saved
+  std::vector<double> frame_times, history_times;  // s, sorted; particles are saved at those of the frames
   RunFolder folder{"."};
 };
 

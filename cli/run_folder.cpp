@@ -21,6 +21,20 @@ bool is_run_record(const fs::path& path) {
   return record.is_object() && record.contains("taut");
 }
 
+/// Names that only `RunFolder::particle_file` and `particle_index` give, whole or in the making.
+bool is_particle_file(const fs::path& path) {
+  const std::string name = path.filename().string();
+  return name.starts_with("particles") &&
+         (name.find(".vtp") != std::string::npos || name.find(".pvd") != std::string::npos);
+}
+
+/// "NAME_00012.EXTENSION"
+std::string numbered(const char* name, int number, const char* extension) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%s_%05d.%s", name, number, extension);
+  return text.data();
+}
+
 void make_folder(const fs::path& path) {
   std::error_code error;
   fs::create_directories(path, error);
@@ -33,7 +47,15 @@ void remove_file(const fs::path& path) {
   if (error) throw OutputError(path.string(), "cannot be removed: " + error.message());
 }
 
+void remove_those(const fs::path& folder, bool (*ours)(const fs::path&)) {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (ours(entry.path())) remove_file(entry.path());
+}
+
 }  // namespace
+
+std::string frame_name(int number) { return numbered("frame", number, "png"); }
 
 bool is_frame(const fs::path& path) {
   const std::string name = path.filename().string();
@@ -57,18 +79,21 @@ void RunFolder::claim(std::string_view record_text) const {
   make_folder(path_);
   write_whole(record(), record_text);
   make_folder(frames());
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(frames(), error))
-    if (is_frame(entry.path())) remove_file(entry.path());
+  clear_frames();
+  remove_those(particles(), is_particle_file);
+  std::error_code not_empty;
+  fs::remove(particles(), not_empty);
   remove_file(history());
   remove_file(scene());
+}
+
+void RunFolder::clear_frames() const {
+  remove_those(frames(), is_frame);
   remove_file(difference());
 }
 
-fs::path RunFolder::frame(int number) const {
-  std::array<char, 32> name{};
-  std::snprintf(name.data(), name.size(), "frame_%05d.png", number);
-  return frames() / name.data();
+fs::path RunFolder::particle_file(int number) const {
+  return particles() / numbered("particles", number, "vtp");
 }
 
 }  // namespace taut

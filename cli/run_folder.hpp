@@ -1,11 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace taut {
 
-/// Whether a file has a name that only `RunFolder::frame` gives, whole or in the making.
+/// "frame_00012.png"
+std::string frame_name(int number);
+/// Whether a file has a name that only `frame_name` gives, whole or in the making.
 bool is_frame(const std::filesystem::path& path);
 
 /// Where a run leaves its output; see README for what each file holds.
@@ -18,10 +21,16 @@ class RunFolder {
   /// Creates the folder, or removes what an earlier run left; `record` becomes its run.json first of all, so
   /// that the folder is recognised at any time. Throws OutputError.
   void claim(std::string_view record) const;
+  /// Removes what shows the frames that there are, before others are drawn. Throws OutputError.
+  void clear_frames() const;
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path frames() const { return path_ / "frames"; }
-  std::filesystem::path frame(int number) const;
+  std::filesystem::path frame(int number) const { return frames() / frame_name(number); }
+  std::filesystem::path particles() const { return path_ / "particles"; }
+  std::filesystem::path particle_file(int number) const;
+  /// Times and names of the particle files, for ParaView.
+  std::filesystem::path particle_index() const { return particles() / "particles.pvd"; }
   std::filesystem::path history() const { return path_ / "history.csv"; }
   std::filesystem::path scene() const { return path_ / "scene.toml"; }
   std::filesystem::path record() const { return path_ / "run.json"; }

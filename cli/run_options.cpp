@@ -1,5 +1,6 @@
 #include "cli/run_options.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <CLI/CLI.hpp>
@@ -54,6 +55,16 @@ double history_interval(const RunOptions& options, const SceneFile& file) {
   return interval;
 }
 
+std::vector<const Field*> particle_fields(const RunOptions& options) {
+  std::vector<const Field*> chosen;
+  if (options.save_particles && options.fields.empty())
+    for (const Field& field : fields()) chosen.push_back(&field);
+  for (const std::string& key : options.fields)
+    if (const Field& field = known_field(key); std::ranges::find(chosen, &field) == chosen.end())
+      chosen.push_back(&field);
+  return chosen;
+}
+
 }  // namespace
 
 void declare_setting_options(CLI::App& app, RunOptions& o) {
@@ -83,6 +94,17 @@ void declare_output_options(CLI::App& app, RunOptions& o) {
   declare_drawing_options(app, o.drawing);
 }
 
+void declare_particle_options(CLI::App& app, RunOptions& o) {
+  auto* save =
+      app.add_flag("--save-particles", o.save_particles,
+                   "particles/*.vtp with each frame, for `taut render`, `taut compare` and ParaView");
+  app.add_option("--fields", o.fields, "the fields saved with them (`taut list fields`); default: all")
+      ->option_text("NAME,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->needs(save);
+}
+
 RunPlan make_plan(const RunOptions& options) {
   check_method(options.method);
   RunPlan plan;
@@ -95,10 +117,10 @@ RunPlan make_plan(const RunOptions& options) {
   file.resolved = resolved_text(file);
   plan.spacing_asked = options.spacing;
   const DrawingPlan drawing = plan_drawing(file.drawing);
-  if (!options.no_render) {
-    plan.drawing = drawing;
+  if (!options.no_render) plan.drawing = drawing;
+  plan.particle_fields = particle_fields(options);
+  if (plan.drawing || !plan.particle_fields.empty())
     plan.frame_times = times_in_parts(file.scene.until, file.drawing.frames);
-  }
   plan.history_times = times_every(file.scene.until, *file.history);
   plan.folder = RunFolder(options.out.value_or("out/" + file.scene.name + "-" + file.settings.method));
   plan.folder.check();

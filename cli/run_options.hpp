@@ -23,12 +23,17 @@ struct RunOptions {
   DrawingOptions drawing;
   int threads = 0;  // 0 = all cores
   bool no_render = false;
+  bool save_particles = false;
+  std::vector<std::string> fields;  // of the particles saved; none = all
 };
 
 /// --method, --set, --spacing, --until: what is simulated.
 void declare_setting_options(CLI::App& app, RunOptions& options);
 /// --frames, --every, --history and the drawing options: what is left of it.
 void declare_output_options(CLI::App& app, RunOptions& options);
+
+/// --save-particles, --fields.
+void declare_particle_options(CLI::App& app, RunOptions& options);
 
 /// Reads and checks all there is to check, without touching the run folder. Throws UsageError and SceneError.
 RunPlan make_plan(const RunOptions& options);

@@ -58,7 +58,11 @@ TEST_SUITE("cli") {
         {"--set", "speed"},
         {"--set", "speed=fast"},
         {"surplus"},
-        {"--save-particles"},
+        {"--fields", "speed"},
+        {"--save-particles", "--fields", "sped"},
+        {"--view", "0:1:2"},
+        {"--view", "0:1:2:1"},
+        {"--view", "0:1:0:1:2"},
         {"--color", "no-field"},
         {"--fail-on", "stable"},
     };
@@ -84,7 +88,7 @@ TEST_SUITE("cli") {
 
   TEST_CASE("help and version are results") {
     CHECK(call({"--version"}).out == "taut 0.1.0\n");
-    for (const std::string command : {"run", "diff", "snapshot", "list", "describe"}) {
+    for (const std::string command : {"run", "render", "diff", "snapshot", "list", "describe"}) {
       CHECK(contains(call({"--help"}).out, "  " + command + " "));
       const Outcome help = call({command, "--help"});
       CHECK(help.code == 0);
