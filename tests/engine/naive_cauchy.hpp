@@ -1,0 +1,369 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+/// The methods of [Khayyer2024] and [TranDuc2023] §2.2 in two dimensions, written a second time, straight
+/// from the papers: every particle against every other, no lists, no lanes, nothing of the engine. Slow, and
+/// meant to be read beside the paper. As in [Khayyer2024], r_ij = r_j − r_i and u_ij = u_j − u_i, and ∇ is
+/// ∇_i w.
+///
+/// Where the papers are silent or contradict themselves, this takes the same side as the engine says it does:
+///   - time: velocity first, then ρ, S, r from û at the positions in the middle of the step; S is turned by
+///     (I − ½ dt Ω)⁻¹ (I + ½ dt Ω);
+///   - Eq. 18 with a minus, Eq. 21 with atan2, Eq. 43 with `riemann_factor`, ρ_ij a difference in Eq. 34, 35;
+///   - held particles do not move, but are strained;
+///   - [TranDuc2023] with ½ in the strain and spin rates, 1/ρ̄ in Π, (W/W(Δx))ⁿ in f_ij;
+///   - particles of two bodies touch within one spacing: [Khayyer2024] Eq. 53, 54 with the masses of those
+///     that are free; [TranDuc2023] Eq. 2.13 with K1 K2/(K1 + K2).
+namespace taut::test::naive_cauchy {
+
+using Vector = std::array<double, 2>;
+using Matrix = std::array<std::array<double, 2>, 2>;
+
+inline Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1]}; }
+inline Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1]}; }
+inline Vector operator*(double s, const Vector& a) { return {s * a[0], s * a[1]}; }
+inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1]; }
+inline Vector operator*(const Matrix& A, const Vector& b) { return {dot(A[0], b), dot(A[1], b)}; }
+inline Matrix operator*(const Matrix& A, const Matrix& B) {
+  Matrix C{};
+  for (int k = 0; k < 2; ++k)
+    for (int l = 0; l < 2; ++l) C[k][l] = A[k][0] * B[0][l] + A[k][1] * B[1][l];
+  return C;
+}
+inline Matrix operator+(const Matrix& A, const Matrix& B) { return {{A[0] + B[0], A[1] + B[1]}}; }
+inline Matrix operator*(double s, const Matrix& A) { return {{s * A[0], s * A[1]}}; }
+inline Matrix outer(const Vector& a, const Vector& b) { return {{a[0] * b, a[1] * b}}; }
+inline Matrix transposed(const Matrix& A) { return {{{A[0][0], A[1][0]}, {A[0][1], A[1][1]}}}; }
+inline Matrix inverse(const Matrix& A) {
+  const double det = A[0][0] * A[1][1] - A[0][1] * A[1][0];
+  return (1 / det) * Matrix{{{A[1][1], -A[0][1]}, {-A[1][0], A[0][0]}}};
+}
+constexpr Matrix identity = {{{1, 0}, {0, 1}}};
+
+/// What a method of the two papers is made of.
+struct Method {
+  bool tranduc = false;  // [TranDuc2023]
+  bool corrected = false, delta = false, av = false, riemann = false, as = false, tic = false;
+
+  double h_over_d0() const { return 1.2; }
+  double cfl() const { return tranduc ? 0.4 : 0.5; }
+  double epsilon() const { return tranduc ? 0.3 : 0.15; }
+  double n() const { return tranduc ? 6 : 8; }
+  double xsph() const { return tranduc ? 0 : 0.5; }
+};
+
+inline Method method_named(const std::string& name) {
+  const auto has = [&](const char* part) { return name.find(part) != std::string::npos; };
+  Method m;
+  m.tranduc = has("ccb");
+  m.corrected = !m.tranduc && !has("uncorrected");
+  m.delta = name.starts_with("d-");
+  m.av = has("-av") || name == "ccbwat";
+  m.riemann = has("-r-");
+  m.tic = has("tic");
+  m.as = !m.tic && name != "ccb";
+  return m;
+}
+
+struct Material {
+  double rho0, K, G;  // kg/m³, Pa
+  double c() const { return std::sqrt(K / rho0); }
+};
+
+struct Particle {
+  Vector r{}, u{};
+  double m = 0, rho = 0;
+  Matrix S{};
+  Material material{};
+  int body = 0, of_material = 0;
+  bool held = false;
+
+  double V() const { return m / rho; }
+  double p() const { return material.c() * material.c() * (rho - material.rho0); }  // Eq. 5
+  Matrix sigma() const { return S + -p() * identity; }                              // Eq. 3
+};
+
+/// How often each term acted, so that a test can say that it did.
+struct Counts {
+  long tension = 0, compression = 0, viscous = 0, inner = 0, outer = 0, diffused = 0, contacts = 0;
+};
+
+class Run {
+ public:
+  Run(const Method& method, double d0, double c0)
+      : is_(method), d0_(d0), h_(method.h_over_d0() * d0), c0_(c0) {}
+
+  std::vector<Particle> particles;
+  Counts counts;
+  double time = 0;
+  double riemann_factor = 1;
+
+  void step() {
+    const double dt = is_.cfl() * h_ / c0_;  // Eq. 26
+    const std::vector<Vector> a = accelerations(dt);
+    const std::vector<double> D = density_diffusion();
+    const std::vector<double> rho = densities();  // volumes stay those of the start
+    for (std::size_t i = 0; i < particles.size(); ++i)
+      if (!particles[i].held) particles[i].u = particles[i].u + dt * a[i];
+    const std::vector<Vector> u = transport_velocities();
+    std::vector<Vector> middle;
+    for (std::size_t i = 0; i < particles.size(); ++i) middle.push_back(particles[i].r + 0.5 * dt * u[i]);
+    const std::vector<Matrix> grad_u = velocity_gradients(u, middle);
+    const std::vector<double> drho = density_rates(u, middle, grad_u);
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      Particle& b = particles[i];
+      b.rho = rho[i] + dt * (drho[i] + D[i]);
+      b.S = next_stress(b, grad_u[i], dt);
+      b.r = b.r + dt * u[i];
+    }
+    time += dt;
+  }
+
+ private:
+  std::size_t n() const { return particles.size(); }
+  bool near(std::size_t i, std::size_t j) const { return i != j && particles[i].body == particles[j].body; }
+
+  /// Eq. 11, 12, or the fifth power of a sinc, [TranDuc2023] §2.1.
+  double w(double r) const {
+    const double q = r / h_, half = std::numbers::pi * q / 2;
+    if (q >= 2) return 0;
+    if (is_.tranduc) return 0.710379463738679 / (h_ * h_) * (q == 0 ? 1 : std::pow(std::sin(half) / half, 5));
+    return 7 / (4 * std::numbers::pi * h_ * h_) * std::pow(1 - q / 2, 4) * (2 * q + 1);
+  }
+  /// ∇_i w of a pair, which points to j.
+  Vector gradient(const Vector& r_ij) const {
+    const double r = std::hypot(r_ij[0], r_ij[1]), q = r / h_, half = std::numbers::pi * q / 2;
+    double slope = 0;  // dw/dr
+    if (q < 2 && is_.tranduc)
+      slope = 0.710379463738679 / (h_ * h_ * h_) * 5 * std::pow(std::sin(half) / half, 4) *
+              (std::cos(half) * half - std::sin(half)) / (half * half) * std::numbers::pi / 2;
+    else if (q < 2)
+      slope = -35 / (4 * std::numbers::pi * h_ * h_ * h_) * q * std::pow(1 - q / 2, 3);
+    return (-slope / r) * r_ij;
+  }
+  Vector r_ij(std::size_t i, std::size_t j) const { return particles[j].r - particles[i].r; }
+
+  std::vector<double> densities() const {
+    std::vector<double> rho;
+    for (const Particle& a : particles) rho.push_back(a.rho);
+    return rho;
+  }
+
+  /// L_i = (Σ r_ij ⊗ ∇w V_j)⁻¹ at the positions `r`; I where the method has none.
+  Matrix correction(std::size_t i, const std::vector<Vector>& r) const {
+    if (!is_.corrected) return identity;
+    Matrix M{};
+    for (std::size_t j = 0; j < n(); ++j)
+      if (near(i, j)) M = M + particles[j].V() * outer(r[j] - r[i], gradient(r[j] - r[i]));
+    return inverse(M);
+  }
+  std::vector<Matrix> corrections() const {
+    std::vector<Vector> r;
+    for (const Particle& a : particles) r.push_back(a.r);
+    std::vector<Matrix> L;
+    for (std::size_t i = 0; i < n(); ++i) L.push_back(correction(i, r));
+    return L;
+  }
+
+  /// R of Eq. 18–21.
+  Matrix tensile(const Particle& a) {
+    const Matrix s = a.sigma();
+    const double theta = 0.5 * std::atan2(2 * s[0][1], s[0][0] - s[1][1]), co = std::cos(theta),
+                 si = std::sin(theta);
+    const double xx = s[0][0] * co * co + s[1][1] * si * si + 2 * s[0][1] * si * co;
+    const double yy = s[0][0] * si * si + s[1][1] * co * co - 2 * s[0][1] * si * co;
+    const double R_xx = xx > 0 ? -xx : 0, R_yy = yy > 0 ? -yy : 0;
+    ++(R_xx < 0 || R_yy < 0 ? counts.tension : counts.compression);
+    return {{{R_xx * co * co + R_yy * si * si, si * co * (R_xx - R_yy)},
+             {si * co * (R_xx - R_yy), R_xx * si * si + R_yy * co * co}}};
+  }
+
+  /// Eq. 52 and what follows: neither at the surface nor beside it.
+  std::vector<bool> inner_particles() {
+    std::vector<bool> surface, inner;
+    for (std::size_t i = 0; i < n(); ++i) {
+      double C = w(0) * particles[i].V();
+      for (std::size_t j = 0; j < n(); ++j)
+        if (near(i, j)) C += w(std::hypot(r_ij(i, j)[0], r_ij(i, j)[1])) * particles[j].V();
+      surface.push_back(C < 0.9);
+    }
+    for (std::size_t i = 0; i < n(); ++i) {
+      bool in = !surface[i];
+      for (std::size_t j = 0; j < n(); ++j)
+        if (near(i, j) && surface[j] && std::hypot(r_ij(i, j)[0], r_ij(i, j)[1]) < 1.2 * d0_) in = false;
+      inner.push_back(in);
+      ++(in ? counts.inner : counts.outer);
+    }
+    return inner;
+  }
+
+  /// Π^AV_ij of Eq. 16.
+  double artificial_viscosity(const Particle& a, const Particle& b) {
+    const Vector r = b.r - a.r;
+    const double approach = dot(b.u - a.u, r);
+    if (approach >= 0) return 0;
+    ++counts.viscous;
+    return h_ * 0.5 * (a.material.c() + b.material.c()) / (0.5 * (a.rho + b.rho)) * approach /
+           (dot(r, r) + 0.01 * h_ * h_);
+  }
+
+  /// Eq. 28, 31, 51 (9, 17 without correction), or [TranDuc2023] Eq. 2.3 with its two further stresses.
+  std::vector<Vector> accelerations(double dt) {
+    const std::vector<Matrix> L = corrections();
+    const std::vector<Matrix> grad_u = is_.riemann ? plain_velocity_gradients(L) : std::vector<Matrix>(n());
+    const std::vector<bool> inner = is_.tic ? inner_particles() : std::vector<bool>(n(), false);
+    std::vector<Matrix> R;
+    for (const Particle& a : particles) R.push_back(tensile(a));
+    std::vector<Vector> acceleration(n(), Vector{});
+    for (std::size_t i = 0; i < n(); ++i) {
+      for (std::size_t j = 0; j < n(); ++j) {
+        if (!near(i, j)) continue;
+        const Particle &a = particles[i], &b = particles[j];
+        const Vector dw = gradient(r_ij(i, j));
+        const double f =
+            is_.epsilon() * std::pow(w(std::hypot(r_ij(i, j)[0], r_ij(i, j)[1])) / w(d0_), is_.n());
+        const double aa = is_.tranduc ? a.rho * a.rho : a.rho * b.rho;
+        const double bb = is_.tranduc ? b.rho * b.rho : a.rho * b.rho;
+        Vector sum = (1 / bb * (b.sigma() * L[j]) + 1 / aa * (a.sigma() * L[i])) * dw;
+        if (is_.as || (is_.tic && !inner[i]))
+          sum = sum + f * (1 / bb * (R[j] * L[j]) + 1 / aa * (R[i] * L[i])) * dw;
+        if (is_.tic && inner[i]) sum = sum - (1 / aa * (-2.0 * (R[i] * L[i]))) * dw;  // Eq. 50
+        if (is_.av) sum = sum + artificial_viscosity(a, b) * dw;
+        if (is_.riemann) sum = sum + riemann(a, b, grad_u[i], grad_u[j]) * dw;
+        acceleration[i] = acceleration[i] + b.m * sum;
+      }
+      acceleration[i] = acceleration[i] + 1 / particles[i].m * contact_force(i, dt);
+    }
+    return acceleration;
+  }
+
+  /// Eq. 45, with u itself.
+  std::vector<Matrix> plain_velocity_gradients(const std::vector<Matrix>& L) const {
+    std::vector<Matrix> grad(n(), Matrix{});
+    for (std::size_t i = 0; i < n(); ++i)
+      for (std::size_t j = 0; j < n(); ++j)
+        if (near(i, j))
+          grad[i] = grad[i] +
+                    particles[j].V() * outer(particles[j].u - particles[i].u, L[i] * gradient(r_ij(i, j)));
+    return grad;
+  }
+
+  /// Eq. 37, 40, 41, 43, 44; what stands before m_j ∇w.
+  double riemann(const Particle& a, const Particle& b, const Matrix& grad_a, const Matrix& grad_b) {
+    const Vector r = b.r - a.r, e = 1 / std::hypot(r[0], r[1]) * r;
+    const double u_i = dot(a.u + 0.5 * (grad_a * r), e), u_j = dot(b.u - 0.5 * (grad_b * r), e);
+    const double C = (a.material.c() * a.rho * std::sqrt(a.rho) + b.material.c() * b.rho * std::sqrt(b.rho)) /
+                     (std::sqrt(a.rho) + std::sqrt(b.rho));
+    ++counts.viscous;
+    return riemann_factor * C * (u_j - u_i) / (a.rho * b.rho);
+  }
+
+  /// D_i of Eq. 33–35.
+  std::vector<double> density_diffusion() {
+    std::vector<double> D(n(), 0.0);
+    if (!is_.delta) return D;
+    const std::vector<Matrix> L = corrections();
+    std::vector<Vector> grad_rho(n(), Vector{});
+    const auto same = [&](std::size_t i, std::size_t j) {
+      return near(i, j) && particles[i].of_material == particles[j].of_material;
+    };
+    for (std::size_t i = 0; i < n(); ++i)
+      for (std::size_t j = 0; j < n(); ++j)
+        if (same(i, j))
+          grad_rho[i] = grad_rho[i] + (particles[j].rho - particles[i].rho) * particles[j].V() *
+                                          (L[i] * gradient(r_ij(i, j)));
+    for (std::size_t i = 0; i < n(); ++i) {
+      for (std::size_t j = 0; j < n(); ++j) {
+        if (!same(i, j)) continue;
+        const Vector r = r_ij(i, j);
+        const double psi = 2 * (particles[j].rho - particles[i].rho) - dot(grad_rho[i] + grad_rho[j], r);
+        D[i] += 0.002 * h_ * c0_ * psi * dot(r, gradient(r)) / dot(r, r) * particles[j].V();
+      }
+      if (D[i] != 0) ++counts.diffused;
+    }
+    return D;
+  }
+
+  /// Eq. 14.
+  std::vector<Vector> transport_velocities() const {
+    std::vector<Vector> u;
+    for (std::size_t i = 0; i < n(); ++i) {
+      const Particle& a = particles[i];
+      u.push_back(a.u);
+      for (std::size_t j = 0; j < n(); ++j) {
+        if (!near(i, j) || a.held) continue;
+        const Particle& b = particles[j];
+        u[i] = u[i] + is_.xsph() * 2 * b.m / (b.rho + a.rho) * w(std::hypot(r_ij(i, j)[0], r_ij(i, j)[1])) *
+                          (b.u - a.u);
+      }
+    }
+    return u;
+  }
+
+  /// Eq. 29 (13 without correction).
+  std::vector<Matrix> velocity_gradients(const std::vector<Vector>& u, const std::vector<Vector>& r) const {
+    std::vector<Matrix> grad(n(), Matrix{});
+    for (std::size_t i = 0; i < n(); ++i) {
+      const Matrix L = correction(i, r);
+      for (std::size_t j = 0; j < n(); ++j)
+        if (near(i, j)) grad[i] = grad[i] + particles[j].V() * outer(u[j] - u[i], L * gradient(r[j] - r[i]));
+    }
+    return grad;
+  }
+
+  /// Eq. 27 (8 without correction), or Σ m_j u_ij·∇w of [TranDuc2023].
+  std::vector<double> density_rates(const std::vector<Vector>& u, const std::vector<Vector>& r,
+                                    const std::vector<Matrix>& grad_u) const {
+    std::vector<double> rate;
+    for (std::size_t i = 0; i < n(); ++i) {
+      double sum = -particles[i].rho * (grad_u[i][0][0] + grad_u[i][1][1]);
+      if (is_.tranduc) {
+        sum = 0;
+        for (std::size_t j = 0; j < n(); ++j)
+          if (near(i, j)) sum += particles[j].m * dot(u[i] - u[j], gradient(r[j] - r[i]));
+      }
+      rate.push_back(sum);
+    }
+    return rate;
+  }
+
+  /// Eq. 6, 7, 24.
+  static Matrix next_stress(const Particle& a, const Matrix& grad_u, double dt) {
+    const Matrix strain = 0.5 * (grad_u + transposed(grad_u));
+    const Matrix spin = 0.5 * (grad_u + -1.0 * transposed(grad_u));
+    const double trace = strain[0][0] + strain[1][1];
+    const Matrix Q = inverse(identity + -0.5 * dt * spin) * (identity + 0.5 * dt * spin);
+    return Q * a.S * transposed(Q) + 2 * a.material.G * dt * (strain + -trace / 3 * identity);
+  }
+
+  Vector contact_force(std::size_t i, double dt) {
+    Vector force{};
+    const Particle& a = particles[i];
+    for (const Particle& b : particles) {
+      if (a.body == b.body) continue;
+      const Vector r = b.r - a.r;
+      const double distance = std::hypot(r[0], r[1]);
+      if (distance >= d0_) continue;
+      ++counts.contacts;
+      if (is_.tranduc) {
+        const double K = a.material.K * b.material.K / (a.material.K + b.material.K);
+        force = force - K * (d0_ - distance) / distance * r;
+      } else if (dot(b.u - a.u, r) < 0 && !(a.held && b.held)) {
+        const double mass = a.held ? b.m : b.held ? a.m : a.m * b.m / (a.m + b.m);
+        force = force + mass / dt * dot(b.u - a.u, r) / dot(r, r) * r;
+      }
+    }
+    return force;
+  }
+
+  Method is_;
+  double d0_, h_, c0_;
+};
+
+}  // namespace taut::test::naive_cauchy
