@@ -105,8 +105,12 @@ void describe_scene(const std::string& name, std::ostream& out) {
 }
 
 void describe_method(const MethodInfo& method, std::ostream& out) {
-  Rows terms, constants{{"name", "default", "bounds", "meaning"}};
-  for (const std::string_view term : method.terms) terms.push_back({std::string(term)});
+  Rows terms, equations{{"equation", "function, below engine/", "test"}};
+  Rows constants{{"name", "default", "bounds", "meaning"}};
+  for (const TermInfo& t : method.terms) {
+    terms.push_back({std::string(t.what), std::string(t.formula), std::string(t.source)});
+    equations.push_back({std::string(t.source), std::string(t.function), std::string(t.test)});
+  }
   for (const MethodConstant& c : method.constants)
     constants.push_back({std::string(c.name), brief(c.value), bounds(c.low, c.high), std::string(c.help)});
   out << method.name << ": " << method.summary << '\n'
@@ -116,6 +120,7 @@ void describe_method(const MethodInfo& method, std::ostream& out) {
                      {"contact", contact_text(method)},
                      {"CFL number", brief(method.cfl)}});
   print_table(out, "Terms", terms);
+  print_table(out, "From the equation to the code and its test", equations, 1);
   print_table(out, "Constants, changed with --set method.NAME=VALUE", constants, 1);
 }
 

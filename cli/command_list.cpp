@@ -41,6 +41,18 @@ Json method_rows() {
   return rows;
 }
 
+/// Each equation once, with the first of its methods' words.
+Json equation_rows() {
+  Json rows = Json::array();
+  for (const MethodInfo& m : methods()) {
+    for (const TermInfo& t : m.terms) {
+      const Json row = {{"name", t.what}, {"source", t.source}, {"function", t.function}, {"test", t.test}};
+      if (std::ranges::find(rows, row) == rows.end()) rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
 Json field_rows() {
   Json rows = Json::array();
   for (const Field& f : fields()) rows.push_back({{"name", f.key}, {"unit", f.unit}, {"help", f.help}});
@@ -53,8 +65,11 @@ Json colormap_rows() {
   return rows;
 }
 
-constexpr Listing listings[] = {
-    {"scenes", scene_rows}, {"methods", method_rows}, {"fields", field_rows}, {"colormaps", colormap_rows}};
+constexpr Listing listings[] = {{"scenes", scene_rows},
+                                {"methods", method_rows},
+                                {"equations", equation_rows},
+                                {"fields", field_rows},
+                                {"colormaps", colormap_rows}};
 
 std::string as_text(const Json& rows) {
   std::vector<std::vector<std::string>> cells;
@@ -100,7 +115,8 @@ std::function<int(Streams)> declare_list(CLI::App& app) {
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  app.add_option("KIND", options->kind, "scenes, methods, fields or colormaps; all four if left out")
+  app.add_option("KIND", options->kind,
+                 "scenes, methods, equations, fields or colormaps; all of them if left out")
       ->option_text(" ");
   app.add_flag("--json", options->json, "as JSON, for scripts");
   return [options](Streams streams) {

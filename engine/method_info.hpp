@@ -16,6 +16,15 @@ struct MethodConstant {
   std::string_view help;
 };
 
+/// A term of a method: what it says, where it comes from, which function computes it, which test covers it.
+struct TermInfo {
+  std::string_view what;      // "stress rate"
+  std::string_view formula;   // in Unicode
+  std::string_view source;    // "[Khayyer2024] Eq. 6"
+  std::string_view function;  // "terms/stress_rate.hpp:jaumann_rate", below engine/
+  std::string_view test;      // the name of its test case
+};
+
 /// What `list` and `describe` say of a method, derived from its Formulation.
 struct MethodInfo {
   std::string_view name;
@@ -23,7 +32,7 @@ struct MethodInfo {
   std::string_view summary;
   std::string_view material_law;  // "2d_deviator" or "neo_hookean": the reference to compare with
   std::string_view conserves;
-  std::vector<std::string_view> terms;  // one line per term, with its equation
+  std::vector<TermInfo> terms;
   std::vector<MethodConstant> constants;
   double cfl;                            // default acoustic CFL number
   ContactLaw contact;                    // the published one
