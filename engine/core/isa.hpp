@@ -5,3 +5,7 @@
 #ifndef TAUT_ISA
 #define TAUT_ISA baseline
 #endif
+
+// After the parameters of a lambda that is the body of a pass: all that it calls is inlined. Left to itself,
+// the compiler calls a term of a dozen vector operations, and hands each of them over through memory.
+#define TAUT_FLATTEN __attribute__((flatten))

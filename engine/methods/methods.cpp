@@ -78,8 +78,8 @@ TermInfo penalty_term() {
 }
 
 TermInfo impulse_term() {
-  return {"contact", "f = m_i m_j/(m_i + m_j) · closing speed/dt between bodies, r < dp",
-          "[Khayyer2024] Eq. 53, 54", "terms/impulse_contact.hpp:impulse_force",
+  return {"contact", "Δ(m_i v_i) = m_i m_j/(m_i + m_j) · closing speed, between bodies, r < dp",
+          "[Khayyer2024] Eq. 53, 54", "terms/impulse_contact.hpp:stopping_impulse",
           "impulse contact: stops the approach of a pair, nothing else"};
 }
 

@@ -38,7 +38,7 @@ template <const Formulation& M, int Dim, class Use>
 void gradient_pass(CauchyFields<M, Dim>& f, const Constants& c, int threads, const Use& use) {
   using K = Kernel<M.kernel>;
   const double alpha = K::alpha(Dim) / power<Dim>(c.h);
-  parallel_for(f.size(), threads, [&](int i) {
+  parallel_for(f.size(), threads, [&](int i) TAUT_FLATTEN {
     const Motion<Dim> a = spread_motion(f.motion[i]);
     Sym<Pack, Dim> moment{};
     [[maybe_unused]] Mat<Pack, Dim> L{};
@@ -85,7 +85,7 @@ double stress_pass(const CauchyFields<M, Dim>& f, const Constants& c, int thread
   using K = Kernel<M.kernel>;
   using Row = StressRow<M, Dim>;
   [[maybe_unused]] const double per_W_dp = power<Dim>(c.h) / (K::alpha(Dim) * K::w(c.dp / c.h));
-  return parallel_max(f.size(), threads, [&](int i) {
+  return parallel_max(f.size(), threads, [&](int i) TAUT_FLATTEN {
     const typename Row::Values a = Row::spread(f.stress[i]);
     Vec<Pack, Dim> force{};
     [[maybe_unused]] Vec<Pack, Dim> repulsion{}, sum_gradient{};
@@ -137,7 +137,7 @@ double stress_pass(const CauchyFields<M, Dim>& f, const Constants& c, int thread
 /// of which the greatest is returned.                                                [Khayyer2024] Eq. 14
 template <const Formulation& M, int Dim, class Use>
 double transport_pass(const CauchyFields<M, Dim>& f, const Constants& c, int threads, const Use& use) {
-  return parallel_max(f.size(), threads, [&](int i) {
+  return parallel_max(f.size(), threads, [&](int i) TAUT_FLATTEN {
     const Motion<Dim> a = spread_motion(f.moved[i]);
     Vec<Pack, Dim> du{};
     for (int b = f.near.begin[i]; b < f.near.begin[i + 1]; ++b) {
@@ -152,7 +152,7 @@ double transport_pass(const CauchyFields<M, Dim>& f, const Constants& c, int thr
 /// 1/s and kg/(m³ s). The geometry is that of `transported`.     [Khayyer2024] Eq. 8, 13, 27, 29
 template <const Formulation& M, int Dim, class Use>
 void rate_pass(const CauchyFields<M, Dim>& f, const Constants& c, int threads, const Use& use) {
-  parallel_for(f.size(), threads, [&](int i) {
+  parallel_for(f.size(), threads, [&](int i) TAUT_FLATTEN {
     const Motion<Dim> a = spread_motion(f.transported[i]);
     [[maybe_unused]] Sym<Pack, Dim> moment{};
     [[maybe_unused]] Pack compression{};

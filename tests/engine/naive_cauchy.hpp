@@ -18,8 +18,8 @@
 ///   - Eq. 18 with a minus, Eq. 21 with atan2, Eq. 43 with `riemann_factor`, ρ_ij a difference in Eq. 34, 35;
 ///   - held particles do not move, but are strained;
 ///   - [TranDuc2023] with ½ in the strain and spin rates, 1/ρ̄ in Π, (W/W(Δx))ⁿ in f_ij;
-///   - particles of two bodies touch within one spacing: [Khayyer2024] Eq. 53, 54 with the masses of those
-///     that are free; [TranDuc2023] Eq. 2.13 with K1 K2/(K1 + K2).
+///   - particles of two bodies touch within one spacing: [Khayyer2024] Eq. 53, 54 for the new velocities,
+///     with the masses of those that are free; [TranDuc2023] Eq. 2.13 with K1 K2/(K1 + K2).
 namespace taut::test::naive_cauchy {
 
 using Vector = std::array<double, 2>;
@@ -106,11 +106,12 @@ class Run {
 
   void step() {
     const double dt = is_.cfl() * h_ / c0_;  // Eq. 26
-    const std::vector<Vector> a = accelerations(dt);
+    const std::vector<Vector> a = accelerations();
     const std::vector<double> D = density_diffusion();
     const std::vector<double> rho = densities();  // volumes stay those of the start
     for (std::size_t i = 0; i < particles.size(); ++i)
       if (!particles[i].held) particles[i].u = particles[i].u + dt * a[i];
+    if (!is_.tranduc) stop_approach();
     const std::vector<Vector> u = transport_velocities();
     std::vector<Vector> middle;
     for (std::size_t i = 0; i < particles.size(); ++i) middle.push_back(particles[i].r + 0.5 * dt * u[i]);
@@ -214,7 +215,7 @@ class Run {
   }
 
   /// Eq. 28, 31, 51 (9, 17 without correction), or [TranDuc2023] Eq. 2.3 with its two further stresses.
-  std::vector<Vector> accelerations(double dt) {
+  std::vector<Vector> accelerations() {
     const std::vector<Matrix> L = corrections();
     const std::vector<Matrix> grad_u = is_.riemann ? plain_velocity_gradients(L) : std::vector<Matrix>(n());
     const std::vector<bool> inner = is_.tic ? inner_particles() : std::vector<bool>(n(), false);
@@ -238,7 +239,7 @@ class Run {
         if (is_.riemann) sum = sum + riemann(a, b, grad_u[i], grad_u[j]) * dw;
         acceleration[i] = acceleration[i] + b.m * sum;
       }
-      acceleration[i] = acceleration[i] + 1 / particles[i].m * contact_force(i, dt);
+      if (is_.tranduc) acceleration[i] = acceleration[i] + 1 / particles[i].m * penalty(particles[i]);
     }
     return acceleration;
   }
@@ -342,24 +343,41 @@ class Run {
     return Q * a.S * transposed(Q) + 2 * a.material.G * dt * (strain + -trace / 3 * identity);
   }
 
-  Vector contact_force(std::size_t i, double dt) {
-    Vector force{};
-    const Particle& a = particles[i];
+  /// f(b, b.r − a.r, distance) for each particle of another body within one spacing.
+  template <class F>
+  void for_each_touch(const Particle& a, const F& f) {
     for (const Particle& b : particles) {
-      if (a.body == b.body) continue;
       const Vector r = b.r - a.r;
       const double distance = std::hypot(r[0], r[1]);
-      if (distance >= d0_) continue;
+      if (a.body == b.body || distance >= d0_) continue;
       ++counts.contacts;
-      if (is_.tranduc) {
-        const double K = a.material.K * b.material.K / (a.material.K + b.material.K);
-        force = force - K * (d0_ - distance) / distance * r;
-      } else if (dot(b.u - a.u, r) < 0 && !(a.held && b.held)) {
-        const double mass = a.held ? b.m : b.held ? a.m : a.m * b.m / (a.m + b.m);
-        force = force + mass / dt * dot(b.u - a.u, r) / dot(r, r) * r;
-      }
+      f(b, r, distance);
     }
+  }
+
+  /// [TranDuc2023] Eq. 2.13.
+  Vector penalty(const Particle& a) {
+    Vector force{};
+    for_each_touch(a, [&](const Particle& b, const Vector& r, double distance) {
+      const double K = a.material.K * b.material.K / (a.material.K + b.material.K);
+      force = force - K * (d0_ - distance) / distance * r;
+    });
     return force;
+  }
+
+  /// Eq. 53, 54 times Δt, for the new velocities.
+  void stop_approach() {
+    std::vector<Vector> change;
+    for (const Particle& a : particles) {
+      Vector impulse{};
+      for_each_touch(a, [&](const Particle& b, const Vector& r, double) {
+        if (dot(b.u - a.u, r) >= 0 || (a.held && b.held)) return;
+        const double mass = a.held ? b.m : b.held ? a.m : a.m * b.m / (a.m + b.m);
+        impulse = impulse + mass * dot(b.u - a.u, r) / dot(r, r) * r;
+      });
+      change.push_back(a.held ? Vector{} : 1 / a.m * impulse);
+    }
+    for (std::size_t i = 0; i < n(); ++i) particles[i].u = particles[i].u + change[i];
   }
 
   Method is_;

@@ -183,7 +183,7 @@ TEST_SUITE("term") {
       sum_gradient += (j.V * j.dW) * j.e;
     }
     const Vec2 controlled = force + tensile_control(-1.0 * tension, sum_gradient);
-    CHECK(magnitude(force) > 1);
+    CHECK(magnitude(force) > 0.1);
     CHECK(magnitude(controlled) < 1e-13 * magnitude(force));
   }
 
