@@ -45,7 +45,9 @@ struct Mat {
   const T& operator()(int a, int b) const { return c[a][b]; }
 
   Mat& operator+=(const Mat& o) {
+#pragma GCC unroll 3
     for (int a = 0; a < Dim; ++a)
+#pragma GCC unroll 3
       for (int b = 0; b < Dim; ++b) c[a][b] += o(a, b);
     return *this;
   }
@@ -57,7 +59,9 @@ struct Mat {
   }
   friend Vec<T, Dim> operator*(const Mat& a, const Vec<T, Dim>& v) {
     Vec<T, Dim> r{};
+#pragma GCC unroll 3
     for (int k = 0; k < Dim; ++k)
+#pragma GCC unroll 3
       for (int l = 0; l < Dim; ++l) r[k] += a(k, l) * v[l];
     return r;
   }
@@ -76,6 +80,7 @@ struct Sym {
   const T& operator()(int a, int b) const { return c[index(a, b)]; }
 
   Sym& operator+=(const Sym& o) {
+#pragma GCC unroll 6
     for (int k = 0; k < size; ++k) c[k] += o.c[k];
     return *this;
   }
@@ -86,7 +91,9 @@ struct Sym {
   }
   friend Vec<T, Dim> operator*(const Sym& a, const Vec<T, Dim>& v) {
     Vec<T, Dim> r{};
+#pragma GCC unroll 3
     for (int k = 0; k < Dim; ++k)
+#pragma GCC unroll 3
       for (int l = 0; l < Dim; ++l) r[k] += a(k, l) * v[l];
     return r;
   }
@@ -118,14 +125,18 @@ Mat<T, Dim> full(const Sym<T, Dim>& S) {
 /// A += s a ⊗ b
 template <class T, int Dim>
 void add_outer(Mat<T, Dim>& A, const T& s, const Vec<T, Dim>& a, const Vec<T, Dim>& b) {
+#pragma GCC unroll 3
   for (int k = 0; k < Dim; ++k)
+#pragma GCC unroll 3
     for (int l = 0; l < Dim; ++l) A(k, l) += s * a[k] * b[l];
 }
 
 /// A += s a ⊗ a
 template <class T, int Dim>
 void add_outer(Sym<T, Dim>& A, const T& s, const Vec<T, Dim>& a) {
+#pragma GCC unroll 3
   for (int k = 0; k < Dim; ++k)
+#pragma GCC unroll 3
     for (int l = k; l < Dim; ++l) A(k, l) += s * a[k] * a[l];
 }
 

@@ -85,6 +85,7 @@ struct StressRow {
     Mat<Pack, Dim> R() const { return matrix(R_at); }  // the same of −σ⁺
     Sym<Pack, Dim> D() const {                         // symmetric part of ∇u
       Sym<Pack, Dim> D;
+#pragma GCC unroll 6
       for (int k = 0; k < S; ++k) D.c[k] = column[D_at + k];
       return D;
     }
@@ -101,7 +102,9 @@ struct StressRow {
     }
     Mat<Pack, Dim> matrix(int at) const {
       Mat<Pack, Dim> A;
+#pragma GCC unroll 3
       for (int k = 0; k < Dim; ++k)
+#pragma GCC unroll 3
         for (int l = 0; l < Dim; ++l) A(k, l) = column[at + k * Dim + l];
       return A;
     }

@@ -19,25 +19,38 @@
 /// so that no result depends on the number of threads.
 namespace taut::inline TAUT_ISA {
 
-/// Four pairs (i, j) with x_i − x_j = d. The filling and coincident particles are out of reach.
+/// What a pass needs to know of the kernel, worked out once.
 template <const Formulation& M, int Dim>
-CauchyPair<Dim> cauchy_pair(const Vec<Pack, Dim>& d, const Constants& c) {
+struct KernelScale {
   using K = Kernel<M.kernel>;
-  const double far = 2 * K::support * c.h;
-  const Pack r2 = dot(d, d);
-  CauchyPair<Dim> pair;
-  pair.r = root(r2 == 0 ? filled<Pack>(far * far) : r2);
-  pair.e = Pack(1 / pair.r) * d;
-  pair.dW = K::alpha(Dim) / power<Dim + 1>(c.h) * K::dw(Pack(pair.r / c.h));
-  return pair;
-}
+  double per_h, alpha_W, alpha_dW, far2;
+
+  explicit KernelScale(double h)
+      : per_h(1 / h),
+        alpha_W(K::alpha(Dim) / power<Dim>(h)),
+        alpha_dW(K::alpha(Dim) / power<Dim + 1>(h)),
+        far2(power<2>(2 * K::support * h)) {}
+
+  /// Four pairs (i, j) with x_i − x_j = d. The filling and coincident particles are out of reach.
+  CauchyPair<Dim> pair(const Vec<Pack, Dim>& d) const {
+    const Pack r2 = dot(d, d);
+    CauchyPair<Dim> pair;
+    pair.r = root(r2 == 0 ? filled<Pack>(far2) : r2);
+    pair.e = Pack(1 / pair.r) * d;
+    pair.dW = alpha_dW * K::dw(Pack(per_h * pair.r));
+    return pair;
+  }
+  template <class T>
+  T W(const T& r) const {
+    return alpha_W * K::w(T(per_h * r));
+  }
+};
 
 /// ∇u, ∇ρ, the colour function and L_i of every particle, and the geometry that the step works on.
 /// `use(i, gradients)` receives those of particle i.
 template <const Formulation& M, int Dim, class Use>
 void gradient_pass(CauchyFields<M, Dim>& f, const Constants& c, int threads, const Use& use) {
-  using K = Kernel<M.kernel>;
-  const double alpha = K::alpha(Dim) / power<Dim>(c.h);
+  const KernelScale<M, Dim> kernel(c.h);
   parallel_for(f.size(), threads, [&](int i) TAUT_FLATTEN {
     const Motion<Dim> a = spread_motion(f.motion[i]);
     Sym<Pack, Dim> moment{};
@@ -46,8 +59,8 @@ void gradient_pass(CauchyFields<M, Dim>& f, const Constants& c, int threads, con
     [[maybe_unused]] Pack colour{};
     for (int b = f.near.begin[i]; b < f.near.begin[i + 1]; ++b) {
       const Motion<Dim> o = gather_motion(f.motion, f.near.pack(b));
-      const CauchyPair<Dim> g = f.pairs[b] = cauchy_pair<M>(a.x - o.x, c);
-      const Pack W = alpha * K::w(Pack(g.r / c.h));
+      const CauchyPair<Dim> g = f.pairs[b] = kernel.pair(a.x - o.x);
+      const Pack W = kernel.W(g.r);
       if constexpr (needs_kernel(M)) f.W[b].value = W;
       if constexpr (M.corrected) add_gradient_moment(moment, o.V, g.dW, g.r, g.e);
       if constexpr (M.viscosity == Viscosity::riemann) add_velocity_gradient(L, o.V, g.dW, a.v - o.v, g.e);
@@ -60,7 +73,7 @@ void gradient_pass(CauchyFields<M, Dim>& f, const Constants& c, int threads, con
     if constexpr (M.viscosity == Viscosity::riemann) result.D = symmetric_part(product(sum(L), result.L));
     if constexpr (M.density_diffusion) result.grad_rho = result.L * sum(grad_rho);
     if constexpr (M.tensile_control)
-      result.colour = sum(colour) + colour_term(alpha * K::w(0.0), sum(a.V) / lanes);
+      result.colour = sum(colour) + colour_term(kernel.W(0.0), sum(a.V) / lanes);
     use(i, result);
   });
 }
@@ -82,9 +95,8 @@ inline Pack closeness(const Pack& W_over_W_dp, double n) {
 /// Returns the greatest value of `use`.
 template <const Formulation& M, int Dim, class Use>
 double stress_pass(const CauchyFields<M, Dim>& f, const Constants& c, int threads, const Use& use) {
-  using K = Kernel<M.kernel>;
   using Row = StressRow<M, Dim>;
-  [[maybe_unused]] const double per_W_dp = power<Dim>(c.h) / (K::alpha(Dim) * K::w(c.dp / c.h));
+  [[maybe_unused]] const double per_W_dp = 1 / KernelScale<M, Dim>(c.h).W(c.dp);
   return parallel_max(f.size(), threads, [&](int i) TAUT_FLATTEN {
     const typename Row::Values a = Row::spread(f.stress[i]);
     Vec<Pack, Dim> force{};
@@ -152,6 +164,7 @@ double transport_pass(const CauchyFields<M, Dim>& f, const Constants& c, int thr
 /// 1/s and kg/(m³ s). The geometry is that of `transported`.     [Khayyer2024] Eq. 8, 13, 27, 29
 template <const Formulation& M, int Dim, class Use>
 void rate_pass(const CauchyFields<M, Dim>& f, const Constants& c, int threads, const Use& use) {
+  const KernelScale<M, Dim> kernel(c.h);
   parallel_for(f.size(), threads, [&](int i) TAUT_FLATTEN {
     const Motion<Dim> a = spread_motion(f.transported[i]);
     [[maybe_unused]] Sym<Pack, Dim> moment{};
@@ -159,7 +172,7 @@ void rate_pass(const CauchyFields<M, Dim>& f, const Constants& c, int threads, c
     Mat<Pack, Dim> gradient{};
     for (int b = f.near.begin[i]; b < f.near.begin[i + 1]; ++b) {
       const Motion<Dim> o = gather_motion(f.transported, f.near.pack(b));
-      const CauchyPair<Dim> g = cauchy_pair<M>(a.x - o.x, c);
+      const CauchyPair<Dim> g = kernel.pair(a.x - o.x);
       const Vec<Pack, Dim> v_ij = a.v - o.v;
       if constexpr (M.corrected) add_gradient_moment(moment, o.V, g.dW, g.r, g.e);
       add_velocity_gradient(gradient, o.V, g.dW, v_ij, g.e);
