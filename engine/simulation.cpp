@@ -99,6 +99,13 @@ Constants make_constants(const std::vector<Elasticity>& materials, int first, co
   c.surface_colour = value("surface_colour");
   c.vicinity = value("vicinity");
   c.surface_artificial_stress = value("surface_artificial_stress");
+  c.normalised = value("normalised");
+  c.eps_v2 = value("eps_v2");
+  c.eps_v4 = value("eps_v4");
+  c.eps_J2 = value("eps_J2");
+  c.eps_J4 = value("eps_J4");
+  c.adjoint = value("adjoint");
+  c.projection = value("projection");
   c.cfl = settings.cfl > 0 ? settings.cfl : method.cfl;
   c.cfl_advection = value("cfl_advection");
   return c;

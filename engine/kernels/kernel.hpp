@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <numbers>
 #include <string_view>
 
@@ -34,6 +35,12 @@ struct Kernel<KernelName::wendland_c2> {
   static T dw(const T& q) {
     const T u = max(1 - 0.5 * q, T{});
     return -5 * q * u * u * u;
+  }
+  /// w″ = 5 (1 − q/2)² (2q − 1)
+  template <class T>
+  static T ddw(const T& q) {
+    const T u = max(1 - 0.5 * q, T{});
+    return 5 * u * u * (2 * q - 1);
   }
 };
 
@@ -80,6 +87,33 @@ struct Kernel<KernelName::sinc> {
     T sum{};
     for (int k = terms; k >= 1; --k) sum = sum * u + k * coefficient(k);
     return sum;
+  }
+};
+
+/// exp(−q²), [Zhang2020] validation case 1. Slow: for pairs that never change.
+/// Differs from the paper, which does not say where it ends: cut off at 3 h, where it is 1e-4, with the α
+/// that makes its integral 1.
+template <>
+struct Kernel<KernelName::gauss> {
+  static constexpr std::string_view name = "Gauss";
+  static constexpr double support = 3;
+
+  static constexpr double alpha(int dim) { return dim == 3 ? 0.17966614821808718 : 0.3183491735929349; }
+
+  template <class T>
+  static T w(const T& q) {
+    return q < support ? exponential(T(-q * q)) : T{};
+  }
+  /// w′ = −2 q exp(−q²)
+  template <class T>
+  static T dw(const T& q) {
+    return -2 * q * w(q);
+  }
+
+ private:
+  static double exponential(double a) { return std::exp(a); }
+  static Pack exponential(const Pack& a) {
+    return Pack{std::exp(a[0]), std::exp(a[1]), std::exp(a[2]), std::exp(a[3])};
   }
 };
 

@@ -2,6 +2,6 @@
 
 namespace taut {
 
-enum class KernelName : unsigned char { wendland_c2, sinc };
+enum class KernelName : unsigned char { wendland_c2, sinc, gauss };
 
 }  // namespace taut

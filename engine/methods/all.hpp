@@ -12,8 +12,8 @@ template <const Formulation&... M>
 struct MethodList {
   static_assert((consistent(M) && ...));
 };
-using Methods =
-    MethodList<og, oas, enog, enog_nonconservative, oenog, ulsph_av_as_uncorrected, ulsph_av_as,
-               d_ulsph_av_as, d_ulsph_av_tic, d_ulsph_r_as, ulsph_r_tic, d_ulsph_r_tic, ccb, ccbwat, icb, tl>;
+using Methods = MethodList<og, oas, enog, enog_nonconservative, oenog, ulsph_av_as_uncorrected, ulsph_av_as,
+                           d_ulsph_av_as, d_ulsph_av_tic, d_ulsph_r_as, ulsph_r_tic, d_ulsph_r_tic, ccb,
+                           ccbwat, icb, tl, pf, pf_jst, pfj_jst, tl_small_strain>;
 
 }  // namespace taut

@@ -27,6 +27,10 @@ struct Constants : Elasticity {
   double vicinity = 0;                         // reach of the surface, spacings
   double surface_artificial_stress = 0;        // share of it where there is no tensile control
   double normalised = 0;                       // 1: gradients over the sum of kernels, where not corrected
+  double eps_v2 = 0, eps_v4 = 0;               // harmonic and biharmonic dissipation of the momentum
+  double eps_J2 = 0, eps_J4 = 0;               // the same of the volume ratio
+  double adjoint = 0;                          // 1: biharmonic term by the adjoint, 0: as printed
+  double projection = 0;                       // 1: on what conserves momenta
   double cfl = 0, cfl_advection = 0;
 };
 

@@ -40,8 +40,15 @@ enum class Viscosity : std::uint8_t {
 /// What gives the stress for the deformation gradient; engine/materials/.
 enum class Law : std::uint8_t { none, neo_hookean, st_venant_kirchhoff, linear_elastic, rotated_piola };
 
+/// What a method on the configuration of the start integrates in time, with the positions.
+enum class Unknowns : std::uint8_t {
+  velocity,  // the deformation gradient comes from the positions
+  v_F,       // it is an unknown of its own: {p, F}, [Lee2016] §3.3.2
+  v_F_J,     // and so is the volume ratio: {p, F, J}
+};
+
 /// How gradients on neighbours of the start are made right; solver/reference_pairs.hpp.
-enum class GradientCorrection : std::uint8_t { corrected, normalised, plain };
+enum class GradientCorrection : std::uint8_t { corrected, normalised };
 
 /// What a method is. Named values of it, and nothing else, are instantiated.
 struct Formulation {
@@ -52,12 +59,14 @@ struct Formulation {
   Shear shear;
   bool artificial_stress = false;  // Gray's
   PairStress pair_stress = PairStress::product;
-  Viscosity viscosity = Viscosity::none;  // of methods with a Cauchy stress
-  bool corrected = false;                 // kernel gradients, [Khayyer2024] Eq. 27–31
-  bool transport_velocity = false;        // XSPH, [Khayyer2024] Eq. 14
-  bool density_diffusion = false;         // [Khayyer2024] Eq. 32–35
-  bool tensile_control = false;           // TIC inside, artificial stress at surfaces, [Khayyer2024] §3.4
-  Law law = Law::none;                    // of methods on the configuration of the start
+  Viscosity viscosity = Viscosity::none;   // of methods with a Cauchy stress
+  bool corrected = false;                  // kernel gradients, [Khayyer2024] Eq. 27–31
+  bool transport_velocity = false;         // XSPH, [Khayyer2024] Eq. 14
+  bool density_diffusion = false;          // [Khayyer2024] Eq. 32–35
+  bool tensile_control = false;            // TIC inside, artificial stress at surfaces, [Khayyer2024] §3.4
+  Law law = Law::none;                     // of methods on the configuration of the start
+  Unknowns unknowns = Unknowns::velocity;  // of the same
+  bool jst = false;                        // dissipation of [Lee2016] §3.4
   GradientCorrection gradient = GradientCorrection::corrected;  // of the same
   Deviator deviator = Deviator::in_plane;
   KernelName kernel = KernelName::wendland_c2;
@@ -88,6 +97,9 @@ constexpr bool has_cauchy_switches(const Formulation& m) {
 /// [Zhang2024] does not say.
 constexpr bool strains_what_is_held(const Formulation& m) { return carries_stress(m); }
 
+/// The deformation gradient is an unknown of its own.
+constexpr bool is_mixed(const Formulation& m) { return m.unknowns != Unknowns::velocity; }
+
 /// Mixtures that make no sense are refused at compile time.
 constexpr bool consistent(const Formulation& m) {
   return (!m.artificial_stress || carries_stress(m))  // there is no stress to take it from
@@ -98,6 +110,8 @@ constexpr bool consistent(const Formulation& m) {
          (!m.tensile_control || m.artificial_stress)                      // which the surface keeps
          && (m.pair_stress == PairStress::product || !m.corrected)        // no paper has both
          && (m.shear == Shear::reference_stress) == (m.law != Law::none)  // others have a stress rate
+         && (m.shear == Shear::reference_stress || !is_mixed(m)) && (!m.jst || is_mixed(m)) &&
+         (m.unknowns != Unknowns::v_F_J || m.law == Law::neo_hookean)  // the other laws take J from F
          && m.h_over_dp > 0 && m.cfl > 0 && m.cfl_advection > 0 && !m.name.empty();
 }
 

@@ -24,17 +24,46 @@ TermInfo law_term(Law law) {
   return {};
 }
 
+constexpr std::string_view exact_gradients =
+    "pairs of the start: antisymmetric, within a body, gradients of linear fields exact";
+constexpr std::string_view internal_force = "f_i = Σ_j (V_i P_i B_i + V_j P_j B_j) k_ij";
+constexpr std::string_view exact_force =
+    "pairs of the start: the force is minus the derivative of the energy";
+
+std::vector<TermInfo> mixed_terms(const Formulation& m) {
+  std::vector<TermInfo> t{
+      {"deformation", "dF/dt = Σ_j (v_j − v_i) ⊗ k_ij B_i, k_ij = V_i V_j ∇W of the start",
+       "[Lee2016] Eq. 33a", "solver/reference_pairs.hpp:difference_sum", exact_gradients}};
+  if (m.unknowns == Unknowns::v_F_J)
+    t.push_back({"volume ratio", "dJ/dt = H : Σ_j (v_j − v_i) ⊗ k_ij B_i, H = cof F", "[Lee2016] Eq. 33c",
+                 "solver/mixed_lagrangian.hpp:gather_pass", "mixed: a ring and a disc that collide"});
+  t.push_back(law_term(m.law));
+  t.push_back({"internal force", internal_force, "[Lee2016] Eq. 29c", "solver/reference_pairs.hpp:pair_sum",
+               exact_force});
+  if (m.jst)
+    t.push_back(
+        {"dissipation", "D(U) = c_p dp (ε₂ L[U] − ε₄ dp² L*[L[U]]), L corrected",
+         "[Lee2016] Eq. 36, 37, A.1–A.5", "solver/corrected_laplacian.hpp:corrected_laplacian",
+         "corrected Laplacian: 0 of linear fields, 2 d of the square of the distance, at surfaces too"});
+  t.push_back({"projection", "forces and D(v) nearest to those with Σ V a = 0, Σ V Z × a = 0",
+               "[Lee2016] Eq. 45–51", "solver/momentum_projection.hpp:project_on_momenta",
+               "projection: the nearest accelerations without force and torque"});
+  t.push_back(penalty_term());
+  t.push_back({"time", "TVD Runge–Kutta, two stages", "[Lee2016] Eq. 43", "solver/mixed_lagrangian.hpp:step",
+               "mixed: a ring and a disc that collide"});
+  return t;
+}
+
 }  // namespace
 
 std::vector<TermInfo> total_lagrangian_terms(const Formulation& m) {
+  if (is_mixed(m)) return mixed_terms(m);
   return {
       {"deformation", "F = I + Σ_j (u_j − u_i) ⊗ k_ij B_i, k_ij = V_i V_j ∇W of the start",
-       "[Lee2016] Eq. 34", "solver/reference_pairs.hpp:ReferencePairs",
-       "pairs of the start: antisymmetric, within a body, gradients of linear fields exact"},
+       "[Lee2016] Eq. 34", "solver/reference_pairs.hpp:difference_sum", exact_gradients},
       law_term(m.law),
-      {"internal force", "f_i = Σ_j (V_i P_i B_i + V_j P_j B_j) k_ij", "[Lee2016] Eq. 29c",
-       "solver/total_lagrangian.hpp:TotalLagrangian",
-       "pairs of the start: the force is minus the derivative of the energy"},
+      {"internal force", internal_force, "[Lee2016] Eq. 29c", "solver/reference_pairs.hpp:pair_sum",
+       exact_force},
       penalty_term(),
       {"time", "position Verlet, one step", "[Zhang2020] Eq. 10, 11", "solver/total_lagrangian.hpp:step",
        "total Lagrangian: a ring and a disc that collide"},
@@ -42,7 +71,23 @@ std::vector<TermInfo> total_lagrangian_terms(const Formulation& m) {
 }
 
 std::vector<MethodConstant> total_lagrangian_constants(const Formulation& m) {
-  return {{"h", m.h_over_dp, 0.8, 3.0, "smoothing length over the spacing"}};
+  std::vector<MethodConstant> c{{"h", m.h_over_dp, 0.8, 3.0, "smoothing length over the spacing"}};
+  if (m.gradient == GradientCorrection::normalised)
+    c.push_back({"normalised", 1.0, 0.0, 1.0, "1: gradients over the sum of kernels, 0: as they come"});
+  if (m.jst) {
+    c.push_back({"eps_v2", 0.0, 0.0, 1.0, "ε₂ of the momentum, for shocks"});
+    c.push_back({"eps_v4", 0.125, 0.0, 1.0, "ε₄ of the momentum, against zigzags"});
+    c.push_back({"adjoint", 1.0, 0.0, 1.0, "1: biharmonic term L*[L[U]], damps all; 0: L[L[U]] as printed"});
+  }
+  if (m.jst && m.unknowns == Unknowns::v_F_J) {
+    c.push_back({"eps_J2", 0.0, 0.0, 1.0, "ε₂ of the volume ratio"});
+    c.push_back(
+        {"eps_J4", 1.0 / 256, 0.0, 1.0,
+         "ε₄ of the volume ratio: 1/8 near incompressibility, but faces that meet do not last with it"});
+  }
+  if (is_mixed(m))
+    c.push_back({"projection", 1.0, 0.0, 1.0, "1: forces projected on what keeps both momenta, 0: not"});
+  return c;
 }
 
 }  // namespace taut

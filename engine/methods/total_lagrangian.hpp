@@ -13,6 +13,7 @@ namespace taut {
 constexpr Formulation lee2016(Formulation m) {
   m.deviator = Deviator::plane_strain;
   m.law = Law::neo_hookean;
+  m.several_materials = !is_mixed(m);  // the momentum of two materials is not smooth where they meet
   m.contact = ContactLaw::penalty;
   m.contact_stiffness = 2;
   m.h_over_dp = 1.05;
@@ -27,6 +28,32 @@ inline constexpr Formulation tl = lee2016({
     .conserves = "linear momentum, angular momentum, energy",
     .shear = Shear::reference_stress,
 });
+inline constexpr Formulation pf = lee2016({
+    .name = "pf",
+    .paper = "Lee2016 §3.3",
+    .summary = "momentum and deformation gradient as unknowns, no dissipation: zigzags grow",
+    .conserves = "linear momentum, angular momentum",
+    .shear = Shear::reference_stress,
+    .unknowns = Unknowns::v_F,
+});
+inline constexpr Formulation pf_jst = lee2016({
+    .name = "pf-jst",
+    .paper = "Lee2016 §3.4, §6",
+    .summary = "pf with Jameson–Schmidt–Turkel dissipation: no zigzags up to Poisson's ratio 0.495",
+    .conserves = "linear momentum, angular momentum",
+    .shear = Shear::reference_stress,
+    .unknowns = Unknowns::v_F,
+    .jst = true,
+});
+inline constexpr Formulation pfj_jst = lee2016({
+    .name = "pfj-jst",
+    .paper = "Lee2016 §3.4, §6",
+    .summary = "pf-jst with the volume ratio as an unknown: smooth pressure near incompressibility",
+    .conserves = "linear momentum, angular momentum",
+    .shear = Shear::reference_stress,
+    .unknowns = Unknowns::v_F_J,
+    .jst = true,
+});
 inline constexpr Formulation icb{
     .name = "icb",
     .paper = "TranDuc2023 §2.3",
@@ -39,6 +66,24 @@ inline constexpr Formulation icb{
     .contact = ContactLaw::penalty,
     .several_materials = true,
     .h_over_dp = 1.2,
+};
+
+/// [Zhang2020] states neither h nor where the Gaussian ends. h = dp: sums over a square lattice are right to
+/// 1e-3 then, and not with less.
+inline constexpr Formulation tl_small_strain{
+    .name = "tl-small-strain",
+    .paper = "Zhang2020",
+    .summary = "linear strain on neighbours of the start: for small strains with little rotation",
+    .conserves = "linear momentum, energy",
+    .shear = Shear::reference_stress,
+    .law = Law::linear_elastic,
+    .gradient = GradientCorrection::normalised,
+    .deviator = Deviator::plane_strain,
+    .kernel = KernelName::gauss,
+    .contact = ContactLaw::penalty,
+    .contact_stiffness = 2,
+    .several_materials = true,
+    .h_over_dp = 1,
 };
 
 }  // namespace taut

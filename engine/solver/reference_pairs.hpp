@@ -64,7 +64,7 @@ std::vector<int> order_in_space(const std::vector<Vec<double, Dim>>& x, const st
 ///   below Eq. 11 plain       B_i = I/V_i
 template <int Dim>
 Sym<double, Dim> gradient_correction(GradientCorrection gradient, const Mat<double, Dim>& moment, double V,
-                                     double sum_W) {
+                                     double S) {
   if (gradient == GradientCorrection::corrected) {
     Sym<double, Dim> M;
     for (int a = 0; a < Dim; ++a)
@@ -72,15 +72,15 @@ Sym<double, Dim> gradient_correction(GradientCorrection gradient, const Mat<doub
     return inverse(M);
   }
   Sym<double, Dim> B{};
-  for (int a = 0; a < Dim; ++a) B(a, a) = 1 / (gradient == GradientCorrection::normalised ? V * sum_W : V);
+  for (int a = 0; a < Dim; ++a) B(a, a) = 1 / (V * S);
   return B;
 }
 
 /// The pairs of particles stored in `order_in_space`, of places X and volumes V, m^Dim.
 template <class K, int Dim>
 ReferencePairs<Dim> make_reference_pairs(const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,
-                                         const std::vector<int>& first, double h,
-                                         GradientCorrection gradient) {
+                                         const std::vector<int>& first, double h, GradientCorrection gradient,
+                                         double share = 1) {
   ReferencePairs<Dim> pairs;
   pairs.begin.push_back(0);
   const double scale_W = K::alpha(Dim) / std::pow(h, Dim), scale_dW = scale_W / h;
@@ -107,7 +107,7 @@ ReferencePairs<Dim> make_reference_pairs(const std::vector<Vec<double, Dim>>& X,
         pairs.k.push_back(k);
       }
       pairs.begin.push_back(static_cast<int>(pairs.j.size()));
-      pairs.B.push_back(gradient_correction(gradient, moment, V_i, sum_W));
+      pairs.B.push_back(gradient_correction(gradient, moment, V_i, 1 + share * (sum_W - 1)));
     }
   }
   return pairs;

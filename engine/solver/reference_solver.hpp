@@ -65,9 +65,8 @@ ReferenceSolver<M, Dim>::ReferenceSolver(const SolverInput& input)
     V0_.push_back(layout_.V0[id]);
     material_.push_back(layout_.material[id]);
   }
-  const bool plain = M.gradient == GradientCorrection::normalised && c_.normalised == 0;
-  const GradientCorrection gradient = plain ? GradientCorrection::plain : M.gradient;
-  pairs_of_start_ = make_reference_pairs<Kernel<M.kernel>>(X_, V0_, layout_.first, c_.h, gradient);
+  pairs_of_start_ =
+      make_reference_pairs<Kernel<M.kernel>>(X_, V0_, layout_.first, c_.h, M.gradient, c_.normalised);
   check_pairs(input.scene);
   this->pairs_ = static_cast<long>(pairs_of_start_.j.size());
   for (const Elasticity& e : input.materials) {

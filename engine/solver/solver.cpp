@@ -6,6 +6,7 @@
 #include "engine/methods/all.hpp"
 #include "engine/solver/bonded.hpp"
 #include "engine/solver/cauchy_stress.hpp"
+#include "engine/solver/mixed_lagrangian.hpp"
 #include "engine/solver/total_lagrangian.hpp"
 #include "engine/solver/updated_lagrangian.hpp"
 
@@ -19,6 +20,8 @@ auto solver_of() {
     return std::type_identity<Bonded<M, Dim>>();
   else if constexpr (M.shear == Shear::cauchy_stress)
     return std::type_identity<CauchyStress<M, Dim>>();
+  else if constexpr (is_mixed(M))
+    return std::type_identity<MixedLagrangian<M, Dim>>();
   else if constexpr (M.shear == Shear::reference_stress)
     return std::type_identity<TotalLagrangian<M, Dim>>();
   else

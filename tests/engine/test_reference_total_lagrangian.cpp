@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/layout.hpp"
+#include "tests/engine/naive_lee2016.hpp"
 #include "tests/engine/naive_total_lagrangian.hpp"
 #include "tests/engine/relative.hpp"
 #include "tests/engine/runs.hpp"
@@ -20,6 +21,7 @@ using naive_reference::Method;
 namespace {
 
 constexpr int steps = 60;
+constexpr int mixed_steps = 30;
 constexpr double agreement = 1e-10;  // of the greatest magnitude of each field
 
 struct Case {
@@ -106,7 +108,72 @@ void check_method(const Scene& scene, const Case& test) {
   check_field("stress", engine_sigma, sigma);
 }
 
-const Case cases[] = {{"tl", Method::tl}, {"icb", Method::icb}};
+const Case cases[] = {{"tl", Method::tl}, {"icb", Method::icb}, {"tl-small-strain", Method::small_strain}};
+
+naive_lee::Run naive_mixed_run(const Scene& scene, const std::string& name, const Settings& settings) {
+  const MethodInfo& info = *find_method(name);
+  const Material& material = scene.materials[0];
+  const auto constant = [&](const char* key) {
+    const auto set = settings.constants.find(key);
+    return set == settings.constants.end() ? constant_of(info, key) : set->second;
+  };
+  naive_lee::Run run{name != "pf",
+                     name == "pfj-jst",
+                     scene.spacing,
+                     constant("h") * scene.spacing,
+                     info.cfl,
+                     material.density,
+                     material.bulk_modulus(),
+                     material.shear_modulus(),
+                     constant("contact_stiffness"),
+                     constant("eps_v2"),
+                     constant("eps_v4"),
+                     constant("eps_J2"),
+                     constant("eps_J4"),
+                     constant("projection") != 0,
+                     constant("adjoint") != 0,
+                     {}};
+  const Layout layout = make_layout(scene);
+  for (int i = 0; i < layout.size(); ++i) {
+    naive_lee::Particle a;
+    a.X = a.x = {layout.x[i][0], layout.x[i][1]};
+    a.p = material.density * naive_lee::Vector(layout.v[i][0], layout.v[i][1]);
+    a.V = layout.V0[i];
+    a.body = layout.body[i];
+    a.held = layout.held[i];
+    run.particles.push_back(a);
+  }
+  run.start();
+  for (int k = 0; k < mixed_steps; ++k) run.step();
+  return run;
+}
+
+void check_mixed(const Scene& scene, const std::string& name, const Settings& settings) {
+  CAPTURE(name);
+  const naive_lee::Run run = naive_mixed_run(scene, name, settings);
+  const Snapshot now = state_after(mixed_steps, scene, settings);
+  CHECK(run.contacts > 100);
+  CHECK(now.time == relative(run.time, 1e-12));
+  std::vector<double> x, v, rho, sigma, engine_sigma;
+  double drifted = 0;
+  for (std::size_t n = 0; n < run.particles.size(); ++n) {
+    const naive_lee::Particle& a = run.particles[n];
+    x.insert(x.end(), a.x.begin(), a.x.end());
+    for (int k = 0; k < 2; ++k) v.push_back(a.p[k] / run.rho0);
+    const double J = run.with_J ? a.J : a.F.determinant();
+    drifted = std::max(drifted, std::abs(J - a.F.determinant()));
+    rho.push_back(run.rho0 / J);
+    const naive_lee::Matrix s = run.stress(a) * a.F.transpose() / J;
+    sigma.insert(sigma.end(), {s(0, 0), s(0, 1), s(1, 1)});
+    engine_sigma.insert(engine_sigma.end(),
+                        {now.s[4 * n] - now.p[n], now.s[4 * n + 1], now.s[4 * n + 2] - now.p[n]});
+  }
+  CHECK((drifted > 1e-4) == run.with_J);
+  check_field("x", now.x, x);
+  check_field("v", now.v, v);
+  check_field("rho", now.rho, rho);
+  check_field("stress", engine_sigma, sigma);
+}
 
 }  // namespace
 
@@ -116,5 +183,15 @@ TEST_SUITE("reference") {
   }
   TEST_CASE("total Lagrangian: a clamped plate hit on its clamp") {
     for (const Case& test : cases) check_method(small_clamped_plate(), test);
+  }
+  TEST_CASE("mixed: a ring and a disc that collide") {
+    for (const std::string name : {"pf", "pf-jst", "pfj-jst"})
+      check_mixed(small_collision(), name, with_method(name));
+  }
+  TEST_CASE("mixed: a clamped plate hit on its clamp, without projection, with all dissipation") {
+    Settings settings = with_method("pfj-jst");
+    settings.constants = {
+        {"projection", 0}, {"eps_v2", 0.03}, {"eps_J2", 0.02}, {"eps_J4", 0.01}, {"adjoint", 0}};
+    check_mixed(small_clamped_plate(), "pfj-jst", settings);
   }
 }
