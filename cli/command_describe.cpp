@@ -40,6 +40,16 @@ Rows parameter_rows(const std::vector<Parameter>& parameters) {
   return rows;
 }
 
+Rows line_rows(const Scene& scene) {
+  Rows rows{{"name", "field", "points", "times"}};
+  for (const Line& line : scene.lines) {
+    std::string times;
+    for (const double t : line.times) times += (times.empty() ? "" : ", ") + brief(t);
+    rows.push_back({line.name, line.field, std::to_string(line.points), times + " s"});
+  }
+  return rows;
+}
+
 Rows measure_rows(const Scene& scene) {
   Rows rows{{"name", "unit", "references"}};
   for (const Measure& m : scene.measures) {
@@ -101,6 +111,7 @@ void describe_scene(const std::string& name, std::ostream& out) {
   print_table(out, "Materials", material_rows(scene), 1);
   print_table(out, "Bodies", body_rows(scene));
   print_table(out, "Probes, followed in history.csv", probes);
+  print_table(out, "Lines, sampled in lines.csv", line_rows(scene), 1);
   print_table(out, "Measures", measure_rows(scene), 1);
 }
 

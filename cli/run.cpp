@@ -9,6 +9,7 @@
 #include "cli/divergence.hpp"
 #include "cli/frames.hpp"
 #include "cli/history.hpp"
+#include "cli/lines_file.hpp"
 #include "cli/output_times.hpp"
 #include "cli/pace.hpp"
 #include "cli/particle_series.hpp"
@@ -25,8 +26,8 @@ constexpr double record_interval = 5.0;  // s between two states of run.json whi
 /// Drives a simulation from one output time to the next and records what it shows.
 class Run {
  public:
-  Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Interrupts& interrupts,
-      Progress& progress, RunRecord record);
+  Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, LineRecorder lines,
+      const Interrupts& interrupts, Progress& progress, RunRecord record);
   Run(const Run&) = delete;  // its parts refer to one another
   Run& operator=(const Run&) = delete;
 
@@ -38,6 +39,7 @@ class Run {
   RunRecord::Status how_it_ended() const;
   void advance(double target);
   void look();
+  void sample_lines();
   void show_what_is_due();
   bool draw_the_rest();
   void save(RunRecord::Status status);
@@ -46,6 +48,7 @@ class Run {
 
   const RunPlan& plan_;
   std::unique_ptr<Simulation> simulation_;
+  LineRecorder lines_;
   const Interrupts& interrupts_;
   Progress& progress_;
   RunResult result_;
@@ -54,6 +57,7 @@ class Run {
   Judge judge_;
   Drift drift_;
   std::optional<History> history_;
+  std::optional<LinesFile> lines_file_;  // of a scene with lines
   std::optional<Frames> frames_;
   std::optional<ParticleSeries> particles_;
   Pace pace_;
@@ -61,10 +65,11 @@ class Run {
   Stopwatch since_saved_;
 };
 
-Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Interrupts& interrupts,
-         Progress& progress, RunRecord record)
+Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, LineRecorder lines,
+         const Interrupts& interrupts, Progress& progress, RunRecord record)
     : plan_(plan),
       simulation_(std::move(simulation)),
+      lines_(std::move(lines)),
       interrupts_(interrupts),
       progress_(progress),
       result_{std::move(record), 0, ""},
@@ -86,6 +91,8 @@ RunResult Run::execute() {
   try {
     write_whole(plan_.folder.scene(), plan_.file.resolved);
     history_.emplace(plan_.folder.history(), plan_.file.scene);
+    if (!plan_.file.scene.lines.empty())
+      lines_file_.emplace(plan_.folder.lines(), plan_.file.scene, record_.material_law);
     simulate();
     const RunRecord::Status status = how_it_ended();
     save(status);  // the drawing of frames that were kept takes time, and may be interrupted as well
@@ -128,12 +135,14 @@ void Run::step_through() {
   progress_.begin(plan_.file.scene.name + ", " + record_.method + ", " + std::to_string(record_.particles) +
                   " particles");
   look();
+  sample_lines();
   show_what_is_due();
   for (bool going = result_.failure.empty(); going;) {
-    advance(std::min({frame_agenda_.next(), history_agenda_.next(), record_.until}));
+    advance(std::min({frame_agenda_.next(), history_agenda_.next(), lines_.next(), record_.until}));
     going = record_.reached < record_.until && !interrupts_.asked();
     if (history_agenda_.next() <= record_.reached || !going) look();
     if (!result_.failure.empty()) break;
+    sample_lines();
     show_what_is_due();
   }
   progress_.end(state_line());
@@ -169,6 +178,12 @@ void Run::look() {
   if (record_.verdict == Verdict::diverged) result_.failure = describe_divergence(now, sums);
 }
 
+void Run::sample_lines() {
+  const Timed timed(record_.seconds.write);
+  lines_.look(simulation_->snapshot());
+  if (lines_file_) lines_file_->add(lines_.samples());
+}
+
 void Run::show_what_is_due() {
   // several frames may show one step, where they are asked for closer together than the steps are
   for (int due = frame_agenda_.reached(record_.reached); due > 0; --due) {
@@ -195,7 +210,7 @@ void Run::save(RunRecord::Status status) {
   since_saved_ = {};
   record_.status = status;
   record_.conservation = drift_.conservation(exchanges_momentum_);
-  record_.measures = measure(plan_.file.scene, simulation_->series(), record_.material_law);
+  record_.measures = measure(plan_.file.scene, simulation_->series(), record_.material_law, lines_.samples());
   if (frames_) result_.frames = frames_->written();
   if (particles_) particles_->save_index();
   write_whole(plan_.folder.record(), to_json(record_).dump(2) + "\n");
@@ -211,6 +226,12 @@ std::string Run::state_line() const {
 /// The engine knows no files: an error about the scene gets its place in the file here.
 std::unique_ptr<Simulation> start(const SceneFile& file) try {
   return make_simulation(file.scene, file.settings);
+} catch (const SceneError& e) {
+  throw locate(file, e);
+}
+
+LineRecorder start_lines(const SceneFile& file, const Simulation& simulation) try {
+  return {file.scene, simulation.snapshot(), simulation.support()};
 } catch (const SceneError& e) {
   throw locate(file, e);
 }
@@ -246,7 +267,9 @@ RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress&
   std::unique_ptr<Simulation> simulation = start(plan.file);
   RunRecord record = new_record(plan, *simulation);
   record.seconds.setup = setup_seconds + watch.seconds();
-  return Run(plan, std::move(simulation), interrupts, progress, std::move(record)).execute();
+  LineRecorder lines = start_lines(plan.file, *simulation);
+  return Run(plan, std::move(simulation), std::move(lines), interrupts, progress, std::move(record))
+      .execute();
 }
 
 }  // namespace taut

@@ -84,6 +84,7 @@ void RunFolder::claim(std::string_view record_text) const {
   std::error_code not_empty;
   fs::remove(particles(), not_empty);
   remove_file(history());
+  remove_file(lines());
   remove_file(scene());
 }
 

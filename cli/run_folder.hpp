@@ -32,6 +32,7 @@ class RunFolder {
   /// Times and names of the particle files, for ParaView.
   std::filesystem::path particle_index() const { return particles() / "particles.pvd"; }
   std::filesystem::path history() const { return path_ / "history.csv"; }
+  std::filesystem::path lines() const { return path_ / "lines.csv"; }
   std::filesystem::path scene() const { return path_ / "scene.toml"; }
   std::filesystem::path record() const { return path_ / "run.json"; }
   /// Where the frames differ from a baseline that they were compared with.

@@ -26,9 +26,10 @@ void collect_places(const TomlValue& value, const std::string& path,
 
 /// First of all: a misspelt table would else be reported as missing.
 void refuse_unknown_keys(TomlCursor& root) {
-  for (const char* key : {"name", "title", "source", "dim", "spacing", "until", "history", "method",
-                          "stepping", "cfl", "contact", "method_constants", "parameters", "material", "body",
-                          "probe", "measure", "reference", "render"})
+  for (const char* key :
+       {"name",   "title",    "source", "dim",     "spacing",          "until",      "history",
+        "method", "stepping", "cfl",    "contact", "method_constants", "parameters", "material",
+        "body",   "probe",    "line",   "measure", "reference",        "render"})
     root.find(key);
   root.finish();
 }
@@ -101,6 +102,7 @@ SceneFile read_with(double dp, const std::filesystem::path& path, const TomlValu
   read_materials(root, file.scene);
   read_bodies(root, file.scene);
   read_probes(root, file.scene);
+  read_lines(root, file.scene);
   read_measures(root, file.scene);
   read_references(root, file);
   read_drawing(root, file.drawing);

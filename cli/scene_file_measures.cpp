@@ -45,14 +45,8 @@ constexpr std::array measure_kinds{
     MeasureKind{"final_ratio", Measure::Kind::final_ratio, true, true, true},
     MeasureKind{"path_error", Measure::Kind::path_error, false, true, false, 2},
     MeasureKind{"turn", Measure::Kind::turn, false, false, false, 2},
+    MeasureKind{"line_rmse", Measure::Kind::line_rmse, false, false, false, 0},
 };
-
-int body_index(TomlCursor& cursor, const TomlValue& value, std::string_view key, const Scene& scene) {
-  const std::string name = cursor.text_of(value, key);
-  const std::size_t i = index_of(scene.bodies, name);
-  if (i == scene.bodies.size()) cursor.fail_unknown(value, key, "body", name, names_of(scene.bodies));
-  return static_cast<int>(i);
-}
 
 std::vector<int> probe_bodies(TomlCursor& cursor, int number, const Scene& scene) {
   if (number == 1) return {body_index(cursor, cursor.need("body"), "body", scene)};
@@ -92,6 +86,21 @@ std::string known_probe(TomlCursor& cursor, const TomlValue& value, std::string_
   return name;
 }
 
+std::string known_line(TomlCursor& cursor, const Scene& scene) {
+  const std::string name = cursor.text("line");
+  if (index_of(scene.lines, name) == scene.lines.size())
+    cursor.fail_unknown(cursor.need("line"), "line", "line", name, names_of(scene.lines));
+  return name;
+}
+
+/// The body that a measure looks at first.
+const Body& measured_body(const Measure& measure, const Scene& scene) {
+  const int body = measure.probes.empty()
+                       ? scene.lines[index_of(scene.lines, measure.line)].body
+                       : scene.probes[index_of(scene.probes, measure.probes.front())].bodies.front();
+  return scene.bodies[static_cast<std::size_t>(body)];
+}
+
 /// `probe = "name"`, or `probes = ["x", "y"]` of a measure that takes several.
 std::vector<std::string> measured_probes(TomlCursor& cursor, const MeasureKind& kind, const Scene& scene) {
   if (kind.probes == 1) return {known_probe(cursor, cursor.need("probe"), "probe", scene)};
@@ -111,10 +120,12 @@ Measure read_measure(TomlCursor& cursor, const Scene& scene) {
   const MeasureKind& kind =
       measure_kinds[index_of(measure_kinds, cursor.choice("of", names_of(measure_kinds)))];
   measure.kind = kind.kind;
-  measure.probes = measured_probes(cursor, kind, scene);
+  if (kind.probes > 0)
+    measure.probes = measured_probes(cursor, kind, scene);
+  else
+    measure.line = known_line(cursor, scene);
   measure.unit = cursor.text("unit", "");
-  const Probe& probe = scene.probes[index_of(scene.probes, measure.probes.front())];
-  const int material = scene.bodies[static_cast<std::size_t>(probe.bodies.front())].material;
+  const int material = measured_body(measure, scene).material;
   add_names(cursor.names(), scene.materials[static_cast<std::size_t>(material)]);
   if (kind.threshold) measure.threshold = cursor.number("threshold", measure.threshold);
   if (kind.scale) {
@@ -128,19 +139,14 @@ Measure read_measure(TomlCursor& cursor, const Scene& scene) {
   return measure;
 }
 
-/// The tables of [[key]], each with a cursor that knows its name.
-template <class Read>
-void read_each(TomlCursor& root, const std::string& key, const Read& read) {
-  int number = 0;
-  for (TomlValue& value : root.list(key)) {
-    const TomlEntry* name = value.find("name");
-    const std::string known_as = name ? name->value.text : std::to_string(++number);
-    TomlCursor cursor = root.enter(value, key + "." + known_as, key + " '" + known_as + "'");
-    read(cursor);
-  }
-}
-
 }  // namespace
+
+int body_index(TomlCursor& cursor, const TomlValue& value, std::string_view key, const Scene& scene) {
+  const std::string name = cursor.text_of(value, key);
+  const std::size_t i = index_of(scene.bodies, name);
+  if (i == scene.bodies.size()) cursor.fail_unknown(value, key, "body", name, names_of(scene.bodies));
+  return static_cast<int>(i);
+}
 
 void read_probes(TomlCursor& root, Scene& scene) {
   read_each(root, "probe", [&](TomlCursor& cursor) { scene.probes.push_back(read_probe(cursor, scene)); });

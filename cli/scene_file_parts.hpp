@@ -38,6 +38,7 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file);
 void read_materials(TomlCursor& root, Scene& scene);
 void read_bodies(TomlCursor& root, Scene& scene);
 void read_probes(TomlCursor& root, Scene& scene);
+void read_lines(TomlCursor& root, Scene& scene);
 void read_measures(TomlCursor& root, Scene& scene);
 void read_references(TomlCursor& root, SceneFile& file);
 void read_drawing(TomlCursor& root, Drawing& drawing);
@@ -56,6 +57,23 @@ void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string
 std::string label(TomlCursor& entry, const std::vector<std::string>& taken);
 /// The names that an expression about a body knows besides the parameters: c0, E, nu, rho, K, G.
 void add_names(Names& names, const Material& material);
+
+/// The body that `value` names.
+int body_index(TomlCursor& cursor, const TomlValue& value, std::string_view key, const Scene& scene);
+/// What can be drawn or sampled.
+std::vector<std::string> names_of_fields();
+
+/// The tables of [[key]], each with a cursor that knows its name.
+template <class Read>
+void read_each(TomlCursor& root, const std::string& key, const Read& read) {
+  int number = 0;
+  for (TomlValue& value : root.list(key)) {
+    const TomlEntry* name = value.find("name");
+    const std::string known_as = name ? name->value.text : std::to_string(++number);
+    TomlCursor cursor = root.enter(value, key + "." + known_as, key + " '" + known_as + "'");
+    read(cursor);
+  }
+}
 
 template <class Items>
 std::vector<std::string> names_of(const Items& items) {

@@ -71,18 +71,27 @@ std::map<std::string, double> read_values(TomlCursor& reference, const Scene& sc
   return values;
 }
 
-bool follows_time(const Measure& measure) {
-  return measure.kind == Measure::Kind::rmse || measure.kind == Measure::Kind::path_error ||
-         measure.kind == Measure::Kind::turn;
+bool is_one_of(Measure::Kind kind, std::initializer_list<Measure::Kind> kinds) {
+  return std::ranges::find(kinds, kind) != kinds.end();
 }
 
-/// The measure of an entry, which must be one that is compared with a curve over time.
-const Measure& curve_measure(TomlCursor& cursor, const TomlEntry& entry, const Scene& scene) {
+/// The measure of an entry, which must be one that is compared with a table over time.
+const Measure& table_measure(TomlCursor& cursor, const TomlEntry& entry, const Scene& scene) {
+  using enum Measure::Kind;
   const Measure& measure = known_measure(cursor, entry, scene);
-  if (!follows_time(measure))
+  if (!is_one_of(measure.kind, {rmse, path_error, turn}))
+    cursor.fail(entry.place, entry.key,
+                "the measure '" + entry.key + "' takes no table; only one of rmse, path_error or turn does");
+  return measure;
+}
+
+const Measure& solution_measure(TomlCursor& cursor, const TomlEntry& entry, const Scene& scene) {
+  using enum Measure::Kind;
+  const Measure& measure = known_measure(cursor, entry, scene);
+  if (!is_one_of(measure.kind, {rmse, path_error, turn, line_rmse}))
     cursor.fail(entry.place, entry.key,
                 "the measure '" + entry.key +
-                    "' is compared with a value; only one of rmse, path_error or turn takes a curve");
+                    "' takes no solution; only one of rmse, path_error, turn or line_rmse does");
   return measure;
 }
 
@@ -118,21 +127,22 @@ std::map<std::string, ReferenceTable> read_tables(TomlCursor& reference, const S
   const std::filesystem::path folder = std::filesystem::absolute(file.path).parent_path();
   TomlCursor cursor = reference.enter(*table, "tables", "'tables' of " + reference.what());
   for (TomlEntry& entry : cursor.table().entries) {
-    const Measure& measure = curve_measure(cursor, entry, file.scene);
+    const Measure& measure = table_measure(cursor, entry, file.scene);
     tables[entry.key] =
         read_one_table(cursor.enter(entry.value, entry.key, "table '" + entry.key + "'"), measure, folder);
   }
   return tables;
 }
 
-/// An expression of t, or an array of them for a measure of several probes.
+/// An expression of t (of a line: of its place x, y too), or an array of them for a measure of several
+/// probes.
 std::map<std::string, std::vector<Solution>> read_solutions(TomlCursor& reference, const Scene& scene) {
   std::map<std::string, std::vector<Solution>> solutions;
   TomlValue* table = reference.find("solutions");
   if (!table) return solutions;
   TomlCursor cursor = reference.enter(*table, "solutions", "'solutions' of " + reference.what());
   for (const TomlEntry& entry : cursor.table().entries) {
-    const std::size_t number = curve_measure(cursor, entry, scene).probes.size();
+    const std::size_t number = std::max<std::size_t>(1, solution_measure(cursor, entry, scene).probes.size());
     const bool several = entry.value.kind == TomlValue::Kind::array;
     if (number != (several ? entry.value.items.size() : 1))
       cursor.fail(entry.value, entry.key,

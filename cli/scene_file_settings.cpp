@@ -131,14 +131,12 @@ void read_view(TomlCursor& render, Drawing& drawing) {
 
 void read_colors(TomlCursor& render, Drawing& drawing) {
   drawing.color = render.text("color", drawing.color);
-  std::vector<std::string> known;
-  for (const Field& field : fields()) known.emplace_back(field.key);
   if (!find_field(drawing.color))
-    render.fail_unknown(*render.find("color"), "color", "field", drawing.color, known);
+    render.fail_unknown(*render.find("color"), "color", "field", drawing.color, names_of_fields());
   drawing.colormap = render.text("colormap", automatic);
   if (drawing.colormap == automatic) drawing.colormap.clear();
   if (drawing.colormap.empty() || find_colormap(drawing.colormap)) return;
-  known = {std::string(automatic)};
+  std::vector<std::string> known = {std::string(automatic)};
   for (const Colormap& map : colormaps()) known.emplace_back(map.key);
   render.fail_unknown(*render.find("colormap"), "colormap", "colour map", drawing.colormap, known);
 }
@@ -168,6 +166,12 @@ TomlValue number_array(const auto& numbers, bool whole) {
 }
 
 }  // namespace
+
+std::vector<std::string> names_of_fields() {
+  std::vector<std::string> names;
+  for (const Field& field : fields()) names.emplace_back(field.key);
+  return names;
+}
 
 void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   const MethodInfo& of_file = file_method(root);

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/lines.hpp"
 #include "engine/simulation.hpp"
 
 namespace taut {
@@ -18,9 +19,9 @@ struct MeasureResult {
   std::optional<double> error;      // |value − reference| / |reference|; where the reference is 0, |value|
 };
 
-/// Every measure of the scene from the series recorded so far, against the reference of material `law`.
-/// Between steps a series is a straight line (first_peak and decay: a parabola through three steps); what
-/// follows a value that is not finite is left out.
+/// Every measure of the scene from the series and the samples of `lines` recorded so far, against the
+/// reference of material `law`. Between steps a series is a straight line (first_peak and decay: a parabola
+/// through three steps); what follows a value that is not finite is left out.
 ///
 ///   period, first_peak, decay  a half cycle lies between two crossings of zero; one that only touches zero
 ///                              goes on, and one that has not ended yet does not count. A peak keeps its
@@ -32,6 +33,9 @@ struct MeasureResult {
 ///   path_error                 greatest distance of the point (x, y) of two probes from where the reference
 ///                              has it at the same time, over `scale`, at the rows of its table or at the
 ///                              steps; as rmse else.
+///   line_rmse                  √ of the mean of (field − reference)² over all points of the line and all its
+///                              times, the reference at the time of the step that was sampled; none before
+///                              the last sample. Its reference is 0.
 ///   turn                       angle of the point (x, y) of two probes about the origin from the start to
 ///                              `until`, whole turns counted; none before. Its reference is the turn of the
 ///                              reference's path up to `until`.
@@ -41,6 +45,7 @@ struct MeasureResult {
 ///   contact).
 ///
 /// Throws SceneError for a measure of a probe that does not exist.
-std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std::string_view law);
+std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std::string_view law,
+                                   const std::vector<std::vector<LineSample>>& lines = {});
 
 }  // namespace taut

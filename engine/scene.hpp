@@ -99,6 +99,16 @@ struct Probe {
   int axis = 0;
 };
 
+/// Material points of a body, evenly spaced along a straight line at t = 0, at which a field is sampled.
+struct Line {
+  std::string name;
+  int body = 0;        // index into Scene::bodies
+  std::string field;   // its key
+  Point from{}, to{};  // the first and the last point, m
+  int points = 0;
+  std::vector<double> times;  // s, increasing
+};
+
 /// A number made from the series of probes, with its unit as it stands in run.json.
 struct Measure {
   enum class Kind {
@@ -112,11 +122,13 @@ struct Measure {
     last_below,   // last time at which it was; null unless it is above at the end
     final_ratio,  // last value over `scale`; null while series `free` is ≤ threshold at the end
     path_error,   // greatest distance of a point from the reference's curve at the same time, over `scale`
+    line_rmse,    // root mean square difference of a line from the reference's solution, all points and times
     turn,         // angle a point has turned by about the origin, counter-clockwise, rad
   };
   std::string name;
   Kind kind{};
-  std::vector<std::string> probes;  // one; path_error, turn: two, the point's x and y
+  std::vector<std::string> probes;  // one; path_error, turn: two, the point's x and y; line_rmse: none
+  std::string line;                 // line_rmse
   std::string unit;
   double threshold = 0;
   double scale = 1;
@@ -131,10 +143,11 @@ struct ReferenceTable {
 
 /// Independent values for the measures of this very scene (the parameters as they stand).
 struct Reference {
-  std::string name;                     // "finite elements, 2d deviator, ..."
+  std::string name;                       // "finite elements, 2d deviator, ..."
   std::map<std::string, double> value{};  // measure → value in the measure's unit
   std::map<std::string, ReferenceTable> table{};
-  std::map<std::string, std::vector<Solution>> solution{};  // measure → exact solution, [probe]
+  std::map<std::string, std::vector<Solution>>
+      solution{};  // measure → exact solution, [probe] or of the line
 };
 
 /// What is simulated. Plain data: every expression of a scene file has been evaluated or bound.
@@ -149,6 +162,7 @@ struct Scene {
   std::vector<Body> bodies;
   ContactLaw contact = ContactLaw::published;
   std::vector<Probe> probes;
+  std::vector<Line> lines;
   std::vector<Measure> measures;
   /// By deviator law ("2d_deviator", "neo_hookean"); empty where there is none for these parameters.
   std::map<std::string, Reference> references;

@@ -28,11 +28,13 @@ struct ReferenceCurves {
 
 /// What a measure is made from.
 struct Source {
-  std::vector<Curve> curve;   // of each probe
-  std::optional<Curve> free;  // final_ratio
-  ReferenceCurves reference;  // rmse, path_error, turn
-  double until = 0;           // s
-  bool turns = true;          // an extreme at the end is not the last word
+  std::vector<Curve> curve;                          // of each probe
+  std::optional<Curve> free;                         // final_ratio
+  ReferenceCurves reference;                         // rmse, path_error, turn, line_rmse
+  const Line* line = nullptr;                        // line_rmse
+  const std::vector<LineSample>* samples = nullptr;  // of the line
+  double until = 0;                                  // s
+  bool turns = true;                                 // an extreme at the end is not the last word
 };
 
 /// The time that a run and the reference's curves both cover, up to the end of the run; nothing while the run
@@ -136,7 +138,21 @@ Value final_ratio(const Source& source, double scale, double threshold) {
   return source.curve[0].y.back() / scale;
 }
 
+Value line_rmse(const Source& source) {
+  if (!source.reference.exact || !source.samples) return std::nullopt;
+  const Line& line = *source.line;
+  if (source.samples->size() < line.times.size() || source.samples->empty()) return std::nullopt;
+  double sum = 0;
+  for (const LineSample& sample : *source.samples)
+    for (int k = 0; k < line.points; ++k)
+      sum += std::pow(sample.value[static_cast<std::size_t>(k)] -
+                          source.reference.exact->front()(line_point(line, k), sample.time),
+                      2);
+  return std::sqrt(sum / (static_cast<double>(line.points) * static_cast<double>(line.times.size())));
+}
+
 Value value_of(const Measure& measure, const Source& source) {
+  if (measure.kind == Measure::Kind::line_rmse) return line_rmse(source);
   if (std::ranges::any_of(source.curve, [](const Curve& c) { return c.size() == 0; })) return std::nullopt;
   const Curve& curve = source.curve.front();
   switch (measure.kind) {
@@ -162,6 +178,8 @@ Value value_of(const Measure& measure, const Source& source) {
       return path_error(source, measure.scale);
     case Measure::Kind::turn:
       return turn(source.curve, source.until);
+    case Measure::Kind::line_rmse:
+      break;
   }
   return std::nullopt;
 }
@@ -190,7 +208,9 @@ ReferenceCurves reference_curves(const Measure& measure, const Reference* refere
   return curves;
 }
 
-Source source_of(const Measure& measure, const Scene& scene, const Series& series,
+using Samples = std::vector<std::vector<LineSample>>;
+
+Source source_of(const Measure& measure, const Scene& scene, const Series& series, const Samples& lines,
                  const Reference* reference) {
   const std::string key = "measure." + measure.name;
   Source source;
@@ -204,6 +224,10 @@ Source source_of(const Measure& measure, const Scene& scene, const Series& serie
         finite_part({series.time, series.value.at(probe_index(scene, measure.free, key + ".free"))});
   }
   source.reference = reference_curves(measure, reference);
+  const auto line = std::ranges::find(scene.lines, measure.line, &Line::name);
+  const std::size_t l = static_cast<std::size_t>(line - scene.lines.begin());
+  if (line != scene.lines.end()) source.line = &*line;
+  if (l < lines.size()) source.samples = &lines[l];
   source.until = scene.until;
   return source;
 }
@@ -213,6 +237,7 @@ Value reference_value(const Measure& measure, const Source& source, const Refere
   switch (measure.kind) {
     case Measure::Kind::rmse:
     case Measure::Kind::path_error:
+    case Measure::Kind::line_rmse:
       return source.reference.empty() ? std::nullopt : Value(0);
     case Measure::Kind::turn:
       return reference_turn(source);
@@ -231,14 +256,15 @@ Value error_of(const Value& value, const Value& reference) {
 
 }  // namespace
 
-std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std::string_view law) {
+std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std::string_view law,
+                                   const Samples& lines) {
   const Reference* reference = find_or_null(scene.references, std::string(law));
   std::vector<MeasureResult> results;
   for (const Measure& each : scene.measures) {
     MeasureResult result;
     result.name = each.name;
     result.unit = each.unit;
-    const Source source = source_of(each, scene, series, reference);
+    const Source source = source_of(each, scene, series, lines, reference);
     result.value = value_of(each, source);
     result.reference = reference_value(each, source, reference);
     if (result.reference) result.reference_name = reference->name;

@@ -3,20 +3,19 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/error.hpp"
 #include "engine/layout.hpp"
+#include "engine/material_point.hpp"
 #include "engine/simulation.hpp"
 #include "engine/solver/state.hpp"
 
 namespace taut::inline TAUT_ISA {
 
 /// Follows a scene's probes at every step.
-///
-/// A material point is read from the particles around it with weights of moving least squares,
-///   w_k = W_k (1, d_k)·A⁻¹·(1, 0),  A = Σ W_k (1, d_k) ⊗ (1, d_k),  d_k = X_k − X,
-/// so that a point on a face, half a spacing outside the outermost particles, is exact for a linear field.
 template <int Dim>
 class Recorder {
  public:
+  /// Throws SceneError for a probe that is not in its body.
   Recorder(const Scene& scene, const Layout& layout, double reach);
 
   /// Where each particle is stored now; refreshes what is only looked at between rebuilds.
@@ -25,23 +24,21 @@ class Recorder {
   void record(const State<Dim>& s, double time, Series& series);
 
  private:
-  struct Weighted {
-    int id;
-    double weight;
-  };
   struct Follower {
-    std::vector<Weighted> at, to;  // material points, or the particles of a body with their share of its mass
+    std::vector<PointWeight> at,
+        to;  // material points, or the particles of a body with their share of its mass
     std::vector<std::pair<int, int>> pairs;  // gap: stored particles of the two bodies within the support
     double held_value = 0;                   // of what is looked at between rebuilds only, m
   };
 
-  std::vector<Weighted> material_point(const Layout& layout, int body, const Point& at, double reach) const;
+  std::vector<PointWeight> point(const Layout& layout, const Probe& probe, const Point& at,
+                                 double reach) const;
   void find_close_pairs(const State<Dim>& s, const Probe& probe, Follower& f) const;
   double mirror_asymmetry(const State<Dim>& s, const Probe& probe) const;
   double value(const State<Dim>& s, const Probe& probe, const Follower& f) const;
-  Vec<double, Dim> place(const State<Dim>& s, const std::vector<Weighted>& point) const {
+  Vec<double, Dim> place(const State<Dim>& s, const std::vector<PointWeight>& point) const {
     Vec<double, Dim> x{};
-    for (const Weighted& w : point) x += w.weight * s.x[where_[w.id]];
+    for (const PointWeight& w : point) x += w.weight * s.x[where_[w.particle]];
     return x;
   }
 
@@ -66,50 +63,21 @@ Recorder<Dim>::Recorder(const Scene& scene, const Layout& layout, double reach)
       for (int i = first_[body]; i < first_[body + 1]; ++i) total += layout.V0[i];
       for (int i = first_[body]; i < first_[body + 1]; ++i) f.at.push_back({i, layout.V0[i] / total});
     } else if (probe.kind != Probe::Kind::gap && probe.kind != Probe::Kind::mirror_asymmetry) {
-      f.at = material_point(layout, body, probe.at, reach);
-      if (probe.kind == Probe::Kind::distance) f.to = material_point(layout, body, probe.to, reach);
+      f.at = point(layout, probe, probe.at, reach);
+      if (probe.kind == Probe::Kind::distance) f.to = point(layout, probe, probe.to, reach);
     }
     followers_.push_back(std::move(f));
   }
 }
 
 template <int Dim>
-auto Recorder<Dim>::material_point(const Layout& layout, int body, const Point& at, double reach) const
-    -> std::vector<Weighted> {
-  // A for the basis (1, d), solved by elimination
-  constexpr int N = Dim + 1;
-  double A[N][N + 1] = {};
-  std::vector<Weighted> point;
-  std::vector<Vec<double, N>> basis;
-  for (int i = first_[body]; i < first_[body + 1]; ++i) {
-    Vec<double, N> b{};
-    b[0] = 1;
-    double r2 = 0;
-    for (int k = 0; k < Dim; ++k) {
-      b[k + 1] = (layout.x[i][k] - at[k]) / reach;
-      r2 += b[k + 1] * b[k + 1];
-    }
-    if (r2 >= 1) continue;
-    const double w = (1 - r2) * (1 - r2);
-    point.push_back({i, w});
-    basis.push_back(b);
-    for (int k = 0; k < N; ++k)
-      for (int l = 0; l < N; ++l) A[k][l] += w * b[k] * b[l];
-  }
-  if (point.size() < static_cast<std::size_t>(N)) return {};  // refused by the caller's check of probes
-  A[0][N] = 1;
-  for (int k = 0; k < N; ++k) {
-    for (int row = 0; row < N; ++row) {
-      if (row == k) continue;
-      const double factor = A[row][k] / A[k][k];
-      for (int l = k; l <= N; ++l) A[row][l] -= factor * A[k][l];
-    }
-  }
-  for (std::size_t p = 0; p < point.size(); ++p) {
-    double shape = 0;
-    for (int k = 0; k < N; ++k) shape += basis[p][k] * A[k][N] / A[k][k];
-    point[p].weight *= shape;
-  }
+auto Recorder<Dim>::point(const Layout& layout, const Probe& probe, const Point& at, double reach) const
+    -> std::vector<PointWeight> {
+  const int body = probe.bodies[0];
+  std::vector<PointWeight> point = material_point(layout.x, first_[body], first_[body + 1], at, reach, Dim);
+  if (point.empty())
+    throw SceneError("probe." + probe.name,
+                     "the probe '" + probe.name + "' has too few particles of its body around its point");
   return point;
 }
 
@@ -165,7 +133,7 @@ double Recorder<Dim>::value(const State<Dim>& s, const Probe& probe, const Follo
     }
     case Probe::Kind::mean_velocity: {
       double v = 0;
-      for (const Weighted& w : f.at) v += w.weight * s.v[where_[w.id]][probe.axis];
+      for (const PointWeight& w : f.at) v += w.weight * s.v[where_[w.particle]][probe.axis];
       return v;
     }
     case Probe::Kind::gap: {

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <doctest/doctest.h>
 
@@ -129,8 +131,12 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("scenes are found by name and by path") {
-    CHECK(scene_names() ==
-          std::vector<std::string>{"ball-plate", "colliding-rings", "oscillating-plate", "rotating-plate"});
+    const std::vector<std::string> names = scene_names();
+    CHECK(std::ranges::is_sorted(names));
+    for (const char* name :
+         {"ball-plate", "colliding-rings", "composite-rings", "composite-rings-density", "elastic-cable",
+          "elastic-rings", "heterogeneous-cable", "oscillating-plate", "rotating-plate", "tran-duc-rings"})
+      CHECK(std::ranges::count(names, name) == 1);
     CHECK(find_scene("ball-plate") == scenes_folder() / "ball-plate.toml");
     const std::string path = write_scene(small_scene).string();
     CHECK(find_scene(path) == path);
@@ -271,5 +277,112 @@ TEST_SUITE("unit") {
     CHECK(own.value[0].back() == Approx(-0.49487).epsilon(1e-5));
     CHECK(own.value[1].back() == Approx(0.51579).epsilon(1e-5));
     CHECK(shipped("rotating-plate", set({{"omega", "100"}})).scene.references.empty());
+  }
+
+  TEST_CASE("elastic cable: the exact solution is the sum of the modes") {
+    for (const char* speed : {"5", "-2"}) {
+      const Scene scene = shipped("elastic-cable", set({{"speed", speed}})).scene;
+      const Solution& exact = scene.references.at("neo_hookean").solution.at("end_rmse").at(0);
+      const double U = std::stod(speed), L = 10, c = 5000, pi = std::numbers::pi;
+      for (const double t : {0.0, 2e-4, 5e-4, 1e-3, 3.7e-3, 4.4e-3, 5e-3, 7.6e-3, 8.1e-3, 0.01}) {
+        // u = Σ a_n sin(k_n x) sin(k_n c t)/(k_n c), k_n = (n + ½)π/L, a_n = 2/L ∫ v0 sin(k_n x) dx from 3L/4
+        // to L
+        double u = 0;
+        for (int n = 0; n < 20000; ++n) {
+          const double k = (n + 0.5) * pi / L;
+          const double a = 2 / L * U / k * (std::cos(k * 0.75 * L) - std::cos(k * L));
+          u += a * std::sin(k * L) * std::sin(k * c * t) / (k * c);
+        }
+        CHECK(std::abs(exact({L, 0, 0}, t) - u) < 1e-4 * std::abs(U) * L / (4 * c));
+      }
+    }
+    // of K and G, with 1/2 of the trace: M = 4KG/(K + G)
+    const Scene scene = shipped("elastic-cable").scene;
+    const double K = scene.materials.at(0).bulk_modulus(), G = scene.materials[0].shear_modulus();
+    const double c = std::sqrt(4 * K * G / (K + G) / 8000);
+    const Solution& rod = scene.references.at("2d_deviator").solution.at("end_rmse").at(0);
+    CHECK(rod({}, 1e-4) == Approx(5e-4).epsilon(1e-12));
+    CHECK(rod({}, 1e-3) == Approx(5 * 2.5 / c).epsilon(1e-12));
+    CHECK(rod({}, 20 / c) == Approx(0).scale(1e-3));
+    CHECK(4 * G * (3 * K + G) / (3 * K + 4 * G) == Approx(2e11).epsilon(1e-12));
+    CHECK(particles(scene) == 404 * 8);
+  }
+
+  TEST_CASE("heterogeneous cable: the analytic stress is that of a bar of many small masses") {
+    const Scene scene = shipped("heterogeneous-cable").scene;
+    for (const char* law : {"neo_hookean", "2d_deviator"}) {
+      const Solution& exact = scene.references.at(law).solution.at("stress_rmse").at(0);
+      // springs and masses, n to a metre; M of each metal from its K and G
+      const int n = 1000;
+      const double dx = 1.0 / n, dt = 0.5 * dx / 6000, pi = std::numbers::pi;
+      const auto modulus = [&](int material) {
+        const double K = scene.materials[material].bulk_modulus(),
+                     G = scene.materials[material].shear_modulus();
+        const double lateral = law[0] == 'n' ? K - 2 * G / 3 : K - G,
+                     own = law[0] == 'n' ? K + 4 * G / 3 : K + G;
+        return own - lateral * lateral / own;  // free to change its thickness
+      };
+      const double M[] = {modulus(0), modulus(1)}, rho[] = {2785, 8930};
+      std::vector<double> u(2 * n + 1), v(2 * n + 1), stress(2 * n);
+      double t = 0;
+      const double times[] = {1.0e-4, 2.0e-4, 2.5e-4, 3.5e-4};
+      for (const double time : times) {
+        for (; t < time; t += dt) {
+          for (int k = 0; k < 2 * n; ++k) stress[k] = M[k >= n] * (u[k + 1] - u[k]) / dx;
+          for (int k = 0; k <= 2 * n; ++k) {
+            const double left = k > 0 ? stress[k - 1] : 0, right = k < 2 * n ? stress[k] : 0;
+            const double mass = dx / 2 * ((k > 0 ? rho[k > n] : 0) + (k < 2 * n ? rho[k >= n] : 0));
+            v[k] += dt * (right - left) / mass;
+          }
+          if (t < 1e-4) v[0] = 5e-5 * pi * 1e4 * std::sin(pi * 1e4 * (t + dt / 2));
+          for (int k = 0; k <= 2 * n; ++k) u[k] += dt * v[k];
+        }
+        double squared = 0, greatest = 0;
+        for (int k = 0; k < 2 * n; ++k) {
+          const double expected = exact({(k + 0.5) * dx, 0, 0}, t - dt / 2);
+          squared += std::pow(stress[k] - expected, 2) / (2 * n);
+          greatest = std::max(greatest, std::abs(expected));
+        }
+        CHECK(greatest > 2e7);
+        CHECK(std::sqrt(squared) < 0.01 * greatest);
+      }
+    }
+    CHECK(scene.lines.at(0).times == std::vector<double>{1.0e-4, 1.5e-4, 2.0e-4, 2.5e-4, 3.0e-4, 3.5e-4});
+  }
+
+  TEST_CASE("rings: the numbers of Khayyer2024 4.4 and 4.6") {
+    const Scene rings = shipped("elastic-rings").scene;
+    CHECK(rings.materials.at(0).youngs_modulus == 2e6);
+    CHECK(rings.materials[0].poisson_ratio == 0.495);
+    CHECK(rings.bodies.at(0).velocity[0]({}) == 1);
+    CHECK(rings.bodies.at(1).velocity[0]({}) == -1);
+    for (const char* name : {"composite-rings", "composite-rings-density"}) {
+      CAPTURE(name);
+      const Scene scene = shipped(name).scene;
+      CHECK(scene.materials.at(0).youngs_modulus == 5e6);
+      CHECK(scene.materials.at(1).youngs_modulus == 5e5);
+      CHECK(scene.materials[0].density == 1000);
+      CHECK(scene.materials[1].density == (std::string(name) == "composite-rings" ? 1000 : 100));
+      const Layout layout = make_layout(scene);
+      CHECK(layout.size() == make_layout(rings).size());
+      int inner = 0;
+      for (int i = 0; i < layout.size(); ++i) {
+        const double from_centre =
+            std::hypot(layout.x[i][0] + (layout.body[i] == 0 ? 0.045 : -0.045), layout.x[i][1]);
+        CHECK((layout.material[i] == 1) == (from_centre < 0.035));
+        inner += layout.material[i];
+      }
+      // by area: (35² − 30²)/(40² − 30²)
+      CHECK(inner == Approx(layout.size() * 325.0 / 700).epsilon(0.01));
+    }
+  }
+
+  TEST_CASE("large rings: diameter, wall and speed of TranDuc2023 3.3") {
+    const SceneFile file = shipped("tran-duc-rings", set({{"speed", "8"}}));
+    const auto& ring = std::get<Ring>(file.scene.bodies.at(0).shapes.at(0));
+    CHECK(ring.outer == 0.1);
+    CHECK(ring.inner == Approx(0.09));
+    CHECK(ring.centre[0] == Approx(-0.101));
+    CHECK(file.scene.bodies[0].velocity[0]({}) == 8);
   }
 }

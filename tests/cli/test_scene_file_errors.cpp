@@ -189,7 +189,7 @@ TEST_SUITE("cli") {
   TEST_CASE("scene: measures and tables") {
     check_error("of = \"maximum\"", "of = \"final_ratio\"\nscale = @0", {"scale is 0"});
     check_error("values = { peak = 3 }", "tables = { @peak = { file = \"no.csv\", column = \"a\" } }",
-                {"only one of rmse, path_error or turn"});
+                {"takes no table; only one of rmse, path_error or turn"});
     check_error("of = \"maximum\"\nprobe = \"tip\"", "of = \"turn\"\nprobes = @[\"tip\"]",
                 {"probes must be an array of 2 names"});
     check_error("of = \"maximum\"\nprobe = \"tip\"", "of = \"turn\"\nprobes = [\"tip\", @\"top\"]",
@@ -246,6 +246,34 @@ TEST_SUITE("cli") {
     CHECK(says(table_error("t,uy\n0,1\n0,2\n"), "3: t must grow"));
     CHECK(says(table_error("t,uy\n0,1\n"), "at least two rows"));
     CHECK(says(table_error(""), "the table is empty"));
+  }
+
+  TEST_CASE("scene: lines") {
+    const auto with = [](const std::string& line) {
+      return "[[line]]\nname = \"cut\"\nbody = \"block\"\nfield = \"pressure\"\nfrom = [0, 0.5]\nto = [2, "
+             "0.5]\n" +
+             line + "[[reference]]";
+    };
+    const auto bad = [&](const std::string& line, std::initializer_list<const char*> parts) {
+      check_error("[[reference]]", with(line), parts);
+    };
+    const SceneFile right =
+        read_text(replaced(small_scene, "[[reference]]", with("points = 5\ntimes = [0, \"v0\", 2]\n")));
+    CHECK(right.scene.lines.at(0).times == std::vector<double>{0, 0.06, 2});
+    bad("points = @1\ntimes = [1]\n", {"points = 1 must be a whole number from 2"});
+    bad("points = 5\ntimes = @[]\n", {"times must be an array"});
+    bad("points = 5\ntimes = @3\n", {"times must be an array"});
+    bad("points = 5\ntimes = [1, @0.5]\n", {"0.5 comes after 1", "times must grow"});
+    bad("points = 5\ntimes = [@-1]\n", {"times must grow"});
+    bad("points = 5\ntimes = [1]\n@width = 3\n", {"unknown key 'width'"});
+    const std::string good = with("points = 5\ntimes = [1]\n");
+    check_error("[[reference]]", replaced(good, "\"pressure\"", "@\"presure\""),
+                {"unknown field 'presure'", "'pressure'"});
+    check_error("[[reference]]", replaced(good, "\"block\"", "@\"blok\""),
+                {"unknown body 'blok'", "'block'"});
+    const std::string measured = "of = \"line_rmse\"\nline = ";
+    check_error("of = \"maximum\"\nprobe = \"tip\"", measured + "@\"cut\"",
+                {"unknown line 'cut'", "there is none"});
   }
 
   TEST_CASE("overrides: unknown names") {

@@ -86,10 +86,21 @@ void check_same(const Scene& a, const Scene& b) {
     CHECK(a.probes[i].at == b.probes[i].at);
     CHECK(a.probes[i].to == b.probes[i].to);
   }
+  REQUIRE(a.lines.size() == b.lines.size());
+  for (std::size_t i = 0; i < a.lines.size(); ++i) {
+    CHECK(a.lines[i].name == b.lines[i].name);
+    CHECK(a.lines[i].body == b.lines[i].body);
+    CHECK(a.lines[i].field == b.lines[i].field);
+    CHECK(a.lines[i].from == b.lines[i].from);
+    CHECK(a.lines[i].to == b.lines[i].to);
+    CHECK(a.lines[i].points == b.lines[i].points);
+    CHECK(a.lines[i].times == b.lines[i].times);
+  }
   REQUIRE(a.measures.size() == b.measures.size());
   for (std::size_t i = 0; i < a.measures.size(); ++i) {
     CHECK(a.measures[i].scale == b.measures[i].scale);
     CHECK(a.measures[i].probes == b.measures[i].probes);
+    CHECK(a.measures[i].line == b.measures[i].line);
   }
   REQUIRE(a.references.size() == b.references.size());
   for (const auto& [law, reference] : a.references) {

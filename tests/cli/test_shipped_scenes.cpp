@@ -57,6 +57,15 @@ TEST_SUITE("convergence") {
   }
 }
 
+TEST_SUITE("analytic") {
+  TEST_CASE("elastic cable: the end of oenog follows the exact solution") {
+    // the end is 2.5 mm away and back within 4.5e-3 s
+    const Outcome cable = run("elastic-cable", "oenog", 0.1, 5e-3);
+    REQUIRE(cable.measure.at("end_rmse"));
+    CHECK(*cable.measure.at("end_rmse") < 1e-4);
+  }
+}
+
 TEST_SUITE("conservation") {
   TEST_CASE("rotating plate: oenog keeps the angular momentum over three turns to rounding") {
     const Outcome plate = run("rotating-plate", "oenog", 0.1);

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/whole_file.hpp"
+#include "engine/lines.hpp"
+
+namespace taut {
+
+/// lines.csv: a row for each point of each sample of a scene's lines, in SI units, as soon as it is taken.
+/// The column `reference` is what the exact solution of the method's law says, empty where there is none.
+class LinesFile {
+ public:
+  LinesFile(const std::filesystem::path& path, const Scene& scene, const std::string& law);
+
+  /// Rows for the samples that were taken since the last call.
+  void add(const std::vector<std::vector<LineSample>>& samples);
+
+ private:
+  struct Known {
+    Line line;
+    Solution reference;  // may be empty
+    std::size_t written = 0;
+  };
+
+  void add(const Known& known, const LineSample& sample);
+
+  LineFile file_;
+  std::vector<Known> lines_;
+};
+
+}  // namespace taut

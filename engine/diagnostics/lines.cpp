@@ -1,0 +1,81 @@
+#include "engine/lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/error.hpp"
+#include "engine/field.hpp"
+
+namespace taut {
+namespace {
+
+std::vector<Point> initial_positions(const Snapshot& start) {
+  std::vector<Point> x(start.size());
+  const std::size_t dim = static_cast<std::size_t>(start.dim);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    for (std::size_t k = 0; k < dim; ++k) x[i][k] = start.x0[i * dim + k];
+  return x;
+}
+
+const Field& field_of(const Line& line) {
+  const Field* field = find_field(line.field);
+  if (field == nullptr)
+    throw SceneError("line." + line.name + ".field", "there is no field '" + line.field + "'");
+  return *field;
+}
+
+}  // namespace
+
+Point line_point(const Line& line, int k) {
+  Point point{};
+  const double share = line.points > 1 ? static_cast<double>(k) / (line.points - 1) : 0;
+  for (std::size_t a = 0; a < point.size(); ++a) point[a] = std::lerp(line.from[a], line.to[a], share);
+  return point;
+}
+
+LineRecorder::LineRecorder(const Scene& scene, const Snapshot& start, double reach)
+    : lines_(scene.lines), samples_(scene.lines.size()) {
+  const std::vector<Point> x = initial_positions(start);
+  for (const Line& line : lines_) {
+    field_of(line);
+    const auto [first, last] = std::ranges::equal_range(start.body, line.body);
+    const int begin = static_cast<int>(first - start.body.begin());
+    const int end = static_cast<int>(last - start.body.begin());
+    std::vector<std::vector<PointWeight>>& points = points_.emplace_back();
+    for (int k = 0; k < line.points; ++k) {
+      points.push_back(material_point(x, begin, end, line_point(line, k), reach, start.dim));
+      if (points.back().empty())
+        throw SceneError("line." + line.name, "point " + std::to_string(k + 1) + " of the line '" +
+                                                  line.name +
+                                                  "' has too few particles of its body around it");
+    }
+  }
+}
+
+double LineRecorder::next() const {
+  double next = std::numeric_limits<double>::infinity();
+  for (std::size_t l = 0; l < lines_.size(); ++l)
+    if (samples_[l].size() < lines_[l].times.size())
+      next = std::min(next, lines_[l].times[samples_[l].size()]);
+  return next;
+}
+
+void LineRecorder::look(const Snapshot& now) {
+  for (std::size_t l = 0; l < lines_.size(); ++l) {
+    const Line& line = lines_[l];
+    while (samples_[l].size() < line.times.size() && line.times[samples_[l].size()] <= now.time) {
+      LineSample sample{now.time, now.step, {}};
+      const Field& field = field_of(line);
+      for (const std::vector<PointWeight>& point : points_[l]) {
+        double value = 0;
+        for (const PointWeight& w : point)
+          value += w.weight * field.value(now, static_cast<std::size_t>(w.particle));
+        sample.value.push_back(value);
+      }
+      samples_[l].push_back(std::move(sample));
+    }
+  }
+}
+
+}  // namespace taut
