@@ -1,3 +1,6 @@
+#include <cmath>
+#include <fstream>
+
 #include <doctest/doctest.h>
 
 #include "program_runner.hpp"
@@ -23,6 +26,46 @@ std::vector<double> numbers(const std::string& row) {
 }  // namespace
 
 TEST_SUITE("cli") {
+  TEST_CASE("a scene with lines leaves lines.csv, and its steps do not depend on them") {
+    const TemporaryFolder folder;
+    std::string scene = text_of(fs::path(TAUT_SOURCE_DIR) / "scenes/heterogeneous-cable.toml");
+    const std::string times = "times = [1.0e-4, 1.5e-4, 2.0e-4, 2.5e-4, 3.0e-4, 3.5e-4]";
+    const auto run_with = [&](const std::string& name, const std::string& line_times) {
+      std::string text = scene;
+      text.replace(text.find(times), times.size(), "times = " + line_times);
+      const std::string path = folder.str(name + ".toml");
+      std::ofstream(path) << text;
+      const Outcome outcome =
+          call({"run", path, "--spacing", "0.024", "--until", "5e-5", "--no-render", "--method",
+                "d-ulsph-r-tic", "--out", folder.str(name), "--threads", "1", "--quiet"});
+      CAPTURE(outcome.err);
+      REQUIRE(outcome.code == 0);
+      return json_of(folder / name / "run.json");
+    };
+    const auto record = run_with("two", "[1e-5, 4.1e-5]");
+    const std::vector<std::string> rows = lines_of(folder / "two/lines.csv");
+    REQUIRE(rows.size() == 1 + 2 * 400);
+    CHECK(rows[0] == "line,t,step,x,y,value,reference");
+    double squared = 0;
+    for (std::size_t k = 1; k < rows.size(); ++k) {
+      REQUIRE(rows[k].starts_with("stress,"));
+      const std::vector<double> row = numbers(rows[k].substr(7));
+      REQUIRE(row.size() == 6);
+      CHECK(row[0] >= (k <= 400 ? 1e-5 : 4.1e-5));
+      CHECK(row[0] < (k <= 400 ? 2e-5 : 5e-5));
+      squared += (row[4] - row[5]) * (row[4] - row[5]) / 800;
+    }
+    CHECK(numbers(rows[1].substr(7))[2] == doctest::Approx(0.024));
+    CHECK(numbers(rows[400].substr(7))[2] == doctest::Approx(1.976));
+    CHECK(record["measures"]["stress_rmse"]["value"].get<double>() == doctest::Approx(std::sqrt(squared)));
+    const auto other = run_with("late", "[4.7e-5, 1]");
+    CHECK(other["steps"] == record["steps"]);
+    CHECK(other["reached"] == record["reached"]);
+    CHECK(other["measures"]["stress_rmse"]["value"].is_null());
+    CHECK(lines_of(folder / "late/lines.csv").size() == 401);
+    CHECK(lines_of(folder / "late/history.csv") == lines_of(folder / "two/history.csv"));
+  }
+
   TEST_CASE("a run leaves frames and history and a record") {
     const TemporaryFolder folder;
     const Outcome outcome = call(tiny_run(folder, "out"));

@@ -198,7 +198,7 @@ TEST_SUITE("cli") {
                 "[[measure]]\nname = \"peak\"\nof = \"turn\"\n@probe",
                 {"'probes' is missing", "there is 'probe'"});
     check_error("values = { peak = 3 }", "solutions = { @peak = \"t\" }",
-                {"only one of rmse, path_error or turn"});
+                {"takes no solution; only one of rmse, path_error, turn or line_rmse"});
     check_error("values = { peak = 3 }", "let = { @t = 1 }", {"the name 't' has a meaning already"});
     check_error("values = { peak = 3 }", "let = { @v0 = 1 }", {"'v0' stands for a parameter already"});
     check_error("values = { peak = 3 }", "let = { a = \"@q + 1\" }", {"unknown name 'q'"});
