@@ -11,7 +11,9 @@ std::string header(const Scene& scene) {
   names += scene.dim == 3 ? ",momentum_z,angular_momentum_x,angular_momentum_y,angular_momentum_z"
                           : ",angular_momentum";
   for (const Probe& probe : scene.probes) names += "," + probe.name;
-  return names + ",pieces";
+  names += ",pieces";
+  for (const Indicator& indicator : indicators) (names += ',') += indicator.key;
+  return names;
 }
 
 }  // namespace
@@ -21,7 +23,8 @@ History::History(const std::filesystem::path& path, const Scene& scene)
   file_.append(header(scene));
 }
 
-void History::add(const Simulation& simulation, const Balance& balance, int pieces) {
+void History::add(const Simulation& simulation, const Balance& balance, int pieces,
+                  const Readings& readings) {
   if (simulation.steps() == last_step_) return;
   last_step_ = simulation.steps();
   std::string row = exact(simulation.time()) + "," + std::to_string(simulation.steps());
@@ -33,7 +36,9 @@ void History::add(const Simulation& simulation, const Balance& balance, int piec
   for (int k = 0; k < dim_; ++k) cell(balance.linear_momentum[static_cast<std::size_t>(k)]);
   for (int k = dim_ == 3 ? 0 : 2; k < 3; ++k) cell(balance.angular_momentum[static_cast<std::size_t>(k)]);
   for (const std::vector<double>& series : simulation.series().value) cell(series.back());
-  file_.append(row + "," + std::to_string(pieces));
+  (row += ',') += std::to_string(pieces);
+  for (const Reading& reading : readings) cell(reading.share());
+  file_.append(row);
 }
 
 }  // namespace taut

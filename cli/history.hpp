@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/whole_file.hpp"
+#include "engine/indicators.hpp"
 #include "engine/simulation.hpp"
 
 namespace taut {
@@ -14,7 +15,7 @@ class History {
   History(const std::filesystem::path& path, const Scene& scene);
 
   /// A row for the state at hand, unless the last row shows this very step.
-  void add(const Simulation& simulation, const Balance& balance, int pieces);
+  void add(const Simulation& simulation, const Balance& balance, int pieces, const Readings& readings);
 
  private:
   LineFile file_;

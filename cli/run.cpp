@@ -55,6 +55,7 @@ class Run {
   RunRecord& record_ = result_.record;
   Agenda frame_agenda_, history_agenda_;
   Judge judge_;
+  IndicatorGauge gauge_;
   Drift drift_;
   std::optional<History> history_;
   std::optional<LinesFile> lines_file_;  // of a scene with lines
@@ -76,6 +77,7 @@ Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, LineRecord
       frame_agenda_(plan.frame_times),
       history_agenda_(plan.history_times),
       judge_(plan.file.scene, simulation_->snapshot(), simulation_->support()),
+      gauge_(plan.file.scene, simulation_->snapshot()),
       pace_(record_.until),
       exchanges_momentum_(
           std::ranges::any_of(simulation_->snapshot().held, [](unsigned char held) { return held != 0; }) ||
@@ -171,7 +173,9 @@ void Run::look() {
   const Balance sums = balance(now, plan_.file.scene);
   judge_.look(now, sums);
   drift_.look(sums);
-  history_->add(*simulation_, sums, judge_.pieces());
+  const Readings readings = gauge_(now);
+  history_->add(*simulation_, sums, judge_.pieces(), readings);
+  for (std::size_t k = 0; k < readings.size(); ++k) record_.indicator[k].look(readings[k], now.time);
   record_.pieces = judge_.pieces();
   record_.verdict = judge_.verdict();
   record_.since = judge_.since();

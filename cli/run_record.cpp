@@ -39,6 +39,16 @@ Json since(const RunRecord& record) {
   return all;
 }
 
+Json all_indicators(const RunRecord& record) {
+  Json all = {{"pieces", record.pieces}};
+  for (std::size_t k = 0; k < indicators.size(); ++k) {
+    const IndicatorRecord& each = record.indicator[k];
+    all[std::string(indicators[k].key)] = {
+        {"greatest", number(each.greatest())}, {"at", number(each.at)}, {"last", number(each.last)}};
+  }
+  return all;
+}
+
 Json measures(const RunRecord& record) {
   Json all = Json::object();
   for (const MeasureResult& m : record.measures) {
@@ -84,7 +94,7 @@ Json to_json(const RunRecord& record) {
   json["particle_steps_per_second"] = number(record.particle_steps_per_second());
   json["verdict"] = name(record.verdict);
   json["since"] = since(record);
-  json["indicators"] = {{"pieces", record.pieces}};
+  json["indicators"] = all_indicators(record);
   json["conservation"] = {{"linear_momentum", number(record.conservation.linear_momentum)},
                           {"angular_momentum", number(record.conservation.angular_momentum)},
                           {"energy", number(record.conservation.energy)}};

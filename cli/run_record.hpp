@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "cli/drift.hpp"
 #include "cli/scene_file.hpp"
+#include "engine/indicators.hpp"
 #include "engine/verdict.hpp"
 
 namespace taut {
@@ -38,6 +40,7 @@ struct RunRecord {
   Verdict verdict = Verdict::stable;
   std::map<Verdict, double> since;  // s
   int pieces = 0;
+  std::array<IndicatorRecord, indicators.size()> indicator;
   Conservation conservation;
   std::vector<MeasureResult> measures;
 

@@ -26,6 +26,15 @@ std::string verdict_line(const RunRecord& record) {
   return text;
 }
 
+std::string indicators_line(const RunRecord& record) {
+  std::string text;
+  for (std::size_t k = 0; k < indicators.size(); ++k) {
+    (text += k == 0 ? "" : ", ") += indicators[k].key;
+    (text += ' ') += brief(record.indicator[k].greatest());
+  }
+  return text;
+}
+
 std::string heading(const RunRecord& record) {
   std::string text = record.scene + " with " + record.method + ": " + std::to_string(record.particles) +
                      " particles at dp = " + brief(record.spacing) + " m, " + std::to_string(record.steps) +
@@ -52,6 +61,7 @@ std::string run_report(const RunPlan& plan, const RunResult& result) {
   const Seconds& seconds = record.seconds;
   std::vector<std::vector<std::string>> rows{
       {"verdict", verdict_line(record)},
+      {"indicators", indicators_line(record)},
       {"drift", "energy " + share(drift.energy) + ", linear momentum " + share(drift.linear_momentum) +
                     ", angular momentum " + share(drift.angular_momentum)},
       {"speed", with_prefix(record.particle_steps_per_second().value_or(0)) + " particle-steps/s on " +

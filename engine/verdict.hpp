@@ -38,12 +38,13 @@ class Judge {
  private:
   struct Bond {
     int i, j;
+    bool broken;  // at the last look
   };
-  std::vector<bool> find_broken(const Snapshot& now) const;
-  int count_pieces(const std::vector<bool>& broken) const;
+  /// True if a bond broke or healed since the last look.
+  bool update_broken(const Snapshot& now);
+  int count_pieces() const;
 
   std::vector<Bond> bonds_;
-  std::vector<bool> broken_;  // of bonds_, at the last look
   std::size_t particles_ = 0;
   double longest_ = 0;       // m, of an unbroken bond
   double start_energy_ = 0;  // J

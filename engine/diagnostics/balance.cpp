@@ -8,10 +8,10 @@
 namespace taut {
 namespace {
 
-Point vector_of(const std::vector<double>& vectors, const Snapshot& now, std::size_t particle) {
-  const auto dim = static_cast<std::size_t>(now.dim);
+template <int Dim>
+Point vector_of(const std::vector<double>& vectors, std::size_t particle) {
   Point point{};
-  for (std::size_t a = 0; a < dim; ++a) point[a] = vectors[particle * dim + a];
+  for (std::size_t a = 0; a < Dim; ++a) point[a] = vectors[particle * Dim + a];
   return point;
 }
 
@@ -33,27 +33,29 @@ Point values(const std::array<CompensatedSum, 3>& sums) {
   return {sums[0].value(), sums[1].value(), sums[2].value()};
 }
 
-}  // namespace
-
-Balance balance(const Snapshot& now, const Scene& scene) {
+template <int Dim>
+Balance sums(const Snapshot& now, const Scene& scene) {
   CompensatedSum kinetic, strain, momentum_scale, angular_scale;
   std::array<CompensatedSum, 3> linear, angular;
   for (std::size_t i = 0; i < now.size(); ++i) {
-    const Point x = vector_of(now.x, now, i), v = vector_of(now.v, now, i);
+    const Point x = vector_of<Dim>(now.x, i), v = vector_of<Dim>(now.v, i), spin = cross(x, v);
     const double m = now.m[i], speed = std::sqrt(dot(v, v));
     kinetic += 0.5 * m * dot(v, v);
     strain += strain_energy(now, i, scene.materials.at(static_cast<std::size_t>(now.material[i])));
     momentum_scale += m * speed;
     angular_scale += m * std::sqrt(dot(x, x)) * speed;
-    const Point spin = cross(x, v);
-    for (std::size_t a = 0; a < 3; ++a) {
-      linear[a] += m * v[a];
-      angular[a] += m * spin[a];
-    }
+    for (std::size_t a = 0; a < Dim; ++a) linear[a] += m * v[a];
+    for (std::size_t a = Dim == 3 ? 0 : 2; a < 3; ++a) angular[a] += m * spin[a];
   }
   strain += now.contact_energy;
   return {kinetic.value(),        strain.value(),        values(linear), values(angular),
           momentum_scale.value(), angular_scale.value(), now.work};
+}
+
+}  // namespace
+
+Balance balance(const Snapshot& now, const Scene& scene) {
+  return now.dim == 3 ? sums<3>(now, scene) : sums<2>(now, scene);
 }
 
 }  // namespace taut

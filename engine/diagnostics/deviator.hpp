@@ -1,11 +1,19 @@
 #pragma once
 
-#include <array>
 #include <span>
 
 #include "engine/simulation.hpp"
 
 namespace taut {
+
+/// s:s of stored components; one off the diagonal stands for two. Includes s_zz in 2D.
+template <int Dim>
+double contracted(const double* s) {
+  if constexpr (Dim == 3)  // xx, xy, xz, yy, yz, zz
+    return s[0] * s[0] + s[3] * s[3] + s[5] * s[5] + 2 * (s[1] * s[1] + s[2] * s[2] + s[4] * s[4]);
+  else  // xx, xy, yy, zz
+    return s[0] * s[0] + s[2] * s[2] + s[3] * s[3] + 2 * s[1] * s[1];
+}
 
 /// The deviatoric stress of a particle as Snapshot stores it, Pa.
 inline std::span<const double> deviator(const Snapshot& now, std::size_t particle) {
@@ -13,14 +21,10 @@ inline std::span<const double> deviator(const Snapshot& now, std::size_t particl
   return {now.s.data() + stored * particle, stored};
 }
 
-/// s:s, Pa²; a component off the diagonal stands for two. Includes s_zz in 2D.
+/// s:s, Pa².
 inline double deviator_squared(const Snapshot& now, std::size_t particle) {
-  static constexpr std::array<double, 4> plane = {1, 2, 1, 1};        // xx, xy, yy, zz
-  static constexpr std::array<double, 6> space = {1, 2, 2, 1, 2, 1};  // xx, xy, xz, yy, yz, zz
-  const double* weight = now.dim == 3 ? space.data() : plane.data();
-  double sum = 0;
-  for (const double s : deviator(now, particle)) sum += *weight++ * s * s;
-  return sum;
+  const double* s = deviator(now, particle).data();
+  return now.dim == 3 ? contracted<3>(s) : contracted<2>(s);
 }
 
 }  // namespace taut

@@ -110,7 +110,23 @@ TEST_SUITE("cli") {
     CHECK(record["contact"] == "sph");
     CHECK(record["parameters"]["speed"] == 2.0);
     CHECK(record["reached"].get<double>() >= 0.002);
+    CHECK(keys(record["indicators"]) == std::vector<std::string>{"pieces", "hourglass_error",
+                                                                 "pressure_checkerboard",
+                                                                 "von_mises_checkerboard"});
     CHECK(record["indicators"]["pieces"] == 2);
+    for (const char* key : {"hourglass_error", "pressure_checkerboard", "von_mises_checkerboard"}) {
+      CAPTURE(key);
+      const auto& indicator = record["indicators"][key];
+      CHECK(keys(indicator) == std::vector<std::string>{"greatest", "at", "last"});
+      CHECK(indicator["greatest"].get<double>() > 0);  // the discs are pressed on each other
+      CHECK(indicator["greatest"].get<double>() < 1);
+      CHECK(indicator["at"].get<double>() > 0);
+      CHECK(indicator["at"].get<double>() <= record["reached"].get<double>());
+    }
+    const std::vector<double> end = numbers(lines_of(folder / "out/history.csv").back());
+    CHECK(record["indicators"]["hourglass_error"]["last"] == end[10]);
+    CHECK(record["indicators"]["pressure_checkerboard"]["last"] == end[11]);
+    CHECK(record["indicators"]["von_mises_checkerboard"]["last"] == end[12]);
     CHECK(record["measures"]["touch_time"]["unit"] == "s");
     CHECK(record["measures"]["touch_time"]["reference"].is_null());
     CHECK(record["conservation"]["linear_momentum"].get<double>() < 1e-10);
@@ -125,13 +141,14 @@ TEST_SUITE("cli") {
     REQUIRE(lines.size() > 3);
     CHECK(
         lines[0] ==
-        "t,step,kinetic_energy,strain_energy,total_energy,momentum_x,momentum_y,angular_momentum,gap,pieces");
+        "t,step,kinetic_energy,strain_energy,total_energy,momentum_x,momentum_y,angular_momentum,gap,pieces,"
+        "hourglass_error,pressure_checkerboard,von_mises_checkerboard");
     CHECK(text_of(folder / "out/history.csv").back() == '\n');
     CHECK(files_in(folder / "out/frames") == 0);
     double step = -1;
     for (std::size_t k = 1; k < lines.size(); ++k) {
       const std::vector<double> row = numbers(lines[k]);
-      REQUIRE(row.size() == 10);
+      REQUIRE(row.size() == 13);
       CHECK(row[1] > step);
       step = row[1];
       CHECK(row[4] == doctest::Approx(row[2] + row[3]));

@@ -124,10 +124,10 @@ TEST_SUITE("unit") {
     StandingSimulation simulation;
     {
       History history(folder / "history.csv", Scene());
-      history.add(simulation, {}, 1);
-      history.add(simulation, {}, 1);
+      history.add(simulation, {}, 1, {});
+      history.add(simulation, {}, 1, {});
       simulation.advance_to(1);
-      history.add(simulation, {}, 1);
+      history.add(simulation, {}, 1, {});
     }
     CHECK(lines_of(folder / "history.csv").size() == 3);
   }

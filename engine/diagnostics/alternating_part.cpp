@@ -1,0 +1,85 @@
+#include "engine/diagnostics/alternating_part.hpp"
+
+#include <cmath>
+
+#include <Eigen/Dense>
+
+#include "engine/diagnostics/close_pairs.hpp"
+
+namespace taut {
+namespace {
+
+// √(n dp), n = 4 in 2D and 3D, are in reach; the next on the lattice, √5 dp, are not
+constexpr double reach = 2.1;  // dp
+
+/// Of i's own unit vector, the share that the quadratics must leave. A surface of a lattice keeps 0.53, a
+/// place beside its corner 0.49; the corner itself 0.
+constexpr double least_left = 0.3;
+
+/// κ: with n_k lattice points at distance √k dp, the fit to all points but the middle one has the weights
+/// ω = a + b k with Σ n_k ω = 1, Σ n_k k ω = 0, the row 1 − Σ ω has the norm √(1 + a), and the checkerboard
+/// gives 1 − Σ (−1)^k n_k ω. In 2D a = 3/8, b = −1/8 and that is 2, in 3D a = 37/170, b = −13/170 and 128/85.
+double scale(int dim) { return dim == 3 ? std::sqrt(207.0 / 170) * 85 / 128 : std::sqrt(11.0 / 8) / 2; }
+
+bool alike(const Snapshot& now, std::size_t i, std::size_t j) {
+  return now.material[i] == now.material[j] && now.held[i] == now.held[j];
+}
+
+/// Each particle, followed by those alike in reach.
+std::vector<std::vector<int>> neighborhoods(const Snapshot& start, double radius) {
+  std::vector<std::vector<int>> near(start.size());
+  for (std::size_t i = 0; i < near.size(); ++i) near[i] = {static_cast<int>(i)};
+  for_each_close_pair(start, radius, [&](int i, int j) {
+    const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+    if (!alike(start, a, b)) return;
+    near[a].push_back(j);
+    near[b].push_back(i);
+  });
+  return near;
+}
+
+/// Every monomial up to the second degree at every particle of `near`, about its first, in units of dp.
+Eigen::MatrixXd quadratics(const Snapshot& start, const std::vector<int>& near, double spacing) {
+  const int dim = start.dim;
+  Eigen::MatrixXd M(near.size(), (dim + 1) * (dim + 2) / 2);
+  for (Eigen::Index k = 0; k < M.rows(); ++k) {
+    const double* xi = start.x.data() + static_cast<std::ptrdiff_t>(near[0]) * dim;
+    const double* xj = start.x.data() + static_cast<std::ptrdiff_t>(near[static_cast<std::size_t>(k)]) * dim;
+    Eigen::Index column = 0;
+    M(k, column++) = 1;
+    for (int a = 0; a < dim; ++a) M(k, column++) = (xj[a] - xi[a]) / spacing;
+    for (int a = 1; a <= dim; ++a)
+      for (int b = a; b <= dim; ++b) M(k, column++) = M(k, a) * M(k, b);
+  }
+  return M;
+}
+
+/// κ (I − P) e_i / |(I − P) e_i|; empty where the quadratics leave too little.
+Eigen::VectorXd row(const Eigen::MatrixXd& quadratics, double kappa) {
+  // a thin body leaves some monomials without effect: P needs those that are independent only
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(quadratics);
+  const Eigen::MatrixXd Q = qr.householderQ() * Eigen::MatrixXd::Identity(quadratics.rows(), qr.rank());
+  Eigen::VectorXd left = -Q * Q.row(0).transpose();
+  left[0] += 1;
+  if (left[0] < least_left) return {};  // also the square of its norm, since I − P is a projection
+  return kappa / left.norm() * left;
+}
+
+}  // namespace
+
+AlternatingPart alternating_part(const Snapshot& start, double spacing) {
+  AlternatingPart part{{0}, {}, {}};
+  const double kappa = scale(start.dim);
+  const std::vector<std::vector<int>> near = neighborhoods(start, reach * spacing);
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    if (start.held[i] != 0) continue;
+    const Eigen::VectorXd w = row(quadratics(start, near[i], spacing), kappa);
+    if (w.size() == 0) continue;
+    part.j.insert(part.j.end(), near[i].begin(), near[i].end());
+    part.weight.insert(part.weight.end(), w.begin(), w.end());
+    part.begin.push_back(static_cast<int>(part.j.size()));
+  }
+  return part;
+}
+
+}  // namespace taut
