@@ -4,6 +4,7 @@ namespace taut {
 
 std::function<int(Streams)> declare_run(CLI::App&);
 std::function<int(Streams)> declare_render(CLI::App&);
+std::function<int(Streams)> declare_sweep(CLI::App&);
 std::function<int(Streams)> declare_diff(CLI::App&);
 std::function<int(Streams)> declare_snapshot(CLI::App&);
 std::function<int(Streams)> declare_list(CLI::App&);
@@ -22,6 +23,13 @@ constexpr Command table[] = {
      "  taut render out/rings --color pressure --range -2e6:2e6\n"
      "  taut render out/rings --view -0.01:0.01:-0.04:0.04 --size 800x800 --out out/close\n",
      declare_render},
+    {"sweep", "run a scene with every combination of some values; a table of verdicts and measures",
+     "  taut sweep colliding-rings --grid v0=0.02:0.16:0.02 --grid method=og,oas,enog\n"
+     "  taut sweep colliding-rings --grid spacing=0.002,0.001 --grid method.zeta=3,3.5,4 --set v0=0.1\n"
+     "  taut sweep rings-speed-limit --list       a sweep file of scenes/studies/: what would run\n"
+     "  taut sweep rings-speed-limit --jobs 1     goes on where it was stopped\n"
+     "  taut sweep rings-speed-limit --out limits --emit slurm && sbatch limits/sweep.slurm\n",
+     declare_sweep},
     {"diff", "compare two images or two folders of frames; exit code 0 when alike, 1 when different",
      "  taut diff out/a out/b                     the frames of two runs, name by name\n"
      "  taut diff a/frames/frame_00060.png b/frames/frame_00060.png\n"

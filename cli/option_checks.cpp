@@ -32,6 +32,11 @@ std::string positive_whole_number(const std::string& text) {
   return value && *value > 0 ? "" : "'" + text + "' is not a whole number of at least 1";
 }
 
+std::string whole_number(const std::string& text) {
+  const auto value = parse<int>(text);
+  return value && *value >= 0 ? "" : "'" + text + "' is not a whole number of at least 0";
+}
+
 std::string assignment(const std::string& text) {
   const std::size_t at = text.find('=');
   return at != std::string::npos && at > 0 && at + 1 < text.size() ? "" : "'" + text + "' is not NAME=VALUE";

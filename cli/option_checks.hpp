@@ -9,6 +9,7 @@ namespace taut {
 std::string positive_number(const std::string& text);
 std::string not_negative_number(const std::string& text);
 std::string positive_whole_number(const std::string& text);
+std::string whole_number(const std::string& text);
 /// "name=value"
 std::string assignment(const std::string& text);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,9 @@ std::string percent(double share);
 /// "0:07" or "1:02:03".
 std::string clock_time(double seconds);
 std::string join(const std::vector<std::string>& words, std::string_view between = ", ");
+
+/// The same for a text on every machine (FNV-1a).
+std::uint64_t hash_of(std::string_view text);
 
 /// Rows of cells, printed in columns with two blanks between and `indent` before.
 std::string in_columns(const std::vector<std::vector<std::string>>& rows, int indent = 2);
