@@ -5,7 +5,9 @@
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
 #include <iostream>
+#include <stdexcept>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -28,6 +30,13 @@ sigset_t interrupting_signals() {
   return set;
 }
 
+/// Locks and teams of other threads would never come free in a child.
+void check_no_threads() {
+  const std::filesystem::directory_iterator threads("/proc/self/task");
+  if (std::distance(begin(threads), end(threads)) > 1)
+    throw std::logic_error("a process with several threads was to be forked");
+}
+
 /// The first thing a child does, with SIGINT and SIGTERM blocked: SIGINT stays so.
 void settle(pid_t parent, int output) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -45,6 +54,7 @@ void settle(pid_t parent, int output) {
 }  // namespace
 
 ChildProcess::ChildProcess(const std::function<int()>& work) {
+  check_no_threads();
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(errno);
   std::cout.flush();  // else the child would print it once more

@@ -7,7 +7,7 @@
 namespace taut {
 
 /// Work in a process of its own, so that a crash there or a signal to it is no more than an exit code here.
-/// It is forked and goes on in this program: whoever starts one must never have had a second thread.
+/// It is forked and goes on in this program, which must not have a second thread then.
 ///
 /// The child dies with its parent, however that ends. It does not see a Ctrl-C of the terminal: it is the
 /// parent's to pass on, once, with `ask_to_stop`.

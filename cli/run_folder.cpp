@@ -69,10 +69,18 @@ void RunFolder::check() const {
   if (!fs::is_directory(path_, error))
     throw UsageError("'" + path_.string() + "' is not a folder; name another with --out");
   if (fs::is_empty(path_, error) || error) return;
-  if (!is_run_record(record()))
+  if (!is_run_record(record()) && !was_killed_in_the_making())
     throw UsageError("'" + path_.string() +
                      "' holds files that are not a run of taut, which would be mixed " +
                      "up with its own; empty it or name another folder with --out");
+}
+
+/// There is nothing but the first file, half written.
+bool RunFolder::was_killed_in_the_making() const {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path_, error))
+    if (entry.path() != record().string() + ".tmp") return false;
+  return !error;
 }
 
 void RunFolder::claim(std::string_view record_text) const {

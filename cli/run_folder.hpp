@@ -39,6 +39,8 @@ class RunFolder {
   std::filesystem::path difference() const { return path_ / "difference.png"; }
 
  private:
+  bool was_killed_in_the_making() const;
+
   std::filesystem::path path_;
 };
 

@@ -1,6 +1,7 @@
 #include "cli/sweep_file.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "cli/scene_file.hpp"
 #include "cli/scene_file_parts.hpp"
@@ -119,9 +120,12 @@ std::vector<GridRow> read_rows(TomlCursor& root) {
     if (axes.empty()) root.fail(*grid, "grid", "[grid] is empty; it needs a line NAME = VALUES");
     rows = all_combinations(axes);
   }
+  std::set<std::string> seen;
   for (TomlValue& row : listed) {
     TomlCursor cursor = root.enter(row, "row", "[[row]]");
     rows.push_back(SettingsReader(cursor).settings());
+    if (!seen.insert(folder_name(rows.back())).second)
+      root.fail(row, "row", "the run " + text_of(rows.back()) + " is there twice");
   }
   return rows;
 }

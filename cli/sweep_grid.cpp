@@ -62,7 +62,7 @@ std::vector<std::string> parse_range(const std::string& text) {
   const double low = end_of_range(parts[0], text), high = end_of_range(parts[1], text),
                step = end_of_range(parts[2], text);
   const double steps = (high - low) / step;
-  if (!(steps >= 0))
+  if (!(steps >= 0) || step == 0)
     throw UsageError("'" + text + "': a step of " + exact(step) + " does not lead from " + exact(low) +
                      " to " + exact(high));
   if (!(steps < static_cast<double>(most_runs)))

@@ -111,8 +111,10 @@ void SweepRunner::finish(Job& job) {
     const bool known = end.code == exit_wrong_input || end.code == exit_not_written;
     end_.code = gravest(end_.code, !by_signal && known ? end.code : int{exit_bug});
   }
-  ++done_;
-  work_done_ += run.work;
+  if (!stopped) {
+    ++done_;
+    work_done_ += run.work;
+  }
   ended_(run);
 }
 

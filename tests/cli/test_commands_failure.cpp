@@ -1,69 +1,15 @@
-#include <chrono>
 #include <csignal>
-#include <spawn.h>
 #include <sys/mount.h>
-#include <sys/wait.h>
-#include <thread>
 
 #include <doctest/doctest.h>
 
+#include "child_program.hpp"
 #include "program_runner.hpp"
 #include "render/image.hpp"
 
 using namespace taut::test;
 
 namespace {
-
-using namespace std::chrono_literals;
-constexpr auto patience = 60s;  // before a test gives up on the program; no more than a moment is ever needed
-
-/// The program itself, in a process of its own that a signal can be sent to.
-class Child {
- public:
-  explicit Child(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), TAUT_BINARY_DIR "/taut");
-    std::vector<char*> raw;
-    for (std::string& argument : arguments) raw.push_back(argument.data());
-    raw.push_back(nullptr);
-    posix_spawn_file_actions_t quiet;
-    ::posix_spawn_file_actions_init(&quiet);
-    ::posix_spawn_file_actions_addopen(&quiet, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    const int error = ::posix_spawn(&process_, raw[0], &quiet, nullptr, raw.data(), environ);
-    ::posix_spawn_file_actions_destroy(&quiet);
-    REQUIRE(error == 0);
-  }
-  ~Child() {
-    if (running_) ::kill(process_, SIGKILL), ::waitpid(process_, nullptr, 0);
-  }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-
-  void send(int signal) const { ::kill(process_, signal); }
-
-  int exit_code() {
-    int status = 0;
-    wait([&] { return ::waitpid(process_, &status, WNOHANG) != 0; });
-    running_ = false;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-
-  static void wait_for(const fs::path& file) {
-    wait([&] { return fs::exists(file); });
-  }
-
- private:
-  template <class Condition>
-  static void wait(Condition condition) {
-    for (auto waited = 0ms; waited < patience; waited += 10ms) {
-      if (condition()) return;
-      std::this_thread::sleep_for(10ms);
-    }
-    FAIL("the program does not answer");
-  }
-
-  pid_t process_ = 0;
-  bool running_ = true;
-};
 
 /// A file system of 64 KiB, where that can be had.
 class TinyDisk {
@@ -91,8 +37,8 @@ TEST_SUITE("cli") {
     for (const int signal : {SIGINT, SIGTERM}) {
       const TemporaryFolder folder;
       // the next output is a thousand seconds away: the interrupt must be seen in between
-      Child child(tiny_run(folder, "out", {"--until", "1000", "--frames", "1", "--history", "1000"}));
-      Child::wait_for(folder / "out/frames/frame_00000.png");
+      ChildProgram child(tiny_run(folder, "out", {"--until", "1000", "--frames", "1", "--history", "1000"}));
+      ChildProgram::wait_for(folder / "out/frames/frame_00000.png");
       child.send(signal);
       CHECK(child.exit_code() == 130);
       const auto record = json_of(folder / "out/run.json");
@@ -107,9 +53,9 @@ TEST_SUITE("cli") {
 
   TEST_CASE("an interrupted run draws the frames it kept for an automatic range") {
     const TemporaryFolder folder;
-    Child child(tiny_run(folder, "out",
-                         {"--until", "1000", "--frames", "1", "--history", "1000", "--range", "auto"}));
-    Child::wait_for(folder / "out/history.csv");
+    ChildProgram child(tiny_run(
+        folder, "out", {"--until", "1000", "--frames", "1", "--history", "1000", "--range", "auto"}));
+    ChildProgram::wait_for(folder / "out/history.csv");
     child.send(SIGINT);
     CHECK(child.exit_code() == 130);
     CHECK(taut::read_png(folder / "out/frames/frame_00000.png").width == 160);
@@ -117,8 +63,8 @@ TEST_SUITE("cli") {
 
   TEST_CASE("a second interrupt ends the program and leaves whole files") {
     const TemporaryFolder folder;
-    Child child(tiny_run(folder, "out", {"--until", "1000", "--frames", "1"}));
-    Child::wait_for(folder / "out/frames/frame_00000.png");
+    ChildProgram child(tiny_run(folder, "out", {"--until", "1000", "--frames", "1"}));
+    ChildProgram::wait_for(folder / "out/frames/frame_00000.png");
     child.send(SIGINT);
     child.send(SIGTERM);
     CHECK(child.exit_code() == 130);
