@@ -18,9 +18,9 @@ void wait_until_the_short_run_has_ended(const fs::path& folder) {
   ChildProgram::wait_for(folder / "until=1000/history.csv");
 }
 
-/// One run that ends soon and one that never does, both at once.
+/// One run that ends soon and one that never does, both at once: discs at rest, which cannot fail.
 Texts endless_sweep(const TemporaryFolder& folder, const Texts& more = {}) {
-  Texts all{"--grid", "until=1000,0.001", "--history", "0.001", "--jobs", "2"};
+  Texts all{"--grid", "until=1000,0.001", "--set", "speed=0", "--history", "0.001", "--jobs", "2"};
   all.insert(all.end(), more.begin(), more.end());
   return tiny_sweep(folder, "out", all);
 }
