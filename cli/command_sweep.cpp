@@ -95,20 +95,23 @@ class ResultsWriter {
   ResultsWriter(const SweepPlan& plan, bool whole_sweep) : plan_(plan), active_(whole_sweep) {}
 
   void write() {
+    pending_ = false;
     if (!active_) return;
     const Stopwatch watch;
     write_results(plan_);
     took_ = watch.seconds();
     since_written_ = {};
   }
-  /// Unless that would take a good part of the time: there may be thousands of short runs.
-  void write_soon() {
-    if (since_written_.seconds() > 20 * took_) write();
+  void changed() { pending_ = true; }
+  /// What has changed, unless writing would take a good part of the time: there may be thousands of short
+  /// runs.
+  void write_when_due() {
+    if (pending_ && since_written_.seconds() > 20 * took_) write();
   }
 
  private:
   const SweepPlan& plan_;
-  bool active_;
+  bool active_, pending_ = false;
   double took_ = 0;  // s
   Stopwatch since_written_;
 };
@@ -125,12 +128,13 @@ int execute(SweepPlan& plan, const SweepOptions& o, Streams streams) {
     if (!run.problem.empty())
       streams.err << "taut: run " << run.index << " (" << text_of(run.settings) << "): " << run.problem
                   << '\n';
-    results.write_soon();
+    results.changed();
   };
   results.write();
   SweepEnd end;
   if (!runs.empty()) {
-    SweepRunner runner(runs, o.jobs.value_or(default_jobs(o.run.threads)), interrupts, progress, ended);
+    SweepRunner runner(runs, o.jobs.value_or(default_jobs(o.run.threads)), interrupts, progress,
+                       {ended, [&] { results.write_when_due(); }});
     end = runner.execute(plan.title);
     results.write();
   }

@@ -16,7 +16,9 @@ namespace fs = std::filesystem;
 
 bool draws(const SweepOptions& o) {
   const DrawingOptions& d = o.run.drawing;
-  return o.render || o.run.frames || o.run.every || d.color || d.range || d.colormap || d.size;
+  // the times of frames are those of saved particles as well
+  const bool times_of_frames = !o.run.save_particles && (o.run.frames || o.run.every);
+  return o.render || times_of_frames || d.color || d.range || d.colormap || d.view || d.size;
 }
 
 bool fixed_by_command(const RunOptions& run, const std::string& name) {
@@ -85,6 +87,7 @@ void declare_sweep_options(CLI::App& app, SweepOptions& o) {
   declare_setting_options(app, o.run);
   app.add_flag("--render", o.render, "draw frames; so does each of the options of drawing");
   declare_output_options(app, o.run);
+  declare_particle_options(app, o.run);
   o.run.threads = 1;
   app.add_option("--threads", o.run.threads, "of each run; default: 1")
       ->option_text("N")

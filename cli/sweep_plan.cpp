@@ -152,10 +152,11 @@ void SweepRun::look() {
   const bool ended = status == "finished" || (status == "failed" && text_in(found, "verdict") == "diverged");
   std::error_code error;
   const bool drawn = last_frame < 0 || status == "failed" || fs::exists(files.frame(last_frame), error);
+  const bool saved = !options.save_particles || fs::exists(files.particle_index(), error);
   if (!same) {
     state = ended ? RunState::outdated : RunState::interrupted;
   } else if (ended) {
-    state = drawn ? RunState::done : RunState::to_do;
+    state = drawn && saved ? RunState::done : RunState::to_do;
   } else {
     state = RunState::interrupted;
   }

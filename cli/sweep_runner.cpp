@@ -54,12 +54,12 @@ int gravest(int a, int b) {
 }  // namespace
 
 SweepRunner::SweepRunner(std::vector<SweepRun*> runs, int jobs, const Interrupts& interrupts,
-                         Progress& progress, std::function<void(const SweepRun&)> ended)
+                         Progress& progress, SweepEvents events)
     : waiting_(std::move(runs)),
       jobs_(static_cast<std::size_t>(jobs)),
       interrupts_(interrupts),
       progress_(progress),
-      ended_(std::move(ended)),
+      events_(std::move(events)),
       count_(waiting_.size()) {
   for (const SweepRun* run : waiting_) work_ += run->work;
   std::ranges::reverse(waiting_);
@@ -77,6 +77,7 @@ SweepEnd SweepRunner::execute(const std::string& title) {
     wait_for_something();
     pass_on_interrupt();
     show_progress();
+    events_.waiting();
   }
   end_.interrupted = interrupts_.asked();
   progress_.end(std::to_string(done_) + " of " + std::to_string(count_) + " runs");
@@ -115,7 +116,7 @@ void SweepRunner::finish(Job& job) {
     ++done_;
     work_done_ += run.work;
   }
-  ended_(run);
+  events_.ended(run);
 }
 
 void SweepRunner::pass_on_interrupt() {

@@ -17,13 +17,18 @@ struct SweepEnd {
   int code = 0;  // the gravest exit code of a run that is `broken`; 0: there is none
 };
 
+/// What a sweep tells of while it runs.
+struct SweepEvents {
+  std::function<void(const SweepRun&)> ended;  // a run has, with its new state
+  std::function<void()> waiting;               // about ten times a second
+};
+
 /// Runs some runs of a sweep, `jobs` at a time, each in a process of its own. The longest ones start first,
 /// so that no core waits at the end for a long one that began last.
 class SweepRunner {
  public:
-  /// `ended` is called for each run that has ended, with its new state.
   SweepRunner(std::vector<SweepRun*> runs, int jobs, const Interrupts& interrupts, Progress& progress,
-              std::function<void(const SweepRun&)> ended);
+              SweepEvents events);
 
   SweepEnd execute(const std::string& title);
 
@@ -43,7 +48,7 @@ class SweepRunner {
   std::size_t jobs_;
   const Interrupts& interrupts_;
   Progress& progress_;
-  std::function<void(const SweepRun&)> ended_;
+  SweepEvents events_;
   std::vector<Job> at_work_;
   std::size_t count_, done_ = 0;
   double work_ = 0, work_done_ = 0;

@@ -74,6 +74,8 @@ TEST_SUITE("cli") {
     const auto drawn_again = sweep({"--frames", "2"});
     CHECK(drawn_again.at("speed=1") == drawn.at("speed=1"));
     CHECK(drawn_again.at("speed=2") > drawn.at("speed=2"));
+    CHECK(sweep({"--frames", "2", "--render", "--save-particles"}).at("speed=1") > drawn.at("speed=1"));
+    CHECK(fs::exists(folder / "out/speed=1/particles/particles.pvd"));
     const auto other = sweep({"--set", "pull=1"});
     CHECK(other.at("speed=1") > drawn.at("speed=1"));
     CHECK(sweep({"--set", "pull=1", "--force"}).at("speed=2") > other.at("speed=2"));
