@@ -5,6 +5,8 @@ namespace taut {
 std::function<int(Streams)> declare_run(CLI::App&);
 std::function<int(Streams)> declare_render(CLI::App&);
 std::function<int(Streams)> declare_sweep(CLI::App&);
+std::function<int(Streams)> declare_compare(CLI::App&);
+std::function<int(Streams)> declare_movie(CLI::App&);
 std::function<int(Streams)> declare_diff(CLI::App&);
 std::function<int(Streams)> declare_snapshot(CLI::App&);
 std::function<int(Streams)> declare_list(CLI::App&);
@@ -30,6 +32,15 @@ constexpr Command table[] = {
      "  taut sweep rings-speed-limit --jobs 1     goes on where it was stopped\n"
      "  taut sweep rings-speed-limit --out limits --emit slurm && sbatch limits/sweep.slurm\n",
      declare_sweep},
+    {"compare", "draw runs side by side from their saved particles: columns are runs, rows are times",
+     "  taut compare out/og out/enog --out panel.png\n"
+     "  taut compare out/og out/enog --times 0.002,0.005,0.012 --color pressure --range -2e6:2e6 --out "
+     "panel.png\n",
+     declare_compare},
+    {"movie", "make a movie of a run's frames, with ffmpeg",
+     "  taut movie out/rings --out rings.mp4\n"
+     "  taut movie out/rings --out rings.gif --fps 15\n",
+     declare_movie},
     {"diff", "compare two images or two folders of frames; exit code 0 when alike, 1 when different",
      "  taut diff out/a out/b                     the frames of two runs, name by name\n"
      "  taut diff a/frames/frame_00060.png b/frames/frame_00060.png\n"

@@ -33,9 +33,9 @@ void place_all(Layout& layout, int width, int height) {
 
 }  // namespace
 
-Layout make_layout(int width, int height, const View& view) {
+Layout make_layout(int width, int height, const View& view, bool texts) {
   Layout layout;
-  if (width >= least_text_width && height >= least_text_height) {
+  if (texts && width >= least_text_width && height >= least_text_height) {
     // 16 pixels at 1280 × 720
     const double scale = std::min(width / 1280.0, height / 720.0);
     const double area = std::sqrt((width / 1280.0) * (height / 720.0));

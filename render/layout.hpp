@@ -26,6 +26,7 @@ struct Layout {
   double row(double y) const { return y_origin - y * pixels_per_metre; }     // in the plot, downwards
 };
 
-Layout make_layout(int width, int height, const View& view);
+/// Without `texts`, or in a picture too small for them, the plot is all of it.
+Layout make_layout(int width, int height, const View& view, bool texts = true);
 
 }  // namespace taut

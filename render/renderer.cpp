@@ -80,7 +80,7 @@ struct Renderer::Parts {
 
 Renderer::Parts::Parts(const DrawOptions& options_)
     : options(checked(options_)),
-      layout(make_layout(options.width, options.height, options.view)),
+      layout(make_layout(options.width, options.height, options.view, !options.bare)),
       image(options.width, options.height),
       context(options.width, options.height) {
   std::ranges::transform(options.colormap->table(), colors.begin(), packed);

@@ -20,7 +20,8 @@ struct DrawOptions {
   double low = 0;  // range of the field, in its unit; values beyond take the colour of the end
   double high = 1;
   const Colormap* colormap = find_colormap("viridis");
-  double until = 0;  // s, time of the last frame: all times are shown in its unit; 0 = each in its own
+  bool bare = false;  // particles only, over the whole picture
+  double until = 0;   // s, time of the last frame: all times are shown in its unit; 0 = each in its own
 };
 
 /// A value that is not a number is drawn in this colour, which is in none of the maps.

@@ -88,7 +88,8 @@ TEST_SUITE("cli") {
 
   TEST_CASE("help and version are results") {
     CHECK(call({"--version"}).out == "taut 0.1.0\n");
-    for (const std::string command : {"run", "render", "diff", "snapshot", "list", "describe"}) {
+    for (const std::string command :
+         {"run", "render", "compare", "movie", "diff", "snapshot", "list", "describe"}) {
       CHECK(contains(call({"--help"}).out, "  " + command + " "));
       const Outcome help = call({command, "--help"});
       CHECK(help.code == 0);

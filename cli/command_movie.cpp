@@ -1,0 +1,123 @@
+#include <filesystem>
+#include <ostream>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/option_checks.hpp"
+#include "cli/picture_folders.hpp"
+#include "cli/process.hpp"
+#include "cli/run_folder.hpp"
+#include "cli/text.hpp"
+#include "engine/error.hpp"
+
+namespace fs = std::filesystem;
+
+namespace taut {
+namespace {
+
+struct Options {
+  std::string frames, out;
+  double fps = 30;
+};
+
+/// The number of frames, from 0 on: ffmpeg stops at a gap without a word.
+int count_frames(const fs::path& folder) {
+  const int count = static_cast<int>(picture_names(folder).size());
+  if (!fs::exists(folder / frame_name(0)))
+    throw UsageError("there are no frames (" + frame_name(0) + ", ...) in " + folder.string() +
+                     "; `taut run` or `taut render` draws them");
+  int whole = 0;
+  while (fs::exists(folder / frame_name(whole))) ++whole;
+  for (int later = whole + 1; later < count + whole; ++later)
+    if (fs::exists(folder / frame_name(later)))
+      throw UsageError(frame_name(whole) + " is missing in " + folder.string() +
+                       ", and there are later ones");
+  return whole;
+}
+
+/// What ffmpeg makes of the frames. Video wants even sides, which a white edge gives it; a GIF wants few
+/// colours.
+std::vector<std::string> encoding(const std::string& extension) {
+  if (extension == ".gif")
+    return {"-vf", "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=none"};
+  return {"-vf",       "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white",
+          "-c:v",      "libx264",
+          "-crf",      "18",
+          "-preset",   "veryfast",
+          "-pix_fmt",  "yuv420p",
+          "-movflags", "+faststart"};
+}
+
+std::vector<std::string> command_line(const Options& options, const fs::path& movie) {
+  std::vector<std::string> arguments{
+      "ffmpeg", "-nostdin",   "-hide_banner",     "-loglevel", "error",
+      "-y",     "-framerate", exact(options.fps), "-i",        "frame_%05d.png"};
+  const std::vector<std::string> rest = encoding(movie.extension().string());
+  arguments.insert(arguments.end(), rest.begin(), rest.end());
+  arguments.push_back("file:" + movie.string());  // a ':' in the name is no protocol
+  return arguments;
+}
+
+/// "a/movie.mp4" → "a/movie.part.mp4": ffmpeg takes the format from the extension.
+fs::path unfinished(const fs::path& movie) {
+  fs::path part = movie;
+  return part.replace_extension(".part" + movie.extension().string());
+}
+
+/// The last lines of `text`, indented.
+std::string last_lines(const std::string& text) {
+  constexpr int shown = 5;
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);)
+    if (!line.empty()) lines.push_back("  " + line);
+  if (lines.size() > shown) lines.erase(lines.begin(), lines.end() - shown);
+  return join(lines, "\n");
+}
+
+int encode(const Options& options, const fs::path& folder) {
+  const fs::path part = unfinished(fs::absolute(options.out));
+  const Interrupts interrupts;
+  const ProcessResult result = run_process(command_line(options, part), folder, interrupts);
+  std::error_code error;
+  const bool good = result.found && !result.stopped && result.code == 0;
+  if (good) fs::rename(part, options.out, error);
+  if (good && !error) return exit_fine;
+  std::error_code ignored;
+  fs::remove(part, ignored);
+  if (!result.found)
+    throw OutputError(options.out,
+                      "ffmpeg is needed for movies and is not installed (apt-get install ffmpeg)");
+  if (result.stopped) return exit_interrupted;
+  throw OutputError(options.out, error ? "cannot be written: " + error.message()
+                                       : "ffmpeg failed with exit code " + std::to_string(result.code) +
+                                             "\n" + last_lines(result.errors));
+}
+
+int movie(const Options& options, std::ostream& out) {
+  const std::string extension = fs::path(options.out).extension().string();
+  if (extension != ".mp4" && extension != ".gif")
+    throw UsageError("--out is '" + options.out + "', which ends neither in .mp4 nor in .gif");
+  const fs::path folder = frames_of(options.frames);
+  const int count = count_frames(folder);
+  const int code = encode(options, folder);
+  if (code == exit_fine)
+    out << "movie  " << options.out << " (" << count << " frames, " << brief(count / options.fps) << " s)\n";
+  return code;
+}
+
+}  // namespace
+
+std::function<int(Streams)> declare_movie(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("DIR", options->frames, "a run folder, or a folder of frames")->option_text(" ")->required();
+  app.add_option("--out", options->out, "the movie")->option_text("movie.mp4|movie.gif")->required();
+  app.add_option("--fps", options->fps, "frames per second; default: 30")
+      ->option_text("N")
+      ->check(positive_number);
+  return [options](Streams streams) { return movie(*options, streams.out); };
+}
+
+}  // namespace taut

@@ -1,0 +1,230 @@
+#include "render/panel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "engine/error.hpp"
+#include "render/annotation.hpp"
+#include "render/canvas.hpp"
+#include "render/renderer.hpp"
+#include "render/scales.hpp"
+
+namespace taut {
+namespace {
+
+// Lengths in em.
+constexpr double margin = 1.1;
+constexpr double title_height = 2.6;
+constexpr double heading_height = 1.75;
+constexpr double note_height = 1.3;
+constexpr double row_label = 1.7;
+constexpr double gap = 0.7;  // between pictures, and between them and the bar
+constexpr double bar_width = 1.15;
+constexpr double bar_texts = 4.9;
+constexpr double footer = 2.3;
+constexpr double least_bar = 13;  // height that the bar's label needs
+constexpr double note_size = 0.94;
+constexpr double corner_gap = 0.4;
+constexpr double frame_gray = 0.85;
+
+// A panel of its own choice: pixels.
+constexpr double own_font = 16;
+constexpr double most_grid_width = 1440, most_grid_height = 1080, most_cell = 540;
+
+int pixels(double length) { return static_cast<int>(std::lround(length)); }
+
+/// Where the pictures and what is about them are.
+struct Grid {
+  double em = own_font;
+  int columns = 0, rows = 0;
+  int left = 0, top = 0, right = 0, bottom = 0;  // what is about all pictures
+  int gap_size = 0;
+  int cell_width = 0, cell_height = 0;
+
+  Rect cell(int column, int row) const {
+    return {left + column * (cell_width + gap_size), top + row * (cell_height + gap_size), cell_width,
+            cell_height};
+  }
+  int grid_width() const { return columns * cell_width + (columns - 1) * gap_size; }
+  int grid_height() const { return rows * cell_height + (rows - 1) * gap_size; }
+};
+
+Grid empty_grid(const PanelOptions& options, double em) {
+  Grid grid;
+  grid.em = em;
+  grid.columns = static_cast<int>(options.columns.size());
+  grid.rows = static_cast<int>(options.rows.size());
+  const bool notes = std::ranges::any_of(options.columns, [](const Heading& h) { return !h.note.empty(); });
+  const bool title = !options.title.empty() || !options.note.empty();
+  grid.left = pixels((margin + row_label) * em);
+  grid.top = pixels((0.4 + (title ? title_height : 0) + heading_height + (notes ? note_height : 0)) * em);
+  grid.right = pixels((margin + bar_width + bar_texts + 0.4) * em);
+  grid.bottom = pixels(footer * em);
+  grid.gap_size = pixels(gap * em);
+  return grid;
+}
+
+/// Pictures of the view's shape, as large as a page takes.
+Grid own_grid(const PanelOptions& options) {
+  Grid grid = empty_grid(options, own_font);
+  const double aspect = (options.view.y_max - options.view.y_min) / (options.view.x_max - options.view.x_min);
+  const double width = std::min(
+      {most_cell, most_cell / aspect, most_grid_width / grid.columns, most_grid_height / grid.rows / aspect});
+  const double least_height = (least_bar * grid.em - (grid.rows - 1) * grid.gap_size) / grid.rows;
+  grid.cell_width = std::max(pixels(width), least_size);
+  grid.cell_height = std::max({pixels(width * aspect), pixels(least_height), least_size});
+  return grid;
+}
+
+Grid fitted_grid(const PanelOptions& options) {
+  Grid grid = empty_grid(
+      options, std::max(9.0, own_font * std::sqrt(options.width / 1280.0 * options.height / 720.0)));
+  grid.cell_width =
+      (options.width - grid.left - grid.right - (grid.columns - 1) * grid.gap_size) / grid.columns;
+  grid.cell_height = (options.height - grid.top - grid.bottom - (grid.rows - 1) * grid.gap_size) / grid.rows;
+  if (grid.cell_width < least_size || grid.cell_height < least_size)
+    throw UsageError("a panel of " + std::to_string(options.width) + "x" + std::to_string(options.height) +
+                     " pixels is too small for " + std::to_string(grid.columns) + " x " +
+                     std::to_string(grid.rows) + " pictures; take a larger --size");
+  return grid;
+}
+
+Image empty_image(const PanelOptions& options, const Grid& grid) {
+  if (options.width > 0) return {options.width, options.height};
+  return {grid.left + grid.grid_width() + grid.right, grid.top + grid.grid_height() + grid.bottom};
+}
+
+DrawOptions cell_options(const PanelOptions& options, const Grid& grid) {
+  DrawOptions result;
+  result.width = grid.cell_width;
+  result.height = grid.cell_height;
+  result.view = options.view;
+  result.low = options.low;
+  result.high = options.high;
+  result.colormap = options.colormap;
+  result.bare = true;
+  return result;
+}
+
+void copy_into(Image& image, const Rect& place, const Image& picture) {
+  for (int row = 0; row < place.height; ++row)
+    std::memcpy(&image.pixels[image.offset(place.x, place.y + row)], &picture.pixels[picture.offset(0, row)],
+                static_cast<std::size_t>(place.width) * 4);
+}
+
+}  // namespace
+
+struct Panel::Parts {
+  PanelOptions options;
+  Grid grid;
+  Image image;
+  Canvas canvas;
+  Renderer renderer;
+  ColorBar bar;
+
+  explicit Parts(const PanelOptions& options_)
+      : options(options_),
+        grid(options.width > 0 ? fitted_grid(options) : own_grid(options)),
+        image(empty_image(options, grid)),
+        canvas(image),
+        renderer(cell_options(options, grid)),
+        bar(options.low, options.high, *options.colormap) {}
+  void draw_frames();
+  void draw_headings();
+  void draw_row_labels();
+};
+
+/// Shows where pictures end: particles may lie beyond.
+void Panel::Parts::draw_frames() {
+  canvas.gray(frame_gray);
+  for (int column = 0; column < grid.columns; ++column) {
+    for (int row = 0; row < grid.rows; ++row) {
+      const Rect cell = grid.cell(column, row);
+      canvas.fill(cell.x - 1, cell.y - 1, cell.width + 2, 1);
+      canvas.fill(cell.x - 1, cell.y + cell.height, cell.width + 2, 1);
+      canvas.fill(cell.x - 1, cell.y, 1, cell.height);
+      canvas.fill(cell.x + cell.width, cell.y, 1, cell.height);
+    }
+  }
+}
+
+void Panel::Parts::draw_headings() {
+  const double em = grid.em;
+  const bool notes = std::ranges::any_of(options.columns, [](const Heading& h) { return !h.note.empty(); });
+  const double note_line = grid.top - 0.6 * em;
+  const double title_line = note_line - (notes ? note_height * em : 0);
+  for (int column = 0; column < grid.columns; ++column) {
+    const Heading& heading = options.columns[static_cast<std::size_t>(column)];
+    const Rect cell = grid.cell(column, 0);
+    const double middle = cell.x + 0.5 * cell.width;
+    canvas.use(Weight::bold, em);
+    canvas.gray(ink);
+    canvas.text(canvas.fitted(heading.title, cell.width), middle, title_line, Canvas::Align::centre);
+    canvas.use(Weight::regular, note_size * em);
+    canvas.gray(faint);
+    canvas.text(canvas.fitted(heading.note, cell.width), middle, note_line, Canvas::Align::centre);
+  }
+}
+
+void Panel::Parts::draw_row_labels() {
+  canvas.use(Weight::regular, grid.em);
+  canvas.gray(ink);
+  for (int row = 0; row < grid.rows; ++row) {
+    const Rect cell = grid.cell(0, row);
+    canvas.turned_text(
+        canvas.fitted(options.rows[static_cast<std::size_t>(row)], cell.height + grid.gap_size),
+        grid.left - 0.7 * grid.em, cell.y + 0.5 * cell.height);
+  }
+}
+
+Panel::Panel(const PanelOptions& options) : parts_(std::make_unique<Parts>(options)) {}
+Panel::~Panel() = default;
+
+void Panel::draw(int column, int row, const FrameView& particles) {
+  copy_into(parts_->image, parts_->grid.cell(column, row), parts_->renderer.draw(particles));
+}
+
+void Panel::write_corner(int column, int row, const std::string& text) {
+  Canvas& canvas = parts_->canvas;
+  const Rect cell = parts_->grid.cell(column, row);
+  canvas.begin();
+  canvas.use(Weight::regular, note_size * parts_->grid.em);
+  canvas.gray(faint);
+  canvas.text(text, cell.x + corner_gap * parts_->grid.em, cell.y + (1 + corner_gap) * parts_->grid.em,
+              Canvas::Align::left);
+  canvas.end();
+}
+
+void Panel::write_middle(int column, int row, const std::string& text) {
+  Canvas& canvas = parts_->canvas;
+  const Rect cell = parts_->grid.cell(column, row);
+  canvas.begin();
+  canvas.use(Weight::regular, note_size * parts_->grid.em);
+  canvas.gray(faint);
+  canvas.text(canvas.fitted(text, cell.width), cell.x + 0.5 * cell.width, cell.y + 0.5 * cell.height,
+              Canvas::Align::centre);
+  canvas.end();
+}
+
+const Image& Panel::finish() {
+  Parts& parts = *parts_;
+  const Grid& grid = parts.grid;
+  const double em = grid.em;
+  parts.canvas.begin();
+  const int right = grid.left + grid.grid_width();
+  draw_title(parts.canvas, parts.options.title, parts.options.note, grid.left, 2.1 * em,
+             parts.image.width - grid.left - margin * em, em);
+  parts.draw_frames();
+  parts.draw_headings();
+  parts.draw_row_labels();
+  parts.bar.draw(parts.canvas,
+                 {right + pixels(margin * em), grid.top, pixels(bar_width * em), grid.grid_height()}, em,
+                 parts.options.field, parts.options.unit);
+  const Layout layout = make_layout(grid.cell_width, grid.cell_height, parts.options.view, false);
+  draw_scale_bar(parts.canvas, grid.cell(0, grid.rows - 1), layout.pixels_per_metre, em);
+  parts.canvas.end();
+  return parts.image;
+}
+
+}  // namespace taut
