@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include <Eigen/Dense>
 
-#include "engine/kernels/kernel.hpp"
 #include "engine/solver/neighbors.hpp"
 
 namespace taut {
@@ -48,42 +49,28 @@ Eigen::VectorXd corrected(const Eigen::MatrixXd& M, const Eigen::VectorXd& targe
   return omega;
 }
 
-/// The bonds of one particle from X_j − X_i and V_j, a column and an entry for each.
-class Correction {
+/// The moments of bonds in the directions e, a column for each.
+class Moments {
  public:
-  explicit Correction(double h) : h_(h), powers_(fourth_moments()), target_(powers_.size()) {
+  Moments() : powers_(fourth_moments()), target_(powers_.size()) {
     for (std::size_t m = 0; m < powers_.size(); ++m) target_[m] = isotropic(powers_[m]);
   }
 
-  void operator()(const Eigen::MatrixXd& X, const Eigen::VectorXd& V, Bonds& bonds) const {
-    using K = Kernel<KernelName::wendland_c2>;
-    Eigen::MatrixXd M(powers_.size(), X.cols()), slope(Dim, X.cols());
-    Eigen::VectorXd omega(X.cols());
+  /// w_j of the bonds X_j, columns, that starts from `omega`, and whether its moments are right.
+  std::pair<Eigen::VectorXd, bool> weights(const Eigen::MatrixXd& X, const Eigen::VectorXd& omega) const {
+    Eigen::MatrixXd M(powers_.size(), X.cols());
     for (Eigen::Index b = 0; b < X.cols(); ++b) {
-      const double r = X.col(b).norm();
-      const Eigen::VectorXd e = X.col(b) / r;
-      const double minus_dW = -K::alpha(Dim) / std::pow(h_, Dim + 1) * K::dw(r / h_);
-      omega[b] = (Dim + 2) * minus_dW * r * V[b];
-      slope.col(b) = minus_dW * V[b] * e;
+      const Eigen::VectorXd e = X.col(b).normalized();
       for (std::size_t m = 0; m < powers_.size(); ++m) {
         M(m, b) = 1;
         for (int k = 0; k < Dim; ++k) M(m, b) *= std::pow(e[k], powers_[m][k]);
       }
     }
     const Eigen::VectorXd w = corrected(M, target_, omega);
-    const Eigen::MatrixXd B = (X * slope.transpose()).completeOrthogonalDecomposition().pseudoInverse();
-    const Eigen::MatrixXd gradient = B.transpose() * slope;
-    for (Eigen::Index b = 0; b < X.cols(); ++b) {
-      bonds.r0.push_back(X.col(b).norm());
-      bonds.weight.push_back(w[b]);
-      Point g{};
-      for (int k = 0; k < Dim; ++k) g[k] = gradient(k, b);
-      bonds.gradient.push_back(g);
-    }
+    return {w, (M * w - target_).cwiseAbs().maxCoeff() < 1e-9};
   }
 
  private:
-  double h_;
   std::vector<Powers> powers_;
   Eigen::VectorXd target_;
 };
@@ -110,26 +97,167 @@ std::vector<std::vector<int>> neighbors_at_start(const Layout& layout, double re
   return near;
 }
 
+using Columns = Eigen::Matrix<double, Dim, Eigen::Dynamic>;
+using Square = Eigen::Matrix<double, Dim, Dim>;
+
+Eigen::Matrix<double, Dim, 1> column(const Point& p) {
+  return Eigen::Map<const Eigen::Vector<double, Dim>>(p.data());
+}
+
+Point point(const Eigen::Vector<double, Dim>& v) {
+  Point p{};
+  for (int k = 0; k < Dim; ++k) p[k] = v[k];
+  return p;
+}
+
+/// Makes the bonds step by step; what each step needs was made by the ones before.
+class Maker {
+ public:
+  Maker(const Scene& scene, const Layout& layout, double h)
+      : scene_(scene), layout_(layout), h_(h), chosen_(layout.size()) {}
+
+  Bonds make() {
+    choose();
+    set_ends();
+    out_.volume = layout_.V0;
+    set_gradients();
+    correct_volumes();
+    cut_at_clamp();
+    set_gradients();
+    return std::move(out_);
+  }
+
+ private:
+  void choose();
+  void set_ends();
+  void set_gradients();
+  void correct_volumes();
+  void cut_at_clamp();
+  double share_before_clamp(int i, const Point& X) const;
+
+  const Scene& scene_;
+  const Layout& layout_;
+  double h_;
+  std::vector<std::map<int, double>> chosen_;  // [id] w_ij by j
+  Bonds out_;
+};
+
+/// Which others each particle asks for, and with which weights.
+void Maker::choose() {
+  const Moments moments;
+  const auto near = neighbors_at_start(layout_, greatest_bond_reach * h_);
+  for (int i = 0; i < layout_.size(); ++i) {
+    const Eigen::Vector<double, Dim> x_i = column(layout_.x[i]);
+    for (double reach = 2; reach <= greatest_bond_reach; reach += 0.125) {
+      std::vector<int> others;
+      for (int j : near[i])
+        if ((column(layout_.x[j]) - x_i).norm() < reach * h_ * (1 - 1e-9)) others.push_back(j);
+      std::ranges::sort(others);
+      Eigen::MatrixXd X(Dim, others.size());
+      Eigen::VectorXd omega(others.size());
+      for (std::size_t b = 0; b < others.size(); ++b) {
+        X.col(b) = column(layout_.x[others[b]]) - x_i;
+        omega[b] = layout_.V0[others[b]] / std::pow(X.col(b).norm(), Dim);
+      }
+      const auto [w, right] = moments.weights(X, omega);
+      if (!right && reach > 2) continue;  // the first choice stands if none is right
+      chosen_[i].clear();
+      for (std::size_t b = 0; b < others.size(); ++b) chosen_[i][others[b]] = w[b];
+      if (right) break;
+    }
+  }
+}
+
+/// Every bond that one of its two ends asked for, with the particles for its ends.
+void Maker::set_ends() {
+  for (int i = 0; i < layout_.size(); ++i)
+    for (const auto& [j, w] : chosen_[i]) chosen_[j].try_emplace(i, 0.0);
+  out_.begin.push_back(0);
+  for (int i = 0; i < layout_.size(); ++i) {
+    for (const auto& [j, w] : chosen_[i]) {
+      const Eigen::Vector<double, Dim> X = column(layout_.x[j]) - column(layout_.x[i]);
+      out_.j.push_back(j);
+      out_.weight.push_back(w);
+      out_.X.push_back(point(X));
+      out_.area.push_back(point(layout_.V0[i] * layout_.V0[j] / std::pow(X.norm(), Dim + 2) * X));
+    }
+    out_.begin.push_back(static_cast<int>(out_.j.size()));
+  }
+}
+
+void Maker::set_gradients() {
+  out_.gradient.assign(out_.j.size(), Point{});
+  out_.B.assign(layout_.size(), {});
+  for (int i = 0; i < layout_.size(); ++i) {
+    Square A = Square::Zero();
+    for (int b = out_.begin[i]; b < out_.begin[i + 1]; ++b)
+      A += column(out_.area[b]) * column(out_.X[b]).transpose();
+    const double scale = std::pow(A.trace() / Dim, Dim);
+    if (!(A.determinant() > 1e-6 * scale)) continue;
+    const Square B = A.inverse();
+    for (int k = 0; k < Dim; ++k) out_.B[i][k] = point(B.col(k));
+    for (int b = out_.begin[i]; b < out_.begin[i + 1]; ++b)
+      out_.gradient[b] = point(B * column(out_.area[b]));
+  }
+}
+
+/// V_k += Σ_j D_j²/24 S_j · (g_jk − δ_jk Σ_l g_jl): S_j = Σ_i (V_i g_ij − V_j g_ji) is the surface that
+/// belongs to particle j, 0 inside.
+void Maker::correct_volumes() {
+  std::vector<Eigen::Vector<double, Dim>> S(layout_.size(), Eigen::Vector<double, Dim>::Zero());
+  const auto for_each_bond = [&](const auto& visit) {
+    for (int i = 0; i < layout_.size(); ++i)
+      for (int b = out_.begin[i]; b < out_.begin[i + 1]; ++b) visit(i, out_.j[b], column(out_.gradient[b]));
+  };
+  for_each_bond([&](int i, int j, const auto& g) {
+    S[j] += layout_.V0[i] * g;
+    S[i] -= layout_.V0[i] * g;
+  });
+  for_each_bond([&](int j, int k, const auto& g) {
+    const double change = std::pow(layout_.V0[j], 2.0 / Dim) / 24 * S[j].dot(g);
+    out_.volume[k] += change;
+    out_.volume[j] -= change;
+  });
+}
+
+/// Share of the way X from free particle i that lies before the held region.
+double Maker::share_before_clamp(int i, const Point& X) const {
+  const Expression& held = scene_.bodies[layout_.body[i]].held;
+  double free = 0, inside = 1;
+  for (int halving = 0; halving < 50; ++halving) {
+    const double share = 0.5 * (free + inside);
+    Point x = layout_.x[i];
+    for (int k = 0; k < Dim; ++k) x[k] += share * X[k];
+    (held(x) != 0 ? inside : free) = share;
+  }
+  constexpr double shortest = 0.4;  // in spacings: a shorter bond would ask for shorter steps
+  return std::min(1.0, std::max(inside, shortest * scene_.spacing / column(X).norm()));
+}
+
+/// Takes away the bonds of held particles and shortens those that lead to them; their a_ij stay as they are.
+void Maker::cut_at_clamp() {
+  Bonds cut;
+  cut.begin.push_back(0);
+  cut.volume = std::move(out_.volume);
+  for (int i = 0; i < layout_.size(); ++i) {
+    for (int b = out_.begin[i]; b < out_.begin[i + 1] && !layout_.held[i]; ++b) {
+      const bool to_clamp = layout_.held[out_.j[b]];
+      if (to_clamp && out_.weight[b] == 0) continue;
+      const double share = to_clamp ? share_before_clamp(i, out_.X[b]) : 1;
+      cut.j.push_back(out_.j[b]);
+      cut.weight.push_back(out_.weight[b]);
+      cut.X.push_back(point(share * column(out_.X[b])));
+      cut.area.push_back(out_.area[b]);
+    }
+    cut.begin.push_back(static_cast<int>(cut.j.size()));
+  }
+  out_ = std::move(cut);
+}
+
 }  // namespace
 
-Bonds make_bonds(const Layout& layout, double h, double reach) {
-  const Correction correct(h);
-  Bonds bonds;
-  bonds.begin.push_back(0);
-  const std::vector<std::vector<int>> near = neighbors_at_start(layout, reach);
-  for (int i = 0; i < layout.size(); ++i) {
-    const auto count = static_cast<Eigen::Index>(near[i].size());
-    Eigen::MatrixXd X(Dim, count);
-    Eigen::VectorXd V(count);
-    for (Eigen::Index b = 0; b < count; ++b) {
-      for (int k = 0; k < Dim; ++k) X(k, b) = layout.x[near[i][b]][k] - layout.x[i][k];
-      V[b] = layout.V0[near[i][b]];
-    }
-    bonds.j.insert(bonds.j.end(), near[i].begin(), near[i].end());
-    correct(X, V, bonds);
-    bonds.begin.push_back(static_cast<int>(bonds.j.size()));
-  }
-  return bonds;
+Bonds make_bonds(const Scene& scene, const Layout& layout, double h) {
+  return Maker(scene, layout, h).make();
 }
 
 }  // namespace taut

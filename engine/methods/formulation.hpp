@@ -158,7 +158,9 @@ inline constexpr Formulation oenog{
     .deviator = Deviator::plane_strain,
     .contact = ContactLaw::penalty,
     .contact_stiffness = 2,  // a layer of the material
-    .h_over_dp = 1.05,  // 12 bonds on a square lattice: the shortest whose moments can be right on rings too
+    .several_materials = true,
+    .h_over_dp = 0.8,  // the eight nearest on a square lattice, see engine/bonds.hpp
+    .cfl = 0.8,        // over h/(c_p + |v|), c_p of compression; a lattice is stable up to 1.2
 };
 
 }  // namespace taut

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/pack.hpp"
+#include "engine/methods/constants.hpp"
 
 /// `oenog`, an objective relative of ENOG that no paper has.
 ///
@@ -14,8 +15,8 @@
 /// so the history is that of a spring, and the whole method can be written as an energy of the positions,
 ///   E = Σ_i V_i [ G Σ_j w_ij φ(r_ij/r0_ij) + U(J_i) ],   J_i = det F_i,   F_i = Σ_j (x_j − x_i) ⊗ g_ij,
 /// whose derivatives are the forces
-///   f_i = Σ_j κ_ij φ′(λ_ij) (x_j − x_i)/r_ij + Σ_j (V_i P_i g_ij − V_j P_j g_ji),
-///   κ_ij = G (V_i w_ij + V_j w_ji)/r0_ij,   P = U′(J) cof F.
+///   f_i = Σ_j k_ij φ′(λ_ij)/λ_ij (x_j − x_i) + Σ_j (V_i P_i g_ij − V_j P_j g_ji),
+///   k_ij = G (V_i w_ij + V_j w_ji)/r0_ij²,   P = U′(J) cof F.
 /// What follows from there being an energy that no translation or rotation changes: linear and angular
 /// momentum are kept to round-off, a turned body keeps its stress, and the energy is kept as well as the time
 /// integrator can. The bonds resist every displacement of a particle against its neighbours: there is no
@@ -31,21 +32,28 @@
 ///   U       K′/2 (J−1)² + k₃/6 (J−1)³ = 2K′ m² − 4K′ m d² + 4k₃/3 m³ + …,
 ///   W       (2G/3 + 2K) m² + 2G d² − 40G/27 m³ − (8G + 4K) m d² + …,
 /// hence K′ = K − 5G/3, a = −22/3, k₃ = 56G/9.
+///
+/// Of the laws with these two derivatives φ is the one of λ², 1/λ² and 1/λ⁴: a force without a root and with
+/// one division, a slope that rises for every λ, and no end to it as λ → 0. Where J = 1 it is right to the
+/// fourth order too (φ⁗ = 208/3 in q): in shear the energy is the neo-Hookean one up to the fifth order.
+/// Also tried: 5/36 (λ − 1)² + 13/36 (1 − 1/λ)², third order only, with a root and two divisions.
 namespace taut::inline TAUT_ISA {
 
-/// φ(λ) = 5/36 (λ − 1)² + 13/36 (1 − 1/λ)², the mean of two bond laws that gives a = −22/3 and whose slope
-/// rises for every λ.
+/// φ = (7 λ² + 3/λ² + 2/λ⁴ − 12)/72, of t = 1/λ² = r0²/r²
 template <class T>
-T bond_energy(const T& lambda) {
-  const T stretch = lambda - 1, shrink = 1 - 1 / lambda;
-  return (5.0 / 36) * stretch * stretch + (13.0 / 36) * shrink * shrink;
+T bond_energy(const T& t) {
+  return (7 / t + t * (3 + 2 * t) - 12) / 72;
 }
 
-/// φ′(λ)
+/// φ′(λ)/λ of t = 1/λ²: times k (x_j − x_i) with k = G (V_i w_ij + V_j w_ji)/r0² it is the force on i.
 template <class T>
-T bond_slope(const T& lambda) {
-  const T inverse = 1 / lambda;
-  return (5.0 / 18) * (lambda - 1) + (13.0 / 18) * (1 - inverse) * inverse * inverse;
+T bond_slope(const T& t) {
+  return 7.0 / 36 - t * t * (3.0 / 36 + 4.0 / 36 * t);
+}
+
+/// m/s, of compression in plane strain and in 3D
+inline double compression_wave_speed(const Elasticity& m) {
+  return std::sqrt((m.K + 4.0 / 3 * m.G) / m.rho0);
 }
 
 /// The volumetric part U(J): K′/2 (J − 1)² + k₃/6 (J − 1)³, and for J < 1 a fourth-order term that keeps a

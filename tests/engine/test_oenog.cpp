@@ -1,0 +1,119 @@
+// oenog against its formulas written down plainly, and what an energy of the positions promises.
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "engine/methods/formulation.hpp"
+#include "tests/engine/naive_oenog.hpp"
+#include "tests/engine/relative.hpp"
+#include "tests/engine/runs.hpp"
+#include "tests/engine/scenes.hpp"
+
+using namespace taut;
+using namespace taut::test;
+
+namespace {
+
+/// A shaken plate held at its left end, its right half of a softer, lighter material.
+Scene clamped_plate_of_two_materials() {
+  Scene scene = small_clamped_plate();
+  scene.bodies.pop_back();
+  scene.materials.push_back({"soft", /*ρ0*/ 900, /*E*/ 4e6, /*ν*/ 0.3});
+  scene.bodies[0].parts = {{1, [](const Point& x) { return x[0] > 0.008 ? 1.0 : 0.0; }}};
+  return scene;
+}
+
+Scene ring_alone() {
+  Scene scene = small_collision();
+  scene.bodies.pop_back();
+  return scene;
+}
+
+}  // namespace
+
+TEST_SUITE("reference") {
+  TEST_CASE("oenog: 40 steps are those of the formulas, with a clamp, two materials and on a ring") {
+    for (const Scene& scene : {clamped_plate_of_two_materials(), ring_alone()}) {
+      CAPTURE(scene.name);
+      NaiveOenog naive(scene, oenog.h_over_dp);
+      for (int step = 0; step < 40; ++step) naive.step(oenog.cfl);
+      const Snapshot now = state_after(40, scene, with_method("oenog"));
+      double difference = 0, fastest = 0, moved = 0;
+      for (int i = 0; i < naive.size(); ++i) {
+        for (int k = 0; k < 2; ++k) {
+          difference = std::max(difference, std::abs(naive.v[i][k] - now.v[2 * i + k]));
+          fastest = std::max(fastest, std::abs(now.v[2 * i + k]));
+          moved = std::max(moved, std::abs(now.x[2 * i + k] - now.x0[2 * i + k]));
+        }
+      }
+      CHECK(difference < 1e-10 * fastest);
+      CHECK(moved > 0.3 * scene.spacing);
+      double energy = 0;
+      for (const double e : now.strain_energy) energy += e;
+      CHECK(energy == relative(naive.energy(naive.x), 1e-9));
+    }
+  }
+
+  TEST_CASE("oenog: the forces are minus the slopes of the energy") {
+    const Scene scene = clamped_plate_of_two_materials();
+    NaiveOenog naive(scene, oenog.h_over_dp);
+    for (int step = 0; step < 40; ++step) naive.step(oenog.cfl);
+    const auto force = naive.force(naive.x);
+    double greatest = 0, difference = 0;
+    for (int i = 0; i < naive.size(); ++i) {
+      for (int k = 0; k < 2 && !naive.held(i); ++k) {
+        auto there = naive.x;
+        const double step = 1e-5 * scene.spacing;
+        there[i][k] += step;
+        const double above = naive.energy(there);
+        there[i][k] -= 2 * step;
+        const double slope = (above - naive.energy(there)) / (2 * step);
+        difference = std::max(difference, std::abs(slope + force[i][k]));
+        greatest = std::max(greatest, std::abs(slope));
+      }
+    }
+    CHECK(greatest > 0);
+    CHECK(difference < 1e-6 * greatest);
+  }
+}
+
+TEST_SUITE("term") {
+  TEST_CASE("oenog: a strained body that is turned keeps its energy, and its forces turn with it") {
+    const Scene scene = ring_alone();
+    NaiveOenog naive(scene, oenog.h_over_dp);
+    for (int step = 0; step < 40; ++step) naive.step(oenog.cfl);
+    const double c = std::cos(2.1), s = std::sin(2.1);
+    const auto turned = [&](const NaiveOenog::Places& a) {
+      NaiveOenog::Places out;
+      for (const auto& p : a) out.push_back({c * p[0] - s * p[1], s * p[0] + c * p[1]});
+      return out;
+    };
+    REQUIRE(naive.energy(naive.x) > 0);
+    CHECK(naive.energy(turned(naive.x)) == relative(naive.energy(naive.x), 1e-10));
+    const auto after = naive.force(turned(naive.x)), before = turned(naive.force(naive.x));
+    double difference = 0, greatest = 0;
+    for (int i = 0; i < naive.size(); ++i)
+      for (int k = 0; k < 2; ++k) {
+        difference = std::max(difference, std::abs(after[i][k] - before[i][k]));
+        greatest = std::max(greatest, std::abs(after[i][k]));
+      }
+    CHECK(difference < 1e-10 * greatest);
+  }
+}
+
+TEST_SUITE("conservation") {
+  TEST_CASE("oenog: a body of two materials keeps its momenta and its energy") {
+    Scene scene = rotating_plate(0.2);
+    scene.materials.push_back({"soft", /*ρ0*/ 900, /*E*/ 4e6, /*ν*/ 0.3});
+    scene.bodies[0].parts = {{1, [](const Point& x) { return x[1] > 0.002 ? 1.0 : 0.0; }}};
+    const auto simulation = make_simulation(scene, with_method("oenog"));
+    const Balance before = balance(simulation->snapshot(), scene);
+    make_steps(*simulation, 300);
+    const Balance after = balance(simulation->snapshot(), scene);
+    CHECK(after.angular_momentum[2] == relative(before.angular_momentum[2], 1e-12));
+    CHECK(std::abs(after.linear_momentum[0] - before.linear_momentum[0]) < 1e-12 * before.momentum_scale);
+    CHECK(after.kinetic + after.strain == relative(before.kinetic, 2e-3));
+    CHECK(after.strain > 0.01 * before.kinetic);
+  }
+}
