@@ -142,7 +142,7 @@ void add_outer(Sym<T, Dim>& A, const T& s, const Vec<T, Dim>& a) {
 
 /// A · B
 template <class T, int Dim>
-[[gnu::always_inline]] inline Mat<T, Dim> product(const Mat<T, Dim>& A, const Sym<T, Dim>& B) {
+Mat<T, Dim> product(const Mat<T, Dim>& A, const Sym<T, Dim>& B) {
   Mat<T, Dim> C{};
   for (int a = 0; a < Dim; ++a)
     for (int b = 0; b < Dim; ++b)
@@ -184,22 +184,22 @@ inline Sym<double, 2> inverse(const Sym<double, 2>& a) {
   return (1 / det) * Sym<double, 2>{a(1, 1), -a(0, 1), a(0, 0)};
 }
 
-/// Lane sums. Passes call them once a particle, and the compiler is to inline them in the largest unit too.
+/// Lane sums.
 template <int Dim>
-[[gnu::always_inline]] inline Vec<double, Dim> sum(const Vec<Pack, Dim>& a) {
+Vec<double, Dim> sum(const Vec<Pack, Dim>& a) {
   Vec<double, Dim> r;
   for (int k = 0; k < Dim; ++k) r[k] = sum(a[k]);
   return r;
 }
 template <int Dim>
-[[gnu::always_inline]] inline Mat<double, Dim> sum(const Mat<Pack, Dim>& a) {
+Mat<double, Dim> sum(const Mat<Pack, Dim>& a) {
   Mat<double, Dim> r;
   for (int k = 0; k < Dim; ++k)
     for (int l = 0; l < Dim; ++l) r(k, l) = sum(a(k, l));
   return r;
 }
 template <int Dim>
-[[gnu::always_inline]] inline Sym<double, Dim> sum(const Sym<Pack, Dim>& a) {
+Sym<double, Dim> sum(const Sym<Pack, Dim>& a) {
   Sym<double, Dim> r;
   for (int k = 0; k < Sym<double, Dim>::size; ++k) r.c[k] = sum(a.c[k]);
   return r;

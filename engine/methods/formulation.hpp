@@ -160,7 +160,7 @@ inline constexpr Formulation oenog{
     .contact_stiffness = 2,  // a layer of the material
     .several_materials = true,
     .h_over_dp = 0.8,  // the eight nearest on a square lattice, see engine/bonds.hpp
-    .cfl = 0.8,        // over h/(c_p + |v|), c_p of compression; a lattice is stable up to 1.2
+    .cfl = 0.64,       // over dp/(c_p + |v|max), c_p of compression; the lattice is stable up to 0.97
 };
 
 }  // namespace taut

@@ -60,12 +60,14 @@ class Bonded final : public ParticleSolver<Dim> {
     Mat<double, Dim> F;
     V force;        // of the bonds, N
     double energy;  // of the bonds, J
+    double most_t;  // greatest 1/λ²
   };
 
   void pack_bonds(const Bonds& bonds);
   double spring(const Bonds& bonds, int id, int b, int back) const;
   void show_contacts_to_probes();
   void step();
+  double step_size() const;
   void first_pass();
   double second_pass(double dt);
   template <bool WithEnergy>
@@ -79,6 +81,7 @@ class Bonded final : public ParticleSolver<Dim> {
   std::vector<Elasticity> materials_;
   Pack least_r2_;          // m²: bonds shorter than a hundredth of a spacing are taken for that long
   double wave_speed_ = 0;  // m/s, of compression in the stiffest material
+  double most_t_ = 1;      // greatest 1/λ² of all bonds in the last step
   std::vector<Site> sites_;
   std::vector<int> begin_, j_;        // bonds in packs, as in Neighbors; from size() on places at a clamp
   std::vector<Vec<Pack, Dim>> a_ij_;  // m^Dim/m, times a constant that B takes out again
@@ -124,7 +127,7 @@ void Bonded<M, Dim>::pack_bonds(const Bonds& bonds) {
       for (int k = a; k < Dim; ++k) sites_[i].B(a, k) = bonds.B[id][a][k];
     for (int first = bonds.begin[id]; first < last; first += lanes) {
       Vec<Pack, Dim> area{};
-      Spring four{{}, filled<Pack>(c_.dp * c_.dp)};
+      Spring four{{}, least_r2_};  // the filling: t = 1
       for (int lane = 0; lane < lanes; ++lane) {
         const int b = first + lane;
         if (b >= last) {
@@ -158,9 +161,18 @@ void Bonded<M, Dim>::show_contacts_to_probes() {
   this->recorder_.rebuilt(s_, Contact<Dim>::reach * c_.dp);
 }
 
+/// s. [Zhang2024] Eq. 22 with the speed of compression waves, for any ν, and with dp, on which the limit
+/// depends and not on h. A bond that is pressed gets stiffer, and the steps shorter, once it takes up what a
+/// `cfl` of 0.64 leaves to the limit of 0.97.
+template <const Formulation& M, int Dim>
+double Bonded<M, Dim>::step_size() const {
+  constexpr double spare = 1.5;
+  return c_.cfl * c_.dp / (wave_speed_ + vmax_) / std::sqrt(std::max(1.0, bond_stiffness(most_t_) / spare));
+}
+
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::step() {
-  const double dt = c_.cfl * c_.h / (wave_speed_ + vmax_);
+  const double dt = step_size();
   if (contact_.prepare(s_, vmax_ * dt)) show_contacts_to_probes();
   parallel_for(s_.size(), threads_now(), [&](int i) {
     s_.x[i] += (0.5 * dt) * s_.v[i];
@@ -177,14 +189,14 @@ void Bonded<M, Dim>::step() {
 /// energy: half of each bond's, and all of one that ends at a clamp.
 template <const Formulation& M, int Dim>
 template <bool WithEnergy>
-[[gnu::always_inline]] inline auto Bonded<M, Dim>::strained(int i) const -> Strained {
+auto Bonded<M, Dim>::strained(int i) const -> Strained {
   constexpr int width = PlaceRow::width;
   V here;
   for (int k = 0; k < Dim; ++k) here[k] = places_[i].c[k];
   const Vec<Pack, Dim> x_i = spread(here);
   Mat<Pack, Dim> F{};
   Vec<Pack, Dim> f{};
-  Pack energy{};
+  Pack energy{}, most_t{};
   for (int b = begin_[i]; b < begin_[i + 1]; ++b) {
     const int* j = &j_[static_cast<std::size_t>(lanes) * b];
     Pack x_j[width];
@@ -193,6 +205,7 @@ template <bool WithEnergy>
     for (int k = 0; k < Dim; ++k) d[k] = x_j[k] - x_i[k];
     const Spring& spring = springs_[b];
     const Pack t = spring.r0_squared / max(dot(d, d), least_r2_);
+    most_t = max(most_t, t);
     f += Pack(spring.k * bond_slope(t)) * d;
     add_outer(F, filled<Pack>(1), d, a_ij_[b]);
     if constexpr (WithEnergy) {
@@ -201,20 +214,22 @@ template <bool WithEnergy>
       energy += share * spring.k * spring.r0_squared * bond_energy(t);
     }
   }
-  return {product(sum(F), sites_[i].B), sum(f), sum(energy)};
+  return {product(sum(F), sites_[i].B), sum(f), sum(energy),
+          std::max(std::max(most_t[0], most_t[1]), std::max(most_t[2], most_t[3]))};
 }
 
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::first_pass() {
-  parallel_for(s_.size(), threads_now(), [&](int i) {
-    const auto [F, force, energy] = strained<false>(i);
+  most_t_ = parallel_max(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
+    const auto [F, force, energy, most_t] = strained<false>(i);
     bond_force_[i] = force;
-    if (!has_volume(i)) return;
+    if (!has_volume(i)) return most_t;
     const Site& site = sites_[i];
     const double pressure = site.V * site.law.slope(determinant(F));
     const Mat<double, Dim> Q = product(cofactor(F), site.B);
     for (int a = 0; a < Dim; ++a)
       for (int k = 0; k < Dim; ++k) volumes_[i].c[a * Dim + k] = pressure * Q(a, k);
+    return most_t;
   });
 }
 
@@ -225,7 +240,7 @@ double Bonded<M, Dim>::second_pass(double dt) {
   constexpr int width = VolumeRow::width;
   drives_.set_time(this->time_ + dt);
   const bool contact = contact_.active(), driven = drives_.active();
-  return parallel_max(s_.size(), threads_now(), [&](int i) {
+  return parallel_max(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
     Pack Q_i[Dim * Dim];
     for (int k = 0; k < Dim * Dim; ++k) Q_i[k] = filled<Pack>(volumes_[i].c[k]);
     Vec<Pack, Dim> f{};
@@ -255,10 +270,10 @@ void Bonded<M, Dim>::take_snapshot() {
   std::vector<double>& energies = this->snapshot_.strain_energy;
   energies.resize(s_.size());
   parallel_for(s_.size(), threads_now(), [&](int i) { set_row(i); });
-  parallel_for(s_.size(), threads_now(), [&](int i) {
+  parallel_for(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
     const Site& site = sites_[i];
     const Elasticity& material = materials_[this->layout_.material[s_.id[i]]];
-    auto [F, force, energy] = strained<true>(i);
+    auto [F, force, energy, most_t] = strained<true>(i);
     if (!has_volume(i))
       for (int k = 0; k < Dim; ++k) F(k, k) = 1;
     const double J = determinant(F);

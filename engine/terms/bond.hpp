@@ -51,6 +51,9 @@ T bond_slope(const T& t) {
   return 7.0 / 36 - t * t * (3.0 / 36 + 4.0 / 36 * t);
 }
 
+/// φ″(λ) of t = 1/λ²: 1 at rest, 4.1 at λ = 3/4. What a bond resists its own stretch with.
+inline double bond_stiffness(double t) { return (14 + t * t * (18 + 40 * t)) / 72; }
+
 /// m/s, of compression in plane strain and in 3D
 inline double compression_wave_speed(const Elasticity& m) {
   return std::sqrt((m.K + 4.0 / 3 * m.G) / m.rho0);
