@@ -41,6 +41,11 @@ class BodyContacts {
     while (next <= s.size()) begin[next++] = static_cast<int>(j.size());
   }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(begin, j);
+  }
+
   std::vector<int> begin, j;
 
  private:

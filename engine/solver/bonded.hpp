@@ -40,6 +40,12 @@ class Bonded final : public ParticleSolver<Dim> {
     take_snapshot();
   }
 
+  std::string save() override { return Base::saved(*this); }
+  void load(std::string_view state) override {
+    Base::load_into(*this, state);
+    take_snapshot();
+  }
+
  private:
   using Base = ParticleSolver<Dim>;
   using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::threads_now, Base::vmax_;

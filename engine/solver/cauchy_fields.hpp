@@ -182,6 +182,12 @@ struct CauchyFields {
     transported.resize(n);
     stress.resize(n);
   }
+  /// What lasts from one step to the next.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(motion, near, of_one_material);
+    resize_pairs();
+  }
   void resize_pairs() {
     pairs.resize(near.begin.back());
     if constexpr (needs_kernel(M)) W.resize(near.begin.back());

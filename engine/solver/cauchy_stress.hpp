@@ -37,6 +37,17 @@ class CauchyStress final : public ParticleSolver<Dim> {
     take_snapshot();
   }
 
+  std::string save() override { return Base::saved(*this); }
+  void load(std::string_view state) override {
+    Base::load_into(*this, state);
+    take_snapshot();
+  }
+  template <class Archive>
+  void serialize(Archive& archive) {
+    Base::serialize(archive);
+    archive(f_, drift_, way_);
+  }
+
  private:
   using Base = ParticleSolver<Dim>;
   using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::recorder_, Base::support_, Base::threads_now,

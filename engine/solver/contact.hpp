@@ -112,6 +112,11 @@ class Contact {
     return 0.5 * twice;
   }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(pairs_, touching_, force_, travelled_);
+  }
+
   /// The pairs in the form in which probes look for neighbours.
   Neighbors neighbors(int particles) const {
     Neighbors out;

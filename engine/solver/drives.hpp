@@ -66,6 +66,12 @@ class Drives {
   /// Of all drives so far, J (per metre depth in 2D).
   double work() const { return std::accumulate(work_.begin(), work_.end(), 0.0); }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(active_, work_);
+    for (Timed& drive : drives_) archive(drive.on, drive.now);
+  }
+
  private:
   struct Timed {
     std::array<std::function<double(double)>, 3> velocity;  // m/s, of the time in s

@@ -89,6 +89,11 @@ struct Neighbors {
   long pairs = 0;  // directed, without the filling
 
   const int* pack(int b) const { return &j[static_cast<std::size_t>(lanes) * b]; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(begin, j, pairs);
+  }
 };
 
 /// All pairs with 0 < r < support, of particles stored in the grid's order, that `wanted(i, j)`. The lists do

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/archive.hpp"
 #include "engine/core/team_size.hpp"
 #include "engine/error.hpp"
 #include "engine/layout.hpp"
@@ -70,6 +71,27 @@ class ParticleSolver : public Simulation {
       s_.v[i] = v;
       follow(i, change);
     });
+  }
+
+  /// A solver whose steps depend on more than this has a `serialize` of its own, which begins with this one.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.match(layout_.size());
+    archive.match(static_cast<int>(recorder_.size()));
+    archive(s_, contact_, drives_, recorder_, time_, step_, vmax_, series_, pairs_);
+  }
+  /// The bodies of `save` and `load` of a solver with `serialize`.
+  template <class Solver>
+  static std::string saved(Solver& solver) {
+    Saver saver;
+    solver.serialize(saver);
+    return saver.take();
+  }
+  template <class Solver>
+  static void load_into(Solver& solver, std::string_view state) {
+    Loader loader(state);
+    solver.serialize(loader);
+    loader.finish();
   }
 
   /// Time and sizes of the snapshot; then every particle is to be stored.

@@ -23,6 +23,15 @@ class Recorder {
   /// Appends a row to `series`.
   void record(const State<Dim>& s, double time, Series& series);
 
+  std::size_t size() const { return probes_.size(); }
+
+  /// What changes as particles are stored in another order.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(where_, support_);
+    for (Follower& f : followers_) archive(f.pairs, f.held_value);
+  }
+
  private:
   struct Follower {
     std::vector<PointWeight> at,

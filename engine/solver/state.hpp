@@ -128,6 +128,13 @@ struct State {
 
   int size() const { return static_cast<int>(x.size()); }
 
+  /// What lasts from one step to the next; what the passes gather is made anew.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(x, v, m, mobile, rho, drho, a_shear, da_shear, s, ds, x_recovered, id, body, material);
+    archive(neighbors, pairs, contacts, closeness);
+  }
+
   /// Stores the particles in another order: what stood at order[i] comes to i.
   void reorder(const std::vector<int>& order, int threads) {
     const auto apply = [&](auto&... arrays) {

@@ -26,6 +26,17 @@ class UpdatedLagrangian final : public ParticleSolver<Dim> {
     take_snapshot();
   }
 
+  std::string save() override { return Base::saved(*this); }
+  void load(std::string_view state) override {
+    Base::load_into(*this, state);
+    take_snapshot();
+  }
+  template <class Archive>
+  void serialize(Archive& archive) {
+    Base::serialize(archive);
+    archive(greatest_speed_, advected_);
+  }
+
  private:
   using Base = ParticleSolver<Dim>;
   using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::recorder_, Base::step_, Base::vmax_,
