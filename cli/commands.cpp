@@ -19,7 +19,9 @@ constexpr Command table[] = {
      "  taut run colliding-rings\n"
      "  taut run colliding-rings --method og --set v0=0.12 --fail-on fractured\n"
      "  taut run colliding-rings --color pressure --range -2e6:2e6 --size 1920x1080 --out out/rings\n"
-     "  taut run out/rings/scene.toml             the same run again\n",
+     "  taut run out/rings/scene.toml             the same run again\n"
+     "  taut run colliding-rings --checkpoint-every 1e-3 --out out/rings\n"
+     "  taut run --resume out/rings               goes on where it was interrupted or killed\n",
      declare_run},
     {"render", "draw a run again from its saved particles, with other colours, ranges, views or sizes",
      "  taut render out/rings --color pressure --range -2e6:2e6\n"

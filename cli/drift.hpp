@@ -22,6 +22,11 @@ class Drift {
   /// `exchanges_momentum`: there are held or driven particles.
   Conservation conservation(bool exchanges_momentum) const;
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(start_, linear_, angular_, energy_, linear_scale_, angular_scale_, energy_scale_);
+  }
+
  private:
   std::optional<Balance> start_;
   double linear_ = 0, angular_ = 0, energy_ = 0;  // greatest |change|

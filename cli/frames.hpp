@@ -36,11 +36,21 @@ class Frames {
   int kept() const { return static_cast<int>(kept_.size()); }
   int written() const { return written_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(dim_, diameter_, kept_, written_);
+  }
+
  private:
   /// What one frame shows, in single precision: a picture has no more.
   struct Kept {
     double time;  // s
     std::vector<float> x, value;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(time, x, value);
+    }
   };
   void keep(const FrameView& particles);
   void choose_range_and_view();

@@ -18,9 +18,9 @@ std::string header(const Scene& scene) {
 
 }  // namespace
 
-History::History(const std::filesystem::path& path, const Scene& scene)
-    : file_(path), dim_(scene.dim), driven_(has_drives(scene)) {
-  file_.append(header(scene));
+History::History(const std::filesystem::path& path, const Scene& scene, LineFile::Start start)
+    : file_(path, start), dim_(scene.dim), driven_(has_drives(scene)) {
+  if (start == LineFile::Start::empty) file_.append(header(scene));
 }
 
 void History::add(const Simulation& simulation, const Balance& balance, int pieces,

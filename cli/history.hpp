@@ -12,10 +12,20 @@ namespace taut {
 /// history.csv: a row per history time, in SI units. Each row is complete in the file as soon as it is made.
 class History {
  public:
-  History(const std::filesystem::path& path, const Scene& scene);
+  /// Anew, or to go on with the file of a run that is to be loaded.
+  History(const std::filesystem::path& path, const Scene& scene,
+          LineFile::Start start = LineFile::Start::empty);
 
   /// A row for the state at hand, unless the last row shows this very step.
   void add(const Simulation& simulation, const Balance& balance, int pieces, const Readings& readings);
+
+  /// Loading takes back the rows that were written after this was saved.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    std::int64_t length = file_.length();
+    archive(length, last_step_);
+    file_.cut(length);
+  }
 
  private:
   LineFile file_;

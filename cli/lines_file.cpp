@@ -21,9 +21,10 @@ Solution reference_of(const Line& line, const Scene& scene, const std::string& l
 
 }  // namespace
 
-LinesFile::LinesFile(const std::filesystem::path& path, const Scene& scene, const std::string& law)
-    : file_(path) {
-  file_.append("line,t,step,x,y,value,reference");
+LinesFile::LinesFile(const std::filesystem::path& path, const Scene& scene, const std::string& law,
+                     LineFile::Start start)
+    : file_(path, start) {
+  if (start == LineFile::Start::empty) file_.append("line,t,step,x,y,value,reference");
   for (const Line& line : scene.lines) lines_.push_back({line, reference_of(line, scene, law)});
 }
 

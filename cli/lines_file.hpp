@@ -14,10 +14,21 @@ namespace taut {
 /// The column `reference` is what the exact solution of the method's law says, empty where there is none.
 class LinesFile {
  public:
-  LinesFile(const std::filesystem::path& path, const Scene& scene, const std::string& law);
+  /// Anew, or to go on with the file of a run that is to be loaded.
+  LinesFile(const std::filesystem::path& path, const Scene& scene, const std::string& law,
+            LineFile::Start start = LineFile::Start::empty);
 
   /// Rows for the samples that were taken since the last call.
   void add(const std::vector<std::vector<LineSample>>& samples);
+
+  /// Loading takes back the rows that were written after this was saved.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    std::int64_t length = file_.length();
+    archive(length);
+    for (Known& line : lines_) archive(line.written);
+    file_.cut(length);
+  }
 
  private:
   struct Known {

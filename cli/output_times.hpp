@@ -19,6 +19,11 @@ class Agenda {
   /// How many times have been reached by `now` since the last call.
   int reached(double now);
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(done_);
+  }
+
  private:
   std::vector<double> times_;  // s, sorted
   std::size_t done_ = 0;

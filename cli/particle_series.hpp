@@ -17,6 +17,12 @@ class ParticleSeries {
   void add(const Snapshot& snapshot);
   /// The index of the files that there are by now. Throws OutputError, as `add` does.
   void save_index() const;
+  int written() const { return static_cast<int>(times_.size()); }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(times_);
+  }
 
  private:
   std::vector<const Field*> fields_;

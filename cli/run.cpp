@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <nlohmann/json.hpp>
 
+#include "cli/checkpoint.hpp"
 #include "cli/divergence.hpp"
 #include "cli/frames.hpp"
 #include "cli/history.hpp"
@@ -15,6 +17,7 @@
 #include "cli/particle_series.hpp"
 #include "cli/text.hpp"
 #include "cli/whole_file.hpp"
+#include "engine/core/archive.hpp"
 #include "engine/error.hpp"
 #include "engine/method_info.hpp"
 
@@ -34,12 +37,20 @@ class Run {
   RunResult execute();
 
  private:
+  void begin();
+  void open_files(LineFile::Start start);
+  void take_up(const std::string& state);
+  template <class Archive>
+  void serialize(Archive& archive);
+  void save_checkpoint();
+  void plan_next_checkpoint();
   void simulate();
   void step_through();
   RunRecord::Status how_it_ended() const;
   void advance(double target);
   void look();
   void sample_lines();
+  void take_verdict();
   void show_what_is_due();
   bool draw_the_rest();
   void save(RunRecord::Status status);
@@ -64,6 +75,7 @@ class Run {
   Pace pace_;
   bool exchanges_momentum_ = false;
   Stopwatch since_saved_;
+  double next_checkpoint_ = std::numeric_limits<double>::infinity();  // s
 };
 
 Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, LineRecorder lines,
@@ -89,22 +101,82 @@ Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, LineRecord
 }
 
 RunResult Run::execute() {
-  plan_.folder.claim(to_json(record_).dump(2) + "\n");
+  if (!plan_.state) plan_.folder.claim(to_json(record_).dump(2) + "\n");
   try {
-    write_whole(plan_.folder.scene(), plan_.file.resolved);
-    history_.emplace(plan_.folder.history(), plan_.file.scene);
-    if (!plan_.file.scene.lines.empty())
-      lines_file_.emplace(plan_.folder.lines(), plan_.file.scene, record_.material_law);
+    plan_.state ? take_up(*plan_.state) : begin();
     simulate();
     const RunRecord::Status status = how_it_ended();
     save(status);  // the drawing of frames that were kept takes time, and may be interrupted as well
     const bool all_drawn = draw_the_rest();
     save(status == RunRecord::Status::finished && !all_drawn ? RunRecord::Status::interrupted : status);
+    if (record_.status == RunRecord::Status::finished) plan_.folder.clear_checkpoint();
   } catch (const OutputError&) {
     save_what_can_be_saved();
     throw;
   }
   return std::move(result_);
+}
+
+void Run::begin() {
+  write_whole(plan_.folder.scene(), plan_.file.resolved);
+  open_files(LineFile::Start::empty);
+  plan_next_checkpoint();
+}
+
+void Run::open_files(LineFile::Start start) {
+  const Scene& scene = plan_.file.scene;
+  history_.emplace(plan_.folder.history(), scene, start);
+  if (!scene.lines.empty()) lines_file_.emplace(plan_.folder.lines(), scene, record_.material_law, start);
+}
+
+/// What the folder holds from after the checkpoint is taken back: it comes again.
+void Run::take_up(const std::string& state) {
+  const double setup = record_.seconds.setup;
+  open_files(LineFile::Start::as_it_is);
+  Loader loader(state);
+  std::string simulation;
+  loader(simulation);
+  serialize(loader);
+  loader.finish();
+  simulation_->load(simulation);
+  record_.seconds.setup += setup;
+  record_.reached = simulation_->time();
+  record_.steps = simulation_->steps();
+  take_verdict();
+  plan_.folder.keep(frames_ ? frames_->written() : 0, particles_ ? particles_->written() : 0);
+  plan_next_checkpoint();
+  save(RunRecord::Status::running);
+}
+
+/// All that changes as the run goes by, beside the simulation itself.
+template <class Archive>
+void Run::serialize(Archive& archive) {
+  archive(frame_agenda_, history_agenda_, judge_, drift_, lines_, *history_, record_.indicator,
+          record_.seconds);
+  if (lines_file_) archive(*lines_file_);
+  if (frames_) archive(*frames_);
+  if (particles_) archive(*particles_);
+}
+
+void Run::save_checkpoint() {
+  if (!plan_.checkpoint_every) return;
+  const Timed timed(record_.seconds.write);
+  Saver saver;
+  std::string simulation = simulation_->save();
+  saver(simulation);
+  serialize(saver);
+  Checkpoint checkpoint{record_.method,          plan_.file.resolved,       {},          plan_.spacing_asked,
+                        *plan_.checkpoint_every, plan_.drawing.has_value(), saver.take()};
+  for (const Field* field : plan_.particle_fields) checkpoint.fields.emplace_back(field->key);
+  write_checkpoint(plan_.folder.checkpoint(), std::move(checkpoint));
+  plan_next_checkpoint();
+}
+
+void Run::plan_next_checkpoint() {
+  if (!plan_.checkpoint_every) return;
+  const double every = *plan_.checkpoint_every;
+  next_checkpoint_ = std::fmax((std::floor(record_.reached / every) + 1) * every,
+                               std::nextafter(record_.reached, record_.until));
 }
 
 RunRecord::Status Run::how_it_ended() const {
@@ -136,12 +208,16 @@ void Run::simulate() {
 void Run::step_through() {
   progress_.begin(plan_.file.scene.name + ", " + record_.method + ", " + std::to_string(record_.particles) +
                   " particles");
-  look();
-  sample_lines();
-  show_what_is_due();
+  if (!plan_.state) {
+    look();
+    sample_lines();
+    show_what_is_due();
+  }
   for (bool going = result_.failure.empty(); going;) {
     advance(std::min({frame_agenda_.next(), history_agenda_.next(), lines_.next(), record_.until}));
     going = record_.reached < record_.until && !interrupts_.asked();
+    // before the look at the end, which is one more than a run that goes on has
+    if (interrupts_.asked()) save_checkpoint();
     if (history_agenda_.next() <= record_.reached || !going) look();
     if (!result_.failure.empty()) break;
     sample_lines();
@@ -155,12 +231,13 @@ void Run::advance(double target) {
   while (record_.reached < target && !interrupts_.asked()) {
     const Stopwatch watch;
     const double from = record_.reached;
-    simulation_->advance_to(std::min(target, from + pace_.slice()));
+    simulation_->advance_to(std::min({target, from + pace_.slice(), next_checkpoint_}));
     record_.seconds.solve += watch.seconds();
     record_.reached = simulation_->time();
     record_.steps = simulation_->steps();
     pace_.took(record_.reached - from, watch.seconds());
     progress_.show(record_.reached / record_.until, state_line());
+    if (record_.reached >= next_checkpoint_) save_checkpoint();
     if (since_saved_.seconds() > record_interval) save(RunRecord::Status::running);
   }
 }
@@ -176,10 +253,14 @@ void Run::look() {
   const Readings readings = gauge_(now);
   history_->add(*simulation_, sums, judge_.pieces(), readings);
   for (std::size_t k = 0; k < readings.size(); ++k) record_.indicator[k].look(readings[k], now.time);
+  take_verdict();
+  if (record_.verdict == Verdict::diverged) result_.failure = describe_divergence(now, sums);
+}
+
+void Run::take_verdict() {
   record_.pieces = judge_.pieces();
   record_.verdict = judge_.verdict();
   record_.since = judge_.since();
-  if (record_.verdict == Verdict::diverged) result_.failure = describe_divergence(now, sums);
 }
 
 void Run::sample_lines() {

@@ -21,6 +21,8 @@ struct RunPlan {
   std::vector<const Field*> particle_fields;       // none: particles are not saved
   std::vector<double> frame_times, history_times;  // s, sorted; particles are saved at those of the frames
   RunFolder folder{"."};
+  std::optional<double> checkpoint_every;  // s of the simulation; none: no checkpoints
+  std::optional<std::string> state;        // of the run in the folder, to go on with; none: from the start
 };
 
 struct RunResult {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 #include <fstream>
+#include <set>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -47,7 +48,8 @@ void remove_file(const fs::path& path) {
   if (error) throw OutputError(path.string(), "cannot be removed: " + error.message());
 }
 
-void remove_those(const fs::path& folder, bool (*ours)(const fs::path&)) {
+template <class Ours>
+void remove_those(const fs::path& folder, const Ours& ours) {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
     if (ours(entry.path())) remove_file(entry.path());
@@ -94,6 +96,22 @@ void RunFolder::claim(std::string_view record_text) const {
   remove_file(history());
   remove_file(lines());
   remove_file(scene());
+  clear_checkpoint();
+}
+
+void RunFolder::keep(int frames, int particle_files) const {
+  std::set<fs::path> kept;
+  for (int k = 0; k < frames; ++k) kept.insert(frame(k));
+  for (int k = 0; k < particle_files; ++k) kept.insert(particle_file(k));
+  remove_those(this->frames(), [&](const fs::path& path) { return is_frame(path) && !kept.contains(path); });
+  remove_those(particles(), [&](const fs::path& path) {
+    return is_particle_file(path) && path != particle_index() && !kept.contains(path);
+  });
+}
+
+void RunFolder::clear_checkpoint() const {
+  remove_file(checkpoint());
+  remove_file(checkpoint().string() + ".tmp");
 }
 
 void RunFolder::clear_frames() const {

@@ -21,6 +21,11 @@ class RunFolder {
   /// Creates the folder, or removes what an earlier run left; `record` becomes its run.json first of all, so
   /// that the folder is recognised at any time. Throws OutputError.
   void claim(std::string_view record) const;
+  /// Removes frames and particle files but the first ones, which a run that goes on has written already.
+  /// Throws OutputError.
+  void keep(int frames, int particle_files) const;
+  /// Removes the checkpoint, whole or in the making. Throws OutputError.
+  void clear_checkpoint() const;
   /// Removes what shows the frames that there are, before others are drawn. Throws OutputError.
   void clear_frames() const;
 
@@ -35,6 +40,8 @@ class RunFolder {
   std::filesystem::path lines() const { return path_ / "lines.csv"; }
   std::filesystem::path scene() const { return path_ / "scene.toml"; }
   std::filesystem::path record() const { return path_ / "run.json"; }
+  /// To go on from, while the run is not finished.
+  std::filesystem::path checkpoint() const { return path_ / "checkpoint.bin"; }
   /// Where the frames differ from a baseline that they were compared with.
   std::filesystem::path difference() const { return path_ / "difference.png"; }
 

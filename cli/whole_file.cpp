@@ -1,5 +1,6 @@
 #include "cli/whole_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -40,9 +41,20 @@ void write_whole(const std::filesystem::path& path, std::string_view text) {
   fail(path, error);
 }
 
-LineFile::LineFile(std::filesystem::path path) : path_(std::move(path)) {
-  descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+LineFile::LineFile(std::filesystem::path path, Start start) : path_(std::move(path)) {
+  const int how = start == Start::empty ? O_TRUNC : O_APPEND;
+  descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | how, 0666);
   if (descriptor_ < 0) fail(path_, errno);
+  length_ = std::max<std::int64_t>(0, ::lseek(descriptor_, 0, SEEK_END));
+}
+
+void LineFile::cut(std::int64_t length) {
+  if (length == length_) return;
+  if (length > length_)
+    throw UsageError("'" + path_.string() + "' has lost lines: " + std::to_string(length_) +
+                     " bytes, there were " + std::to_string(length));
+  if (::ftruncate(descriptor_, length) != 0) fail(path_, errno);
+  length_ = length;
 }
 
 LineFile::~LineFile() { ::close(descriptor_); }

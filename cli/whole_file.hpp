@@ -14,18 +14,23 @@ void write_whole(const std::filesystem::path& path, std::string_view text);
 /// taken back, so that neither a crash nor a full disk leaves half a line.
 class LineFile {
  public:
-  explicit LineFile(std::filesystem::path path);
+  enum class Start { empty, as_it_is };
+  explicit LineFile(std::filesystem::path path, Start start = Start::empty);
   ~LineFile();
   LineFile(const LineFile&) = delete;
   LineFile& operator=(const LineFile&) = delete;
 
   /// `line` without its end. Throws OutputError.
   void append(std::string_view line);
+  /// Bytes of the lines that are complete.
+  std::int64_t length() const { return length_; }
+  /// Takes back what stands behind the first `length` bytes. UsageError if there are not as many.
+  void cut(std::int64_t length);
 
  private:
   std::filesystem::path path_;
   int descriptor_ = -1;
-  std::int64_t length_ = 0;  // bytes of the lines that are complete
+  std::int64_t length_ = 0;
 };
 
 }  // namespace taut

@@ -13,6 +13,11 @@ struct LineSample {
   double time = 0;  // of the step that it shows, s
   long step = 0;
   std::vector<double> value;  // at the line's points, in the field's unit
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(time, step, value);
+  }
 };
 
 /// A point of a line at t = 0, from the first one at `from` to the last one at `to`.
@@ -32,6 +37,11 @@ class LineRecorder {
   void look(const Snapshot& now);
   /// [line][sample], in the order of their times.
   const std::vector<std::vector<LineSample>>& samples() const { return samples_; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(samples_);
+  }
 
  private:
   std::vector<Line> lines_;

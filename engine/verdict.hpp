@@ -35,6 +35,12 @@ class Judge {
   const std::map<Verdict, double>& since() const { return since_; }
   int pieces() const { return pieces_; }  // of the graph of unbroken bonds, at the last look
 
+  /// What it has seen so far; the rest comes from the start.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(bonds_, given_energy_, pieces_, since_);
+  }
+
  private:
   struct Bond {
     int i, j;

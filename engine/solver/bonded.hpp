@@ -45,6 +45,11 @@ class Bonded final : public ParticleSolver<Dim> {
     Base::load_into(*this, state);
     take_snapshot();
   }
+  template <class Archive>
+  void serialize(Archive& archive) {
+    Base::serialize(archive);
+    archive(most_t_);
+  }
 
  private:
   using Base = ParticleSolver<Dim>;

@@ -25,6 +25,17 @@ class MixedLagrangian final : public ReferenceSolver<M, Dim> {
     take_snapshot();
   }
 
+  std::string save() override { return Base::saved(*this); }
+  void load(std::string_view state) override {
+    Base::load_into(*this, state);
+    take_snapshot();
+  }
+  template <class Archive>
+  void serialize(Archive& archive) {
+    Base::serialize(archive);
+    archive(now_);
+  }
+
  private:
   using Base = ReferenceSolver<M, Dim>;
   using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::threads_now, Base::vmax_;

@@ -50,15 +50,28 @@ class ChildProgram {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
+  bool has_ended() const {
+    siginfo_t info{};
+    return ::waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+           info.si_pid != 0;
+  }
+  /// The signal that ended it; 0 if none did.
+  int ending_signal() {
+    int status = 0;
+    wait([&] { return ::waitpid(process_, &status, WNOHANG) != 0; });
+    running_ = false;
+    return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  }
+
   static void wait_for(const std::filesystem::path& file) {
     wait([&] { return std::filesystem::exists(file); });
   }
 
   template <class Condition>
   static void wait(Condition condition) {
-    for (auto waited = 0ms; waited < patience; waited += 10ms) {
+    for (auto waited = 0ms; waited < patience; waited += 1ms) {
       if (condition()) return;
-      std::this_thread::sleep_for(10ms);
+      std::this_thread::sleep_for(1ms);
     }
     FAIL("the program does not answer");
   }
