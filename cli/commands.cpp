@@ -9,6 +9,7 @@ std::function<int(Streams)> declare_compare(CLI::App&);
 std::function<int(Streams)> declare_movie(CLI::App&);
 std::function<int(Streams)> declare_diff(CLI::App&);
 std::function<int(Streams)> declare_snapshot(CLI::App&);
+std::function<int(Streams)> declare_session(CLI::App&);
 std::function<int(Streams)> declare_list(CLI::App&);
 std::function<int(Streams)> declare_describe(CLI::App&);
 
@@ -52,6 +53,11 @@ constexpr Command table[] = {
      "  taut snapshot my.toml --baseline baselines/my --frames 4 --size 320x180 --update     makes it\n"
      "  taut snapshot my.toml --baseline baselines/my --frames 4 --size 320x180              checks\n",
      declare_snapshot},
+    {"session", "commands on stdin, answers on stdout: step, look, change, save; `help` lists them",
+     "  taut session colliding-rings\n"
+     "  printf 'run until 0.003\\nprobe\\nframe now.png\\n' | taut session colliding-rings --strict\n"
+     "Every answer ends with a line `ok` or `error: REASON`; values come as name=value.\n",
+     declare_session},
     {"list", "name the scenes, methods, fields and colour maps there are",
      "  taut list\n"
      "  taut list methods\n"

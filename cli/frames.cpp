@@ -2,28 +2,13 @@
 
 #include <algorithm>
 
+#include "cli/picture.hpp"
 #include "cli/run_folder.hpp"
 #include "cli/sequence_bounds.hpp"
 #include "cli/stopwatch.hpp"
 #include "render/image.hpp"
 
 namespace taut {
-namespace {
-
-std::unique_ptr<Renderer> make_renderer(const DrawingPlan& plan, double until) {
-  DrawOptions options{};
-  options.width = plan.width;
-  options.height = plan.height;
-  if (plan.view) options.view = *plan.view;
-  options.low = (*plan.range)[0];
-  options.high = (*plan.range)[1];
-  options.colormap = plan.colormap;
-  options.until = until;
-  return std::make_unique<Renderer>(options);
-}
-
-}  // namespace
-
 Frames::Frames(const DrawingPlan& plan, std::filesystem::path folder, Captions captions, Seconds& seconds)
     : plan_(plan), folder_(std::move(folder)), captions_(std::move(captions)), seconds_(seconds) {
   if (plan_.range && plan_.view) renderer_ = make_renderer(plan_, captions_.until);

@@ -308,13 +308,6 @@ std::string Run::state_line() const {
   return text;
 }
 
-/// The engine knows no files: an error about the scene gets its place in the file here.
-std::unique_ptr<Simulation> start(const SceneFile& file) try {
-  return make_simulation(file.scene, file.settings);
-} catch (const SceneError& e) {
-  throw locate(file, e);
-}
-
 LineRecorder start_lines(const SceneFile& file, const Simulation& simulation) try {
   return {file.scene, simulation.snapshot(), simulation.support()};
 } catch (const SceneError& e) {
@@ -345,6 +338,12 @@ RunRecord new_record(const RunPlan& plan, const Simulation& simulation) {
 }
 
 }  // namespace
+
+std::unique_ptr<Simulation> start(const SceneFile& file) try {
+  return make_simulation(file.scene, file.settings);
+} catch (const SceneError& e) {
+  throw locate(file, e);
+}
 
 RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress& progress,
                     double setup_seconds) {

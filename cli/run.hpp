@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -24,6 +25,9 @@ struct RunPlan {
   std::optional<double> checkpoint_every;  // s of the simulation; none: no checkpoints
   std::optional<std::string> state;        // of the run in the folder, to go on with; none: from the start
 };
+
+/// The simulation of a scene file; an error about the scene gets its place in the file.
+std::unique_ptr<Simulation> start(const SceneFile& file);
 
 struct RunResult {
   RunRecord record;

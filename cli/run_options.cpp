@@ -105,12 +105,17 @@ void declare_particle_options(CLI::App& app, RunOptions& o) {
       ->needs(save);
 }
 
-RunPlan make_plan(const RunOptions& options) {
+SceneFile scene_to_run(const RunOptions& options) {
   check_method(options.method);
+  SceneFile file = read_scene(find_scene(options.scene), overrides(options));
+  file.settings.threads = options.threads;
+  return file;
+}
+
+RunPlan make_plan(const RunOptions& options) {
   RunPlan plan;
   SceneFile& file = plan.file;
-  file = read_scene(find_scene(options.scene), overrides(options));
-  file.settings.threads = options.threads;
+  file = scene_to_run(options);
   file.drawing = with_options(file.drawing, options.drawing);
   file.drawing.frames = frame_count(options, file);
   file.history = history_interval(options, file);

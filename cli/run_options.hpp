@@ -35,6 +35,9 @@ void declare_output_options(CLI::App& app, RunOptions& options);
 /// --save-particles, --fields.
 void declare_particle_options(CLI::App& app, RunOptions& options);
 
+/// The scene with what the options change about what is simulated. Throws UsageError and SceneError.
+SceneFile scene_to_run(const RunOptions& options);
+
 /// Reads and checks all there is to check, without touching the run folder. Throws UsageError and SceneError.
 RunPlan make_plan(const RunOptions& options);
 

@@ -1,0 +1,54 @@
+#include "cli/picture.hpp"
+
+#include <algorithm>
+
+#include "cli/sequence_bounds.hpp"
+#include "render/image.hpp"
+
+namespace taut {
+
+std::unique_ptr<Renderer> make_renderer(const DrawingPlan& plan, double until) {
+  DrawOptions options{};
+  options.width = plan.width;
+  options.height = plan.height;
+  if (plan.view) options.view = *plan.view;
+  options.low = (*plan.range)[0];
+  options.high = (*plan.range)[1];
+  options.colormap = plan.colormap;
+  options.until = until;
+  return std::make_unique<Renderer>(options);
+}
+
+Picture::Picture(const DrawingPlan& plan, const Captions& captions, const Snapshot& snapshot)
+    : value(evaluate(*plan.field, snapshot)) {
+  view.dim = snapshot.dim;
+  view.time = snapshot.time;
+  view.x = snapshot.x;
+  view.diameter = snapshot.diameter;
+  view.value = value;
+  view.field = plan.field->name;
+  view.unit = plan.field->unit;
+  view.title = captions.title;
+  view.method = captions.method;
+}
+
+DrawingPlan fitted(DrawingPlan plan, const Snapshot& snapshot) {
+  if (plan.range && plan.view) return plan;
+  const std::vector<double> value = evaluate(*plan.field, snapshot);
+  SequenceBounds bounds;
+  bounds.add_values(std::vector<float>(value.begin(), value.end()));
+  bounds.add_positions(std::vector<float>(snapshot.x.begin(), snapshot.x.end()), snapshot.dim,
+                       std::ranges::max(snapshot.diameter));
+  if (!plan.range) plan.range = bounds.range(plan.field->is_signed);
+  if (!plan.view) plan.view = bounds.view();
+  return plan;
+}
+
+void draw_picture(const DrawingPlan& plan, const Captions& captions, const Snapshot& snapshot,
+                  const std::filesystem::path& file) {
+  const DrawingPlan whole = fitted(plan, snapshot);
+  const Picture picture(whole, captions, snapshot);
+  write_png(make_renderer(whole, captions.until)->draw(picture.view), file);
+}
+
+}  // namespace taut

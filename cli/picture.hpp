@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "cli/drawing_options.hpp"
+#include "cli/frames.hpp"
+#include "render/renderer.hpp"
+
+namespace taut {
+
+/// A renderer for pictures of a plan whose range and view are known.
+std::unique_ptr<Renderer> make_renderer(const DrawingPlan& plan, double until);
+
+/// The particles of a snapshot with the values of the plan's field and everything that stands beside them.
+struct Picture {
+  Picture(const DrawingPlan& plan, const Captions& captions, const Snapshot& snapshot);
+
+  std::vector<double> value;  // in the field's unit
+  FrameView view;             // refers to them and to what it was made from
+  Picture(const Picture&) = delete;
+  Picture& operator=(const Picture&) = delete;
+};
+
+/// The plan with what it leaves open as it suits this snapshot alone.
+DrawingPlan fitted(DrawingPlan plan, const Snapshot& snapshot);
+
+/// Draws one picture into a file. Throws OutputError.
+void draw_picture(const DrawingPlan& plan, const Captions& captions, const Snapshot& snapshot,
+                  const std::filesystem::path& file);
+
+}  // namespace taut

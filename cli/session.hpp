@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "cli/drawing_options.hpp"
+#include "cli/run_options.hpp"
+#include "cli/scene_file.hpp"
+
+namespace taut {
+
+/// A simulation that goes on and is looked at as commands say. Every member throws UsageError for what cannot
+/// be, and then has changed nothing.
+class Session {
+ public:
+  /// Throws SceneError too.
+  explicit Session(const RunOptions& options);
+
+  const SceneFile& file() const { return file_; }
+  const Simulation& simulation() const { return *simulation_; }
+
+  /// Both stop early at a Ctrl-C. NumericalError where the simulation diverges.
+  void step(long count);
+  void run_until(double t);
+
+  /// `name=value` of what may change while a simulation runs: the step size (cfl) and the method's constants
+  /// that no geometry of the start was made from.
+  void set(const std::string& assignment);
+
+  /// The drawing options of `run`, as typed.
+  void draw_with(const DrawingOptions& options);
+  /// Moves what is seen, m.
+  void pan(double dx, double dy);
+  /// Shows less of it, larger, about its centre; `factor` > 0, below 1: more.
+  void zoom(double factor);
+  /// As a frame of `run` at this time would be, with what is automatic as it suits this moment.
+  void frame(const std::filesystem::path& file) const;
+
+  void save(const std::filesystem::path& file) const;
+  /// A state of the same scene and method, which `save` left.
+  void load(const std::filesystem::path& file);
+
+ private:
+  View view_now() const;
+  void see(const View& view);
+
+  RunOptions options_;
+  SceneFile file_;
+  Drawing drawing_;
+  std::unique_ptr<Simulation> simulation_;
+};
+
+}  // namespace taut
