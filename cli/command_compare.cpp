@@ -1,21 +1,18 @@
 #include <algorithm>
-#include <cmath>
-#include <fstream>
 #include <ostream>
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/option_checks.hpp"
+#include "cli/panel_cells.hpp"
 #include "cli/run_labels.hpp"
 #include "cli/saved_run.hpp"
 #include "cli/sequence_bounds.hpp"
 #include "cli/text.hpp"
 #include "engine/error.hpp"
 #include "render/panel.hpp"
-#include "render/ticks.hpp"
 
 namespace taut {
 namespace {
@@ -28,13 +25,7 @@ struct Options : DrawingOptions {
   std::vector<double> times;  // s
 };
 
-/// One picture of the panel; no particles where the run had ended.
-struct Cell {
-  std::optional<ColoredParticles> particles;
-  std::string remark;  // in the middle without particles, in the corner with them
-};
-
-using Cells = std::vector<std::vector<Cell>>;  // [run][time]
+using Cells = std::vector<std::vector<PanelCell>>;  // [run][time]
 
 std::vector<SavedRun> open_runs(const std::vector<std::string>& folders) {
   std::vector<SavedRun> runs;
@@ -62,45 +53,6 @@ std::vector<double> chosen_times(const Options& options, double until) {
   return times;
 }
 
-/// Times with as few decimals as tell them exactly, in one unit.
-std::vector<std::string> row_labels(const std::vector<double>& times, double until) {
-  constexpr int most_decimals = 4;
-  const Scale scale = scale_for(until, "s");
-  int decimals = 0;
-  const auto exact_with = [&](double time) {
-    const double shift = std::pow(10.0, decimals);
-    return std::abs(std::round(time * scale.factor * shift) / shift - time * scale.factor) <
-           1e-9 * until * scale.factor;
-  };
-  while (decimals < most_decimals && !std::ranges::all_of(times, exact_with)) ++decimals;
-  std::vector<std::string> labels;
-  for (const double time : times)
-    labels.push_back("t = " + format_fixed(time * scale.factor, decimals) + " " + scale.unit);
-  return labels;
-}
-
-/// Why a run has no particles later than its last ones.
-std::string ending(const SavedRun& run, double until) {
-  std::ifstream file(run.folder.record());
-  const auto record = nlohmann::json::parse(file, nullptr, /*allow_exceptions=*/false);
-  const bool failed = record.is_object() && record.value("status", "") == "failed";
-  const double last = failed && record.contains("reached") && record["reached"].is_number()
-                          ? record["reached"].get<double>()
-                          : run.particles.back().time();
-  return (failed ? "diverged at " : "ended at ") + format_time(last, until);
-}
-
-/// The saved particles nearest to `time`; a remark where they are of another time than the row says.
-Cell cell_at(const SavedRun& run, double time, double until, const Field& field) {
-  const auto distance = [time](const ParticleFile& file) { return std::abs(file.time() - time); };
-  const auto nearest = std::ranges::min_element(run.particles, {}, distance);
-  const double interval = run.file.scene.until / run.file.drawing.frames;
-  if (time > run.particles.back().time() + 0.75 * interval) return {std::nullopt, ending(run, until)};
-  constexpr double noticeable = 0.002;  // of the whole time
-  return {read_colored(*nearest, field, run.file.scene.dim),
-          distance(*nearest) > noticeable * until ? format_time(nearest->time(), until) : ""};
-}
-
 /// The view that the scenes ask for, if they all ask for the same.
 std::optional<View> common_view(const std::vector<SavedRun>& runs) {
   const auto& view = runs.front().file.drawing.view;
@@ -121,7 +73,7 @@ View within(const View& all, const std::optional<View>& window) {
 void choose_range_and_view(DrawingPlan& plan, const std::vector<SavedRun>& runs, const Cells& cells) {
   SequenceBounds bounds;
   for (const auto& column : cells)
-    for (const Cell& cell : column) {
+    for (const PanelCell& cell : column) {
       if (!cell.particles) continue;
       const ColoredParticles& p = *cell.particles;
       bounds.add_values(std::vector<float>(p.value.begin(), p.value.end()));
@@ -133,7 +85,7 @@ void choose_range_and_view(DrawingPlan& plan, const std::vector<SavedRun>& runs,
 
 void draw(Panel& panel, const Cells& cells) {
   for (int column = 0; const auto& pictures : cells) {
-    for (int row = 0; const Cell& cell : pictures) {
+    for (int row = 0; const PanelCell& cell : pictures) {
       if (cell.particles) panel.draw(column, row, cell.particles->view());
       if (!cell.particles)
         panel.write_middle(column, row, cell.remark);
@@ -174,7 +126,7 @@ int compare_runs(const Options& options, std::ostream& out) {
   }
   choose_range_and_view(plan, runs, cells);
   PanelOptions about = panel_options(plan, options, label_runs(runs));
-  about.rows = row_labels(times, until);
+  about.rows = time_labels(times, until);
   Panel panel(about);
   draw(panel, cells);
   const Image& image = panel.finish();

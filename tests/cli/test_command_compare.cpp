@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "cli/panel_cells.hpp"
 #include "cli/run_labels.hpp"
 #include "program_runner.hpp"
 #include "render/image.hpp"
@@ -55,6 +56,42 @@ TEST_SUITE("cli") {
     REQUIRE(compare(folder, {"slow", "slow"}, late).code == 0);
     CHECK_FALSE(read_png(folder / "panel.png") == ended);
     CHECK(compare(folder, {"short"}, late).code == 2);  // past the end of every run
+  }
+
+  TEST_CASE("a picture that is not of the time of its row says so") {
+    const TemporaryFolder folder;
+    make_run(folder, "out", {"--frames", "2"});  // at 0, 1 and 2 ms
+    const SavedRun run = open_saved_run(folder / "out");
+    const Field& speed = *find_field("speed");
+    const PanelCell at = cell_at(run, 0.001, 0.002, speed);
+    REQUIRE(at.particles);
+    CHECK(at.particles->time == run.particles[1].time());
+    CHECK(at.particles->value == run.particles[1].field("speed"));
+    CHECK(at.remark.empty());
+    const PanelCell beside = cell_at(run, 0.0012, 0.002, speed);
+    REQUIRE(beside.particles);
+    CHECK(beside.particles->time == run.particles[1].time());
+    CHECK(contains(beside.remark, "t = 1.0"));
+    const PanelCell after = cell_at(run, 0.003, 0.003, speed);
+    CHECK_FALSE(after.particles);
+    CHECK(contains(after.remark, "ended at t = 2.0"));
+  }
+
+  TEST_CASE("a run that diverged says when, in place of a picture") {
+    const TemporaryFolder folder;
+    const Outcome outcome = call(tiny_run(
+        folder, "out",
+        {"--set", "cfl=20", "--until", "0.02", "--save-particles", "--no-render", "--frames", "40"}));
+    REQUIRE(outcome.code == 3);
+    const PanelCell end = cell_at(open_saved_run(folder / "out"), 0.02, 0.02, *find_field("speed"));
+    CHECK_FALSE(end.particles);
+    CHECK(contains(end.remark, "diverged at t = "));
+  }
+
+  TEST_CASE("times of rows have the decimals they need and no more") {
+    CHECK(time_labels({0.003, 0.006}, 0.012) == std::vector<std::string>{"t = 3 ms", "t = 6 ms"});
+    CHECK(time_labels({0.003, 0.00625}, 0.012) == std::vector<std::string>{"t = 3.00 ms", "t = 6.25 ms"});
+    CHECK(time_labels({0, 1.0 / 3}, 1) == std::vector<std::string>{"t = 0.0000 s", "t = 0.3333 s"});
   }
 
   TEST_CASE("a panel has one range: that of the scene, of all it shows, or one's own") {

@@ -54,15 +54,15 @@ TEST_SUITE("image") {
     const PanelOptions options = two_by_two();
     Panel panel(options);
     Particles low, high;
-    panel.draw(0, 0, one_disc(low, 0));
-    panel.draw(1, 1, one_disc(high, 1));
+    panel.draw(1, 0, one_disc(low, 0));
+    panel.draw(0, 1, one_disc(high, 1));
     const Image& image = panel.finish();
     REQUIRE(image.width == 640);
     REQUIRE(image.height == 480);
     const int before_bar = 500;
     const Found first = find_color(image, options.colormap->at(0), before_bar);
     const Found last = find_color(image, options.colormap->at(1), before_bar);
-    CHECK(first.right < last.left);
+    CHECK(first.left > last.right);
     CHECK(first.bottom < last.top);
     CHECK(first.right - first.left == last.right - last.left);
     CHECK(first.bottom - first.top == last.bottom - last.top);
