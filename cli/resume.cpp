@@ -26,7 +26,7 @@ bool is_finished(const RunFolder& folder) {
 
 void check_there_is_one(const RunFolder& folder) {
   std::error_code error;
-  const std::string name = "'" + folder.path().string() + "'";
+  const std::string name = '\'' + folder.path().string() + '\'';
   if (!fs::exists(folder.scene(), error))
     throw UsageError(name + " is not the folder of a run; `taut run` leaves one");
   if (fs::exists(folder.checkpoint(), error)) return;
@@ -39,7 +39,7 @@ void check_there_is_one(const RunFolder& folder) {
 }
 
 void check_same_scene(const Checkpoint& checkpoint, const RunFolder& folder, const RunPlan& plan) {
-  const std::string name = "'" + folder.checkpoint().string() + "'";
+  const std::string name = '\'' + folder.checkpoint().string() + '\'';
   if (const std::string& method = plan.file.settings.method; checkpoint.method != method)
     throw UsageError(name + " is of a run with method '" + checkpoint.method + "'; " +
                      folder.scene().string() + " has '" + method + "'");

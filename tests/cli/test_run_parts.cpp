@@ -23,6 +23,8 @@ struct StandingSimulation : Simulation {
     snapshot_.time = t;
     ++snapshot_.step;
   }
+  std::string save() override { return {}; }
+  void load(std::string_view) override {}
 };
 
 }  // namespace

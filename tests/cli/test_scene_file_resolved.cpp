@@ -157,9 +157,10 @@ TEST_SUITE("unit") {
   TEST_CASE("every scene says the same when its resolved text is read") {
     for (const std::string& name : scene_names()) {
       INFO("scene ", name);
-      const SceneFile again = check_round_trip(read_scene(find_scene(name)));
+      const SceneFile file = read_scene(find_scene(name));
+      const SceneFile again = check_round_trip(file);
       CHECK(again.scene.name == name);
-      CHECK_FALSE(again.scene.references.empty());
+      CHECK(again.scene.references.size() == file.scene.references.size());
     }
   }
 
