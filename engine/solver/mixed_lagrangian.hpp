@@ -10,11 +10,16 @@ namespace taut::inline TAUT_ISA {
 
 /// Mixed total-Lagrangian methods: momentum, deformation gradient and, where the method says so, volume ratio
 /// as unknowns of equations of their own, with Jameson–Schmidt–Turkel dissipation. [Lee2016] Algorithm 1,
-/// without H (linear in F in plane strain). The momentum goes as the velocity p/ρ0. Differs from the paper:
-/// boundary conditions are set on the held particles only (its step 8; step 9 "is usually disregarded");
-/// forces of contact, which it has not, act outside the projection and
-/// are taken at its Z, about which central forces have no moment. Of the dissipation and the internal force
-/// the sum is projected, which is the same as each of them (Eq. 49).
+/// without H (linear in F in plane strain). The momentum goes as the velocity p/ρ0.
+///
+/// Differs from the paper in the biharmonic term, L*[L[U]] with the adjoint of L in place of L[L[U]] (Eq.
+/// 37b). L is not symmetric at a surface, where its square may feed what it is to damp: with it `pfj-jst`
+/// loses the bending column at Poisson's ratio 0.499 for ε of J from 1/32 on, at any time step. The adjoint
+/// takes from every field (−Σ V |L[U]|²) and is the same inside. The constant `adjoint` = 0 gives the printed
+/// form. Boundary conditions are set on the held particles only (its step 8; step 9 "is usually
+/// disregarded"). Forces of contact, which it has not, act outside the projection and are taken at its Z,
+/// about which central forces have no moment. Of the dissipation and the internal force the sum is projected,
+/// which is the same as each of them (Eq. 49).
 template <const Formulation& M, int Dim>
 class MixedLagrangian final : public ReferenceSolver<M, Dim> {
  public:

@@ -59,9 +59,12 @@ std::vector<int> order_in_space(const std::vector<Vec<double, Dim>>& x, const st
 }
 
 /// How gradients of what particles carry are made right, B above.
-///   corrected   B_i = [Σ_j (X_j − X_i) ⊗ k_ij]⁻¹, exact for linear fields     [Lee2016] Eq. 21,
-///   [TranDuc2023] §2.3 normalised  B_i = I/(V_i Σ_j V_j W_ij), the sum with i itself             [Zhang2020]
-///   below Eq. 11 plain       B_i = I/V_i
+/// - corrected: B_i = [Σ_j (X_j − X_i) ⊗ k_ij]⁻¹, exact for linear fields. [Lee2016] Eq. 21, [TranDuc2023]
+/// §2.3
+/// - normalised: B_i = I/(V_i S), S = 1 + share (Σ_j V_j W_ij − 1) with i itself. [Zhang2020] below Eq. 11
+///
+/// Differs from [Zhang2020], which says that "the integral" is normalised and prints no equation: here it is
+/// the gradient, and the force follows from the energy, so that linear momentum is kept.
 template <int Dim>
 Sym<double, Dim> gradient_correction(GradientCorrection gradient, const Mat<double, Dim>& moment, double V,
                                      double S) {

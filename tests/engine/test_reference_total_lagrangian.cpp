@@ -168,7 +168,7 @@ void check_mixed(const Scene& scene, const std::string& name, const Settings& se
     engine_sigma.insert(engine_sigma.end(),
                         {now.s[4 * n] - now.p[n], now.s[4 * n + 1], now.s[4 * n + 2] - now.p[n]});
   }
-  CHECK((drifted > 1e-4) == run.with_J);
+  CHECK((drifted > 1e-5) == run.with_J);
   check_field("x", now.x, x);
   check_field("v", now.v, v);
   check_field("rho", now.rho, rho);
