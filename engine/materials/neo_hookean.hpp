@@ -5,9 +5,12 @@
 namespace taut::inline TAUT_ISA {
 
 /// Nearly incompressible neo-Hookean, [Lee2016] Eq. 8–12 with ξ = 0 and 2ζ = G:
-///   ψ = G/2 (J^(−2/3) F:F − 3) + K/2 (J − 1)²,
-///   P = G J^(−2/3) F + (K (J − 1) − G/3 J^(−5/3) F:F) H,   H = cof F.
+///   ψ = G/2 (j^(−2/3) F:F − 3) + K/2 (J − 1)²,   j = det F,
+///   P = G j^(−2/3) F + (K (J − 1) − G/3 j^(−5/3) F:F) H,   H = cof F.
 /// In plane strain F:F holds F_zz² = 1.
+/// Differs from the paper where J is followed by an equation of its own: there it stands for j too. Where the
+/// dissipation of J parts it from det F, that makes the deviator push along: at J = 1, F = λ I it answers a
+/// change of volume with a stiffness of −4G/3, and rings are lost in their collision. With j it answers none.
 struct NeoHookean {
   double K, G;  // Pa
 
@@ -17,18 +20,19 @@ struct NeoHookean {
   }
   template <int Dim>
   Mat<double, Dim> piola(const Mat<double, Dim>& F, double J) const {
-    const double inv_cube_root = 1 / std::cbrt(J), shear = G * inv_cube_root * inv_cube_root;
-    return combination(shear, F, K * (J - 1) - shear * square(F) / (3 * J), cofactor(F));
+    const double j = determinant(F), inv_cube_root = 1 / std::cbrt(j);
+    const double shear = G * inv_cube_root * inv_cube_root;
+    return combination(shear, F, K * (J - 1) - shear * square(F) / (3 * j), cofactor(F));
   }
   template <int Dim>
   double energy(const Mat<double, Dim>& F, double J) const {
-    const double inv_cube_root = 1 / std::cbrt(J);
+    const double inv_cube_root = 1 / std::cbrt(determinant(F));
     return 0.5 * G * (inv_cube_root * inv_cube_root * square(F) - 3) + 0.5 * K * (J - 1) * (J - 1);
   }
   template <int Dim>
   Cauchy<Dim> cauchy(const Mat<double, Dim>& F, double J) const {
-    const double shear = G / (J * std::cbrt(J * J));
-    return {push_forward(piola(F, J), F, J), K * (J - 1) + shear * (1 - square(F) / 3)};
+    const double j = determinant(F), shear = G / (j * std::cbrt(j * j));
+    return {push_forward(piola(F, J), F, j), K * (J - 1) + shear * (1 - square(F) / 3)};
   }
 };
 template <>

@@ -7,8 +7,8 @@ TermInfo law_term(Law law) {
   constexpr std::string_view test = "laws: no stress at rest, Hooke's law for small strains";
   switch (law) {
     case Law::neo_hookean:
-      return {"stress", "P = G J^(−2/3) F + (K (J − 1) − G/3 J^(−5/3) F:F) cof F", "[Lee2016] Eq. 8–12",
-              "materials/neo_hookean.hpp:piola", test};
+      return {"stress", "P = G j^(−2/3) F + (K (J − 1) − G/3 j^(−5/3) F:F) cof F, j = det F",
+              "[Lee2016] Eq. 8–12", "materials/neo_hookean.hpp:piola", test};
     case Law::st_venant_kirchhoff:
       return {"stress", "P = F (2G dev E + K tr E I), E = ½ (FᵀF − I)", "textbook",
               "materials/st_venant_kirchhoff.hpp:piola", test};

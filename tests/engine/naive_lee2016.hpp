@@ -94,11 +94,11 @@ struct Run {
   }
 
   Matrix stress(const Particle& a) const {
-    const double J = with_J ? a.J : a.F.determinant(), zeta = G / 2;
+    const double j = a.F.determinant(), J = with_J ? a.J : j, zeta = G / 2;  // the paper has J for j too
     const Matrix H = a.F.determinant() * a.F.inverse().transpose();
     const double FF = a.F.squaredNorm() + 1;
-    const double Sigma_J = -2.0 / 3 * zeta * std::pow(J, -5.0 / 3) * FF + K * (J - 1);
-    return 2 * zeta * std::pow(J, -2.0 / 3) * a.F + Sigma_J * H;
+    const double Sigma_J = -2.0 / 3 * zeta * std::pow(j, -5.0 / 3) * FF + K * (J - 1);
+    return 2 * zeta * std::pow(j, -2.0 / 3) * a.F + Sigma_J * H;
   }
 
   /// ε₂ c h_min L[U] − ε₄ c h_min³ L[L[U]] of (p_x, p_y, J).
