@@ -144,8 +144,11 @@ void add_outer(Sym<T, Dim>& A, const T& s, const Vec<T, Dim>& a) {
 template <class T, int Dim>
 Mat<T, Dim> product(const Mat<T, Dim>& A, const Sym<T, Dim>& B) {
   Mat<T, Dim> C{};
+#pragma GCC unroll 3
   for (int a = 0; a < Dim; ++a)
+#pragma GCC unroll 3
     for (int b = 0; b < Dim; ++b)
+#pragma GCC unroll 3
       for (int k = 0; k < Dim; ++k) C(a, b) += A(a, k) * B(k, b);
   return C;
 }
@@ -154,8 +157,11 @@ Mat<T, Dim> product(const Mat<T, Dim>& A, const Sym<T, Dim>& B) {
 template <class T, int Dim>
 Mat<T, Dim> product(const Sym<T, Dim>& A, const Sym<T, Dim>& B) {
   Mat<T, Dim> C{};
+#pragma GCC unroll 3
   for (int a = 0; a < Dim; ++a)
+#pragma GCC unroll 3
     for (int b = 0; b < Dim; ++b)
+#pragma GCC unroll 3
       for (int k = 0; k < Dim; ++k) C(a, b) += A(a, k) * B(k, b);
   return C;
 }
@@ -188,13 +194,16 @@ inline Sym<double, 2> inverse(const Sym<double, 2>& a) {
 template <int Dim>
 Vec<double, Dim> sum(const Vec<Pack, Dim>& a) {
   Vec<double, Dim> r;
+#pragma GCC unroll 3
   for (int k = 0; k < Dim; ++k) r[k] = sum(a[k]);
   return r;
 }
 template <int Dim>
 Mat<double, Dim> sum(const Mat<Pack, Dim>& a) {
   Mat<double, Dim> r;
+#pragma GCC unroll 3
   for (int k = 0; k < Dim; ++k)
+#pragma GCC unroll 3
     for (int l = 0; l < Dim; ++l) r(k, l) = sum(a(k, l));
   return r;
 }

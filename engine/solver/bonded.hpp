@@ -238,7 +238,9 @@ void Bonded<M, Dim>::first_pass() {
     const Site& site = sites_[i];
     const double pressure = site.V * site.law.slope(determinant(F));
     const Mat<double, Dim> Q = product(cofactor(F), site.B);
+#pragma GCC unroll 3
     for (int a = 0; a < Dim; ++a)
+#pragma GCC unroll 3
       for (int k = 0; k < Dim; ++k) volumes_[i].c[a * Dim + k] = pressure * Q(a, k);
     return most_t;
   });
