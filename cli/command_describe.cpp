@@ -73,9 +73,19 @@ Rows body_rows(const Scene& scene) {
     for (const Drive& drive : body.drives)
       motion +=
           (motion.empty() ? "" : ", ") + std::string("driven in part until ") + brief(drive.until) + " s";
+    for (const Load& load : body.loads)
+      motion += (motion.empty() ? "" : ", ") + std::string("loaded in part: ") + std::string(name(load.kind));
     rows.push_back({body.name, materials, motion});
   }
   return rows;
+}
+
+/// At the end of the run, since it may change with time.
+std::string gravity_text(const Scene& scene) {
+  std::string text;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(scene.dim); ++k)
+    text += (k == 0 ? "" : ", ") + brief(scene.gravity[k] ? scene.gravity[k](scene.until) : 0);
+  return text + " m/s² at the end";
 }
 
 /// How bodies act on each other, with the method of the file.
@@ -106,6 +116,8 @@ void describe_scene(const std::string& name, std::ostream& out) {
             {"until", brief(scene.until) + " s"},
             {"method", file.settings.method + " unless --method says otherwise"}};
   if (scene.bodies.size() > 1) head.push_back({"contact", contact_text(file)});
+  if (has_gravity(scene)) head.push_back({"gravity", gravity_text(scene)});
+  if (scene.damping > 0) head.push_back({"damping", brief(scene.damping) + " 1/s, until it comes to rest"});
   out << scene.title << '\n' << in_columns(head);
   print_table(out, "Parameters, changed with --set NAME=VALUE", parameter_rows(file.parameters), 1);
   print_table(out, "Materials", material_rows(scene), 1);

@@ -8,8 +8,8 @@ namespace {
 
 double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
-/// What is left of it when the work of drives is taken off.
-double energy(const Balance& sums) { return sums.kinetic + sums.strain - sums.work; }
+/// What is left of it when the work of what acts from outside is taken off.
+double energy(const Balance& sums) { return sums.kinetic + sums.strain - sums.work + sums.damped; }
 
 std::optional<double> ratio(double change, double scale) {
   return scale > 0 ? std::optional(change / scale) : std::nullopt;

@@ -9,9 +9,10 @@ namespace taut {
 /// Greatest relative drift of what a closed system keeps; none where it says nothing.
 struct Conservation {
   std::optional<double>
-      linear_momentum;  // |Δp| over the greatest Σ|m v|; none with held or driven particles, which take it
-  std::optional<double> angular_momentum;  // |ΔL| over the greatest Σ m|x||v|; none with such particles
-  /// Greatest |E − W − E0| over the greatest E0 + W, W the work of drives; none when there is no energy.
+      linear_momentum;  // |Δp| over the greatest Σ|m v|; none where something acts from outside
+  std::optional<double> angular_momentum;  // |ΔL| over the greatest Σ m|x||v|; none there either
+  /// Greatest |E + D − W − E0| over the greatest E0 + W, W the work of drives, loads and gravity, D what the
+  /// scene's damping has taken; none when there is no energy.
   std::optional<double> energy;
 };
 
@@ -19,7 +20,7 @@ struct Conservation {
 class Drift {
  public:
   void look(const Balance& now);
-  /// `exchanges_momentum`: there are held or driven particles.
+  /// `exchanges_momentum`: there are held or driven particles, loads, gravity or damping.
   Conservation conservation(bool exchanges_momentum) const;
 
   template <class Archive>

@@ -7,7 +7,9 @@ namespace {
 
 std::string header(const Scene& scene) {
   std::string names = "t,step,kinetic_energy,strain_energy,total_energy";
-  names += has_drives(scene) ? ",drive_work,momentum_x,momentum_y" : ",momentum_x,momentum_y";
+  if (has_drives(scene) || has_loads(scene)) names += ",work";
+  if (scene.damping > 0) names += ",damped";
+  names += ",momentum_x,momentum_y";
   names += scene.dim == 3 ? ",momentum_z,angular_momentum_x,angular_momentum_y,angular_momentum_z"
                           : ",angular_momentum";
   for (const Probe& probe : scene.probes) names += "," + probe.name;
@@ -19,7 +21,10 @@ std::string header(const Scene& scene) {
 }  // namespace
 
 History::History(const std::filesystem::path& path, const Scene& scene, LineFile::Start start)
-    : file_(path, start), dim_(scene.dim), driven_(has_drives(scene)) {
+    : file_(path, start),
+      dim_(scene.dim),
+      works_(has_drives(scene) || has_loads(scene)),
+      damps_(scene.damping > 0) {
   if (start == LineFile::Start::empty) file_.append(header(scene));
 }
 
@@ -32,7 +37,8 @@ void History::add(const Simulation& simulation, const Balance& balance, int piec
   cell(balance.kinetic);
   cell(balance.strain);
   cell(balance.kinetic + balance.strain);
-  if (driven_) cell(balance.work);
+  if (works_) cell(balance.work);
+  if (damps_) cell(balance.damped);
   for (int k = 0; k < dim_; ++k) cell(balance.linear_momentum[static_cast<std::size_t>(k)]);
   for (int k = dim_ == 3 ? 0 : 2; k < 3; ++k) cell(balance.angular_momentum[static_cast<std::size_t>(k)]);
   for (const std::vector<double>& series : simulation.series().value) cell(series.back());

@@ -30,7 +30,7 @@ class History {
  private:
   LineFile file_;
   int dim_;
-  bool driven_;
+  bool works_, damps_;  // something from outside does work, the scene is damped
   long last_step_ = -1;
 };
 

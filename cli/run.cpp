@@ -93,7 +93,7 @@ Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, LineRecord
       pace_(record_.until),
       exchanges_momentum_(
           std::ranges::any_of(simulation_->snapshot().held, [](unsigned char held) { return held != 0; }) ||
-          has_drives(plan.file.scene)) {
+          has_drives(plan.file.scene) || has_loads(plan.file.scene) || plan.file.scene.damping > 0) {
   if (plan.drawing)
     frames_.emplace(*plan.drawing, plan.folder.frames(),
                     Captions{plan.file.scene.title, record_.method, record_.until}, record_.seconds);

@@ -27,9 +27,10 @@ void collect_places(const TomlValue& value, const std::string& path,
 /// First of all: a misspelt table would else be reported as missing.
 void refuse_unknown_keys(TomlCursor& root) {
   for (const char* key :
-       {"name",   "title",    "source", "dim",     "spacing",          "until",      "history",
-        "method", "stepping", "cfl",    "contact", "method_constants", "parameters", "material",
-        "body",   "probe",    "line",   "measure", "reference",        "render"})
+       {"name",       "title",    "source", "dim",     "spacing", "until",   "history",
+        "method",     "stepping", "cfl",    "contact", "gravity", "damping", "method_constants",
+        "parameters", "material", "body",   "probe",   "line",    "measure", "reference",
+        "render"})
     root.find(key);
   root.finish();
 }
@@ -99,6 +100,7 @@ SceneFile read_with(double dp, const std::filesystem::path& path, const TomlValu
   read_parameters(root, changes, dp, file);
   read_settings(root, changes, file);
   read_times(root, changes, dp, file);
+  read_outside(root, file.scene);
   read_materials(root, file.scene);
   read_bodies(root, file.scene);
   read_probes(root, file.scene);

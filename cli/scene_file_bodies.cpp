@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "cli/scene_file_parts.hpp"
@@ -61,22 +62,23 @@ TomlValue array_of(std::vector<TomlValue> items) {
   return array;
 }
 
-/// The components of `velocity`, which must be there.
-const std::vector<TomlValue>& velocity_components(TomlCursor& cursor, int dim) {
-  const std::size_t components = static_cast<std::size_t>(dim);
-  const TomlValue& value = cursor.need("velocity");
-  if (value.kind != Kind::array || value.items.size() != components)
-    cursor.fail(value, "velocity",
-                "velocity must be an array of " + std::to_string(components) +
-                    " numbers or expressions, one per axis");
+/// The components of the vector `key`, which must be there.
+const std::vector<TomlValue>& components(TomlCursor& cursor, const std::string& key, int dim) {
+  const std::size_t number = static_cast<std::size_t>(dim);
+  const TomlValue& value = cursor.need(key);
+  if (value.kind != Kind::array || value.items.size() != number)
+    cursor.fail(
+        value, key,
+        key + " must be an array of " + std::to_string(number) + " numbers or expressions, one per axis");
   return value.items;
 }
 
+TomlValue zeros(int dim) { return array_of({static_cast<std::size_t>(dim), TomlValue(0.0)}); }
+
 void read_velocity(TomlCursor& cursor, int dim, Body& body) {
-  if (!cursor.find("velocity"))
-    cursor.table().set("velocity", array_of({static_cast<std::size_t>(dim), TomlValue(0.0)}));
+  if (!cursor.find("velocity")) cursor.table().set("velocity", zeros(dim));
   std::size_t axis = 0;
-  for (const TomlValue& component : velocity_components(cursor, dim))
+  for (const TomlValue& component : components(cursor, "velocity", dim))
     body.velocity[axis++] = cursor.function_of(component, "velocity");
 }
 
@@ -115,12 +117,41 @@ void read_drives(TomlCursor& cursor, const Scene& scene, Body& body) {
     Drive drive;
     drive.where = entry.function_of(entry.need("where"), "where");
     std::size_t axis = 0;
-    for (const TomlValue& component : velocity_components(entry, scene.dim))
+    for (const TomlValue& component : components(entry, "velocity", scene.dim))
       drive.velocity[axis++] = entry.function_of_time(component, "velocity");
     if (!entry.find("until")) entry.table().set("until", TomlValue(scene.until));
     drive.until = entry.positive("until");
     entry.finish();
     body.drives.push_back(std::move(drive));
+  }
+}
+
+constexpr std::array load_kinds = {Load::Kind::force, Load::Kind::force_density, Load::Kind::traction};
+
+void read_loads(TomlCursor& cursor, const Scene& scene, Body& body) {
+  for (TomlCursor& entry : tables(cursor, "loaded", "a loaded region")) {
+    Load load;
+    load.where = entry.function_of(entry.need("where"), "where");
+    std::string key;
+    for (const Load::Kind kind : load_kinds) {
+      const TomlValue* value = entry.find(name(kind));
+      if (value == nullptr) continue;
+      if (!key.empty())
+        entry.fail(*value, name(kind),
+                   std::string(name(kind)) + " stands beside " + key + "; a load takes one of them");
+      key = name(kind);
+      load.kind = kind;
+    }
+    if (key.empty()) entry.need("force");  // says that it is missing
+    std::size_t axis = 0;
+    for (const TomlValue& component : components(entry, key, scene.dim))
+      load.value[axis++] = entry.function_of(component, key);
+    if (!entry.find("ramp")) entry.table().set("ramp", TomlValue(1.0));
+    const TomlValue& ramp = entry.need("ramp");
+    load.ramp = entry.function_of_time(ramp, "ramp");
+    if (!load.ramp) entry.fail(ramp, "ramp", "ramp is 0: the load would never act");
+    entry.finish();
+    body.loads.push_back(std::move(load));
   }
 }
 
@@ -150,6 +181,7 @@ Body read_body(TomlCursor& cursor, const Scene& scene) {
   read_mirror(cursor, scene.dim, body);
   read_parts(cursor, scene, body);
   read_drives(cursor, scene, body);
+  read_loads(cursor, scene, body);
   cursor.finish();
   return body;
 }
@@ -166,6 +198,17 @@ std::string label(TomlCursor& entry, const std::vector<std::string>& taken) {
     entry.fail(entry.need("name"), "name",
                "the name '" + name + "' stands for another one already; taken: " + join(taken));
   return name;
+}
+
+void read_outside(TomlCursor& root, Scene& scene) {
+  if (!root.find("gravity")) root.table().set("gravity", zeros(scene.dim));
+  std::size_t axis = 0;
+  for (const TomlValue& component : components(root, "gravity", scene.dim))
+    scene.gravity[axis++] = root.function_of_time(component, "gravity");
+  scene.damping = root.number("damping", scene.damping);
+  if (!(scene.damping >= 0))
+    root.fail(root.need("damping"), "damping",
+              "damping = " + exact(scene.damping) + " must not be negative, 1/s");
 }
 
 void read_bodies(TomlCursor& root, Scene& scene) {

@@ -35,6 +35,8 @@ void read_parameters(TomlCursor& root, const Changes& changes, std::optional<dou
 std::set<std::string> names_that_need_dp(TomlCursor& root, const Changes& changes);
 /// Method, its constants, stepping, cfl, contact.
 void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file);
+/// Gravity and damping.
+void read_outside(TomlCursor& root, Scene& scene);
 void read_materials(TomlCursor& root, Scene& scene);
 void read_bodies(TomlCursor& root, Scene& scene);
 void read_probes(TomlCursor& root, Scene& scene);

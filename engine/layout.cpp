@@ -172,6 +172,7 @@ void append(Layout& layout, const Scene& scene, int b) {
                                               "choose a smaller spacing");
   refuse_empty(body.parts, sites, body, "parts");
   refuse_empty(body.drives, sites, body, "driven");
+  refuse_empty(body.loads, sites, body, "loaded");
   for (const Site& site : sites) {
     layout.x.push_back(site.x);
     layout.V0.push_back(site.V0);
@@ -235,6 +236,20 @@ double Material::sound_speed() const { return std::sqrt(bulk_modulus() / density
 
 bool has_drives(const Scene& scene) {
   return std::ranges::any_of(scene.bodies, [](const Body& body) { return !body.drives.empty(); });
+}
+
+bool has_gravity(const Scene& scene) {
+  return std::ranges::any_of(scene.gravity, [](const auto& component) { return component != nullptr; });
+}
+
+bool has_loads(const Scene& scene) {
+  return has_gravity(scene) ||
+         std::ranges::any_of(scene.bodies, [](const Body& body) { return !body.loads.empty(); });
+}
+
+std::string_view name(Load::Kind kind) {
+  constexpr std::string_view names[] = {"force", "force_density", "traction"};
+  return names[static_cast<int>(kind)];
 }
 
 std::string_view name(ContactLaw law) {

@@ -60,6 +60,20 @@ struct Drive {
   double until = 0;                                       // s
 };
 
+/// Forces from outside on a region of a body, which move with its particles. Loads of several regions add up.
+/// What is held or driven does not feel them.
+struct Load {
+  enum class Kind : std::uint8_t {
+    force,          // N (per metre depth in 2D), spread over the free particles of the region by volume
+    force_density,  // N/m³ of the initial volume
+    traction,       // Pa, on the outer face of a layer that is one spacing deep
+  };
+  Expression where;  // particles where it is not 0
+  Kind kind{};
+  std::array<Expression, 3> value;     // empty = 0
+  std::function<double(double)> ramp;  // factor, of the time in s; empty = 1
+};
+
 /// How bodies act on each other.
 enum class ContactLaw : std::uint8_t {
   published,  // the law of the method's paper
@@ -69,6 +83,7 @@ enum class ContactLaw : std::uint8_t {
 };
 
 std::string_view name(ContactLaw law);
+std::string_view name(Load::Kind kind);
 
 struct Body {
   std::string name;
@@ -76,6 +91,7 @@ struct Body {
   int material = 0;                    // index into Scene::materials
   std::vector<Part> parts;             // of other materials; of several that hold the last counts
   std::vector<Drive> drives;           // of several that hold the last counts
+  std::vector<Load> loads;             // those of all that hold
   std::array<Expression, 3> velocity;  // initial velocity, m/s; empty = 0
   Expression held;                     // particles where it is not 0 stay where they are; empty = none
   std::array<bool, 3> mirror{};  // the layout is reflected along these axes about the first shape's centre
@@ -161,6 +177,9 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Body> bodies;
   ContactLaw contact = ContactLaw::published;
+  std::array<std::function<double(double)>, 3> gravity;  // m/s², of the time in s; empty = 0
+  double damping =
+      0;  // c, 1/s, of a viscous force −c m v: for scenes that come to rest; see solver/loads.hpp
   std::vector<Probe> probes;
   std::vector<Line> lines;
   std::vector<Measure> measures;
@@ -170,6 +189,9 @@ struct Scene {
 
 /// There are driven regions.
 bool has_drives(const Scene& scene);
+bool has_gravity(const Scene& scene);
+/// There are loads or there is gravity.
+bool has_loads(const Scene& scene);
 
 /// The spacing nearest to `spacing` that divides the thinnest extent of the first body's first shape into
 /// whole particles.

@@ -41,7 +41,8 @@ struct Snapshot {
   std::vector<double>
       strain_energy;          // of methods that have one of their own, J (per metre depth in 2D); else empty
   double contact_energy = 0;  // of the contacts of bodies, J (per metre depth in 2D)
-  double work = 0;            // of driven particles so far, J (per metre depth in 2D)
+  double work = 0;            // of driven particles, loads and gravity so far, J (per metre depth in 2D)
+  double damped = 0;          // taken by the scene's damping so far, J (per metre depth in 2D)
   std::vector<double> diameter;  // of a particle as drawn: V0^(1/dim), m
   std::vector<int> body;         // index into Scene::bodies
   std::vector<int> material;     // index into Scene::materials
@@ -57,7 +58,8 @@ struct Balance {
   Point angular_momentum{};        // about the origin, kg m²/s; in 2D only the last component
   double momentum_scale = 0;       // Σ |m v|
   double angular_scale = 0;        // Σ m |x| |v|
-  double work = 0;                 // done on the bodies so far by what drives them, J (per metre depth in 2D)
+  double work = 0;    // done so far by what drives, loads and pulls the bodies, J (per metre depth in 2D)
+  double damped = 0;  // taken so far by the scene's damping, J (per metre depth in 2D)
 };
 
 /// The series of a scene's probes: one row per step.

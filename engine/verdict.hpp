@@ -22,8 +22,8 @@ std::optional<Verdict> find_verdict(std::string_view name);
 ///   broken while it is longer than max(support, 2 dp). More pieces of the graph of unbroken bonds than at
 ///   the start = fractured. "At the start", not "bodies": a body may consist of parts.
 /// energy: kinetic + strain above twice what was given, or anything that is not finite = diverged. Given is
-///   the start's and the work of what is driven, at its greatest so far: a drive that takes energy back may
-///   leave noise, not more. A scene that is given none is judged by finiteness only.
+///   the start's and the work of drives, loads and gravity, at its greatest so far: what takes energy back
+///   may leave noise, not more. A scene that is given none is judged by finiteness only.
 class Judge {
  public:
   Judge(const Scene& scene, const Snapshot& start, double support);

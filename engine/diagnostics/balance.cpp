@@ -49,7 +49,7 @@ Balance sums(const Snapshot& now, const Scene& scene) {
   }
   strain += now.contact_energy;
   return {kinetic.value(),        strain.value(),        values(linear), values(angular),
-          momentum_scale.value(), angular_scale.value(), now.work};
+          momentum_scale.value(), angular_scale.value(), now.work,       now.damped};
 }
 
 }  // namespace

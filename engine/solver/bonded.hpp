@@ -251,8 +251,8 @@ void Bonded<M, Dim>::first_pass() {
 template <const Formulation& M, int Dim>
 double Bonded<M, Dim>::second_pass(double dt) {
   constexpr int width = VolumeRow::width;
-  drives_.set_time(this->time_ + dt);
-  const bool contact = contact_.active(), driven = drives_.active();
+  Base::set_outside(dt, this->time_ + dt);
+  const bool contact = contact_.active(), outside = Base::outside_acts();
   return parallel_max(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
     Pack Q_i[Dim * Dim];
     for (int k = 0; k < Dim * Dim; ++k) Q_i[k] = filled<Pack>(volumes_[i].c[k]);
@@ -268,7 +268,7 @@ double Bonded<M, Dim>::second_pass(double dt) {
     if (contact) force += contact_.force(i);
     V v = s_.v[i];
     v += (dt * s_.mobile[i] / s_.m[i]) * force;
-    if (driven) drives_.replace(s_, i, v);
+    if (outside) Base::act_from_outside(i, dt, v);
     s_.v[i] = v;
     s_.x[i] += (0.5 * dt) * v;
     return dot(v, v);

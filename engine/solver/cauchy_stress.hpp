@@ -128,13 +128,13 @@ void CauchyStress<M, Dim>::set_stress(int i, const Gradients<Dim>& g) {
 /// Velocities over the whole step, from the stresses of its start and the contact of bodies.
 template <const Formulation& M, int Dim>
 void CauchyStress<M, Dim>::accelerate(double dt) {
-  drives_.set_time(this->time_ + 0.5 * dt);
-  const bool contact = contact_.active(), driven = drives_.active();
+  Base::set_outside(dt, this->time_ + 0.5 * dt);
+  const bool contact = contact_.active(), outside = Base::outside_acts();
   const double v2 = stress_pass(f_, c_, threads_now(), [&](int i, V a, double density_diffusion) {
     if (contact) a += (1 / s_.m[i]) * contact_.force(i);
     V v = s_.v[i];
     v += (dt * s_.mobile[i]) * a;
-    if (driven) drives_.replace(s_, i, v);
+    if (outside) Base::act_from_outside(i, dt, v);
     s_.v[i] = v;
     s_.drho[i] = density_diffusion;
     f_.moved[i] = f_.motion[i];

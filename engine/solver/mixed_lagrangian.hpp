@@ -18,8 +18,8 @@ namespace taut::inline TAUT_ISA {
 /// takes from every field (−Σ V |L[U]|²) and is the same inside. The constant `adjoint` = 0 gives the printed
 /// form. Boundary conditions are set on the held particles only (its step 8; step 9 "is usually
 /// disregarded"). Forces of contact, which it has not, act outside the projection and are taken at its Z,
-/// about which central forces have no moment. Of the dissipation and the internal force the sum is projected,
-/// which is the same as each of them (Eq. 49).
+/// about which central forces have no moment; so do loads. Of the dissipation and the internal force the sum
+/// is projected, which is the same as each of them (Eq. 49).
 template <const Formulation& M, int Dim>
 class MixedLagrangian final : public ReferenceSolver<M, Dim> {
  public:
@@ -43,7 +43,7 @@ class MixedLagrangian final : public ReferenceSolver<M, Dim> {
 
  private:
   using Base = ReferenceSolver<M, Dim>;
-  using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::threads_now, Base::vmax_;
+  using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::loads_, Base::threads_now, Base::vmax_;
   using Base::layout_, Base::pairs_of_start_, Base::V0_, Base::X_;
   using typename Base::Mat;
   using typename Base::V;
@@ -115,9 +115,9 @@ void MixedLagrangian<M, Dim>::step() {
   if (contact_.prepare(s_, vmax_ * dt)) this->show_contacts_to_probes();
   start_ = now_;
   for (int i = 0; i < s_.size(); ++i) Z_[i] = now_[i].x;
+  Base::set_outside(dt, this->time_ + dt);
   find_rates(Z_);
   rate_of_start_ = rate_;
-  drives_.set_time(this->time_ + dt);
   predict(dt);
   // both momenta are kept by stages that sum to zero about x at the start and at the end of the step
   for (int i = 0; i < s_.size(); ++i) Z_[i] = start_[i].x + (0.5 * dt) * (start_[i].v + now_[i].v);
@@ -139,10 +139,11 @@ void MixedLagrangian<M, Dim>::find_rates(const std::vector<V>& Z) {
   gather_pass();
   if constexpr (M.jst) dissipation_pass();
   if (c_.projection != 0) project(Z);
-  const bool contact = contact_.active();
+  const bool contact = contact_.active(), loaded = loads_.active();
   parallel_for(s_.size(), threads_now(), [&](int i) {
     V a = a_[i];
     if (contact) a += (1 / s_.m[i]) * contact_.force(i);
+    if (loaded) a += loads_.acceleration(s_, i);
     rate_[i].x = now_[i].v;
     rate_[i].v = s_.mobile[i] * a;
     if constexpr (has_J) rate_[i].J += dissipation_J_[i];
@@ -220,7 +221,7 @@ void MixedLagrangian<M, Dim>::predict(double dt) {
 /// The mean of start and second stage, U + Δt/2 (U̇ + U̇*). The greatest v², m²/s².
 template <const Formulation& M, int Dim>
 double MixedLagrangian<M, Dim>::correct(double dt) {
-  const bool driven = drives_.active();
+  const bool driven = drives_.active(), loaded = loads_.active();
   return parallel_max(s_.size(), threads_now(), [&](int i) {
     const Unknown &r = rate_of_start_[i], &q = rate_[i];
     Unknown u = start_[i];
@@ -229,7 +230,10 @@ double MixedLagrangian<M, Dim>::correct(double dt) {
     u.v += (0.5 * dt) * (r.v + q.v);
     u.F = combination(1.0, u.F, 0.5 * dt, combination(1.0, r.F, 1.0, q.F));
     if constexpr (has_J) u.J += 0.5 * dt * (r.J + q.J);
-    if (driven) drives_.replace(s_, i, u.v);
+    if (driven && drives_.moves(s_.id[i]))
+      drives_.replace(s_, i, u.v);
+    else if (loaded)
+      loads_.count(s_, i, dt, 0.5 * (s_.v[i] + u.v));
     now_[i] = u;
     s_.x[i] = u.x;
     s_.v[i] = u.v;

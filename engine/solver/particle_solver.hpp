@@ -14,6 +14,7 @@
 #include "engine/simulation.hpp"
 #include "engine/solver/contact.hpp"
 #include "engine/solver/drives.hpp"
+#include "engine/solver/loads.hpp"
 #include "engine/solver/recorder.hpp"
 #include "engine/solver/solver.hpp"
 #include "engine/solver/state.hpp"
@@ -57,6 +58,20 @@ class ParticleSolver : public Simulation {
     if (!(vmax_ <= greatest_mach_number * c_.c0)) fail();
   }
 
+  /// Once in each step, before `act_from_outside`: `t` is where in time the new velocities stand.
+  void set_outside(double dt, double t) {
+    drives_.set_time(t);
+    loads_.set_time(t - 0.5 * dt);
+  }
+  bool outside_acts() const { return drives_.active() || loads_.active(); }
+  /// What loads, gravity, damping and drives make of `v`, the new velocity of particle i without them.
+  void act_from_outside(int i, double dt, V& v) {
+    if (drives_.moves(s_.id[i]))
+      drives_.replace(s_, i, v);
+    else if (loads_.active())
+      loads_.act(s_, i, dt, v);
+  }
+
   /// The new velocities of particles that meet those of other bodies, under the impulse law: each is changed
   /// so that the approach ends, and `follow(i, change)` corrects what was made of it. Positions have followed
   /// the new velocities for `gone`, s, already.
@@ -78,7 +93,7 @@ class ParticleSolver : public Simulation {
   void serialize(Archive& archive) {
     archive.match(layout_.size());
     archive.match(static_cast<int>(recorder_.size()));
-    archive(s_, contact_, drives_, recorder_, time_, step_, vmax_, series_, pairs_);
+    archive(s_, contact_, drives_, loads_, recorder_, time_, step_, vmax_, series_, pairs_);
   }
   /// The bodies of `save` and `load` of a solver with `serialize`.
   template <class Solver>
@@ -103,6 +118,7 @@ class ParticleSolver : public Simulation {
   State<Dim> s_;
   Contact<Dim> contact_;
   Drives<Dim> drives_;
+  Loads<Dim> loads_;
   Recorder<Dim> recorder_;
   double time_ = 0;  // s
   long step_ = 0;
@@ -120,6 +136,7 @@ ParticleSolver<Dim>::ParticleSolver(const SolverInput& input, double support)
       layout_(input.layout),
       contact_(input),
       drives_(input.scene, input.layout),
+      loads_(input.scene, input.layout),
       recorder_(input.scene, input.layout, support),
       team_(input.threads) {
   threads_ = input.threads;
@@ -162,7 +179,8 @@ void ParticleSolver<Dim>::begin_snapshot() {
   out.time = time_;
   out.step = step_;
   out.contact_energy = contact_.energy(s_);
-  out.work = drives_.work();
+  out.work = drives_.work() + loads_.work();
+  out.damped = loads_.damped();
   if (!out.m.empty()) return;
   constexpr int S = Sym<double, Dim>::size + (Dim == 2);  // in 2D s_zz is stored too
   out.dim = Dim;

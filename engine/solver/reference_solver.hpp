@@ -20,7 +20,8 @@ template <const Formulation& M, int Dim>
 class ReferenceSolver : public ParticleSolver<Dim> {
  protected:
   using Base = ParticleSolver<Dim>;
-  using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::layout_, Base::threads_now, Base::vmax_;
+  using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::loads_, Base::layout_, Base::threads_now,
+      Base::vmax_;
   using typename Base::V;
   using Mat = taut::Mat<double, Dim>;
 

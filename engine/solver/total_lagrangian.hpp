@@ -76,14 +76,14 @@ void TotalLagrangian<M, Dim>::deformation_pass() {
 /// Internal and contact force; then v and the second half of x. The greatest v², m²/s².
 template <const Formulation& M, int Dim>
 double TotalLagrangian<M, Dim>::force_pass(double dt) {
-  drives_.set_time(this->time_ + dt);
-  const bool contact = contact_.active(), driven = drives_.active();
+  Base::set_outside(dt, this->time_ + dt);
+  const bool contact = contact_.active(), outside = Base::outside_acts();
   return parallel_max(s_.size(), threads_now(), [&](int i) {
     V force = pairs_of_start_.pair_sum(stress_, i);
     if (contact) force += contact_.force(i);
     V v = s_.v[i];
     v += (dt * s_.mobile[i] / s_.m[i]) * force;
-    if (driven) drives_.replace(s_, i, v);
+    if (outside) Base::act_from_outside(i, dt, v);
     s_.v[i] = v;
     s_.x[i] += (0.5 * dt) * v;
     return dot(v, v);

@@ -105,13 +105,13 @@ void UpdatedLagrangian<M, Dim>::half_drift(double dt) {
 /// Velocities over the whole step, Eq. 24, and positions to its end, Eq. 25.
 template <const Formulation& M, int Dim>
 void UpdatedLagrangian<M, Dim>::kick(double dt) {
-  drives_.set_time(this->time_ + dt);
-  const bool contact = contact_.active(), driven = drives_.active();
+  Base::set_outside(dt, this->time_ + dt);
+  const bool contact = contact_.active(), outside = Base::outside_acts();
   const double vmax2 = momentum_pass<M>(s_, c_, threads_now(), [&](int i, V a) {
     if (contact) a += (1 / s_.m[i]) * contact_.force(i);
     V v = s_.v[i];
     v += (dt * s_.mobile[i]) * a;
-    if (driven) drives_.replace(s_, i, v);
+    if (outside) Base::act_from_outside(i, dt, v);
     s_.v[i] = v;
     s_.x[i] += (0.5 * dt) * v;
     const FlowRow<Dim>& old = s_.flow[i];

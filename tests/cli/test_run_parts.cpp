@@ -75,7 +75,7 @@ TEST_SUITE("unit") {
     CHECK(drift.conservation(true).energy);
   }
 
-  TEST_CASE("drift of the energy leaves out the work of drives") {
+  TEST_CASE("drift of the energy leaves out work from outside and damping") {
     Balance start, later;  // at rest
     later.kinetic = 3;
     later.strain = 2;
@@ -85,6 +85,11 @@ TEST_SUITE("unit") {
     CHECK_FALSE(drift.conservation(true).energy);  // no energy yet: no scale
     drift.look(later);
     CHECK(*drift.conservation(true).energy == doctest::Approx(0.25));
+    later.damped = 2;  // what was taken is not lost
+    Drift damped;
+    damped.look(start);
+    damped.look(later);
+    CHECK(*damped.conservation(true).energy == doctest::Approx(0.75));
   }
 
   TEST_CASE("the range of a sequence skips what is no number and is symmetric for signed fields") {

@@ -101,6 +101,49 @@ TEST_SUITE("cli") {
     }
   }
 
+  TEST_CASE("scene: loaded regions have a force, a force density or a traction, and a ramp in time") {
+    const SceneFile file = read_text(with_block(
+        "loaded = [{ where = \"x > 1.9\", force = [\"v0*y\", 0], ramp = \"t^2\" },\n"
+        "{ where = \"y > 0.9\", traction = [0, \"-E\"] }, { where = 1, force_density = [2, 0] }]"));
+    const std::vector<Load>& loads = file.scene.bodies[0].loads;
+    REQUIRE(loads.size() == 3);
+    CHECK(loads[0].kind == Load::Kind::force);
+    CHECK(loads[0].value[0]({0, 2, 0}) == 0.12);
+    CHECK_FALSE(loads[0].value[1]);
+    CHECK(loads[0].ramp(3) == 9);
+    CHECK(loads[1].kind == Load::Kind::traction);
+    CHECK(loads[1].value[1]({0, 0, 0}) == -1e7);
+    CHECK(loads[1].ramp(3) == 1);
+    CHECK(loads[2].kind == Load::Kind::force_density);
+    check_block_error("loaded = [{ where = 1, @fource = [1, 0] }]", {"'force' is missing", "'fource'"});
+    check_block_error("loaded = [@{ where = 1 }]", {"'force' is missing in a loaded region of body 'block'"});
+    check_block_error("loaded = [{ where = 1, force = [1, 0], traction = @[1, 0] }]",
+                      {"traction stands beside force"});
+    check_block_error("loaded = [{ where = 1, force = @[1] }]", {"force must be an array of 2"});
+    check_block_error("loaded = [{ where = 1, force = [1, 0], ramp = \"@x\" }]", {"unknown name 'x'", "t"});
+    check_block_error("loaded = [{ where = 1, force = [1, 0], ramp = @0 }]", {"never act"});
+    check_block_error("loaded = [{ where = 1, force = [\"@t\", 0] }]", {"unknown name 't'"});
+    check_block_error("loaded = [{ where = 1, force = [1, 0], @rmp = 1 }]", {"unknown key 'rmp'", "'ramp'"});
+    const SceneError empty = layout_error("loaded = [{ where = \"x > 9\", force = [1, 0] }]");
+    CHECK(says(empty, "loaded: no particle of body 'block'"));
+    CHECK(empty.line == 14);
+  }
+
+  TEST_CASE("scene: gravity is a function of the time, damping a number that is not negative") {
+    const SceneFile file = read_text(replaced(
+        small_scene, "until = 2", "until = 2\ngravity = [0, \"-9.8*min(1, t/v0)\"]\ndamping = \"2*v0\""));
+    CHECK_FALSE(file.scene.gravity[0]);
+    CHECK(file.scene.gravity[1](0.03) == -4.9);
+    CHECK(file.scene.damping == 0.12);
+    const SceneFile without = read_text(small_scene);
+    CHECK_FALSE(has_loads(without.scene));
+    CHECK(without.scene.damping == 0);
+    check_error("until = 2", "until = 2\ngravity = @9.8", {"gravity must be an array of 2"});
+    check_error("until = 2", "until = 2\ngravity = [0, \"@y\"]", {"unknown name 'y'"});
+    check_error("until = 2", "until = 2\ndamping = @-1", {"damping = -1 must not be negative"});
+    check_error("until = 2", "until = 2\n@gravty = [0, 1]", {"unknown key 'gravty'", "'gravity'"});
+  }
+
   TEST_CASE("scene: a bulk modulus is of E and nu unless it is given, and c0 follows it") {
     const SceneFile usual = read_text(small_scene);
     CHECK(usual.scene.materials[0].bulk_modulus() == 1e7 / (3 * (1 - 2 * 0.4)));

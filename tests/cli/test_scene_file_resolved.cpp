@@ -164,18 +164,26 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("contact, parts, driven regions and a bulk modulus stand in the resolved text") {
+  TEST_CASE(
+      "contact, parts, driven and loaded regions, gravity and a bulk modulus stand in the resolved text") {
     const std::string text = replaced(
         replaced(
             small_scene, "material = \"rubber\"\nvelocity",
             "material = \"rubber\"\nparts = [{ material = \"steel\", where = \"x > 1\" }]\n"
             "driven = [{ where = \"x < dp\", velocity = [\"v0*c0*sin(pi*t)\", 0], until = \"until0\" },\n"
-            "          { where = \"y < dp\", velocity = [0, 1] }]\nvelocity"),
+            "          { where = \"y < dp\", velocity = [0, 1] }]\n"
+            "loaded = [{ where = \"x > 1\", force = [\"v0*t0*y\", 0], ramp = \"t/t0\" }]\nvelocity"),
         "[material.rubber]",
-        "until0 = { value = 0.5 }\n[material.steel]\ndensity = 8000\nyoungs_modulus = 2e11\n"
+        "until0 = { value = 0.5 }\nt0 = { value = 2 }\n[material.steel]\ndensity = 8000\nyoungs_modulus = "
+        "2e11\n"
         "poisson_ratio = 0.3\nbulk_modulus = \"E\"\n[material.rubber]");
-    const SceneFile file = read_text(text, set({{"contact", "impulse"}, {"until0", "0.7"}}));
+    const SceneFile file = read_text("gravity = [0, \"-9*t/t0\"]\ndamping = \"t0\"\n" + text,
+                                     set({{"contact", "impulse"}, {"until0", "0.7"}, {"t0", "4"}}));
     const SceneFile again = check_round_trip(file);
+    CHECK(again.scene.gravity[1](2) == -4.5);
+    CHECK(again.scene.damping == 4);
+    CHECK(again.scene.bodies[0].loads.at(0).ramp(1) == 0.25);
+    CHECK(again.scene.bodies[0].loads[0].value[0]({0, 3, 0}) == doctest::Approx(0.72));
     CHECK(again.scene.contact == ContactLaw::impulse);
     CHECK(again.scene.materials[0].bulk_modulus() == 2e11);
     CHECK(again.scene.bodies[0].parts[0].material == 0);

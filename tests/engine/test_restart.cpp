@@ -27,7 +27,8 @@ void add_probes(Scene& scene) {
                   make_probe("asymmetry", Probe::Kind::mirror_asymmetry, {0, 0})};
 }
 
-/// Two bodies that hit each other; in the second scene one is held and driven too, for half of the time.
+/// Two bodies that hit each other; in the second scene one is held, loaded, and driven
+/// for half of the time, and all is pulled and damped.
 std::vector<Scene> watched_scenes() {
   std::vector<Scene> scenes = {small_collision(), small_clamped_plate()};
   for (Scene& scene : scenes) add_probes(scene);
@@ -37,6 +38,13 @@ std::vector<Scene> watched_scenes() {
   drive.velocity[1] = [=](double t) { return speed * std::cos(t / until); };
   drive.until = 0.5 * until;
   scenes.back().bodies[0].drives = {drive};
+  Load load;
+  load.where = [](const Point& x) { return x[0] > 0.01 ? 1.0 : 0.0; };
+  load.value[0] = [](const Point& x) { return 50 + 1000 * x[1]; };
+  load.ramp = [=](double t) { return std::min(1.0, 2 * t / until); };
+  scenes.back().bodies[0].loads = {load};
+  scenes.back().gravity[1] = [=](double t) { return -1000 * std::cos(t / until); };
+  scenes.back().damping = 500;
   return scenes;
 }
 
@@ -51,6 +59,7 @@ void check_same(const Simulation& a, const Simulation& b) {
   CHECK(x.step == y.step);
   CHECK(x.contact_energy == y.contact_energy);
   CHECK(x.work == y.work);
+  CHECK(x.damped == y.damped);
   for (const auto member : {&Snapshot::x0, &Snapshot::x, &Snapshot::v, &Snapshot::m, &Snapshot::rho,
                             &Snapshot::p, &Snapshot::s, &Snapshot::strain_energy, &Snapshot::diameter})
     CHECK(same_bytes(x.*member, y.*member));

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "engine/error.hpp"
+#include "engine/layout.hpp"
+#include "engine/solver/state.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// What acts on particles from outside and follows them: loads of regions and gravity (engine/scene.hpp), and
+/// the viscous force −c m v of a scene that is to come to rest. A damping of c = 2 ω, ω the slowest mode that
+/// the loads excite, brings it to rest soonest; where it comes to rest does not depend on c, which is 0 in
+/// scenes of motion. None of it acts on what is held or driven.
+///
+/// In each step: `set_time`, then `act` for each new velocity before it is used, or where a scheme has
+/// stages, `acceleration` in each of them and `count` at the end.
+template <int Dim>
+class Loads {
+ public:
+  using V = Vec<double, Dim>;
+
+  Loads(const Scene& scene, const Layout& layout) : gravity_(scene.gravity), damping_(scene.damping) {
+    active_ = has_loads(scene) || damping_ > 0;
+    if (!active_) return;
+    work_.assign(layout.size(), 0);
+    damped_.assign(layout.size(), 0);
+    force_.assign(layout.size(), V{});
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+      for (const Load& load : scene.bodies[b].loads)
+        regions_.push_back({load.ramp, shares(load, scene, layout, static_cast<int>(b))});
+  }
+
+  bool active() const { return active_; }
+
+  /// `t`, s, is the middle of the time that the velocities of a step go through. Not for use inside a pass:
+  /// expressions serve one thread.
+  void set_time(double t) {
+    if (!active_) return;
+    for (int k = 0; k < Dim; ++k) g_[k] = gravity_[k] ? gravity_[k](t) : 0;
+    bool changed = false;
+    for (Region& region : regions_) {
+      const double now = region.ramp ? region.ramp(t) : 1;
+      changed |= now != region.now;
+      region.now = now;
+    }
+    if (!changed) return;
+    for (const Region& region : regions_)
+      for (const auto& [id, share] : region.shares) force_[id] = V{};
+    for (const Region& region : regions_)
+      for (const auto& [id, share] : region.shares) force_[id] += region.now * share;
+  }
+
+  /// What they add to the acceleration of particle i at its present velocity, m/s².
+  V acceleration(const State<Dim>& s, int i) const { return push(s, i) - damping_ * s.v[i]; }
+
+  /// Adds what they do to `v`, the velocity that particle i would take after `dt` without them. The viscous
+  /// force is that of the mean of the old and the new velocity.
+  void act(const State<Dim>& s, int i, double dt, V& v) {
+    const double half = 0.5 * damping_ * dt * s.mobile[i];
+    v += (dt * s.mobile[i]) * push(s, i);
+    v = (1 / (1 + half)) * (v - half * s.v[i]);
+    count(s, i, dt, 0.5 * (s.v[i] + v));
+  }
+  /// Notes the work of a step of `dt` in which particle i had the velocity `mean`.
+  void count(const State<Dim>& s, int i, double dt, const V& mean) {
+    work_[s.id[i]] += dt * s.mobile[i] * s.m[i] * dot(push(s, i), mean);
+    damped_[s.id[i]] += dt * s.mobile[i] * s.m[i] * damping_ * dot(mean, mean);
+  }
+
+  /// Of loads and gravity so far, J (per metre depth in 2D).
+  double work() const { return std::accumulate(work_.begin(), work_.end(), 0.0); }
+  /// What the viscous force has taken so far, J (per metre depth in 2D).
+  double damped() const { return std::accumulate(damped_.begin(), damped_.end(), 0.0); }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(work_, damped_);
+  }
+
+ private:
+  struct Region {
+    std::function<double(double)> ramp;
+    std::vector<std::pair<int, V>> shares;  // id, N at a factor of 1
+    double now = 0;                         // the factor
+  };
+
+  V push(const State<Dim>& s, int i) const { return g_ + (1 / s.m[i]) * force_[s.id[i]]; }
+
+  static std::vector<std::pair<int, V>> shares(const Load& load, const Scene& scene, const Layout& layout,
+                                               int body);
+
+  bool active_ = false;
+  std::array<std::function<double(double)>, 3> gravity_;
+  V g_{};               // m/s²
+  double damping_ = 0;  // c, 1/s
+  std::vector<Region> regions_;
+  std::vector<V> force_;               // [id] of all regions, N
+  std::vector<double> work_, damped_;  // [id] J
+};
+
+/// Throws SceneError where all particles of the region are held.
+template <int Dim>
+auto Loads<Dim>::shares(const Load& load, const Scene& scene, const Layout& layout, int body)
+    -> std::vector<std::pair<int, V>> {
+  std::vector<int> free;
+  double volume = 0;
+  for (int id = layout.first[body]; id < layout.first[body + 1]; ++id) {
+    if (layout.held[id] || load.where(layout.x[id]) == 0) continue;
+    free.push_back(id);
+    volume += layout.V0[id];
+  }
+  const std::string& name = scene.bodies[body].name;
+  if (free.empty())
+    throw SceneError("body." + name + ".loaded",
+                     "a load of body '" + name + "' is on held particles only, which do not feel it");
+  // volumes that a unit of the load stands for: of all of the region, of a cubic metre, of a layer's face
+  const double over = load.kind == Load::Kind::force      ? volume
+                      : load.kind == Load::Kind::traction ? scene.spacing
+                                                          : 1;
+  std::vector<std::pair<int, V>> shares;
+  for (const int id : free) {
+    V force{};
+    for (int k = 0; k < Dim; ++k)
+      if (load.value[k]) force[k] = layout.V0[id] / over * load.value[k](layout.x[id]);
+    shares.emplace_back(id, force);
+  }
+  return shares;
+}
+
+}  // namespace taut::inline TAUT_ISA
