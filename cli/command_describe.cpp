@@ -165,7 +165,7 @@ bool is_scene(const std::string& name) {
 
 std::function<int(Streams)> declare_describe(CLI::App& app) {
   auto name = std::make_shared<std::string>();
-  app.add_option("NAME", *name, "a scene or a method (`taut list`), or the path of a scene file")
+  app.add_option("SCENE|METHOD", *name, "`taut list` names them; or the path of a scene file")
       ->option_text(" ")
       ->required();
   return [name](Streams streams) {

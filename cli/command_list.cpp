@@ -80,12 +80,16 @@ std::string as_text(const Json& rows) {
   return in_columns(cells);
 }
 
+std::vector<std::string> kinds() {
+  std::vector<std::string> names;
+  for (const Listing& l : listings) names.emplace_back(l.kind);
+  return names;
+}
+
 const Listing& find_listing(const std::string& kind) {
   const auto* found = std::ranges::find(listings, kind, &Listing::kind);
   if (found != std::end(listings)) return *found;
-  std::vector<std::string> kinds;
-  for (const Listing& l : listings) kinds.emplace_back(l.kind);
-  throw UsageError(unknown_name("list of", kind, kinds));
+  throw UsageError(unknown_name("list of", kind, kinds()));
 }
 
 int list_all(bool json, std::ostream& out) {
@@ -115,9 +119,7 @@ std::function<int(Streams)> declare_list(CLI::App& app) {
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  app.add_option("KIND", options->kind,
-                 "scenes, methods, equations, fields or colormaps; all of them if left out")
-      ->option_text(" ");
+  app.add_option(join(kinds(), "|"), options->kind, "all of them if left out")->option_text(" ");
   app.add_flag("--json", options->json, "as JSON, for scripts");
   return [options](Streams streams) {
     return options->kind.empty() ? list_all(options->json, streams.out)

@@ -12,6 +12,7 @@ std::function<int(Streams)> declare_snapshot(CLI::App&);
 std::function<int(Streams)> declare_session(CLI::App&);
 std::function<int(Streams)> declare_list(CLI::App&);
 std::function<int(Streams)> declare_describe(CLI::App&);
+std::function<int(Streams)> declare_completion(CLI::App&);
 
 namespace {
 
@@ -67,6 +68,10 @@ constexpr Command table[] = {
      "  taut describe colliding-rings\n"
      "  taut describe enog\n",
      declare_describe},
+    {"completion", "print what a shell needs to complete commands, options and names at the press of Tab",
+     "  source <(taut completion bash)            now; in ~/.bashrc: from now on\n"
+     "  source <(taut completion zsh)             the same in ~/.zshrc, behind compinit\n",
+     declare_completion},
 };
 
 }  // namespace

@@ -85,7 +85,7 @@ void declare_drawing_options(CLI::App& app, DrawingOptions& options) {
                  "of the colours, in the field's unit; auto: over the whole sequence")
       ->option_text("LOW:HIGH|auto");
   app.add_option("--colormap", options.colormap, "`taut list colormaps`; default: by the field")
-      ->option_text("NAME");
+      ->option_text("COLORMAP");
   app.add_option("--view", options.view, "what is seen, m; auto: the whole motion")
       ->option_text("X0:X1:Y0:Y1|auto");
   app.add_option("--size", options.size, "of a frame, in pixels")->option_text("WIDTHxHEIGHT");

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.hpp"
+#include "cli/completion.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/unknown_name.hpp"
 #include "engine/error.hpp"
@@ -88,6 +89,8 @@ int dispatch(const std::vector<std::string>& arguments, Streams streams) {
     streams.out << "taut " TAUT_VERSION "\n";
   } else if (first == "--help" || first == "-h" || first == "help") {
     print_help(streams.out);
+  } else if (first == "--complete") {
+    streams.out << answer_to_shell({arguments.begin() + 1, arguments.end()});
   } else if (first.empty()) {
     print_help(streams.err);
     return exit_wrong_input;

@@ -68,7 +68,7 @@ std::vector<const Field*> particle_fields(const RunOptions& options) {
 }  // namespace
 
 void declare_setting_options(CLI::App& app, RunOptions& o) {
-  app.add_option("--method", o.method, "`taut list methods`; default: the scene's")->option_text("NAME");
+  app.add_option("--method", o.method, "`taut list methods`; default: the scene's")->option_text("METHOD");
   app.add_option("--set", o.set, "a parameter of the scene, or method.NAME: a constant of the method")
       ->option_text("NAME=VALUE ...")
       ->allow_extra_args(false)
@@ -99,7 +99,7 @@ void declare_particle_options(CLI::App& app, RunOptions& o) {
       app.add_flag("--save-particles", o.save_particles,
                    "particles/*.vtp with each frame, for `taut render`, `taut compare` and ParaView");
   app.add_option("--fields", o.fields, "the fields saved with them (`taut list fields`); default: all")
-      ->option_text("NAME,...")
+      ->option_text("FIELD,...")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->needs(save);
@@ -132,13 +132,17 @@ RunPlan make_plan(const RunOptions& options) {
   return plan;
 }
 
+std::vector<std::string> names_of_failures() {
+  std::vector<std::string> names;
+  for (int v = static_cast<int>(Verdict::stable) + 1; v <= static_cast<int>(Verdict::diverged); ++v)
+    names.emplace_back(name(static_cast<Verdict>(v)));
+  return names;
+}
+
 std::optional<Verdict> parse_verdict(const std::optional<std::string>& text) {
   if (!text) return std::nullopt;
-  std::vector<std::string> names;
-  for (int v = static_cast<int>(Verdict::stable) + 1; v <= static_cast<int>(Verdict::diverged); ++v) {
-    if (name(static_cast<Verdict>(v)) == *text) return static_cast<Verdict>(v);
-    names.emplace_back(name(static_cast<Verdict>(v)));
-  }
+  const std::vector<std::string> names = names_of_failures();
+  if (std::ranges::find(names, *text) != names.end()) return find_verdict(*text);
   throw UsageError(unknown_name("verdict", *text, names));
 }
 

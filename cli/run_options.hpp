@@ -41,6 +41,8 @@ SceneFile scene_to_run(const RunOptions& options);
 /// Reads and checks all there is to check, without touching the run folder. Throws UsageError and SceneError.
 RunPlan make_plan(const RunOptions& options);
 
+/// The verdicts that a run can be failed on.
+std::vector<std::string> names_of_failures();
 /// Throws UsageError, with the nearest names, for a verdict that does not exist or cannot be failed on.
 std::optional<Verdict> parse_verdict(const std::optional<std::string>& text);
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -66,6 +67,10 @@ std::vector<std::string> scene_names();
 std::filesystem::path find_scene(const std::string& scene);
 /// Throws SceneError (with file, line, column) for the file, UsageError for the overrides.
 SceneFile read_scene(const std::filesystem::path& path, const Overrides& overrides = {});
+/// The names that --set and --grid take in this scene with its method.
+std::vector<std::string> names_to_set(const SceneFile& scene);
+/// The texts that a name of these takes: of methods, contact laws, ways of stepping; none: it takes numbers.
+std::vector<std::string> texts_to_set(std::string_view name);
 /// `error`, thrown by the engine for this scene, with the file and the place of its key.
 SceneError locate(const SceneFile& scene, const SceneError& error);
 /// `resolved` with history and drawing as they stand in `scene` now.

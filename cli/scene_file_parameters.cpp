@@ -109,12 +109,17 @@ Changes by_target(const Overrides& overrides) {
   return changes;
 }
 
-void check_names(const Changes& changes, const SceneFile& file) {
-  std::vector<std::string> known = names_of(file.parameters);
+std::vector<std::string> names_to_set(const SceneFile& file) {
+  std::vector<std::string> names = names_of(file.parameters);
   for (const MethodConstant& constant : find_method(file.settings.method)->constants)
-    known.push_back(std::string(constant_prefix) + std::string(constant.name));
+    names.push_back(std::string(constant_prefix) + std::string(constant.name));
   for (const char* reserved : {"method", "spacing", "until", "cfl", "stepping", "contact"})
-    known.emplace_back(reserved);
+    names.emplace_back(reserved);
+  return names;
+}
+
+void check_names(const Changes& changes, const SceneFile& file) {
+  const std::vector<std::string> known = names_to_set(file);
   const auto check = [&](const std::string& name) {
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw UsageError("'" + name + "' cannot be set in the scene '" + file.scene.name +

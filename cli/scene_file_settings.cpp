@@ -9,6 +9,7 @@
 #include "engine/field.hpp"
 #include "engine/method_info.hpp"
 #include "render/colormap.hpp"
+#include "render/renderer.hpp"
 
 namespace taut {
 namespace {
@@ -142,7 +143,6 @@ void read_colors(TomlCursor& render, Drawing& drawing) {
 }
 
 void read_size(TomlCursor& render, Drawing& drawing) {
-  constexpr int most_pixels = 16384;  // along one side
   if (!render.find("size")) {
     TomlValue size;
     size.kind = TomlValue::Kind::array;
@@ -151,9 +151,10 @@ void read_size(TomlCursor& render, Drawing& drawing) {
   }
   const std::vector<double> size = render.numbers("size", 2);
   for (std::size_t i = 0; i < 2; ++i) {
-    if (!(size[i] >= 1 && size[i] <= most_pixels) || size[i] != std::floor(size[i]))
+    if (!(size[i] >= least_size && size[i] <= greatest_size) || size[i] != std::floor(size[i]))
       render.fail(*render.find("size"), "size",
-                  "size must be two whole numbers of pixels from 1 to " + std::to_string(most_pixels));
+                  "size must be two whole numbers of pixels from " + std::to_string(least_size) + " to " +
+                      std::to_string(greatest_size));
     drawing.size[i] = static_cast<int>(size[i]);
   }
 }
@@ -171,6 +172,12 @@ std::vector<std::string> names_of_fields() {
   std::vector<std::string> names;
   for (const Field& field : fields()) names.emplace_back(field.key);
   return names;
+}
+
+std::vector<std::string> texts_to_set(std::string_view name) {
+  if (name == "method") return names_of(methods());
+  if (name == "stepping") return stepping_names;
+  return name == "contact" ? names_of_laws() : std::vector<std::string>();
 }
 
 void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {

@@ -63,13 +63,16 @@ std::string one_line(std::string text) {
 
 }  // namespace
 
-const EmitForm& find_emit_form(const std::string& name) {
+std::vector<std::string> emit_names() {
   std::vector<std::string> names;
-  for (const EmitForm& form : forms) {
-    if (form.name == name) return form;
-    names.emplace_back(form.name);
-  }
-  throw UsageError(unknown_name("kind of script", name, names));
+  for (const EmitForm& form : forms) names.emplace_back(form.name);
+  return names;
+}
+
+const EmitForm& find_emit_form(const std::string& name) {
+  const auto* found = std::ranges::find(forms, name, &EmitForm::name);
+  if (found != std::end(forms)) return *found;
+  throw UsageError(unknown_name("kind of script", name, emit_names()));
 }
 
 std::string emit_script(const EmitForm& form, const std::string& title, int runs, int threads,

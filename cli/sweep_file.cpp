@@ -18,15 +18,6 @@ using Kind = TomlValue::Kind;
 
 fs::path studies_folder() { return scenes_folder() / "studies"; }
 
-std::vector<std::string> study_names() {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(studies_folder(), error))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  std::ranges::sort(names);
-  return names;
-}
-
 /// What a table sets: settings of one value each, or axes.
 class SettingsReader {
  public:
@@ -131,6 +122,15 @@ std::vector<GridRow> read_rows(TomlCursor& root) {
 }
 
 }  // namespace
+
+std::vector<std::string> study_names() {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(studies_folder(), error))
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  std::ranges::sort(names);
+  return names;
+}
 
 fs::path find_sweep(const std::string& sweep) {
   std::error_code error;

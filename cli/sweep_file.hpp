@@ -29,6 +29,8 @@ struct SweepFile {
   std::vector<GridRow> rows;
 };
 
+/// Names of the sweep files in scenes/studies/, sorted.
+std::vector<std::string> study_names();
 /// `sweep` is a path or the name of a file in scenes/studies/. Throws UsageError with the nearest names.
 std::filesystem::path find_sweep(const std::string& sweep);
 /// Whether the file is a sweep rather than a scene. Throws SceneError for one that is no TOML.

@@ -6,7 +6,9 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/option_checks.hpp"
+#include "cli/sweep_emit.hpp"
 #include "cli/sweep_file.hpp"
+#include "cli/text.hpp"
 #include "engine/error.hpp"
 
 namespace taut {
@@ -80,8 +82,8 @@ void declare_sweep_options(CLI::App& app, SweepOptions& o) {
       ->check(whole_number);
   app.add_flag("--force", o.force, "do again what is done already");
   app.add_option("--emit", o.emit,
-                 "write a script that does the runs one by one: slurm (array job) or parallel")
-      ->option_text("KIND");
+                 "write a script that does the runs one by one: a Slurm array job, or by GNU parallel")
+      ->option_text(join(emit_names(), "|"));
   app.add_option("--out", o.run.out, "the folder of results and runs; default: out/FILE or out/SCENE-sweep")
       ->option_text("DIR");
   declare_setting_options(app, o.run);
