@@ -1,11 +1,13 @@
-#include <iostream>
+#include <ostream>
 
 #include <CLI/CLI.hpp>
 
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/line_input.hpp"
 #include "cli/option_checks.hpp"
 #include "cli/session_commands.hpp"
+#include "cli/session_completion.hpp"
 #include "cli/text.hpp"
 #include "engine/error.hpp"
 
@@ -16,16 +18,22 @@ struct Options : RunOptions {
   bool strict = false;
 };
 
-/// The exit code of a line that went wrong, 0 of one that did not; `going` becomes false at the end.
-int answer(Session& session, const std::string& line, std::ostream& out, bool& going) {
+/// What a line came to.
+struct Answer {
+  int code = exit_fine;  // of the error, if there was one
+  bool going = true;     // the session is not over
+};
+
+/// A person sees the prompt; a script wants to be told where an answer ends.
+Answer answer(Session& session, const std::string& line, const Dialogue& to, bool typed) {
   const auto fail = [&](const std::string& message, int code) {
-    out << "error: " << message << '\n';
-    return code;
+    to.out << "error: " << message << '\n';
+    return Answer{code, true};
   };
   try {
-    going = run_session_line(session, line, out);
-    out << "ok\n";
-    return exit_fine;
+    const bool going = run_session_line(session, line, to);
+    if (!typed) to.out << "ok\n";
+    return {exit_fine, going};
   } catch (const UsageError& e) {
     return fail(e.what(), exit_wrong_input);
   } catch (const SceneError& e) {
@@ -37,13 +45,27 @@ int answer(Session& session, const std::string& line, std::ostream& out, bool& g
   }
 }
 
+void greet(const Session& session, std::ostream& out) {
+  out << session.file().scene.title << ", " << session.file().settings.method << ", "
+      << session.simulation().snapshot().size()
+      << " particles. `help` lists the commands, Tab completes them, Ctrl-D ends.\n"
+      << std::flush;
+}
+
 int converse(const Options& options, Streams streams) {
   Session session(options);
-  std::string line;
-  for (bool going = true; going && std::getline(std::cin, line);) {
-    const int code = answer(session, line, streams.out, going);
+  LineInput input([&](const auto& words) { return session_choices(session, words); });
+  const bool typed = input.is_typed();
+  Progress progress(streams.err, progress_style(streams.err, !typed));
+  if (typed) greet(session, streams.out);
+  while (const auto line = input.next()) {
+    const Interrupts interrupts;
+    const Answer given = answer(session, *line, {streams.out, interrupts, progress}, typed);
     if (!streams.out.flush()) throw OutputError("standard output", "could not be written");
-    if (options.strict && code != exit_fine) return code;
+    // the lines that a script has left expect what was not reached
+    if (interrupts.asked() && (!typed || interrupts.asked_to_end())) return exit_interrupted;
+    if (options.strict && given.code != exit_fine) return given.code;
+    if (!given.going) break;
   }
   return exit_fine;
 }

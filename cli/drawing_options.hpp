@@ -36,6 +36,7 @@ struct DrawingPlan {
   std::optional<std::array<double, 2>> range;  // in the field's unit; none = over the whole sequence
   std::optional<View> view;                    // m; none = over the whole sequence
   int width, height;                           // pixels
+  bool bare = false;                           // particles only, without texts and colour bar
 };
 
 /// Throws UsageError, with the nearest names, for a field or a colour map that does not exist.

@@ -8,17 +8,17 @@ namespace taut {
 namespace {
 
 // what a signal handler may touch must live here
-volatile std::sig_atomic_t signals = 0;
+volatile std::sig_atomic_t last_signal = 0;
 
-extern "C" void on_signal(int) {
-  if (signals) ::_exit(exit_interrupted);
-  signals = 1;
+extern "C" void on_signal(int number) {
+  if (last_signal) ::_exit(exit_interrupted);
+  last_signal = number;
 }
 
 }  // namespace
 
 Interrupts::Interrupts() {
-  signals = 0;
+  last_signal = 0;
   struct sigaction action {};
   action.sa_handler = on_signal;
   action.sa_flags = SA_RESTART;
@@ -32,6 +32,8 @@ Interrupts::~Interrupts() {
   ::sigaction(SIGTERM, &old_terminate_, nullptr);
 }
 
-bool Interrupts::asked() const { return signals != 0; }
+bool Interrupts::asked() const { return last_signal != 0; }
+
+bool Interrupts::asked_to_end() const { return last_signal == SIGTERM; }
 
 }  // namespace taut

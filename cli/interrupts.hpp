@@ -14,6 +14,8 @@ class Interrupts {
   Interrupts& operator=(const Interrupts&) = delete;
 
   bool asked() const;
+  /// It was SIGTERM: all is to end, not only what is going on.
+  bool asked_to_end() const;
 
  private:
   struct sigaction old_interrupt_ {};

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "cli/sequence_bounds.hpp"
-#include "render/image.hpp"
 
 namespace taut {
 
@@ -15,6 +14,7 @@ std::unique_ptr<Renderer> make_renderer(const DrawingPlan& plan, double until) {
   options.low = (*plan.range)[0];
   options.high = (*plan.range)[1];
   options.colormap = plan.colormap;
+  options.bare = plan.bare;
   options.until = until;
   return std::make_unique<Renderer>(options);
 }
@@ -44,11 +44,10 @@ DrawingPlan fitted(DrawingPlan plan, const Snapshot& snapshot) {
   return plan;
 }
 
-void draw_picture(const DrawingPlan& plan, const Captions& captions, const Snapshot& snapshot,
-                  const std::filesystem::path& file) {
+Image draw_picture(const DrawingPlan& plan, const Captions& captions, const Snapshot& snapshot) {
   const DrawingPlan whole = fitted(plan, snapshot);
   const Picture picture(whole, captions, snapshot);
-  write_png(make_renderer(whole, captions.until)->draw(picture.view), file);
+  return make_renderer(whole, captions.until)->draw(picture.view);
 }
 
 }  // namespace taut

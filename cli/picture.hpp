@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <memory>
 
 #include "cli/drawing_options.hpp"
@@ -25,8 +24,7 @@ struct Picture {
 /// The plan with what it leaves open as it suits this snapshot alone.
 DrawingPlan fitted(DrawingPlan plan, const Snapshot& snapshot);
 
-/// Draws one picture into a file. Throws OutputError.
-void draw_picture(const DrawingPlan& plan, const Captions& captions, const Snapshot& snapshot,
-                  const std::filesystem::path& file);
+/// One picture, of this moment alone.
+Image draw_picture(const DrawingPlan& plan, const Captions& captions, const Snapshot& snapshot);
 
 }  // namespace taut

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "cli/checkpoint.hpp"
-#include "cli/interrupts.hpp"
 #include "cli/pace.hpp"
 #include "cli/picture.hpp"
 #include "cli/run.hpp"
 #include "cli/stopwatch.hpp"
+#include "cli/text.hpp"
 #include "engine/error.hpp"
 
 namespace taut {
@@ -38,22 +38,24 @@ Session::Session(const RunOptions& options)
   plan_drawing(drawing_);
 }
 
-void Session::step(long count) {
-  const Interrupts interrupts;
+void Session::step(long count, const Interrupts& interrupts) {
   constexpr double later = std::numeric_limits<double>::infinity();
   for (long k = 0; k < count && !interrupts.asked(); ++k)
     simulation_->advance_to(std::nextafter(simulation_->time(), later));
 }
 
-void Session::run_until(double t) {
-  const Interrupts interrupts;
+void Session::run_until(double t, const Interrupts& interrupts, Progress& progress) {
   Pace pace(t);
+  const double start = simulation_->time();
+  progress.begin("to " + brief(t) + " s");
   while (simulation_->time() < t && !interrupts.asked()) {
     const Stopwatch watch;
     const double from = simulation_->time();
     simulation_->advance_to(std::min(t, from + pace.slice()));
     pace.took(simulation_->time() - from, watch.seconds());
+    progress.show((simulation_->time() - start) / (t - start), "t = " + brief(simulation_->time()) + " s");
   }
+  progress.clear();
 }
 
 void Session::set(const std::string& assignment) {
@@ -72,32 +74,40 @@ void Session::set(const std::string& assignment) {
   file_ = std::move(file);
 }
 
+std::vector<std::string> Session::names_to_change() const {
+  std::vector<std::string> names = names_to_set(file_);
+  std::erase_if(names, [&](const std::string& name) { return !reason_against(name, file_).empty(); });
+  return names;
+}
+
 void Session::draw_with(const DrawingOptions& options) {
   const Drawing drawing = with_options(drawing_, options);
   plan_drawing(drawing);
   drawing_ = drawing;
 }
 
-View Session::view_now() const { return *fitted(plan_drawing(drawing_), simulation_->snapshot()).view; }
+DrawingPlan Session::look() const { return fitted(plan_drawing(drawing_), simulation_->snapshot()); }
 
 void Session::see(const View& view) { drawing_.view = {view.x_min, view.x_max, view.y_min, view.y_max}; }
 
 void Session::pan(double dx, double dy) {
-  const View now = view_now();
+  const View now = *look().view;
   see({now.x_min + dx, now.x_max + dx, now.y_min + dy, now.y_max + dy});
 }
 
 void Session::zoom(double factor) {
   if (!(factor > 0)) throw UsageError("zoom takes a factor above 0");
-  const View now = view_now();
+  const View now = *look().view;
   const double x = (now.x_min + now.x_max) / 2, y = (now.y_min + now.y_max) / 2;
   const double half_x = (now.x_max - now.x_min) / 2 / factor, half_y = (now.y_max - now.y_min) / 2 / factor;
   see({x - half_x, x + half_x, y - half_y, y + half_y});
 }
 
-void Session::frame(const std::filesystem::path& file) const {
+void Session::frame(const std::filesystem::path& file) const { write_png(picture(look()), file); }
+
+Image Session::picture(const DrawingPlan& plan) const {
   const Captions captions{file_.scene.title, file_.settings.method, file_.scene.until};
-  draw_picture(plan_drawing(drawing_), captions, simulation_->snapshot(), file);
+  return draw_picture(plan, captions, simulation_->snapshot());
 }
 
 void Session::save(const std::filesystem::path& file) const {

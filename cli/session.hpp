@@ -3,10 +3,14 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cli/drawing_options.hpp"
+#include "cli/interrupts.hpp"
+#include "cli/progress.hpp"
 #include "cli/run_options.hpp"
 #include "cli/scene_file.hpp"
+#include "render/image.hpp"
 
 namespace taut {
 
@@ -20,13 +24,15 @@ class Session {
   const SceneFile& file() const { return file_; }
   const Simulation& simulation() const { return *simulation_; }
 
-  /// Both stop early at a Ctrl-C. NumericalError where the simulation diverges.
-  void step(long count);
-  void run_until(double t);
+  /// Both stop early when interrupted. NumericalError where the simulation diverges.
+  void step(long count, const Interrupts& interrupts);
+  void run_until(double t, const Interrupts& interrupts, Progress& progress);
 
   /// `name=value` of what may change while a simulation runs: the step size (cfl) and the method's constants
   /// that no geometry of the start was made from.
   void set(const std::string& assignment);
+  /// The names that `set` takes.
+  std::vector<std::string> names_to_change() const;
 
   /// The drawing options of `run`, as typed.
   void draw_with(const DrawingOptions& options);
@@ -34,15 +40,18 @@ class Session {
   void pan(double dx, double dy);
   /// Shows less of it, larger, about its centre; `factor` > 0, below 1: more.
   void zoom(double factor);
-  /// As a frame of `run` at this time would be, with what is automatic as it suits this moment.
+  /// How a frame looks now, with what is automatic as it suits this moment.
+  DrawingPlan look() const;
+  /// As a frame of `run` at this time would be.
   void frame(const std::filesystem::path& file) const;
+  /// The same as a picture, of the size and with or without the texts that the plan says.
+  Image picture(const DrawingPlan& plan) const;
 
   void save(const std::filesystem::path& file) const;
   /// A state of the same scene and method, which `save` left.
   void load(const std::filesystem::path& file);
 
  private:
-  View view_now() const;
   void see(const View& view);
 
   RunOptions options_;

@@ -10,13 +10,20 @@
 
 namespace taut {
 
+/// What a line of a session works with besides the session.
+struct Dialogue {
+  std::ostream& out;  // for answers
+  const Interrupts& interrupts;
+  Progress& progress;
+};
+
 /// One command of `taut session`.
 struct SessionCommand {
   std::string_view name;
   std::string_view arguments;  // as help shows them
   std::string_view help;
-  /// Answers on `out`. `words` are what stands behind the name.
-  void (*run)(Session& session, const std::vector<std::string>& words, std::ostream& out);
+  /// `words` are what stands behind the name.
+  void (*run)(Session& session, const std::vector<std::string>& words, const Dialogue& to);
 };
 
 /// Every command, in the order in which `help` lists them.
@@ -24,6 +31,6 @@ std::span<const SessionCommand> session_commands();
 
 /// Runs one line. False if it says that the session is over. An empty line, or one that begins with #, is no
 /// command. Throws UsageError for a line that is wrong.
-bool run_session_line(Session& session, const std::string& line, std::ostream& out);
+bool run_session_line(Session& session, const std::string& line, const Dialogue& to);
 
 }  // namespace taut

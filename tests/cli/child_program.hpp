@@ -22,13 +22,15 @@ inline constexpr auto patience =
 /// The program itself, in a process of its own that a signal can be sent to.
 class ChildProgram {
  public:
-  explicit ChildProgram(std::vector<std::string> arguments) {
+  /// It reads the file `input`.
+  explicit ChildProgram(std::vector<std::string> arguments, const std::string& input = "/dev/null") {
     arguments.insert(arguments.begin(), TAUT_BINARY_DIR "/taut");
     std::vector<char*> raw;
     for (std::string& argument : arguments) raw.push_back(argument.data());
     raw.push_back(nullptr);
     posix_spawn_file_actions_t quiet;
     ::posix_spawn_file_actions_init(&quiet);
+    ::posix_spawn_file_actions_addopen(&quiet, STDIN_FILENO, input.c_str(), O_RDONLY, 0);
     ::posix_spawn_file_actions_addopen(&quiet, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     const int error = ::posix_spawn(&process_, raw[0], &quiet, nullptr, raw.data(), environ);
     ::posix_spawn_file_actions_destroy(&quiet);

@@ -103,19 +103,13 @@ TEST_SUITE("cli") {
 
   TEST_CASE("a wrong line is answered with an error and does not end the session") {
     const TemporaryFolder folder;
-    for (const char* wrong : {"stepp",        "step 0",
-                              "step 1.5",     "step a",
-                              "run 3",        "run until x",
-                              "color",        "color foo",
-                              "range 2 1",    "range 1",
-                              "colormap foo", "view",
-                              "view zoom 0",  "view pan 1",
-                              "frame",        "probe foo",
-                              "set",          "set cfl=-1",
-                              "set foo=1",    "save",
-                              "load",         "load nothing",
-                              "info now",     "help foo",
-                              "quit now",     "frame /nowhere/at/all.png"}) {
+    for (const char* wrong : {"stepp",       "step 0",      "step 1.5",     "step a",
+                              "run 3",       "run until x", "color",        "color foo",
+                              "range 2 1",   "range 1",     "colormap foo", "view",
+                              "view zoom 0", "view pan 1",  "frame",        "frame now.toml",
+                              "preview",     "probe foo",   "set",          "set cfl=-1",
+                              "set foo=1",   "save",        "load",         "load nothing",
+                              "info now",    "help foo",    "quit now",     "frame /nowhere/at/all.png"}) {
       CAPTURE(wrong);
       const Outcome outcome = session(folder, std::string(wrong) + "\nstep\n");
       const auto answers = lines(outcome.out);
