@@ -80,7 +80,7 @@ class TerminalProgram {
   }
   /// False when the program has ended, or says nothing for long.
   bool read() {
-    constexpr int patience = 60'000;  // ms
+    constexpr int patience = 20'000;  // ms
     pollfd ready{terminal_, POLLIN, 0};
     if (::poll(&ready, 1, patience) <= 0) return false;
     char text[4096];
