@@ -52,18 +52,9 @@ Choices session_choices(const Session& session, const Words& words) {
   const auto all = session_commands();
   const auto command = std::ranges::find(all, words.front(), &SessionCommand::name);
   if (command == all.end()) return {};
-  const Words given(words.begin() + 1, words.end() - 1);
   Choices result;
   for (const Words& way : ways_to_use(command->arguments)) {
-    // "pan" has no second word where "zoom" stands first
-    const auto fits = [&](std::size_t k) {
-      const Choices here = choices_for(at(way, k), session);
-      return here.words.size() != 1 || here.words.front() == given[k];
-    };
-    bool possible = true;
-    for (std::size_t k = 0; k < given.size(); ++k) possible = possible && fits(k);
-    if (!possible) continue;
-    const Choices here = choices_for(at(way, given.size()), session);
+    const Choices here = choices_for(at(way, words.size() - 2), session);
     result.words.insert(result.words.end(), here.words.begin(), here.words.end());
     if (!here.files.empty()) result.files = here.files;
   }
