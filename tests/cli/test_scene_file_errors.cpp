@@ -141,7 +141,7 @@ TEST_SUITE("cli") {
     check_error("low = [0, 0]", "low = @[0, 1]", {"low.y = 1 must be less than high.y = 1"});
     check_error("color = \"von_mises\"", "range = @[2, 1]", {"range = [2, 1]", "less than"});
     check_error("color = \"von_mises\"", "view = @[0, 1, 1, 1]", {"y_min < y_max"});
-    check_error("color = \"von_mises\"", "size = @[100, 0]", {"1 to 16384"});
+    check_error("color = \"von_mises\"", "size = @[100, 63]", {"64 to 8192"});
     check_error("color = \"von_mises\"", "frames = @1.5", {"frames = 1.5 must be a whole number from 1"});
   }
 

@@ -241,7 +241,7 @@ TEST_SUITE("unit") {
                     .range = {{0.1, 1.0 / 3}},
                     .colormap = "",
                     .view = {},
-                    .size = {64, 48},
+                    .size = {96, 64},
                     .frames = 7};
     file.history = 0.25;
     file.resolved = resolved_text(file);
