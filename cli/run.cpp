@@ -295,7 +295,8 @@ void Run::save(RunRecord::Status status) {
   since_saved_ = {};
   record_.status = status;
   record_.conservation = drift_.conservation(exchanges_momentum_);
-  record_.measures = measure(plan_.file.scene, simulation_->series(), record_.material_law, lines_.samples());
+  record_.measures = measure(plan_.file.scene, simulation_->series(), record_.material_law, lines_.samples(),
+                             &simulation_->snapshot());
   if (frames_) result_.frames = frames_->written();
   if (particles_) particles_->save_index();
   write_whole(plan_.folder.record(), to_json(record_).dump(2) + "\n");

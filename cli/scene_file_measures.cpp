@@ -4,6 +4,7 @@
 
 #include "cli/scene_file_parts.hpp"
 #include "cli/text.hpp"
+#include "engine/field.hpp"
 
 namespace taut {
 namespace {
@@ -32,6 +33,7 @@ struct MeasureKind {
   Measure::Kind kind;
   bool threshold, scale, free;
   std::size_t probes = 1;
+  bool line = false, fields = false;  // what is measured in the place of probes
 };
 constexpr std::array measure_kinds{
     MeasureKind{"period", Measure::Kind::period, false, false, false},
@@ -45,7 +47,10 @@ constexpr std::array measure_kinds{
     MeasureKind{"final_ratio", Measure::Kind::final_ratio, true, true, true},
     MeasureKind{"path_error", Measure::Kind::path_error, false, true, false, 2},
     MeasureKind{"turn", Measure::Kind::turn, false, false, false, 2},
-    MeasureKind{"line_rmse", Measure::Kind::line_rmse, false, false, false, 0},
+    MeasureKind{"line_rmse", Measure::Kind::line_rmse, false, false, false, 0, true},
+    MeasureKind{"at_rest", Measure::Kind::at_rest, false, false, false},
+    MeasureKind{"field_rmse", Measure::Kind::field_rmse, false, false, false, 0, false, true},
+    MeasureKind{"field_error", Measure::Kind::field_error, false, false, false, 0, false, true},
 };
 
 std::vector<int> probe_bodies(TomlCursor& cursor, int number, const Scene& scene) {
@@ -93,11 +98,39 @@ std::string known_line(TomlCursor& cursor, const Scene& scene) {
   return name;
 }
 
+/// `fields = ["displacement_x", "displacement_y"]`
+std::vector<std::string> known_fields(TomlCursor& cursor, int dim) {
+  const TomlValue& value = cursor.need("fields");
+  if (value.kind != TomlValue::Kind::array || value.items.empty() ||
+      value.items.size() > static_cast<std::size_t>(dim))
+    cursor.fail(value, "fields",
+                "fields must be an array of 1 to " + std::to_string(dim) +
+                    " names of fields: the components of a vector");
+  std::vector<std::string> fields;
+  for (const TomlValue& item : value.items) {
+    fields.push_back(cursor.text_of(item, "fields"));
+    if (!find_field(fields.back()))
+      cursor.fail_unknown(item, "fields", "field", fields.back(), names_of_fields());
+  }
+  return fields;
+}
+
+/// Only a displacement has a rigid motion.
+bool is_rigid_motion_free(TomlCursor& cursor, const Measure& measure) {
+  if (!cursor.find("rigid_motion")) cursor.table().set("rigid_motion", TomlValue(std::string("counts")));
+  if (cursor.choice("rigid_motion", {"counts", "free"}) == "counts") return false;
+  if (measure.fields != std::vector<std::string>{"displacement_x", "displacement_y"})
+    cursor.fail(cursor.need("rigid_motion"), "rigid_motion",
+                "rigid_motion is free in fields = [\"displacement_x\", \"displacement_y\"] only");
+  return true;
+}
+
 /// The body that a measure looks at first.
 const Body& measured_body(const Measure& measure, const Scene& scene) {
-  const int body = measure.probes.empty()
-                       ? scene.lines[index_of(scene.lines, measure.line)].body
-                       : scene.probes[index_of(scene.probes, measure.probes.front())].bodies.front();
+  int body = measure.body;
+  if (!measure.line.empty()) body = scene.lines[index_of(scene.lines, measure.line)].body;
+  if (!measure.probes.empty())
+    body = scene.probes[index_of(scene.probes, measure.probes.front())].bodies.front();
   return scene.bodies[static_cast<std::size_t>(body)];
 }
 
@@ -120,10 +153,13 @@ Measure read_measure(TomlCursor& cursor, const Scene& scene) {
   const MeasureKind& kind =
       measure_kinds[index_of(measure_kinds, cursor.choice("of", names_of(measure_kinds)))];
   measure.kind = kind.kind;
-  if (kind.probes > 0)
-    measure.probes = measured_probes(cursor, kind, scene);
-  else
-    measure.line = known_line(cursor, scene);
+  if (kind.probes > 0) measure.probes = measured_probes(cursor, kind, scene);
+  if (kind.line) measure.line = known_line(cursor, scene);
+  if (kind.fields) {
+    measure.body = body_index(cursor, cursor.need("body"), "body", scene);
+    measure.fields = known_fields(cursor, scene.dim);
+    measure.rigid_motion_free = is_rigid_motion_free(cursor, measure);
+  }
   measure.unit = cursor.text("unit", "");
   const int material = measured_body(measure, scene).material;
   add_names(cursor.names(), scene.materials[static_cast<std::size_t>(material)]);

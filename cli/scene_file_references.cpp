@@ -5,6 +5,7 @@
 
 #include "cli/scene_file_parts.hpp"
 #include "cli/text.hpp"
+#include "engine/method_info.hpp"
 
 namespace taut {
 namespace {
@@ -88,10 +89,12 @@ const Measure& table_measure(TomlCursor& cursor, const TomlEntry& entry, const S
 const Measure& solution_measure(TomlCursor& cursor, const TomlEntry& entry, const Scene& scene) {
   using enum Measure::Kind;
   const Measure& measure = known_measure(cursor, entry, scene);
-  if (!is_one_of(measure.kind, {rmse, path_error, turn, line_rmse}))
-    cursor.fail(entry.place, entry.key,
-                "the measure '" + entry.key +
-                    "' takes no solution; only one of rmse, path_error, turn or line_rmse does");
+  if (!is_one_of(measure.kind, {rmse, path_error, turn, line_rmse, at_rest, field_rmse, field_error}))
+    cursor.fail(
+        entry.place, entry.key,
+        "the measure '" + entry.key +
+            "' takes no solution; only one of rmse, path_error, turn, line_rmse, at_rest, field_rmse or "
+            "field_error does");
   return measure;
 }
 
@@ -134,25 +137,49 @@ std::map<std::string, ReferenceTable> read_tables(TomlCursor& reference, const S
   return tables;
 }
 
-/// An expression of t (of a line: of its place x, y too), or an array of them for a measure of several
-/// probes.
+/// An expression of t (of a line or fields: of the place x, y too), or an array of them for a measure of
+/// several probes or fields.
 std::map<std::string, std::vector<Solution>> read_solutions(TomlCursor& reference, const Scene& scene) {
   std::map<std::string, std::vector<Solution>> solutions;
   TomlValue* table = reference.find("solutions");
   if (!table) return solutions;
   TomlCursor cursor = reference.enter(*table, "solutions", "'solutions' of " + reference.what());
   for (const TomlEntry& entry : cursor.table().entries) {
-    const std::size_t number = std::max<std::size_t>(1, solution_measure(cursor, entry, scene).probes.size());
+    const Measure& measure = solution_measure(cursor, entry, scene);
+    const std::size_t number = std::max({std::size_t{1}, measure.probes.size(), measure.fields.size()});
     const bool several = entry.value.kind == TomlValue::Kind::array;
     if (number != (several ? entry.value.items.size() : 1))
       cursor.fail(entry.value, entry.key,
                   "the measure '" + entry.key + "' follows " + std::to_string(number) +
-                      " probes: write an array of as many expressions of t");
+                      (measure.fields.empty() ? " probes" : " fields") +
+                      ": write an array of as many expressions of t");
     const std::span<const TomlValue> items =
         several ? std::span<const TomlValue>(entry.value.items) : std::span(&entry.value, 1);
     for (const TomlValue& item : items) solutions[entry.key].push_back(cursor.solution(item, entry.key));
   }
   return solutions;
+}
+
+/// `methods = ["icb"]`: a reference for the law of these methods alone.
+bool is_for(TomlCursor& reference, const std::string& method) {
+  const TomlValue* value = reference.find("methods");
+  if (!value) return true;
+  if (value->kind != TomlValue::Kind::array)
+    reference.fail(*value, "methods", "methods must be an array of names of methods");
+  bool named = false;
+  for (const TomlValue& item : value->items) {
+    const std::string name = reference.text_of(item, "methods");
+    if (!find_method(name)) reference.fail_unknown(item, "methods", "method", name, names_of(methods()));
+    named |= name == method;
+  }
+  return named;
+}
+
+/// Of several references that hold, one for the method counts before one for any, and then one made for these
+/// very parameters before one whose solutions hold for any.
+int precedence(TomlCursor& reference) {
+  const bool for_any = reference.find("solutions") && !reference.find("values") && !reference.find("tables");
+  return 2 * (reference.find("methods") != nullptr) + !for_any;
 }
 
 /// A measure is compared with one thing.
@@ -166,6 +193,7 @@ void refuse_second_curve(TomlCursor& cursor, const TomlValue& value, const Refer
 }  // namespace
 
 void read_references(TomlCursor& root, SceneFile& file) {
+  std::map<std::string, int> taken;  // precedence of each law's reference
   for (TomlValue& value : root.list("reference")) {
     TomlCursor cursor = root.enter(value, "reference", "a reference");
     const std::string law = cursor.choice("law", laws);
@@ -175,12 +203,19 @@ void read_references(TomlCursor& root, SceneFile& file) {
                               .table = read_tables(cursor, file),
                               .solution = read_solutions(cursor, file.scene)};
     refuse_second_curve(cursor, value, reference);
-    const bool applies = holds(cursor, file.parameters);
+    const bool for_parameters = holds(cursor, file.parameters);
+    const bool applies = is_for(cursor, file.settings.method) && for_parameters;
     cursor.finish();
-    if (applies && !file.scene.references.emplace(law, reference).second)
+    if (!applies) continue;
+    const int rank = precedence(cursor);
+    const auto before = taken.find(law);
+    if (before != taken.end() && before->second == rank)
       cursor.fail(
           value, "law",
           "two references of the law '" + law + "' hold for these parameters; tell them apart with 'when'");
+    if (before != taken.end() && before->second > rank) continue;
+    taken[law] = rank;
+    file.scene.references[law] = reference;
   }
 }
 

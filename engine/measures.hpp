@@ -19,9 +19,9 @@ struct MeasureResult {
   std::optional<double> error;      // |value − reference| / |reference|; where the reference is 0, |value|
 };
 
-/// Every measure of the scene from the series and the samples of `lines` recorded so far, against the
-/// reference of material `law`. Between steps a series is a straight line (first_peak and decay: a parabola
-/// through three steps); what follows a value that is not finite is left out.
+/// Every measure of the scene from the series and the samples of `lines` recorded so far and the present
+/// state, against the reference of material `law`. Between steps a series is a straight line (first_peak and
+/// decay: a parabola through three steps); what follows a value that is not finite is left out.
 ///
 ///   period, first_peak, decay  a half cycle lies between two crossings of zero; one that only touches zero
 ///                              goes on, and one that has not ended yet does not count. A peak keeps its
@@ -39,6 +39,15 @@ struct MeasureResult {
 ///   turn                       angle of the point (x, y) of two probes about the origin from the start to
 ///                              `until`, whole turns counted; none before. Its reference is the turn of the
 ///                              reference's path up to `until`.
+///   at_rest                    the value at the end of the run; none before, and where the series still
+///   moved
+///                              by more than a thousandth of its greatest size in the last tenth. Its
+///                              reference may be a solution, at `until`.
+///   field_rmse, field_error    √ of the mean, or the greatest, of |field − reference| over all particles
+///   that
+///                              are not held, in their places at the start, over the greatest |reference| of
+///                              them; none before the end of the run, of which `now` is the state. Their
+///                              reference is 0.
 ///   minimum, maximum           none while the series ends at its extreme, which may then still be ahead;
 ///                              mirror_asymmetry is a fault that grows, so there the extreme so far counts.
 ///   final_ratio                none while `free` ends ≤ threshold (in touch), and if it never was (no
@@ -46,6 +55,7 @@ struct MeasureResult {
 ///
 /// Throws SceneError for a measure of a probe that does not exist.
 std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std::string_view law,
-                                   const std::vector<std::vector<LineSample>>& lines = {});
+                                   const std::vector<std::vector<LineSample>>& lines = {},
+                                   const Snapshot* now = nullptr);
 
 }  // namespace taut

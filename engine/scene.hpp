@@ -140,11 +140,18 @@ struct Measure {
     path_error,   // greatest distance of a point from the reference's curve at the same time, over `scale`
     line_rmse,    // root mean square difference of a line from the reference's solution, all points and times
     turn,         // angle a point has turned by about the origin, counter-clockwise, rad
+    at_rest,      // value that the series has come to rest at
+    field_rmse,  // root mean square difference of fields from the reference's solution at the end of the run,
+                 // all free particles of a body, over the greatest of the solution
+    field_error,  // the greatest difference instead
   };
   std::string name;
   Kind kind{};
-  std::vector<std::string> probes;  // one; path_error, turn: two, the point's x and y; line_rmse: none
+  std::vector<std::string> probes;  // one; path_error, turn: two, the point's x and y; line_*, field_*: none
   std::string line;                 // line_rmse
+  int body = 0;                     // field_rmse, field_error: index into Scene::bodies
+  std::vector<std::string> fields;  // the same: keys of the components of what is compared
+  bool rigid_motion_free = false;   // the same, of displacements: loads leave a small rigid motion open
   std::string unit;
   double threshold = 0;
   double scale = 1;
@@ -163,7 +170,7 @@ struct Reference {
   std::map<std::string, double> value{};  // measure → value in the measure's unit
   std::map<std::string, ReferenceTable> table{};
   std::map<std::string, std::vector<Solution>>
-      solution{};  // measure → exact solution, [probe] or of the line
+      solution{};  // measure → exact solution, [probe], of the line or [field]
 };
 
 /// What is simulated. Plain data: every expression of a scene file has been evaluated or bound.

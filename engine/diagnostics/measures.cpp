@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/diagnostics/curve.hpp"
+#include "engine/diagnostics/field_error.hpp"
 #include "engine/error.hpp"
 
 namespace taut {
@@ -30,9 +31,10 @@ struct ReferenceCurves {
 struct Source {
   std::vector<Curve> curve;                          // of each probe
   std::optional<Curve> free;                         // final_ratio
-  ReferenceCurves reference;                         // rmse, path_error, turn, line_rmse
+  ReferenceCurves reference;                         // of measures that are compared with one
   const Line* line = nullptr;                        // line_rmse
   const std::vector<LineSample>* samples = nullptr;  // of the line
+  const Snapshot* now = nullptr;                     // field_rmse, field_error
   double until = 0;                                  // s
   bool turns = true;                                 // an extreme at the end is not the last word
 };
@@ -151,8 +153,29 @@ Value line_rmse(const Source& source) {
   return std::sqrt(sum / (static_cast<double>(line.points) * static_cast<double>(line.times.size())));
 }
 
+Value at_rest(const Curve& curve, double until) {
+  constexpr double last = 0.1, still = 1e-3;  // of the run, of the greatest size of the series
+  if (curve.t.back() < until) return std::nullopt;
+  double size = 0, low = curve.y.back(), high = low;
+  for (std::size_t k = 0; k < curve.size(); ++k) {
+    size = std::max(size, std::abs(curve.y[k]));
+    if (curve.t[k] < (1 - last) * until) continue;
+    low = std::min(low, curve.y[k]);
+    high = std::max(high, curve.y[k]);
+  }
+  return high - low <= still * size ? Value(curve.y.back()) : std::nullopt;
+}
+
+Value field_difference(const Measure& measure, const Source& source) {
+  if (!source.reference.exact || !source.now || source.now->time < source.until) return std::nullopt;
+  const auto error = field_error(measure, *source.now, *source.reference.exact);
+  if (!error) return std::nullopt;
+  return measure.kind == Measure::Kind::field_rmse ? error->rms : error->greatest;
+}
+
 Value value_of(const Measure& measure, const Source& source) {
   if (measure.kind == Measure::Kind::line_rmse) return line_rmse(source);
+  if (!measure.fields.empty()) return field_difference(measure, source);
   if (std::ranges::any_of(source.curve, [](const Curve& c) { return c.size() == 0; })) return std::nullopt;
   const Curve& curve = source.curve.front();
   switch (measure.kind) {
@@ -178,7 +201,11 @@ Value value_of(const Measure& measure, const Source& source) {
       return path_error(source, measure.scale);
     case Measure::Kind::turn:
       return turn(source.curve, source.until);
+    case Measure::Kind::at_rest:
+      return at_rest(curve, source.until);
     case Measure::Kind::line_rmse:
+    case Measure::Kind::field_rmse:
+    case Measure::Kind::field_error:
       break;
   }
   return std::nullopt;
@@ -238,10 +265,13 @@ Value reference_value(const Measure& measure, const Source& source, const Refere
     case Measure::Kind::rmse:
     case Measure::Kind::path_error:
     case Measure::Kind::line_rmse:
+    case Measure::Kind::field_rmse:
+    case Measure::Kind::field_error:
       return source.reference.empty() ? std::nullopt : Value(0);
     case Measure::Kind::turn:
       return reference_turn(source);
     default: {
+      if (source.reference.exact) return source.reference.at(0, source.until);
       const double* value = find_or_null(reference->value, measure.name);
       return value == nullptr ? std::nullopt : Value(*value);
     }
@@ -257,14 +287,15 @@ Value error_of(const Value& value, const Value& reference) {
 }  // namespace
 
 std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std::string_view law,
-                                   const Samples& lines) {
+                                   const Samples& lines, const Snapshot* now) {
   const Reference* reference = find_or_null(scene.references, std::string(law));
   std::vector<MeasureResult> results;
   for (const Measure& each : scene.measures) {
     MeasureResult result;
     result.name = each.name;
     result.unit = each.unit;
-    const Source source = source_of(each, scene, series, lines, reference);
+    Source source = source_of(each, scene, series, lines, reference);
+    source.now = now;
     result.value = value_of(each, source);
     result.reference = reference_value(each, source, reference);
     if (result.reference) result.reference_name = reference->name;

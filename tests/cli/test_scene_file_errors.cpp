@@ -198,7 +198,8 @@ TEST_SUITE("cli") {
                 "[[measure]]\nname = \"peak\"\nof = \"turn\"\n@probe",
                 {"'probes' is missing", "there is 'probe'"});
     check_error("values = { peak = 3 }", "solutions = { @peak = \"t\" }",
-                {"takes no solution; only one of rmse, path_error, turn or line_rmse"});
+                {"takes no solution; only one of rmse, path_error, turn, line_rmse, at_rest, field_rmse or "
+                 "field_error"});
     check_error("values = { peak = 3 }", "let = { @t = 1 }", {"the name 't' has a meaning already"});
     check_error("values = { peak = 3 }", "let = { @v0 = 1 }", {"'v0' stands for a parameter already"});
     check_error("values = { peak = 3 }", "let = { a = \"@q + 1\" }", {"unknown name 'q'"});
@@ -274,6 +275,26 @@ TEST_SUITE("cli") {
     const std::string measured = "of = \"line_rmse\"\nline = ";
     check_error("of = \"maximum\"\nprobe = \"tip\"", measured + "@\"cut\"",
                 {"unknown line 'cut'", "there is none"});
+  }
+
+  TEST_CASE("scene: measures of fields") {
+    const auto bad = [](const std::string& keys, std::initializer_list<const char*> parts) {
+      check_error(
+          "unit = \"m\"\n[[reference]]",
+          "unit = \"m\"\n[[measure]]\nname = \"field\"\nof = \"field_rmse\"\n" + keys + "\n[[reference]]",
+          parts);
+    };
+    bad("body = @\"blok\"\nfields = [\"pressure\"]", {"unknown body 'blok'", "'block'"});
+    bad("body = \"block\"\nfields = [@\"presure\"]", {"unknown field 'presure'", "'pressure'"});
+    bad("body = \"block\"\nfields = @[]", {"fields must be an array of 1 to 2 names"});
+    bad("body = \"block\"\nfields = @\"pressure\"", {"fields must be an array"});
+    bad("body = \"block\"\nfields = [\"pressure\"]\nrigid_motion = @\"fre\"", {"'fre'", "free"});
+    bad("body = \"block\"\nfields = [\"pressure\"]\nrigid_motion = @\"free\"", {"displacement_x"});
+    bad("body = \"block\"\nfields = [\"pressure\"]\n@probe = \"tip\"", {"unknown key 'probe'"});
+    check_error("values = { peak = 3 }\n", "values = { peak = 3 }\nmethods = [@\"ibc\"]\n",
+                {"unknown method 'ibc'", "'icb'"});
+    check_error("values = { peak = 3 }\n", "values = { peak = 3 }\nmethods = @\"icb\"\n",
+                {"methods must be an array"});
   }
 
   TEST_CASE("overrides: unknown names") {

@@ -318,6 +318,21 @@ TEST_SUITE("unit") {
     CHECK_FALSE(result(scene, Series{t, {speed, {1, 0.1, 1}}}).value);
   }
 
+  TEST_CASE("at_rest: the value at the end, none before it nor while the series still moves") {
+    const auto damped = [](double rate) {
+      return sampled(unequal_times(1, 1e-3), [=](double t) { return -3 * (1 - std::exp(-rate * t)); });
+    };
+    Scene scene = scene_of(Kind::at_rest);
+    scene.until = damped(8).time.back();
+    expect(result(scene, damped(8)).value, -3, 5e-4);  // e⁻⁸ = 3e-4; moves by 4e-4 in the last tenth
+    CHECK_FALSE(result(scene, damped(6)).value);       // by 2e-3
+    CHECK_FALSE(result(scene, Series{{0, 0.5, 0.9}, {{0, 1, 1}}}).value);
+    expect(result(scene, Series{{0, 0.5, scene.until}, {{0, 1, 1}}}).value, 1);
+    scene.references["neo_hookean"].name = "exact";
+    scene.references["neo_hookean"].solution["number"] = {[](const Point&, double t) { return -2 * t; }};
+    expect(result(scene, damped(8)).reference, -2 * scene.until);
+  }
+
   TEST_CASE("measure: a reference of its own law gives a relative error, absolute where it is 0") {
     Scene scene = scene_of(Kind::maximum);
     scene.references["neo_hookean"] = {"finite elements", {{"number", -8}}, {}, {}};

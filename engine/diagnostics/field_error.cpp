@@ -1,0 +1,90 @@
+#include "engine/diagnostics/field_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/error.hpp"
+#include "engine/field.hpp"
+
+namespace taut {
+namespace {
+
+std::vector<const Field*> fields_of(const Measure& measure) {
+  std::vector<const Field*> found;
+  for (const std::string& key : measure.fields) {
+    found.push_back(find_field(key));
+    if (found.back() == nullptr)
+      throw SceneError("measure." + measure.name + ".fields", "there is no field '" + key + "'");
+  }
+  return found;
+}
+
+Point place_at_start(const Snapshot& now, std::size_t i) {
+  Point place{};
+  const auto dim = static_cast<std::size_t>(now.dim);
+  for (std::size_t k = 0; k < dim; ++k) place[k] = now.x0[dim * i + k];
+  return place;
+}
+
+/// What is compared, at one particle.
+struct Site {
+  Point X{};           // at the start, m
+  Point difference{};  // field − exact, component by component
+  double mass = 0;
+};
+
+/// Takes the small motion t + ω × X of least Σ m |difference|² off, in 2D.
+void take_rigid_motion_off(std::vector<Site>& sites) {
+  double mass = 0;
+  Point centre{}, mean{};
+  for (const Site& site : sites) {
+    mass += site.mass;
+    for (std::size_t k = 0; k < 2; ++k) {
+      centre[k] += site.mass * site.X[k];
+      mean[k] += site.mass * site.difference[k];
+    }
+  }
+  double moment = 0, inertia = 0;
+  for (std::size_t k = 0; k < 2; ++k) centre[k] /= mass, mean[k] /= mass;
+  for (const Site& site : sites) {
+    const double x = site.X[0] - centre[0], y = site.X[1] - centre[1];
+    moment += site.mass * (x * site.difference[1] - y * site.difference[0]);
+    inertia += site.mass * (x * x + y * y);
+  }
+  const double angle = inertia > 0 ? moment / inertia : 0;
+  for (Site& site : sites) {
+    site.difference[0] -= mean[0] - angle * (site.X[1] - centre[1]);
+    site.difference[1] -= mean[1] + angle * (site.X[0] - centre[0]);
+  }
+}
+
+double squared(const Point& a) { return a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; }
+
+}  // namespace
+
+std::optional<FieldError> field_error(const Measure& measure, const Snapshot& now,
+                                      const std::vector<Solution>& exact) {
+  const std::vector<const Field*> fields = fields_of(measure);
+  std::vector<Site> sites;
+  double scale = 0, sum = 0, greatest = 0;  // squares
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (now.body[i] != measure.body || now.held[i]) continue;
+    Site site{place_at_start(now, i), {}, now.m[i]};
+    Point should{};
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+      should[k] = exact[k](site.X, now.time);
+      site.difference[k] = fields[k]->value(now, i) - should[k];
+    }
+    scale = std::max(scale, squared(should));
+    sites.push_back(site);
+  }
+  if (!(scale > 0)) return std::nullopt;
+  if (measure.rigid_motion_free) take_rigid_motion_off(sites);
+  for (const Site& site : sites) {
+    sum += squared(site.difference);
+    greatest = std::max(greatest, squared(site.difference));
+  }
+  return FieldError{std::sqrt(sum / static_cast<double>(sites.size()) / scale), std::sqrt(greatest / scale)};
+}
+
+}  // namespace taut

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/scene.hpp"
+#include "engine/simulation.hpp"
+
+namespace taut {
+
+/// How far fields of a body are from an exact solution, over the greatest size of the solution.
+struct FieldError {
+  double rms = 0;       // √ of the mean over the particles of |field − exact|²
+  double greatest = 0;  // |field − exact|
+};
+
+/// Of the measure's body and fields, components of one vector, at particles that are not held; `exact` has
+/// one function of the place at the start and the time for each field. Where rigid motion is free, the small
+/// one u = t + ω × X nearest to the difference is taken off it first. None where the solution is 0
+/// everywhere. Throws SceneError for a field that does not exist.
+std::optional<FieldError> field_error(const Measure& measure, const Snapshot& now,
+                                      const std::vector<Solution>& exact);
+
+}  // namespace taut
