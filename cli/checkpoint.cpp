@@ -2,8 +2,6 @@
 
 #include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 #include <zlib.h>
 
@@ -21,12 +19,6 @@ std::uint32_t checksum(std::string_view bytes) {
   return static_cast<std::uint32_t>(::crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw UsageError("there is no checkpoint '" + path.string() + "', or it cannot be read");
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 }  // namespace
 
 std::string program_version() { return TAUT_VERSION; }
@@ -42,11 +34,12 @@ void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint, 
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& path) {
-  const std::string bytes = bytes_of(path);
+  const std::optional<std::string> bytes = read_whole(path);
+  if (!bytes) throw UsageError("there is no checkpoint '" + path.string() + "', or it cannot be read");
   const auto refuse = [&](const std::string& reason) {
     return UsageError("'" + path.string() + "' " + reason);
   };
-  std::string_view rest = bytes;
+  std::string_view rest = *bytes;
   if (!rest.starts_with(kind)) throw refuse("is not a checkpoint of taut");
   std::uint32_t sum = 0;
   if (rest.size() < kind.size() + sizeof sum) throw refuse("is cut short");

@@ -46,6 +46,8 @@ int diff_folders(const Options& options, std::ostream& out) {
 }
 
 int diff(const Options& options, std::ostream& out) {
+  for (const std::string& name : {options.a, options.b})
+    if (!fs::exists(name)) throw UsageError("there is no image or folder '" + name + "'");
   const bool folder_a = fs::is_directory(options.a);
   if (folder_a != fs::is_directory(options.b))
     throw UsageError("'" + (folder_a ? options.a : options.b) + "' is a folder and '" +

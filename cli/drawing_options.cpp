@@ -1,11 +1,11 @@
 #include "cli/drawing_options.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include <CLI/CLI.hpp>
 
+#include "cli/text.hpp"
 #include "cli/unknown_name.hpp"
 #include "engine/error.hpp"
 
@@ -14,21 +14,13 @@ namespace {
 
 constexpr std::string_view automatic = "auto";
 
-template <class Number>
-std::optional<Number> number(std::string_view text) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 /// Exactly `Count` numbers with `between` between them.
 template <class Number, std::size_t Count>
 std::optional<std::array<Number, Count>> numbers(std::string_view text, char between) {
   std::array<Number, Count> values{};
   for (std::size_t k = 0; k < Count; ++k) {
     const std::size_t end = k + 1 < Count ? text.find(between) : text.size();
-    const auto value = end == std::string_view::npos ? std::nullopt : number<Number>(text.substr(0, end));
+    const auto value = end == std::string_view::npos ? std::nullopt : parsed<Number>(text.substr(0, end));
     if (!value) return std::nullopt;
     values[k] = *value;
     text.remove_prefix(std::min(end + 1, text.size()));

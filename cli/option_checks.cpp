@@ -1,39 +1,29 @@
 #include "cli/option_checks.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <optional>
 
+#include "cli/text.hpp"
+
 namespace taut {
-namespace {
-
-template <class Number>
-std::optional<Number> parse(const std::string& text) {
-  Number value{};
-  const char* last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), last, value);
-  return error == std::errc() && end == last ? std::optional(value) : std::nullopt;
-}
-
-}  // namespace
 
 std::string positive_number(const std::string& text) {
-  const auto value = parse<double>(text);
+  const auto value = parsed<double>(text);
   return value && std::isfinite(*value) && *value > 0 ? "" : "'" + text + "' is not a number above 0";
 }
 
 std::string not_negative_number(const std::string& text) {
-  const auto value = parse<double>(text);
+  const auto value = parsed<double>(text);
   return value && std::isfinite(*value) && *value >= 0 ? "" : "'" + text + "' is not a number of at least 0";
 }
 
 std::string positive_whole_number(const std::string& text) {
-  const auto value = parse<int>(text);
+  const auto value = parsed<int>(text);
   return value && *value > 0 ? "" : "'" + text + "' is not a whole number of at least 1";
 }
 
 std::string whole_number(const std::string& text) {
-  const auto value = parse<int>(text);
+  const auto value = parsed<int>(text);
   return value && *value >= 0 ? "" : "'" + text + "' is not a whole number of at least 0";
 }
 

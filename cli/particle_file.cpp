@@ -1,7 +1,6 @@
 #include "cli/particle_file.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <numeric>
 #include <optional>
@@ -76,10 +75,7 @@ std::optional<std::string_view> value_of(std::string_view tag, std::string_view 
 
 template <class Number>
 std::optional<Number> number(std::optional<std::string_view> text) {
-  Number value{};
-  if (!text) return std::nullopt;
-  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
-  return error == std::errc() && end == text->data() + text->size() ? std::optional(value) : std::nullopt;
+  return text ? parsed<Number>(*text) : std::nullopt;
 }
 
 /// The tags of an XML text, each with the text behind it.

@@ -1,12 +1,10 @@
 #include "cli/resume.hpp"
 
-#include <fstream>
-#include <iterator>
-
 #include <nlohmann/json.hpp>
 
 #include "cli/checkpoint.hpp"
 #include "cli/run_options.hpp"
+#include "cli/whole_file.hpp"
 #include "engine/error.hpp"
 
 namespace fs = std::filesystem;
@@ -14,14 +12,11 @@ namespace fs = std::filesystem;
 namespace taut {
 namespace {
 
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-bool is_finished(const RunFolder& folder) {
-  const auto record = nlohmann::json::parse(text_of(folder.record()), nullptr, /*allow_exceptions=*/false);
-  return record.is_object() && record.value("status", "") == "finished";
+/// "finished", "failed", ...; empty where run.json does not say.
+std::string status_of(const RunFolder& folder) {
+  const auto record = nlohmann::json::parse(read_whole(folder.record()).value_or(""), nullptr,
+                                            /*allow_exceptions=*/false);
+  return record.is_object() ? record.value("status", "") : "";
 }
 
 void check_there_is_one(const RunFolder& folder) {
@@ -30,7 +25,10 @@ void check_there_is_one(const RunFolder& folder) {
   if (!fs::exists(folder.scene(), error))
     throw UsageError(name + " is not the folder of a run; `taut run` leaves one");
   if (fs::exists(folder.checkpoint(), error)) return;
-  if (is_finished(folder)) throw UsageError("the run in " + name + " is finished: nothing is left of it");
+  const std::string status = status_of(folder);
+  if (status == "finished" || status == "failed")
+    throw UsageError("the run in " + name + (status == "failed" ? " has failed" : " is finished") +
+                     ": nothing is left to do");
   throw UsageError(
       name +
       " holds no checkpoint: the run was started without --checkpoint-every, or ended before the "
@@ -43,7 +41,7 @@ void check_same_scene(const Checkpoint& checkpoint, const RunFolder& folder, con
   if (const std::string& method = plan.file.settings.method; checkpoint.method != method)
     throw UsageError(name + " is of a run with method '" + checkpoint.method + "'; " +
                      folder.scene().string() + " has '" + method + "'");
-  if (checkpoint.scene != text_of(folder.scene()))
+  if (checkpoint.scene != read_whole(folder.scene()))
     throw UsageError(name + " is of another scene than " + folder.scene().string() +
                      ", or that was changed since");
 }

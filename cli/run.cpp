@@ -109,7 +109,8 @@ RunResult Run::execute() {
     save(status);  // the drawing of frames that were kept takes time, and may be interrupted as well
     const bool all_drawn = draw_the_rest();
     save(status == RunRecord::Status::finished && !all_drawn ? RunRecord::Status::interrupted : status);
-    if (record_.status == RunRecord::Status::finished) plan_.folder.clear_checkpoint();
+    // a diverged run has come to its end as well
+    if (all_drawn && record_.status != RunRecord::Status::interrupted) plan_.folder.clear_checkpoint();
   } catch (const OutputError&) {
     save_what_can_be_saved();
     throw;

@@ -1,4 +1,3 @@
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -47,11 +46,9 @@ struct Rows {
     if (column >= row.size())
       fail("the row has " + std::to_string(row.size()) + " columns, fewer than the head");
     const std::string& cell = row[column];
-    double value = 0;
-    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
-      fail("'" + cell + "' is not a finite number");
-    return value;
+    const auto value = parsed<double>(cell);
+    if (!value || !std::isfinite(*value)) fail("'" + cell + "' is not a finite number");
+    return *value;
   }
 };
 

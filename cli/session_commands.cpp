@@ -1,7 +1,6 @@
 #include "cli/session_commands.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <iomanip>
 #include <ostream>
@@ -33,11 +32,9 @@ std::string usage(const SessionCommand& command) {
 [[noreturn]] void wrong_words(const char* name) { throw UsageError("usage: " + usage(find_command(name))); }
 
 double number(const std::string& word) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
-    throw UsageError("'" + word + "' is not a number");
-  return value;
+  const auto value = parsed<double>(word);
+  if (!value || !std::isfinite(*value)) throw UsageError("'" + word + "' is not a number");
+  return *value;
 }
 
 void say_time(const Session& session, const Dialogue& to) {

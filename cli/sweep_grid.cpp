@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <set>
@@ -100,10 +99,8 @@ std::string joined(const GridRow& row, std::string_view between) {
 
 std::string canonical_value(const std::string& text) {
   std::string plain = trimmed(text);
-  double value = 0;
-  const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
-  const bool is_number = error == std::errc() && end == plain.data() + plain.size() && std::isfinite(value);
-  return is_number ? exact(value) : plain;
+  const auto value = parsed<double>(plain);
+  return value && std::isfinite(*value) ? exact(*value) : plain;
 }
 
 std::vector<std::string> parse_values(const std::string& text) {

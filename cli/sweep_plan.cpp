@@ -2,21 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <set>
 
+#include "cli/whole_file.hpp"
 #include "engine/error.hpp"
 
 namespace taut {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of_file(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 std::string text_in(const nlohmann::ordered_json& object, const char* key) {
   const auto found = object.find(key);
@@ -143,11 +137,11 @@ void SweepRun::forget() {
 void SweepRun::look() {
   forget();
   const RunFolder files(*options.out);
-  auto found = nlohmann::ordered_json::parse(text_of_file(files.record()), nullptr,
+  auto found = nlohmann::ordered_json::parse(read_whole(files.record()).value_or(""), nullptr,
                                              /*allow_exceptions=*/false);
   if (!found.is_object()) return;
   const std::string status = text_in(found, "status");
-  const bool same = text_in(found, "taut") == TAUT_VERSION && text_of_file(files.scene()) == scene;
+  const bool same = text_in(found, "taut") == TAUT_VERSION && read_whole(files.scene()) == scene;
   // a run that failed without diverging could not write its files
   const bool ended = status == "finished" || (status == "failed" && text_in(found, "verdict") == "diverged");
   std::error_code error;

@@ -1,11 +1,22 @@
 #pragma once
 
+#include <charconv>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace taut {
+
+/// The number that all of `text` is, finite or not; none if it is no number.
+template <class Number>
+std::optional<Number> parsed(std::string_view text) {
+  Number value{};
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value);
+  return error == std::errc() && end == last ? std::optional(value) : std::nullopt;
+}
 
 /// The shortest text that reads back as the same number.
 std::string exact(double value);

@@ -4,6 +4,8 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <unistd.h>
 
@@ -39,6 +41,12 @@ void write_whole(const std::filesystem::path& path, std::string_view text) {
   if (error == 0) return;
   ::unlink(temporary.c_str());
   fail(path, error);
+}
+
+std::optional<std::string> read_whole(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
 LineFile::LineFile(std::filesystem::path path, Start start) : path_(std::move(path)) {

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace taut {
@@ -9,6 +11,9 @@ namespace taut {
 /// Writes a file that others see either in its old or in its new state, never half: a temporary file beside
 /// it, renamed when complete. Throws OutputError and leaves no temporary file.
 void write_whole(const std::filesystem::path& path, std::string_view text);
+
+/// All bytes of a file; none if it cannot be read.
+std::optional<std::string> read_whole(const std::filesystem::path& path);
 
 /// A file that grows by whole lines: each one is handed to the system at once, and a line that did not fit is
 /// taken back, so that neither a crash nor a full disk leaves half a line.

@@ -1,4 +1,5 @@
 #include <csignal>
+#include <cstdlib>
 #include <random>
 #include <set>
 
@@ -110,6 +111,12 @@ TEST_SUITE("restart") {
     CHECK(kills >= 5);
   }
 
+  TEST_CASE("the script that kills and resumes for longer does its work") {
+    const std::string script =
+        TAUT_SOURCE_DIR "/tests/cli/kill_resume.sh '" TAUT_BINARY_DIR "/taut' 2 >/dev/null";
+    CHECK(std::system(script.c_str()) == 0);
+  }
+
   TEST_CASE("an interrupted run goes on to the same bytes, with kept frames and saved particles") {
     const TemporaryFolder folder;
     const Arguments all =
@@ -126,7 +133,7 @@ TEST_SUITE("restart") {
     check_same_run(folder / "straight", folder / "out");
   }
 
-  TEST_CASE("checkpoints do not alter a run, and go when it is finished") {
+  TEST_CASE("checkpoints do not alter a run, and go when it is finished or has diverged") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "without", {"--until", "0.01"})).code == 0);
     REQUIRE(call(tiny_run(folder, "with", Arguments{"--until", "0.01"} + with_checkpoints)).code == 0);
@@ -134,6 +141,11 @@ TEST_SUITE("restart") {
     const Outcome outcome = call(resume(folder, "with"));
     CHECK(outcome.code == 2);
     CHECK(contains(outcome.err, "is finished"));
+    const Arguments wild{"--set", "cfl=20", "--until", "0.01"};
+    REQUIRE(call(tiny_run(folder, "without", wild)).code == 3);
+    REQUIRE(call(tiny_run(folder, "with", wild + Arguments{"--checkpoint-every", "1e-5"})).code == 3);
+    check_same_run(folder / "without", folder / "with");
+    CHECK(contains(call(resume(folder, "with")).err, "has failed"));
   }
 
   TEST_CASE("a folder without a checkpoint is refused with the way out") {
