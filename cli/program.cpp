@@ -42,7 +42,8 @@ const Command& find_command(const std::string& name) {
 
 /// CLI11 leaves what it does not know in `remaining`, and puts no nearest names into its own message.
 void refuse_unknown(const CLI::App& app) {
-  const std::vector<std::string> rest = app.remaining();
+  std::vector<std::string> rest = app.remaining();
+  std::erase(rest, "--");  // what follows is no option, whatever it begins with
   const auto dashed = [](const std::string& word) { return word.size() > 1 && word[0] == '-'; };
   const auto option = std::ranges::find_if(rest, dashed);
   if (option != rest.end()) {

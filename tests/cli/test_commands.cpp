@@ -36,6 +36,11 @@ TEST_SUITE("cli") {
     }
   }
 
+  TEST_CASE("what follows -- is no option") {
+    CHECK(call({"list", "--", "methods"}).code == 0);
+    CHECK(contains(call({"describe", "--", "--help"}).err, "unknown scene or method '--help'"));
+  }
+
   TEST_CASE("values that make no sense are refused with exit code 2 before a folder is touched") {
     const TemporaryFolder folder;
     const std::vector<std::vector<std::string>> cases{
