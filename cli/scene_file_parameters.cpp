@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::string_view constant_prefix = "method.";
 // what a scene's own expressions and --set give a meaning to
-const std::vector<std::string> reserved_names = {"dp",     "pi",      "x",     "y",   "z",        "t",
-                                                 "c0",     "E",       "nu",    "rho", "K",        "G",
-                                                 "method", "spacing", "until", "cfl", "stepping", "contact"};
+const std::vector<std::string> reserved_names = {
+    "dp", "pi", "x",      "y",       "z",     "t",   "c0",       "E",       "nu",      "rho",
+    "K",  "G",  "method", "spacing", "until", "cfl", "stepping", "contact", "touching"};
 
 std::string bounds_text(const Parameter& parameter) {
   const std::string low = parameter.low ? exact(*parameter.low) : "any",

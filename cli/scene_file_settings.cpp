@@ -191,6 +191,10 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   file.settings.stepping = stepping == stepping_names.front() ? Stepping::dual : Stepping::single;
   const std::string contact = chosen(root, "contact", names_of_laws(), changes.contact);
   file.scene.contact = *std::ranges::find(contact_laws, contact, [](ContactLaw law) { return name(law); });
+  const ContactLaw law = file.scene.contact == ContactLaw::published ? method.contact : file.scene.contact;
+  // the gap below which bodies are in touch: particles that act on those of another body as on their own
+  // repel them before faces meet; with the other laws faces that meet obliquely leave a tenth of a spacing
+  root.names()["touching"] = (law == ContactLaw::sph ? 0.9 : 0.1) * root.names().at("dp");
 
   // constants and CFL number of a file belong to the method of the file; another one takes its own
   double cfl = root.find("cfl") ? root.positive("cfl") : of_file.cfl;

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include <doctest/doctest.h>
 
+#include "engine/indicators.hpp"
 #include "engine/verdict.hpp"
 #include "tests/engine/relative.hpp"
 #include "tests/engine/runs.hpp"
@@ -49,6 +51,22 @@ Spin spin(const std::string& method, int across, double until, double surface_ar
   // finite elements (4th order, neo-Hookean), at 0.1 s
   return {std::hypot(corner[0].back() + 0.00375, corner[1].back() + 0.73400),
           std::abs(balance(simulation->snapshot(), scene).angular_momentum[2] / start - 1)};
+}
+
+/// Pressure checkerboard and hourglass error of the spinning plate at 0.15 s.
+struct Noise {
+  double pressure, hourglass;
+};
+
+Noise noise(const std::string& method, int across, const std::map<std::string, double>& constants = {}) {
+  Settings settings = with_method(method);
+  settings.constants = constants;
+  const Scene scene = spinning_plate(across);
+  const auto simulation = make_simulation(scene, settings);
+  IndicatorGauge gauge(scene, simulation->snapshot());
+  simulation->advance_to(0.15);
+  const Readings readings = gauge(simulation->snapshot());
+  return {readings[1].share(), readings[0].share()};
 }
 
 /// First peak of the tip of a plate with five particles across, over that of finite elements (4th order,
@@ -108,8 +126,24 @@ TEST_SUITE("failure") {
     CHECK(spin("d-ulsph-r-tic", 25, 0.2, 0).angular_change > 0.05);  // 0.099
   }
 
-  TEST_CASE("spinning plate: with a finer spacing d-ulsph-r-as tears") {
+  TEST_CASE("spinning plate: d-ulsph-r-as is noisy or not by its constants, d-ulsph-r-tic is not") {
+    // [Khayyer2024] Fig. 9, whose constants are (0.15, 2.55), (0.15, 8), (0.3, 4) and (0.5, 8). With 25
+    // particles across, 0.15 and 8 are just enough for a quiet pressure: 0.0114, and 0.078 with ε = 0.12.
+    const Noise tic = noise("d-ulsph-r-tic", 25);
+    const Noise weak = noise("d-ulsph-r-as", 25, {{"epsilon", 0.15}, {"exponent", 2.55}});
+    const Noise strong = noise("d-ulsph-r-as", 25, {{"epsilon", 0.5}, {"exponent", 8}});
+    CHECK(weak.pressure > 10 * tic.pressure);     // 0.66 and 0.0155
+    CHECK(strong.hourglass > 5 * tic.hourglass);  // 0.142 and 0.0094
+    CHECK(noise("d-ulsph-r-as", 25).pressure < 2 * tic.pressure);
+  }
+
+  TEST_CASE(
+      "spinning plate: with a finer spacing d-ulsph-r-as gets noisier and tears, d-ulsph-r-tic smoother") {
     // [Khayyer2024] Fig. 10; with 25 particles across it does not
+    const Noise as = noise("d-ulsph-r-as", 50), tic = noise("d-ulsph-r-tic", 50);
+    CHECK(as.pressure > 3 * noise("d-ulsph-r-as", 25).pressure);  // 0.23 and 0.0114
+    CHECK(tic.pressure < noise("d-ulsph-r-tic", 25).pressure);    // 0.0056 and 0.0155
+    CHECK(as.pressure > 10 * tic.pressure);
     const Scene scene = spinning_plate(50);
     const auto simulation = make_simulation(scene, with_method("d-ulsph-r-as"));
     Judge judge(scene, simulation->snapshot(), simulation->support());
