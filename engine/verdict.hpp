@@ -19,8 +19,10 @@ std::optional<Verdict> find_verdict(std::string_view name);
 /// Watches a run at history times.
 ///
 /// connectivity: a bond joins two particles of one body that are at most 1.5 dp apart at the start; it is
-///   broken while it is longer than max(support, 2 dp). More pieces of the graph of unbroken bonds than at
-///   the start = fractured. "At the start", not "bodies": a body may consist of parts.
+///   broken while it is longer than max(support, 2 dp). Fractured = more pieces of the graph of unbroken
+///   bonds than at the start ("at the start", not "bodies": a body may consist of parts), or a broken bond
+///   whose ends are more than 8 unbroken bonds apart: a crack at least five particles deep. A ring that is
+///   cut once stays one piece.
 /// energy: kinetic + strain above twice what was given, or anything that is not finite = diverged. Given is
 ///   the start's and the work of drives, loads and gravity, at its greatest so far: what takes energy back
 ///   may leave noise, not more. A scene that is given none is judged by finiteness only.
@@ -49,8 +51,11 @@ class Judge {
   /// True if a bond broke or healed since the last look.
   bool update_broken(const Snapshot& now);
   int count_pieces() const;
+  bool has_crack() const;
+  bool bypassed(int bond, std::vector<int>& seen) const;
 
   std::vector<Bond> bonds_;
+  std::vector<std::vector<int>> bonds_of_;  // [particle] indices
   std::size_t particles_ = 0;
   double longest_ = 0;       // m, of an unbroken bond
   double start_energy_ = 0;  // J

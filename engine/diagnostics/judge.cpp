@@ -31,6 +31,10 @@ Judge::Judge(const Scene& scene, const Snapshot& start, double support)
     : particles_(start.size()), longest_(std::max(support, 2 * scene.spacing)) {
   // 1.5 dp: the eight nearest of a square lattice (√2 dp), the six of a hexagonal one, no second row
   for_each_close_pair(start, 1.5 * scene.spacing, [this](int i, int j) { bonds_.push_back({i, j, false}); });
+  bonds_of_.resize(particles_);
+  for (std::size_t b = 0; b < bonds_.size(); ++b)
+    for (const int i : {bonds_[b].i, bonds_[b].j})
+      bonds_of_[static_cast<std::size_t>(i)].push_back(static_cast<int>(b));
   pieces_ = start_pieces_ = count_pieces();
   const Balance at_start = balance(start, scene);
   start_energy_ = given_energy_ = at_start.kinetic + at_start.strain;
@@ -45,8 +49,10 @@ void Judge::look(const Snapshot& now, const Balance& balance) {
     since_.try_emplace(Verdict::diverged, now.time);
   }
   if (!finite) return;
-  if (update_broken(now)) pieces_ = count_pieces();
-  if (pieces_ > start_pieces_) since_.try_emplace(Verdict::fractured, now.time);
+  if (!update_broken(now)) return;
+  pieces_ = count_pieces();
+  if (!since_.contains(Verdict::fractured) && (pieces_ > start_pieces_ || has_crack()))
+    since_.emplace(Verdict::fractured, now.time);
 }
 
 Verdict Judge::verdict() const { return since_.empty() ? Verdict::stable : since_.rbegin()->first; }
@@ -80,6 +86,36 @@ int Judge::count_pieces() const {
     --pieces;
   }
   return pieces;
+}
+
+bool Judge::has_crack() const {
+  std::vector<int> seen(particles_, -1);  // the last bond from which a particle was reached
+  for (std::size_t b = 0; b < bonds_.size(); ++b)
+    if (bonds_[b].broken && !bypassed(static_cast<int>(b), seen)) return true;
+  return false;
+}
+
+/// Whether some way of at most `around` unbroken bonds leads from one end of a bond to the other.
+bool Judge::bypassed(int bond, std::vector<int>& seen) const {
+  constexpr int around = 8;
+  const auto [start, goal, broken] = bonds_[static_cast<std::size_t>(bond)];
+  std::vector<int> edge{start}, next;
+  seen[static_cast<std::size_t>(start)] = bond;
+  for (int length = 0; length < around && !edge.empty(); ++length) {
+    next.clear();
+    for (const int from : edge) {
+      for (const int b : bonds_of_[static_cast<std::size_t>(from)]) {
+        const Bond& way = bonds_[static_cast<std::size_t>(b)];
+        const int to = way.i == from ? way.j : way.i;
+        if (way.broken || seen[static_cast<std::size_t>(to)] == bond) continue;
+        if (to == goal) return true;
+        seen[static_cast<std::size_t>(to)] = bond;
+        next.push_back(to);
+      }
+    }
+    edge.swap(next);
+  }
+  return false;
 }
 
 }  // namespace taut

@@ -305,7 +305,7 @@ TEST_SUITE("unit") {
     CHECK(rod({}, 1e-3) == Approx(5 * 2.5 / c).epsilon(1e-12));
     CHECK(rod({}, 20 / c) == Approx(0).scale(1e-3));
     CHECK(4 * G * (3 * K + G) / (3 * K + 4 * G) == Approx(2e11).epsilon(1e-12));
-    CHECK(particles(scene) == 404 * 8);
+    CHECK(particles(scene) == 401 * 8);
   }
 
   TEST_CASE("heterogeneous cable: the analytic stress is that of a bar of many small masses") {

@@ -81,6 +81,16 @@ TEST_SUITE("convergence") {
 }
 
 TEST_SUITE("analytic") {
+  TEST_CASE("elastic cable: d-ulsph-r-tic is no farther from the exact solution than published") {
+    // [Khayyer2024] Table 3(a), which is above: 4.55e-4, 2.35e-4, and at dp = 0.0125 1.204e-4 m
+    for (const auto& [spacing, published] : {std::pair(0.05, 4.88234e-4), {0.025, 2.44817e-4}}) {
+      const auto cable = run("elastic-cable", "d-ulsph-r-tic", spacing, 0.01, {});
+      REQUIRE(cable.measure.at("end_rmse"));
+      CHECK(*cable.measure.at("end_rmse") < published);
+      CHECK(*cable.measure.at("end_rmse") > 0.9 * published);
+    }
+  }
+
   TEST_CASE("heterogeneous cable: the stress of d-ulsph-r-tic follows the rod theory through the interface") {
     Overrides overrides;
     overrides.method = "d-ulsph-r-tic";

@@ -115,16 +115,34 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("judge: a cut that does not go through is no fracture") {
+  TEST_CASE("judge: a cut that does not go through is a fracture where it is five particles deep") {
     const Scene scene = one_body(2);
-    Snapshot now = lattice(2, 6, 6);
-    Judge judge(scene, now, support);
-    for (std::size_t i = 0; i < now.size(); ++i) {  // opens like a book about the lower edge
-      if (now.x0[2 * i] > 2.5 * dp) now.x[2 * i] += now.x0[2 * i + 1];
+    for (const int deep : {4, 5}) {
+      Snapshot now = lattice(2, 10, 10);
+      Judge judge(scene, now, support);
+      for (std::size_t i = 0; i < now.size(); ++i)
+        if (now.x0[2 * i] > 4.5 * dp && now.x0[2 * i + 1] > (9.5 - deep) * dp) now.x[2 * i] += 2 * dp;
+      look(judge, now, scene, 1);
+      CHECK(judge.pieces() == 1);
+      CHECK(judge.verdict() == (deep == 5 ? Verdict::fractured : Verdict::stable));
     }
+  }
+
+  TEST_CASE("judge: a ring that is cut once is fractured, though it is one piece") {
+    std::vector<Point> places;
+    constexpr double turn = 6.283185307179586;
+    for (int k = 0; k < 120; ++k)
+      for (const double r : {19 * dp, 20 * dp})
+        places.push_back({r * std::cos(turn * (k + 0.5) / 120), r * std::sin(turn * (k + 0.5) / 120), 0});
+    const Scene scene = one_body(2);
+    Snapshot now = made_snapshot(2, places);
+    Judge judge(scene, now, support);
+    CHECK(judge.pieces() == 1);
+    for (std::size_t i = 0; i < now.size(); ++i)  // opens at (20 dp, 0) as a jaw does
+      if (now.x0[2 * i + 1] > 0) now.x[2 * i + 1] += 0.1 * (now.x0[2 * i] + 20 * dp);
     look(judge, now, scene, 1);
     CHECK(judge.pieces() == 1);
-    CHECK(judge.verdict() == Verdict::stable);
+    CHECK(judge.verdict() == Verdict::fractured);
   }
 
   TEST_CASE("judge: two bodies that touch at the start may part") {
