@@ -43,6 +43,13 @@ Words probe_names(const SceneFile* scene) {
   return names;
 }
 
+Words measure_names(const SceneFile* scene) {
+  Words names;
+  if (!scene) return names;
+  for (const Measure& measure : scene->scene.measures) names.push_back(measure.name);
+  return names;
+}
+
 Words settable_names(const SceneFile* scene) { return scene ? names_to_set(*scene) : Words(); }
 
 struct Placeholder {
@@ -59,6 +66,7 @@ constexpr Placeholder table[] = {
     {"COLORMAP", colormap_names, ""},
     {"VERDICT", verdict_names, ""},
     {"PROBE", probe_names, ""},
+    {"MEASURE", measure_names, ""},
     {"NAME=VALUE", settable_names, ""},
     {"NAME=VALUES", settable_names, ""},
     {"DIR", nullptr, "*/"},

@@ -5,9 +5,9 @@
 
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/made_file.hpp"
 #include "cli/option_checks.hpp"
 #include "cli/picture_folders.hpp"
-#include "cli/process.hpp"
 #include "cli/run_folder.hpp"
 #include "cli/text.hpp"
 #include "engine/error.hpp"
@@ -50,50 +50,18 @@ std::vector<std::string> encoding(const std::string& extension) {
           "-movflags", "+faststart"};
 }
 
-std::vector<std::string> command_line(const Options& options, const fs::path& movie) {
-  std::vector<std::string> arguments{
-      "ffmpeg", "-nostdin",   "-hide_banner",     "-loglevel", "error",
-      "-y",     "-framerate", exact(options.fps), "-i",        "frame_%05d.png"};
+std::vector<std::string> arguments_of(const Options& options, const fs::path& movie) {
+  std::vector<std::string> arguments{"-nostdin",   "-hide_banner",     "-loglevel", "error",         "-y",
+                                     "-framerate", exact(options.fps), "-i",        "frame_%05d.png"};
   const std::vector<std::string> rest = encoding(movie.extension().string());
   arguments.insert(arguments.end(), rest.begin(), rest.end());
   arguments.push_back("file:" + movie.string());  // a ':' in the name is no protocol
   return arguments;
 }
 
-/// "a/movie.mp4" → "a/movie.part.mp4": ffmpeg takes the format from the extension.
-fs::path unfinished(const fs::path& movie) {
-  fs::path part = movie;
-  return part.replace_extension(".part" + movie.extension().string());
-}
-
-/// The last lines of `text`, indented.
-std::string last_lines(const std::string& text) {
-  constexpr int shown = 5;
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);)
-    if (!line.empty()) lines.push_back("  " + line);
-  if (lines.size() > shown) lines.erase(lines.begin(), lines.end() - shown);
-  return join(lines, "\n");
-}
-
 int encode(const Options& options, const fs::path& folder) {
   const fs::path part = unfinished(fs::absolute(options.out));
-  const Interrupts interrupts;
-  const ProcessResult result = run_process(command_line(options, part), folder, interrupts);
-  std::error_code error;
-  const bool good = result.found && !result.stopped && result.code == 0;
-  if (good) fs::rename(part, options.out, error);
-  if (good && !error) return exit_fine;
-  std::error_code ignored;
-  fs::remove(part, ignored);
-  if (!result.found)
-    throw OutputError(options.out,
-                      "ffmpeg is needed for movies and is not installed (apt-get install ffmpeg)");
-  if (result.stopped) return exit_interrupted;
-  throw OutputError(options.out, error ? "cannot be written: " + error.message()
-                                       : "ffmpeg failed with exit code " + std::to_string(result.code) +
-                                             "\n" + last_lines(result.errors));
+  return make_file({"ffmpeg", "movies", "ffmpeg"}, arguments_of(options, part), folder, options.out);
 }
 
 int movie(const Options& options, std::ostream& out) {

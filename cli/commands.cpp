@@ -5,6 +5,7 @@ namespace taut {
 std::function<int(Streams)> declare_run(CLI::App&);
 std::function<int(Streams)> declare_render(CLI::App&);
 std::function<int(Streams)> declare_sweep(CLI::App&);
+std::function<int(Streams)> declare_chart(CLI::App&);
 std::function<int(Streams)> declare_compare(CLI::App&);
 std::function<int(Streams)> declare_movie(CLI::App&);
 std::function<int(Streams)> declare_diff(CLI::App&);
@@ -36,6 +37,15 @@ constexpr Command table[] = {
      "  taut sweep rings-speed-limit --jobs 1     goes on where it was stopped\n"
      "  taut sweep rings-speed-limit --out limits --emit slurm && sbatch limits/sweep.slurm\n",
      declare_sweep},
+    {"chart",
+     "draw error against cost from the results of sweeps, a line for each method; print convergence orders",
+     "  taut sweep oscillating-plate --grid method=enog,oenog,tl --grid spacing=0.004,0.002,0.001 --out "
+     "out/plate\n"
+     "  taut chart out/plate/results.csv --out plate.png\n"
+     "  taut chart out/plate/results.csv --measure first_peak --cost steps --out plate.svg\n"
+     "plate.gp and plate.dat stay beside the picture: change the script, and `gnuplot plate.gp` draws it "
+     "again.\n",
+     declare_chart},
     {"compare", "draw runs side by side from their saved particles: columns are runs, rows are times",
      "  taut compare out/og out/enog --out panel.png\n"
      "  taut compare out/og out/enog --times 0.002,0.005,0.012 --color pressure --range -2e6:2e6 --out "

@@ -12,6 +12,7 @@
 #include "cli/frames.hpp"
 #include "cli/history.hpp"
 #include "cli/lines_file.hpp"
+#include "cli/machine.hpp"
 #include "cli/output_times.hpp"
 #include "cli/pace.hpp"
 #include "cli/particle_series.hpp"
@@ -326,6 +327,8 @@ RunRecord new_record(const RunPlan& plan, const Simulation& simulation) {
   record.material_law = method.material_law;
   if (plan.file.scene.bodies.size() > 1)
     record.contact = std::string(name(contact_law(plan.file.scene, method)));
+  record.stepping = file.settings.stepping == Stepping::single ? "single" : "dual";
+  record.cfl = file.settings.cfl;
   record.parameters = file.parameters;
   record.dim = file.scene.dim;
   record.spacing = file.scene.spacing;
@@ -336,6 +339,7 @@ RunRecord new_record(const RunPlan& plan, const Simulation& simulation) {
   record.mass = std::accumulate(start.m.begin(), start.m.end(), 0.0);
   record.until = file.scene.until;
   record.threads = simulation.threads();
+  record.machine = machine_name();
   return record;
 }
 

@@ -76,6 +76,8 @@ Json to_json(const RunRecord& record) {
   json["method"] = record.method;
   json["material_law"] = record.material_law;
   if (record.contact) json["contact"] = *record.contact;
+  json["stepping"] = record.stepping;
+  json["cfl"] = number(record.cfl);
   json["parameters"] = parameters(record);
   json["dim"] = record.dim;
   json["spacing"] = number(record.spacing);
@@ -87,6 +89,7 @@ Json to_json(const RunRecord& record) {
   json["status"] = name(record.status);
   json["steps"] = record.steps;
   json["threads"] = record.threads;
+  json["machine"] = record.machine;
   json["seconds"] = {{"setup", record.seconds.setup},
                      {"solve", record.seconds.solve},
                      {"render", record.seconds.render},

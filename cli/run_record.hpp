@@ -26,6 +26,8 @@ struct RunRecord {
 
   std::string scene, method, material_law;
   std::optional<std::string> contact;  // the law between bodies, where there are several
+  std::string stepping;                // dual or single
+  double cfl = 0;                      // factor of the time step
   std::vector<Parameter> parameters;
   int dim = 2;
   double spacing = 0;                   // m, as used
@@ -36,6 +38,7 @@ struct RunRecord {
   Status status = Status::running;
   long steps = 0;
   int threads = 1;
+  std::string machine;  // what the seconds were measured on
   Seconds seconds;
   Verdict verdict = Verdict::stable;
   std::map<Verdict, double> since;  // s

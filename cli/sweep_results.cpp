@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "cli/csv_table.hpp"
 #include "cli/text.hpp"
 #include "cli/whole_file.hpp"
 
@@ -11,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array times = {"threads", "seconds", "particle_steps_per_second"};
+constexpr std::array times = {"threads", "machine", "seconds", "particle_steps_per_second"};
 
 /// A number where the grid has one.
 Json as_json(const std::string& value) {
@@ -64,17 +65,10 @@ std::vector<std::string> columns_of(const std::vector<Cells>& rows) {
   return columns;
 }
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
-  return result + "\"";
-}
-
-std::string csv_cell(const Json& value) {
+std::string cell_of(const Json& value) {
   if (value.is_null()) return "";
-  if (value.is_string()) return quoted(value.get<std::string>());
-  return value.is_number_float() ? exact(value.get<double>()) : quoted(value.dump());
+  if (value.is_string()) return csv_cell(value.get<std::string>());
+  return value.is_number_float() ? exact(value.get<double>()) : csv_cell(value.dump());
 }
 
 const Json* find(const Json& run, std::initializer_list<const char*> path) {
@@ -126,12 +120,12 @@ std::string results_csv(const SweepPlan& plan) {
   for (const SweepRun& run : plan.runs) flatten(run_json(run), "", rows.emplace_back());
   const std::vector<std::string> columns = columns_of(rows);
   std::string text;
-  for (const std::string& column : columns) text.append(quoted(column)).append(",");
+  for (const std::string& column : columns) text.append(csv_cell(column)).append(",");
   text.back() = '\n';
   for (const Cells& row : rows) {
     for (const std::string& column : columns) {
       const auto cell = std::ranges::find(row, column, &Cells::value_type::first);
-      if (cell != row.end()) text.append(csv_cell(cell->second));
+      if (cell != row.end()) text.append(cell_of(cell->second));
       text.append(",");
     }
     text.back() = '\n';

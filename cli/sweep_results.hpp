@@ -15,7 +15,8 @@ namespace taut {
 ///           "status": "finished|failed|interrupted|to do|error",     failed: diverged; error: see message
 ///           "message": "...", "folder": "v0=0.02_method=og",         inside the sweep's folder
 ///           what run.json says of the run, in its order, without "taut" and "status"; last of all what
-///           differs from time to time: "threads", "seconds", "particle_steps_per_second" }, ... ] }
+///           differs from time to time: "threads", "machine", "seconds", "particle_steps_per_second" },
+///         ... ] }
 ///
 /// All runs of the grid are there, in its order, in whatever order they ended. A run without a result ("to
 /// do", "error") has no keys behind "folder"; one that was interrupted has those of the part that was run.

@@ -2,26 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include "path_variable.hpp"
 #include "program_runner.hpp"
 #include "render/image.hpp"
 
 using namespace taut::test;
 
 namespace {
-
-/// PATH is this folder alone while it lives; an `ffmpeg` may stand in it.
-class OnlyPath {
- public:
-  explicit OnlyPath(const fs::path& folder) : old_(std::getenv("PATH")) {
-    ::setenv("PATH", folder.c_str(), 1);
-  }
-  ~OnlyPath() { ::setenv("PATH", old_.c_str(), 1); }
-  OnlyPath(const OnlyPath&) = delete;
-  OnlyPath& operator=(const OnlyPath&) = delete;
-
- private:
-  std::string old_;
-};
 
 /// Something called ffmpeg that does what `script` says.
 void write_ffmpeg(const TemporaryFolder& folder, const std::string& script) {

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdlib>
+
+#include "program_runner.hpp"
+
+namespace taut::test {
+
+/// PATH is this folder alone while it lives.
+class OnlyPath {
+ public:
+  explicit OnlyPath(const fs::path& folder) : old_(std::getenv("PATH")) {
+    ::setenv("PATH", folder.c_str(), 1);
+  }
+  ~OnlyPath() { ::setenv("PATH", old_.c_str(), 1); }
+  OnlyPath(const OnlyPath&) = delete;
+  OnlyPath& operator=(const OnlyPath&) = delete;
+
+ private:
+  std::string old_;
+};
+
+}  // namespace taut::test
