@@ -82,31 +82,13 @@ TEST_SUITE("cli") {
     CHECK(last.height == 120);
 
     const auto record = json_of(folder / "out/run.json");
-    CHECK(keys(record) == std::vector<std::string>{"taut",
-                                                   "scene",
-                                                   "method",
-                                                   "material_law",
-                                                   "contact",
-                                                   "stepping",
-                                                   "cfl",
-                                                   "parameters",
-                                                   "dim",
-                                                   "spacing",
-                                                   "particles",
-                                                   "mass",
-                                                   "until",
-                                                   "reached",
-                                                   "status",
-                                                   "steps",
-                                                   "threads",
-                                                   "machine",
-                                                   "seconds",
-                                                   "particle_steps_per_second",
-                                                   "verdict",
-                                                   "since",
-                                                   "indicators",
-                                                   "conservation",
-                                                   "measures"});
+    CHECK(keys(record) ==
+          std::vector<std::string>{
+              "taut",      "scene",   "method",     "material_law", "contact",
+              "stepping",  "cfl",     "parameters", "dim",          "spacing",
+              "particles", "mass",    "until",      "reached",      "status",
+              "steps",     "threads", "machine",    "seconds",      "particle_steps_per_second",
+              "verdict",   "since",   "indicators", "conservation", "measures"});
     CHECK(record["status"] == "finished");
     CHECK(record["verdict"] == "stable");
     CHECK(record["scene"] == "discs");
