@@ -10,6 +10,7 @@ std::function<int(Streams)> declare_compare(CLI::App&);
 std::function<int(Streams)> declare_movie(CLI::App&);
 std::function<int(Streams)> declare_diff(CLI::App&);
 std::function<int(Streams)> declare_snapshot(CLI::App&);
+std::function<int(Streams)> declare_critical_step(CLI::App&);
 std::function<int(Streams)> declare_session(CLI::App&);
 std::function<int(Streams)> declare_list(CLI::App&);
 std::function<int(Streams)> declare_describe(CLI::App&);
@@ -64,6 +65,15 @@ constexpr Command table[] = {
      "  taut snapshot my.toml --baseline baselines/my --frames 4 --size 320x180 --update     makes it\n"
      "  taut snapshot my.toml --baseline baselines/my --frames 4 --size 320x180              checks\n",
      declare_snapshot},
+    {"critical-step", "find the largest stable time step of a scene and a method, by bisection",
+     "  taut critical-step colliding-rings --method tl\n"
+     "  taut critical-step loaded-square --set method.h=0.45 --steps 500\n"
+     "  taut critical-step rotating-plate --spacing 0.1 --json\n"
+     "Each trial starts anew with a fixed step and covers the same time. It is unstable once the energy is "
+     "100 "
+     "times\n"
+     "what was given or a number is lost; small random velocities wake what could grow.\n",
+     declare_critical_step},
     {"session", "commands on stdin, answers on stdout: step, look, change, save; `help` lists them",
      "  taut session colliding-rings\n"
      "  printf 'run until 0.003\\nprobe\\nframe now.png\\n' | taut session colliding-rings --strict\n"

@@ -20,7 +20,7 @@ void print_help(std::ostream& out) {
          ": simulates elastic solids with smoothed particle hydrodynamics and draws them\n\n"
          "Usage: taut COMMAND [OPTIONS]\n\nCommands:\n";
   for (const Command& c : commands())
-    out << "  " << c.name << std::string(12 - c.name.size(), ' ') << c.summary << '\n';
+    out << "  " << c.name << std::string(15 - c.name.size(), ' ') << c.summary << '\n';
   out << "\nOptions:\n"
          "  --help      this text; `taut COMMAND --help` shows the options and examples of a command\n"
          "  --version   the version of the program\n\n"

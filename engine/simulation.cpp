@@ -108,6 +108,7 @@ Constants make_constants(const std::vector<Elasticity>& materials, int first, co
   c.projection = value("projection");
   c.cfl = settings.cfl > 0 ? settings.cfl : method.cfl;
   c.cfl_advection = value("cfl_advection");
+  c.step = settings.step;
   return c;
 }
 

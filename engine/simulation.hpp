@@ -22,6 +22,7 @@ struct Settings {
   std::map<std::string, double> constants;  // a method's own constants by name, e.g. {"zeta", 4.0}
   Stepping stepping = Stepping::dual;
   double cfl = 0;   // acoustic step over h/(c0 + |v|max) (oenog: dp/(c_p + |v|max)); 0 = the method's default
+  double step = 0;  // s, of every step; 0 = by cfl
   int threads = 0;  // 0 = all cores
   InstructionSet instruction_set = InstructionSet::best;
 };

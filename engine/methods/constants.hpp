@@ -32,6 +32,7 @@ struct Constants : Elasticity {
   double adjoint = 0;                          // 1: biharmonic term by the adjoint, 0: as printed
   double projection = 0;                       // 1: on what conserves momenta
   double cfl = 0, cfl_advection = 0;
+  double step = 0;  // s, of every step; 0: by cfl
 };
 
 }  // namespace taut

@@ -71,7 +71,9 @@ std::vector<TermInfo> total_lagrangian_terms(const Formulation& m) {
 }
 
 std::vector<MethodConstant> total_lagrangian_constants(const Formulation& m) {
-  std::vector<MethodConstant> c{{"h", m.h_over_dp, 0.8, 3.0, "smoothing length over the spacing"}};
+  // normalised gradients ask for no more neighbours than the four nearest
+  const double least_h = m.gradient == GradientCorrection::normalised ? 0.36 : 0.8;
+  std::vector<MethodConstant> c{{"h", m.h_over_dp, least_h, 3.0, "smoothing length over the spacing"}};
   if (m.gradient == GradientCorrection::normalised)
     c.push_back({"normalised", 1.0, 0.0, 1.0, "1: gradients over the sum of kernels, 0: as they come"});
   if (m.jst) {

@@ -178,7 +178,8 @@ void Bonded<M, Dim>::show_contacts_to_probes() {
 template <const Formulation& M, int Dim>
 double Bonded<M, Dim>::step_size() const {
   constexpr double spare = 1.5;
-  return c_.cfl * c_.dp / (wave_speed_ + vmax_) / std::sqrt(std::max(1.0, bond_stiffness(most_t_) / spare));
+  const double stiffer = std::sqrt(std::max(1.0, bond_stiffness(most_t_) / spare));
+  return Base::fixed_or(c_.cfl * c_.dp / (wave_speed_ + vmax_) / stiffer);
 }
 
 template <const Formulation& M, int Dim>

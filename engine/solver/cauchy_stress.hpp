@@ -85,7 +85,7 @@ class CauchyStress final : public ParticleSolver<Dim> {
 template <const Formulation& M, int Dim>
 void CauchyStress<M, Dim>::step() {
   if (2 * way_ > skin * c_.dp) rebuild();
-  const double dt = c_.cfl * c_.h / c_.c0;  // Eq. 26
+  const double dt = Base::fixed_or(c_.cfl * c_.h / c_.c0);  // Eq. 26
   if (contact_.prepare(s_, vmax_ * dt)) show_contacts_to_probes();
   contact_.evaluate(s_);
   gradient_pass(f_, c_, threads_now(), [&](int i, const Gradients<Dim>& g) { set_stress(i, g); });

@@ -45,7 +45,9 @@ class ParticleSolver : public Simulation {
   }
   /// The probes at t = 0.
   void record_start() { recorder_.record(s_, time_, series_); }
-  double step_size() const { return c_.cfl * c_.h / (c_.c0 + vmax_); }  // s, [Zhang2024] Eq. 22
+  /// `by_speed`, s, or the one step that the settings ask for.
+  double fixed_or(double by_speed) const { return c_.step > 0 ? c_.step : by_speed; }
+  double step_size() const { return fixed_or(c_.cfl * c_.h / (c_.c0 + vmax_)); }  // s, [Zhang2024] Eq. 22
   int threads_now() const { return team_.threads(); }
 
   void finish_step(double dt) {

@@ -29,7 +29,7 @@ class ReferenceSolver : public ParticleSolver<Dim> {
 
   /// CFL h/(c_p + |v|max) with the fastest wave, c_p = √((K + 4G/3)/ρ0), s. [Lee2016] Eq. 44 has the spacing
   /// for h and waits for the wave in the strained body; |v|max stands for how fast it is being strained.
-  double step_size() const { return c_.cfl * c_.h / (c_p_ + vmax_); }
+  double step_size() const { return this->fixed_or(c_.cfl * c_.h / (c_p_ + vmax_)); }
   double wave_speed() const { return c_p_; }  // c_p, the greatest of all materials, m/s
 
   const LawOf<M.law>& law(int i) const { return laws_[material_[i]]; }
