@@ -63,7 +63,7 @@ double total_energy(const Simulation& simulation, const Scene& scene) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("bonds: moments are isotropic inside, at faces and on rings; no weight is negative") {
+  TEST_CASE("bonds: moments are isotropic inside, at faces and on rings, and no weight is negative") {
     for (const Scene& scene : {oscillating_plate(0.01), colliding_rings()}) {
       const Layout layout = make_layout(scene);
       const Bonds bonds = bonds_of(scene, layout);
@@ -152,7 +152,7 @@ TEST_SUITE("term") {
     CHECK(U.slope(1.0) == 0);
   }
 
-  TEST_CASE("bond: the energy is the neo-Hookean one up to third order; in shear up to fifth; not beyond") {
+  TEST_CASE("bond: the energy is the neo-Hookean one up to third order, in shear up to fifth, not beyond") {
     constexpr double K = 4.6;  // over G: ν = 0.4
     for (const auto& [m, d] : {std::pair{1.0, 0.0}, {0.0, 1.0}, {0.7, 1.0}, {-0.5, 0.8}}) {
       const auto difference = [&](double e) {

@@ -76,7 +76,7 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("convergence") {
-  TEST_CASE("critical step: least between short and long h; normalising helps the short and harms the long") {
+  TEST_CASE("critical step: least between short and long h, normalising helps the short and harms the long") {
     const auto step = [](double h, double normalised) { return critical(square(), with_h(h, normalised)); };
     const double as_it_comes[] = {step(0.55, 0), step(0.75, 0), step(1.3, 0)};
     const double normalised[] = {step(0.55, 1), step(0.75, 1), step(1.3, 1)};

@@ -63,6 +63,18 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE("tests: no name has a semicolon, at which CMake would break it and run nothing") {
+    const std::regex named("TEST_CASE\\(\\s*\"[^\"]*;");
+    for (const char* folder : {"tests/engine", "tests/render", "tests/cli"}) {
+      for (const auto& entry : std::filesystem::directory_iterator(source / folder)) {
+        if (entry.path().extension() != ".cpp") continue;
+        CAPTURE(entry.path().string());
+        CHECK_FALSE(std::regex_search(text_of(entry.path()), named));
+      }
+    }
+    CHECK(std::regex_search("TEST_CASE(\n  \"a; b\")", named));
+  }
+
   TEST_CASE("equations: a function or a test that is not there is found out") {
     CHECK(declares("double f(double x) {", "f"));
     CHECK_FALSE(declares("/// see f(x) of another\ndouble g(double x) {", "f"));

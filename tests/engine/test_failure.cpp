@@ -83,7 +83,7 @@ TEST_SUITE("failure") {
     CHECK(greatest_distance(enog, tip_until(0.0032, 0.001, "enog-nonconservative")) > 0.01 * amplitude);
   }
 
-  TEST_CASE("rotation: enog, whose shear does not turn with the body, gains energy; og and oas do not") {
+  TEST_CASE("rotation: enog, whose shear does not turn with the body, gains energy, og and oas do not") {
     const Scene scene = rotating_plate(0.2);
     const auto energy_ratio = [&](const std::string& method) {
       const auto simulation = make_simulation(scene, with_method(method));

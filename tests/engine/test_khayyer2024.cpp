@@ -99,7 +99,7 @@ TEST_SUITE("convergence") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("plate: a clamped one swings; without correction too little") {
+  TEST_CASE("plate: a clamped one swings, without correction too little") {
     for (const std::string method : {"ulsph-av-as", "d-ulsph-r-tic"}) {
       CAPTURE(method);
       const Swing corrected = swing(method);

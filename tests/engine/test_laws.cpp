@@ -141,7 +141,7 @@ TEST_SUITE("term") {
     check_cauchy(LawOf<Law::rotated_piola>{{K, G}});
   }
 
-  TEST_CASE("laws: turn with the body; the linear one does not") {
+  TEST_CASE("laws: turn with the body, but for the linear one") {
     CHECK(lack_of_objectivity(LawOf<Law::neo_hookean>{{K, G}}) < 1e-12);
     CHECK(lack_of_objectivity(LawOf<Law::st_venant_kirchhoff>{{K, G}}) < 1e-12);
     CHECK(lack_of_objectivity(LawOf<Law::rotated_piola>{{K, G}}) < 1e-12);

@@ -205,7 +205,7 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("total Lagrangian: a turn by any angle creates no stress; with the linear law it does") {
+  TEST_CASE("total Lagrangian: a turn by any angle creates no stress but with the linear law") {
     for (const double angle : {0.4, 1.6, 3.1, -2.0}) {
       CAPTURE(angle);
       CHECK(stress_when_turned(LawOf<Law::neo_hookean>{{1, 1}}, angle) < 1e-12);
@@ -227,12 +227,14 @@ TEST_SUITE("analytic") {
 }
 
 TEST_SUITE("failure") {
-  TEST_CASE("pf: without dissipation zigzags grow until the energy has doubled; with it they do not") {
+  TEST_CASE("pf: without dissipation zigzags grow until the energy has doubled, with it they do not") {
     const Scene scene = small_collision();
     const auto gain = [&](const std::string& method) {
-      const auto simulation = make_simulation(scene, with_method(method));
+      Settings settings = with_method(method);
+      settings.cfl = 0.3;  // [Lee2016] §5; with 0.25 they grow three times as slowly
+      const auto simulation = make_simulation(scene, settings);
       const Balance before = balance(simulation->snapshot(), scene);
-      make_steps(*simulation, 300);
+      make_steps(*simulation, 800);
       const Balance after = balance(simulation->snapshot(), scene);
       return (after.kinetic + after.strain) / before.kinetic;
     };
@@ -243,31 +245,38 @@ TEST_SUITE("failure") {
 }
 
 TEST_SUITE("conservation") {
-  TEST_CASE("pf-jst: the projection keeps both momenta of a turning plate; without it neither is kept") {
+  TEST_CASE("pf-jst: the projection keeps both momenta of a turning plate") {
     Scene scene = rotating_plate(0.2);
     const auto turn =
         scene.bodies[0].velocity[0];  // a plate of its own shape only would keep them by symmetry
     scene.bodies[0].velocity[0] = [=](const Point& x) { return turn(x) + 2 * shake(x, 0.007); };
-    for (const double projection : {1.0, 0.0}) {
+    struct Kept {
+      double linear, angular;
+    };
+    const auto change = [&](double projection, double adjoint) {
       Settings settings = with_method("pf-jst");
-      settings.constants["projection"] = projection;
+      settings.constants = {{"projection", projection}, {"adjoint", adjoint}};
       const auto simulation = make_simulation(scene, settings);
       const Balance before = balance(simulation->snapshot(), scene);
       make_steps(*simulation, 400);
       const Balance after = balance(simulation->snapshot(), scene);
-      const double linear = std::hypot(after.linear_momentum[0] - before.linear_momentum[0],
-                                       after.linear_momentum[1] - before.linear_momentum[1]) /
-                            before.momentum_scale;
-      const double angular =
-          std::abs(after.angular_momentum[2] - before.angular_momentum[2]) / before.angular_scale;
-      MESSAGE("projection " << projection << ": " << linear << ", " << angular);
-      CHECK((linear < 1e-12) == (projection == 1));
-      CHECK((angular < 1e-12) == (projection == 1));
-      CHECK((angular > 1e-4) == (projection == 0));
+      return Kept{std::hypot(after.linear_momentum[0] - before.linear_momentum[0],
+                             after.linear_momentum[1] - before.linear_momentum[1]) /
+                      before.momentum_scale,
+                  std::abs(after.angular_momentum[2] - before.angular_momentum[2]) / before.angular_scale};
+    };
+    for (const double adjoint : {0.0, 1.0}) {
+      const Kept kept = change(1, adjoint);
+      CHECK(kept.linear < 1e-12);
+      CHECK(kept.angular < 1e-12);
     }
+    const Kept printed = change(0, 0), with_adjoint = change(0, 1);
+    CHECK(printed.linear > 1e-5);
+    CHECK(printed.angular > 1e-4);
+    CHECK(with_adjoint.linear < 1e-12);  // the adjoint keeps it: all constants have no Laplacian
+    CHECK(with_adjoint.angular > 1e-6);
   }
-  TEST_CASE(
-      "tl: a collision through the penalty keeps the energy; the error is of second order in the step") {
+  TEST_CASE("tl: a collision through the penalty keeps the energy to second order in the step") {
     const Scene scene = small_collision();
     double drift[2] = {};
     for (int k = 0; k < 2; ++k) {
