@@ -116,7 +116,7 @@ std::function<int(Streams)> declare_critical_step(CLI::App& app) {
   app.add_option("--tolerance", options->tolerance,
                  "how close the largest stable and the least unstable step come, as a share; default: " +
                      brief(options->tolerance))
-      ->option_text("SHARE")
+      ->option_text("X")
       ->check(positive_number);
   app.add_option("--threads", options->threads, "default: all cores")
       ->option_text("N")

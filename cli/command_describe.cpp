@@ -103,6 +103,21 @@ std::string contact_text(const MethodInfo& method) {
   return std::string(name(method.contact)) + " as published" + others;
 }
 
+Rows wall_rows(const Scene& scene) {
+  Rows rows;
+  for (const Wall& wall : scene.walls)
+    rows.push_back({wall.name, "through (" + brief(wall.at[0]) + ", " + brief(wall.at[1]) + ") m",
+                    "normal (" + brief(wall.normal[0]) + ", " + brief(wall.normal[1]) + ")"});
+  return rows;
+}
+
+std::string laws_text(const MethodInfo& method) {
+  std::string text(method.material_law);
+  for (std::size_t k = 0; k < method.laws.size(); ++k)
+    text += (k == 0 ? "; changed with --set law=LAW: " : ", ") + std::string(method.laws[k].name);
+  return text;
+}
+
 void describe_scene(const std::string& name, std::ostream& out) {
   const SceneFile file = read_scene(find_scene(name));
   const Scene& scene = file.scene;
@@ -115,13 +130,14 @@ void describe_scene(const std::string& name, std::ostream& out) {
             {"spacing", brief(scene.spacing) + " m"},
             {"until", brief(scene.until) + " s"},
             {"method", file.settings.method + " unless --method says otherwise"}};
-  if (scene.bodies.size() > 1) head.push_back({"contact", contact_text(file)});
+  if (scene.bodies.size() > 1 || !scene.walls.empty()) head.push_back({"contact", contact_text(file)});
   if (has_gravity(scene)) head.push_back({"gravity", gravity_text(scene)});
   if (scene.damping > 0) head.push_back({"damping", brief(scene.damping) + " 1/s, until it comes to rest"});
   out << scene.title << '\n' << in_columns(head);
   print_table(out, "Parameters, changed with --set NAME=VALUE", parameter_rows(file.parameters), 1);
   print_table(out, "Materials", material_rows(scene), 1);
   print_table(out, "Bodies", body_rows(scene));
+  print_table(out, "Walls", wall_rows(scene));
   print_table(out, "Probes, followed in history.csv", probes);
   print_table(out, "Lines, sampled in lines.csv", line_rows(scene), 1);
   print_table(out, "Measures", measure_rows(scene), 1);
@@ -138,7 +154,7 @@ void describe_method(const MethodInfo& method, std::ostream& out) {
     constants.push_back({std::string(c.name), brief(c.value), bounds(c.low, c.high), std::string(c.help)});
   out << method.name << ": " << method.summary << '\n'
       << in_columns({{"paper", std::string(method.paper)},
-                     {"material law", std::string(method.material_law)},
+                     {"material law", laws_text(method)},
                      {"conserves", std::string(method.conserves)},
                      {"contact", contact_text(method)},
                      {"CFL number", brief(method.cfl)}});

@@ -6,10 +6,13 @@
 namespace taut {
 namespace {
 
-double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
-
 /// What is left of it when the work of what acts from outside is taken off.
 double energy(const Balance& sums) { return sums.kinetic + sums.strain - sums.work + sums.damped; }
+
+/// How far a momentum less what it was given is from where it was at the start.
+double change(const Point& now, const Point& given, const Point& start) {
+  return std::hypot(now[0] - given[0] - start[0], now[1] - given[1] - start[1], now[2] - given[2] - start[2]);
+}
 
 std::optional<double> ratio(double change, double scale) {
   return scale > 0 ? std::optional(change / scale) : std::nullopt;
@@ -19,8 +22,8 @@ std::optional<double> ratio(double change, double scale) {
 
 void Drift::look(const Balance& now) {
   if (!start_) start_ = now;
-  linear_ = std::max(linear_, distance(now.linear_momentum, start_->linear_momentum));
-  angular_ = std::max(angular_, distance(now.angular_momentum, start_->angular_momentum));
+  linear_ = std::max(linear_, change(now.linear_momentum, now.of_walls.linear, start_->linear_momentum));
+  angular_ = std::max(angular_, change(now.angular_momentum, now.of_walls.angular, start_->angular_momentum));
   linear_scale_ = std::max(linear_scale_, now.momentum_scale);
   angular_scale_ = std::max(angular_scale_, now.angular_scale);
   energy_ = std::max(energy_, std::abs(energy(now) - energy(*start_)));

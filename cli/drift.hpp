@@ -6,7 +6,8 @@
 
 namespace taut {
 
-/// Greatest relative drift of what a closed system keeps; none where it says nothing.
+/// Greatest relative drift of what a closed system keeps, the impulses of walls taken off; none where it says
+/// nothing.
 struct Conservation {
   std::optional<double>
       linear_momentum;  // |Δp| over the greatest Σ|m v|; none where something acts from outside

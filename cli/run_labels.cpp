@@ -30,6 +30,8 @@ void add_settings(std::vector<Remark>& remarks, const SceneFile& file) {
   }
   if (file.settings.cfl > 0 && file.settings.cfl != method.cfl)
     remarks.push_back({"cfl", "CFL " + brief(file.settings.cfl)});
+  if (!method.laws.empty() && file.settings.law != method.laws.front().name)
+    remarks.push_back({"law", "law " + file.settings.law});
   if (file.settings.stepping == Stepping::single) remarks.push_back({"stepping", "single stepping"});
   if (file.scene.contact != ContactLaw::published && file.scene.contact != method.contact)
     remarks.push_back({"contact", "contact " + std::string(name(file.scene.contact))});

@@ -27,10 +27,9 @@ void collect_places(const TomlValue& value, const std::string& path,
 /// First of all: a misspelt table would else be reported as missing.
 void refuse_unknown_keys(TomlCursor& root) {
   for (const char* key :
-       {"name",       "title",    "source", "dim",     "spacing", "until",   "history",
-        "method",     "stepping", "cfl",    "contact", "gravity", "damping", "method_constants",
-        "parameters", "material", "body",   "probe",   "line",    "measure", "reference",
-        "render"})
+       {"name",       "title",    "source",  "dim",   "spacing", "until",   "history",   "method",
+        "stepping",   "cfl",      "contact", "law",   "gravity", "damping", "wall",      "method_constants",
+        "parameters", "material", "body",    "probe", "line",    "measure", "reference", "render"})
     root.find(key);
   root.finish();
 }
@@ -103,6 +102,7 @@ SceneFile read_with(double dp, const std::filesystem::path& path, const TomlValu
   read_outside(root, file.scene);
   read_materials(root, file.scene);
   read_bodies(root, file.scene);
+  read_walls(root, file.scene);
   read_probes(root, file.scene);
   read_lines(root, file.scene);
   read_measures(root, file.scene);

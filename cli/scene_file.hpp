@@ -37,8 +37,8 @@ struct Drawing {
 };
 
 /// What the command line changes about a scene file; everything else stands in the file. A name of `set` is a
-/// parameter, "method.CONSTANT" or one of method, spacing, until, cfl, stepping, contact; the last one of a
-/// name counts, before `method`, `spacing` and `until`. A value is a number or an expression of the
+/// parameter, "method.CONSTANT" or one of method, spacing, until, cfl, stepping, contact, law; the last one
+/// of a name counts, before `method`, `spacing` and `until`. A value is a number or an expression of the
 /// parameters before it.
 struct Overrides {
   std::vector<std::pair<std::string, std::string>> set;  // "--set name=value", in order, value as typed

@@ -46,6 +46,7 @@ constexpr std::array measure_kinds{
     MeasureKind{"last_below", Measure::Kind::last_below, true, false, false},
     MeasureKind{"final_ratio", Measure::Kind::final_ratio, true, true, true},
     MeasureKind{"path_error", Measure::Kind::path_error, false, true, false, 2},
+    MeasureKind{"frequency", Measure::Kind::frequency, false, false, false},
     MeasureKind{"turn", Measure::Kind::turn, false, false, false, 2},
     MeasureKind{"line_rmse", Measure::Kind::line_rmse, false, false, false, 0, true},
     MeasureKind{"at_rest", Measure::Kind::at_rest, false, false, false},
@@ -147,6 +148,20 @@ std::vector<std::string> measured_probes(TomlCursor& cursor, const MeasureKind& 
   return probes;
 }
 
+/// Where a frequency is looked for, and from when on.
+void read_band(TomlCursor& cursor, const Scene& scene, Measure& measure) {
+  const std::vector<double> ends = cursor.numbers("band", 2);
+  if (!(ends[0] >= 0 && ends[0] < ends[1]))
+    cursor.fail(cursor.need("band"), "band",
+                "band = [" + exact(ends[0]) + ", " + exact(ends[1]) +
+                    "] must be two frequencies in Hz, the lower one first");
+  measure.band = {ends[0], ends[1]};
+  measure.from = cursor.number("from", measure.from);
+  if (!(measure.from >= 0 && measure.from < scene.until))
+    cursor.fail(cursor.need("from"), "from",
+                "from = " + exact(measure.from) + " s must lie within the run, 0 to " + exact(scene.until));
+}
+
 Measure read_measure(TomlCursor& cursor, const Scene& scene) {
   Measure measure;
   measure.name = label(cursor, names_of(scene.measures));
@@ -169,6 +184,7 @@ Measure read_measure(TomlCursor& cursor, const Scene& scene) {
     if (measure.scale == 0)
       cursor.fail(cursor.need("scale"), "scale", "scale is 0; the ratio to it would be infinite");
   }
+  if (kind.kind == Measure::Kind::frequency) read_band(cursor, scene, measure);
   if (kind.free && !cursor.text("free", "").empty())
     measure.free = known_probe(cursor, cursor.need("free"), "free", scene);
   cursor.finish();

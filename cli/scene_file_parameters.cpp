@@ -12,8 +12,8 @@ namespace {
 constexpr std::string_view constant_prefix = "method.";
 // what a scene's own expressions and --set give a meaning to
 const std::vector<std::string> reserved_names = {
-    "dp", "pi", "x",      "y",       "z",     "t",   "c0",       "E",       "nu",      "rho",
-    "K",  "G",  "method", "spacing", "until", "cfl", "stepping", "contact", "touching"};
+    "dp", "pi", "x",      "y",       "z",     "t",   "c0",       "E",       "nu",       "rho",
+    "K",  "G",  "method", "spacing", "until", "cfl", "stepping", "contact", "touching", "law"};
 
 std::string bounds_text(const Parameter& parameter) {
   const std::string low = parameter.low ? exact(*parameter.low) : "any",
@@ -95,6 +95,8 @@ Changes by_target(const Overrides& overrides) {
       changes.stepping = text;
     else if (name == "contact")
       changes.contact = text;
+    else if (name == "law")
+      changes.law = text;
     else if (name == "cfl")
       changes.cfl = text;
     else if (name == "spacing")
@@ -113,7 +115,7 @@ std::vector<std::string> names_to_set(const SceneFile& file) {
   std::vector<std::string> names = names_of(file.parameters);
   for (const MethodConstant& constant : find_method(file.settings.method)->constants)
     names.push_back(std::string(constant_prefix) + std::string(constant.name));
-  for (const char* reserved : {"method", "spacing", "until", "cfl", "stepping", "contact"})
+  for (const char* reserved : {"method", "spacing", "until", "cfl", "stepping", "contact", "law"})
     names.emplace_back(reserved);
   return names;
 }

@@ -17,7 +17,7 @@ namespace taut {
 
 /// Overrides by what they change, as typed; the last one of a name counts.
 struct Changes {
-  std::optional<std::string> method, stepping, contact, cfl, spacing, until;
+  std::optional<std::string> method, stepping, contact, law, cfl, spacing, until;
   std::map<std::string, std::string> parameters;
   std::map<std::string, std::string> constants;  // of the method
 };
@@ -33,12 +33,13 @@ double changed_positive(std::string_view name, const std::string& text, const Na
 void read_parameters(TomlCursor& root, const Changes& changes, std::optional<double> dp, SceneFile& file);
 /// dp and the parameters that follow from it.
 std::set<std::string> names_that_need_dp(TomlCursor& root, const Changes& changes);
-/// Method, its constants, stepping, cfl, contact.
+/// Method, its constants and law, stepping, cfl, contact.
 void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file);
 /// Gravity and damping.
 void read_outside(TomlCursor& root, Scene& scene);
 void read_materials(TomlCursor& root, Scene& scene);
 void read_bodies(TomlCursor& root, Scene& scene);
+void read_walls(TomlCursor& root, Scene& scene);
 void read_probes(TomlCursor& root, Scene& scene);
 void read_lines(TomlCursor& root, Scene& scene);
 void read_measures(TomlCursor& root, Scene& scene);

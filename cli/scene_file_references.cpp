@@ -10,7 +10,7 @@
 namespace taut {
 namespace {
 
-const std::vector<std::string> laws = {"2d_deviator", "neo_hookean"};
+const std::vector<std::string> laws = {"2d_deviator", "neo_hookean", "st_venant_kirchhoff", "linear_elastic"};
 
 bool alike(double a, double b) {
   constexpr double tolerance = 1e-9;  // relative

@@ -6,6 +6,7 @@
 #include "cli/scene_file_parts.hpp"
 #include "cli/suggest.hpp"
 #include "cli/text.hpp"
+#include "cli/unknown_name.hpp"
 #include "engine/field.hpp"
 #include "engine/method_info.hpp"
 #include "render/colormap.hpp"
@@ -19,7 +20,7 @@ constexpr std::string_view automatic = "auto";
 const std::vector<std::string> stepping_names = {"dual", "single"};
 
 constexpr std::array contact_laws = {ContactLaw::published, ContactLaw::sph, ContactLaw::impulse,
-                                     ContactLaw::penalty};
+                                     ContactLaw::penalty, ContactLaw::lennard_jones};
 
 std::vector<std::string> names_of_laws() {
   std::vector<std::string> names;
@@ -99,6 +100,30 @@ void read_constants(TomlCursor& root, const MethodInfo& of_file, const MethodInf
     section.table().set(name, TomlValue(value));
     settings.constants[name] = value;
   }
+}
+
+/// The law of elasticity of a method that leaves it open. That of a file belongs to the method of the file.
+void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, const Changes& changes,
+              Settings& settings) {
+  if (const TomlValue* given = root.find("law"); given && of_file.laws.empty())
+    root.fail(*given, "law", "the law of the method '" + std::string(of_file.name) + "' cannot be chosen");
+  if (!of_file.laws.empty()) {
+    root.text("law", of_file.laws.front().name);
+    settings.law = root.choice("law", names_of(of_file.laws));
+  }
+  if (method.laws.empty()) {
+    settings.law.clear();
+    std::erase_if(root.table().entries, [](const TomlEntry& entry) { return entry.key == "law"; });
+    if (changes.law)
+      throw UsageError("the law of the method '" + std::string(method.name) + "' cannot be chosen");
+    return;
+  }
+  if (&method != &of_file) settings.law = method.laws.front().name;
+  if (changes.law) settings.law = *changes.law;
+  const std::vector<std::string> known = names_of(method.laws);
+  if (std::ranges::find(known, settings.law) == known.end())
+    throw UsageError(unknown_name("law", settings.law, known));
+  root.table().set("law", TomlValue(settings.law));
 }
 
 void read_range(TomlCursor& render, Drawing& drawing) {
@@ -196,6 +221,7 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   // repel them before faces meet; with the other laws faces that meet obliquely leave a tenth of a spacing
   root.names()["touching"] = (law == ContactLaw::sph ? 0.9 : 0.1) * root.names().at("dp");
 
+  read_law(root, of_file, method, changes, file.settings);
   // constants and CFL number of a file belong to the method of the file; another one takes its own
   double cfl = root.find("cfl") ? root.positive("cfl") : of_file.cfl;
   if (&method != &of_file) cfl = method.cfl;

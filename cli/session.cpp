@@ -21,7 +21,8 @@ std::string reason_against(const std::string& name, const SceneFile& file) {
   if (is("method.h") || is("method.normalised"))
     return "neighbours and their weights at t = 0 were made from it";
   if (name.starts_with("method.")) return "";
-  if (is("method") || is("stepping") || is("contact")) return "the simulation was made for another";
+  if (is("method") || is("stepping") || is("contact") || is("law"))
+    return "the simulation was made for another";
   if (is("until")) return "the session goes on as long as it is told to; `run until T`";
   for (const Parameter& parameter : file.parameters)
     if (name == parameter.name) return "the bodies of t = 0 were made from it";

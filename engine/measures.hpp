@@ -48,6 +48,7 @@ struct MeasureResult {
 ///                              are not held, in their places at the start, over the greatest |reference| of
 ///                              them; none before the end of the run, of which `now` is the state. Their
 ///                              reference is 0.
+///   frequency                  see diagnostics/spectrum.hpp; from `from` to `until`, none before.
 ///   minimum, maximum           none while the series ends at its extreme, which may then still be ahead;
 ///                              mirror_asymmetry is a fault that grows, so there the extreme so far counts.
 ///   final_ratio                none while `free` ends ≤ threshold (in touch), and if it never was (no

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/scene.hpp"
+#include "engine/simulation.hpp"
 
 namespace taut {
 
@@ -25,12 +25,19 @@ struct TermInfo {
   std::string_view test;      // the name of its test case
 };
 
+/// A law of elasticity that a user may choose for a method.
+struct LawChoice {
+  std::string_view name;          // "st-venant-kirchhoff"
+  std::string_view material_law;  // the reference to compare with
+};
+
 /// What `list` and `describe` say of a method, derived from its Formulation.
 struct MethodInfo {
   std::string_view name;
   std::string_view paper;
   std::string_view summary;
-  std::string_view material_law;  // "2d_deviator" or "neo_hookean": the reference to compare with
+  std::string_view material_law;  // the reference to compare with: "2d_deviator" or "neo_hookean"
+  std::vector<LawChoice> laws;    // of elasticity, which may be chosen; the first is the published one
   std::string_view conserves;
   std::vector<TermInfo> terms;
   std::vector<MethodConstant> constants;
@@ -44,6 +51,9 @@ struct MethodInfo {
 std::span<const MethodInfo> methods();
 /// nullptr if there is none of that name.
 const MethodInfo* find_method(std::string_view name);
+/// The reference to compare a run with these settings with. Throws UsageError for a law that the method does
+/// not have.
+std::string_view material_law(const MethodInfo& method, const Settings& settings);
 /// How the bodies of the scene act on each other with this method, never `published`. Throws SceneError for a
 /// law that the method cannot run with.
 ContactLaw contact_law(const Scene& scene, const MethodInfo& method);

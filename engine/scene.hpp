@@ -76,14 +76,23 @@ struct Load {
 
 /// How bodies act on each other.
 enum class ContactLaw : std::uint8_t {
-  published,  // the law of the method's paper
-  sph,        // as particles of one body do, [Zhang2024]
-  impulse,    // the approach of two particles is stopped, [Khayyer2024] Eq. 53, 54
-  penalty,    // a spring of the bulk modulus, [TranDuc2023] Eq. 2.13–2.15
+  published,      // the law of the method's paper
+  sph,            // as particles of one body do, [Zhang2024]
+  impulse,        // the approach of two particles is stopped, [Khayyer2024] Eq. 53, 54
+  penalty,        // a spring of the bulk modulus, [TranDuc2023] Eq. 2.13–2.15
+  lennard_jones,  // one that hardens the nearer they come, [Zhang2020] Eq. 12
 };
 
 std::string_view name(ContactLaw law);
 std::string_view name(Load::Kind kind);
+
+/// A rigid half-space that bodies cannot enter; it acts by the law of contact, by the penalty where that is
+/// `sph`.
+struct Wall {
+  std::string name;
+  Point at{};      // of its face, m
+  Point normal{};  // of length 1, to the side of the bodies
+};
 
 struct Body {
   std::string name;
@@ -139,6 +148,7 @@ struct Measure {
     final_ratio,  // last value over `scale`; null while series `free` is ≤ threshold at the end
     path_error,   // greatest distance of a point from the reference's curve at the same time, over `scale`
     line_rmse,    // root mean square difference of a line from the reference's solution, all points and times
+    frequency,    // of the highest peak of the spectrum within `band`, from `from` on, Hz
     turn,         // angle a point has turned by about the origin, counter-clockwise, rad
     at_rest,      // value that the series has come to rest at
     field_rmse,  // root mean square difference of fields from the reference's solution at the end of the run,
@@ -155,7 +165,9 @@ struct Measure {
   std::string unit;
   double threshold = 0;
   double scale = 1;
-  std::string free;  // final_ratio: the probe that says that the bodies are apart; may be empty
+  std::array<double, 2> band{};  // frequency: Hz
+  double from = 0;               // frequency: s
+  std::string free;              // final_ratio: the probe that says that the bodies are apart; may be empty
 };
 
 /// A table of an independent solution: time and a column for each probe of a measure, linearly interpolated.
@@ -183,6 +195,7 @@ struct Scene {
   double until = 0;    // s
   std::vector<Material> materials;
   std::vector<Body> bodies;
+  std::vector<Wall> walls;
   ContactLaw contact = ContactLaw::published;
   std::array<std::function<double(double)>, 3> gravity;  // m/s², of the time in s; empty = 0
   double damping =

@@ -78,6 +78,21 @@ void check_materials(const Scene& scene, const Layout& layout, const MethodInfo&
   }
 }
 
+/// Throws SceneError for a body that begins inside a wall.
+void check_walls(const Scene& scene, const Layout& layout) {
+  for (const Wall& wall : scene.walls) {
+    for (int i = 0; i < layout.size(); ++i) {
+      double height = 0;
+      for (std::size_t k = 0; k < 3; ++k) height += (layout.x[i][k] - wall.at[k]) * wall.normal[k];
+      if (layout.held[i] || height >= 0) continue;
+      const std::string& body = scene.bodies[layout.body[i]].name;
+      throw SceneError("wall." + wall.name, "body '" + body + "' begins inside the wall '" + wall.name +
+                                                "': a particle of it is " + std::to_string(-height) +
+                                                " m behind its face; move one of them, or turn the normal");
+    }
+  }
+}
+
 Constants make_constants(const std::vector<Elasticity>& materials, int first, const Scene& scene,
                          const Settings& settings, const MethodInfo& method) {
   const ConstantValues value(method, settings);
@@ -112,6 +127,18 @@ Constants make_constants(const std::vector<Elasticity>& materials, int first, co
   return c;
 }
 
+/// Of the law of the settings among those of the method. Throws UsageError if it is none of them.
+std::size_t law_index(const MethodInfo& method, const Settings& settings) {
+  if (settings.law.empty()) return 0;
+  std::string known;
+  for (std::size_t k = 0; k < method.laws.size(); ++k) {
+    if (method.laws[k].name == settings.law) return k;
+    known += (known.empty() ? "" : ", ") + std::string(method.laws[k].name);
+  }
+  throw UsageError("method '" + std::string(method.name) + "' has no law '" + settings.law + "'; " +
+                   (known.empty() ? "its own cannot be changed" : "it has: " + known));
+}
+
 bool has_x86_64_v3() {
 #if defined(__x86_64__)
   return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
@@ -121,6 +148,11 @@ bool has_x86_64_v3() {
 }
 
 }  // namespace
+
+std::string_view material_law(const MethodInfo& method, const Settings& settings) {
+  return method.laws.empty() && settings.law.empty() ? method.material_law
+                                                     : method.laws[law_index(method, settings)].material_law;
+}
 
 ContactLaw contact_law(const Scene& scene, const MethodInfo& method) {
   if (scene.contact == ContactLaw::published) return method.contact;
@@ -143,12 +175,14 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Settings& 
   if (scene.bodies.empty()) throw SceneError("body", "the scene has no particles; add a [[body]]");
   const Layout layout = make_layout(scene);
   check_materials(scene, layout, *method);
+  check_walls(scene, layout);
   const std::vector<Elasticity> materials = elasticities(scene);
   const int threads = settings.threads > 0 ? settings.threads : omp_get_max_threads();
   const SolverInput input{scene,
                           layout,
                           make_constants(materials, layout.material.front(), scene, settings, *method),
                           materials,
+                          free_laws[law_index(*method, settings)],
                           contact_law(scene, *method),
                           settings.stepping,
                           threads};

@@ -20,11 +20,18 @@ enum class InstructionSet { best, baseline };
 struct Settings {
   std::string method = "enog";
   std::map<std::string, double> constants;  // a method's own constants by name, e.g. {"zeta", 4.0}
+  std::string law;  // of elasticity, for a method that leaves it open (MethodInfo::laws); empty = its first
   Stepping stepping = Stepping::dual;
   double cfl = 0;   // acoustic step over h/(c0 + |v|max) (oenog: dp/(c_p + |v|max)); 0 = the method's default
   double step = 0;  // s, of every step; 0 = by cfl
   int threads = 0;  // 0 = all cores
   InstructionSet instruction_set = InstructionSet::best;
+};
+
+/// What bodies were given from outside.
+struct Impulse {
+  Point linear{};   // N s (per metre depth in 2D)
+  Point angular{};  // about the origin, N m s; in 2D only the last component
 };
 
 /// The particles at one time, in the order of their creation, whatever order the solver keeps them in.
@@ -44,6 +51,7 @@ struct Snapshot {
   double contact_energy = 0;  // of the contacts of bodies, J (per metre depth in 2D)
   double work = 0;            // of driven particles, loads and gravity so far, J (per metre depth in 2D)
   double damped = 0;          // taken by the scene's damping so far, J (per metre depth in 2D)
+  Impulse of_walls;           // so far
   std::vector<double> diameter;  // of a particle as drawn: V0^(1/dim), m
   std::vector<int> body;         // index into Scene::bodies
   std::vector<int> material;     // index into Scene::materials
@@ -61,6 +69,7 @@ struct Balance {
   double angular_scale = 0;        // Σ m |x| |v|
   double work = 0;    // done so far by what drives, loads and pulls the bodies, J (per metre depth in 2D)
   double damped = 0;  // taken so far by the scene's damping, J (per metre depth in 2D)
+  Impulse of_walls;   // so far: momenta less these are kept
 };
 
 /// The series of a scene's probes: one row per step.

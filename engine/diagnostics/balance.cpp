@@ -48,8 +48,8 @@ Balance sums(const Snapshot& now, const Scene& scene) {
     for (std::size_t a = Dim == 3 ? 0 : 2; a < 3; ++a) angular[a] += m * spin[a];
   }
   strain += now.contact_energy;
-  return {kinetic.value(),        strain.value(),        values(linear), values(angular),
-          momentum_scale.value(), angular_scale.value(), now.work,       now.damped};
+  return {kinetic.value(),       strain.value(), values(linear), values(angular), momentum_scale.value(),
+          angular_scale.value(), now.work,       now.damped,     now.of_walls};
 }
 
 }  // namespace

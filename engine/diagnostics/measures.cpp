@@ -7,6 +7,7 @@
 
 #include "engine/diagnostics/curve.hpp"
 #include "engine/diagnostics/field_error.hpp"
+#include "engine/diagnostics/spectrum.hpp"
 #include "engine/error.hpp"
 
 namespace taut {
@@ -203,6 +204,9 @@ Value value_of(const Measure& measure, const Source& source) {
       return turn(source.curve, source.until);
     case Measure::Kind::at_rest:
       return at_rest(curve, source.until);
+    case Measure::Kind::frequency:
+      return curve.t.back() < source.until ? std::nullopt
+                                           : peak_frequency(curve, measure.from, source.until, measure.band);
     case Measure::Kind::line_rmse:
     case Measure::Kind::field_rmse:
     case Measure::Kind::field_error:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/core/cube_root.hpp"
 #include "engine/materials/law.hpp"
 
 namespace taut::inline TAUT_ISA {
@@ -20,18 +21,18 @@ struct NeoHookean {
   }
   template <int Dim>
   Mat<double, Dim> piola(const Mat<double, Dim>& F, double J) const {
-    const double j = determinant(F), inv_cube_root = 1 / std::cbrt(j);
-    const double shear = G * inv_cube_root * inv_cube_root;
-    return combination(shear, F, K * (J - 1) - shear * square(F) / (3 * j), cofactor(F));
+    const double root = inverse_cube_root(determinant(F)), shear = G * root * root;
+    const double inv_j = root * root * root;
+    return combination(shear, F, K * (J - 1) - shear * square(F) * inv_j / 3, cofactor(F));
   }
   template <int Dim>
   double energy(const Mat<double, Dim>& F, double J) const {
-    const double inv_cube_root = 1 / std::cbrt(determinant(F));
-    return 0.5 * G * (inv_cube_root * inv_cube_root * square(F) - 3) + 0.5 * K * (J - 1) * (J - 1);
+    const double root = inverse_cube_root(determinant(F));
+    return 0.5 * G * (root * root * square(F) - 3) + 0.5 * K * (J - 1) * (J - 1);
   }
   template <int Dim>
   Cauchy<Dim> cauchy(const Mat<double, Dim>& F, double J) const {
-    const double j = determinant(F), shear = G / (j * std::cbrt(j * j));
+    const double j = determinant(F), root = inverse_cube_root(j), shear = G * root * root / j;
     return {push_forward(piola(F, J), F, j), K * (J - 1) + shear * (1 - square(F) / 3)};
   }
 };

@@ -22,6 +22,7 @@ std::vector<MethodConstant> total_lagrangian_constants(const Formulation& m);
 
 /// Contact and time stepping, which several have.
 TermInfo penalty_term();
+TermInfo lennard_jones_term();
 TermInfo impulse_term();
 
 }  // namespace taut

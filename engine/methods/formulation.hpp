@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -65,6 +66,7 @@ struct Formulation {
   bool density_diffusion = false;          // [Khayyer2024] Eq. 32–35
   bool tensile_control = false;            // TIC inside, artificial stress at surfaces, [Khayyer2024] §3.4
   Law law = Law::none;                     // of methods on the configuration of the start
+  bool free_law = false;                   // which may be another one, see free_laws
   Unknowns unknowns = Unknowns::velocity;  // of the same
   bool jst = false;                        // dissipation of [Lee2016] §3.4
   GradientCorrection gradient = GradientCorrection::corrected;  // of the same
@@ -100,6 +102,17 @@ constexpr bool strains_what_is_held(const Formulation& m) { return carries_stres
 /// The deformation gradient is an unknown of its own.
 constexpr bool is_mixed(const Formulation& m) { return m.unknowns != Unknowns::velocity; }
 
+/// What a method with a free law can run with; the first one is that of its paper.
+inline constexpr std::array free_laws{Law::neo_hookean, Law::st_venant_kirchhoff, Law::linear_elastic};
+
+/// The method M with another law. Not one of the named methods, but a setting of theirs.
+template <const Formulation& M, Law law>
+inline constexpr Formulation with_law = [] {
+  Formulation changed = M;
+  changed.law = law;
+  return changed;
+}();
+
 /// Mixtures that make no sense are refused at compile time.
 constexpr bool consistent(const Formulation& m) {
   return (!m.artificial_stress || carries_stress(m))  // there is no stress to take it from
@@ -110,7 +123,8 @@ constexpr bool consistent(const Formulation& m) {
          (!m.tensile_control || m.artificial_stress)                      // which the surface keeps
          && (m.pair_stress == PairStress::product || !m.corrected)        // no paper has both
          && (m.shear == Shear::reference_stress) == (m.law != Law::none)  // others have a stress rate
-         && (m.shear == Shear::reference_stress || !is_mixed(m)) && (!m.jst || is_mixed(m)) &&
+         && (!m.free_law || m.law == free_laws.front()) &&
+         (m.shear == Shear::reference_stress || !is_mixed(m)) && (!m.jst || is_mixed(m)) &&
          (m.unknowns != Unknowns::v_F_J || m.law == Law::neo_hookean)  // the other laws take J from F
          && m.h_over_dp > 0 && m.cfl > 0 && m.cfl_advection > 0 && !m.name.empty();
 }

@@ -64,7 +64,7 @@ std::vector<TermInfo> total_lagrangian_terms(const Formulation& m) {
       law_term(m.law),
       {"internal force", internal_force, "[Lee2016] Eq. 29c", "solver/reference_pairs.hpp:pair_sum",
        exact_force},
-      penalty_term(),
+      m.contact == ContactLaw::lennard_jones ? lennard_jones_term() : penalty_term(),
       {"time", "position Verlet, one step", "[Zhang2020] Eq. 10, 11", "solver/total_lagrangian.hpp:step",
        "total Lagrangian: a ring and a disc that collide"},
   };

@@ -2,9 +2,9 @@
 
 #include "engine/methods/formulation.hpp"
 
-/// Methods on the configuration of the start. None of their papers states contact between bodies but
-/// [TranDuc2023]; all take its penalty, `icb` with the printed stiffness, the others with that of a layer of
-/// the material.
+/// Methods on the configuration of the start. [Zhang2020] has a contact of its own between bodies, without
+/// numbers; the others take the penalty of [TranDuc2023], `icb` with the printed stiffness, the rest with
+/// that of a layer of the material.
 namespace taut {
 
 /// [Lee2016] states neither kernel nor h. A short support costs and smooths least: 1.05 dp is the shortest
@@ -30,6 +30,7 @@ inline constexpr Formulation tl = lee2016({
                "zigzags cost nothing",
     .conserves = "linear momentum, angular momentum, energy",
     .shear = Shear::reference_stress,
+    .free_law = true,
 });
 inline constexpr Formulation pf = lee2016({
     .name = "pf",
@@ -83,7 +84,7 @@ inline constexpr Formulation tl_small_strain{
     .gradient = GradientCorrection::normalised,
     .deviator = Deviator::plane_strain,
     .kernel = KernelName::gauss,
-    .contact = ContactLaw::penalty,
+    .contact = ContactLaw::lennard_jones,
     .contact_stiffness = 2,
     .several_materials = true,
     .h_over_dp = 1,

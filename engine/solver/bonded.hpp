@@ -190,7 +190,7 @@ void Bonded<M, Dim>::step() {
     s_.x[i] += (0.5 * dt) * s_.v[i];
     set_row(i);
   });
-  contact_.evaluate(s_);
+  contact_.evaluate(s_, dt);
   first_pass();
   Base::set_greatest_speed(second_pass(dt));
   Base::stop_approach(0.5 * dt, [&](int i, const V& change) { s_.x[i] += (0.5 * dt) * change; });

@@ -87,7 +87,7 @@ void CauchyStress<M, Dim>::step() {
   if (2 * way_ > skin * c_.dp) rebuild();
   const double dt = Base::fixed_or(c_.cfl * c_.h / c_.c0);  // Eq. 26
   if (contact_.prepare(s_, vmax_ * dt)) show_contacts_to_probes();
-  contact_.evaluate(s_);
+  contact_.evaluate(s_, dt);
   gradient_pass(f_, c_, threads_now(), [&](int i, const Gradients<Dim>& g) { set_stress(i, g); });
   accelerate(dt);
   transport(dt);
@@ -181,7 +181,7 @@ template <const Formulation& M, int Dim>
 void CauchyStress<M, Dim>::rebuild() {
   const double reach = support_ + skin * c_.dp;
   s_.reorder(grid_.sort(s_.x, reach), threads_now());
-  if (contact_.active())
+  if (contact_.between_bodies())
     search_(grid_, s_.x, reach, threads_now(), f_.near,
             [this](int i, int j) { return s_.body[i] == s_.body[j]; });
   else

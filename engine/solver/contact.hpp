@@ -1,23 +1,27 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "engine/solver/body_contacts.hpp"
 #include "engine/solver/solver.hpp"
 #include "engine/solver/state.hpp"
+#include "engine/solver/wall_contacts.hpp"
 #include "engine/terms/impulse_contact.hpp"
+#include "engine/terms/lennard_jones_contact.hpp"
 #include "engine/terms/penalty_contact.hpp"
 
 namespace taut::inline TAUT_ISA {
 
-/// What particles of two bodies do to each other that are less than one spacing apart, by the penalty or the
-/// impulse law. It acts along the pair and is equal and opposite to the last bit. With one body, or with the
-/// law `sph`, which is the solver's own business, it is not `active` and costs nothing.
+/// What particles of two bodies do to each other that are less than one spacing apart, by a law of forces
+/// (penalty, lennard_jones) or the impulse law, and what walls do to them. It acts along the pair and is
+/// equal and opposite to the last bit. With one body, or with the law `sph`, which is the solver's own
+/// business, and without walls it is not `active` and costs nothing.
 ///
 /// Once a step: `prepare`; the positions go to where forces are wanted; `evaluate`; each particle takes its
-/// `force` (penalty) for its new velocity; `stop_approach` changes the new velocities of those that meet
-/// (impulse). A solver that stores its particles in another order calls `search` after that.
+/// `force` for its new velocity; `stop_approach` changes the new velocities of those that meet (impulse). A
+/// solver that stores its particles in another order calls `search` after that.
 ///
 /// Differs from [Khayyer2024] Eq. 53–54: there the impulses are a force in the momentum equation that stops
 /// the approach of the old velocities, and what the step itself adds goes on, unstopped. Under a pressure p
@@ -34,21 +38,24 @@ class Contact {
   static constexpr double reach = 2;
 
   explicit Contact(const SolverInput& input)
-      : law_(input.contact),
-        active_(law_ != ContactLaw::sph && input.layout.first.size() > 2),
+      : between_bodies_(input.contact != ContactLaw::sph && input.layout.first.size() > 2),
+        law_(input.contact == ContactLaw::sph ? ContactLaw::penalty : input.contact),
         dp_(input.constants.dp),
         stiffness_(input.constants.contact_stiffness),
-        pairs_(reach * dp_, 0.5 * dp_) {
-    if (!active_ || law_ != ContactLaw::penalty) return;
+        pairs_(reach * dp_, skin * dp_),
+        walls_(input.scene) {
+    if (!active()) return;
     for (const int material : input.layout.material) K_.push_back(input.materials[material].K);
   }
 
-  bool active() const { return active_; }
+  /// Particles of two bodies act on each other here, not as those of one.
+  bool between_bodies() const { return between_bodies_; }
+  bool active() const { return between_bodies_ || walls_.any(); }
 
   /// Searches anew once the fastest particle, whose next way is `way`, m, may have come out of the last
   /// search's reach. True if it did.
   bool prepare(const State<Dim>& s, double way) {
-    if (!active_) return false;
+    if (!active()) return false;
     travelled_ += way;
     if (travelled_ <= pairs_.lasts_for()) return false;
     search(s);
@@ -56,25 +63,36 @@ class Contact {
   }
 
   void search(const State<Dim>& s) {
-    if (!active_) return;
+    if (!active()) return;
     travelled_ = 0;
-    pairs_.search(s);
     touching_.clear();
-    for (int i = 0; i < s.size(); ++i)
-      if (pairs_.begin[i] < pairs_.begin[i + 1]) touching_.push_back(i);
+    if (between_bodies_) {
+      pairs_.search(s);
+      for (int i = 0; i < s.size(); ++i)
+        if (pairs_.begin[i] < pairs_.begin[i + 1]) touching_.push_back(i);
+    }
+    walls_.search(s, (1 + 2 * skin) * dp_);
+    for (const auto& [i, wall] : walls_.near()) touching_.push_back(i);
+    std::sort(touching_.begin(), touching_.end());
+    touching_.erase(std::unique(touching_.begin(), touching_.end()), touching_.end());
     force_.assign(s.size(), V{});
+    impulse_.assign(s.size(), V{});
   }
 
-  /// The forces of the penalty law at the positions that `s` has now. On one thread: a touching face has too
-  /// few particles for a second one.
-  void evaluate(const State<Dim>& s) {
-    if (law_ != ContactLaw::penalty) return;
+  /// The forces at the positions that `s` has now, which act for `dt`, s. On one thread: a touching face has
+  /// too few particles for a second one.
+  void evaluate(const State<Dim>& s, double dt) {
+    if (law_ == ContactLaw::impulse) return;
     for (const int i : touching_) {
       force_[i] = V{};
-      for_each_touch(s, i, 0, [&](int j, const V& d, double r) {
-        force_[i] += (penalty_force(r, dp_, modulus(s, i, j), Dim) / r) * d;
-      });
+      for_each_touch(s, i, 0,
+                     [&](int j, const V& d, double r) { force_[i] += (push(r, modulus(s, i, j)) / r) * d; });
     }
+    walls_.for_each_touch(s, dp_, 0, [&](int i, const V& x, const V& normal, double r) {
+      const V force = push(r, modulus(s, i, i)) * normal;
+      force_[i] += force;
+      walls_.book(x, (dt * s.mobile[i]) * force);
+    });
   }
 
   /// On particle i, N (per metre depth in 2D), as last evaluated.
@@ -88,33 +106,39 @@ class Contact {
   void stop_approach(const State<Dim>& s, double gone, const InverseMass& inverse_mass,
                      const Change& change) {
     if (law_ != ContactLaw::impulse) return;
-    impulse_.assign(touching_.size(), V{});
-    for (std::size_t k = 0; k < touching_.size(); ++k) {
-      const int i = touching_[k];
+    for (const int i : touching_) {
+      impulse_[i] = V{};
       for_each_touch(s, i, gone, [&](int j, const V& d, double r) {
         const double closing_speed = -dot(s.v[i] - s.v[j], d) / r;
-        impulse_[k] += (stopping_impulse(closing_speed, inverse_mass(i), inverse_mass(j)) / r) * d;
+        impulse_[i] += (stopping_impulse(closing_speed, inverse_mass(i), inverse_mass(j)) / r) * d;
       });
     }
-    for (std::size_t k = 0; k < touching_.size(); ++k) change(touching_[k], impulse_[k]);
+    walls_.for_each_touch(s, dp_, gone, [&](int i, const V& x, const V& normal, double) {
+      const V impulse = stopping_impulse(-dot(s.v[i], normal), inverse_mass(i), 0) * normal;
+      impulse_[i] += impulse;
+      walls_.book(x, impulse);
+    });
+    for (const int i : touching_) change(i, impulse_[i]);
   }
+
+  /// What walls have given to the bodies so far.
+  const Impulse& of_walls() const { return walls_.given(); }
 
   /// Of all contacts at the positions that `s` has now, J (per metre depth in 2D). Impulses have none.
   double energy(const State<Dim>& s) const {
-    double twice = 0;
-    if (law_ != ContactLaw::penalty) return twice;
-    for (const int i : touching_) {
-      for (int k = pairs_.begin[i]; k < pairs_.begin[i + 1]; ++k) {
-        const V d = s.x[i] - s.x[pairs_.j[k]];
-        twice += penalty_energy(std::sqrt(dot(d, d)), dp_, modulus(s, i, pairs_.j[k]), Dim);
-      }
-    }
+    double twice = 0;  // each pair is seen from both sides, and half of one with an image counts
+    if (law_ == ContactLaw::impulse) return twice;
+    for (const int i : touching_)
+      for_each_touch(s, i, 0, [&](int j, const V&, double r) { twice += stored(r, modulus(s, i, j)); });
+    walls_.for_each_touch(s, dp_, 0, [&](int i, const V&, const V&, double r) {
+      twice += s.mobile[i] * stored(r, modulus(s, i, i));
+    });
     return 0.5 * twice;
   }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(pairs_, touching_, force_, travelled_);
+    archive(pairs_, walls_, touching_, force_, impulse_, travelled_);
   }
 
   /// The pairs in the form in which probes look for neighbours.
@@ -122,7 +146,7 @@ class Contact {
     Neighbors out;
     out.begin.push_back(0);
     for (int i = 0; i < particles; ++i) {
-      if (active_)
+      if (between_bodies_)
         out.j.insert(out.j.end(), pairs_.j.begin() + pairs_.begin[i], pairs_.j.begin() + pairs_.begin[i + 1]);
       while (out.j.size() % lanes != 0) out.j.push_back(i);
       out.begin.push_back(static_cast<int>(out.j.size()) / lanes);
@@ -131,6 +155,18 @@ class Contact {
   }
 
  private:
+  /// Longer: fewer searches, more pairs; in spacings.
+  static constexpr double skin = 0.5;
+
+  /// N (per metre depth in 2D), of two particles r apart whose contact has this modulus.
+  double push(double r, double modulus) const {
+    return law_ == ContactLaw::lennard_jones ? lennard_jones_force(r, dp_, modulus, Dim)
+                                             : penalty_force(r, dp_, modulus, Dim);
+  }
+  double stored(double r, double modulus) const {  // J (per metre depth in 2D)
+    return law_ == ContactLaw::lennard_jones ? lennard_jones_energy(r, dp_, modulus, Dim)
+                                             : penalty_energy(r, dp_, modulus, Dim);
+  }
   double modulus(const State<Dim>& s, int i, int j) const {  // Pa
     return contact_modulus(K_[s.id[i]], K_[s.id[j]], stiffness_);
   }
@@ -139,6 +175,7 @@ class Contact {
   /// ago.
   template <class F>
   void for_each_touch(const State<Dim>& s, int i, double gone, const F& f) const {
+    if (!between_bodies_) return;
     for (int k = pairs_.begin[i]; k < pairs_.begin[i + 1]; ++k) {
       const int j = pairs_.j[k];
       const V d = (s.x[i] - s.x[j]) - gone * (s.v[i] - s.v[j]);
@@ -147,15 +184,16 @@ class Contact {
     }
   }
 
-  ContactLaw law_;
-  bool active_;
+  bool between_bodies_;
+  ContactLaw law_;         // of pairs, if any are here, and of walls
   double dp_;              // m
-  double stiffness_;       // of the penalty, over K1 K2/(K1 + K2)
+  double stiffness_;       // over K1 K2/(K1 + K2)
   std::vector<double> K_;  // [id] Pa
   BodyContacts<Dim> pairs_;
-  std::vector<int> touching_;  // particles that have pairs
+  WallContacts<Dim> walls_;
+  std::vector<int> touching_;  // particles that have pairs or are near a wall, in rising order
   std::vector<V> force_;       // N
-  std::vector<V> impulse_;     // of touching_, N s
+  std::vector<V> impulse_;     // N s
   double travelled_ = 0;       // by the fastest particle since the last search, m
 };
 

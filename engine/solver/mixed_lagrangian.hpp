@@ -60,7 +60,7 @@ class MixedLagrangian final : public ReferenceSolver<M, Dim> {
   double volume_ratio(const Unknown& u) const { return has_J ? u.J : determinant(u.F); }
 
   void step();
-  void find_rates(const std::vector<V>& Z);
+  void find_rates(const std::vector<V>& Z, double dt);
   void set_rows(const std::vector<V>& Z);
   void gather_pass();
   void dissipation_pass();
@@ -116,12 +116,12 @@ void MixedLagrangian<M, Dim>::step() {
   start_ = now_;
   for (int i = 0; i < s_.size(); ++i) Z_[i] = now_[i].x;
   Base::set_outside(dt, this->time_ + dt);
-  find_rates(Z_);
+  find_rates(Z_, dt);
   rate_of_start_ = rate_;
   predict(dt);
   // both momenta are kept by stages that sum to zero about x at the start and at the end of the step
   for (int i = 0; i < s_.size(); ++i) Z_[i] = start_[i].x + (0.5 * dt) * (start_[i].v + now_[i].v);
-  find_rates(Z_);
+  find_rates(Z_, dt);
   Base::set_greatest_speed(correct(dt));
   Base::stop_approach(0.5 * dt, [&](int i, const V& change) {
     now_[i].v = s_.v[i];
@@ -133,9 +133,9 @@ void MixedLagrangian<M, Dim>::step() {
 
 /// The right-hand sides at the present unknowns.                             [Lee2016] Algorithm 1, steps 4–8
 template <const Formulation& M, int Dim>
-void MixedLagrangian<M, Dim>::find_rates(const std::vector<V>& Z) {
+void MixedLagrangian<M, Dim>::find_rates(const std::vector<V>& Z, double dt) {
   set_rows(Z);
-  contact_.evaluate(s_);
+  contact_.evaluate(s_, 0.5 * dt);  // the two stages share the step
   gather_pass();
   if constexpr (M.jst) dissipation_pass();
   if (c_.projection != 0) project(Z);

@@ -183,6 +183,7 @@ void ParticleSolver<Dim>::begin_snapshot() {
   out.contact_energy = contact_.energy(s_);
   out.work = drives_.work() + loads_.work();
   out.damped = loads_.damped();
+  out.of_walls = contact_.of_walls();
   if (!out.m.empty()) return;
   constexpr int S = Sym<double, Dim>::size + (Dim == 2);  // in 2D s_zz is stored too
   out.dim = Dim;

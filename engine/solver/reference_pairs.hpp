@@ -87,13 +87,16 @@ ReferencePairs<Dim> make_reference_pairs(const std::vector<Vec<double, Dim>>& X,
   ReferencePairs<Dim> pairs;
   pairs.begin.push_back(0);
   const double scale_W = K::alpha(Dim) / std::pow(h, Dim), scale_dW = scale_W / h;
+  // a lattice may have neighbours at the very end of the support, where a kernel need not be 0: they do not
+  // count, whatever the rounding of their places says
+  const double reach = (1 - 1e-9) * K::support * h;
   for (std::size_t body = 0; body + 1 < first.size(); ++body) {
     const int start = first[body];
     const std::vector<Vec<double, Dim>> x(X.begin() + start, X.begin() + first[body + 1]);
     CellGrid<Dim> grid;
-    grid.sort(x, K::support * h);
+    grid.sort(x, K::support * h);  // the cells that the particles were sorted by
     Neighbors found;
-    NeighborSearch<Dim>()(grid, x, K::support * h, 1, found);
+    NeighborSearch<Dim>()(grid, x, reach, 1, found);
     for (int i = 0; i < static_cast<int>(x.size()); ++i) {
       const double V_i = V[start + i];
       double sum_W = V_i * scale_W * K::w(0.0);

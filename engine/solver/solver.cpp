@@ -2,6 +2,7 @@
 #include "engine/solver/solver.hpp"
 
 #include <type_traits>
+#include <utility>
 
 #include "engine/methods/all.hpp"
 #include "engine/solver/bonded.hpp"
@@ -30,12 +31,32 @@ auto solver_of() {
 template <const Formulation& M, int Dim>
 using SolverOf = typename decltype(solver_of<M, Dim>())::type;
 
+/// With the law that the input asks for, where the method leaves it free.
+template <const Formulation& M, int Dim>
+std::unique_ptr<Simulation> make_with_law(const SolverInput& input) {
+  if constexpr (M.free_law) {
+    std::unique_ptr<Simulation> simulation;
+    const auto made = [&]<Law law>() {
+      if (input.law != law) return false;
+      simulation = std::make_unique<SolverOf<with_law<M, law>, Dim>>(input);
+      return true;
+    };
+    [&]<std::size_t... k>(std::index_sequence<k...>) {
+      static_cast<void>((made.template operator()<free_laws[k]>() || ...));
+    }
+    (std::make_index_sequence<free_laws.size()>());
+    return simulation;
+  } else {
+    return std::make_unique<SolverOf<M, Dim>>(input);
+  }
+}
+
 template <int Dim, const Formulation&... M>
 std::unique_ptr<Simulation> make(std::string_view method, const SolverInput& input, MethodList<M...>) {
   std::unique_ptr<Simulation> simulation;
   const auto made = [&]<const Formulation & F>() {
     if (F.name != method) return false;
-    simulation = std::make_unique<SolverOf<F, Dim>>(input);
+    simulation = make_with_law<F, Dim>(input);
     return true;
   };
   static_cast<void>((made.template operator()<M>() || ...));

@@ -7,6 +7,7 @@
 #include "engine/core/isa.hpp"
 #include "engine/layout.hpp"
 #include "engine/methods/constants.hpp"
+#include "engine/methods/formulation.hpp"
 #include "engine/scene.hpp"
 #include "engine/simulation.hpp"
 
@@ -18,6 +19,7 @@ struct SolverInput {
   const Layout& layout;
   Constants constants;
   std::vector<Elasticity> materials;  // in the order of Scene::materials
+  Law law;                            // of a method whose law is free
   ContactLaw contact;                 // never `published`
   Stepping stepping;
   int threads;

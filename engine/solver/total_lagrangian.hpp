@@ -55,7 +55,7 @@ void TotalLagrangian<M, Dim>::step() {
     s_.x[i] += (0.5 * dt) * s_.v[i];
     displacement_[i] = in_rows(s_.x[i] - X_[i]);
   });
-  contact_.evaluate(s_);
+  contact_.evaluate(s_, dt);
   deformation_pass();
   Base::set_greatest_speed(force_pass(dt));
   Base::stop_approach(0.5 * dt, [&](int i, const V& change) { s_.x[i] += (0.5 * dt) * change; });

@@ -73,7 +73,7 @@ void UpdatedLagrangian<M, Dim>::step() {
   contact_.prepare(s_, vmax_ * dt);
   half_drift(0.5 * dt);
   contact_geometry_pass<M>(s_, c_);
-  contact_.evaluate(s_);
+  contact_.evaluate(s_, dt);
   kick(dt);
   close_rates(0.5 * dt);
   advected_ += greatest_speed_ * dt;

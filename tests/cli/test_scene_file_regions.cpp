@@ -156,11 +156,58 @@ TEST_SUITE("cli") {
     check_error("poisson_ratio = 0.4", "poisson_ratio = 0.4\nbulk_modulus = \"@c0\"", {"unknown name 'c0'"});
   }
 
+  TEST_CASE("scene: walls have a place and a normal of any length") {
+    const auto with_wall = [](const std::string& keys) {
+      return small_scene + "\n[[wall]]\nname = \"floor\"\n" + keys + "\n";
+    };
+    const SceneFile file = read_text(with_wall("at = [0, -1]\nnormal = [0, 2]"));
+    REQUIRE(file.scene.walls.size() == 1);
+    CHECK(file.scene.walls[0].normal == Point{0, 1, 0});
+    CHECK(file.scene.walls[0].at == Point{0, -1, 0});
+    CHECK(read_text(file.resolved).resolved == file.resolved);
+    const auto error_of = [&](const std::string& keys) -> std::string {
+      try {
+        read_text(with_wall(keys));
+      } catch (const SceneError& error) {
+        CHECK(error.line > 1);
+        return error.what();
+      }
+      return "no error";
+    };
+    CHECK(error_of("at = [0, 0]\nnormal = [0, 0]").find("has no length") != std::string::npos);
+    CHECK(error_of("at = [0, 0]").find("'normal' is missing") != std::string::npos);
+    CHECK(error_of("at = [0, 0]\nnormal = [0, 1]\nnormel = 1").find("'normal'") != std::string::npos);
+  }
+
+  TEST_CASE("scene: the law of elasticity is one of those of a method that leaves it open") {
+    const auto with_law = [](const std::string& method, const std::string& law) {
+      return replaced(small_scene, "until = 2", "until = 2\nmethod = \"" + method + "\"" + law);
+    };
+    CHECK(read_text(with_law("tl", "")).settings.law == "neo-hookean");
+    const SceneFile file = read_text(with_law("tl", "\nlaw = \"linear\""));
+    CHECK(file.settings.law == "linear");
+    CHECK(read_text(file.resolved).settings.law == "linear");
+    const auto changed = [&](const char* law, const char* method) {
+      Overrides overrides;
+      if (law) overrides.set = {{"law", law}};
+      if (method) overrides.method = method;
+      return read_text(file.resolved, overrides).settings.law;
+    };
+    CHECK(changed("st-venant-kirchhoff", nullptr) == "st-venant-kirchhoff");
+    CHECK(changed(nullptr, "icb").empty());  // the law belongs to the method of the file
+    CHECK_THROWS_AS(changed("linaer", nullptr), UsageError);
+    CHECK_THROWS_AS(changed("linear", "icb"), UsageError);
+    check_error("until = 2", "until = 2\nmethod = \"tl\"\nlaw = @\"linaer\"",
+                {"unknown law 'linaer'", "did you mean 'linear'"});
+    check_error("until = 2", "until = 2\nmethod = \"icb\"\nlaw = @\"linear\"", {"cannot be chosen"});
+  }
+
   TEST_CASE("scene: the contact law is one there is, and one that the method can run with") {
     CHECK(read_text(replaced(small_scene, "until = 2", "until = 2\ncontact = \"penalty\"")).scene.contact ==
           ContactLaw::penalty);
     check_error("until = 2", "until = 2\ncontact = @\"impuls\"",
-                {"unknown contact 'impuls'", "did you mean 'impulse'", "published, sph, impulse, penalty"});
+                {"unknown contact 'impuls'", "did you mean 'impulse'",
+                 "published, sph, impulse, penalty, lennard-jones"});
     const SceneFile file =
         read_text(replaced(small_scene, "until = 2", "until = 2\nmethod = \"oenog\"\ncontact = \"sph\""));
     try {

@@ -4,7 +4,8 @@
 //   tl   [Lee2016] Eq. 21 (corrected gradient), 29c (internal force), 34 (F), 8–12 (neo-Hookean, P by Σ_F,
 //   Σ_J, H) icb  [TranDuc2023] §2.3: N, F, ε, σ⁰, the iteration towards R, the acceleration tl-small-strain
 //   [Zhang2020] Eq. 3, 4, 7–9, with the sums of Eq. 7 and 9 normalised as energy asks for
-// and the penalty contact of [TranDuc2023] Eq. 2.13. Time: x to mid-step, v, x to the end.
+// tl with St Venant–Kirchhoff's and the linear law, and the contacts of [TranDuc2023] Eq. 2.13 and, for
+// tl-small-strain, [Zhang2020] Eq. 12. Time: x to mid-step, v, x to the end.
 
 #include <algorithm>
 #include <array>
@@ -14,7 +15,7 @@
 
 namespace taut::test::naive_reference {
 
-enum class Method { tl, icb, small_strain };
+enum class Method { tl, icb, small_strain, tl_st_venant_kirchhoff, tl_linear };
 
 using Vector = std::array<double, 2>;
 using Matrix = std::array<std::array<double, 2>, 2>;
@@ -47,13 +48,14 @@ struct Run {
   long contacts = 0;  // pairs of two bodies that pressed on each other, over all steps
 
   // kernels of the methods: Wendland C2 (tl), sinc⁵ (icb), Gauss cut off at 3 h (small strain)
-  double support() const { return small() ? 3 * h : 2 * h; }
+  double support() const { return (1 - 1e-9) * (small() ? 3 * h : 2 * h); }
   bool small() const { return method == Method::small_strain; }
+  bool linear() const { return small() || method == Method::tl_linear; }
   double W(double r) const {
     if (r >= support()) return 0;
     if (small()) return std::exp(-r * r / (h * h)) / (std::numbers::pi * h * h) / (1 - std::exp(-9.0));
     const double q = r / h;
-    if (method == Method::tl)
+    if (method != Method::icb)
       return 7 / (4 * std::numbers::pi * h * h) * std::pow(1 - q / 2, 4) * (1 + 2 * q);
     return 0.710379463738679282 / (h * h) * std::pow(sinc(q), 5);
   }
@@ -61,7 +63,7 @@ struct Run {
     if (r >= support()) return 0;
     if (small()) return -2 * r / (h * h) * W(r);
     const double q = r / h;
-    if (method == Method::tl) return -35 / (4 * std::numbers::pi * h * h * h) * q * std::pow(1 - q / 2, 3);
+    if (method != Method::icb) return -35 / (4 * std::numbers::pi * h * h * h) * q * std::pow(1 - q / 2, 3);
     const double y = std::numbers::pi * q / 2;
     const double slope = (std::cos(y) / y - std::sin(y) / (y * y)) * std::numbers::pi / 2;
     return 0.710379463738679282 / (h * h * h) * 5 * std::pow(sinc(q), 4) * slope;
@@ -125,14 +127,14 @@ struct Run {
     Matrix e{};
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b)
-        e[a][b] = method == Method::icb ? 0.5 * (F[0][a] * F[0][b] + F[1][a] * F[1][b] - (a == b ? 1 : 0))
-                                        : 0.5 * (F[a][b] + F[b][a]) - (a == b ? 1 : 0);
+        e[a][b] = linear() ? 0.5 * (F[a][b] + F[b][a]) - (a == b ? 1 : 0)
+                           : 0.5 * (F[0][a] * F[0][b] + F[1][a] * F[1][b] - (a == b ? 1 : 0));
     const double tr = e[0][0] + e[1][1];
     Matrix sigma{};
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b)
         sigma[a][b] = 2 * G * (e[a][b] - (a == b ? tr / 3 : 0)) + (a == b ? K * tr : 0);
-    return method == Method::icb ? times(rotation(F), sigma) : sigma;
+    return linear() ? sigma : times(method == Method::icb ? rotation(F) : F, sigma);
   }
 
   void deform() {
@@ -162,7 +164,10 @@ struct Run {
       const double r = std::hypot(d[0], d[1]);
       if (i.body == j.body || r >= dp) continue;
       ++contacts;
-      for (int a = 0; a < 2; ++a) f[a] += contact_stiffness * K / 2 * (dp - r) * d[a] / r;
+      const double modulus = contact_stiffness * K / 2, l = dp / r;
+      const double push =
+          small() ? modulus * dp * dp / 2 * (std::pow(l, 6) - std::pow(l, 4)) / r : modulus * (dp - r);
+      for (int a = 0; a < 2; ++a) f[a] += push * d[a] / r;
     }
     return f;
   }

@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/core/cube_root.hpp"
 #include "engine/core/parallel.hpp"
 #include "engine/core/team_size.hpp"
 #include "engine/core/tensor.hpp"
@@ -101,6 +102,15 @@ void check_gather() {
 }  // namespace
 
 TEST_SUITE("unit") {
+  TEST_CASE("cube root: its inverse, for all sizes and both signs") {
+    for (double x = 1e-290; x < 1e290; x *= 1.37) {
+      CHECK(inverse_cube_root(x) * std::cbrt(x) == doctest::Approx(1).epsilon(1e-15));
+      CHECK(inverse_cube_root(-x) == -inverse_cube_root(x));
+    }
+    CHECK(inverse_cube_root(1) == 1);
+    CHECK(std::isnan(inverse_cube_root(std::nan(""))));
+  }
+
   TEST_CASE("tensor: a symmetric one is stored as its upper triangle") {
     check_symmetric_tensor<2>();
     check_symmetric_tensor<3>();

@@ -121,6 +121,27 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE("settings: a law that a method does not have is refused, with those it has") {
+    const Scene scene = small_collision();
+    const auto message = [&](const char* method, const char* law) -> std::string {
+      Settings settings = with_method(method);
+      settings.law = law;
+      try {
+        make_simulation(scene, settings);
+      } catch (const UsageError& error) {
+        return error.what();
+      }
+      return "nothing was thrown";
+    };
+    CHECK(message("tl", "hooke").find("neo-hookean, st-venant-kirchhoff, linear") != std::string::npos);
+    CHECK(message("icb", "linear").find("its own cannot be changed") != std::string::npos);
+    Settings settings = with_method("tl");
+    CHECK(material_law(*find_method("tl"), settings) == "neo_hookean");
+    settings.law = "linear";
+    CHECK(material_law(*find_method("tl"), settings) == "linear_elastic");
+    CHECK(material_law(*find_method("og"), with_method("og")) == "2d_deviator");
+  }
+
   TEST_CASE("settings: the step follows the CFL number") {
     const Scene scene = small_collision();
     Settings settings = with_method("enog");

@@ -1,0 +1,53 @@
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "engine/diagnostics/spectrum.hpp"
+
+using namespace taut;
+using doctest::Approx;
+
+namespace {
+
+/// 0.2 s of lines at 150, 357 and 446 Hz that die away, on a slope, at uneven times.
+struct Ringing {
+  std::vector<double> t, y;
+
+  explicit Ringing(double damping = 0) {
+    for (double time = 0; time <= 0.2 + 1e-5; time += 1e-5 * (1.2 + std::sin(4e4 * time))) {
+      t.push_back(time);
+      const auto line = [&](double f, double phase) {
+        return std::exp(-damping * time) * std::sin(2 * std::numbers::pi * f * time + phase);
+      };
+      y.push_back(3 + 0.1 * time + 0.5 * line(150.3, 0.2) + 0.05 * line(357.1, 1) + 0.3 * line(446.2, 2));
+    }
+  }
+  std::optional<double> peak(double low, double high, double begin = 0, double end = 0.2) const {
+    return peak_frequency({t, y}, begin, end, {low, high});
+  }
+};
+
+}  // namespace
+
+TEST_SUITE("analytic") {
+  TEST_CASE("spectrum: lines are found far closer than the points of the spectrum") {
+    const Ringing steady, dying(10);
+    for (const Ringing* curve : {&steady, &dying}) {
+      CHECK(*curve->peak(75, 250) == Approx(150.3).epsilon(3e-4));
+      CHECK(*curve->peak(260, 400) == Approx(357.1).epsilon(3e-4));
+      CHECK(*curve->peak(400, 600) == Approx(446.2).epsilon(3e-4));
+      CHECK(*curve->peak(0, 1000) == Approx(150.3).epsilon(3e-4));  // the highest of the three
+      CHECK(*curve->peak(75, 250, 0.05, 0.15) == Approx(150.3).epsilon(3e-3));
+    }
+  }
+  TEST_CASE("spectrum: the side of a line is none, nor is the end of a band") {
+    const Ringing curve;
+    CHECK(!curve.peak(146, 149));  // only rises towards 150.3
+    CHECK(!curve.peak(151.5, 154));
+    CHECK(!peak_frequency({}, 0, 1, {1, 2}));
+    CHECK(!curve.peak(75, 250, 0.1, 0.1));
+  }
+}
