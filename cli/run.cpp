@@ -250,9 +250,9 @@ void Run::look() {
   history_agenda_.reached(record_.reached);
   const Snapshot& now = simulation_->snapshot();
   const Balance sums = balance(now, plan_.file.scene);
-  judge_.look(now, sums);
-  drift_.look(sums);
   const Readings readings = gauge_(now);
+  judge_.look(now, sums, readings);
+  drift_.look(sums);
   history_->add(*simulation_, sums, judge_.pieces(), readings);
   for (std::size_t k = 0; k < readings.size(); ++k) record_.indicator[k].look(readings[k], now.time);
   take_verdict();

@@ -10,8 +10,9 @@
 namespace taut {
 namespace {
 
-constexpr std::array<std::pair<Verdict, std::string_view>, 3> verdicts = {{
+constexpr std::array<std::pair<Verdict, std::string_view>, 4> verdicts = {{
     {Verdict::stable, "stable"},
+    {Verdict::hourglass, "hourglass"},
     {Verdict::fractured, "fractured"},
     {Verdict::diverged, "diverged"},
 }};
@@ -40,7 +41,7 @@ Judge::Judge(const Scene& scene, const Snapshot& start, double support)
   start_energy_ = given_energy_ = at_start.kinetic + at_start.strain;
 }
 
-void Judge::look(const Snapshot& now, const Balance& balance) {
+void Judge::look(const Snapshot& now, const Balance& balance, const Readings& readings) {
   const double energy = balance.kinetic + balance.strain;
   // the angular scale contains every position, the energies every other value
   const bool finite = std::isfinite(energy) && std::isfinite(balance.angular_scale);
@@ -49,6 +50,8 @@ void Judge::look(const Snapshot& now, const Balance& balance) {
     since_.try_emplace(Verdict::diverged, now.time);
   }
   if (!finite) return;
+  static_assert(indicators[0].key == "hourglass_error");
+  if (readings[0].share() > hourglass_threshold) since_.try_emplace(Verdict::hourglass, now.time);
   if (!update_broken(now)) return;
   pieces_ = count_pieces();
   if (!since_.contains(Verdict::fractured) && (pieces_ > start_pieces_ || has_crack()))

@@ -47,12 +47,38 @@ TEST_SUITE("unit") {
   TEST_CASE("verdict: names go both ways, from best to worst") {
     CHECK(name(Verdict::stable) == "stable");
     CHECK(name(Verdict::diverged) == "diverged");
-    for (const Verdict each : {Verdict::stable, Verdict::fractured, Verdict::diverged}) {
+    for (const Verdict each : {Verdict::stable, Verdict::hourglass, Verdict::fractured, Verdict::diverged}) {
       CHECK(find_verdict(name(each)) == each);
     }
     CHECK_FALSE(find_verdict("broken"));
-    CHECK(Verdict::stable < Verdict::fractured);
+    CHECK(Verdict::stable < Verdict::hourglass);
+    CHECK(Verdict::hourglass < Verdict::fractured);
     CHECK(Verdict::fractured < Verdict::diverged);
+  }
+
+  TEST_CASE("judge: a zigzag is found, and no smooth bending however strong") {
+    const Scene scene = one_body(2);
+    const Snapshot start = lattice(2, 20, 10);
+    IndicatorGauge gauge(scene, start);
+    const auto verdict = [&](auto place) {
+      Snapshot now = start;
+      for (std::size_t i = 0; i < now.size(); ++i) place(i, now.x0[2 * i], now.x0[2 * i + 1], &now.x[2 * i]);
+      Judge judge(scene, start, support);
+      judge.look(now, balance(now, scene), gauge(now));
+      return judge.verdict();
+    };
+    for (const double amplitude : {0.025, 0.035}) {
+      CAPTURE(amplitude);
+      CHECK(verdict([&](std::size_t i, double, double, double* x) {
+              x[1] += (i % 2 ? amplitude : -amplitude) * dp;
+            }) == (amplitude > 0.03 ? Verdict::hourglass : Verdict::stable));
+    }
+    // to a half circle about (0, -H/2 - radius), the inner face pressed to 0.7 of its length and less
+    CHECK(verdict([&](std::size_t, double x0, double y0, double* x) {
+            const double radius = 2 * 1.9 / 3.14159265358979 / 2, angle = x0 / radius;
+            x[0] = (radius + y0 - 0.45) * std::sin(angle);
+            x[1] = (radius + y0 - 0.45) * std::cos(angle);
+          }) == Verdict::stable);
   }
 
   TEST_CASE("judge: a chain of particles breaks when a bond outgrows the support") {
