@@ -103,7 +103,7 @@ TEST_SUITE("cli") {
     CAPTURE(outcome.err);
     REQUIRE(outcome.code == 0);
     const auto runs = json_of(folder / "out/results.json")["runs"];
-    CHECK(runs[0]["verdict"] == "stable");
+    CHECK(runs[0]["verdict"] == "hourglass");
     CHECK(runs[1]["verdict"] == "diverged");
     CHECK(runs[1]["status"] == "failed");
     CHECK(runs[1]["since"]["diverged"].get<double>() > 0);
