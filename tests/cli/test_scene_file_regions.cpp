@@ -179,6 +179,17 @@ TEST_SUITE("cli") {
     CHECK(error_of("at = [0, 0]\nnormal = [0, 1]\nnormel = 1").find("'normal'") != std::string::npos);
   }
 
+  TEST_CASE("scene: a frequency is looked for in a band, from a time on") {
+    const std::string kind = "of = \"frequency\"\n";
+    const Scene scene =
+        read_text(replaced(small_scene, "of = \"maximum\"", kind + "band = [2, 5]\nfrom = 3")).scene;
+    CHECK(scene.measures[0].band == std::array{2.0, 5.0});
+    CHECK(scene.measures[0].from == 3);  // beyond the end of a short run: no frequency, but no error
+    check_error("of = \"maximum\"", kind + "band = @[5, 2]", {"the lower one first"});
+    check_error("of = \"maximum\"", kind + "band = [2, 5]\nfrom = @-1", {"must be at least 0"});
+    CHECK_THROWS_AS(read_text(replaced(small_scene, "of = \"maximum\"", kind)), SceneError);
+  }
+
   TEST_CASE("scene: the law of elasticity is one of those of a method that leaves it open") {
     const auto with_law = [](const std::string& method, const std::string& law) {
       return replaced(small_scene, "until = 2", "until = 2\nmethod = \"" + method + "\"" + law);
