@@ -1,22 +1,16 @@
 #include "cli/chart_drawing.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
+#include "cli/line_styles.hpp"
 #include "cli/text.hpp"
 
 namespace taut {
 namespace {
 
 constexpr int width = 1280, height = 800;  // pixels
-
-// Okabe and Ito's colours, which colour-blind readers tell apart too, without their yellow; with eight of
-// these and seven markers no two of 56 series look alike
-constexpr std::array colors = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                               "#56B4E9", "#E69F00", "#6A3D9A", "#444444"};
-constexpr std::array markers = {7, 5, 9, 13, 11, 15, 4};  // of gnuplot: filled disc, square, ...
 
 /// Least and greatest of positive numbers.
 struct Range {
@@ -135,16 +129,14 @@ std::vector<std::string> curves(const Chart& chart, const Ranges& ranges) {
   const std::string nowhere = exact(ranges.in_strip());
   bool any_unstable = false;
   for (std::size_t k = 0; k < chart.series.size(); ++k) {
-    const std::string color = std::string("linecolor '") + colors[k % colors.size()] + "'";
-    const std::string marker = "pointtype " + std::to_string(markers[k % markers.size()]);
+    const std::string marker = marker_style(k) + " " + line_style(k);
     const std::string block = "data index " + std::to_string(k) + " using ";
-    all.push_back(block + "($2*" + factor + "):3 with linespoints linewidth 2 " + marker + " pointsize 1.4 " +
-                  color + " title " + plot_text(chart.series[k].name));
+    all.push_back(block + "($2*" + factor + "):3 with linespoints linewidth 2 " + marker + " title " +
+                  plot_text(chart.series[k].name));
     const auto& points = chart.series[k].points;
     any_unstable |= std::ranges::count(points, false, &ChartPoint::stable) > 0;
     if (std::ranges::any_of(points, [](const ChartPoint& p) { return !p.error; }))
-      all.push_back(block + "($5 == 1 ? NaN : " + nowhere + "):3 with points " + marker + " pointsize 1.4 " +
-                    color + " notitle");
+      all.push_back(block + "($5 == 1 ? NaN : " + nowhere + "):3 with points " + marker + " notitle");
   }
   if (any_unstable)
     all.push_back(

@@ -141,6 +141,8 @@ int execute(SweepPlan& plan, const SweepOptions& o, Streams streams) {
   streams.out << report(plan, o);
   if (end.code != exit_fine) return end.code;
   if (end.interrupted) return exit_interrupted;
+  if (!o.index)
+    if (const int code = draw_pictures(plan.pictures, plan.folder, streams); code != exit_fine) return code;
   return fails(plan, fail_on) ? exit_diverged : exit_fine;
 }
 

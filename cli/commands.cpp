@@ -6,6 +6,7 @@ std::function<int(Streams)> declare_run(CLI::App&);
 std::function<int(Streams)> declare_render(CLI::App&);
 std::function<int(Streams)> declare_sweep(CLI::App&);
 std::function<int(Streams)> declare_chart(CLI::App&);
+std::function<int(Streams)> declare_map(CLI::App&);
 std::function<int(Streams)> declare_compare(CLI::App&);
 std::function<int(Streams)> declare_movie(CLI::App&);
 std::function<int(Streams)> declare_diff(CLI::App&);
@@ -36,6 +37,7 @@ constexpr Command table[] = {
      "  taut sweep colliding-rings --grid spacing=0.002,0.001 --grid method.zeta=3,3.5,4 --set v0=0.1\n"
      "  taut sweep rings-speed-limit --list       a sweep file of scenes/studies/: what would run\n"
      "  taut sweep rings-speed-limit --jobs 1     goes on where it was stopped\n"
+     "  taut sweep plate-accuracy                 a study with a [chart] or a [map] is drawn as well\n"
      "  taut sweep rings-speed-limit --out limits --emit slurm && sbatch limits/sweep.slurm\n",
      declare_sweep},
     {"chart",
@@ -47,6 +49,11 @@ constexpr Command table[] = {
      "plate.gp and plate.dat stay beside the picture: change the script, and `gnuplot plate.gp` draws it "
      "again.\n",
      declare_chart},
+    {"map",
+     "show where each method fails from the results of sweeps: a parameter by methods, and the verdicts",
+     "  taut sweep colliding-rings --grid v0=0.02:0.16:0.02 --grid method=og,oas,enog --out out/speeds\n"
+     "  taut map out/speeds/results.csv --out speeds.png\n",
+     declare_map},
     {"compare", "draw runs side by side from their saved particles: columns are runs, rows are times",
      "  taut compare out/og out/enog --out panel.png\n"
      "  taut compare out/og out/enog --times 0.002,0.005,0.012 --color pressure --range -2e6:2e6 --out "

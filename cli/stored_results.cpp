@@ -113,6 +113,8 @@ std::string StoredRun::method() const {
   return name.empty() ? text("set.method") : name;
 }
 
+std::string StoredRun::folder() const { return (fs::path(file).parent_path() / text("folder")).string(); }
+
 std::vector<std::string> StoredResults::measures() const {
   constexpr std::string_view prefix = "measures.", suffix = ".unit";
   std::vector<std::string> names;

@@ -20,6 +20,7 @@ struct StoredRun {
   /// It ran to its end or diverged; one that was stopped, broke or has not begun has no result.
   bool has_result() const;
   std::string method() const;  // also of a run without a result, where the grid has it
+  std::string folder() const;  // of the run, beside results.csv
   bool is_stable() const { return has_result() && text("verdict") == "stable"; }
 };
 

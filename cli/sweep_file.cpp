@@ -152,7 +152,7 @@ SweepFile read_sweep(const fs::path& path) {
   source.file = path.string();
   TomlValue tree = parse_toml(file_text(path), source.file);
   TomlCursor root(tree, "", "the sweep", {}, source);
-  for (const char* key : {"title", "scene", "set", "grid", "row"}) root.find(key);
+  for (const char* key : {"title", "scene", "set", "grid", "row", "chart", "map", "history"}) root.find(key);
   if (tree.find("body") && !tree.find("grid") && !tree.find("row"))
     throw UsageError("'" + path.string() + "' is a scene; to sweep it add --grid NAME=VALUES");
   root.finish();
@@ -164,6 +164,7 @@ SweepFile read_sweep(const fs::path& path) {
     TomlCursor cursor = root.enter(*set, "set", "'set'");
     file.set = SettingsReader(cursor).settings();
   }
+  file.pictures = read_pictures(root);
   try {
     file.rows = read_rows(root);
     check_rows(file.rows);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/study.hpp"
 #include "cli/sweep_grid.hpp"
 
 namespace taut {
@@ -22,11 +23,14 @@ namespace taut {
 ///     [[row]]
 ///     v0 = 0.02
 ///     "method.zeta" = 3.5
+///
+/// A study also says what is drawn from the results: see StudyPictures.
 struct SweepFile {
   std::filesystem::path path;
   std::string title, scene;
   std::vector<Setting> set;
   std::vector<GridRow> rows;
+  StudyPictures pictures;
 };
 
 /// Names of the sweep files in scenes/studies/, sorted.

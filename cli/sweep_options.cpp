@@ -55,6 +55,7 @@ SweepRequest request_of_file(const SweepOptions& o) {
   std::erase_if(file.set, [&](const Setting& s) { return fixed_by_command(o.run, s.name); });
   request.set = std::move(file.set);
   request.rows = std::move(file.rows);
+  request.pictures = std::move(file.pictures);
   request.folder = o.run.out.value_or("out/" + file.path.stem().string());
   return request;
 }

@@ -98,6 +98,14 @@ void check_folder(const fs::path& folder) {
                      "' holds files that no sweep left there; name another folder with --out");
 }
 
+/// Refuses pictures of what the scene does not measure or the sweep does not vary.
+void check_study(const SweepRequest& request, const std::vector<Swept>& swept, const Scene& scene) {
+  std::vector<std::string> measures, names;
+  for (const Measure& measure : scene.measures) measures.push_back(measure.name);
+  for (const Swept& s : swept) names.push_back(s.name);
+  check_pictures(request.pictures, request.file, measures, names);
+}
+
 std::vector<Swept> swept_names(const std::vector<GridRow>& rows, const SceneFile& file) {
   std::vector<Swept> all;
   for (const GridRow& row : rows)
@@ -161,7 +169,12 @@ SweepPlan plan_sweep(const SweepRequest& request) {
   check_base(request);
   check_rows(request.rows);
   check_folder(request.folder);
-  SweepPlan plan{.title = request.title, .scene = "", .folder = request.folder, .swept = {}, .runs = {}};
+  SweepPlan plan{.title = request.title,
+                 .scene = "",
+                 .folder = request.folder,
+                 .swept = {},
+                 .runs = {},
+                 .pictures = request.pictures};
   std::set<std::pair<std::string, ContactLaw>> combinations;
   for (const GridRow& row : request.rows) {
     SweepRun run;
@@ -179,6 +192,7 @@ SweepPlan plan_sweep(const SweepRequest& request) {
       if (plan.runs.empty()) {
         plan.scene = file.scene.name;
         plan.swept = swept_names(request.rows, file);
+        check_study(request, plan.swept, file.scene);
       }
     } catch (const SceneError& error) {
       throw SceneError(error.file, error.line, error.column, error.key,

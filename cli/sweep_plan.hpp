@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/run_options.hpp"
+#include "cli/study.hpp"
 #include "cli/sweep_grid.hpp"
 
 namespace taut {
@@ -52,6 +53,7 @@ struct SweepPlan {
   std::filesystem::path folder;
   std::vector<Swept> swept;
   std::vector<SweepRun> runs;  // in the order of the grid
+  StudyPictures pictures;
 };
 
 /// What is asked for: `base` is common to all runs; settings that stand in a file know their place.
@@ -62,11 +64,12 @@ struct SweepRequest {
   std::vector<Setting> set;  // for all runs, from the file; no name of `base`
   std::filesystem::path folder;
   std::vector<GridRow> rows;
+  StudyPictures pictures;  // to be drawn from the results
 };
 
 /// Reads the scene as every run will see it and what its folder holds; starts nothing. A name, a value or a
-/// method that a run cannot have is an error here: SceneError with the place in the sweep file, or UsageError
-/// that names the run.
+/// method that a run cannot have, or a picture that cannot be drawn, is an error here: SceneError with the
+/// place in the sweep file, or UsageError that names the run.
 SweepPlan plan_sweep(const SweepRequest& request);
 
 }  // namespace taut
