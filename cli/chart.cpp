@@ -86,7 +86,7 @@ std::string machine_of(const StoredRun& run) {
          (threads == "1" ? " thread" : " threads");
 }
 
-/// Each reference with the methods that it is for, where there are several.
+/// Each reference with the methods that it is for, where there are several, and few methods.
 std::vector<std::string> references_of(const StoredResults& results, const std::string& measure) {
   std::vector<std::pair<std::string, std::vector<std::string>>> methods;
   for (const StoredRun& run : results.runs) {
@@ -96,9 +96,12 @@ std::vector<std::string> references_of(const StoredResults& results, const std::
     if (found == methods.end()) found = methods.insert(methods.end(), {name, {}});
     add_once(found->second, run.method());
   }
+  constexpr std::size_t few = 7;  // methods, on one line below a chart
+  std::size_t count = 0;
+  for (const auto& [name, of] : methods) count += of.size();
   std::vector<std::string> all;
   for (const auto& [name, of] : methods)
-    all.push_back(methods.size() == 1 ? name : name + " (" + join(of) + ")");
+    all.push_back(methods.size() == 1 || count > few ? name : name + " (" + join(of) + ")");
   return all;
 }
 

@@ -20,9 +20,9 @@ std::size_t column_of(const CsvTable& table, const std::string& name) {
   return static_cast<std::size_t>(found - table.columns.begin());
 }
 
-std::vector<std::vector<double>> rows_of(const CsvTable& table, const std::vector<std::string>& columns) {
+std::vector<std::vector<double>> rows_of(const CsvTable& table, const std::vector<HistoryColumn>& columns) {
   std::vector<std::size_t> places{column_of(table, "t")};
-  for (const std::string& column : columns) places.push_back(column_of(table, column));
+  for (const HistoryColumn& column : columns) places.push_back(column_of(table, column.name));
   std::vector<std::vector<double>> rows;
   for (const auto& cells : table.rows) {
     rows.emplace_back();
@@ -33,7 +33,7 @@ std::vector<std::vector<double>> rows_of(const CsvTable& table, const std::vecto
 
 }  // namespace
 
-HistoryPlot make_history_plot(const StoredResults& results, const std::vector<std::string>& columns) {
+HistoryPlot make_history_plot(const StoredResults& results, const std::vector<HistoryColumn>& columns) {
   HistoryPlot plot{.title = results.title, .scene = results.scene, .columns = columns, .curves = {}};
   const std::vector<std::string> distinguishing = distinguishing_columns(results.runs, "");
   for (const StoredRun& run : results.runs) {
@@ -47,7 +47,9 @@ HistoryPlot make_history_plot(const StoredResults& results, const std::vector<st
 std::string history_data(const HistoryPlot& plot) {
   std::string text;
   for (const HistoryPlot::Curve& curve : plot.curves) {
-    text += "# " + curve.name + "\n# t, s; " + join(plot.columns, "; ") + "\n";
+    text += "# " + curve.name + "\n# t, s";
+    for (const HistoryColumn& column : plot.columns) text += "; " + column.label;
+    text += "\n";
     for (const auto& row : curve.rows) {
       for (const double value : row) text += (std::isfinite(value) ? exact(value) : "NaN") + " ";
       text.back() = '\n';
@@ -65,7 +67,7 @@ std::string history_script(const HistoryPlot& plot, const PlotFiles& files) {
           " font ',15'\n";
   text += "set key outside right top Left reverse samplen 2 spacing 1.25\nset lmargin screen 0.085\n";
   text += "set rmargin screen 0.84\nset border 3 back linecolor '#444444'\n";
-  text += "set grid back linetype 1 linecolor '#e4e4e4'\nset tics nomirror\n";
+  text += "set grid back linetype 1 linecolor '#e4e4e4'\nset tics nomirror\nset autoscale xfix\n";
   for (std::size_t column = 0; column < panels; ++column) {
     std::vector<std::string> lines;
     for (std::size_t k = 0; k < plot.curves.size(); ++k)
@@ -73,7 +75,8 @@ std::string history_script(const HistoryPlot& plot, const PlotFiles& files) {
                       " with lines linewidth 1.5 " + line_style(k) + " title " +
                       plot_text(plot.curves[k].name));
     if (column + 1 == panels) text += "set xlabel 't, s'\n";
-    text += "set ylabel " + plot_text(plot.columns[column]) + "\nplot " + join(lines, ", \\\n     ") + "\n";
+    text +=
+        "set ylabel " + plot_text(plot.columns[column].label) + "\nplot " + join(lines, ", \\\n     ") + "\n";
     text += "unset key\n";
   }
   return text + "unset multiplot\n";

@@ -8,6 +8,10 @@
 
 namespace taut {
 
+struct HistoryColumn {
+  std::string name, label;  // "tip", "tip, m"
+};
+
 /// Columns of the history.csv of all runs of one sweep, over time.
 struct HistoryPlot {
   struct Curve {
@@ -15,13 +19,13 @@ struct HistoryPlot {
     std::vector<std::vector<double>> rows;  // t and the columns; NaN where a cell is empty
   };
   std::string title, scene;
-  std::vector<std::string> columns;
+  std::vector<HistoryColumn> columns;
   std::vector<Curve> curves;
 };
 
 /// Throws UsageError for a column that a history has not (with the nearest names), and for a history that
 /// cannot be read.
-HistoryPlot make_history_plot(const StoredResults& results, const std::vector<std::string>& columns);
+HistoryPlot make_history_plot(const StoredResults& results, const std::vector<HistoryColumn>& columns);
 
 /// A block for each run.
 std::string history_data(const HistoryPlot& plot);

@@ -5,7 +5,6 @@
 
 #include "cli/chart_drawing.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/history_plot.hpp"
 #include "cli/unknown_name.hpp"
 #include "engine/error.hpp"
 
@@ -62,9 +61,10 @@ StudyPictures read_pictures(TomlCursor& root) {
   }
   if (TomlValue* history = root.find("history")) {
     TomlCursor section = root.enter(*history, "history", "[history]");
-    for (const auto& column : texts(section, "columns")) pictures.history.push_back(column.first);
-    section.need("columns");
-    section.finish();
+    for (const TomlEntry& entry : history->entries)
+      pictures.history.push_back({entry.key, section.text_of(entry.value, entry.key)});
+    if (pictures.history.empty())
+      root.fail(*history, "history", "[history] is empty; it needs a line COLUMN = \"label, unit\"");
   }
   return pictures;
 }
@@ -110,7 +110,7 @@ int draw_chart(const std::vector<std::string>& results, const ChartRequest& requ
   return code;
 }
 
-int draw_history(const std::vector<std::string>& results, const std::vector<std::string>& columns,
+int draw_history(const std::vector<std::string>& results, const std::vector<HistoryColumn>& columns,
                  const PlotFiles& files, Streams streams) {
   const HistoryPlot plot = make_history_plot(read_results(results), columns);
   const int code = draw_plot(files, history_script(plot, files), history_data(plot));

@@ -9,6 +9,7 @@
 #include "cli/command.hpp"
 #include "cli/file_place.hpp"
 #include "cli/gnuplot.hpp"
+#include "cli/history_plot.hpp"
 #include "cli/stability_map.hpp"
 #include "cli/toml_cursor.hpp"
 
@@ -20,8 +21,8 @@ namespace taut {
 ///     measure = ["least_diameter", "rebound_ratio"]     one or more; chart.png, the scene's first, without
 ///     it cost = "seconds"                              or "steps"; default: seconds [map] map.png parameter
 ///     = "v0"                              default: the one that is swept beside the method
-///     [history]                                     history.png
-///     columns = ["tip", "total_energy"]             of history.csv, over time, of all runs
+///     [history]                                     history.png: over time, of all runs,
+///     tip = "tip, m"                                columns of history.csv with the labels of their axes
 struct StudyPictures {
   struct Charted {
     ChartRequest request;
@@ -33,7 +34,7 @@ struct StudyPictures {
   };
   std::vector<Charted> charts;
   std::optional<Mapped> map;
-  std::vector<std::string> history;  // columns; empty: no such picture
+  std::vector<HistoryColumn> history;  // empty: no such picture
 };
 
 /// The sections of a study as they stand. Throws SceneError.
@@ -53,7 +54,7 @@ int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& fo
 int draw_chart(const std::vector<std::string>& results, const ChartRequest& request, const PlotFiles& files,
                Streams streams);
 /// The same with histories.
-int draw_history(const std::vector<std::string>& results, const std::vector<std::string>& columns,
+int draw_history(const std::vector<std::string>& results, const std::vector<HistoryColumn>& columns,
                  const PlotFiles& files, Streams streams);
 /// The same with a map, and its table.
 int draw_map(const std::vector<std::string>& results, const MapRequest& request, const PlotFiles& files,
