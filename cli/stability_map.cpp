@@ -47,9 +47,11 @@ std::string chosen_parameter(const std::vector<StoredRun>& runs, const std::stri
   throw UsageError("several parameters were swept (" + join(swept) + "); name one with --parameter");
 }
 
-bool less(const std::string& a, const std::string& b) {
-  const auto x = parsed<double>(a), y = parsed<double>(b);
-  return x && y ? *x < *y : false;
+/// Numbers ascend; what are not all numbers stay as they come.
+void sort_numbers(std::vector<std::string>& values) {
+  const auto number = [](const std::string& text) { return parsed<double>(text); };
+  if (std::ranges::all_of(values, [&](const std::string& text) { return number(text).has_value(); }))
+    std::ranges::stable_sort(values, {}, number);
 }
 
 std::size_t place_of(std::vector<std::string>& names, const std::string& name) {
@@ -78,7 +80,7 @@ StabilityMap make_map(const StoredResults& results, const MapRequest& request) {
   map.label = results.label(parameter);
   for (const StoredRun& run : results.runs)
     if (const std::string value = run.text(x); !value.empty()) place_of(map.values, value);
-  std::ranges::stable_sort(map.values, less);
+  sort_numbers(map.values);
   for (const StoredRun& run : results.runs) {
     if (run.text(x).empty()) continue;
     const std::size_t row = place_of(map.rows, series_name(run, columns));
