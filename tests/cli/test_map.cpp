@@ -25,8 +25,8 @@ TEST_SUITE("cli") {
     const std::string file = write_results(folder / "a", speeds, "rod", "speed");
     const taut::StabilityMap map = taut::make_map(taut::read_results({file}), {});
     CHECK(map.label == "speed");
-    CHECK(map.values == Texts{"2", "3", "10"});
-    CHECK(map.rows == Texts{"og", "enog"});
+    REQUIRE(map.values == Texts{"2", "3", "10"});
+    REQUIRE(map.rows == Texts{"og", "enog"});
     CHECK(map.cells[0][0]->verdict == "stable");
     CHECK_FALSE(map.cells[0][1].has_value());
     CHECK(map.cells[0][2]->verdict == "fractured");
