@@ -67,6 +67,7 @@ constexpr Placeholder table[] = {
     {"VERDICT", verdict_names, ""},
     {"PROBE", probe_names, ""},
     {"MEASURE", measure_names, ""},
+    {"PARAMETER", settable_names, ""},
     {"NAME=VALUE", settable_names, ""},
     {"NAME=VALUES", settable_names, ""},
     {"DIR", nullptr, "*/"},

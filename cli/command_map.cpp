@@ -24,7 +24,7 @@ std::function<int(Streams)> declare_map(CLI::App& app) {
       ->required();
   app.add_option("--parameter", options->parameter,
                  "what stands on the x axis; default: the one name that was swept beside the method")
-      ->option_text("NAME");
+      ->option_text("PARAMETER");
   return [options](Streams streams) {
     return draw_map(options->results, {options->parameter}, plot_files(options->out), streams);
   };

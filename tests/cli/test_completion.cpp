@@ -62,7 +62,7 @@ TEST_SUITE("cli") {
         {{"run", scene, "--until", ""}, {}},
         {{"run", scene, "--until", "1", "--unt"}, {}},  // once only
         {{"run", scene, "--set", "pull=1", "--se"}, {"--set"}},
-        {{"sweep", "rings-sp"}, {"rings-speed-limit"}},
+        {{"sweep", "rings-speed-l"}, {"rings-speed-limit"}},
         {{"sweep", scene, "--grid", "method=og,oe"}, {"method=og,oenog"}},
         {{"sweep", scene, "--emit", ""}, {"slurm", "parallel"}},
         {{"describe", "oe"}, {"oenog"}},
