@@ -63,7 +63,9 @@ ChartPoint point_of(const StoredRun& run, const std::string& measure, Cost cost)
   const double steps = run.number("particles").value_or(0) * run.number("steps").value_or(0);
   point.cost = cost == Cost::seconds ? run.number("seconds.solve").value_or(0) : steps;
   point.verdict = run.text("verdict");
-  point.folder = run.text("folder");
+  point.folder = run.folder();
+  point.cfl = run.text("cfl");
+  point.stepping = run.text("stepping");
   point.stable = run.is_stable();
   return point;
 }

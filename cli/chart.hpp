@@ -33,6 +33,7 @@ struct ChartPoint {
   std::optional<double> error;  // as in run.json; none: the run ended before, or its value is the reference's
   double cost = 0;              // s, or particle-steps
   std::string verdict{}, folder{};
+  std::string cfl{}, stepping{};  // of the time step, where the results tell
   bool stable = true;
 };
 

@@ -7,6 +7,7 @@ std::function<int(Streams)> declare_render(CLI::App&);
 std::function<int(Streams)> declare_sweep(CLI::App&);
 std::function<int(Streams)> declare_chart(CLI::App&);
 std::function<int(Streams)> declare_map(CLI::App&);
+std::function<int(Streams)> declare_choose(CLI::App&);
 std::function<int(Streams)> declare_compare(CLI::App&);
 std::function<int(Streams)> declare_movie(CLI::App&);
 std::function<int(Streams)> declare_diff(CLI::App&);
@@ -54,6 +55,13 @@ constexpr Command table[] = {
      "  taut sweep colliding-rings --grid v0=0.02:0.16:0.02 --grid method=og,oas,enog --out out/speeds\n"
      "  taut map out/speeds/results.csv --out speeds.png\n",
      declare_map},
+    {"choose",
+     "say which method, spacing and step reach an accuracy at the least cost, from the results of sweeps",
+     "  taut choose colliding-rings --error 1% --measure least_diameter\n"
+     "  taut choose oscillating-plate --error 0.5% --seconds 10 --from out/plate-accuracy\n"
+     "It only reads what sweeps have left, by default below out/, and says so when that does not reach far "
+     "enough.\n",
+     declare_choose},
     {"compare", "draw runs side by side from their saved particles: columns are runs, rows are times",
      "  taut compare out/og out/enog --out panel.png\n"
      "  taut compare out/og out/enog --times 0.002,0.005,0.012 --color pressure --range -2e6:2e6 --out "

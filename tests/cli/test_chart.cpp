@@ -110,7 +110,7 @@ TEST_SUITE("cli") {
     for (const auto& row : rows) {
       REQUIRE(row.size() == 7);
       const std::string run = row[6].substr(1, row[6].size() - 2);
-      const auto record = json_of(folder / ("rings/" + run + "/run.json"));
+      const auto record = json_of(run + "/run.json");
       CHECK(std::stod(row[0]) == record["spacing"].get<double>());
       CHECK(std::stod(row[1]) == record["measures"]["least_diameter"]["error"].get<double>());
       CHECK(std::stod(row[2]) == record["seconds"]["solve"].get<double>());
