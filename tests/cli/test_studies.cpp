@@ -56,6 +56,24 @@ TEST_SUITE("cli") {
     CHECK(contains(study(folder, "rings-sweep.sh rings 0.005").out, "24 of 24 runs are done"));
   }
 
+  TEST_CASE("the study of the papers' figures makes panels and a history") {
+    const TemporaryFolder folder;
+    const Outcome rings = study(folder, "paper-figures.sh zhang-14 rings 0.005");
+    CAPTURE(rings.err);
+    CHECK(rings.code == 0);
+    CHECK(fs::exists(folder / "rings/zhang-14.png"));
+    const auto record = json_of(folder / "rings/oas/run.json");
+    CHECK(record["parameters"]["v0"] == 0.08);
+    const Outcome plate = study(folder, "paper-figures.sh khayyer-10 plate 0.25");
+    CAPTURE(plate.err);
+    CHECK(plate.code == 0);
+    CHECK(fs::exists(folder / "plate/khayyer-10.png"));
+    CHECK(json_of(folder / "plate/d-ulsph-r-as-4/run.json")["spacing"] == 0.0625);
+    CHECK(study(folder, "paper-figures.sh khayyer-12 corner 0.2").code == 0);
+    CHECK(contains(lines_of(folder / "corner/tic/history.csv").front(), ",corner_x,corner_y,"));
+    CHECK(study(folder, "paper-figures.sh zhang-99 none").code == 2);
+  }
+
   TEST_CASE("the study of a snapshot test makes a baseline, then passes, then finds what has changed") {
     const TemporaryFolder folder;
     const Outcome first = study(folder, "snapshot-in-ci.sh baseline");

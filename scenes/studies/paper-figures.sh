@@ -1,0 +1,95 @@
+#!/bin/sh
+# Figures of the papers, made again: panels with a column for each run and a row for each time.
+#
+#     scenes/studies/paper-figures.sh FIGURE [FOLDER [SPACING]]
+#
+# FIGURE is one of
+#
+#     zhang-3     oscillating plate, og, oas, enog; von Mises stress
+#     zhang-12    rings at 0.06 c0, og, oas, enog
+#     zhang-14    rings at 0.08 c0, oas, enog
+#     zhang-18    ball and plate at 0.02 c0, og, oas, enog      the paper names no times: those here are ours
+#     zhang-19    at 0.06 c0, oas, enog
+#     zhang-20    at 0.12 c0, enog
+#     khayyer-9   rotating plate, artificial stress of two strengths (ours) and tensile control; pressure
+#     khayyer-10  artificial stress and tensile control at three spacings; SPACING is the coarsest
+#     khayyer-12  path of the corner; a history of it in place of a panel
+#     khayyer-13  tensile control without and with artificial stress at the surface
+#
+# FOLDER takes the runs and the panel FIGURE.png (default: out/FIGURE); SPACING is that of the particles in m (default:
+# as published). A run of Zhang's takes seconds, one of Khayyer's finest a minute. taut is found as build/taut, or where
+# TAUT says.
+set -eu
+taut=${TAUT:-$(dirname "$0")/../../build/taut}
+figure=${1:?which figure? the head of this script lists them}
+folder=${2:-out/$figure}
+spacing=${3:-}
+runs=''
+
+# run NAME SCENE METHOD [options of taut run]: into FOLDER/NAME, a column of the panel
+run() {
+  name=$1 scene=$2 method=$3
+  shift 3
+  "$taut" run "$scene" --method "$method" ${spacing:+--spacing "$spacing"} --no-render --save-particles \
+    --fields "$field" --every "$every" --until "$until" --out "$folder/$name" "$@" >/dev/null ||
+    [ $? -eq 3 ]   # a run that diverges is part of the figure as far as it came
+  runs="$runs $folder/$name"
+}
+
+panel() {
+  # shellcheck disable=SC2086  # a list of folders without blanks of their own
+  "$taut" compare $runs --times "$1" --color $field --out "$folder/$figure.png"
+}
+
+field=von_mises
+case $figure in
+  zhang-3)
+    every=0.01 until=0.67
+    for method in og oas enog; do run $method oscillating-plate $method; done
+    panel 0.05,0.37,0.67 ;;
+  zhang-12)
+    every=1e-3 until=0.012
+    for method in og oas enog; do run $method colliding-rings $method --set v0=0.06; done
+    panel 0.002,0.005,0.008,0.012 ;;
+  zhang-14)
+    every=1e-3 until=0.012
+    for method in oas enog; do run $method colliding-rings $method --set v0=0.08; done
+    panel 0.002,0.005,0.008,0.012 ;;
+  zhang-18)
+    every=1e-3 until=0.03
+    for method in og oas enog; do run $method ball-plate $method --set v0=0.02; done
+    panel 0.008,0.015,0.022,0.03 ;;
+  zhang-19)
+    every=1e-3 until=0.016
+    for method in oas enog; do run $method ball-plate $method --set v0=0.06; done
+    panel 0.004,0.008,0.012,0.016 ;;
+  zhang-20)
+    every=1e-3 until=0.012
+    run enog ball-plate enog --set v0=0.12
+    panel 0.003,0.006,0.009,0.012 ;;
+  khayyer-9)
+    field=pressure every=0.01 until=0.15
+    for epsilon in 0.15 0.3; do run as-$epsilon rotating-plate d-ulsph-r-as --set method.epsilon=$epsilon; done
+    run tic rotating-plate d-ulsph-r-tic
+    panel 0.09,0.15 ;;
+  khayyer-10)
+    field=pressure every=0.01 until=0.15 coarsest=${spacing:-0.08}
+    for method in d-ulsph-r-as d-ulsph-r-tic; do
+      for divisor in 1 2 4; do
+        spacing=$(awk "BEGIN { print $coarsest / $divisor }")
+        run $method-$divisor rotating-plate $method
+      done
+    done
+    panel 0.15 ;;
+  khayyer-12)
+    field=pressure every=0.05 until=0.2
+    run tic rotating-plate d-ulsph-r-tic
+    echo "corner_x and corner_y over t: $folder/tic/history.csv" ;;
+  khayyer-13)
+    field=pressure every=0.01 until=0.15
+    for share in 0 1; do run surface-$share rotating-plate d-ulsph-r-tic --set method.surface_artificial_stress=$share; done
+    panel 0.09,0.15 ;;
+  *)
+    echo "$0: there is no figure '$figure'; the head of this script lists them" >&2
+    exit 2 ;;
+esac
