@@ -122,6 +122,22 @@ TEST_SUITE("cli") {
     CHECK(text_of(folder / "one/a.png") == text_of(folder / "two/a.png"));
   }
 
+  TEST_CASE("on the oscillating plate oenog converges with second order, tl with less") {
+    const TemporaryFolder folder;
+    const Outcome outcome = program({"sweep", "oscillating-plate", "--grid", "method=oenog,tl", "--grid",
+                                     "spacing=0.005,0.004,0.0033333333,0.0025", "--until", "0.18", "--quiet",
+                                     "--out", folder.str("plate")});
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.code == 0);
+    // a peak counts once the plate has swung back; measured: 2.25 and 1.64
+    const taut::Chart chart = chart_of(folder.str("plate"), {"first_peak", taut::Cost::seconds});
+    REQUIRE(chart.series.size() == 2);
+    CHECK(*chart.series[0].order > 1.9);
+    CHECK(*chart.series[0].order < 2.6);
+    CHECK(*chart.series[1].order > 1.4);
+    CHECK(*chart.series[1].order < 1.9);
+  }
+
   TEST_CASE("names in a chart have no meaning to gnuplot") {
     const TemporaryFolder folder;
     const std::string file =
