@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <map>
 #include <utility>
 
@@ -255,6 +256,13 @@ void Maker::cut_at_clamp() {
 }
 
 }  // namespace
+
+std::complex<double> harmonic(const Bonds& bonds, int i, int n) {
+  std::complex<double> sum = 0;
+  for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b)
+    sum += std::polar(bonds.weight[b], -n * std::atan2(bonds.X[b][1], bonds.X[b][0]));
+  return sum;
+}
 
 Bonds make_bonds(const Scene& scene, const Layout& layout, double h) {
   return Maker(scene, layout, h).make();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <complex>
 #include <vector>
 
 #include "engine/layout.hpp"
@@ -41,6 +42,10 @@ struct Bonds {
 /// of V0 in the outermost rows. It brings bending, where the outermost particles count most, from an error of
 /// the period of 0.57 % at ten particles across to 0.18 %. Masses stay as they are.
 Bonds make_bonds(const Scene& scene, const Layout& layout, double h);
+
+/// Σ_j w_ij e^(−inθ_ij) of particle i, θ_ij the direction of X_ij in the plane: 0 for n = 2 and 4 where the
+/// moments are right, and what is left to say how far from isotropic the bonds are.
+std::complex<double> harmonic(const Bonds& bonds, int i, int n);
 
 inline constexpr double greatest_bond_reach = 3;  // in h
 

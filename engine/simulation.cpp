@@ -109,6 +109,8 @@ Constants make_constants(const std::vector<Elasticity>& materials, int first, co
   c.contact_stiffness = value("contact_stiffness");
   c.alpha = value("alpha");
   c.xsph = value("xsph");
+  c.geometry = value("geometry");
+  c.damping = value("damping");
   c.delta = value("delta");
   c.riemann_factor = value("riemann_factor");
   c.surface_colour = value("surface_colour");

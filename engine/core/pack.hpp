@@ -21,6 +21,17 @@ struct StoredPack {
 
 inline double sum(const Pack& a) { return (a[0] + a[1]) + (a[2] + a[3]); }
 
+/// sum(a), sum(b), sum(c), sum(d)
+inline Pack sums(const Pack& a, const Pack& b, const Pack& c, const Pack& d) {
+#ifdef __AVX__
+  const Pack ab = __builtin_ia32_haddpd256(a, b), cd = __builtin_ia32_haddpd256(c, d);
+#else
+  const Pack ab{a[0] + a[1], b[0] + b[1], a[2] + a[3], b[2] + b[3]};
+  const Pack cd{c[0] + c[1], d[0] + d[1], c[2] + c[3], d[2] + d[3]};
+#endif
+  return __builtin_shuffle(ab, cd, PackIndex{0, 1, 4, 5}) + __builtin_shuffle(ab, cd, PackIndex{2, 3, 6, 7});
+}
+
 inline Pack root(const Pack& a) {
 #ifdef __AVX__
   return __builtin_ia32_sqrtpd256(a);

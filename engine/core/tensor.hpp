@@ -175,10 +175,14 @@ Sym<T, Dim> symmetric_part(const Mat<T, Dim>& A) {
   return S;
 }
 
-inline double determinant(const Mat<double, 2>& A) { return A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0); }
+template <class T>
+T determinant(const Mat<T, 2>& A) {
+  return A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0);
+}
 
 /// ∂ det A/∂A
-inline Mat<double, 2> cofactor(const Mat<double, 2>& A) {
+template <class T>
+Mat<T, 2> cofactor(const Mat<T, 2>& A) {
   return {{{A(1, 1), -A(1, 0)}, {-A(0, 1), A(0, 0)}}};
 }
 

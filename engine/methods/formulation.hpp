@@ -167,7 +167,7 @@ inline constexpr Formulation oenog{
     .summary =
         "objective ENOG: its pair forces turn with the pairs of the start; an energy, and no search in a "
         "body",
-    .conserves = "linear momentum, angular momentum, energy",
+    .conserves = "linear momentum, angular momentum",
     .shear = Shear::bonds,
     .deviator = Deviator::plane_strain,
     .contact = ContactLaw::penalty,

@@ -24,8 +24,12 @@ class Bonded final : public ParticleSolver<Dim> {
       : Base(input, greatest_bond_reach * input.constants.h),
         materials_(input.materials),
         least_r2_(filled<Pack>(1e-4 * c_.dp * c_.dp)) {
-    for (const int used : this->layout_.material)
+    double shear_speed = 0;
+    for (const int used : this->layout_.material) {
       wave_speed_ = std::max(wave_speed_, compression_wave_speed(materials_[used]));
+      shear_speed = std::max(shear_speed, std::sqrt(materials_[used].G / materials_[used].rho0));
+    }
+    relaxation_ = c_.damping * c_.dp / shear_speed;
     CellGrid<Dim> grid;
     s_.reorder(grid.sort(s_.x, this->support_), threads_now());
     pack_bonds(make_bonds(input.scene, this->layout_, c_.h));
@@ -48,7 +52,7 @@ class Bonded final : public ParticleSolver<Dim> {
   template <class Archive>
   void serialize(Archive& archive) {
     Base::serialize(archive);
-    archive(most_t_);
+    archive(stiffest_);
   }
 
  private:
@@ -56,25 +60,25 @@ class Bonded final : public ParticleSolver<Dim> {
   using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::threads_now, Base::vmax_;
   using typename Base::V;
 
-  using PlaceRow = Row<Dim>;         // x
+  using PlaceRow = Row<2 * Dim>;     // x, v
   using VolumeRow = Row<Dim * Dim>;  // Q, row by row
   struct Spring {                    // four bonds; the filling has k = 0
     Pack k;                          // G (V_i w_ij + V_j w_ji)/r0², N/m (per metre depth in 2D)
-    Pack r0_squared;                 // m²
+    Pack per_r0_squared;             // 1/r0², 1/m²
   };
-  struct Site {
-    Sym<double, Dim> B;
-    double V;        // m^Dim, with which the energy counts
-    Volumetric law;  // of the material
+  struct Sites {  // four particles; the filling and what is held has V = 0
+    Sym<Pack, Dim> B;
+    Pack V;  // m^Dim, with which the energy counts
+    Remainder<Pack> rest;
   };
-  struct Strained {
-    Mat<double, Dim> F;
-    V force;        // of the bonds, N
-    double energy;  // of the bonds, J
-    double most_t;  // greatest 1/λ²
+  struct Strained {    // of one particle, to be summed over the lanes
+    Mat<Pack, Dim> A;  // (x_j − x_i) ⊗ a_ij: F = A B
+    Vec<Pack, Dim> f;  // of the bonds, N
+    Pack energy;       // of the bonds, J, half of each bond's and all of one that ends at a clamp
+    Pack stiffest;     // φ″ of a bond
   };
-
   void pack_bonds(const Bonds& bonds);
+  void add_site(const Bonds& bonds, int i);
   double spring(const Bonds& bonds, int id, int b, int back) const;
   void show_contacts_to_probes();
   void step();
@@ -83,37 +87,42 @@ class Bonded final : public ParticleSolver<Dim> {
   double second_pass(double dt);
   template <bool WithEnergy>
   Strained strained(int i) const;
+  template <bool WithEnergy>
+  double strain(int group);
   void take_snapshot();
   void set_row(int i) {
-    for (int k = 0; k < Dim; ++k) places_[i].c[k] = s_.x[i][k];
+    for (int k = 0; k < Dim; ++k) places_[i].c[k] = s_.x[i][k], places_[i].c[Dim + k] = s_.v[i][k];
   }
-  bool has_volume(int i) const { return sites_[i].B(0, 0) > 0; }
+  int groups() const { return (s_.size() + lanes - 1) / lanes; }
 
   std::vector<Elasticity> materials_;
   Pack least_r2_;          // m²: bonds shorter than a hundredth of a spacing are taken for that long
   double wave_speed_ = 0;  // m/s, of compression in the stiffest material
-  double most_t_ = 1;      // greatest 1/λ² of all bonds in the last step
-  std::vector<Site> sites_;
+  double relaxation_ = 0;  // s, of the bonds
+  double stiffest_ = 1;    // greatest φ″ of all bonds in the last step
+  std::vector<Sites> sites_;
   std::vector<int> begin_, j_;        // bonds in packs, as in Neighbors; from size() on places at a clamp
   std::vector<Vec<Pack, Dim>> a_ij_;  // m^Dim/m, times a constant that B takes out again
   std::vector<Spring> springs_;
+  std::vector<StoredPack> energy_scales_;  // J
+  std::vector<Mat<Pack, Dim>> F_;          // of each group; 0 where there is no volume
   std::vector<PlaceRow> places_;
   std::vector<VolumeRow> volumes_;
   std::vector<V> bond_force_;  // N
 };
 
-/// N/m: that of the energies of both ends. Halves of two materials stand one behind the other in a bond, as
-/// two springs do: the harmonic mean of their G. A place at a clamp has no energy of its own.
+/// G (V_i w_ij + V_j w_ji), J: that of the energies of both ends. Halves of two materials stand one behind
+/// the other in a bond, as two springs do: the harmonic mean of their G. A place at a clamp has no energy of
+/// its own.
 template <const Formulation& M, int Dim>
 double Bonded<M, Dim>::spring(const Bonds& bonds, int id, int b, int back) const {
   const std::vector<int>& material = this->layout_.material;
   const int other = bonds.j[b];
   const double G_i = materials_[material[id]].G;
   const double G_j = back < 0 ? G_i : materials_[material[other]].G;
-  double Vw = bonds.volume[id] * bonds.weight[b], r2 = 0;
+  double Vw = bonds.volume[id] * bonds.weight[b];
   if (back >= 0) Vw += bonds.volume[other] * bonds.weight[back];
-  for (int k = 0; k < Dim; ++k) r2 += bonds.X[b][k] * bonds.X[b][k];
-  return 2 * G_i * G_j / (G_i + G_j) * Vw / r2;
+  return 2 * G_i * G_j / (G_i + G_j) * Vw;
 }
 
 template <const Formulation& M, int Dim>
@@ -128,17 +137,16 @@ void Bonded<M, Dim>::pack_bonds(const Bonds& bonds) {
     return found == last ? -1 : static_cast<int>(found - bonds.j.data());
   };
   places_.resize(n);
+  sites_.resize(groups());
   begin_.push_back(0);
   for (int i = 0; i < n; ++i) {
     const int id = s_.id[i], last = bonds.begin[id + 1];
     set_row(i);
-    const Elasticity& material = materials_[layout.material[id]];
-    sites_.push_back({{}, bonds.volume[id], Volumetric(material.K, material.G)});
-    for (int a = 0; a < Dim; ++a)
-      for (int k = a; k < Dim; ++k) sites_[i].B(a, k) = bonds.B[id][a][k];
+    add_site(bonds, i);
     for (int first = bonds.begin[id]; first < last; first += lanes) {
       Vec<Pack, Dim> area{};
-      Spring four{{}, least_r2_};  // the filling: t = 1
+      Spring four{{}, 1 / least_r2_};  // the filling: λ = 1
+      StoredPack scale{};
       for (int lane = 0; lane < lanes; ++lane) {
         const int b = first + lane;
         if (b >= last) {
@@ -148,22 +156,41 @@ void Bonded<M, Dim>::pack_bonds(const Bonds& bonds) {
         const int back = seen_from(bonds.j[b], id);
         j_.push_back(back >= 0 ? where[bonds.j[b]] : static_cast<int>(places_.size()));
         if (back < 0) places_.emplace_back();
-        four.k[lane] = spring(bonds, id, b, back);
-        four.r0_squared[lane] = 0;
+        double r2 = 0;
         for (int k = 0; k < Dim; ++k) {
           if (back < 0) places_.back().c[k] = layout.x[id][k] + bonds.X[b][k];
-          four.r0_squared[lane] += bonds.X[b][k] * bonds.X[b][k];
+          r2 += bonds.X[b][k] * bonds.X[b][k];
           area[k][lane] = bonds.area[b][k];
         }
+        const double stiffness = spring(bonds, id, b, back);
+        four.k[lane] = stiffness / r2;
+        scale.value[lane] = back >= 0 ? 0.5 * stiffness : stiffness;
+        four.per_r0_squared[lane] = 1 / r2;
       }
       a_ij_.push_back(area);
+      energy_scales_.push_back(scale);
       springs_.push_back(four);
     }
     begin_.push_back(static_cast<int>(springs_.size()));
   }
   volumes_.resize(places_.size());
+  F_.resize(groups());
   bond_force_.resize(n);
   this->pairs_ = static_cast<long>(bonds.j.size());
+}
+
+template <const Formulation& M, int Dim>
+void Bonded<M, Dim>::add_site(const Bonds& bonds, int i) {
+  Sites& four = sites_[i / lanes];
+  const int lane = i % lanes, id = s_.id[i];
+  const Elasticity& material = materials_[this->layout_.material[id]];
+  const auto six = harmonic(bonds, id, 6), eight = harmonic(bonds, id, 8);
+  four.rest.K[lane] = material.K, four.rest.G[lane] = material.G;
+  four.rest.Z6.re[lane] = six.real(), four.rest.Z6.im[lane] = six.imag();
+  four.rest.Z8.re[lane] = eight.real(), four.rest.Z8.im[lane] = eight.imag();
+  for (int a = 0; a < Dim; ++a)
+    for (int k = a; k < Dim; ++k) four.B(a, k)[lane] = bonds.B[id][a][k];
+  if (four.B(0, 0)[lane] > 0) four.V[lane] = bonds.volume[id];
 }
 
 template <const Formulation& M, int Dim>
@@ -178,7 +205,7 @@ void Bonded<M, Dim>::show_contacts_to_probes() {
 template <const Formulation& M, int Dim>
 double Bonded<M, Dim>::step_size() const {
   constexpr double spare = 1.5;
-  const double stiffer = std::sqrt(std::max(1.0, bond_stiffness(most_t_) / spare));
+  const double stiffer = std::sqrt(std::max(1.0, stiffest_ / spare));
   return Base::fixed_or(c_.cfl * c_.dp / (wave_speed_ + vmax_) / stiffer);
 }
 
@@ -197,53 +224,76 @@ void Bonded<M, Dim>::step() {
   Base::finish_step(dt);
 }
 
-/// F_i = Σ_j (x_j − x_i) ⊗ g_ij, and of the bonds the force Σ_j k φ′(λ)/λ (x_j − x_i) and, if asked for, the
-/// energy: half of each bond's, and all of one that ends at a clamp.
+/// Σ_j (x_j − x_i) ⊗ a_ij, and of the bonds the force Σ_j k (φ′(λ)/λ + τ q̇) (x_j − x_i) and, if asked for,
+/// the energy: half of each bond's, and all of one that ends at a clamp.
 template <const Formulation& M, int Dim>
 template <bool WithEnergy>
 auto Bonded<M, Dim>::strained(int i) const -> Strained {
   constexpr int width = PlaceRow::width;
-  V here;
-  for (int k = 0; k < Dim; ++k) here[k] = places_[i].c[k];
-  const Vec<Pack, Dim> x_i = spread(here);
-  Mat<Pack, Dim> F{};
+  const Vec<Pack, Dim> x_i = spread(s_.x[i]), v_i = spread(s_.v[i]);
+  Mat<Pack, Dim> A{};
   Vec<Pack, Dim> f{};
-  Pack energy{}, most_t{};
+  Pack energy{}, stiffest{};
   for (int b = begin_[i]; b < begin_[i + 1]; ++b) {
     const int* j = &j_[static_cast<std::size_t>(lanes) * b];
-    Pack x_j[width];
-    gather<width>(places_[0].c, j, x_j);
-    Vec<Pack, Dim> d;
-    for (int k = 0; k < Dim; ++k) d[k] = x_j[k] - x_i[k];
+    Pack row[width];  // x_j, v_j
+    gather<width>(places_[0].c, j, row);
+    Vec<Pack, Dim> d, w;
+    for (int k = 0; k < Dim; ++k) d[k] = row[k] - x_i[k], w[k] = row[Dim + k] - v_i[k];
     const Spring& spring = springs_[b];
-    const Pack t = spring.r0_squared / max(dot(d, d), least_r2_);
-    most_t = max(most_t, t);
-    f += Pack(spring.k * bond_slope(t)) * d;
-    add_outer(F, filled<Pack>(1), d, a_ij_[b]);
+    const Pack s = max(dot(d, d), least_r2_) * spring.per_r0_squared;
+    const Pack rate = dot(d, w) * spring.per_r0_squared;  // q̇
+    stiffest = max(stiffest, bond_stiffness(s));
+    f += Pack(spring.k * (bond_slope(s) + relaxation_ * rate)) * d;
+    add_outer(A, filled<Pack>(1), d, a_ij_[b]);
     if constexpr (WithEnergy) {
-      Pack share;
-      for (int lane = 0; lane < lanes; ++lane) share[lane] = j[lane] < s_.size() ? 0.5 : 1;
-      energy += share * spring.k * spring.r0_squared * bond_energy(t);
+      energy += energy_scales_[b].value * bond_energy(s);
     }
   }
-  return {product(sum(F), sites_[i].B), sum(f), sum(energy),
-          std::max(std::max(most_t[0], most_t[1]), std::max(most_t[2], most_t[3]))};
+  return {A, f, energy, stiffest};
+}
+
+/// F and the bonds' force of four particles, or fewer in the last group, and their energy if asked for. The
+/// greatest φ″ of a bond.
+template <const Formulation& M, int Dim>
+template <bool WithEnergy>
+double Bonded<M, Dim>::strain(int group) {
+  const int first = group * lanes, count = std::min(lanes, s_.size() - first);
+  Strained of[lanes];
+  for (int lane = 0; lane < lanes; ++lane)  // past the end: the last particle again
+    of[lane] = strained<WithEnergy>(std::min(first + lane, s_.size() - 1));
+  const auto sums_of = [&](const auto& entry) {
+    return sums(entry(of[0]), entry(of[1]), entry(of[2]), entry(of[3]));
+  };
+  Mat<Pack, Dim> A;
+  for (int a = 0; a < Dim; ++a) {
+    for (int k = 0; k < Dim; ++k)
+      A(a, k) = sums_of([&](const Strained& one) -> const Pack& { return one.A(a, k); });
+    const Pack f = sums_of([&](const Strained& one) -> const Pack& { return one.f[a]; });
+    for (int lane = 0; lane < count; ++lane) bond_force_[first + lane][a] = f[lane];
+  }
+  F_[group] = product(A, sites_[group].B);
+  if constexpr (WithEnergy) {
+    std::vector<double>& energies = this->snapshot_.strain_energy;
+    const Pack energy = sums_of([](const Strained& one) -> const Pack& { return one.energy; }) +
+                        sites_[group].V * sites_[group].rest.energy(F_[group]);
+    for (int lane = 0; lane < count; ++lane) energies[s_.id[first + lane]] = energy[lane];
+  }
+  const Pack stiffest = max(max(of[0].stiffest, of[1].stiffest), max(of[2].stiffest, of[3].stiffest));
+  return max(max(stiffest[0], stiffest[1]), max(stiffest[2], stiffest[3]));
 }
 
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::first_pass() {
-  most_t_ = parallel_max(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
-    const auto [F, force, energy, most_t] = strained<false>(i);
-    bond_force_[i] = force;
-    if (!has_volume(i)) return most_t;
-    const Site& site = sites_[i];
-    const double pressure = site.V * site.law.slope(determinant(F));
-    const Mat<double, Dim> Q = product(cofactor(F), site.B);
-#pragma GCC unroll 3
-    for (int a = 0; a < Dim; ++a)
-#pragma GCC unroll 3
-      for (int k = 0; k < Dim; ++k) volumes_[i].c[a * Dim + k] = pressure * Q(a, k);
-    return most_t;
+  stiffest_ =
+      parallel_max(groups(), threads_now(), [&](int group) TAUT_FLATTEN { return strain<false>(group); });
+  parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+    const Sites& sites = sites_[group];
+    const Mat<Pack, Dim> Q = sites.V * product(sites.rest.piola(F_[group]), sites.B);
+    const int first = group * lanes, count = std::min(lanes, s_.size() - first);
+    for (int lane = 0; lane < count; ++lane)
+      for (int a = 0; a < Dim; ++a)
+        for (int k = 0; k < Dim; ++k) volumes_[first + lane].c[a * Dim + k] = Q(a, k)[lane];
   });
 }
 
@@ -281,24 +331,28 @@ double Bonded<M, Dim>::second_pass(double dt) {
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::take_snapshot() {
   Base::begin_snapshot();
-  std::vector<double>& energies = this->snapshot_.strain_energy;
-  energies.resize(s_.size());
+  this->snapshot_.strain_energy.resize(s_.size());
   parallel_for(s_.size(), threads_now(), [&](int i) { set_row(i); });
-  parallel_for(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
-    const Site& site = sites_[i];
-    const Elasticity& material = materials_[this->layout_.material[s_.id[i]]];
-    auto [F, force, energy, most_t] = strained<true>(i);
-    if (!has_volume(i))
-      for (int k = 0; k < Dim; ++k) F(k, k) = 1;
-    const double J = determinant(F);
-    Sym<double, Dim> b{};
+  parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+    strain<true>(group);
+    const Sites& sites = sites_[group];
+    Mat<Pack, Dim> F = F_[group];
+    for (int k = 0; k < Dim; ++k) F(k, k) = sites.V > 0 ? F(k, k) : filled<Pack>(1);
+    const Pack J = determinant(F), p = -sites.rest.K * (J - 1);
+    const Pack root = inverse_cube_root(max(J, filled<Pack>(0.05)));
+    Sym<Pack, Dim> b{};
     for (int a = 0; a < Dim; ++a)
       for (int k = a; k < Dim; ++k)
         for (int l = 0; l < Dim; ++l) b(a, k) += F(a, l) * F(k, l);
-    const double mean = (trace(b) + (3 - Dim)) / 3, scale = material.G * std::pow(J, -5.0 / 3);
+    const Pack mean = (trace(b) + (3 - Dim)) / 3, shear = sites.rest.G * power<5>(root);
     for (int k = 0; k < Dim; ++k) b(k, k) -= mean;
-    Base::store(i, material.rho0 / J, -material.K * (J - 1), scale * b, scale * (1 - mean));
-    energies[s_.id[i]] = energy + site.V * site.law.energy(J);
+    const int first = group * lanes, count = std::min(lanes, s_.size() - first);
+    for (int lane = 0; lane < count; ++lane) {
+      const double rho0 = materials_[this->layout_.material[s_.id[first + lane]]].rho0;
+      Sym<double, Dim> s;
+      for (int k = 0; k < Sym<double, Dim>::size; ++k) s.c[k] = shear[lane] * b.c[k][lane];
+      Base::store(first + lane, rho0 / J[lane], p[lane], s, shear[lane] * (1 - mean[lane]));
+    }
   });
 }
 

@@ -151,7 +151,9 @@ TEST_SUITE("analytic") {
 
   TEST_CASE("natural frequencies: of bodies that have fallen on each other, by the spectrum") {
     const Scene scene = drop();
-    const auto simulation = make_simulation(scene, with_method("oenog"));
+    // of ten layers the first mode of the ring is low by 4.5 % with this, by 5.3 % with oenog and 5.1 % with
+    // tl
+    const auto simulation = make_simulation(scene, with_method("pf-jst"));
     simulation->advance_to(scene.until);
     const std::vector<MeasureResult> found = measure(scene, simulation->series(), "neo_hookean");
     const double expected[] = {152.5, 356.0, 445.3, 525.6, 796.5, 879.0};

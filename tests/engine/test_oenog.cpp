@@ -15,6 +15,8 @@ using namespace taut::test;
 
 namespace {
 
+constexpr double damping = 0.01;  // the default
+
 /// A shaken plate held at its left end, its right half of a softer, lighter material.
 Scene clamped_plate_of_two_materials() {
   Scene scene = small_clamped_plate();
@@ -37,7 +39,7 @@ TEST_SUITE("reference") {
     for (const Scene& scene : {clamped_plate_of_two_materials(), ring_alone()}) {
       CAPTURE(scene.name);
       NaiveOenog naive(scene, oenog.h_over_dp);
-      for (int step = 0; step < 40; ++step) naive.step(oenog.cfl);
+      for (int step = 0; step < 40; ++step) naive.step(oenog.cfl, damping);
       const Snapshot now = state_after(40, scene, with_method("oenog"));
       double difference = 0, fastest = 0, moved = 0;
       for (int i = 0; i < naive.size(); ++i) {
@@ -58,7 +60,7 @@ TEST_SUITE("reference") {
   TEST_CASE("oenog: the forces are minus the slopes of the energy") {
     const Scene scene = clamped_plate_of_two_materials();
     NaiveOenog naive(scene, oenog.h_over_dp);
-    for (int step = 0; step < 40; ++step) naive.step(oenog.cfl);
+    for (int step = 0; step < 40; ++step) naive.step(oenog.cfl, damping);
     const auto force = naive.force(naive.x);
     double greatest = 0, difference = 0;
     for (int i = 0; i < naive.size(); ++i) {
@@ -82,7 +84,7 @@ TEST_SUITE("term") {
   TEST_CASE("oenog: a strained body that is turned keeps its energy, and its forces turn with it") {
     const Scene scene = ring_alone();
     NaiveOenog naive(scene, oenog.h_over_dp);
-    for (int step = 0; step < 40; ++step) naive.step(oenog.cfl);
+    for (int step = 0; step < 40; ++step) naive.step(oenog.cfl, damping);
     const double c = std::cos(2.1), s = std::sin(2.1);
     const auto turned = [&](const NaiveOenog::Places& a) {
       NaiveOenog::Places out;
@@ -107,7 +109,9 @@ TEST_SUITE("conservation") {
     Scene scene = rotating_plate(0.2);
     scene.materials.push_back({"soft", /*ρ0*/ 900, /*E*/ 4e6, /*ν*/ 0.3});
     scene.bodies[0].parts = {{1, [](const Point& x) { return x[1] > 0.002 ? 1.0 : 0.0; }}};
-    const auto simulation = make_simulation(scene, with_method("oenog"));
+    Settings undamped = with_method("oenog");
+    undamped.constants["damping"] = 0;
+    const auto simulation = make_simulation(scene, undamped);
     const Balance before = balance(simulation->snapshot(), scene);
     make_steps(*simulation, 300);
     const Balance after = balance(simulation->snapshot(), scene);
@@ -115,5 +119,35 @@ TEST_SUITE("conservation") {
     CHECK(std::abs(after.linear_momentum[0] - before.linear_momentum[0]) < 1e-12 * before.momentum_scale);
     CHECK(after.kinetic + after.strain == relative(before.kinetic, 2e-3));
     CHECK(after.strain > 0.01 * before.kinetic);
+  }
+}
+
+TEST_SUITE("term") {
+  TEST_CASE("oenog: the damping takes a zigzag away and leaves the first mode alone") {
+    Scene zigzag = rotating_plate(0);
+    const double c0 = ring_rubber().sound_speed(), dp = zigzag.spacing;
+    const auto parity = [dp](double x) { return std::lround(std::floor(x / dp)) % 2 == 0 ? 1.0 : -1.0; };
+    zigzag.bodies[0].velocity[0] = [=](const Point& x) { return 1e-3 * c0 * parity(x[1]); };
+    zigzag.bodies[0].velocity[1] = [=](const Point&) { return 0.0; };
+    // what is left of the energy at `from` later on
+    const auto kept = [](const Scene& scene, double from, double to, double damping) {
+      Settings settings = with_method("oenog");
+      settings.constants["damping"] = damping;
+      const auto simulation = make_simulation(scene, settings);
+      const auto energy_at = [&](double t) {
+        simulation->advance_to(t);
+        const Balance now = balance(simulation->snapshot(), scene);
+        return now.kinetic + now.strain;
+      };
+      const double start = energy_at(from);
+      return energy_at(to) / start;
+    };
+    const double period = std::numbers::pi * dp / c0;  // about
+    CHECK(kept(zigzag, 0, 40 * period, 0) > 0.95);
+    CHECK(kept(zigzag, 0, 40 * period, damping) < 0.12);
+    // after a period, in which what the first mode does not take of the start is damped
+    const Scene plate = oscillating_plate(0.001, 5);
+    CHECK(kept(plate, 0.25, 0.5, damping) > 0.999);
+    CHECK(kept(plate, 0.25, 0.5, damping) < 1);
   }
 }
