@@ -91,7 +91,7 @@ std::vector<TermInfo> cauchy_stress_terms(const Formulation& m) {
   add_dissipation(t, m);
   add_tension(t, m);
   t.push_back(khayyer ? impulse_term() : penalty_term());
-  t.push_back({"time", "symplectic Euler, rates at the middle of the step",
+  t.push_back({"time", "symplectic Euler, rates at the middle of the step or where `geometry` says",
                khayyer ? "[Khayyer2024] Eq. 22–26" : "none stated: that of [Khayyer2024]",
                "solver/cauchy_stress.hpp:step",
                khayyer ? "naive: the ladder, a clamped plate of two materials and a disc that hits it"
@@ -107,6 +107,8 @@ std::vector<MethodConstant> cauchy_stress_constants(const Formulation& m) {
   if (m.viscosity == Viscosity::riemann)
     c.push_back(
         {"riemann_factor", 1.0, 0.0, 2.0, "dissipation over that of Eq. 39; Eq. 43 prints 2, CFL ≤ 0.5"});
+  c.push_back(
+      {"geometry", 0.5, 0.0, 1.0, "where in the step ∇u is taken: 0 its start, as printed, 1 its end"});
   if (m.transport_velocity) c.push_back({"xsph", 0.5, 0.0, 1.0, "ε of the transport velocity"});
   if (m.density_diffusion) c.push_back({"delta", 0.002, 0.0, 0.1, "δ of the density diffusion"});
   if (m.artificial_stress) {

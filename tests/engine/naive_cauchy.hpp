@@ -13,7 +13,7 @@
 /// ∇_i w.
 ///
 /// Where the papers are silent or contradict themselves, this takes the same side as the engine says it does:
-///   - time: velocity first, then ρ, S, r from û at the positions in the middle of the step; S is turned by
+///   - time: velocity first, then ρ, S, r from û at the positions at `geometry` of the step; S is turned by
 ///     (I − ½ dt Ω)⁻¹ (I + ½ dt Ω);
 ///   - Eq. 18 with a minus, Eq. 21 with atan2, Eq. 43 with `riemann_factor`, ρ_ij a difference in Eq. 34, 35;
 ///   - held particles do not move, but are strained;
@@ -103,6 +103,7 @@ class Run {
   Counts counts;
   double time = 0;
   double riemann_factor = 1;
+  double geometry = 0.5;
 
   void step() {
     const double dt = is_.cfl() * h_ / c0_;  // Eq. 26
@@ -113,10 +114,10 @@ class Run {
       if (!particles[i].held) particles[i].u = particles[i].u + dt * a[i];
     if (!is_.tranduc) stop_approach();
     const std::vector<Vector> u = transport_velocities();
-    std::vector<Vector> middle;
-    for (std::size_t i = 0; i < particles.size(); ++i) middle.push_back(particles[i].r + 0.5 * dt * u[i]);
-    const std::vector<Matrix> grad_u = velocity_gradients(u, middle);
-    const std::vector<double> drho = density_rates(u, middle, grad_u);
+    std::vector<Vector> at;
+    for (std::size_t i = 0; i < particles.size(); ++i) at.push_back(particles[i].r + geometry * dt * u[i]);
+    const std::vector<Matrix> grad_u = velocity_gradients(u, at);
+    const std::vector<double> drho = density_rates(u, at, grad_u);
     for (std::size_t i = 0; i < particles.size(); ++i) {
       Particle& b = particles[i];
       b.rho = rho[i] + dt * (drho[i] + D[i]);

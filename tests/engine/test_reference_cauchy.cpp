@@ -44,11 +44,12 @@ Scene two_materials() {
 }
 
 naive_cauchy::Run naive_run(const Scene& scene, const std::string& method, int steps,
-                            double riemann_factor = 1) {
+                            double riemann_factor = 1, double geometry = 0.5) {
   double c0 = 0;
   for (const Material& material : scene.materials) c0 = std::max(c0, material.sound_speed());
   naive_cauchy::Run run(naive_cauchy::method_named(method), scene.spacing, c0);
   run.riemann_factor = riemann_factor;
+  run.geometry = geometry;
   const Layout layout = make_layout(scene);
   for (int i = 0; i < layout.size(); ++i) {
     const Material& material = scene.materials[layout.material[i]];
@@ -133,6 +134,14 @@ TEST_SUITE("reference") {
     settings.constants["riemann_factor"] = 2;
     const Snapshot engine = state_after(16, scene, settings);
     check_agreement(engine, naive_run(scene, "d-ulsph-r-tic", 16, 2));
+    CHECK(engine.v != state_after(16, scene, with_method("d-ulsph-r-tic")).v);
+  }
+  TEST_CASE("naive: the velocity gradient where the step starts, as printed") {
+    const Scene scene = two_materials();
+    Settings settings = with_method("d-ulsph-r-tic");
+    settings.constants["geometry"] = 0;
+    const Snapshot engine = state_after(16, scene, settings);
+    check_agreement(engine, naive_run(scene, "d-ulsph-r-tic", 16, 1, 0));
     CHECK(engine.v != state_after(16, scene, with_method("d-ulsph-r-tic")).v);
   }
 }
