@@ -10,13 +10,16 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// Bodies held together by bonds (terms/bond.hpp), which touch by a contact law. Position Verlet,
-/// so that the energy has no drift; no dissipation.
+/// Bodies held together by bonds (terms/bond.hpp), which touch by a contact law. Position Verlet, so that
+/// without damping the energy has no drift.
 ///
-/// Two passes a step. The first visits x_j and gives F_i, the bonds' force and Q_i = V_i P_i B_i, from which
-/// the second makes the force of all volumes: with g_ij = B_i a_ij and a_ij = −a_ji it is
+/// Three passes a step. The strain pass visits x_j and v_j and gives F_i and the bonds' force; the stress pass
+/// takes four particles at once and no neighbour, and gives Q_i = V_i P_i B_i, from which the force pass makes
+/// that of all stresses: with g_ij = B_i a_ij and a_ij = −a_ji it is
 ///   Σ_j (V_i P_i g_ij − V_j P_j g_ji) = Σ_j (Q_i + Q_j) a_ij,
-/// so that both passes share one vector a bond, and each visits one short row a neighbour.
+/// so that the passes over neighbours share one vector a bond, and each visits one short row a neighbour.
+/// F goes from the first to the second through memory: in one loop the bonds of the next particles do not fill
+/// the time that the law's long chain of operations takes.
 template <const Formulation& M, int Dim>
 class Bonded final : public ParticleSolver<Dim> {
  public:
@@ -61,7 +64,7 @@ class Bonded final : public ParticleSolver<Dim> {
   using typename Base::V;
 
   using PlaceRow = Row<2 * Dim>;     // x, v
-  using VolumeRow = Row<Dim * Dim>;  // Q, row by row
+  using StressRow = Row<Dim * Dim>;  // Q, row by row
   struct Spring {                    // four bonds; the filling has k = 0
     Pack k;                          // G (V_i w_ij + V_j w_ji)/r0², N/m (per metre depth in 2D)
     Pack per_r0_squared;             // 1/r0², 1/m²
@@ -74,17 +77,19 @@ class Bonded final : public ParticleSolver<Dim> {
   struct Strained {    // of one particle, to be summed over the lanes
     Mat<Pack, Dim> A;  // (x_j − x_i) ⊗ a_ij: F = A B
     Vec<Pack, Dim> f;  // of the bonds, N
-    Pack energy;       // of the bonds, J, half of each bond's and all of one that ends at a clamp
+    Pack energy;       // of the bonds, J
     Pack stiffest;     // φ″ of a bond
   };
+
   void pack_bonds(const Bonds& bonds);
   void add_site(const Bonds& bonds, int i);
   double spring(const Bonds& bonds, int id, int b, int back) const;
   void show_contacts_to_probes();
   void step();
   double step_size() const;
-  void first_pass();
-  double second_pass(double dt);
+  void strain_pass();
+  void stress_pass();
+  double force_pass(double dt);
   template <bool WithEnergy>
   Strained strained(int i) const;
   template <bool WithEnergy>
@@ -104,10 +109,10 @@ class Bonded final : public ParticleSolver<Dim> {
   std::vector<int> begin_, j_;        // bonds in packs, as in Neighbors; from size() on places at a clamp
   std::vector<Vec<Pack, Dim>> a_ij_;  // m^Dim/m, times a constant that B takes out again
   std::vector<Spring> springs_;
-  std::vector<StoredPack> energy_scales_;  // J
+  std::vector<StoredPack> energy_scales_;  // of each bond's energy, J: its half, or all at a clamp
   std::vector<Mat<Pack, Dim>> F_;          // of each group; 0 where there is no volume
   std::vector<PlaceRow> places_;
-  std::vector<VolumeRow> volumes_;
+  std::vector<StressRow> stress_;
   std::vector<V> bond_force_;  // N
 };
 
@@ -173,7 +178,7 @@ void Bonded<M, Dim>::pack_bonds(const Bonds& bonds) {
     }
     begin_.push_back(static_cast<int>(springs_.size()));
   }
-  volumes_.resize(places_.size());
+  stress_.resize(places_.size());
   F_.resize(groups());
   bond_force_.resize(n);
   this->pairs_ = static_cast<long>(bonds.j.size());
@@ -218,14 +223,15 @@ void Bonded<M, Dim>::step() {
     set_row(i);
   });
   contact_.evaluate(s_, dt);
-  first_pass();
-  Base::set_greatest_speed(second_pass(dt));
+  strain_pass();
+  stress_pass();
+  Base::set_greatest_speed(force_pass(dt));
   Base::stop_approach(0.5 * dt, [&](int i, const V& change) { s_.x[i] += (0.5 * dt) * change; });
   Base::finish_step(dt);
 }
 
 /// Σ_j (x_j − x_i) ⊗ a_ij, and of the bonds the force Σ_j k (φ′(λ)/λ + τ q̇) (x_j − x_i) and, if asked for,
-/// the energy: half of each bond's, and all of one that ends at a clamp.
+/// the energy.
 template <const Formulation& M, int Dim>
 template <bool WithEnergy>
 auto Bonded<M, Dim>::strained(int i) const -> Strained {
@@ -246,9 +252,7 @@ auto Bonded<M, Dim>::strained(int i) const -> Strained {
     stiffest = max(stiffest, bond_stiffness(s));
     f += Pack(spring.k * (bond_slope(s) + relaxation_ * rate)) * d;
     add_outer(A, filled<Pack>(1), d, a_ij_[b]);
-    if constexpr (WithEnergy) {
-      energy += energy_scales_[b].value * bond_energy(s);
-    }
+    if constexpr (WithEnergy) energy += energy_scales_[b].value * bond_energy(s);
   }
   return {A, f, energy, stiffest};
 }
@@ -284,33 +288,37 @@ double Bonded<M, Dim>::strain(int group) {
 }
 
 template <const Formulation& M, int Dim>
-void Bonded<M, Dim>::first_pass() {
+void Bonded<M, Dim>::strain_pass() {
   stiffest_ =
       parallel_max(groups(), threads_now(), [&](int group) TAUT_FLATTEN { return strain<false>(group); });
+}
+
+template <const Formulation& M, int Dim>
+void Bonded<M, Dim>::stress_pass() {
   parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
     const Sites& sites = sites_[group];
     const Mat<Pack, Dim> Q = sites.V * product(sites.rest.piola(F_[group]), sites.B);
     const int first = group * lanes, count = std::min(lanes, s_.size() - first);
     for (int lane = 0; lane < count; ++lane)
       for (int a = 0; a < Dim; ++a)
-        for (int k = 0; k < Dim; ++k) volumes_[first + lane].c[a * Dim + k] = Q(a, k)[lane];
+        for (int k = 0; k < Dim; ++k) stress_[first + lane].c[a * Dim + k] = Q(a, k)[lane];
   });
 }
 
 /// f_i = that of the bonds + Σ_j (Q_i + Q_j) a_ij + contact; then v and the second half of x. The greatest
 /// v², m²/s².
 template <const Formulation& M, int Dim>
-double Bonded<M, Dim>::second_pass(double dt) {
-  constexpr int width = VolumeRow::width;
+double Bonded<M, Dim>::force_pass(double dt) {
+  constexpr int width = StressRow::width;
   Base::set_outside(dt, this->time_ + dt);
   const bool contact = contact_.active(), outside = Base::outside_acts();
   return parallel_max(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
     Pack Q_i[Dim * Dim];
-    for (int k = 0; k < Dim * Dim; ++k) Q_i[k] = filled<Pack>(volumes_[i].c[k]);
+    for (int k = 0; k < Dim * Dim; ++k) Q_i[k] = filled<Pack>(stress_[i].c[k]);
     Vec<Pack, Dim> f{};
     for (int b = begin_[i]; b < begin_[i + 1]; ++b) {
       Pack Q_j[width];
-      gather<width>(volumes_[0].c, &j_[static_cast<std::size_t>(lanes) * b], Q_j);
+      gather<width>(stress_[0].c, &j_[static_cast<std::size_t>(lanes) * b], Q_j);
       for (int a = 0; a < Dim; ++a)
         for (int k = 0; k < Dim; ++k) f[a] += (Q_i[a * Dim + k] + Q_j[a * Dim + k]) * a_ij_[b][k];
     }
