@@ -163,7 +163,9 @@ void Maker::choose() {
       const auto [w, right] = moments.weights(X, omega);
       if (!right && reach > 2) continue;  // the first choice stands if none is right
       chosen_[i].clear();
-      for (std::size_t b = 0; b < others.size(); ++b) chosen_[i][others[b]] = w[b];
+      // to 2^-36: the last bits differ between a body and its mirror image
+      for (std::size_t b = 0; b < others.size(); ++b)
+        chosen_[i][others[b]] = std::ldexp(std::round(std::ldexp(w[b], 36)), -36);
       if (right) break;
     }
   }
@@ -259,8 +261,12 @@ void Maker::cut_at_clamp() {
 
 std::complex<double> harmonic(const Bonds& bonds, int i, int n) {
   std::complex<double> sum = 0;
-  for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b)
-    sum += std::polar(bonds.weight[b], -n * std::atan2(bonds.X[b][1], bonds.X[b][0]));
+  for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) {
+    const std::complex<double> X(bonds.X[b][0], -bonds.X[b][1]), e = X / std::abs(X);
+    std::complex<double> power = bonds.weight[b];
+    for (int k = 0; k < n; ++k) power *= e;  // not by the angle: a mirror image has the same bits
+    sum += power;
+  }
   return sum;
 }
 

@@ -127,16 +127,37 @@ std::vector<Site> lattice_sites(const Body& body, int dim, double dp) {
   return sites;
 }
 
-std::vector<Site> body_sites(const Body& body, int dim, double dp) {
+double twice_centre(const Shape& shape, int k) {
+  if (const auto* box = std::get_if<Box>(&shape)) return box->low[k] + box->high[k];
+  if (const auto* disc = std::get_if<Disc>(&shape)) return 2 * disc->centre[k];
+  return 2 * std::get<Ring>(shape).centre[k];
+}
+
+void shift(Shape& shape, int k, double by) {
+  if (auto* box = std::get_if<Box>(&shape)) {
+    box->low[k] += by;
+    box->high[k] += by;
+  } else if (auto* disc = std::get_if<Disc>(&shape)) {
+    disc->centre[k] += by;
+  } else {
+    std::get<Ring>(shape).centre[k] += by;
+  }
+}
+
+/// A reflected layout about c is one about −c with the sign of its coordinates changed: the image of a body
+/// at −c to the last bit.
+std::vector<Site> body_sites(Body body, int dim, double dp) {
+  for (int k = 0; k < dim; ++k) {
+    if (!body.mirror[k]) continue;
+    const double by = -twice_centre(body.shapes.front(), k);
+    for (Shape& shape : body.shapes) shift(shape, k, by);
+  }
   const auto* ring = std::get_if<Ring>(&body.shapes.front());
   std::vector<Site> sites = ring && body.shapes.size() == 1 && dim == 2 ? concentric_sites(*ring, dp)
                                                                         : lattice_sites(body, dim, dp);
-  const Bounds b = bounds(body.shapes.front());
-  for (int k = 0; k < dim; ++k) {
-    if (!body.mirror[k]) continue;
-    const double twice_centre = b.low[k] + b.high[k];
-    for (Site& site : sites) site.x[k] = twice_centre - site.x[k];
-  }
+  for (int k = 0; k < dim; ++k)
+    if (body.mirror[k])
+      for (Site& site : sites) site.x[k] = -site.x[k];
   return sites;
 }
 

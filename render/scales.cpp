@@ -28,8 +28,9 @@ void ColorBar::draw(Canvas& canvas, const Rect& bar, double em, std::string_view
   }
   if (ticks_.at.empty() || tick_unit_ != unit) {
     tick_unit_ = unit;
-    ticks_ =
-        nice_ticks(low_, high_, unit, std::clamp(static_cast<int>(bar.height / (tick_spacing * em)), 3, 12));
+    const int room = std::clamp(static_cast<int>(bar.height / (tick_spacing * em)), 3, 12);
+    ticks_ = nice_ticks(low_, high_, unit, room);
+    if (ticks_.at.size() < 2) ticks_ = nice_ticks(low_, high_, unit, 5);  // one number says nothing
   }
   const double line = line_width(em);
   double widest = 0;

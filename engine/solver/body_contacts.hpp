@@ -29,6 +29,7 @@ class BodyContacts {
     int next = 0;  // particle whose list begins next
     for (const int i : candidates_) {
       while (next <= i) begin[next++] = static_cast<int>(j.size());
+      const auto from = static_cast<std::ptrdiff_t>(j.size());
       grid_.for_each_row(s.x[i], [&](int first, int last) {
         for (int k = first; k < last; ++k) {
           const int other = stored_[k];
@@ -37,6 +38,8 @@ class BodyContacts {
           if (dot(d, d) < reach_ * reach_) j.push_back(other);
         }
       });
+      // in the order of creation, which mirrored bodies share: what is mirrored stays so to the last bit
+      std::sort(j.begin() + from, j.end(), [&](int a, int b) { return s.id[a] < s.id[b]; });
     }
     while (next <= s.size()) begin[next++] = static_cast<int>(j.size());
   }
