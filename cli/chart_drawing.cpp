@@ -6,11 +6,13 @@
 
 #include "cli/line_styles.hpp"
 #include "cli/text.hpp"
+#include "engine/error.hpp"
 
 namespace taut {
 namespace {
 
 constexpr int width = 1280, height = 800;  // pixels
+constexpr std::size_t most_series = 24;    // whose names the picture has room for
 
 /// Least and greatest of positive numbers.
 struct Range {
@@ -162,6 +164,10 @@ std::string chart_data(const Chart& chart) {
 }
 
 std::string chart_script(const Chart& chart, const PlotFiles& files) {
+  if (chart.series.size() > most_series)
+    throw UsageError("a chart of " + std::to_string(chart.series.size()) + " lines, such as '" +
+                     chart.series.front().name + "', cannot be read: at most " + std::to_string(most_series) +
+                     "; leave rows out of results.csv, or draw a map");
   const Ranges ranges = ranges_of(chart);
   return plot_head(files, width, height) + frame(chart, ranges) + strip(ranges) + "plot " +
          join(curves(chart, ranges), ", \\\n     ") + "\n";

@@ -59,6 +59,17 @@ void each_cell(const StabilityMap& map, const Use& use) {
       if (map.cells[r][v]) use(r, v, *map.cells[r][v]);
 }
 
+/// The kinds of which the map has cells, in the order of their blocks in the data: gnuplot does not count a
+/// block without lines.
+std::vector<std::size_t> kinds_in(const StabilityMap& map, const std::vector<Kind>& all) {
+  std::vector<bool> there(all.size());
+  each_cell(map, [&](std::size_t, std::size_t, const MapCell& cell) { there[kind_of(cell, all)] = true; });
+  std::vector<std::size_t> found;
+  for (std::size_t kind = 0; kind < all.size(); ++kind)
+    if (there[kind]) found.push_back(kind);
+  return found;
+}
+
 /// A tick at 1, 2, ... for each name.
 std::string ticks(const std::vector<std::string>& names) {
   std::vector<std::string> all;
@@ -73,7 +84,7 @@ std::string map_data(const StabilityMap& map) {
   const TimeUnit unit = time_unit(map);
   const std::vector<Kind> all = kinds();
   std::string text = "# " + map.title + "\n";
-  for (std::size_t kind = 0; kind < all.size(); ++kind) {
+  for (const std::size_t kind : kinds_in(map, all)) {
     text += "# " + all[kind].name + "\n# column; row; since, s; " + map.label + "; method; shown\n";
     each_cell(map, [&](std::size_t r, std::size_t v, const MapCell& cell) {
       if (kind_of(cell, all) != kind) return;
@@ -94,12 +105,8 @@ std::string map_script(const StabilityMap& map, const PlotFiles& files) {
   const int rows = static_cast<int>(map.rows.size()), columns = static_cast<int>(map.values.size());
   const std::vector<Kind> all = kinds();
   std::vector<std::string> plots;
-  for (std::size_t kind = 0; kind < all.size(); ++kind) {
-    bool there = false;
-    each_cell(map,
-              [&](std::size_t, std::size_t, const MapCell& cell) { there |= kind_of(cell, all) == kind; });
-    if (!there) continue;
-    const std::string block = "data index " + std::to_string(kind) + " using ";
+  for (const std::size_t kind : kinds_in(map, all)) {
+    const std::string block = "data index " + std::to_string(plots.size() / 2) + " using ";
     plots.push_back(block +
                     "1:2:($1-0.5):($1+0.5):($2-0.5):($2+0.5) with boxxyerror fillstyle solid 1 border "
                     "linecolor '#ffffff' fillcolor '" +

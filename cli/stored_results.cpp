@@ -152,6 +152,15 @@ StoredResults read_results(const std::vector<std::string>& files) {
   return results;
 }
 
+/// What a run had, whether it was asked for or the scene's default: only what was asked for is known of one
+/// that has not ended.
+std::string effective(const StoredRun& run, const std::string& column) {
+  const std::string name = without_prefix(column);
+  for (const std::string& told : {std::string(parameter_prefix) + name, name})
+    if (const std::string value = run.text(told); !value.empty()) return value;
+  return run.text(column);
+}
+
 std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& runs, const std::string& x) {
   std::vector<std::string> chosen;
   for (const std::string& column : candidates(runs)) {
@@ -161,8 +170,9 @@ std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& ru
     const bool differs = std::ranges::any_of(runs, [&](const StoredRun& run) {
       if (!run.has_result() && !column.starts_with(set_prefix)) return false;
       std::vector<std::string> key{run.method(), run.text(x)};
-      for (const std::string& c : chosen) key.push_back(run.text(c));
-      return seen.emplace(key, run.text(column)).first->second != run.text(column);
+      for (const std::string& c : chosen) key.push_back(effective(run, c));
+      const std::string value = effective(run, column);
+      return seen.emplace(key, value).first->second != value;
     });
     if (differs) chosen.push_back(column);
   }
@@ -172,7 +182,7 @@ std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& ru
 std::string series_name(const StoredRun& run, const std::vector<std::string>& columns) {
   std::string name = run.method();
   for (const std::string& column : columns)
-    if (const std::string value = run.text(column); !value.empty())
+    if (const std::string value = effective(run, column); !value.empty())
       name += ", " + without_prefix(column) + "=" + value;
   return name;
 }

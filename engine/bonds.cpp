@@ -163,7 +163,7 @@ void Maker::choose() {
       const auto [w, right] = moments.weights(X, omega);
       if (!right && reach > 2) continue;  // the first choice stands if none is right
       chosen_[i].clear();
-      // to 2^-36: the last bits differ between a body and its mirror image
+      // to 2^-36, far finer than the moments are right: the last bits may differ in a mirror image
       for (std::size_t b = 0; b < others.size(); ++b)
         chosen_[i][others[b]] = std::ldexp(std::round(std::ldexp(w[b], 36)), -36);
       if (right) break;

@@ -144,8 +144,8 @@ void shift(Shape& shape, int k, double by) {
   }
 }
 
-/// A reflected layout about c is one about −c with the sign of its coordinates changed: the image of a body
-/// at −c to the last bit.
+/// A reflected layout about c is one about −c with the sign of its coordinates changed: the image of a round
+/// body at −c to the last bit.
 std::vector<Site> body_sites(Body body, int dim, double dp) {
   for (int k = 0; k < dim; ++k) {
     if (!body.mirror[k]) continue;

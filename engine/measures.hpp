@@ -51,8 +51,8 @@ struct MeasureResult {
 ///   frequency                  see diagnostics/spectrum.hpp; from `from` to `until`, none before.
 ///   minimum, maximum           none while the series ends at its extreme, which may then still be ahead;
 ///                              mirror_asymmetry is a fault that grows, so there the extreme so far counts.
-///   final_ratio                none while `free` ends ≤ threshold (in touch), and if it never was (no
-///   contact).
+///   final_ratio                none while `free` ends ≤ threshold (in touch), if it never was (no contact),
+///                              and while it is negative: bodies that part for a moment go on as before.
 ///
 /// Throws SceneError for a measure of a probe that does not exist.
 std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std::string_view law,

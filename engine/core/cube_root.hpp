@@ -26,8 +26,8 @@ inline double inverse_cube_root(double x) {
 /// The same of four positive numbers, but for the last bit: a third of the upper half of the bits is enough.
 inline Pack inverse_cube_root(const Pack& x) {
   constexpr long long guess = 0x553ef0ff289dd796, third = 0x55555556;
-  const PackIndex upper = (std::bit_cast<PackIndex>(x) >> 32) * third >> 32;
-  Pack y = std::bit_cast<Pack>(guess - (upper << 32));
+  const PackIndex upper = ((PackIndex)x >> 32) * third >> 32;
+  Pack y = (Pack)(guess - (upper << 32));
   for (int round = 0; round < 2; ++round) {
     const Pack r = 1 - x * y * y * y;
     y += y * r * (1.0 / 3 + r * (2.0 / 9 + r * (14.0 / 81)));

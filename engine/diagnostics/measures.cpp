@@ -137,6 +137,7 @@ Value final_ratio(const Source& source, double scale, double threshold) {
     const auto& gap = source.free->y;
     const bool touched = std::ranges::any_of(gap, [&](double y) { return y <= threshold; });
     if (!touched || gap.back() <= threshold) return std::nullopt;
+    if (source.curve[0].y.back() / scale < 0) return std::nullopt;
   }
   return source.curve[0].y.back() / scale;
 }

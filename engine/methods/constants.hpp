@@ -21,7 +21,7 @@ struct Constants : Elasticity {
   double contact_stiffness = 1;                // of the penalty, over K1 K2/(K1 + K2)
   double alpha = 0;                            // artificial viscosity
   double xsph = 0;                             // share of the mean velocity around in the transport velocity
-  double damping = 0;                          // of bonds: relaxation time over dp √(ρ0/G)
+  double damping = 0;                          // of bonds: τ over dp √(ρ0/G) of the fastest material
   double geometry = 0;                         // where in the step ∇u is taken: 0 its start, 1 its end
   double delta = 0;                            // density diffusion
   double riemann_factor = 0;                   // dissipation of the second-order Riemann term

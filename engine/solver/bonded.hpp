@@ -13,13 +13,13 @@ namespace taut::inline TAUT_ISA {
 /// Bodies held together by bonds (terms/bond.hpp), which touch by a contact law. Position Verlet, so that
 /// without damping the energy has no drift.
 ///
-/// Three passes a step. The strain pass visits x_j and v_j and gives F_i and the bonds' force; the stress pass
-/// takes four particles at once and no neighbour, and gives Q_i = V_i P_i B_i, from which the force pass makes
-/// that of all stresses: with g_ij = B_i a_ij and a_ij = −a_ji it is
+/// Three passes a step. The strain pass visits x_j and v_j and gives F_i and the bonds' force; the stress
+/// pass takes four particles at once and no neighbour, and gives Q_i = V_i P_i B_i, from which the force pass
+/// makes that of all stresses: with g_ij = B_i a_ij and a_ij = −a_ji it is
 ///   Σ_j (V_i P_i g_ij − V_j P_j g_ji) = Σ_j (Q_i + Q_j) a_ij,
 /// so that the passes over neighbours share one vector a bond, and each visits one short row a neighbour.
-/// F goes from the first to the second through memory: in one loop the bonds of the next particles do not fill
-/// the time that the law's long chain of operations takes.
+/// F goes from the first to the second through memory: in one loop the bonds of the next particles do not
+/// fill the time that the law's long chain of operations takes.
 template <const Formulation& M, int Dim>
 class Bonded final : public ParticleSolver<Dim> {
  public:
@@ -104,7 +104,7 @@ class Bonded final : public ParticleSolver<Dim> {
   Pack least_r2_;          // m²: bonds shorter than a hundredth of a spacing are taken for that long
   double wave_speed_ = 0;  // m/s, of compression in the stiffest material
   double relaxation_ = 0;  // s, of the bonds
-  double stiffest_ = 1;    // greatest φ″ of all bonds in the last step
+  double stiffest_ = 1;    // greatest of all bonds and particles in the last step, over that at rest
   std::vector<Sites> sites_;
   std::vector<int> begin_, j_;        // bonds in packs, as in Neighbors; from size() on places at a clamp
   std::vector<Vec<Pack, Dim>> a_ij_;  // m^Dim/m, times a constant that B takes out again
@@ -205,8 +205,9 @@ void Bonded<M, Dim>::show_contacts_to_probes() {
 }
 
 /// s. [Zhang2024] Eq. 22 with the speed of compression waves, for any ν, and with dp, on which the limit
-/// depends and not on h. A bond that is pressed gets stiffer, and the steps shorter, once it takes up what a
-/// `cfl` of 0.64 leaves to the limit of 0.97.
+/// depends and not on h. A bond that is pressed or pulled gets stiffer, and so does a particle whose J is
+/// below one half; steps get shorter once that takes up most of what a `cfl` of 0.64 leaves to the limit of
+/// 0.97.
 template <const Formulation& M, int Dim>
 double Bonded<M, Dim>::step_size() const {
   constexpr double spare = 1.5;
@@ -258,7 +259,7 @@ auto Bonded<M, Dim>::strained(int i) const -> Strained {
 }
 
 /// F and the bonds' force of four particles, or fewer in the last group, and their energy if asked for. The
-/// greatest φ″ of a bond.
+/// greatest stiffness, over that of a bond at rest.
 template <const Formulation& M, int Dim>
 template <bool WithEnergy>
 double Bonded<M, Dim>::strain(int group) {
@@ -276,14 +277,16 @@ double Bonded<M, Dim>::strain(int group) {
     const Pack f = sums_of([&](const Strained& one) -> const Pack& { return one.f[a]; });
     for (int lane = 0; lane < count; ++lane) bond_force_[first + lane][a] = f[lane];
   }
-  F_[group] = product(A, sites_[group].B);
+  const Sites& sites = sites_[group];
+  F_[group] = product(A, sites.B);
   if constexpr (WithEnergy) {
     std::vector<double>& energies = this->snapshot_.strain_energy;
     const Pack energy = sums_of([](const Strained& one) -> const Pack& { return one.energy; }) +
-                        sites_[group].V * sites_[group].rest.energy(F_[group]);
+                        sites.V * sites.rest.energy(F_[group]);
     for (int lane = 0; lane < count; ++lane) energies[s_.id[first + lane]] = energy[lane];
   }
-  const Pack stiffest = max(max(of[0].stiffest, of[1].stiffest), max(of[2].stiffest, of[3].stiffest));
+  Pack stiffest = max(max(of[0].stiffest, of[1].stiffest), max(of[2].stiffest, of[3].stiffest));
+  stiffest = max(stiffest, sites.V > 0 ? closing_stiffness(determinant(F_[group])) : Pack{});
   return max(max(stiffest[0], stiffest[1]), max(stiffest[2], stiffest[3]));
 }
 
@@ -334,8 +337,8 @@ double Bonded<M, Dim>::force_pass(double dt) {
   });
 }
 
-/// The stress shown is the neo-Hookean one of F: p = −K (J − 1), s = G J^(−5/3) dev(F Fᵀ) with (F Fᵀ)_zz = 1
-/// in 2D; none of a held particle, which is rigid.
+/// The stress shown is the neo-Hookean one of F, below J = ½ too: p = −K (J − 1), s = G J^(−5/3) dev(F Fᵀ)
+/// with (F Fᵀ)_zz = 1 in 2D and J no less than 0.05; none of a held particle, which is rigid.
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::take_snapshot() {
   Base::begin_snapshot();

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/core/cube_root.hpp"
@@ -26,9 +25,9 @@
 ///
 /// Law. U_i is what the bonds of particle i leave to the neo-Hookean energy of plane strain,
 ///   W = G/2 (J^(−2/3) tr C − 3) + K/2 (J − 1)²,
-/// so that a linear displacement has just the energy W. With t = ½ tr C, D = ¼ (C_xx − C_yy) + ½ i C_xy and
-/// the bond's direction θ, s = λ² = t + 2 Re(D e^(−2iθ)). Since Σ_j w e⊗e⊗e⊗e is isotropic
-/// (engine/bonds.hpp),
+/// so that a linear displacement has just the energy W (of one material, and where the moments are right).
+/// With t = ½ tr C, D = ¼ (C_xx − C_yy) + ½ i C_xy and the bond's direction θ, s = λ² = t + 2 Re(D e^(−2iθ)).
+/// Since Σ_j w e⊗e⊗e⊗e is isotropic (engine/bonds.hpp),
 ///   Σ w = 8,   Σ w s = 8 t,   Σ w s² = 4 (3 t² − J²).
 /// The mean of 1/s over all directions is 1/J, and its Fourier series is known,
 ///   1/s = 1/J [1 + 2 Σ_n Re((−ζ)^n e^(−2inθ))],   ζ = 2D/(t + J),   |ζ| < 1,
@@ -37,23 +36,23 @@
 /// On a square lattice with its eight bonds of equal weight the next term is ζ⁸ Z₁₆: exact for all but the
 /// largest strains. With φ = (2s² − 3s + 1/s)/24 the bonds carry G (t² − t − J²/3 + (1 − R/4)/(3J)), and
 ///   U = W − G (t² − t − J²/3 + (1 − R/4)/(3J)).
-/// Below J = ½ the terms in G are taken at c = ¼ + 1/(12 − 16 J), which goes on from J smoothly and stays
-/// above ¼, and U has (K + 4G/3)(1 − 2J)³ more, which W lacks: particles that are pressed together in a
+/// Below J = ½ the terms in G are taken at c = ¼ + 1/(12 − 16 J), which goes on from J with its slope and
+/// stays above ¼, and U has (K + 4G/3)(1 − 2J)³ more, which W lacks: particles that are pressed together in a
 /// crease do not fall into the 1/J that their bonds, being few, do not make up for, and what is turned inside
 /// out comes back.
 ///
 /// Which φ. Any with φ′(1) = 0 and φ″(1) = 1 gives the same law for linear displacements, but not for
 /// zigzags: these see the bonds alone. Of φ = ((1 − a) s² + (3a − 2) s + a/s)/8 + const, a = 0 lets zigzags
-/// go once a square lattice is pressed to λ = 0.80 on all sides, a = 1 once it is pulled to λ = 1.4; a = 1/3
-/// holds from 0.70 on all sides, or 0.55 on two, up to a pull of 2.0 (least eigenvalue over all wave
-/// vectors, ν from 0.3 to 0.49). The φ of earlier versions, 7/72 s + 3/(72 s) + 2/(72 s²), right to third
-/// order with U(J) alone, let go at 1.3: a plate that a fast ball stretched took on a hexagonal pattern.
+/// go once a square lattice is pressed to λ = 0.81 on all sides, a = 1 once it is pulled to 1.3; a = 1/3
+/// holds from 0.7 on all sides, or 0.64 on two with the others held, up to a pull of 2.0 (least eigenvalue
+/// over all wave vectors). The φ of earlier versions, 7/72 s + 3/(72 s) + 2/(72 s²), right to third order
+/// with U(J) alone, let go at 1.3: a plate that a fast ball stretched took on a hexagonal pattern.
 ///
 /// Damping. A blow leaves vibrations at the scale of the spacing, for which the continuum has no counterpart
 /// and which nothing takes away. Each bond has a dashpot in parallel, φ′/λ + τ dq/dt with q = (λ² − 1)/2 and
-/// τ = damping · dp/√(G/ρ0): along x_j − x_i, so that both momenta stay. At 0.01 a zigzag falls to 1/e in
-/// about ten of its periods, the first bending mode of a plate of ten particles by 0.2 % in thirty; the loss
-/// falls with dp. Zero keeps the energy.
+/// τ = damping · dp/√(G/ρ0), of the fastest material: along x_j − x_i, so that both momenta stay. At 0.01 a
+/// zigzag falls to 1/e in about ten of its periods, the first bending mode of a plate of ten particles by 0.2
+/// to 0.4 % in thirty; the loss falls with dp. Zero keeps the energy.
 namespace taut::inline TAUT_ISA {
 
 /// φ = (2 s² − 3 s + 1/s)/24, of s = λ² = r²/r0²
@@ -74,6 +73,12 @@ template <class T>
 T bond_stiffness(const T& s) {
   const T inverse = 1 / s;
   return s - 0.25 + 0.25 * inverse * inverse;
+}
+
+/// What the part (K + 4G/3)(1 − 2J)³ of U adds to the stiffness of a particle, over that of one at rest
+template <class T>
+T closing_stiffness(const T& J) {
+  return 1 + 24 * max(1 - 2 * J, T{});
 }
 
 /// m/s, of compression in plane strain and in 3D

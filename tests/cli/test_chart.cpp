@@ -138,6 +138,41 @@ TEST_SUITE("cli") {
     CHECK(*chart.series[1].order < 1.75);
   }
 
+  TEST_CASE("a parameter that was swept to the scene's default is that of a run that was not asked") {
+    const TemporaryFolder folder;
+    const auto write = [&](const std::string& name, const std::string& head, const std::string& rows) {
+      fs::create_directories(folder / name);
+      std::ofstream(folder / name / "results.csv")
+          << "status,method,scene,particles,steps,spacing,verdict,measures.bend.error,measures.bend."
+             "reference,seconds.solve,"
+             "measures.bend.unit,parameters.v0"
+          << head << "\n"
+          << rows;
+      return folder.str(name + "/results.csv");
+    };
+    const std::string plain = write(
+        "plain", "",
+        "finished,tl,rod,9,9,0.2,stable,0.1,2,1,m,0.06\nfinished,tl,rod,9,9,0.1,stable,0.05,2,8,m,0.06\n");
+    const std::string swept = write("swept", ",set.v0",
+                                    "finished,tl,rod,9,9,0.4,stable,0.2,2,0.1,m,0.06,0.06\n"
+                                    "finished,tl,rod,9,9,0.4,stable,0.4,2,0.1,m,0.08,0.08\n");
+    const taut::Chart chart = taut::make_chart(taut::read_results({plain, swept}), {});
+    REQUIRE(chart.series.size() == 2);
+    CHECK(chart.series[0].name == "tl, v0=0.06");
+    CHECK(chart.series[0].points.size() == 3);
+    CHECK(chart.series[1].name == "tl, v0=0.08");
+  }
+
+  TEST_CASE("a chart of more lines than can be told apart is refused") {
+    const TemporaryFolder folder;
+    std::string rows;
+    for (int k = 0; k < 25; ++k)
+      rows += "finished,m" + std::to_string(k) + ",m" + std::to_string(k) + ",0.4,10,stable,,0.3,2,4,\n";
+    const Outcome outcome = call({"chart", write_results(folder / "a", rows), "--out", folder.str("a.png")});
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, "a chart of 25 lines"));
+  }
+
   TEST_CASE("names in a chart have no meaning to gnuplot") {
     const TemporaryFolder folder;
     const std::string file =

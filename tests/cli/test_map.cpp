@@ -43,6 +43,23 @@ TEST_SUITE("cli") {
     CHECK(fs::exists(folder / "map.png"));
   }
 
+  TEST_CASE("a verdict that no cell has leaves no gap: gnuplot counts the blocks that have lines") {
+    const TemporaryFolder folder;
+    const std::string file = write_results(folder / "a", speeds, "rod", "speed");  // none is hourglass
+    REQUIRE(call({"map", file, "--out", folder.str("map.png")}).code == 0);
+    const std::string data = text_of(folder / "map.dat"), script = text_of(folder / "map.gp");
+    CHECK_FALSE(contains(data, "hourglass"));
+    std::size_t blocks = 0;
+    for (const std::string name : {"stable", "fractured", "diverged", "no result"}) {
+      CAPTURE(name);
+      const std::string index = "index " + std::to_string(blocks++) + " ";
+      const std::size_t at = script.find("title '" + name + "'");
+      REQUIRE(at != std::string::npos);
+      CHECK(script.rfind(index, at) != std::string::npos);
+      CHECK(script.rfind(index, at) > script.rfind('\n', at));
+    }
+  }
+
   TEST_CASE("maps of no parameter, or of one that was not swept, are refused with the reason") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", speeds, "rod", "speed");
