@@ -11,8 +11,8 @@ namespace taut {
 /// fine.
 std::string chart_data(const Chart& chart);
 /// The gnuplot script: log error on x, log cost on y, a line with markers for each series, runs that were not
-/// stable crossed out, those without an error in a strip at the right, slopes of order 1 and 2 behind. Throws UsageError for more
-/// series than can be told apart.
+/// stable crossed out, those without an error in a strip at the right, slopes of order 1 and 2 behind. Throws
+/// UsageError for more series than can be told apart.
 std::string chart_script(const Chart& chart, const PlotFiles& files);
 
 }  // namespace taut

@@ -92,6 +92,15 @@ std::vector<std::string> candidates(const std::vector<StoredRun>& runs) {
   return set;
 }
 
+/// What a run had, whether it was asked for or the scene's default: only what was asked for is known of one
+/// that has not ended.
+std::string effective(const StoredRun& run, const std::string& column) {
+  const std::string name = without_prefix(column);
+  for (const std::string& told : {std::string(parameter_prefix) + name, name})
+    if (const std::string value = run.text(told); !value.empty()) return value;
+  return run.text(column);
+}
+
 }  // namespace
 
 std::string StoredRun::text(std::string_view column) const {
@@ -150,15 +159,6 @@ StoredResults read_results(const std::vector<std::string>& files) {
     throw UsageError("no run in " + join(files) + " has a result");
   if (results.title.empty()) results.title = results.scene;
   return results;
-}
-
-/// What a run had, whether it was asked for or the scene's default: only what was asked for is known of one
-/// that has not ended.
-std::string effective(const StoredRun& run, const std::string& column) {
-  const std::string name = without_prefix(column);
-  for (const std::string& told : {std::string(parameter_prefix) + name, name})
-    if (const std::string value = run.text(told); !value.empty()) return value;
-  return run.text(column);
 }
 
 std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& runs, const std::string& x) {

@@ -83,7 +83,7 @@ class Bonded final : public ParticleSolver<Dim> {
 
   void pack_bonds(const Bonds& bonds);
   void add_site(const Bonds& bonds, int i);
-  double spring(const Bonds& bonds, int id, int b, int back) const;
+  double strength(const Bonds& bonds, int id, int b, int back) const;
   void show_contacts_to_probes();
   void step();
   double step_size() const;
@@ -120,7 +120,7 @@ class Bonded final : public ParticleSolver<Dim> {
 /// the other in a bond, as two springs do: the harmonic mean of their G. A place at a clamp has no energy of
 /// its own.
 template <const Formulation& M, int Dim>
-double Bonded<M, Dim>::spring(const Bonds& bonds, int id, int b, int back) const {
+double Bonded<M, Dim>::strength(const Bonds& bonds, int id, int b, int back) const {
   const std::vector<int>& material = this->layout_.material;
   const int other = bonds.j[b];
   const double G_i = materials_[material[id]].G;
@@ -167,9 +167,9 @@ void Bonded<M, Dim>::pack_bonds(const Bonds& bonds) {
           r2 += bonds.X[b][k] * bonds.X[b][k];
           area[k][lane] = bonds.area[b][k];
         }
-        const double stiffness = spring(bonds, id, b, back);
-        four.k[lane] = stiffness / r2;
-        scale.value[lane] = back >= 0 ? 0.5 * stiffness : stiffness;
+        const double Gw = strength(bonds, id, b, back);
+        four.k[lane] = Gw / r2;
+        scale.value[lane] = back >= 0 ? 0.5 * Gw : Gw;
         four.per_r0_squared[lane] = 1 / r2;
       }
       a_ij_.push_back(area);

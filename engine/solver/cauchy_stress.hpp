@@ -81,8 +81,8 @@ class CauchyStress final : public ParticleSolver<Dim> {
 
 /// One step of the symplectic Euler scheme.
 /// Differs from [Khayyer2024] Eq. 22–25, where all rates are those of the old state: an elastic wave grows
-/// without limit that way. ∇u is taken in the middle of the step (`geometry` = ½): at its start, as printed, a
-/// body that turns with ω swells by (ω dt)²/2 a step and has no strain of it.
+/// without limit that way. ∇u is taken in the middle of the step (`geometry` = ½): at its start, as printed,
+/// a body that turns with ω swells by (ω dt)²/2 a step and has no strain of it.
 template <const Formulation& M, int Dim>
 void CauchyStress<M, Dim>::step() {
   if (2 * way_ > skin * c_.dp) rebuild();
