@@ -1,5 +1,8 @@
 #include <iostream>
 
-#include "cli/program.hpp"
+#include "cli/command_line/program.hpp"
+#include "cli/commands/commands.hpp"
 
-int main(int argc, char** argv) { return taut::run_program({argv + 1, argv + argc}, std::cout, std::cerr); }
+int main(int argc, char** argv) {
+  return taut::cli::run_program(taut::cli::commands(), {argv + 1, argv + argc}, {std::cout, std::cerr});
+}

@@ -5,9 +5,9 @@
 #include <omp.h>
 
 #include "engine/error.hpp"
-#include "engine/layout.hpp"
-#include "engine/method_info.hpp"
-#include "engine/solver/solver.hpp"
+#include "engine/families/catalogue.hpp"
+#include "engine/families/make_solver.hpp"
+#include "engine/scene/initial_particles.hpp"
 
 namespace taut {
 namespace {
@@ -65,7 +65,7 @@ bool same(const Material& a, const Material& b) {
 }
 
 /// Throws SceneError if the scene has several materials and the method takes one.
-void check_materials(const Scene& scene, const Layout& layout, const MethodInfo& method) {
+void check_materials(const Scene& scene, const InitialParticles& layout, const MethodInfo& method) {
   if (method.several_materials) return;
   const int first = layout.material.front();
   for (int i = 0; i < layout.size(); ++i) {
@@ -79,7 +79,7 @@ void check_materials(const Scene& scene, const Layout& layout, const MethodInfo&
 }
 
 /// Throws SceneError for a body that begins inside a wall.
-void check_walls(const Scene& scene, const Layout& layout) {
+void check_walls(const Scene& scene, const InitialParticles& layout) {
   for (const Wall& wall : scene.walls) {
     for (int i = 0; i < layout.size(); ++i) {
       double height = 0;
@@ -175,7 +175,7 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Settings& 
   if (!method) throw UsageError("there is no method '" + settings.method + "'");
   if (scene.dim != 2) throw SceneError("dim", "only dim = 2 is available in this version");
   if (scene.bodies.empty()) throw SceneError("body", "the scene has no particles; add a [[body]]");
-  const Layout layout = make_layout(scene);
+  const InitialParticles layout = make_initial_particles(scene);
   check_materials(scene, layout, *method);
   check_walls(scene, layout);
   const std::vector<Elasticity> materials = elasticities(scene);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut {
+namespace taut::render {
 namespace {
 
 // viridis, plasma: van der Walt & Smith 2015, released as CC0; cividis: Nuñez, Anderton & Renslow 2018. The
@@ -64,4 +64,4 @@ const Colormap* find_colormap(std::string_view key) {
   return found == std::end(maps) ? nullptr : found;
 }
 
-}  // namespace taut
+}  // namespace taut::render

@@ -5,9 +5,9 @@
 #include <span>
 #include <string_view>
 
-#include "render/image.hpp"
+#include "render/image/image.hpp"
 
-namespace taut {
+namespace taut::render {
 
 /// A colour map: evenly spaced colours, linear in sRGB in between.
 struct Colormap {
@@ -28,4 +28,4 @@ std::span<const Colormap> colormaps();
 /// nullptr if there is none of that name.
 const Colormap* find_colormap(std::string_view key);
 
-}  // namespace taut
+}  // namespace taut::render

@@ -5,12 +5,12 @@
 #include <cstring>
 
 #include "engine/error.hpp"
-#include "render/annotation.hpp"
-#include "render/canvas.hpp"
+#include "render/page/annotation.hpp"
+#include "render/page/canvas.hpp"
+#include "render/page/scales.hpp"
 #include "render/renderer.hpp"
-#include "render/scales.hpp"
 
-namespace taut {
+namespace taut::render {
 namespace {
 
 // Lengths in em.
@@ -221,10 +221,10 @@ const Image& Panel::finish() {
   parts.bar.draw(parts.canvas,
                  {right + pixels(margin * em), grid.top, pixels(bar_width * em), grid.grid_height()}, em,
                  parts.options.field, parts.options.unit);
-  const Layout layout = make_layout(grid.cell_width, grid.cell_height, parts.options.view, false);
+  const PageLayout layout = make_layout(grid.cell_width, grid.cell_height, parts.options.view, false);
   draw_scale_bar(parts.canvas, grid.cell(0, grid.rows - 1), layout.pixels_per_metre, em);
   parts.canvas.end();
   return parts.image;
 }
 
-}  // namespace taut
+}  // namespace taut::render

@@ -6,10 +6,10 @@
 
 #include "engine/frame_view.hpp"
 #include "render/colormap.hpp"
-#include "render/image.hpp"
-#include "render/layout.hpp"
+#include "render/image/image.hpp"
+#include "render/page/page_layout.hpp"
 
-namespace taut {
+namespace taut::render {
 
 /// What stands above a column: what tells it from the others, in bold, and more of that below in gray.
 struct Heading {
@@ -47,4 +47,4 @@ class Panel {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace taut
+}  // namespace taut::render

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "engine/error.hpp"
-#include "render/annotation.hpp"
-#include "render/disc_painter.hpp"
-#include "render/gl_context.hpp"
+#include "render/gl/disc_painter.hpp"
+#include "render/gl/gl_context.hpp"
+#include "render/page/annotation.hpp"
 
-namespace taut {
+namespace taut::render {
 namespace {
 
 DrawOptions checked(DrawOptions options) {
@@ -64,14 +64,14 @@ double drawn_radius(double radius) {
 
 struct Renderer::Parts {
   DrawOptions options;
-  Layout layout;
+  PageLayout layout;
   Image image;
   GlContext context;
   std::optional<DiscPainter> painter;
   std::optional<Annotation> annotation;  // none in pictures too small for text
   std::array<std::uint32_t, 256> colors;
   std::uint32_t not_a_number = packed(not_a_number_color);
-  std::vector<Disc> discs;
+  std::vector<Dot> discs;
 
   explicit Parts(const DrawOptions& options_);
   void place_discs(const FrameView& frame);
@@ -136,4 +136,4 @@ const Image& Renderer::draw(const FrameView& frame) {
   return parts.image;
 }
 
-}  // namespace taut
+}  // namespace taut::render

@@ -4,10 +4,10 @@
 
 #include "engine/frame_view.hpp"
 #include "render/colormap.hpp"
-#include "render/image.hpp"
-#include "render/layout.hpp"
+#include "render/image/image.hpp"
+#include "render/page/page_layout.hpp"
 
-namespace taut {
+namespace taut::render {
 
 inline constexpr int least_size = 64;
 inline constexpr int greatest_size = 8192;
@@ -45,4 +45,4 @@ class Renderer {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace taut
+}  // namespace taut::render

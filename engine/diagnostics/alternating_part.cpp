@@ -4,7 +4,7 @@
 
 #include <Eigen/Dense>
 
-#include "engine/diagnostics/close_pairs.hpp"
+#include "engine/neighbors/close_pairs.hpp"
 
 namespace taut {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/simulation.hpp"
+#include "engine/snapshot.hpp"
 
 namespace taut {
 

@@ -1,9 +1,12 @@
+#include "engine/diagnostics/balance.hpp"
+
 #include <array>
 #include <cmath>
 
 #include "engine/diagnostics/compensated_sum.hpp"
 #include "engine/diagnostics/deviator.hpp"
-#include "engine/simulation.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/snapshot.hpp"
 
 namespace taut {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "engine/simulation.hpp"
+#include "engine/snapshot.hpp"
 
 namespace taut {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/diagnostics/fields.hpp"
 #include "engine/error.hpp"
-#include "engine/field.hpp"
 
 namespace taut {
 namespace {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "engine/scene.hpp"
-#include "engine/simulation.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/snapshot.hpp"
 
 namespace taut {
 

@@ -1,9 +1,10 @@
+#include "engine/diagnostics/fields.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "engine/diagnostics/deviator.hpp"
-#include "engine/field.hpp"
 
 namespace taut {
 namespace {

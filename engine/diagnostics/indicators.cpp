@@ -1,4 +1,4 @@
-#include "engine/indicators.hpp"
+#include "engine/diagnostics/indicators.hpp"
 
 #include <algorithm>
 #include <cmath>

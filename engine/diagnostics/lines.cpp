@@ -1,11 +1,11 @@
-#include "engine/lines.hpp"
+#include "engine/diagnostics/lines.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "engine/diagnostics/fields.hpp"
 #include "engine/error.hpp"
-#include "engine/field.hpp"
 
 namespace taut {
 namespace {
@@ -18,7 +18,7 @@ std::vector<Point> initial_positions(const Snapshot& start) {
   return x;
 }
 
-const Field& field_of(const Line& line) {
+const Field& field_of(const SampleLine& line) {
   const Field* field = find_field(line.field);
   if (field == nullptr)
     throw SceneError("line." + line.name + ".field", "there is no field '" + line.field + "'");
@@ -27,7 +27,7 @@ const Field& field_of(const Line& line) {
 
 }  // namespace
 
-Point line_point(const Line& line, int k) {
+Point line_point(const SampleLine& line, int k) {
   Point point{};
   const double share = line.points > 1 ? static_cast<double>(k) / (line.points - 1) : 0;
   for (std::size_t a = 0; a < point.size(); ++a) point[a] = std::lerp(line.from[a], line.to[a], share);
@@ -37,7 +37,7 @@ Point line_point(const Line& line, int k) {
 LineRecorder::LineRecorder(const Scene& scene, const Snapshot& start, double reach)
     : lines_(scene.lines), samples_(scene.lines.size()) {
   const std::vector<Point> x = initial_positions(start);
-  for (const Line& line : lines_) {
+  for (const SampleLine& line : lines_) {
     field_of(line);
     const auto [first, last] = std::ranges::equal_range(start.body, line.body);
     const int begin = static_cast<int>(first - start.body.begin());
@@ -63,7 +63,7 @@ double LineRecorder::next() const {
 
 void LineRecorder::look(const Snapshot& now) {
   for (std::size_t l = 0; l < lines_.size(); ++l) {
-    const Line& line = lines_[l];
+    const SampleLine& line = lines_[l];
     while (samples_[l].size() < line.times.size() && line.times[samples_[l].size()] <= now.time) {
       LineSample sample{now.time, now.step, {}};
       const Field& field = field_of(line);

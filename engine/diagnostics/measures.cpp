@@ -1,4 +1,4 @@
-#include "engine/measures.hpp"
+#include "engine/diagnostics/measures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ struct Source {
   std::vector<Curve> curve;                          // of each probe
   std::optional<Curve> free;                         // final_ratio
   ReferenceCurves reference;                         // of measures that are compared with one
-  const Line* line = nullptr;                        // line_rmse
+  const SampleLine* line = nullptr;                  // line_rmse
   const std::vector<LineSample>* samples = nullptr;  // of the line
   const Snapshot* now = nullptr;                     // field_rmse, field_error
   double until = 0;                                  // s
@@ -144,7 +144,7 @@ Value final_ratio(const Source& source, double scale, double threshold) {
 
 Value line_rmse(const Source& source) {
   if (!source.reference.exact || !source.samples) return std::nullopt;
-  const Line& line = *source.line;
+  const SampleLine& line = *source.line;
   if (source.samples->size() < line.times.size() || source.samples->empty()) return std::nullopt;
   double sum = 0;
   for (const LineSample& sample : *source.samples)
@@ -256,7 +256,7 @@ Source source_of(const Measure& measure, const Scene& scene, const Series& serie
         finite_part({series.time, series.value.at(probe_index(scene, measure.free, key + ".free"))});
   }
   source.reference = reference_curves(measure, reference);
-  const auto line = std::ranges::find(scene.lines, measure.line, &Line::name);
+  const auto line = std::ranges::find(scene.lines, measure.line, &SampleLine::name);
   const std::size_t l = static_cast<std::size_t>(line - scene.lines.begin());
   if (line != scene.lines.end()) source.line = &*line;
   if (l < lines.size()) source.samples = &lines[l];

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "engine/kernels/kernel_name.hpp"
-#include "engine/scene.hpp"
+#include "engine/methods/kernel_name.hpp"
+#include "engine/scene/scene.hpp"
 
 namespace taut {
 

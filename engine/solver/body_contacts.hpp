@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "engine/solver/neighbors.hpp"
+#include "engine/neighbors/neighbors.hpp"
 #include "engine/solver/state.hpp"
 
 namespace taut::inline TAUT_ISA {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/solver/body_contacts.hpp"
-#include "engine/solver/solver.hpp"
+#include "engine/solver/solver_input.hpp"
 #include "engine/solver/state.hpp"
 #include "engine/solver/wall_contacts.hpp"
 #include "engine/terms/impulse_contact.hpp"

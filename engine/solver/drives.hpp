@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-#include "engine/layout.hpp"
+#include "engine/scene/initial_particles.hpp"
 #include "engine/solver/state.hpp"
 
 namespace taut::inline TAUT_ISA {
@@ -19,7 +19,7 @@ class Drives {
  public:
   using V = Vec<double, Dim>;
 
-  Drives(const Scene& scene, const Layout& layout) {
+  Drives(const Scene& scene, const InitialParticles& layout) {
     std::vector<int> first;  // of each body
     for (const Body& body : scene.bodies) {
       first.push_back(static_cast<int>(drives_.size()));

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/error.hpp"
-#include "engine/layout.hpp"
+#include "engine/scene/initial_particles.hpp"
 #include "engine/solver/state.hpp"
 
 namespace taut::inline TAUT_ISA {
@@ -25,7 +25,8 @@ class Loads {
  public:
   using V = Vec<double, Dim>;
 
-  Loads(const Scene& scene, const Layout& layout) : gravity_(scene.gravity), damping_(scene.damping) {
+  Loads(const Scene& scene, const InitialParticles& layout)
+      : gravity_(scene.gravity), damping_(scene.damping) {
     active_ = has_loads(scene) || damping_ > 0;
     if (!active_) return;
     work_.assign(layout.size(), 0);
@@ -92,8 +93,8 @@ class Loads {
 
   V push(const State<Dim>& s, int i) const { return g_ + (1 / s.m[i]) * force_[s.id[i]]; }
 
-  static std::vector<std::pair<int, V>> shares(const Load& load, const Scene& scene, const Layout& layout,
-                                               int body);
+  static std::vector<std::pair<int, V>> shares(const Load& load, const Scene& scene,
+                                               const InitialParticles& layout, int body);
 
   bool active_ = false;
   std::array<std::function<double(double)>, 3> gravity_;
@@ -106,7 +107,7 @@ class Loads {
 
 /// Throws SceneError where all particles of the region are held.
 template <int Dim>
-auto Loads<Dim>::shares(const Load& load, const Scene& scene, const Layout& layout, int body)
+auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParticles& layout, int body)
     -> std::vector<std::pair<int, V>> {
   std::vector<int> free;
   double volume = 0;

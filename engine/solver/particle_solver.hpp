@@ -9,14 +9,14 @@
 #include "engine/core/archive.hpp"
 #include "engine/core/team_size.hpp"
 #include "engine/error.hpp"
-#include "engine/layout.hpp"
 #include "engine/methods/constants.hpp"
-#include "engine/simulation.hpp"
+#include "engine/scene/initial_particles.hpp"
 #include "engine/solver/contact.hpp"
 #include "engine/solver/drives.hpp"
 #include "engine/solver/loads.hpp"
-#include "engine/solver/recorder.hpp"
-#include "engine/solver/solver.hpp"
+#include "engine/solver/probes.hpp"
+#include "engine/solver/running.hpp"
+#include "engine/solver/solver_input.hpp"
 #include "engine/solver/state.hpp"
 
 namespace taut::inline TAUT_ISA {
@@ -93,7 +93,7 @@ class ParticleSolver : public Simulation {
   /// A solver whose steps depend on more than this has a `serialize` of its own, which begins with this one.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.match(layout_.size());
+    archive.match(initial_.size());
     archive.match(static_cast<int>(recorder_.size()));
     archive(s_, contact_, drives_, loads_, recorder_, time_, step_, vmax_, series_, pairs_);
   }
@@ -116,12 +116,12 @@ class ParticleSolver : public Simulation {
   void store(int i, double rho, double p, const Sym<double, Dim>& s, double s_zz);
 
   Constants c_;
-  Layout layout_;
+  InitialParticles initial_;
   State<Dim> s_;
   Contact<Dim> contact_;
   Drives<Dim> drives_;
   Loads<Dim> loads_;
-  Recorder<Dim> recorder_;
+  ProbeRecorder<Dim> recorder_;
   double time_ = 0;  // s
   long step_ = 0;
   double vmax_ = 0;  // m/s
@@ -135,7 +135,7 @@ class ParticleSolver : public Simulation {
 template <int Dim>
 ParticleSolver<Dim>::ParticleSolver(const SolverInput& input, double support)
     : c_(input.constants),
-      layout_(input.layout),
+      initial_(input.layout),
       contact_(input),
       drives_(input.scene, input.layout),
       loads_(input.scene, input.layout),
@@ -148,18 +148,18 @@ ParticleSolver<Dim>::ParticleSolver(const SolverInput& input, double support)
     for (int k = 0; k < Dim; ++k) v[k] = p[k];
     return v;
   };
-  for (int i = 0; i < layout_.size(); ++i) {
-    s_.x.push_back(point(layout_.x[i]));
-    s_.v.push_back(drives_.moves(i) ? drives_.velocity(i) : point(layout_.v[i]));
-    s_.m.push_back(input.materials[layout_.material[i]].rho0 * layout_.V0[i]);
-    s_.mobile.push_back(layout_.held[i] ? 0 : 1);
+  for (int i = 0; i < initial_.size(); ++i) {
+    s_.x.push_back(point(initial_.x[i]));
+    s_.v.push_back(drives_.moves(i) ? drives_.velocity(i) : point(initial_.v[i]));
+    s_.m.push_back(input.materials[initial_.material[i]].rho0 * initial_.V0[i]);
+    s_.mobile.push_back(initial_.held[i] ? 0 : 1);
     vmax_ = std::max(vmax_, std::sqrt(dot(s_.v[i], s_.v[i])));
   }
   s_.id.resize(s_.size());
   std::iota(s_.id.begin(), s_.id.end(), 0);
-  s_.body = layout_.body;
-  s_.material = layout_.material;
-  s_.sph_contact = input.contact == ContactLaw::sph && layout_.first.size() > 2;
+  s_.body = initial_.body;
+  s_.material = initial_.material;
+  s_.sph_contact = input.contact == ContactLaw::sph && initial_.first.size() > 2;
 }
 
 /// Names the first particle in the order of creation that went wrong.
@@ -189,12 +189,12 @@ void ParticleSolver<Dim>::begin_snapshot() {
   out.dim = Dim;
   out.x0.resize(n * Dim), out.x.resize(n * Dim), out.v.resize(n * Dim);
   out.m.resize(n), out.rho.resize(n), out.p.resize(n), out.s.resize(n * S), out.diameter.resize(n);
-  out.body = layout_.body;
-  out.material = layout_.material;
-  out.held = layout_.held;
+  out.body = initial_.body;
+  out.material = initial_.material;
+  out.held = initial_.held;
   for (std::size_t i = 0; i < n; ++i) {
-    for (int k = 0; k < Dim; ++k) out.x0[i * Dim + k] = layout_.x[i][k];
-    out.diameter[i] = std::pow(layout_.V0[i], 1.0 / Dim);
+    for (int k = 0; k < Dim; ++k) out.x0[i * Dim + k] = initial_.x[i][k];
+    out.diameter[i] = std::pow(initial_.V0[i], 1.0 / Dim);
   }
 }
 

@@ -6,7 +6,7 @@
 #include "engine/core/tensor.hpp"
 #include "engine/kernels/kernel.hpp"
 #include "engine/methods/constants.hpp"
-#include "engine/solver/neighbors.hpp"
+#include "engine/neighbors/neighbors.hpp"
 
 namespace taut::inline TAUT_ISA {
 

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/scene.hpp"
+#include "engine/scene/scene.hpp"
 #include "engine/solver/state.hpp"
 
 namespace taut::inline TAUT_ISA {

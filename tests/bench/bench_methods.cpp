@@ -6,13 +6,15 @@
 
 #include <benchmark/benchmark.h>
 
-#include "cli/scene_file.hpp"
-#include "engine/method_info.hpp"
+#include "cli/scene/scene_file.hpp"
+#include "cli/scene/shipped.hpp"
+#include "engine/families/catalogue.hpp"
 #include "engine/simulation.hpp"
 
 namespace {
 
 using namespace taut;
+using namespace taut::cli;
 
 void run_method(benchmark::State& state, const std::string& method, Stepping stepping) {
   Overrides overrides;

@@ -5,8 +5,8 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/engine/runs.hpp"
-#include "tests/engine/scenes.hpp"
+#include "tests/support/runs.hpp"
+#include "tests/support/scenes.hpp"
 
 using namespace taut;
 using namespace taut::test;

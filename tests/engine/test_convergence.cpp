@@ -5,9 +5,9 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/measures.hpp"
-#include "tests/engine/runs.hpp"
-#include "tests/engine/scenes.hpp"
+#include "engine/diagnostics/measures.hpp"
+#include "tests/support/runs.hpp"
+#include "tests/support/scenes.hpp"
 
 using namespace taut;
 using namespace taut::test;

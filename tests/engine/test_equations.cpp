@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/method_info.hpp"
+#include "engine/families/catalogue.hpp"
 
 using namespace taut;
 

@@ -7,9 +7,9 @@
 #include <doctest/doctest.h>
 
 #include "engine/error.hpp"
-#include "tests/engine/relative.hpp"
-#include "tests/engine/runs.hpp"
-#include "tests/engine/scenes.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/runs.hpp"
+#include "tests/support/scenes.hpp"
 
 using namespace taut;
 using namespace taut::test;

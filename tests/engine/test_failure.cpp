@@ -5,10 +5,10 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/verdict.hpp"
-#include "tests/engine/relative.hpp"
-#include "tests/engine/runs.hpp"
-#include "tests/engine/scenes.hpp"
+#include "engine/diagnostics/verdict.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/runs.hpp"
+#include "tests/support/scenes.hpp"
 
 using namespace taut;
 using namespace taut::test;

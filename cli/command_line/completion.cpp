@@ -1,0 +1,163 @@
+#include "cli/command_line/completion.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command_line/command.hpp"
+#include "cli/command_line/placeholders.hpp"
+#include "cli/scene/shipped.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+using Words = std::vector<std::string>;
+
+bool is_option(const std::string& word) { return word.size() > 1 && word[0] == '-'; }
+
+bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
+
+bool may_be_repeated(const CLI::Option& option) { return option.get_items_expected_max() > 1; }
+
+std::string placeholder(const CLI::Option& option) {
+  return option.nonpositional() ? option.get_option_text() : option.get_name(true);
+}
+
+std::string up_to_end_of_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// A command line as far as it is typed: which option or argument the last word belongs to.
+class CommandLine {
+ public:
+  CommandLine(const CLI::App& app, const Words& words) : app_(app) {
+    for (std::size_t k = 0; k + 1 < words.size(); ++k) take(words[k]);
+  }
+
+  /// The option whose value comes next; nullptr: none was begun.
+  const CLI::Option* open_option() const { return open_; }
+  /// The positional argument that comes next; nullptr: there is none left.
+  const CLI::Option* next_argument() const {
+    std::size_t place = 0;
+    for (const CLI::Option* option : app_.get_options()) {
+      if (option->nonpositional()) continue;
+      if (place++ == arguments_.size() || may_be_repeated(*option)) return option;
+    }
+    return nullptr;
+  }
+  bool has(const CLI::Option& option) const { return std::ranges::find(seen_, &option) != seen_.end(); }
+  const CLI::Option* find(const std::string& name) const {
+    for (const CLI::Option* option : app_.get_options())
+      if (option->nonpositional() && option->check_name(name)) return option;
+    return nullptr;
+  }
+  /// The scene that is typed, as it is with the method that is typed; none if there is no such thing yet.
+  std::optional<SceneFile> scene() const try {
+    if (arguments_.empty()) return std::nullopt;
+    Overrides overrides;
+    overrides.method = method_;
+    return read_scene(find_scene(arguments_.front()), overrides);
+  } catch (const UsageError&) {
+    return std::nullopt;
+  } catch (const SceneError&) {
+    return std::nullopt;
+  }
+
+ private:
+  void take(const std::string& word) {
+    if (open_) {
+      note(*open_, word);
+      open_ = nullptr;
+    } else if (is_option(word)) {
+      const std::size_t equals = std::min(word.find('='), word.size());
+      const CLI::Option* option = find(word.substr(0, equals));
+      if (!option) return;
+      seen_.push_back(option);
+      if (takes_value(*option) && equals == word.size()) open_ = option;
+      if (equals < word.size()) note(*option, word.substr(equals + 1));
+    } else {
+      arguments_.push_back(word);
+    }
+  }
+  void note(const CLI::Option& option, const std::string& value) {
+    if (placeholder(option) == "METHOD") method_ = value;
+  }
+
+  const CLI::App& app_;
+  const CLI::Option* open_ = nullptr;
+  std::vector<const CLI::Option*> seen_;
+  Words arguments_;
+  std::optional<std::string> method_;
+};
+
+void add_values(Completion& completion, const CLI::Option& option, const CommandLine& line,
+                const std::string& before, const std::string& typed) {
+  const std::string name = placeholder(option);
+  const std::optional<SceneFile> scene =
+      name.find('=') == std::string::npos ? std::nullopt : line.scene();  // read where it is needed only
+  Choices found = choices(name, typed, scene ? &*scene : nullptr);
+  completion.files = found.files;
+  for (const std::string& word : found.words) completion.words.push_back({before + word, ""});
+}
+
+void add_options(Completion& completion, const CLI::App& app, const CommandLine& line) {
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames())
+      if (!line.has(*option) || may_be_repeated(*option))
+        completion.words.push_back({"--" + name, up_to_end_of_line(option->get_description())});
+}
+
+Completion complete_command(const Command& command, const Words& words) {
+  CLI::App app;
+  app.set_help_flag("--help,-h", "options and examples");
+  command.declare(app);
+  const CommandLine line(app, words);
+  const std::string& last = words.back();
+  Completion completion;
+  const std::size_t equals = last.find('=');
+  if (const CLI::Option* option = line.open_option()) {
+    add_values(completion, *option, line, "", last);
+  } else if (is_option(last) && equals != std::string::npos) {
+    const CLI::Option* assigned = line.find(last.substr(0, equals));
+    if (assigned && takes_value(*assigned))
+      add_values(completion, *assigned, line, last.substr(0, equals + 1), last.substr(equals + 1));
+  } else {
+    const CLI::Option* argument = line.next_argument();
+    if (argument && !last.starts_with('-')) add_values(completion, *argument, line, "", last);
+    if (last.starts_with('-') || !argument) add_options(completion, app, line);
+  }
+  return completion;
+}
+
+Completion complete_name(std::span<const Command> commands) {
+  Completion completion;
+  for (const Command& command : commands)
+    completion.words.push_back({std::string(command.name), std::string(command.summary)});
+  completion.words.push_back({"--help", "the commands"});
+  completion.words.push_back({"--version", "the version of the program"});
+  return completion;
+}
+
+}  // namespace
+
+Completion complete(std::span<const Command> commands, const Words& typed) {
+  if (typed.empty()) return {};
+  const auto command = std::ranges::find(commands, typed.front(), &Command::name);
+  Completion completion;
+  if (typed.size() == 1)
+    completion = complete_name(commands);
+  else if (command != commands.end())
+    completion = complete_command(*command, {typed.begin() + 1, typed.end()});
+  std::erase_if(completion.words,
+                [&](const Completion::Word& word) { return !word.text.starts_with(typed.back()); });
+  return completion;
+}
+
+std::string answer_to_shell(std::span<const Command> commands, const Words& typed) {
+  const Completion completion = complete(commands, typed);
+  std::string answer = completion.files + '\n';
+  for (const Completion::Word& word : completion.words) answer += word.text + '\t' + word.help + '\n';
+  return answer;
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,157 @@
+#include "cli/command_line/placeholders.hpp"
+
+#include <algorithm>
+
+#include "cli/scene/shipped.hpp"
+#include "engine/diagnostics/fields.hpp"
+#include "engine/diagnostics/verdict.hpp"
+#include "engine/families/catalogue.hpp"
+#include "render/colormap.hpp"
+
+namespace taut::cli {
+namespace {
+
+using Words = std::vector<std::string>;
+
+Words method_names(const SceneFile*) { return texts_to_set("method"); }
+Words shipped_scenes(const SceneFile*) { return scene_names(); }
+
+Words sweep_names(const SceneFile*) {
+  Words names = study_names();
+  for (const std::string& scene : scene_names()) names.push_back(scene);  // with --grid
+  return names;
+}
+
+Words field_names(const SceneFile*) {
+  Words names;
+  for (const Field& field : fields()) names.emplace_back(field.key);
+  return names;
+}
+
+Words colormap_names(const SceneFile*) {
+  Words names;
+  for (const render::Colormap& map : render::colormaps()) names.emplace_back(map.key);
+  return names;
+}
+
+Words verdict_names(const SceneFile*) { return names_of_failures(); }
+
+Words probe_names(const SceneFile* scene) {
+  Words names;
+  if (!scene) return names;
+  for (const Probe& probe : scene->scene.probes) names.push_back(probe.name);
+  return names;
+}
+
+Words measure_names(const SceneFile* scene) {
+  Words names;
+  if (!scene) return names;
+  for (const Measure& measure : scene->scene.measures) names.push_back(measure.name);
+  return names;
+}
+
+Words settable_names(const SceneFile* scene) { return scene ? names_to_set(*scene) : Words(); }
+
+struct Placeholder {
+  std::string_view name;
+  Words (*words)(const SceneFile*);
+  std::string_view files;
+};
+
+constexpr Placeholder table[] = {
+    {"SCENE", shipped_scenes, "*.toml"},
+    {"SWEEP", sweep_names, "*.toml"},
+    {"METHOD", method_names, ""},
+    {"FIELD", field_names, ""},
+    {"COLORMAP", colormap_names, ""},
+    {"VERDICT", verdict_names, ""},
+    {"PROBE", probe_names, ""},
+    {"MEASURE", measure_names, ""},
+    {"PARAMETER", settable_names, ""},
+    {"NAME=VALUE", settable_names, ""},
+    {"NAME=VALUES", settable_names, ""},
+    {"DIR", nullptr, "*/"},
+    {"FILE", nullptr, "*"},
+    {"A", nullptr, "*.png"},  // an image or a folder of images; folders always fit
+    {"B", nullptr, "*.png"},
+};
+
+const Placeholder* find_placeholder(std::string_view name) {
+  const auto* found = std::ranges::find(table, name, &Placeholder::name);
+  return found == std::end(table) ? nullptr : found;
+}
+
+bool is_literal(std::string_view word) {
+  return !word.empty() && std::ranges::all_of(word, [](char c) { return c >= 'a' && c <= 'z'; });
+}
+
+/// ".png" of "panel.png"; empty if there is none
+std::string_view extension(std::string_view word) {
+  const std::size_t dot = word.rfind('.');
+  return dot == std::string_view::npos || dot + 1 == word.size() ? "" : word.substr(dot);
+}
+
+std::vector<std::string_view> alternatives(std::string_view text) {
+  std::vector<std::string_view> all;
+  while (!text.empty()) {
+    const std::size_t bar = std::min(text.find('|'), text.size());
+    all.push_back(text.substr(0, bar));
+    text.remove_prefix(std::min(bar + 1, text.size()));
+  }
+  return all;
+}
+
+bool drop_end(std::string_view& text, std::string_view end) {
+  if (!text.ends_with(end)) return false;
+  text.remove_suffix(end.size());
+  return true;
+}
+
+/// What comes before the item of a list that is being typed: "a,b," of "a,b,c".
+std::string items_before(const std::string& typed) {
+  const std::size_t comma = typed.rfind(',');
+  return comma == std::string::npos ? "" : typed.substr(0, comma + 1);
+}
+
+void add(Choices& choices, const Words& words, const std::string& before, std::string_view behind = "") {
+  for (const std::string& word : words) choices.words.push_back((before + word).append(behind));
+}
+
+/// Names, or the values of the one that is there.
+void add_assignments(Choices& choices, const Words& names, bool several, const std::string& typed) {
+  const std::size_t equals = typed.find('=');
+  if (equals == std::string::npos) return add(choices, names, "", "=");
+  const std::string before = typed.substr(0, equals + 1);
+  const std::string items = several ? items_before(typed.substr(equals + 1)) : "";
+  add(choices, texts_to_set(typed.substr(0, equals)), before + items);
+}
+
+void add_alternative(Choices& choices, std::string_view name, const std::string& typed,
+                     const SceneFile* scene) {
+  const bool is_list = drop_end(name, ",...");
+  const Placeholder* placeholder = find_placeholder(name);
+  if (placeholder) {
+    if (!placeholder->files.empty()) choices.files = placeholder->files;
+    const Words words = placeholder->words ? placeholder->words(scene) : Words();
+    if (name.starts_with("NAME="))
+      add_assignments(choices, words, name == "NAME=VALUES", typed);
+    else
+      add(choices, words, is_list ? items_before(typed) : "");
+  } else if (is_literal(name)) {
+    choices.words.emplace_back(name);
+  } else if (!extension(name).empty()) {
+    const std::string pattern = std::string("*").append(extension(name));
+    choices.files = choices.files.empty() ? pattern : "*";  // of two kinds: any
+  }
+}
+
+}  // namespace
+
+Choices choices(std::string_view placeholder, const std::string& typed, const SceneFile* scene) {
+  drop_end(placeholder, " ...");  // may be given again
+  Choices result;
+  for (const std::string_view name : alternatives(placeholder)) add_alternative(result, name, typed, scene);
+  return result;
+}
+
+}  // namespace taut::cli

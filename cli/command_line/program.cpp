@@ -1,0 +1,116 @@
+#include "cli/command_line/program.hpp"
+
+#include <algorithm>
+#include <ostream>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command_line/command.hpp"
+#include "cli/command_line/completion.hpp"
+#include "cli/system/exit_code.hpp"
+#include "cli/text/unknown_name.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+void print_help(std::span<const Command> commands, std::ostream& out) {
+  out << "taut " TAUT_VERSION
+         ": simulates elastic solids with smoothed particle hydrodynamics and draws them\n\n"
+         "Usage: taut COMMAND [OPTIONS]\n\nCommands:\n";
+  for (const Command& c : commands)
+    out << "  " << c.name << std::string(15 - c.name.size(), ' ') << c.summary << '\n';
+  out << "\nOptions:\n"
+         "  --help      this text; `taut COMMAND --help` shows the options and examples of a command\n"
+         "  --version   the version of the program\n\n"
+         "Exit codes: 0 fine, 1 a bug of taut (diff, snapshot: different), 2 wrong command line or scene, 3 "
+         "the "
+         "simulation\n"
+         "diverged, 4 output could not be written, 130 interrupted.\n\n"
+         "Example:\n  taut run colliding-rings\n";
+}
+
+const Command& find_command(std::span<const Command> all, const std::string& name) {
+  const auto found = std::ranges::find(all, name, &Command::name);
+  if (found != all.end()) return *found;
+  std::vector<std::string> names;
+  for (const Command& c : all) names.emplace_back(c.name);
+  throw UsageError(unknown_name("command", name, names));
+}
+
+/// CLI11 leaves what it does not know in `remaining`, and puts no nearest names into its own message.
+void refuse_unknown(const CLI::App& app) {
+  std::vector<std::string> rest = app.remaining();
+  std::erase(rest, "--");  // what follows is no option, whatever it begins with
+  const auto dashed = [](const std::string& word) { return word.size() > 1 && word[0] == '-'; };
+  const auto option = std::ranges::find_if(rest, dashed);
+  if (option != rest.end()) {
+    std::vector<std::string> names;
+    for (const CLI::Option* o : app.get_options())
+      for (const std::string& name : o->get_lnames()) names.push_back("--" + name);
+    throw UsageError(unknown_name("option", option->substr(0, option->find('=')), names));
+  }
+  if (!rest.empty()) throw UsageError("'" + rest.front() + "' is one argument too many");
+}
+
+/// CLI11 speaks of "1 required FLOAT missing".
+std::string what_is_wrong(const CLI::ParseError& e) {
+  const std::string text = e.what();
+  if (!dynamic_cast<const CLI::ArgumentMismatch*>(&e)) return text;
+  const bool too_many = text.find("received") != std::string::npos;
+  return text.substr(0, text.find(':')) + (too_many ? " may be given once only" : " needs a value");
+}
+
+int run_command(const Command& command, const std::vector<std::string>& arguments, Streams streams) {
+  CLI::App app{std::string(command.summary), "taut " + std::string(command.name)};
+  app.allow_extras();
+  app.set_help_flag("--help,-h", "this text");
+  app.footer("Examples:\n" + std::string(command.examples));
+  app.get_formatter()->column_width(26);
+  const std::function<int(Streams)> action = command.declare(app);
+  try {
+    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+    app.parse(reversed);
+    refuse_unknown(app);
+  } catch (const CLI::CallForHelp&) {
+    streams.out << app.help();
+    return exit_fine;
+  } catch (const CLI::ParseError& e) {
+    refuse_unknown(app);  // a misspelt option is the better explanation of "SCENE is required"
+    throw UsageError(what_is_wrong(e) + "; see `taut " + std::string(command.name) + " --help`");
+  }
+  return action(streams);
+}
+
+int dispatch(std::span<const Command> commands, const std::vector<std::string>& arguments, Streams streams) {
+  const std::string first = arguments.empty() ? "" : arguments.front();
+  if (first == "--version") {
+    streams.out << "taut " TAUT_VERSION "\n";
+  } else if (first == "--help" || first == "-h" || first == "help") {
+    print_help(commands, streams.out);
+  } else if (first == "--complete") {
+    streams.out << answer_to_shell(commands, {arguments.begin() + 1, arguments.end()});
+  } else if (first.empty()) {
+    print_help(commands, streams.err);
+    return exit_wrong_input;
+  } else if (first[0] == '-') {
+    throw UsageError(unknown_name("option", first, {"--help", "--version"}));
+  } else {
+    return run_command(find_command(commands, first), {arguments.begin() + 1, arguments.end()}, streams);
+  }
+  return exit_fine;
+}
+
+}  // namespace
+
+int run_program(std::span<const Command> commands, const std::vector<std::string>& arguments,
+                Streams streams) {
+  const auto all = [&] {
+    const int code = dispatch(commands, arguments, streams);
+    if (!streams.out.flush()) throw OutputError("standard output", "could not be written");
+    return code;
+  };
+  return guarded(all, streams.err);
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,92 @@
+#include "cli/study/choose.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command_line/command.hpp"
+#include "cli/scene/scene_file.hpp"
+#include "cli/scene/shipped.hpp"
+#include "cli/system/exit_code.hpp"
+#include "cli/text/checks.hpp"
+#include "cli/text/format.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string scene, error, measure;
+  std::optional<double> seconds;
+  std::vector<std::string> from;
+};
+
+/// "1%" or "0.01".
+double share(const std::string& text) {
+  const bool percents = text.ends_with('%');
+  const auto value = parsed<double>(std::string_view(text).substr(0, text.size() - (percents ? 1 : 0)));
+  if (!value || !(*value > 0))
+    throw UsageError("--error is '" + text + "', which is neither like 1% nor like 0.01");
+  return percents ? *value / 100 : *value;
+}
+
+/// The results of the scene in the folders below out/, where sweeps leave them.
+std::vector<std::string> stored_results(const std::string& scene) {
+  constexpr int deepest = 3;
+  std::vector<std::string> files;
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry("out", error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (entry.depth() >= deepest) entry.disable_recursion_pending();
+    if (entry->path().filename() != "results.csv") continue;
+    try {
+      if (read_results({entry->path().string()}).scene == scene) files.push_back(entry->path().string());
+    } catch (const UsageError&) {
+      // not of a sweep, or without a result yet
+    }
+  }
+  if (files.empty())
+    throw UsageError("there are no results of " + scene +
+                     " below out/; `taut sweep` makes some, --from names others");
+  std::ranges::sort(files);
+  return files;
+}
+
+int choose(const Options& options, std::ostream& out) {
+  const Wish wish{share(options.error), options.seconds};
+  const std::string scene = read_scene(find_scene(options.scene)).scene.name;
+  const std::vector<std::string> files = options.from.empty() ? stored_results(scene) : options.from;
+  const StoredResults results = read_results(files);
+  if (results.scene != scene) throw UsageError("the results are of " + results.scene + ", not of " + scene);
+  const Chart chart = make_chart(results, {options.measure, Cost::seconds});
+  if (!chart.unit.empty() && options.error.ends_with('%'))
+    throw UsageError("errors of " + chart.measure + " are in " + chart.unit +
+                     ", not shares; give --error in " + chart.unit);
+  out << advice(chart, wish) << "Results: " << join(files) << '\n';
+  return exit_fine;
+}
+
+}  // namespace
+
+std::function<int(Streams)> declare_choose(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("SCENE", options->scene, "a scene, as for `taut run`")->option_text(" ")->required();
+  app.add_option("--error", options->error, "the greatest error to accept, such as 1% or 0.01")
+      ->option_text("X")
+      ->required();
+  app.add_option("--seconds", options->seconds, "the longest time to solve, s")
+      ->option_text("T")
+      ->check(positive_number);
+  app.add_option("--measure", options->measure,
+                 "whose error; default: the scene's first that has a reference")
+      ->option_text("MEASURE");
+  app.add_option("--from", options->from, "results.csv of sweeps, or their folders; default: all below out/")
+      ->option_text("FILE ...");
+  return [options](Streams streams) { return choose(*options, streams.out); };
+}
+
+}  // namespace taut::cli

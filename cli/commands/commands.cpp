@@ -1,0 +1,116 @@
+#include "cli/commands/commands.hpp"
+
+namespace taut::cli {
+
+std::function<int(Streams)> declare_run(CLI::App&);
+std::function<int(Streams)> declare_render(CLI::App&);
+std::function<int(Streams)> declare_sweep(CLI::App&);
+std::function<int(Streams)> declare_chart(CLI::App&);
+std::function<int(Streams)> declare_map(CLI::App&);
+std::function<int(Streams)> declare_choose(CLI::App&);
+std::function<int(Streams)> declare_compare(CLI::App&);
+std::function<int(Streams)> declare_movie(CLI::App&);
+std::function<int(Streams)> declare_diff(CLI::App&);
+std::function<int(Streams)> declare_snapshot(CLI::App&);
+std::function<int(Streams)> declare_critical_step(CLI::App&);
+std::function<int(Streams)> declare_session(CLI::App&);
+std::function<int(Streams)> declare_list(CLI::App&);
+std::function<int(Streams)> declare_describe(CLI::App&);
+std::function<int(Streams)> declare_completion(CLI::App&);
+
+namespace {
+
+constexpr Command table[] = {
+    {"run", "simulate a scene; leaves frames, histories and a verdict in a run folder",
+     "  taut run colliding-rings\n"
+     "  taut run colliding-rings --method og --set v0=0.12 --fail-on fractured\n"
+     "  taut run colliding-rings --color pressure --range -2e6:2e6 --size 1920x1080 --out out/rings\n"
+     "  taut run out/rings/scene.toml             the same run again\n"
+     "  taut run colliding-rings --checkpoint-every 1e-3 --out out/rings\n"
+     "  taut run --resume out/rings               goes on where it was interrupted or killed\n",
+     declare_run},
+    {"render", "draw a run again from its saved particles, with other colours, ranges, views or sizes",
+     "  taut render out/rings --color pressure --range -2e6:2e6\n"
+     "  taut render out/rings --view -0.01:0.01:-0.04:0.04 --size 800x800 --out out/close\n",
+     declare_render},
+    {"sweep", "run a scene with every combination of some values; a table of verdicts and measures",
+     "  taut sweep colliding-rings --grid v0=0.02:0.16:0.02 --grid method=og,oas,enog\n"
+     "  taut sweep colliding-rings --grid spacing=0.002,0.001 --grid method.zeta=3,3.5,4 --set v0=0.1\n"
+     "  taut sweep rings-speed-limit --list       a sweep file of scenes/studies/: what would run\n"
+     "  taut sweep rings-speed-limit --jobs 1     goes on where it was stopped\n"
+     "  taut sweep plate-accuracy                 a study with a [chart] or a [map] is drawn as well\n"
+     "  taut sweep rings-speed-limit --out limits --emit slurm && sbatch limits/sweep.slurm\n",
+     declare_sweep},
+    {"chart",
+     "draw error against cost from the results of sweeps, a line for each method; print convergence orders",
+     "  taut sweep oscillating-plate --grid method=enog,oenog,tl --grid spacing=0.004,0.002,0.001 --out "
+     "out/plate\n"
+     "  taut chart out/plate/results.csv --out plate.png\n"
+     "  taut chart out/plate/results.csv --measure first_peak --cost steps --out plate.svg\n"
+     "plate.gp and plate.dat stay beside the picture: change the script, and `gnuplot plate.gp` draws it "
+     "again.\n",
+     declare_chart},
+    {"map",
+     "show where each method fails from the results of sweeps: a parameter by methods, and the verdicts",
+     "  taut sweep colliding-rings --grid v0=0.02:0.16:0.02 --grid method=og,oas,enog --out out/speeds\n"
+     "  taut map out/speeds/results.csv --out speeds.png\n",
+     declare_map},
+    {"choose",
+     "say which method, spacing and step reach an accuracy at the least cost, from the results of sweeps",
+     "  taut choose colliding-rings --error 1% --measure least_diameter\n"
+     "  taut choose oscillating-plate --error 0.5% --seconds 10 --from out/plate-accuracy\n"
+     "It only reads what sweeps have left, by default below out/, and says so when that does not reach far "
+     "enough.\n",
+     declare_choose},
+    {"compare", "draw runs side by side from their saved particles: columns are runs, rows are times",
+     "  taut compare out/og out/enog --out panel.png\n"
+     "  taut compare out/og out/enog --times 0.002,0.005,0.012 --color pressure --range -2e6:2e6 --out "
+     "panel.png\n",
+     declare_compare},
+    {"movie", "make a movie of a run's frames, with ffmpeg",
+     "  taut movie out/rings --out rings.mp4\n"
+     "  taut movie out/rings --out rings.gif --fps 15\n",
+     declare_movie},
+    {"diff", "compare two images or two folders of frames; exit code 0 when alike, 1 when different",
+     "  taut diff out/a out/b                     the frames of two runs, name by name\n"
+     "  taut diff a/frames/frame_00060.png b/frames/frame_00060.png\n"
+     "  taut diff a.png b.png --max-difference 2 --out diff.png\n",
+     declare_diff},
+    {"snapshot", "run a scene and compare its frames with a baseline; exit code 1 when they differ",
+     "  taut snapshot my.toml --baseline baselines/my --frames 4 --size 320x180 --update     makes it\n"
+     "  taut snapshot my.toml --baseline baselines/my --frames 4 --size 320x180              checks\n",
+     declare_snapshot},
+    {"critical-step", "find the largest stable time step of a scene and a method, by bisection",
+     "  taut critical-step colliding-rings --method tl\n"
+     "  taut critical-step loaded-square --set method.h=0.45 --steps 500\n"
+     "  taut critical-step rotating-plate --spacing 0.1 --json\n"
+     "Each trial starts anew with a fixed step and covers the same time. It is unstable once the energy is "
+     "100 "
+     "times\n"
+     "what was given or a number is lost; small random velocities wake what could grow.\n",
+     declare_critical_step},
+    {"session", "commands on stdin, answers on stdout: step, look, change, save; `help` lists them",
+     "  taut session colliding-rings\n"
+     "  printf 'run until 0.003\\nprobe\\nframe now.png\\n' | taut session colliding-rings --strict\n"
+     "Every answer ends with a line `ok` or `error: REASON`; values come as name=value.\n",
+     declare_session},
+    {"list", "name the scenes, methods, fields and colour maps there are",
+     "  taut list\n"
+     "  taut list methods\n"
+     "  taut list scenes --json\n",
+     declare_list},
+    {"describe", "say what a scene or a method is: equations, parameters with units and bounds, source",
+     "  taut describe colliding-rings\n"
+     "  taut describe enog\n",
+     declare_describe},
+    {"completion", "print what a shell needs to complete commands, options and names at the press of Tab",
+     "  source <(taut completion bash)            now; in ~/.bashrc: from now on\n"
+     "  source <(taut completion zsh)             the same in ~/.zshrc, behind compinit\n",
+     declare_completion},
+};
+
+}  // namespace
+
+std::span<const Command> commands() { return table; }
+
+}  // namespace taut::cli

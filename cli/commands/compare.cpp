@@ -1,0 +1,157 @@
+#include <algorithm>
+#include <ostream>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command_line/command.hpp"
+#include "cli/drawing/bounds.hpp"
+#include "cli/run/labels.hpp"
+#include "cli/run/panel_cells.hpp"
+#include "cli/run/saved_run.hpp"
+#include "cli/system/exit_code.hpp"
+#include "cli/text/checks.hpp"
+#include "cli/text/format.hpp"
+#include "engine/error.hpp"
+#include "render/panel.hpp"
+
+namespace taut::cli {
+namespace {
+
+constexpr int default_rows = 4;
+
+struct Options : DrawingOptions {
+  std::vector<std::string> runs;
+  std::string out;
+  std::vector<double> times;  // s
+};
+
+using Cells = std::vector<std::vector<PanelCell>>;  // [run][time]
+
+std::vector<SavedRun> open_runs(const std::vector<std::string>& folders) {
+  std::vector<SavedRun> runs;
+  for (const std::string& folder : folders) runs.push_back(open_saved_run(folder));
+  for (const SavedRun& run : runs)
+    if (run.file.scene.dim != runs.front().file.scene.dim)
+      throw UsageError("the runs " + folders.front() + " and " + run.folder.path().string() +
+                       " differ in the number of dimensions");
+  return runs;
+}
+
+double longest(const std::vector<SavedRun>& runs) {
+  double until = 0;
+  for (const SavedRun& run : runs) until = std::max(until, run.file.scene.until);
+  return until;
+}
+
+std::vector<double> chosen_times(const Options& options, double until) {
+  std::vector<double> times = options.times;
+  if (times.empty())
+    for (int k = 1; k <= default_rows; ++k) times.push_back(until * k / default_rows);
+  for (const double time : times)
+    if (time > until)
+      throw UsageError("--times has " + brief(time) + " s, and the runs end at " +
+                       brief(until) + " s");
+  return times;
+}
+
+/// The view that the scenes ask for, if they all ask for the same.
+std::optional<render::View> common_view(const std::vector<SavedRun>& runs) {
+  const auto& view = runs.front().file.drawing.view;
+  for (const SavedRun& run : runs)
+    if (run.file.drawing.view != view) return std::nullopt;
+  if (!view) return std::nullopt;
+  return render::View{(*view)[0], (*view)[1], (*view)[2], (*view)[3]};
+}
+
+/// What is seen of `all` in `window`: particles that fly away do not make the others small.
+render::View within(const render::View& all, const std::optional<render::View>& window) {
+  if (!window) return all;
+  return {std::max(all.x_min, window->x_min), std::min(all.x_max, window->x_max),
+          std::max(all.y_min, window->y_min), std::min(all.y_max, window->y_max)};
+}
+
+/// Range and view that nobody has chosen, over what the panel shows.
+void choose_range_and_view(DrawingPlan& plan, const std::vector<SavedRun>& runs, const Cells& cells) {
+  SequenceBounds bounds;
+  for (const auto& column : cells)
+    for (const PanelCell& cell : column) {
+      if (!cell.particles) continue;
+      const ColoredParticles& p = *cell.particles;
+      bounds.add_values(std::vector<float>(p.value.begin(), p.value.end()));
+      bounds.add_positions(std::vector<float>(p.x.begin(), p.x.end()), p.dim, std::ranges::max(p.diameter));
+    }
+  if (!plan.range) plan.range = bounds.range(plan.field->is_signed);
+  if (!plan.view) plan.view = within(bounds.view(), common_view(runs));
+}
+
+void draw(render::Panel& panel, const Cells& cells) {
+  for (int column = 0; const auto& pictures : cells) {
+    for (int row = 0; const PanelCell& cell : pictures) {
+      if (cell.particles) panel.draw(column, row, cell.particles->view());
+      if (!cell.particles)
+        panel.write_middle(column, row, cell.remark);
+      else if (!cell.remark.empty())
+        panel.write_corner(column, row, cell.remark);
+      ++row;
+    }
+    ++column;
+  }
+}
+
+render::PanelOptions panel_options(const DrawingPlan& plan, const Options& options, RunLabels labels) {
+  render::PanelOptions panel;
+  if (options.size) panel.width = plan.width, panel.height = plan.height;
+  panel.view = *plan.view;
+  panel.low = (*plan.range)[0];
+  panel.high = (*plan.range)[1];
+  panel.colormap = plan.colormap;
+  panel.title = std::move(labels.title);
+  panel.note = std::move(labels.note);
+  panel.field = plan.field->name;
+  panel.unit = plan.field->unit;
+  panel.columns = std::move(labels.columns);
+  return panel;
+}
+
+int compare_runs(const Options& options, std::ostream& out) {
+  const std::vector<SavedRun> runs = open_runs(options.runs);
+  Drawing drawing = runs.front().file.drawing;
+  drawing.view.reset();
+  DrawingPlan plan = plan_drawing(with_options(drawing, options));
+  const double until = longest(runs);
+  const std::vector<double> times = chosen_times(options, until);
+  Cells cells;
+  for (const SavedRun& run : runs) {
+    cells.emplace_back();
+    for (const double time : times) cells.back().push_back(cell_at(run, time, until, *plan.field));
+  }
+  choose_range_and_view(plan, runs, cells);
+  render::PanelOptions about = panel_options(plan, options, label_runs(runs));
+  about.rows = time_labels(times, until);
+  render::Panel panel(about);
+  draw(panel, cells);
+  const render::Image& image = panel.finish();
+  render::write_png(image, options.out);
+  out << "panel  " << options.out << " (" << image.width << "x" << image.height << ")\n";
+  return exit_fine;
+}
+
+}  // namespace
+
+std::function<int(Streams)> declare_compare(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("DIR", options->runs,
+                 "run folders with particles (`taut run --save-particles`), a column each")
+      ->option_text("...")
+      ->required();
+  app.add_option("--out", options->out, "the panel")->option_text("panel.png")->required();
+  app.add_option("--times", options->times, "a row each, s; default: the quarters of the longest run")
+      ->option_text("T,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(not_negative_number);
+  declare_drawing_options(app, *options);
+  return [options](Streams streams) { return compare_runs(*options, streams.out); };
+}
+
+}  // namespace taut::cli

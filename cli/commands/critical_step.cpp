@@ -1,0 +1,131 @@
+#include "engine/diagnostics/critical_step.hpp"
+#include "engine/diagnostics/step_limits.hpp"
+
+#include <memory>
+#include <ostream>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/command_line/command.hpp"
+#include "cli/run/plan.hpp"
+#include "cli/system/exit_code.hpp"
+#include "cli/text/checks.hpp"
+#include "cli/text/format.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+struct Options : RunOptions {
+  int steps = CriticalStepSearch().steps;
+  double tolerance = CriticalStepSearch().tolerance;
+  bool json = false, quiet = false;
+};
+
+std::string bracket(const CriticalStep& found) {
+  if (!found.stable) return found.unstable ? "unstable at " + brief(*found.unstable) + " s" : "";
+  return brief(*found.stable) + " s" + (found.unstable ? " to " + brief(*found.unstable) + " s" : " or more");
+}
+
+/// Trials with the scene's simulation; an error about the scene gets its place in the file.
+CriticalStep search(const SceneFile& file, const Options& options, Progress& progress) {
+  constexpr double usual_trials = 12;
+  const Interrupts interrupts;
+  const auto goes_on = [&](const CriticalStep& so_far) {
+    progress.show(so_far.trials / (so_far.trials + usual_trials), bracket(so_far));
+    return !interrupts.asked();
+  };
+  progress.begin("critical step");
+  try {
+    const CriticalStep found =
+        find_critical_step(file.scene, file.settings, {options.steps, options.tolerance}, goes_on);
+    progress.end(std::to_string(found.trials) + " trials");
+    return found;
+  } catch (const SceneError& error) {
+    throw locate(file, error);
+  }
+}
+
+std::string result_text(const SceneFile& file, const CriticalStep& found) {
+  std::string text = file.scene.name + " with " + file.settings.method +
+                             " at dp = " + brief(file.scene.spacing) + " m\n";
+  std::vector<std::vector<std::string>> rows;
+  if (found.stable) {
+    const double share = *found.stable / found.default_step;
+    rows.push_back({"largest stable step", brief(*found.stable) + " s",
+                    found.unstable ? "unstable at " + brief(*found.unstable) + " s"
+                                   : "the largest that was tried"});
+    rows.push_back({"over the default step", brief(share),
+                    brief(found.default_step) + " s; a CFL number of " + brief(share * file.settings.cfl)});
+  } else {
+    rows.push_back({"largest stable step", "none", found.unstable ? bracket(found) : ""});
+    rows.push_back({"default step", brief(found.default_step) + " s", ""});
+  }
+  for (const StepLimit& limit : step_limits(file.scene, file.settings))
+    rows.push_back({std::string(limit.name), brief(limit.step) + " s",
+                    (found.stable ? "found: " + brief(*found.stable / limit.step) + " of it; " : "") +
+                        std::string(limit.source)});
+  rows.push_back(
+      {"each trial", brief(found.covered) + " s or 300 steps", std::to_string(found.trials) + " trials"});
+  if (found.interrupted) rows.push_back({"interrupted", "", "the true one may lie anywhere in between"});
+  return text + in_columns(rows);
+}
+
+nlohmann::ordered_json result_json(const SceneFile& file, const CriticalStep& found) {
+  using Json = nlohmann::ordered_json;
+  const auto value = [](const std::optional<double>& v) { return v ? Json(*v) : Json(); };
+  Json limits = Json::array();
+  for (const StepLimit& limit : step_limits(file.scene, file.settings))
+    limits.push_back({{"name", limit.name}, {"source", limit.source}, {"step", limit.step}});
+  Json json{{"scene", file.scene.name}, {"method", file.settings.method}, {"spacing", file.scene.spacing}};
+  json["unit"] = "s";
+  json["critical_step"] = value(found.stable);
+  json["unstable_step"] = value(found.unstable);
+  json["default_step"] = found.default_step;
+  json["over_default"] = found.stable ? Json(*found.stable / found.default_step) : Json();
+  json["covered"] = found.covered;
+  json["trials"] = found.trials;
+  json["interrupted"] = found.interrupted;
+  json["limits"] = limits;
+  return json;
+}
+
+int find(const Options& options, Streams streams) {
+  const SceneFile file = scene_to_run(options);
+  Progress progress(streams.err, progress_style(streams.err, options.quiet));
+  const CriticalStep found = search(file, options, progress);
+  if (options.json)
+    streams.out << result_json(file, found).dump(2) << '\n';
+  else
+    streams.out << result_text(file, found);
+  return found.interrupted ? exit_interrupted : exit_fine;
+}
+
+}  // namespace
+
+std::function<int(Streams)> declare_critical_step(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("SCENE", options->scene, "a name from `taut list scenes`, or the path of a scene file")
+      ->option_text(" ")
+      ->required();
+  declare_setting_options(app, *options);
+  app.add_option("--steps", options->steps,
+                 "default steps whose time each trial covers, if the scene lasts so long; default: " +
+                     std::to_string(options->steps))
+      ->option_text("N")
+      ->check(positive_whole_number);
+  app.add_option("--tolerance", options->tolerance,
+                 "how close the largest stable and the least unstable step come, as a share; default: " +
+                     brief(options->tolerance))
+      ->option_text("X")
+      ->check(positive_number);
+  app.add_option("--threads", options->threads, "default: all cores")
+      ->option_text("N")
+      ->check(positive_whole_number);
+  app.add_flag("--json", options->json, "as JSON, for scripts");
+  app.add_flag("--quiet", options->quiet, "no progress on stderr");
+  return [options](Streams streams) { return find(*options, streams); };
+}
+
+}  // namespace taut::cli

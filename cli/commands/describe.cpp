@@ -1,0 +1,199 @@
+#include <ostream>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command_line/command.hpp"
+#include "cli/scene/scene_file.hpp"
+#include "cli/scene/shipped.hpp"
+#include "cli/system/exit_code.hpp"
+#include "cli/text/format.hpp"
+#include "cli/text/unknown_name.hpp"
+#include "engine/error.hpp"
+#include "engine/families/catalogue.hpp"
+
+namespace taut::cli {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string bounds(std::optional<double> low, std::optional<double> high) {
+  if (!low && !high) return "any";
+  return (low ? brief(*low) : "-inf") + " to " + (high ? brief(*high) : "inf");
+}
+
+void print_table(std::ostream& out, std::string_view title, const Rows& rows, std::size_t headers = 0) {
+  if (rows.size() > headers) out << '\n' << title << '\n' << in_columns(rows);
+}
+
+Rows material_rows(const Scene& scene) {
+  Rows rows{{"name", "density", "Young's modulus", "Poisson's ratio", "bulk modulus", "sound speed"}};
+  for (const Material& m : scene.materials)
+    rows.push_back({m.name, brief(m.density) + " kg/m³", brief(m.youngs_modulus) + " Pa",
+                    brief(m.poisson_ratio), brief(m.bulk_modulus()) + " Pa",
+                    brief(m.sound_speed()) + " m/s"});
+  return rows;
+}
+
+Rows parameter_rows(const std::vector<Parameter>& parameters) {
+  Rows rows{{"name", "default", "unit", "bounds", "meaning"}};
+  for (const Parameter& p : parameters)
+    rows.push_back({p.name, brief(p.value), p.unit.empty() ? "-" : p.unit, bounds(p.low, p.high), p.help});
+  return rows;
+}
+
+Rows line_rows(const Scene& scene) {
+  Rows rows{{"name", "field", "points", "times"}};
+  for (const SampleLine& line : scene.lines) {
+    std::string times;
+    for (const double t : line.times) times += (times.empty() ? "" : ", ") + brief(t);
+    rows.push_back({line.name, line.field, std::to_string(line.points), times + " s"});
+  }
+  return rows;
+}
+
+Rows measure_rows(const Scene& scene) {
+  Rows rows{{"name", "unit", "references"}};
+  for (const Measure& m : scene.measures) {
+    std::string names;
+    for (const auto& [law, reference] : scene.references)
+      if (reference.value.contains(m.name) || reference.table.contains(m.name) ||
+          reference.solution.contains(m.name))
+        names += (names.empty() ? "" : "; ") + reference.name + " (" + law + ")";
+    rows.push_back({m.name, m.unit.empty() ? "-" : m.unit, names.empty() ? "none" : names});
+  }
+  return rows;
+}
+
+Rows body_rows(const Scene& scene) {
+  Rows rows;
+  for (const Body& body : scene.bodies) {
+    std::string materials = scene.materials[static_cast<std::size_t>(body.material)].name;
+    for (const Part& part : body.parts)
+      materials += ", " + scene.materials[static_cast<std::size_t>(part.material)].name + " in part";
+    std::string motion = body.held ? "held in part" : "";
+    for (const Drive& drive : body.drives)
+      motion +=
+          (motion.empty() ? "" : ", ") + std::string("driven in part until ") + brief(drive.until) + " s";
+    for (const Load& load : body.loads)
+      motion += (motion.empty() ? "" : ", ") + std::string("loaded in part: ") + std::string(name(load.kind));
+    rows.push_back({body.name, materials, motion});
+  }
+  return rows;
+}
+
+/// At the end of the run, since it may change with time.
+std::string gravity_text(const Scene& scene) {
+  std::string text;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(scene.dim); ++k)
+    text += (k == 0 ? "" : ", ") + brief(scene.gravity[k] ? scene.gravity[k](scene.until) : 0);
+  return text + " m/s² at the end";
+}
+
+/// How bodies act on each other, with the method of the file.
+std::string contact_text(const SceneFile& file) {
+  const std::string of_file(name(file.scene.contact));
+  if (file.scene.contact != ContactLaw::published) return of_file + ", changed with --set contact=LAW";
+  const ContactLaw law = contact_law(file.scene, *find_method(file.settings.method));
+  return std::string(name(law)) + ", as published with the method, unless --set contact=LAW says otherwise";
+}
+
+std::string contact_text(const MethodInfo& method) {
+  std::string others;
+  for (const ContactLaw law : method.contact_laws)
+    if (law != method.contact) others += (others.empty() ? "; also " : ", ") + std::string(name(law));
+  return std::string(name(method.contact)) + " as published" + others;
+}
+
+Rows wall_rows(const Scene& scene) {
+  Rows rows;
+  for (const Wall& wall : scene.walls)
+    rows.push_back({wall.name, "through (" + brief(wall.at[0]) + ", " + brief(wall.at[1]) + ") m",
+                    "normal (" + brief(wall.normal[0]) + ", " + brief(wall.normal[1]) + ")"});
+  return rows;
+}
+
+std::string laws_text(const MethodInfo& method) {
+  std::string text(method.material_law);
+  for (std::size_t k = 0; k < method.laws.size(); ++k)
+    text += (k == 0 ? "; changed with --set law=LAW: " : ", ") + std::string(method.laws[k].name);
+  return text;
+}
+
+void describe_scene(const std::string& name, std::ostream& out) {
+  const SceneFile file = read_scene(find_scene(name));
+  const Scene& scene = file.scene;
+  Rows probes;
+  for (const Probe& probe : scene.probes) probes.push_back({probe.name});
+  Rows head{{"scene", scene.name},
+            {"file", file.path.string()},
+            {"source", scene.source},
+            {"dimensions", std::to_string(scene.dim)},
+            {"spacing", brief(scene.spacing) + " m"},
+            {"until", brief(scene.until) + " s"},
+            {"method", file.settings.method + " unless --method says otherwise"}};
+  if (scene.bodies.size() > 1 || !scene.walls.empty()) head.push_back({"contact", contact_text(file)});
+  if (has_gravity(scene)) head.push_back({"gravity", gravity_text(scene)});
+  if (scene.damping > 0) head.push_back({"damping", brief(scene.damping) + " 1/s, until it comes to rest"});
+  out << scene.title << '\n' << in_columns(head);
+  print_table(out, "Parameters, changed with --set NAME=VALUE", parameter_rows(file.parameters), 1);
+  print_table(out, "Materials", material_rows(scene), 1);
+  print_table(out, "Bodies", body_rows(scene));
+  print_table(out, "Walls", wall_rows(scene));
+  print_table(out, "Probes, followed in history.csv", probes);
+  print_table(out, "Lines, sampled in lines.csv", line_rows(scene), 1);
+  print_table(out, "Measures", measure_rows(scene), 1);
+}
+
+void describe_method(const MethodInfo& method, std::ostream& out) {
+  Rows terms, equations{{"equation", "function, below engine/", "test"}};
+  Rows constants{{"name", "default", "bounds", "meaning"}};
+  for (const TermInfo& t : method.terms) {
+    terms.push_back({std::string(t.what), std::string(t.formula), std::string(t.source)});
+    equations.push_back({std::string(t.source), std::string(t.function), std::string(t.test)});
+  }
+  for (const MethodConstant& c : method.constants)
+    constants.push_back({std::string(c.name), brief(c.value), bounds(c.low, c.high), std::string(c.help)});
+  out << method.name << ": " << method.summary << '\n'
+      << in_columns({{"paper", std::string(method.paper)},
+                     {"material law", laws_text(method)},
+                     {"conserves", std::string(method.conserves)},
+                     {"contact", contact_text(method)},
+                     {"CFL number", brief(method.cfl)}});
+  print_table(out, "Terms", terms);
+  print_table(out, "From the equation to the code and its test", equations, 1);
+  print_table(out, "Constants, changed with --set method.NAME=VALUE", constants, 1);
+}
+
+[[noreturn]] void refuse(const std::string& name) {
+  std::vector<std::string> names = scene_names();
+  for (const MethodInfo& m : methods()) names.emplace_back(m.name);
+  throw UsageError(unknown_name("scene or method", name, names));
+}
+
+/// A path is a scene, whether or not it exists.
+bool is_scene(const std::string& name) {
+  if (name.ends_with(".toml") || name.find('/') != std::string::npos) return true;
+  for (const std::string& known : scene_names())
+    if (known == name) return true;
+  return false;
+}
+
+}  // namespace
+
+std::function<int(Streams)> declare_describe(CLI::App& app) {
+  auto name = std::make_shared<std::string>();
+  app.add_option("SCENE|METHOD", *name, "`taut list` names them; or the path of a scene file")
+      ->option_text(" ")
+      ->required();
+  return [name](Streams streams) {
+    if (const MethodInfo* method = find_method(*name))
+      describe_method(*method, streams.out);
+    else if (is_scene(*name))
+      describe_scene(*name, streams.out);
+    else
+      refuse(*name);
+    return exit_fine;
+  };
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,75 @@
+#include <filesystem>
+#include <ostream>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command_line/command.hpp"
+#include "cli/run/difference_report.hpp"
+#include "cli/system/exit_code.hpp"
+#include "engine/error.hpp"
+
+namespace fs = std::filesystem;
+
+namespace taut::cli {
+namespace {
+
+struct Options : DifferenceOptions {
+  std::string a, b;
+  std::optional<std::string> out;
+};
+
+int diff_images(const Options& options, std::ostream& out) {
+  const render::Image a = render::read_png(options.a);
+  const render::Image b = render::read_png(options.b);
+  const render::DifferenceLimit limit = limit_of(options);
+  const render::ImageDifference difference = compare(a, b);
+  if (options.out) render::write_png(render::difference_picture(a, b), *options.out);
+  out << difference_report(difference, limit);
+  return alike(difference, limit) ? exit_fine : exit_different;
+}
+
+fs::path folder_with_pictures(const std::string& given) {
+  const fs::path frames = frames_of(given);
+  if (picture_names(frames).empty()) throw UsageError("there are no pictures (PNG) in " + frames.string());
+  return frames;
+}
+
+int diff_folders(const Options& options, std::ostream& out) {
+  const fs::path a = folder_with_pictures(options.a);
+  const fs::path b = folder_with_pictures(options.b);
+  const FolderDifference difference = compare_folders(a, b, limit_of(options));
+  if (options.out && difference.compared > 0)
+    render::write_png(render::difference_picture(render::read_png(a / difference.worst),
+                                                 render::read_png(b / difference.worst)),
+                      *options.out);
+  out << difference_report(difference, a.string(), b.string());
+  return difference.alike() ? exit_fine : exit_different;
+}
+
+int diff(const Options& options, std::ostream& out) {
+  for (const std::string& name : {options.a, options.b})
+    if (!fs::exists(name)) throw UsageError("there is no image or folder '" + name + "'");
+  const bool folder_a = fs::is_directory(options.a);
+  if (folder_a != fs::is_directory(options.b))
+    throw UsageError("'" + (folder_a ? options.a : options.b) + "' is a folder and '" +
+                     (folder_a ? options.b : options.a) + "' is not; give two images or two folders");
+  return folder_a ? diff_folders(options, out) : diff_images(options, out);
+}
+
+}  // namespace
+
+std::function<int(Streams)> declare_diff(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("A", options->a, "an image (PNG), a folder of images or a run folder")
+      ->option_text(" ")
+      ->required();
+  app.add_option("B", options->b, "another; images of one name are compared and must be of one size")
+      ->option_text(" ")
+      ->required();
+  declare_difference_options(app, *options);
+  app.add_option("--out", options->out, "draw where they differ; of folders, the worst pair")
+      ->option_text("diff.png");
+  return [options](Streams streams) { return diff(*options, streams.out); };
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <ostream>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/command_line/command.hpp"
+#include "cli/scene/scene_file.hpp"
+#include "cli/scene/shipped.hpp"
+#include "cli/system/exit_code.hpp"
+#include "cli/text/format.hpp"
+#include "cli/text/unknown_name.hpp"
+#include "engine/diagnostics/fields.hpp"
+#include "engine/error.hpp"
+#include "engine/families/catalogue.hpp"
+#include "render/colormap.hpp"
+
+namespace taut::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A list to print: an object per row, all with the same keys; the first one is the name.
+struct Listing {
+  std::string_view kind;
+  Json (*rows)();
+};
+
+Json scene_rows() {
+  Json rows = Json::array();
+  for (const std::string& name : scene_names()) {
+    const Scene scene = read_scene(find_scene(name)).scene;
+    rows.push_back({{"name", name}, {"title", scene.title}, {"source", scene.source}});
+  }
+  return rows;
+}
+
+Json method_rows() {
+  Json rows = Json::array();
+  for (const MethodInfo& m : methods())
+    rows.push_back({{"name", m.name}, {"summary", m.summary}, {"paper", m.paper}});
+  return rows;
+}
+
+/// Each equation once, with the first of its methods' words.
+Json equation_rows() {
+  Json rows = Json::array();
+  for (const MethodInfo& m : methods()) {
+    for (const TermInfo& t : m.terms) {
+      const Json row = {
+          {"name", t.what}, {"source", t.source}, {"function", t.function}, {"test", t.test}};
+      if (std::ranges::find(rows, row) == rows.end()) rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+Json field_rows() {
+  Json rows = Json::array();
+  for (const Field& f : fields()) rows.push_back({{"name", f.key}, {"unit", f.unit}, {"help", f.help}});
+  return rows;
+}
+
+Json colormap_rows() {
+  Json rows = Json::array();
+  for (const render::Colormap& c : render::colormaps()) rows.push_back({{"name", c.key}, {"help", c.help}});
+  return rows;
+}
+
+constexpr Listing listings[] = {{"scenes", scene_rows},
+                                {"methods", method_rows},
+                                {"equations", equation_rows},
+                                {"fields", field_rows},
+                                {"colormaps", colormap_rows}};
+
+std::string as_text(const Json& rows) {
+  std::vector<std::vector<std::string>> cells;
+  for (const Json& row : rows) {
+    cells.emplace_back();
+    for (const auto& [key, value] : row.items()) cells.back().push_back(value.get<std::string>());
+  }
+  return in_columns(cells);
+}
+
+std::vector<std::string> kinds() {
+  std::vector<std::string> names;
+  for (const Listing& l : listings) names.emplace_back(l.kind);
+  return names;
+}
+
+const Listing& find_listing(const std::string& kind) {
+  const auto* found = std::ranges::find(listings, kind, &Listing::kind);
+  if (found != std::end(listings)) return *found;
+  throw UsageError(unknown_name("list of", kind, kinds()));
+}
+
+int list_all(bool json, std::ostream& out) {
+  Json all;
+  for (const Listing& l : listings) {
+    const Json rows = l.rows();
+    if (json)
+      all[std::string(l.kind)] = rows;
+    else
+      out << l.kind << '\n' << as_text(rows) << '\n';
+  }
+  if (json) out << all.dump(2) << '\n';
+  return exit_fine;
+}
+
+int list_one(const std::string& kind, bool json, std::ostream& out) {
+  const Json rows = find_listing(kind).rows();
+  out << (json ? rows.dump(2) + "\n" : as_text(rows));
+  return exit_fine;
+}
+
+}  // namespace
+
+std::function<int(Streams)> declare_list(CLI::App& app) {
+  struct Options {
+    std::string kind;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  app.add_option(join(kinds(), "|"), options->kind, "all of them if left out")->option_text(" ");
+  app.add_flag("--json", options->json, "as JSON, for scripts");
+  return [options](Streams streams) {
+    return options->kind.empty() ? list_all(options->json, streams.out)
+                                 : list_one(options->kind, options->json, streams.out);
+  };
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,91 @@
+#include <filesystem>
+#include <ostream>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command_line/command.hpp"
+#include "cli/run/folder.hpp"
+#include "cli/run/frame_folders.hpp"
+#include "cli/system/exit_code.hpp"
+#include "cli/system/made_file.hpp"
+#include "cli/text/checks.hpp"
+#include "cli/text/format.hpp"
+#include "engine/error.hpp"
+
+namespace fs = std::filesystem;
+
+namespace taut::cli {
+namespace {
+
+struct Options {
+  std::string frames, out;
+  double fps = 30;
+};
+
+/// The number of frames, from 0 on: ffmpeg stops at a gap without a word.
+int count_frames(const fs::path& folder) {
+  const int count = static_cast<int>(picture_names(folder).size());
+  if (!fs::exists(folder / frame_name(0)))
+    throw UsageError("there are no frames (" + frame_name(0) + ", ...) in " + folder.string() +
+                     "; `taut run` or `taut render` draws them");
+  int whole = 0;
+  while (fs::exists(folder / frame_name(whole))) ++whole;
+  for (int later = whole + 1; later < count + whole; ++later)
+    if (fs::exists(folder / frame_name(later)))
+      throw UsageError(frame_name(whole) + " is missing in " + folder.string() +
+                       ", and there are later ones");
+  return whole;
+}
+
+/// What ffmpeg makes of the frames. Video wants even sides, which a white edge gives it; a GIF wants few
+/// colours.
+std::vector<std::string> encoding(const std::string& extension) {
+  if (extension == ".gif")
+    return {"-vf", "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=none"};
+  return {"-vf",       "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white",
+          "-c:v",      "libx264",
+          "-crf",      "18",
+          "-preset",   "veryfast",
+          "-pix_fmt",  "yuv420p",
+          "-movflags", "+faststart"};
+}
+
+std::vector<std::string> arguments_of(const Options& options, const fs::path& movie) {
+  std::vector<std::string> arguments{"-nostdin",   "-hide_banner",     "-loglevel", "error",         "-y",
+                                     "-framerate", exact(options.fps), "-i",        "frame_%05d.png"};
+  const std::vector<std::string> rest = encoding(movie.extension().string());
+  arguments.insert(arguments.end(), rest.begin(), rest.end());
+  arguments.push_back("file:" + movie.string());  // a ':' in the name is no protocol
+  return arguments;
+}
+
+int encode(const Options& options, const fs::path& folder) {
+  const fs::path part = unfinished(fs::absolute(options.out));
+  return make_file({"ffmpeg", "movies", "ffmpeg"}, arguments_of(options, part), folder, options.out);
+}
+
+int movie(const Options& options, std::ostream& out) {
+  const std::string extension = fs::path(options.out).extension().string();
+  if (extension != ".mp4" && extension != ".gif")
+    throw UsageError("--out is '" + options.out + "', which ends neither in .mp4 nor in .gif");
+  const fs::path folder = frames_of(options.frames);
+  const int count = count_frames(folder);
+  const int code = encode(options, folder);
+  if (code == exit_fine)
+    out << "movie  " << options.out << " (" << count << " frames, " << brief(count / options.fps) << " s)\n";
+  return code;
+}
+
+}  // namespace
+
+std::function<int(Streams)> declare_movie(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("DIR", options->frames, "a run folder, or a folder of frames")->option_text(" ")->required();
+  app.add_option("--out", options->out, "the movie")->option_text("movie.mp4|movie.gif")->required();
+  app.add_option("--fps", options->fps, "frames per second; default: 30")
+      ->option_text("N")
+      ->check(positive_number);
+  return [options](Streams streams) { return movie(*options, streams.out); };
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,90 @@
+#include <ostream>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command_line/command.hpp"
+#include "cli/session/line_input.hpp"
+#include "cli/session/session_commands.hpp"
+#include "cli/session/session_completion.hpp"
+#include "cli/system/exit_code.hpp"
+#include "cli/text/checks.hpp"
+#include "cli/text/format.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+struct Options : RunOptions {
+  bool strict = false;
+};
+
+/// What a line came to.
+struct Answer {
+  int code = exit_fine;  // of the error, if there was one
+  bool going = true;     // the session is not over
+};
+
+/// A person sees the prompt; a script wants to be told where an answer ends.
+Answer answer(Session& session, const std::string& line, const Dialogue& to, bool typed) {
+  const auto fail = [&](const std::string& message, int code) {
+    to.out << "error: " << message << '\n';
+    return Answer{code, true};
+  };
+  try {
+    const bool going = run_session_line(session, line, to);
+    if (!typed) to.out << "ok\n";
+    return {exit_fine, going};
+  } catch (const UsageError& e) {
+    return fail(e.what(), exit_wrong_input);
+  } catch (const SceneError& e) {
+    return fail(e.what(), exit_wrong_input);
+  } catch (const NumericalError& e) {
+    return fail("the simulation diverged at t = " + brief(e.time) + " s: " + e.what(), exit_diverged);
+  } catch (const OutputError& e) {
+    return fail(e.path + ": " + e.what(), exit_not_written);
+  }
+}
+
+void greet(const Session& session, std::ostream& out) {
+  out << session.file().scene.title << ", " << session.file().settings.method << ", "
+      << session.simulation().snapshot().size()
+      << " particles. `help` lists the commands, Tab completes them, Ctrl-D ends.\n"
+      << std::flush;
+}
+
+int converse(const Options& options, Streams streams) {
+  Session session(options);
+  LineInput input([&](const auto& words) { return session_choices(session, words); });
+  const bool typed = input.is_typed();
+  Progress progress(streams.err, progress_style(streams.err, !typed));
+  if (typed) greet(session, streams.out);
+  while (const auto line = input.next()) {
+    const Interrupts interrupts;
+    const Answer given = answer(session, *line, {streams.out, interrupts, progress}, typed);
+    if (!streams.out.flush()) throw OutputError("standard output", "could not be written");
+    // the lines that a script has left expect what was not reached
+    if (interrupts.asked() && (!typed || interrupts.asked_to_end())) return exit_interrupted;
+    if (options.strict && given.code != exit_fine) return given.code;
+    if (!given.going) break;
+  }
+  return exit_fine;
+}
+
+}  // namespace
+
+std::function<int(Streams)> declare_session(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("SCENE", options->scene, "a name from `taut list scenes`, or the path of a scene file")
+      ->option_text(" ")
+      ->required();
+  declare_setting_options(app, *options);
+  declare_drawing_options(app, options->drawing);
+  app.add_option("--threads", options->threads, "default: all cores")
+      ->option_text("N")
+      ->check(positive_whole_number);
+  app.add_flag("--strict", options->strict,
+               "the first line that is wrong ends the session; exit code 2, 3 or 4");
+  return [options](Streams streams) { return converse(*options, streams); };
+}
+
+}  // namespace taut::cli

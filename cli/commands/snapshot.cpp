@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command_line/command.hpp"
+#include "cli/run/difference_report.hpp"
+#include "cli/run/plan.hpp"
+#include "cli/run/report.hpp"
+#include "cli/system/exit_code.hpp"
+#include "cli/system/whole_folder.hpp"
+#include "cli/text/checks.hpp"
+#include "engine/error.hpp"
+
+namespace fs = std::filesystem;
+
+namespace taut::cli {
+namespace {
+
+struct Options : RunOptions, DifferenceOptions {
+  std::string baseline;
+  bool update = false;
+  bool quiet = false;
+};
+
+void declare_options(CLI::App& app, Options& o) {
+  app.add_option("SCENE", o.scene, "a name from `taut list scenes`, or the path of a scene file")
+      ->option_text(" ")
+      ->required();
+  app.add_option("--baseline", o.baseline, "the folder of the frames that are right")
+      ->option_text("DIR")
+      ->required();
+  app.add_flag("--update", o.update,
+               "the frames of this run become the baseline; look at them first");
+  declare_difference_options(app, o);
+  declare_setting_options(app, o);
+  app.add_option("--out", o.out, "the run folder; default: out/snapshot-BASELINE")->option_text("DIR");
+  declare_output_options(app, o);
+  app.add_option("--threads", o.threads, "default: all cores")
+      ->option_text("N")
+      ->check(positive_whole_number);
+  app.add_flag("--quiet", o.quiet, "no progress on stderr");
+}
+
+/// "a/b/" is "a/b" with nothing linked, so that folders can be compared.
+fs::path plain_path(const fs::path& path) { return (fs::weakly_canonical(path) / "").parent_path(); }
+
+void check_baseline(const Options& options, const fs::path& run_folder) {
+  const fs::path baseline = plain_path(options.baseline), run = plain_path(run_folder);
+  if (std::ranges::mismatch(run, baseline).in1 == run.end())
+    throw UsageError("the baseline is in the run folder " + run_folder.string() +
+                     ", which the run replaces; name another with --out");
+  if (fs::exists(baseline) && !fs::is_directory(baseline))
+    throw UsageError("the baseline '" + options.baseline + "' is not a folder");
+  if (!options.update && picture_names(baseline).empty())
+    throw UsageError("there is no baseline in '" + options.baseline +
+                     "'; if this run is right, make one of it with --update");
+  if (!options.update || !fs::exists(baseline)) return;
+  for (const fs::directory_entry& entry : fs::directory_iterator(baseline))
+    if (!is_frame(entry.path()))
+      throw UsageError("'" + options.baseline + "' holds " + entry.path().filename().string() +
+                       ", which is no frame of a baseline and would be lost; name another with --baseline");
+}
+
+void update(const Options& options, const RunFolder& run, std::ostream& out) {
+  std::vector<fs::path> files;
+  for (const std::string& name : picture_names(run.frames())) files.push_back(run.frames() / name);
+  write_whole_folder(options.baseline, files);
+  out << "baseline " << options.baseline << ": " << files.size() << " frames\n";
+}
+
+int compare_with_baseline(const Options& options, const RunFolder& run, std::ostream& out) {
+  const fs::path baseline = options.baseline;
+  const FolderDifference difference = compare_folders(baseline, run.frames(), limit_of(options));
+  out << difference_report(difference, baseline.string(), run.frames().string());
+  if (difference.alike()) return exit_fine;
+  if (difference.different > 0) {
+    render::write_png(render::difference_picture(render::read_png(baseline / difference.worst),
+                                                 render::read_png(run.frames() / difference.worst)),
+                      run.difference());
+    out << "  where they differ: " << run.difference().string() << '\n';
+  }
+  return exit_different;
+}
+
+int snapshot(Options options, Streams streams) {
+  const Stopwatch setup;
+  if (!options.out) options.out = "out/snapshot-" + plain_path(options.baseline).filename().string();
+  const RunPlan plan = make_plan(options);
+  check_baseline(options, plan.folder.path());
+  const Interrupts interrupts;
+  Progress progress(streams.err, progress_style(streams.err, options.quiet));
+  const RunResult result = run_scene(plan, interrupts, progress, setup.seconds());
+  if (!result.failure.empty()) streams.err << "taut: " << result.failure << '\n';
+  if (const int code = exit_code(result); code != exit_fine) return code;
+  if (!options.update) return compare_with_baseline(options, plan.folder, streams.out);
+  update(options, plan.folder, streams.out);
+  return exit_fine;
+}
+
+}  // namespace
+
+std::function<int(Streams)> declare_snapshot(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  declare_options(app, *options);
+  return [options](Streams streams) { return snapshot(*options, streams); };
+}
+
+}  // namespace taut::cli

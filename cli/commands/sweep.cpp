@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command_line/command.hpp"
+#include "cli/sweep/emit.hpp"
+#include "cli/sweep/lock.hpp"
+#include "cli/sweep/options.hpp"
+#include "cli/sweep/results.hpp"
+#include "cli/sweep/runner.hpp"
+#include "cli/system/atomic_file.hpp"
+#include "cli/system/exit_code.hpp"
+#include "cli/text/format.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+SweepPlan make_plan(const SweepOptions& o) {
+  SweepPlan plan = plan_sweep(make_request(o));
+  const auto count = static_cast<int>(plan.runs.size());
+  if (o.index && *o.index >= count)
+    throw UsageError("--index " + std::to_string(*o.index) + ": the runs are numbered from 0 to " +
+                     std::to_string(count - 1));
+  return plan;
+}
+
+std::string listing(const SweepPlan& plan) {
+  std::vector<std::vector<std::string>> rows{{"run", "sets", "folder", "state"}};
+  for (const SweepRun& run : plan.runs)
+    rows.push_back(
+        {std::to_string(run.index), text_of(run.settings), run.folder, std::string(name(run.state))});
+  const auto done = std::ranges::count(plan.runs, RunState::done, &SweepRun::state);
+  return in_columns(rows, 0) + "\n" + std::to_string(done) + " of " + std::to_string(plan.runs.size()) +
+         " runs are done in " + plan.folder.string() + "\n";
+}
+
+int emit(const SweepOptions& o, const CLI::App& app, const SweepPlan& plan, std::ostream& out) {
+  const EmitForm& form = find_emit_form(*o.emit);
+  const std::string script =
+      emit_script(form, plan.title, static_cast<int>(plan.runs.size()), o.run.threads, lasting_words(app));
+  if (!o.run.out) {
+    out << script;
+    return exit_fine;
+  }
+  std::error_code error;
+  fs::create_directories(plan.folder, error);
+  const fs::path file = plan.folder / form.file;
+  write_atomically(file, script);
+  fs::permissions(file, fs::perms::owner_exec, fs::perm_options::add, error);
+  out << file.string() << '\n';
+  return exit_fine;
+}
+
+int default_jobs(int threads) {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / threads);
+}
+
+std::vector<SweepRun*> what_to_run(SweepPlan& plan, const SweepOptions& o) {
+  std::vector<SweepRun*> runs;
+  for (SweepRun& run : plan.runs) {
+    if (o.index && run.index != *o.index) continue;
+    run.look();  // another program may have worked here until the lock was ours
+    if (o.force) run.forget();
+    if (run.state != RunState::done) runs.push_back(&run);
+  }
+  return runs;
+}
+
+std::string report(const SweepPlan& plan, const SweepOptions& o) {
+  if (o.index) {
+    const SweepRun& run = plan.runs[static_cast<std::size_t>(*o.index)];
+    return "run " + std::to_string(run.index) + " (" + text_of(run.settings) + "): " + outcome(run) +
+           ", in " + *run.options.out + "\n";
+  }
+  return results_table(plan) + "\nresults  " + (plan.folder / "results.csv").string() + ", results.json\n";
+}
+
+bool fails(const SweepPlan& plan, const std::optional<Verdict>& fail_on) {
+  const auto bad = [&](const SweepRun& run) {
+    if (run.state != RunState::done) return false;
+    return find_verdict(run.record.value("verdict", "")) >= fail_on;
+  };
+  return fail_on && std::ranges::any_of(plan.runs, bad);
+}
+
+/// Keeps the results of a whole sweep up to date; single runs leave them to a later call.
+class ResultsWriter {
+ public:
+  ResultsWriter(const SweepPlan& plan, bool whole_sweep) : plan_(plan), active_(whole_sweep) {}
+
+  void write() {
+    pending_ = false;
+    if (!active_) return;
+    const Stopwatch watch;
+    write_results(plan_);
+    took_ = watch.seconds();
+    since_written_ = {};
+  }
+  void changed() { pending_ = true; }
+  /// What has changed, unless writing would take a good part of the time: there may be thousands of short
+  /// runs.
+  void write_when_due() {
+    if (pending_ && since_written_.seconds() > 20 * took_) write();
+  }
+
+ private:
+  const SweepPlan& plan_;
+  bool active_, pending_ = false;
+  double took_ = 0;  // s
+  Stopwatch since_written_;
+};
+
+int execute(SweepPlan& plan, const SweepOptions& o, Streams streams) {
+  const std::optional<Verdict> fail_on = parse_verdict(o.fail_on);
+  const SweepLock lock(plan.folder, o.index ? plan.runs[static_cast<std::size_t>(*o.index)].folder : "");
+  const Interrupts interrupts;
+  const std::vector<SweepRun*> runs = what_to_run(plan, o);
+  Progress progress(streams.err, progress_style(streams.err, o.quiet));
+  ResultsWriter results(plan, !o.index);
+  const auto ended = [&](const SweepRun& run) {
+    progress.clear();
+    if (!run.problem.empty())
+      streams.err << "taut: run " << run.index << " (" << text_of(run.settings) << "): " << run.problem
+                  << '\n';
+    results.changed();
+  };
+  results.write();
+  SweepEnd end;
+  if (!runs.empty()) {
+    SweepRunner runner(runs, o.jobs.value_or(default_jobs(o.run.threads)), interrupts, progress,
+                       {ended, [&] { results.write_when_due(); }});
+    end = runner.execute(plan.title);
+    results.write();
+  }
+  streams.out << report(plan, o);
+  if (end.code != exit_fine) return end.code;
+  if (end.interrupted) return exit_interrupted;
+  if (!o.index)
+    if (const int code = draw_pictures(plan.pictures, plan.folder, streams); code != exit_fine) return code;
+  return fails(plan, fail_on) ? exit_diverged : exit_fine;
+}
+
+int sweep(const SweepOptions& o, const CLI::App& app, Streams streams) {
+  if (o.emit) find_emit_form(*o.emit);
+  SweepPlan plan = make_plan(o);
+  if (o.emit) return emit(o, app, plan, streams.out);
+  if (!o.list) return execute(plan, o, streams);
+  streams.out << listing(plan);
+  return exit_fine;
+}
+
+}  // namespace
+
+std::function<int(Streams)> declare_sweep(CLI::App& app) {
+  auto options = std::make_shared<SweepOptions>();
+  declare_sweep_options(app, *options);
+  return [options, &app](Streams streams) { return sweep(*options, app, streams); };
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,44 @@
+#include "cli/drawing/bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut::cli {
+
+void SequenceBounds::Interval::add(double value, double margin) {
+  if (!std::isfinite(value)) return;
+  low = std::min(low, value - margin);
+  high = std::max(high, value + margin);
+}
+
+void SequenceBounds::add_values(std::span<const float> values) {
+  for (const float value : values) values_.add(value);
+}
+
+void SequenceBounds::add_positions(std::span<const float> x, int dim, double diameter) {
+  const auto stride = static_cast<std::size_t>(dim);
+  for (std::size_t i = 0; i + 1 < x.size(); i += stride) {
+    x_.add(x[i], diameter / 2);
+    y_.add(x[i + 1], diameter / 2);
+  }
+}
+
+std::array<double, 2> SequenceBounds::range(bool is_signed) const {
+  double low = values_.low, high = values_.high;
+  if (low > high) low = high = 0;  // no finite value at all
+  if (is_signed) {
+    high = std::max(std::abs(low), std::abs(high));
+    low = -high;
+  }
+  // a field that is the same everywhere still needs a scale to be drawn on
+  if (high <= low) high = low + (low != 0 ? std::abs(low) : 1.0);
+  return {low, high};
+}
+
+render::View SequenceBounds::view() const {
+  if (x_.low > x_.high) return {0, 1, 0, 1};
+  const double margin = 0.05 * std::max(x_.high - x_.low, y_.high - y_.low);
+  return {x_.low - margin, x_.high + margin, y_.low - margin, y_.high + margin};
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace taut::cli {
+
+/// A run at one moment, with all that it takes to go on with it.
+struct Checkpoint {
+  std::string method;
+  std::string scene;                    // the text of scene.toml
+  std::vector<std::string> fields;      // of the particles saved; none: particles are not
+  std::optional<double> spacing_asked;  // m
+  double every = 0;                     // s of the simulation between checkpoints
+  bool draws = true;                    // there are frames
+  std::string state;                    // bytes for whoever saved them
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(method, scene, fields, spacing_asked, every, draws, state);
+  }
+};
+
+std::string program_version();
+
+/// Replaces the file when all is written, so that a crash leaves the one before. It begins with its kind and
+/// the version of the program, and ends with a checksum of everything. Throws OutputError.
+void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint,
+                      std::string version = program_version());
+
+/// Throws UsageError, with the reason, for a file that is no checkpoint of this version or is not whole.
+Checkpoint read_checkpoint(const std::filesystem::path& path);
+
+}  // namespace taut::cli

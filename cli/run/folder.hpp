@@ -1,0 +1,51 @@
+#pragma once
+
+#include "cli/drawing/frames.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace taut::cli {
+
+/// Where a run leaves its output; see README for what each file holds.
+class RunFolder {
+ public:
+  explicit RunFolder(std::filesystem::path path) : path_(std::move(path)) {}
+
+  /// Throws UsageError when the folder holds something that no run of taut left there. Touches nothing.
+  void check() const;
+  /// Creates the folder, or removes what an earlier run left; `record` becomes its run.json first of all, so
+  /// that the folder is recognised at any time. Throws OutputError.
+  void claim(std::string_view record) const;
+  /// Removes frames and particle files but the first ones, which a run that goes on has written already.
+  /// Throws OutputError.
+  void keep(int frames, int particle_files) const;
+  /// Removes the checkpoint, whole or in the making. Throws OutputError.
+  void clear_checkpoint() const;
+  /// Removes what shows the frames that there are, before others are drawn. Throws OutputError.
+  void clear_frames() const;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path frames() const { return path_ / "frames"; }
+  std::filesystem::path frame(int number) const { return frames() / frame_name(number); }
+  std::filesystem::path particles() const { return path_ / "particles"; }
+  std::filesystem::path particle_file(int number) const;
+  /// Times and names of the particle files, for ParaView.
+  std::filesystem::path particle_index() const { return particles() / "particles.pvd"; }
+  std::filesystem::path history() const { return path_ / "history.csv"; }
+  std::filesystem::path lines() const { return path_ / "lines.csv"; }
+  std::filesystem::path scene() const { return path_ / "scene.toml"; }
+  std::filesystem::path record() const { return path_ / "run.json"; }
+  /// To go on from, while the run is not finished.
+  std::filesystem::path checkpoint() const { return path_ / "checkpoint.bin"; }
+  /// Where the frames differ from a baseline that they were compared with.
+  std::filesystem::path difference() const { return path_ / "difference.png"; }
+
+ private:
+  bool was_killed_in_the_making() const;
+
+  std::filesystem::path path_;
+};
+
+}  // namespace taut::cli

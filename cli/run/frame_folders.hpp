@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "render/image/image_difference.hpp"
+
+namespace taut::cli {
+
+/// The PNG files in a folder, by name, sorted; none if there is no such folder.
+std::vector<std::string> picture_names(const std::filesystem::path& folder);
+
+/// Where the pictures of `folder` are: the frames of a run folder, else the folder itself.
+std::filesystem::path frames_of(const std::filesystem::path& folder);
+
+/// How the pictures of two folders differ, name by name.
+struct FolderDifference {
+  std::vector<std::string> only_in_a, only_in_b;
+  int compared = 0;   // pictures that both have
+  int different = 0;  // of these
+  std::string worst;  // the most different of these, empty if there are none
+  render::ImageDifference at_worst;
+
+  /// The same names, and every picture alike.
+  bool alike() const { return only_in_a.empty() && only_in_b.empty() && different == 0; }
+};
+
+/// UsageError for a picture that cannot be read, or that differs in size.
+FolderDifference compare_folders(const std::filesystem::path& a, const std::filesystem::path& b,
+                                 const render::DifferenceLimit& limit);
+
+}  // namespace taut::cli

@@ -1,0 +1,50 @@
+#include "cli/run/history.hpp"
+
+#include "cli/text/format.hpp"
+
+namespace taut::cli {
+namespace {
+
+std::string header(const Scene& scene) {
+  std::string names = "t,step,kinetic_energy,strain_energy,total_energy";
+  if (has_drives(scene) || has_loads(scene)) names += ",work";
+  if (scene.damping > 0) names += ",damped";
+  names += ",momentum_x,momentum_y";
+  names += scene.dim == 3 ? ",momentum_z,angular_momentum_x,angular_momentum_y,angular_momentum_z"
+                          : ",angular_momentum";
+  for (const Probe& probe : scene.probes) names += "," + probe.name;
+  names += ",pieces";
+  for (const Indicator& indicator : indicators) (names += ',') += indicator.key;
+  return names;
+}
+
+}  // namespace
+
+History::History(const std::filesystem::path& path, const Scene& scene, AppendFile::Start start)
+    : file_(path, start),
+      dim_(scene.dim),
+      works_(has_drives(scene) || has_loads(scene)),
+      damps_(scene.damping > 0) {
+  if (start == AppendFile::Start::empty) file_.append(header(scene));
+}
+
+void History::add(const Simulation& simulation, const Balance& balance, int pieces,
+                  const Readings& readings) {
+  if (simulation.steps() == last_step_) return;
+  last_step_ = simulation.steps();
+  std::string row = exact(simulation.time()) + "," + std::to_string(simulation.steps());
+  const auto cell = [&row](double value) { (row += ',') += exact(value); };
+  cell(balance.kinetic);
+  cell(balance.strain);
+  cell(balance.kinetic + balance.strain);
+  if (works_) cell(balance.work);
+  if (damps_) cell(balance.damped);
+  for (int k = 0; k < dim_; ++k) cell(balance.linear_momentum[static_cast<std::size_t>(k)]);
+  for (int k = dim_ == 3 ? 0 : 2; k < 3; ++k) cell(balance.angular_momentum[static_cast<std::size_t>(k)]);
+  for (const std::vector<double>& series : simulation.series().value) cell(series.back());
+  (row += ',') += std::to_string(pieces);
+  for (const Reading& reading : readings) cell(reading.share());
+  file_.append(row);
+}
+
+}  // namespace taut::cli

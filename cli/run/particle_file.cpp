@@ -1,0 +1,194 @@
+#include "cli/run/particle_file.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <numeric>
+#include <optional>
+
+#include "cli/run/zlib_blocks.hpp"
+#include "cli/text/format.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+// names of arrays that are no fields; keys of fields are in lower case with '_'
+constexpr std::string_view points_name = "Points";
+constexpr std::string_view diameter_name = "diameter";
+constexpr std::string_view time_name = "TimeValue";  // as ParaView has it
+constexpr std::string_view data_begin = "<AppendedData encoding=\"raw\">\n_";
+
+std::string attribute(std::string_view key, std::string_view value) {
+  std::string text(" ");
+  return text.append(key).append("=\"").append(value).append("\"");
+}
+
+/// The XML of the arrays, and behind it their bytes.
+class Writer {
+ public:
+  void line(std::string_view text) { (xml_ += text) += '\n'; }
+
+  template <class Number>
+  void array(std::string_view name, std::string_view type, const std::vector<Number>& values,
+             int components = 1) {
+    line("<DataArray" + attribute("type", type) + attribute("Name", name) +
+         attribute("NumberOfComponents", std::to_string(components)) + attribute("format", "appended") +
+         attribute("offset", std::to_string(data_.size())) + "/>");
+    data_ += to_zlib_blocks(std::as_bytes(std::span(values)));
+  }
+
+  std::string text() && {
+    return std::move(xml_) + std::string(data_begin) + data_ + "\n</AppendedData>\n</VTKFile>\n";
+  }
+
+ private:
+  std::string xml_, data_;
+};
+
+std::vector<double> with_three_components(const Snapshot& now) {
+  std::vector<double> points(3 * now.size());
+  const auto dim = static_cast<std::size_t>(now.dim);
+  for (std::size_t i = 0; i < now.size(); ++i)
+    for (std::size_t k = 0; k < dim; ++k) points[3 * i + k] = now.x[dim * i + k];
+  return points;
+}
+
+/// ParaView shows, picks and cuts by cells: each particle is one.
+void write_vertices(Writer& file, std::size_t count) {
+  std::vector<std::int32_t> number(count);
+  std::iota(number.begin(), number.end(), 0);
+  file.line("<Verts>");
+  file.array("connectivity", "Int32", number);
+  for (std::int32_t& end : number) ++end;
+  file.array("offsets", "Int32", number);
+  file.line("</Verts>");
+}
+
+/// The value of an attribute in an XML tag; none if it is missing.
+std::optional<std::string_view> value_of(std::string_view tag, std::string_view key) {
+  const std::string opening = std::string(" ").append(key).append("=\"");
+  const std::size_t at = tag.find(opening);
+  if (at == std::string_view::npos) return std::nullopt;
+  tag.remove_prefix(at + opening.size());
+  return tag.substr(0, tag.find('"'));
+}
+
+template <class Number>
+std::optional<Number> number(std::optional<std::string_view> text) {
+  return text ? parsed<Number>(*text) : std::nullopt;
+}
+
+/// The tags of an XML text, each with the text behind it.
+std::vector<std::string_view> tags_of(std::string_view xml) {
+  std::vector<std::string_view> tags;
+  for (std::size_t at = xml.find('<'); at != std::string_view::npos;
+       at = xml.find('<', at + 1))
+    tags.push_back(xml.substr(at, xml.find('<', at + 1) - at));
+  return tags;
+}
+
+/// The file up to and with the mark behind which its arrays stand; empty if there is none in the first 64
+/// KiB.
+std::string header_of(std::ifstream& file) {
+  std::string text(1 << 16, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  const std::size_t end = text.find(data_begin);
+  return end == std::string::npos ? "" : text.substr(0, end + data_begin.size());
+}
+
+}  // namespace
+
+std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* const> fields) {
+  const std::string count = std::to_string(snapshot.size());
+  Writer file;
+  file.line("<?xml version=\"1.0\"?>");
+  file.line(
+      "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" "
+      "compressor=\"vtkZLibDataCompressor\">\n<PolyData>\n<FieldData>");
+  file.line("<DataArray type=\"Float64\"" + attribute("Name", time_name) + " NumberOfTuples=\"1\" " +
+            "format=\"ascii\">" + exact(snapshot.time) + "</DataArray>\n</FieldData>");
+  file.line("<Piece" + attribute("NumberOfPoints", count) + attribute("NumberOfVerts", count) + ">");
+  file.line("<PointData" + (fields.empty() ? "" : attribute("Scalars", fields.front()->key)) + ">");
+  for (const Field* field : fields) file.array(field->key, "Float64", evaluate(*field, snapshot));
+  file.array(diameter_name, "Float64", snapshot.diameter);
+  file.line("</PointData>\n<Points>");
+  file.array(points_name, "Float64", with_three_components(snapshot), 3);
+  file.line("</Points>");
+  write_vertices(file, snapshot.size());
+  file.line("</Piece>\n</PolyData>");
+  return std::move(file).text();
+}
+
+ParticleFile::ParticleFile(std::filesystem::path path) : path_(std::move(path)) { read_header(); }
+
+void ParticleFile::read_header() {
+  std::ifstream file(path_, std::ios::binary);
+  if (!file) fail("cannot be read");
+  const std::string header = header_of(file);
+  std::optional<double> time;
+  std::optional<std::size_t> size;
+  for (const std::string_view tag : tags_of(header)) {
+    if (tag.starts_with("<Piece")) size = number<std::size_t>(value_of(tag, "NumberOfPoints"));
+    if (!tag.starts_with("<DataArray")) continue;
+    const std::string_view name = value_of(tag, "Name").value_or("");
+    if (name == time_name) time = number<double>(tag.substr(tag.find('>') + 1));
+    if (value_of(tag, "type") != "Float64") continue;
+    if (const auto offset = number<std::uint64_t>(value_of(tag, "offset")))
+      arrays_.push_back({std::string(name), header.size() + *offset});
+  }
+  if (!time || !size || !find(std::string(points_name)) || !find(std::string(diameter_name)))
+    fail("is no particle file of taut");
+  time_ = *time;
+  size_ = *size;
+}
+
+const ParticleFile::Array* ParticleFile::find(const std::string& name) const {
+  const auto found = std::ranges::find(arrays_, name, &Array::name);
+  return found == arrays_.end() ? nullptr : &*found;
+}
+
+std::vector<double> ParticleFile::read(const Array& array, std::size_t components) const {
+  std::ifstream file(path_, std::ios::binary | std::ios::ate);
+  const auto length =
+      static_cast<std::uint64_t>(std::max<std::streamoff>(file ? std::streamoff(file.tellg()) : 0, 0));
+  // zlib packs a thousandfold at most; a broken number must not ask for all of the memory
+  if (array.offset >= length || size_ > 1024 * length) fail("is cut short or broken");
+  std::string packed(std::min<std::uint64_t>(length - array.offset, 64 + 16 * (components * size_ + 4096)),
+                     '\0');
+  file.seekg(static_cast<std::streamoff>(array.offset));
+  file.read(packed.data(), static_cast<std::streamsize>(packed.size()));
+  std::vector<double> values(components * size_);
+  if (!file || !from_zlib_blocks(packed, std::as_writable_bytes(std::span(values))))
+    fail("is cut short or broken");
+  return values;
+}
+
+std::vector<std::string> ParticleFile::fields() const {
+  std::vector<std::string> names;
+  for (const Array& array : arrays_)
+    if (array.name != points_name && array.name != diameter_name) names.push_back(array.name);
+  return names;
+}
+
+bool ParticleFile::has(const std::string& field) const { return std::ranges::count(fields(), field) > 0; }
+
+std::vector<double> ParticleFile::positions(int dim) const {
+  const std::vector<double> points = read(*find(std::string(points_name)), 3);
+  const auto stride = static_cast<std::size_t>(dim);
+  std::vector<double> x(stride * size_);
+  for (std::size_t i = 0; i < size_; ++i)
+    for (std::size_t k = 0; k < stride; ++k) x[stride * i + k] = points[3 * i + k];
+  return x;
+}
+
+std::vector<double> ParticleFile::diameter() const { return read(*find(std::string(diameter_name)), 1); }
+
+std::vector<double> ParticleFile::field(const std::string& key) const {
+  if (!has(key)) fail("does not hold the field " + key + "; it holds " + join(fields()));
+  return read(*find(key), 1);
+}
+
+void ParticleFile::fail(const std::string& reason) const { throw UsageError(path_.string() + " " + reason); }
+
+}  // namespace taut::cli

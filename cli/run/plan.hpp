@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/drawing/look.hpp"
+#include "cli/run/run.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace taut::cli {
+
+/// The options of `taut run` as typed; what is left out stands in the scene.
+struct RunOptions {
+  std::string scene;
+  std::optional<std::string> method, out;
+  std::vector<std::string> set;  // "name=value"
+  std::optional<double> spacing, until, every, history;
+  std::optional<int> frames;
+  DrawingOptions drawing;
+  int threads = 0;  // 0 = all cores
+  bool no_render = false;
+  bool save_particles = false;
+  std::vector<std::string> fields;  // of the particles saved; none = all
+};
+
+/// --method, --set, --spacing, --until: what is simulated.
+void declare_setting_options(CLI::App& app, RunOptions& options);
+/// --frames, --every, --history and the drawing options: what is left of it.
+void declare_output_options(CLI::App& app, RunOptions& options);
+
+/// --save-particles, --fields.
+void declare_particle_options(CLI::App& app, RunOptions& options);
+
+/// The scene with what the options change about what is simulated. Throws UsageError and SceneError.
+SceneFile scene_to_run(const RunOptions& options);
+
+/// Reads and checks all there is to check, without touching the run folder. Throws UsageError and SceneError.
+RunPlan make_plan(const RunOptions& options);
+
+/// Throws UsageError, with the nearest names, for a verdict that does not exist or cannot be failed on.
+std::optional<Verdict> parse_verdict(const std::optional<std::string>& text);
+
+}  // namespace taut::cli

@@ -1,0 +1,108 @@
+#include "cli/run/record.hpp"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+namespace taut::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(std::optional<double> value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+std::string_view name(RunRecord::Status status) {
+  switch (status) {
+    case RunRecord::Status::running:
+      return "running";
+    case RunRecord::Status::finished:
+      return "finished";
+    case RunRecord::Status::interrupted:
+      return "interrupted";
+    case RunRecord::Status::failed:
+      return "failed";
+  }
+  return "";
+}
+
+Json parameters(const RunRecord& record) {
+  Json all = Json::object();
+  for (const Parameter& p : record.parameters) all[p.name] = number(p.value);
+  return all;
+}
+
+Json since(const RunRecord& record) {
+  Json all = Json::object();
+  for (const auto& [verdict, time] : record.since) all[std::string(name(verdict))] = number(time);
+  return all;
+}
+
+Json all_indicators(const RunRecord& record) {
+  Json all = {{"pieces", record.pieces}};
+  for (std::size_t k = 0; k < indicators.size(); ++k) {
+    const IndicatorRecord& each = record.indicator[k];
+    all[std::string(indicators[k].key)] = {
+        {"greatest", number(each.greatest())}, {"at", number(each.at)}, {"last", number(each.last)}};
+  }
+  return all;
+}
+
+Json measures(const RunRecord& record) {
+  Json all = Json::object();
+  for (const MeasureResult& m : record.measures) {
+    Json& one = all[m.name];
+    one["value"] = number(m.value);
+    one["unit"] = m.unit;
+    one["reference"] = number(m.reference);
+    one["reference_name"] = m.reference_name.empty() ? Json(nullptr) : Json(m.reference_name);
+    one["error"] = number(m.error);
+  }
+  return all;
+}
+
+}  // namespace
+
+std::optional<double> RunRecord::particle_steps_per_second() const {
+  if (steps == 0 || seconds.solve <= 0) return std::nullopt;
+  return static_cast<double>(particles) * static_cast<double>(steps) / seconds.solve;
+}
+
+Json to_json(const RunRecord& record) {
+  Json json;
+  json["taut"] = TAUT_VERSION;
+  json["scene"] = record.scene;
+  json["method"] = record.method;
+  json["material_law"] = record.material_law;
+  if (record.contact) json["contact"] = *record.contact;
+  json["stepping"] = record.stepping;
+  json["cfl"] = number(record.cfl);
+  json["parameters"] = parameters(record);
+  json["dim"] = record.dim;
+  json["spacing"] = number(record.spacing);
+  if (record.spacing_asked) json["spacing_asked"] = number(record.spacing_asked);
+  json["particles"] = record.particles;
+  json["mass"] = number(record.mass);
+  json["until"] = number(record.until);
+  json["reached"] = number(record.reached);
+  json["status"] = name(record.status);
+  json["steps"] = record.steps;
+  json["threads"] = record.threads;
+  json["machine"] = record.machine;
+  json["seconds"] = {{"setup", record.seconds.setup},
+                     {"solve", record.seconds.solve},
+                     {"render", record.seconds.render},
+                     {"write", record.seconds.write}};
+  json["particle_steps_per_second"] = number(record.particle_steps_per_second());
+  json["verdict"] = name(record.verdict);
+  json["since"] = since(record);
+  json["indicators"] = all_indicators(record);
+  json["conservation"] = {{"linear_momentum", number(record.conservation.linear_momentum)},
+                          {"angular_momentum", number(record.conservation.angular_momentum)},
+                          {"energy", number(record.conservation.energy)}};
+  json["measures"] = measures(record);
+  return json;
+}
+
+}  // namespace taut::cli

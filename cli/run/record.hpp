@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "cli/scene/scene_file.hpp"
+#include "cli/system/stopwatch.hpp"
+#include "engine/diagnostics/conservation.hpp"
+#include "engine/diagnostics/indicators.hpp"
+#include "engine/diagnostics/verdict.hpp"
+
+namespace taut::cli {
+
+/// What run.json says of a run.
+struct RunRecord {
+  enum class Status { running, finished, interrupted, failed };
+
+  std::string scene, method, material_law;
+  std::optional<std::string> contact;  // the law between bodies, where there are several
+  std::string stepping;                // dual or single
+  double cfl = 0;                      // factor of the time step
+  std::vector<Parameter> parameters;
+  int dim = 2;
+  double spacing = 0;                   // m, as used
+  std::optional<double> spacing_asked;  // m, where it is not the one used
+  long particles = 0;
+  double mass = 0;                // kg (per metre depth in 2D)
+  double until = 0, reached = 0;  // s
+  Status status = Status::running;
+  long steps = 0;
+  int threads = 1;
+  std::string machine;  // what the seconds were measured on
+  Seconds seconds;
+  Verdict verdict = Verdict::stable;
+  std::map<Verdict, double> since;  // s
+  int pieces = 0;
+  std::array<IndicatorRecord, indicators.size()> indicator;
+  Conservation conservation;
+  std::vector<MeasureResult> measures;
+
+  /// Particles × steps / solve, 1/s; none before the first step.
+  std::optional<double> particle_steps_per_second() const;
+};
+
+/// In the order of the keys as users read them; what is unknown or not finite is null.
+nlohmann::ordered_json to_json(const RunRecord& record);
+
+}  // namespace taut::cli

@@ -1,0 +1,88 @@
+#include "cli/run/report.hpp"
+
+#include "cli/system/exit_code.hpp"
+#include "cli/text/format.hpp"
+
+namespace taut::cli {
+namespace {
+
+std::string with_unit(std::optional<double> value, const std::string& unit) {
+  if (!value) return "-";
+  return brief(*value) + (unit.empty() || unit == "1" ? "" : " " + unit);
+}
+
+/// Relative to the reference; where that is 0, or a table, the error is in the measure's own unit.
+std::string error(const MeasureResult& m) {
+  const bool relative = m.error && m.reference && *m.reference != 0;
+  return relative ? percent(*m.error) : with_unit(m.error, m.unit);
+}
+
+std::string share(std::optional<double> value) { return value ? brief(*value) : "not kept"; }
+
+std::string verdict_line(const RunRecord& record) {
+  std::string text(name(record.verdict));
+  for (const auto& [verdict, time] : record.since)
+    text += ", " + std::string(name(verdict)) + " since t = " + brief(time) + " s";
+  return text;
+}
+
+std::string indicators_line(const RunRecord& record) {
+  std::string text;
+  for (std::size_t k = 0; k < indicators.size(); ++k) {
+    (text += k == 0 ? "" : ", ") += indicators[k].key;
+    (text += ' ') += brief(record.indicator[k].greatest());
+  }
+  return text;
+}
+
+std::string heading(const RunRecord& record) {
+  std::string text = record.scene + " with " + record.method + ": " +
+                             std::to_string(record.particles) +
+                             " particles at dp = " + brief(record.spacing) + " m, " +
+                             std::to_string(record.steps) + " steps to t = " + brief(record.reached) + " s";
+  if (record.status == RunRecord::Status::interrupted)
+    text += " of " + brief(record.until) + " s (interrupted)";
+  return text + "\n";
+}
+
+std::string measures_table(const std::vector<MeasureResult>& measures) {
+  if (measures.empty()) return "";
+  std::vector<std::vector<std::string>> rows{{"measure", "value", "reference", "error", ""}};
+  for (const MeasureResult& m : measures)
+    rows.push_back({m.name, m.value ? with_unit(m.value, m.unit) : "run too short",
+                    with_unit(m.reference, m.unit), error(m), m.reference_name});
+  return in_columns(rows) + "\n";
+}
+
+}  // namespace
+
+std::string run_report(const RunPlan& plan, const RunResult& result) {
+  const RunRecord& record = result.record;
+  const Conservation& drift = record.conservation;
+  const Seconds& seconds = record.seconds;
+  std::vector<std::vector<std::string>> rows{
+      {"verdict", verdict_line(record)},
+      {"indicators", indicators_line(record)},
+      {"drift", "energy " + share(drift.energy) + ", linear momentum " + share(drift.linear_momentum) +
+                    ", angular momentum " + share(drift.angular_momentum)},
+      {"speed", with_prefix(record.particle_steps_per_second().value_or(0)) + " particle-steps/s on " +
+                    std::to_string(record.threads) + (record.threads == 1 ? " thread" : " threads")},
+      {"seconds", "set-up " + brief(seconds.setup) + ", solving " + brief(seconds.solve) + ", drawing " +
+                      brief(seconds.render) + ", writing " + brief(seconds.write)}};
+  if (record.spacing_asked)
+    rows.push_back({"spacing", brief(*record.spacing_asked) + " m does not divide the first body; used " +
+                                   exact(record.spacing) + " m"});
+  rows.push_back({"run", plan.folder.path().string()});
+  if (plan.drawing)
+    rows.push_back({"frames", plan.folder.frames().string() + " (" + std::to_string(result.frames) + ")"});
+  if (!plan.particle_fields.empty()) rows.push_back({"particles", plan.folder.particle_index().string()});
+  return heading(record) + "\n" + measures_table(record.measures) + in_columns(rows);
+}
+
+int exit_code(const RunResult& result, const std::optional<Verdict>& fail_on) {
+  if (!result.failure.empty()) return exit_diverged;
+  if (result.record.status == RunRecord::Status::interrupted) return exit_interrupted;
+  return fail_on && result.record.verdict >= *fail_on ? exit_diverged : exit_fine;
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,44 @@
+#include "cli/run/saved_run.hpp"
+
+#include <algorithm>
+
+#include "engine/error.hpp"
+
+namespace fs = std::filesystem;
+
+namespace taut::cli {
+
+SavedRun open_saved_run(const fs::path& path) {
+  const RunFolder folder(path);
+  std::error_code error;
+  if (!fs::exists(folder.scene(), error))
+    throw UsageError("'" + path.string() + "' is not the folder of a run; `taut run` leaves one");
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder.particles(), error))
+    if (entry.path().extension() == ".vtp") files.push_back(entry.path());
+  if (files.empty())
+    throw UsageError("'" + path.string() + "' holds no particles to draw from; get them with\n  taut run " +
+                     folder.scene().string() + " --save-particles --out " + path.string());
+  // names have five digits or more: the shorter is the earlier
+  std::ranges::sort(files, {},
+                    [](const fs::path& file) { return std::pair(file.string().size(), file.string()); });
+  SavedRun run{folder, read_scene(folder.scene()), {}};
+  for (const fs::path& file : files) run.particles.emplace_back(file);
+  return run;
+}
+
+FrameView ColoredParticles::view() const {
+  FrameView frame;
+  frame.dim = dim;
+  frame.time = time;
+  frame.x = x;
+  frame.diameter = diameter;
+  frame.value = value;
+  return frame;
+}
+
+ColoredParticles read_colored(const ParticleFile& file, const Field& field, int dim) {
+  return {dim, file.time(), file.positions(dim), file.diameter(), file.field(std::string(field.key))};
+}
+
+}  // namespace taut::cli

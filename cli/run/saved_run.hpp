@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "cli/drawing/frames.hpp"
+#include "cli/drawing/look.hpp"
+#include "cli/run/folder.hpp"
+#include "cli/run/particle_file.hpp"
+#include "cli/scene/scene_file.hpp"
+
+namespace taut::cli {
+
+/// A run folder whose particles were saved.
+struct SavedRun {
+  RunFolder folder;
+  SceneFile file;                       // the scene as run
+  std::vector<ParticleFile> particles;  // in the order of time
+};
+
+/// UsageError if the folder is no run or holds no particles, saying how to get them.
+SavedRun open_saved_run(const std::filesystem::path& folder);
+
+/// The particles of one time, coloured by a field.
+struct ColoredParticles {
+  int dim = 2;
+  double time = 0;                         // s
+  std::vector<double> x, diameter, value;  // as in FrameView
+
+  FrameView view() const;
+};
+
+/// UsageError if the field was not saved.
+ColoredParticles read_colored(const ParticleFile& file, const Field& field, int dim);
+
+}  // namespace taut::cli

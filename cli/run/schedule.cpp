@@ -1,0 +1,34 @@
+#include "cli/run/schedule.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace taut::cli {
+
+std::vector<double> times_in_parts(double until, int parts) {
+  std::vector<double> times;
+  for (int k = 0; k < parts; ++k) times.push_back(until * k / parts);
+  times.push_back(until);
+  return times;
+}
+
+std::vector<double> times_every(double until, double interval) {
+  // an interval that divides `until` but for rounding reaches it
+  const double count = std::floor(until / interval * (1 + 1e-12));
+  std::vector<double> times;
+  for (long k = 0; k <= static_cast<long>(count); ++k)
+    times.push_back(std::fmin(static_cast<double>(k) * interval, until));
+  return times;
+}
+
+double Agenda::next() const {
+  return done_ < times_.size() ? times_[done_] : std::numeric_limits<double>::infinity();
+}
+
+int Agenda::reached(double now) {
+  int count = 0;
+  for (; done_ < times_.size() && times_[done_] <= now; ++done_) ++count;
+  return count;
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,236 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "cli/scene/sections.hpp"
+#include "cli/text/format.hpp"
+
+namespace taut::cli {
+namespace {
+
+using Kind = TomlValue::Kind;
+
+const std::vector<std::string> axis_names = {"x", "y", "z"};
+
+Shape read_box(TomlCursor& shape, int dim) {
+  const Box box{shape.point("low", dim), shape.point("high", dim)};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
+    if (!(box.low[k] < box.high[k]))
+      shape.fail(shape.need("low"), "low",
+                 "low." + axis_names[k] + " = " + exact(box.low[k]) + " must be less than high." +
+                     axis_names[k] + " = " + exact(box.high[k]));
+  return box;
+}
+
+Shape read_ring(TomlCursor& shape, int dim) {
+  const Ring ring{shape.point("centre", dim), shape.positive("inner"), shape.positive("outer")};
+  if (!(ring.inner < ring.outer))
+    shape.fail(shape.need("inner"), "inner",
+               "inner = " + exact(ring.inner) + " must be less than outer = " + exact(ring.outer));
+  return ring;
+}
+
+Shape read_shape(TomlCursor shape, int dim) {
+  const std::string type = shape.choice("type", {"rectangle", "disc", "ring"});
+  Shape result;
+  if (type == "rectangle")
+    result = read_box(shape, dim);
+  else if (type == "disc")
+    result = Disc{shape.point("centre", dim), shape.positive("radius")};
+  else
+    result = read_ring(shape, dim);
+  shape.finish();
+  return result;
+}
+
+/// One table, or an array of tables: their union.
+std::vector<Shape> read_shapes(TomlCursor& body, int dim) {
+  TomlValue& value = body.need("shape");
+  const std::string what = "the shape of " + body.what();
+  if (value.kind != Kind::array) return {read_shape(body.enter(value, "shape", what), dim)};
+  std::vector<Shape> shapes;
+  for (TomlValue& item : value.items) shapes.push_back(read_shape(body.enter(item, "shape", what), dim));
+  if (shapes.empty())
+    body.fail(value, "shape", what + " is empty: it needs at least one rectangle, disc or ring");
+  return shapes;
+}
+
+TomlValue array_of(std::vector<TomlValue> items) {
+  TomlValue array;
+  array.kind = Kind::array;
+  array.items = std::move(items);
+  return array;
+}
+
+/// The components of the vector `key`, which must be there.
+const std::vector<TomlValue>& components(TomlCursor& cursor, const std::string& key, int dim) {
+  const std::size_t number = static_cast<std::size_t>(dim);
+  const TomlValue& value = cursor.need(key);
+  if (value.kind != Kind::array || value.items.size() != number)
+    cursor.fail(
+        value, key,
+        key + " must be an array of " + std::to_string(number) + " numbers or expressions, one per axis");
+  return value.items;
+}
+
+TomlValue zeros(int dim) { return array_of({static_cast<std::size_t>(dim), TomlValue(0.0)}); }
+
+void read_velocity(TomlCursor& cursor, int dim, Body& body) {
+  if (!cursor.find("velocity")) cursor.table().set("velocity", zeros(dim));
+  std::size_t axis = 0;
+  for (const TomlValue& component : components(cursor, "velocity", dim))
+    body.velocity[axis++] = cursor.function_of(component, "velocity");
+}
+
+/// The tables of `key`, none by default; `what` names one in messages.
+std::vector<TomlCursor> tables(TomlCursor& body, std::string_view key, const std::string& what) {
+  if (!body.find(key)) body.table().set(std::string(key), array_of({}));
+  TomlValue& value = *body.find(key);
+  if (value.kind != Kind::array)
+    body.fail(value, key,
+              std::string(key) + " must be an array of tables: " + std::string(key) + " = [{ ... }]");
+  std::vector<TomlCursor> cursors;
+  for (TomlValue& item : value.items) cursors.push_back(body.enter(item, key, what + " of " + body.what()));
+  return cursors;
+}
+
+int read_material_of(TomlCursor& cursor, const Scene& scene) {
+  const std::string name = cursor.text("material");
+  const std::size_t material = index_of(scene.materials, name);
+  if (material == scene.materials.size())
+    cursor.fail_unknown(cursor.need("material"), "material", "material", name, names_of(scene.materials));
+  return static_cast<int>(material);
+}
+
+void read_parts(TomlCursor& cursor, const Scene& scene, Body& body) {
+  for (TomlCursor& entry : tables(cursor, "parts", "a part")) {
+    Part part;
+    part.material = read_material_of(entry, scene);
+    part.where = entry.function_of(entry.need("where"), "where");
+    entry.finish();
+    body.parts.push_back(std::move(part));
+  }
+}
+
+void read_drives(TomlCursor& cursor, const Scene& scene, Body& body) {
+  for (TomlCursor& entry : tables(cursor, "driven", "a driven region")) {
+    Drive drive;
+    drive.where = entry.function_of(entry.need("where"), "where");
+    std::size_t axis = 0;
+    for (const TomlValue& component : components(entry, "velocity", scene.dim))
+      drive.velocity[axis++] = entry.function_of_time(component, "velocity");
+    if (!entry.find("until")) entry.table().set("until", TomlValue(scene.until));
+    drive.until = entry.positive("until");
+    entry.finish();
+    body.drives.push_back(std::move(drive));
+  }
+}
+
+constexpr std::array load_kinds = {Load::Kind::force, Load::Kind::force_density, Load::Kind::traction};
+
+void read_loads(TomlCursor& cursor, const Scene& scene, Body& body) {
+  for (TomlCursor& entry : tables(cursor, "loaded", "a loaded region")) {
+    Load load;
+    load.where = entry.function_of(entry.need("where"), "where");
+    std::string key;
+    for (const Load::Kind kind : load_kinds) {
+      const TomlValue* value = entry.find(name(kind));
+      if (value == nullptr) continue;
+      if (!key.empty())
+        entry.fail(*value, name(kind),
+                   std::string(name(kind)) + " stands beside " + key + "; a load takes one of them");
+      key = name(kind);
+      load.kind = kind;
+    }
+    if (key.empty()) entry.need("force");  // says that it is missing
+    std::size_t axis = 0;
+    for (const TomlValue& component : components(entry, key, scene.dim))
+      load.value[axis++] = entry.function_of(component, key);
+    if (!entry.find("ramp")) entry.table().set("ramp", TomlValue(1.0));
+    const TomlValue& ramp = entry.need("ramp");
+    load.ramp = entry.function_of_time(ramp, "ramp");
+    if (!load.ramp) entry.fail(ramp, "ramp", "ramp is 0: the load would never act");
+    entry.finish();
+    body.loads.push_back(std::move(load));
+  }
+}
+
+void read_mirror(TomlCursor& cursor, int dim, Body& body) {
+  if (!cursor.find("mirror")) cursor.table().set("mirror", array_of({}));
+  const std::vector<std::string> allowed(axis_names.begin(), axis_names.begin() + dim);
+  const auto add = [&](const TomlValue& axis) {
+    const std::size_t k = static_cast<std::size_t>(
+        std::find(allowed.begin(), allowed.end(), cursor.text_of(axis, "mirror")) - allowed.begin());
+    if (k == allowed.size()) cursor.fail_unknown(axis, "mirror", "axis", axis.text, allowed);
+    body.mirror[k] = true;
+  };
+  const TomlValue& value = *cursor.find("mirror");
+  if (value.kind != Kind::array) return add(value);
+  std::for_each(value.items.begin(), value.items.end(), add);
+}
+
+Body read_body(TomlCursor& cursor, const Scene& scene) {
+  Body body;
+  body.name = label(cursor, names_of(scene.bodies));
+  body.material = read_material_of(cursor, scene);
+  add_names(cursor.names(), scene.materials[static_cast<std::size_t>(body.material)]);
+  body.shapes = read_shapes(cursor, scene.dim);
+  read_velocity(cursor, scene.dim, body);
+  if (!cursor.find("held")) cursor.table().set("held", TomlValue(0.0));
+  body.held = cursor.function_of(cursor.need("held"), "held");
+  read_mirror(cursor, scene.dim, body);
+  read_parts(cursor, scene, body);
+  read_drives(cursor, scene, body);
+  read_loads(cursor, scene, body);
+  cursor.finish();
+  return body;
+}
+
+}  // namespace
+
+std::string label(TomlCursor& entry, const std::vector<std::string>& taken) {
+  const std::string name = entry.text("name");
+  const auto fits = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
+  if (name.empty() || !std::all_of(name.begin(), name.end(), fits))
+    entry.fail(entry.need("name"), "name",
+               "'" + name + "' is no name: letters, digits, '_' and '-' are allowed");
+  if (std::find(taken.begin(), taken.end(), name) != taken.end())
+    entry.fail(entry.need("name"), "name",
+               "the name '" + name + "' stands for another one already; taken: " + join(taken));
+  return name;
+}
+
+void read_outside(TomlCursor& root, Scene& scene) {
+  if (!root.find("gravity")) root.table().set("gravity", zeros(scene.dim));
+  std::size_t axis = 0;
+  for (const TomlValue& component : components(root, "gravity", scene.dim))
+    scene.gravity[axis++] = root.function_of_time(component, "gravity");
+  scene.damping = root.number("damping", scene.damping);
+  if (!(scene.damping >= 0))
+    root.fail(root.need("damping"), "damping",
+              "damping = " + exact(scene.damping) + " must not be negative, 1/s");
+}
+
+void read_bodies(TomlCursor& root, Scene& scene) {
+  for (TomlValue& value : root.list("body")) {
+    const TomlEntry* name = value.find("name");
+    const std::string known_as = name ? name->value.text : std::to_string(scene.bodies.size() + 1);
+    TomlCursor cursor = root.enter(value, "body." + known_as, "body '" + known_as + "'");
+    scene.bodies.push_back(read_body(cursor, scene));
+  }
+  if (scene.bodies.empty())
+    root.fail(FilePlace{1, 1}, "body",
+              "the scene has no bodies: write at least one [[body]] with name, shape and material");
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const std::string& name = scene.materials[i].name;
+    const auto is_it = [&](const auto& region) { return region.material == static_cast<int>(i); };
+    const auto holds_it = [&](const Body& body) {
+      return is_it(body) || std::ranges::any_of(body.parts, is_it);
+    };
+    if (std::ranges::none_of(scene.bodies, holds_it))
+      root.fail(root.need("material").find(name)->place, "material." + name,
+                "the material '" + name + "' is unused: no body is made of it; remove it or use it");
+  }
+}
+
+}  // namespace taut::cli

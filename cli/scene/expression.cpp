@@ -1,0 +1,137 @@
+#include "cli/scene/expression.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <initializer_list>
+#include <memory>
+#include <numbers>
+#include <string_view>
+#include <utility>
+
+#include <muParser.h>
+
+#include "cli/text/format.hpp"
+#include "cli/text/suggest.hpp"
+
+namespace taut::cli {
+namespace {
+
+/// A parser and the values that it points to.
+struct Formula {
+  mu::Parser parser;
+  Names names;
+  std::array<double, 4> variables{};
+};
+
+std::vector<std::string> known_names(const Formula& formula) {
+  std::vector<std::string> known;
+  for (const auto& variable : formula.parser.GetVar()) known.push_back(variable.first);
+  for (const auto& constant : formula.parser.GetConst()) known.push_back(constant.first);
+  return known;
+}
+
+/// muParser takes `a = 1` for an assignment; a scene never wants one.
+void refuse_assignment(const std::string& text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '=') continue;
+    if (i + 1 < text.size() && text[i + 1] == '=') {
+      ++i;
+      continue;
+    }
+    if (i > 0 && std::string_view("<>!").find(text[i - 1]) != std::string_view::npos) continue;
+    throw ExpressionError("'=' in '" + text + "' would assign; to compare write '=='", i);
+  }
+}
+
+[[noreturn]] void explain(const Formula& formula, const std::string& text, const mu::ParserError& error) {
+  const std::size_t offset = error.GetPos() > 0 ? static_cast<std::size_t>(error.GetPos()) : 0;
+  if (error.GetCode() != mu::ecUNASSIGNABLE_TOKEN)
+    throw ExpressionError("'" + text + "' is not an expression: " + error.GetMsg(), offset);
+  const std::string& token = error.GetToken();
+  if (const char first = token.empty() ? ' ' : token.front();
+      !std::isalpha(static_cast<unsigned char>(first)) && first != '_')
+    throw ExpressionError("'" + text + "' is not an expression: '" + token + "' was not expected", offset);
+  const std::vector<std::string> names = known_names(formula);
+  std::vector<std::string> candidates = names;
+  for (const std::string& function : function_names()) candidates.push_back(function);
+  throw ExpressionError("unknown name '" + token + "' in '" + text + "'" + did_you_mean(token, candidates) +
+                            "; known here: " + join(names) + " and functions like sin and sqrt",
+                        offset);
+}
+
+void define_pi(mu::Parser& parser) {
+  parser.ClearConst();
+  parser.DefineConst("pi", std::numbers::pi);
+}
+
+std::unique_ptr<Formula> parse(const std::string& text, const Names& names,
+                               std::initializer_list<const char*> variables) {
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+    throw ExpressionError("the expression is empty: write a number or an expression", 0);
+  refuse_assignment(text);
+  auto formula = std::make_unique<Formula>();
+  formula->names = names;
+  define_pi(formula->parser);
+  for (auto& [name, value] : formula->names) formula->parser.DefineVar(name, &value);
+  double* value = formula->variables.data();
+  for (const char* variable : variables) formula->parser.DefineVar(variable, value++);
+  try {
+    formula->parser.SetExpr(text);
+    formula->parser.Eval();
+  } catch (const mu::ParserError& error) {
+    explain(*formula, text, error);
+  }
+  if (formula->parser.GetNumResults() != 1)
+    throw ExpressionError("'" + text + "' holds several values; one is expected", 0);
+  return formula;
+}
+
+}  // namespace
+
+double evaluate(const std::string& text, const Names& names) { return parse(text, names, {})->parser.Eval(); }
+
+Expression compile(const std::string& text, const Names& names) {
+  return [formula = std::shared_ptr<Formula>(parse(text, names, {"x", "y", "z"}))](const Point& position) {
+    std::ranges::copy(position, formula->variables.begin());
+    return formula->parser.Eval();
+  };
+}
+
+Solution compile_in_time(const std::string& text, const Names& names) {
+  return [formula = std::shared_ptr<Formula>(parse(text, names, {"x", "y", "z", "t"}))](const Point& position,
+                                                                                        double t) {
+    std::ranges::copy(position, formula->variables.begin());
+    formula->variables.back() = t;
+    return formula->parser.Eval();
+  };
+}
+
+std::function<double(double)> compile_of_time(const std::string& text, const Names& names) {
+  return [formula = std::shared_ptr<Formula>(parse(text, names, {"t"}))](double t) {
+    formula->variables[0] = t;
+    return formula->parser.Eval();
+  };
+}
+
+std::set<std::string> names_in(const std::string& text) {
+  std::set<std::string> names;
+  try {
+    mu::Parser parser;
+    define_pi(parser);
+    parser.SetExpr(text);
+    for (const auto& variable : parser.GetUsedVar()) names.insert(variable.first);
+  } catch (const mu::ParserError&) {
+    // whoever evaluates the text reports what is wrong with it
+  }
+  return names;
+}
+
+std::vector<std::string> function_names() {
+  const mu::Parser parser;
+  std::vector<std::string> names;
+  for (const auto& function : parser.GetFunDef()) names.push_back(function.first);
+  return names;
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,57 @@
+#include "cli/scene/sections.hpp"
+#include "cli/text/format.hpp"
+
+namespace taut::cli {
+namespace {
+
+/// K of E and ν as an expression, so that a resolved scene still follows both.
+const std::string usual_bulk_modulus = "E/(3*(1 - 2*nu))";
+
+void read_bulk_modulus(TomlCursor& cursor, Material& material) {
+  constexpr std::string_view key = "bulk_modulus";
+  if (!cursor.find(key)) cursor.table().set(std::string(key), TomlValue(usual_bulk_modulus));
+  const TomlValue& value = *cursor.find(key);
+  if (value.kind == TomlValue::Kind::text && value.text == usual_bulk_modulus) return;
+  cursor.names()["E"] = material.youngs_modulus;
+  cursor.names()["nu"] = material.poisson_ratio;
+  material.given_bulk_modulus = cursor.positive(key);
+}
+
+Material read_material(TomlCursor cursor, const std::string& name) {
+  Material material{.name = name,
+                    .density = cursor.positive("density"),
+                    .youngs_modulus = cursor.positive("youngs_modulus"),
+                    .poisson_ratio = cursor.number("poisson_ratio")};
+  if (!(material.poisson_ratio > -1 && material.poisson_ratio < 0.5))
+    cursor.fail(
+        cursor.need("poisson_ratio"), "poisson_ratio",
+        "poisson_ratio = " + exact(material.poisson_ratio) +
+            " must lie between -1 and 0.5, without both ends" +
+            (material.poisson_ratio == 0.5 ? ": at 0.5 the bulk modulus would be infinite; 0.49 is rubber"
+                                           : ""));
+  read_bulk_modulus(cursor, material);
+  cursor.finish();
+  return material;
+}
+
+}  // namespace
+
+void add_names(Names& names, const Material& material) {
+  names["c0"] = material.sound_speed();
+  names["E"] = material.youngs_modulus;
+  names["nu"] = material.poisson_ratio;
+  names["rho"] = material.density;
+  names["K"] = material.bulk_modulus();
+  names["G"] = material.shear_modulus();
+}
+
+void read_materials(TomlCursor& root, Scene& scene) {
+  TomlCursor materials = root.enter(root.need("material"), "material", "[material]");
+  for (TomlEntry& entry : materials.table().entries) {
+    materials.find(entry.key);
+    scene.materials.push_back(
+        read_material(materials.enter(entry.value, entry.key, "material '" + entry.key + "'"), entry.key));
+  }
+}
+
+}  // namespace taut::cli

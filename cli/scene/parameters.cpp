@@ -1,0 +1,186 @@
+#include <algorithm>
+#include <cmath>
+
+#include "cli/scene/sections.hpp"
+#include "cli/text/format.hpp"
+#include "cli/text/suggest.hpp"
+#include "engine/families/catalogue.hpp"
+
+namespace taut::cli {
+namespace {
+
+constexpr std::string_view constant_prefix = "method.";
+// what a scene's own expressions and --set give a meaning to
+const std::vector<std::string> reserved_names = {
+    "dp", "pi", "x",      "y",       "z",     "t",   "c0",       "E",       "nu",       "rho",
+    "K",  "G",  "method", "spacing", "until", "cfl", "stepping", "contact", "touching", "law"};
+
+std::string bounds_text(const Parameter& parameter) {
+  const std::string low = parameter.low ? exact(*parameter.low) : "any",
+                    high = parameter.high ? exact(*parameter.high) : "any";
+  return low + " to " + high + (parameter.unit.empty() ? "" : " " + parameter.unit);
+}
+
+bool within_bounds(const Parameter& parameter, double value) {
+  return !(parameter.low && value < *parameter.low) && !(parameter.high && value > *parameter.high);
+}
+
+/// `names` and `defaults` are the values so far, with and without overrides.
+Parameter read_parameter(TomlCursor& entry, const std::string& name, const Changes& changes,
+                         const Names& names, const Names& defaults) {
+  Parameter parameter;
+  parameter.name = name;
+  TomlValue& value = entry.need("value");
+  const bool resolved = entry.find("default") != nullptr;
+  if (!resolved) entry.table().set("default", value);
+  entry.names() = defaults;
+  parameter.default_value = entry.value_of(entry.need("default"), resolved ? "default" : "value");
+  entry.names() = names;
+  const auto change = changes.parameters.find(name);
+  if (change != changes.parameters.end()) {
+    const FilePlace place = value.place;
+    value = TomlValue(changed_number(name, change->second, names));
+    value.place = place;
+  }
+  parameter.value = entry.number("value");
+  parameter.unit = entry.text("unit", "");
+  parameter.help = entry.text("help", "");
+  if (entry.find("min")) parameter.low = entry.number("min");
+  if (entry.find("max")) parameter.high = entry.number("max");
+  entry.finish();
+  const auto complain = [&](double number) {
+    return name + " = " + exact(number) + " is out of bounds; allowed: " + bounds_text(parameter);
+  };
+  if (!within_bounds(parameter, parameter.default_value))
+    entry.fail(value, "value", complain(parameter.default_value));
+  if (!within_bounds(parameter, parameter.value)) throw UsageError(complain(parameter.value));
+  return parameter;
+}
+
+/// Reads a parameter's texts without their meaning.
+std::set<std::string> names_in_parameter(const TomlValue& table, const std::string* change) {
+  std::set<std::string> names;
+  for (const TomlEntry& entry : table.entries)
+    if (entry.value.kind == TomlValue::Kind::text && entry.key != "unit" && entry.key != "help")
+      names.merge(names_in(entry.value.text));
+  if (change) names.merge(names_in(*change));
+  return names;
+}
+
+}  // namespace
+
+void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string_view kind) {
+  const auto taken = [&](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), entry.key) != names.end();
+  };
+  if (!is_identifier(entry.key))
+    table.fail(entry.place, entry.key,
+               "'" + entry.key + "' is no name for a " + std::string(kind) +
+                   ": letters, digits and '_' are allowed");
+  if (taken(reserved_names) || taken(function_names()))
+    table.fail(entry.place, entry.key,
+               "the name '" + entry.key + "' has a meaning already; choose another one than " +
+                   join(reserved_names) + " and the names of functions");
+}
+
+Changes by_target(const Overrides& overrides) {
+  Changes changes;
+  changes.method = overrides.method;
+  if (overrides.spacing) changes.spacing = exact(*overrides.spacing);
+  if (overrides.until) changes.until = exact(*overrides.until);
+  for (const auto& [name, text] : overrides.set) {
+    if (name == "method")
+      changes.method = text;
+    else if (name == "stepping")
+      changes.stepping = text;
+    else if (name == "contact")
+      changes.contact = text;
+    else if (name == "law")
+      changes.law = text;
+    else if (name == "cfl")
+      changes.cfl = text;
+    else if (name == "spacing")
+      changes.spacing = text;
+    else if (name == "until")
+      changes.until = text;
+    else if (name.starts_with(constant_prefix))
+      changes.constants[name.substr(constant_prefix.size())] = text;
+    else
+      changes.parameters[name] = text;
+  }
+  return changes;
+}
+
+std::vector<std::string> names_to_set(const SceneFile& file) {
+  std::vector<std::string> names = names_of(file.parameters);
+  for (const MethodConstant& constant : find_method(file.settings.method)->constants)
+    names.push_back(std::string(constant_prefix) + std::string(constant.name));
+  for (const char* reserved : {"method", "spacing", "until", "cfl", "stepping", "contact", "law"})
+    names.emplace_back(reserved);
+  return names;
+}
+
+void check_names(const Changes& changes, const SceneFile& file) {
+  const std::vector<std::string> known = names_to_set(file);
+  const auto check = [&](const std::string& name) {
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw UsageError("'" + name + "' cannot be set in the scene '" + file.scene.name +
+                       "' with the method '" + file.settings.method + "'" + did_you_mean(name, known) +
+                       "; what can be set: " + join(known));
+  };
+  for (const auto& change : changes.parameters) check(change.first);
+  for (const auto& change : changes.constants) check(std::string(constant_prefix) + change.first);
+}
+
+double changed_number(std::string_view name, const std::string& text, const Names& names) {
+  double value = 0;
+  try {
+    value = evaluate(text, names);
+  } catch (const ExpressionError& error) {
+    throw UsageError(std::string(name) + ": " + error.what());
+  }
+  if (!std::isfinite(value))
+    throw UsageError(std::string(name) + " = '" + text + "' is " + exact(value) +
+                     "; a finite number is needed");
+  return value;
+}
+
+double changed_positive(std::string_view name, const std::string& text, const Names& names) {
+  const double value = changed_number(name, text, names);
+  if (!(value > 0)) throw UsageError(std::string(name) + " = " + text + " must be greater than 0");
+  return value;
+}
+
+std::set<std::string> names_that_need_dp(TomlCursor& root, const Changes& changes) {
+  std::set<std::string> needing = {"dp"};
+  const TomlValue* parameters = root.find("parameters");
+  if (!parameters) return needing;
+  for (const TomlEntry& entry : parameters->entries) {
+    const auto change = changes.parameters.find(entry.key);
+    const auto names =
+        names_in_parameter(entry.value, change == changes.parameters.end() ? nullptr : &change->second);
+    if (std::any_of(names.begin(), names.end(), [&](const auto& name) { return needing.contains(name); }))
+      needing.insert(entry.key);
+  }
+  return needing;
+}
+
+void read_parameters(TomlCursor& root, const Changes& changes, std::optional<double> dp, SceneFile& file) {
+  const std::set<std::string> left_out = dp ? std::set<std::string>{} : names_that_need_dp(root, changes);
+  TomlCursor parameters = root.section("parameters", "[parameters]");
+  Names names, defaults;
+  if (dp) names["dp"] = defaults["dp"] = *dp;
+  for (TomlEntry& entry : parameters.table().entries) {
+    parameters.find(entry.key);
+    check_new_name(parameters, entry, "parameter");
+    if (left_out.contains(entry.key)) continue;
+    TomlCursor cursor = parameters.enter(entry.value, entry.key, "parameter '" + entry.key + "'");
+    const Parameter parameter = read_parameter(cursor, entry.key, changes, names, defaults);
+    names[entry.key] = parameter.value;
+    defaults[entry.key] = parameter.default_value;
+    file.parameters.push_back(parameter);
+  }
+  root.names() = names;
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,222 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <span>
+
+#include "cli/scene/sections.hpp"
+#include "cli/text/format.hpp"
+#include "engine/families/catalogue.hpp"
+
+namespace taut::cli {
+namespace {
+
+const std::vector<std::string> laws = {"2d_deviator", "neo_hookean", "st_venant_kirchhoff", "linear_elastic"};
+
+bool alike(double a, double b) {
+  constexpr double tolerance = 1e-9;  // relative
+  return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
+}
+
+/// A reference was made for one set of parameters: those of `when`, and the scene's own for the rest. One
+/// that only has solutions, which are expressions of the parameters, holds for all but those of `when`.
+bool holds(TomlCursor& reference, const std::vector<Parameter>& parameters) {
+  std::map<std::string, double> wanted;
+  if (reference.find("values") || reference.find("tables"))
+    for (const Parameter& parameter : parameters) wanted[parameter.name] = parameter.default_value;
+  if (TomlValue* value = reference.find("when")) {
+    TomlCursor when = reference.enter(*value, "when", "'when' of " + reference.what());
+    for (const TomlEntry& entry : when.table().entries) {
+      if (index_of(parameters, entry.key) == parameters.size())
+        when.fail_unknown(entry.value, entry.key, "parameter", entry.key, names_of(parameters));
+      wanted[entry.key] = when.number(entry.key);
+    }
+  }
+  return std::all_of(parameters.begin(), parameters.end(), [&](const Parameter& parameter) {
+    const auto found = wanted.find(parameter.name);
+    return found == wanted.end() || alike(parameter.value, found->second);
+  });
+}
+
+/// Numbers for the expressions of a reference, each of the ones before.
+void read_names(TomlCursor& reference) {
+  TomlValue* table = reference.find("let");
+  if (!table) return;
+  TomlCursor cursor = reference.enter(*table, "let", "'let' of " + reference.what());
+  for (const TomlEntry& entry : cursor.table().entries) {
+    check_new_name(cursor, entry, "number");
+    if (cursor.names().contains(entry.key))
+      cursor.fail(entry.place, entry.key, "the name '" + entry.key + "' stands for a parameter already");
+    const double value = cursor.number(entry.key);
+    cursor.names()[entry.key] = value;
+  }
+  reference.names() = cursor.names();
+}
+
+const Measure& known_measure(TomlCursor& cursor, const TomlEntry& entry, const Scene& scene) {
+  const std::size_t i = index_of(scene.measures, entry.key);
+  if (i < scene.measures.size()) return scene.measures[i];
+  TomlValue key;
+  key.place = entry.place;
+  cursor.fail_unknown(key, entry.key, "measure", entry.key, names_of(scene.measures));
+}
+
+std::map<std::string, double> read_values(TomlCursor& reference, const Scene& scene) {
+  std::map<std::string, double> values;
+  TomlValue* table = reference.find("values");
+  if (!table) return values;
+  TomlCursor cursor = reference.enter(*table, "values", "'values' of " + reference.what());
+  for (const TomlEntry& entry : cursor.table().entries) {
+    known_measure(cursor, entry, scene);
+    values[entry.key] = cursor.number(entry.key);
+  }
+  return values;
+}
+
+bool is_one_of(Measure::Kind kind, std::initializer_list<Measure::Kind> kinds) {
+  return std::ranges::find(kinds, kind) != kinds.end();
+}
+
+/// The measure of an entry, which must be one that is compared with a table over time.
+const Measure& table_measure(TomlCursor& cursor, const TomlEntry& entry, const Scene& scene) {
+  using enum Measure::Kind;
+  const Measure& measure = known_measure(cursor, entry, scene);
+  if (!is_one_of(measure.kind, {rmse, path_error, turn}))
+    cursor.fail(entry.place, entry.key,
+                "the measure '" + entry.key + "' takes no table; only one of rmse, path_error or turn does");
+  return measure;
+}
+
+const Measure& solution_measure(TomlCursor& cursor, const TomlEntry& entry, const Scene& scene) {
+  using enum Measure::Kind;
+  const Measure& measure = known_measure(cursor, entry, scene);
+  if (!is_one_of(measure.kind, {rmse, path_error, turn, line_rmse, at_rest, field_rmse, field_error}))
+    cursor.fail(
+        entry.place, entry.key,
+        "the measure '" + entry.key +
+            "' takes no solution; only one of rmse, path_error, turn, line_rmse, at_rest, field_rmse or "
+            "field_error does");
+  return measure;
+}
+
+/// `column = "uy"`, or `columns = ["x", "y"]` for a measure of several probes.
+std::vector<std::string> column_names(TomlCursor& entry, const Measure& measure) {
+  const std::size_t number = measure.probes.size();
+  if (number == 1) return {entry.text("column")};
+  const TomlValue& value = entry.need("columns");
+  if (value.kind != TomlValue::Kind::array || value.items.size() != number)
+    entry.fail(value, "columns",
+               "columns must be an array of " + std::to_string(number) + " names of columns, one per probe");
+  std::vector<std::string> names;
+  for (const TomlValue& item : value.items) names.push_back(entry.text_of(item, "columns"));
+  return names;
+}
+
+ReferenceTable read_one_table(TomlCursor entry, const Measure& measure, const std::filesystem::path& folder) {
+  const std::filesystem::path path = (folder / entry.text("file")).lexically_normal();
+  const std::vector<std::string> columns = column_names(entry, measure);
+  entry.finish();
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+    entry.fail(entry.need("file"), "file",
+               "there is no table '" + path.string() + "'; the path starts at the scene's folder");
+  entry.table().set("file", TomlValue(path.string()));
+  return read_table(path, columns);
+}
+
+std::map<std::string, ReferenceTable> read_tables(TomlCursor& reference, const SceneFile& file) {
+  std::map<std::string, ReferenceTable> tables;
+  TomlValue* table = reference.find("tables");
+  if (!table) return tables;
+  const std::filesystem::path folder = std::filesystem::absolute(file.path).parent_path();
+  TomlCursor cursor = reference.enter(*table, "tables", "'tables' of " + reference.what());
+  for (TomlEntry& entry : cursor.table().entries) {
+    const Measure& measure = table_measure(cursor, entry, file.scene);
+    tables[entry.key] =
+        read_one_table(cursor.enter(entry.value, entry.key, "table '" + entry.key + "'"), measure, folder);
+  }
+  return tables;
+}
+
+/// An expression of t (of a line or fields: of the place x, y too), or an array of them for a measure of
+/// several probes or fields.
+std::map<std::string, std::vector<Solution>> read_solutions(TomlCursor& reference, const Scene& scene) {
+  std::map<std::string, std::vector<Solution>> solutions;
+  TomlValue* table = reference.find("solutions");
+  if (!table) return solutions;
+  TomlCursor cursor = reference.enter(*table, "solutions", "'solutions' of " + reference.what());
+  for (const TomlEntry& entry : cursor.table().entries) {
+    const Measure& measure = solution_measure(cursor, entry, scene);
+    const std::size_t number = std::max({std::size_t{1}, measure.probes.size(), measure.fields.size()});
+    const bool several = entry.value.kind == TomlValue::Kind::array;
+    if (number != (several ? entry.value.items.size() : 1))
+      cursor.fail(entry.value, entry.key,
+                  "the measure '" + entry.key + "' follows " + std::to_string(number) +
+                      (measure.fields.empty() ? " probes" : " fields") +
+                      ": write an array of as many expressions of t");
+    const std::span<const TomlValue> items =
+        several ? std::span<const TomlValue>(entry.value.items) : std::span(&entry.value, 1);
+    for (const TomlValue& item : items) solutions[entry.key].push_back(cursor.solution(item, entry.key));
+  }
+  return solutions;
+}
+
+/// `methods = ["icb"]`: a reference for the law of these methods alone.
+bool is_for(TomlCursor& reference, const std::string& method) {
+  const TomlValue* value = reference.find("methods");
+  if (!value) return true;
+  if (value->kind != TomlValue::Kind::array)
+    reference.fail(*value, "methods", "methods must be an array of names of methods");
+  bool named = false;
+  for (const TomlValue& item : value->items) {
+    const std::string name = reference.text_of(item, "methods");
+    if (!find_method(name)) reference.fail_unknown(item, "methods", "method", name, names_of(methods()));
+    named |= name == method;
+  }
+  return named;
+}
+
+/// Of several references that hold, one for the method counts before one for any, and then one made for these
+/// very parameters before one whose solutions hold for any.
+int precedence(TomlCursor& reference) {
+  const bool for_any = reference.find("solutions") && !reference.find("values") && !reference.find("tables");
+  return 2 * (reference.find("methods") != nullptr) + !for_any;
+}
+
+/// A measure is compared with one thing.
+void refuse_second_curve(TomlCursor& cursor, const TomlValue& value, const Reference& reference) {
+  for (const auto& entry : reference.solution)
+    if (reference.table.contains(entry.first))
+      cursor.fail(value, "solutions",
+                  "the measure '" + entry.first + "' has a table and a solution; leave one out");
+}
+
+}  // namespace
+
+void read_references(TomlCursor& root, SceneFile& file) {
+  std::map<std::string, int> taken;  // precedence of each law's reference
+  for (TomlValue& value : root.list("reference")) {
+    TomlCursor cursor = root.enter(value, "reference", "a reference");
+    const std::string law = cursor.choice("law", laws);
+    read_names(cursor);
+    const Reference reference{.name = cursor.text("name"),
+                              .value = read_values(cursor, file.scene),
+                              .table = read_tables(cursor, file),
+                              .solution = read_solutions(cursor, file.scene)};
+    refuse_second_curve(cursor, value, reference);
+    const bool for_parameters = holds(cursor, file.parameters);
+    const bool applies = is_for(cursor, file.settings.method) && for_parameters;
+    cursor.finish();
+    if (!applies) continue;
+    const int rank = precedence(cursor);
+    const auto before = taken.find(law);
+    if (before != taken.end() && before->second == rank)
+      cursor.fail(
+          value, "law",
+          "two references of the law '" + law + "' hold for these parameters; tell them apart with 'when'");
+    if (before != taken.end() && before->second > rank) continue;
+    taken[law] = rank;
+    file.scene.references[law] = reference;
+  }
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,162 @@
+#include "cli/scene/scene_file.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "cli/scene/sections.hpp"
+#include "cli/text/format.hpp"
+#include "cli/text/suggest.hpp"
+
+namespace taut::cli {
+namespace {
+
+/// Places by dotted path; an entry of [[list]] goes by its name.
+void collect_places(const TomlValue& value, const std::string& path,
+                    std::map<std::string, FilePlace>& places) {
+  if (!path.empty()) places.emplace(path, value.place);
+  for (const TomlEntry& entry : value.entries)
+    collect_places(entry.value, path.empty() ? entry.key : path + "." + entry.key, places);
+  for (const TomlValue& item : value.items) {
+    const TomlEntry* name = item.find("name");
+    if (name && name->value.kind == TomlValue::Kind::text)
+      collect_places(item, path + "." + name->value.text, places);
+  }
+}
+
+/// First of all: a misspelt table would else be reported as missing.
+void refuse_unknown_keys(TomlCursor& root) {
+  for (const char* key :
+       {"name",       "title",    "source",  "dim",   "spacing", "until",   "history",   "method",
+        "stepping",   "cfl",      "contact", "law",   "gravity", "damping", "wall",      "method_constants",
+        "parameters", "material", "body",    "probe", "line",    "measure", "reference", "render"})
+    root.find(key);
+  root.finish();
+}
+
+/// The spacing that was asked for, before it is fitted to the first body.
+double asked_spacing(TomlValue tree, const Changes& changes, TomlSource& source) {
+  SceneFile file;
+  TomlCursor root(tree, "", "the scene", {}, source);
+  refuse_unknown_keys(root);
+  read_parameters(root, changes, {}, file);
+  const TomlValue& spacing = root.need("spacing");
+  const std::set<std::string> unknown_yet = names_that_need_dp(root, changes);
+  for (const std::string& name :
+       spacing.kind == TomlValue::Kind::text ? names_in(spacing.text) : std::set<std::string>{})
+    if (unknown_yet.contains(name))
+      root.fail(spacing, "spacing",
+                "spacing = '" + spacing.text + "' depends on dp, which is the spacing itself");
+  const double asked = root.positive("spacing");
+  return changes.spacing ? changed_positive("spacing", *changes.spacing, root.names()) : asked;
+}
+
+void read_head(TomlCursor& root, SceneFile& file) {
+  Scene& scene = file.scene;
+  scene.name = root.text("name", file.path.stem().string());
+  scene.title = root.text("title", scene.name);
+  scene.source = root.text("source", "");
+  constexpr int default_dim = 2;
+  const int dim =
+      root.whole("dim", default_dim, std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
+  if (dim != default_dim)
+    root.fail(root.need("dim"), "dim",
+              "dim = " + std::to_string(dim) + ": only dim = 2 is available in this version");
+  scene.dim = dim;
+}
+
+void read_times(TomlCursor& root, const Changes& changes, double dp, SceneFile& file) {
+  constexpr double default_rows = 1000;  // of history.csv
+  root.find("spacing");
+  root.table().set("spacing", TomlValue(dp));
+  file.scene.spacing = dp;
+  file.scene.until = root.positive("until");
+  if (changes.until) file.scene.until = changed_positive("until", *changes.until, root.names());
+  root.table().set("until", TomlValue(file.scene.until));
+  file.history = root.find("history") ? root.positive("history") : file.scene.until / default_rows;
+  root.table().set("history", TomlValue(*file.history));
+}
+
+/// A parameter with a `default` comes from a resolved scene, where an override may have replaced what used
+/// it.
+void refuse_unused_parameters(TomlCursor& root, const TomlValue& original, const TomlSource& source) {
+  const TomlEntry* parameters = original.find("parameters");
+  if (!parameters) return;
+  for (const TomlEntry& entry : parameters->value.entries)
+    if (!source.used.contains(entry.key) && !entry.value.find("default"))
+      root.fail(entry.place, "parameters." + entry.key,
+                "the parameter '" + entry.key + "' is unused: no expression names it; remove it or use it");
+}
+
+/// The scene with dp as the spacing.
+SceneFile read_with(double dp, const std::filesystem::path& path, const TomlValue& original,
+                    const Changes& changes, TomlSource& source) {
+  SceneFile file;
+  file.path = path;
+  TomlValue tree = original;
+  TomlCursor root(tree, "", "the scene", {}, source);
+  read_head(root, file);
+  read_parameters(root, changes, dp, file);
+  read_settings(root, changes, file);
+  read_times(root, changes, dp, file);
+  read_outside(root, file.scene);
+  read_materials(root, file.scene);
+  read_bodies(root, file.scene);
+  read_walls(root, file.scene);
+  read_probes(root, file.scene);
+  read_lines(root, file.scene);
+  read_measures(root, file.scene);
+  read_references(root, file);
+  read_drawing(root, file.drawing);
+  refuse_unused_parameters(root, original, source);
+  collect_places(tree, "", file.places);
+  file.resolved = print_toml(tree);
+  return file;
+}
+
+}  // namespace
+
+SceneFile read_scene(const std::filesystem::path& path, const Overrides& overrides) {
+  TomlSource source;
+  source.file = path.string();
+  const TomlValue tree = parse_toml(file_text(path), source.file);
+  const Changes changes = by_target(overrides);
+  constexpr int most_rounds = 10;
+  double dp = asked_spacing(tree, changes, source);
+  for (int round = 0; round < most_rounds; ++round) {
+    SceneFile file = read_with(dp, path, tree, changes, source);
+    double fitted = 0;
+    try {
+      fitted = fitted_spacing(file.scene.bodies.front(), file.scene.dim, dp);
+    } catch (const SceneError& error) {
+      throw locate(file, error);
+    }
+    if (fitted == dp) return file;
+    dp = fitted;
+  }
+  const FilePlace place = tree.find("spacing")->value.place;
+  throw SceneError(
+      source.file, place.line, place.column, "spacing",
+      "no spacing divides the first body into whole particles, since its size depends on dp itself");
+}
+
+SceneError locate(const SceneFile& scene, const SceneError& error) {
+  if (error.line > 0) return error;
+  std::string key = error.key;
+  while (!key.empty() && !scene.places.contains(key)) {
+    const std::size_t dot = key.rfind('.');
+    key.resize(dot == std::string::npos ? 0 : dot);
+  }
+  const auto found = scene.places.find(key);
+  const FilePlace place = found == scene.places.end() ? FilePlace{} : found->second;
+  return {scene.path.string(), place.line, place.column, error.key, error.what()};
+}
+
+std::string resolved_text(const SceneFile& scene) {
+  TomlValue tree = parse_toml(scene.resolved, scene.path.string());
+  if (scene.history) tree.set("history", TomlValue(*scene.history));
+  tree.set("render", drawing_table(scene.drawing));
+  return print_toml(tree);
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/scene/scene_file.hpp"
+#include "cli/scene/toml_cursor.hpp"
+
+/// The parts of a scene file, each read by a function of its own: it takes the cursor of the whole file and
+/// writes what it finds into the scene, and defaults and overrides into the file's table.
+namespace taut::cli {
+
+/// Overrides by what they change, as typed; the last one of a name counts.
+struct Changes {
+  std::optional<std::string> method, stepping, contact, law, cfl, spacing, until;
+  std::map<std::string, std::string> parameters;
+  std::map<std::string, std::string> constants;  // of the method
+};
+Changes by_target(const Overrides& overrides);
+/// Throws UsageError for what is neither a parameter nor a constant of the method.
+void check_names(const Changes& changes, const SceneFile& file);
+/// The value of an override; throws UsageError where it is not a finite number.
+double changed_number(std::string_view name, const std::string& text, const Names& names);
+/// The same, greater than 0.
+double changed_positive(std::string_view name, const std::string& text, const Names& names);
+
+/// The parameters become names of `root`. Without `dp` those that depend on it are left out.
+void read_parameters(TomlCursor& root, const Changes& changes, std::optional<double> dp, SceneFile& file);
+/// dp and the parameters that follow from it.
+std::set<std::string> names_that_need_dp(TomlCursor& root, const Changes& changes);
+/// Method, its constants and law, stepping, cfl, contact.
+void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file);
+/// Gravity and damping.
+void read_outside(TomlCursor& root, Scene& scene);
+void read_materials(TomlCursor& root, Scene& scene);
+void read_bodies(TomlCursor& root, Scene& scene);
+void read_walls(TomlCursor& root, Scene& scene);
+void read_probes(TomlCursor& root, Scene& scene);
+void read_lines(TomlCursor& root, Scene& scene);
+void read_measures(TomlCursor& root, Scene& scene);
+void read_references(TomlCursor& root, SceneFile& file);
+void read_drawing(TomlCursor& root, Drawing& drawing);
+/// The drawing as a table of its own.
+TomlValue drawing_table(const Drawing& drawing);
+
+/// Columns `t` and `columns` of a CSV file; lines that start with # are comments. Throws SceneError with the
+/// place in that file.
+ReferenceTable read_table(const std::filesystem::path& path, const std::vector<std::string>& columns);
+/// The whole file; throws SceneError if it is not there, cannot be read or is larger than 4 MiB.
+std::string file_text(const std::filesystem::path& path);
+
+/// Throws SceneError for a key that cannot be a name in expressions, or is one already.
+void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string_view kind);
+/// The name of an entry: letters, digits, '_' and '-', not one of `taken`.
+std::string label(TomlCursor& entry, const std::vector<std::string>& taken);
+/// The names that an expression about a body knows besides the parameters: c0, E, nu, rho, K, G.
+void add_names(Names& names, const Material& material);
+
+/// The body that `value` names.
+int body_index(TomlCursor& cursor, const TomlValue& value, std::string_view key, const Scene& scene);
+/// What can be drawn or sampled.
+std::vector<std::string> names_of_fields();
+
+/// The tables of [[key]], each with a cursor that knows its name.
+template <class Read>
+void read_each(TomlCursor& root, const std::string& key, const Read& read) {
+  int number = 0;
+  for (TomlValue& value : root.list(key)) {
+    const TomlEntry* name = value.find("name");
+    const std::string known_as = name ? name->value.text : std::to_string(++number);
+    TomlCursor cursor = root.enter(value, key + "." + known_as, key + " '" + known_as + "'");
+    read(cursor);
+  }
+}
+
+template <class Items>
+std::vector<std::string> names_of(const Items& items) {
+  std::vector<std::string> names;
+  for (const auto& item : items) names.emplace_back(item.name);
+  return names;
+}
+
+/// The place of `name` among the items' names, or their number.
+template <class Items>
+std::size_t index_of(const Items& items, std::string_view name) {
+  std::size_t i = 0;
+  while (i < items.size() && items[i].name != name) ++i;
+  return i;
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,255 @@
+#include "cli/scene/toml_cursor.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <utility>
+
+#include "cli/text/format.hpp"
+#include "cli/text/suggest.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+using Kind = TomlValue::Kind;
+
+std::string place_text(const Point& x) {
+  std::string text = "(";
+  return text.append(exact(x[0]))
+      .append(", ")
+      .append(exact(x[1]))
+      .append(", ")
+      .append(exact(x[2]))
+      .append(")");
+}
+
+std::string time_text(double t) { return "t = " + exact(t) + " s"; }
+
+std::string quote(std::string_view name) { return std::string("'").append(name).append("'"); }
+
+}  // namespace
+
+bool is_identifier(std::string_view name) {
+  const auto fits = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
+  return !name.empty() && !std::isdigit(static_cast<unsigned char>(name.front())) &&
+         std::all_of(name.begin(), name.end(), fits);
+}
+
+TomlCursor::TomlCursor(TomlValue& table, std::string path, std::string what, Names names, TomlSource& source)
+    : table_(table),
+      path_(std::move(path)),
+      what_(std::move(what)),
+      names_(std::move(names)),
+      source_(source) {}
+
+TomlValue* TomlCursor::find(std::string_view key) {
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
+  TomlEntry* entry = table_.find(key);
+  if (!entry) return nullptr;
+  entry->known = true;
+  return &entry->value;
+}
+
+TomlValue& TomlCursor::need(std::string_view key) {
+  if (TomlValue* value = find(key)) return *value;
+  // a misspelt key is the likeliest reason
+  std::vector<std::string> others;
+  for (const TomlEntry& entry : table_.entries)
+    if (!entry.known) others.push_back(entry.key);
+  const std::vector<std::string> near = nearest(key, others);
+  const FilePlace place = near.empty() ? table_.place : table_.find(near.front())->place;
+  fail(place, key,
+       quote(key) + " is missing in " + what_ + (near.empty() ? "" : "; there is " + quote(near.front())));
+}
+
+std::string TomlCursor::text(std::string_view key) { return text_of(need(key), key); }
+
+std::string TomlCursor::text(std::string_view key, std::string_view otherwise) {
+  if (!find(key)) table_.set(key, TomlValue(std::string(otherwise)));
+  return text(key);
+}
+
+std::string TomlCursor::choice(std::string_view key, const std::vector<std::string>& allowed) {
+  const std::string given = text(key);
+  if (std::find(allowed.begin(), allowed.end(), given) == allowed.end())
+    fail_unknown(*find(key), key, std::string(key), given, allowed);
+  return given;
+}
+
+double TomlCursor::number(std::string_view key) { return value_of(need(key), key); }
+
+double TomlCursor::number(std::string_view key, double otherwise) {
+  if (!find(key)) table_.set(key, TomlValue(otherwise));
+  return number(key);
+}
+
+double TomlCursor::positive(std::string_view key) {
+  const double value = number(key);
+  if (!(value > 0))
+    fail(*find(key), key, std::string(key) + " = " + exact(value) + " must be greater than 0");
+  return value;
+}
+
+int TomlCursor::whole(std::string_view key, int otherwise, int low, int high) {
+  if (!find(key)) {
+    TomlValue value(otherwise);
+    value.whole = true;
+    table_.set(key, std::move(value));
+  }
+  const TomlValue& value = *find(key);
+  const double given = value_of(value, key);
+  if (given != std::floor(given) || given < low || given > high)
+    fail(value, key,
+         std::string(key) + " = " + exact(given) + " must be a whole number from " + std::to_string(low) +
+             " to " + std::to_string(high));
+  return static_cast<int>(given);
+}
+
+std::vector<double> TomlCursor::numbers(std::string_view key, std::size_t size) {
+  const TomlValue& value = need(key);
+  if (value.kind != Kind::array || value.items.size() != size)
+    fail(value, key,
+         std::string(key) + " must be an array of " + std::to_string(size) + " numbers, this is " +
+             (value.kind == Kind::array ? "one of " + std::to_string(value.items.size())
+                                        : std::string(value.kind_name())));
+  std::vector<double> result;
+  for (const TomlValue& item : value.items) result.push_back(value_of(item, key));
+  return result;
+}
+
+Point TomlCursor::point(std::string_view key, int dim) {
+  Point result{};
+  const std::vector<double> components = numbers(key, static_cast<std::size_t>(dim));
+  std::copy(components.begin(), components.end(), result.begin());
+  return result;
+}
+
+double TomlCursor::value_of(const TomlValue& value, std::string_view key) {
+  double result = 0;
+  if (value.kind == Kind::number) {
+    result = value.number;
+  } else if (value.kind == Kind::text) {
+    try {
+      result = evaluate(value.text, names_);
+    } catch (const ExpressionError& error) {
+      fail_expression(value, key, error);
+    }
+    note_names(value.text);
+  } else {
+    fail(value, key,
+         std::string(key) + " must be a number or an expression, this is " + std::string(value.kind_name()));
+  }
+  if (!std::isfinite(result))
+    fail(value, key, std::string(key) + " is " + exact(result) + "; a finite number is needed");
+  return result;
+}
+
+template <class... Arguments, class Compile, class Show>
+std::function<double(Arguments...)> TomlCursor::function(const TomlValue& value, std::string_view key,
+                                                         const Compile& compile, const Show& show) {
+  std::function<double(Arguments...)> function;
+  if (value.kind != Kind::text) {
+    const double constant = value_of(value, key);
+    if (constant == 0) return {};
+    return [constant](Arguments...) { return constant; };
+  }
+  try {
+    function = compile(value.text, names_);
+  } catch (const ExpressionError& error) {
+    fail_expression(value, key, error);
+  }
+  note_names(value.text);
+  const SceneError failure(source_.file, value.place.line, value.place.column, full_path(key), "");
+  return [function, failure, show, name = std::string(key), text = value.text](Arguments... at) {
+    const double result = function(at...);
+    if (!std::isfinite(result))
+      throw SceneError(failure.file, failure.line, failure.column, failure.key,
+                       name + " = '" + text + "' is " + exact(result) + " at " + show(at...) +
+                           "; a finite number is needed");
+    return result;
+  };
+}
+
+Expression TomlCursor::function_of(const TomlValue& value, std::string_view key) {
+  return function<const Point&>(value, key, compile, place_text);
+}
+
+std::function<double(double)> TomlCursor::function_of_time(const TomlValue& value, std::string_view key) {
+  return function<double>(value, key, compile_of_time, time_text);
+}
+
+Solution TomlCursor::solution(const TomlValue& value, std::string_view key) {
+  const Solution solution = function<const Point&, double>(
+      value, key, compile_in_time,
+      [](const Point& x, double t) { return place_text(x) + ", " + time_text(t); });
+  return solution ? solution : [](const Point&, double) { return 0.0; };
+}
+
+std::string TomlCursor::text_of(const TomlValue& value, std::string_view key) {
+  if (value.kind != Kind::text)
+    fail(value, key,
+         std::string(key) + " must be a text in quotes, this is " + std::string(value.kind_name()));
+  return value.text;
+}
+
+TomlCursor TomlCursor::enter(TomlValue& value, std::string_view key, std::string what) {
+  if (value.kind != Kind::table)
+    fail(value, key, what + " must be a table, this is " + std::string(value.kind_name()));
+  return {value, full_path(key), std::move(what), names_, source_};
+}
+
+TomlCursor TomlCursor::section(std::string_view key, std::string what) {
+  if (!find(key)) {
+    TomlValue empty;
+    empty.section = true;
+    table_.set(key, std::move(empty));
+  }
+  return enter(*find(key), key, std::move(what));
+}
+
+std::span<TomlValue> TomlCursor::list(std::string_view key) {
+  TomlValue* value = find(key);
+  if (!value) return {};
+  if (value->kind != Kind::array)
+    fail(*value, key, std::string(key) + " must be written [[" + std::string(key) + "]], once for each");
+  return value->items;
+}
+
+void TomlCursor::fail(FilePlace place, std::string_view key, const std::string& message) const {
+  throw SceneError(source_.file, place.line, place.column, full_path(key), message);
+}
+
+void TomlCursor::fail(const TomlValue& value, std::string_view key, const std::string& message) const {
+  fail(value.place, key, message);
+}
+
+void TomlCursor::fail_unknown(const TomlValue& value, std::string_view key, std::string_view kind,
+                              std::string_view given, const std::vector<std::string>& known) const {
+  fail(value, key,
+       "unknown " + std::string(kind) + " " + quote(given) + did_you_mean(given, known) + "; " +
+           (known.empty() ? "there is none" : "there are: " + join(known)));
+}
+
+void TomlCursor::fail_expression(const TomlValue& value, std::string_view key,
+                                 const ExpressionError& error) const {
+  FilePlace place = value.place;
+  if (value.verbatim) place.column += 1 + static_cast<int>(std::min(error.offset, value.text.size()));
+  fail(place, key, std::string(key) + ": " + error.what());
+}
+
+void TomlCursor::finish() const {
+  for (const TomlEntry& entry : table_.entries)
+    if (!entry.known)
+      fail(entry.place, entry.key,
+           "unknown key " + quote(entry.key) + " in " + what_ + did_you_mean(entry.key, known_) +
+               "; known here: " + join(known_));
+}
+
+void TomlCursor::note_names(const std::string& text) { source_.used.merge(names_in(text)); }
+
+std::string TomlCursor::full_path(std::string_view key) const {
+  return path_.empty() || key.empty() ? path_ + std::string(key) : path_ + "." + std::string(key);
+}
+
+}  // namespace taut::cli

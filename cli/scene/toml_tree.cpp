@@ -1,0 +1,153 @@
+#include "cli/scene/toml_tree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <utility>
+
+#include "cli/text/format.hpp"
+
+namespace taut::cli {
+namespace {
+
+std::string quoted(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += c;
+    } else if (c == '\n') {
+      result += "\\n";
+    } else if (c == '\t') {
+      result += "\\t";
+    } else if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') {
+      std::array<char, 8> escape{};
+      std::snprintf(escape.data(), escape.size(), "\\u%04X", static_cast<unsigned>(c));
+      result += escape.data();
+    } else {
+      result += c;
+    }
+  }
+  return result + '"';
+}
+
+std::string key_text(const std::string& key) {
+  constexpr std::string_view bare = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
+  return !key.empty() && key.find_first_not_of(bare) == std::string::npos ? key : quoted(key);
+}
+
+std::string number_text(const TomlValue& value) {
+  std::string text = exact(value.number);
+  // a real number keeps its point, so that none is too long for an integer of TOML
+  if (!value.whole && text.find_first_of(".en") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string value_text(const TomlValue& value) {
+  using Kind = TomlValue::Kind;
+  switch (value.kind) {
+    case Kind::text:
+      return quoted(value.text);
+    case Kind::number:
+      return number_text(value);
+    case Kind::boolean:
+      return value.flag ? "true" : "false";
+    case Kind::array: {
+      std::vector<std::string> items;
+      for (const TomlValue& item : value.items) items.push_back(value_text(item));
+      return std::string("[").append(join(items)).append("]");
+    }
+    case Kind::table: {
+      std::vector<std::string> entries;
+      for (const TomlEntry& entry : value.entries)
+        entries.push_back(key_text(entry.key) + " = " + value_text(entry.value));
+      return entries.empty() ? "{}" : "{ " + join(entries) + " }";
+    }
+    case Kind::date:
+      break;
+  }
+  return "";
+}
+
+bool is_section(const TomlValue& value) { return value.kind == TomlValue::Kind::table && value.section; }
+
+bool is_section_list(const TomlValue& value) {
+  return value.kind == TomlValue::Kind::array && !value.items.empty() &&
+         std::all_of(value.items.begin(), value.items.end(), is_section);
+}
+
+/// Plain values first: behind the first [header] they would belong to it.
+void print_section(std::string& text, const TomlValue& table, const std::string& path) {
+  for (const TomlEntry& entry : table.entries)
+    if (!is_section(entry.value) && !is_section_list(entry.value))
+      text += key_text(entry.key) + " = " + value_text(entry.value) + "\n";
+  for (const TomlEntry& entry : table.entries) {
+    const std::string inner = path.empty() ? key_text(entry.key) : path + "." + key_text(entry.key);
+    if (is_section_list(entry.value)) {
+      for (const TomlValue& item : entry.value.items) {
+        text += "\n[[" + inner + "]]\n";
+        print_section(text, item, inner);
+      }
+    } else if (is_section(entry.value)) {
+      const auto& entries = entry.value.entries;
+      const bool only_sections =
+          !entries.empty() && std::all_of(entries.begin(), entries.end(), [](const TomlEntry& e) {
+            return is_section(e.value) || is_section_list(e.value);
+          });
+      if (!only_sections) text += "\n[" + inner + "]\n";
+      print_section(text, entry.value, inner);
+    }
+  }
+}
+
+}  // namespace
+
+TomlValue::TomlValue(double of_number) : kind(Kind::number), number(of_number) {}
+
+TomlValue::TomlValue(std::string of_text) : kind(Kind::text), text(std::move(of_text)) {}
+
+TomlEntry* TomlValue::find(std::string_view key) {
+  return const_cast<TomlEntry*>(std::as_const(*this).find(key));
+}
+
+const TomlEntry* TomlValue::find(std::string_view key) const {
+  const auto found =
+      std::find_if(entries.begin(), entries.end(), [&](const TomlEntry& e) { return e.key == key; });
+  return found == entries.end() ? nullptr : &*found;
+}
+
+void TomlValue::set(std::string_view key, TomlValue value) {
+  if (TomlEntry* entry = find(key)) {
+    value.place = entry->value.place;
+    entry->value = std::move(value);
+  } else {
+    if (value.place.line == 0) value.place = place;
+    entries.push_back({.key = std::string(key), .place = place, .value = std::move(value), .known = true});
+  }
+}
+
+std::string_view TomlValue::kind_name() const {
+  switch (kind) {
+    case Kind::table:
+      return "a table";
+    case Kind::array:
+      return "an array";
+    case Kind::text:
+      return "a text";
+    case Kind::number:
+      return "a number";
+    case Kind::boolean:
+      return "a boolean";
+    case Kind::date:
+      return "a date or time";
+  }
+  return "";
+}
+
+std::string print_toml(const TomlValue& root) {
+  std::string text;
+  print_section(text, root, "");
+  return text;
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,137 @@
+#include "cli/session/session.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/drawing/picture.hpp"
+#include "cli/run/checkpoint.hpp"
+#include "cli/run/pace.hpp"
+#include "cli/run/run.hpp"
+#include "cli/system/stopwatch.hpp"
+#include "cli/text/format.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+/// Why a name cannot be set any more, or nothing.
+std::string reason_against(const std::string& name, const SceneFile& file) {
+  const auto is = [&](const char* other) { return name == other; };
+  if (is("cfl")) return "";
+  if (is("method.h") || is("method.normalised"))
+    return "neighbours and their weights at t = 0 were made from it";
+  if (name.starts_with("method.")) return "";
+  if (is("method") || is("stepping") || is("contact") || is("law"))
+    return "the simulation was made for another";
+  if (is("until")) return "the session goes on as long as it is told to; `run until T`";
+  for (const Parameter& parameter : file.parameters)
+    if (name == parameter.name) return "the bodies of t = 0 were made from it";
+  return is("spacing") ? "the particles stand already" : "";
+}
+
+}  // namespace
+
+Session::Session(const RunOptions& options)
+    : options_(options),
+      file_(scene_to_run(options)),
+      drawing_(with_options(file_.drawing, options.drawing)),
+      simulation_(start(file_)) {
+  plan_drawing(drawing_);
+}
+
+void Session::step(long count, const Interrupts& interrupts) {
+  constexpr double later = std::numeric_limits<double>::infinity();
+  for (long k = 0; k < count && !interrupts.asked(); ++k)
+    simulation_->advance_to(std::nextafter(simulation_->time(), later));
+}
+
+void Session::run_until(double t, const Interrupts& interrupts, Progress& progress) {
+  Pace pace(t);
+  const double start = simulation_->time();
+  progress.begin("to " + brief(t) + " s");
+  while (simulation_->time() < t && !interrupts.asked()) {
+    const Stopwatch watch;
+    const double from = simulation_->time();
+    simulation_->advance_to(std::min(t, from + pace.slice()));
+    pace.took(simulation_->time() - from, watch.seconds());
+    progress.show((simulation_->time() - start) / (t - start), "t = " + brief(simulation_->time()) + " s");
+  }
+  progress.clear();
+}
+
+void Session::set(const std::string& assignment) {
+  RunOptions options = options_;
+  options.set.push_back(assignment);
+  SceneFile file = scene_to_run(options);  // refuses names that there are not, and values out of bounds
+  const std::string name = assignment.substr(0, assignment.find('='));
+  if (const std::string reason = reason_against(name, file_); !reason.empty())
+    throw UsageError(
+        "'" + name + "' cannot change any more: " + reason +
+        "; cfl and other constants of the method can. Start another session with --set " +
+        assignment);
+  std::unique_ptr<Simulation> simulation = start(file);
+  simulation->load(simulation_->save());
+  simulation_ = std::move(simulation);
+  options_ = std::move(options);
+  file_ = std::move(file);
+}
+
+std::vector<std::string> Session::names_to_change() const {
+  std::vector<std::string> names = names_to_set(file_);
+  std::erase_if(names, [&](const std::string& name) { return !reason_against(name, file_).empty(); });
+  return names;
+}
+
+void Session::draw_with(const DrawingOptions& options) {
+  const Drawing drawing = with_options(drawing_, options);
+  plan_drawing(drawing);
+  drawing_ = drawing;
+}
+
+DrawingPlan Session::look() const { return fitted(plan_drawing(drawing_), simulation_->snapshot()); }
+
+void Session::see(const render::View& view) {
+  drawing_.view = {view.x_min, view.x_max, view.y_min, view.y_max};
+}
+
+void Session::pan(double dx, double dy) {
+  const render::View now = *look().view;
+  see({now.x_min + dx, now.x_max + dx, now.y_min + dy, now.y_max + dy});
+}
+
+void Session::zoom(double factor) {
+  if (!(factor > 0)) throw UsageError("zoom takes a factor above 0");
+  const render::View now = *look().view;
+  const double x = (now.x_min + now.x_max) / 2, y = (now.y_min + now.y_max) / 2;
+  const double half_x = (now.x_max - now.x_min) / 2 / factor, half_y = (now.y_max - now.y_min) / 2 / factor;
+  see({x - half_x, x + half_x, y - half_y, y + half_y});
+}
+
+void Session::frame(const std::filesystem::path& file) const { render::write_png(picture(look()), file); }
+
+render::Image Session::picture(const DrawingPlan& plan) const {
+  const Captions captions{file_.scene.title, file_.settings.method, file_.scene.until};
+  return draw_picture(plan, captions, simulation_->snapshot());
+}
+
+void Session::save(const std::filesystem::path& file) const {
+  Checkpoint checkpoint;
+  checkpoint.method = file_.settings.method;
+  checkpoint.scene = file_.resolved;
+  checkpoint.state = simulation_->save();
+  write_checkpoint(file, std::move(checkpoint));
+}
+
+void Session::load(const std::filesystem::path& path) {
+  const Checkpoint checkpoint = read_checkpoint(path);
+  if (checkpoint.method != file_.settings.method)
+    throw UsageError("'" + path.string() + "' is of method '" + checkpoint.method + "'; this session has '" +
+                     file_.settings.method + "'");
+  if (checkpoint.scene != file_.resolved)
+    throw UsageError("'" + path.string() + "' is of another scene, or of other parameters or constants");
+  std::unique_ptr<Simulation> simulation = start(file_);
+  simulation->load(checkpoint.state);
+  simulation_ = std::move(simulation);
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/drawing/look.hpp"
+#include "cli/run/plan.hpp"
+#include "cli/scene/scene_file.hpp"
+#include "cli/system/interrupts.hpp"
+#include "cli/system/progress.hpp"
+#include "render/image/image.hpp"
+
+namespace taut::cli {
+
+/// A simulation that goes on and is looked at as commands say. Every member throws UsageError for what cannot
+/// be, and then has changed nothing.
+class Session {
+ public:
+  /// Throws SceneError too.
+  explicit Session(const RunOptions& options);
+
+  const SceneFile& file() const { return file_; }
+  const Simulation& simulation() const { return *simulation_; }
+
+  /// Both stop early when interrupted. NumericalError where the simulation diverges.
+  void step(long count, const Interrupts& interrupts);
+  void run_until(double t, const Interrupts& interrupts, Progress& progress);
+
+  /// `name=value` of what may change while a simulation runs: the step size (cfl) and the method's constants
+  /// that no geometry of the start was made from.
+  void set(const std::string& assignment);
+  /// The names that `set` takes.
+  std::vector<std::string> names_to_change() const;
+
+  /// The drawing options of `run`, as typed.
+  void draw_with(const DrawingOptions& options);
+  /// Moves what is seen, m.
+  void pan(double dx, double dy);
+  /// Shows less of it, larger, about its centre; `factor` > 0, below 1: more.
+  void zoom(double factor);
+  /// How a frame looks now, with what is automatic as it suits this moment.
+  DrawingPlan look() const;
+  /// As a frame of `run` at this time would be.
+  void frame(const std::filesystem::path& file) const;
+  /// The same as a picture, of the size and with or without the texts that the plan says.
+  render::Image picture(const DrawingPlan& plan) const;
+
+  void save(const std::filesystem::path& file) const;
+  /// A state of the same scene and method, which `save` left.
+  void load(const std::filesystem::path& file);
+
+ private:
+  void see(const render::View& view);
+
+  RunOptions options_;
+  SceneFile file_;
+  Drawing drawing_;
+  std::unique_ptr<Simulation> simulation_;
+};
+
+}  // namespace taut::cli

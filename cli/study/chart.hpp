@@ -1,0 +1,71 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/study/stored_results.hpp"
+
+namespace taut::cli {
+
+/// What a run costs.
+enum class Cost {
+  seconds,         // of solving, on the machine that ran it
+  particle_steps,  // particles × steps: the same on every machine
+};
+/// "seconds" and "steps", for people to choose from.
+std::vector<std::string> cost_names();
+/// Throws UsageError with the nearest names.
+Cost find_cost(const std::string& name);
+/// The axis.
+std::string label(Cost cost);
+
+/// What of the results a chart shows.
+struct ChartRequest {
+  std::string measure;  // empty: the scene's first that has an error
+  Cost cost = Cost::seconds;
+};
+
+/// One run.
+struct ChartPoint {
+  double spacing = 0;           // m
+  std::optional<double> error;  // as in run.json; none: the run ended before, or its value is the reference's
+  double cost = 0;              // s, or particle-steps
+  std::string verdict{}, folder{};
+  std::string cfl{}, stepping{};  // of the time step, where the results tell
+  bool stable = true;
+};
+
+/// A method with one choice of everything else, from coarse to fine.
+struct ChartSeries {
+  std::string name;
+  std::vector<ChartPoint> points;
+  std::optional<double> order;  // of convergence
+};
+
+/// Error and cost of the runs of one scene.
+struct Chart {
+  std::string title, scene, measure;
+  std::string unit;      // of the errors; empty: a share, of the reference or of a length
+  bool relative = true;  // errors are shares of the reference
+  Cost cost = Cost::seconds;
+  int dim = 2;
+  std::vector<ChartSeries> series;      // methods in the order of the results
+  std::vector<std::string> references;  // "finite elements (oenog, tl)"
+  std::vector<std::string> machines;    // "AMD EPYC, 1 thread"
+  int without_result = 0;               // runs that have not ended
+};
+
+/// Slope of the straight line through (log spacing, log error) of the stable runs, by least squares; none
+/// with fewer than two spacings.
+std::optional<double> convergence_order(const std::vector<ChartPoint>& points);
+
+/// Throws UsageError for a measure that the scene has not (with the nearest names), or that has no error in
+/// any run; says why. Of a run that was done twice the faster one counts.
+Chart make_chart(const StoredResults& results, const ChartRequest& request);
+
+/// For people: each series with its errors' order, its finest run and its unstable ones.
+std::string orders_table(const Chart& chart);
+
+}  // namespace taut::cli

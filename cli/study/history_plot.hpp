@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/study/gnuplot.hpp"
+#include "cli/study/stored_results.hpp"
+
+namespace taut::cli {
+
+struct HistoryColumn {
+  std::string name, label;  // "tip", "tip, m"
+};
+
+/// Columns of the history.csv of all runs of one sweep, over time.
+struct HistoryPlot {
+  struct Curve {
+    std::string name;                       // the method, and what else tells the run from others
+    std::vector<std::vector<double>> rows;  // t and the columns; NaN where a cell is empty
+  };
+  std::string title, scene;
+  std::vector<HistoryColumn> columns;
+  std::vector<Curve> curves;
+};
+
+/// Throws UsageError for a column that a history has not (with the nearest names), and for a history that
+/// cannot be read.
+HistoryPlot make_history_plot(const StoredResults& results, const std::vector<HistoryColumn>& columns);
+
+/// A block for each run.
+std::string history_data(const HistoryPlot& plot);
+/// The gnuplot script: a panel for each column below the other, a line for each run.
+std::string history_script(const HistoryPlot& plot, const PlotFiles& files);
+
+}  // namespace taut::cli

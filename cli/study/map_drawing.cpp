@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "cli/study/stability_map.hpp"
+#include "cli/text/format.hpp"
+#include "engine/diagnostics/verdict.hpp"
+
+namespace taut::cli {
+namespace {
+
+/// A kind of cell: those of one verdict, or without any.
+struct Kind {
+  std::string name, color;
+};
+
+/// From calm to alarming, and ever darker, so that grey will do; cells without a verdict come last.
+std::vector<Kind> kinds() {
+  constexpr std::array colors = {"#cfe8f3", "#fbdc7f", "#ee8f4f", "#a3303f"};
+  std::vector<std::string> names = names_of_failures();
+  names.insert(names.begin(), std::string(name(Verdict::stable)));
+  std::vector<Kind> all;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    all.push_back({names[k], colors[k * (colors.size() - 1) / (names.size() - 1)]});
+  all.push_back({"no result", "#dddddd"});
+  return all;
+}
+
+std::size_t kind_of(const MapCell& cell, const std::vector<Kind>& all) {
+  const auto found = std::ranges::find(all, cell.verdict, &Kind::name);
+  return static_cast<std::size_t>(found == all.end() ? all.end() - all.begin() - 1 : found - all.begin());
+}
+
+/// Times in ms where they are short.
+struct TimeUnit {
+  double scale;
+  const char* name;
+};
+
+TimeUnit time_unit(const StabilityMap& map) {
+  double latest = 0;
+  for (const auto& row : map.cells)
+    for (const auto& cell : row)
+      if (cell && cell->since) latest = std::max(latest, *cell->since);
+  return latest < 0.1 ? TimeUnit{1e3, "ms"} : TimeUnit{1, "s"};
+}
+
+std::string short_number(double value) {
+  std::array<char, 32> digits{};
+  std::snprintf(digits.data(), digits.size(), "%.3g", value);
+  return digits.data();
+}
+
+template <class Use>
+void each_cell(const StabilityMap& map, const Use& use) {
+  for (std::size_t r = 0; r < map.rows.size(); ++r)
+    for (std::size_t v = 0; v < map.values.size(); ++v)
+      if (map.cells[r][v]) use(r, v, *map.cells[r][v]);
+}
+
+/// The kinds of which the map has cells, in the order of their blocks in the data: gnuplot does not count a
+/// block without lines.
+std::vector<std::size_t> kinds_in(const StabilityMap& map, const std::vector<Kind>& all) {
+  std::vector<bool> there(all.size());
+  each_cell(map, [&](std::size_t, std::size_t, const MapCell& cell) { there[kind_of(cell, all)] = true; });
+  std::vector<std::size_t> found;
+  for (std::size_t kind = 0; kind < all.size(); ++kind)
+    if (there[kind]) found.push_back(kind);
+  return found;
+}
+
+/// A tick at 1, 2, ... for each name.
+std::string ticks(const std::vector<std::string>& names) {
+  std::vector<std::string> all;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    all.push_back(plot_text(names[k]) + " " + std::to_string(k + 1));
+  return std::string("(").append(join(all)).append(")");
+}
+
+}  // namespace
+
+std::string map_data(const StabilityMap& map) {
+  const TimeUnit unit = time_unit(map);
+  const std::vector<Kind> all = kinds();
+  std::string text = "# " + map.title + "\n";
+  for (const std::size_t kind : kinds_in(map, all)) {
+    text += "# " + all[kind].name + "\n# column; row; since, s; " + map.label + "; method; shown\n";
+    each_cell(map, [&](std::size_t r, std::size_t v, const MapCell& cell) {
+      if (kind_of(cell, all) != kind) return;
+      const std::string shown = cell.since             ? short_number(*cell.since * unit.scale)
+                                : cell.verdict.empty() ? cell.status
+                                                       : "";
+      text += std::to_string(v + 1) + " " + std::to_string(r + 1) + " " +
+              (cell.since ? exact(*cell.since) : "NaN") + " \"" + map.values[v] + "\" \"" + map.rows[r] +
+              "\" \"" + shown + "\"\n";
+    });
+    text += "\n\n";
+  }
+  return text;
+}
+
+std::string map_script(const StabilityMap& map, const PlotFiles& files) {
+  constexpr int around = 190, row_height = 36;  // pixels
+  const int rows = static_cast<int>(map.rows.size()), columns = static_cast<int>(map.values.size());
+  const std::vector<Kind> all = kinds();
+  std::vector<std::string> plots;
+  for (const std::size_t kind : kinds_in(map, all)) {
+    const std::string block = "data index " + std::to_string(plots.size() / 2) + " using ";
+    plots.push_back(block +
+                    "1:2:($1-0.5):($1+0.5):($2-0.5):($2+0.5) with boxxyerror fillstyle solid 1 border "
+                    "linecolor '#ffffff' fillcolor '" +
+                    all[kind].color + "' title " + plot_text(all[kind].name));
+    plots.push_back(block + "1:2:6 with labels font ',10' textcolor '" +
+                    (kind + 2 < all.size() ? "#222222" : "#ffffff") + "' notitle");
+  }
+  std::string text = plot_head(files, 1280, around + row_height * rows);
+  text += "set title " + plot_text(map.title) +
+          " font ',15'\nset key outside right top Left reverse spacing 1.4\n";
+  text += "set border 0\nset tics scale 0\nset yrange [" + std::to_string(rows) + ".5:0.5]\n";
+  text += "set xrange [0.5:" + std::to_string(columns) + ".5]\n";
+  text += "set xtics " + ticks(map.values) + "\nset ytics " + ticks(map.rows) + "\n";
+  text += "set xlabel " + plot_text(map.label) + "\nset bmargin 5.5\n";
+  text +=
+      "set label " +
+      plot_text("Scene " + map.scene + "; numbers: since when the verdict holds, " + time_unit(map).name) +
+      " at screen 0.015, screen 0.03 font ',9' textcolor '#555555'\n";
+  return text + "plot " + join(plots, ", \\\n     ") + "\n";
+}
+
+}  // namespace taut::cli

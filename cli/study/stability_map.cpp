@@ -1,0 +1,108 @@
+#include "cli/study/stability_map.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "cli/text/format.hpp"
+#include "cli/text/unknown_name.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+const std::string set_prefix = "set.";
+
+/// The names that were set in different ways, with all that a run can be asked for.
+struct Names {
+  std::vector<std::string> swept, all;
+};
+
+Names names_of(const std::vector<StoredRun>& runs) {
+  Names names;
+  std::map<std::string, std::set<std::string>> values;
+  for (const StoredRun& run : runs)
+    for (const auto& [column, value] : run.cells)
+      if (column.starts_with(set_prefix) && column != "set.method") {
+        const std::string name = column.substr(set_prefix.size());
+        if (values[name].empty()) names.all.push_back(name);
+        values[name].insert(value);
+      }
+  std::ranges::copy_if(names.all, std::back_inserter(names.swept),
+                       [&](const std::string& name) { return values[name].size() > 1; });
+  return names;
+}
+
+std::string chosen_parameter(const std::vector<StoredRun>& runs, const std::string& wanted) {
+  const auto [swept, all] = names_of(runs);
+  if (!wanted.empty()) {
+    if (std::ranges::find(all, wanted) == all.end())
+      throw UsageError(all.empty() ? "nothing but the method was swept, so '" + wanted + "' cannot be mapped"
+                                   : unknown_name("swept parameter", wanted, all));
+    return wanted;
+  }
+  if (swept.size() == 1) return swept.front();
+  if (swept.empty() && all.size() == 1) return all.front();
+  if (swept.empty()) throw UsageError("nothing but the method was swept: there is no parameter to map");
+  throw UsageError("several parameters were swept (" + join(swept) + "); name one with --parameter");
+}
+
+/// Numbers ascend; what are not all numbers stay as they come.
+void sort_numbers(std::vector<std::string>& values) {
+  const auto number = [](const std::string& text) { return parsed<double>(text); };
+  if (std::ranges::all_of(values, [&](const std::string& text) { return number(text).has_value(); }))
+    std::ranges::stable_sort(values, {}, number);
+}
+
+std::size_t place_of(std::vector<std::string>& names, const std::string& name) {
+  const auto found = std::ranges::find(names, name);
+  const auto place = static_cast<std::size_t>(found - names.begin());
+  if (found == names.end()) names.push_back(name);
+  return place;
+}
+
+MapCell cell_of(const StoredRun& run) {
+  MapCell cell{.verdict = "", .status = run.text("status"), .since = {}};
+  if (run.has_result()) cell.verdict = run.text("verdict");
+  if (!cell.verdict.empty()) cell.since = run.number("since." + cell.verdict);
+  return cell;
+}
+
+}  // namespace
+
+StabilityMap make_map(const StoredResults& results, const MapRequest& request) {
+  StabilityMap map;
+  const std::string parameter = chosen_parameter(results.runs, request.parameter);
+  const std::string x = set_prefix + parameter;
+  const std::vector<std::string> columns = distinguishing_columns(results.runs, x);
+  map.title = results.title;
+  map.scene = results.scene;
+  map.label = results.label(parameter);
+  for (const StoredRun& run : results.runs)
+    if (const std::string value = run.text(x); !value.empty()) place_of(map.values, value);
+  sort_numbers(map.values);
+  for (const StoredRun& run : results.runs) {
+    if (run.text(x).empty()) continue;
+    const std::size_t row = place_of(map.rows, series_name(run, columns));
+    if (row == map.cells.size()) map.cells.emplace_back(map.values.size());
+    std::optional<MapCell>& cell = map.cells[row][place_of(map.values, run.text(x))];
+    if (!cell || cell->verdict.empty()) cell = cell_of(run);
+  }
+  return map;
+}
+
+std::string map_table(const StabilityMap& map) {
+  std::vector<std::vector<std::string>> rows{{map.label}};
+  rows[0].insert(rows[0].end(), map.values.begin(), map.values.end());
+  for (std::size_t r = 0; r < map.rows.size(); ++r) {
+    rows.push_back({map.rows[r]});
+    for (const auto& cell : map.cells[r]) {
+      const std::string word = !cell ? "-" : cell->verdict.empty() ? cell->status : cell->verdict;
+      rows.back().push_back(word);
+      if (cell && cell->since) rows.back().back().append(" ").append(brief(*cell->since)).append(" s");
+    }
+  }
+  return in_columns(rows);
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/study/gnuplot.hpp"
+#include "cli/study/stored_results.hpp"
+
+namespace taut::cli {
+
+/// What of the results a map shows.
+struct MapRequest {
+  std::string parameter;  // empty: the one that was swept beside the method
+};
+
+/// How one run ended.
+struct MapCell {
+  std::string verdict;          // empty: it has none, see status
+  std::string status;           // "finished", "error", "to do", ...
+  std::optional<double> since;  // of the verdict, s; none for a stable run
+};
+
+/// Values of a parameter × methods → verdicts. A method has a row for each choice of everything else.
+struct StabilityMap {
+  std::string title, scene;
+  std::string label;                                       // of the parameter, with its unit
+  std::vector<std::string> values;                         // of it; numbers ascend
+  std::vector<std::string> rows;                           // methods, in the order of the results
+  std::vector<std::vector<std::optional<MapCell>>> cells;  // by row and value
+};
+
+/// Throws UsageError for a parameter that no run has (with the nearest names), or when several were swept and
+/// none is named.
+StabilityMap make_map(const StoredResults& results, const MapRequest& request);
+
+/// For people: a line for each method.
+std::string map_table(const StabilityMap& map);
+
+/// The cells as gnuplot reads them, a block for each verdict.
+std::string map_data(const StabilityMap& map);
+/// The gnuplot script: a coloured cell for each run with the time of its failure.
+std::string map_script(const StabilityMap& map, const PlotFiles& files);
+
+}  // namespace taut::cli

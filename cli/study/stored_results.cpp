@@ -1,0 +1,190 @@
+#include "cli/study/stored_results.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/study/csv.hpp"
+#include "cli/system/atomic_file.hpp"
+#include "cli/text/format.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view set_prefix = "set.", parameter_prefix = "parameters.";
+
+fs::path results_file(const std::string& given) {
+  std::error_code error;
+  if (!fs::is_directory(given, error)) return given;
+  if (fs::is_regular_file(fs::path(given) / "results.csv", error)) return fs::path(given) / "results.csv";
+  throw UsageError("'" + given + "' holds no results.csv; `taut sweep` leaves one in its folder");
+}
+
+void check_columns(const fs::path& file, const CsvTable& table) {
+  constexpr std::array needed = {"status",    "scene", "method",  "spacing",
+                                 "particles", "steps", "verdict", "seconds.solve"};
+  std::vector<std::string> missing;
+  for (const char* column : needed)
+    if (std::ranges::find(table.columns, column) == table.columns.end()) missing.emplace_back(column);
+  if (missing.empty()) return;
+  if (std::ranges::find(table.columns, "status") != table.columns.end() &&
+      missing.size() + 1 == needed.size())
+    throw UsageError("no run in '" + file.string() + "' has a result yet; `taut sweep` goes on with it");
+  throw UsageError("'" + file.string() + "' is not the results.csv of a sweep: it has no column " +
+                   join(missing));
+}
+
+std::vector<StoredRun> read_runs(const fs::path& file) {
+  const CsvTable table = read_csv(file);
+  check_columns(file, table);
+  std::vector<StoredRun> runs;
+  for (const auto& row : table.rows) {
+    StoredRun& run = runs.emplace_back();
+    run.file = file.string();
+    for (std::size_t k = 0; k < row.size(); ++k)
+      if (!row[k].empty()) run.cells.emplace_back(table.columns[k], row[k]);
+  }
+  return runs;
+}
+
+/// What a table does not say: the title and the units of what was swept.
+void add_names(const fs::path& file, StoredResults& results) {
+  const auto json =
+      nlohmann::json::parse(read_whole(file.parent_path() / "results.json").value_or(""), nullptr, false);
+  if (!json.is_object()) return;
+  if (results.title.empty()) results.title = json.value("title", "");
+  for (const auto& swept : json.value("swept", nlohmann::json::array()))
+    if (const std::string unit = swept.value("unit", ""); !unit.empty() && unit != "1")
+      results.units[swept.value("name", "")] = unit;
+}
+
+void add_scene(StoredResults& results, const StoredRun& run) {
+  const std::string scene = run.text("scene");
+  if (scene.empty()) return;
+  if (results.scene.empty()) results.scene = scene;
+  if (scene != results.scene)
+    throw UsageError("the results are of different scenes: '" + results.runs.front().file + "' of " +
+                     results.scene + ", '" + run.file + "' of " + scene);
+}
+
+std::string without_prefix(const std::string& column) {
+  for (const std::string_view prefix : {set_prefix, parameter_prefix})
+    if (column.starts_with(prefix)) return column.substr(prefix.size());
+  return column;
+}
+
+/// Columns that may tell runs apart: what was set comes first, what follows from it last.
+std::vector<std::string> candidates(const std::vector<StoredRun>& runs) {
+  std::vector<std::string> set, parameters;
+  for (const StoredRun& run : runs)
+    for (const auto& cell : run.cells)
+      for (auto [prefix, columns] : {std::pair{set_prefix, &set}, {parameter_prefix, &parameters}})
+        if (cell.first.starts_with(prefix) && std::ranges::find(*columns, cell.first) == columns->end())
+          columns->push_back(cell.first);
+  set.insert(set.end(), {"spacing", "stepping", "cfl", "contact", "until"});
+  set.insert(set.end(), parameters.begin(), parameters.end());
+  return set;
+}
+
+/// What a run had, whether it was asked for or the scene's default: only what was asked for is known of one
+/// that has not ended.
+std::string effective(const StoredRun& run, const std::string& column) {
+  const std::string name = without_prefix(column);
+  for (const std::string& told : {std::string(parameter_prefix) + name, name})
+    if (const std::string value = run.text(told); !value.empty()) return value;
+  return run.text(column);
+}
+
+}  // namespace
+
+std::string StoredRun::text(std::string_view column) const {
+  const auto cell = std::ranges::find(cells, column, [](const auto& c) { return std::string_view(c.first); });
+  return cell == cells.end() ? "" : cell->second;
+}
+
+std::optional<double> StoredRun::number(std::string_view column) const {
+  return parsed<double>(text(column));
+}
+
+bool StoredRun::has_result() const {
+  const std::string status = text("status");
+  return status == "finished" || status == "failed";
+}
+
+std::string StoredRun::method() const {
+  const std::string name = text("method");
+  return name.empty() ? text("set.method") : name;
+}
+
+std::string StoredRun::folder() const { return (fs::path(file).parent_path() / text("folder")).string(); }
+
+std::vector<std::string> StoredResults::measures() const {
+  constexpr std::string_view prefix = "measures.", suffix = ".unit";
+  std::vector<std::string> names;
+  for (const StoredRun& run : runs)
+    for (const auto& [column, value] : run.cells) {
+      if (!column.starts_with(prefix) || !column.ends_with(suffix)) continue;
+      const std::string name = column.substr(prefix.size(), column.size() - prefix.size() - suffix.size());
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    }
+  return names;
+}
+
+std::string StoredResults::label(const std::string& name) const {
+  const auto unit = units.find(name);
+  if (unit != units.end()) return name + ", " + unit->second;
+  return name == "spacing" ? name + ", m" : name == "until" ? name + ", s" : name;
+}
+
+StoredResults read_results(const std::vector<std::string>& files) {
+  StoredResults results;
+  std::set<fs::path> seen;
+  for (const std::string& given : files) {
+    const fs::path file = results_file(given);
+    if (!seen.insert(file.lexically_normal()).second)
+      throw UsageError("'" + file.string() + "' is given twice");
+    for (StoredRun& run : read_runs(file)) {
+      results.runs.push_back(std::move(run));
+      add_scene(results, results.runs.back());
+    }
+    add_names(file, results);
+  }
+  if (std::ranges::none_of(results.runs, &StoredRun::has_result))
+    throw UsageError("no run in " + join(files) + " has a result");
+  if (results.title.empty()) results.title = results.scene;
+  return results;
+}
+
+std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& runs, const std::string& x) {
+  std::vector<std::string> chosen;
+  for (const std::string& column : candidates(runs)) {
+    const std::string name = without_prefix(column);
+    if (name == without_prefix(x) || column == "set.method") continue;
+    std::map<std::vector<std::string>, std::string> seen;
+    const bool differs = std::ranges::any_of(runs, [&](const StoredRun& run) {
+      if (!run.has_result() && !column.starts_with(set_prefix)) return false;
+      std::vector<std::string> key{run.method(), run.text(x)};
+      for (const std::string& c : chosen) key.push_back(effective(run, c));
+      const std::string value = effective(run, column);
+      return seen.emplace(key, value).first->second != value;
+    });
+    if (differs) chosen.push_back(column);
+  }
+  return chosen;
+}
+
+std::string series_name(const StoredRun& run, const std::vector<std::string>& columns) {
+  std::string name = run.method();
+  for (const std::string& column : columns)
+    if (const std::string value = effective(run, column); !value.empty())
+      name += ", " + without_prefix(column) + "=" + value;
+  return name;
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace taut::cli {
+
+/// A row of the results.csv of a sweep.
+struct StoredRun {
+  std::string file;                                        // results.csv
+  std::vector<std::pair<std::string, std::string>> cells;  // by column, "set.v0"; none that is empty
+
+  /// Empty where there is nothing.
+  std::string text(std::string_view column) const;
+  std::optional<double> number(std::string_view column) const;
+  /// It ran to its end or diverged; one that was stopped, broke or has not begun has no result.
+  bool has_result() const;
+  std::string method() const;  // also of a run without a result, where the grid has it
+  std::string folder() const;  // of the run, beside results.csv
+  bool is_stable() const { return has_result() && text("verdict") == "stable"; }
+};
+
+/// The runs of one scene from one or more sweeps.
+struct StoredResults {
+  std::string title;                         // of the first sweep; else the scene
+  std::string scene;                         // its name
+  std::map<std::string, std::string> units;  // of swept parameters, as far as a results.json beside tells
+  std::vector<StoredRun> runs;
+
+  /// The measures of the scene, in its order.
+  std::vector<std::string> measures() const;
+  /// "v0, c0"
+  std::string label(const std::string& name) const;
+};
+
+/// Each of `files` is a results.csv of a sweep, or the folder of the sweep. Throws UsageError for files that
+/// cannot be read, are none of these, hold no result, or are of different scenes.
+StoredResults read_results(const std::vector<std::string>& files);
+
+/// The columns in which runs differ although they agree in method and in `x`: "set.cfl", ... What makes a
+/// parameter differ (because it was set, or another one that it depends on) stands for it.
+std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& runs, const std::string& x);
+/// "enog, cfl=0.5": the method of a run and its cells in these columns.
+std::string series_name(const StoredRun& run, const std::vector<std::string>& columns);
+
+}  // namespace taut::cli

@@ -1,0 +1,130 @@
+#include "cli/study/study.hpp"
+
+#include <algorithm>
+#include <ostream>
+
+#include "cli/study/chart_drawing.hpp"
+#include "cli/system/exit_code.hpp"
+#include "cli/text/unknown_name.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+/// One text, or a list of them; none without the key.
+std::vector<std::pair<std::string, FilePlace>> texts(TomlCursor& section, std::string_view key) {
+  const TomlValue* value = section.find(key);
+  std::vector<std::pair<std::string, FilePlace>> all;
+  if (!value) return all;
+  if (value->kind != TomlValue::Kind::array) return {{section.text_of(*value, key), value->place}};
+  for (const TomlValue& item : value->items) all.emplace_back(section.text_of(item, key), item.place);
+  if (all.empty()) section.fail(*value, key, std::string(key) + " is an empty list");
+  return all;
+}
+
+std::vector<StudyPictures::Charted> read_charts(TomlCursor& section) {
+  const auto measures = texts(section, "measure");
+  const Cost cost =
+      section.find("cost") ? find_cost(section.choice("cost", cost_names())) : ChartRequest{}.cost;
+  section.finish();
+  std::vector<StudyPictures::Charted> charts;
+  for (const auto& [measure, place] : measures) charts.push_back({{measure, cost}, place});
+  if (charts.empty()) charts.push_back({{"", cost}, {}});
+  return charts;
+}
+
+void check_name(const std::filesystem::path& file, std::string_view kind, const std::string& name,
+                FilePlace place, const std::vector<std::string>& known) {
+  if (name.empty() || std::ranges::find(known, name) != known.end()) return;
+  throw SceneError(file.string(), place.line, place.column, name, unknown_name(kind, name, known));
+}
+
+void print_files(const char* kind, const PlotFiles& files, const std::string& remark, Streams streams) {
+  streams.out << '\n'
+              << kind << "  " << files.picture.string() << remark << ", "
+              << files.script().filename().string() << ", " << files.data().filename().string() << '\n';
+}
+
+}  // namespace
+
+StudyPictures read_pictures(TomlCursor& root) {
+  StudyPictures pictures;
+  if (TomlValue* chart = root.find("chart")) {
+    TomlCursor section = root.enter(*chart, "chart", "[chart]");
+    pictures.charts = read_charts(section);
+  }
+  if (TomlValue* map = root.find("map")) {
+    TomlCursor section = root.enter(*map, "map", "[map]");
+    const TomlValue* parameter = section.find("parameter");
+    pictures.map = {{section.text("parameter", "")}, parameter ? parameter->place : map->place};
+    section.finish();
+  }
+  if (TomlValue* history = root.find("history")) {
+    TomlCursor section = root.enter(*history, "history", "[history]");
+    for (const TomlEntry& entry : history->entries)
+      pictures.history.push_back({entry.key, section.text_of(entry.value, entry.key)});
+    if (pictures.history.empty())
+      root.fail(*history, "history", "[history] is empty; it needs a line COLUMN = \"label, unit\"");
+  }
+  return pictures;
+}
+
+void check_pictures(const StudyPictures& pictures, const std::filesystem::path& file,
+                    const std::vector<std::string>& measures, const std::vector<std::string>& swept) {
+  for (const StudyPictures::Charted& chart : pictures.charts)
+    check_name(file, "measure of the scene", chart.request.measure, chart.place, measures);
+  if (pictures.map)
+    check_name(file, "swept parameter", pictures.map->request.parameter, pictures.map->place, swept);
+}
+
+int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& folder, Streams streams) {
+  const std::vector<std::string> results{(folder / "results.csv").string()};
+  int code = exit_fine;
+  for (const StudyPictures::Charted& chart : pictures.charts) {
+    const std::string& measure = chart.request.measure;
+    const std::string name = measure.empty() ? "chart.png" : "chart-" + measure + ".png";
+    streams.out << '\n';
+    if (code == exit_fine) code = draw_chart(results, chart.request, {folder / name}, streams);
+  }
+  if (pictures.map && code == exit_fine) {
+    streams.out << '\n';
+    code = draw_map(results, pictures.map->request, {folder / "map.png"}, streams);
+  }
+  if (!pictures.history.empty() && code == exit_fine)
+    code = draw_history(results, pictures.history, {folder / "history.png"}, streams);
+  return code;
+}
+
+int draw_chart(const std::vector<std::string>& results, const ChartRequest& request, const PlotFiles& files,
+               Streams streams) {
+  const Chart chart = make_chart(read_results(results), request);
+  if (chart.without_result > 0)
+    streams.err << "taut: " << chart.without_result << " runs have no result and are not on the chart\n";
+  if (chart.cost == Cost::seconds && chart.machines.size() > 1)
+    streams.err
+        << "taut: the runs are of several machines or numbers of threads, so their seconds do not compare; "
+           "--cost steps does\n";
+  streams.out << orders_table(chart);
+  const int code = draw_plot(files, chart_script(chart, files), chart_data(chart));
+  print_files("chart", files, " (" + chart.measure + ")", streams);
+  return code;
+}
+
+int draw_history(const std::vector<std::string>& results, const std::vector<HistoryColumn>& columns,
+                 const PlotFiles& files, Streams streams) {
+  const HistoryPlot plot = make_history_plot(read_results(results), columns);
+  const int code = draw_plot(files, history_script(plot, files), history_data(plot));
+  print_files("history", files, "", streams);
+  return code;
+}
+
+int draw_map(const std::vector<std::string>& results, const MapRequest& request, const PlotFiles& files,
+             Streams streams) {
+  const StabilityMap map = make_map(read_results(results), request);
+  streams.out << map_table(map);
+  const int code = draw_plot(files, map_script(map, files), map_data(map));
+  print_files("map", files, "", streams);
+  return code;
+}
+
+}  // namespace taut::cli

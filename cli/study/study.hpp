@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/scene/file_place.hpp"
+#include "cli/scene/toml_cursor.hpp"
+#include "cli/study/chart.hpp"
+#include "cli/study/gnuplot.hpp"
+#include "cli/study/history_plot.hpp"
+#include "cli/study/stability_map.hpp"
+#include "cli/system/streams.hpp"
+
+namespace taut::cli {
+
+/// What a study, which is a sweep file with such sections, draws from its results:
+///
+///     [chart]                                       chart-least_diameter.png, chart-rebound_ratio.png
+///     measure = ["least_diameter", "rebound_ratio"]     one or more; chart.png, the scene's first, without
+///     it cost = "seconds"                              or "steps"; default: seconds [map] map.png parameter
+///     = "v0"                              default: the one that is swept beside the method
+///     [history]                                     history.png: over time, of all runs,
+///     tip = "tip, m"                                columns of history.csv with the labels of their axes
+struct StudyPictures {
+  struct Charted {
+    ChartRequest request;
+    FilePlace place;
+  };
+  struct Mapped {
+    MapRequest request;
+    FilePlace place;
+  };
+  std::vector<Charted> charts;
+  std::optional<Mapped> map;
+  std::vector<HistoryColumn> history;  // empty: no such picture
+};
+
+/// The sections of a study as they stand. Throws SceneError.
+StudyPictures read_pictures(TomlCursor& root);
+
+/// Throws SceneError, before anything runs, for a measure that the scene has not and a parameter that is not
+/// swept.
+void check_pictures(const StudyPictures& pictures, const std::filesystem::path& file,
+                    const std::vector<std::string>& measures, const std::vector<std::string>& swept);
+
+/// Draws them from results.csv in `folder`, into `folder`. Gives the exit code. Throws UsageError,
+/// OutputError.
+int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& folder, Streams streams);
+
+/// Draws a chart from results.csv files, and prints the orders of convergence and where the picture is. Gives
+/// the exit code. Throws UsageError and OutputError.
+int draw_chart(const std::vector<std::string>& results, const ChartRequest& request, const PlotFiles& files,
+               Streams streams);
+/// The same with histories.
+int draw_history(const std::vector<std::string>& results, const std::vector<HistoryColumn>& columns,
+                 const PlotFiles& files, Streams streams);
+/// The same with a map, and its table.
+int draw_map(const std::vector<std::string>& results, const MapRequest& request, const PlotFiles& files,
+             Streams streams);
+
+}  // namespace taut::cli

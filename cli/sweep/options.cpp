@@ -1,0 +1,123 @@
+#include "cli/sweep/options.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/scene/shipped.hpp"
+#include "cli/sweep/emit.hpp"
+#include "cli/sweep/sweep_file.hpp"
+#include "cli/text/checks.hpp"
+#include "cli/text/format.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool draws(const SweepOptions& o) {
+  const DrawingOptions& d = o.run.drawing;
+  // the times of frames are those of saved particles as well
+  const bool times_of_frames = !o.run.save_particles && (o.run.frames || o.run.every);
+  return o.render || times_of_frames || d.color || d.range || d.colormap || d.view || d.size;
+}
+
+bool fixed_by_command(const RunOptions& run, const std::string& name) {
+  if (name == "method") return run.method.has_value();
+  if (name == "spacing") return run.spacing.has_value();
+  if (name == "until") return run.until.has_value();
+  return std::ranges::any_of(run.set, [&](const std::string& s) { return s.starts_with(name + "="); });
+}
+
+SweepRequest request_of_scene(const SweepOptions& o) {
+  const fs::path scene = find_scene(o.what);
+  if (is_sweep_file(scene))
+    throw UsageError("'" + o.what + "' is a sweep file, which has a grid of its own; leave --grid out");
+  std::vector<Axis> axes;
+  for (const std::string& text : o.grid) axes.push_back(parse_axis(text));
+  SweepRequest request;
+  request.base = o.run;
+  request.base.scene = scene.string();
+  request.rows = all_combinations(axes);
+  request.folder = o.run.out.value_or("out/" + scene.stem().string() + "-sweep");
+  return request;
+}
+
+SweepRequest request_of_file(const SweepOptions& o) {
+  SweepFile file = read_sweep(find_sweep(o.what));
+  SweepRequest request;
+  request.title = file.title;
+  request.file = file.path;
+  request.base = o.run;
+  request.base.scene = file.scene;
+  // the command line is stronger
+  std::erase_if(file.set, [&](const Setting& s) { return fixed_by_command(o.run, s.name); });
+  request.set = std::move(file.set);
+  request.rows = std::move(file.rows);
+  request.pictures = std::move(file.pictures);
+  request.folder = o.run.out.value_or("out/" + file.path.stem().string());
+  return request;
+}
+
+}  // namespace
+
+void declare_sweep_options(CLI::App& app, SweepOptions& o) {
+  app.add_option(
+         "SWEEP", o.what,
+         "a sweep file, or the name of one in scenes/studies/; with --grid a scene, as for `taut run`")
+      ->option_text(" ")
+      ->required();
+  app.add_option("--grid", o.grid,
+                 "what to vary: a name that --set takes, or method, spacing, until, cfl, stepping, contact; "
+                 "the values "
+                 "are v1,v2,... or lo:hi:step with both ends. Several --grid: every combination")
+      ->option_text("NAME=VALUES ...")
+      ->allow_extra_args(false);
+  app.add_flag("--list", o.list, "say what would run, and what is done already");
+  app.add_option("--jobs", o.jobs, "runs at a time; default: as many as there are cores for")
+      ->option_text("N")
+      ->check(positive_whole_number);
+  app.add_option("--index", o.index, "do this one of the runs only; they are numbered from 0")
+      ->option_text("N")
+      ->check(whole_number);
+  app.add_flag("--force", o.force, "do again what is done already");
+  app.add_option("--emit", o.emit,
+                 "write a script that does the runs one by one: a Slurm array job, or by GNU parallel")
+      ->option_text(join(emit_names(), "|"));
+  app.add_option("--out", o.run.out, "the folder of results and runs; default: out/FILE or out/SCENE-sweep")
+      ->option_text("DIR");
+  declare_setting_options(app, o.run);
+  app.add_flag("--render", o.render, "draw frames; so does each of the options of drawing");
+  declare_output_options(app, o.run);
+  declare_particle_options(app, o.run);
+  o.run.threads = 1;
+  app.add_option("--threads", o.run.threads, "of each run; default: 1")
+      ->option_text("N")
+      ->check(positive_whole_number);
+  app.add_option("--fail-on", o.fail_on, "exit code 3 if a verdict is this one or worse")
+      ->option_text("VERDICT");
+  app.add_flag("--quiet", o.quiet, "no progress on stderr");
+}
+
+SweepRequest make_request(const SweepOptions& o) {
+  SweepRequest request = o.grid.empty() ? request_of_file(o) : request_of_scene(o);
+  request.base.no_render = !draws(o);
+  return request;
+}
+
+std::vector<std::string> lasting_words(const CLI::App& app) {
+  const std::vector<std::string> passing = {"list", "jobs", "index", "force", "emit", "quiet"};
+  std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), "sweep"};
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string name = option->get_lnames().empty() ? "" : option->get_lnames().front();
+    if (option->count() == 0 || std::ranges::find(passing, name) != passing.end()) continue;
+    const bool flag = option->get_items_expected_max() == 0;
+    for (const std::string& value : option->results())
+      words.push_back(name.empty() ? value : "--" + name + (flag ? "" : "=" + value));
+  }
+  return words;
+}
+
+}  // namespace taut::cli

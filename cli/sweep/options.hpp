@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/run/plan.hpp"
+#include "cli/sweep/plan.hpp"
+
+namespace taut::cli {
+
+/// The options of `taut sweep` as typed.
+struct SweepOptions {
+  std::string what;  // a sweep file or a scene
+  std::vector<std::string> grid;
+  RunOptions run;  // of every run
+  std::optional<std::string> emit, fail_on;
+  std::optional<int> jobs, index;
+  bool list = false, force = false, render = false, quiet = false;
+};
+
+void declare_sweep_options(CLI::App& app, SweepOptions& options);
+
+/// Reads the sweep file or the grid. Throws UsageError and SceneError.
+SweepRequest make_request(const SweepOptions& options);
+
+/// The words of the command as given, without what belongs to this call of it alone, such as --list; an
+/// option and its value are one word.
+std::vector<std::string> lasting_words(const CLI::App& app);
+
+}  // namespace taut::cli

@@ -1,0 +1,210 @@
+#include "cli/sweep/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "cli/system/atomic_file.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_in(const nlohmann::ordered_json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+/// The options of one run, `without` one of its settings.
+RunOptions options_of(const SweepRequest& request, const GridRow& row, const Setting* without = nullptr) {
+  RunOptions options = request.base;
+  for (const GridRow* settings : {&request.set, &row})
+    for (const Setting& s : *settings)
+      if (&s != without) options.set.push_back(s.name + "=" + s.value);
+  options.out = (request.folder / folder_name(row)).string();
+  return options;
+}
+
+/// Throws what is wrong with a run; makes its particles only if `thoroughly`.
+SceneFile check_run(const RunOptions& options, bool thoroughly) {
+  SceneFile file = make_plan(options).file;
+  if (!thoroughly) return file;
+  try {
+    Settings settings = file.settings;
+    settings.threads = 1;  // a process that has had several cannot be forked
+    make_simulation(file.scene, settings);
+  } catch (const SceneError& error) {
+    throw locate(file, error);
+  }
+  return file;
+}
+
+bool is_wrong(const RunOptions& options) try {
+  check_run(options, true);
+  return false;
+} catch (const UsageError&) {
+  return true;
+} catch (const SceneError&) {
+  return true;
+}
+
+/// The setting without which nothing would be wrong; nullptr if there is none.
+const Setting* culprit(const SweepRequest& request, const GridRow& row) {
+  for (const GridRow* settings : {&request.set, &row})
+    for (const Setting& s : *settings)
+      if (!is_wrong(options_of(request, row, &s))) return &s;
+  return nullptr;
+}
+
+/// Tells what is wrong with the run `row` where the user wrote it.
+[[noreturn]] void report(const SweepRequest& request, const GridRow& row, const std::string& what) {
+  const std::string message = what + " (in the run " + text_of(row) + ")";
+  if (request.file.empty()) throw UsageError(message);
+  const Setting* setting = culprit(request, row);
+  const FilePlace place = setting ? setting->place : FilePlace{};
+  throw SceneError(request.file.string(), place.line, place.column, setting ? setting->name : "", message);
+}
+
+/// Steps times particles, up to a factor that all runs share.
+double work_of(const SceneFile& file) {
+  const Scene& scene = file.scene;
+  return scene.until / (file.settings.cfl * std::pow(scene.spacing, scene.dim + 1));
+}
+
+/// Refuses a name that has one value for all runs and others for each.
+void check_base(const SweepRequest& request) {
+  std::set<std::string> fixed;
+  for (const std::string& assignment : request.base.set)
+    fixed.insert(assignment.substr(0, assignment.find('=')));
+  for (const Setting& s : request.set) fixed.insert(s.name);
+  if (request.base.method) fixed.insert("method");
+  if (request.base.spacing) fixed.insert("spacing");
+  if (request.base.until) fixed.insert("until");
+  for (const GridRow& row : request.rows)
+    for (const Setting& s : row)
+      if (fixed.contains(s.name))
+        throw UsageError("'" + s.name + "' is swept, so it cannot have one value for all runs as well");
+}
+
+void check_folder(const fs::path& folder) {
+  std::error_code error;
+  const auto holds = [&](const char* name) { return fs::exists(folder / name, error); };
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error))
+    throw UsageError("'" + folder.string() + "' is not a folder; name another with --out");
+  if (holds("run.json") || ((holds("results.csv") || holds("results.json")) && !holds("sweep.lock")))
+    throw UsageError("'" + folder.string() +
+                     "' holds files that no sweep left there; name another folder with --out");
+}
+
+/// Refuses pictures of what the scene does not measure or the sweep does not vary.
+void check_study(const SweepRequest& request, const std::vector<Swept>& swept, const Scene& scene) {
+  std::vector<std::string> measures, names;
+  for (const Measure& measure : scene.measures) measures.push_back(measure.name);
+  for (const Swept& s : swept) names.push_back(s.name);
+  check_pictures(request.pictures, request.file, measures, names);
+}
+
+std::vector<Swept> swept_names(const std::vector<GridRow>& rows, const SceneFile& file) {
+  std::vector<Swept> all;
+  for (const GridRow& row : rows)
+    for (const Setting& s : row) {
+      if (std::ranges::find(all, s.name, &Swept::name) != all.end()) continue;
+      const auto parameter = std::ranges::find(file.parameters, s.name, &Parameter::name);
+      const bool found = parameter != file.parameters.end();
+      all.push_back({s.name, found ? parameter->unit : "", found ? parameter->help : ""});
+    }
+  return all;
+}
+
+}  // namespace
+
+std::string_view name(RunState state) {
+  switch (state) {
+    case RunState::to_do:
+      return "to do";
+    case RunState::outdated:
+      return "to do: other settings before";
+    case RunState::interrupted:
+      return "to do: was interrupted";
+    case RunState::broken:
+      return "broken";
+    case RunState::done:
+      return "done";
+  }
+  return "";
+}
+
+void SweepRun::forget() {
+  state = RunState::to_do;
+  problem.clear();
+  record = nullptr;
+}
+
+void SweepRun::look() {
+  forget();
+  const RunFolder files(*options.out);
+  auto found = nlohmann::ordered_json::parse(read_whole(files.record()).value_or(""), nullptr,
+                                             /*allow_exceptions=*/false);
+  if (!found.is_object()) return;
+  const std::string status = text_in(found, "status");
+  const bool same = text_in(found, "taut") == TAUT_VERSION && read_whole(files.scene()) == scene;
+  // a run that failed without diverging could not write its files
+  const bool ended = status == "finished" || (status == "failed" && text_in(found, "verdict") == "diverged");
+  std::error_code error;
+  const bool drawn = last_frame < 0 || status == "failed" || fs::exists(files.frame(last_frame), error);
+  const bool saved = !options.save_particles || fs::exists(files.particle_index(), error);
+  if (!same) {
+    state = ended ? RunState::outdated : RunState::interrupted;
+  } else if (ended) {
+    state = drawn && saved ? RunState::done : RunState::to_do;
+  } else {
+    state = RunState::interrupted;
+  }
+  if (state == RunState::done || (same && status == "interrupted")) record = std::move(found);
+}
+
+SweepPlan plan_sweep(const SweepRequest& request) {
+  check_base(request);
+  check_rows(request.rows);
+  check_folder(request.folder);
+  SweepPlan plan{.title = request.title,
+                 .scene = "",
+                 .folder = request.folder,
+                 .swept = {},
+                 .runs = {},
+                 .pictures = request.pictures};
+  std::set<std::pair<std::string, ContactLaw>> combinations;
+  for (const GridRow& row : request.rows) {
+    SweepRun run;
+    run.index = static_cast<int>(plan.runs.size());
+    run.settings = row;
+    run.folder = folder_name(row);
+    run.options = options_of(request, row);
+    try {
+      SceneFile file = check_run(run.options, false);
+      // whether a method can run the scene at all takes particles to tell
+      if (combinations.emplace(file.settings.method, file.scene.contact).second) check_run(run.options, true);
+      run.scene = file.resolved;
+      run.last_frame = run.options.no_render ? -1 : file.drawing.frames;
+      run.work = work_of(file);
+      if (plan.runs.empty()) {
+        plan.scene = file.scene.name;
+        plan.swept = swept_names(request.rows, file);
+        check_study(request, plan.swept, file.scene);
+      }
+    } catch (const SceneError& error) {
+      throw SceneError(error.file, error.line, error.column, error.key,
+                       error.what() + (" (in the run " + text_of(row) + ")"));
+    } catch (const UsageError& error) {
+      report(request, row, error.what());
+    }
+    run.look();
+    plan.runs.push_back(std::move(run));
+  }
+  if (plan.title.empty()) plan.title = plan.scene;
+  return plan;
+}
+
+}  // namespace taut::cli

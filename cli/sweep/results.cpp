@@ -1,0 +1,169 @@
+#include "cli/sweep/results.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "cli/study/csv.hpp"
+#include "cli/system/atomic_file.hpp"
+#include "cli/text/format.hpp"
+
+namespace taut::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array times = {"threads", "machine", "seconds", "particle_steps_per_second"};
+
+/// A number where the grid has one.
+Json as_json(const std::string& value) {
+  const Json number = Json::parse(value, nullptr, /*allow_exceptions=*/false);
+  return number.is_number() ? number : Json(value);
+}
+
+std::string status(const SweepRun& run) {
+  if (run.record.is_object()) return run.record["status"].get<std::string>();
+  return run.state == RunState::broken ? "error" : "to do";
+}
+
+Json run_json(const SweepRun& run) {
+  Json json;
+  json["index"] = run.index;
+  json["set"] = Json::object();
+  for (const Setting& s : run.settings) json["set"][s.name] = as_json(s.value);
+  json["status"] = status(run);
+  json["message"] = run.problem.empty() ? Json(nullptr) : Json(run.problem);
+  json["folder"] = run.folder;
+  if (!run.record.is_object()) return json;
+  const auto differs = [](const std::string& key) { return std::ranges::find(times, key) != times.end(); };
+  for (const auto& [key, value] : run.record.items())
+    if (key != "taut" && !json.contains(key) && !differs(key)) json[key] = value;
+  for (const char* key : times) json[key] = run.record.value(key, Json(nullptr));
+  return json;
+}
+
+/// The leaves of a tree, with their paths; in the order of the tree.
+using Cells = std::vector<std::pair<std::string, Json>>;
+
+void flatten(const Json& value, const std::string& path, Cells& cells) {
+  if (!value.is_object()) {
+    cells.emplace_back(path, value);
+    return;
+  }
+  for (const auto& [key, inner] : value.items()) flatten(inner, path.empty() ? key : path + "." + key, cells);
+}
+
+/// The columns of all rows: one that a row brings along stands behind the one that it follows there.
+std::vector<std::string> columns_of(const std::vector<Cells>& rows) {
+  std::vector<std::string> columns;
+  for (const Cells& row : rows) {
+    auto place = columns.begin();
+    for (const auto& cell : row) {
+      const auto found = std::ranges::find(columns, cell.first);
+      place = (found != columns.end() ? found : columns.insert(place, cell.first)) + 1;
+    }
+  }
+  return columns;
+}
+
+std::string cell_of(const Json& value) {
+  if (value.is_null()) return "";
+  if (value.is_string()) return csv_cell(value.get<std::string>());
+  return value.is_number_float() ? exact(value.get<double>()) : csv_cell(value.dump());
+}
+
+const Json* find(const Json& run, std::initializer_list<const char*> path) {
+  const Json* value = &run;
+  for (const char* key : path) {
+    if (!value->is_object() || !value->contains(key)) return nullptr;
+    value = &(*value)[key];
+  }
+  return value->is_null() ? nullptr : value;
+}
+
+std::string measure_cell(const SweepRun& run, const std::string& measure) {
+  const Json* value = find(run.record, {"measures", measure.c_str(), "value"});
+  return value && run.state == RunState::done ? brief(value->get<double>()) : "-";
+}
+
+/// The names of the measures with their units.
+std::vector<std::pair<std::string, std::string>> measures_of(const SweepPlan& plan) {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const SweepRun& run : plan.runs) {
+    const Json* measures = find(run.record, {"measures"});
+    if (!measures) continue;
+    for (const auto& [name, measure] : measures->items()) {
+      const std::string unit = measure.value("unit", "");
+      all.emplace_back(name, unit.empty() || unit == "1" ? name : name + ", " + unit);
+    }
+    break;  // all runs are of one scene
+  }
+  return all;
+}
+
+}  // namespace
+
+std::string results_json(const SweepPlan& plan) {
+  Json json;
+  json["taut"] = TAUT_VERSION;
+  json["title"] = plan.title;
+  json["scene"] = plan.scene;
+  json["swept"] = Json::array();
+  for (const Swept& s : plan.swept)
+    json["swept"].push_back({{"name", s.name}, {"unit", s.unit}, {"help", s.help}});
+  json["runs"] = Json::array();
+  for (const SweepRun& run : plan.runs) json["runs"].push_back(run_json(run));
+  return json.dump(2) + "\n";
+}
+
+std::string results_csv(const SweepPlan& plan) {
+  std::vector<Cells> rows;
+  for (const SweepRun& run : plan.runs) flatten(run_json(run), "", rows.emplace_back());
+  const std::vector<std::string> columns = columns_of(rows);
+  std::string text;
+  for (const std::string& column : columns) text.append(csv_cell(column)).append(",");
+  text.back() = '\n';
+  for (const Cells& row : rows) {
+    for (const std::string& column : columns) {
+      const auto cell = std::ranges::find(row, column, &Cells::value_type::first);
+      if (cell != row.end()) text.append(cell_of(cell->second));
+      text.append(",");
+    }
+    text.back() = '\n';
+  }
+  return text;
+}
+
+void write_results(const SweepPlan& plan) {
+  write_atomically(plan.folder / "results.csv", results_csv(plan));
+  write_atomically(plan.folder / "results.json", results_json(plan));
+}
+
+std::string outcome(const SweepRun& run) {
+  const Json* verdict = find(run.record, {"verdict"});
+  if (!verdict || run.state != RunState::done) return status(run);
+  const auto name = verdict->get<std::string>();
+  const Json* since = find(run.record, {"since", name.c_str()});
+  return name + (since ? " since " + brief(since->get<double>()) + " s" : "");
+}
+
+std::string results_table(const SweepPlan& plan) {
+  const auto measures = measures_of(plan);
+  std::vector<std::vector<std::string>> rows{{"run"}};
+  for (const Swept& s : plan.swept)
+    rows[0].push_back(s.unit.empty() || s.unit == "1" ? s.name : s.name + ", " + s.unit);
+  rows[0].emplace_back("verdict");
+  for (const auto& measure : measures) rows[0].push_back(measure.second);
+  for (const SweepRun& run : plan.runs) {
+    std::vector<std::string>& row = rows.emplace_back();
+    row.push_back(std::to_string(run.index));
+    for (const Swept& s : plan.swept) {
+      const auto setting = std::ranges::find(run.settings, s.name, &Setting::name);
+      row.push_back(setting == run.settings.end() ? "-" : setting->value);
+    }
+    row.push_back(outcome(run));
+    for (const auto& measure : measures) row.push_back(measure_cell(run, measure.first));
+  }
+  return in_columns(rows);
+}
+
+}  // namespace taut::cli

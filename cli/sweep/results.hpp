@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+
+#include "cli/sweep/plan.hpp"
+
+namespace taut::cli {
+
+/// results.json of a sweep:
+///
+///     { "taut": "0.1.0", "title": "...", "scene": "colliding-rings",
+///       "swept": [{"name": "v0", "unit": "c0", "help": "..."}, {"name": "method", ...}],
+///       "runs": [
+///         { "index": 0, "set": {"v0": 0.02, "method": "og"},         as the grid has it: numbers or texts
+///           "status": "finished|failed|interrupted|to do|error",     failed: diverged; error: see message
+///           "message": "...", "folder": "v0=0.02_method=og",         inside the sweep's folder
+///           what run.json says of the run, in its order, without "taut" and "status"; last of all what
+///           differs from time to time: "threads", "machine", "seconds", "particle_steps_per_second" },
+///         ... ] }
+///
+/// All runs of the grid are there, in its order, in whatever order they ended. A run without a result ("to
+/// do", "error") has no keys behind "folder"; one that was interrupted has those of the part that was run.
+std::string results_json(const SweepPlan& plan);
+
+/// results.csv: "runs" of results.json, a row each. The name of a column is the path in there:
+/// "set.v0", "verdict", "since.fractured", "measures.period.value", "seconds.solve", ... A cell without a
+/// value is empty; one with a comma or a quote stands in quotes, as RFC 4180 has it.
+std::string results_csv(const SweepPlan& plan);
+
+/// Both, whole, into the sweep's folder. Throws OutputError.
+void write_results(const SweepPlan& plan);
+
+/// "fractured since 0.0031 s", "interrupted", "error", ...
+std::string outcome(const SweepRun& run);
+/// What `taut sweep` prints at its end: settings, verdict and measures of each run.
+std::string results_table(const SweepPlan& plan);
+
+}  // namespace taut::cli

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "cli/sweep/plan.hpp"
+#include "cli/system/child_process.hpp"
+#include "cli/system/interrupts.hpp"
+#include "cli/system/progress.hpp"
+
+namespace taut::cli {
+
+/// How a sweep ended.
+struct SweepEnd {
+  bool interrupted = false;
+  int code = 0;  // the gravest exit code of a run that is `broken`; 0: there is none
+};
+
+/// What a sweep tells of while it runs.
+struct SweepEvents {
+  std::function<void(const SweepRun&)> ended;  // a run has, with its new state
+  std::function<void()> waiting;               // about ten times a second
+};
+
+/// Runs some runs of a sweep, `jobs` at a time, each in a process of its own. The longest ones start first,
+/// so that no core waits at the end for a long one that began last.
+class SweepRunner {
+ public:
+  SweepRunner(std::vector<SweepRun*> runs, int jobs, const Interrupts& interrupts, Progress& progress,
+              SweepEvents events);
+
+  SweepEnd execute(const std::string& title);
+
+ private:
+  struct Job {
+    SweepRun* run;
+    std::unique_ptr<ChildProcess> process;
+    double share = 0;  // of the run
+  };
+  bool may_start() const;
+  void wait_for_something();
+  void finish(Job& job);
+  void pass_on_interrupt();
+  void show_progress();
+
+  std::vector<SweepRun*> waiting_;  // the next one is the last
+  std::size_t jobs_;
+  const Interrupts& interrupts_;
+  Progress& progress_;
+  SweepEvents events_;
+  std::vector<Job> at_work_;
+  std::size_t count_, done_ = 0;
+  double work_ = 0, work_done_ = 0;
+  Stopwatch since_looked_;
+  bool passed_on_ = false;
+  SweepEnd end_;
+};
+
+}  // namespace taut::cli

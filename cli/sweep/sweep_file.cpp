@@ -1,0 +1,158 @@
+#include "cli/sweep/sweep_file.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "cli/scene/scene_file.hpp"
+#include "cli/scene/sections.hpp"
+#include "cli/scene/shipped.hpp"
+#include "cli/scene/toml_cursor.hpp"
+#include "cli/text/format.hpp"
+#include "cli/text/suggest.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Kind = TomlValue::Kind;
+
+/// What a table sets: settings of one value each, or axes.
+class SettingsReader {
+ public:
+  explicit SettingsReader(TomlCursor& table) : table_(table) {}
+
+  std::vector<Setting> settings() {
+    std::vector<Setting> all;
+    for (const TomlEntry& entry : table_.table().entries) {
+      refuse_table(entry);
+      all.push_back(setting(entry.key, entry.value));
+    }
+    return all;
+  }
+
+  std::vector<Axis> axes() {
+    std::vector<Axis> all;
+    for (const TomlEntry& entry : table_.table().entries) {
+      refuse_table(entry);
+      all.push_back({entry.key, values(entry)});
+      if (all.back().values.empty()) table_.fail(entry.value, entry.key, entry.key + " has no values");
+    }
+    return all;
+  }
+
+ private:
+  /// method.zeta = 3 is a table `method` to TOML.
+  void refuse_table(const TomlEntry& entry) const {
+    if (entry.value.kind != Kind::table || entry.value.entries.empty()) return;
+    const std::string name = entry.key + "." + entry.value.entries.front().key;
+    table_.fail(entry.place, entry.key, "a name with a dot stands in quotes: \"" + name + "\" = ...");
+  }
+
+  Setting setting(const std::string& name, const TomlValue& value) const {
+    if (value.kind == Kind::number) return {name, exact(value.number), value.place};
+    if (value.kind != Kind::text || canonical_value(value.text).empty())
+      table_.fail(value, name,
+                  name + " must be a number or a text, this is " +
+                      (value.kind == Kind::text ? "an empty text" : std::string(value.kind_name())));
+    return {name, canonical_value(value.text), value.place};
+  }
+
+  std::vector<Setting> values(const TomlEntry& entry) const {
+    std::vector<Setting> all;
+    if (entry.value.kind == Kind::text) {
+      try {
+        for (const std::string& value : parse_values(entry.value.text))
+          all.push_back({entry.key, value, entry.value.place});
+      } catch (const UsageError& error) {
+        table_.fail(entry.value, entry.key, error.what());
+      }
+    } else if (entry.value.kind == Kind::array) {
+      for (const TomlValue& item : entry.value.items) {
+        all.push_back(setting(entry.key, item));
+        const auto same = [&](const Setting& s) { return s.value == all.back().value; };
+        if (std::ranges::count_if(all, same) > 1)
+          table_.fail(item, entry.key, entry.key + " has the value " + all.back().value + " twice");
+      }
+    } else {
+      all.push_back(setting(entry.key, entry.value));
+    }
+    return all;
+  }
+
+  TomlCursor& table_;
+};
+
+/// A path is seen from the sweep file; else it is a name.
+std::string find_scene_of(TomlCursor& root, const fs::path& file) {
+  const std::string scene = root.text("scene");
+  std::error_code error;
+  const fs::path beside = file.parent_path() / scene;
+  if (fs::is_regular_file(beside, error)) return beside.string();
+  try {
+    return find_scene(scene).string();
+  } catch (const UsageError& problem) {
+    root.fail(*root.find("scene"), "scene", problem.what());
+  }
+}
+
+std::vector<GridRow> read_rows(TomlCursor& root) {
+  std::vector<GridRow> rows;
+  TomlValue* grid = root.find("grid");
+  const std::span<TomlValue> listed = root.list("row");
+  if (grid && !listed.empty())
+    root.fail(listed.front(), "row", "a sweep has either a [grid] or one [[row]] for each run, not both");
+  if (!grid && listed.empty())
+    root.fail(root.table().place, "", "the sweep needs a [grid], or a [[row]] for each run");
+  if (grid) {
+    TomlCursor cursor = root.enter(*grid, "grid", "[grid]");
+    const std::vector<Axis> axes = SettingsReader(cursor).axes();
+    if (axes.empty()) root.fail(*grid, "grid", "[grid] is empty; it needs a line NAME = VALUES");
+    rows = all_combinations(axes);
+  }
+  std::set<std::string> seen;
+  for (TomlValue& row : listed) {
+    TomlCursor cursor = root.enter(row, "row", "[[row]]");
+    rows.push_back(SettingsReader(cursor).settings());
+    if (!seen.insert(folder_name(rows.back())).second)
+      root.fail(row, "row", "the run " + text_of(rows.back()) + " is there twice");
+  }
+  return rows;
+}
+
+}  // namespace
+
+bool is_sweep_file(const fs::path& path) {
+  const TomlValue tree = parse_toml(file_text(path), path.string());
+  return tree.find("scene") || tree.find("grid") || tree.find("row");
+}
+
+SweepFile read_sweep(const fs::path& path) {
+  TomlSource source;
+  source.file = path.string();
+  TomlValue tree = parse_toml(file_text(path), source.file);
+  TomlCursor root(tree, "", "the sweep", {}, source);
+  for (const char* key : {"title", "scene", "set", "grid", "row", "chart", "map", "history"}) root.find(key);
+  if (tree.find("body") && !tree.find("grid") && !tree.find("row"))
+    throw UsageError("'" + path.string() + "' is a scene; to sweep it add --grid NAME=VALUES");
+  root.finish();
+  SweepFile file;
+  file.path = path;
+  file.title = root.text("title", path.stem().string());
+  file.scene = find_scene_of(root, path);
+  if (TomlValue* set = root.find("set")) {
+    TomlCursor cursor = root.enter(*set, "set", "'set'");
+    file.set = SettingsReader(cursor).settings();
+  }
+  file.pictures = read_pictures(root);
+  try {
+    file.rows = read_rows(root);
+    check_rows(file.rows);
+  } catch (const UsageError& error) {
+    const TomlEntry* rows = tree.find(tree.find("grid") ? "grid" : "row");
+    root.fail(rows->place, rows->key, error.what());
+  }
+  return file;
+}
+
+}  // namespace taut::cli

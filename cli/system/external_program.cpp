@@ -1,0 +1,102 @@
+#include "cli/system/external_program.hpp"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <stdexcept>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace taut::cli {
+namespace {
+
+constexpr std::size_t most_errors = 4096;  // bytes kept of what a program says
+constexpr int patience = 100;              // ms between two looks for an interrupt
+
+/// The two ends of a pipe.
+class Pipe {
+ public:
+  Pipe() {
+    if (::pipe2(ends_.data(), O_CLOEXEC) != 0)
+      throw std::runtime_error(std::string("pipe: ") + std::strerror(errno));
+  }
+  ~Pipe() {
+    ::close(ends_[0]);
+    close_entry();
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+
+  int exit() const { return ends_[0]; }
+  int entry() const { return ends_[1]; }
+  void close_entry() {
+    if (ends_[1] >= 0) ::close(ends_[1]);
+    ends_[1] = -1;
+  }
+
+ private:
+  std::array<int, 2> ends_{};
+};
+
+/// 0 or an errno.
+int spawn(const std::vector<std::string>& arguments, const std::filesystem::path& folder, int errors,
+          pid_t& process) {
+  std::vector<char*> raw;
+  for (const std::string& argument : arguments) raw.push_back(const_cast<char*>(argument.c_str()));
+  raw.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  ::posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
+  ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  const int error = ::posix_spawnp(&process, raw[0], &actions, nullptr, raw.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  return error;
+}
+
+/// Reads until the program closes its stderr, and ends it when interrupted.
+void follow(pid_t process, int errors, const Interrupts& interrupts, ProcessResult& result) {
+  std::array<char, 1024> buffer{};
+  while (true) {
+    if (interrupts.asked() && !result.stopped) {
+      result.stopped = true;
+      ::kill(process, SIGTERM);
+    }
+    pollfd ready{errors, POLLIN, 0};
+    if (::poll(&ready, 1, patience) <= 0) continue;
+    const ssize_t count = ::read(errors, buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return;
+    result.errors.append(buffer.data(), static_cast<std::size_t>(count));
+    if (result.errors.size() > most_errors) result.errors.erase(0, result.errors.size() - most_errors);
+  }
+}
+
+}  // namespace
+
+ProcessResult run_process(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                          const Interrupts& interrupts) {
+  ProcessResult result;
+  Pipe pipe;
+  pid_t process = 0;
+  const int error = spawn(arguments, folder, pipe.entry(), process);
+  if (error == ENOENT) {
+    result.found = false;
+    return result;
+  }
+  if (error != 0) throw std::runtime_error(arguments[0] + " cannot be started: " + std::strerror(error));
+  pipe.close_entry();
+  follow(process, pipe.exit(), interrupts, result);
+  int status = 0;
+  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  result.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return result;
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,90 @@
+#include "cli/system/progress.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "cli/text/format.hpp"
+
+namespace taut::cli {
+namespace {
+
+constexpr double bar_interval = 0.1;    // s between two pictures of the bar
+constexpr double line_interval = 10.0;  // s between two lines at least, except at quarters
+
+std::size_t terminal_width() {
+  winsize size{};
+  const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : 80;
+}
+
+std::string time_left(double share, double elapsed) {
+  return share > 0.005 ? clock_time(elapsed * (1 - share) / share) + " left" : "";
+}
+
+}  // namespace
+
+Progress::Style progress_style(const std::ostream& err, bool quiet) {
+  if (quiet) return Progress::Style::none;
+  return &err == &std::cerr && ::isatty(STDERR_FILENO) ? Progress::Style::bar : Progress::Style::lines;
+}
+
+Progress::~Progress() { clear(); }
+
+void Progress::begin(const std::string& what) {
+  what_ = what;
+  since_begin_ = {};
+  since_shown_ = {};
+  quarters_ = 0;
+  if (style_ == Style::lines) err_ << what_ << std::endl;
+  if (style_ == Style::bar) draw_bar(0, "");
+}
+
+void Progress::show(double share, const std::string& detail) {
+  share = std::clamp(share, 0.0, 1.0);
+  const double silence = since_shown_.seconds();
+  if (style_ == Style::bar && silence >= bar_interval) {
+    draw_bar(share, detail);
+    since_shown_ = {};
+  }
+  // ever rarer as a run goes on, so that the log of a day's run stays short
+  const bool overdue = silence >= std::max(line_interval, 0.1 * since_begin_.seconds());
+  const int quarters = std::min(static_cast<int>(4 * share), 3);
+  if (style_ == Style::lines && (quarters > quarters_ || overdue)) {
+    quarters_ = quarters;
+    print_line(share, detail);
+    since_shown_ = {};
+  }
+}
+
+void Progress::end(const std::string& detail) {
+  clear();
+  if (style_ == Style::lines) err_ << "  " << detail << std::endl;
+}
+
+void Progress::clear() {
+  if (bar_shown_) err_ << "\r\x1b[K" << std::flush;
+  bar_shown_ = false;
+}
+
+void Progress::print_line(double share, const std::string& detail) {
+  err_ << "  " << static_cast<int>(100 * share) << " %  " << detail << "  "
+       << time_left(share, since_begin_.seconds()) << std::endl;
+}
+
+void Progress::draw_bar(double share, const std::string& detail) {
+  const std::string tail = "] " + std::to_string(static_cast<int>(100 * share)) + " %  " +
+                           time_left(share, since_begin_.seconds()) + "  " + detail;
+  const std::size_t width = terminal_width() - 1;  // the last column would wrap on some terminals
+  std::string line = what_ + " [";
+  const std::size_t taken = line.size() + tail.size();
+  // what does not fit is cut off at the end: the bar is what one looks at
+  const std::size_t cells = std::clamp<std::size_t>(width > taken ? width - taken : 0, 10, 40);
+  const auto full = static_cast<std::size_t>(share * static_cast<double>(cells));
+  line += std::string(full, '#') + std::string(cells - full, '.') + tail;
+  err_ << '\r' << line.substr(0, width) << "\x1b[K" << std::flush;
+  bar_shown_ = true;
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "cli/system/stopwatch.hpp"
+
+namespace taut::cli {
+
+/// Tells on stderr how far a piece of work is: a bar on a terminal, a few lines elsewhere (a log file), or
+/// nothing.
+class Progress {
+ public:
+  enum class Style { none, lines, bar };
+
+  Progress(std::ostream& err, Style style) : err_(err), style_(style) {}
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void begin(const std::string& what);
+  /// `share` of the work is done, 0 to 1. May be called as often as one likes.
+  void show(double share, const std::string& detail);
+  /// Takes the bar off the terminal, so that something else can be printed.
+  void clear();
+  /// The last line of this piece of work.
+  void end(const std::string& detail);
+
+ private:
+  void draw_bar(double share, const std::string& detail);
+  void print_line(double share, const std::string& detail);
+
+  std::ostream& err_;
+  Style style_;
+  std::string what_;
+  Stopwatch since_begin_, since_shown_;
+  int quarters_ = 0;  // quarters of the work that a line has been printed for
+  bool bar_shown_ = false;
+};
+
+/// A bar if `err` is the terminal's stderr.
+Progress::Style progress_style(const std::ostream& err, bool quiet);
+
+}  // namespace taut::cli

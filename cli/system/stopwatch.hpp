@@ -1,0 +1,35 @@
+#pragma once
+
+#include <chrono>
+
+namespace taut::cli {
+
+/// Seconds of wall clock since it was made.
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// Adds its own lifetime to `total`, in seconds.
+class Timed {
+ public:
+  explicit Timed(double& total) : total_(total) {}
+  ~Timed() { total_ += watch_.seconds(); }
+  Timed(const Timed&) = delete;
+  Timed& operator=(const Timed&) = delete;
+
+ private:
+  double& total_;
+  Stopwatch watch_;
+};
+
+/// Wall clock of the parts of a run, s. `write` holds all files and the sums that history.csv shows.
+struct Seconds {
+  double setup = 0, solve = 0, render = 0, write = 0;
+};
+
+}  // namespace taut::cli

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <iosfwd>
+
+namespace taut::cli {
+
+/// Where a command prints: results to `out`; progress, warnings and errors to `err`.
+struct Streams {
+  std::ostream& out;
+  std::ostream& err;
+};
+
+}  // namespace taut::cli

@@ -1,0 +1,35 @@
+#include "cli/text/checks.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "cli/text/format.hpp"
+
+namespace taut::cli {
+
+std::string positive_number(const std::string& text) {
+  const auto value = parsed<double>(text);
+  return value && std::isfinite(*value) && *value > 0 ? "" : "'" + text + "' is not a number above 0";
+}
+
+std::string not_negative_number(const std::string& text) {
+  const auto value = parsed<double>(text);
+  return value && std::isfinite(*value) && *value >= 0 ? "" : "'" + text + "' is not a number of at least 0";
+}
+
+std::string positive_whole_number(const std::string& text) {
+  const auto value = parsed<int>(text);
+  return value && *value > 0 ? "" : "'" + text + "' is not a whole number of at least 1";
+}
+
+std::string whole_number(const std::string& text) {
+  const auto value = parsed<int>(text);
+  return value && *value >= 0 ? "" : "'" + text + "' is not a whole number of at least 0";
+}
+
+std::string assignment(const std::string& text) {
+  const std::size_t at = text.find('=');
+  return at != std::string::npos && at > 0 && at + 1 < text.size() ? "" : "'" + text + "' is not NAME=VALUE";
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+namespace taut::cli {
+
+// Checks of an option's text for CLI11: what is wrong with it, or nothing. CLI11's own show the bounds of a
+// double with 309 digits.
+std::string positive_number(const std::string& text);
+std::string not_negative_number(const std::string& text);
+std::string positive_whole_number(const std::string& text);
+std::string whole_number(const std::string& text);
+/// "name=value"
+std::string assignment(const std::string& text);
+
+}  // namespace taut::cli

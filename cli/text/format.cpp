@@ -1,0 +1,88 @@
+#include "cli/text/format.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+namespace taut::cli {
+namespace {
+
+template <class... Values>
+std::string formatted(const char* format, Values... values) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), format, values...);
+  return text.data();
+}
+
+/// Columns that UTF-8 text takes on a terminal: continuation bytes take none.
+std::size_t width(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+}  // namespace
+
+std::string exact(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
+
+std::string brief(double value) { return formatted("%.4g", value); }
+
+std::string with_prefix(double value) {
+  if (value >= 1e9) return formatted("%.3g G", value / 1e9);
+  if (value >= 1e6) return formatted("%.3g M", value / 1e6);
+  if (value >= 1e3) return formatted("%.3g k", value / 1e3);
+  return formatted("%.3g", value);
+}
+
+std::string percent(double share) { return formatted("%.3g %%", 100 * share); }
+
+std::string clock_time(double seconds) {
+  const long all = std::lround(std::clamp(seconds, 0.0, 3.6e9));
+  const long h = all / 3600, m = all / 60 % 60, s = all % 60;
+  return h > 0 ? formatted("%ld:%02ld:%02ld", h, m, s) : formatted("%ld:%02ld", m, s);
+}
+
+std::string join(const std::vector<std::string>& words, std::string_view between) {
+  std::string text;
+  for (const std::string& word : words) {
+    if (!text.empty()) text += between;
+    text += word;
+  }
+  return text;
+}
+
+std::uint64_t hash_of(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return hash;
+}
+
+std::string in_columns(const std::vector<std::vector<std::string>>& rows, int indent) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    // the last cell of a row is not padded, so it does not widen its column
+    for (std::size_t c = 0; c + 1 < row.size(); ++c) widths[c] = std::max(widths[c], width(row[c]));
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line(static_cast<std::size_t>(indent), ' ');
+    for (std::size_t c = 0; c < row.size(); ++c)
+      line += row[c] + std::string(std::max(widths[c] + 2, width(row[c]) + 2) - width(row[c]), ' ');
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+  }
+  return text;
+}
+
+std::string numbered(const char* name, int number, const char* extension) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%s_%05d.%s", name, number, extension);
+  return text.data();
+}
+
+}  // namespace taut::cli

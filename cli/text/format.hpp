@@ -1,0 +1,42 @@
+#pragma once
+
+#include <charconv>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace taut::cli {
+
+/// The number that all of `text` is, finite or not; none if it is no number.
+template <class Number>
+std::optional<Number> parsed(std::string_view text) {
+  Number value{};
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value);
+  return error == std::errc() && end == last ? std::optional(value) : std::nullopt;
+}
+
+/// The shortest text that reads back as the same number.
+std::string exact(double value);
+/// Four digits, for people.
+std::string brief(double value);
+/// "4.1 M", for rates.
+std::string with_prefix(double value);
+/// "12 %" of a share.
+std::string percent(double share);
+/// "0:07" or "1:02:03".
+std::string clock_time(double seconds);
+std::string join(const std::vector<std::string>& words, std::string_view between = ", ");
+
+/// The same for a text on every machine (FNV-1a).
+std::uint64_t hash_of(std::string_view text);
+
+/// Rows of cells, printed in columns with two blanks between and `indent` before.
+std::string in_columns(const std::vector<std::vector<std::string>>& rows, int indent = 2);
+
+/// "NAME_00012.EXTENSION"
+std::string numbered(const char* name, int number, const char* extension);
+
+}  // namespace taut::cli

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace taut::cli {
+
+/// At most three of the candidates that `name` may have been meant to be, the likeliest first: few edits
+/// away (a swap of two neighbouring letters counts as one, case as none), or containing `name`.
+std::vector<std::string> nearest(std::string_view name, const std::vector<std::string>& candidates);
+
+/// " (did you mean 'a' or 'b'?)" to be put behind a message; empty if nothing is near.
+std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
+
+}  // namespace taut::cli

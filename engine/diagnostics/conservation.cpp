@@ -1,0 +1,43 @@
+#include "engine/diagnostics/conservation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut {
+namespace {
+
+/// What is left of it when the work of what acts from outside is taken off.
+double energy(const Balance& sums) { return sums.kinetic + sums.strain - sums.work + sums.damped; }
+
+/// How far a momentum less what it was given is from where it was at the start.
+double change(const Point& now, const Point& given, const Point& start) {
+  return std::hypot(now[0] - given[0] - start[0], now[1] - given[1] - start[1], now[2] - given[2] - start[2]);
+}
+
+std::optional<double> ratio(double change, double scale) {
+  return scale > 0 ? std::optional(change / scale) : std::nullopt;
+}
+
+}  // namespace
+
+void Drift::look(const Balance& now) {
+  if (!start_) start_ = now;
+  linear_ = std::max(linear_, change(now.linear_momentum, now.of_walls.linear, start_->linear_momentum));
+  angular_ = std::max(angular_, change(now.angular_momentum, now.of_walls.angular, start_->angular_momentum));
+  linear_scale_ = std::max(linear_scale_, now.momentum_scale);
+  angular_scale_ = std::max(angular_scale_, now.angular_scale);
+  energy_ = std::max(energy_, std::abs(energy(now) - energy(*start_)));
+  energy_scale_ = std::max(energy_scale_, energy(*start_) + now.work);
+}
+
+Conservation Drift::conservation(bool exchanges_momentum) const {
+  Conservation result;
+  if (!start_) return result;
+  result.energy = ratio(energy_, energy_scale_);
+  if (exchanges_momentum) return result;
+  result.linear_momentum = ratio(linear_, linear_scale_);
+  result.angular_momentum = ratio(angular_, angular_scale_);
+  return result;
+}
+
+}  // namespace taut

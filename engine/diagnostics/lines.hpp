@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/scene/material_point.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/snapshot.hpp"
+
+namespace taut {
+
+/// A line's field at one time.
+struct LineSample {
+  double time = 0;  // of the step that it shows, s
+  long step = 0;
+  std::vector<double> value;  // at the line's points, in the field's unit
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(time, step, value);
+  }
+};
+
+/// A point of a line at t = 0, from the first one at `from` to the last one at `to`.
+Point line_point(const SampleLine& line, int k);
+
+/// Samples the lines of a scene. The steps of the run do not depend on it: a sample shows the first step at
+/// or past its time.
+class LineRecorder {
+ public:
+  /// `start` is the state at t = 0 and `reach` the radius within which particles count, m. Throws SceneError
+  /// for a line that leaves its body.
+  LineRecorder(const Scene& scene, const Snapshot& start, double reach);
+
+  /// The next time that is not sampled yet, s; infinity when there is none.
+  double next() const;
+  /// Takes what is due.
+  void look(const Snapshot& now);
+  /// [line][sample], in the order of their times.
+  const std::vector<std::vector<LineSample>>& samples() const { return samples_; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(samples_);
+  }
+
+ private:
+  std::vector<SampleLine> lines_;
+  std::vector<std::vector<std::vector<PointWeight>>> points_;  // [line][point]
+  std::vector<std::vector<LineSample>> samples_;
+};
+
+}  // namespace taut

@@ -1,0 +1,132 @@
+#include "engine/diagnostics/verdict.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "engine/neighbors/close_pairs.hpp"
+
+namespace taut {
+namespace {
+
+constexpr std::array<std::pair<Verdict, std::string_view>, 4> verdicts = {{
+    {Verdict::stable, "stable"},
+    {Verdict::hourglass, "hourglass"},
+    {Verdict::fractured, "fractured"},
+    {Verdict::diverged, "diverged"},
+}};
+
+}  // namespace
+
+std::string_view name(Verdict verdict) {
+  return std::ranges::find(verdicts, verdict, &std::pair<Verdict, std::string_view>::first)->second;
+}
+
+std::optional<Verdict> find_verdict(std::string_view name) {
+  const auto* found = std::ranges::find(verdicts, name, &std::pair<Verdict, std::string_view>::second);
+  return found == verdicts.end() ? std::nullopt : std::optional(found->first);
+}
+
+std::vector<std::string> names_of_failures() {
+  std::vector<std::string> names;
+  for (int v = static_cast<int>(Verdict::stable) + 1; v <= static_cast<int>(Verdict::diverged); ++v)
+    names.emplace_back(name(static_cast<Verdict>(v)));
+  return names;
+}
+
+Judge::Judge(const Scene& scene, const Snapshot& start, double support)
+    : particles_(start.size()), longest_(std::max(support, 2 * scene.spacing)) {
+  // 1.5 dp: the eight nearest of a square lattice (√2 dp), the six of a hexagonal one, no second row
+  for_each_close_pair(start, 1.5 * scene.spacing, [this](int i, int j) { bonds_.push_back({i, j, false}); });
+  bonds_of_.resize(particles_);
+  for (std::size_t b = 0; b < bonds_.size(); ++b)
+    for (const int i : {bonds_[b].i, bonds_[b].j})
+      bonds_of_[static_cast<std::size_t>(i)].push_back(static_cast<int>(b));
+  pieces_ = start_pieces_ = count_pieces();
+  const Balance at_start = balance(start, scene);
+  start_energy_ = given_energy_ = at_start.kinetic + at_start.strain;
+}
+
+void Judge::look(const Snapshot& now, const Balance& balance, const Readings& readings) {
+  const double energy = balance.kinetic + balance.strain;
+  // the angular scale contains every position, the energies every other value
+  const bool finite = std::isfinite(energy) && std::isfinite(balance.angular_scale);
+  given_energy_ = std::max(given_energy_, start_energy_ + balance.work);
+  if (!finite || (given_energy_ > 0 && energy > 2 * given_energy_)) {
+    since_.try_emplace(Verdict::diverged, now.time);
+  }
+  if (!finite) return;
+  static_assert(indicators[0].key == "hourglass_error");
+  if (readings[0].share() > hourglass_threshold) since_.try_emplace(Verdict::hourglass, now.time);
+  if (!update_broken(now)) return;
+  pieces_ = count_pieces();
+  if (!since_.contains(Verdict::fractured) && (pieces_ > start_pieces_ || has_crack()))
+    since_.emplace(Verdict::fractured, now.time);
+}
+
+Verdict Judge::verdict() const { return since_.empty() ? Verdict::stable : since_.rbegin()->first; }
+
+bool Judge::update_broken(const Snapshot& now) {
+  bool changed = false;
+  for (std::size_t b = 0; b < bonds_.size(); ++b) {
+    const bool broken = squared_distance(now, bonds_[b].i, bonds_[b].j) > longest_ * longest_;
+    changed |= broken != bonds_[b].broken;
+    bonds_[b].broken = broken;
+  }
+  return changed;
+}
+
+int Judge::count_pieces() const {
+  std::vector<int> parent(particles_);
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&parent](int i) {
+    while (parent[static_cast<std::size_t>(i)] != i) {
+      int& up = parent[static_cast<std::size_t>(i)];
+      i = up = parent[static_cast<std::size_t>(up)];
+    }
+    return i;
+  };
+  int pieces = static_cast<int>(particles_);
+  for (const Bond& bond : bonds_) {
+    if (bond.broken) continue;
+    const int i = root(bond.i), j = root(bond.j);
+    if (i == j) continue;
+    parent[static_cast<std::size_t>(std::max(i, j))] = std::min(i, j);
+    --pieces;
+  }
+  return pieces;
+}
+
+bool Judge::has_crack() const {
+  std::vector<int> seen(particles_, -1);  // the last bond from which a particle was reached
+  for (std::size_t b = 0; b < bonds_.size(); ++b)
+    if (bonds_[b].broken && !bypassed(static_cast<int>(b), seen)) return true;
+  return false;
+}
+
+/// Whether some way of at most `around` unbroken bonds leads from one end of a bond to the other.
+bool Judge::bypassed(int bond, std::vector<int>& seen) const {
+  constexpr int around = 8;
+  const auto [start, goal, broken] = bonds_[static_cast<std::size_t>(bond)];
+  std::vector<int> edge{start}, next;
+  seen[static_cast<std::size_t>(start)] = bond;
+  for (int length = 0; length < around && !edge.empty(); ++length) {
+    next.clear();
+    for (const int from : edge) {
+      for (const int b : bonds_of_[static_cast<std::size_t>(from)]) {
+        const Bond& way = bonds_[static_cast<std::size_t>(b)];
+        const int to = way.i == from ? way.j : way.i;
+        if (way.broken || seen[static_cast<std::size_t>(to)] == bond) continue;
+        if (to == goal) return true;
+        seen[static_cast<std::size_t>(to)] = bond;
+        next.push_back(to);
+      }
+    }
+    edge.swap(next);
+  }
+  return false;
+}
+
+}  // namespace taut

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/diagnostics/balance.hpp"
+#include "engine/diagnostics/indicators.hpp"
+#include "engine/diagnostics/measures.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/snapshot.hpp"
+
+namespace taut {
+
+/// From best to worst; the verdict of a run is the worst that ever held.
+enum class Verdict { stable, hourglass, fractured, diverged };
+std::string_view name(Verdict);
+/// None if there is no verdict of that name.
+std::optional<Verdict> find_verdict(std::string_view name);
+/// All but `stable`, from the mildest to the worst.
+std::vector<std::string> names_of_failures();
+
+/// Hourglass error (engine/indicators.hpp) from which particles zigzag. What the papers show as smooth stays
+/// below 0.012: `enog` on plate, rings and ball-plate 0.0004, 0.0015, 0.0027 ([Zhang2024] Fig. 3, 12, 18),
+/// the `tic` methods on the rotating plate 0.012 ([Khayyer2024] Fig. 9, 10). What they show to zigzag is
+/// above 0.04: `og` on the plate 0.081 at 0.012 s ([Zhang2024] Fig. 6), `oas` on the rings 0.09, 0.13 and
+/// 0.17 at 0.06, 0.07 and 0.08 c0, and on ball-plate 0.12 (Fig. 12-14, 18), no artificial stress at the
+/// surface 0.10
+/// ([Khayyer2024] Fig. 13), `pf` and `tl` on the rotating plate 0.19 and 0.042 ([Lee2016] Fig. 11). 0.03 lies
+/// between. Curved smooth fields give next to nothing: bending with one particle to the radius is exact.
+/// The checkerboard shares of the stress are not judged: without any zigzag they are high where stress is low
+/// or its fronts are sharp, as for `enog` on ball-plate with 0.35 of the pressure, and wherever they are high
+/// for another reason the hourglass error is above 0.03 too.
+inline constexpr double hourglass_threshold = 0.03;
+
+/// Watches a run at history times.
+///
+/// hourglass: the hourglass error is above its threshold.
+/// connectivity: a bond joins two particles of one body that are at most 1.5 dp apart at the start; it is
+///   broken while it is longer than max(support, 2 dp). Fractured = more pieces of the graph of unbroken
+///   bonds than at the start ("at the start", not "bodies": a body may consist of parts), or a broken bond
+///   whose ends are more than 8 unbroken bonds apart: a crack at least five particles deep. A ring that is
+///   cut once stays one piece.
+/// energy: kinetic + strain above twice what was given, or anything that is not finite = diverged. Given is
+///   the start's and the work of drives, loads and gravity, at its greatest so far: what takes energy back
+///   may leave noise, not more. A scene that is given none is judged by finiteness only.
+class Judge {
+ public:
+  Judge(const Scene& scene, const Snapshot& start, double support);
+  /// Looks at the state at one time and remembers when each failure began. Without readings its zigzags are
+  /// not judged.
+  void look(const Snapshot& now, const Balance& balance, const Readings& readings = {});
+
+  Verdict verdict() const;
+  /// The first time of each failure, s; those that never held are absent.
+  const std::map<Verdict, double>& since() const { return since_; }
+  int pieces() const { return pieces_; }  // of the graph of unbroken bonds, at the last look
+
+  /// What it has seen so far; the rest comes from the start.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(bonds_, given_energy_, pieces_, since_);
+  }
+
+ private:
+  struct Bond {
+    int i, j;
+    bool broken;  // at the last look
+  };
+  /// True if a bond broke or healed since the last look.
+  bool update_broken(const Snapshot& now);
+  int count_pieces() const;
+  bool has_crack() const;
+  bool bypassed(int bond, std::vector<int>& seen) const;
+
+  std::vector<Bond> bonds_;
+  std::vector<std::vector<int>> bonds_of_;  // [particle] indices
+  std::size_t particles_ = 0;
+  double longest_ = 0;       // m, of an unbroken bond
+  double start_energy_ = 0;  // J
+  double given_energy_ = 0;  // J, greatest so far
+  int start_pieces_ = 0;
+  int pieces_ = 0;
+  std::map<Verdict, double> since_;
+};
+
+}  // namespace taut

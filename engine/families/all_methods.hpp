@@ -1,0 +1,19 @@
+#pragma once
+
+#include "engine/methods/formulation.hpp"
+#include "engine/methods/khayyer2024.hpp"
+#include "engine/methods/lee2016.hpp"
+#include "engine/methods/tranduc2023.hpp"
+
+namespace taut {
+
+/// Every method, in the order in which they are listed. A method is one value above and its name here.
+template <const Formulation&... M>
+struct MethodList {
+  static_assert((consistent(M) && ...));
+};
+using Methods = MethodList<og, oas, enog, enog_nonconservative, oenog, ulsph_av_as_uncorrected, ulsph_av_as,
+                           d_ulsph_av_as, d_ulsph_av_tic, d_ulsph_r_as, ulsph_r_tic, d_ulsph_r_tic, ccb,
+                           ccbwat, icb, tl, pf, pf_jst, pfj_jst, tl_small_strain>;
+
+}  // namespace taut

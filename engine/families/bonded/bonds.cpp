@@ -1,0 +1,277 @@
+#include "engine/families/bonded/bonds.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <map>
+#include <utility>
+
+#include <Eigen/Dense>
+
+#include "engine/neighbors/neighbors.hpp"
+
+namespace taut {
+namespace {
+
+constexpr int Dim = 2;  // of the scenes of this version; the code below is for 3 too
+
+/// One product e_a e_b e_c e_d of four components of a unit vector, by the power of each component.
+using Powers = std::array<int, Dim>;
+
+std::vector<Powers> fourth_moments() {
+  std::vector<Powers> all;
+  const auto fill = [&](auto& self, Powers powers, int axis, int left) -> void {
+    powers[axis] = left;
+    if (axis == Dim - 1) return all.push_back(powers);
+    for (; powers[axis] >= 0; --powers[axis]) self(self, powers, axis + 1, left - powers[axis]);
+  };
+  fill(fill, Powers{}, 0, 4);
+  return all;
+}
+
+/// δ_ab δ_cd + δ_ac δ_bd + δ_ad δ_bc: 3 for e_x⁴, 1 for e_x² e_y², 0 with an odd power.
+double isotropic(const Powers& powers) {
+  double value = 1;
+  for (int p : powers) value *= p % 2 == 1 ? 0 : (p == 4 ? 3 : 1);
+  return value;
+}
+
+/// w = ω ∘ (1 + Mᵀ α) with M w = target, the smallest such change of ω. Weights that come out negative are
+/// set to 0 and the others solved for again.
+Eigen::VectorXd corrected(const Eigen::MatrixXd& M, const Eigen::VectorXd& target, Eigen::VectorXd omega) {
+  for (Eigen::Index round = 0; round <= omega.size(); ++round) {
+    const Eigen::MatrixXd A = M * omega.asDiagonal() * M.transpose();
+    const Eigen::VectorXd alpha = A.completeOrthogonalDecomposition().solve(target - M * omega);
+    const Eigen::VectorXd w = omega + omega.asDiagonal() * (M.transpose() * alpha);
+    if (w.size() == 0 || w.minCoeff() >= 0) return w;
+    omega = (w.array() < 0).select(0.0, omega);
+  }
+  return omega;
+}
+
+/// The moments of bonds in the directions e, a column for each.
+class Moments {
+ public:
+  Moments() : powers_(fourth_moments()), target_(powers_.size()) {
+    for (std::size_t m = 0; m < powers_.size(); ++m) target_[m] = isotropic(powers_[m]);
+  }
+
+  /// w_j of the bonds X_j, columns, that starts from `omega`, and whether its moments are right.
+  std::pair<Eigen::VectorXd, bool> weights(const Eigen::MatrixXd& X, const Eigen::VectorXd& omega) const {
+    Eigen::MatrixXd M(powers_.size(), X.cols());
+    for (Eigen::Index b = 0; b < X.cols(); ++b) {
+      const Eigen::VectorXd e = X.col(b).normalized();
+      for (std::size_t m = 0; m < powers_.size(); ++m) {
+        M(m, b) = 1;
+        for (int k = 0; k < Dim; ++k) M(m, b) *= std::pow(e[k], powers_[m][k]);
+      }
+    }
+    const Eigen::VectorXd w = corrected(M, target_, omega);
+    return {w, (M * w - target_).cwiseAbs().maxCoeff() < 1e-9};
+  }
+
+ private:
+  std::vector<Powers> powers_;
+  Eigen::VectorXd target_;
+};
+
+/// The particles of its own body within reach of each one, by id.
+std::vector<std::vector<int>> neighbors_at_start(const InitialParticles& layout, double reach) {
+  const int n = layout.size();
+  std::vector<Vec<double, Dim>> x(n), sorted(n);
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < Dim; ++k) x[i][k] = layout.x[i][k];
+  CellGrid<Dim> grid;
+  const std::vector<int> order = grid.sort(x, reach);
+  for (int i = 0; i < n; ++i) sorted[i] = x[order[i]];
+  Neighbors found;
+  NeighborSearch<Dim>()(grid, sorted, reach, 1, found);
+  std::vector<std::vector<int>> near(n);
+  for (int i = 0; i < n; ++i) {
+    const int id = order[i];
+    for (int k = lanes * found.begin[i]; k < lanes * found.begin[i + 1]; ++k) {
+      const int other = order[found.j[k]];
+      if (other != id && layout.body[other] == layout.body[id]) near[id].push_back(other);
+    }
+  }
+  return near;
+}
+
+using Columns = Eigen::Matrix<double, Dim, Eigen::Dynamic>;
+using Square = Eigen::Matrix<double, Dim, Dim>;
+
+Eigen::Matrix<double, Dim, 1> column(const Point& p) {
+  return Eigen::Map<const Eigen::Vector<double, Dim>>(p.data());
+}
+
+Point point(const Eigen::Vector<double, Dim>& v) {
+  Point p{};
+  for (int k = 0; k < Dim; ++k) p[k] = v[k];
+  return p;
+}
+
+/// Makes the bonds step by step; what each step needs was made by the ones before.
+class Maker {
+ public:
+  Maker(const Scene& scene, const InitialParticles& layout, double h)
+      : scene_(scene), initial_(layout), h_(h), chosen_(layout.size()) {}
+
+  Bonds make() {
+    choose();
+    set_ends();
+    out_.volume = initial_.V0;
+    set_gradients();
+    correct_volumes();
+    cut_at_clamp();
+    set_gradients();
+    return std::move(out_);
+  }
+
+ private:
+  void choose();
+  void set_ends();
+  void set_gradients();
+  void correct_volumes();
+  void cut_at_clamp();
+  double share_before_clamp(int i, const Point& X) const;
+
+  const Scene& scene_;
+  const InitialParticles& initial_;
+  double h_;
+  std::vector<std::map<int, double>> chosen_;  // [id] w_ij by j
+  Bonds out_;
+};
+
+/// Which others each particle asks for, and with which weights.
+void Maker::choose() {
+  const Moments moments;
+  const auto near = neighbors_at_start(initial_, greatest_bond_reach * h_);
+  for (int i = 0; i < initial_.size(); ++i) {
+    const Eigen::Vector<double, Dim> x_i = column(initial_.x[i]);
+    for (double reach = 2; reach <= greatest_bond_reach; reach += 0.125) {
+      std::vector<int> others;
+      for (int j : near[i])
+        if ((column(initial_.x[j]) - x_i).norm() < reach * h_ * (1 - 1e-9)) others.push_back(j);
+      std::ranges::sort(others);
+      Eigen::MatrixXd X(Dim, others.size());
+      Eigen::VectorXd omega(others.size());
+      for (std::size_t b = 0; b < others.size(); ++b) {
+        X.col(b) = column(initial_.x[others[b]]) - x_i;
+        omega[b] = initial_.V0[others[b]] / std::pow(X.col(b).norm(), Dim);
+      }
+      const auto [w, right] = moments.weights(X, omega);
+      if (!right && reach > 2) continue;  // the first choice stands if none is right
+      chosen_[i].clear();
+      // to 2^-36, far finer than the moments are right: the last bits may differ in a mirror image
+      for (std::size_t b = 0; b < others.size(); ++b)
+        chosen_[i][others[b]] = std::ldexp(std::round(std::ldexp(w[b], 36)), -36);
+      if (right) break;
+    }
+  }
+}
+
+/// Every bond that one of its two ends asked for, with the particles for its ends.
+void Maker::set_ends() {
+  for (int i = 0; i < initial_.size(); ++i)
+    for (const auto& [j, w] : chosen_[i]) chosen_[j].try_emplace(i, 0.0);
+  out_.begin.push_back(0);
+  for (int i = 0; i < initial_.size(); ++i) {
+    for (const auto& [j, w] : chosen_[i]) {
+      const Eigen::Vector<double, Dim> X = column(initial_.x[j]) - column(initial_.x[i]);
+      out_.j.push_back(j);
+      out_.weight.push_back(w);
+      out_.X.push_back(point(X));
+      out_.area.push_back(point(initial_.V0[i] * initial_.V0[j] / std::pow(X.norm(), Dim + 2) * X));
+    }
+    out_.begin.push_back(static_cast<int>(out_.j.size()));
+  }
+}
+
+void Maker::set_gradients() {
+  out_.gradient.assign(out_.j.size(), Point{});
+  out_.B.assign(initial_.size(), {});
+  for (int i = 0; i < initial_.size(); ++i) {
+    Square A = Square::Zero();
+    for (int b = out_.begin[i]; b < out_.begin[i + 1]; ++b)
+      A += column(out_.area[b]) * column(out_.X[b]).transpose();
+    const double scale = std::pow(A.trace() / Dim, Dim);
+    if (!(A.determinant() > 1e-6 * scale)) continue;
+    const Square B = A.inverse();
+    for (int k = 0; k < Dim; ++k) out_.B[i][k] = point(B.col(k));
+    for (int b = out_.begin[i]; b < out_.begin[i + 1]; ++b)
+      out_.gradient[b] = point(B * column(out_.area[b]));
+  }
+}
+
+/// V_k += Σ_j D_j²/24 S_j · (g_jk − δ_jk Σ_l g_jl): S_j = Σ_i (V_i g_ij − V_j g_ji) is the surface that
+/// belongs to particle j, 0 inside.
+void Maker::correct_volumes() {
+  std::vector<Eigen::Vector<double, Dim>> S(initial_.size(), Eigen::Vector<double, Dim>::Zero());
+  const auto for_each_bond = [&](const auto& visit) {
+    for (int i = 0; i < initial_.size(); ++i)
+      for (int b = out_.begin[i]; b < out_.begin[i + 1]; ++b) visit(i, out_.j[b], column(out_.gradient[b]));
+  };
+  for_each_bond([&](int i, int j, const auto& g) {
+    S[j] += initial_.V0[i] * g;
+    S[i] -= initial_.V0[i] * g;
+  });
+  for_each_bond([&](int j, int k, const auto& g) {
+    const double change = std::pow(initial_.V0[j], 2.0 / Dim) / 24 * S[j].dot(g);
+    out_.volume[k] += change;
+    out_.volume[j] -= change;
+  });
+}
+
+/// Share of the way X from free particle i that lies before the held region.
+double Maker::share_before_clamp(int i, const Point& X) const {
+  const Expression& held = scene_.bodies[initial_.body[i]].held;
+  double free = 0, inside = 1;
+  for (int halving = 0; halving < 50; ++halving) {
+    const double share = 0.5 * (free + inside);
+    Point x = initial_.x[i];
+    for (int k = 0; k < Dim; ++k) x[k] += share * X[k];
+    (held(x) != 0 ? inside : free) = share;
+  }
+  constexpr double shortest = 0.4;  // in spacings: a shorter bond would ask for shorter steps
+  return std::min(1.0, std::max(inside, shortest * scene_.spacing / column(X).norm()));
+}
+
+/// Takes away the bonds of held particles and shortens those that lead to them; their a_ij stay as they are.
+void Maker::cut_at_clamp() {
+  Bonds cut;
+  cut.begin.push_back(0);
+  cut.volume = std::move(out_.volume);
+  for (int i = 0; i < initial_.size(); ++i) {
+    for (int b = out_.begin[i]; b < out_.begin[i + 1] && !initial_.held[i]; ++b) {
+      const bool to_clamp = initial_.held[out_.j[b]];
+      if (to_clamp && out_.weight[b] == 0) continue;
+      const double share = to_clamp ? share_before_clamp(i, out_.X[b]) : 1;
+      cut.j.push_back(out_.j[b]);
+      cut.weight.push_back(out_.weight[b]);
+      cut.X.push_back(point(share * column(out_.X[b])));
+      cut.area.push_back(out_.area[b]);
+    }
+    cut.begin.push_back(static_cast<int>(cut.j.size()));
+  }
+  out_ = std::move(cut);
+}
+
+}  // namespace
+
+std::complex<double> harmonic(const Bonds& bonds, int i, int n) {
+  std::complex<double> sum = 0;
+  for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) {
+    const std::complex<double> X(bonds.X[b][0], -bonds.X[b][1]), e = X / std::abs(X);
+    std::complex<double> power = bonds.weight[b];
+    for (int k = 0; k < n; ++k) power *= e;  // not by the angle: a mirror image has the same bits
+    sum += power;
+  }
+  return sum;
+}
+
+Bonds make_bonds(const Scene& scene, const InitialParticles& layout, double h) {
+  return Maker(scene, layout, h).make();
+}
+
+}  // namespace taut

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <complex>
+#include <vector>
+
+#include "engine/scene/initial_particles.hpp"
+
+namespace taut {
+
+/// The pairs of particles of one body that act on each other, seen from both sides. They never change: a body
+/// that does not break needs no search for neighbours. Held particles are rigid and have no bonds of their
+/// own.
+struct Bonds {
+  std::vector<int> begin;       // [n + 1] first bond of each particle
+  std::vector<int> j;           // the other particle
+  std::vector<Point> X;         // from i to the other end, m: particle j, or where the bond enters the clamp
+  std::vector<double> weight;   // w_ij, as seen from i; 0 where only j asked for the bond
+  std::vector<Point> area;      // a_ij = −a_ji, for an end at the clamp as for any other
+  std::vector<Point> gradient;  // g_ij = B_i a_ij, 1/m: Σ_j (f_j − f_i) g_ij is the gradient of f at i
+  // of each particle
+  std::vector<std::array<Point, 3>> B;  // (Σ_j a_ij ⊗ X_ij)⁻¹, symmetric; 0 where the bonds lie on a line
+  std::vector<double> volume;           // V, m^dim, with which its energy counts
+};
+
+/// Bonds whose moments are right at every particle, on any layout, inside and at a surface:
+///   Σ_j w_ij e_a e_b e_c e_d = δ_ab δ_cd + δ_ac δ_bd + δ_ad δ_bc,      Σ_j X_ij ⊗ g_ij = I,
+/// so that the energy of every linear displacement is exact (see terms/bond.hpp).
+///
+/// Which bonds. A particle takes all others within 2h, or, where that leaves no such w_ij ≥ 0, within the
+/// least multiple of h/8 up to 3h that does: with h = 0.8 dp the eight nearest on a square lattice, up to
+/// twelve on the concentric layers of a ring. Fewer bonds cost less and, being shorter, sample the strain
+/// nearer to their particle: against all bonds within 2.1 dp the period of the plate is better by a fifth.
+/// A corner has bonds to one side only, of which no choice is right, and comes as near as it can.
+///
+/// Clamp. A bond from a free particle into a held region ends where it meets the region's face. Held on to
+/// the held particles themselves, half a spacing behind the face, a cantilever is longer by that half
+/// spacing: an error of the period of dp/L, of first order, and the largest there was.
+///
+/// Volumes. Σ V_i f(X_i) is the midpoint rule, whose error is dp²/24 times the integral of ∂f/∂n over the
+/// surface. The volumes contain this end correction, with g_ij for the derivative: about 1.05, 0.94 and 1.01
+/// of V0 in the outermost rows. It brings bending, where the outermost particles count most, from an error of
+/// the period of 0.57 % at ten particles across to 0.18 %. Masses stay as they are.
+Bonds make_bonds(const Scene& scene, const InitialParticles& layout, double h);
+
+/// Σ_j w_ij e^(−inθ_ij) of particle i, θ_ij the direction of X_ij in the plane: 0 for n = 2 and 4 where the
+/// moments are right, and what is left to say how far from isotropic the bonds are.
+std::complex<double> harmonic(const Bonds& bonds, int i, int n);
+
+inline constexpr double greatest_bond_reach = 3;  // in h
+
+}  // namespace taut

@@ -1,0 +1,370 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "engine/families/bonded/bonds.hpp"
+#include "engine/solver/particle_solver.hpp"
+#include "engine/terms/bond.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// Bodies held together by bonds (terms/bond.hpp), which touch by a contact law. Position Verlet, so that
+/// without damping the energy has no drift.
+///
+/// Three passes a step. The strain pass visits x_j and v_j and gives F_i and the bonds' force; the stress
+/// pass takes four particles at once and no neighbour, and gives Q_i = V_i P_i B_i, from which the force pass
+/// makes that of all stresses: with g_ij = B_i a_ij and a_ij = −a_ji it is
+///   Σ_j (V_i P_i g_ij − V_j P_j g_ji) = Σ_j (Q_i + Q_j) a_ij,
+/// so that the passes over neighbours share one vector a bond, and each visits one short row a neighbour.
+/// F goes from the first to the second through memory: in one loop the bonds of the next particles do not
+/// fill the time that the law's long chain of operations takes.
+template <const Formulation& M, int Dim>
+class Bonded final : public ParticleSolver<Dim> {
+ public:
+  explicit Bonded(const SolverInput& input)
+      : Base(input, greatest_bond_reach * input.constants.h),
+        materials_(input.materials),
+        least_r2_(filled<Pack>(1e-4 * c_.dp * c_.dp)) {
+    double shear_speed = 0;
+    for (const int used : this->initial_.material) {
+      wave_speed_ = std::max(wave_speed_, compression_wave_speed(materials_[used]));
+      shear_speed = std::max(shear_speed, std::sqrt(materials_[used].G / materials_[used].rho0));
+    }
+    relaxation_ = c_.damping * c_.dp / shear_speed;
+    CellGrid<Dim> grid;
+    s_.reorder(grid.sort(s_.x, this->support_), threads_now());
+    pack_bonds(make_bonds(input.scene, this->initial_, c_.h));
+    contact_.search(s_);
+    show_contacts_to_probes();
+    Base::record_start();
+    take_snapshot();
+  }
+
+  void advance_to(double t) override {
+    Base::run_to(t, [this] { step(); });
+    take_snapshot();
+  }
+
+  std::string save() override { return Base::saved(*this); }
+  void load(std::string_view state) override {
+    Base::load_into(*this, state);
+    take_snapshot();
+  }
+  template <class Archive>
+  void serialize(Archive& archive) {
+    Base::serialize(archive);
+    archive(stiffest_);
+  }
+
+ private:
+  using Base = ParticleSolver<Dim>;
+  using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::threads_now, Base::vmax_;
+  using typename Base::V;
+
+  using PlaceRow = Row<2 * Dim>;     // x, v
+  using StressRow = Row<Dim * Dim>;  // Q, row by row
+  struct Spring {                    // four bonds; the filling has k = 0
+    Pack k;                          // G (V_i w_ij + V_j w_ji)/r0², N/m (per metre depth in 2D)
+    Pack per_r0_squared;             // 1/r0², 1/m²
+  };
+  struct Sites {  // four particles; the filling and what is held has V = 0
+    Sym<Pack, Dim> B;
+    Pack V;  // m^Dim, with which the energy counts
+    Remainder<Pack> rest;
+  };
+  struct Strained {    // of one particle, to be summed over the lanes
+    Mat<Pack, Dim> A;  // (x_j − x_i) ⊗ a_ij: F = A B
+    Vec<Pack, Dim> f;  // of the bonds, N
+    Pack energy;       // of the bonds, J
+    Pack stiffest;     // φ″ of a bond
+  };
+
+  void pack_bonds(const Bonds& bonds);
+  void add_site(const Bonds& bonds, int i);
+  double strength(const Bonds& bonds, int id, int b, int back) const;
+  void show_contacts_to_probes();
+  void step();
+  double step_size() const;
+  void strain_pass();
+  void stress_pass();
+  double force_pass(double dt);
+  template <bool WithEnergy>
+  Strained strained(int i) const;
+  template <bool WithEnergy>
+  double strain(int group);
+  void take_snapshot();
+  void set_row(int i) {
+    for (int k = 0; k < Dim; ++k) places_[i].c[k] = s_.x[i][k], places_[i].c[Dim + k] = s_.v[i][k];
+  }
+  int groups() const { return (s_.size() + lanes - 1) / lanes; }
+
+  std::vector<Elasticity> materials_;
+  Pack least_r2_;          // m²: bonds shorter than a hundredth of a spacing are taken for that long
+  double wave_speed_ = 0;  // m/s, of compression in the stiffest material
+  double relaxation_ = 0;  // s, of the bonds
+  double stiffest_ = 1;    // greatest of all bonds and particles in the last step, over that at rest
+  std::vector<Sites> sites_;
+  std::vector<int> begin_, j_;        // bonds in packs, as in Neighbors; from size() on places at a clamp
+  std::vector<Vec<Pack, Dim>> a_ij_;  // m^Dim/m, times a constant that B takes out again
+  std::vector<Spring> springs_;
+  std::vector<StoredPack> energy_scales_;  // of each bond's energy, J: its half, or all at a clamp
+  std::vector<Mat<Pack, Dim>> F_;          // of each group; 0 where there is no volume
+  std::vector<PlaceRow> places_;
+  std::vector<StressRow> stress_;
+  std::vector<V> bond_force_;  // N
+};
+
+/// G (V_i w_ij + V_j w_ji), J: that of the energies of both ends. Halves of two materials stand one behind
+/// the other in a bond, as two springs do: the harmonic mean of their G. A place at a clamp has no energy of
+/// its own.
+template <const Formulation& M, int Dim>
+double Bonded<M, Dim>::strength(const Bonds& bonds, int id, int b, int back) const {
+  const std::vector<int>& material = this->initial_.material;
+  const int other = bonds.j[b];
+  const double G_i = materials_[material[id]].G;
+  const double G_j = back < 0 ? G_i : materials_[material[other]].G;
+  double Vw = bonds.volume[id] * bonds.weight[b];
+  if (back >= 0) Vw += bonds.volume[other] * bonds.weight[back];
+  return 2 * G_i * G_j / (G_i + G_j) * Vw;
+}
+
+template <const Formulation& M, int Dim>
+void Bonded<M, Dim>::pack_bonds(const Bonds& bonds) {
+  const InitialParticles& layout = this->initial_;
+  const int n = s_.size();
+  std::vector<int> where(n);
+  for (int i = 0; i < n; ++i) where[s_.id[i]] = i;
+  const auto seen_from = [&](int id, int other) {
+    const int* last = bonds.j.data() + bonds.begin[id + 1];
+    const int* found = std::find(bonds.j.data() + bonds.begin[id], last, other);
+    return found == last ? -1 : static_cast<int>(found - bonds.j.data());
+  };
+  places_.resize(n);
+  sites_.resize(groups());
+  begin_.push_back(0);
+  for (int i = 0; i < n; ++i) {
+    const int id = s_.id[i], last = bonds.begin[id + 1];
+    set_row(i);
+    add_site(bonds, i);
+    for (int first = bonds.begin[id]; first < last; first += lanes) {
+      Vec<Pack, Dim> area{};
+      Spring four{{}, 1 / least_r2_};  // the filling: λ = 1
+      StoredPack scale{};
+      for (int lane = 0; lane < lanes; ++lane) {
+        const int b = first + lane;
+        if (b >= last) {
+          j_.push_back(i);
+          continue;
+        }
+        const int back = seen_from(bonds.j[b], id);
+        j_.push_back(back >= 0 ? where[bonds.j[b]] : static_cast<int>(places_.size()));
+        if (back < 0) places_.emplace_back();
+        double r2 = 0;
+        for (int k = 0; k < Dim; ++k) {
+          if (back < 0) places_.back().c[k] = layout.x[id][k] + bonds.X[b][k];
+          r2 += bonds.X[b][k] * bonds.X[b][k];
+          area[k][lane] = bonds.area[b][k];
+        }
+        const double Gw = strength(bonds, id, b, back);
+        four.k[lane] = Gw / r2;
+        scale.value[lane] = back >= 0 ? 0.5 * Gw : Gw;
+        four.per_r0_squared[lane] = 1 / r2;
+      }
+      a_ij_.push_back(area);
+      energy_scales_.push_back(scale);
+      springs_.push_back(four);
+    }
+    begin_.push_back(static_cast<int>(springs_.size()));
+  }
+  stress_.resize(places_.size());
+  F_.resize(groups());
+  bond_force_.resize(n);
+  this->pairs_ = static_cast<long>(bonds.j.size());
+}
+
+template <const Formulation& M, int Dim>
+void Bonded<M, Dim>::add_site(const Bonds& bonds, int i) {
+  Sites& four = sites_[i / lanes];
+  const int lane = i % lanes, id = s_.id[i];
+  const Elasticity& material = materials_[this->initial_.material[id]];
+  const auto six = harmonic(bonds, id, 6), eight = harmonic(bonds, id, 8);
+  four.rest.K[lane] = material.K, four.rest.G[lane] = material.G;
+  four.rest.Z6.re[lane] = six.real(), four.rest.Z6.im[lane] = six.imag();
+  four.rest.Z8.re[lane] = eight.real(), four.rest.Z8.im[lane] = eight.imag();
+  for (int a = 0; a < Dim; ++a)
+    for (int k = a; k < Dim; ++k) four.B(a, k)[lane] = bonds.B[id][a][k];
+  if (four.B(0, 0)[lane] > 0) four.V[lane] = bonds.volume[id];
+}
+
+template <const Formulation& M, int Dim>
+void Bonded<M, Dim>::show_contacts_to_probes() {
+  s_.neighbors = contact_.neighbors(s_.size());
+  this->recorder_.rebuilt(s_, Contact<Dim>::reach * c_.dp);
+}
+
+/// s. [Zhang2024] Eq. 22 with the speed of compression waves, for any ν, and with dp, on which the limit
+/// depends and not on h. A bond that is pressed or pulled gets stiffer, and so does a particle whose J is
+/// below one half; steps get shorter once that takes up most of what a `cfl` of 0.64 leaves to the limit of
+/// 0.97.
+template <const Formulation& M, int Dim>
+double Bonded<M, Dim>::step_size() const {
+  constexpr double spare = 1.5;
+  const double stiffer = std::sqrt(std::max(1.0, stiffest_ / spare));
+  return Base::fixed_or(c_.cfl * c_.dp / (wave_speed_ + vmax_) / stiffer);
+}
+
+template <const Formulation& M, int Dim>
+void Bonded<M, Dim>::step() {
+  const double dt = step_size();
+  if (contact_.prepare(s_, vmax_ * dt)) show_contacts_to_probes();
+  parallel_for(s_.size(), threads_now(), [&](int i) {
+    s_.x[i] += (0.5 * dt) * s_.v[i];
+    set_row(i);
+  });
+  contact_.evaluate(s_, dt);
+  strain_pass();
+  stress_pass();
+  Base::set_greatest_speed(force_pass(dt));
+  Base::stop_approach(0.5 * dt, [&](int i, const V& change) { s_.x[i] += (0.5 * dt) * change; });
+  Base::finish_step(dt);
+}
+
+/// Σ_j (x_j − x_i) ⊗ a_ij, and of the bonds the force Σ_j k (φ′(λ)/λ + τ q̇) (x_j − x_i) and, if asked for,
+/// the energy.
+template <const Formulation& M, int Dim>
+template <bool WithEnergy>
+auto Bonded<M, Dim>::strained(int i) const -> Strained {
+  constexpr int width = PlaceRow::width;
+  const Vec<Pack, Dim> x_i = spread(s_.x[i]), v_i = spread(s_.v[i]);
+  Mat<Pack, Dim> A{};
+  Vec<Pack, Dim> f{};
+  Pack energy{}, stiffest{};
+  for (int b = begin_[i]; b < begin_[i + 1]; ++b) {
+    const int* j = &j_[static_cast<std::size_t>(lanes) * b];
+    Pack row[width];  // x_j, v_j
+    gather<width>(places_[0].c, j, row);
+    Vec<Pack, Dim> d, w;
+    for (int k = 0; k < Dim; ++k) d[k] = row[k] - x_i[k], w[k] = row[Dim + k] - v_i[k];
+    const Spring& spring = springs_[b];
+    const Pack s = max(dot(d, d), least_r2_) * spring.per_r0_squared;
+    const Pack rate = dot(d, w) * spring.per_r0_squared;  // q̇
+    stiffest = max(stiffest, bond_stiffness(s));
+    f += Pack(spring.k * (bond_slope(s) + relaxation_ * rate)) * d;
+    add_outer(A, filled<Pack>(1), d, a_ij_[b]);
+    if constexpr (WithEnergy) energy += energy_scales_[b].value * bond_energy(s);
+  }
+  return {A, f, energy, stiffest};
+}
+
+/// F and the bonds' force of four particles, or fewer in the last group, and their energy if asked for. The
+/// greatest stiffness, over that of a bond at rest.
+template <const Formulation& M, int Dim>
+template <bool WithEnergy>
+double Bonded<M, Dim>::strain(int group) {
+  const int first = group * lanes, count = std::min(lanes, s_.size() - first);
+  Strained of[lanes];
+  for (int lane = 0; lane < lanes; ++lane)  // past the end: the last particle again
+    of[lane] = strained<WithEnergy>(std::min(first + lane, s_.size() - 1));
+  const auto sums_of = [&](const auto& entry) {
+    return sums(entry(of[0]), entry(of[1]), entry(of[2]), entry(of[3]));
+  };
+  Mat<Pack, Dim> A;
+  for (int a = 0; a < Dim; ++a) {
+    for (int k = 0; k < Dim; ++k)
+      A(a, k) = sums_of([&](const Strained& one) -> const Pack& { return one.A(a, k); });
+    const Pack f = sums_of([&](const Strained& one) -> const Pack& { return one.f[a]; });
+    for (int lane = 0; lane < count; ++lane) bond_force_[first + lane][a] = f[lane];
+  }
+  const Sites& sites = sites_[group];
+  F_[group] = product(A, sites.B);
+  if constexpr (WithEnergy) {
+    std::vector<double>& energies = this->snapshot_.strain_energy;
+    const Pack energy = sums_of([](const Strained& one) -> const Pack& { return one.energy; }) +
+                        sites.V * sites.rest.energy(F_[group]);
+    for (int lane = 0; lane < count; ++lane) energies[s_.id[first + lane]] = energy[lane];
+  }
+  Pack stiffest = max(max(of[0].stiffest, of[1].stiffest), max(of[2].stiffest, of[3].stiffest));
+  stiffest = max(stiffest, sites.V > 0 ? closing_stiffness(determinant(F_[group])) : Pack{});
+  return max(max(stiffest[0], stiffest[1]), max(stiffest[2], stiffest[3]));
+}
+
+template <const Formulation& M, int Dim>
+void Bonded<M, Dim>::strain_pass() {
+  stiffest_ =
+      parallel_max(groups(), threads_now(), [&](int group) TAUT_FLATTEN { return strain<false>(group); });
+}
+
+template <const Formulation& M, int Dim>
+void Bonded<M, Dim>::stress_pass() {
+  parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+    const Sites& sites = sites_[group];
+    const Mat<Pack, Dim> Q = sites.V * product(sites.rest.piola(F_[group]), sites.B);
+    const int first = group * lanes, count = std::min(lanes, s_.size() - first);
+    for (int lane = 0; lane < count; ++lane)
+      for (int a = 0; a < Dim; ++a)
+        for (int k = 0; k < Dim; ++k) stress_[first + lane].c[a * Dim + k] = Q(a, k)[lane];
+  });
+}
+
+/// f_i = that of the bonds + Σ_j (Q_i + Q_j) a_ij + contact; then v and the second half of x. The greatest
+/// v², m²/s².
+template <const Formulation& M, int Dim>
+double Bonded<M, Dim>::force_pass(double dt) {
+  constexpr int width = StressRow::width;
+  Base::set_outside(dt, this->time_ + dt);
+  const bool contact = contact_.active(), outside = Base::outside_acts();
+  return parallel_max(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
+    Pack Q_i[Dim * Dim];
+    for (int k = 0; k < Dim * Dim; ++k) Q_i[k] = filled<Pack>(stress_[i].c[k]);
+    Vec<Pack, Dim> f{};
+    for (int b = begin_[i]; b < begin_[i + 1]; ++b) {
+      Pack Q_j[width];
+      gather<width>(stress_[0].c, &j_[static_cast<std::size_t>(lanes) * b], Q_j);
+      for (int a = 0; a < Dim; ++a)
+        for (int k = 0; k < Dim; ++k) f[a] += (Q_i[a * Dim + k] + Q_j[a * Dim + k]) * a_ij_[b][k];
+    }
+    V force = sum(f);
+    force += bond_force_[i];
+    if (contact) force += contact_.force(i);
+    V v = s_.v[i];
+    v += (dt * s_.mobile[i] / s_.m[i]) * force;
+    if (outside) Base::act_from_outside(i, dt, v);
+    s_.v[i] = v;
+    s_.x[i] += (0.5 * dt) * v;
+    return dot(v, v);
+  });
+}
+
+/// The stress shown is the neo-Hookean one of F, below J = ½ too: p = −K (J − 1), s = G J^(−5/3) dev(F Fᵀ)
+/// with (F Fᵀ)_zz = 1 in 2D and J no less than 0.05; none of a held particle, which is rigid.
+template <const Formulation& M, int Dim>
+void Bonded<M, Dim>::take_snapshot() {
+  Base::begin_snapshot();
+  this->snapshot_.strain_energy.resize(s_.size());
+  parallel_for(s_.size(), threads_now(), [&](int i) { set_row(i); });
+  parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+    strain<true>(group);
+    const Sites& sites = sites_[group];
+    Mat<Pack, Dim> F = F_[group];
+    for (int k = 0; k < Dim; ++k) F(k, k) = sites.V > 0 ? F(k, k) : filled<Pack>(1);
+    const Pack J = determinant(F), p = -sites.rest.K * (J - 1);
+    const Pack root = inverse_cube_root(max(J, filled<Pack>(0.05)));
+    Sym<Pack, Dim> b{};
+    for (int a = 0; a < Dim; ++a)
+      for (int k = a; k < Dim; ++k)
+        for (int l = 0; l < Dim; ++l) b(a, k) += F(a, l) * F(k, l);
+    const Pack mean = (trace(b) + (3 - Dim)) / 3, shear = sites.rest.G * power<5>(root);
+    for (int k = 0; k < Dim; ++k) b(k, k) -= mean;
+    const int first = group * lanes, count = std::min(lanes, s_.size() - first);
+    for (int lane = 0; lane < count; ++lane) {
+      const double rho0 = materials_[this->initial_.material[s_.id[first + lane]]].rho0;
+      Sym<double, Dim> s;
+      for (int k = 0; k < Sym<double, Dim>::size; ++k) s.c[k] = shear[lane] * b.c[k][lane];
+      Base::store(first + lane, rho0 / J[lane], p[lane], s, shear[lane] * (1 - mean[lane]));
+    }
+  });
+}
+
+}  // namespace taut::inline TAUT_ISA

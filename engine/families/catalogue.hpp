@@ -1,0 +1,46 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "engine/methods/description.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/settings.hpp"
+
+namespace taut {
+
+/// A law of elasticity that a user may choose for a method.
+struct LawChoice {
+  std::string_view name;          // "st-venant-kirchhoff"
+  std::string_view material_law;  // the reference to compare with
+};
+
+/// What `list` and `describe` say of a method, derived from its Formulation.
+struct MethodInfo {
+  std::string_view name;
+  std::string_view paper;
+  std::string_view summary;
+  std::string_view material_law;  // the reference to compare with: "2d_deviator" or "neo_hookean"
+  std::vector<LawChoice> laws;    // of elasticity, which may be chosen; the first is the published one
+  std::string_view conserves;
+  std::vector<TermInfo> terms;
+  std::vector<MethodConstant> constants;
+  double cfl;                            // default acoustic CFL number
+  ContactLaw contact;                    // the published one
+  std::vector<ContactLaw> contact_laws;  // those that the method can run with
+  bool several_materials;                // in one scene
+};
+
+/// Every method by name, in the order in which they are listed.
+std::span<const MethodInfo> methods();
+/// nullptr if there is none of that name.
+const MethodInfo* find_method(std::string_view name);
+/// The reference to compare a run with these settings with. Throws UsageError for a law that the method does
+/// not have.
+std::string_view material_law(const MethodInfo& method, const Settings& settings);
+/// How the bodies of the scene act on each other with this method, never `published`. Throws SceneError for a
+/// law that the method cannot run with.
+ContactLaw contact_law(const Scene& scene, const MethodInfo& method);
+
+}  // namespace taut

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/solver/initial_pair_solver.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// Total-Lagrangian methods whose only unknowns are the positions: the deformation gradient comes from them
+/// at every step. [Lee2016] Eq. 34, [TranDuc2023] §2.3, [Zhang2020]. The forces are those of an energy,
+/// unless the law has none, and time goes in position Verlet steps (the leap-frog of [Zhang2020] Eq. 10, 11
+/// with its forces at mid-step), so that the energy has no drift. There is no dissipation.
+template <const Formulation& M, int Dim>
+class TlDisplacement final : public InitialPairSolver<M, Dim> {
+ public:
+  explicit TlDisplacement(const SolverInput& input)
+      : Base(input), displacement_(s_.size()), stress_(s_.size()), F_(s_.size()) {
+    this->record_start();
+    take_snapshot();
+  }
+
+  void advance_to(double t) override {
+    this->run_to(t, [this] { step(); });
+    take_snapshot();
+  }
+
+  std::string save() override { return Base::saved(*this); }
+  void load(std::string_view state) override {
+    Base::load_into(*this, state);
+    take_snapshot();
+  }
+
+ private:
+  using Base = InitialPairSolver<M, Dim>;
+  using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::threads_now, Base::vmax_,
+      Base::pairs_of_start_, Base::V0_, Base::X_;
+  using typename Base::Mat;
+  using typename Base::V;
+
+  void step();
+  void deformation_pass();
+  double force_pass(double dt);
+  void take_snapshot();
+
+  std::vector<Tile<Dim>> displacement_;  // u = x − X, in rows
+  std::vector<Tile<Dim>> stress_;        // V P B
+  std::vector<Mat> F_;
+};
+
+template <const Formulation& M, int Dim>
+void TlDisplacement<M, Dim>::step() {
+  const double dt = Base::step_size();
+  if (contact_.prepare(s_, vmax_ * dt)) this->show_contacts_to_probes();
+  parallel_for(s_.size(), threads_now(), [&](int i) {
+    s_.x[i] += (0.5 * dt) * s_.v[i];
+    displacement_[i] = in_rows(s_.x[i] - X_[i]);
+  });
+  contact_.evaluate(s_, dt);
+  deformation_pass();
+  Base::set_greatest_speed(force_pass(dt));
+  Base::stop_approach(0.5 * dt, [&](int i, const V& change) { s_.x[i] += (0.5 * dt) * change; });
+  Base::finish_step(dt);
+}
+
+/// F = I + ∇u and P(F) of every particle.
+template <const Formulation& M, int Dim>
+void TlDisplacement<M, Dim>::deformation_pass() {
+  parallel_for(s_.size(), threads_now(), [&](int i) {
+    Mat F = product(matrix(pairs_of_start_.difference_sum(displacement_, i)), pairs_of_start_.B[i]);
+    for (int k = 0; k < Dim; ++k) F(k, k) += 1;
+    F_[i] = F;
+    stress_[i] = tile(product(this->law(i).piola(F, determinant(F)), V0_[i] * pairs_of_start_.B[i]));
+  });
+}
+
+/// Internal and contact force; then v and the second half of x. The greatest v², m²/s².
+template <const Formulation& M, int Dim>
+double TlDisplacement<M, Dim>::force_pass(double dt) {
+  Base::set_outside(dt, this->time_ + dt);
+  const bool contact = contact_.active(), outside = Base::outside_acts();
+  return parallel_max(s_.size(), threads_now(), [&](int i) {
+    V force = pairs_of_start_.pair_sum(stress_, i);
+    if (contact) force += contact_.force(i);
+    V v = s_.v[i];
+    v += (dt * s_.mobile[i] / s_.m[i]) * force;
+    if (outside) Base::act_from_outside(i, dt, v);
+    s_.v[i] = v;
+    s_.x[i] += (0.5 * dt) * v;
+    return dot(v, v);
+  });
+}
+
+template <const Formulation& M, int Dim>
+void TlDisplacement<M, Dim>::take_snapshot() {
+  parallel_for(s_.size(), threads_now(), [&](int i) { displacement_[i] = in_rows(s_.x[i] - X_[i]); });
+  deformation_pass();
+  Base::begin_snapshot();
+  parallel_for(s_.size(), threads_now(), [&](int i) { Base::store(i, F_[i], determinant(F_[i])); });
+}
+
+}  // namespace taut::inline TAUT_ISA

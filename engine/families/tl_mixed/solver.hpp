@@ -1,0 +1,250 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/families/tl_mixed/corrected_laplacian.hpp"
+#include "engine/families/tl_mixed/momentum_projection.hpp"
+#include "engine/solver/initial_pair_solver.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// Mixed total-Lagrangian methods: momentum, deformation gradient and, where the method says so, volume ratio
+/// as unknowns of equations of their own, with Jameson–Schmidt–Turkel dissipation. [Lee2016] Algorithm 1,
+/// without H (linear in F in plane strain). The momentum goes as the velocity p/ρ0.
+///
+/// Differs from the paper in the biharmonic term, L*[L[U]] with the adjoint of L in place of L[L[U]] (Eq.
+/// 37b). L is not symmetric at a surface, where its square may feed what it is to damp: with it `pfj-jst`
+/// loses the bending column at Poisson's ratio 0.499 for ε of J from 1/32 on, at any time step. The adjoint
+/// takes from every field (−Σ V |L[U]|²) and is the same inside. The constant `adjoint` = 0 gives the printed
+/// form. Boundary conditions are set on the held particles only (its step 8; step 9 "is usually
+/// disregarded"). Forces of contact, which it has not, act outside the projection and are taken at its Z,
+/// about which central forces have no moment; so do loads. Of the dissipation and the internal force the sum
+/// is projected, which is the same as each of them (Eq. 49).
+template <const Formulation& M, int Dim>
+class TlMixed final : public InitialPairSolver<M, Dim> {
+ public:
+  explicit TlMixed(const SolverInput& input);
+
+  void advance_to(double t) override {
+    this->run_to(t, [this] { step(); });
+    take_snapshot();
+  }
+
+  std::string save() override { return Base::saved(*this); }
+  void load(std::string_view state) override {
+    Base::load_into(*this, state);
+    take_snapshot();
+  }
+  template <class Archive>
+  void serialize(Archive& archive) {
+    Base::serialize(archive);
+    archive(now_);
+  }
+
+ private:
+  using Base = InitialPairSolver<M, Dim>;
+  using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::loads_, Base::threads_now, Base::vmax_;
+  using Base::initial_, Base::pairs_of_start_, Base::V0_, Base::X_;
+  using typename Base::Mat;
+  using typename Base::V;
+
+  static constexpr bool has_J = M.unknowns == Unknowns::v_F_J;
+
+  /// Unknowns of a particle, or their rates.
+  struct Unknown {
+    V x, v;  // m, m/s
+    Mat F;
+    double J;  // where it is one
+  };
+
+  double volume_ratio(const Unknown& u) const { return has_J ? u.J : determinant(u.F); }
+
+  void step();
+  void find_rates(const std::vector<V>& Z, double dt);
+  void set_rows(const std::vector<V>& Z);
+  void gather_pass();
+  void dissipation_pass();
+  void project(const std::vector<V>& Z);
+  void predict(double dt);
+  double correct(double dt);
+  void take_snapshot();
+
+  std::vector<Unknown> now_, start_;  // at the stage and at the start of the step
+  std::vector<Unknown> rate_, rate_of_start_;
+  std::vector<V> a_;                   // of internal force and dissipation, m/s²
+  std::vector<V> Z_;                   // x at the end of the step, m
+  std::vector<double> dissipation_J_;  // 1/s
+
+  std::vector<Tile<Dim>> velocity_;        // in rows
+  std::vector<Tile<Dim>> stress_;          // V P B
+  std::vector<double> laplacian_, outer_;  // w_ij dp²; what L[U] of a neighbour counts in the second
+  std::vector<Pack> smoothed_, once_;      // (v, J) and dp² L of it
+};
+
+template <const Formulation& M, int Dim>
+TlMixed<M, Dim>::TlMixed(const SolverInput& input)
+    : Base(input),
+      rate_(s_.size()),
+      a_(s_.size()),
+      dissipation_J_(s_.size()),
+      velocity_(s_.size()),
+      stress_(s_.size()) {
+  static_assert(Dim + has_J <= lanes);
+  Mat one{};
+  for (int k = 0; k < Dim; ++k) one(k, k) = 1;
+  for (int i = 0; i < s_.size(); ++i) now_.push_back({s_.x[i], s_.v[i], one, 1});
+  start_ = now_;
+  rate_of_start_ = rate_;
+  Z_ = s_.x;
+  if constexpr (M.jst) {
+    laplacian_ = corrected_laplacian<Kernel<M.kernel>>(pairs_of_start_, X_, V0_, c_.h, c_.dp * c_.dp);
+    outer_ = adjoint_weights(pairs_of_start_, laplacian_, V0_);
+    for (std::size_t p = 0; p < outer_.size(); ++p)
+      outer_[p] = c_.adjoint * outer_[p] + (1 - c_.adjoint) * laplacian_[p];
+    smoothed_.resize(s_.size());
+    once_.resize(s_.size());
+  }
+  this->record_start();
+  take_snapshot();
+}
+
+/// U* = U + Δt U̇(U), U** = U* + Δt U̇(U*), then the mean of U and U**.               [Lee2016] Eq. 43
+template <const Formulation& M, int Dim>
+void TlMixed<M, Dim>::step() {
+  const double dt = Base::step_size();
+  if (contact_.prepare(s_, vmax_ * dt)) this->show_contacts_to_probes();
+  start_ = now_;
+  for (int i = 0; i < s_.size(); ++i) Z_[i] = now_[i].x;
+  Base::set_outside(dt, this->time_ + dt);
+  find_rates(Z_, dt);
+  rate_of_start_ = rate_;
+  predict(dt);
+  // both momenta are kept by stages that sum to zero about x at the start and at the end of the step
+  for (int i = 0; i < s_.size(); ++i) Z_[i] = start_[i].x + (0.5 * dt) * (start_[i].v + now_[i].v);
+  find_rates(Z_, dt);
+  Base::set_greatest_speed(correct(dt));
+  Base::stop_approach(0.5 * dt, [&](int i, const V& change) {
+    now_[i].v = s_.v[i];
+    now_[i].x += (0.5 * dt) * change;
+    s_.x[i] = now_[i].x;
+  });
+  Base::finish_step(dt);
+}
+
+/// The right-hand sides at the present unknowns.                             [Lee2016] Algorithm 1, steps 4–8
+template <const Formulation& M, int Dim>
+void TlMixed<M, Dim>::find_rates(const std::vector<V>& Z, double dt) {
+  set_rows(Z);
+  contact_.evaluate(s_, 0.5 * dt);  // the two stages share the step
+  gather_pass();
+  if constexpr (M.jst) dissipation_pass();
+  if (c_.projection != 0) project(Z);
+  const bool contact = contact_.active(), loaded = loads_.active();
+  parallel_for(s_.size(), threads_now(), [&](int i) {
+    V a = a_[i];
+    if (contact) a += (1 / s_.m[i]) * contact_.force(i);
+    if (loaded) a += loads_.acceleration(s_, i);
+    rate_[i].x = now_[i].v;
+    rate_[i].v = s_.mobile[i] * a;
+    if constexpr (has_J) rate_[i].J += dissipation_J_[i];
+  });
+}
+
+template <const Formulation& M, int Dim>
+void TlMixed<M, Dim>::set_rows(const std::vector<V>& Z) {
+  parallel_for(s_.size(), threads_now(), [&](int i) {
+    const Unknown& u = now_[i];
+    s_.x[i] = Z[i];
+    s_.v[i] = u.v;
+    velocity_[i] = in_rows(u.v);
+    stress_[i] = tile(product(this->law(i).piola(u.F, volume_ratio(u)), V0_[i] * pairs_of_start_.B[i]));
+    if constexpr (M.jst) {
+      for (int k = 0; k < Dim; ++k) smoothed_[i][k] = u.v[k];
+      smoothed_[i][Dim] = u.J;
+    }
+  });
+}
+
+/// dF/dt, dJ/dt, internal force and L[U].
+template <const Formulation& M, int Dim>
+void TlMixed<M, Dim>::gather_pass() {
+  parallel_for(s_.size(), threads_now(), [&](int i) {
+    const Mat grad_v = product(matrix(pairs_of_start_.difference_sum(velocity_, i)), pairs_of_start_.B[i]);
+    rate_[i].F = grad_v;
+    if constexpr (has_J) rate_[i].J = contraction(cofactor(now_[i].F), grad_v);
+    a_[i] = (1 / s_.m[i]) * pairs_of_start_.pair_sum(stress_, i);
+    if constexpr (M.jst) once_[i] = laplacian_sum(pairs_of_start_, laplacian_, smoothed_, i);
+  });
+}
+
+/// D(U) = c_p dp ε₂ L[U] − c_p dp³ ε₄ L*[L[U]] of the velocity and of J.                [Lee2016] Eq. 35–38
+template <const Formulation& M, int Dim>
+void TlMixed<M, Dim>::dissipation_pass() {
+  const double rate = Base::wave_speed() / c_.dp;
+  parallel_for(s_.size(), threads_now(), [&](int i) {
+    const Pack twice = weighted_sum(pairs_of_start_, outer_, laplacian_, once_, i);
+    for (int k = 0; k < Dim; ++k) a_[i][k] += rate * (c_.eps_v2 * once_[i][k] - c_.eps_v4 * twice[k]);
+    dissipation_J_[i] = rate * (c_.eps_J2 * once_[i][Dim] - c_.eps_J4 * twice[Dim]);
+  });
+}
+
+/// Of each body: the sum of the accelerations and of their moments about Z comes to 0 (Eq. 45–49), and that
+/// of the dissipation of J (Eq. 51).
+template <const Formulation& M, int Dim>
+void TlMixed<M, Dim>::project(const std::vector<V>& Z) {
+  for (std::size_t body = 0; body + 1 < initial_.first.size(); ++body) {
+    const int first = initial_.first[body], last = initial_.first[body + 1];
+    project_on_momenta(a_, Z, V0_, first, last, c_.projection);
+    if constexpr (has_J) {
+      double sum = 0, volume = 0;
+      for (int i = first; i < last; ++i) sum += V0_[i] * dissipation_J_[i], volume += V0_[i];
+      for (int i = first; i < last; ++i) dissipation_J_[i] -= c_.projection * sum / volume;
+    }
+  }
+}
+
+/// The first stage. Driven particles have the velocity of the end of the step.
+template <const Formulation& M, int Dim>
+void TlMixed<M, Dim>::predict(double dt) {
+  const bool driven = drives_.active();
+  parallel_for(s_.size(), threads_now(), [&](int i) {
+    Unknown& u = now_[i];
+    const Unknown& r = rate_[i];
+    u.x += dt * r.x;
+    u.v += dt * r.v;
+    u.F = combination(1.0, u.F, dt, r.F);
+    if constexpr (has_J) u.J += dt * r.J;
+    if (driven && drives_.moves(s_.id[i])) u.v = drives_.velocity(s_.id[i]);
+  });
+}
+
+/// The mean of start and second stage, U + Δt/2 (U̇ + U̇*). The greatest v², m²/s².
+template <const Formulation& M, int Dim>
+double TlMixed<M, Dim>::correct(double dt) {
+  const bool driven = drives_.active(), loaded = loads_.active();
+  return parallel_max(s_.size(), threads_now(), [&](int i) {
+    const Unknown &r = rate_of_start_[i], &q = rate_[i];
+    Unknown u = start_[i];
+    s_.v[i] = u.v;
+    u.x += (0.5 * dt) * (r.x + q.x);
+    u.v += (0.5 * dt) * (r.v + q.v);
+    u.F = combination(1.0, u.F, 0.5 * dt, combination(1.0, r.F, 1.0, q.F));
+    if constexpr (has_J) u.J += 0.5 * dt * (r.J + q.J);
+    if (driven && drives_.moves(s_.id[i]))
+      drives_.replace(s_, i, u.v);
+    else if (loaded)
+      loads_.count(s_, i, dt, 0.5 * (s_.v[i] + u.v));
+    now_[i] = u;
+    s_.x[i] = u.x;
+    s_.v[i] = u.v;
+    return dot(u.v, u.v);
+  });
+}
+
+template <const Formulation& M, int Dim>
+void TlMixed<M, Dim>::take_snapshot() {
+  Base::begin_snapshot();
+  parallel_for(s_.size(), threads_now(), [&](int i) { Base::store(i, now_[i].F, volume_ratio(now_[i])); });
+}
+
+}  // namespace taut::inline TAUT_ISA

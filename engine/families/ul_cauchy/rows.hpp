@@ -1,0 +1,197 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/kernels/kernel.hpp"
+#include "engine/methods/formulation.hpp"
+#include "engine/neighbors/neighbors.hpp"
+#include "engine/solver/state.hpp"
+
+/// What the passes of cauchy_passes.hpp gather and leave for each other.
+namespace taut::inline TAUT_ISA {
+
+/// Velocity (u or û), density, volume, place.
+template <int Dim>
+struct MotionRow : Row<2 * Dim + 2> {
+  void set(const Vec<double, Dim>& v, double rho, double V, const Vec<double, Dim>& x) {
+    for (int k = 0; k < Dim; ++k) this->c[k] = v[k], this->c[Dim + 2 + k] = x[k];
+    this->c[Dim] = rho;
+    this->c[Dim + 1] = V;
+  }
+  void put_velocity(const Vec<double, Dim>& v) {
+    for (int k = 0; k < Dim; ++k) this->c[k] = v[k];
+  }
+};
+template <int Dim>
+struct Motion {
+  Vec<Pack, Dim> v, x;  // m/s, m
+  Pack rho, V;          // kg/m³, m^Dim
+};
+
+template <int Dim>
+Motion<Dim> motion_of(const Pack* column, bool with_place) {
+  Motion<Dim> m;
+  for (int k = 0; k < Dim; ++k) m.v[k] = column[k];
+  m.rho = column[Dim];
+  m.V = column[Dim + 1];
+  if (with_place)
+    for (int k = 0; k < Dim; ++k) m.x[k] = column[Dim + 2 + k];
+  return m;
+}
+template <int Dim>
+Motion<Dim> gather_motion(const std::vector<MotionRow<Dim>>& rows, const int* j) {
+  Pack column[MotionRow<Dim>::width];
+  gather<MotionRow<Dim>::width>(rows[0].c, j, column);
+  return motion_of<Dim>(column, true);
+}
+/// The same without the place.
+template <int Dim>
+Motion<Dim> gather_motion_only(const std::vector<MotionRow<Dim>>& rows, const int* j) {
+  constexpr int width = Row<Dim + 2>::width;
+  Pack column[width];
+  gather<width, MotionRow<Dim>::width>(rows[0].c, j, column);
+  return motion_of<Dim>(column, false);
+}
+template <int Dim>
+Motion<Dim> spread_motion(const MotionRow<Dim>& row) {
+  Pack column[MotionRow<Dim>::width];
+  for (int k = 0; k < MotionRow<Dim>::width; ++k) column[k] = filled<Pack>(row.c[k]);
+  return motion_of<Dim>(column, true);
+}
+
+/// What the stress pass gathers: columns that the method does not use are not there.
+template <const Formulation& M, int Dim>
+struct StressRow {
+  static constexpr bool riemann = M.viscosity == Viscosity::riemann;
+  static constexpr int S = Sym<double, Dim>::size;
+  static constexpr int v_at = 0, rho_at = Dim, V_at = Dim + 1, T_at = Dim + 2, R_at = T_at + Dim * Dim;
+  static constexpr int D_at = R_at + (M.artificial_stress ? Dim * Dim : 0);
+  static constexpr int root_rho_at = D_at + (riemann ? S : 0);
+  static constexpr int wave_at = root_rho_at + (riemann ? 1 : 0);  // c, or c ρ √ρ
+  static constexpr int grad_rho_at = wave_at + (M.viscosity == Viscosity::none ? 0 : 1);
+  static constexpr int surface_at = grad_rho_at + (M.density_diffusion ? Dim : 0);
+  static constexpr int columns = surface_at + (M.tensile_control ? 1 : 0);
+  static constexpr int width = (columns + lanes - 1) / lanes * lanes;
+  alignas(lanes * sizeof(double)) double c[width] = {};
+
+  /// The columns of four rows.
+  struct Values {
+    Pack column[width];
+
+    Vec<Pack, Dim> v() const { return vector(v_at); }
+    Pack rho() const { return column[rho_at]; }
+    Pack V() const { return column[V_at]; }
+    Mat<Pack, Dim> T() const { return matrix(T_at); }  // σ·L, σ or σ/ρ²
+    Mat<Pack, Dim> R() const { return matrix(R_at); }  // the same of −σ⁺
+    Sym<Pack, Dim> D() const {                         // symmetric part of ∇u
+      Sym<Pack, Dim> D;
+#pragma GCC unroll 6
+      for (int k = 0; k < S; ++k) D.c[k] = column[D_at + k];
+      return D;
+    }
+    Pack root_rho() const { return column[root_rho_at]; }
+    Pack impedance() const { return column[wave_at]; }
+    Pack c() const { return column[wave_at]; }
+    Vec<Pack, Dim> grad_rho() const { return vector(grad_rho_at); }
+    Pack surface() const { return column[surface_at]; }  // 1 or 0
+
+    Vec<Pack, Dim> vector(int at) const {
+      Vec<Pack, Dim> a;
+      for (int k = 0; k < Dim; ++k) a[k] = column[at + k];
+      return a;
+    }
+    Mat<Pack, Dim> matrix(int at) const {
+      Mat<Pack, Dim> A;
+#pragma GCC unroll 3
+      for (int k = 0; k < Dim; ++k)
+#pragma GCC unroll 3
+        for (int l = 0; l < Dim; ++l) A(k, l) = column[at + k * Dim + l];
+      return A;
+    }
+  };
+
+  static Values gather(const std::vector<StressRow>& rows, const int* j) {
+    Values v;
+    taut::gather<width>(rows[0].c, j, v.column);
+    return v;
+  }
+  static Values spread(const StressRow& row) {
+    Values v;
+    for (int k = 0; k < width; ++k) v.column[k] = filled<Pack>(row.c[k]);
+    return v;
+  }
+  static Mat<double, Dim> R(const StressRow& row) {
+    Mat<double, Dim> A;
+    for (int k = 0; k < Dim; ++k)
+      for (int l = 0; l < Dim; ++l) A(k, l) = row.c[R_at + k * Dim + l];
+    return A;
+  }
+
+  void put(int at, double value) { c[at] = value; }
+  void put(int at, const Vec<double, Dim>& a) {
+    for (int k = 0; k < Dim; ++k) c[at + k] = a[k];
+  }
+  void put(int at, const Mat<double, Dim>& A) {
+    for (int k = 0; k < Dim; ++k)
+      for (int l = 0; l < Dim; ++l) c[at + k * Dim + l] = A(k, l);
+  }
+  void put(int at, const Sym<double, Dim>& A) {
+    for (int k = 0; k < S; ++k) c[at + k] = A.c[k];
+  }
+};
+
+/// Geometry of four pairs (i, j) at the start of the step. The filling has dW = 0.
+template <int Dim>
+struct CauchyPair {
+  Vec<Pack, Dim> e;  // unit vector from j to i
+  Pack r;            // m
+  Pack dW;           // ∂W/∂r, 1/m^(Dim+1), ≤ 0
+};
+
+/// What the gradient pass finds for a particle.
+template <int Dim>
+struct Gradients {
+  Sym<double, Dim> L{};         // correction of the kernel gradient
+  Sym<double, Dim> D{};         // symmetric part of ∇u, 1/s
+  Vec<double, Dim> grad_rho{};  // kg/m⁴
+  double colour = 0;            // Σ W V
+};
+
+/// The method looks at W itself, not only at its slope.
+constexpr bool needs_kernel(const Formulation& m) { return m.artificial_stress || m.transport_velocity; }
+
+template <const Formulation& M, int Dim>
+struct CauchyFields {
+  std::vector<MotionRow<Dim>> motion;       // at the start of the step
+  std::vector<MotionRow<Dim>> moved;        // with the new velocity
+  std::vector<MotionRow<Dim>> transported;  // with û
+  std::vector<StressRow<M, Dim>> stress;
+  Neighbors near;  // those that act as particles of one body
+  std::vector<CauchyPair<Dim>> pairs;
+  std::vector<StoredPack> W;
+  std::vector<StoredPack> of_one_material;  // 1 or 0; empty where all are
+
+  int size() const { return static_cast<int>(motion.size()); }
+  Pack same_material(int b) const {
+    return of_one_material.empty() ? filled<Pack>(1) : of_one_material[b].value;
+  }
+
+  void resize_particles(std::size_t n) {
+    motion.resize(n);
+    moved.resize(n);
+    transported.resize(n);
+    stress.resize(n);
+  }
+  /// What lasts from one step to the next.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(motion, near, of_one_material);
+    resize_pairs();
+  }
+  void resize_pairs() {
+    pairs.resize(near.begin.back());
+    if constexpr (needs_kernel(M)) W.resize(near.begin.back());
+  }
+};
+
+}  // namespace taut::inline TAUT_ISA

@@ -1,0 +1,240 @@
+#pragma once
+
+#include <cmath>
+
+#include "engine/families/ul_cauchy/passes.hpp"
+#include "engine/solver/particle_solver.hpp"
+#include "engine/terms/artificial_stress.hpp"
+#include "engine/terms/equation_of_state.hpp"
+#include "engine/terms/stress_rate.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// The updated-Lagrangian methods whose Cauchy stress σ = −pI + s acts as a whole: those of [Khayyer2024] and
+/// the current-configuration ones of [TranDuc2023].
+///
+/// Lists of neighbours reach a skin farther than the kernel, and hold until a particle has gone half the skin
+/// against the mean motion of its body; what lies beyond the kernel's support has no weight.
+template <const Formulation& M, int Dim>
+class UlCauchy final : public ParticleSolver<Dim> {
+ public:
+  explicit UlCauchy(const SolverInput& input)
+      : Base(input, Kernel<M.kernel>::support * input.constants.h), materials_(input.materials) {
+    for (int i = 0; i < s_.size(); ++i) {
+      s_.rho.push_back(material(i).rho0);
+      s_.drho.push_back(0);
+      s_.s.push_back({});
+      if (s_.material[i] != s_.material[0]) several_materials_ = true;
+    }
+    f_.resize_particles(s_.size());
+    rebuild();
+    Base::record_start();
+    take_snapshot();
+  }
+
+  void advance_to(double t) override {
+    Base::run_to(t, [this] { step(); });
+    take_snapshot();
+  }
+
+  std::string save() override { return Base::saved(*this); }
+  void load(std::string_view state) override {
+    Base::load_into(*this, state);
+    take_snapshot();
+  }
+  template <class Archive>
+  void serialize(Archive& archive) {
+    Base::serialize(archive);
+    archive(f_, drift_, way_);
+  }
+
+ private:
+  using Base = ParticleSolver<Dim>;
+  using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::recorder_, Base::support_, Base::threads_now,
+      Base::vmax_;
+  using typename Base::V;
+  using S = Sym<double, Dim>;
+
+  /// Longer: fewer searches, more pairs; in spacings.
+  static constexpr double skin = 0.25;
+
+  const Elasticity& material(int i) const { return materials_[s_.material[i]]; }
+  void step();
+  void rebuild();
+  void show_contacts_to_probes();
+  void mark_materials();
+  void set_motion();
+  void set_stress(int i, const Gradients<Dim>& g);
+  void accelerate(double dt);
+  void transport(double dt);
+  void advance(double dt);
+  void take_snapshot();
+
+  std::vector<Elasticity> materials_;
+  bool several_materials_ = false;
+  CellGrid<Dim> grid_;
+  NeighborSearch<Dim> search_;
+  CauchyFields<M, Dim> f_;
+  std::vector<V> drift_;  // of each body when neighbours were last searched, m/s
+  double way_ = 0;        // against it since, of the particle that goes farthest, m
+};
+
+/// One step of the symplectic Euler scheme.
+/// Differs from [Khayyer2024] Eq. 22–25, where all rates are those of the old state: an elastic wave grows
+/// without limit that way. ∇u is taken in the middle of the step (`geometry` = ½): at its start, as printed,
+/// a body that turns with ω swells by (ω dt)²/2 a step and has no strain of it.
+template <const Formulation& M, int Dim>
+void UlCauchy<M, Dim>::step() {
+  if (2 * way_ > skin * c_.dp) rebuild();
+  const double dt = Base::fixed_or(c_.cfl * c_.h / c_.c0);  // Eq. 26
+  if (contact_.prepare(s_, vmax_ * dt)) show_contacts_to_probes();
+  contact_.evaluate(s_, dt);
+  gradient_pass(f_, c_, threads_now(), [&](int i, const Gradients<Dim>& g) { set_stress(i, g); });
+  accelerate(dt);
+  transport(dt);
+  advance(dt);
+  Base::finish_step(dt);
+}
+
+/// T and R, and what else the stress pass gathers.
+template <const Formulation& M, int Dim>
+void UlCauchy<M, Dim>::set_stress(int i, const Gradients<Dim>& g) {
+  using Row = StressRow<M, Dim>;
+  Row& row = f_.stress[i];
+  const double rho = s_.rho[i], c0 = material(i).c0;
+  row.put(Row::v_at, s_.v[i]);
+  row.put(Row::rho_at, rho);
+  row.put(Row::V_at, s_.m[i] / rho);
+  S sigma = s_.s[i];
+  for (int k = 0; k < Dim; ++k) sigma(k, k) -= pressure(rho, material(i).rho0, c0);
+  const double scale = M.pair_stress == PairStress::squares ? 1 / (rho * rho) : 1;
+  const auto acting = [&](const S& stress) {
+    if constexpr (M.corrected)
+      return product(stress, g.L);
+    else
+      return full(scale * stress);
+  };
+  row.put(Row::T_at, acting(sigma));
+  if constexpr (M.artificial_stress) row.put(Row::R_at, acting(-1.0 * positive_part(sigma)));
+  if constexpr (M.viscosity == Viscosity::artificial) row.put(Row::wave_at, c0);
+  if constexpr (M.viscosity == Viscosity::riemann) {
+    row.put(Row::D_at, g.D);
+    row.put(Row::root_rho_at, std::sqrt(rho));
+    row.put(Row::wave_at, c0 * rho * std::sqrt(rho));
+  }
+  if constexpr (M.density_diffusion) row.put(Row::grad_rho_at, g.grad_rho);
+  if constexpr (M.tensile_control) row.put(Row::surface_at, g.colour < c_.surface_colour);
+}
+
+/// Velocities over the whole step, from the stresses of its start and the contact of bodies.
+template <const Formulation& M, int Dim>
+void UlCauchy<M, Dim>::accelerate(double dt) {
+  Base::set_outside(dt, this->time_ + 0.5 * dt);
+  const bool contact = contact_.active(), outside = Base::outside_acts();
+  const double v2 = stress_pass(f_, c_, threads_now(), [&](int i, V a, double density_diffusion) {
+    if (contact) a += (1 / s_.m[i]) * contact_.force(i);
+    V v = s_.v[i];
+    v += (dt * s_.mobile[i]) * a;
+    if (outside) Base::act_from_outside(i, dt, v);
+    s_.v[i] = v;
+    s_.drho[i] = density_diffusion;
+    f_.moved[i] = f_.motion[i];
+    f_.moved[i].put_velocity(v);
+    return dot(v, v);
+  });
+  Base::set_greatest_speed(v2);
+  Base::stop_approach(0, [&](int i, const V&) { f_.moved[i].put_velocity(s_.v[i]); });
+}
+
+/// û from the new velocities. Held particles stay, driven ones go as they are told.
+template <const Formulation& M, int Dim>
+void UlCauchy<M, Dim>::transport(double dt) {
+  const auto use = [&](int i, const V& du) {
+    V u = s_.v[i];
+    if (!drives_.moves(s_.id[i])) u += s_.mobile[i] * du;
+    V x = s_.x[i];
+    x += (c_.geometry * dt) * u;
+    f_.transported[i].set(u, s_.rho[i], s_.m[i] / s_.rho[i], x);
+    const V against = s_.sph_contact ? u : u - drift_[s_.body[i]];
+    return dot(against, against);
+  };
+  double fastest2 = 0;
+  if constexpr (M.transport_velocity)
+    fastest2 = transport_pass(f_, c_, threads_now(), use);
+  else
+    fastest2 = parallel_max(s_.size(), threads_now(), [&](int i) { return use(i, V{}); });
+  way_ += dt * std::sqrt(fastest2);
+}
+
+/// Densities, stresses and positions with the rates of the new velocities.
+template <const Formulation& M, int Dim>
+void UlCauchy<M, Dim>::advance(double dt) {
+  rate_pass(f_, c_, threads_now(), [&](int i, const Mat<double, Dim>& L, double drho) {
+    s_.rho[i] += dt * (drho + s_.drho[i]);
+    s_.s[i] = turned_stress<M.deviator>(L, s_.s[i], material(i).G, dt);
+    for (int k = 0; k < Dim; ++k) s_.x[i][k] += dt * f_.transported[i].c[k];
+    f_.motion[i].set(s_.v[i], s_.rho[i], s_.m[i] / s_.rho[i], s_.x[i]);
+  });
+}
+
+/// Particles to the order of their cells, and the lists of neighbours.
+template <const Formulation& M, int Dim>
+void UlCauchy<M, Dim>::rebuild() {
+  const double reach = support_ + skin * c_.dp;
+  s_.reorder(grid_.sort(s_.x, reach), threads_now());
+  if (contact_.between_bodies())
+    search_(grid_, s_.x, reach, threads_now(), f_.near,
+            [this](int i, int j) { return s_.body[i] == s_.body[j]; });
+  else
+    search_(grid_, s_.x, reach, threads_now(), f_.near);
+  this->pairs_ = f_.near.pairs;
+  f_.resize_pairs();
+  mark_materials();
+  set_motion();
+  contact_.search(s_);
+  show_contacts_to_probes();
+  way_ = 0;
+}
+
+/// Pairs of two bodies are in the lists only where they act as in one.
+template <const Formulation& M, int Dim>
+void UlCauchy<M, Dim>::show_contacts_to_probes() {
+  s_.neighbors = s_.sph_contact ? f_.near : contact_.neighbors(s_.size());
+  recorder_.rebuilt(s_, s_.sph_contact ? support_ : Contact<Dim>::reach * c_.dp);
+}
+
+template <const Formulation& M, int Dim>
+void UlCauchy<M, Dim>::mark_materials() {
+  if (!M.density_diffusion || !several_materials_) return;
+  f_.of_one_material.resize(f_.pairs.size());
+  parallel_for(s_.size(), threads_now(), [&](int i) {
+    for (int b = f_.near.begin[i]; b < f_.near.begin[i + 1]; ++b)
+      for (int lane = 0; lane < lanes; ++lane)
+        f_.of_one_material[b].value[lane] = s_.material[f_.near.pack(b)[lane]] == s_.material[i];
+  });
+}
+
+/// The rows of the particles in their new order, and the mean velocity of each body.
+template <const Formulation& M, int Dim>
+void UlCauchy<M, Dim>::set_motion() {
+  std::vector<double> mass(this->initial_.first.size());
+  drift_.assign(mass.size(), V{});
+  for (int i = 0; i < s_.size(); ++i) {
+    f_.motion[i].set(s_.v[i], s_.rho[i], s_.m[i] / s_.rho[i], s_.x[i]);
+    mass[s_.body[i]] += s_.m[i];
+    drift_[s_.body[i]] += s_.m[i] * s_.v[i];
+  }
+  for (std::size_t b = 0; b < mass.size(); ++b)
+    if (mass[b] > 0) drift_[b] = (1 / mass[b]) * drift_[b];
+}
+
+template <const Formulation& M, int Dim>
+void UlCauchy<M, Dim>::take_snapshot() {
+  Base::begin_snapshot();
+  parallel_for(s_.size(), threads_now(), [&](int i) {
+    const double p = pressure(s_.rho[i], material(i).rho0, material(i).c0);
+    Base::store(i, s_.rho[i], p, s_.s[i], -trace(s_.s[i]));
+  });
+}
+
+}  // namespace taut::inline TAUT_ISA

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/scene/scene.hpp"
+
+namespace taut {
+
+/// The particles of a scene at t = 0, body after body.
+struct InitialParticles {
+  int dim = 2;
+  std::vector<Point> x, v;          // m, m/s
+  std::vector<double> V0;           // m^dim
+  std::vector<int> body;            // index into Scene::bodies
+  std::vector<int> material;        // index into Scene::materials
+  std::vector<int> drive;           // index into the body's drives, or -1
+  std::vector<unsigned char> held;  // 1: stays where it is
+  std::vector<int> first;           // first particle of each body, and one past the last of all
+
+  int size() const { return static_cast<int>(x.size()); }
+};
+
+inline constexpr double greatest_particle_number = 20e6;
+
+/// Boxes and discs are filled with a square lattice, rings with concentric layers whose particles share the
+/// layer's area, so that their mass is exact. Throws SceneError: no particles, too many, bodies that overlap.
+InitialParticles make_initial_particles(const Scene& scene);
+
+}  // namespace taut

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/scene/scene.hpp"
+
+namespace taut {
+
+/// A particle's share in a material point.
+struct PointWeight {
+  int particle;
+  double weight;
+};
+
+/// A material point as a mean of the particles around it, with weights of moving least squares,
+///   w_k = W_k (1, d_k)·A⁻¹·(1, 0),  A = Σ W_k (1, d_k) ⊗ (1, d_k),  d_k = X_k − X,
+/// so that a point on a face, half a spacing outside the outermost particles, is exact for a linear field.
+/// `x` are initial positions, of which those from `begin` to before `end` and nearer than `reach` count, m.
+/// Empty where they are too few or lie on a line.
+std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
+                                        double reach, int dim);
+
+}  // namespace taut

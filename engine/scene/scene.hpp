@@ -1,0 +1,220 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "engine/core/point.hpp"
+
+namespace taut {
+
+/// A function of the position in the initial configuration, evaluated at set-up only.
+using Expression = std::function<double(const Point&)>;
+/// A function of the position in the initial configuration and of the time in s.
+using Solution = std::function<double(const Point&, double)>;
+
+struct Material {
+  std::string name;
+  double density = 0;             // ρ0, kg/m³
+  double youngs_modulus = 0;      // E, Pa
+  double poisson_ratio = 0;       // ν
+  double given_bulk_modulus = 0;  // Pa; 0 = the one of E and ν. [Khayyer2024] §4.5 takes E, Eq. 57
+
+  double bulk_modulus() const {  // K, Pa
+    return given_bulk_modulus > 0 ? given_bulk_modulus : youngs_modulus / (3 * (1 - 2 * poisson_ratio));
+  }
+  double shear_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio)); }  // G, Pa
+  double sound_speed() const;  // c0 = √(K/ρ0), m/s [Zhang2024] Eq. 5
+};
+
+struct Box {  // a rectangle in 2D
+  Point low{}, high{};
+};
+struct Disc {  // a ball in 3D
+  Point centre{};
+  double radius = 0;
+};
+struct Ring {  // a hollow ball in 3D
+  Point centre{};
+  double inner = 0, outer = 0;
+};
+using Shape = std::variant<Box, Disc, Ring>;
+
+/// A region of a body that is made of another material.
+struct Part {
+  int material = 0;  // index into Scene::materials
+  Expression where;  // particles where it is not 0
+};
+
+/// A region of a body that is moved: its particles have this velocity up to a time, and are free from then
+/// on.
+struct Drive {
+  Expression where;                                       // particles where it is not 0
+  std::array<std::function<double(double)>, 3> velocity;  // m/s, of the time in s; empty = 0
+  double until = 0;                                       // s
+};
+
+/// Forces from outside on a region of a body, which move with its particles. Loads of several regions add up.
+/// What is held or driven does not feel them.
+struct Load {
+  enum class Kind : std::uint8_t {
+    force,          // N (per metre depth in 2D), spread over the free particles of the region by volume
+    force_density,  // N/m³ of the initial volume
+    traction,       // Pa, on the outer face of a layer that is one spacing deep
+  };
+  Expression where;  // particles where it is not 0
+  Kind kind{};
+  std::array<Expression, 3> value;     // empty = 0
+  std::function<double(double)> ramp;  // factor, of the time in s; empty = 1
+};
+
+/// How bodies act on each other.
+enum class ContactLaw : std::uint8_t {
+  published,      // the law of the method's paper
+  sph,            // as particles of one body do, [Zhang2024]
+  impulse,        // the approach of two particles is stopped, [Khayyer2024] Eq. 53, 54
+  penalty,        // a spring of the bulk modulus, [TranDuc2023] Eq. 2.13–2.15
+  lennard_jones,  // one that hardens the nearer they come, [Zhang2020] Eq. 12
+};
+
+std::string_view name(ContactLaw law);
+std::string_view name(Load::Kind kind);
+
+/// A rigid half-space that bodies cannot enter; it acts by the law of contact, by the penalty where that is
+/// `sph`.
+struct Wall {
+  std::string name;
+  Point at{};      // of its face, m
+  Point normal{};  // of length 1, to the side of the bodies
+};
+
+struct Body {
+  std::string name;
+  std::vector<Shape> shapes;           // their union; the first one anchors the lattice
+  int material = 0;                    // index into Scene::materials
+  std::vector<Part> parts;             // of other materials; of several that hold the last counts
+  std::vector<Drive> drives;           // of several that hold the last counts
+  std::vector<Load> loads;             // those of all that hold
+  std::array<Expression, 3> velocity;  // initial velocity, m/s; empty = 0
+  Expression held;                     // particles where it is not 0 stay where they are; empty = none
+  std::array<bool, 3> mirror{};  // the layout is reflected along these axes about the first shape's centre
+};
+
+/// A quantity followed at every step.
+struct Probe {
+  enum class Kind {
+    displacement,   // of material point `at` of `bodies[0]`, component `axis`, m
+    position,       // of material point `at`, component `axis`, m
+    distance,       // between material points `at` and `to` of `bodies[0]`, m
+    mean_velocity,  // mass-weighted, of `bodies[0]`, component `axis`, m/s
+    gap,  // least distance of two particles of `bodies[0]` and `bodies[1]` less their mean diameter, m
+    mirror_asymmetry  // greatest |x_a − mirror(x_b)| over particles of two bodies of equal layout, plane ⊥
+                      // axis, m
+  };
+  std::string name;
+  Kind kind{};
+  std::vector<int> bodies;
+  Point at{}, to{};
+  int axis = 0;
+};
+
+/// Material points of a body, evenly spaced along a straight line at t = 0, at which a field is sampled.
+struct SampleLine {
+  std::string name;
+  int body = 0;        // index into Scene::bodies
+  std::string field;   // its key
+  Point from{}, to{};  // the first and the last point, m
+  int points = 0;
+  std::vector<double> times;  // s, increasing
+};
+
+/// A number made from the series of probes, with its unit as it stands in run.json.
+struct Measure {
+  enum class Kind {
+    period,       // time of the second zero crossing of a series that starts at 0
+    first_peak,   // first extremum of a series that starts at 0
+    decay,        // loss of peak amplitude per period, as a share
+    rmse,         // root mean square difference from the reference's curve
+    minimum,      // least value
+    maximum,      // greatest value
+    first_below,  // first time at which the series is ≤ threshold
+    last_below,   // last time at which it was; null unless it is above at the end
+    final_ratio,  // last value over `scale`; null while series `free` is ≤ threshold at the end
+    path_error,   // greatest distance of a point from the reference's curve at the same time, over `scale`
+    line_rmse,    // root mean square difference of a line from the reference's solution, all points and times
+    frequency,    // of the highest peak of the spectrum within `band`, from `from` on, Hz
+    turn,         // angle a point has turned by about the origin, counter-clockwise, rad
+    at_rest,      // value that the series has come to rest at
+    field_rmse,  // root mean square difference of fields from the reference's solution at the end of the run,
+                 // all free particles of a body, over the greatest of the solution
+    field_error,  // the greatest difference instead
+  };
+  std::string name;
+  Kind kind{};
+  std::vector<std::string> probes;  // one; path_error, turn: two, the point's x and y; line_*, field_*: none
+  std::string line;                 // line_rmse
+  int body = 0;                     // field_rmse, field_error: index into Scene::bodies
+  std::vector<std::string> fields;  // the same: keys of the components of what is compared
+  bool rigid_motion_free = false;   // the same, of displacements: loads leave a small rigid motion open
+  std::string unit;
+  double threshold = 0;
+  double scale = 1;
+  std::array<double, 2> band{};  // frequency: Hz
+  double from = 0;               // frequency: s
+  std::string free;              // final_ratio: the probe that says that the bodies are apart; may be empty
+};
+
+/// A table of an independent solution: time and a column for each probe of a measure, linearly interpolated.
+struct ReferenceTable {
+  std::vector<double> t;                   // s
+  std::vector<std::vector<double>> value;  // [probe], the probe's unit
+};
+
+/// Independent values for the measures of this very scene (the parameters as they stand).
+struct Reference {
+  std::string name;                       // "finite elements, 2d deviator, ..."
+  std::map<std::string, double> value{};  // measure → value in the measure's unit
+  std::map<std::string, ReferenceTable> table{};
+  std::map<std::string, std::vector<Solution>>
+      solution{};  // measure → exact solution, [probe], of the line or [field]
+};
+
+/// What is simulated. Plain data: every expression of a scene file has been evaluated or bound.
+struct Scene {
+  std::string name;
+  std::string title;
+  std::string source;
+  int dim = 2;
+  double spacing = 0;  // dp, m; divides the first body (see fitted_spacing)
+  double until = 0;    // s
+  std::vector<Material> materials;
+  std::vector<Body> bodies;
+  std::vector<Wall> walls;
+  ContactLaw contact = ContactLaw::published;
+  std::array<std::function<double(double)>, 3> gravity;  // m/s², of the time in s; empty = 0
+  double damping =
+      0;  // c, 1/s, of a viscous force −c m v: for scenes that come to rest; see solver/loads.hpp
+  std::vector<Probe> probes;
+  std::vector<SampleLine> lines;
+  std::vector<Measure> measures;
+  /// By deviator law ("2d_deviator", "neo_hookean"); empty where there is none for these parameters.
+  std::map<std::string, Reference> references;
+};
+
+/// There are driven regions.
+bool has_drives(const Scene& scene);
+bool has_gravity(const Scene& scene);
+/// There are loads or there is gravity.
+bool has_loads(const Scene& scene);
+
+/// The spacing nearest to `spacing` that divides the thinnest extent of the first body's first shape into
+/// whole particles.
+double fitted_spacing(const Body& first, int dim, double spacing);
+
+}  // namespace taut

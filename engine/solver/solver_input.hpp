@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/methods/constants.hpp"
+#include "engine/methods/formulation.hpp"
+#include "engine/scene/initial_particles.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/settings.hpp"
+
+namespace taut {
+
+/// What a solver is made from.
+struct SolverInput {
+  const Scene& scene;
+  const InitialParticles& layout;
+  Constants constants;
+  std::vector<Elasticity> materials;  // in the order of Scene::materials
+  Law law;                            // of a method whose law is free
+  ContactLaw contact;                 // never `published`
+  Stepping stepping;
+  int threads;
+};
+
+}  // namespace taut

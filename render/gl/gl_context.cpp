@@ -1,0 +1,59 @@
+#include "render/gl/gl_context.hpp"
+
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+#define GL_GLEXT_PROTOTYPES
+#include <GL/glcorearb.h>
+#include <GL/osmesa.h>
+
+namespace taut::render {
+
+struct GlContext::Handle {
+  OSMesaContext context = nullptr;
+  ~Handle() {
+    if (context) OSMesaDestroyContext(context);
+  }
+};
+
+GlContext::GlContext(int width, int height)
+    : handle_(std::make_unique<Handle>()), width_(width), height_(height) {
+  // The two small shaders compile in no time; a cache in the user's home is not worth its files and its
+  // warnings where the home cannot be written.
+  setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+  const int attributes[] = {OSMESA_FORMAT,
+                            OSMESA_BGRA,
+                            OSMESA_DEPTH_BITS,
+                            0,
+                            OSMESA_PROFILE,
+                            OSMESA_CORE_PROFILE,
+                            OSMESA_CONTEXT_MAJOR_VERSION,
+                            3,
+                            OSMESA_CONTEXT_MINOR_VERSION,
+                            3,
+                            0};
+  handle_->context = OSMesaCreateContextAttribs(attributes, nullptr);
+  if (!handle_->context) throw std::runtime_error("OSMesa gives no OpenGL 3.3 core context");
+}
+
+GlContext::~GlContext() = default;
+
+GlContext::Current::Current(GlContext& context, Image& target) {
+  if (target.width != context.width_ || target.height != context.height_) {
+    throw std::logic_error("the image is not of the size of its OpenGL context");
+  }
+  if (!OSMesaMakeCurrent(context.handle_->context, target.pixels.data(), GL_UNSIGNED_BYTE, target.width,
+                         target.height)) {
+    throw std::runtime_error("OSMesa refuses a picture of " + std::to_string(target.width) + "x" +
+                             std::to_string(target.height));
+  }
+  OSMesaPixelStore(OSMESA_Y_UP, 0);  // the first row in memory is the top one
+}
+
+GlContext::Current::~Current() {
+  glFinish();  // copies the picture into the image
+  OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
+}
+
+}  // namespace taut::render

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace taut::render {
+
+using Rgb = std::array<std::uint8_t, 3>;
+
+/// A picture, row after row from the top. A pixel is four bytes B, G, R, 255: OSMesa draws into it, Cairo
+/// draws over it and libpng reads it without a copy.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> pixels;
+
+  Image() = default;
+  Image(int width_, int height_)
+      : width(width_), height(height_), pixels(static_cast<std::size_t>(width_) * height_ * 4, 255) {}
+
+  std::size_t offset(int column, int row) const {
+    return (static_cast<std::size_t>(row) * width + column) * 4;
+  }
+  Rgb at(int column, int row) const {
+    const std::uint8_t* p = &pixels[offset(column, row)];
+    return {p[2], p[1], p[0]};
+  }
+  void set(int column, int row, Rgb color) {
+    std::uint8_t* p = &pixels[offset(column, row)];
+    p[0] = color[2], p[1] = color[1], p[2] = color[0], p[3] = 255;
+  }
+  bool operator==(const Image&) const = default;
+};
+
+/// Writes an RGB file of 8 bits per channel. The file appears whole or not at all; OutputError if it cannot.
+void write_png(const Image& image, const std::filesystem::path& path);
+
+/// Reads any PNG of at most 16384 × 16384 as RGB; transparency is dropped. UsageError if it is missing,
+/// broken or not a PNG.
+Image read_png(const std::filesystem::path& path);
+
+}  // namespace taut::render

@@ -1,0 +1,50 @@
+#include "render/page/annotation.hpp"
+
+namespace taut::render {
+namespace {
+
+// Lengths in em.
+constexpr double title_size = 1.3;
+constexpr double baseline_of_header = 1.8;
+
+}  // namespace
+
+Annotation::Annotation(Image& image, const PageLayout& layout, const DrawOptions& options)
+    : layout_(layout),
+      until_(options.until),
+      canvas_(image),
+      bar_(options.low, options.high, *options.colormap) {}
+
+void Annotation::draw(const FrameView& frame) {
+  canvas_.begin();  // OpenGL wrote into it
+  draw_header(frame);
+  bar_.draw(canvas_, layout_.bar, layout_.font, frame.field, frame.unit);
+  draw_scale_bar(canvas_, layout_.plot, layout_.pixels_per_metre, layout_.font);
+  canvas_.end();
+}
+
+void Annotation::draw_header(const FrameView& frame) {
+  const double em = layout_.font;
+  const double left = layout_.plot.x;
+  const double y = baseline_of_header * em;
+  canvas_.use(Weight::regular, em);
+  const std::string time = format_time(frame.time, until_);
+  canvas_.gray(ink);
+  canvas_.text(time, layout_.right, y, Canvas::Align::right);
+  const double room = layout_.right - left - canvas_.width_of(time) - em;
+  draw_title(canvas_, std::string(frame.title), std::string(frame.method), left, y, room, em);
+}
+
+void draw_title(Canvas& canvas, const std::string& title, const std::string& note, double left, double y,
+                double room, double em) {
+  canvas.use(Weight::bold, title_size * em);
+  canvas.gray(ink);
+  const std::string shown = canvas.fitted(title, room);
+  canvas.text(shown, left, y, Canvas::Align::left);
+  const double note_left = left + (shown.empty() ? 0 : canvas.width_of(shown) + em);
+  canvas.use(Weight::regular, em);
+  canvas.gray(faint);
+  canvas.text(canvas.fitted(note, left + room - note_left), note_left, y, Canvas::Align::left);
+}
+
+}  // namespace taut::render

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "engine/frame_view.hpp"
+#include "render/page/canvas.hpp"
+#include "render/page/page_layout.hpp"
+#include "render/page/scales.hpp"
+#include "render/renderer.hpp"
+
+namespace taut::render {
+
+/// Title, method, time, colour bar and scale bar, drawn over a picture.
+class Annotation {
+ public:
+  /// The image must outlive the annotation and keep its pixels where they are.
+  Annotation(Image& image, const PageLayout& layout, const DrawOptions& options);
+
+  void draw(const FrameView& frame);
+
+ private:
+  void draw_header(const FrameView& frame);
+
+  PageLayout layout_;
+  double until_;
+  Canvas canvas_;
+  ColorBar bar_;
+};
+
+/// A title in bold, what qualifies it in gray behind, no wider than `room` together.
+void draw_title(Canvas& canvas, const std::string& title, const std::string& note, double left, double y,
+                double room, double em);
+
+}  // namespace taut::render

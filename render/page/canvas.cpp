@@ -1,0 +1,78 @@
+#include "render/page/canvas.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace taut::render {
+
+double line_width(double em) { return std::max(1.0, std::round(em / 14)); }
+
+Canvas::Canvas(Image& image)
+    : regular_(find_font(Weight::regular)),
+      bold_(find_font(Weight::bold)),
+      surface_(cairo_image_surface_create_for_data(image.pixels.data(), CAIRO_FORMAT_ARGB32, image.width,
+                                                   image.height, image.width * 4)),
+      cairo_(cairo_create(surface_.get())) {
+  cairo_font_options_t* font_options = cairo_font_options_create();
+  cairo_font_options_set_hint_style(font_options, CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(font_options, CAIRO_HINT_METRICS_OFF);
+  cairo_font_options_set_antialias(font_options, CAIRO_ANTIALIAS_GRAY);
+  cairo_set_font_options(cairo_.get(), font_options);
+  cairo_font_options_destroy(font_options);
+}
+
+void Canvas::begin() { cairo_surface_mark_dirty(surface_.get()); }
+
+void Canvas::end() {
+  cairo_surface_flush(surface_.get());
+  if (cairo_status(cairo_.get()) != CAIRO_STATUS_SUCCESS) {
+    throw std::runtime_error(std::string("Cairo failed to draw: ") +
+                             cairo_status_to_string(cairo_status(cairo_.get())));
+  }
+}
+
+void Canvas::gray(double level) { cairo_set_source_rgb(cairo_.get(), level, level, level); }
+
+void Canvas::use(Weight weight, double size) {
+  (weight == Weight::bold ? bold_ : regular_).use(cairo_.get(), size);
+}
+
+void Canvas::fill(double x, double y, double width, double height) {
+  cairo_rectangle(cairo_.get(), x, y, width, height);
+  cairo_fill(cairo_.get());
+}
+
+void Canvas::text(const std::string& text, double x, double y, Align align) {
+  if (text.empty()) return;
+  const double share = align == Align::left ? 0 : align == Align::centre ? 0.5 : 1;
+  cairo_move_to(cairo_.get(), x - share * width_of(text), y);
+  cairo_show_text(cairo_.get(), text.c_str());
+}
+
+void Canvas::turned_text(const std::string& words, double x, double y) {
+  cairo_save(cairo_.get());
+  cairo_translate(cairo_.get(), x, y);
+  cairo_rotate(cairo_.get(), -0.5 * M_PI);
+  text(words, 0, 0, Align::centre);
+  cairo_restore(cairo_.get());
+}
+
+double Canvas::width_of(const std::string& text) {
+  cairo_text_extents_t extents;
+  cairo_text_extents(cairo_.get(), text.c_str(), &extents);
+  return extents.x_advance;
+}
+
+std::string Canvas::fitted(std::string text, double room) {
+  if (width_of(text) <= room) return text;
+  while (!text.empty()) {
+    // a letter is one byte, or a leading byte and those that continue it
+    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80) text.pop_back();
+    if (!text.empty()) text.pop_back();
+    if (!text.empty() && width_of(text + "…") <= room) return text + "…";
+  }
+  return text;
+}
+
+}  // namespace taut::render

@@ -1,0 +1,54 @@
+#include "render/page/page_layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut::render {
+namespace {
+
+// Below these sizes letters would take the room from the particles.
+constexpr int least_text_width = 240;
+constexpr int least_text_height = 120;
+constexpr double least_font = 9;  // the smallest that DejaVu Sans is legible at
+
+// Lengths in em, the height of the font.
+constexpr double margin = 1.1;
+constexpr double header = 3.0;   // title, method, time
+constexpr double footer = 2.3;   // scale bar
+constexpr double bar_gap = 1.1;  // between plot and bar
+constexpr double bar_width = 1.15;
+constexpr double bar_texts = 4.6;  // ticks, numbers and the turned label right of the bar
+
+int pixels(double length) { return static_cast<int>(std::lround(length)); }
+
+void place_all(PageLayout& layout, int width, int height) {
+  const double em = layout.font;
+  const int left = pixels(margin * em);
+  const int top = pixels(header * em);
+  layout.right = width - margin * em;
+  const int bar_left = pixels(layout.right - (bar_width + bar_texts) * em);
+  layout.plot = {left, top, bar_left - pixels(bar_gap * em) - left, height - pixels(footer * em) - top};
+  layout.bar = {bar_left, top, pixels(bar_width * em), layout.plot.height};
+}
+
+}  // namespace
+
+PageLayout make_layout(int width, int height, const View& view, bool texts) {
+  PageLayout layout;
+  if (texts && width >= least_text_width && height >= least_text_height) {
+    // 16 pixels at 1280 × 720
+    const double scale = std::min(width / 1280.0, height / 720.0);
+    const double area = std::sqrt((width / 1280.0) * (height / 720.0));
+    layout.font = std::max(16.0 * std::min(area, 1.3 * scale), least_font);
+    place_all(layout, width, height);
+  } else {
+    layout.plot = {0, 0, width, height};
+  }
+  layout.pixels_per_metre =
+      std::min(layout.plot.width / (view.x_max - view.x_min), layout.plot.height / (view.y_max - view.y_min));
+  layout.x_origin = 0.5 * layout.plot.width - 0.5 * (view.x_min + view.x_max) * layout.pixels_per_metre;
+  layout.y_origin = 0.5 * layout.plot.height + 0.5 * (view.y_min + view.y_max) * layout.pixels_per_metre;
+  return layout;
+}
+
+}  // namespace taut::render

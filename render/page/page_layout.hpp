@@ -1,0 +1,32 @@
+#pragma once
+
+namespace taut::render {
+
+/// What must be seen, in the coordinates of the scene (m). The picture shows more along one of the axes,
+/// since a metre is as long on the one as on the other.
+struct View {
+  double x_min = 0, x_max = 1, y_min = 0, y_max = 1;
+};
+
+/// Pixels, from the top left.
+struct Rect {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// Where things are in a picture.
+struct PageLayout {
+  double font = 0;   // height of an em in pixels; 0 = the picture is too small for text and a colour bar
+  Rect plot;         // the particles
+  Rect bar;          // the colour bar
+  double right = 0;  // where the texts end, pixels
+  double pixels_per_metre = 1;
+  double x_origin = 0, y_origin = 0;  // of the scene's origin, in pixels from the plot's top left corner
+
+  double column(double x) const { return x_origin + x * pixels_per_metre; }  // in the plot
+  double row(double y) const { return y_origin - y * pixels_per_metre; }     // in the plot, downwards
+};
+
+/// Without `texts`, or in a picture too small for them, the plot is all of it.
+PageLayout make_layout(int width, int height, const View& view, bool texts = true);
+
+}  // namespace taut::render

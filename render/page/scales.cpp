@@ -1,0 +1,72 @@
+#include "render/page/scales.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut::render {
+namespace {
+
+// Lengths in em.
+constexpr double small_size = 0.94;
+constexpr double tick_length = 0.3;
+constexpr double tick_gap = 0.25;     // between tick and number
+constexpr double tick_spacing = 3.8;  // least distance between numbers
+constexpr double label_gap = 0.75;    // between the widest number and the turned label
+
+}  // namespace
+
+ColorBar::ColorBar(double low, double high, const Colormap& colormap)
+    : low_(low), high_(high), colors_(colormap.table()) {}
+
+void ColorBar::draw(Canvas& canvas, const Rect& bar, double em, std::string_view field,
+                    std::string_view unit) {
+  for (int row = 0; row < bar.height; ++row) {
+    const double t = 1 - (row + 0.5) / bar.height;
+    const Rgb color = colors_[static_cast<std::size_t>(std::lround(t * 255))];
+    cairo_set_source_rgb(canvas.cairo(), color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
+    canvas.fill(bar.x, bar.y + row, bar.width, 1);
+  }
+  if (ticks_.at.empty() || tick_unit_ != unit) {
+    tick_unit_ = unit;
+    const int room = std::clamp(static_cast<int>(bar.height / (tick_spacing * em)), 3, 12);
+    ticks_ = nice_ticks(low_, high_, unit, room);
+    if (ticks_.at.size() < 2) ticks_ = nice_ticks(low_, high_, unit, 5);  // one number says nothing
+  }
+  const double line = line_width(em);
+  double widest = 0;
+  canvas.gray(ink);
+  canvas.use(Weight::regular, small_size * em);
+  for (const Tick& tick : ticks_.at) {
+    const double y = bar.y + bar.height * (high_ - tick.value) / (high_ - low_);
+    const double top = std::clamp(std::round(y - 0.5 * line), double(bar.y), bar.y + bar.height - line);
+    canvas.fill(bar.x + bar.width, top, std::round(tick_length * em), line);
+    canvas.text(tick.label, bar.x + bar.width + (tick_length + tick_gap) * em,
+                y + 0.5 * cap_height * small_size * em, Canvas::Align::left);
+    widest = std::max(widest, canvas.width_of(tick.label));
+  }
+  canvas.use(Weight::regular, em);
+  std::string label(field);
+  if (!ticks_.unit.empty()) label += " (" + ticks_.unit + ")";
+  canvas.turned_text(canvas.fitted(label, bar.height),
+                     bar.x + bar.width + (tick_length + tick_gap + label_gap + cap_height) * em + widest,
+                     bar.y + 0.5 * bar.height);
+}
+
+void draw_scale_bar(Canvas& canvas, const Rect& plot, double pixels_per_metre, double em) {
+  const double length = nice_length(0.2 * plot.width / pixels_per_metre);
+  const Scale scale = scale_for(length, "m");
+  const double line = line_width(em);
+  const double left = plot.x;
+  const double middle = std::round(plot.y + plot.height + 1.15 * em);
+  const double right = left + std::round(length * pixels_per_metre);
+  const double cap = std::round(0.22 * em);
+  canvas.gray(ink);
+  canvas.fill(left, middle, right - left, line);
+  canvas.fill(left, middle - cap, line, 2 * cap + line);
+  canvas.fill(right - line, middle - cap, line, 2 * cap + line);
+  canvas.use(Weight::regular, small_size * em);
+  canvas.text(format_fixed(length * scale.factor, 0) + " " + scale.unit, right + 0.5 * em,
+              middle + 0.5 * line + 0.5 * cap_height * small_size * em, Canvas::Align::left);
+}
+
+}  // namespace taut::render

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "render/colormap.hpp"
+#include "render/page/canvas.hpp"
+#include "render/page/ticks.hpp"
+
+namespace taut::render {
+
+/// The colours from low to high with numbers beside them, and what they stand for.
+class ColorBar {
+ public:
+  ColorBar(double low, double high, const Colormap& colormap);
+
+  void draw(Canvas& canvas, const Rect& bar, double em, std::string_view field, std::string_view unit);
+
+ private:
+  double low_, high_;
+  std::array<Rgb, 256> colors_;
+  Ticks ticks_;
+  std::string tick_unit_;  // the unit that ticks_ were made for
+};
+
+/// A bar of a round length below a plot, about a fifth of its width.
+void draw_scale_bar(Canvas& canvas, const Rect& plot, double pixels_per_metre, double em);
+
+}  // namespace taut::render

@@ -1,0 +1,105 @@
+#include "render/page/ticks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace taut::render {
+namespace {
+
+constexpr int least_prefix = -15;
+constexpr std::array<std::string_view, 10> prefixes = {"f", "p", "n", "µ", "m", "", "k", "M", "G", "T"};
+constexpr int greatest_prefix = 12;
+
+/// Floors the logarithm, and takes 999.9999999 for 1000.
+int decade(double value) { return static_cast<int>(std::floor(std::log10(value) + 1e-9)); }
+
+int floor_to_three(int exponent) {
+  return 3 * static_cast<int>(std::floor(static_cast<double>(exponent) / 3.0));
+}
+
+/// A prefix multiplies the symbol that follows, power and all ("mm²" is 1e-6 m²), and kilograms have one
+/// already.
+bool takes_prefix(std::string_view unit) {
+  constexpr std::array<std::string_view, 7> symbols = {"Pa", "m", "s", "N", "J", "W", "Hz"};
+  return std::ranges::any_of(symbols, [&](std::string_view symbol) {
+    if (!unit.starts_with(symbol)) return false;
+    const std::string_view rest = unit.substr(symbol.size());
+    return rest.empty() || rest.starts_with("/") || rest.starts_with("·") || rest.starts_with(" ");
+  });
+}
+
+std::string power_of_ten(int exponent) {
+  constexpr std::array<std::string_view, 10> digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "10⁻" : "10";
+  for (const char c : std::to_string(std::abs(exponent))) text += digits[static_cast<std::size_t>(c - '0')];
+  return text;
+}
+
+/// The least of 1, 2, 5, 10 times a power of ten that is not below `length` > 0.
+double nice_step(double length) {
+  const double power = std::pow(10.0, decade(length));
+  for (const double digit : {1.0, 2.0, 5.0}) {
+    if (digit * power >= length * (1 - 1e-9)) return digit * power;
+  }
+  return 10 * power;
+}
+
+}  // namespace
+
+Scale scale_for(double greatest, std::string_view unit) {
+  greatest = std::abs(greatest);
+  if (!(greatest > 0) || !std::isfinite(greatest)) return {1, std::string(unit)};
+  int exponent = floor_to_three(decade(greatest));
+  if (takes_prefix(unit)) {
+    // nobody counts in kiloseconds
+    exponent = std::clamp(exponent, least_prefix, unit == "s" ? 0 : greatest_prefix);
+    const auto index = static_cast<std::size_t>((exponent - least_prefix) / 3);
+    return {std::pow(10.0, -exponent), std::string(prefixes[index]) + std::string(unit)};
+  }
+  if (greatest >= 0.01 && greatest < 1e4) return {1, std::string(unit)};
+  const std::string power = power_of_ten(exponent);
+  return {std::pow(10.0, -exponent), unit.empty() ? power : power + " " + std::string(unit)};
+}
+
+Ticks nice_ticks(double low, double high, std::string_view unit, int most) {
+  const Scale scale = scale_for(std::max(std::abs(low), std::abs(high)), unit);
+  Ticks ticks{{}, scale.unit};
+  const double from = low * scale.factor;
+  const double to = high * scale.factor;
+  if (!(to > from) || !std::isfinite(to - from)) return ticks;
+  // the smallest step that places no more than `most`; any smaller than the first one places more
+  double step = nice_step((to - from) / (most + 1));
+  const auto first = [&] { return std::ceil(from / step - 1e-6); };
+  const auto last = [&] { return std::floor(to / step + 1e-6); };
+  while (last() - first() + 1 > most) step = nice_step(step * 1.01);
+  const int decimals = std::clamp(-decade(step), 0, 9);
+  for (double k = first(); k <= last(); ++k) {
+    ticks.at.push_back({k * step / scale.factor, format_fixed(k * step, decimals)});
+  }
+  return ticks;
+}
+
+double nice_length(double length) {
+  const double power = std::pow(10.0, decade(length));
+  for (const double digit : {5.0, 2.0}) {
+    if (digit * power <= length * (1 + 1e-9)) return digit * power;
+  }
+  return power;
+}
+
+std::string format_fixed(double value, int decimals) {
+  char digits[64];
+  std::snprintf(digits, sizeof digits, "%.*f", decimals, std::abs(value));
+  const bool zero = std::string_view(digits).find_first_not_of("0.") == std::string_view::npos;
+  return value < 0 && !zero ? std::string("−") + digits : digits;
+}
+
+std::string format_time(double t, double until) {
+  const double greatest = until > 0 ? until : t;
+  const Scale scale = greatest == 0 ? Scale{1, "s"} : scale_for(greatest, "s");
+  return "t = " + format_fixed(t * scale.factor, 3) + " " + scale.unit;
+}
+
+}  // namespace taut::render

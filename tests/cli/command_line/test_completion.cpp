@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <set>
+
+#include <CLI/CLI.hpp>
+#include <doctest/doctest.h>
+
+#include "cli/command_line/command.hpp"
+#include "cli/command_line/completion.hpp"
+#include "cli/command_line/placeholders.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/scene/shipped.hpp"
+#include "cli/text/format.hpp"
+#include "engine/families/catalogue.hpp"
+#include "program_runner.hpp"
+#include "render/colormap.hpp"
+
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+Words words_for(const Words& typed) {
+  Words words;
+  for (const auto& word : taut::cli::complete(taut::cli::commands(), typed).words) words.push_back(word.text);
+  return words;
+}
+
+/// What bash offers for a line that ends at the cursor, with the program in PATH; a line each.
+Words offered_by_bash(const TemporaryFolder& folder, const std::string& line) {
+  std::ofstream(folder / "ask.sh") << "source <(\"$1\"/taut completion bash)\n"
+                                      "compopt() { :; }  # bash has it only while somebody presses Tab\n"
+                                      "PATH=$1:$PATH COMP_LINE=$2 COMP_POINT=${#2}\n"
+                                      "cd \"$3\"\n_taut\nprintf '%s\\n' \"${COMPREPLY[@]}\" | sort -u\n";
+  const std::string ask = "bash '" + folder.str("ask.sh") + "' '" TAUT_BINARY_DIR "' '" + line + "' '" +
+                          folder.path().string() + "' >'" + folder.str("offered") + "'";
+  REQUIRE(std::system(ask.c_str()) == 0);
+  return lines_of(folder / "offered");
+}
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("the words of a command line that complete it") {
+    const TemporaryFolder folder;
+    const std::string scene = write_tiny_scene(folder);
+    const std::map<Words, Words> cases{
+        {{"comp"}, {"compare", "completion"}},
+        {{"--v"}, {"--version"}},
+        {{"run", "coll"}, {"colliding-rings"}},
+        {{"run", "coll", "--meth"}, {"--method"}},
+        {{"run", "coll", "--method", "oe"}, {"oenog"}},
+        {{"run", "coll", "--method=oe"}, {"--method=oenog"}},
+        {{"run", scene, "--set", "s"}, {"speed=", "spacing=", "stepping="}},
+        {{"run", scene, "--method", "tl", "--set", "method.z"}, {}},
+        {{"run", scene, "--method", "enog", "--set", "method.z"}, {"method.zeta="}},
+        {{"run", scene, "--set", "pull=1", "--set", "stepping="}, {"stepping=dual", "stepping=single"}},
+        {{"run", "--quiet", "tran"}, {"tran-duc-rings"}},
+        {{"run", scene, "--fields", "speed,den"}, {"speed,density"}},
+        {{"run", scene, "--fail-on", ""}, {"hourglass", "fractured", "diverged"}},
+        {{"run", scene, "--range", ""}, {"auto"}},
+        {{"run", scene, "--until", ""}, {}},
+        {{"run", scene, "--until", "1", "--unt"}, {}},  // once only
+        {{"run", scene, "--set", "pull=1", "--se"}, {"--set"}},
+        {{"sweep", "rings-speed-l"}, {"rings-speed-limit"}},
+        {{"sweep", scene, "--grid", "method=og,oe"}, {"method=og,oenog"}},
+        {{"sweep", scene, "--emit", ""}, {"slurm", "parallel"}},
+        {{"describe", "oe"}, {"oenog"}},
+        {{"list", "e"}, {"equations"}},
+        {{"completion", ""}, {"bash", "zsh"}},
+        {{"nothing", ""}, {}},
+        {{"run", scene, "--nothing", "--set", "x"}, {}},
+        {{}, {}},
+    };
+    for (const auto& [typed, expected] : cases) {
+      CAPTURE(taut::join(typed, " "));
+      CHECK(words_for(typed) == expected);
+    }
+    CHECK(words_for({"run", scene, "--colormap", ""}).size() == taut::colormaps().size());
+    CHECK(words_for({"run", scene, "--method", ""}).size() == taut::methods().size());
+    CHECK(taut::cli::complete(taut::cli::commands(), {"run", ""}).files == "*.toml");
+    CHECK(taut::cli::complete(taut::cli::commands(), {"compare", "a", "b", ""}).files == "*/");
+    CHECK(taut::cli::complete(taut::cli::commands(), {"compare", "a", "--out", ""}).files == "*.png");
+    CHECK(taut::cli::complete(taut::cli::commands(), {"movie", "a", "--out", ""}).files == "*");
+  }
+
+  TEST_CASE("every command, option and argument is known to completion") {
+    const Words names = words_for({""});
+    const taut::SceneFile scene = taut::read_scene(taut::find_scene("colliding-rings"));
+    const std::set<std::string> numbers{"N", "T", "DT", "DP", "X", "T,...", "WIDTHxHEIGHT"};
+    for (const taut::Command& command : taut::commands()) {
+      const std::string name(command.name);
+      CHECK(std::ranges::count(names, name) == 1);
+      CLI::App app;
+      command.declare(app);
+      const Words options = words_for({name, "--"});
+      for (const CLI::Option* option : app.get_options()) {
+        if (option->nonpositional()) CHECK(std::ranges::count(options, option->get_name()) == 1);
+        const bool is_flag = option->get_items_expected_max() == 0;
+        const std::string placeholder =
+            option->nonpositional() ? option->get_option_text() : option->get_name();
+        CAPTURE(name);
+        CAPTURE(placeholder);
+        const taut::Choices found = taut::choices(placeholder, "", &scene);
+        CHECK((is_flag || numbers.contains(placeholder)) == (found.words.empty() && found.files.empty()));
+      }
+    }
+  }
+
+  TEST_CASE("bash completes with what the program says, and with files where those fit") {
+    const TemporaryFolder folder;
+    write_tiny_scene(folder);
+    fs::create_directory(folder / "dune");
+    CHECK(offered_by_bash(folder, "taut sn") == Words{"snapshot"});
+    CHECK(offered_by_bash(folder, "taut run coll") == Words{"colliding-rings"});
+    CHECK(offered_by_bash(folder, "taut run d") == Words{"discs.toml", "dune"});
+    CHECK(offered_by_bash(folder, "taut run discs.toml --out d") == Words{"dune"});
+    CHECK(offered_by_bash(folder, "taut run discs.toml --out=d") == Words{"dune"});
+    CHECK(offered_by_bash(folder, "taut run discs.toml --set spe") == Words{"speed="});
+    CHECK(offered_by_bash(folder, "taut run discs.toml --set contact=i") == Words{"impulse"});
+    CHECK(offered_by_bash(folder, "taut run discs.toml --method=oe") == Words{"oenog"});
+    CHECK(offered_by_bash(folder, "taut run discs.toml --fr") == Words{"--frames"});
+    const Outcome outcome = call({"completion", "bsh"});
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, "did you mean 'bash'"));
+  }
+}

@@ -1,0 +1,148 @@
+#include <doctest/doctest.h>
+
+#include "cli/run/labels.hpp"
+#include "cli/run/panel_cells.hpp"
+#include "program_runner.hpp"
+#include "render/image/image.hpp"
+
+using namespace taut;
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+void make_run(const TemporaryFolder& folder, const std::string& name, std::vector<std::string> more = {}) {
+  more.insert(more.end(), {"--save-particles", "--no-render"});
+  const Outcome outcome = call(tiny_run(folder, name, more));
+  REQUIRE_MESSAGE(outcome.code == 0, outcome.err);
+}
+
+Outcome compare(const TemporaryFolder& folder, const std::vector<std::string>& runs,
+                        const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments{"compare"};
+  for (const std::string& run : runs) arguments.push_back(folder.str(run));
+  arguments.insert(arguments.end(), {"--out", folder.str("panel.png")});
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return call(arguments);
+}
+
+RunLabels labels(const TemporaryFolder& folder, const std::vector<std::string>& names) {
+  std::vector<SavedRun> runs;
+  for (const std::string& name : names) runs.push_back(open_saved_run(folder / name));
+  return label_runs(runs);
+}
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("a panel shows every run at every time and says what it cannot show") {
+    const TemporaryFolder folder;
+    make_run(folder, "slow");
+    make_run(folder, "fast", {"--set", "speed=3"});
+    make_run(folder, "short", {"--until", "0.001"});
+    REQUIRE(compare(folder, {"slow", "fast"}).code == 0);
+    const render::Image quarters = render::read_png(folder / "panel.png");
+    REQUIRE(compare(folder, {"slow", "fast"}, {"--times", "0.0005,0.001,0.0015,0.002"}).code == 0);
+    CHECK(render::read_png(folder / "panel.png") == quarters);
+    REQUIRE(compare(folder, {"fast", "slow"}).code == 0);
+    CHECK_FALSE(render::read_png(folder / "panel.png") == quarters);
+    REQUIRE(compare(folder, {"slow", "fast"}, {"--times", "0.0005,0.001,0.0015,0.0019"}).code == 0);
+    CHECK_FALSE(render::read_png(folder / "panel.png") == quarters);  // 0.002 s is nearest, and is named
+    REQUIRE(compare(folder, {"slow", "fast"}, {"--size", "900x700", "--times", "0"}).code == 0);
+    CHECK(render::read_png(folder / "panel.png").width == 900);
+
+    const std::vector<std::string> late{"--times", "0.002"};
+    REQUIRE(compare(folder, {"slow", "short"}, late).code == 0);
+    const render::Image ended = render::read_png(folder / "panel.png");
+    REQUIRE(compare(folder, {"slow", "slow"}, late).code == 0);
+    CHECK_FALSE(render::read_png(folder / "panel.png") == ended);
+    CHECK(compare(folder, {"short"}, late).code == 2);  // past the end of every run
+  }
+
+  TEST_CASE("a picture that is not of the time of its row says so") {
+    const TemporaryFolder folder;
+    make_run(folder, "out", {"--frames", "2"});  // at 0, 1 and 2 ms
+    const SavedRun run = open_saved_run(folder / "out");
+    const Field& speed = *find_field("speed");
+    const PanelCell at = cell_at(run, 0.001, 0.002, speed);
+    REQUIRE(at.particles);
+    CHECK(at.particles->time == run.particles[1].time());
+    CHECK(at.particles->value == run.particles[1].field("speed"));
+    CHECK(at.remark.empty());
+    const PanelCell beside = cell_at(run, 0.0012, 0.002, speed);
+    REQUIRE(beside.particles);
+    CHECK(beside.particles->time == run.particles[1].time());
+    CHECK(contains(beside.remark, "t = 1.0"));
+    const PanelCell after = cell_at(run, 0.003, 0.003, speed);
+    CHECK_FALSE(after.particles);
+    CHECK(contains(after.remark, "ended at t = 2.0"));
+  }
+
+  TEST_CASE("a run that diverged says when, in place of a picture") {
+    const TemporaryFolder folder;
+    const Outcome outcome = call(tiny_run(
+        folder, "out",
+        {"--set", "cfl=20", "--until", "0.02", "--save-particles", "--no-render", "--frames", "40"}));
+    REQUIRE(outcome.code == 3);
+    const PanelCell end = cell_at(open_saved_run(folder / "out"), 0.02, 0.02, *find_field("speed"));
+    CHECK_FALSE(end.particles);
+    CHECK(contains(end.remark, "diverged at t = "));
+  }
+
+  TEST_CASE("times of rows have the decimals they need and no more") {
+    CHECK(time_labels({0.003, 0.006}, 0.012) == std::vector<std::string>{"t = 3 ms", "t = 6 ms"});
+    CHECK(time_labels({0.003, 0.00625}, 0.012) == std::vector<std::string>{"t = 3.00 ms", "t = 6.25 ms"});
+    CHECK(time_labels({0, 1.0 / 3}, 1) == std::vector<std::string>{"t = 0.0000 s", "t = 0.3333 s"});
+  }
+
+  TEST_CASE("a panel has one range: that of the scene, of all it shows, or one's own") {
+    const TemporaryFolder folder;
+    make_run(folder, "slow");
+    make_run(folder, "fast", {"--set", "speed=3"});
+    const auto panel = [&](const std::vector<std::string>& runs, const std::string& range) {
+      REQUIRE(
+          compare(folder, runs, {"--times", "0", "--view", "-0.03:0.03:-0.02:0.02", "--range", range})
+              .code == 0);
+      return render::read_png(folder / "panel.png");
+    };
+    // at the start each particle of `slow` has 2 m/s and each of `fast` 3 m/s
+    CHECK(panel({"slow", "fast"}, "auto") == panel({"slow", "fast"}, "2:3"));
+    CHECK_FALSE(panel({"slow", "fast"}, "auto") == panel({"slow", "fast"}, "0:4"));
+  }
+
+  TEST_CASE("columns are named by what tells the runs apart") {
+    const TemporaryFolder folder;
+    make_run(folder, "a");
+    make_run(folder, "b");
+    make_run(folder, "fast", {"--set", "speed=3"});
+    make_run(folder, "og", {"--method", "og", "--set", "speed=3"});
+    make_run(folder, "zeta", {"--set", "method.zeta=4", "--spacing", "0.001"});
+    const RunLabels same = labels(folder, {"a", "b"});
+    CHECK(same.title == "Two discs");
+    CHECK(same.note == "enog");
+    CHECK(same.columns[1].title == "b");
+    const RunLabels speeds = labels(folder, {"a", "fast"});
+    CHECK(speeds.note == "enog");
+    CHECK(speeds.columns[0].title == "speed = 2 m/s");
+    CHECK(speeds.columns[1].title == "speed = 3 m/s");
+    CHECK(speeds.columns[1].note.empty());
+    const RunLabels methods = labels(folder, {"a", "og"});
+    CHECK(methods.note.empty());
+    CHECK(methods.columns[0].title == "enog");
+    CHECK(methods.columns[1].title == "og");
+    CHECK(methods.columns[1].note == "speed = 3 m/s");
+    const RunLabels constants = labels(folder, {"a", "zeta"});
+    CHECK(constants.columns[0].title == "dp = 2 mm");
+    CHECK(constants.columns[1].title == "dp = 1 mm");
+    CHECK(constants.columns[1].note == "zeta = 4");
+  }
+
+  TEST_CASE("a run without particles cannot be compared") {
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_run(folder, "plain", {"--no-render"})).code == 0);
+    const Outcome outcome = compare(folder, {"plain"});
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, "--save-particles"));
+    CHECK_FALSE(fs::exists(folder / "panel.png"));
+  }
+}

@@ -1,0 +1,70 @@
+#include <doctest/doctest.h>
+
+#include "program_runner.hpp"
+
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+Outcome search(const TemporaryFolder& folder, const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{"critical-step", write_tiny_scene(folder), "--threads", "1"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return call(arguments);
+}
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("critical-step: the step with its unit, over the default, and limits beside it") {
+    const TemporaryFolder folder;
+    const std::vector<std::string> quick{"--method", "tl-small-strain", "--steps",
+                                         "50",       "--tolerance",     "0.01"};
+    const Outcome text = search(folder, quick);
+    CHECK(text.code == 0);
+    for (const char* part : {"discs with tl-small-strain", "largest stable step", " s",
+                             "over the default step", "[Zhang2020] Eq. 15b", "von Neumann", "trials"})
+      CHECK(contains(text.out, part));
+    CHECK(contains(text.err, "critical step"));  // progress
+
+    std::vector<std::string> as_json = quick;
+    as_json.insert(as_json.end(), {"--json", "--quiet"});
+    const Outcome json = search(folder, as_json);
+    CHECK(json.err.empty());
+    const auto result = nlohmann::ordered_json::parse(json.out);
+    CHECK(result["unit"] == "s");
+    const double found = result["critical_step"], unstable = result["unstable_step"];
+    CHECK(found < unstable);
+    CHECK(unstable < found / (1 - 0.0101));
+    CHECK(result["over_default"].get<double>() ==
+          doctest::Approx(found / result["default_step"].get<double>()));
+    CHECK(result["limits"].size() == 2);
+
+    // a run holds with a good part of it (a verdict minds the energy of the contact too), and not with more
+    const double cfl = 0.4 * result["over_default"].get<double>();
+    const auto run = [&](double share) {
+      return call(tiny_run(
+          folder, "out",
+          {"--method", "tl-small-strain", "--no-render", "--set", "cfl=" + std::to_string(share * cfl)}));
+    };
+    CHECK(run(0.6).code == 0);
+    CHECK(run(1.5).code == 3);
+  }
+
+  TEST_CASE("critical-step: what is wrong is refused with exit code 2 before the first trial") {
+    const TemporaryFolder folder;
+    const std::vector<std::vector<std::string>> cases{
+        {"--steps", "0"},   {"--steps", "2.5"},   {"--tolerance", "-1"}, {"--method", "tll"},
+        {"--set", "pul=1"}, {"--spacing", "0.2"}, {"--cfll", "1"}};
+    for (const auto& arguments : cases) {
+      CAPTURE(arguments.front());
+      const Outcome outcome = search(folder, arguments);
+      CHECK(outcome.code == 2);
+      CHECK(outcome.out.empty());
+      CHECK(!outcome.err.empty());
+    }
+    CHECK(contains(search(folder, {"--method", "tll"}).err, "'tl'"));
+    CHECK(call({"critical-step"}).code == 2);
+    CHECK(contains(call({"critical-step", "--help"}).out, "taut critical-step colliding-rings"));
+  }
+}

@@ -1,0 +1,164 @@
+#include <doctest/doctest.h>
+
+#include "program_runner.hpp"
+#include "render/image/image.hpp"
+
+using namespace taut::cli;
+using namespace taut::test;
+
+TEST_SUITE("cli") {
+  TEST_CASE("what is mistyped is refused with exit code 2 and the nearest name") {
+    struct Case {
+      std::vector<std::string> arguments;
+      std::string expected;
+    };
+    const std::vector<Case> cases{
+        {{"runn"}, "'run'"},
+        {{"--versoin"}, "'--version'"},
+        {{"run", "colliding-rings", "--colr", "speed"}, "'--color'"},
+        {{"run", "--colr"}, "'--color'"},
+        {{"run", "colliding-ring"}, "colliding-rings"},
+        {{"run", "colliding-rings", "--method", "enogg"}, "'enog'"},
+        {{"run", "colliding-rings", "--color", "presure"}, "'pressure'"},
+        {{"run", "colliding-rings", "--colormap", "viridi"}, "'viridis'"},
+        {{"run", "colliding-rings", "--fail-on", "fracture"}, "'fractured'"},
+        {{"run", "colliding-rings", "--set", "v00=1"}, "'v0'"},
+        {{"list", "scens"}, "'scenes'"},
+        {{"describe", "enogg"}, "'enog'"},
+        {{"describe", "coliding-rings"}, "'colliding-rings'"},
+    };
+    for (const Case& c : cases) {
+      CAPTURE(c.expected);
+      const Outcome outcome = call(c.arguments);
+      CAPTURE(outcome.err);
+      CHECK(outcome.code == 2);
+      CHECK(contains(outcome.err, c.expected));
+      CHECK(outcome.out.empty());
+    }
+  }
+
+  TEST_CASE("what follows -- is no option") {
+    CHECK(call({"list", "--", "methods"}).code == 0);
+    CHECK(contains(call({"describe", "--", "--help"}).err, "unknown scene or method '--help'"));
+  }
+
+  TEST_CASE("values that make no sense are refused with exit code 2 before a folder is touched") {
+    const TemporaryFolder folder;
+    const std::vector<std::vector<std::string>> cases{
+        {"--until", "-1"},
+        {"--until", "nan"},
+        {"--until"},
+        {"--until", "1", "--until", "2"},
+        {"--spacing", "0"},
+        {"--frames", "0"},
+        {"--frames", "2.5"},
+        {"--frames", "2", "--every", "1"},
+        {"--every", "1e-30"},
+        {"--history", "1e-30"},
+        {"--size", "3x3"},
+        {"--size", "big"},
+        {"--range", "2:1"},
+        {"--range", "1"},
+        {"--range", "0:inf"},
+        {"--threads", "-1"},
+        {"--set", "speed"},
+        {"--set", "speed=fast"},
+        {"surplus"},
+        {"--fields", "speed"},
+        {"--save-particles", "--fields", "sped"},
+        {"--view", "0:1:2"},
+        {"--view", "0:1:2:1"},
+        {"--view", "0:1:0:1:2"},
+        {"--color", "no-field"},
+        {"--fail-on", "stable"},
+    };
+    for (const auto& wrong : cases) {
+      CAPTURE(wrong.front());
+      CAPTURE(wrong.back());
+      const Outcome outcome = call(tiny_run(folder, "out", wrong));
+      CHECK(outcome.code == 2);
+      CHECK(outcome.err.starts_with("taut: "));
+      CHECK_FALSE(fs::exists(folder / "out"));
+    }
+  }
+
+  TEST_CASE("an error in a scene names file and line") {
+    const TemporaryFolder folder;
+    const std::string scene = write_tiny_scene(folder);
+    std::ofstream(scene, std::ios::app) << "colour = 1\n";
+    const Outcome outcome = call({"run", scene, "--out", folder.str("out")});
+    CHECK(outcome.code == 2);
+    CHECK(outcome.err.starts_with(scene + ":" + std::to_string(lines_of(scene).size()) + ":1: "));
+    CHECK_FALSE(fs::exists(folder / "out"));
+  }
+
+  TEST_CASE("help and version are results") {
+    CHECK(call({"--version"}).out == "taut 0.1.0\n");
+    for (const std::string command :
+         {"run", "render", "compare", "movie", "diff", "snapshot", "list", "describe"}) {
+      CHECK(contains(call({"--help"}).out, "  " + command + " "));
+      const Outcome help = call({command, "--help"});
+      CHECK(help.code == 0);
+      CHECK(contains(help.out, "Examples:\n  taut " + command));
+    }
+    CHECK(call({}).code == 2);
+  }
+
+  TEST_CASE("list names what there is and JSON says the same") {
+    const Outcome all = call({"list"});
+    CHECK(all.code == 0);
+    const auto json = nlohmann::json::parse(call({"list", "--json"}).out);
+    for (const std::string kind : {"scenes", "methods", "fields", "colormaps"}) {
+      CHECK(nlohmann::json::parse(call({"list", kind, "--json"}).out) == json[kind]);
+      CHECK_FALSE(json[kind].empty());
+      for (const auto& row : json[kind])
+        CHECK(contains(all.out, "  " + row["name"].get<std::string>() + " "));
+    }
+  }
+
+  TEST_CASE("describe tells parameters with units and bounds and constants of a method") {
+    const TemporaryFolder folder;
+    const Outcome scene = call({"describe", write_tiny_scene(folder)});
+    CHECK(scene.code == 0);
+    for (const std::string part :
+         {"Two discs", "speed", "m/s", "0 to inf", "of each disc", "touch_time", "sph, as published"})
+      CHECK(contains(scene.out, part));
+    const Outcome method = call({"describe", "enog"});
+    CHECK(method.code == 0);
+    for (const std::string part :
+         {"Zhang2024", "zeta", "conserves", "2d_deviator", "sph as published; also impulse, penalty"})
+      CHECK(contains(method.out, part));
+  }
+
+  TEST_CASE("diff tells alike from different from unreadable by its exit code") {
+    const TemporaryFolder folder;
+    taut::Image image(64, 48);
+    taut::write_png(image, folder / "white.png");
+    image.set(3, 4, {250, 250, 250});
+    taut::write_png(image, folder / "speck.png");
+    for (int column = 0; column < 20; ++column)
+      for (int row = 0; row < 20; ++row)
+        image.set(column, row, {200, 0, 0});
+    taut::write_png(image, folder / "square.png");
+    taut::write_png(taut::Image(64, 47), folder / "lower.png");
+    std::ofstream(folder / "text.png") << "no image";
+    const auto diff = [&](const std::string& b, const std::vector<std::string>& more = {}) {
+      std::vector<std::string> arguments{"diff", folder.str("white.png"), folder.str(b)};
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      return call(arguments);
+    };
+    CHECK(diff("white.png").code == 0);
+    CHECK(diff("speck.png").code == 0);
+    CHECK(diff("speck.png", {"--max-difference", "0"}).code == 1);
+    CHECK(diff("white.png", {"--max-difference", "0"}).code == 0);
+    CHECK(diff("square.png").code == 1);
+    CHECK(diff("square.png", {"--max-difference", "150"}).code == 0);
+    CHECK(contains(diff("square.png").out, "100 % of 16x16"));
+    CHECK(diff("lower.png").code == 2);
+    CHECK(diff("text.png").code == 2);
+    CHECK(diff("missing.png").code == 2);
+    CHECK(diff("square.png", {"--out", folder.str("diff.png")}).code == 1);
+    CHECK(taut::read_png(folder / "diff.png").width == 64);
+    CHECK(diff("square.png", {"--out", folder.str("no/diff.png")}).code == 4);
+  }
+}

@@ -1,0 +1,136 @@
+#include <doctest/doctest.h>
+
+#include "program_runner.hpp"
+#include "render/image/image.hpp"
+
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+/// A white picture with a red square of that side.
+void write_picture(const fs::path& path, int side, int width = 64) {
+  fs::create_directories(path.parent_path());
+  taut::Image image(width, 48);
+  for (int column = 0; column < side; ++column)
+    for (int row = 0; row < side; ++row)
+      image.set(column, row, {200, 0, 0});
+  taut::write_png(image, path);
+}
+
+/// The arguments of a snapshot of the tiny scene, with its baseline and its run in `folder`.
+std::vector<std::string> tiny_snapshot(const TemporaryFolder& folder,
+                                       const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments = tiny_run(folder, "out", {"--baseline", folder.str("base")});
+  arguments[0] = "snapshot";
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("two folders are alike when they hold the same names and every picture is alike") {
+    const TemporaryFolder folder;
+    for (const std::string name : {"frame_00000.png", "frame_00001.png", "frame_00002.png"}) {
+      write_picture(folder / ("a/" + name), 10);
+      write_picture(folder / ("b/" + name), 10);
+    }
+    const auto diff = [&](const std::vector<std::string>& more = {}) {
+      std::vector<std::string> arguments{"diff", folder.str("a"), folder.str("b")};
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      return call(arguments);
+    };
+    CHECK(diff().code == 0);
+    CHECK(contains(diff().out, "alike\n"));
+
+    write_picture(folder / "b/frame_00001.png", 20);
+    write_picture(folder / "b/frame_00002.png", 13);
+    const Outcome worse = diff({"--out", folder.str("diff.png")});
+    CHECK(worse.code == 1);
+    CHECK(contains(worse.out, "different\n"));
+    CHECK(contains(worse.out, "frame_00001.png"));  // the worse of the two
+    CHECK_FALSE(contains(worse.out, "frame_00002.png"));
+    CHECK(taut::read_png(folder / "diff.png").at(15, 15)[1] < 180);  // where only the larger square is red
+    CHECK(diff({"--max-difference", "150"}).code == 0);
+  }
+
+  TEST_CASE("a picture that only one folder holds is a difference") {
+    const TemporaryFolder folder;
+    write_picture(folder / "a/one.png", 5);
+    write_picture(folder / "b/one.png", 5);
+    write_picture(folder / "b/two.png", 5);
+    for (const bool swapped : {false, true}) {
+      const std::string a = folder.str(swapped ? "b" : "a"), b = folder.str(swapped ? "a" : "b");
+      const Outcome outcome = call({"diff", a, b});
+      CHECK(outcome.code == 1);
+      CHECK(contains(outcome.out, "only in " + folder.str("b")));
+      CHECK(contains(outcome.out, "two.png"));
+    }
+  }
+
+  TEST_CASE("folders without pictures, of other sizes, or beside an image are refused") {
+    const TemporaryFolder folder;
+    write_picture(folder / "a/one.png", 5);
+    write_picture(folder / "wide/one.png", 5, 65);
+    fs::create_directories(folder / "empty");
+    CHECK(call({"diff", folder.str("a"), folder.str("empty")}).code == 2);
+    const Outcome sizes = call({"diff", folder.str("a"), folder.str("wide")});
+    CHECK(sizes.code == 2);
+    CHECK(contains(sizes.err, "wide/one.png"));
+    CHECK(call({"diff", folder.str("a"), folder.str("a/one.png")}).code == 2);
+  }
+
+  TEST_CASE("a run folder stands for its frames") {
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_run(folder, "slow")).code == 0);
+    REQUIRE(call(tiny_run(folder, "fast", {"--set", "speed=3"})).code == 0);
+    const Outcome outcome = call({"diff", folder.str("slow"), folder.str("fast")});
+    CHECK(outcome.code == 1);
+    CHECK(contains(outcome.out, "pictures compared           5"));
+    CHECK(call({"diff", folder.str("slow"), folder.str("slow/frames"), "--max-difference", "0"}).code == 0);
+  }
+
+  TEST_CASE("a snapshot needs a baseline, makes it when told to, and finds what differs from it") {
+    const TemporaryFolder folder;
+    const Outcome without = call(tiny_snapshot(folder));
+    CHECK(without.code == 2);
+    CHECK(contains(without.err, "--update"));
+    CHECK_FALSE(fs::exists(folder / "out"));  // before anything is run
+
+    REQUIRE(call(tiny_snapshot(folder, {"--update"})).code == 0);
+    CHECK(files_in(folder / "base") == 5);
+    CHECK(call(tiny_snapshot(folder, {"--max-difference", "0"})).code == 0);
+    CHECK_FALSE(fs::exists(folder / "out/difference.png"));
+
+    const Outcome other = call(tiny_snapshot(folder, {"--set", "speed=3"}));
+    CHECK(other.code == 1);
+    CHECK(contains(other.out, "frame_0000"));
+    CHECK(taut::read_png(folder / "out/difference.png").width == 160);
+    CHECK(call(tiny_snapshot(folder, {"--frames", "2"})).code == 1);
+
+    REQUIRE(call(tiny_snapshot(folder, {"--set", "speed=3", "--frames", "2", "--update"})).code == 0);
+    CHECK(files_in(folder / "base") == 3);
+    CHECK(files_in(folder.path()) == 3);  // scene, run and baseline: nothing is left over
+    CHECK(call(tiny_snapshot(folder, {"--set", "speed=3", "--frames", "2"})).code == 0);
+    CHECK_FALSE(fs::exists(folder / "out/difference.png"));  // the one of the run before is gone
+  }
+
+  TEST_CASE("a baseline is never lost to an update that is not one") {
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_snapshot(folder, {"--update"})).code == 0);
+    const std::string frame = text_of(folder / "base/frame_00004.png");
+    // a run that diverges says nothing about how it should look
+    CHECK(call(tiny_snapshot(folder, {"--update", "--set", "cfl=20", "--until", "0.02"})).code == 3);
+    CHECK(text_of(folder / "base/frame_00004.png") == frame);
+    std::ofstream(folder / "base/mine.txt") << "mine";
+    const Outcome outcome = call(tiny_snapshot(folder, {"--update"}));
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, "mine.txt"));
+    CHECK(text_of(folder / "base/mine.txt") == "mine");
+    // the run would replace the frames that it is to be compared with
+    std::vector<std::string> inside = tiny_run(folder, "out", {"--baseline", folder.str("out/frames")});
+    inside[0] = "snapshot";
+    CHECK(call(inside).code == 2);
+  }
+}

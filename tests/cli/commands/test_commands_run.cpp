@@ -1,0 +1,241 @@
+#include <cmath>
+#include <fstream>
+
+#include <doctest/doctest.h>
+
+#include "program_runner.hpp"
+#include "render/image/image.hpp"
+
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+std::vector<std::string> keys(const nlohmann::ordered_json& object) {
+  std::vector<std::string> names;
+  for (const auto& [key, value] : object.items()) names.push_back(key);
+  return names;
+}
+
+std::vector<double> numbers(const std::string& row) {
+  std::vector<double> values;
+  std::istringstream text(row);
+  for (std::string cell; std::getline(text, cell, ',');) values.push_back(std::stod(cell));
+  return values;
+}
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("a scene with lines leaves lines.csv, and its steps do not depend on them") {
+    const TemporaryFolder folder;
+    std::string scene = text_of(fs::path(TAUT_SOURCE_DIR) / "scenes/heterogeneous-cable.toml");
+    const std::string times = "times = [1.0e-4, 1.5e-4, 2.0e-4, 2.5e-4, 3.0e-4, 3.5e-4]";
+    const auto run_with = [&](const std::string& name, const std::string& line_times) {
+      std::string text = scene;
+      text.replace(text.find(times), times.size(), "times = " + line_times);
+      const std::string path = folder.str(name + ".toml");
+      std::ofstream(path) << text;
+      const Outcome outcome =
+          call({"run", path, "--spacing", "0.024", "--until", "5e-5", "--no-render", "--method",
+                "d-ulsph-r-tic", "--out", folder.str(name), "--threads", "1", "--quiet"});
+      CAPTURE(outcome.err);
+      REQUIRE(outcome.code == 0);
+      return json_of(folder / name / "run.json");
+    };
+    const auto record = run_with("two", "[1e-5, 4.1e-5]");
+    const std::vector<std::string> rows = lines_of(folder / "two/lines.csv");
+    REQUIRE(rows.size() == 1 + 2 * 400);
+    CHECK(rows[0] == "line,t,step,x,y,value,reference");
+    double squared = 0;
+    for (std::size_t k = 1; k < rows.size(); ++k) {
+      REQUIRE(rows[k].starts_with("stress,"));
+      const std::vector<double> row = numbers(rows[k].substr(7));
+      REQUIRE(row.size() == 6);
+      CHECK(row[0] >= (k <= 400 ? 1e-5 : 4.1e-5));
+      CHECK(row[0] < (k <= 400 ? 2e-5 : 5e-5));
+      squared += (row[4] - row[5]) * (row[4] - row[5]) / 800;
+    }
+    CHECK(numbers(rows[1].substr(7))[2] == doctest::Approx(0.024));
+    CHECK(numbers(rows[400].substr(7))[2] == doctest::Approx(1.976));
+    CHECK(record["measures"]["stress_rmse"]["value"].get<double>() == doctest::Approx(std::sqrt(squared)));
+    const auto other = run_with("late", "[4.7e-5, 1]");
+    CHECK(other["steps"] == record["steps"]);
+    CHECK(other["reached"] == record["reached"]);
+    CHECK(other["measures"]["stress_rmse"]["value"].is_null());
+    CHECK(lines_of(folder / "late/lines.csv").size() == 401);
+    CHECK(lines_of(folder / "late/history.csv") == lines_of(folder / "two/history.csv"));
+  }
+
+  TEST_CASE("a run leaves frames and history and a record") {
+    const TemporaryFolder folder;
+    const Outcome outcome = call(tiny_run(folder, "out"));
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK(outcome.err.empty());
+    CHECK(contains(outcome.out, folder.str("out/frames")));
+    CHECK(contains(outcome.out, "touch_time"));
+
+    CHECK(files_in(folder / "out") == 4);
+    CHECK(files_in(folder / "out/frames") == 5);
+    const taut::Image last = taut::read_png(folder / "out/frames/frame_00004.png");
+    CHECK(last.width == 160);
+    CHECK(last.height == 120);
+
+    const auto record = json_of(folder / "out/run.json");
+    CHECK(keys(record) ==
+          std::vector<std::string>{
+              "taut",      "scene",   "method",     "material_law", "contact",
+              "stepping",  "cfl",     "parameters", "dim",          "spacing",
+              "particles", "mass",    "until",      "reached",      "status",
+              "steps",     "threads", "machine",    "seconds",      "particle_steps_per_second",
+              "verdict",   "since",   "indicators", "conservation", "measures"});
+    CHECK(record["status"] == "finished");
+    CHECK(record["verdict"] == "stable");
+    CHECK(record["scene"] == "discs");
+    CHECK(record["contact"] == "sph");
+    CHECK(record["parameters"]["speed"] == 2.0);
+    CHECK(record["reached"].get<double>() >= 0.002);
+    CHECK(keys(record["indicators"]) == std::vector<std::string>{"pieces", "hourglass_error",
+                                                                 "pressure_checkerboard",
+                                                                 "von_mises_checkerboard"});
+    CHECK(record["indicators"]["pieces"] == 2);
+    for (const char* key : {"hourglass_error", "pressure_checkerboard", "von_mises_checkerboard"}) {
+      CAPTURE(key);
+      const auto& indicator = record["indicators"][key];
+      CHECK(keys(indicator) == std::vector<std::string>{"greatest", "at", "last"});
+      CHECK(indicator["greatest"].get<double>() > 0);  // the discs are pressed on each other
+      CHECK(indicator["greatest"].get<double>() < 1);
+      CHECK(indicator["at"].get<double>() > 0);
+      CHECK(indicator["at"].get<double>() <= record["reached"].get<double>());
+    }
+    const std::vector<double> end = numbers(lines_of(folder / "out/history.csv").back());
+    CHECK(record["indicators"]["hourglass_error"]["last"] == end[10]);
+    CHECK(record["indicators"]["pressure_checkerboard"]["last"] == end[11]);
+    CHECK(record["indicators"]["von_mises_checkerboard"]["last"] == end[12]);
+    CHECK(record["measures"]["touch_time"]["unit"] == "s");
+    CHECK(record["measures"]["touch_time"]["reference"].is_null());
+    CHECK(record["conservation"]["linear_momentum"].get<double>() < 1e-10);
+    // lattice particles of dp² each: a disc's area to the accuracy of its staircase edge
+    CHECK(record["mass"].get<double>() == doctest::Approx(record["particles"].get<double>() * 4e-6 * 1000));
+  }
+
+  TEST_CASE("history has a row for the start and the end and none twice") {
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_run(folder, "out", {"--no-render"})).code == 0);
+    const std::vector<std::string> lines = lines_of(folder / "out/history.csv");
+    REQUIRE(lines.size() > 3);
+    CHECK(
+        lines[0] ==
+        "t,step,kinetic_energy,strain_energy,total_energy,momentum_x,momentum_y,angular_momentum,gap,pieces,"
+        "hourglass_error,pressure_checkerboard,von_mises_checkerboard");
+    CHECK(text_of(folder / "out/history.csv").back() == '\n');
+    CHECK(files_in(folder / "out/frames") == 0);
+    double step = -1;
+    for (std::size_t k = 1; k < lines.size(); ++k) {
+      const std::vector<double> row = numbers(lines[k]);
+      REQUIRE(row.size() == 13);
+      CHECK(row[1] > step);
+      step = row[1];
+      CHECK(row[4] == doctest::Approx(row[2] + row[3]));
+    }
+    const auto record = json_of(folder / "out/run.json");
+    CHECK(numbers(lines[1])[0] == 0);
+    CHECK(numbers(lines.back())[0] == record["reached"].get<double>());
+    CHECK(numbers(lines.back())[1] == record["steps"].get<double>());
+  }
+
+  TEST_CASE("a row of the history stands at the first step past its time") {
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_run(folder, "all", {"--no-render", "--history", "1e-9"})).code == 0);
+    REQUIRE(call(tiny_run(folder, "some", {"--no-render", "--history", "5e-4"})).code == 0);
+    const std::vector<std::string> all = lines_of(folder / "all/history.csv");
+    const std::vector<std::string> some = lines_of(folder / "some/history.csv");
+    REQUIRE(some.size() == 6);
+    std::size_t at = 1;
+    for (std::size_t k = 1; k < some.size(); ++k) {
+      while (at + 1 < all.size() && numbers(all[at])[0] < 5e-4 * static_cast<double>(k - 1))
+        ++at;
+      CHECK(some[k] == all[at]);
+    }
+  }
+
+  TEST_CASE("an older run in the folder is replaced and nothing else there is touched") {
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_run(folder, "out", {"--frames", "9"})).code == 0);
+    std::ofstream(folder / "out/frames/mine.png") << "mine";
+    REQUIRE(call(tiny_run(folder, "out", {"--frames", "2"})).code == 0);
+    CHECK(files_in(folder / "out/frames") == 4);
+    CHECK(text_of(folder / "out/frames/mine.png") == "mine");
+  }
+
+  TEST_CASE("a folder with something else in it is refused") {
+    const TemporaryFolder folder;
+    fs::create_directories(folder / "out");
+    CHECK(call(tiny_run(folder, "out", {"--frames", "1"})).code == 0);  // an empty one is fine
+    for (const std::string content : {"{}", "{\"tau\": 1}", "no json"}) {
+      std::ofstream(folder / "out/run.json") << content;
+      const Outcome outcome = call(tiny_run(folder, "out"));
+      CHECK(outcome.code == 2);
+      CHECK(contains(outcome.err, "--out"));
+      CHECK(files_in(folder / "out/frames") == 2);
+    }
+    CHECK(call(tiny_run(folder, "discs.toml")).code == 2);
+  }
+
+  TEST_CASE("an automatic range is drawn over the whole sequence and holds every frame") {
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_run(folder, "auto", {"--range", "auto", "--color", "speed"})).code == 0);
+    REQUIRE(call(tiny_run(folder, "signed", {"--color", "pressure"})).code == 0);
+    CHECK(files_in(folder / "auto/frames") == 5);
+    CHECK(files_in(folder / "signed/frames") == 5);
+    CHECK(contains(text_of(folder / "signed/scene.toml"), "range = \"auto\""));
+  }
+
+  TEST_CASE("the spacing used is reported where it is not the one asked for") {
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_run(folder, "out", {"--no-render", "--spacing", "0.0021"})).code == 0);
+    const auto record = json_of(folder / "out/run.json");
+    CHECK(record["spacing_asked"] == 0.0021);
+    CHECK(record["spacing"].get<double>() == doctest::Approx(0.002));
+  }
+
+  TEST_CASE("progress goes to stderr in lines and is silent when asked to be") {
+    const TemporaryFolder folder;
+    std::vector<std::string> arguments = tiny_run(folder, "out", {"--no-render"});
+    std::erase(arguments, "--quiet");
+    const Outcome outcome = call(arguments);
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err.starts_with("discs, enog, "));
+    CHECK(contains(outcome.err, "particle-steps/s"));
+    CHECK_FALSE(contains(outcome.err, "\r"));
+  }
+}
+
+TEST_SUITE("determinism") {
+  TEST_CASE("scene.toml run again gives the same bytes") {
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_run(folder, "a",
+                          {"--set", "speed=3", "--frames", "3", "--color", "pressure", "--history", "3e-5",
+                           "--until", "0.0011", "--method", "og", "--size", "200x100"}))
+                .code == 0);
+    REQUIRE(call({"run", folder.str("a/scene.toml"), "--out", folder.str("b"), "--quiet"}).code == 0);
+    for (const std::string file :
+         {"history.csv", "scene.toml", "frames/frame_00000.png", "frames/frame_00003.png"}) {
+      CAPTURE(file);
+      CHECK_FALSE(text_of(folder / ("a/" + file)).empty());
+      CHECK(text_of(folder / ("a/" + file)) == text_of(folder / ("b/" + file)));
+    }
+  }
+
+  TEST_CASE("output does not alter a run") {
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_run(folder, "few", {"--frames", "3", "--history", "4.1e-4"})).code == 0);
+    REQUIRE(call(tiny_run(folder, "many", {"--every", "0.0001", "--history", "4.1e-4"})).code == 0);
+    CHECK(files_in(folder / "many/frames") == 21);
+    CHECK(text_of(folder / "few/history.csv") == text_of(folder / "many/history.csv"));
+    CHECK(text_of(folder / "few/frames/frame_00003.png") == text_of(folder / "many/frames/frame_00020.png"));
+    REQUIRE(call(tiny_run(folder, "dense", {"--no-render", "--history", "1e-7"})).code == 0);
+    CHECK(lines_of(folder / "few/history.csv").back() == lines_of(folder / "dense/history.csv").back());
+  }
+}

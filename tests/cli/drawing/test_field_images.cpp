@@ -1,0 +1,65 @@
+// Golden pictures of every colour field, drawn small and kept by `taut snapshot` in tests/golden/fields.
+// After a change that is meant to alter them:
+//   TAUT_UPDATE_GOLDEN=1 build-tests/tests/cli_tests --test-suite=image
+// writes them anew; look at them before they are kept.
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "engine/diagnostics/fields.hpp"
+#include "tests/support/program_runner.hpp"
+
+namespace {
+
+using namespace taut;
+using namespace taut::cli;
+using namespace taut::test;
+
+const fs::path golden_folder = fs::path(TAUT_SOURCE_DIR) / "tests/golden/fields";
+
+/// The rings up to 3 ms, where they are pressed together, at twice the usual spacing; about 0.2 s of work.
+Outcome snapshot(std::string_view field, const fs::path& baseline, const fs::path& run,
+                 const std::vector<std::string>& more = {}, const std::string& until = "0.003") {
+  std::vector<std::string> arguments{"snapshot",   "colliding-rings",
+                                     "--baseline", baseline,
+                                     "--out",      run,
+                                     "--spacing",  "0.002",
+                                     "--until",    until,
+                                     "--frames",   "1",
+                                     "--color",    std::string(field),
+                                     "--range",    "auto",
+                                     "--size",     "320x180",
+                                     "--threads",  "1",
+                                     "--quiet"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return call(arguments);
+}
+
+}  // namespace
+
+TEST_SUITE("image") {
+  TEST_CASE("every field is drawn as in its golden pictures") {
+    const TemporaryFolder folder;
+    const bool update = std::getenv("TAUT_UPDATE_GOLDEN") != nullptr;
+    for (const Field& field : fields()) {
+      CAPTURE(field.key);
+      const Outcome outcome =
+          snapshot(field.key, golden_folder / field.key, folder / "run",
+                   update ? std::vector<std::string>{"--update"} : std::vector<std::string>{});
+      CHECK_MESSAGE(outcome.code == 0, outcome.out, outcome.err);
+    }
+  }
+
+  TEST_CASE("a wrong picture is found: another field, and the same a moment later") {
+    const TemporaryFolder folder;
+    const fs::path golden = golden_folder / "von_mises";
+    CHECK(snapshot("speed", golden, folder / "run").code == 1);
+    const Outcome later = snapshot("von_mises", golden, folder / "run", {}, "0.0031");
+    CHECK(later.code == 1);
+    CHECK(contains(later.out, "frame_00001.png"));
+    CHECK(fs::exists(folder / "run/difference.png"));
+  }
+}

@@ -1,0 +1,41 @@
+#include <cstdlib>
+
+#include <doctest/doctest.h>
+
+#include "sweep_folder.hpp"
+
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+bool python_is_there() { return std::system("/usr/bin/python3 -c 'import tomllib' 2>/dev/null") == 0; }
+
+/// What tests/cli/read_outputs.py prints of a folder; its complaints stand in the log of the test.
+std::vector<std::string> read_with_python(const TemporaryFolder& folder, const std::string& name) {
+  const std::string command = "/usr/bin/python3 " TAUT_SOURCE_DIR "/tests/cli/read_outputs.py '" +
+                              folder.str(name) + "' >'" + folder.str("read") + "'";
+  CHECK(std::system(command.c_str()) == 0);
+  return lines_of(folder / "read");
+}
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("other programs read the files of a run and of a sweep") {
+    if (!python_is_there()) {
+      MESSAGE("skipped: there is no Python 3.11 (Debian's package python3)");
+      return;
+    }
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_run(folder, "run", {"--save-particles", "--no-render"})).code == 0);
+    const auto rows = lines_of(folder / "run/history.csv").size() - 1;
+    CHECK(rows > 10);
+    CHECK(read_with_python(folder, "run") == Texts{"history.csv " + std::to_string(rows), "particles.pvd 5"});
+    // one that diverges has a column more; max(2,3) has a comma in its cell
+    const Texts grid{"--grid", "speed=1,max(2,3)", "--grid", "cfl=0.5,20", "--until", "0.01"};
+    REQUIRE(program(tiny_sweep(folder, "sweep", grid)).code == 0);
+    CHECK(contains(text_of(folder / "sweep/results.csv"), ",\"max(2,3)\","));
+    CHECK(read_with_python(folder, "sweep") == Texts{"results.csv 4"});
+  }
+}

@@ -1,0 +1,228 @@
+#include <csignal>
+#include <cstdlib>
+#include <random>
+#include <set>
+
+#include <doctest/doctest.h>
+
+#include "child_program.hpp"
+#include "cli/run/checkpoint.hpp"
+#include "engine/error.hpp"
+#include "program_runner.hpp"
+
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+/// Long enough for something to happen to it on the way.
+const Arguments long_run = {"--until", "0.1", "--history", "1e-4"};
+const Arguments with_checkpoints = {"--checkpoint-every", "0.001"};
+
+Arguments operator+(Arguments a, const Arguments& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+Arguments resume(const TemporaryFolder& folder, const std::string& out, const Arguments& more = {}) {
+  return Arguments{"run", "--resume", folder.str(out), "--threads", "1", "--quiet"} + more;
+}
+
+std::set<std::string> files_below(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) names.insert(fs::relative(entry.path(), folder).string());
+  return names;
+}
+
+/// All files but for the times that a run took.
+void check_same_run(const fs::path& a, const fs::path& b) {
+  REQUIRE(files_below(a) == files_below(b));
+  for (const std::string& name : files_below(a)) {
+    CAPTURE(name);
+    if (name != "run.json") {
+      CHECK(text_of(a / name) == text_of(b / name));
+      continue;
+    }
+    auto first = json_of(a / name), second = json_of(b / name);
+    for (auto* record : {&first, &second})
+      for (const char* key : {"seconds", "particle_steps_per_second", "threads"}) record->erase(key);
+    CHECK(first == second);
+  }
+}
+
+/// Starts the program and kills it as soon as history.csv is longer than `bytes`. False if it was faster.
+bool run_and_kill(const Arguments& arguments, const fs::path& history, std::uintmax_t bytes) {
+  ChildProgram child(arguments);
+  ChildProgram::wait([&] {
+    std::error_code none;
+    const std::uintmax_t size = fs::file_size(history, none);
+    return child.has_ended() || (!none && size >= bytes);
+  });
+  child.send(SIGKILL);
+  return child.ending_signal() == SIGKILL;
+}
+
+/// A run in the folder "out" that was interrupted after its first checkpoint.
+void leave_interrupted(const TemporaryFolder& folder, const Arguments& more = {}) {
+  ChildProgram child(
+      tiny_run(folder, "out", Arguments{"--until", "1000", "--no-render"} + with_checkpoints + more));
+  ChildProgram::wait_for(folder / "out/checkpoint.bin");
+  child.send(SIGINT);
+  REQUIRE(child.exit_code() == 130);
+}
+
+void check_refused(const TemporaryFolder& folder, const std::string& reason) {
+  const auto before = files_below(folder / "out");
+  const std::string history = text_of(folder / "out/history.csv");
+  const Outcome outcome = call(resume(folder, "out"));
+  CAPTURE(outcome.err);
+  CHECK(outcome.code == 2);
+  CHECK(contains(outcome.err, reason));
+  CHECK(files_below(folder / "out") == before);
+  CHECK(text_of(folder / "out/history.csv") == history);
+}
+
+}  // namespace
+
+TEST_SUITE("restart") {
+  TEST_CASE("runs that are killed at any moment go on to the same bytes: a method of each family") {
+    std::mt19937 random(1);
+    int kills = 0;
+    for (const char* method : {"enog", "og", "oenog", "d-ulsph-r-tic", "tl"}) {
+      CAPTURE(method);
+      const TemporaryFolder folder;
+      const Arguments all = long_run + Arguments{"--method", method};
+      const int code = call(tiny_run(folder, "straight", all)).code;
+      const auto length = fs::file_size(folder / "straight/history.csv");
+      const auto somewhere = [&](double from) {
+        return static_cast<std::uintmax_t>(std::uniform_real_distribution(from, 0.8)(random) *
+                                           static_cast<double>(length));
+      };
+      const fs::path history = folder / "out/history.csv";
+      // not before the first checkpoint
+      kills += run_and_kill(tiny_run(folder, "out", all + with_checkpoints), history, somewhere(0.1));
+      if (!fs::exists(folder / "out/checkpoint.bin")) continue;
+      kills += run_and_kill(resume(folder, "out"), history, somewhere(0.3));
+      if (fs::exists(folder / "out/checkpoint.bin")) CHECK(call(resume(folder, "out")).code == code);
+      check_same_run(folder / "straight", folder / "out");
+    }
+    CHECK(kills >= 5);
+  }
+
+  TEST_CASE("the script that kills and resumes for longer does its work") {
+    const std::string script =
+        TAUT_SOURCE_DIR "/tests/cli/kill_resume.sh '" TAUT_BINARY_DIR "/taut' 2 >/dev/null";
+    CHECK(std::system(script.c_str()) == 0);
+  }
+
+  TEST_CASE("an interrupted run goes on to the same bytes, with kept frames and saved particles") {
+    const TemporaryFolder folder;
+    const Arguments all =
+        long_run +
+        Arguments{"--range", "auto", "--save-particles", "--fields", "pressure", "--spacing", "0.0021"};
+    REQUIRE(call(tiny_run(folder, "straight", all)).code == 0);
+    ChildProgram child(tiny_run(folder, "out", all + with_checkpoints));
+    ChildProgram::wait_for(folder / "out/particles/particles_00001.vtp");
+    child.send(SIGINT);
+    REQUIRE(child.exit_code() == 130);
+    REQUIRE(json_of(folder / "out/run.json")["status"] == "interrupted");
+    REQUIRE(fs::exists(folder / "out/checkpoint.bin"));
+    REQUIRE(call(resume(folder, "out")).code == 0);
+    check_same_run(folder / "straight", folder / "out");
+  }
+
+  TEST_CASE("checkpoints do not alter a run, and go when it is finished or has diverged") {
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_run(folder, "without", {"--until", "0.01"})).code == 0);
+    REQUIRE(call(tiny_run(folder, "with", Arguments{"--until", "0.01"} + with_checkpoints)).code == 0);
+    check_same_run(folder / "without", folder / "with");
+    const Outcome outcome = call(resume(folder, "with"));
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, "is finished"));
+    const Arguments wild{"--set", "cfl=20", "--until", "0.01"};
+    REQUIRE(call(tiny_run(folder, "without", wild)).code == 3);
+    REQUIRE(call(tiny_run(folder, "with", wild + Arguments{"--checkpoint-every", "1e-5"})).code == 3);
+    check_same_run(folder / "without", folder / "with");
+    CHECK(contains(call(resume(folder, "with")).err, "has failed"));
+  }
+
+  TEST_CASE("a folder without a checkpoint is refused with the way out") {
+    const TemporaryFolder folder;
+    CHECK(call(resume(folder, "out")).code == 2);
+    ChildProgram child(tiny_run(folder, "out", {"--until", "1000", "--frames", "1"}));
+    ChildProgram::wait_for(folder / "out/frames/frame_00000.png");
+    child.send(SIGINT);
+    REQUIRE(child.exit_code() == 130);
+    check_refused(folder, "--checkpoint-every T --out " + folder.str("out"));
+  }
+
+  TEST_CASE("a checkpoint that is damaged, cut short, of another version, method or scene is refused") {
+    const TemporaryFolder folder;
+    leave_interrupted(folder);
+    const fs::path path = folder / "out/checkpoint.bin";
+    const std::string whole = text_of(path), scene = text_of(folder / "out/scene.toml");
+    const auto write = [](const fs::path& to, const std::string& text) {
+      std::ofstream(to, std::ios::binary) << text;
+    };
+    const auto put = [&](const std::string& bytes) { write(path, bytes); };
+    for (const std::size_t at : {std::size_t{20}, whole.size() / 2, whole.size() - 1}) {
+      std::string flipped = whole;
+      flipped[at] = static_cast<char>(flipped[at] ^ 1);
+      put(flipped);
+      check_refused(folder, "damaged");
+      put(whole.substr(0, at));
+      check_refused(folder, "cut short");
+    }
+    put("");
+    check_refused(folder, "is not a checkpoint");
+    put(whole + "x");
+    check_refused(folder, "damaged");
+
+    taut::Checkpoint checkpoint = (put(whole), taut::read_checkpoint(path));
+    checkpoint.method = "og";
+    taut::write_checkpoint(path, checkpoint);
+    check_refused(folder, "method 'og'");
+    put(whole);
+    write(folder / "out/scene.toml", scene + "\n# mine\n");
+    check_refused(folder, "another scene");
+    write(folder / "out/scene.toml", scene);
+    write(folder / "out/history.csv", "t\n");
+    check_refused(folder, "has lost lines");
+  }
+
+  TEST_CASE("a checkpoint of another version is refused") {
+    const TemporaryFolder folder;
+    const fs::path path = folder / "checkpoint.bin";
+    taut::write_checkpoint(path, {});
+    CHECK(taut::read_checkpoint(path).method.empty());
+    taut::write_checkpoint(path, {}, "0.0.1");
+    try {
+      taut::read_checkpoint(path);
+      FAIL_CHECK("no error");
+    } catch (const taut::UsageError& error) {
+      CHECK(contains(error.what(), "was written by taut 0.0.1"));
+    }
+  }
+
+  TEST_CASE("options that the folder answers are refused beside --resume") {
+    const TemporaryFolder folder;
+    for (const Arguments& more : {Arguments{"--method", "og"},
+                                  {"--until", "1"},
+                                  {"--set", "speed=3"},
+                                  {"--out", "x"},
+                                  {"--no-render"},
+                                  {"--checkpoint-every", "1"},
+                                  {write_tiny_scene(folder)}}) {
+      const Outcome outcome = call(resume(folder, "out", more));
+      CAPTURE(outcome.err);
+      CHECK(outcome.code == 2);
+      CHECK(contains(outcome.err, "cannot be given with it"));
+    }
+    const Outcome outcome = call({"run"});
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, "SCENE is required"));
+  }
+}

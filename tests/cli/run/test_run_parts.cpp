@@ -1,0 +1,155 @@
+#include <limits>
+
+#include <doctest/doctest.h>
+
+#include "cli/drawing/bounds.hpp"
+#include "cli/run/history.hpp"
+#include "cli/run/pace.hpp"
+#include "cli/run/schedule.hpp"
+#include "cli/system/atomic_file.hpp"
+#include "cli/text/format.hpp"
+#include "engine/diagnostics/conservation.hpp"
+#include "engine/error.hpp"
+#include "program_runner.hpp"
+
+using namespace taut;
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+/// No particles: only the time goes by.
+struct StandingSimulation : Simulation {
+  void advance_to(double t) override {
+    snapshot_.time = t;
+    ++snapshot_.step;
+  }
+  std::string save() override { return {}; }
+  void load(std::string_view) override {}
+};
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("output times hold both ends and survive rounding") {
+    CHECK(times_in_parts(0.75, 3) == std::vector<double>{0, 0.25, 0.5, 0.75});
+    CHECK(times_every(0.3, 0.1) == std::vector<double>{0, 0.1, 0.2, 0.3});  // but 0.3 / 0.1 < 3
+    CHECK(times_every(0.35, 0.1).back() == doctest::Approx(0.3));
+    CHECK(times_every(1, 2) == std::vector<double>{0});
+  }
+
+  TEST_CASE("an agenda ticks off every time once") {
+    Agenda agenda({0, 1, 2, 5});
+    CHECK(agenda.reached(0) == 1);
+    CHECK(agenda.next() == 1);
+    CHECK(agenda.reached(2.5) == 2);
+    CHECK(agenda.reached(2.5) == 0);
+    CHECK(agenda.reached(5) == 1);
+    CHECK(agenda.next() == std::numeric_limits<double>::infinity());
+  }
+
+  TEST_CASE("the pace settles where a slice takes a fifth of a second") {
+    Pace pace(100);
+    constexpr double seconds_per_time = 3;
+    for (int k = 0; k < 40; ++k) pace.took(pace.slice(), pace.slice() * seconds_per_time);
+    CHECK(pace.slice() * seconds_per_time == doctest::Approx(0.2));
+  }
+
+  TEST_CASE("drift is relative to the greatest scale seen and absent with held particles") {
+    Balance start;
+    start.kinetic = 4;
+    start.linear_momentum = {1, 0, 0};
+    start.momentum_scale = 2;
+    Balance later = start;
+    later.kinetic = 1;
+    later.strain = 2;
+    later.linear_momentum = {1, 0.5, 0};
+    later.momentum_scale = 5;
+    Drift drift;
+    drift.look(start);
+    drift.look(later);
+    drift.look(start);
+    CHECK(*drift.conservation(false).energy == doctest::Approx(0.25));
+    CHECK(*drift.conservation(false).linear_momentum == doctest::Approx(0.1));
+    CHECK_FALSE(drift.conservation(false).angular_momentum);  // nothing turns: no scale
+    CHECK_FALSE(drift.conservation(true).linear_momentum);
+    CHECK(drift.conservation(true).energy);
+  }
+
+  TEST_CASE("drift of the energy leaves out work from outside and damping") {
+    Balance start, later;  // at rest
+    later.kinetic = 3;
+    later.strain = 2;
+    later.work = 4;
+    Drift drift;
+    drift.look(start);
+    CHECK_FALSE(drift.conservation(true).energy);  // no energy yet: no scale
+    drift.look(later);
+    CHECK(*drift.conservation(true).energy == doctest::Approx(0.25));
+    later.damped = 2;  // what was taken is not lost
+    Drift damped;
+    damped.look(start);
+    damped.look(later);
+    CHECK(*damped.conservation(true).energy == doctest::Approx(0.75));
+  }
+
+  TEST_CASE("the range of a sequence skips what is no number and is symmetric for signed fields") {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    SequenceBounds bounds;
+    bounds.add_values(std::vector<float>{1, nan, infinity, -2});
+    bounds.add_values(std::vector<float>{3});
+    CHECK(bounds.range(false) == std::array<double, 2>{-2, 3});
+    CHECK(bounds.range(true) == std::array<double, 2>{-3, 3});
+    SequenceBounds flat;
+    flat.add_values(std::vector<float>{0, 0});
+    CHECK(flat.range(true)[0] < flat.range(true)[1]);
+    CHECK(SequenceBounds().range(false)[0] < SequenceBounds().range(false)[1]);
+  }
+
+  TEST_CASE("the view of a sequence holds every particle") {
+    SequenceBounds bounds;
+    bounds.add_positions(std::vector<float>{0, 0, 1, 2}, 2, 0.2);
+    bounds.add_positions(std::vector<float>{-1, 0, 1, 1}, 2, 0.2);
+    const render::View view = bounds.view();
+    CHECK(view.x_min < -1.1);
+    CHECK(view.x_max > 1.1);
+    CHECK(view.y_min < -0.1);
+    CHECK(view.y_max > 2.2);
+    CHECK(view.y_max < 2.5);
+  }
+
+  TEST_CASE("columns line up by what a terminal shows") {
+    CHECK(in_columns({{"σ", "a"}, {"long", "b"}}, 0) == "σ     a\nlong  b\n");
+    CHECK(clock_time(7.4) == "0:07");
+    CHECK(clock_time(3723) == "1:02:03");
+    CHECK(with_prefix(4.1e6) == "4.1 M");
+    CHECK(exact(0.1) == "0.1");
+  }
+
+  TEST_CASE("a step has one row in the history, however often it is looked at") {
+    const TemporaryFolder folder;
+    StandingSimulation simulation;
+    {
+      History history(folder / "history.csv", Scene());
+      history.add(simulation, {}, 1, {});
+      history.add(simulation, {}, 1, {});
+      simulation.advance_to(1);
+      history.add(simulation, {}, 1, {});
+    }
+    CHECK(lines_of(folder / "history.csv").size() == 3);
+  }
+
+  TEST_CASE("a file is written whole or not at all") {
+    const TemporaryFolder folder;
+    write_atomically(folder / "a.txt", "old");
+    write_atomically(folder / "a.txt", "new");
+    CHECK(text_of(folder / "a.txt") == "new");
+    CHECK_FALSE(fs::exists(folder / "a.txt.tmp"));
+    fs::create_directories(folder / "b/full");  // a folder cannot be replaced by a file
+    CHECK_THROWS_AS(write_atomically(folder / "b", "text"), OutputError);
+    CHECK_FALSE(fs::exists(folder / "b.tmp"));
+    AppendFile full("/dev/full");
+    CHECK_THROWS_AS(full.append("line"), OutputError);
+  }
+}

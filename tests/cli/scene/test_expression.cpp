@@ -1,0 +1,97 @@
+#include <cmath>
+#include <numbers>
+
+#include <doctest/doctest.h>
+
+#include "cli/scene/expression.hpp"
+
+using taut::ExpressionError;
+using taut::Names;
+
+namespace {
+
+/// The error that the text must give.
+ExpressionError error_of(const std::string& text, const Names& names = {}) {
+  try {
+    taut::evaluate(text, names);
+  } catch (const ExpressionError& error) {
+    return error;
+  }
+  FAIL("no error for ", text);
+  return {"", 0};
+}
+
+bool says(const ExpressionError& error, const char* part) {
+  return std::string(error.what()).find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("an expression of names, numbers and functions") {
+    CHECK(taut::evaluate("2*a + b", {{"a", 3}, {"b", 0.5}}) == 6.5);
+    CHECK(taut::evaluate("-2^2", {}) == -4);
+    CHECK(taut::evaluate("1.5e-3", {}) == 1.5e-3);
+    CHECK(taut::evaluate("cos(pi)", {}) == -1);
+    CHECK(taut::evaluate("sqrt(16) + cosh(0) + sinh(0)", {}) == 5);
+    CHECK(taut::evaluate(" 1\n + 2 ", {}) == 3);
+  }
+
+  TEST_CASE("comparisons give 1 or 0 and ? : chooses") {
+    CHECK(taut::evaluate("a < 0", {{"a", -1}}) == 1);
+    CHECK(taut::evaluate("a >= 0", {{"a", -1}}) == 0);
+    CHECK(taut::evaluate("a == 2 && a <= 2 || 0", {{"a", 2}}) == 1);
+    CHECK(taut::evaluate("a != 2", {{"a", 2}}) == 0);
+    CHECK(taut::evaluate("a >= 0 ? 10*a : 7", {{"a", 2}}) == 20);
+    CHECK(taut::evaluate("a >= 0 ? 10*a : 7", {{"a", -2}}) == 7);
+  }
+
+  TEST_CASE("a function of the position") {
+    const auto f = taut::compile("x < 0 ? 0 : a*x + 10*y + 100*z", {{"a", 2}});
+    CHECK(f({1, 2, 3}) == 322);
+    CHECK(f({-1, 2, 3}) == 0);
+    const auto copy = f;
+    CHECK(copy({3, 0, 0}) == 6);
+    CHECK(f({1, 0, 0}) == 2);
+  }
+
+  TEST_CASE("an expression of the place and the time") {
+    const taut::Solution f = taut::compile_in_time("a*x + y - z*t", {{"a", 2}});
+    CHECK(f({1, 2, 3}, 10) == -26);
+    CHECK(f({1, 2, 3}, 0) == 4);
+    CHECK_THROWS_AS(taut::compile("t", {}), ExpressionError);
+  }
+
+  TEST_CASE("the names in an expression") {
+    CHECK(taut::names_in("2*a + sin(b1)*1e5 + pi") == std::set<std::string>{"a", "b1"});
+    CHECK(taut::names_in("a + (").empty());
+  }
+
+  TEST_CASE("values that are not finite are left to the caller") {
+    CHECK(std::isinf(taut::evaluate("1/0", {})));
+    CHECK(std::isnan(taut::evaluate("sqrt(-1)", {})));
+  }
+}
+
+TEST_SUITE("cli") {
+  TEST_CASE("an unknown name: where, what is near, what is known") {
+    const ExpressionError error = error_of("2*vo", {{"v0", 1}, {"length", 2}});
+    CHECK(error.offset == 2);
+    CHECK(says(error, "unknown name 'vo' in '2*vo' (did you mean 'v0'?)"));
+    CHECK(says(error, "length, v0, pi"));
+    CHECK(says(error_of("sin(x)"), "unknown name 'x'"));
+    CHECK(says(error_of("sqr(4)"), "'sqrt'"));
+    CHECK(says(error_of("_pi"), "did you mean 'pi'"));
+  }
+
+  TEST_CASE("what is no expression") {
+    CHECK(says(error_of("(1 + 2"), "is not an expression"));
+    CHECK(says(error_of("1 2"), "is not an expression"));
+    CHECK(error_of("1 2").offset == 2);
+    CHECK(says(error_of("!a", {{"a", 1}}), "was not expected"));
+    CHECK(says(error_of("1, 2"), "several values"));
+    CHECK(says(error_of("  "), "empty"));
+    CHECK(says(error_of("a = 2", {{"a", 1}}), "write '=='"));
+    CHECK_THROWS_AS(taut::compile("x = 2", {}), ExpressionError);
+  }
+}

@@ -1,0 +1,50 @@
+#include <doctest/doctest.h>
+
+#include "cli/scene/scene_file.hpp"
+#include "engine/error.hpp"
+#include "scene_text.hpp"
+
+using namespace taut;
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+/// The small scene with references in the place of its own, `peak` being where the tip comes to rest.
+std::string with_references(const std::string& references) {
+  const std::string old = "[[reference]]\nlaw = \"neo_hookean\"\nname = \"made up\"\nvalues = { peak = 3 }\n";
+  return replaced(replaced(small_scene, "of = \"maximum\"", "of = \"at_rest\""), old, references);
+}
+
+std::string reference(const std::string& name, const std::string& keys) {
+  return "[[reference]]\nlaw = \"neo_hookean\"\nname = \"" + name + "\"\n" + keys + "\n";
+}
+
+std::string chosen(const std::string& text, const std::string& method, const std::string& v0) {
+  Overrides overrides;
+  overrides.method = method;
+  overrides.set = {{"v0", v0}};
+  const auto references = read_text(text, overrides).scene.references;
+  return references.contains("neo_hookean") ? references.at("neo_hookean").name : "none";
+}
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("references: the one made for the method, then for the parameters, counts before one for any") {
+    const std::string any = reference("any", "solutions = { peak = \"v0\" }");
+    const std::string these = reference("these", "values = { peak = 3 }");
+    const std::string own = reference("own", "methods = [\"icb\", \"tl\"]\nsolutions = { peak = \"2*v0\" }");
+    for (const std::string& text : {with_references(any + these + own), with_references(own + these + any)}) {
+      CHECK(chosen(text, "enog", "0.06") == "these");
+      CHECK(chosen(text, "enog", "0.1") == "any");
+      CHECK(chosen(text, "icb", "0.06") == "own");
+      CHECK(chosen(text, "tl", "0.1") == "own");
+    }
+    CHECK(chosen(with_references(own), "enog", "0.1") == "none");
+    CHECK_THROWS_WITH_AS(read_text(with_references(any + any)), doctest::Contains("two references"),
+                         SceneError);
+    const Reference found = read_text(with_references(any)).scene.references.at("neo_hookean");
+    CHECK(found.solution.at("peak").at(0)({}, 2) == 0.06);
+  }
+}

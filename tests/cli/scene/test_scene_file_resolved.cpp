@@ -1,0 +1,258 @@
+#include <doctest/doctest.h>
+
+#include "cli/scene/scene_file.hpp"
+#include "cli/scene/shipped.hpp"
+#include "cli/text/format.hpp"
+#include "scene_text.hpp"
+
+using namespace taut;
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+void check_same(const Shape& a, const Shape& b) {
+  REQUIRE(a.index() == b.index());
+  if (const auto* box = std::get_if<Box>(&a)) {
+    CHECK(box->low == std::get<Box>(b).low);
+    CHECK(box->high == std::get<Box>(b).high);
+  } else if (const auto* disc = std::get_if<Disc>(&a)) {
+    CHECK(disc->centre == std::get<Disc>(b).centre);
+    CHECK(disc->radius == std::get<Disc>(b).radius);
+  } else {
+    CHECK(std::get<Ring>(a).centre == std::get<Ring>(b).centre);
+    CHECK(std::get<Ring>(a).inner == std::get<Ring>(b).inner);
+    CHECK(std::get<Ring>(a).outer == std::get<Ring>(b).outer);
+  }
+}
+
+/// Both are empty, or both give the same numbers.
+void check_same(const Expression& a, const Expression& b) {
+  REQUIRE(static_cast<bool>(a) == static_cast<bool>(b));
+  if (!a) return;
+  for (const Point& x : {Point{0, 0, 0}, Point{0.0731, -0.003, 0}, Point{-0.3, 0.1, 0}}) CHECK(a(x) == b(x));
+}
+
+void check_same(const Drive& a, const Drive& b) {
+  CHECK(a.until == b.until);
+  check_same(a.where, b.where);
+  for (std::size_t k = 0; k < 3; ++k) {
+    REQUIRE(static_cast<bool>(a.velocity[k]) == static_cast<bool>(b.velocity[k]));
+    for (const double t : {0.0, 0.3})
+      if (a.velocity[k]) CHECK(a.velocity[k](t) == b.velocity[k](t));
+  }
+}
+
+void check_same(const std::vector<Solution>& a, const std::vector<Solution>& b) {
+  REQUIRE(a.size() == b.size());
+  for (std::size_t k = 0; k < a.size(); ++k)
+    for (const double t : {0.0, 1.37e-4, 0.2}) CHECK(a[k]({0.31, 0, 0}, t) == b[k]({0.31, 0, 0}, t));
+}
+
+void check_same(const Body& a, const Body& b) {
+  CHECK(a.name == b.name);
+  CHECK(a.material == b.material);
+  CHECK(a.mirror == b.mirror);
+  REQUIRE(a.shapes.size() == b.shapes.size());
+  for (std::size_t i = 0; i < a.shapes.size(); ++i) check_same(a.shapes[i], b.shapes[i]);
+  for (std::size_t k = 0; k < 3; ++k) check_same(a.velocity[k], b.velocity[k]);
+  check_same(a.held, b.held);
+  REQUIRE(a.parts.size() == b.parts.size());
+  for (std::size_t i = 0; i < a.parts.size(); ++i) {
+    CHECK(a.parts[i].material == b.parts[i].material);
+    check_same(a.parts[i].where, b.parts[i].where);
+  }
+  REQUIRE(a.drives.size() == b.drives.size());
+  for (std::size_t i = 0; i < a.drives.size(); ++i) check_same(a.drives[i], b.drives[i]);
+}
+
+void check_same(const Scene& a, const Scene& b) {
+  CHECK(a.name == b.name);
+  CHECK(a.title == b.title);
+  CHECK(a.source == b.source);
+  CHECK(a.spacing == b.spacing);
+  CHECK(a.until == b.until);
+  CHECK(a.contact == b.contact);
+  REQUIRE(a.materials.size() == b.materials.size());
+  for (std::size_t i = 0; i < a.materials.size(); ++i) {
+    CHECK(a.materials[i].density == b.materials[i].density);
+    CHECK(a.materials[i].youngs_modulus == b.materials[i].youngs_modulus);
+    CHECK(a.materials[i].poisson_ratio == b.materials[i].poisson_ratio);
+    CHECK(a.materials[i].bulk_modulus() == b.materials[i].bulk_modulus());
+  }
+  REQUIRE(a.bodies.size() == b.bodies.size());
+  for (std::size_t i = 0; i < a.bodies.size(); ++i) check_same(a.bodies[i], b.bodies[i]);
+  REQUIRE(a.probes.size() == b.probes.size());
+  for (std::size_t i = 0; i < a.probes.size(); ++i) {
+    CHECK(a.probes[i].kind == b.probes[i].kind);
+    CHECK(a.probes[i].at == b.probes[i].at);
+    CHECK(a.probes[i].to == b.probes[i].to);
+  }
+  REQUIRE(a.lines.size() == b.lines.size());
+  for (std::size_t i = 0; i < a.lines.size(); ++i) {
+    CHECK(a.lines[i].name == b.lines[i].name);
+    CHECK(a.lines[i].body == b.lines[i].body);
+    CHECK(a.lines[i].field == b.lines[i].field);
+    CHECK(a.lines[i].from == b.lines[i].from);
+    CHECK(a.lines[i].to == b.lines[i].to);
+    CHECK(a.lines[i].points == b.lines[i].points);
+    CHECK(a.lines[i].times == b.lines[i].times);
+  }
+  REQUIRE(a.measures.size() == b.measures.size());
+  for (std::size_t i = 0; i < a.measures.size(); ++i) {
+    CHECK(a.measures[i].scale == b.measures[i].scale);
+    CHECK(a.measures[i].probes == b.measures[i].probes);
+    CHECK(a.measures[i].line == b.measures[i].line);
+  }
+  REQUIRE(a.references.size() == b.references.size());
+  for (const auto& [law, reference] : a.references) {
+    const Reference& other = b.references.at(law);
+    CHECK(reference.name == other.name);
+    CHECK(reference.value == other.value);
+    REQUIRE(reference.table.size() == other.table.size());
+    for (const auto& [measure, table] : reference.table) CHECK(table.value == other.table.at(measure).value);
+    REQUIRE(reference.solution.size() == other.solution.size());
+    for (const auto& [measure, solution] : reference.solution)
+      check_same(solution, other.solution.at(measure));
+  }
+}
+
+void check_same(const SceneFile& a, const SceneFile& b) {
+  check_same(a.scene, b.scene);
+  CHECK(a.settings.method == b.settings.method);
+  CHECK(a.settings.constants == b.settings.constants);
+  CHECK(a.settings.stepping == b.settings.stepping);
+  CHECK(a.settings.cfl == b.settings.cfl);
+  CHECK(a.history == b.history);
+  CHECK(a.drawing.color == b.drawing.color);
+  CHECK(a.drawing.range == b.drawing.range);
+  CHECK(a.drawing.colormap == b.drawing.colormap);
+  CHECK(a.drawing.view == b.drawing.view);
+  CHECK(a.drawing.size == b.drawing.size);
+  CHECK(a.drawing.frames == b.drawing.frames);
+  REQUIRE(a.parameters.size() == b.parameters.size());
+  for (std::size_t i = 0; i < a.parameters.size(); ++i) {
+    CHECK(a.parameters[i].name == b.parameters[i].name);
+    CHECK(a.parameters[i].value == b.parameters[i].value);
+    CHECK(a.parameters[i].default_value == b.parameters[i].default_value);
+    CHECK(a.parameters[i].low == b.parameters[i].low);
+  }
+  CHECK(a.resolved == b.resolved);
+}
+
+/// Reads the scene, then its resolved text, which must say the same.
+SceneFile check_round_trip(const SceneFile& file) {
+  const SceneFile again = read_text(file.resolved);
+  check_same(file, again);
+  return again;
+}
+
+Overrides set(std::vector<std::pair<std::string, std::string>> values) {
+  Overrides overrides;
+  overrides.set = std::move(values);
+  return overrides;
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("every scene says the same when its resolved text is read") {
+    for (const std::string& name : scene_names()) {
+      INFO("scene ", name);
+      const SceneFile file = read_scene(find_scene(name));
+      const SceneFile again = check_round_trip(file);
+      CHECK(again.scene.name == name);
+      CHECK(again.scene.references.size() == file.scene.references.size());
+    }
+  }
+
+  TEST_CASE(
+      "contact, parts, driven and loaded regions, gravity and a bulk modulus stand in the resolved text") {
+    const std::string text = replaced(
+        replaced(
+            small_scene, "material = \"rubber\"\nvelocity",
+            "material = \"rubber\"\nparts = [{ material = \"steel\", where = \"x > 1\" }]\n"
+            "driven = [{ where = \"x < dp\", velocity = [\"v0*c0*sin(pi*t)\", 0], until = \"until0\" },\n"
+            "          { where = \"y < dp\", velocity = [0, 1] }]\n"
+            "loaded = [{ where = \"x > 1\", force = [\"v0*t0*y\", 0], ramp = \"t/t0\" }]\nvelocity"),
+        "[material.rubber]",
+        "until0 = { value = 0.5 }\nt0 = { value = 2 }\n[material.steel]\ndensity = 8000\nyoungs_modulus = "
+        "2e11\n"
+        "poisson_ratio = 0.3\nbulk_modulus = \"E\"\n[material.rubber]");
+    const SceneFile file = read_text("gravity = [0, \"-9*t/t0\"]\ndamping = \"t0\"\n" + text,
+                                     set({{"contact", "impulse"}, {"until0", "0.7"}, {"t0", "4"}}));
+    const SceneFile again = check_round_trip(file);
+    CHECK(again.scene.gravity[1](2) == -4.5);
+    CHECK(again.scene.damping == 4);
+    CHECK(again.scene.bodies[0].loads.at(0).ramp(1) == 0.25);
+    CHECK(again.scene.bodies[0].loads[0].value[0]({0, 3, 0}) == doctest::Approx(0.72));
+    CHECK(again.scene.contact == ContactLaw::impulse);
+    CHECK(again.scene.materials[0].bulk_modulus() == 2e11);
+    CHECK(again.scene.bodies[0].parts[0].material == 0);
+    CHECK(again.scene.bodies[0].drives[0].until == 0.7);
+    CHECK(again.scene.bodies[0].drives[1].until == 2);  // the scene's
+    Overrides other;
+    other.method = "oenog";
+    CHECK(read_text(small_scene, other).scene.contact == ContactLaw::published);
+  }
+
+  TEST_CASE("overrides stand in the resolved text") {
+    Overrides overrides = set({{"vf", "0.03/3"}, {"stepping", "single"}, {"cfl", "0.1/3"}, {"until", "1/3"}});
+    overrides.spacing = 0.0033;
+    const SceneFile file = read_scene(find_scene("oscillating-plate"), overrides);
+    CHECK(file.scene.spacing == 0.02 / 6);
+    CHECK(file.parameters[0].value == 0.01);
+    CHECK(file.parameters[0].default_value == 0.05);
+    const SceneFile again = check_round_trip(file);
+    CHECK(again.scene.references.at("2d_deviator").value.at("period") == 0.25682);
+    CHECK(again.settings.cfl == 0.1 / 3);
+    CHECK(again.settings.stepping == Stepping::single);
+    CHECK(again.scene.until == 1.0 / 3);
+    CHECK(*again.history == 1.0 / 3 / 1000);
+  }
+
+  TEST_CASE("an override that no reference knows stays so") {
+    const SceneFile file = read_scene(find_scene("ball-plate"), set({{"v0", "0.06"}, {"fixed", "8*dp"}}));
+    CHECK(file.scene.references.empty());
+    CHECK(file.parameters[5].value == 8 * 0.0025);
+    check_round_trip(file);
+  }
+
+  TEST_CASE("a parameter whose last use was overridden is no error of the resolved text") {
+    const std::string text = replaced(replaced(small_scene, "until = 2", "until = \"length\""), "[material",
+                                      "length = { value = 4 }\n[material");
+    check_round_trip(read_text(text, set({{"until", "3"}})));
+  }
+
+  TEST_CASE("a method from outside brings its own constants and CFL number") {
+    const std::string text =
+        replaced(small_scene, "until = 2", "until = 2\ncfl = 0.123\nmethod_constants = { zeta = 4.25 }");
+    CHECK(read_text(text).settings.cfl == 0.123);
+    CHECK(read_text(text).settings.constants.at("zeta") == 4.25);
+    CHECK(read_text(text, set({{"method", "enog"}})).settings.cfl == 0.123);
+    const SceneFile other = read_text(text, set({{"method", "og"}}));
+    CHECK(other.settings.method == "og");
+    CHECK(other.settings.cfl != 0.123);
+    CHECK_FALSE(other.settings.constants.contains("zeta"));
+    check_round_trip(other);
+  }
+
+  TEST_CASE("the drawing as changed stands in the resolved text") {
+    SceneFile file = read_scene(find_scene("colliding-rings"));
+    file.drawing = {.color = "von_mises",
+                    .range = {{0.1, 1.0 / 3}},
+                    .colormap = "",
+                    .view = {},
+                    .size = {96, 64},
+                    .frames = 7};
+    file.history = 0.25;
+    file.resolved = resolved_text(file);
+    check_round_trip(file);
+  }
+
+  TEST_CASE("texts of every kind survive") {
+    const std::string text = replaced(small_scene, "\"Small\"", "\"a \\\"b\\\" \\\\ c\\n\\t\\u0001 ν\"");
+    CHECK(read_text(text).scene.title == "a \"b\" \\ c\n\t\x01 ν");
+    check_round_trip(read_text(text));
+  }
+}

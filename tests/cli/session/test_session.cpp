@@ -1,0 +1,147 @@
+#include <iostream>
+#include <sstream>
+
+#include <doctest/doctest.h>
+
+#include "program_runner.hpp"
+
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+/// A session of the tiny scene whose input is `script`.
+Outcome session(const TemporaryFolder& folder, const std::string& script,
+                const std::vector<std::string>& more = {}) {
+  std::istringstream input(script);
+  std::streambuf* const before = std::cin.rdbuf(input.rdbuf());
+  std::cin.clear();
+  std::vector<std::string> arguments{"session", write_tiny_scene(folder), "--threads", "1"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Outcome outcome = call(arguments);
+  std::cin.rdbuf(before);
+  return outcome;
+}
+
+std::vector<std::string> lines(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> all;
+  for (std::string line; std::getline(stream, line);) all.push_back(line);
+  return all;
+}
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("a session's frame is the one that run draws at the same time") {
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_run(folder, "out")).code == 0);
+    const Outcome outcome = session(folder, "run until 0.0005\nframe " + folder.str("one.png") +
+                                                "\nrun until 0.002\nframe " + folder.str("four.png") + "\n");
+    CAPTURE(outcome.out);
+    CHECK(outcome.code == 0);
+    CHECK(text_of(folder / "one.png") == text_of(folder / "out/frames/frame_00001.png"));
+    CHECK(text_of(folder / "four.png") == text_of(folder / "out/frames/frame_00004.png"));
+  }
+
+  TEST_CASE("colours, range, map and view of a session are those of the options of run") {
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_run(folder, "out",
+                          {"--color", "pressure", "--range", "-1000:2000", "--colormap", "rainbow", "--view",
+                           "-0.01:0.03:-0.02:0.01"}))
+                .code == 0);
+    const Outcome outcome = session(folder,
+                                    "color pressure\nrange -1000 2000\ncolormap rainbow\n"
+                                    "view -0.02 0.02 -0.02 0.01\nview pan 0.01 0\nframe " +
+                                        folder.str("start.png") + "\n",
+                                    {"--strict"});
+    CAPTURE(outcome.out);
+    CHECK(outcome.code == 0);
+    CHECK(text_of(folder / "start.png") == text_of(folder / "out/frames/frame_00000.png"));
+  }
+
+  TEST_CASE("zoom and fit change the picture, and zooming back restores it") {
+    const TemporaryFolder folder;
+    const auto file = [&](const char* name) { return folder.str(name); };
+    const Outcome outcome =
+        session(folder, "frame " + file("a.png") + "\nview zoom 2\nframe " + file("b.png") +
+                            "\nview zoom 0.5\nframe " + file("c.png") + "\nview fit\nframe " + file("d.png"));
+    CAPTURE(outcome.out);
+    CHECK(text_of(folder / "a.png") == text_of(folder / "c.png"));
+    CHECK(text_of(folder / "a.png") != text_of(folder / "b.png"));
+    CHECK(text_of(folder / "a.png") != text_of(folder / "d.png"));
+  }
+
+  TEST_CASE("a saved state goes on as if nothing had happened") {
+    const TemporaryFolder folder;
+    const std::string file = folder.str("state.bin");
+    const std::string straight = session(folder, "step 40\nprobe\n").out;
+    const Outcome outcome =
+        session(folder, "step 25\nsave " + file + "\nstep 9\nload " + file + "\nstep 15\nprobe\n");
+    CAPTURE(outcome.out);
+    CHECK(outcome.out.ends_with(straight));
+    CHECK(session(folder, "load " + file + "\nstep 15\nprobe\n", {"--strict"}).out.ends_with(straight));
+    const Outcome other = session(folder, "load " + file, {"--method", "og"});
+    CHECK(contains(other.out, "error: "));
+    CHECK(contains(other.out, "method 'enog'"));
+    CHECK(contains(session(folder, "load " + file, {"--set", "speed=3"}).out, "other parameters"));
+  }
+
+  TEST_CASE("what may change while running does, and the rest is refused with the reason") {
+    const TemporaryFolder folder;
+    const std::vector<std::string> half =
+        lines(session(folder, "step\nset cfl=0.1\nstep\nset method.zeta=5\n").out);
+    REQUIRE(half.size() == 6);
+    CHECK(half[5] == "ok");
+    const auto time = [](const std::string& line) { return std::stod(line.substr(line.find('=') + 1)); };
+    CHECK(time(half[3]) - time(half[0]) < 0.5 * time(half[0]));
+    for (const char* name : {"speed=3", "spacing=0.001", "method=og", "method.h=1.4", "until=1"}) {
+      CAPTURE(name);
+      CHECK(contains(session(folder, std::string("set ") + name).out, "cannot change any more"));
+    }
+    CHECK(contains(session(folder, "set method.zeta=-1e9").out, "error: "));
+  }
+
+  TEST_CASE("a wrong line is answered with an error and does not end the session") {
+    const TemporaryFolder folder;
+    for (const char* wrong : {"stepp",       "step 0",      "step 1.5",     "step a",
+                              "run 3",       "run until x", "color",        "color foo",
+                              "range 2 1",   "range 1",     "colormap foo", "view",
+                              "view zoom 0", "view pan 1",  "frame",        "frame now.toml",
+                              "preview",     "probe foo",   "set",          "set cfl=-1",
+                              "set foo=1",   "save",        "load",         "load nothing",
+                              "info now",    "help foo",    "quit now",     "frame /nowhere/at/all.png"}) {
+      CAPTURE(wrong);
+      const Outcome outcome = session(folder, std::string(wrong) + "\nstep\n");
+      const auto answers = lines(outcome.out);
+      REQUIRE(answers.size() == 3);
+      CHECK(answers[0].starts_with("error: "));
+      CHECK(answers[1].ends_with("step=1"));
+      CHECK(answers[2] == "ok");
+      CHECK(outcome.code == 0);
+      const Outcome strict = session(folder, std::string(wrong) + "\nstep\n", {"--strict"});
+      CHECK(strict.code == (contains(wrong, "/nowhere") ? 4 : 2));
+      CHECK(lines(strict.out).size() == 1);
+    }
+    CHECK(contains(session(folder, "stepp").out, "did you mean 'step'"));
+  }
+
+  TEST_CASE("info, probe, help and quit") {
+    const TemporaryFolder folder;
+    const Outcome outcome = session(folder, "# a remark\n\ninfo\nprobe gap\nhelp\nquit\nstep\n");
+    CAPTURE(outcome.out);
+    CHECK(outcome.code == 0);
+    for (const char* part : {"scene=discs\n", "method=enog\n", "t=0\n", "gap=", "step [N]", "quit"})
+      CHECK(contains(outcome.out, part));
+    CHECK_FALSE(contains(outcome.out, "step=1"));
+    CHECK(lines(session(folder, "help step").out).size() == 2);
+  }
+
+  TEST_CASE("a session whose simulation diverges says so") {
+    const TemporaryFolder folder;
+    const Outcome outcome = session(folder, "set cfl=20\nrun until 1\ninfo\n");
+    CAPTURE(outcome.out);
+    CHECK(contains(outcome.out, "error: the simulation diverged at t = "));
+    CHECK(outcome.out.ends_with("ok\n"));
+  }
+}

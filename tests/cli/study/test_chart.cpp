@@ -1,0 +1,247 @@
+#include <cmath>
+#include <map>
+
+#include <doctest/doctest.h>
+
+#include "cli/study/chart.hpp"
+#include "cli/study/csv.hpp"
+#include "engine/error.hpp"
+#include "path_variable.hpp"
+#include "results_file.hpp"
+#include "sweep_folder.hpp"
+
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+const std::string converging =
+    "finished,tl,tl,0.4,10,stable,,0.32,2,4,\n"
+    "finished,tl,tl,0.2,20,stable,,0.08,2,32,\n"
+    "finished,tl,tl,0.1,40,fractured,0.5,0.5,2,256,\n"  // not stable: no part of the order
+    "finished,tl,tl,0.05,80,stable,,0.005,2,2048,\n"
+    "finished,og,og,0.4,10,stable,,0.3,2,5,\n"
+    "failed,og,og,0.2,10,diverged,,,2,1,\n"
+    "to do,og,,,,,,,,,\n";
+
+taut::Chart chart_of(const std::string& file, const taut::ChartRequest& request = {}) {
+  return taut::make_chart(taut::read_results({file}), request);
+}
+
+/// A sweep of the rings, coarse and short.
+void sweep_rings(const TemporaryFolder& folder) {
+  const Outcome outcome =
+      program({"sweep", "colliding-rings", "--grid", "method=oenog,tl", "--grid", "spacing=0.005,0.0025",
+               "--until", "0.006", "--quiet", "--out", folder.str("rings")});
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+}
+
+/// The words of the lines of data, without comments.
+std::vector<std::vector<std::string>> data_of(const fs::path& file) {
+  std::vector<std::vector<std::string>> rows;
+  for (const std::string& line : lines_of(file)) {
+    if (line.empty() || line[0] == '#') continue;
+    std::istringstream words(line);
+    rows.emplace_back(std::istream_iterator<std::string>(words), std::istream_iterator<std::string>());
+  }
+  return rows;
+}
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("orders are slopes of log error over log spacing, by least squares") {
+    const TemporaryFolder folder;
+    const taut::Chart chart = chart_of(write_results(folder.path(), converging));
+    REQUIRE(chart.series.size() == 2);
+    const taut::ChartSeries& tl = chart.series[0];
+    CHECK(tl.name == "tl");
+    CHECK(*tl.order == doctest::Approx(2));
+    CHECK_FALSE(chart.series[1].order.has_value());
+    CHECK(chart.without_result == 1);
+    CHECK(chart.references == Texts{"exact"});
+    CHECK(chart.machines == Texts{"abacus, \"fast\", 1 thread"});
+    REQUIRE(tl.points.size() == 4);
+    CHECK_FALSE(tl.points[2].stable);
+    CHECK_FALSE(chart.series[1].points[1].error.has_value());
+    // through points that no straight line meets: slopes of 1 and 3 between neighbours
+    const std::vector<taut::ChartPoint> bent{
+        {.spacing = 4, .error = 16}, {.spacing = 2, .error = 2}, {.spacing = 1, .error = 1}};
+    CHECK(*taut::convergence_order(bent) == doctest::Approx(2));
+  }
+
+  TEST_CASE("what else differs makes lines of their own, and of a run done twice the faster one counts") {
+    const TemporaryFolder folder;
+    const std::string first = write_results(folder / "a",
+                                            "finished,tl,tl,0.4,10,stable,,0.3,2,4,0.5\n"
+                                            "finished,tl,tl,0.4,20,stable,,0.2,2,8,0.25\n",
+                                            "rod", "cfl");
+    const std::string second =
+        write_results(folder / "b", "finished,tl,tl,0.4,10,stable,,0.3,2,3,0.5\n", "rod", "cfl");
+    const taut::Chart chart = taut::make_chart(taut::read_results({first, second}), {});
+    REQUIRE(chart.series.size() == 2);
+    CHECK(chart.series[0].name == "tl, cfl=0.5");
+    CHECK(chart.series[1].name == "tl, cfl=0.25");
+    REQUIRE(chart.series[0].points.size() == 1);
+    CHECK(chart.series[0].points[0].cost == 3);
+    const taut::Chart steps = chart_of(first, {"bend", taut::Cost::particle_steps});
+    CHECK(steps.series[0].points[0].cost == 1000);
+  }
+
+  TEST_CASE("the numbers of a chart are those of the runs, and its files are the same every time") {
+    const TemporaryFolder folder;
+    sweep_rings(folder);
+    for (const std::string name : {"a.png", "b.svg"})
+      for (const std::string again : {"one", "two"}) {
+        const Outcome outcome = call({"chart", folder.str("rings"), "--measure", "least_diameter", "--out",
+                                      folder.str(again + "/" + name)});
+        CAPTURE(outcome.err);
+        REQUIRE(outcome.code == 0);
+        CHECK(contains(outcome.out, "order"));
+      }
+    for (const char* name : {"a.png", "a.gp", "a.dat", "b.svg", "b.gp", "b.dat"}) {
+      CAPTURE(name);
+      CHECK(text_of(folder / "one" / name).size() > 100);
+      CHECK(text_of(folder / "one" / name) == text_of(folder / "two" / name));
+    }
+    CHECK(files_in(folder / "one") == 6);
+    const auto rows = data_of(folder / "one/a.dat");
+    REQUIRE(rows.size() == 4);
+    for (const auto& row : rows) {
+      REQUIRE(row.size() == 7);
+      const std::string run = row[6].substr(1, row[6].size() - 2);
+      const auto record = json_of(run + "/run.json");
+      CHECK(std::stod(row[0]) == record["spacing"].get<double>());
+      CHECK(std::stod(row[1]) == record["measures"]["least_diameter"]["error"].get<double>());
+      CHECK(std::stod(row[2]) == record["seconds"]["solve"].get<double>());
+      CHECK(row[5] == record["verdict"]);
+    }
+    // a person draws again from the script alone
+    fs::remove(folder / "one/a.png");
+    REQUIRE(std::system(("cd '" + folder.str("one") + "' && gnuplot a.gp").c_str()) == 0);
+    CHECK(text_of(folder / "one/a.png") == text_of(folder / "two/a.png"));
+  }
+
+  TEST_CASE("on the oscillating plate oenog converges with second order, tl with less") {
+    const TemporaryFolder folder;
+    const Outcome outcome = program({"sweep", "oscillating-plate", "--grid", "method=oenog,tl", "--grid",
+                                     "spacing=0.0033333333,0.0025,0.002,0.0016666667", "--until", "0.28",
+                                     "--quiet", "--out", folder.str("plate")});
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.code == 0);
+    // measured: 1.92 and 1.61; with 6 to 12 particles across the plate
+    const taut::Chart chart = chart_of(folder.str("plate"), {"period", taut::Cost::seconds});
+    REQUIRE(chart.series.size() == 2);
+    CHECK(*chart.series[0].order > 1.8);
+    CHECK(*chart.series[0].order < 2.2);
+    CHECK(*chart.series[1].order > 1.4);
+    CHECK(*chart.series[1].order < 1.75);
+  }
+
+  TEST_CASE("a parameter that was swept to the scene's default is that of a run that was not asked") {
+    const TemporaryFolder folder;
+    const auto write = [&](const std::string& name, const std::string& head, const std::string& rows) {
+      fs::create_directories(folder / name);
+      std::ofstream(folder / name / "results.csv")
+          << "status,method,scene,particles,steps,spacing,verdict,measures.bend.error,measures.bend."
+             "reference,seconds.solve,"
+             "measures.bend.unit,parameters.v0"
+          << head << "\n"
+          << rows;
+      return folder.str(name + "/results.csv");
+    };
+    const std::string plain = write(
+        "plain", "",
+        "finished,tl,rod,9,9,0.2,stable,0.1,2,1,m,0.06\nfinished,tl,rod,9,9,0.1,stable,0.05,2,8,m,0.06\n");
+    const std::string swept = write("swept", ",set.v0",
+                                    "finished,tl,rod,9,9,0.4,stable,0.2,2,0.1,m,0.06,0.06\n"
+                                    "finished,tl,rod,9,9,0.4,stable,0.4,2,0.1,m,0.08,0.08\n");
+    const taut::Chart chart = taut::make_chart(taut::read_results({plain, swept}), {});
+    REQUIRE(chart.series.size() == 2);
+    CHECK(chart.series[0].name == "tl, v0=0.06");
+    CHECK(chart.series[0].points.size() == 3);
+    CHECK(chart.series[1].name == "tl, v0=0.08");
+  }
+
+  TEST_CASE("a chart of more lines than can be told apart is refused") {
+    const TemporaryFolder folder;
+    std::string rows;
+    for (int k = 0; k < 25; ++k)
+      rows += "finished,m" + std::to_string(k) + ",m" + std::to_string(k) + ",0.4,10,stable,,0.3,2,4,\n";
+    const Outcome outcome = call({"chart", write_results(folder / "a", rows), "--out", folder.str("a.png")});
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, "a chart of 25 lines"));
+  }
+
+  TEST_CASE("names in a chart have no meaning to gnuplot") {
+    const TemporaryFolder folder;
+    const std::string file =
+        write_results(folder / "a", "finished,tl,t'l_`touch x`,0.4,10,stable,,0.3,2,4,\n");
+    const Outcome outcome = call({"chart", file, "--out", folder.str("it's.svg")});
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK(contains(text_of(folder / "it's.svg"), "_`touch x`"));
+    CHECK_FALSE(fs::exists(folder / "x"));
+  }
+
+  TEST_CASE("charts of what does not belong together, or is not there, are refused with the reason") {
+    const TemporaryFolder folder;
+    const std::string good = write_results(folder / "good", converging);
+    const std::string other = write_results(folder / "other", converging, "ring");
+    const std::string bare = write_results(folder / "bare", "finished,tl,tl,0.4,10,stable,,,,4,\n");
+    const std::string waiting = write_results(folder / "waiting", "to do,tl,,,,,,,,,\n");
+    std::ofstream(folder / "foreign.csv") << "a,b\n1,2\n";
+    std::ofstream(folder / "torn.csv") << "status,scene\nfinished\n";
+    std::ofstream(folder / "open.csv") << "status,\"scene\n";
+    fs::create_directories(folder / "empty");
+    const std::string out = folder.str("chart.png");
+    const std::map<Texts, std::string> wrong{
+        {{good, other, "--out", out}, "different scenes"},
+        {{good, good, "--out", out}, "given twice"},
+        {{good, "--measure", "bent", "--out", out}, "did you mean 'bend'"},
+        {{good, "--measure", "twist", "--out", out}, "no reference for it"},
+        {{good, "--cost", "second", "--out", out}, "did you mean 'seconds'"},
+        {{good, "--out", folder.str("chart.jpg")}, "neither in .png nor in .svg"},
+        {{bare, "--out", out}, "no measure in the results of rod has an error"},
+        {{waiting, "--out", out}, "has a result"},
+        {{folder.str("foreign.csv"), "--out", out}, "it has no column status, scene"},
+        {{folder.str("torn.csv"), "--out", out}, "torn.csv:2: 1 cells under 2 columns"},
+        {{folder.str("open.csv"), "--out", out}, "a quote is not closed"},
+        {{folder.str("none.csv"), "--out", out}, "cannot be read"},
+        {{folder.str("empty"), "--out", out}, "holds no results.csv"},
+    };
+    for (const auto& [arguments, message] : wrong) {
+      Texts words{"chart"};
+      words.insert(words.end(), arguments.begin(), arguments.end());
+      const Outcome outcome = call(words);
+      CAPTURE(outcome.err);
+      CHECK(outcome.code == 2);
+      CHECK(contains(outcome.err, message));
+    }
+    CHECK_FALSE(fs::exists(folder / "chart.dat"));
+  }
+
+  TEST_CASE("without gnuplot data and script stay, and the message says what to install") {
+    const TemporaryFolder folder;
+    const std::string file = write_results(folder / "results", converging);
+    fs::create_directories(folder / "bin");
+    const OnlyPath path(folder / "bin");
+    const Outcome outcome = call({"chart", file, "--out", folder.str("chart.png")});
+    CHECK(outcome.code == 4);
+    CHECK(contains(outcome.err, "apt-get install gnuplot-nox"));
+    CHECK(fs::exists(folder / "chart.gp"));
+    CHECK(fs::exists(folder / "chart.dat"));
+    CHECK_FALSE(fs::exists(folder / "chart.png"));
+  }
+
+  TEST_CASE("a table is read as it is written") {
+    const std::string odd = "a \"b\", c\nd";
+    const auto table = taut::parse_csv("x,y\r\n" + taut::csv_cell(odd) + ",\n,2", "t.csv");
+    CHECK(table.columns == Texts{"x", "y"});
+    REQUIRE(table.rows.size() == 2);
+    CHECK(table.rows[0] == Texts{odd, ""});
+    CHECK(table.rows[1] == Texts{"", "2"});
+    CHECK_THROWS_AS(taut::parse_csv("x,y\n\"a\"b,c\n", "t.csv"), taut::UsageError);
+  }
+}

@@ -1,0 +1,100 @@
+#include <map>
+
+#include <doctest/doctest.h>
+
+#include "cli/study/choose.hpp"
+#include "results_file.hpp"
+#include "sweep_folder.hpp"
+
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+// errors are shares of a reference of 2
+const std::string runs =
+    "finished,tl,tl,0.4,10,stable,,0.005,2,1,\n"  // lucky: the next finer one is worse
+    "finished,tl,tl,0.2,20,stable,,0.05,2,8,\n"
+    "finished,tl,tl,0.1,40,stable,,0.009,2,64,\n"
+    "finished,icb,icb,0.4,10,stable,,0.008,2,30,\n"
+    "finished,icb,icb,0.2,20,stable,,0.004,2,90,\n"
+    "finished,og,og,0.2,20,fractured,0.1,0.001,2,2,\n";
+
+taut::Chart chart_of(const TemporaryFolder& folder) {
+  return taut::make_chart(taut::read_results({write_results(folder / "a", runs, "colliding-rings")}), {});
+}
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("the cheapest run that is stable, accurate and not contradicted by a finer one is chosen") {
+    const TemporaryFolder folder;
+    const taut::Chart chart = chart_of(folder);
+    const auto all = taut::grants(chart, {0.01, std::nullopt});
+    REQUIRE(all.size() == 2);
+    CHECK(all[0].series->name == "icb");
+    CHECK(all[0].point->spacing == 0.4);
+    CHECK(all[0].finer == 1);
+    CHECK(all[1].series->name == "tl");
+    CHECK(all[1].point->spacing == 0.1);
+    CHECK(all[1].finer == 0);
+    const auto rough = taut::grants(chart, {0.06, std::nullopt});
+    CHECK(rough.front().point->cost == 1);
+    CHECK(rough.front().finer == 2);
+    CHECK(taut::grants(chart, {0.06, 0.5}).empty());
+    CHECK(taut::grants(chart, {0.003, std::nullopt}).empty());
+  }
+
+  TEST_CASE("choose names method, spacing and evidence, or says that the results do not reach that far") {
+    const TemporaryFolder folder;
+    const std::string file = write_results(folder / "a", runs, "colliding-rings");
+    const auto choose = [&](Texts more) {
+      more.insert(more.begin(), {"choose", "colliding-rings", "--from", file, "--error"});
+      return call(more);
+    };
+    const Outcome found = choose({"1%"});
+    CAPTURE(found.err);
+    CHECK(found.code == 0);
+    CHECK(contains(found.out, "take  icb at a spacing of 0.4 m: error 0.8 %, 30 s\n"));
+    CHECK(contains(found.out, "Finer runs that confirm it: 1."));
+    CHECK(contains(found.out, "  tl      0.1"));
+    CHECK(contains(choose({"0.01", "--seconds", "40"}).out, "take  icb at a spacing of 0.4"));
+    const Outcome far = choose({"0.1%"});
+    CHECK(far.code == 0);
+    CHECK(contains(far.out, "do not reach that far"));
+    CHECK(contains(far.out, "icb at a spacing of 0.2 m"));
+    CHECK(contains(choose({"1%", "--seconds", "5"}).out, "Finer runs of the same method contradict it"));
+  }
+
+  TEST_CASE("choose refuses what is no error, no result or of another scene") {
+    const TemporaryFolder folder;
+    const std::string file = write_results(folder / "a", runs, "colliding-rings");
+    const std::map<Texts, std::string> wrong{
+        {{"colliding-rings", "--error", "small", "--from", file}, "neither like 1% nor like 0.01"},
+        {{"colliding-rings", "--error", "-1%", "--from", file}, "neither like 1% nor like 0.01"},
+        {{"ball-plate", "--error", "1%", "--from", file}, "the results are of colliding-rings"},
+        {{"bal-plate", "--error", "1%", "--from", file}, "did you mean 'ball-plate'"},
+        {{"colliding-rings", "--error", "1%", "--measure", "bent", "--from", file}, "did you mean 'bend'"},
+    };
+    for (const auto& [arguments, message] : wrong) {
+      Texts words{"choose"};
+      words.insert(words.end(), arguments.begin(), arguments.end());
+      const Outcome outcome = call(words);
+      CAPTURE(outcome.err);
+      CHECK(outcome.code == 2);
+      CHECK(contains(outcome.err, message));
+    }
+  }
+
+  TEST_CASE("choose finds the results below out/ by itself") {
+    const TemporaryFolder folder;
+    write_results(folder / "out/rings", runs, "colliding-rings");
+    write_results(folder / "out/other", runs, "ball-plate");
+    const std::string there = "cd '" + folder.str("") + "' && " TAUT_BINARY_DIR "/taut choose ";
+    REQUIRE(std::system((there + "colliding-rings --error 1% >" + folder.str("text")).c_str()) == 0);
+    CHECK(contains(text_of(folder / "text"), "Results: out/rings/results.csv\n"));
+    const int status = std::system((there + "elastic-rings --error 1% 2>" + folder.str("text")).c_str());
+    CHECK(WEXITSTATUS(status) == 2);
+    CHECK(contains(text_of(folder / "text"), "no results of elastic-rings below out/"));
+  }
+}

@@ -1,0 +1,85 @@
+#include <map>
+
+#include <doctest/doctest.h>
+
+#include "cli/study/stability_map.hpp"
+#include "results_file.hpp"
+#include "sweep_folder.hpp"
+
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+const std::string speeds =
+    "finished,og,og,0.4,10,fractured,0.003,,,4,10\n"
+    "finished,og,og,0.4,10,stable,,,,4,2\n"
+    "error,enog,,,,,,,,,10\n"
+    "finished,enog,enog,0.4,10,stable,,,,4,2\n"
+    "failed,enog,enog,0.4,10,diverged,,,,4,3\n";
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("a map has a cell for each run, with its verdict and since when, by rising values") {
+    const TemporaryFolder folder;
+    const std::string file = write_results(folder / "a", speeds, "rod", "speed");
+    const taut::StabilityMap map = taut::make_map(taut::read_results({file}), {});
+    CHECK(map.label == "speed");
+    REQUIRE(map.values == Texts{"2", "3", "10"});
+    REQUIRE(map.rows == Texts{"og", "enog"});
+    CHECK(map.cells[0][0]->verdict == "stable");
+    CHECK_FALSE(map.cells[0][1].has_value());
+    CHECK(map.cells[0][2]->verdict == "fractured");
+    CHECK(*map.cells[0][2]->since == 0.003);
+    CHECK(map.cells[1][1]->verdict == "diverged");
+    CHECK(map.cells[1][2]->verdict.empty());
+    CHECK(map.cells[1][2]->status == "error");
+    const Outcome outcome = call({"map", file, "--out", folder.str("map.png")});
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK(contains(outcome.out, "og     stable  -         fractured 0.003 s\n"));
+    CHECK(contains(outcome.out, "enog   stable  diverged  error\n"));
+    CHECK(contains(text_of(folder / "map.dat"), "\n3 1 0.003 \"10\" \"og\" \"3\"\n"));  // 3 ms
+    CHECK(fs::exists(folder / "map.png"));
+  }
+
+  TEST_CASE("a verdict that no cell has leaves no gap: gnuplot counts the blocks that have lines") {
+    const TemporaryFolder folder;
+    const std::string file = write_results(folder / "a", speeds, "rod", "speed");  // none is hourglass
+    REQUIRE(call({"map", file, "--out", folder.str("map.png")}).code == 0);
+    const std::string data = text_of(folder / "map.dat"), script = text_of(folder / "map.gp");
+    CHECK_FALSE(contains(data, "hourglass"));
+    std::size_t blocks = 0;
+    for (const std::string name : {"stable", "fractured", "diverged", "no result"}) {
+      CAPTURE(name);
+      const std::string index = "index " + std::to_string(blocks++) + " ";
+      const std::size_t at = script.find("title '" + name + "'");
+      REQUIRE(at != std::string::npos);
+      CHECK(script.rfind(index, at) != std::string::npos);
+      CHECK(script.rfind(index, at) > script.rfind('\n', at));
+    }
+  }
+
+  TEST_CASE("maps of no parameter, or of one that was not swept, are refused with the reason") {
+    const TemporaryFolder folder;
+    const std::string file = write_results(folder / "a", speeds, "rod", "speed");
+    const std::string other = write_results(folder / "b", speeds, "rod", "cfl");
+    const std::string none = write_results(folder / "c", "finished,og,og,0.4,10,stable,,,,4,\n");
+    const std::string out = folder.str("map.png");
+    const std::map<Texts, std::string> wrong{
+        {{file, "--parameter", "sped", "--out", out}, "did you mean 'speed'"},
+        {{file, other, "--out", out}, "name one with --parameter"},
+        {{none, "--out", out}, "there is no parameter to map"},
+        {{file, "--out", folder.str("map.pdf")}, "neither in .png nor in .svg"},
+    };
+    for (const auto& [arguments, message] : wrong) {
+      Texts words{"map"};
+      words.insert(words.end(), arguments.begin(), arguments.end());
+      const Outcome outcome = call(words);
+      CAPTURE(outcome.err);
+      CHECK(outcome.code == 2);
+      CHECK(contains(outcome.err, message));
+    }
+  }
+}

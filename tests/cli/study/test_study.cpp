@@ -1,0 +1,89 @@
+#include <map>
+
+#include <doctest/doctest.h>
+
+#include "results_file.hpp"
+#include "sweep_folder.hpp"
+
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+/// A study of the rings, coarse and short, with `sections`.
+std::string write_study(const TemporaryFolder& folder, const std::string& sections) {
+  std::ofstream(folder / "study.toml") << "title = \"Rings\"\n"
+                                          "scene = \"colliding-rings\"\n"
+                                          "set = { until = 0.001 }\n"
+                                          "[grid]\n"
+                                          "spacing = [0.005, 0.0025]\n"
+                                          "method = [\"og\", \"oenog\"]\n"
+                                       << sections;
+  return folder.str("study.toml");
+}
+
+Outcome sweep(const TemporaryFolder& folder, const std::string& study, const Texts& more = {}) {
+  Texts words{"sweep", study, "--quiet", "--out", folder.str("out")};
+  words.insert(words.end(), more.begin(), more.end());
+  return program(words);
+}
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("a study draws its pictures after its runs, and what is done is not run again") {
+    const TemporaryFolder folder;
+    const std::string study = write_study(folder,
+                                          "[chart]\nmeasure = [\"touch_time\"]\ncost = \"steps\"\n"
+                                          "[map]\nparameter = \"spacing\"\n"
+                                          "[history]\ndiameter = \"d, m\"\ntotal_energy = \"E, J\"\n");
+    const Outcome first = sweep(folder, study);
+    CAPTURE(first.err);
+    REQUIRE(first.code == 0);
+    CHECK(contains(first.out, "out/chart-touch_time.png"));
+    std::map<std::string, std::string> bytes;
+    for (const std::string name : {"chart-touch_time", "map", "history"})
+      for (const std::string extension : {".png", ".gp", ".dat"}) {
+        CAPTURE(name);
+        bytes[name + extension] = text_of(folder / "out" / (name + extension));
+        CHECK(bytes[name + extension].size() > 100);
+      }
+    // a row of history.csv, in the block of its run
+    const Texts history = lines_of(folder / "out/spacing=0.005_method=oenog/history.csv");
+    const std::string t = history.at(5).substr(0, history.at(5).find(','));
+    CHECK(contains(bytes["history.dat"], "\n" + t + " "));
+    const auto before = ends(folder / "out");
+    REQUIRE(before.size() == 4);
+    fs::remove(folder / "out/map.png");
+    REQUIRE(sweep(folder, study).code == 0);
+    CHECK(ends(folder / "out") == before);
+    for (const auto& [name, text] : bytes) CHECK(text_of(folder / "out" / name) == text);
+  }
+
+  TEST_CASE("a study that names what is not there is refused before anything runs") {
+    const TemporaryFolder folder;
+    const std::map<std::string, std::string> wrong{
+        {"[chart]\nmeasure = \"touch_tim\"\n",
+         ":8:11: unknown measure of the scene 'touch_tim' (did you mean"},
+        {"[chart]\nmeasure = [\"touch_time\", 3]\n", ":8:26: "},
+        {"[chart]\nmeasure = []\n", "empty list"},
+        {"[chart]\ncost = \"money\"\n", ":8:8: "},
+        {"[chart]\ncosts = \"steps\"\n", "did you mean 'cost'"},
+        {"[map]\nparameter = \"spacin\"\n",
+         ":8:13: unknown swept parameter 'spacin' (did you mean 'spacing'"},
+        {"[history]\n", "[history] is empty"},
+        {"[history]\ntip = 3\n", ":8:7: "},
+        {"[histroy]\n", "did you mean 'history'"},
+    };
+    for (const auto& [sections, message] : wrong) {
+      const Outcome outcome = sweep(folder, write_study(folder, sections), {"--list"});
+      CAPTURE(outcome.err);
+      CHECK(outcome.code == 2);
+      CHECK(contains(outcome.err, message));
+    }
+    CHECK_FALSE(fs::exists(folder / "out"));
+    const Outcome late = sweep(folder, write_study(folder, "[history]\ndiametre = \"d, m\"\n"));
+    CHECK(late.code == 2);
+    CHECK(contains(late.err, "did you mean 'diameter'"));
+  }
+}

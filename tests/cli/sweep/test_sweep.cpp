@@ -1,0 +1,187 @@
+#include <map>
+
+#include <doctest/doctest.h>
+
+#include "cli/sweep/lock.hpp"
+#include "engine/error.hpp"
+#include "sweep_folder.hpp"
+
+using namespace taut::cli;
+using namespace taut::test;
+
+TEST_SUITE("cli") {
+  TEST_CASE("a sweep leaves a folder for each run and a row in the order of the grid") {
+    const TemporaryFolder folder;
+    // the second row of three is the longest, so it starts first
+    const Outcome outcome = program(tiny_sweep(
+        folder, "out", {"--grid", "until=0.001,0.004,0.002", "--grid", "method=og,enog", "--jobs", "3"}));
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK(outcome.err.empty());
+    CHECK(contains(outcome.out, folder.str("out/results.csv")));
+    CHECK(contains(outcome.out, "touch_time, s"));
+    const auto json = json_of(folder / "out/results.json");
+    CHECK(json["scene"] == "discs");
+    CHECK(json["swept"][0]["name"] == "until");
+    REQUIRE(json["runs"].size() == 6);
+    for (int k = 0; k < 6; ++k) {
+      const auto& run = json["runs"][static_cast<std::size_t>(k)];
+      CHECK(run["index"] == k);
+      CHECK(run["set"]["method"] == (k % 2 == 0 ? "og" : "enog"));
+      CHECK(run["set"]["until"] == (k < 2 ? 0.001 : k < 4 ? 0.004 : 0.002));
+      CHECK(run["until"] == run["set"]["until"]);
+      CHECK(run["threads"] == 1);
+      const fs::path place = folder / ("out/" + run["folder"].get<std::string>());
+      const auto record = json_of(place / "run.json");
+      for (const char* key : {"status", "steps", "measures", "indicators", "seconds", "verdict"})
+        CHECK(run[key] == record[key]);
+      CHECK(files_in(place / "frames") == 0);
+    }
+    const Texts lines = lines_of(folder / "out/results.csv");
+    REQUIRE(lines.size() == 7);
+    CHECK(lines[0].starts_with("index,set.until,set.method,status,message,folder,scene,method,"));
+    CHECK(contains(lines[0], ",measures.touch_time.value,measures.touch_time.unit,"));
+    CHECK(lines[4].starts_with("3,0.004,enog,finished,,until=0.004_method=enog,discs,enog,"));
+  }
+
+  TEST_CASE("results are the same however many runs there are at a time") {
+    const TemporaryFolder folder;
+    const Texts grid{"--grid", "speed=1:3:1", "--grid", "method=og,enog", "--jobs"};
+    for (const std::string jobs : {"1", "4"}) {
+      Texts more = grid;
+      more.push_back(jobs);
+      REQUIRE(program(tiny_sweep(folder, jobs, more)).code == 0);
+    }
+    CHECK(results(folder / "1") == results(folder / "4"));
+  }
+
+  TEST_CASE("what is done is left alone, unless its settings have changed or --force is given") {
+    const TemporaryFolder folder;
+    const auto sweep = [&](Texts more) {
+      more.insert(more.begin(), {"--grid", "speed=1,2"});
+      const Outcome outcome = program(tiny_sweep(folder, "out", more));
+      CAPTURE(outcome.err);
+      REQUIRE(outcome.code == 0);
+      return ends(folder / "out");
+    };
+    const auto first = sweep({});
+    REQUIRE(first.size() == 2);
+    CHECK(sweep({}) == first);
+    const auto drawn = sweep({"--frames", "2"});
+    CHECK(drawn.at("speed=1") > first.at("speed=1"));
+    CHECK(files_in(folder / "out/speed=2/frames") == 3);
+    CHECK(sweep({"--frames", "2"}) == drawn);
+    fs::remove(folder / "out/speed=2/frames/frame_00002.png");
+    const auto drawn_again = sweep({"--frames", "2"});
+    CHECK(drawn_again.at("speed=1") == drawn.at("speed=1"));
+    CHECK(drawn_again.at("speed=2") > drawn.at("speed=2"));
+    CHECK(sweep({"--frames", "2", "--render", "--save-particles"}).at("speed=1") > drawn.at("speed=1"));
+    CHECK(fs::exists(folder / "out/speed=1/particles/particles.pvd"));
+    const auto other = sweep({"--set", "pull=1"});
+    CHECK(other.at("speed=1") > drawn.at("speed=1"));
+    CHECK(sweep({"--set", "pull=1", "--force"}).at("speed=2") > other.at("speed=2"));
+  }
+
+  TEST_CASE("a larger grid in the same folder adds what is new") {
+    const TemporaryFolder folder;
+    REQUIRE(program(tiny_sweep(folder, "out", {"--grid", "speed=1,3"})).code == 0);
+    const auto before = ends(folder / "out");
+    const Outcome list = program(tiny_sweep(folder, "out", {"--grid", "speed=1:3:1", "--list"}));
+    CHECK(contains(list.out, "1    speed=2  speed=2  to do\n"));
+    CHECK(contains(list.out, "2    speed=3  speed=3  done\n"));
+    CHECK(contains(list.out, "2 of 3 runs are done"));
+    REQUIRE(program(tiny_sweep(folder, "out", {"--grid", "speed=1:3:1"})).code == 0);
+    CHECK(statuses(folder / "out") == Texts{"finished", "finished", "finished"});
+    CHECK(ends(folder / "out").at("speed=3") == before.at("speed=3"));
+  }
+
+  TEST_CASE("a run that diverges or tears is a row, and the sweep goes on") {
+    const TemporaryFolder folder;
+    const Texts sweep =
+        tiny_sweep(folder, "out",
+                   {"--grid", "pull=0,8000", "--grid", "cfl=0.5,20", "--method", "og", "--until", "0.02"});
+    const Outcome outcome = program(sweep);
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const auto runs = json_of(folder / "out/results.json")["runs"];
+    CHECK(runs[0]["verdict"] == "hourglass");
+    CHECK(runs[1]["verdict"] == "diverged");
+    CHECK(runs[1]["status"] == "failed");
+    CHECK(runs[1]["since"]["diverged"].get<double>() > 0);
+    CHECK(runs[2]["verdict"] == "fractured");
+    CHECK(contains(program(sweep).out, "diverged since"));
+    CHECK(contains(program({sweep.begin(), sweep.end()}).out, "fractured since"));
+    Texts strict = sweep;
+    strict.insert(strict.end(), {"--fail-on", "diverged"});
+    CHECK(program(strict).code == 3);
+    const fs::path diverged = folder / "out/pull=0_cfl=20/run.json";
+    const auto time = fs::last_write_time(diverged);
+    CHECK(program(sweep).code == 0);
+    CHECK(fs::last_write_time(diverged) == time);  // a divergence is a result
+  }
+
+  TEST_CASE("wrong names, values and options of a sweep end before anything runs") {
+    const TemporaryFolder folder;
+    const std::map<Texts, std::string> wrong{
+        {{"--grid", "sped=1,2"}, "did you mean 'speed'"},
+        {{"--grid", "speed=1,-1"}, "out of bounds"},
+        {{"--grid", "speed=1", "--grid", "method=og,enogg"}, "did you mean 'enog'"},
+        {{"--grid", "method=enog,og", "--grid", "method.zeta=3"}, "(in the run method=og, method.zeta=3)"},
+        {{"--grid", "speed=1", "--grid", "speed=2"}, "twice"},
+        {{"--grid", "speed=1", "--set", "speed=2"}, "swept"},
+        {{"--grid", "until=1", "--until", "2"}, "swept"},
+        {{"--grid", "speed"}, "NAME=VALUE"},
+        {{"--grid", "speed=1,2", "--index", "2"}, "from 0 to 1"},
+        {{"--grid", "speed=1", "--emit", "slrum"}, "did you mean 'slurm'"},
+        {{"--grid", "speed=1", "--fail-on", "torn"}, "unknown verdict"},
+        {{"--grid", "speed=1", "--jobs", "0"}, "at least 1"},
+        {{}, "--grid"},
+    };
+    for (const auto& [more, message] : wrong) {
+      const Outcome outcome = program(tiny_sweep(folder, "out", more));
+      CAPTURE(outcome.err);
+      CHECK(outcome.code == 2);
+      CHECK(contains(outcome.err, message));
+    }
+    CHECK_FALSE(fs::exists(folder / "out/speed=1"));
+  }
+
+  TEST_CASE("a folder with results of something else is refused") {
+    const TemporaryFolder folder;
+    fs::create_directories(folder / "out");
+    std::ofstream(folder / "out/results.csv") << "mine";
+    CHECK(program(tiny_sweep(folder, "out", {"--grid", "speed=1"})).code == 2);
+    CHECK(text_of(folder / "out/results.csv") == "mine");
+    REQUIRE(call(tiny_run(folder, "run", {"--no-render"})).code == 0);
+    CHECK(program(tiny_sweep(folder, "run", {"--grid", "speed=1"})).code == 2);
+    CHECK(program(tiny_sweep(folder, "discs.toml", {"--grid", "speed=1"})).code == 2);
+    CHECK(program(tiny_sweep(folder, "discs.toml/out", {"--grid", "speed=1"})).code == 4);
+  }
+
+  TEST_CASE("single runs leave the results to a call without --index") {
+    const TemporaryFolder folder;
+    Texts grid{"--grid", "speed=1,2,3"};
+    REQUIRE(program(tiny_sweep(folder, "whole", grid)).code == 0);
+    for (const std::string index : {"2", "0"}) {
+      Texts one = grid;
+      one.insert(one.end(), {"--index", index});
+      const Outcome outcome = program(tiny_sweep(folder, "single", one));
+      CHECK(outcome.code == 0);
+      CHECK(contains(outcome.out, "run " + index + " (speed="));
+      CHECK_FALSE(fs::exists(folder / "single/results.csv"));
+    }
+    const auto before = ends(folder / "single");
+    CHECK(before.size() == 2);
+    REQUIRE(program(tiny_sweep(folder, "single", grid)).code == 0);
+    CHECK(ends(folder / "single").at("speed=3") == before.at("speed=3"));
+    CHECK(results(folder / "single") == results(folder / "whole"));
+  }
+
+  TEST_CASE("a sweep is locked as a whole or by the run") {
+    const TemporaryFolder folder;
+    const taut::SweepLock one(folder.path(), "a");
+    const taut::SweepLock other(folder.path(), "b");
+    CHECK_THROWS_AS(taut::SweepLock(folder.path(), "a"), taut::UsageError);
+    CHECK_THROWS_AS(taut::SweepLock(folder.path(), ""), taut::UsageError);
+  }
+}

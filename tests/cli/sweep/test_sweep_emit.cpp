@@ -1,0 +1,91 @@
+#include <cstdlib>
+
+#include <doctest/doctest.h>
+
+#include "cli/sweep/emit.hpp"
+#include "sweep_folder.hpp"
+
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+int shell(const std::string& command) { return std::system((command + " >/dev/null 2>&1").c_str()); }
+
+/// Emits the script of a sweep of the program itself, whose path stands in it.
+std::string emitted(const TemporaryFolder& folder, const std::string& kind, const Texts& grid) {
+  Texts arguments = tiny_sweep(folder, "out", grid);
+  arguments.insert(arguments.end(), {"--emit", kind});
+  REQUIRE(program(arguments).code == 0);
+  return folder.str("out/sweep." + kind);
+}
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("a Slurm array does the runs in any order, and the last call gathers them") {
+    const TemporaryFolder folder;
+    const Texts grid{"--grid", "speed=1,2",   "--grid",  "cfl=0.5,20",
+                     "--grid", "pull=0*pi,1", "--until", "0.02"};
+    const std::string script = emitted(folder, "slurm", grid);
+    CHECK(contains(text_of(script), "\n#SBATCH --array=0-7\n"));
+    const auto task = [&](int index) {
+      return shell("cd / && SLURM_ARRAY_TASK_ID=" + std::to_string(index) + " sh " + script);
+    };
+    for (const int index : {5, 0, 7, 2, 6, 1, 3}) CHECK(task(index) == 0);  // the fifth never gets to run
+    CHECK(task(8) != 0);
+    CHECK_FALSE(fs::exists(folder / "out/results.csv"));
+    const auto before = ends(folder / "out");
+    CHECK(before.size() == 4 - 1);  // half of them diverge
+    REQUIRE(program(tiny_sweep(folder, "out", grid)).code == 0);
+    for (const auto& [run, time] : before) CHECK(ends(folder / "out").at(run) == time);
+    REQUIRE(program(tiny_sweep(folder, "direct", grid)).code == 0);
+    CHECK(results(folder / "out") == results(folder / "direct"));
+    CHECK(statuses(folder / "out")[2] == "failed");
+  }
+
+  TEST_CASE("the script for GNU parallel does the runs and gathers the results") {
+    const TemporaryFolder folder;
+    const Texts grid{"--grid", "speed=max(1,2),3", "--threads", "2"};
+    const std::string script = emitted(folder, "parallel", grid);
+    // stands in for GNU parallel: options up to -q, then a command with {} for each line
+    fs::create_directories(folder / "bin");
+    std::ofstream(folder / "bin/parallel")
+        << "#!/bin/sh\n"
+           "echo \"$@\" >> " +
+               folder.str("calls") +
+               "\n"
+               "while [ \"$1\" != -q ]; do shift; done; shift\n"
+               "while read -r n; do (\n"
+               "  for word; do shift; [ \"$word\" = '{}' ] && word=$n; set -- \"$@\" \"$word\"; done\n"
+               "  exec \"$@\"\n"
+               "); done\n";
+    fs::permissions(folder / "bin/parallel", fs::perms::owner_all);
+    CHECK(shell("cd / && PATH=" + folder.str("bin") + ":$PATH sh " + script + " --bar") == 0);
+    CHECK(contains(text_of(folder / "calls"), " --bar -q "));
+    CHECK(statuses(folder / "out") == Texts{"finished", "finished"});
+    CHECK(json_of(folder / "out/results.json")["runs"][1]["threads"] == 2);
+  }
+
+  TEST_CASE("without a folder a script goes to stdout, and nothing is run") {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        program({"sweep", write_tiny_scene(folder), "--grid", "speed=1,2,3", "--emit", "slurm", "--quiet"});
+    CHECK(outcome.code == 0);
+    CHECK(outcome.out.starts_with("#!/bin/sh\n"));
+    CHECK(contains(outcome.out, " --grid=speed=1,2,3 "));
+    CHECK_FALSE(contains(outcome.out, "--emit"));
+    CHECK_FALSE(fs::exists("out/discs-sweep"));
+  }
+}
+
+TEST_SUITE("unit") {
+  TEST_CASE("a script quotes what the shell would take apart") {
+    const std::string script = taut::emit_script(taut::find_emit_form("slurm"), "two\nlines", 3, 4,
+                                                 {"taut", "a b", "it's", "x=1,2:3"});
+    CHECK(contains(script, "exec taut 'a b' 'it'\\''s' x=1,2:3 --index"));
+    CHECK(contains(script, "# two lines: 3 runs"));
+    CHECK(contains(script, "--cpus-per-task=4\n"));
+    CHECK_FALSE(contains(script, "@"));
+  }
+}

@@ -1,0 +1,137 @@
+#include <doctest/doctest.h>
+
+#include "child_program.hpp"
+#include "cli/sweep/lock.hpp"
+#include "sweep_folder.hpp"
+
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+void wait_until_one_has_ended(const fs::path& folder) {
+  ChildProgram::wait([&] { return contains(text_of(folder / "results.csv"), ",finished,"); });
+}
+
+/// The endless run is under way then as well.
+void wait_until_the_short_run_has_ended(const fs::path& folder) {
+  wait_until_one_has_ended(folder);
+  ChildProgram::wait_for(folder / "until=1000/history.csv");
+}
+
+/// One run that ends soon and one that never does, both at once: discs at rest, which cannot fail.
+Texts endless_sweep(const TemporaryFolder& folder, const Texts& more = {}) {
+  Texts all{"--grid", "until=1000,0.001", "--set", "speed=0", "--history", "0.001", "--jobs", "2"};
+  all.insert(all.end(), more.begin(), more.end());
+  return tiny_sweep(folder, "out", all);
+}
+
+/// The processes that a sweep has started.
+std::vector<pid_t> children(const ChildProgram& sweep) {
+  const std::string process = std::to_string(sweep.process());
+  std::istringstream text(text_of("/proc/" + process + "/task/" + process + "/children"));
+  return {std::istream_iterator<pid_t>(text), {}};
+}
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("a sweep that is killed and started again ends as an undisturbed one, with no run done twice") {
+    const TemporaryFolder folder;
+    const Texts grid{"--grid", "speed=1:2:0.2", "--until", "0.2", "--jobs", "2"};
+    {
+      ChildProgram sweep(tiny_sweep(folder, "killed", grid));
+      wait_until_one_has_ended(folder / "killed");
+      sweep.send(SIGKILL);
+      CHECK(sweep.exit_code() == -1);
+    }
+    const auto before = ends(folder / "killed");
+    CHECK(before.size() >= 1);
+    WARN(before.size() < 6);  // else the machine was too busy for the signal to arrive in time
+    REQUIRE(program(tiny_sweep(folder, "killed", grid)).code == 0);
+    const auto after = ends(folder / "killed");
+    CHECK(after.size() == 6);
+    for (const auto& [run, time] : before) CHECK(after.at(run) == time);
+    REQUIRE(program(tiny_sweep(folder, "undisturbed", grid)).code == 0);
+    CHECK(results(folder / "killed") == results(folder / "undisturbed"));
+  }
+
+  TEST_CASE("an interrupt ends the runs of a sweep in good order, and the results say so") {
+    for (const int signal : {SIGINT, SIGTERM}) {
+      const TemporaryFolder folder;
+      ChildProgram sweep(endless_sweep(folder));
+      wait_until_the_short_run_has_ended(folder / "out");
+      sweep.send(signal);
+      CHECK(sweep.exit_code() == 130);
+      CHECK(statuses(folder / "out") == Texts{"interrupted", "finished"});
+      CHECK(json_of(folder / "out/until=1000/run.json")["status"] == "interrupted");
+      CHECK(text_of(folder / "out/until=1000/history.csv").back() == '\n');
+      CHECK(contains(program(endless_sweep(folder, {"--list"})).out, "to do: was interrupted"));
+    }
+  }
+
+  TEST_CASE("a second interrupt ends a sweep at once, with its runs") {
+    const TemporaryFolder folder;
+    ChildProgram sweep(endless_sweep(folder));
+    wait_until_the_short_run_has_ended(folder / "out");
+    // a run that does not answer keeps the sweep from ending after the first one
+    for (const pid_t child : children(sweep)) ::kill(child, SIGSTOP);
+    sweep.send(SIGINT);
+    sweep.send(SIGTERM);
+    CHECK(sweep.exit_code() == 130);
+    CHECK_NOTHROW(taut::SweepLock(folder / "out", ""));  // its runs would hold it
+    CHECK(statuses(folder / "out").size() == 2);
+  }
+
+  TEST_CASE("a run that crashes is told of and does not take the sweep along") {
+    const TemporaryFolder folder;
+    ChildProgram sweep(endless_sweep(folder));
+    wait_until_the_short_run_has_ended(folder / "out");
+    const std::vector<pid_t> running = children(sweep);
+    REQUIRE(running.size() == 1);
+    ::kill(running.front(), SIGSEGV);
+    CHECK(sweep.exit_code() == 1);
+    CHECK(statuses(folder / "out") == Texts{"error", "finished"});
+    const auto run = json_of(folder / "out/results.json")["runs"][0];
+    CHECK(run["message"] == "killed: Segmentation fault");
+    CHECK_FALSE(run.contains("verdict"));
+    CHECK(contains(program(endless_sweep(folder, {"--list"})).out, "to do"));
+  }
+
+  TEST_CASE("a run that cannot write its files is told of, and the others go on") {
+    const TemporaryFolder folder;
+    const Texts sweep = tiny_sweep(folder, "out", {"--grid", "speed=1,2,3"});
+    fs::create_directories(folder / "out");
+    std::ofstream(folder / "out/sweep.lock") << "";
+    fs::create_symlink("/dev/full/no-such-folder", folder / "out/speed=2");
+    const Outcome outcome = program(sweep);
+    CHECK(outcome.code == 4);
+    CHECK(contains(outcome.err, "run 1 (speed=2): "));
+    CHECK(statuses(folder / "out") == Texts{"finished", "error", "finished"});
+    fs::remove(folder / "out/speed=2");
+    CHECK(program(sweep).code == 0);
+    CHECK(statuses(folder / "out") == Texts{"finished", "finished", "finished"});
+  }
+
+  TEST_CASE("two sweeps do not work in one folder at once") {
+    const TemporaryFolder folder;
+    const ChildProgram sweep(endless_sweep(folder));
+    wait_until_the_short_run_has_ended(folder / "out");
+    for (const Texts& more : {Texts{}, Texts{"--index", "1"}}) {
+      const Outcome second = program(endless_sweep(folder, more));
+      CHECK(second.code == 2);
+      CHECK(contains(second.err, "another sweep is at work"));
+    }
+  }
+
+  TEST_CASE("a run folder that was killed in the making is taken again") {
+    const TemporaryFolder folder;
+    fs::create_directories(folder / "out");
+    std::ofstream(folder / "out/run.json.tmp") << "{";
+    CHECK(call(tiny_run(folder, "out", {"--no-render"})).code == 0);
+    fs::create_directories(folder / "other");
+    std::ofstream(folder / "other/run.json.tmp") << "{";
+    std::ofstream(folder / "other/mine") << "mine";
+    CHECK(call(tiny_run(folder, "other", {"--no-render"})).code == 2);
+  }
+}

@@ -1,0 +1,31 @@
+#include <doctest/doctest.h>
+
+#include "cli/text/suggest.hpp"
+
+using taut::did_you_mean;
+using taut::nearest;
+using Names = std::vector<std::string>;
+
+TEST_SUITE("unit") {
+  TEST_CASE("nearest names: few edits away, the nearest first") {
+    const Names methods = {"og", "oas", "enog", "oenog"};
+    CHECK(nearest("enogg", methods) == Names{"enog"});
+    CHECK(nearest("oneog", methods) == Names{"oenog"});  // two neighbours swapped are one edit
+    CHECK(nearest("eno", methods) == Names{"enog", "oenog"});
+    CHECK(nearest("viridis", methods).empty());
+  }
+
+  TEST_CASE("nearest names: case and parts of names") {
+    CHECK(nearest("ENOG", {"enog"}) == Names{"enog"});
+    CHECK(nearest("rings", {"colliding-rings", "ball-plate"}) == Names{"colliding-rings"});
+    CHECK(nearest("l", {"L", "H"}) == Names{"L"});
+    CHECK(nearest("", {"L", "H"}).empty());
+    CHECK(nearest("abcd", {"abce", "abcf", "abcg", "abch"}).size() == 3);
+  }
+
+  TEST_CASE("did you mean") {
+    CHECK(did_you_mean("enogg", {"enog"}) == " (did you mean 'enog'?)");
+    CHECK(did_you_mean("eno", {"enog", "oenog"}) == " (did you mean 'enog' or 'oenog'?)");
+    CHECK(did_you_mean("viridis", {"enog"}).empty());
+  }
+}

@@ -1,0 +1,110 @@
+#include <cmath>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "engine/diagnostics/field_error.hpp"
+#include "engine/diagnostics/measures.hpp"
+#include "engine/error.hpp"
+#include "tests/support/made_snapshot.hpp"
+
+using namespace taut;
+using namespace taut::test;
+using doctest::Approx;
+
+namespace {
+
+/// Four corners of a square and a fifth particle, displaced by (0.1 y, 0) and what is added to it.
+Snapshot sheared(Point extra = {}) {
+  Snapshot now = made_snapshot(2, {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 2}});
+  for (std::size_t i = 0; i < now.size(); ++i) now.x[2 * i] += 0.1 * now.x0[2 * i + 1];
+  for (std::size_t k = 0; k < 2; ++k) now.x[2 * 2 + k] += extra[k];
+  return now;
+}
+
+Measure displacement() {
+  Measure measure;
+  measure.name = "displacement";
+  measure.kind = Measure::Kind::field_rmse;
+  measure.fields = {"displacement_x", "displacement_y"};
+  return measure;
+}
+
+std::vector<Solution> shear() {
+  return {[](const Point& x, double t) { return t * x[1]; }, [](const Point&, double) { return 0.0; }};
+}
+
+/// Displaces by the small rigid motion (0.3, −0.2) + 0.5 × X.
+void move(Snapshot& now) {
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    now.x[2 * i] += 0.3 - 0.5 * now.x0[2 * i + 1];
+    now.x[2 * i + 1] += -0.2 + 0.5 * now.x0[2 * i];
+  }
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("field_error: over the greatest of the solution, at the present time") {
+    Snapshot now = sheared({0.03, -0.04});
+    now.time = 0.1;
+    const auto error = field_error(displacement(), now, shear());
+    REQUIRE(error);
+    CHECK(error->greatest == Approx(0.05 / 0.2));
+    CHECK(error->rms == Approx(0.05 / 0.2 / std::sqrt(5.0)));
+    now.time = 0;
+    CHECK_FALSE(field_error(displacement(), now, shear()));  // there is nothing to compare with
+    Measure misspelt = displacement();
+    misspelt.fields[0] = "displacement_z";
+    CHECK_THROWS_AS(field_error(misspelt, now, shear()), SceneError);
+  }
+
+  TEST_CASE("field_error: neither held particles nor those of other bodies count") {
+    Snapshot now = sheared({1, 0});
+    now.time = 0.1;
+    now.held[2] = 1;
+    CHECK(field_error(displacement(), now, shear())->greatest == Approx(0).epsilon(1e-12));
+    now.held[2] = 0;
+    now.body[2] = 1;
+    CHECK(field_error(displacement(), now, shear())->rms == Approx(0).epsilon(1e-12));
+  }
+
+  TEST_CASE("field_error: a rigid motion that is free is taken off, and nothing else") {
+    Measure free = displacement();
+    free.rigid_motion_free = true;
+    Snapshot now = sheared();
+    now.time = 0.1;
+    move(now);
+    CHECK(field_error(displacement(), now, shear())->greatest > 1);
+    CHECK(field_error(free, now, shear())->greatest < 1e-12);
+    Snapshot at_place = sheared({0.03, -0.04}), moved = at_place;
+    at_place.time = moved.time = 0.1;
+    move(moved);
+    const double left = field_error(free, at_place, shear())->rms;
+    CHECK(left > 0.3 * field_error(displacement(), at_place, shear())->rms);
+    CHECK(left < field_error(displacement(), at_place, shear())->rms);
+    CHECK(field_error(free, moved, shear())->rms == Approx(left).epsilon(1e-9));
+  }
+
+  TEST_CASE("field_rmse, field_error: of the end of the run, against 0") {
+    Scene scene = made_scene(2, 1, {unit_bulk()});
+    scene.until = 0.1;
+    scene.measures = {displacement(), displacement()};
+    scene.measures[1].name = "worst";
+    scene.measures[1].kind = Measure::Kind::field_error;
+    Reference& reference = scene.references["neo_hookean"];
+    reference.name = "exact";
+    reference.solution = {{"displacement", shear()}, {"worst", shear()}};
+    Snapshot now = sheared({0.03, -0.04});
+    now.time = 0.1;
+    const auto results = measure(scene, {}, "neo_hookean", {}, &now);
+    CHECK(*results[0].value == Approx(0.25 / std::sqrt(5.0)));
+    CHECK(*results[0].reference == 0);
+    CHECK(*results[0].error == *results[0].value);
+    CHECK(*results[1].value == Approx(0.25));
+    now.time = 0.09;
+    CHECK_FALSE(measure(scene, {}, "neo_hookean", {}, &now)[0].value);
+    CHECK_FALSE(measure(scene, {}, "neo_hookean")[1].value);
+    CHECK_FALSE(measure(scene, {}, "2d_deviator", {}, &now)[0].value);
+  }
+}

@@ -1,0 +1,107 @@
+#include <cmath>
+#include <set>
+
+#include <doctest/doctest.h>
+
+#include "engine/diagnostics/fields.hpp"
+#include "tests/support/made_snapshot.hpp"
+
+using namespace taut;
+using test::made_snapshot;
+
+namespace {
+
+double value(const char* key, const Snapshot& now, std::size_t particle = 0) {
+  const Field* field = find_field(key);
+  REQUIRE_MESSAGE(field != nullptr, key);
+  const std::vector<double> values = evaluate(*field, now);
+  REQUIRE(values.size() == now.size());
+  return values[particle];
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("fields: every row has a key of its own, a name, a unit and a help") {
+    std::set<std::string_view> keys;
+    for (const Field& field : fields()) {
+      CAPTURE(field.key);
+      CHECK(keys.insert(field.key).second);
+      CHECK(find_field(field.key) == &field);
+      CHECK_FALSE(field.name.empty());
+      CHECK_FALSE(field.unit.empty());
+      CHECK_FALSE(field.help.empty());
+    }
+    CHECK(keys.size() == fields().size());
+    CHECK(keys.contains("von_mises"));
+    CHECK(find_field("von_Mises") == nullptr);
+    CHECK(find_field("") == nullptr);
+  }
+
+  TEST_CASE("fields: stresses in 2D are those of the particle, with s_zz") {
+    Snapshot now = made_snapshot(2, {{0, 0, 0}, {1, 0, 0}});
+    now.p = {0, 10};
+    now.s = {0, 0, 0, 0, 3, 5, 1, -4};  // xx, xy, yy, zz
+    CHECK(value("stress_xx", now, 1) == -10 + 3);
+    CHECK(value("stress_xy", now, 1) == 5);
+    CHECK(value("stress_yy", now, 1) == -10 + 1);
+    CHECK(value("pressure", now, 1) == 10);
+    CHECK(value("von_mises", now, 1) == doctest::Approx(std::sqrt(1.5 * (9 + 1 + 16 + 2 * 25))));
+    CHECK(value("von_mises", now, 0) == 0);
+  }
+
+  TEST_CASE("fields: von Mises stress is the tension of a bar and √3 times pure shear") {
+    Snapshot bar = made_snapshot(2, {{0, 0, 0}});  // σ_xx = 6, all other components 0
+    bar.p = {-2};
+    bar.s = {4, 0, -2, -2};
+    CHECK(value("stress_xx", bar) == 6);
+    CHECK(value("stress_yy", bar) == 0);
+    CHECK(value("von_mises", bar) == doctest::Approx(6));
+    bar.s = {0, 6, 0, 0};
+    CHECK(value("von_mises", bar) == doctest::Approx(6 * std::sqrt(3.0)));
+  }
+
+  TEST_CASE("fields: von Mises stress of the same state is the same in 3D and in any axes") {
+    Snapshot now = made_snapshot(3, {{0, 0, 0}, {1, 0, 0}});
+    now.p = {1, 1};
+    // a tension of 6 along x, and along (1, 1, 1)/√3: s = 6 (n n − I/3)
+    now.s = {4, 0, 0, -2, 0, -2, 0, 2, 2, 0, 2, 0};  // xx, xy, xz, yy, yz, zz
+    CHECK(value("von_mises", now, 0) == doctest::Approx(6));
+    CHECK(value("von_mises", now, 1) == doctest::Approx(6));
+    CHECK(value("stress_xx", now, 0) == 3);
+    CHECK(value("stress_yy", now, 0) == -3);
+    CHECK(value("stress_xy", now, 0) == 0);
+    CHECK(value("stress_xy", now, 1) == 2);
+  }
+
+  TEST_CASE("fields: motion") {
+    Snapshot now = made_snapshot(3, {{9, 9, 9}, {1, 2, 3}});
+    now.x = {9, 9, 9, 3, -1, 9};
+    now.v = {0, 0, 0, 1, -2, 2};
+    now.rho = {1, 7};
+    CHECK(value("displacement", now, 1) == doctest::Approx(7));  // (2, −3, 6)
+    CHECK(value("displacement_x", now, 1) == 2);
+    CHECK(value("displacement_y", now, 1) == -3);
+    CHECK(value("speed", now, 1) == doctest::Approx(3));
+    CHECK(value("velocity_x", now, 1) == 1);
+    CHECK(value("velocity_y", now, 1) == -2);
+    CHECK(value("density", now, 1) == 7);
+    CHECK(value("displacement", now, 0) == 0);
+    CHECK(value("speed", now, 0) == 0);
+  }
+
+  TEST_CASE("fields: those that are never negative are not drawn as signed") {
+    Snapshot now = made_snapshot(2, {{0, 0, 0}});
+    now.x = {-1, -1};
+    now.v = {-1, -1};
+    now.p = {-1};
+    now.s = {-3, -1, -3, 6};
+    for (const Field& field : fields()) {
+      CAPTURE(field.key);
+      if (field.value(now, 0) < 0) CHECK(field.is_signed);
+    }
+    for (const char* key : {"von_mises", "speed", "density", "displacement"}) {
+      CHECK_FALSE(find_field(key)->is_signed);
+    }
+  }
+}

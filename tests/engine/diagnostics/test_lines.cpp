@@ -1,0 +1,134 @@
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "engine/diagnostics/lines.hpp"
+#include "engine/diagnostics/measures.hpp"
+#include "engine/error.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/runs.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace taut;
+using namespace taut::test;
+
+namespace {
+
+SampleLine line_across_plate(std::vector<double> times) {
+  SampleLine line;
+  line.name = "across";
+  line.field = "velocity_y";
+  line.from = {-0.01, 0.0037, 0};  // from face to face
+  line.to = {0.01, -0.01, 0};      // and into a corner
+  line.points = 7;
+  line.times = std::move(times);
+  return line;
+}
+
+std::string error_key(const Scene& scene) {
+  const auto simulation = make_simulation(scene, with_method("oenog"));
+  try {
+    LineRecorder(scene, simulation->snapshot(), simulation->support());
+  } catch (const SceneError& error) {
+    return error.key;
+  }
+  return "none";
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("lines: a linear field is exact up to the faces and corners") {
+    Scene scene = rotating_plate(0.01);
+    scene.lines = {line_across_plate({0})};
+    const auto simulation = make_simulation(scene, with_method("oenog"));
+    LineRecorder lines(scene, simulation->snapshot(), simulation->support());
+    CHECK(lines.next() == 0);
+    lines.look(simulation->snapshot());
+    CHECK(lines.next() == std::numeric_limits<double>::infinity());
+    REQUIRE(lines.samples().at(0).size() == 1);
+    const double omega = scene.bodies[0].velocity[1]({1, 0, 0});
+    for (int k = 0; k < 7; ++k)
+      CHECK(lines.samples()[0][0].value[k] ==
+            doctest::Approx(omega * line_point(scene.lines[0], k)[0]).scale(omega * 0.01).epsilon(1e-12));
+    CHECK(line_point(scene.lines[0], 6) == Point{0.01, -0.01, 0});
+    CHECK(line_point(scene.lines[0], 3)[1] == relative((0.0037 - 0.01) / 2));
+  }
+
+  TEST_CASE("lines: a sample shows the first step at or past its time, and no step is altered") {
+    Scene scene = rotating_plate(0.01);
+    const auto plain = make_simulation(scene, with_method("oenog"));
+    make_steps(*plain, 20);
+    const double late = plain->time() * 0.73, later = plain->time();
+    scene.lines = {line_across_plate({0, late, late, later}), line_across_plate({later})};
+    scene.lines[1].name = "again";
+    const auto simulation = make_simulation(scene, with_method("oenog"));
+    LineRecorder lines(scene, simulation->snapshot(), simulation->support());
+    for (lines.look(simulation->snapshot()); std::isfinite(lines.next()); lines.look(simulation->snapshot()))
+      simulation->advance_to(lines.next());
+    CHECK(simulation->steps() == plain->steps());
+    CHECK(simulation->snapshot().x == plain->snapshot().x);
+    CHECK(simulation->snapshot().v == plain->snapshot().v);
+    const std::vector<LineSample>& samples = lines.samples().at(0);
+    REQUIRE(samples.size() == 4);
+    CHECK(samples[0].step == 0);
+    CHECK(samples[1].time >= late);
+    CHECK(samples[1].step > 0);
+    CHECK(samples[1].step < samples[3].step);
+    CHECK(samples[2].step == samples[1].step);
+    CHECK(samples[3].step == 20);
+    CHECK(lines.samples().at(1).at(0).step == 20);
+  }
+
+  TEST_CASE("lines and probes: a point outside the body is the scene's error, and says where") {
+    Scene scene = rotating_plate(0.01);
+    scene.lines = {line_across_plate({0})};
+    CHECK(error_key(scene) == "none");
+    scene.lines[0].to = {0.02, 0, 0};
+    CHECK(error_key(scene) == "line.across");
+    scene.lines[0] = line_across_plate({0});
+    scene.lines[0].field = "colour";
+    CHECK(error_key(scene) == "line.across.field");
+    scene.lines.clear();
+    scene.probes = {make_probe("far", Probe::Kind::position)};
+    scene.probes[0].at = {0.02, 0, 0};
+    try {
+      make_simulation(scene, with_method("oenog"));
+      FAIL("the point is outside");
+    } catch (const SceneError& error) {
+      CHECK(error.key == "probe.far");
+    }
+  }
+
+  TEST_CASE("line_rmse: over all points and times, the reference at the time of the step") {
+    Scene scene;
+    scene.lines = {line_across_plate({1, 2})};
+    scene.lines[0].points = 2;
+    Measure measure_of_line;
+    measure_of_line.name = "number";
+    measure_of_line.kind = Measure::Kind::line_rmse;
+    measure_of_line.line = "across";
+    scene.measures = {measure_of_line};
+    scene.references["neo_hookean"] = {
+        "exact", {}, {}, {{"number", {[](const Point& x, double t) { return x[0] + t; }}}}};
+    const auto result = [&](std::vector<LineSample> samples) {
+      return measure(scene, {}, "neo_hookean", {std::move(samples)}).at(0);
+    };
+    const std::vector<LineSample> samples = {{1.25, 3, {1.24 + 1, 1.26}}, {2.5, 6, {2.49, 2.51 - 3}}};
+    CHECK(*result(samples).value == relative(std::sqrt((1 + 9) / 4.0)));
+    CHECK(*result(samples).reference == 0);
+    CHECK(*result(samples).error == *result(samples).value);
+    CHECK_FALSE(result({samples[0]}).value);  // the second time is still ahead
+    CHECK_FALSE(measure(scene, {}, "neo_hookean").at(0).value);
+    CHECK_FALSE(measure(scene, {}, "2d_deviator", {samples}).at(0).reference);
+    // other units of the field
+    scene.references["neo_hookean"].solution["number"] = {
+        [](const Point& x, double t) { return 1e-6 * (x[0] + t); }};
+    std::vector<LineSample> rescaled = samples;
+    for (LineSample& sample : rescaled)
+      for (double& value : sample.value) value *= 1e-6;
+    CHECK(*result(rescaled).value == relative(1e-6 * std::sqrt(2.5)));
+  }
+}

@@ -1,0 +1,440 @@
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include <doctest/doctest.h>
+
+#include "engine/diagnostics/measures.hpp"
+#include "engine/error.hpp"
+
+using namespace taut;
+using doctest::Approx;
+using Kind = Measure::Kind;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Steps of 1 to 3 times the shortest, as a solver with adaptive steps takes; the last one is past `end`.
+std::vector<double> unequal_times(double end, double shortest) {
+  std::vector<double> times = {0};
+  for (int k = 0; times.back() < end; ++k) times.push_back(times.back() + shortest * (2 + std::sin(1.7 * k)));
+  return times;
+}
+
+Series sampled(const std::vector<double>& times, const std::function<double(double)>& f) {
+  Series series{times, {{}}};
+  for (const double t : times) series.value[0].push_back(f(t));
+  return series;
+}
+
+/// One measure of kind `kind` of probe "y"; a second probe "gap" is there for those that name it.
+Scene scene_of(Kind kind) {
+  Scene scene;
+  scene.until = 1;
+  scene.probes.resize(2);
+  scene.probes[0].name = "y";
+  scene.probes[1].name = "gap";
+  Measure measure;
+  measure.name = "number";
+  measure.kind = kind;
+  measure.probes = {"y"};
+  measure.unit = "mm";
+  scene.measures = {measure};
+  return scene;
+}
+
+MeasureResult result(const Scene& scene, const Series& series) {
+  const std::vector<MeasureResult> results = measure(scene, series, "neo_hookean");
+  REQUIRE(results.size() == 1);
+  return results[0];
+}
+
+std::optional<double> value(Kind kind, const Series& series) { return result(scene_of(kind), series).value; }
+
+std::optional<double> value(Kind kind, const std::vector<double>& t, const std::vector<double>& y) {
+  return value(kind, Series{t, {y}});
+}
+
+void expect(const std::optional<double>& value, double expected, double tolerance = 1e-12) {
+  REQUIRE(value);
+  CHECK(*value == Approx(expected).epsilon(tolerance));
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("period: of a sine of either sign with unequal steps") {
+    const double T = 0.254;
+    for (const double sign : {1.0, -1.0}) {
+      const auto wave = [=](double t) { return sign * 0.1 * std::sin(2 * pi * t / T); };
+      // linear between steps h: the zero of a sine, which bends like t³ there, is off by at most ~ (2π
+      // h/T)²/T h
+      expect(value(Kind::period, sampled(unequal_times(0.5, 1e-4), wave)), T, 1e-6);
+      CHECK_FALSE(value(Kind::period, sampled(unequal_times(0.99 * T, 1e-4), wave)));
+    }
+  }
+
+  TEST_CASE("period: linear between steps") {
+    expect(value(Kind::period, {0, 1, 2, 4, 5}, {0, 3, -1, -1, 3}), 4.25);
+  }
+
+  TEST_CASE("period: a step that hits zero exactly counts once, one that touches it not at all") {
+    expect(value(Kind::period, {0, 1, 2, 3, 4, 5}, {0, 1, 0, -1, 0, 1}), 4);
+    expect(value(Kind::period, {0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 0, 1, -1, 0, -1, 1}), 6.5);
+    // neither does round-off, at the start or on the way
+    expect(value(Kind::period, {0, 1, 2, 3, 4, 5, 6}, {-1e-18, 1, -1e-17, 1, 0, -1, 1}), 5.5);
+    expect(value(Kind::period, {0, 1, 2, 3, 4, 5}, {0, 1, -1, 0.9e-9, 1.1e-9, 1}), 3);
+    CHECK_FALSE(value(Kind::period, {0, 1, 2, 3}, {0, 0, 0, 0}));
+    CHECK_FALSE(value(Kind::period, {0, 1, 2, 3}, {0, 1, -1, 0}));  // may only touch it
+  }
+
+  TEST_CASE("first_peak: exact for a parabola with unequal steps, with its sign") {
+    const auto throw_up = [](double t) { return 3 * t * (1 - t); };  // back at 0 at t = 1, top 0.75
+    const std::vector<double> times = {0, 0.1, 0.25, 0.4, 0.58, 0.9, 1.2};
+    expect(value(Kind::first_peak, sampled(times, throw_up)), 0.75);
+    expect(value(Kind::first_peak, sampled(times, [&](double t) { return -throw_up(t); })), -0.75);
+  }
+
+  TEST_CASE("first_peak: none until the half cycle is over, then it stays") {
+    const auto wave = [](double t) {
+      return std::exp(0.5 * t) * std::sin(pi * t);
+    };  // later peaks are greater
+    // y' = 0: tan πt = −2π; y = e^{t/2} sin πt there
+    const double top = (pi - std::atan(2 * pi)) / pi;
+    const double peak = std::exp(0.5 * top) * std::sin(pi * top);
+    CHECK_FALSE(value(Kind::first_peak, sampled(unequal_times(0.99, 1e-3), wave)));
+    expect(value(Kind::first_peak, sampled(unequal_times(1.01, 1e-3), wave)), peak, 1e-7);
+    expect(value(Kind::first_peak, sampled(unequal_times(9, 1e-3), wave)), peak, 1e-7);
+  }
+
+  TEST_CASE("first_peak: two equal samples have the peak between them") {
+    expect(value(Kind::first_peak, {0, 1, 2, 3, 4}, {0, 2, 2, 0, -1}), 2.25);
+  }
+
+  TEST_CASE("decay: the loss per period of a damped wave, from the peaks of the first one's side") {
+    for (const double loss : {0.2, 0.0, -0.1}) {
+      for (const double sign : {1.0, -1.0}) {
+        const auto wave = [=](double t) { return sign * std::pow(1 - loss, t) * std::sin(2 * pi * t); };
+        const auto found = value(Kind::decay, sampled(unequal_times(4.6, 1e-3), wave));
+        REQUIRE(found);
+        CHECK(std::abs(*found - loss) < 1e-6);
+      }
+    }
+  }
+
+  TEST_CASE("decay: an even wave about another mean is judged by one side only") {
+    const auto lopsided = [](double t) {
+      return std::sin(2 * pi * t) * (std::sin(2 * pi * t) > 0 ? 1 : 0.3);
+    };
+    const auto found = value(Kind::decay, sampled(unequal_times(2.1, 1e-3), lopsided));
+    REQUIRE(found);
+    CHECK(std::abs(*found) < 1e-6);
+  }
+
+  TEST_CASE("decay: none with fewer than two peaks of one side") {
+    const auto wave = [](double t) { return std::sin(2 * pi * t); };
+    CHECK_FALSE(value(Kind::decay, sampled(unequal_times(1.49, 1e-3), wave)));
+    CHECK(value(Kind::decay, sampled(unequal_times(1.51, 1e-3), wave)));
+  }
+
+  TEST_CASE("rmse: of straight lines, over the common time only") {
+    Scene scene = scene_of(Kind::rmse);
+    scene.references["neo_hookean"] = {
+        "a table", {}, {{"number", {{0.5, 0.8, 2.5}, {{1.5, 1.8, 3.5}}}}}};  // 1 + t
+    scene.until = 2;
+    const Series series{{0, 0.7, 1.1, 2.2}, {{2, 2.7, 3.1, 4.2}}};  // 2 + t
+    const MeasureResult constant = result(scene, series);
+    expect(constant.value, 1);
+    expect(constant.reference, 0);
+    expect(constant.error, 1);
+    CHECK(constant.reference_name == "a table");
+    // the difference grows from −0.5 at 0.5 s to 1 at 2 s: √(∫ (t − 1)² dt / 1.5)
+    const Series steeper{{0, 0.7, 1.1, 2.2}, {{0, 1.4, 2.2, 4.4}}};
+    expect(result(scene, steeper).value, std::sqrt((1 + 0.125) / 3 / 1.5));
+  }
+
+  TEST_CASE("rmse: weighs time, not steps") {
+    Scene scene = scene_of(Kind::rmse);
+    scene.references["neo_hookean"] = {"zero", {}, {{"number", {{0, 1}, {{0, 0}}}}}};
+    const auto wave = [](double t) { return std::sin(2 * pi * t) * (t < 0.5 ? 1 : 0); };
+    std::vector<double> times = unequal_times(0.5, 1e-4);
+    for (int k = 1; times.back() < 1; ++k) times.push_back(times.back() + 1e-2);
+    expect(result(scene, sampled(times, wave)).value, 0.5, 1e-4);  // half of the time at √½
+  }
+
+  TEST_CASE("rmse: of a table finer than the steps") {
+    Scene scene = scene_of(Kind::rmse);
+    scene.references["neo_hookean"] = {"a tent", {}, {{"number", {{0, 0.5, 1}, {{0, 1, 0}}}}}};
+    expect(result(scene, Series{{0, 1}, {{0, 0}}}).value, std::sqrt(1 / 3.0));
+  }
+
+  TEST_CASE("rmse: none for a run that ends before the table and before `until`, nor without a table") {
+    Scene scene = scene_of(Kind::rmse);
+    const Series series{{0, 0.5, 0.95}, {{1, 1, 1}}};
+    CHECK_FALSE(result(scene, series).value);
+    CHECK_FALSE(result(scene, series).reference);
+    scene.references["neo_hookean"] = {"zero", {}, {{"number", {{0, 9}, {{0, 0}}}}}};
+    CHECK_FALSE(result(scene, series).value);  // until = 1
+    CHECK(result(scene, series).reference == 0.0);
+    CHECK_FALSE(result(scene, series).error);
+    scene.until = 0.95;
+    expect(result(scene, series).value, 1);
+    scene.until = 1;
+    scene.references["neo_hookean"].table["number"] = {{0, 0.9}, {{0, 0}}};
+    expect(result(scene, series).value, 1);
+    scene.until = 0.95;
+    scene.references["neo_hookean"].table["number"] = {{3, 4}, {{0, 0}}};
+    CHECK_FALSE(result(scene, series).value);
+  }
+
+  TEST_CASE("rmse: of an exact solution, with its kinks between steps") {
+    Scene scene = scene_of(Kind::rmse);
+    // the difference from 2t is t²: √(∫ t⁴ dt) over 0 … 1
+    scene.references["neo_hookean"] = {
+        "exact", {}, {}, {{"number", {[](const Point&, double t) { return 2 * t - t * t; }}}}};
+    const Series series{{0, 0.3, 0.9, 1.5}, {{0, 0.6, 1.8, 3}}};
+    expect(result(scene, series).value, std::sqrt(1 / 5.0));
+    CHECK(result(scene, series).reference == 0.0);
+    scene.until = 2;
+    CHECK_FALSE(result(scene, series).value);
+    // a step up at 0.7 within one of 1000 steps
+    scene.until = 1;
+    scene.references["neo_hookean"].solution["number"] = {[](const Point&, double t) { return t > 0.7; }};
+    std::vector<double> times;
+    for (int k = 0; k <= 1000; ++k) times.push_back(k * 1e-3);
+    expect(result(scene, sampled(times, [](double) { return 0.0; })).value, std::sqrt(0.3), 1e-3);
+  }
+
+  TEST_CASE("path_error: the greatest distance at one time, at the rows of a table") {
+    Scene scene = scene_of(Kind::path_error);
+    scene.measures[0].probes = {"y", "gap"};
+    scene.measures[0].scale = 10;
+    scene.references["neo_hookean"] = {
+        "table", {}, {{"number", {{0, 0.5, 1, 1.5}, {{0, 0, 0, 9}, {0, 0, 0, 9}}}}}, {}};
+    const Series series{{0, 0.5, 0.75, 1.2}, {{0, 3, 90, 5}, {0, 4, 90, 12}}};
+    expect(result(scene, series).value,
+           std::hypot(90 - 85 * 0.25 / 0.45, 90 - 78 * 0.25 / 0.45) / 10);  // at 1 s
+    CHECK(result(scene, series).reference == 0.0);
+    scene.until = 0.75;  // the row at 0.5 s alone
+    expect(result(scene, series).value, 0.5);
+    expect(result(scene, series).error, 0.5);
+    scene.until = 1.25;
+    CHECK_FALSE(result(scene, series).value);
+    scene.references.clear();
+    CHECK_FALSE(result(scene, series).value);
+    CHECK_FALSE(result(scene, series).reference);
+  }
+
+  TEST_CASE("path_error: from an exact path, at the steps") {
+    Scene scene = scene_of(Kind::path_error);
+    scene.measures[0].probes = {"y", "gap"};
+    scene.references["neo_hookean"] = {"exact",
+                                       {},
+                                       {},
+                                       {{"number",
+                                         {[](const Point&, double t) { return std::cos(t); },
+                                          [](const Point&, double t) { return std::sin(t); }}}}};
+    Series series{unequal_times(1, 1e-2), {{}, {}}};
+    for (const double t : series.time) {  // ahead by up to 0.1 at t = 0.5
+      const double angle = t + 0.1 * std::exp(-100 * (t - 0.5) * (t - 0.5));
+      series.value[0].push_back(std::cos(angle));
+      series.value[1].push_back(std::sin(angle));
+    }
+    expect(result(scene, series).value, 2 * std::sin(0.05), 1e-2);
+  }
+
+  TEST_CASE("turn: whole turns count, with their sense, up to the end") {
+    Scene scene = scene_of(Kind::turn);
+    scene.measures[0].probes = {"y", "gap"};
+    scene.until = 3;
+    for (const double omega : {9.0, -9.0}) {
+      Series series{unequal_times(3.1, 1e-3), {{}, {}}};
+      for (const double t : series.time) {
+        series.value[0].push_back(0.7 * std::cos(1 + omega * t));
+        series.value[1].push_back(0.7 * std::sin(1 + omega * t));
+      }
+      scene.references["neo_hookean"] = {
+          "table", {}, {{"number", {{0, 1, 2, 3}, {{1, 0, -1, 0}, {0, 1, 0, -1}}}}}, {}};
+      const MeasureResult found = result(scene, series);
+      expect(found.value, 3 * omega, 1e-6);
+      expect(found.reference, 1.5 * pi);
+      expect(found.error, std::abs(3 * omega / (1.5 * pi) - 1), 1e-6);
+      scene.references["neo_hookean"] = {"exact",
+                                         {},
+                                         {},
+                                         {{"number",
+                                           {[](const Point&, double t) { return std::cos(4 * t); },
+                                            [](const Point&, double t) { return std::sin(4 * t); }}}}};
+      expect(result(scene, series).reference, 12, 1e-6);
+      scene.until = 3.2;
+      CHECK_FALSE(result(scene, series).value);
+      scene.until = 3;
+    }
+  }
+
+  TEST_CASE("minimum and maximum: of the steps, none while still on the way") {
+    expect(value(Kind::minimum, {0, 1, 2, 3}, {5, 2, 3, 7}), 2);
+    expect(value(Kind::maximum, {0, 1, 2, 3}, {5, 2, 9, 7}), 9);
+    CHECK_FALSE(value(Kind::minimum, {0, 1, 2}, {5, 4, 2}));
+    CHECK_FALSE(value(Kind::maximum, {0, 1, 2}, {5, 4, 8}));
+    CHECK_FALSE(value(Kind::minimum, {0, 1, 2}, {5, 5, 5}));
+  }
+
+  TEST_CASE("maximum: a fault that grows counts as far as it got") {
+    Scene scene = scene_of(Kind::maximum);
+    scene.probes[0].kind = Probe::Kind::mirror_asymmetry;
+    expect(result(scene, Series{{0, 1, 2}, {{0, 1e-9, 3e-9}}}).value, 3e-9);
+  }
+
+  TEST_CASE("first_below and last_below: linear between steps, at the threshold") {
+    Scene first = scene_of(Kind::first_below), last = scene_of(Kind::last_below);
+    first.measures[0].threshold = last.measures[0].threshold = 1;
+    const Series contact{{0, 1, 3, 4, 5, 7, 8}, {{3, 2, 0, 2, 0, 4, 5}}};
+    expect(result(first, contact).value, 2);
+    expect(result(last, contact).value, 5.5);
+    const Series apart{{0, 1}, {{3, 1.01}}};
+    CHECK_FALSE(result(first, apart).value);
+    CHECK_FALSE(result(last, apart).value);
+    const Series stuck{{0, 1, 2}, {{3, 1, 1}}};
+    expect(result(first, stuck).value, 1);
+    CHECK_FALSE(result(last, stuck).value);
+    CHECK_FALSE(result(last, Series{{0, 1, 2}, {{3, 0, 1}}}).value);
+    const Series leaving{{0, 2}, {{0, 2}}};
+    CHECK(result(first, leaving).value == 0.0);
+    expect(result(last, leaving).value, 1);
+  }
+
+  TEST_CASE("final_ratio: the last value over the scale, once the bodies have touched and parted") {
+    Scene scene = scene_of(Kind::final_ratio);
+    scene.measures[0].scale = -4;
+    const std::vector<double> t = {0, 1, 2}, speed = {4, 1, -3};
+    expect(result(scene, Series{t, {speed, {1, 1, 1}}}).value, 0.75);
+    scene.measures[0].free = "gap";
+    expect(result(scene, Series{t, {speed, {1, -1, 1}}}).value, 0.75);
+    CHECK_FALSE(result(scene, Series{t, {speed, {1, -1, 0}}}).value);
+    CHECK_FALSE(result(scene, Series{t, {speed, {1, 0.1, 1}}}).value);
+  }
+
+  TEST_CASE("at_rest: the value at the end, none before it nor while the series still moves") {
+    const auto damped = [](double rate) {
+      return sampled(unequal_times(1, 1e-3), [=](double t) { return -3 * (1 - std::exp(-rate * t)); });
+    };
+    Scene scene = scene_of(Kind::at_rest);
+    scene.until = damped(8).time.back();
+    expect(result(scene, damped(8)).value, -3, 5e-4);  // e⁻⁸ = 3e-4; moves by 4e-4 in the last tenth
+    CHECK_FALSE(result(scene, damped(6)).value);       // by 2e-3
+    CHECK_FALSE(result(scene, Series{{0, 0.5, 0.9}, {{0, 1, 1}}}).value);
+    expect(result(scene, Series{{0, 0.5, scene.until}, {{0, 1, 1}}}).value, 1);
+    scene.references["neo_hookean"].name = "exact";
+    scene.references["neo_hookean"].solution["number"] = {[](const Point&, double t) { return -2 * t; }};
+    expect(result(scene, damped(8)).reference, -2 * scene.until);
+  }
+
+  TEST_CASE("measure: a reference of its own law gives a relative error, absolute where it is 0") {
+    Scene scene = scene_of(Kind::maximum);
+    scene.references["neo_hookean"] = {"finite elements", {{"number", -8}}, {}, {}};
+    scene.references["2d_deviator"] = {"other", {{"number", 0}, {"another", 1}}, {}, {}};
+    const Series series{{0, 1, 2}, {{-9, -6, -7}}};
+    const MeasureResult own = result(scene, series);
+    CHECK(own.name == "number");
+    CHECK(own.unit == "mm");
+    expect(own.value, -6);
+    expect(own.reference, -8);
+    expect(own.error, 0.25);
+    CHECK(own.reference_name == "finite elements");
+    const MeasureResult other = measure(scene, series, "2d_deviator").at(0);
+    expect(other.error, 6);
+    CHECK(other.reference_name == "other");
+    scene.references["silent"] = {"says nothing", {{"another", 1}}, {}, {}};
+    CHECK_FALSE(measure(scene, series, "silent").at(0).reference);
+    CHECK(measure(scene, series, "silent").at(0).reference_name.empty());
+    const MeasureResult none = measure(scene, series, "rubber").at(0);
+    expect(none.value, -6);
+    CHECK_FALSE(none.reference);
+    CHECK_FALSE(none.error);
+    CHECK(none.reference_name.empty());
+  }
+
+  TEST_CASE("measure: every kind is none, not wrong, before the first step") {
+    for (const Kind kind :
+         {Kind::period, Kind::first_peak, Kind::decay, Kind::rmse, Kind::minimum, Kind::maximum,
+          Kind::first_below, Kind::last_below, Kind::final_ratio, Kind::path_error, Kind::turn}) {
+      CAPTURE(static_cast<int>(kind));
+      Scene scene = scene_of(kind);
+      if (kind == Kind::path_error || kind == Kind::turn) scene.measures[0].probes = {"y", "gap"};
+      scene.measures[0].free = "gap";
+      scene.references["neo_hookean"] = {"r", {{"number", 1}}, {{"number", {{0, 1}, {{0, 1}, {1, 0}}}}}, {}};
+      const MeasureResult empty = result(scene, Series{{}, {{}, {}}});
+      CHECK_FALSE(empty.value);
+      CHECK_FALSE(empty.error);
+      CHECK(empty.reference);
+    }
+  }
+
+  TEST_CASE("measure: what happened before a run broke down stands") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    expect(value(Kind::maximum, {0, 1, 2, 3, 4}, {0, 4, 2, nan, 9}), 4);
+    expect(value(Kind::first_peak, {0, 1, 2, 3, 4}, {0, 2, 2, -1, nan}), 2.25);
+    CHECK_FALSE(value(Kind::period, {0, 1, 2, 3, 4}, {0, 1, -1, nan, 1}));
+  }
+
+  TEST_CASE("measure: other units of time and length rescale the numbers") {
+    const auto wave = [](double t) { return std::exp(-0.3 * t) * std::sin(2 * pi * t); };
+    const Series series = sampled(unequal_times(3, 1e-2), wave);
+    Series rescaled = series;
+    for (double& t : rescaled.time) t *= 60;
+    for (double& y : rescaled.value[0]) y *= 1e-9;
+    const auto ratio = [&](Kind kind) { return *value(kind, rescaled) / *value(kind, series); };
+    CHECK(ratio(Kind::period) == Approx(60));
+    CHECK(ratio(Kind::first_peak) == Approx(1e-9).epsilon(1e-12));
+    CHECK(ratio(Kind::minimum) == Approx(1e-9).epsilon(1e-12));
+    CHECK(ratio(Kind::decay) == Approx(1));
+  }
+
+  TEST_CASE("measure: other units rescale what is compared with a path") {
+    Scene scene = scene_of(Kind::path_error);
+    scene.measures[0].probes = {"y", "gap"};
+    scene.measures[0].scale = 2;
+    Series series{unequal_times(1, 1e-2), {{}, {}}};
+    ReferenceTable table{{0, 0.2, 0.4, 1}, {{1, 0.5, 0.1, -0.4}, {0, 0.6, 0.9, 0.8}}};
+    for (const double t : series.time) {
+      series.value[0].push_back(std::cos(2.1 * t));
+      series.value[1].push_back(std::sin(2.1 * t));
+    }
+    const auto both = [&] {
+      scene.references["neo_hookean"].table["number"] = table;
+      scene.measures[0].kind = Kind::path_error;
+      const double error = *result(scene, series).value;
+      scene.measures[0].kind = Kind::turn;
+      return std::pair(error, *result(scene, series).value);
+    };
+    const auto [error, angle] = both();
+    CHECK(error > 0.01);
+    for (std::vector<double>* times : {&series.time, &table.t})
+      for (double& t : *times) t *= 60;
+    scene.until *= 60;
+    for (std::vector<std::vector<double>>* columns : {&series.value, &table.value})
+      for (std::vector<double>& column : *columns)
+        for (double& y : column) y *= 1e-3;
+    const auto [error_mm, angle_same] = both();
+    CHECK(error_mm == Approx(1e-3 * error).epsilon(1e-9));  // the scale is in m still
+    CHECK(angle_same == Approx(angle).epsilon(1e-9));
+  }
+
+  TEST_CASE("measure: of an unknown probe is the scene's error, and says where") {
+    for (const bool free : {false, true}) {
+      Scene scene = scene_of(Kind::final_ratio);
+      (free ? scene.measures[0].free : scene.measures[0].probes[0]) = "gpa";
+      try {
+        result(scene, Series{{0}, {{1}, {1}}});
+        FAIL("no error");
+      } catch (const SceneError& error) {
+        CHECK(error.key == (free ? "measure.number.free" : "measure.number.probe"));
+        CHECK(std::string(error.what()) == "there is no probe 'gpa'; name one of: y, gap");
+      }
+    }
+  }
+}

@@ -1,0 +1,280 @@
+#include <cmath>
+#include <limits>
+
+#include <doctest/doctest.h>
+
+#include "engine/diagnostics/verdict.hpp"
+#include "tests/support/made_snapshot.hpp"
+
+using namespace taut;
+using test::made_scene;
+using test::made_snapshot;
+using test::unit_bulk;
+
+namespace {
+
+constexpr double dp = 0.1;
+constexpr double support = 2.6 * dp;
+
+/// columns × rows (× layers) particles on a square lattice.
+Snapshot lattice(int dim, int columns, int rows, int layers = 1) {
+  std::vector<Point> places;
+  for (int k = 0; k < layers; ++k) {
+    for (int j = 0; j < rows; ++j) {
+      for (int i = 0; i < columns; ++i) places.push_back({i * dp, j * dp, k * dp});
+    }
+  }
+  return made_snapshot(dim, places);
+}
+
+Scene one_body(int dim) { return made_scene(dim, dp, {unit_bulk()}); }
+
+/// Moves along x what lies beyond `x` at the start.
+void part(Snapshot& now, double x, double by) {
+  const auto dim = static_cast<std::size_t>(now.dim);
+  for (std::size_t i = 0; i < now.size(); ++i)
+    now.x[dim * i] = now.x0[dim * i] + (now.x0[dim * i] > x ? by : 0);
+}
+
+void look(Judge& judge, Snapshot& now, const Scene& scene, double time) {
+  now.time = time;
+  judge.look(now, balance(now, scene));
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("verdict: names go both ways, from best to worst") {
+    CHECK(name(Verdict::stable) == "stable");
+    CHECK(name(Verdict::diverged) == "diverged");
+    for (const Verdict each : {Verdict::stable, Verdict::hourglass, Verdict::fractured, Verdict::diverged}) {
+      CHECK(find_verdict(name(each)) == each);
+    }
+    CHECK_FALSE(find_verdict("broken"));
+    CHECK(Verdict::stable < Verdict::hourglass);
+    CHECK(Verdict::hourglass < Verdict::fractured);
+    CHECK(Verdict::fractured < Verdict::diverged);
+  }
+
+  TEST_CASE("judge: a zigzag is found, and no smooth bending however strong") {
+    const Scene scene = one_body(2);
+    const Snapshot start = lattice(2, 20, 10);
+    IndicatorGauge gauge(scene, start);
+    const auto verdict = [&](auto place) {
+      Snapshot now = start;
+      for (std::size_t i = 0; i < now.size(); ++i) place(i, now.x0[2 * i], now.x0[2 * i + 1], &now.x[2 * i]);
+      Judge judge(scene, start, support);
+      judge.look(now, balance(now, scene), gauge(now));
+      return judge.verdict();
+    };
+    for (const double amplitude : {0.025, 0.035}) {
+      CAPTURE(amplitude);
+      CHECK(verdict([&](std::size_t i, double, double, double* x) {
+              x[1] += (i % 2 ? amplitude : -amplitude) * dp;
+            }) == (amplitude > 0.03 ? Verdict::hourglass : Verdict::stable));
+    }
+    // to a half circle about (0, -H/2 - radius), the inner face pressed to 0.7 of its length and less
+    CHECK(verdict([&](std::size_t, double x0, double y0, double* x) {
+            const double radius = 2 * 1.9 / 3.14159265358979 / 2, angle = x0 / radius;
+            x[0] = (radius + y0 - 0.45) * std::sin(angle);
+            x[1] = (radius + y0 - 0.45) * std::cos(angle);
+          }) == Verdict::stable);
+  }
+
+  TEST_CASE("judge: a chain of particles breaks when a bond outgrows the support") {
+    const Scene scene = one_body(2);
+    Snapshot now = lattice(2, 6, 1);
+    Judge judge(scene, now, support);
+    CHECK(judge.pieces() == 1);
+    part(now, 2.5 * dp, 1.59 * dp);  // a bond of 2.59 dp
+    look(judge, now, scene, 1);
+    CHECK(judge.pieces() == 1);
+    CHECK(judge.verdict() == Verdict::stable);
+    CHECK(judge.since().empty());
+    part(now, 2.5 * dp, 1.61 * dp);
+    look(judge, now, scene, 2);
+    CHECK(judge.pieces() == 2);
+    CHECK(judge.verdict() == Verdict::fractured);
+    for (std::size_t i = 0; i < now.size(); ++i) now.x[2 * i] = 3 * now.x0[2 * i];
+    look(judge, now, scene, 3);
+    CHECK(judge.pieces() == 6);
+    CHECK(judge.since() == std::map<Verdict, double>{{Verdict::fractured, 2.0}});
+  }
+
+  TEST_CASE("judge: a bond holds to 2 dp however small the support") {
+    const Scene scene = one_body(2);
+    Snapshot now = lattice(2, 2, 1);
+    Judge judge(scene, now, 1.2 * dp);
+    part(now, 0, 0.99 * dp);
+    look(judge, now, scene, 1);
+    CHECK(judge.pieces() == 1);
+    part(now, 0, 1.01 * dp);
+    look(judge, now, scene, 2);
+    CHECK(judge.pieces() == 2);
+  }
+
+  TEST_CASE("judge: diagonals are bonds, the second row is not") {
+    const Scene scene = one_body(3);
+    const Snapshot corner = made_snapshot(3, {{0, 0, 0}, {dp, dp, 0}, {-dp, 0, -dp}});
+    CHECK(Judge(scene, corner, support).pieces() == 1);
+    CHECK(Judge(scene, lattice(3, 3, 3, 3), support).pieces() == 1);
+    CHECK(Judge(scene, made_snapshot(3, {{0, 0, 0}, {2 * dp, 0, 0}}), support).pieces() == 2);
+    CHECK(Judge(scene, made_snapshot(3, {{0, 0, 0}, {dp, dp, dp}}), support).pieces() == 2);  // √3 dp
+  }
+
+  TEST_CASE("judge: a body cut in half is a fracture, in 2D and 3D, wherever it lies") {
+    for (const int dim : {2, 3}) {
+      for (const double origin : {0.0, -7.77, 1234.5}) {
+        CAPTURE(dim);
+        CAPTURE(origin);
+        const Scene scene = one_body(dim);
+        Snapshot now = lattice(dim, 8, 5, dim == 3 ? 4 : 1);
+        for (double& x : now.x0) x += origin;
+        now.x = now.x0;
+        Judge judge(scene, now, support);
+        CHECK(judge.pieces() == 1);
+        part(now, origin + 3.5 * dp, 2 * dp);
+        look(judge, now, scene, 0.5);
+        CHECK(judge.pieces() == 2);
+        CHECK(judge.verdict() == Verdict::fractured);
+      }
+    }
+  }
+
+  TEST_CASE("judge: a cut that does not go through is a fracture where it is five particles deep") {
+    const Scene scene = one_body(2);
+    for (const int deep : {4, 5}) {
+      Snapshot now = lattice(2, 10, 10);
+      Judge judge(scene, now, support);
+      for (std::size_t i = 0; i < now.size(); ++i)
+        if (now.x0[2 * i] > 4.5 * dp && now.x0[2 * i + 1] > (9.5 - deep) * dp) now.x[2 * i] += 2 * dp;
+      look(judge, now, scene, 1);
+      CHECK(judge.pieces() == 1);
+      CHECK(judge.verdict() == (deep == 5 ? Verdict::fractured : Verdict::stable));
+    }
+  }
+
+  TEST_CASE("judge: a ring that is cut once is fractured, though it is one piece") {
+    std::vector<Point> places;
+    constexpr double turn = 6.283185307179586;
+    for (int k = 0; k < 120; ++k)
+      for (const double r : {19 * dp, 20 * dp})
+        places.push_back({r * std::cos(turn * (k + 0.5) / 120), r * std::sin(turn * (k + 0.5) / 120), 0});
+    const Scene scene = one_body(2);
+    Snapshot now = made_snapshot(2, places);
+    Judge judge(scene, now, support);
+    CHECK(judge.pieces() == 1);
+    for (std::size_t i = 0; i < now.size(); ++i)  // opens at (20 dp, 0) as a jaw does
+      if (now.x0[2 * i + 1] > 0) now.x[2 * i + 1] += 0.1 * (now.x0[2 * i] + 20 * dp);
+    look(judge, now, scene, 1);
+    CHECK(judge.pieces() == 1);
+    CHECK(judge.verdict() == Verdict::fractured);
+  }
+
+  TEST_CASE("judge: two bodies that touch at the start may part") {
+    const Scene scene = made_scene(2, dp, {unit_bulk(), unit_bulk()});
+    Snapshot now = lattice(2, 6, 4);
+    for (std::size_t i = 0; i < now.size(); ++i) now.body[i] = now.x0[2 * i] > 2.5 * dp;
+    Judge judge(scene, now, support);
+    CHECK(judge.pieces() == 2);
+    part(now, 2.5 * dp, 5);
+    look(judge, now, scene, 1);
+    CHECK(judge.pieces() == 2);
+    CHECK(judge.verdict() == Verdict::stable);
+  }
+
+  TEST_CASE("judge: a body of two parts may part further, but not break into three") {
+    const Scene scene = one_body(2);
+    Snapshot now = lattice(2, 9, 2);
+    part(now, 5.5 * dp, 3 * dp);
+    now.x0 = now.x;
+    Judge judge(scene, now, support);
+    CHECK(judge.pieces() == 2);
+    part(now, 7 * dp, 4);
+    look(judge, now, scene, 1);
+    CHECK(judge.verdict() == Verdict::stable);
+    part(now, 1.5 * dp, 4);
+    look(judge, now, scene, 2);
+    CHECK(judge.pieces() == 3);
+    CHECK(judge.verdict() == Verdict::fractured);
+  }
+
+  TEST_CASE("judge: what heals has been broken") {
+    const Scene scene = one_body(2);
+    Snapshot now = lattice(2, 6, 2);
+    Judge judge(scene, now, support);
+    for (const double time : {1.0, 3.0}) {
+      part(now, 2.5 * dp, 3 * dp);
+      look(judge, now, scene, time);
+      CHECK(judge.pieces() == 2);
+      part(now, 2.5 * dp, 0);
+      look(judge, now, scene, time + 1);
+      CHECK(judge.pieces() == 1);
+    }
+    CHECK(judge.verdict() == Verdict::fractured);
+    CHECK(judge.since().at(Verdict::fractured) == 1);
+  }
+
+  TEST_CASE("judge: energy above twice the start's is divergence, the worst verdict") {
+    const Scene scene = one_body(2);
+    Snapshot now = lattice(2, 6, 1);
+    now.v[0] = 1;
+    now.p[1] = 2;  // 0.5 J kinetic + 2 J strain
+    Judge judge(scene, now, support);
+    now.p[1] = std::sqrt(2 * 4.49);
+    look(judge, now, scene, 1);
+    CHECK(judge.verdict() == Verdict::stable);
+    now.p[1] = std::sqrt(2 * 4.51);
+    look(judge, now, scene, 2);
+    CHECK(judge.verdict() == Verdict::diverged);
+    look(judge, now, scene, 2.5);
+    now.p[1] = 0;
+    part(now, 2.5 * dp, 5 * dp);
+    look(judge, now, scene, 3);
+    CHECK(judge.verdict() == Verdict::diverged);
+    CHECK(judge.since() == std::map<Verdict, double>{{Verdict::fractured, 3.0}, {Verdict::diverged, 2.0}});
+  }
+
+  TEST_CASE("judge: a scene that starts without energy may gain some") {
+    const Scene scene = one_body(2);
+    Snapshot now = lattice(2, 6, 1);
+    Judge judge(scene, now, support);
+    now.v[0] = 1;
+    look(judge, now, scene, 1);
+    CHECK(judge.verdict() == Verdict::stable);
+  }
+
+  TEST_CASE("judge: the greatest work of drives so far counts as energy given") {
+    const Scene scene = one_body(2);
+    Snapshot now = lattice(2, 6, 1);
+    Judge judge(scene, now, support);
+    now.v[0] = 1;  // 0.5 J
+    now.work = 0.26;
+    look(judge, now, scene, 1);
+    CHECK(judge.verdict() == Verdict::stable);
+    now.work = -0.3;
+    look(judge, now, scene, 2);
+    CHECK(judge.verdict() == Verdict::stable);
+    now.v[0] = 1.03;  // 0.53 J
+    look(judge, now, scene, 3);
+    CHECK(judge.since() == std::map<Verdict, double>{{Verdict::diverged, 3.0}});
+  }
+
+  TEST_CASE("judge: a value that is not finite is divergence, wherever it stands") {
+    const Scene scene = one_body(2);
+    const Snapshot start = lattice(2, 6, 1);
+    const auto spoil = {&Snapshot::x, &Snapshot::v, &Snapshot::rho, &Snapshot::p, &Snapshot::s};
+    for (const double bad :
+         {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity()}) {
+      for (const auto member : spoil) {
+        if (member == &Snapshot::rho && std::isinf(bad)) continue;  // no volume: not a state a solver reaches
+        Judge judge(scene, start, support);
+        Snapshot now = start;
+        now.p.assign(now.size(), 1);
+        (now.*member)[3] = bad;
+        look(judge, now, scene, 4);
+        CHECK(judge.since() == std::map<Verdict, double>{{Verdict::diverged, 4.0}});
+      }
+    }
+  }
+}

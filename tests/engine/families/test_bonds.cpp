@@ -1,0 +1,368 @@
+// The set-up of oenog's bonds, its energy, and what follows from there being one.
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "engine/diagnostics/verdict.hpp"
+#include "engine/families/bonded/bonds.hpp"
+#include "engine/materials/neo_hookean.hpp"
+#include "engine/methods/formulation.hpp"
+#include "engine/terms/bond.hpp"
+#include "engine/terms/penalty_contact.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/runs.hpp"
+#include "tests/support/scenes.hpp"
+
+namespace {
+
+using namespace taut;
+using namespace taut::test;
+using doctest::Approx;
+
+Bonds bonds_of(const Scene& scene, const InitialParticles& layout) {
+  return make_bonds(scene, layout, oenog.h_over_dp * scene.spacing);
+}
+
+/// Σ_j w e_x^(4−k) e_y^k of one particle, for k = 0 … 4.
+std::array<double, 5> fourth_moments(const Bonds& bonds, int i) {
+  std::array<double, 5> sum{};
+  for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) {
+    const double r = std::hypot(bonds.X[b][0], bonds.X[b][1]);
+    const double ex = bonds.X[b][0] / r, ey = bonds.X[b][1] / r;
+    for (int k = 0; k <= 4; ++k) sum[k] += bonds.weight[b] * std::pow(ex, 4 - k) * std::pow(ey, k);
+  }
+  return sum;
+}
+
+using Gradient = Mat<double, 2>;
+
+Gradient gradient(double xx, double xy, double yx, double yy) { return {{{xx, xy}, {yx, yy}}}; }
+
+/// The directions and weights of a particle's bonds.
+struct Star {
+  std::vector<double> angle, weight;
+
+  Complex<double> harmonic(int n) const {
+    Complex<double> sum{};
+    for (std::size_t b = 0; b < angle.size(); ++b) {
+      sum.re += weight[b] * std::cos(n * angle[b]);
+      sum.im -= weight[b] * std::sin(n * angle[b]);
+    }
+    return sum;
+  }
+  Remainder<double> remainder(double K) const { return {K, 1, harmonic(6), harmonic(8)}; }
+
+  /// The energy of the bonds after a linear displacement, over G
+  double energy(const Gradient& F) const {
+    double sum = 0;
+    for (std::size_t b = 0; b < angle.size(); ++b) {
+      const double ex = std::cos(angle[b]), ey = std::sin(angle[b]);
+      const double x = F(0, 0) * ex + F(0, 1) * ey, y = F(1, 0) * ex + F(1, 1) * ey;
+      sum += weight[b] * bond_energy(x * x + y * y);
+    }
+    return sum;
+  }
+};
+
+/// Those of a square lattice, turned, and of a particle at the surface of a ring.
+Star lattice(double turned) {
+  Star star;
+  for (int k = 0; k < 8; ++k) star.angle.push_back(turned + k * std::numbers::pi / 4);
+  star.weight.assign(8, 1);
+  return star;
+}
+Star on_ring() {
+  const Scene scene = colliding_rings();
+  const InitialParticles layout = make_initial_particles(scene);
+  const Bonds bonds = bonds_of(scene, layout);
+  int i = 0;
+  while (i + 1 < layout.size() && std::hypot(layout.x[i][0] + 0.045, layout.x[i][1]) < 0.0392) ++i;
+  Star star;
+  for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) {
+    star.angle.push_back(std::atan2(bonds.X[b][1], bonds.X[b][0]));
+    star.weight.push_back(bonds.weight[b]);
+  }
+  return star;
+}
+
+/// The least stiffness, over that at rest, that the zigzags of a square lattice meet: columns or rows against
+/// each other, or all particles against their four nearest. F is the same at each particle, so that the bonds
+/// alone resist.
+double zigzag_stiffness(const Gradient& F) {
+  const auto least = [](const Gradient& H) {
+    double result = 1e300;
+    for (const auto& [px, py] : {std::pair{1, 0}, {0, 1}, {1, 1}}) {
+      double xx = 0, xy = 0, yy = 0;
+      for (int x = -1; x <= 1; ++x) {
+        for (int y = -1; y <= 1; ++y) {
+          if ((px * x + py * y) % 2 == 0) continue;  // the two move together
+          const double dx = H(0, 0) * x + H(0, 1) * y, dy = H(1, 0) * x + H(1, 1) * y;
+          const double r2 = x * x + y * y, s = (dx * dx + dy * dy) / r2, step = 1e-5;
+          const double slope = bond_slope(s), rise = (bond_slope(s + step) - bond_slope(s - step)) / step;
+          xx += slope / r2 + rise * dx * dx / (r2 * r2), yy += slope / r2 + rise * dy * dy / (r2 * r2);
+          xy += rise * dx * dy / (r2 * r2);
+        }
+      }
+      result = std::min(result, (xx + yy) / 2 - std::hypot((xx - yy) / 2, xy));
+    }
+    return result;
+  };
+  return least(F) / least(gradient(1, 0, 0, 1));
+}
+
+double total_energy(const Simulation& simulation, const Scene& scene) {
+  const Balance now = balance(simulation.snapshot(), scene);
+  return now.kinetic + now.strain;
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("bonds: moments are isotropic inside, at faces and on rings, and no weight is negative") {
+    for (const Scene& scene : {oscillating_plate(0.01), colliding_rings()}) {
+      const InitialParticles layout = make_initial_particles(scene);
+      const Bonds bonds = bonds_of(scene, layout);
+      int poor = 0;
+      for (int i = 0; i < layout.size(); ++i) {
+        if (layout.held[i]) continue;
+        const auto m = fourth_moments(bonds, i);
+        const bool good = std::abs(m[0] - 3) < 1e-9 && std::abs(m[1]) < 1e-9 && std::abs(m[2] - 1) < 1e-9 &&
+                          std::abs(m[3]) < 1e-9 && std::abs(m[4] - 3) < 1e-9;
+        poor += !good;
+      }
+      CAPTURE(scene.name);
+      CAPTURE(layout.size());
+      CHECK(poor <= (scene.name == "oscillating-plate" ? 2 : 0));  // the corners of the free end
+      for (double w : bonds.weight) CHECK_FALSE(w < 0);
+    }
+  }
+
+  TEST_CASE("bonds: the gradient of a linear field is exact at every particle") {
+    const Scene scene = small_clamped_plate();
+    const InitialParticles layout = make_initial_particles(scene);
+    const Bonds bonds = bonds_of(scene, layout);
+    for (int i = 0; i < layout.size(); ++i) {
+      if (layout.held[i]) continue;
+      double gx = 0, gy = 0;
+      for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) {
+        const double df = 3 * bonds.X[b][0] - 7 * bonds.X[b][1];
+        gx += df * bonds.gradient[b][0];
+        gy += df * bonds.gradient[b][1];
+      }
+      CHECK(gx == Approx(3).epsilon(1e-10));
+      CHECK(gy == Approx(-7).epsilon(1e-10));
+    }
+  }
+
+  TEST_CASE("bonds: those into a clamp end at its face, and what is held has none") {
+    const Scene scene = small_clamped_plate();
+    const InitialParticles layout = make_initial_particles(scene);
+    const Bonds bonds = bonds_of(scene, layout);
+    int ends = 0;
+    for (int i = 0; i < layout.size(); ++i) {
+      if (layout.held[i]) CHECK(bonds.begin[i] == bonds.begin[i + 1]);
+      for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) {
+        if (!layout.held[bonds.j[b]]) continue;
+        ++ends;
+        CHECK(std::abs(layout.x[i][0] + bonds.X[b][0]) < 1e-9 * scene.spacing);
+      }
+    }
+    CHECK(ends == 3 * 5 - 2);  // of the five rows; the outermost have two
+  }
+
+  TEST_CASE("bonds: the volumes add up to the body, and integrate y² better than those of the lattice") {
+    Scene scene = small_clamped_plate();
+    scene.bodies.pop_back();
+    scene.bodies[0].held = {};
+    const InitialParticles layout = make_initial_particles(scene);
+    const Bonds bonds = bonds_of(scene, layout);
+    double exact = 0, lattice = 0, corrected = 0, V0 = 0, V = 0;
+    for (int i = 0; i < layout.size(); ++i) {
+      if (std::abs(layout.x[i][0] - 0.006) > 0.005) continue;  // whole columns
+      const double y2 = layout.x[i][1] * layout.x[i][1], dp2 = scene.spacing * scene.spacing;
+      lattice += layout.V0[i] * y2;
+      corrected += bonds.volume[i] * y2;
+      exact += layout.V0[i] * (y2 + dp2 / 12);
+      V0 += layout.V0[i], V += bonds.volume[i];
+    }
+    CHECK(V == relative(V0, 1e-12));
+    CHECK(std::abs(corrected - exact) < 0.4 * std::abs(lattice - exact));  // five rows: 0.3; ten: 0.15
+  }
+}
+
+TEST_SUITE("term") {
+  TEST_CASE("bond: the slopes are those of the energies, and rise") {
+    constexpr double step = 1e-6;
+    const auto energy = [](double lambda) { return bond_energy(lambda * lambda); };
+    const auto slope = [](double lambda) { return lambda * bond_slope(lambda * lambda); };
+    for (double a : {0.4, 0.7, 0.95, 1.1, 1.6, 2.5}) {
+      CAPTURE(a);
+      CHECK((energy(a + step) - energy(a - step)) / (2 * step) == Approx(slope(a)).epsilon(1e-6));
+      CHECK((slope(a + step) - slope(a - step)) / (2 * step) == Approx(bond_stiffness(a * a)).epsilon(1e-6));
+      CHECK(bond_stiffness(a * a) > 0.9);
+    }
+    CHECK(std::abs(slope(1.0)) < 1e-16);
+    const auto rest = on_ring().remainder(4.6);
+    for (const Gradient& F :
+         {gradient(1, 0, 0, 1), gradient(1.3, 0.2, -0.4, 0.9), gradient(0.2, 0.8, -0.7, 0.1),
+          gradient(0.5, 0.1, 0, 0.4), gradient(0.3, 0.2, 0.5, -0.2)}) {  // the last two: J = 0.2, −0.16
+      const Gradient P = rest.piola(F);
+      for (int a = 0; a < 2; ++a) {
+        for (int k = 0; k < 2; ++k) {
+          Gradient above = F, below = F;
+          above(a, k) += step, below(a, k) -= step;
+          CHECK(std::abs((rest.energy(above) - rest.energy(below)) / (2 * step) - P(a, k)) < 1e-7);
+        }
+      }
+    }
+  }
+
+  TEST_CASE("bond: a linear displacement has the neo-Hookean energy and stress") {
+    constexpr double K = 4.6;  // over G: ν = 0.4
+    const NeoHookean law{K, 1};
+    const auto missed = [&](const Star& star, const Gradient& F) {
+      return star.energy(F) + star.remainder(K).energy(F) - law.energy(F, determinant(F));
+    };
+    for (const Gradient& F :
+         {gradient(1.2, 0.1, -0.3, 0.9), gradient(0.75, 0, 0, 1), gradient(0.4, 0.9, -0.8, 0.5)})
+      for (const double turned : {0.0, 0.2, std::numbers::pi / 8})
+        CHECK(std::abs(missed(lattice(turned), F)) < 1e-6);
+    // P of the bonds is Σ w φ′/λ (F e) ⊗ e, as that of their energy
+    const Gradient F = gradient(1.2, 0.1, -0.3, 0.9);
+    const Star star = lattice(0.2);
+    Gradient P = star.remainder(K).piola(F);
+    for (std::size_t b = 0; b < star.angle.size(); ++b) {
+      const double ex = std::cos(star.angle[b]), ey = std::sin(star.angle[b]);
+      const double x = F(0, 0) * ex + F(0, 1) * ey, y = F(1, 0) * ex + F(1, 1) * ey;
+      const double pull = star.weight[b] * bond_slope(x * x + y * y);
+      P(0, 0) += pull * x * ex, P(0, 1) += pull * x * ey, P(1, 0) += pull * y * ex, P(1, 1) += pull * y * ey;
+    }
+    const Gradient exact = law.piola(F, determinant(F));
+    for (int a = 0; a < 2; ++a)
+      for (int k = 0; k < 2; ++k) CHECK(std::abs(P(a, k) - exact(a, k)) < 1e-5);
+    // what is left out is of the eighth power of the strain on the lattice, of the fifth on any other layout
+    const auto strained = [](double e) { return gradient(1 + e, 0, 0, 1 - e); };
+    CHECK(missed(lattice(0), strained(0.4)) / missed(lattice(0), strained(0.2)) == Approx(256).epsilon(0.3));
+    const Star irregular = on_ring();
+    REQUIRE(std::abs(missed(irregular, strained(0.1))) > 1e-9);
+    CHECK(missed(irregular, strained(0.1)) / missed(irregular, strained(0.05)) == Approx(32).epsilon(0.3));
+  }
+
+  TEST_CASE("bond: four particles at once have what each has alone, below J = 1/2 too") {
+    const auto one = on_ring().remainder(4.6);
+    const auto all = [](double v) { return filled<Pack>(v); };
+    const Remainder<Pack> four{
+        all(one.K), all(one.G), {all(one.Z6.re), all(one.Z6.im)}, {all(one.Z8.re), all(one.Z8.im)}};
+    const std::array<Gradient, 4> alone{gradient(1.3, 0.2, -0.4, 0.9), gradient(0.5, 0, 0, 1),
+                                        gradient(0.5, 0.1, 0, 0.4), gradient(0.3, 0.2, 0.5, -0.2)};
+    Mat<Pack, 2> F;
+    for (int lane = 0; lane < 4; ++lane)
+      for (int a = 0; a < 2; ++a)
+        for (int k = 0; k < 2; ++k) F(a, k)[lane] = alone[lane](a, k);
+    const Mat<Pack, 2> P = four.piola(F);
+    const Pack energy = four.energy(F);
+    for (int lane = 0; lane < 4; ++lane) {
+      CHECK(std::abs(energy[lane] - one.energy(alone[lane])) < 1e-13);
+      const Gradient expected = one.piola(alone[lane]);
+      for (int a = 0; a < 2; ++a)
+        for (int k = 0; k < 2; ++k) CHECK(std::abs(P(a, k)[lane] - expected(a, k)) < 1e-12);
+    }
+  }
+
+  TEST_CASE("bond: zigzags of a square lattice are resisted from 0.72 on all sides to a pull of 1.9") {
+    for (const double lambda : {1.0, 1.2, 1.5, 1.9})
+      CHECK(zigzag_stiffness(gradient(lambda, 0, 0, std::pow(lambda, -0.9))) > 0.3);
+    for (const double lambda : {0.9, 0.8, 0.72}) {
+      CHECK(zigzag_stiffness(gradient(lambda, 0, 0, lambda)) > 0);
+      CHECK(zigzag_stiffness(gradient(lambda, 0, 0, 1)) > 0);
+    }
+    CHECK(zigzag_stiffness(gradient(0.65, 0, 0, 0.65)) < 0);
+    CHECK(zigzag_stiffness(gradient(0.65, 0, 0, 1)) > 0);
+    CHECK(zigzag_stiffness(gradient(0.62, 0, 0, 1)) < 0);
+  }
+
+  TEST_CASE("penalty contact: none from one spacing on, and the slope of its energy") {
+    CHECK(penalty_force(0.001, 0.001, 1e7, 2) == 0);
+    CHECK(penalty_force(0.0011, 0.001, 1e7, 2) == 0);
+    constexpr double step = 1e-8;
+    for (int dim : {2, 3}) {
+      const auto energy = [&](double r) { return penalty_energy(r, 0.001, 1e7, dim); };
+      CHECK((energy(0.0007 - step) - energy(0.0007 + step)) / (2 * step) ==
+            Approx(penalty_force(0.0007, 0.001, 1e7, dim)));
+    }
+  }
+}
+
+TEST_SUITE("conservation") {
+  TEST_CASE("oenog keeps linear and angular momentum to round-off, and the energy") {
+    const Scene scene = colliding_rings(0.06, 0.002);
+    Settings undamped = with_method("oenog");
+    undamped.constants["damping"] = 0;
+    const auto simulation = make_simulation(scene, undamped);
+    const double start = total_energy(*simulation, scene);
+    double least_kinetic = start;
+    for (int k = 1; k <= 24; ++k) {
+      simulation->advance_to(0.0005 * k);
+      const Balance now = balance(simulation->snapshot(), scene);
+      least_kinetic = std::min(least_kinetic, now.kinetic);
+      CHECK(std::abs(now.linear_momentum[0]) < 1e-12 * now.momentum_scale);
+      CHECK(std::abs(now.linear_momentum[1]) < 1e-12 * now.momentum_scale);
+      CHECK(std::abs(now.angular_momentum[2]) < 1e-12 * now.angular_scale);
+      CHECK(total_energy(*simulation, scene) == Approx(start).epsilon(2e-3));
+    }
+    CHECK(least_kinetic < 0.3 * start);  // most of it was elastic in between
+  }
+
+  TEST_CASE("oenog keeps the angular momentum of a plate that turns fast, and the plate") {
+    const Scene scene = rotating_plate(0.3);
+    Settings undamped = with_method("oenog");
+    undamped.constants["damping"] = 0;
+    const auto simulation = make_simulation(scene, undamped);
+    const Balance start = balance(simulation->snapshot(), scene);
+    REQUIRE(std::abs(start.angular_momentum[2]) > 0.5 * start.angular_scale);
+    simulation->advance_to(scene.until);
+    const Balance end = balance(simulation->snapshot(), scene);
+    CHECK(end.angular_momentum[2] == Approx(start.angular_momentum[2]).epsilon(1e-11));
+    CHECK(end.kinetic + end.strain == Approx(start.kinetic + start.strain).epsilon(2e-3));
+  }
+}
+
+TEST_SUITE("failure") {
+  TEST_CASE("rings: oenog neither fractures nor diverges at twice the speed that oas does not survive") {
+    const Scene scene = colliding_rings(0.12, 0.002);
+    const auto simulation = make_simulation(scene, with_method("oenog"));
+    Judge judge(scene, simulation->snapshot(), simulation->support());
+    for (int k = 1; k <= 24; ++k) {
+      simulation->advance_to(0.0005 * k);
+      judge.look(simulation->snapshot(), balance(simulation->snapshot(), scene));
+    }
+    CHECK(judge.verdict() == Verdict::stable);
+  }
+}
+
+TEST_SUITE("convergence") {
+  TEST_CASE("plate: the period of oenog comes nearer to the neo-Hookean reference with the spacing") {
+    constexpr double reference = 0.25522;  // s, finite elements, neo-Hookean, v_f = 0.001
+    std::array<double, 2> error{};
+    for (int k = 0; k < 2; ++k) {
+      Scene scene = oscillating_plate(0.001, 5 << k);
+      Measure period;
+      period.kind = Measure::Kind::period;
+      period.probes = {scene.probes[0].name};
+      scene.measures = {period};
+      const auto simulation = make_simulation(scene, with_method("oenog"));
+      simulation->advance_to(0.28);
+      const auto result = measure(scene, simulation->series(), "neo_hookean");
+      REQUIRE(result[0].value);
+      error[k] = *result[0].value / reference - 1;
+    }
+    CHECK(error[1] < 0.003);
+    CHECK(error[0] > 0);
+    CHECK(std::log2(error[0] / error[1]) > 1.7);  // second order, clamp and faces included
+  }
+}

@@ -1,0 +1,170 @@
+// oenog against its formulas written down plainly, and what an energy of the positions promises.
+
+#include <cmath>
+#include <numbers>
+
+#include <doctest/doctest.h>
+
+#include "engine/methods/formulation.hpp"
+#include "tests/engine/families/naive_oenog.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/runs.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace taut;
+using namespace taut::test;
+
+namespace {
+
+constexpr double damping = 0.01;  // the default
+
+/// A shaken plate held at its left end, its right half of a softer, lighter material.
+Scene clamped_plate_of_two_materials() {
+  Scene scene = small_clamped_plate();
+  scene.bodies.pop_back();
+  scene.materials.push_back({"soft", /*ρ0*/ 900, /*E*/ 4e6, /*ν*/ 0.3});
+  scene.bodies[0].parts = {{1, [](const Point& x) { return x[0] > 0.008 ? 1.0 : 0.0; }}};
+  return scene;
+}
+
+Scene ring_alone() {
+  Scene scene = small_collision();
+  scene.bodies.pop_back();
+  return scene;
+}
+
+}  // namespace
+
+TEST_SUITE("reference") {
+  TEST_CASE("oenog: 40 steps are those of the formulas, with a clamp, two materials and on a ring") {
+    for (const Scene& scene : {clamped_plate_of_two_materials(), ring_alone()}) {
+      CAPTURE(scene.name);
+      NaiveOenog naive(scene, oenog.h_over_dp);
+      for (int step = 0; step < 40; ++step) naive.step(oenog.cfl, damping);
+      const Snapshot now = state_after(40, scene, with_method("oenog"));
+      double difference = 0, fastest = 0, moved = 0;
+      for (int i = 0; i < naive.size(); ++i) {
+        for (int k = 0; k < 2; ++k) {
+          difference = std::max(difference, std::abs(naive.v[i][k] - now.v[2 * i + k]));
+          fastest = std::max(fastest, std::abs(now.v[2 * i + k]));
+          moved = std::max(moved, std::abs(now.x[2 * i + k] - now.x0[2 * i + k]));
+        }
+      }
+      CHECK(difference < 1e-10 * fastest);
+      CHECK(moved > 0.3 * scene.spacing);
+      double energy = 0;
+      for (const double e : now.strain_energy) energy += e;
+      CHECK(energy == relative(naive.energy(naive.x), 1e-9));
+    }
+  }
+
+  TEST_CASE("oenog: the forces are minus the slopes of the energy") {
+    const Scene scene = clamped_plate_of_two_materials();
+    NaiveOenog naive(scene, oenog.h_over_dp);
+    for (int step = 0; step < 40; ++step) naive.step(oenog.cfl, damping);
+    const auto force = naive.force(naive.x);
+    double greatest = 0, difference = 0;
+    for (int i = 0; i < naive.size(); ++i) {
+      for (int k = 0; k < 2 && !naive.held(i); ++k) {
+        auto there = naive.x;
+        const double step = 1e-5 * scene.spacing;
+        there[i][k] += step;
+        const double above = naive.energy(there);
+        there[i][k] -= 2 * step;
+        const double slope = (above - naive.energy(there)) / (2 * step);
+        difference = std::max(difference, std::abs(slope + force[i][k]));
+        greatest = std::max(greatest, std::abs(slope));
+      }
+    }
+    CHECK(greatest > 0);
+    CHECK(difference < 1e-6 * greatest);
+  }
+}
+
+TEST_SUITE("term") {
+  TEST_CASE("oenog: a strained body that is turned keeps its energy, and its forces turn with it") {
+    const Scene scene = ring_alone();
+    NaiveOenog naive(scene, oenog.h_over_dp);
+    for (int step = 0; step < 40; ++step) naive.step(oenog.cfl, damping);
+    const double c = std::cos(2.1), s = std::sin(2.1);
+    const auto turned = [&](const NaiveOenog::Places& a) {
+      NaiveOenog::Places out;
+      for (const auto& p : a) out.push_back({c * p[0] - s * p[1], s * p[0] + c * p[1]});
+      return out;
+    };
+    REQUIRE(naive.energy(naive.x) > 0);
+    CHECK(naive.energy(turned(naive.x)) == relative(naive.energy(naive.x), 1e-10));
+    const auto after = naive.force(turned(naive.x)), before = turned(naive.force(naive.x));
+    double difference = 0, greatest = 0;
+    for (int i = 0; i < naive.size(); ++i)
+      for (int k = 0; k < 2; ++k) {
+        difference = std::max(difference, std::abs(after[i][k] - before[i][k]));
+        greatest = std::max(greatest, std::abs(after[i][k]));
+      }
+    CHECK(difference < 1e-10 * greatest);
+  }
+}
+
+TEST_SUITE("conservation") {
+  TEST_CASE("oenog: a body of two materials keeps its momenta and its energy") {
+    Scene scene = rotating_plate(0.2);
+    scene.materials.push_back({"soft", /*ρ0*/ 900, /*E*/ 4e6, /*ν*/ 0.3});
+    scene.bodies[0].parts = {{1, [](const Point& x) { return x[1] > 0.002 ? 1.0 : 0.0; }}};
+    Settings undamped = with_method("oenog");
+    undamped.constants["damping"] = 0;
+    const auto simulation = make_simulation(scene, undamped);
+    const Balance before = balance(simulation->snapshot(), scene);
+    make_steps(*simulation, 300);
+    const Balance after = balance(simulation->snapshot(), scene);
+    CHECK(after.angular_momentum[2] == relative(before.angular_momentum[2], 1e-12));
+    CHECK(std::abs(after.linear_momentum[0] - before.linear_momentum[0]) < 1e-12 * before.momentum_scale);
+    CHECK(after.kinetic + after.strain == relative(before.kinetic, 2e-3));
+    CHECK(after.strain > 0.01 * before.kinetic);
+  }
+}
+
+TEST_SUITE("term") {
+  TEST_CASE("oenog: the damping takes a zigzag away and leaves the first mode alone") {
+    Scene zigzag = rotating_plate(0);
+    const double c0 = ring_rubber().sound_speed(), dp = zigzag.spacing;
+    const auto parity = [dp](double x) { return std::lround(std::floor(x / dp)) % 2 == 0 ? 1.0 : -1.0; };
+    zigzag.bodies[0].velocity[0] = [=](const Point& x) { return 1e-3 * c0 * parity(x[1]); };
+    zigzag.bodies[0].velocity[1] = [=](const Point&) { return 0.0; };
+    // what is left of the energy at `from` later on
+    const auto kept = [](const Scene& scene, double from, double to, double damping) {
+      Settings settings = with_method("oenog");
+      settings.constants["damping"] = damping;
+      const auto simulation = make_simulation(scene, settings);
+      const auto energy_at = [&](double t) {
+        simulation->advance_to(t);
+        const Balance now = balance(simulation->snapshot(), scene);
+        return now.kinetic + now.strain;
+      };
+      const double start = energy_at(from);
+      return energy_at(to) / start;
+    };
+    const double shear_speed = std::sqrt(ring_rubber().shear_modulus() / ring_rubber().density);
+    const double period = std::numbers::pi * dp / shear_speed;  // of rows against each other: ω = 2 c_s/dp
+    CHECK(kept(zigzag, 0, 18 * period, 0) > 0.95);
+    CHECK(kept(zigzag, 0, 18 * period, damping) < 0.12);
+    // after a period, in which what the first mode does not take of the start is damped
+    const Scene plate = oscillating_plate(0.001, 5);
+    CHECK(kept(plate, 0.25, 0.5, damping) > 0.999);
+    CHECK(kept(plate, 0.25, 0.5, damping) < 1);
+  }
+}
+
+TEST_SUITE("determinism") {
+  TEST_CASE("oenog: two rings stay mirror images of each other to the last bit") {
+    const Scene scene = colliding_rings(0.06, 0.002);
+    const auto simulation = make_simulation(scene, with_method("oenog"));
+    simulation->advance_to(0.008);
+    const Snapshot& now = simulation->snapshot();
+    const std::size_t n = now.m.size() / 2;
+    int different = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      different += now.x[2 * i] != -now.x[2 * (i + n)] || now.x[2 * i + 1] != now.x[2 * (i + n) + 1];
+    CHECK(different == 0);
+    CHECK(now.strain_energy[0] > 0);
+  }
+}

@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "engine/scene/initial_particles.hpp"
+#include "tests/engine/families/naive_cauchy.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/runs.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace taut;
+using namespace taut::test;
+
+namespace {
+
+constexpr double agreement = 1e-10;  // of the greatest magnitude of each field
+
+const char* const ladder[] = {"ulsph-av-as-uncorrected",
+                              "ulsph-av-as",
+                              "d-ulsph-av-as",
+                              "d-ulsph-av-tic",
+                              "d-ulsph-r-as",
+                              "ulsph-r-tic",
+                              "d-ulsph-r-tic"};
+const char* const current_configuration[] = {"ccb", "ccbwat"};
+
+/// A clamped plate of two materials, shaken, and a disc that hits it beside its clamp.
+Scene two_materials() {
+  Scene scene = small_clamped_plate();
+  Material stiff = scene.materials[0];
+  stiff.name = "stiff";
+  stiff.density *= 1.5;
+  stiff.youngs_modulus *= 3;
+  scene.materials.push_back(stiff);
+  scene.bodies[0].shapes = {Box{{0, -0.0035, 0}, {0.014, 0.0035, 0}},
+                            Box{{-0.004, -0.0035, 0}, {0, 0.0035, 0}}};
+  scene.bodies[0].parts = {{1, [](const Point& x) { return x[1] > 0 && x[0] > 0.004 ? 1.0 : 0.0; }}};
+  scene.bodies[1].shapes = {Disc{{0.0003, 0.0068, 0}, 0.003}};
+  return scene;
+}
+
+naive_cauchy::Run naive_run(const Scene& scene, const std::string& method, int steps,
+                            double riemann_factor = 1, double geometry = 0.5) {
+  double c0 = 0;
+  for (const Material& material : scene.materials) c0 = std::max(c0, material.sound_speed());
+  naive_cauchy::Run run(naive_cauchy::method_named(method), scene.spacing, c0);
+  run.riemann_factor = riemann_factor;
+  run.geometry = geometry;
+  const InitialParticles layout = make_initial_particles(scene);
+  for (int i = 0; i < layout.size(); ++i) {
+    const Material& material = scene.materials[layout.material[i]];
+    naive_cauchy::Particle a;
+    for (int k = 0; k < 2; ++k) a.r[k] = layout.x[i][k], a.u[k] = layout.v[i][k];
+    a.material = {material.density, material.bulk_modulus(), material.shear_modulus()};
+    a.m = material.density * layout.V0[i];
+    a.rho = material.density;
+    a.body = layout.body[i];
+    a.of_material = layout.material[i];
+    a.held = layout.held[i];
+    run.particles.push_back(a);
+  }
+  for (int k = 0; k < steps; ++k) run.step();
+  return run;
+}
+
+void check_field(const std::string& field, const std::vector<double>& engine,
+                 const std::vector<double>& expected) {
+  CAPTURE(field);
+  REQUIRE(engine.size() == expected.size());
+  double greatest = 0, difference = 0;
+  for (std::size_t k = 0; k < engine.size(); ++k) {
+    greatest = std::max(greatest, std::abs(expected[k]));
+    difference = std::max(difference, std::abs(engine[k] - expected[k]));
+  }
+  CHECK(greatest > 0);
+  CHECK(difference <= agreement * greatest);
+}
+
+void check_agreement(const Snapshot& engine, const naive_cauchy::Run& run) {
+  std::vector<double> x, v, rho, p, s;
+  for (const naive_cauchy::Particle& a : run.particles) {
+    x.insert(x.end(), a.r.begin(), a.r.end());
+    v.insert(v.end(), a.u.begin(), a.u.end());
+    rho.push_back(a.rho);
+    p.push_back(a.p());
+    s.insert(s.end(), {a.S[0][0], a.S[0][1], a.S[1][1], -a.S[0][0] - a.S[1][1]});
+  }
+  CHECK(engine.time == relative(run.time, 1e-12));
+  check_field("x", engine.x, x);
+  check_field("v", engine.v, v);
+  check_field("rho", engine.rho, rho);
+  check_field("p", engine.p, p);
+  check_field("s", engine.s, s);
+}
+
+/// Every term that the method has did something.
+void check_active(const naive_cauchy::Counts& counts, const std::string& name) {
+  const naive_cauchy::Method is = naive_cauchy::method_named(name);
+  CHECK(counts.contacts > 20);
+  CHECK(counts.tension > 100);
+  CHECK(counts.compression > 100);
+  CHECK((counts.viscous > 1000) == (is.av || is.riemann));
+  CHECK((counts.diffused > 1000) == is.delta);
+  CHECK((counts.inner > 100) == is.tic);
+  CHECK((counts.outer > 100) == is.tic);
+}
+
+void check_method(const Scene& scene, const std::string& method, int steps) {
+  CAPTURE(method);
+  const naive_cauchy::Run run = naive_run(scene, method, steps);
+  check_active(run.counts, method);
+  check_agreement(state_after(steps, scene, with_method(method)), run);
+}
+
+}  // namespace
+
+TEST_SUITE("reference") {
+  TEST_CASE("naive: the ladder, a clamped plate of two materials and a disc that hits it") {
+    for (const char* method : ladder) check_method(two_materials(), method, 20);
+  }
+  TEST_CASE("naive: the ladder, a ring and a disc that collide") {
+    for (const char* method : ladder) check_method(small_collision(), method, 16);
+  }
+  TEST_CASE("naive: the current configuration, a clamped plate of two materials and a disc that hits it") {
+    for (const char* method : current_configuration) check_method(two_materials(), method, 25);
+  }
+  TEST_CASE("naive: the Riemann term as printed, with twice the dissipation") {
+    const Scene scene = two_materials();
+    Settings settings = with_method("d-ulsph-r-tic");
+    settings.constants["riemann_factor"] = 2;
+    const Snapshot engine = state_after(16, scene, settings);
+    check_agreement(engine, naive_run(scene, "d-ulsph-r-tic", 16, 2));
+    CHECK(engine.v != state_after(16, scene, with_method("d-ulsph-r-tic")).v);
+  }
+  TEST_CASE("naive: the velocity gradient where the step starts, as printed") {
+    const Scene scene = two_materials();
+    Settings settings = with_method("d-ulsph-r-tic");
+    settings.constants["geometry"] = 0;
+    const Snapshot engine = state_after(16, scene, settings);
+    check_agreement(engine, naive_run(scene, "d-ulsph-r-tic", 16, 1, 0));
+    CHECK(engine.v != state_after(16, scene, with_method("d-ulsph-r-tic")).v);
+  }
+}

@@ -1,0 +1,225 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "engine/error.hpp"
+#include "engine/terms/impulse_contact.hpp"
+#include "engine/terms/penalty_contact.hpp"
+#include "tests/support/runs.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace taut;
+using namespace taut::test;
+using doctest::Approx;
+
+namespace {
+
+constexpr double round_off = 1e-13;  // of the scale, over all steps
+constexpr double dp = 0.001;         // m
+
+/// Two particles `gap` spacings apart along x, the second `stiffer` times as stiff; each is a body.
+Scene two_particles(double gap, double speed) {
+  Scene scene;
+  scene.name = "two-particles";
+  scene.spacing = dp;
+  scene.materials = {ring_rubber()};
+  for (const double side : {-1.0, 1.0}) {
+    Body particle;
+    particle.name = side < 0 ? "left" : "right";
+    const double x = 0.5 * side * gap * dp;
+    particle.shapes = {Box{{x - 0.5 * dp, -0.5 * dp, 0}, {x + 0.5 * dp, 0.5 * dp, 0}}};
+    particle.velocity[0] = constant(-side * speed);
+    scene.bodies.push_back(particle);
+  }
+  return scene;
+}
+
+double total_energy(const Simulation& simulation, const Scene& scene) {
+  const Balance now = balance(simulation.snapshot(), scene);
+  return now.kinetic + now.strain;
+}
+
+double linear_change(const Balance& before, const Balance& after) {
+  return std::hypot(after.linear_momentum[0] - before.linear_momentum[0],
+                    after.linear_momentum[1] - before.linear_momentum[1]) /
+         before.momentum_scale;
+}
+
+/// Mean velocity of the first body over the one at the start, along x.
+double kept_speed(const Snapshot& start, const Snapshot& end) {
+  double before = 0, after = 0;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    if (start.body[i] != 0) continue;
+    before += start.m[i] * start.v[2 * i];
+    after += end.m[i] * end.v[2 * i];
+  }
+  return after / before;
+}
+
+}  // namespace
+
+TEST_SUITE("term") {
+  TEST_CASE("impulse contact: stops the approach of a pair, nothing else") {
+    const double m_i = 2, m_j = 3, closing = 7;
+    const double impulse = stopping_impulse(closing, 1 / m_i, 1 / m_j);
+    CHECK(closing - impulse * (1 / m_i + 1 / m_j) == Approx(0).epsilon(1e-14));
+    CHECK(impulse == Approx(m_i * m_j / (m_i + m_j) * closing));  // [Khayyer2024] Eq. 54
+    CHECK(stopping_impulse(-1e-9, 1 / m_i, 1 / m_j) == 0);
+    CHECK(stopping_impulse(closing, 1 / m_i, 0) == Approx(m_i * closing));  // the other one is held
+    CHECK(stopping_impulse(closing, 0, 0) == 0);
+    CHECK(stopping_impulse(closing, 0.3, 0.7) == stopping_impulse(closing, 0.7, 0.3));
+  }
+
+  TEST_CASE("penalty contact: the modulus of two materials") {
+    CHECK(contact_modulus(2e7, 2e7, 1) == 1e7);  // [TranDuc2023] after Eq. 2.13: K/2
+    CHECK(contact_modulus(1e7 / 3, 1e7 / 3, 2) == 1e7 / 3);
+    CHECK(contact_modulus(1e7, 3e7, 1) == Approx(0.75e7));
+    CHECK(contact_modulus(1.1e7, 3.7e7, 1) == contact_modulus(3.7e7, 1.1e7, 1));
+  }
+}
+
+TEST_SUITE("analytic") {
+  TEST_CASE("impulse contact: two particles touch from one spacing on and stop within one step") {
+    for (const char* method : {"og", "enog", "oenog"}) {
+      CAPTURE(std::string(method));
+      for (const double gap : {0.99, 1.4}) {
+        Scene scene = two_particles(gap, 1);
+        scene.contact = ContactLaw::impulse;
+        const Snapshot now = state_after(1, scene, with_method(method));
+        CHECK(now.v[0] == Approx(gap < 1 ? 0 : 1).epsilon(1e-12));
+        CHECK(now.v[2] == Approx(gap < 1 ? 0 : -1).epsilon(1e-12));
+      }
+    }
+  }
+
+  TEST_CASE("penalty contact: two particles swing as on a spring, and keep their energy") {
+    for (const char* method : {"og", "enog", "oenog"}) {
+      CAPTURE(std::string(method));
+      const double speed = 0.01 * ring_rubber().sound_speed();
+      Scene scene = two_particles(1, speed);
+      scene.contact = ContactLaw::penalty;
+      Settings settings = with_method(method);
+      settings.cfl = 0.01;
+      const double stiffness = std::string(method) == "oenog" ? 2 : 1;
+      const double k = stiffness * scene.materials[0].bulk_modulus() / 2;  // N/m per metre depth
+      const double m = scene.materials[0].density * dp * dp;
+      const double omega = std::sqrt(2 * k / m), quarter = 0.5 * 3.14159265358979 / omega;
+      const auto simulation = make_simulation(scene, settings);
+      const double start = total_energy(*simulation, scene);
+      simulation->advance_to(quarter);
+      const auto& x = simulation->snapshot().x;
+      CHECK(dp - (x[2] - x[0]) == Approx(2 * speed / omega).epsilon(1e-3));  // deepest
+      CHECK(balance(simulation->snapshot(), scene).kinetic < 1e-3 * start);
+      CHECK(total_energy(*simulation, scene) == Approx(start).epsilon(1e-4));
+      simulation->advance_to(2.2 * quarter);
+      CHECK(simulation->snapshot().v[0] == Approx(-speed).epsilon(1e-3));  // apart again
+      CHECK(total_energy(*simulation, scene) == Approx(start).epsilon(1e-4));
+    }
+  }
+}
+
+TEST_SUITE("conservation") {
+  TEST_CASE(
+      "contact: every law of every method stops two bodies and keeps their momentum as the method does") {
+    Scene scene = small_collision();
+    for (const MethodInfo& method : methods()) {
+      for (const ContactLaw law : method.contact_laws) {
+        CAPTURE(std::string(method.name));
+        CAPTURE(std::string(name(law)));
+        scene.contact = law;
+        const auto simulation = make_simulation(scene, with_method(std::string(method.name)));
+        const Snapshot start = simulation->snapshot();
+        // a thin ring in such a collision does not last for 200 of the long steps
+        make_steps(*simulation, method.cfl > 0.4 ? 80 : 200);
+        const Balance before = balance(start, scene), after = balance(simulation->snapshot(), scene);
+        if (method.conserves.starts_with("linear momentum"))
+          CHECK(linear_change(before, after) < round_off);
+        else
+          CHECK(linear_change(before, after) < 0.1);  // of the scale; 0.04
+        if (method.conserves.find("angular momentum") != std::string_view::npos)
+          CHECK(std::abs(after.angular_momentum[2] - before.angular_momentum[2]) <
+                round_off * before.angular_scale);
+        CHECK(kept_speed(start, simulation->snapshot()) < 0.7);
+        // nothing damps what ccb does in tension, nor the zigzags of pf
+        const double gain = method.name == "ccb" ? 1.08 : method.name == "pf" ? 3 : 1.003;
+        CHECK(after.kinetic + after.strain < gain * before.kinetic);
+      }
+    }
+  }
+}
+
+TEST_SUITE("conservation") {
+  TEST_CASE("impulse contact: faces pressed together do not creep into each other") {
+    const double speed = 0.06 * ring_rubber().sound_speed();
+    Scene scene = two_particles(1, speed);  // as two columns of 30 particles
+    scene.bodies[0].shapes = {Box{{-30 * dp, -0.5 * dp, 0}, {0, 0.5 * dp, 0}}};
+    scene.bodies[1].shapes = {Box{{0, -0.5 * dp, 0}, {30 * dp, 0.5 * dp, 0}}};
+    scene.contact = ContactLaw::impulse;
+    scene.probes = {make_probe("gap", Probe::Kind::gap, {0, 1})};
+    for (const char* method : {"enog", "oenog"}) {
+      CAPTURE(std::string(method));
+      const auto simulation = make_simulation(scene, with_method(method));
+      const Snapshot start = simulation->snapshot();
+      simulation->advance_to(100 * dp / ring_rubber().sound_speed());
+      const auto& gap = simulation->series().value[0];
+      CHECK(*std::ranges::min_element(gap) > -0.05 * dp);
+      CHECK(kept_speed(start, simulation->snapshot()) < -0.5);
+    }
+  }
+}
+
+TEST_SUITE("determinism") {
+  TEST_CASE("contact: threads and instruction set do not matter to any law") {
+    Scene scene = small_collision();
+    for (const char* method : {"oas", "oenog"}) {
+      for (const ContactLaw law : {ContactLaw::impulse, ContactLaw::penalty}) {
+        CAPTURE(std::string(method));
+        scene.contact = law;
+        Settings settings = with_method(method);
+        const Snapshot usual = state_after(60, scene, settings);
+        settings.threads = 3;
+        CHECK(state_after(60, scene, settings).x == usual.x);
+        settings.instruction_set = InstructionSet::baseline;
+        CHECK(state_after(60, scene, settings).x == usual.x);
+      }
+    }
+  }
+}
+
+TEST_SUITE("unit") {
+  TEST_CASE("contact: of two bodies that do not act as one, only those in touch act on each other") {
+    for (const MethodInfo& method : methods()) {
+      CAPTURE(std::string(method.name));
+      Scene scene = small_collision();
+      scene.contact = ContactLaw::penalty;
+      scene.bodies[1].velocity = {};
+      const auto velocities = [&](double centre) {
+        scene.bodies[1].shapes = {Disc{{centre, 0, 0}, 0.006}};
+        return state_after(10, scene, with_method(std::string(method.name))).v;
+      };
+      const std::vector<double> beside = velocities(0.0069);  // 2 spacings off: in the kernel's reach
+      const std::vector<double> alone = velocities(0.1);
+      double difference = 0;
+      for (std::size_t k = 0; k < alone.size(); ++k)
+        difference = std::max(difference, std::abs(beside[k] - alone[k]));
+      CHECK(difference < 1e-9 * scene.materials[0].sound_speed());
+    }
+  }
+
+  TEST_CASE("contact: a law that a method cannot run with is refused with the reason, before the run") {
+    Scene scene = small_collision();
+    scene.contact = ContactLaw::sph;
+    try {
+      make_simulation(scene, with_method("oenog"));
+      FAIL("nothing was thrown");
+    } catch (const SceneError& error) {
+      const std::string message = error.what();
+      CHECK(error.key == "contact");
+      for (const char* part : {"'oenog'", "'sph'", "neighbours of the start", "penalty, impulse"})
+        CHECK(message.find(part) != std::string::npos);
+    }
+  }
+}

@@ -1,0 +1,133 @@
+#include <cmath>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "tests/support/relative.hpp"
+#include "tests/support/runs.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace taut;
+using namespace taut::test;
+using doctest::Approx;
+
+namespace {
+
+/// Two discs of different size on a collision course, far enough apart to fly freely at first.
+Scene two_discs(double gap, double speed) {
+  const double dp = 0.001;
+  Scene scene;
+  scene.spacing = dp;
+  scene.materials = {ring_rubber()};
+  scene.bodies.resize(2);
+  scene.bodies[0].name = "still";
+  scene.bodies[0].shapes = {Box{{-0.006, -0.003, 0}, {0, 0.003, 0}}};
+  scene.bodies[1].name = "flying";
+  scene.bodies[1].shapes = {Box{{gap, -0.003, 0}, {gap + 0.004, 0.003, 0}}};
+  scene.bodies[1].velocity[0] = constant(-speed);
+  return scene;
+}
+
+Probe at_point(Probe::Kind kind, int body, const Point& at, int axis) {
+  Probe probe = make_probe("", kind, {body});
+  probe.at = at;
+  probe.axis = axis;
+  return probe;
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("probes: points, on a face and inside, of a body that flies without strain") {
+    const double speed = 3;
+    Scene scene = two_discs(0.01, speed);
+    const Point corner = {0.014, 0.003, 0}, inside = {0.0117, -0.0004, 0};
+    scene.probes = {
+        at_point(Probe::Kind::displacement, 1, corner, 0), at_point(Probe::Kind::position, 1, inside, 0),
+        at_point(Probe::Kind::position, 1, inside, 1),     at_point(Probe::Kind::distance, 1, corner, 0),
+        at_point(Probe::Kind::mean_velocity, 1, {}, 0),    at_point(Probe::Kind::mean_velocity, 0, {}, 0)};
+    scene.probes[3].to = inside;
+    const auto simulation = make_simulation(scene, with_method("enog"));
+    make_steps(*simulation, 40);
+    const Series& series = simulation->series();
+    REQUIRE(series.value.size() == scene.probes.size());
+    CHECK(series.time.size() == 41);
+    const double distance = std::hypot(corner[0] - inside[0], corner[1] - inside[1]);
+    for (std::size_t k = 0; k < series.time.size(); ++k) {
+      const double way = -speed * series.time[k];
+      CHECK(series.value[0][k] == Approx(way).scale(1e-6).epsilon(1e-9));
+      CHECK(series.value[1][k] == relative(inside[0] + way));
+      CHECK(series.value[2][k] == relative(inside[1]));
+      CHECK(series.value[3][k] == relative(distance));
+      CHECK(series.value[4][k] == relative(-speed));
+      CHECK(series.value[5][k] == 0);
+    }
+    CHECK(series.time.back() * speed > 0.0001);  // it did fly
+  }
+
+  TEST_CASE("probes: a point follows a linear field exactly") {
+    // v = ω × x in a first, tiny step: the displacement is ω dt × X wherever the point lies
+    Scene scene = rotating_plate(1e-6);
+    const Point at = {0.0093, 0.01, 0};
+    scene.probes = {at_point(Probe::Kind::displacement, 0, at, 0),
+                    at_point(Probe::Kind::displacement, 0, at, 1)};
+    const double omega = scene.bodies[0].velocity[1]({1, 0, 0});
+    const auto simulation = make_simulation(scene, with_method("enog"));
+    make_steps(*simulation, 1);
+    const double angle = omega * simulation->time();
+    CHECK(angle > 0);
+    CHECK(simulation->series().value[0][1] == relative(-angle * at[1], 1e-4));
+    CHECK(simulation->series().value[1][1] == relative(angle * at[0], 1e-4));
+  }
+
+  TEST_CASE("probes: a corner is where a linear field puts it, at the start to rounding") {
+    Scene scene = rotating_plate(1e-6);
+    const double half = 0.01;
+    for (const double x : {-half, half})
+      for (const double y : {-half, half})
+        for (const int axis : {0, 1})
+          scene.probes.push_back(at_point(Probe::Kind::position, 0, {x, y, 0}, axis));
+    const auto simulation = make_simulation(scene, with_method("oenog"));
+    for (std::size_t k = 0; k < scene.probes.size(); ++k)
+      CHECK(simulation->series().value[k][0] == relative(scene.probes[k].at[scene.probes[k].axis], 1e-13));
+    make_steps(*simulation, 1);
+    const double angle = scene.bodies[0].velocity[1]({1, 0, 0}) * simulation->time();
+    REQUIRE(angle > 1e-8);
+    for (std::size_t k = 0; k < scene.probes.size(); k += 2) {
+      const Point& at = scene.probes[k].at;
+      CHECK(simulation->series().value[k][1] - at[0] == relative(-angle * at[1], 1e-4));
+      CHECK(simulation->series().value[k + 1][1] - at[1] == relative(angle * at[0], 1e-4));
+    }
+  }
+
+  TEST_CASE("probes: the gap of two faces closes at their speed") {
+    const double speed = 10, start = 0.0012, dp = 0.001;
+    Scene scene = two_discs(start, speed);
+    scene.probes = {make_probe("gap", Probe::Kind::gap, {0, 1})};
+    const auto simulation = make_simulation(scene, with_method("enog"));
+    make_steps(*simulation, 200);
+    const Series& series = simulation->series();
+    CHECK(series.value[0][0] == relative(start));
+    double least = start;
+    for (const double gap : series.value[0]) least = std::min(least, gap);
+    CHECK(least < 0.5 * start);  // they met
+    CHECK(least > -0.5 * dp);    // and did not pass through each other
+  }
+
+  TEST_CASE("probes: out of reach the gap is as large as can be seen") {
+    Scene scene = two_discs(0.01, 0);
+    scene.probes = {make_probe("gap", Probe::Kind::gap, {0, 1})};
+    const auto simulation = make_simulation(scene, with_method("enog"));
+    CHECK(simulation->series().value[0][0] == relative(simulation->support() - scene.spacing));
+    CHECK(simulation->support() == relative(2 * 1.3 * scene.spacing));
+  }
+
+  TEST_CASE("probes: the asymmetry of two mirrored rings is rounding, of shifted ones the shift") {
+    Scene scene = colliding_rings(0.06, 0.0025);
+    Probe mirror = make_probe("mirror", Probe::Kind::mirror_asymmetry, {0, 1});
+    scene.probes = {mirror};
+    CHECK(make_simulation(scene, with_method("enog"))->series().value[0][0] < 1e-16);
+    scene.probes[0].at[0] = 0.0005;
+    CHECK(make_simulation(scene, with_method("enog"))->series().value[0][0] == relative(0.001));
+  }
+}

@@ -1,0 +1,188 @@
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "engine/core/archive.hpp"
+#include "engine/error.hpp"
+#include "tests/support/runs.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace taut;
+using namespace taut::test;
+
+namespace {
+
+/// Every kind of probe: some are only looked at when particles are sorted anew.
+void add_probes(Scene& scene) {
+  scene.probes = {make_probe("speed", Probe::Kind::mean_velocity),
+                  make_probe("gap", Probe::Kind::gap, {0, 1}),
+                  make_probe("asymmetry", Probe::Kind::mirror_asymmetry, {0, 0})};
+}
+
+/// Two bodies that hit each other; in the second scene one is held, loaded, and driven
+/// for half of the time, and all is pulled and damped.
+std::vector<Scene> watched_scenes() {
+  std::vector<Scene> scenes = {small_collision(), small_clamped_plate()};
+  for (Scene& scene : scenes) add_probes(scene);
+  const double speed = 0.05 * ring_rubber().sound_speed(), until = 60 * 2e-6;
+  Drive drive;
+  drive.where = [](const Point& x) { return x[0] > 0.014 ? 1.0 : 0.0; };
+  drive.velocity[1] = [=](double t) { return speed * std::cos(t / until); };
+  drive.until = 0.5 * until;
+  scenes.back().bodies[0].drives = {drive};
+  Load load;
+  load.where = [](const Point& x) { return x[0] > 0.01 ? 1.0 : 0.0; };
+  load.value[0] = [](const Point& x) { return 50 + 1000 * x[1]; };
+  load.ramp = [=](double t) { return std::min(1.0, 2 * t / until); };
+  scenes.back().bodies[0].loads = {load};
+  scenes.back().gravity[1] = [=](double t) { return -1000 * std::cos(t / until); };
+  scenes.back().damping = 500;
+  return scenes;
+}
+
+bool same_bytes(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+/// What users see of two simulations.
+void check_same(const Simulation& a, const Simulation& b) {
+  const Snapshot &x = a.snapshot(), &y = b.snapshot();
+  CHECK(x.time == y.time);
+  CHECK(x.step == y.step);
+  CHECK(x.contact_energy == y.contact_energy);
+  CHECK(x.work == y.work);
+  CHECK(x.damped == y.damped);
+  for (const auto member : {&Snapshot::x0, &Snapshot::x, &Snapshot::v, &Snapshot::m, &Snapshot::rho,
+                            &Snapshot::p, &Snapshot::s, &Snapshot::strain_energy, &Snapshot::diameter})
+    CHECK(same_bytes(x.*member, y.*member));
+  CHECK(a.pairs() == b.pairs());
+  CHECK(same_bytes(a.series().time, b.series().time));
+  REQUIRE(a.series().value.size() == b.series().value.size());
+  for (std::size_t k = 0; k < a.series().value.size(); ++k)
+    CHECK(same_bytes(a.series().value[k], b.series().value[k]));
+}
+
+/// Runs straight on, saving on the way; then each that was saved is taken up again and brought to the end.
+void check_restarts(const Scene& scene, const Settings& settings) {
+  constexpr std::array<int, 5> saved_at = {0, 1, 17, 31, 50};
+  constexpr int steps = 60;
+  const auto straight = make_simulation(scene, settings);
+  make_steps(*straight, steps);
+  const auto saving = make_simulation(scene, settings);
+  for (const int at : saved_at) {
+    make_steps(*saving, at - saving->steps());
+    const auto resumed = make_simulation(scene, settings);
+    make_steps(*resumed, 3);  // whatever it held before is replaced
+    resumed->load(saving->save());
+    CAPTURE(at);
+    check_same(*resumed, *saving);
+    make_steps(*resumed, steps - at);
+    check_same(*resumed, *straight);
+  }
+  make_steps(*saving, steps - saving->steps());
+  check_same(*saving, *straight);  // saving does not alter a run
+}
+
+template <class T>
+std::string bytes_of(T value) {
+  Saver saver;
+  saver(value);
+  return saver.take();
+}
+
+}  // namespace
+
+TEST_SUITE("restart") {
+  TEST_CASE("a simulation that was saved and loaded gives the same bytes: every method and contact law") {
+    for (Scene scene : watched_scenes()) {
+      for (const MethodInfo& method : methods()) {
+        for (const ContactLaw law : method.contact_laws) {
+          scene.contact = law;
+          CAPTURE(scene.name);
+          CAPTURE(method.name);
+          CAPTURE(name(law));
+          check_restarts(scene, with_method(std::string(method.name)));
+        }
+      }
+    }
+  }
+
+  TEST_CASE("what was saved with one set of instructions and threads goes on with another") {
+    for (const MethodInfo& method : methods()) {
+      CAPTURE(method.name);
+      Settings settings = with_method(std::string(method.name));
+      const Scene scene = watched_scenes()[0];
+      const auto straight = make_simulation(scene, settings);
+      make_steps(*straight, 12);
+      const std::string state = straight->save();
+      make_steps(*straight, 12);
+      settings.instruction_set = InstructionSet::baseline;
+      settings.threads = 2;
+      const auto resumed = make_simulation(scene, settings);
+      resumed->load(state);
+      make_steps(*resumed, 12);
+      check_same(*resumed, *straight);
+    }
+  }
+
+  TEST_CASE("a state of other particles or probes, cut short or with more behind it is refused") {
+    for (const MethodInfo& method : methods()) {
+      CAPTURE(method.name);
+      const Settings settings = with_method(std::string(method.name));
+      const Scene scene = watched_scenes()[0];
+      const auto simulation = make_simulation(scene, settings);
+      const std::string state = simulation->save();
+      CHECK_THROWS_AS(simulation->load(state.substr(0, state.size() - 1)), UsageError);
+      CHECK_THROWS_AS(simulation->load(state.substr(0, 100)), UsageError);
+      CHECK_THROWS_AS(simulation->load(""), UsageError);
+      CHECK_THROWS_AS(simulation->load(state + "x"), UsageError);
+      CHECK_THROWS_AS(make_simulation(watched_scenes()[1], settings)->load(state), UsageError);
+      Scene unwatched = scene;
+      unwatched.probes.clear();
+      CHECK_THROWS_AS(make_simulation(unwatched, settings)->load(state), UsageError);
+      simulation->load(state);
+    }
+  }
+
+  TEST_CASE("archive: values of every kind come back as they were") {
+    const std::map<int, double> map = {{3, 0.5}, {7, -1.0}};
+    const std::vector<bool> bits = {true, false, true, true};
+    std::vector<std::pair<int, std::string>> pairs = {{1, "one"}, {2, ""}};
+    std::optional<std::vector<double>> full = std::vector<double>{1, 2}, empty;
+    Saver saver;
+    auto copies = std::tuple(map, bits, pairs, full, empty);
+    std::apply([&](auto&... value) { saver(value...); }, copies);
+    const std::string bytes = saver.take();
+    // what the targets hold before must go
+    auto found = std::tuple(std::map<int, double>{{1, 1}}, std::vector<bool>(9), decltype(pairs)(5),
+                            std::optional<std::vector<double>>(), full);
+    Loader loader(bytes);
+    std::apply([&](auto&... value) { loader(value...); }, found);
+    loader.finish();
+    CHECK((found == std::tuple(map, bits, pairs, full, empty)));
+  }
+
+  TEST_CASE("archive: a length that cannot be is refused before memory is asked for") {
+    const std::string bytes = bytes_of<std::uint64_t>(1ULL << 60);
+    std::vector<double> values;
+    CHECK_THROWS_AS(Loader{bytes}(values), UsageError);
+    std::string text;
+    CHECK_THROWS_AS(Loader{bytes}(text), UsageError);
+  }
+
+  TEST_CASE("archive: what must match is checked") {
+    Saver saver;
+    saver.match(5);
+    const std::string bytes = saver.take();
+    Loader(bytes).match(5);
+    CHECK_THROWS_AS(Loader(bytes).match(6), UsageError);
+  }
+}

@@ -1,0 +1,171 @@
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <sys/resource.h>
+
+#include <doctest/doctest.h>
+
+#include "engine/error.hpp"
+#include "synthetic.hpp"
+
+using namespace taut;
+using namespace taut::render;
+using namespace taut::test;
+
+namespace {
+
+/// Every pixel of another colour, so that nothing can be swapped unnoticed.
+Image gradient(int width, int height) {
+  Image image(width, height);
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      image.set(column, row,
+                {static_cast<std::uint8_t>(column), static_cast<std::uint8_t>(row),
+                 static_cast<std::uint8_t>(7 * column + 13 * row)});
+    }
+  }
+  return image;
+}
+
+/// Noise, which no compression makes small.
+Image noise(int width, int height) {
+  Image image(width, height);
+  std::uint32_t state = 1;
+  for (std::uint8_t& byte : image.pixels)
+    byte = static_cast<std::uint8_t>((state = state * 1664525u + 1013904223u) >> 24);
+  return image;
+}
+
+/// The CRC-32 at the end of every chunk of a PNG.
+std::uint32_t checksum(const std::string& bytes) {
+  std::uint32_t crc = 0xffffffffu;
+  for (const char c : bytes) {
+    crc ^= static_cast<unsigned char>(c);
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (crc & 1 ? 0xedb88320u : 0);
+  }
+  return ~crc;
+}
+
+/// Until it goes, a file of this process cannot grow beyond `bytes`: what a full disk looks like.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit = {bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  void (*handler_)(int);
+  rlimit before_;
+};
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("a picture is read back as it was written") {
+    const TemporaryFolder folder;
+    for (const auto& [width, height] : {std::pair{1, 1}, {3, 2}, {97, 64}, {200, 133}}) {
+      const Image image = gradient(width, height);
+      write_png(image, folder / "a.png");
+      CHECK(read_png(folder / "a.png") == image);
+    }
+    CHECK(folder.files() == 1);
+  }
+
+  TEST_CASE("the file is RGB of 8 bits, and the same each time") {
+    const TemporaryFolder folder;
+    write_png(gradient(60, 40), folder / "a.png");
+    write_png(gradient(60, 40), folder / "b.png");
+    const std::string bytes = bytes_of(folder / "a.png");
+    CHECK(bytes == bytes_of(folder / "b.png"));
+    REQUIRE(bytes.size() > 26);
+    CHECK(bytes[24] == 8);  // bits per channel
+    CHECK(bytes[25] == 2);  // colour type RGB
+  }
+
+  TEST_CASE("a picture replaces the one of that name") {
+    const TemporaryFolder folder;
+    write_png(gradient(9, 9), folder / "a.png");
+    write_png(gradient(5, 4), folder / "a.png");
+    CHECK(read_png(folder / "a.png") == gradient(5, 4));
+  }
+
+  TEST_CASE("a folder that is missing") {
+    const TemporaryFolder folder;
+    try {
+      write_png(gradient(4, 4), folder / "none/a.png");
+      FAIL("nothing thrown");
+    } catch (const OutputError& error) {
+      CHECK(error.path == (folder / "none/a.png").string());
+      CHECK(std::string(error.what()).find("No such file or directory") != std::string::npos);
+    }
+  }
+
+  TEST_CASE("a name that is taken by a folder leaves nothing behind") {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "a.png");
+    CHECK_THROWS_AS(write_png(gradient(4, 4), folder / "a.png"), OutputError);
+    CHECK(folder.files() == 1);
+  }
+
+  TEST_CASE("a disk that is full leaves the old file and nothing else") {
+    const TemporaryFolder folder;
+    write_png(gradient(5, 4), folder / "a.png");
+    // fails while libpng writes, and (just) not before the last bytes leave the buffer
+    for (const rlim_t bytes : {rlim_t{0}, rlim_t{20000}}) {
+      const FileSizeLimit limit(bytes);
+      try {
+        write_png(bytes ? noise(200, 200) : gradient(4, 4), folder / "a.png");
+        FAIL("nothing thrown");
+      } catch (const OutputError& error) {
+        CHECK(std::string(error.what()).find("File too large") != std::string::npos);
+      }
+    }
+    CHECK(folder.files() == 1);
+    CHECK(read_png(folder / "a.png") == gradient(5, 4));
+  }
+
+  TEST_CASE("what is no picture is refused") {
+    const TemporaryFolder folder;
+    CHECK_THROWS_AS(read_png(folder / "missing.png"), UsageError);
+    std::ofstream(folder / "text.png") << "this is a text, not a picture";
+    CHECK_THROWS_WITH_AS(read_png(folder / "text.png"),
+                         ("cannot read " + (folder / "text.png").string() + ": not a PNG file").c_str(),
+                         UsageError);
+    std::ofstream(folder / "empty.png").flush();
+    CHECK_THROWS_AS(read_png(folder / "empty.png"), UsageError);
+  }
+
+  TEST_CASE("a picture that is cut off is refused, wherever") {
+    const TemporaryFolder folder;
+    write_png(noise(40, 30), folder / "a.png");
+    const std::string bytes = bytes_of(folder / "a.png");
+    for (const std::size_t size :
+         {std::size_t{8}, std::size_t{20}, std::size_t{40}, bytes.size() / 2, bytes.size() - 1}) {
+      CAPTURE(size);
+      std::ofstream(folder / "b.png", std::ios::binary) << bytes.substr(0, size);
+      CHECK_THROWS_AS(read_png(folder / "b.png"), UsageError);
+    }
+  }
+
+  TEST_CASE("a header that claims a huge picture is refused") {
+    const TemporaryFolder folder;
+    write_png(gradient(4, 4), folder / "a.png");
+    std::string bytes = bytes_of(folder / "a.png");
+    bytes[18] = 0x4e, bytes[19] = 0x20;  // the width, big-endian: 20000
+    const std::uint32_t sum = checksum(bytes.substr(12, 17));
+    for (int i = 0; i < 4; ++i) bytes[29 + i] = static_cast<char>(sum >> (24 - 8 * i));
+    std::ofstream(folder / "b.png", std::ios::binary) << bytes;
+    CHECK_THROWS_WITH_AS(read_png(folder / "b.png"),
+                         ("cannot read " + (folder / "b.png").string() + ": Invalid IHDR data").c_str(),
+                         UsageError);
+  }
+}

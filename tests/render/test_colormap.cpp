@@ -1,0 +1,110 @@
+#include <cmath>
+#include <set>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "render/colormap.hpp"
+#include "render/image/color_space.hpp"
+#include "render/renderer.hpp"
+
+using namespace taut;
+using namespace taut::render;
+
+TEST_SUITE("unit") {
+  TEST_CASE("a colour map is found by its key") {
+    std::set<std::string_view> keys;
+    for (const Colormap& map : colormaps()) {
+      CHECK(find_colormap(map.key) == &map);
+      CHECK_FALSE(map.help.empty());
+      keys.insert(map.key);
+    }
+    CHECK(keys.size() == colormaps().size());
+    CHECK(find_colormap("virids") == nullptr);
+  }
+
+  TEST_CASE("the ends of the colour maps") {
+    struct Ends {
+      const char* key;
+      Rgb low, high;
+    };
+    // as published
+    const Ends expected[] = {{"viridis", {68, 1, 84}, {253, 231, 37}},
+                             {"plasma", {13, 8, 135}, {240, 249, 33}},
+                             {"cividis", {0, 34, 78}, {254, 232, 56}},
+                             {"coolwarm", {59, 76, 192}, {180, 4, 38}},
+                             {"rainbow", {0, 0, 255}, {255, 0, 0}}};
+    for (const Ends& ends : expected) {
+      CAPTURE(ends.key);
+      const Colormap* map = find_colormap(ends.key);
+      REQUIRE(map);
+      CHECK(map->at(0) == ends.low);
+      CHECK(map->at(1) == ends.high);
+      CHECK(map->table().front() == ends.low);
+      CHECK(map->table().back() == ends.high);
+      CHECK(map->at(-0.3) == ends.low);
+      CHECK(map->at(7) == ends.high);
+      CHECK(map->at(NAN) == ends.low);
+    }
+  }
+
+  TEST_CASE("colours between the stops are those of the published table") {
+    // entries 20, 60, 100 and 150 of the table of 256 colours of viridis; the stops keep within 3 levels
+    struct Entry {
+      int index;
+      Rgb color;
+    };
+    const Entry entries[] = {
+        {20, {72, 29, 111}}, {60, {61, 78, 138}}, {100, {42, 118, 142}}, {150, {33, 165, 133}}};
+    for (const Entry& entry : entries) {
+      CAPTURE(entry.index);
+      const Rgb color = find_colormap("viridis")->at(entry.index / 255.0);
+      for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(color[k] - entry.color[k]) <= 3);
+    }
+  }
+
+  TEST_CASE("a sequential map grows lighter from end to end") {
+    for (const Colormap& map : colormaps()) {
+      if (map.diverging || map.key == "rainbow") continue;
+      CAPTURE(std::string(map.key));
+      const auto table = map.table();
+      // over 8 of 256 colours: rounding to whole levels may undo one step
+      for (std::size_t i = 8; i < table.size(); ++i) {
+        CAPTURE(i);
+        CHECK(lab_of(table[i]).L > lab_of(table[i - 8]).L);
+      }
+      CHECK(lab_of(table.back()).L - lab_of(table.front()).L > 50);
+    }
+  }
+
+  TEST_CASE("a diverging map is lightest and gray in its middle") {
+    for (const Colormap& map : colormaps()) {
+      if (!map.diverging) continue;
+      CAPTURE(std::string(map.key));
+      const Lab middle = lab_of(map.at(0.5));
+      CHECK(std::hypot(middle.a, middle.b) < 5);
+      for (double t = 0; t < 0.45; t += 0.05) {
+        CHECK(lab_of(map.at(t)).L < lab_of(map.at(t + 0.05)).L);
+        CHECK(lab_of(map.at(1 - t)).L < lab_of(map.at(0.95 - t)).L);
+      }
+    }
+  }
+
+  TEST_CASE("no map comes near the colour of what is not a number") {
+    for (const Colormap& map : colormaps()) {
+      CAPTURE(std::string(map.key));
+      for (const Rgb color : map.table()) CHECK(color_difference(color, not_a_number_color) > 30);
+    }
+  }
+
+  TEST_CASE("the colour space") {
+    CHECK(lab_of({255, 255, 255}).L == doctest::Approx(100).epsilon(1e-4));
+    CHECK(lab_of({0, 0, 0}).L == doctest::Approx(0));
+    // pure sRGB red: L* = 53.24, a* = 80.09, b* = 67.20
+    const Lab red = lab_of({255, 0, 0});
+    CHECK(red.L == doctest::Approx(53.24).epsilon(1e-3));
+    CHECK(red.a == doctest::Approx(80.09).epsilon(1e-3));
+    CHECK(red.b == doctest::Approx(67.20).epsilon(1e-3));
+    CHECK(color_difference({0, 0, 0}, {255, 255, 255}) == doctest::Approx(100).epsilon(1e-4));
+  }
+}

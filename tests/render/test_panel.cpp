@@ -1,0 +1,113 @@
+#include <algorithm>
+
+#include <doctest/doctest.h>
+
+#include "engine/error.hpp"
+#include "render/panel.hpp"
+#include "synthetic.hpp"
+
+using namespace taut;
+using namespace taut::render;
+using namespace taut::test;
+
+namespace {
+
+/// The smallest rectangle that holds all pixels of a colour left of the colour bar.
+struct Found {
+  int left = 1 << 20, right = -1, top = 1 << 20, bottom = -1;
+};
+
+Found find_color(const Image& image, Rgb color, int beyond) {
+  Found found;
+  for (int row = 0; row < image.height; ++row) {
+    for (int column = 0; column < beyond; ++column) {
+      if (image.at(column, row) != color) continue;
+      found.left = std::min(found.left, column), found.right = std::max(found.right, column);
+      found.top = std::min(found.top, row), found.bottom = std::max(found.bottom, row);
+    }
+  }
+  return found;
+}
+
+PanelOptions two_by_two() {
+  PanelOptions options;
+  options.width = 640, options.height = 480;
+  options.view = {-1, 1, -1, 1};
+  options.title = "Discs", options.note = "made up";
+  options.field = "speed", options.unit = "m/s";
+  options.columns = {{"a", "left"}, {"b", "right"}};
+  options.rows = {"t = 1 s", "t = 2 s"};
+  return options;
+}
+
+FrameView one_disc(Particles& particles, double value) {
+  particles.add(0.2, 0.4, 0.6, value);
+  return particles.frame();
+}
+
+bool same(const Image& a, const Image& b) { return a.pixels == b.pixels; }
+
+}  // namespace
+
+TEST_SUITE("image") {
+  TEST_CASE("each picture of a panel is in its row and column, all on one scale") {
+    const PanelOptions options = two_by_two();
+    Panel panel(options);
+    Particles low, high;
+    panel.draw(1, 0, one_disc(low, 0));
+    panel.draw(0, 1, one_disc(high, 1));
+    const Image& image = panel.finish();
+    REQUIRE(image.width == 640);
+    REQUIRE(image.height == 480);
+    const int before_bar = 500;
+    const Found first = find_color(image, options.colormap->at(0), before_bar);
+    const Found last = find_color(image, options.colormap->at(1), before_bar);
+    CHECK(first.left > last.right);
+    CHECK(first.bottom < last.top);
+    CHECK(first.right - first.left == last.right - last.left);
+    CHECK(first.bottom - first.top == last.bottom - last.top);
+    // the rim of a disc is blended with the white behind it
+    CHECK(first.right - first.left == doctest::Approx(first.bottom - first.top).epsilon(0.05));
+  }
+
+  TEST_CASE("every text of a panel is drawn, and the same panel has the same bytes") {
+    const auto drawn = [](const PanelOptions& options) { return Image(Panel(options).finish()); };
+    const Image all = drawn(two_by_two());
+    CHECK(same(all, drawn(two_by_two())));
+    PanelOptions other = two_by_two();
+    other.title = "Disks";
+    CHECK_FALSE(same(all, drawn(other)));
+    other = two_by_two(), other.note = "";
+    CHECK_FALSE(same(all, drawn(other)));
+    other = two_by_two(), other.columns[1].title = "c";
+    CHECK_FALSE(same(all, drawn(other)));
+    other = two_by_two(), other.columns[1].note = "wrong";
+    CHECK_FALSE(same(all, drawn(other)));
+    other = two_by_two(), other.rows[1] = "t = 3 s";
+    CHECK_FALSE(same(all, drawn(other)));
+    other = two_by_two(), other.field = "velocity";
+    CHECK_FALSE(same(all, drawn(other)));
+    Panel corner(two_by_two()), middle(two_by_two());
+    corner.write_corner(0, 1, "t = 2.1 s");
+    middle.write_middle(0, 1, "diverged");
+    CHECK_FALSE(same(all, corner.finish()));
+    CHECK_FALSE(same(all, middle.finish()));
+  }
+
+  TEST_CASE("a panel without a size takes one from its view, and one too small is refused") {
+    PanelOptions options = two_by_two();
+    options.width = options.height = 0;
+    options.view = {0, 4, 0, 1};
+    const Image wide = Image(Panel(options).finish());
+    CHECK(wide.width > 2 * wide.height);
+    options.view = {0, 1, 0, 4};
+    const Image high = Image(Panel(options).finish());
+    CHECK(high.height > 2 * high.width);
+    options.width = 200, options.height = 800;
+    CHECK_THROWS_WITH_AS(Panel{options},
+                         "a panel of 200x800 pixels is too small for 2 x 2 pictures; take a larger --size",
+                         UsageError);
+    options.width = 800, options.height = 200;
+    CHECK_THROWS_AS(Panel{options}, UsageError);
+  }
+}

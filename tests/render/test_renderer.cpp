@@ -1,0 +1,282 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "engine/error.hpp"
+#include "render/image/image_difference.hpp"
+#include "render/renderer.hpp"
+#include "synthetic.hpp"
+
+using namespace taut;
+using namespace taut::render;
+using namespace taut::test;
+
+namespace {
+
+Particles one_disc(double x, double y, double diameter, double value) {
+  Particles particles;
+  particles.add(x, y, diameter, value);
+  return particles;
+}
+
+Image drawn(const Particles& particles, const DrawOptions& with) {
+  Renderer renderer(with);
+  return renderer.draw(particles.frame());
+}
+
+/// The smallest rectangle that holds all that is not white.
+Rect extent(const Image& image) {
+  int left = image.width, right = -1, top = image.height, bottom = -1;
+  for (int row = 0; row < image.height; ++row) {
+    for (int column = 0; column < image.width; ++column) {
+      if (image.at(column, row) == white) continue;
+      left = std::min(left, column), right = std::max(right, column);
+      top = std::min(top, row), bottom = std::max(bottom, row);
+    }
+  }
+  return {left, top, right - left + 1, bottom - top + 1};
+}
+
+}  // namespace
+
+TEST_SUITE("image") {
+  TEST_CASE("an empty frame is white where no text is") {
+    // If libGL comes before OSMesa in the link line, OpenGL does nothing, and reports no error.
+    Renderer renderer(options(160, 100, unit_view));
+    Image& image = const_cast<Image&>(renderer.draw(Particles().frame()));
+    CHECK(image.at(80, 50) == white);
+    // an image begins white: only what was something else before tells that it was cleared
+    std::fill(image.pixels.begin(), image.pixels.end(), 7);
+    renderer.draw(Particles().frame());
+    CHECK(image == Image(160, 100));
+  }
+
+  TEST_CASE("a disc has the colour of its value and the background is white") {
+    for (const auto& [width, height] : {std::pair{160, 100}, {640, 360}}) {
+      const Image image = drawn(one_disc(0.2, 0.3, 0.5, 0.25), options(width, height, unit_view));
+      const Rgb color = find_colormap("viridis")->table()[64];
+      CHECK(color_at(image, unit_view, 0.2, 0.3) == color);
+      CHECK(color_at(image, unit_view, 0.2, 0.5) == color);
+      CHECK(color_at(image, unit_view, 0.2, 0.6) == white);
+      CHECK(color_at(image, unit_view, 0.2, -0.3) == white);  // upright
+      CHECK(color_at(image, unit_view, -0.2, 0.3) == white);
+    }
+  }
+
+  TEST_CASE("a disc is round, of its size, and smooth at its rim") {
+    const Image image = drawn(one_disc(0.1, 0, 1.0, 0), options(200, 100, unit_view));
+    const Rect rect = extent(image);
+    CHECK(rect.width == 50);  // half of the view's height
+    CHECK(rect.height == 50);
+    double area = 0;
+    for (int row = 0; row < 100; ++row) {
+      // viridis begins with 84 of 255 in blue: how much of a pixel is covered can be read off
+      for (int column = 0; column < 200; ++column) area += (255 - image.at(column, row)[2]) / (255.0 - 84);
+    }
+    CHECK(area == doctest::Approx(M_PI * 25 * 25).epsilon(0.005));
+  }
+
+  TEST_CASE("axes are equal and the whole view is seen, whatever the shape of the picture") {
+    const View wide = {0, 10, 0, 1};
+    for (const auto& [width, height] : {std::pair{100, 100}, {200, 70}, {70, 200}}) {
+      Particles corners;
+      for (const double x : {0.5, 9.5}) {
+        for (const double y : {0.5, 0.5}) corners.add(x, y, 1, 0.5);
+      }
+      const Image image = drawn(corners, options(width, height, wide));
+      const Rect rect = extent(image);
+      CHECK(rect.width == doctest::Approx(10.0 * rect.height).epsilon(0.15));
+      CHECK(rect.width >= width - 1);
+    }
+  }
+
+  TEST_CASE("values beyond the range have the colours of the ends") {
+    Particles particles;
+    const double infinite = std::numeric_limits<double>::infinity();
+    const double values[] = {-5, -infinite, 9, infinite};
+    for (int i = 0; i < 4; ++i) particles.add(-0.75 + 0.5 * i, 0, 0.4, values[i]);
+    const Image image = drawn(particles, options(200, 200, unit_view));
+    CHECK(color_at(image, unit_view, -0.75, 0) == Rgb{68, 1, 84});
+    CHECK(color_at(image, unit_view, -0.25, 0) == Rgb{68, 1, 84});
+    CHECK(color_at(image, unit_view, 0.25, 0) == Rgb{253, 231, 37});
+    CHECK(color_at(image, unit_view, 0.75, 0) == Rgb{253, 231, 37});
+  }
+
+  TEST_CASE("what is not a number has a colour of its own") {
+    const Image image = drawn(one_disc(0, 0, 0.4, NAN), options(100, 100, unit_view));
+    CHECK(color_at(image, unit_view, 0, 0) == Rgb{255, 0, 255});
+  }
+
+  TEST_CASE("particles without a finite place or size are left out") {
+    Particles particles;
+    particles.add(NAN, 0, 0.4, 0.5);
+    particles.add(0, INFINITY, 0.4, 0.5);
+    particles.add(0, 0, NAN, 0.5);
+    particles.add(0, 0, 0, 0.5);
+    particles.add(0, 0, -1, 0.5);
+    particles.add(1e300, 0, 0.4, 0.5);
+    CHECK(drawn(particles, options(100, 100, unit_view)) == Image(100, 100));
+  }
+
+  TEST_CASE("a particle is drawn as long as its rim is in the picture") {
+    const Image image = drawn(one_disc(-1.15, 0, 0.4, 0), options(100, 100, unit_view));
+    CHECK(image.at(0, 50) == Rgb{68, 1, 84});
+    CHECK(image.at(4, 50) == white);
+  }
+
+  TEST_CASE("of two overlapping discs the nearer centre has the pixel, whatever their order") {
+    Particles forth, back;
+    forth.add(-0.2, 0, 0.8, 0), forth.add(0.2, 0, 0.8, 1);
+    back.add(0.2, 0, 0.8, 1), back.add(-0.2, 0, 0.8, 0);
+    const DrawOptions with = options(100, 100, unit_view);
+    const Image image = drawn(forth, with);
+    CHECK(color_at(image, unit_view, -0.05, 0) == Rgb{68, 1, 84});
+    CHECK(color_at(image, unit_view, 0.05, 0) == Rgb{253, 231, 37});
+    const ImageDifference difference = compare(image, drawn(back, with));
+    CHECK(difference.share < 0.002);
+  }
+
+  TEST_CASE("neighbours too small for gaps look like a solid") {
+    Particles particles;
+    for (int i = -20; i <= 20; ++i) {
+      for (int j = -20; j <= 20; ++j) particles.add(0.037 * i, 0.037 * j, 0.037, 0);  // 1.85 pixels
+    }
+    const Image image = drawn(particles, options(100, 100, unit_view));
+    for (int row = 30; row < 70; ++row) {
+      for (int column = 30; column < 70; ++column) CHECK(image.at(column, row) == Rgb{68, 1, 84});
+    }
+  }
+
+  TEST_CASE("the same frame gives the same bytes, from one renderer or two") {
+    const Particles particles = two_rings();
+    const Particles other = one_disc(0, 0, 0.02, 1);
+    const DrawOptions with = options(640, 360, rings_view);
+    Renderer first(with);
+    Renderer second(with);
+    first.draw(other.frame());  // few particles, then many, then few
+    const Image once = first.draw(particles.frame());
+    first.draw(other.frame());
+    CHECK(second.draw(particles.frame()) == once);
+    CHECK(first.draw(particles.frame()) == once);
+    CHECK_FALSE(first.draw(other.frame()) == once);
+    const TemporaryFolder folder;
+    write_png(once, folder / "a.png");
+    write_png(second.draw(particles.frame()), folder / "b.png");
+    CHECK(bytes_of(folder / "a.png") == bytes_of(folder / "b.png"));
+  }
+
+  TEST_CASE("a large picture, drawn in bands, is the small one enlarged") {
+    // 5000 × 5000 samples twice over are more than one band holds
+    const Image image = drawn(one_disc(0, 0, 1.9, 0.5), options(5000, 2400, unit_view));
+    const PageLayout layout = make_layout(5000, 2400, unit_view);
+    const Rgb color = find_colormap("viridis")->table()[128];
+    for (int y = -9; y <= 9; ++y) CHECK(color_at(image, unit_view, 0, 0.1 * y) == color);
+    const double edge = std::sqrt(0.95 * 0.95 - 0.6 * 0.6);
+    for (const double y : {-0.6, 0.6}) {
+      const double pixel = 2 / layout.pixels_per_metre;
+      CHECK(color_at(image, unit_view, edge - pixel, y) == color);
+      CHECK(color_at(image, unit_view, edge + pixel, y) == white);
+    }
+  }
+
+  TEST_CASE("the colour bar goes from low at the bottom to high at the top, and what is written is seen") {
+    Particles particles = one_disc(0, 0, 0.1, 0);
+    const DrawOptions with = options(640, 360, unit_view);
+    Renderer renderer(with);
+    const Image image = renderer.draw(particles.frame());
+    const PageLayout layout = make_layout(640, 360, unit_view);
+    const int column = layout.bar.x + layout.bar.width / 2;
+    CHECK(image.at(column, layout.bar.y) == Rgb{253, 231, 37});
+    CHECK(image.at(column, layout.bar.y + layout.bar.height - 1) == Rgb{68, 1, 84});
+    FrameView frame = particles.frame();
+    const auto changes = [&](auto&& change) {
+      frame = particles.frame();
+      change();
+      return !(renderer.draw(frame) == image);
+    };
+    CHECK_FALSE(changes([] {}));
+    CHECK(changes([&] { frame.title = "Two rods"; }));
+    CHECK(changes([&] { frame.method = "og"; }));
+    CHECK(changes([&] { frame.time = 0.006; }));
+    CHECK(changes([&] { frame.field = "pressure"; }));
+    CHECK(changes([&] { frame.unit = "m"; }));
+  }
+
+  TEST_CASE("texts of any length leave the particles and the time alone") {
+    const std::string longest(500, 'W');
+    std::string letters;
+    for (int i = 0; i < 100; ++i) letters += "ß→";
+    for (const std::string& text : {longest, letters, std::string()}) {
+      Particles particles = one_disc(0, 0, 1.9, 0.5);
+      FrameView frame = particles.frame();
+      frame.title = frame.method = frame.field = frame.unit = text;
+      Renderer renderer(options(320, 180, unit_view));
+      const Image image = renderer.draw(frame);
+      const Image plain = drawn(particles, options(320, 180, unit_view));
+      const Rect plot = make_layout(320, 180, unit_view).plot;
+      int changed = 0;
+      for (int row = plot.y; row < plot.y + plot.height; ++row) {
+        for (int column = plot.x; column < plot.x + plot.width; ++column) {
+          changed += image.at(column, row) != plain.at(column, row);
+        }
+      }
+      CHECK(changed == 0);
+      const int right = static_cast<int>(make_layout(320, 180, unit_view).right);
+      for (int row = 0; row < plot.y / 2; ++row) {
+        for (int column = right - 40; column < 320; ++column) {
+          changed += image.at(column, row) != plain.at(column, row);
+        }
+      }
+      CHECK(changed == 0);
+    }
+  }
+
+  TEST_CASE("pictures of the least and of odd sizes") {
+    for (const auto& [width, height] : {std::pair{64, 64}, {65, 333}, {333, 65}, {240, 120}, {1001, 121}}) {
+      const Image image = drawn(one_disc(0, 0, 0.5, 0), options(width, height, unit_view));
+      CHECK(color_at(image, unit_view, 0, 0) == Rgb{68, 1, 84});
+      CHECK(image.at(width - 1, height - 1) == white);
+    }
+  }
+
+  TEST_CASE("a constant field has the middle colour") {
+    DrawOptions with = options(100, 100, unit_view);
+    with.low = with.high = 3;
+    CHECK(color_at(drawn(one_disc(0, 0, 0.4, 3), with), unit_view, 0, 0) ==
+          find_colormap("viridis")->table()[128]);
+  }
+}
+
+TEST_SUITE("unit") {
+  TEST_CASE("options out of bounds are refused") {
+    const auto refused = [](auto&& change) {
+      DrawOptions with = options(100, 100, unit_view);
+      change(with);
+      CHECK_THROWS_AS(Renderer{with}, UsageError);
+    };
+    refused([](DrawOptions& with) { with.width = 63; });
+    refused([](DrawOptions& with) { with.height = 8193; });
+    refused([](DrawOptions& with) { with.view.x_max = with.view.x_min; });
+    refused([](DrawOptions& with) { with.view.y_max = NAN; });
+    refused([](DrawOptions& with) { with.low = 2; });
+    refused([](DrawOptions& with) { with.high = INFINITY; });
+    refused([](DrawOptions& with) { with.colormap = nullptr; });
+  }
+
+  TEST_CASE("three dimensions are refused") {
+    Renderer renderer(options(64, 64, unit_view));
+    FrameView frame;
+    frame.dim = 3;
+    CHECK_THROWS_WITH_AS(renderer.draw(frame), "3D drawing is not available", UsageError);
+  }
+
+  TEST_CASE("arrays that do not match are a bug") {
+    Renderer renderer(options(64, 64, unit_view));
+    Particles particles = one_disc(0, 0, 1, 1);
+    particles.x.pop_back();
+    CHECK_THROWS_AS(renderer.draw(particles.frame()), std::logic_error);
+  }
+}

@@ -1,0 +1,89 @@
+#include <cstdlib>
+#include <sys/wait.h>
+
+#include <doctest/doctest.h>
+
+#include "program_runner.hpp"
+
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+/// Runs a script of scenes/studies/ in `folder`.
+Outcome study(const TemporaryFolder& folder, const std::string& command) {
+  const std::string line = "cd '" + folder.path().string() +
+                           "' && TAUT='" TAUT_BINARY_DIR "/taut' '" TAUT_SOURCE_DIR "/scenes/studies/'" +
+                           command + " >out.txt 2>err.txt";
+  const int status = std::system(line.c_str());
+  return {WEXITSTATUS(status), text_of(folder / "out.txt"), text_of(folder / "err.txt")};
+}
+
+bool ffmpeg_is_there() { return std::system("ffmpeg -version >/dev/null 2>&1") == 0; }
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("the study of an image sequence leaves frames, a panel and movies") {
+    const TemporaryFolder folder;
+    const Outcome outcome = study(folder, "rings-movie.sh rings 0.005 12");
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == (ffmpeg_is_there() ? 0 : 4));
+    for (const char* frames : {"og/frames", "enog/frames", "close"})
+      CHECK(files_in(folder / ("rings/" + std::string(frames))) == 13);
+    CHECK(fs::exists(folder / "rings/panel.png"));
+    CHECK(fs::exists(folder / "rings/rings.mp4") == ffmpeg_is_there());
+    CHECK(fs::exists(folder / "rings/close.gif") == ffmpeg_is_there());
+  }
+
+  TEST_CASE("the study of a sweep reads the answer off its results") {
+    const TemporaryFolder folder;
+    const Outcome outcome = study(folder, "rings-sweep.sh rings 0.005");
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK(contains(outcome.out, "0 of 24 runs are done"));
+    CHECK(lines_of(folder / "rings/results.csv").size() == 25);
+    // of the rows with method M: the greatest speed below the first that is not stable
+    for (const std::string method : {"og", "oas", "enog"}) {
+      std::string limit = "none";
+      const auto results = json_of(folder / "rings/results.json");
+      for (const auto& run : results["runs"]) {
+        if (run["set"]["method"] != method) continue;
+        if (run["verdict"] != "stable") break;
+        limit = run["set"]["v0"].dump();
+      }
+      CHECK(contains(outcome.out, "\n  " + method + " " + limit + "\n"));
+    }
+    CHECK(contains(study(folder, "rings-sweep.sh rings 0.005").out, "24 of 24 runs are done"));
+  }
+
+  TEST_CASE("the study of the papers' figures makes panels and a history") {
+    const TemporaryFolder folder;
+    const Outcome rings = study(folder, "paper-figures.sh zhang-14 rings 0.005");
+    CAPTURE(rings.err);
+    CHECK(rings.code == 0);
+    CHECK(fs::exists(folder / "rings/zhang-14.png"));
+    const auto record = json_of(folder / "rings/oas/run.json");
+    CHECK(record["parameters"]["v0"] == 0.08);
+    const Outcome plate = study(folder, "paper-figures.sh khayyer-10 plate 0.25");
+    CAPTURE(plate.err);
+    CHECK(plate.code == 0);
+    CHECK(fs::exists(folder / "plate/khayyer-10.png"));
+    CHECK(json_of(folder / "plate/d-ulsph-r-as-4/run.json")["spacing"] == 0.0625);
+    CHECK(study(folder, "paper-figures.sh khayyer-12 corner 0.2").code == 0);
+    CHECK(contains(lines_of(folder / "corner/tic/history.csv").front(), ",corner_x,corner_y,"));
+    CHECK(study(folder, "paper-figures.sh zhang-99 none").code == 2);
+  }
+
+  TEST_CASE("the study of a snapshot test makes a baseline, then passes, then finds what has changed") {
+    const TemporaryFolder folder;
+    const Outcome first = study(folder, "snapshot-in-ci.sh baseline");
+    CHECK(first.code == 0);
+    CHECK(contains(first.out, "the first call"));
+    CHECK(files_in(folder / "baseline") == 5);
+    CHECK(study(folder, "snapshot-in-ci.sh baseline").code == 0);
+    const Outcome changed = study(folder, "snapshot-in-ci.sh baseline --set v0=0.07");
+    CHECK(changed.code == 1);
+    CHECK(contains(changed.out, "out/snapshot-baseline/difference.png"));
+  }
+}

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/command_line/program.hpp"
+#include "cli/commands/commands.hpp"
+
+namespace taut::test {
+
+namespace fs = std::filesystem;
+
+/// What the program left on its two streams, and its exit code.
+struct Outcome {
+  int code;
+  std::string out, err;
+};
+
+inline Outcome call(const std::vector<std::string>& arguments) {
+  std::ostringstream out, err;
+  const int code = cli::run_program(cli::commands(), arguments, {out, err});
+  return {code, out.str(), err.str()};
+}
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+inline std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Throws when the file is not whole.
+inline nlohmann::ordered_json json_of(const fs::path& path) {
+  return nlohmann::ordered_json::parse(text_of(path));
+}
+
+inline std::vector<std::string> lines_of(const fs::path& path) {
+  std::istringstream text(text_of(path));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  return lines;
+}
+
+inline int files_in(const fs::path& folder) {
+  return static_cast<int>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+/// A folder of one's own for the time of a test.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "taut-test-XXXXXX").string();
+    path_ = ::mkdtemp(name.data());
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+  fs::path operator/(const std::string& name) const { return path_ / name; }
+  std::string str(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  fs::path path_;
+};
+
+/// Two soft discs of some 80 particles each that touch and press on each other. The parameter `pull`
+/// stretches each along y.
+inline std::string write_tiny_scene(const TemporaryFolder& folder) {
+  std::ofstream(folder / "discs.toml") << R"(
+title = "Two discs"
+source = "none"
+dim = 2
+spacing = 0.002
+until = 0.002
+[parameters]
+speed = { value = 2.0, unit = "m/s", min = 0, help = "of each disc" }
+pull = { value = 0, unit = "1/s", help = "rate of stretching along y" }
+[material.rubber]
+density = 1000
+youngs_modulus = 1e6
+poisson_ratio = 0.4
+[[body]]
+name = "left"
+shape = { type = "disc", centre = [-0.011, 0], radius = 0.01 }
+material = "rubber"
+velocity = ["speed", "pull*y"]
+[[body]]
+name = "right"
+shape = { type = "disc", centre = [0.011, 0], radius = 0.01 }
+material = "rubber"
+velocity = ["-speed", "pull*y"]
+[[probe]]
+name = "gap"
+of = "gap"
+bodies = ["left", "right"]
+[[measure]]
+name = "touch_time"
+of = "first_below"
+probe = "gap"
+threshold = 0
+unit = "s"
+[render]
+color = "speed"
+range = [0, 4]
+view = [-0.03, 0.03, -0.02, 0.02]
+size = [160, 120]
+frames = 4
+)";
+  return folder.str("discs.toml");
+}
+
+/// The arguments of a run of that scene into the folder `out`, on one thread, with more arguments behind.
+inline std::vector<std::string> tiny_run(const TemporaryFolder& folder, const std::string& out,
+                                         const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments{
+      "run", write_tiny_scene(folder), "--out", folder.str(out), "--threads", "1", "--quiet"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+}  // namespace taut::test

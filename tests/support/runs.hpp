@@ -1,0 +1,49 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/families/catalogue.hpp"
+#include "engine/simulation.hpp"
+
+namespace taut::test {
+
+/// Particles act on their neighbours of the start: strains come from positions, and there is nothing to
+/// rebuild.
+inline bool keeps_neighbors(const MethodInfo& method) {
+  return std::ranges::find(method.contact_laws, ContactLaw::sph) == method.contact_laws.end();
+}
+
+/// Settings of a method on one thread.
+inline Settings with_method(const std::string& method, Stepping stepping = Stepping::dual) {
+  Settings settings;
+  settings.method = method;
+  settings.stepping = stepping;
+  settings.threads = 1;
+  return settings;
+}
+
+inline void make_steps(Simulation& simulation, long steps) {
+  const long end = simulation.steps() + steps;
+  while (simulation.steps() < end) simulation.advance_to(std::nextafter(simulation.time(), 1.0));
+}
+
+/// The state after `steps` steps.
+inline Snapshot state_after(long steps, const Scene& scene, const Settings& settings) {
+  const auto simulation = make_simulation(scene, settings);
+  make_steps(*simulation, steps);
+  return simulation->snapshot();
+}
+
+/// The first probe at time `t`, linear between steps.
+inline double value_at(const Series& series, double t) {
+  const auto after = std::ranges::lower_bound(series.time, t) - series.time.begin();
+  const double t0 = series.time[after - 1], t1 = series.time[after];
+  const std::vector<double>& y = series.value[0];
+  return y[after - 1] + (t - t0) / (t1 - t0) * (y[after] - y[after - 1]);
+}
+
+}  // namespace taut::test

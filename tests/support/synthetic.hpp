@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include "engine/frame_view.hpp"
+#include "render/renderer.hpp"
+
+namespace taut::test {
+
+/// Particles that a test can move about.
+struct Particles {
+  std::vector<double> x, diameter, value;
+
+  void add(double px, double py, double d, double v) {
+    x.push_back(px), x.push_back(py), diameter.push_back(d), value.push_back(v);
+  }
+  FrameView frame() const {
+    FrameView frame;
+    frame.x = x, frame.diameter = diameter, frame.value = value;
+    frame.time = 0.005004;
+    frame.field = "von Mises stress", frame.unit = "Pa";
+    frame.title = "Two rings", frame.method = "enog";
+    return frame;
+  }
+};
+
+/// A square lattice in a ring of radii 0.03 and 0.04 m, coloured by the polar angle from 0 to 1.
+inline void add_ring(Particles& particles, double centre, double dp) {
+  for (double a = -0.04 + 0.5 * dp; a < 0.04; a += dp) {
+    for (double b = -0.04 + 0.5 * dp; b < 0.04; b += dp) {
+      const double r = std::hypot(a, b);
+      if (r < 0.03 || r > 0.04) continue;
+      particles.add(centre + a, b, dp, 0.5 + 0.5 * std::cos(3 * std::atan2(b, a)));
+    }
+  }
+}
+
+inline Particles two_rings() {
+  Particles particles;
+  add_ring(particles, -0.045, 0.002);
+  add_ring(particles, 0.045, 0.002);
+  return particles;
+}
+
+inline DrawOptions options(int width, int height, View view) {
+  DrawOptions options;
+  options.width = width, options.height = height, options.view = view;
+  return options;
+}
+
+inline constexpr View unit_view = {-1, 1, -1, 1};
+inline constexpr View rings_view = {-0.09, 0.09, -0.05, 0.05};
+inline constexpr Rgb white = {255, 255, 255};
+
+/// The colour of the pixel that shows the place (x, y) of the scene.
+inline Rgb color_at(const Image& image, const View& view, double x, double y) {
+  const InitialParticles layout = make_initial_particles(image.width, image.height, view);
+  return image.at(layout.plot.x + static_cast<int>(std::floor(layout.column(x))),
+                  layout.plot.y + static_cast<int>(std::floor(layout.row(y))));
+}
+
+/// A folder of its own that goes with the test.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "taut_render_XXXXXX").string();
+    path_ = mkdtemp(name.data());
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::filesystem::path operator/(const char* name) const { return path_ / name; }
+  long files() const {
+    return std::distance(std::filesystem::directory_iterator(path_), std::filesystem::directory_iterator());
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace taut::test
