@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/verdict.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"

@@ -8,6 +8,7 @@
 
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/shipped.hpp"
+#include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/lines.hpp"
 #include "engine/diagnostics/measures.hpp"
 #include "engine/error.hpp"

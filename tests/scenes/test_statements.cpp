@@ -7,6 +7,7 @@
 
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/shipped.hpp"
+#include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/indicators.hpp"
 #include "engine/diagnostics/verdict.hpp"
 

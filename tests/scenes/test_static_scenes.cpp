@@ -9,6 +9,7 @@
 
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/shipped.hpp"
+#include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/measures.hpp"
 #include "engine/diagnostics/verdict.hpp"
 #include "engine/error.hpp"

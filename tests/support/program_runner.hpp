@@ -15,6 +15,8 @@
 
 namespace taut::test {
 
+using namespace cli;
+
 namespace fs = std::filesystem;
 
 /// What the program left on its two streams, and its exit code.

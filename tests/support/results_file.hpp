@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "program_runner.hpp"
+#include "tests/support/program_runner.hpp"
 
 namespace taut::test {
 

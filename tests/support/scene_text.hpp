@@ -12,6 +12,8 @@
 
 namespace taut::test {
 
+using namespace cli;
+
 /// A folder of this test program that goes away with it.
 inline std::filesystem::path scratch_folder() {
   struct Folder {

@@ -7,7 +7,7 @@
 
 #include <doctest/doctest.h>
 
-#include "program_runner.hpp"
+#include "tests/support/program_runner.hpp"
 
 namespace taut::test {
 

@@ -13,6 +13,8 @@
 
 namespace taut::test {
 
+using namespace render;
+
 /// Particles that a test can move about.
 struct Particles {
   std::vector<double> x, diameter, value;
@@ -60,7 +62,7 @@ inline constexpr Rgb white = {255, 255, 255};
 
 /// The colour of the pixel that shows the place (x, y) of the scene.
 inline Rgb color_at(const Image& image, const View& view, double x, double y) {
-  const InitialParticles layout = make_initial_particles(image.width, image.height, view);
+  const PageLayout layout = make_layout(image.width, image.height, view);
   return image.at(layout.plot.x + static_cast<int>(std::floor(layout.column(x))),
                   layout.plot.y + static_cast<int>(std::floor(layout.row(y))));
 }

@@ -13,8 +13,8 @@
 #include "cli/scene/shipped.hpp"
 #include "cli/text/format.hpp"
 #include "engine/families/catalogue.hpp"
-#include "program_runner.hpp"
 #include "render/colormap.hpp"
+#include "tests/support/program_runner.hpp"
 
 using namespace taut::cli;
 using namespace taut::test;
@@ -76,10 +76,10 @@ TEST_SUITE("cli") {
         {{}, {}},
     };
     for (const auto& [typed, expected] : cases) {
-      CAPTURE(taut::join(typed, " "));
+      CAPTURE(taut::cli::join(typed, " "));
       CHECK(words_for(typed) == expected);
     }
-    CHECK(words_for({"run", scene, "--colormap", ""}).size() == taut::colormaps().size());
+    CHECK(words_for({"run", scene, "--colormap", ""}).size() == taut::render::colormaps().size());
     CHECK(words_for({"run", scene, "--method", ""}).size() == taut::methods().size());
     CHECK(taut::cli::complete(taut::cli::commands(), {"run", ""}).files == "*.toml");
     CHECK(taut::cli::complete(taut::cli::commands(), {"compare", "a", "b", ""}).files == "*/");
@@ -89,9 +89,9 @@ TEST_SUITE("cli") {
 
   TEST_CASE("every command, option and argument is known to completion") {
     const Words names = words_for({""});
-    const taut::SceneFile scene = taut::read_scene(taut::find_scene("colliding-rings"));
+    const taut::cli::SceneFile scene = taut::cli::read_scene(taut::cli::find_scene("colliding-rings"));
     const std::set<std::string> numbers{"N", "T", "DT", "DP", "X", "T,...", "WIDTHxHEIGHT"};
-    for (const taut::Command& command : taut::commands()) {
+    for (const taut::cli::Command& command : taut::cli::commands()) {
       const std::string name(command.name);
       CHECK(std::ranges::count(names, name) == 1);
       CLI::App app;
@@ -104,7 +104,7 @@ TEST_SUITE("cli") {
             option->nonpositional() ? option->get_option_text() : option->get_name();
         CAPTURE(name);
         CAPTURE(placeholder);
-        const taut::Choices found = taut::choices(placeholder, "", &scene);
+        const taut::cli::Choices found = taut::cli::choices(placeholder, "", &scene);
         CHECK((is_flag || numbers.contains(placeholder)) == (found.words.empty() && found.files.empty()));
       }
     }

@@ -2,8 +2,8 @@
 
 #include "cli/run/labels.hpp"
 #include "cli/run/panel_cells.hpp"
-#include "program_runner.hpp"
 #include "render/image/image.hpp"
+#include "tests/support/program_runner.hpp"
 
 using namespace taut;
 using namespace taut::cli;
@@ -18,7 +18,7 @@ void make_run(const TemporaryFolder& folder, const std::string& name, std::vecto
 }
 
 Outcome compare(const TemporaryFolder& folder, const std::vector<std::string>& runs,
-                        const std::vector<std::string>& more = {}) {
+                const std::vector<std::string>& more = {}) {
   std::vector<std::string> arguments{"compare"};
   for (const std::string& run : runs) arguments.push_back(folder.str(run));
   arguments.insert(arguments.end(), {"--out", folder.str("panel.png")});
@@ -101,8 +101,8 @@ TEST_SUITE("cli") {
     make_run(folder, "fast", {"--set", "speed=3"});
     const auto panel = [&](const std::vector<std::string>& runs, const std::string& range) {
       REQUIRE(
-          compare(folder, runs, {"--times", "0", "--view", "-0.03:0.03:-0.02:0.02", "--range", range})
-              .code == 0);
+          compare(folder, runs, {"--times", "0", "--view", "-0.03:0.03:-0.02:0.02", "--range", range}).code ==
+          0);
       return render::read_png(folder / "panel.png");
     };
     // at the start each particle of `slow` has 2 m/s and each of `fast` 3 m/s

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "program_runner.hpp"
+#include "tests/support/program_runner.hpp"
 
 using namespace taut::cli;
 using namespace taut::test;

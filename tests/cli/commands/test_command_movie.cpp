@@ -2,9 +2,9 @@
 
 #include <doctest/doctest.h>
 
-#include "path_variable.hpp"
-#include "program_runner.hpp"
 #include "render/image/image.hpp"
+#include "tests/support/path_variable.hpp"
+#include "tests/support/program_runner.hpp"
 
 using namespace taut::cli;
 using namespace taut::test;
@@ -21,9 +21,9 @@ void write_ffmpeg(const TemporaryFolder& folder, const std::string& script) {
 void write_frames(const fs::path& folder, int count, int width = 64) {
   fs::create_directories(folder);
   for (int k = 0; k < count; ++k) {
-    taut::Image image(width, 65);
+    taut::render::Image image(width, 65);
     for (int row = 0; row < 65; ++row) image.set(k, row, {200, 0, 0});
-    taut::write_png(image, folder / ("frame_0000" + std::to_string(k) + ".png"));
+    taut::render::write_png(image, folder / ("frame_0000" + std::to_string(k) + ".png"));
   }
 }
 

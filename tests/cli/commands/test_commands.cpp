@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
-#include "program_runner.hpp"
 #include "render/image/image.hpp"
+#include "tests/support/program_runner.hpp"
 
 using namespace taut::cli;
 using namespace taut::test;
@@ -132,15 +132,14 @@ TEST_SUITE("cli") {
 
   TEST_CASE("diff tells alike from different from unreadable by its exit code") {
     const TemporaryFolder folder;
-    taut::Image image(64, 48);
-    taut::write_png(image, folder / "white.png");
+    taut::render::Image image(64, 48);
+    taut::render::write_png(image, folder / "white.png");
     image.set(3, 4, {250, 250, 250});
-    taut::write_png(image, folder / "speck.png");
+    taut::render::write_png(image, folder / "speck.png");
     for (int column = 0; column < 20; ++column)
-      for (int row = 0; row < 20; ++row)
-        image.set(column, row, {200, 0, 0});
-    taut::write_png(image, folder / "square.png");
-    taut::write_png(taut::Image(64, 47), folder / "lower.png");
+      for (int row = 0; row < 20; ++row) image.set(column, row, {200, 0, 0});
+    taut::render::write_png(image, folder / "square.png");
+    taut::render::write_png(taut::render::Image(64, 47), folder / "lower.png");
     std::ofstream(folder / "text.png") << "no image";
     const auto diff = [&](const std::string& b, const std::vector<std::string>& more = {}) {
       std::vector<std::string> arguments{"diff", folder.str("white.png"), folder.str(b)};
@@ -158,7 +157,7 @@ TEST_SUITE("cli") {
     CHECK(diff("text.png").code == 2);
     CHECK(diff("missing.png").code == 2);
     CHECK(diff("square.png", {"--out", folder.str("diff.png")}).code == 1);
-    CHECK(taut::read_png(folder / "diff.png").width == 64);
+    CHECK(taut::render::read_png(folder / "diff.png").width == 64);
     CHECK(diff("square.png", {"--out", folder.str("no/diff.png")}).code == 4);
   }
 }

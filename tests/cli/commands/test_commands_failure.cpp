@@ -3,9 +3,9 @@
 
 #include <doctest/doctest.h>
 
-#include "child_program.hpp"
-#include "program_runner.hpp"
 #include "render/image/image.hpp"
+#include "tests/support/child_program.hpp"
+#include "tests/support/program_runner.hpp"
 
 using namespace taut::cli;
 using namespace taut::test;
@@ -47,7 +47,7 @@ TEST_SUITE("cli") {
       CHECK(record["reached"].get<double>() < 1000);
       // a header, the start, and where it stopped, unless the signal came before the first step
       CHECK(lines_of(folder / "out/history.csv").size() == (record["steps"] > 0 ? 3 : 2));
-      CHECK(taut::read_png(folder / "out/frames/frame_00000.png").width == 160);
+      CHECK(taut::render::read_png(folder / "out/frames/frame_00000.png").width == 160);
       CHECK(files_in(folder / "out/frames") == 1);
     }
   }
@@ -59,7 +59,7 @@ TEST_SUITE("cli") {
     ChildProgram::wait_for(folder / "out/history.csv");
     child.send(SIGINT);
     CHECK(child.exit_code() == 130);
-    CHECK(taut::read_png(folder / "out/frames/frame_00000.png").width == 160);
+    CHECK(taut::render::read_png(folder / "out/frames/frame_00000.png").width == 160);
   }
 
   TEST_CASE("a second interrupt ends the program and leaves whole files") {
@@ -129,7 +129,7 @@ TEST_SUITE("cli") {
     CHECK(text_of(folder / "disk/out/history.csv").back() == '\n');
     for (const auto& file : fs::directory_iterator(folder / "disk/out/frames")) {
       CHECK(file.path().extension() == ".png");
-      CHECK(taut::read_png(file.path()).width == 640);
+      CHECK(taut::render::read_png(file.path()).width == 640);
     }
   }
 }

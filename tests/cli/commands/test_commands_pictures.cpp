@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
-#include "program_runner.hpp"
 #include "render/image/image.hpp"
+#include "tests/support/program_runner.hpp"
 
 using namespace taut::cli;
 using namespace taut::test;
@@ -11,11 +11,10 @@ namespace {
 /// A white picture with a red square of that side.
 void write_picture(const fs::path& path, int side, int width = 64) {
   fs::create_directories(path.parent_path());
-  taut::Image image(width, 48);
+  taut::render::Image image(width, 48);
   for (int column = 0; column < side; ++column)
-    for (int row = 0; row < side; ++row)
-      image.set(column, row, {200, 0, 0});
-  taut::write_png(image, path);
+    for (int row = 0; row < side; ++row) image.set(column, row, {200, 0, 0});
+  taut::render::write_png(image, path);
 }
 
 /// The arguments of a snapshot of the tiny scene, with its baseline and its run in `folder`.
@@ -51,7 +50,8 @@ TEST_SUITE("cli") {
     CHECK(contains(worse.out, "different\n"));
     CHECK(contains(worse.out, "frame_00001.png"));  // the worse of the two
     CHECK_FALSE(contains(worse.out, "frame_00002.png"));
-    CHECK(taut::read_png(folder / "diff.png").at(15, 15)[1] < 180);  // where only the larger square is red
+    CHECK(taut::render::read_png(folder / "diff.png").at(15, 15)[1] <
+          180);  // where only the larger square is red
     CHECK(diff({"--max-difference", "150"}).code == 0);
   }
 
@@ -106,7 +106,7 @@ TEST_SUITE("cli") {
     const Outcome other = call(tiny_snapshot(folder, {"--set", "speed=3"}));
     CHECK(other.code == 1);
     CHECK(contains(other.out, "frame_0000"));
-    CHECK(taut::read_png(folder / "out/difference.png").width == 160);
+    CHECK(taut::render::read_png(folder / "out/difference.png").width == 160);
     CHECK(call(tiny_snapshot(folder, {"--frames", "2"})).code == 1);
 
     REQUIRE(call(tiny_snapshot(folder, {"--set", "speed=3", "--frames", "2", "--update"})).code == 0);

@@ -3,8 +3,8 @@
 
 #include <doctest/doctest.h>
 
-#include "program_runner.hpp"
 #include "render/image/image.hpp"
+#include "tests/support/program_runner.hpp"
 
 using namespace taut::cli;
 using namespace taut::test;
@@ -78,7 +78,7 @@ TEST_SUITE("cli") {
 
     CHECK(files_in(folder / "out") == 4);
     CHECK(files_in(folder / "out/frames") == 5);
-    const taut::Image last = taut::read_png(folder / "out/frames/frame_00004.png");
+    const taut::render::Image last = taut::render::read_png(folder / "out/frames/frame_00004.png");
     CHECK(last.width == 160);
     CHECK(last.height == 120);
 
@@ -154,8 +154,7 @@ TEST_SUITE("cli") {
     REQUIRE(some.size() == 6);
     std::size_t at = 1;
     for (std::size_t k = 1; k < some.size(); ++k) {
-      while (at + 1 < all.size() && numbers(all[at])[0] < 5e-4 * static_cast<double>(k - 1))
-        ++at;
+      while (at + 1 < all.size() && numbers(all[at])[0] < 5e-4 * static_cast<double>(k - 1)) ++at;
       CHECK(some[k] == all[at]);
     }
   }

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "sweep_folder.hpp"
+#include "tests/support/sweep_folder.hpp"
 
 using namespace taut::cli;
 using namespace taut::test;

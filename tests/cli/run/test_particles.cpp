@@ -11,7 +11,7 @@
 #include "cli/run/zlib_blocks.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
-#include "program_runner.hpp"
+#include "tests/support/program_runner.hpp"
 
 using namespace taut;
 using namespace taut::cli;

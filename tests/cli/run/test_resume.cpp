@@ -5,10 +5,10 @@
 
 #include <doctest/doctest.h>
 
-#include "child_program.hpp"
 #include "cli/run/checkpoint.hpp"
 #include "engine/error.hpp"
-#include "program_runner.hpp"
+#include "tests/support/child_program.hpp"
+#include "tests/support/program_runner.hpp"
 
 using namespace taut::cli;
 using namespace taut::test;
@@ -181,9 +181,9 @@ TEST_SUITE("restart") {
     put(whole + "x");
     check_refused(folder, "damaged");
 
-    taut::Checkpoint checkpoint = (put(whole), taut::read_checkpoint(path));
+    taut::cli::Checkpoint checkpoint = (put(whole), taut::cli::read_checkpoint(path));
     checkpoint.method = "og";
-    taut::write_checkpoint(path, checkpoint);
+    taut::cli::write_checkpoint(path, checkpoint);
     check_refused(folder, "method 'og'");
     put(whole);
     write(folder / "out/scene.toml", scene + "\n# mine\n");
@@ -196,11 +196,11 @@ TEST_SUITE("restart") {
   TEST_CASE("a checkpoint of another version is refused") {
     const TemporaryFolder folder;
     const fs::path path = folder / "checkpoint.bin";
-    taut::write_checkpoint(path, {});
-    CHECK(taut::read_checkpoint(path).method.empty());
-    taut::write_checkpoint(path, {}, "0.0.1");
+    taut::cli::write_checkpoint(path, {});
+    CHECK(taut::cli::read_checkpoint(path).method.empty());
+    taut::cli::write_checkpoint(path, {}, "0.0.1");
     try {
-      taut::read_checkpoint(path);
+      taut::cli::read_checkpoint(path);
       FAIL_CHECK("no error");
     } catch (const taut::UsageError& error) {
       CHECK(contains(error.what(), "was written by taut 0.0.1"));

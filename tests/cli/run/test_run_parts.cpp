@@ -8,9 +8,10 @@
 #include "cli/run/schedule.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/text/format.hpp"
+#include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/conservation.hpp"
 #include "engine/error.hpp"
-#include "program_runner.hpp"
+#include "tests/support/program_runner.hpp"
 
 using namespace taut;
 using namespace taut::cli;

@@ -5,15 +5,15 @@
 
 #include "cli/scene/expression.hpp"
 
-using taut::ExpressionError;
-using taut::Names;
+using taut::cli::ExpressionError;
+using taut::cli::Names;
 
 namespace {
 
 /// The error that the text must give.
 ExpressionError error_of(const std::string& text, const Names& names = {}) {
   try {
-    taut::evaluate(text, names);
+    taut::cli::evaluate(text, names);
   } catch (const ExpressionError& error) {
     return error;
   }
@@ -29,25 +29,25 @@ bool says(const ExpressionError& error, const char* part) {
 
 TEST_SUITE("unit") {
   TEST_CASE("an expression of names, numbers and functions") {
-    CHECK(taut::evaluate("2*a + b", {{"a", 3}, {"b", 0.5}}) == 6.5);
-    CHECK(taut::evaluate("-2^2", {}) == -4);
-    CHECK(taut::evaluate("1.5e-3", {}) == 1.5e-3);
-    CHECK(taut::evaluate("cos(pi)", {}) == -1);
-    CHECK(taut::evaluate("sqrt(16) + cosh(0) + sinh(0)", {}) == 5);
-    CHECK(taut::evaluate(" 1\n + 2 ", {}) == 3);
+    CHECK(taut::cli::evaluate("2*a + b", {{"a", 3}, {"b", 0.5}}) == 6.5);
+    CHECK(taut::cli::evaluate("-2^2", {}) == -4);
+    CHECK(taut::cli::evaluate("1.5e-3", {}) == 1.5e-3);
+    CHECK(taut::cli::evaluate("cos(pi)", {}) == -1);
+    CHECK(taut::cli::evaluate("sqrt(16) + cosh(0) + sinh(0)", {}) == 5);
+    CHECK(taut::cli::evaluate(" 1\n + 2 ", {}) == 3);
   }
 
   TEST_CASE("comparisons give 1 or 0 and ? : chooses") {
-    CHECK(taut::evaluate("a < 0", {{"a", -1}}) == 1);
-    CHECK(taut::evaluate("a >= 0", {{"a", -1}}) == 0);
-    CHECK(taut::evaluate("a == 2 && a <= 2 || 0", {{"a", 2}}) == 1);
-    CHECK(taut::evaluate("a != 2", {{"a", 2}}) == 0);
-    CHECK(taut::evaluate("a >= 0 ? 10*a : 7", {{"a", 2}}) == 20);
-    CHECK(taut::evaluate("a >= 0 ? 10*a : 7", {{"a", -2}}) == 7);
+    CHECK(taut::cli::evaluate("a < 0", {{"a", -1}}) == 1);
+    CHECK(taut::cli::evaluate("a >= 0", {{"a", -1}}) == 0);
+    CHECK(taut::cli::evaluate("a == 2 && a <= 2 || 0", {{"a", 2}}) == 1);
+    CHECK(taut::cli::evaluate("a != 2", {{"a", 2}}) == 0);
+    CHECK(taut::cli::evaluate("a >= 0 ? 10*a : 7", {{"a", 2}}) == 20);
+    CHECK(taut::cli::evaluate("a >= 0 ? 10*a : 7", {{"a", -2}}) == 7);
   }
 
   TEST_CASE("a function of the position") {
-    const auto f = taut::compile("x < 0 ? 0 : a*x + 10*y + 100*z", {{"a", 2}});
+    const auto f = taut::cli::compile("x < 0 ? 0 : a*x + 10*y + 100*z", {{"a", 2}});
     CHECK(f({1, 2, 3}) == 322);
     CHECK(f({-1, 2, 3}) == 0);
     const auto copy = f;
@@ -56,20 +56,20 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("an expression of the place and the time") {
-    const taut::Solution f = taut::compile_in_time("a*x + y - z*t", {{"a", 2}});
+    const taut::Solution f = taut::cli::compile_in_time("a*x + y - z*t", {{"a", 2}});
     CHECK(f({1, 2, 3}, 10) == -26);
     CHECK(f({1, 2, 3}, 0) == 4);
-    CHECK_THROWS_AS(taut::compile("t", {}), ExpressionError);
+    CHECK_THROWS_AS(taut::cli::compile("t", {}), ExpressionError);
   }
 
   TEST_CASE("the names in an expression") {
-    CHECK(taut::names_in("2*a + sin(b1)*1e5 + pi") == std::set<std::string>{"a", "b1"});
-    CHECK(taut::names_in("a + (").empty());
+    CHECK(taut::cli::names_in("2*a + sin(b1)*1e5 + pi") == std::set<std::string>{"a", "b1"});
+    CHECK(taut::cli::names_in("a + (").empty());
   }
 
   TEST_CASE("values that are not finite are left to the caller") {
-    CHECK(std::isinf(taut::evaluate("1/0", {})));
-    CHECK(std::isnan(taut::evaluate("sqrt(-1)", {})));
+    CHECK(std::isinf(taut::cli::evaluate("1/0", {})));
+    CHECK(std::isnan(taut::cli::evaluate("sqrt(-1)", {})));
   }
 }
 
@@ -92,6 +92,6 @@ TEST_SUITE("cli") {
     CHECK(says(error_of("1, 2"), "several values"));
     CHECK(says(error_of("  "), "empty"));
     CHECK(says(error_of("a = 2", {{"a", 1}}), "write '=='"));
-    CHECK_THROWS_AS(taut::compile("x = 2", {}), ExpressionError);
+    CHECK_THROWS_AS(taut::cli::compile("x = 2", {}), ExpressionError);
   }
 }

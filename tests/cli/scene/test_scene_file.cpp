@@ -8,7 +8,7 @@
 #include "cli/scene/shipped.hpp"
 #include "engine/families/catalogue.hpp"
 #include "engine/scene/initial_particles.hpp"
-#include "scene_text.hpp"
+#include "tests/support/scene_text.hpp"
 
 using namespace taut;
 using namespace taut::cli;

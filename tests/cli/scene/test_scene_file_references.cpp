@@ -2,7 +2,7 @@
 
 #include "cli/scene/scene_file.hpp"
 #include "engine/error.hpp"
-#include "scene_text.hpp"
+#include "tests/support/scene_text.hpp"
 
 using namespace taut;
 using namespace taut::cli;

@@ -3,7 +3,7 @@
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/shipped.hpp"
 #include "cli/text/format.hpp"
-#include "scene_text.hpp"
+#include "tests/support/scene_text.hpp"
 
 using namespace taut;
 using namespace taut::cli;

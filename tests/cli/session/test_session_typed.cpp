@@ -5,10 +5,10 @@
 
 #include <doctest/doctest.h>
 
-#include "child_program.hpp"
 #include "cli/session/session_completion.hpp"
-#include "program_runner.hpp"
-#include "terminal_program.hpp"
+#include "tests/support/child_program.hpp"
+#include "tests/support/program_runner.hpp"
+#include "tests/support/terminal_program.hpp"
 
 using namespace taut::cli;
 using namespace taut::test;
@@ -121,12 +121,12 @@ TEST_SUITE("cli") {
 
   TEST_CASE("what a line of a session can become is what its help says") {
     const TemporaryFolder folder;
-    taut::RunOptions options;
+    taut::cli::RunOptions options;
     options.scene = write_tiny_scene(folder);
     options.threads = 1;
-    const taut::Session session(options);
+    const taut::cli::Session session(options);
     const auto words = [&](const std::vector<std::string>& line) {
-      return taut::session_choices(session, line).words;
+      return taut::cli::session_choices(session, line).words;
     };
     using Words = std::vector<std::string>;
     const Words commands = words({""});
@@ -146,8 +146,8 @@ TEST_SUITE("cli") {
     CHECK(std::ranges::count(constants, "cfl=") == 1);
     CHECK(std::ranges::count(constants, "speed=") == 0);     // cannot change any more
     CHECK(std::ranges::count(constants, "method.h=") == 0);  // nor can this
-    CHECK(taut::session_choices(session, {"save", ""}).files == "*");
-    CHECK(taut::session_choices(session, {"frame", ""}).files == "*.png");
+    CHECK(taut::cli::session_choices(session, {"save", ""}).files == "*");
+    CHECK(taut::cli::session_choices(session, {"frame", ""}).files == "*.png");
     CHECK(words({"nothing", ""}).empty());
   }
 }

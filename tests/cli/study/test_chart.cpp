@@ -6,9 +6,9 @@
 #include "cli/study/chart.hpp"
 #include "cli/study/csv.hpp"
 #include "engine/error.hpp"
-#include "path_variable.hpp"
-#include "results_file.hpp"
-#include "sweep_folder.hpp"
+#include "tests/support/path_variable.hpp"
+#include "tests/support/results_file.hpp"
+#include "tests/support/sweep_folder.hpp"
 
 using namespace taut::cli;
 using namespace taut::test;
@@ -24,8 +24,8 @@ const std::string converging =
     "failed,og,og,0.2,10,diverged,,,2,1,\n"
     "to do,og,,,,,,,,,\n";
 
-taut::Chart chart_of(const std::string& file, const taut::ChartRequest& request = {}) {
-  return taut::make_chart(taut::read_results({file}), request);
+taut::cli::Chart chart_of(const std::string& file, const taut::cli::ChartRequest& request = {}) {
+  return taut::cli::make_chart(taut::cli::read_results({file}), request);
 }
 
 /// A sweep of the rings, coarse and short.
@@ -53,9 +53,9 @@ std::vector<std::vector<std::string>> data_of(const fs::path& file) {
 TEST_SUITE("cli") {
   TEST_CASE("orders are slopes of log error over log spacing, by least squares") {
     const TemporaryFolder folder;
-    const taut::Chart chart = chart_of(write_results(folder.path(), converging));
+    const taut::cli::Chart chart = chart_of(write_results(folder.path(), converging));
     REQUIRE(chart.series.size() == 2);
-    const taut::ChartSeries& tl = chart.series[0];
+    const taut::cli::ChartSeries& tl = chart.series[0];
     CHECK(tl.name == "tl");
     CHECK(*tl.order == doctest::Approx(2));
     CHECK_FALSE(chart.series[1].order.has_value());
@@ -66,9 +66,9 @@ TEST_SUITE("cli") {
     CHECK_FALSE(tl.points[2].stable);
     CHECK_FALSE(chart.series[1].points[1].error.has_value());
     // through points that no straight line meets: slopes of 1 and 3 between neighbours
-    const std::vector<taut::ChartPoint> bent{
+    const std::vector<taut::cli::ChartPoint> bent{
         {.spacing = 4, .error = 16}, {.spacing = 2, .error = 2}, {.spacing = 1, .error = 1}};
-    CHECK(*taut::convergence_order(bent) == doctest::Approx(2));
+    CHECK(*taut::cli::convergence_order(bent) == doctest::Approx(2));
   }
 
   TEST_CASE("what else differs makes lines of their own, and of a run done twice the faster one counts") {
@@ -79,13 +79,13 @@ TEST_SUITE("cli") {
                                             "rod", "cfl");
     const std::string second =
         write_results(folder / "b", "finished,tl,tl,0.4,10,stable,,0.3,2,3,0.5\n", "rod", "cfl");
-    const taut::Chart chart = taut::make_chart(taut::read_results({first, second}), {});
+    const taut::cli::Chart chart = taut::cli::make_chart(taut::cli::read_results({first, second}), {});
     REQUIRE(chart.series.size() == 2);
     CHECK(chart.series[0].name == "tl, cfl=0.5");
     CHECK(chart.series[1].name == "tl, cfl=0.25");
     REQUIRE(chart.series[0].points.size() == 1);
     CHECK(chart.series[0].points[0].cost == 3);
-    const taut::Chart steps = chart_of(first, {"bend", taut::Cost::particle_steps});
+    const taut::cli::Chart steps = chart_of(first, {"bend", taut::cli::Cost::particle_steps});
     CHECK(steps.series[0].points[0].cost == 1000);
   }
 
@@ -131,7 +131,7 @@ TEST_SUITE("cli") {
     CAPTURE(outcome.err);
     REQUIRE(outcome.code == 0);
     // measured: 1.92 and 1.61; with 6 to 12 particles across the plate
-    const taut::Chart chart = chart_of(folder.str("plate"), {"period", taut::Cost::seconds});
+    const taut::cli::Chart chart = chart_of(folder.str("plate"), {"period", taut::cli::Cost::seconds});
     REQUIRE(chart.series.size() == 2);
     CHECK(*chart.series[0].order > 1.8);
     CHECK(*chart.series[0].order < 2.2);
@@ -157,7 +157,7 @@ TEST_SUITE("cli") {
     const std::string swept = write("swept", ",set.v0",
                                     "finished,tl,rod,9,9,0.4,stable,0.2,2,0.1,m,0.06,0.06\n"
                                     "finished,tl,rod,9,9,0.4,stable,0.4,2,0.1,m,0.08,0.08\n");
-    const taut::Chart chart = taut::make_chart(taut::read_results({plain, swept}), {});
+    const taut::cli::Chart chart = taut::cli::make_chart(taut::cli::read_results({plain, swept}), {});
     REQUIRE(chart.series.size() == 2);
     CHECK(chart.series[0].name == "tl, v0=0.06");
     CHECK(chart.series[0].points.size() == 3);
@@ -237,11 +237,11 @@ TEST_SUITE("cli") {
 
   TEST_CASE("a table is read as it is written") {
     const std::string odd = "a \"b\", c\nd";
-    const auto table = taut::parse_csv("x,y\r\n" + taut::csv_cell(odd) + ",\n,2", "t.csv");
+    const auto table = taut::cli::parse_csv("x,y\r\n" + taut::cli::csv_cell(odd) + ",\n,2", "t.csv");
     CHECK(table.columns == Texts{"x", "y"});
     REQUIRE(table.rows.size() == 2);
     CHECK(table.rows[0] == Texts{odd, ""});
     CHECK(table.rows[1] == Texts{"", "2"});
-    CHECK_THROWS_AS(taut::parse_csv("x,y\n\"a\"b,c\n", "t.csv"), taut::UsageError);
+    CHECK_THROWS_AS(taut::cli::parse_csv("x,y\n\"a\"b,c\n", "t.csv"), taut::UsageError);
   }
 }

@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "cli/study/choose.hpp"
-#include "results_file.hpp"
-#include "sweep_folder.hpp"
+#include "tests/support/results_file.hpp"
+#include "tests/support/sweep_folder.hpp"
 
 using namespace taut::cli;
 using namespace taut::test;
@@ -20,8 +20,9 @@ const std::string runs =
     "finished,icb,icb,0.2,20,stable,,0.004,2,90,\n"
     "finished,og,og,0.2,20,fractured,0.1,0.001,2,2,\n";
 
-taut::Chart chart_of(const TemporaryFolder& folder) {
-  return taut::make_chart(taut::read_results({write_results(folder / "a", runs, "colliding-rings")}), {});
+taut::cli::Chart chart_of(const TemporaryFolder& folder) {
+  return taut::cli::make_chart(
+      taut::cli::read_results({write_results(folder / "a", runs, "colliding-rings")}), {});
 }
 
 }  // namespace
@@ -29,8 +30,8 @@ taut::Chart chart_of(const TemporaryFolder& folder) {
 TEST_SUITE("cli") {
   TEST_CASE("the cheapest run that is stable, accurate and not contradicted by a finer one is chosen") {
     const TemporaryFolder folder;
-    const taut::Chart chart = chart_of(folder);
-    const auto all = taut::grants(chart, {0.01, std::nullopt});
+    const taut::cli::Chart chart = chart_of(folder);
+    const auto all = taut::cli::grants(chart, {0.01, std::nullopt});
     REQUIRE(all.size() == 2);
     CHECK(all[0].series->name == "icb");
     CHECK(all[0].point->spacing == 0.4);
@@ -38,11 +39,11 @@ TEST_SUITE("cli") {
     CHECK(all[1].series->name == "tl");
     CHECK(all[1].point->spacing == 0.1);
     CHECK(all[1].finer == 0);
-    const auto rough = taut::grants(chart, {0.06, std::nullopt});
+    const auto rough = taut::cli::grants(chart, {0.06, std::nullopt});
     CHECK(rough.front().point->cost == 1);
     CHECK(rough.front().finer == 2);
-    CHECK(taut::grants(chart, {0.06, 0.5}).empty());
-    CHECK(taut::grants(chart, {0.003, std::nullopt}).empty());
+    CHECK(taut::cli::grants(chart, {0.06, 0.5}).empty());
+    CHECK(taut::cli::grants(chart, {0.003, std::nullopt}).empty());
   }
 
   TEST_CASE("choose names method, spacing and evidence, or says that the results do not reach that far") {

@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "cli/study/stability_map.hpp"
-#include "results_file.hpp"
-#include "sweep_folder.hpp"
+#include "tests/support/results_file.hpp"
+#include "tests/support/sweep_folder.hpp"
 
 using namespace taut::cli;
 using namespace taut::test;
@@ -24,7 +24,7 @@ TEST_SUITE("cli") {
   TEST_CASE("a map has a cell for each run, with its verdict and since when, by rising values") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", speeds, "rod", "speed");
-    const taut::StabilityMap map = taut::make_map(taut::read_results({file}), {});
+    const taut::cli::StabilityMap map = taut::cli::make_map(taut::cli::read_results({file}), {});
     CHECK(map.label == "speed");
     REQUIRE(map.values == Texts{"2", "3", "10"});
     REQUIRE(map.rows == Texts{"og", "enog"});

@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "results_file.hpp"
-#include "sweep_folder.hpp"
+#include "tests/support/results_file.hpp"
+#include "tests/support/sweep_folder.hpp"
 
 using namespace taut::cli;
 using namespace taut::test;

@@ -4,7 +4,7 @@
 
 #include "cli/sweep/lock.hpp"
 #include "engine/error.hpp"
-#include "sweep_folder.hpp"
+#include "tests/support/sweep_folder.hpp"
 
 using namespace taut::cli;
 using namespace taut::test;
@@ -179,9 +179,9 @@ TEST_SUITE("cli") {
 
   TEST_CASE("a sweep is locked as a whole or by the run") {
     const TemporaryFolder folder;
-    const taut::SweepLock one(folder.path(), "a");
-    const taut::SweepLock other(folder.path(), "b");
-    CHECK_THROWS_AS(taut::SweepLock(folder.path(), "a"), taut::UsageError);
-    CHECK_THROWS_AS(taut::SweepLock(folder.path(), ""), taut::UsageError);
+    const taut::cli::SweepLock one(folder.path(), "a");
+    const taut::cli::SweepLock other(folder.path(), "b");
+    CHECK_THROWS_AS(taut::cli::SweepLock(folder.path(), "a"), taut::UsageError);
+    CHECK_THROWS_AS(taut::cli::SweepLock(folder.path(), ""), taut::UsageError);
   }
 }

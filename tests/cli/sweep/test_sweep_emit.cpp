@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "cli/sweep/emit.hpp"
-#include "sweep_folder.hpp"
+#include "tests/support/sweep_folder.hpp"
 
 using namespace taut::cli;
 using namespace taut::test;
@@ -81,8 +81,8 @@ TEST_SUITE("cli") {
 
 TEST_SUITE("unit") {
   TEST_CASE("a script quotes what the shell would take apart") {
-    const std::string script = taut::emit_script(taut::find_emit_form("slurm"), "two\nlines", 3, 4,
-                                                 {"taut", "a b", "it's", "x=1,2:3"});
+    const std::string script = taut::cli::emit_script(taut::cli::find_emit_form("slurm"), "two\nlines", 3, 4,
+                                                      {"taut", "a b", "it's", "x=1,2:3"});
     CHECK(contains(script, "exec taut 'a b' 'it'\\''s' x=1,2:3 --index"));
     CHECK(contains(script, "# two lines: 3 runs"));
     CHECK(contains(script, "--cpus-per-task=4\n"));

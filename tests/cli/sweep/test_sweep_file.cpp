@@ -2,7 +2,7 @@
 
 #include "cli/sweep/sweep_file.hpp"
 #include "engine/error.hpp"
-#include "sweep_folder.hpp"
+#include "tests/support/sweep_folder.hpp"
 
 using namespace taut;
 using namespace taut::cli;

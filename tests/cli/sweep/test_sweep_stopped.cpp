@@ -1,8 +1,8 @@
 #include <doctest/doctest.h>
 
-#include "child_program.hpp"
 #include "cli/sweep/lock.hpp"
-#include "sweep_folder.hpp"
+#include "tests/support/child_program.hpp"
+#include "tests/support/sweep_folder.hpp"
 
 using namespace taut::cli;
 using namespace taut::test;
@@ -79,7 +79,7 @@ TEST_SUITE("cli") {
     sweep.send(SIGINT);
     sweep.send(SIGTERM);
     CHECK(sweep.exit_code() == 130);
-    CHECK_NOTHROW(taut::SweepLock(folder / "out", ""));  // its runs would hold it
+    CHECK_NOTHROW(taut::cli::SweepLock(folder / "out", ""));  // its runs would hold it
     CHECK(statuses(folder / "out").size() == 2);
   }
 

@@ -2,8 +2,8 @@
 
 #include "cli/text/suggest.hpp"
 
-using taut::did_you_mean;
-using taut::nearest;
+using taut::cli::did_you_mean;
+using taut::cli::nearest;
 using Names = std::vector<std::string>;
 
 TEST_SUITE("unit") {

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/diagnostics/balance.hpp"
 #include "engine/simulation.hpp"
 #include "tests/support/made_snapshot.hpp"
 

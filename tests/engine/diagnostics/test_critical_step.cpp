@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/diagnostics/step_limits.hpp"
 #include "engine/diagnostics/critical_step.hpp"
 #include "engine/error.hpp"
 #include "tests/support/runs.hpp"

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/verdict.hpp"
 #include "tests/support/made_snapshot.hpp"
 

@@ -8,6 +8,7 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/verdict.hpp"
 #include "engine/families/bonded/bonds.hpp"
 #include "engine/materials/neo_hookean.hpp"

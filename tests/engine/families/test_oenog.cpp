@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/diagnostics/balance.hpp"
 #include "engine/methods/formulation.hpp"
 #include "tests/engine/families/naive_oenog.hpp"
 #include "tests/support/relative.hpp"

@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/verdict.hpp"
 #include "engine/families/tl_mixed/corrected_laplacian.hpp"
 #include "engine/families/tl_mixed/momentum_projection.hpp"

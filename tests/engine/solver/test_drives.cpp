@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/diagnostics/balance.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/diagnostics/balance.hpp"
 #include "engine/error.hpp"
 #include "engine/terms/lennard_jones_contact.hpp"
 #include "engine/terms/penalty_contact.hpp"

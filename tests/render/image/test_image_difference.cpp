@@ -4,7 +4,7 @@
 
 #include "engine/error.hpp"
 #include "render/image/image_difference.hpp"
-#include "synthetic.hpp"
+#include "tests/support/synthetic.hpp"
 
 using namespace taut;
 using namespace taut::render;

@@ -7,7 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/error.hpp"
-#include "synthetic.hpp"
+#include "tests/support/synthetic.hpp"
 
 using namespace taut;
 using namespace taut::render;
