@@ -49,8 +49,7 @@ std::vector<double> chosen_times(const Options& options, double until) {
     for (int k = 1; k <= default_rows; ++k) times.push_back(until * k / default_rows);
   for (const double time : times)
     if (time > until)
-      throw UsageError("--times has " + brief(time) + " s, and the runs end at " +
-                       brief(until) + " s");
+      throw UsageError("--times has " + brief(time) + " s, and the runs end at " + brief(until) + " s");
   return times;
 }
 

@@ -1,5 +1,4 @@
 #include "engine/diagnostics/critical_step.hpp"
-#include "engine/diagnostics/step_limits.hpp"
 
 #include <memory>
 #include <ostream>
@@ -12,6 +11,7 @@
 #include "cli/system/exit_code.hpp"
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
+#include "engine/diagnostics/step_limits.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {
@@ -48,14 +48,14 @@ CriticalStep search(const SceneFile& file, const Options& options, Progress& pro
 }
 
 std::string result_text(const SceneFile& file, const CriticalStep& found) {
-  std::string text = file.scene.name + " with " + file.settings.method +
-                             " at dp = " + brief(file.scene.spacing) + " m\n";
+  std::string text =
+      file.scene.name + " with " + file.settings.method + " at dp = " + brief(file.scene.spacing) + " m\n";
   std::vector<std::vector<std::string>> rows;
   if (found.stable) {
     const double share = *found.stable / found.default_step;
-    rows.push_back({"largest stable step", brief(*found.stable) + " s",
-                    found.unstable ? "unstable at " + brief(*found.unstable) + " s"
-                                   : "the largest that was tried"});
+    rows.push_back(
+        {"largest stable step", brief(*found.stable) + " s",
+         found.unstable ? "unstable at " + brief(*found.unstable) + " s" : "the largest that was tried"});
     rows.push_back({"over the default step", brief(share),
                     brief(found.default_step) + " s; a CFL number of " + brief(share * file.settings.cfl)});
   } else {

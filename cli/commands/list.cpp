@@ -47,8 +47,7 @@ Json equation_rows() {
   Json rows = Json::array();
   for (const MethodInfo& m : methods()) {
     for (const TermInfo& t : m.terms) {
-      const Json row = {
-          {"name", t.what}, {"source", t.source}, {"function", t.function}, {"test", t.test}};
+      const Json row = {{"name", t.what}, {"source", t.source}, {"function", t.function}, {"test", t.test}};
       if (std::ranges::find(rows, row) == rows.end()) rows.push_back(row);
     }
   }

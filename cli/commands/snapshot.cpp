@@ -31,8 +31,7 @@ void declare_options(CLI::App& app, Options& o) {
   app.add_option("--baseline", o.baseline, "the folder of the frames that are right")
       ->option_text("DIR")
       ->required();
-  app.add_flag("--update", o.update,
-               "the frames of this run become the baseline; look at them first");
+  app.add_flag("--update", o.update, "the frames of this run become the baseline; look at them first");
   declare_difference_options(app, o);
   declare_setting_options(app, o);
   app.add_option("--out", o.out, "the run folder; default: out/snapshot-BASELINE")->option_text("DIR");

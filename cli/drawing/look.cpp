@@ -20,9 +20,7 @@ std::optional<std::array<Number, Count>> numbers(std::string_view text, char bet
   std::array<Number, Count> values{};
   for (std::size_t k = 0; k < Count; ++k) {
     const std::size_t end = k + 1 < Count ? text.find(between) : text.size();
-    const auto value = end == std::string_view::npos
-                           ? std::nullopt
-                           : parsed<Number>(text.substr(0, end));
+    const auto value = end == std::string_view::npos ? std::nullopt : parsed<Number>(text.substr(0, end));
     if (!value) return std::nullopt;
     values[k] = *value;
     text.remove_prefix(std::min(end + 1, text.size()));
@@ -34,17 +32,15 @@ std::optional<std::array<double, 2>> parse_range(const std::string& text) {
   if (text == automatic) return std::nullopt;
   const auto range = numbers<double, 2>(text, ':');
   if (!range || !std::isfinite((*range)[0]) || !std::isfinite((*range)[1]) || (*range)[0] >= (*range)[1])
-    throw UsageError("--range is '" + text +
-                     "', not LOW:HIGH with LOW less than HIGH (0:2e6), nor 'auto'");
+    throw UsageError("--range is '" + text + "', not LOW:HIGH with LOW less than HIGH (0:2e6), nor 'auto'");
   return range;
 }
 
 std::optional<std::array<double, 4>> parse_view(const std::string& text) {
   if (text == automatic) return std::nullopt;
   const auto view = numbers<double, 4>(text, ':');
-  const bool good =
-      view && std::ranges::all_of(*view, [](double end) { return std::isfinite(end); }) &&
-      (*view)[0] < (*view)[1] && (*view)[2] < (*view)[3];
+  const bool good = view && std::ranges::all_of(*view, [](double end) { return std::isfinite(end); }) &&
+                    (*view)[0] < (*view)[1] && (*view)[2] < (*view)[3];
   if (!good)
     throw UsageError("--view is '" + text +
                      "', not X_MIN:X_MAX:Y_MIN:Y_MAX in metres (-0.1:0.1:0:0.05), nor 'auto'");

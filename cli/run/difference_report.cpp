@@ -15,8 +15,8 @@ Rows rows_of(const render::ImageDifference& d) {
           {"greatest difference",
            brief(d.greatest) + " of 100 (ΔE*ab; an eye notices " + brief(render::just_noticeable) + ")"},
           {"densest window", percent(d.densest) + " of " + std::to_string(d.width) + "x" +
-                                 std::to_string(d.height) + " pixels at " + std::to_string(d.column) +
-                                 "," + std::to_string(d.row)}};
+                                 std::to_string(d.height) + " pixels at " + std::to_string(d.column) + "," +
+                                 std::to_string(d.row)}};
 }
 
 std::string verdict(bool same) { return same ? "alike\n" : "different\n"; }

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "cli/drawing/frames.hpp"
-
 #include <filesystem>
 #include <string>
 #include <string_view>
+
+#include "cli/drawing/frames.hpp"
 
 namespace taut::cli {
 

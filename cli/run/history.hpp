@@ -1,11 +1,10 @@
 #pragma once
 
-#include "engine/diagnostics/balance.hpp"
-
 #include <string>
 #include <vector>
 
 #include "cli/system/atomic_file.hpp"
+#include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/indicators.hpp"
 #include "engine/simulation.hpp"
 

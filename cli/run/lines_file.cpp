@@ -36,9 +36,9 @@ void LineSamplesFile::add(const std::vector<std::vector<LineSample>>& samples) {
 void LineSamplesFile::add(const Known& known, const LineSample& sample) {
   for (int k = 0; k < known.line.points; ++k) {
     const Point at = line_point(known.line, k);
-    std::string row = known.line.name + "," + exact(sample.time) + "," + std::to_string(sample.step) +
-                              "," + exact(at[0]) + "," + exact(at[1]) + "," +
-                              exact(sample.value[static_cast<std::size_t>(k)]) + ",";
+    std::string row = known.line.name + "," + exact(sample.time) + "," + std::to_string(sample.step) + "," +
+                      exact(at[0]) + "," + exact(at[1]) + "," +
+                      exact(sample.value[static_cast<std::size_t>(k)]) + ",";
     if (known.reference) row += exact(known.reference(at, sample.time));
     file_.append(row);
   }

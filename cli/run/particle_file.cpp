@@ -81,8 +81,7 @@ std::optional<Number> number(std::optional<std::string_view> text) {
 /// The tags of an XML text, each with the text behind it.
 std::vector<std::string_view> tags_of(std::string_view xml) {
   std::vector<std::string_view> tags;
-  for (std::size_t at = xml.find('<'); at != std::string_view::npos;
-       at = xml.find('<', at + 1))
+  for (std::size_t at = xml.find('<'); at != std::string_view::npos; at = xml.find('<', at + 1))
     tags.push_back(xml.substr(at, xml.find('<', at + 1) - at));
   return tags;
 }

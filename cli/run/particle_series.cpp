@@ -33,7 +33,7 @@ void ParticleSeries::save_index() const {
       "<Collection>\n";
   for (std::size_t k = 0; k < times_.size(); ++k)
     text += "<DataSet timestep=\"" + exact(times_[k]) + "\" part=\"0\" file=\"" +
-                    folder_.particle_file(static_cast<int>(k)).filename().string() + "\"/>\n";
+            folder_.particle_file(static_cast<int>(k)).filename().string() + "\"/>\n";
   write_atomically(folder_.particle_index(), text + "</Collection>\n</VTKFile>\n");
 }
 

@@ -36,10 +36,9 @@ std::string indicators_line(const RunRecord& record) {
 }
 
 std::string heading(const RunRecord& record) {
-  std::string text = record.scene + " with " + record.method + ": " +
-                             std::to_string(record.particles) +
-                             " particles at dp = " + brief(record.spacing) + " m, " +
-                             std::to_string(record.steps) + " steps to t = " + brief(record.reached) + " s";
+  std::string text = record.scene + " with " + record.method + ": " + std::to_string(record.particles) +
+                     " particles at dp = " + brief(record.spacing) + " m, " + std::to_string(record.steps) +
+                     " steps to t = " + brief(record.reached) + " s";
   if (record.status == RunRecord::Status::interrupted)
     text += " of " + brief(record.until) + " s (interrupted)";
   return text + "\n";

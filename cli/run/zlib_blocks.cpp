@@ -22,8 +22,8 @@ const Bytef* input(const void* data) { return static_cast<const Bytef*>(data); }
 std::string compressed(std::span<const std::byte> block) {
   uLongf size = compressBound(block.size());
   std::string text(size, '\0');
-  if (compress2(reinterpret_cast<Bytef*>(text.data()), &size, input(block.data()), block.size(),
-                level) != Z_OK)
+  if (compress2(reinterpret_cast<Bytef*>(text.data()), &size, input(block.data()), block.size(), level) !=
+      Z_OK)
     throw std::runtime_error("zlib failed to compress");
   text.resize(size);
   return text;

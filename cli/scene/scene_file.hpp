@@ -32,8 +32,7 @@ struct Parameter {
 /// of a name counts, before `method`, `spacing` and `until`. A value is a number or an expression of the
 /// parameters before it.
 struct Overrides {
-  std::vector<std::pair<std::string, std::string>>
-      set;  // "--set name=value", in order, value as typed
+  std::vector<std::pair<std::string, std::string>> set;  // "--set name=value", in order, value as typed
   std::optional<std::string> method;
   std::optional<double> spacing, until;
 };

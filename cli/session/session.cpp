@@ -65,10 +65,9 @@ void Session::set(const std::string& assignment) {
   SceneFile file = scene_to_run(options);  // refuses names that there are not, and values out of bounds
   const std::string name = assignment.substr(0, assignment.find('='));
   if (const std::string reason = reason_against(name, file_); !reason.empty())
-    throw UsageError(
-        "'" + name + "' cannot change any more: " + reason +
-        "; cfl and other constants of the method can. Start another session with --set " +
-        assignment);
+    throw UsageError("'" + name + "' cannot change any more: " + reason +
+                     "; cfl and other constants of the method can. Start another session with --set " +
+                     assignment);
   std::unique_ptr<Simulation> simulation = start(file);
   simulation->load(simulation_->save());
   simulation_ = std::move(simulation);

@@ -106,8 +106,7 @@ void SweepRunner::finish(Job& job) {
     const bool by_signal = end.signal != 0;
     run.state = RunState::broken;
     run.record = nullptr;
-    run.problem =
-        by_signal ? std::string("killed: ") + ::strsignal(end.signal) : last_line(end.output);
+    run.problem = by_signal ? std::string("killed: ") + ::strsignal(end.signal) : last_line(end.output);
     if (run.problem.empty()) run.problem = "ended with exit code " + std::to_string(end.code);
     const bool known = end.code == exit_wrong_input || end.code == exit_not_written;
     end_.code = gravest(end_.code, !by_signal && known ? end.code : int{exit_bug});

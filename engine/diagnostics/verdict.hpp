@@ -22,7 +22,7 @@ std::optional<Verdict> find_verdict(std::string_view name);
 /// All but `stable`, from the mildest to the worst.
 std::vector<std::string> names_of_failures();
 
-/// Hourglass error (engine/indicators.hpp) from which particles zigzag. What the papers show as smooth stays
+/// Hourglass error (engine/diagnostics/indicators.hpp) from which particles zigzag. What the papers show as smooth stays
 /// below 0.012: `enog` on plate, rings and ball-plate 0.0004, 0.0015, 0.0027 ([Zhang2024] Fig. 3, 12, 18),
 /// the `tic` methods on the rotating plate 0.012 ([Khayyer2024] Fig. 9, 10). What they show to zigzag is
 /// above 0.04: `og` on the plate 0.081 at 0.012 s ([Zhang2024] Fig. 6), `oas` on the rings 0.09, 0.13 and

@@ -48,7 +48,7 @@ enum class Unknowns : std::uint8_t {
   v_F_J,     // and so is the volume ratio: {p, F, J}
 };
 
-/// How gradients on neighbours of the start are made right; solver/reference_pairs.hpp.
+/// How gradients on neighbours of the start are made right; solver/initial_pairs.hpp.
 enum class GradientCorrection : std::uint8_t { corrected, normalised };
 
 /// What a method is. Named values of it, and nothing else, are instantiated.
@@ -173,7 +173,7 @@ inline constexpr Formulation oenog{
     .contact = ContactLaw::penalty,
     .contact_stiffness = 2,  // a layer of the material
     .several_materials = true,
-    .h_over_dp = 0.8,  // the eight nearest on a square lattice, see engine/bonds.hpp
+    .h_over_dp = 0.8,  // the eight nearest on a square lattice, see engine/families/bonded/bonds.hpp
     .cfl = 0.64,       // over dp/(c_p + |v|max), c_p of compression; the lattice is stable up to 0.97
 };
 

@@ -10,7 +10,7 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// Particles whose velocity is given up to a time (Drive in engine/scene.hpp). Everything else about them
+/// Particles whose velocity is given up to a time (Drive in engine/scene/scene.hpp). Everything else about them
 /// goes on as usual: density and stress follow from the velocities, and others feel them.
 ///
 /// In each step: `set_time`, then `replace` for each new velocity before it is used.

@@ -13,7 +13,7 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// What acts on particles from outside and follows them: loads of regions and gravity (engine/scene.hpp), and
+/// What acts on particles from outside and follows them: loads of regions and gravity (engine/scene/scene.hpp), and
 /// the viscous force −c m v of a scene that is to come to rest. A damping of c = 2 ω, ω the slowest mode that
 /// the loads excite, brings it to rest soonest; where it comes to rest does not depend on c, which is 0 in
 /// scenes of motion. None of it acts on what is held or driven.

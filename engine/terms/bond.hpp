@@ -27,7 +27,7 @@
 ///   W = G/2 (J^(−2/3) tr C − 3) + K/2 (J − 1)²,
 /// so that a linear displacement has just the energy W (of one material, and where the moments are right).
 /// With t = ½ tr C, D = ¼ (C_xx − C_yy) + ½ i C_xy and the bond's direction θ, s = λ² = t + 2 Re(D e^(−2iθ)).
-/// Since Σ_j w e⊗e⊗e⊗e is isotropic (engine/bonds.hpp),
+/// Since Σ_j w e⊗e⊗e⊗e is isotropic (engine/families/bonded/bonds.hpp),
 ///   Σ w = 8,   Σ w s = 8 t,   Σ w s² = 4 (3 t² − J²).
 /// The mean of 1/s over all directions is 1/J, and its Fourier series is known,
 ///   1/s = 1/J [1 + 2 Σ_n Re((−ζ)^n e^(−2inθ))],   ζ = 2D/(t + J),   |ζ| < 1,

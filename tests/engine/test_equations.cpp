@@ -25,7 +25,7 @@ std::string text_of(const std::filesystem::path& file) {
 const std::string& test_sources() {
   static const std::string text = [] {
     std::string all;
-    for (const auto& entry : std::filesystem::directory_iterator(source / "tests/engine"))
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(source / "tests/engine"))
       if (entry.path().extension() == ".cpp") all += text_of(entry.path());
     return std::regex_replace(all, std::regex("\"\\s*\n\\s*\""), "");
   }();
@@ -65,8 +65,8 @@ TEST_SUITE("unit") {
 
   TEST_CASE("tests: no name has a semicolon, at which CMake would break it and run nothing") {
     const std::regex named("TEST_CASE\\(\\s*\"[^\"]*;");
-    for (const char* folder : {"tests/engine", "tests/render", "tests/cli"}) {
-      for (const auto& entry : std::filesystem::directory_iterator(source / folder)) {
+    for (const char* folder : {"tests/engine", "tests/render", "tests/cli", "tests/scenes"}) {
+      for (const auto& entry : std::filesystem::recursive_directory_iterator(source / folder)) {
         if (entry.path().extension() != ".cpp") continue;
         CAPTURE(entry.path().string());
         CHECK_FALSE(std::regex_search(text_of(entry.path()), named));

@@ -13,10 +13,10 @@ std::vector<TermInfo> bonded_terms() {
        "f_i = Σ_j (V_i P_i g_ij − V_j P_j g_ji), P = ∂U/∂F, U = W − G (t² − t − J²/3 + (1 − R/4)/(3J))",
        "ours", "terms/bond.hpp:Remainder", "bond: the slopes are those of the energies, and rise"},
       {"damping", "f_i = Σ_j k_ij τ q̇_ij (x_j − x_i), q = ½ (λ² − 1), τ = damping dp √(ρ0/G)", "ours",
-       "solver/bonded.hpp:strained",
+       "families/bonded/solver.hpp:strained",
        "oenog: the damping takes a zigzag away and leaves the first mode alone"},
       penalty_term(),
-      {"time", "position Verlet, one step", "[Zhang2024] Eq. 22–25", "solver/bonded.hpp:step",
+      {"time", "position Verlet, one step", "[Zhang2024] Eq. 22–25", "families/bonded/solver.hpp:step",
        "oenog: 40 steps are those of the formulas, with a clamp, two materials and on a ring"},
   };
 }

@@ -31,25 +31,25 @@ constexpr std::string_view exact_force =
     "pairs of the start: the force is minus the derivative of the energy";
 
 std::vector<TermInfo> mixed_terms(const Formulation& m) {
-  std::vector<TermInfo> t{
-      {"deformation", "dF/dt = Σ_j (v_j − v_i) ⊗ k_ij B_i, k_ij = V_i V_j ∇W of the start",
-       "[Lee2016] Eq. 33a", "solver/reference_pairs.hpp:difference_sum", exact_gradients}};
+  std::vector<TermInfo> t{{"deformation",
+                           "dF/dt = Σ_j (v_j − v_i) ⊗ k_ij B_i, k_ij = V_i V_j ∇W of the start",
+                           "[Lee2016] Eq. 33a", "solver/initial_pairs.hpp:difference_sum", exact_gradients}};
   if (m.unknowns == Unknowns::v_F_J)
     t.push_back({"volume ratio", "dJ/dt = H : Σ_j (v_j − v_i) ⊗ k_ij B_i, H = cof F", "[Lee2016] Eq. 33c",
-                 "solver/mixed_lagrangian.hpp:gather_pass", "mixed: a ring and a disc that collide"});
+                 "families/tl_mixed/solver.hpp:gather_pass", "mixed: a ring and a disc that collide"});
   t.push_back(law_term(m.law));
-  t.push_back({"internal force", internal_force, "[Lee2016] Eq. 29c", "solver/reference_pairs.hpp:pair_sum",
+  t.push_back({"internal force", internal_force, "[Lee2016] Eq. 29c", "solver/initial_pairs.hpp:pair_sum",
                exact_force});
   if (m.jst)
     t.push_back(
         {"dissipation", "D(U) = c_p dp (ε₂ L[U] − ε₄ dp² L*[L[U]]), L corrected",
-         "[Lee2016] Eq. 36, 37, A.1–A.5", "solver/corrected_laplacian.hpp:corrected_laplacian",
+         "[Lee2016] Eq. 36, 37, A.1–A.5", "families/tl_mixed/corrected_laplacian.hpp:corrected_laplacian",
          "corrected Laplacian: 0 of linear fields, 2 d of the square of the distance, at surfaces too"});
   t.push_back({"projection", "forces and D(v) nearest to those with Σ V a = 0, Σ V Z × a = 0",
-               "[Lee2016] Eq. 45–51", "solver/momentum_projection.hpp:project_on_momenta",
+               "[Lee2016] Eq. 45–51", "families/tl_mixed/momentum_projection.hpp:project_on_momenta",
                "projection: the nearest accelerations without force and torque"});
   t.push_back(penalty_term());
-  t.push_back({"time", "TVD Runge–Kutta, two stages", "[Lee2016] Eq. 43", "solver/mixed_lagrangian.hpp:step",
+  t.push_back({"time", "TVD Runge–Kutta, two stages", "[Lee2016] Eq. 43", "families/tl_mixed/solver.hpp:step",
                "mixed: a ring and a disc that collide"});
   return t;
 }
@@ -60,13 +60,13 @@ std::vector<TermInfo> total_lagrangian_terms(const Formulation& m) {
   if (is_mixed(m)) return mixed_terms(m);
   return {
       {"deformation", "F = I + Σ_j (u_j − u_i) ⊗ k_ij B_i, k_ij = V_i V_j ∇W of the start",
-       "[Lee2016] Eq. 34", "solver/reference_pairs.hpp:difference_sum", exact_gradients},
+       "[Lee2016] Eq. 34", "solver/initial_pairs.hpp:difference_sum", exact_gradients},
       law_term(m.law),
-      {"internal force", internal_force, "[Lee2016] Eq. 29c", "solver/reference_pairs.hpp:pair_sum",
+      {"internal force", internal_force, "[Lee2016] Eq. 29c", "solver/initial_pairs.hpp:pair_sum",
        exact_force},
       m.contact == ContactLaw::lennard_jones ? lennard_jones_term() : penalty_term(),
-      {"time", "position Verlet, one step", "[Zhang2020] Eq. 10, 11", "solver/total_lagrangian.hpp:step",
-       "total Lagrangian: a ring and a disc that collide"},
+      {"time", "position Verlet, one step", "[Zhang2020] Eq. 10, 11",
+       "families/tl_displacement/solver.hpp:step", "total Lagrangian: a ring and a disc that collide"},
   };
 }
 

@@ -93,7 +93,7 @@ std::vector<TermInfo> cauchy_stress_terms(const Formulation& m) {
   t.push_back(khayyer ? impulse_term() : penalty_term());
   t.push_back({"time", "symplectic Euler, rates at the middle of the step or where `geometry` says",
                khayyer ? "[Khayyer2024] Eq. 22–26" : "none stated: that of [Khayyer2024]",
-               "solver/cauchy_stress.hpp:step",
+               "families/ul_cauchy/solver.hpp:step",
                khayyer ? "naive: the ladder, a clamped plate of two materials and a disc that hits it"
                        : "naive: the current configuration, a clamped plate of two materials and a disc that "
                          "hits it"});

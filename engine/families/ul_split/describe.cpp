@@ -52,7 +52,7 @@ std::vector<TermInfo> updated_lagrangian_terms(const Formulation& m) {
                  "terms/gradient_correction.hpp:add_gradient_moment",
                  "velocity gradient: exact for a linear field after correction, on irregular particles"});
   t.push_back({"time", "position Verlet, dual-criteria steps", "[Zhang2024] Eq. 21–25",
-               "solver/updated_lagrangian.hpp:step", "naive: a ring and a disc that collide, dual stepping"});
+               "families/ul_split/solver.hpp:step", "naive: a ring and a disc that collide, dual stepping"});
   return t;
 }
 

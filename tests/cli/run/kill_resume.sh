@@ -2,11 +2,11 @@
 # Kills checkpointed runs at random moments (kill -9) and resumes them; what is left must be the bytes of runs
 # that nobody killed. A longer form of the test "runs that are killed at any moment ..." (test_resume.cpp).
 #
-#   tests/cli/kill_resume.sh [PROGRAM [KILLS [SEED]]]        default: build/taut, 50, 1
+#   tests/cli/run/kill_resume.sh [PROGRAM [KILLS [SEED]]]        default: build/taut, 50, 1
 #
 # The methods of `taut list methods` take turns. Exit code 0: all as they should be; 1: one was not.
 set -eu
-program=$(realpath "${1:-$(dirname "$0")/../../build/taut}")
+program=$(realpath "${1:-$(dirname "$0")/../../../build/taut}")
 kills=${2:-50}
 RANDOM=${3:-1}
 folder=$(mktemp -d)

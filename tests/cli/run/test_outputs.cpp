@@ -11,9 +11,9 @@ namespace {
 
 bool python_is_there() { return std::system("/usr/bin/python3 -c 'import tomllib' 2>/dev/null") == 0; }
 
-/// What tests/cli/read_outputs.py prints of a folder; its complaints stand in the log of the test.
+/// What tests/cli/run/read_outputs.py prints of a folder; its complaints stand in the log of the test.
 std::vector<std::string> read_with_python(const TemporaryFolder& folder, const std::string& name) {
-  const std::string command = "/usr/bin/python3 " TAUT_SOURCE_DIR "/tests/cli/read_outputs.py '" +
+  const std::string command = "/usr/bin/python3 " TAUT_SOURCE_DIR "/tests/cli/run/read_outputs.py '" +
                               folder.str(name) + "' >'" + folder.str("read") + "'";
   CHECK(std::system(command.c_str()) == 0);
   return lines_of(folder / "read");

@@ -63,10 +63,10 @@ void check_same_files(const fs::path& a, const fs::path& b) {
   }
 }
 
-/// What tests/cli/read_vtp.py prints, by name; empty where there is no VTK.
+/// What tests/cli/run/read_vtp.py prints, by name; empty where there is no VTK.
 std::map<std::string, double> read_with_vtk(const fs::path& file) {
   const std::string command =
-      "/usr/bin/python3 " TAUT_SOURCE_DIR "/tests/cli/read_vtp.py " + file.string() + " 2>&1";
+      "/usr/bin/python3 " TAUT_SOURCE_DIR "/tests/cli/run/read_vtp.py " + file.string() + " 2>&1";
   std::map<std::string, double> values;
   std::FILE* pipe = ::popen(command.c_str(), "r");
   REQUIRE(pipe);

@@ -114,7 +114,7 @@ TEST_SUITE("restart") {
 
   TEST_CASE("the script that kills and resumes for longer does its work") {
     const std::string script =
-        TAUT_SOURCE_DIR "/tests/cli/kill_resume.sh '" TAUT_BINARY_DIR "/taut' 2 >/dev/null";
+        TAUT_SOURCE_DIR "/tests/cli/run/kill_resume.sh '" TAUT_BINARY_DIR "/taut' 2 >/dev/null";
     CHECK(std::system(script.c_str()) == 0);
   }
 

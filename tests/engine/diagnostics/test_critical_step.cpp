@@ -3,8 +3,8 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/diagnostics/step_limits.hpp"
 #include "engine/diagnostics/critical_step.hpp"
+#include "engine/diagnostics/step_limits.hpp"
 #include "engine/error.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
