@@ -8,7 +8,7 @@
 #include "cli/command_line/command.hpp"
 #include "cli/command_line/completion.hpp"
 #include "cli/system/exit_code.hpp"
-#include "cli/text/unknown_name.hpp"
+#include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {

@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/text/format.hpp"
-#include "cli/text/unknown_name.hpp"
+#include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {

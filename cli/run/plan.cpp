@@ -9,7 +9,7 @@
 #include "cli/scene/shipped.hpp"
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
-#include "cli/text/unknown_name.hpp"
+#include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
 #include "engine/families/catalogue.hpp"
 

@@ -6,7 +6,6 @@
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
-#include "cli/text/unknown_name.hpp"
 #include "engine/diagnostics/fields.hpp"
 #include "engine/families/catalogue.hpp"
 #include "render/colormap.hpp"

@@ -8,7 +8,7 @@
 
 #include "cli/session/terminal.hpp"
 #include "cli/text/format.hpp"
-#include "cli/text/unknown_name.hpp"
+#include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {

@@ -7,7 +7,7 @@
 #include "cli/study/csv.hpp"
 #include "cli/study/line_styles.hpp"
 #include "cli/text/format.hpp"
-#include "cli/text/unknown_name.hpp"
+#include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {

@@ -5,7 +5,7 @@
 
 #include "cli/study/chart_drawing.hpp"
 #include "cli/system/exit_code.hpp"
-#include "cli/text/unknown_name.hpp"
+#include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "cli/text/format.hpp"
-#include "cli/text/unknown_name.hpp"
+#include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {

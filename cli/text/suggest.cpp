@@ -4,6 +4,8 @@
 #include <cctype>
 #include <utility>
 
+#include "cli/text/format.hpp"
+
 namespace taut::cli {
 namespace {
 
@@ -60,6 +62,13 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
     text += "'" + names[i] + "'";
   }
   return text + "?)";
+}
+
+std::string unknown_name(std::string_view kind, std::string_view given,
+                         const std::vector<std::string>& names) {
+  const std::string near = did_you_mean(given, names);
+  return "unknown " + std::string(kind) + " '" + std::string(given) + "'" +
+         (near.empty() ? "; there are: " + join(names) : near);
 }
 
 }  // namespace taut::cli

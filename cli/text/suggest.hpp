@@ -13,4 +13,9 @@ std::vector<std::string> nearest(std::string_view name, const std::vector<std::s
 /// " (did you mean 'a' or 'b'?)" to be put behind a message; empty if nothing is near.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
 
+/// "unknown method 'enogg' (did you mean 'enog'?)": what an error says of a name that does not exist. All the
+/// names follow when none is near.
+std::string unknown_name(std::string_view kind, std::string_view given,
+                         const std::vector<std::string>& names);
+
 }  // namespace taut::cli
