@@ -1,10 +1,7 @@
-#include <ostream>
-
 #include <CLI/CLI.hpp>
 
 #include "cli/command_line/command.hpp"
 #include "cli/commands/picture_options.hpp"
-#include "cli/study/chart_drawing.hpp"
 #include "cli/study/study.hpp"
 #include "cli/text/format.hpp"
 

@@ -131,6 +131,10 @@ Cost find_cost(const std::string& name) {
 
 std::string label(Cost cost) { return std::string(std::ranges::find(costs, cost, &CostName::cost)->label); }
 
+std::string shown_error(const Chart& chart, double error) {
+  return chart.unit.empty() ? percent(error) : brief(error) + " " + chart.unit;
+}
+
 std::optional<double> convergence_order(const std::vector<ChartPoint>& points) {
   double n = 0, x_sum = 0, y_sum = 0, xx_sum = 0, xy_sum = 0;
   for (const ChartPoint& point : points) {
@@ -176,9 +180,6 @@ Chart make_chart(const StoredResults& results, const ChartRequest& request) {
 }
 
 std::string orders_table(const Chart& chart) {
-  const auto shown = [&](double error) {
-    return chart.unit.empty() ? percent(error) : brief(error) + " " + chart.unit;
-  };
   std::vector<std::vector<std::string>> rows{{"method", "order", "runs", "finest, m", "its error",
                                               chart.cost == Cost::seconds ? "its s" : "its steps",
                                               "not stable"}};
@@ -187,7 +188,7 @@ std::string orders_table(const Chart& chart) {
     const auto unstable = std::ranges::count(series.points, false, &ChartPoint::stable);
     rows.push_back({series.name, series.order ? brief(*series.order) : "-",
                     std::to_string(series.points.size()), brief(finest.spacing),
-                    finest.error ? shown(*finest.error) : "-", brief(finest.cost),
+                    finest.error ? shown_error(chart, *finest.error) : "-", brief(finest.cost),
                     unstable == 0 ? "" : std::to_string(unstable)});
   }
   return in_columns(rows);

@@ -57,6 +57,9 @@ struct Chart {
   int without_result = 0;               // runs that have not ended
 };
 
+/// "1.2 %" or "3 mm", as errors of this chart are.
+std::string shown_error(const Chart& chart, double error);
+
 /// Slope of the straight line through (log spacing, log error) of the stable runs, by least squares; none
 /// with fewer than two spacings.
 std::optional<double> convergence_order(const std::vector<ChartPoint>& points);

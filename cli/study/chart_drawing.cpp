@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "cli/study/line_styles.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
 
@@ -89,7 +88,7 @@ std::vector<std::string> footnotes(const Chart& chart) {
 
 std::string frame(const Chart& chart, const Ranges& ranges) {
   const std::vector<std::string> notes = footnotes(chart);
-  std::string text = "set title " + plot_text(chart.title) + " font ',15'\n";
+  std::string text = plot_title(chart.title);
   text += "set key outside right top Left reverse samplen 2 spacing 1.25\n";
   text += "set bmargin screen 0.17\nset lmargin screen 0.075\nset border 3 back linecolor '#444444'\n";
   text += "set logscale xy\nset grid back linetype 1 linecolor '#e4e4e4'\nset tics nomirror\n";
@@ -100,8 +99,7 @@ std::string frame(const Chart& chart, const Ranges& ranges) {
   text += "set xlabel " + plot_text(error_label(chart)) + "\n";
   text += "set ylabel " + plot_text(label(chart.cost)) + "\n";
   for (std::size_t k = 0; k < notes.size(); ++k)
-    text += "set label " + plot_text(notes[k]) + " at screen 0.015, screen " +
-            exact(0.075 - 0.027 * static_cast<double>(k)) + " font ',9' textcolor '#555555'\n";
+    text += plot_note(notes[k], 0.075 - 0.027 * static_cast<double>(k));
   return text;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -27,6 +28,15 @@ std::string plot_text(std::string_view text);
 
 /// The start of a script: a picture of `width` × `height` pixels in the format of its name.
 std::string plot_head(const PlotFiles& files, int width, int height);
+/// The line of a script that prints the title of the picture.
+std::string plot_title(std::string_view title);
+/// The same for a note in small print at its left edge; `height` is 0 at the bottom, 1 at the top.
+std::string plot_note(std::string_view note, double height);
+
+/// Colour and dashes of the k-th line of a picture: eight colours, then the same dashed.
+std::string line_style(std::size_t k);
+/// Its marker.
+std::string marker_style(std::size_t k);
 
 /// Writes data and script, then has gnuplot draw. Gives the exit code; throws OutputError when gnuplot is not
 /// installed or fails; data and script stay.

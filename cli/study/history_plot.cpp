@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "cli/study/csv.hpp"
-#include "cli/study/line_styles.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"

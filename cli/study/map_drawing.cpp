@@ -1,8 +1,9 @@
+#include "cli/study/map_drawing.hpp"
+
 #include <algorithm>
 #include <array>
-#include <cstdio>
+#include <fmt/format.h>
 
-#include "cli/study/stability_map.hpp"
 #include "cli/text/format.hpp"
 #include "engine/diagnostics/verdict.hpp"
 
@@ -45,12 +46,6 @@ TimeUnit time_unit(const StabilityMap& map) {
   return latest < 0.1 ? TimeUnit{1e3, "ms"} : TimeUnit{1, "s"};
 }
 
-std::string short_number(double value) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.3g", value);
-  return digits.data();
-}
-
 template <class Use>
 void each_cell(const StabilityMap& map, const Use& use) {
   for (std::size_t r = 0; r < map.rows.size(); ++r)
@@ -87,7 +82,7 @@ std::string map_data(const StabilityMap& map) {
     text += "# " + all[kind].name + "\n# column; row; since, s; " + map.label + "; method; shown\n";
     each_cell(map, [&](std::size_t r, std::size_t v, const MapCell& cell) {
       if (kind_of(cell, all) != kind) return;
-      const std::string shown = cell.since             ? short_number(*cell.since * unit.scale)
+      const std::string shown = cell.since             ? fmt::format("{:.3g}", *cell.since * unit.scale)
                                 : cell.verdict.empty() ? cell.status
                                                        : "";
       text += std::to_string(v + 1) + " " + std::to_string(r + 1) + " " +
@@ -114,16 +109,13 @@ std::string map_script(const StabilityMap& map, const PlotFiles& files) {
                     (kind + 2 < all.size() ? "#222222" : "#ffffff") + "' notitle");
   }
   std::string text = plot_head(files, 1280, around + row_height * rows);
-  text += "set title " + plot_text(map.title) +
-          " font ',15'\nset key outside right top Left reverse spacing 1.4\n";
+  text += plot_title(map.title) + "set key outside right top Left reverse spacing 1.4\n";
   text += "set border 0\nset tics scale 0\nset yrange [" + std::to_string(rows) + ".5:0.5]\n";
   text += "set xrange [0.5:" + std::to_string(columns) + ".5]\n";
   text += "set xtics " + ticks(map.values) + "\nset ytics " + ticks(map.rows) + "\n";
   text += "set xlabel " + plot_text(map.label) + "\nset bmargin 5.5\n";
-  text +=
-      "set label " +
-      plot_text("Scene " + map.scene + "; numbers: since when the verdict holds, " + time_unit(map).name) +
-      " at screen 0.015, screen 0.03 font ',9' textcolor '#555555'\n";
+  text += plot_note("Scene " + map.scene + "; numbers: since when the verdict holds, " + time_unit(map).name,
+                    0.03);
   return text + "plot " + join(plots, ", \\\n     ") + "\n";
 }
 

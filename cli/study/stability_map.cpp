@@ -11,8 +11,6 @@
 namespace taut::cli {
 namespace {
 
-const std::string set_prefix = "set.";
-
 /// The names that were set in different ways, with all that a run can be asked for.
 struct Names {
   std::vector<std::string> swept, all;
@@ -73,7 +71,7 @@ MapCell cell_of(const StoredRun& run) {
 StabilityMap make_map(const StoredResults& results, const MapRequest& request) {
   StabilityMap map;
   const std::string parameter = chosen_parameter(results.runs, request.parameter);
-  const std::string x = set_prefix + parameter;
+  const std::string x = std::string(set_prefix) + parameter;
   const std::vector<std::string> columns = distinguishing_columns(results.runs, x);
   map.title = results.title;
   map.scene = results.scene;

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/study/gnuplot.hpp"
 #include "cli/study/stored_results.hpp"
 
 namespace taut::cli {
@@ -36,10 +35,5 @@ StabilityMap make_map(const StoredResults& results, const MapRequest& request);
 
 /// For people: a line for each method.
 std::string map_table(const StabilityMap& map);
-
-/// The cells as gnuplot reads them, a block for each verdict.
-std::string map_data(const StabilityMap& map);
-/// The gnuplot script: a coloured cell for each run with the time of its failure.
-std::string map_script(const StabilityMap& map, const PlotFiles& files);
 
 }  // namespace taut::cli

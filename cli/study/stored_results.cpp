@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view set_prefix = "set.", parameter_prefix = "parameters.";
+constexpr std::string_view parameter_prefix = "parameters.";
 
 fs::path results_file(const std::string& given) {
   std::error_code error;

@@ -9,6 +9,9 @@
 
 namespace taut::cli {
 
+/// Before the name of what was set, in the columns of results.csv: "set.v0".
+inline constexpr std::string_view set_prefix = "set.";
+
 /// A row of the results.csv of a sweep.
 struct StoredRun {
   std::string file;                                        // results.csv

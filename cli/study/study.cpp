@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "cli/study/chart_drawing.hpp"
+#include "cli/study/map_drawing.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
