@@ -18,10 +18,9 @@ struct Completion {
   std::string files;  // as in Choices
 };
 
-/// How `typed`, the words behind `taut`, can go on with these
-/// commands: what the last of them, which may be empty, is the
-/// beginning of. Made from the tables that --help, `list` and `describe` are made from. Words that make no
-/// sense are no error: nothing is found then.
+/// How `typed`, the words behind `taut`, can go on with these commands: what the last of them, which may be
+/// empty, is the beginning of. Made from the tables that --help, `list` and `describe` are made from. Words
+/// that make no sense are no error: nothing is found then.
 Completion complete(std::span<const Command> commands, const std::vector<std::string>& typed);
 
 /// The same for the script of a shell, which asks with `taut --complete WORDS`: a line with the pattern of

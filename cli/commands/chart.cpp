@@ -22,9 +22,7 @@ int chart(const Options& options, Streams streams) {
 std::function<int(Streams)> declare_chart(CLI::App& app) {
   auto options = std::make_shared<Options>();
   options->declare(app, "chart.png|chart.svg");
-  app.add_option("--measure", options->measure,
-                 "whose error; default: the scene's first that has a reference")
-      ->option_text("MEASURE");
+  declare_measure(app, options->measure);
   app.add_option("--cost", options->cost, "seconds of solving, or particles × steps; default: seconds")
       ->option_text(join(cost_names(), "|"));
   return [options](Streams streams) { return chart(*options, streams); };

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command_line/command.hpp"
+#include "cli/commands/picture_options.hpp"
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/shipped.hpp"
 #include "cli/system/exit_code.hpp"
@@ -20,7 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-  std::string scene, error, measure;
+  std::string scene, measure;
+  std::optional<std::string> error;
   std::optional<double> seconds;
   std::vector<std::string> from;
 };
@@ -57,17 +59,21 @@ std::vector<std::string> stored_results(const std::string& scene) {
 }
 
 int choose(const Options& options, std::ostream& out) {
-  const Wish wish{share(options.error), options.seconds};
+  std::optional<double> error;
+  if (options.error) error = share(*options.error);
   const std::string scene = read_scene(find_scene(options.scene)).scene.name;
   const std::vector<std::string> files = options.from.empty() ? stored_results(scene) : options.from;
   const StoredResults results = read_results(files);
   if (results.scene != scene) throw UsageError("the results are of " + results.scene + ", not of " + scene);
   const Chart chart = make_chart(results, {options.measure, Cost::seconds});
-  if (!chart.unit.empty() && options.error.ends_with('%'))
+  if (error && !chart.unit.empty() && options.error->ends_with('%'))
     throw UsageError("errors of " + chart.measure + " are in " + chart.unit +
                      ", not shares; give --error in " + chart.unit);
-  out << advice(chart, wish) << "Results: " << join(files) << '\n';
-  return exit_fine;
+  const bool granted =
+      error ? !grants(chart, {*error, options.seconds}).empty() : !front(chart, options.seconds).empty();
+  out << (error ? advice(chart, {*error, options.seconds}) : price_list(chart, options.seconds))
+      << "Results: " << join(files) << '\n';
+  return granted ? exit_fine : exit_not_granted;
 }
 
 }  // namespace
@@ -75,15 +81,13 @@ int choose(const Options& options, std::ostream& out) {
 std::function<int(Streams)> declare_choose(CLI::App& app) {
   auto options = std::make_shared<Options>();
   app.add_option("SCENE", options->scene, "a scene, as for `taut run`")->option_text(" ")->required();
-  app.add_option("--error", options->error, "the greatest error to accept, such as 1% or 0.01")
-      ->option_text("X")
-      ->required();
+  app.add_option("--error", options->error,
+                 "the greatest error to accept, such as 1% or 0.01; default: what each costs")
+      ->option_text("X");
   app.add_option("--seconds", options->seconds, "the longest time to solve, s")
       ->option_text("T")
       ->check(positive_number);
-  app.add_option("--measure", options->measure,
-                 "whose error; default: the scene's first that has a reference")
-      ->option_text("MEASURE");
+  declare_measure(app, options->measure);
   app.add_option("--from", options->from, "results.csv of sweeps, or their folders; default: all below out/")
       ->option_text("FILE ...");
   return [options](Streams streams) { return choose(*options, streams.out); };

@@ -43,12 +43,12 @@ constexpr Command table[] = {
      declare_sweep},
     {"chart",
      "draw error against cost from the results of sweeps, a line for each method; print convergence orders",
-     "  taut sweep oscillating-plate --grid method=enog,oenog,tl --grid spacing=0.004,0.002,0.001 --out "
-     "out/plate\n"
+     "  taut sweep oscillating-plate --grid method=enog,oenog,tl --grid spacing=0.004,0.002,0.001"
+     " --out out/plate\n"
      "  taut chart out/plate/results.csv --out plate.png\n"
      "  taut chart out/plate/results.csv --measure first_peak --cost steps --out plate.svg\n"
-     "plate.gp and plate.dat stay beside the picture: change the script, and `gnuplot plate.gp` draws it "
-     "again.\n",
+     "plate.gp and plate.dat stay beside the picture: "
+     "change the script, and `gnuplot plate.gp` draws it again.\n",
      declare_chart},
     {"map",
      "show where each method fails from the results of sweeps: a parameter by methods, and the verdicts",
@@ -56,16 +56,17 @@ constexpr Command table[] = {
      "  taut map out/speeds/results.csv --out speeds.png\n",
      declare_map},
     {"choose",
-     "say which method, spacing and step reach an accuracy at the least cost, from the results of sweeps",
-     "  taut choose colliding-rings --error 1% --measure least_diameter\n"
+     "say which method and spacing reach an accuracy at the least cost, from sweeps; exit code 1 if none",
+     "  taut choose colliding-rings               what each accuracy costs\n"
+     "  taut choose colliding-rings --error 1% --measure rebound_ratio\n"
      "  taut choose oscillating-plate --error 0.5% --seconds 10 --from out/plate-accuracy\n"
-     "It only reads what sweeps have left, by default below out/, and says so when that does not reach far "
-     "enough.\n",
+     "It only reads what sweeps have left, by default below out/. When that does not reach far enough,\n"
+     "it says so, and the exit code is 1.\n",
      declare_choose},
     {"compare", "draw runs side by side from their saved particles: columns are runs, rows are times",
      "  taut compare out/og out/enog --out panel.png\n"
-     "  taut compare out/og out/enog --times 0.002,0.005,0.012 --color pressure --range -2e6:2e6 --out "
-     "panel.png\n",
+     "  taut compare out/og out/enog --times 0.002,0.005,0.012 --color pressure --range -2e6:2e6"
+     " --out panel.png\n",
      declare_compare},
     {"movie", "make a movie of a run's frames, with ffmpeg",
      "  taut movie out/rings --out rings.mp4\n"
@@ -84,9 +85,8 @@ constexpr Command table[] = {
      "  taut critical-step colliding-rings --method tl\n"
      "  taut critical-step loaded-square --set method.h=0.45 --steps 500\n"
      "  taut critical-step rotating-plate --spacing 0.1 --json\n"
-     "Each trial starts anew with a fixed step and covers the same time. It is unstable once the energy is "
-     "100 "
-     "times\n"
+     "Each trial starts anew with a fixed step and covers the same time. "
+     "It is unstable once the energy is 100 times\n"
      "what was given or a number is lost; small random velocities wake what could grow.\n",
      declare_critical_step},
     {"session", "commands on stdin, answers on stdout: step, look, change, save; `help` lists them",

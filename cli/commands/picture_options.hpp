@@ -23,4 +23,12 @@ struct PictureOptions {
   }
 };
 
+/// For commands that judge runs by one measure.
+inline void declare_measure(CLI::App& app, std::string& measure) {
+  app.add_option("--measure", measure,
+                 "whose error; default: the one that most runs have, "
+                 "names in _time and errors with a unit last")
+      ->option_text("MEASURE");
+}
+
 }  // namespace taut::cli

@@ -36,6 +36,23 @@ std::vector<std::string> charted_measures(const StoredResults& results) {
   return names;
 }
 
+/// The unit of its errors, empty: a share of the reference or of a length.
+std::string error_unit(const StoredRun& run, const std::string& measure) {
+  const bool relative = run.number(column(measure, "reference")).value_or(0) != 0;
+  const std::string unit = run.text(column(measure, "unit"));
+  return relative || unit == "1" ? "" : unit;
+}
+
+std::string default_measure(const StoredResults& results, const std::vector<std::string>& charted) {
+  const auto rank = [&](const std::string& measure) {
+    const auto with_error = [&](const StoredRun& run) { return has_error(run, measure); };
+    const StoredRun& any = *std::ranges::find_if(results.runs, with_error);
+    const bool last = measure.ends_with("_time") || !error_unit(any, measure).empty();
+    return std::pair(last, -std::ranges::count_if(results.runs, with_error));
+  };
+  return *std::ranges::min_element(charted, {}, rank);
+}
+
 std::string chosen_measure(const StoredResults& results, const std::string& wanted) {
   const std::vector<std::string> all = results.measures(), charted = charted_measures(results);
   if (!wanted.empty() && std::ranges::find(all, wanted) == all.end())
@@ -44,7 +61,7 @@ std::string chosen_measure(const StoredResults& results, const std::string& want
     throw UsageError(
         "no measure in the results of " + results.scene +
         " has an error: its references do not hold for these parameters, or the runs were too short");
-  if (wanted.empty()) return charted.front();
+  if (wanted.empty()) return default_measure(results, charted);
   if (std::ranges::find(charted, wanted) != charted.end()) return wanted;
   const bool referenced = std::ranges::any_of(results.runs, [&](const StoredRun& run) {
     return run.number(column(wanted, "reference")).has_value();
@@ -110,8 +127,7 @@ std::vector<std::string> references_of(const StoredResults& results, const std::
 /// What the errors of a measure are shares of, or their unit.
 void describe_errors(Chart& chart, const StoredRun& run) {
   chart.relative = run.number(column(chart.measure, "reference")).value_or(0) != 0;
-  const std::string unit = run.text(column(chart.measure, "unit"));
-  if (!chart.relative && unit != "1") chart.unit = unit;
+  chart.unit = error_unit(run, chart.measure);
   chart.dim = static_cast<int>(run.number("dim").value_or(2));
 }
 

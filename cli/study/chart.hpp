@@ -23,7 +23,7 @@ std::string label(Cost cost);
 
 /// What of the results a chart shows.
 struct ChartRequest {
-  std::string measure;  // empty: the scene's first that has an error
+  std::string measure;  // empty: the default
   Cost cost = Cost::seconds;
 };
 
@@ -64,8 +64,10 @@ std::string shown_error(const Chart& chart, double error);
 /// with fewer than two spacings.
 std::optional<double> convergence_order(const std::vector<ChartPoint>& points);
 
-/// Throws UsageError for a measure that the scene has not (with the nearest names), or that has no error in
-/// any run; says why. Of a run that was done twice the faster one counts.
+/// The default measure is the one that most runs have an error of, of equals the scene's first. When something
+/// happens (touch_time) hardly depends on how well the rest is computed, and errors with a unit are no share
+/// of anything: these come last. Throws UsageError for a measure that the scene has not (with the nearest
+/// names), or that has no error in any run; says why. Of a run that was done twice the faster one counts.
 Chart make_chart(const StoredResults& results, const ChartRequest& request);
 
 /// For people: each series with its errors' order, its finest run and its unstable ones.

@@ -1,22 +1,32 @@
 #include "cli/study/choose.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "cli/text/format.hpp"
 
 namespace taut::cli {
 namespace {
 
-bool accurate(const ChartPoint& point, const Wish& wish) {
-  return point.stable && point.error && *point.error <= wish.error;
+bool in_time(const ChartPoint& point, std::optional<double> seconds) {
+  return !seconds || point.cost <= *seconds;
 }
 
-bool in_time(const ChartPoint& point, const Wish& wish) {
-  return !wish.seconds || point.cost <= *wish.seconds;
+/// From fine to coarse.
+std::vector<Offer> offers(const ChartSeries& series) {
+  std::vector<Offer> all;
+  double worst = 0;
+  for (auto point = series.points.rbegin(); point != series.points.rend(); ++point) {
+    if (!point->stable || !point->error) break;
+    worst = std::max(worst, *point->error);
+    all.push_back({&series, &*point, worst, static_cast<int>(all.size())});
+  }
+  return all;
 }
 
-std::string shown_error(const Chart& chart, double error) {
-  return chart.unit.empty() ? percent(error) : brief(error) + " " + chart.unit;
+std::vector<Offer> cheapest_first(std::vector<Offer> all) {
+  std::ranges::stable_sort(all, {}, [](const Offer& offer) { return offer.point->cost; });
+  return all;
 }
 
 std::string wish_line(const Chart& chart, const Wish& wish) {
@@ -43,18 +53,25 @@ std::vector<std::string> row(const Chart& chart, const ChartSeries& series, cons
           brief(point.cost), point.verdict};
 }
 
+std::string sources(const Chart& chart) {
+  return "\nReference: " + join(chart.references, "; ") + "\nTime: " + join(chart.machines, "; ") + "\n";
+}
+
 /// What was taken among its neighbours in spacing, and what other methods would cost.
-std::string evidence(const Chart& chart, const std::vector<Grant>& all) {
+std::string evidence(const Chart& chart, const std::vector<Offer>& all) {
   const std::vector<std::string> heading{"method", "spacing, m", "cfl", "error", "s", "verdict"};
   std::vector<std::vector<std::string>> own{heading}, others{heading};
   for (const ChartPoint& point : all.front().series->points)
     own.push_back(row(chart, *all.front().series, point));
-  for (const Grant& grant : all) others.push_back(row(chart, *grant.series, *grant.point));
+  for (const Offer& offer : all) others.push_back(row(chart, *offer.series, *offer.point));
   std::string text = "\nAll its runs:\n" + in_columns(own);
   if (all.size() > 1)
     text += "\nThe cheapest run of each method that grants the wish:\n" + in_columns(others);
-  return text + "\nReference: " + join(chart.references, "; ") + "\nTime: " + join(chart.machines, "; ") +
-         "\n";
+  return text + sources(chart);
+}
+
+std::string nothing_stable(std::optional<double> seconds) {
+  return "No stable run with a measured error is there" + std::string(seconds ? " in that time" : "") + ".\n";
 }
 
 /// The stable run in time with the least error.
@@ -63,14 +80,12 @@ std::string nearest_run(const Chart& chart, const Wish& wish) {
   const ChartPoint* nearest = nullptr;
   for (const ChartSeries& s : chart.series)
     for (const ChartPoint& point : s.points)
-      if (point.stable && point.error && in_time(point, wish) &&
+      if (point.stable && point.error && in_time(point, wish.seconds) &&
           (!nearest || *point.error < *nearest->error)) {
         series = &s;
         nearest = &point;
       }
-  if (!nearest)
-    return "No stable run with a measured error is there" + std::string(wish.seconds ? " in that time" : "") +
-           ".\n";
+  if (!nearest) return nothing_stable(wish.seconds);
   std::string text = "The least error of a stable run";
   if (wish.seconds) text += " in that time";
   text += ": " + settings_of(*series, *nearest) + ", " + result_of(chart, *nearest) + ".\n";
@@ -80,35 +95,61 @@ std::string nearest_run(const Chart& chart, const Wish& wish) {
 
 }  // namespace
 
-std::vector<Grant> grants(const Chart& chart, const Wish& wish) {
-  std::vector<Grant> all;
+std::vector<Offer> grants(const Chart& chart, const Wish& wish) {
+  std::vector<Offer> all;
   for (const ChartSeries& series : chart.series) {
-    std::optional<Grant> cheapest;
-    int finer = 0;
-    for (auto point = series.points.rbegin(); point != series.points.rend() && accurate(*point, wish);
-         ++point) {
-      if (in_time(*point, wish) && (!cheapest || point->cost < cheapest->point->cost))
-        cheapest = Grant{&series, &*point, finer};
-      ++finer;
-    }
-    if (cheapest) all.push_back(*cheapest);
+    std::vector<Offer> granted = cheapest_first(offers(series));
+    std::erase_if(granted, [&](const Offer& offer) {
+      return offer.error > wish.error || !in_time(*offer.point, wish.seconds);
+    });
+    if (!granted.empty()) all.push_back(granted.front());
   }
-  std::ranges::stable_sort(all, {}, [](const Grant& grant) { return grant.point->cost; });
-  return all;
+  return cheapest_first(all);
+}
+
+std::vector<Offer> front(const Chart& chart, std::optional<double> seconds) {
+  std::vector<Offer> all;
+  for (const ChartSeries& series : chart.series)
+    for (const Offer& offer : offers(series))
+      if (in_time(*offer.point, seconds)) all.push_back(offer);
+  double least = std::numeric_limits<double>::infinity();
+  std::vector<Offer> best;
+  for (const Offer& offer : cheapest_first(all))
+    if (offer.error < least) {
+      least = offer.error;
+      best.push_back(offer);
+    }
+  return best;
 }
 
 std::string advice(const Chart& chart, const Wish& wish) {
-  const std::vector<Grant> all = grants(chart, wish);
+  const std::vector<Offer> all = grants(chart, wish);
   std::string text = wish_line(chart, wish) + ":\n\n";
   if (all.empty())
     return text + "The results do not reach that far. " + nearest_run(chart, wish) +
            "Sweep finer spacings or other methods for an answer.\n";
-  const Grant& best = all.front();
+  const Offer& best = all.front();
   text += "  take  " + settings_of(*best.series, *best.point) + ": " + result_of(chart, *best.point) + "\n";
   text += "  run   " + best.point->folder + "\n";
   text += best.finer == 0 ? "\nNo finer run confirms it: its error may be small by luck.\n"
                           : "\nFiner runs that confirm it: " + std::to_string(best.finer) + ".\n";
   return text + evidence(chart, all);
+}
+
+std::string price_list(const Chart& chart, std::optional<double> seconds) {
+  const std::vector<Offer> all = front(chart, seconds);
+  std::string text = chart.scene + ", what an error of " + chart.measure + " costs" +
+                     (seconds ? ", within " + brief(*seconds) + " s" : "") + ":\n\n";
+  if (all.empty()) return text + nothing_stable(seconds);
+  std::vector<std::vector<std::string>> rows{
+      {"error up to", "s", "method", "spacing, m", "cfl", "finer runs"}};
+  for (const Offer& offer : all)
+    rows.push_back({shown_error(chart, offer.error), brief(offer.point->cost), offer.series->name,
+                    brief(offer.point->spacing), offer.point->cfl, std::to_string(offer.finer)});
+  return text + in_columns(rows) +
+         "\nEach is the cheapest stable run whose error, and that of every finer run of its method, is so "
+         "small.\n" +
+         sources(chart);
 }
 
 }  // namespace taut::cli

@@ -14,19 +14,24 @@ struct Wish {
   std::optional<double> seconds;  // of solving, at most
 };
 
-/// The cheapest run of a series that grants a wish.
-struct Grant {
+/// A stable run with what the finer runs of its series say of it: where one of them fails, its own error was
+/// met by chance, and it is no offer.
+struct Offer {
   const ChartSeries* series;
   const ChartPoint* point;
-  int finer = 0;  // runs that confirm it
+  double error = 0;  // the greatest of its own and theirs
+  int finer = 0;     // their number
 };
 
-/// From each series the cheapest stable run that grants the wish, the cheapest one first. One that a finer
-/// run of the same series contradicts (it fails, or its error is greater than wished for) was lucky and does
-/// not count.
-std::vector<Grant> grants(const Chart& chart, const Wish& wish);
+/// From each series the cheapest offer that grants the wish, the cheapest one first.
+std::vector<Offer> grants(const Chart& chart, const Wish& wish);
+/// The offers that no other one beats in both error and cost, the cheapest one first: what is taken for one
+/// wish or another.
+std::vector<Offer> front(const Chart& chart, std::optional<double> seconds);
 
 /// For people: what to take, with the evidence; or that no run does, and how near the nearest comes.
 std::string advice(const Chart& chart, const Wish& wish);
+/// For people: what each accuracy costs.
+std::string price_list(const Chart& chart, std::optional<double> seconds);
 
 }  // namespace taut::cli

@@ -12,7 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Okabe and Ito's colours, which colour-blind readers tell apart too, with darker ones for their yellow and black
+// Okabe and Ito's colours, which colour-blind readers tell apart too, with darker ones for their yellow and
+// black
 constexpr std::array colors = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                "#56B4E9", "#E69F00", "#6A3D9A", "#444444"};
 // with eight colours no two of 56 lines look alike

@@ -18,7 +18,7 @@ namespace taut::cli {
 /// What a study, which is a sweep file with such sections, draws from its results:
 ///
 ///     [chart]                                          chart-least_diameter.png, chart-rebound_ratio.png
-///     measure = ["least_diameter", "rebound_ratio"]    one or more; without it chart.png, of the default measure
+///     measure = ["least_diameter", "rebound_ratio"]    one or more; without: chart.png, the default
 ///     cost = "seconds"                                 or "steps"; default: seconds
 ///     [map]                                            map.png
 ///     parameter = "v0"                                 default: the one that is swept beside the method

@@ -9,6 +9,7 @@ namespace taut::cli {
 enum ExitCode : int {
   exit_fine = 0,           // a verdict is a result, not an error
   exit_different = 1,      // `diff`, `snapshot`: the pictures differ
+  exit_not_granted = 1,    // `choose`: no run that is stored grants the wish
   exit_bug = 1,            // an error that is nobody's but ours
   exit_wrong_input = 2,    // the command line or a scene is wrong
   exit_diverged = 3,       // the simulation diverged, or its verdict is one that --fail-on names

@@ -71,6 +71,27 @@ TEST_SUITE("cli") {
     CHECK(*taut::cli::convergence_order(bent) == doctest::Approx(2));
   }
 
+  TEST_CASE("the default measure is the one that most runs have; times of events and units come last") {
+    const TemporaryFolder folder;
+    const auto chosen = [&](const std::string& rows) {
+      std::ofstream(folder / "results.csv")
+          << "status,method,scene,particles,steps,spacing,verdict,seconds.solve,"
+             "measures.touch_time.unit,measures.touch_time.reference,measures.touch_time.error,"
+             "measures.rebound.unit,measures.rebound.reference,measures.rebound.error,"
+             "measures.width.unit,measures.width.reference,measures.width.error,"
+             "measures.period.unit,measures.period.reference,measures.period.error,"
+             "measures.asymmetry.unit,measures.asymmetry.reference,measures.asymmetry.error\n"
+          << rows;
+      return chart_of(folder.str("results.csv")).measure;
+    };
+    const std::string run = "finished,tl,rod,9,9,0.2,stable,1,s,2,0.1,";
+    CHECK(chosen(run + "1,0.8,,m,2,0.1,s,3,0.1,m,0,0.1\n" + run + "1,0.8,0.1,m,2,0.1,s,3,0.1,m,0,0.1\n") ==
+          "width");
+    CHECK(chosen(run + "1,0.8,0.1,m,2,0.1,s,3,0.1,m,0,0.1\n") == "rebound");
+    CHECK(chosen(run + "1,0.8,,m,2,,s,3,0.1,m,0,0.1\n") == "period");
+    CHECK(chosen(run + "1,,,m,,,s,,,m,0,0.1\n") == "touch_time");
+  }
+
   TEST_CASE("what else differs makes lines of their own, and of a run done twice the faster one counts") {
     const TemporaryFolder folder;
     const std::string first = write_results(folder / "a",

@@ -61,10 +61,36 @@ TEST_SUITE("cli") {
     CHECK(contains(found.out, "  tl      0.1"));
     CHECK(contains(choose({"0.01", "--seconds", "40"}).out, "take  icb at a spacing of 0.4"));
     const Outcome far = choose({"0.1%"});
-    CHECK(far.code == 0);
+    CHECK(far.code == 1);
     CHECK(contains(far.out, "do not reach that far"));
     CHECK(contains(far.out, "icb at a spacing of 0.2 m"));
     CHECK(contains(choose({"1%", "--seconds", "5"}).out, "Finer runs of the same method contradict it"));
+  }
+
+  TEST_CASE("without an error choose says what each costs, and a wish for one of them gets that run") {
+    const TemporaryFolder folder;
+    const taut::cli::Chart chart = chart_of(folder);
+    const auto all = taut::cli::front(chart, std::nullopt);
+    // the lucky first run of tl is worth the 5 % of the next one; the third is beaten by the first of icb
+    REQUIRE(all.size() == 3);
+    CHECK(all[0].series->name == "tl");
+    CHECK(all[0].point->spacing == 0.4);
+    CHECK(all[0].error == 0.05);
+    CHECK(all[0].finer == 2);
+    CHECK(all[1].series->name == "icb");
+    CHECK(all[1].error == 0.008);
+    CHECK(all[2].error == 0.004);
+    for (const auto& offer : all)
+      CHECK(taut::cli::grants(chart, {offer.error, std::nullopt}).front().point == offer.point);
+    CHECK(taut::cli::front(chart, 10).size() == 1);
+    const std::string file = write_results(folder / "b", runs, "colliding-rings");
+    const Outcome outcome = call({"choose", "colliding-rings", "--from", file});
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK(contains(outcome.out, "  5 %          1   tl      0.4              2\n"));
+    const Outcome none = call({"choose", "colliding-rings", "--from", file, "--seconds", "0.5"});
+    CHECK(none.code == 1);
+    CHECK(contains(none.out, "No stable run with a measured error is there in that time."));
   }
 
   TEST_CASE("choose refuses what is no error, no result or of another scene") {
