@@ -1,0 +1,220 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include <doctest/doctest.h>
+
+#include "tests/structure/room_table.hpp"
+
+using namespace taut::test;
+
+namespace {
+
+namespace fs = std::filesystem;
+using Texts = std::vector<std::string>;
+
+const fs::path top = TAUT_SOURCE_DIR;
+const Texts parts = {"engine", "render", "cli"};
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Everything below a folder, as paths inside it, without what starts with a dot.
+Texts files_below(const fs::path& folder, const std::set<std::string>& extensions) {
+  Texts files;
+  for (fs::recursive_directory_iterator entry(folder), end; entry != end; ++entry) {
+    const std::string name = entry->path().filename().string();
+    const bool built = entry->is_directory() && fs::exists(entry->path() / "CMakeCache.txt");
+    if (name.starts_with('.') || built)
+      entry.disable_recursion_pending();
+    else if (extensions.contains(entry->path().extension().string()))
+      files.push_back(entry->path().lexically_relative(folder).string());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+Texts sources_below(const fs::path& folder) { return files_below(folder, {".cpp", ".hpp"}); }
+
+/// The table of a part's README.md, or what holds where there is none.
+RoomTable rooms_of(const std::string& part) {
+  static const std::map<std::string, std::string> tables = {{"engine", R"(
+| room | may include |
+|---|---|
+| `error` `frame_view` `settings` | |
+| `core/` | `error` |
+| `snapshot` | `core/` |
+| `scene/` | `error` `core/` `snapshot` |
+| `methods/` | all above |
+| `kernels/` | all above |
+| `materials/` | all above |
+| `terms/` | all above |
+| `neighbors/` | all above |
+| `solver/` | all above |
+| `families/describe` | `methods/` |
+| `families/bonded/` `families/tl_displacement/` `families/tl_mixed/` `families/ul_cauchy/` `families/ul_split/` | all above |
+| `families/` | all above |
+| `simulation.hpp` | all above |
+| `diagnostics/` | all above |
+| `simulation.cpp` | all above |
+)"},
+                                                            {"render", R"(
+| room | may include |
+|---|---|
+| `image/` | |
+| `colormap` | `image/` |
+| `page/page_layout` | |
+| `renderer.hpp` | all above |
+| `page/` | all above |
+| `gl/` | all above |
+| `renderer.cpp` | all above |
+| `panel` | all above |
+)"},
+                                                            {"cli", R"(
+| room | may include |
+|---|---|
+| `text/` | |
+| `system/` | `text/` |
+| `drawing/` | `text/` `system/` |
+| `scene/` | `text/` `drawing/` |
+| `run/` | `text/` `system/` `drawing/` `scene/` |
+| `study/` | `text/` `system/` `scene/` |
+| `sweep/` | `text/` `system/` `scene/` `run/` `study/` |
+| `command_line/` | `text/` `system/` `scene/` |
+| `session/` | `text/` `system/` `drawing/` `scene/` `run/` `command_line/` |
+| `commands/` | all above |
+| `main` | `command_line/` `commands/` |
+)"}};
+  const auto written = RoomTable::read(text_of(top / part / "README.md"));
+  return written ? *written : *RoomTable::read(tables.at(part));
+}
+
+/// What a source includes of this part.
+Texts includes_of(const fs::path& source, const std::string& part) {
+  const std::string before = "#include \"" + part + "/";
+  std::istringstream lines(text_of(source));
+  Texts included;
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with(before))
+      included.push_back(line.substr(before.size(), line.find('"', before.size()) - before.size()));
+  return included;
+}
+
+std::size_t lines_of(const fs::path& file) {
+  const std::string text = text_of(file);
+  return static_cast<std::size_t>(std::ranges::count(text, '\n'));
+}
+
+/// What a text links to, and the paths that it names in backticks; of these, only what begins with a folder that is
+/// there: others are of run folders, builds and machines.
+std::set<std::string> named_paths(const std::string& text, const fs::path& folder) {
+  std::set<std::string> paths;
+  static const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))"),
+      path(R"((\./)?([A-Za-z0-9_.-]+)/[A-Za-z0-9_./-]*)");
+  for (std::sregex_iterator found(text.begin(), text.end(), link), end; found != end; ++found)
+    paths.insert((*found)[1]);
+  std::smatch parts_of_path;
+  for (const std::string& word : in_backticks(text))
+    if (std::regex_match(word, parts_of_path, path) &&
+        (fs::exists(folder / parts_of_path[2].str()) || fs::exists(top / parts_of_path[2].str())))
+      paths.insert(word);
+  return paths;
+}
+
+}  // namespace
+
+TEST_SUITE("structure") {
+  TEST_CASE("a table of rooms is read as it is meant") {
+    const auto table = RoomTable::read(
+        "text\n| a | b |\n|---|---|\n| `x` | `y` |\n\n| room | may include |\n|---|---|\n"
+        "| `core/` `error` | |\n| `terms/` `laws/` | `core/` |\n| `core/deep/` | all above |\n");
+    REQUIRE(table);
+    REQUIRE(table->rows().size() == 3);
+    CHECK(table->room_of("core/deep/tile.hpp") == "core/deep/");
+    CHECK(table->room_of("core/tile.hpp") == "core/");
+    CHECK(table->room_of("error.hpp") == "error");
+    CHECK(table->room_of("errors.hpp").empty());
+    CHECK(table->allows("terms/", "core/"));
+    CHECK(table->allows("core/deep/", "laws/"));
+    CHECK_FALSE(table->allows("terms/", "laws/"));
+    CHECK_FALSE(table->allows("terms/", "error"));
+    CHECK_FALSE(RoomTable::read("| room | holds |\n|---|---|\n| `a/` | b |\n"));
+  }
+
+  TEST_CASE("every room includes only what its table lets it, and the table has no arrow back") {
+    for (const std::string& part : parts) {
+      const RoomTable table = rooms_of(part);
+      for (std::size_t row = 0; row < table.rows().size(); ++row) {
+        for (const std::string& name : table.rows()[row].names) {
+          CAPTURE(name);
+          CHECK((fs::exists(top / part / name) || fs::exists(top / part / (name + ".hpp")) ||
+                 fs::exists(top / part / (name + ".cpp"))));
+        }
+        for (const std::string& below : table.rows()[row].may_include) {
+          CAPTURE(below);
+          CHECK(table.row_of(below) < row);
+        }
+      }
+      for (const std::string& source : sources_below(top / part)) {
+        CAPTURE(part);
+        CAPTURE(source);
+        const std::string room = table.room_of(source);
+        REQUIRE_FALSE(room.empty());
+        for (const std::string& included : includes_of(top / part / source, part)) {
+          CAPTURE(included);
+          const std::string other = table.room_of(included);
+          REQUIRE_FALSE(other.empty());
+          CHECK(table.allows(room, other));
+        }
+      }
+    }
+  }
+
+  TEST_CASE("parts include what is below them only") {
+    for (std::size_t low = 0; low < parts.size(); ++low)
+      for (std::size_t high = low + 1; high < parts.size(); ++high)
+        for (const std::string& source : sources_below(top / parts[low])) {
+          CAPTURE(source);
+          CHECK(includes_of(top / parts[low] / source, parts[high]).empty());
+        }
+  }
+
+  TEST_CASE("rooms and files stay small") {
+    constexpr std::size_t most_units = 20, most_rooms = 12, most_lines = 500;
+    std::map<std::string, std::set<std::string>> units;  // a header and its source are one
+    std::set<std::string> rooms_of_cli;
+    for (const std::string part : {"engine", "render", "cli", "tests"})
+      for (const std::string& source : sources_below(top / part)) {
+        const fs::path path = fs::path(part) / source;
+        CAPTURE(path.string());
+        CHECK(lines_of(top / path) <= most_lines);
+        units[path.parent_path().string()].insert(path.stem().string());
+        if (part == "cli" && path.parent_path() != "cli") rooms_of_cli.insert(path.parent_path().string());
+      }
+    for (const auto& [room, names] : units) {
+      CAPTURE(room);
+      CHECK(names.size() <= most_units);
+    }
+    CHECK(rooms_of_cli.size() <= most_rooms);
+  }
+
+  TEST_CASE("what the texts of the repository link to and name is there") {
+    const Texts texts = files_below(top, {".md"});
+    REQUIRE_FALSE(texts.empty());
+    for (const std::string& text : texts) {
+      const fs::path folder = (top / text).parent_path();
+      for (const std::string& path : named_paths(text_of(top / text), folder)) {
+        CAPTURE(text);
+        CAPTURE(path);
+        CHECK((fs::exists(folder / path) || fs::exists(top / path)));
+      }
+    }
+  }
+}
