@@ -106,10 +106,8 @@ std::string frame(const Chart& chart, const Ranges& ranges) {
 /// The strip of the runs that have a cost but no error.
 std::string strip(const Ranges& ranges) {
   if (!ranges.some_without_error) return "";
-  const std::string edge = exact(ranges.error.high);
-  return "set object rectangle from " + edge +
-         ", graph 0 to graph 1, graph 1 behind fillcolor '#f3f3f3' "
-         "fillstyle solid noborder\n"
+  return "set object rectangle from " + exact(ranges.error.high) +
+         ", graph 0 to graph 1, graph 1 behind fillcolor '#f3f3f3' fillstyle solid noborder\n"
          "set label 'no value' at " +
          exact(ranges.in_strip()) + ", graph 0.98 center font ',9' textcolor '#555555'\n";
 }

@@ -4,17 +4,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace taut::cli {
 namespace {
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
 
 /// Columns that UTF-8 text takes on a terminal: continuation bytes take none.
 std::size_t width(const std::string& text) {
@@ -30,21 +23,21 @@ std::string exact(double value) {
   return {text.data(), end};
 }
 
-std::string brief(double value) { return formatted("%.4g", value); }
+std::string brief(double value) { return fmt::format("{:.4g}", value); }
 
 std::string with_prefix(double value) {
-  if (value >= 1e9) return formatted("%.3g G", value / 1e9);
-  if (value >= 1e6) return formatted("%.3g M", value / 1e6);
-  if (value >= 1e3) return formatted("%.3g k", value / 1e3);
-  return formatted("%.3g", value);
+  if (value >= 1e9) return fmt::format("{:.3g} G", value / 1e9);
+  if (value >= 1e6) return fmt::format("{:.3g} M", value / 1e6);
+  if (value >= 1e3) return fmt::format("{:.3g} k", value / 1e3);
+  return fmt::format("{:.3g}", value);
 }
 
-std::string percent(double share) { return formatted("%.3g %%", 100 * share); }
+std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
 std::string clock_time(double seconds) {
   const long all = std::lround(std::clamp(seconds, 0.0, 3.6e9));
   const long h = all / 3600, m = all / 60 % 60, s = all % 60;
-  return h > 0 ? formatted("%ld:%02ld:%02ld", h, m, s) : formatted("%ld:%02ld", m, s);
+  return h > 0 ? fmt::format("{}:{:02}:{:02}", h, m, s) : fmt::format("{}:{:02}", m, s);
 }
 
 std::string join(const std::vector<std::string>& words, std::string_view between) {
@@ -80,9 +73,7 @@ std::string in_columns(const std::vector<std::vector<std::string>>& rows, int in
 }
 
 std::string numbered(const char* name, int number, const char* extension) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%s_%05d.%s", name, number, extension);
-  return text.data();
+  return fmt::format("{}_{:05}.{}", name, number, extension);
 }
 
 }  // namespace taut::cli

@@ -165,9 +165,8 @@ TEST_SUITE("cli") {
     const auto write = [&](const std::string& name, const std::string& head, const std::string& rows) {
       fs::create_directories(folder / name);
       std::ofstream(folder / name / "results.csv")
-          << "status,method,scene,particles,steps,spacing,verdict,measures.bend.error,measures.bend."
-             "reference,seconds.solve,"
-             "measures.bend.unit,parameters.v0"
+          << "status,method,scene,particles,steps,spacing,verdict,measures.bend.error,"
+             "measures.bend.reference,seconds.solve,measures.bend.unit,parameters.v0"
           << head << "\n"
           << rows;
       return folder.str(name + "/results.csv");
