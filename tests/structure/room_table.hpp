@@ -15,8 +15,8 @@ struct RoomRow {
 };
 
 /// The rooms of a part of the repository, from the bottom up, as its README.md has them: the first table with a
-/// column "may include". The first column names rooms, or files that are none's, in backticks; several in one
-/// row keep apart as those of different rows do.
+/// column "may include". The first column names rooms, or files that are none's, in backticks. Several rooms in
+/// one row keep apart; several files are as one room.
 ///
 ///     | room | what for | may include |
 ///     |---|---|---|

@@ -134,15 +134,17 @@ TEST_SUITE("structure") {
   TEST_CASE("a table of rooms is read as it is meant") {
     const auto table = RoomTable::read(
         "text\n| a | b |\n|---|---|\n| `x` | `y` |\n\n| room | may include |\n|---|---|\n"
-        "| `core/` `error` | |\n| `terms/` `laws/` | `core/` |\n| `core/deep/` | all above |\n");
+        "| `error` `a.hpp` | |\n| `core/` | |\n| `terms/` `laws/` | `core/` |\n| `core/deep/` | all above "
+        "|\n");
     REQUIRE(table);
-    REQUIRE(table->rows().size() == 3);
+    REQUIRE(table->rows().size() == 4);
     CHECK(table->room_of("core/deep/tile.hpp") == "core/deep/");
     CHECK(table->room_of("core/tile.hpp") == "core/");
     CHECK(table->room_of("error.hpp") == "error");
     CHECK(table->room_of("errors.hpp").empty());
     CHECK(table->allows("terms/", "core/"));
     CHECK(table->allows("core/deep/", "laws/"));
+    CHECK(table->allows("a.hpp", "error"));
     CHECK_FALSE(table->allows("terms/", "laws/"));
     CHECK_FALSE(table->allows("terms/", "error"));
     CHECK_FALSE(RoomTable::read("| room | holds |\n|---|---|\n| `a/` | b |\n"));
