@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "engine/core/point.hpp"
+#include "engine/scene/shapes.hpp"
 
 namespace taut {
 
@@ -32,19 +32,6 @@ struct Material {
   double shear_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio)); }  // G, Pa
   double sound_speed() const;  // c0 = √(K/ρ0), m/s [Zhang2024] Eq. 5
 };
-
-struct Box {  // a rectangle in 2D
-  Point low{}, high{};
-};
-struct Disc {  // a ball in 3D
-  Point centre{};
-  double radius = 0;
-};
-struct Ring {  // a hollow ball in 3D
-  Point centre{};
-  double inner = 0, outer = 0;
-};
-using Shape = std::variant<Box, Disc, Ring>;
 
 /// A region of a body that is made of another material.
 struct Part {
