@@ -41,7 +41,7 @@ Bounds bounds_of(const Body& body) {
 }
 
 /// Square lattice of pitch dp over the union of the shapes, half a pitch off the anchor of the first.
-std::vector<Site> lattice_sites(const Body& body, int dim, double dp) {
+std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
   const Point anchor = std::visit([](const auto& s) { return s.anchor(); }, body.shapes.front());
   const Bounds all = bounds_of(body);
   long from[3] = {0, 0, 0}, to[3] = {0, 0, 0};
@@ -49,7 +49,7 @@ std::vector<Site> lattice_sites(const Body& body, int dim, double dp) {
     from[k] = static_cast<long>(std::floor((all.low[k] - anchor[k]) / dp)) - 1;
     to[k] = static_cast<long>(std::ceil((all.high[k] - anchor[k]) / dp)) + 1;
   }
-  std::vector<Site> sites;
+  std::vector<InitialSite> sites;
   const double V0 = std::pow(dp, dim);
   for (long k = from[2]; k <= to[2]; ++k) {
     for (long j = from[1]; j <= to[1]; ++j) {
@@ -65,28 +65,28 @@ std::vector<Site> lattice_sites(const Body& body, int dim, double dp) {
 }
 
 /// The particles that a body of one shape lays itself; none where the lattice fills it.
-std::vector<Site> own_sites(const Body& body, int dim, double dp) {
-  const auto lay = [&](const auto& shape) -> std::vector<Site> {
+std::vector<InitialSite> own_sites(const Body& body, int dim, double dp) {
+  const auto lay = [&](const auto& shape) -> std::vector<InitialSite> {
     if constexpr (requires { shape.sites(dim, dp); })
       return shape.sites(dim, dp);
     else
       return {};
   };
-  return body.shapes.size() == 1 ? std::visit(lay, body.shapes.front()) : std::vector<Site>();
+  return body.shapes.size() == 1 ? std::visit(lay, body.shapes.front()) : std::vector<InitialSite>();
 }
 
 /// A reflected layout about c is one about −c with the sign of its coordinates changed: the image of a round
 /// body at −c to the last bit.
-std::vector<Site> body_sites(Body body, int dim, double dp) {
+std::vector<InitialSite> body_sites(Body body, int dim, double dp) {
   const Point middle = std::visit([](const auto& s) { return s.middle(); }, body.shapes.front());
   for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
     if (body.mirror[k])
       for (Shape& shape : body.shapes) std::visit([&](auto& s) { s.shift(k, -2 * middle[k]); }, shape);
-  std::vector<Site> sites = own_sites(body, dim, dp);
+  std::vector<InitialSite> sites = own_sites(body, dim, dp);
   if (sites.empty()) sites = lattice_sites(body, dim, dp);
   for (int k = 0; k < dim; ++k)
     if (body.mirror[k])
-      for (Site& site : sites) site.x[k] = -site.x[k];
+      for (InitialSite& site : sites) site.x[k] = -site.x[k];
   return sites;
 }
 
@@ -102,10 +102,10 @@ int last_that_holds(const std::vector<Region>& regions, const Point& x) {
 
 /// A region without particles is a slip of whoever wrote it.
 template <class Region>
-void refuse_empty(const std::vector<Region>& regions, const std::vector<Site>& sites, const Body& body,
+void refuse_empty(const std::vector<Region>& regions, const std::vector<InitialSite>& sites, const Body& body,
                   const std::string& key) {
   for (std::size_t k = 0; k < regions.size(); ++k) {
-    const auto holds = [&](const Site& site) { return value_of(regions[k].where, site.x) != 0; };
+    const auto holds = [&](const InitialSite& site) { return value_of(regions[k].where, site.x) != 0; };
     if (std::ranges::none_of(sites, holds))
       throw SceneError("body." + body.name + "." + key, key + ": no particle of body '" + body.name +
                                                             "' is in region " + std::to_string(k + 1) +
@@ -115,7 +115,7 @@ void refuse_empty(const std::vector<Region>& regions, const std::vector<Site>& s
 
 void append(InitialParticles& layout, const Scene& scene, int b) {
   const Body& body = scene.bodies[b];
-  const std::vector<Site> sites = body_sites(body, scene.dim, scene.spacing);
+  const std::vector<InitialSite> sites = body_sites(body, scene.dim, scene.spacing);
   if (sites.empty())
     throw SceneError("body." + body.name, "body '" + body.name +
                                               "' holds no particle: its shapes are smaller than the spacing; "
@@ -123,7 +123,7 @@ void append(InitialParticles& layout, const Scene& scene, int b) {
   refuse_empty(body.parts, sites, body, "parts");
   refuse_empty(body.drives, sites, body, "driven");
   refuse_empty(body.loads, sites, body, "loaded");
-  for (const Site& site : sites) {
+  for (const InitialSite& site : sites) {
     layout.x.push_back(site.x);
     layout.V0.push_back(site.V0);
     layout.body.push_back(b);

@@ -2,8 +2,8 @@
 
 namespace taut {
 
-std::vector<Site> Ring::sites(int dim, double dp) const {
-  std::vector<Site> sites;
+std::vector<InitialSite> Ring::sites(int dim, double dp) const {
+  std::vector<InitialSite> sites;
   if (dim != 2) return sites;
   const int layers = std::max(1L, std::lround((outer - inner) / dp));
   const double thickness = (outer - inner) / layers;

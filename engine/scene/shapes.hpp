@@ -34,7 +34,7 @@ struct Bounds {
 };
 
 /// The place of a particle at t = 0 and its volume, m^dim.
-struct Site {
+struct InitialSite {
   Point x{};
   double V0 = 0;
 };
@@ -118,7 +118,7 @@ struct Ring {
   void shift(std::size_t axis, double by) { centre[axis] += by; }
   /// Concentric layers at r = inner + (k + ½) dp, on each a whole number of particles about dp apart, the
   /// first on the positive x axis.
-  std::vector<Site> sites(int dim, double dp) const;
+  std::vector<InitialSite> sites(int dim, double dp) const;
   bool operator==(const Ring&) const = default;
 };
 
