@@ -136,7 +136,7 @@ Verdict verdict_of(const Statement& statement) {
   for (int k = 1; k <= looks && judge.verdict() != diverged; ++k) {
     simulation->advance_to(file.scene.until * k / looks);
     const Snapshot& now = simulation->snapshot();
-    judge.look(now, balance(now, file.scene), gauge(now));
+    judge.observe(now, balance(now, file.scene), gauge(now));
   }
   return judge.verdict();
 }
