@@ -117,7 +117,7 @@ RunResult Run::execute() {
 }
 
 void Run::begin() {
-  write_atomically(plan_.folder.scene(), plan_.file.resolved);
+  write_atomically(plan_.folder.scene(), resolved_text(plan_.file));
   open_files(AppendFile::Start::empty);
   plan_next_checkpoint();
 }
@@ -164,7 +164,7 @@ void Run::save_checkpoint() {
   std::string simulation = simulation_->save();
   saver(simulation);
   serialize(saver);
-  Checkpoint checkpoint{record_.method,          plan_.file.resolved,       {},          plan_.spacing_asked,
+  Checkpoint checkpoint{record_.method,          resolved_text(plan_.file), {},          plan_.spacing_asked,
                         *plan_.checkpoint_every, plan_.drawing.has_value(), saver.take()};
   for (const Field* field : plan_.particle_fields) checkpoint.fields.emplace_back(field->key);
   write_checkpoint(plan_.folder.checkpoint(), std::move(checkpoint));

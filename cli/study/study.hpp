@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/scene/file_place.hpp"
 #include "cli/scene/toml_cursor.hpp"
 #include "cli/study/chart.hpp"
 #include "cli/study/gnuplot.hpp"
@@ -17,12 +16,13 @@ namespace taut::cli {
 
 /// What a study, which is a sweep file with such sections, draws from its results:
 ///
-///     [chart]                                       chart-least_diameter.png, chart-rebound_ratio.png
-///     measure = ["least_diameter", "rebound_ratio"]     one or more; chart.png, the scene's first, without
-///     it cost = "seconds"                              or "steps"; default: seconds [map] map.png parameter
-///     = "v0"                              default: the one that is swept beside the method
-///     [history]                                     history.png: over time, of all runs,
-///     tip = "tip, m"                                columns of history.csv with the labels of their axes
+///     [chart]                                           chart-least_diameter.png, chart-rebound_ratio.png
+///     measure = ["least_diameter", "rebound_ratio"]     one or more; without it chart.png, the scene's first
+///     cost = "seconds"                                  or "steps"; default: seconds
+///     [map]                                             map.png
+///     parameter = "v0"                                  default: the one that is swept beside the method
+///     [history]                                         history.png: over time, of all runs,
+///     tip = "tip, m"                                    columns of history.csv with the labels of their axes
 struct StudyPictures {
   struct Charted {
     ChartRequest request;

@@ -6,6 +6,7 @@
 
 #include "cli/system/atomic_file.hpp"
 #include "engine/error.hpp"
+#include "engine/simulation.hpp"
 
 namespace taut::cli {
 namespace {
@@ -186,7 +187,7 @@ SweepPlan plan_sweep(const SweepRequest& request) {
       SceneFile file = check_run(run.options, false);
       // whether a method can run the scene at all takes particles to tell
       if (combinations.emplace(file.settings.method, file.scene.contact).second) check_run(run.options, true);
-      run.scene = file.resolved;
+      run.scene = resolved_text(file);
       run.last_frame = run.options.no_render ? -1 : file.drawing.frames;
       run.work = work_of(file);
       if (plan.runs.empty()) {
