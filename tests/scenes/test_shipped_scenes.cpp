@@ -13,6 +13,7 @@
 #include "engine/diagnostics/measures.hpp"
 #include "engine/error.hpp"
 #include "engine/families/catalogue.hpp"
+#include "engine/simulation.hpp"
 
 using namespace taut;
 using namespace taut::cli;

@@ -10,6 +10,7 @@
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/indicators.hpp"
 #include "engine/diagnostics/verdict.hpp"
+#include "engine/simulation.hpp"
 
 using namespace taut;
 using namespace taut::cli;

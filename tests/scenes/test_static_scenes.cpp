@@ -14,6 +14,7 @@
 #include "engine/diagnostics/verdict.hpp"
 #include "engine/error.hpp"
 #include "engine/families/catalogue.hpp"
+#include "engine/simulation.hpp"
 
 using namespace taut;
 using namespace taut::cli;
