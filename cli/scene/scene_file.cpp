@@ -90,10 +90,10 @@ void refuse_unused_parameters(TomlCursor& root, const TomlValue& original, const
 
 /// A reading of the file with dp as the spacing. What follows from dp are parameters, materials and bodies;
 /// the rest is read once dp is the one that divides the first body.
-class Reading {
+class SceneReading {
  public:
-  Reading(double dp, const std::filesystem::path& path, const TomlValue& original, const Changes& changes,
-          TomlSource& source)
+  SceneReading(double dp, const std::filesystem::path& path, const TomlValue& original,
+               const Changes& changes, TomlSource& source)
       : original_(original), source_(source), root_(start(path, original), "", "the scene", {}, source) {
     read_head(root_, file_);
     read_parameters(root_, changes, dp, file_);
@@ -109,6 +109,7 @@ class Reading {
     return fitted_spacing(scene.bodies.front(), scene.dim, scene.spacing);
   }
 
+  /// The rest; this reading is used up.
   SceneFile finish() {
     read_walls(root_, file_.scene);
     read_probes(root_, file_.scene);
@@ -143,7 +144,7 @@ SceneFile read_scene(const std::filesystem::path& path, const Overrides& overrid
   constexpr int most_rounds = 10;
   double dp = asked_spacing(tree, changes, source);
   for (int round = 0; round < most_rounds; ++round) {
-    Reading reading(dp, path, tree, changes, source);
+    SceneReading reading(dp, path, tree, changes, source);
     if (reading.fitted() == dp) return reading.finish();
     dp = reading.fitted();
   }
