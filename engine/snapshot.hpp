@@ -37,6 +37,17 @@ struct Snapshot {
   std::vector<unsigned char> held;
 
   std::size_t size() const { return m.size(); }
+  Point initial(std::size_t i) const { return vector_of(x0, i); }  // position at the start, m
+  Point position(std::size_t i) const { return vector_of(x, i); }  // m
+  Point velocity(std::size_t i) const { return vector_of(v, i); }  // m/s
+
+ private:
+  Point vector_of(const std::vector<double>& rows, std::size_t i) const {
+    const auto components = static_cast<std::size_t>(dim);
+    Point vector{};
+    for (std::size_t a = 0; a < components; ++a) vector[a] = rows[components * i + a];
+    return vector;
+  }
 };
 
 }  // namespace taut

@@ -94,7 +94,7 @@ constexpr Command table[] = {
      "  printf 'run until 0.003\\nprobe\\nframe now.png\\n' | taut session colliding-rings --strict\n"
      "Every answer ends with a line `ok` or `error: REASON`; values come as name=value.\n",
      declare_session},
-    {"list", "name the scenes, methods, fields and colour maps there are",
+    {"list", "name the scenes, methods, equations, fields, measures and colour maps there are",
      "  taut list\n"
      "  taut list methods\n"
      "  taut list scenes --json\n",

@@ -52,14 +52,14 @@ Rows line_rows(const Scene& scene) {
 }
 
 Rows measure_rows(const Scene& scene) {
-  Rows rows{{"name", "unit", "references"}};
+  Rows rows{{"name", "kind", "unit", "references"}};
   for (const Measure& m : scene.measures) {
     std::string names;
     for (const auto& [law, reference] : scene.references)
       if (reference.value.contains(m.name) || reference.table.contains(m.name) ||
           reference.solution.contains(m.name))
         names += (names.empty() ? "" : "; ") + reference.name + " (" + law + ")";
-    rows.push_back({m.name, m.unit.empty() ? "-" : m.unit, names.empty() ? "none" : names});
+    rows.push_back({m.name, m.kind, m.unit.empty() ? "-" : m.unit, names.empty() ? "none" : names});
   }
   return rows;
 }
@@ -141,7 +141,7 @@ void describe_scene(const std::string& name, std::ostream& out) {
   print_table(out, "Walls", wall_rows(scene));
   print_table(out, "Probes, followed in history.csv", probes);
   print_table(out, "Lines, sampled in lines.csv", line_rows(scene), 1);
-  print_table(out, "Measures", measure_rows(scene), 1);
+  print_table(out, "Measures, of kinds that `taut list measures` explains", measure_rows(scene), 1);
 }
 
 void describe_method(const MethodInfo& method, std::ostream& out) {

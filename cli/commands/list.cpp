@@ -11,6 +11,7 @@
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/diagnostics/fields.hpp"
+#include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/error.hpp"
 #include "engine/families/catalogue.hpp"
 #include "render/colormap.hpp"
@@ -60,17 +61,30 @@ Json field_rows() {
   return rows;
 }
 
+Json measure_rows() {
+  Json rows = Json::array();
+  for (const MeasureKind& m : measure_kinds()) {
+    std::vector<std::string> compared;
+    if (m.number) compared.emplace_back("number");
+    if (m.table) compared.emplace_back("table");
+    if (m.solution) compared.emplace_back("solution");
+    rows.push_back({{"name", m.name},
+                    {"keys", join({m.keys.begin(), m.keys.end()})},
+                    {"reference", join_with_or(compared)},
+                    {"help", m.help}});
+  }
+  return rows;
+}
+
 Json colormap_rows() {
   Json rows = Json::array();
   for (const render::Colormap& c : render::colormaps()) rows.push_back({{"name", c.key}, {"help", c.help}});
   return rows;
 }
 
-constexpr Listing listings[] = {{"scenes", scene_rows},
-                                {"methods", method_rows},
-                                {"equations", equation_rows},
-                                {"fields", field_rows},
-                                {"colormaps", colormap_rows}};
+constexpr Listing listings[] = {{"scenes", scene_rows},       {"methods", method_rows},
+                                {"equations", equation_rows}, {"fields", field_rows},
+                                {"measures", measure_rows},   {"colormaps", colormap_rows}};
 
 std::string as_text(const Json& rows) {
   std::vector<std::vector<std::string>> cells;

@@ -42,8 +42,7 @@ fs::path prepare(const Options& options, SavedRun& run) {
     return *options.out;
   }
   run.folder.clear_frames();
-  run.file.resolved = resolved_text(run.file);
-  write_atomically(run.folder.scene(), run.file.resolved);
+  write_atomically(run.folder.scene(), resolved_text(run.file));
   return run.folder.frames();
 }
 

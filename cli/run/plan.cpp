@@ -120,7 +120,6 @@ RunPlan make_plan(const RunOptions& options) {
   file.drawing = with_options(file.drawing, options.drawing);
   file.drawing.frames = frame_count(options, file);
   file.history = history_interval(options, file);
-  file.resolved = resolved_text(file);
   plan.spacing_asked = options.spacing;
   const DrawingPlan drawing = plan_drawing(file.drawing);
   if (!options.no_render) plan.drawing = drawing;

@@ -68,13 +68,12 @@ class Run {
   Agenda frame_agenda_, history_agenda_;
   Judge judge_;
   IndicatorGauge gauge_;
-  Drift drift_;
+  ConservationWatch conservation_;
   std::optional<History> history_;
   std::optional<LineSamplesFile> lines_file_;  // of a scene with lines
   std::optional<Frames> frames_;
   std::optional<ParticleSeries> particles_;
   Pace pace_;
-  bool exchanges_momentum_ = false;
   Stopwatch since_saved_;
   double next_checkpoint_ = std::numeric_limits<double>::infinity();  // s
 };
@@ -91,10 +90,8 @@ Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, LineRecord
       history_agenda_(plan.history_times),
       judge_(plan.file.scene, simulation_->snapshot(), simulation_->support()),
       gauge_(plan.file.scene, simulation_->snapshot()),
-      pace_(record_.until),
-      exchanges_momentum_(
-          std::ranges::any_of(simulation_->snapshot().held, [](unsigned char held) { return held != 0; }) ||
-          has_drives(plan.file.scene) || has_loads(plan.file.scene) || plan.file.scene.damping > 0) {
+      conservation_(plan.file.scene, simulation_->snapshot()),
+      pace_(record_.until) {
   if (plan.drawing)
     frames_.emplace(*plan.drawing, plan.folder.frames(),
                     Captions{plan.file.scene.title, record_.method, record_.until}, record_.seconds);
@@ -120,7 +117,7 @@ RunResult Run::execute() {
 }
 
 void Run::begin() {
-  write_atomically(plan_.folder.scene(), plan_.file.resolved);
+  write_atomically(plan_.folder.scene(), resolved_text(plan_.file));
   open_files(AppendFile::Start::empty);
   plan_next_checkpoint();
 }
@@ -153,7 +150,7 @@ void Run::take_up(const std::string& state) {
 /// All that changes as the run goes by, beside the simulation itself.
 template <class Archive>
 void Run::serialize(Archive& archive) {
-  archive(frame_agenda_, history_agenda_, judge_, drift_, lines_, *history_, record_.indicator,
+  archive(frame_agenda_, history_agenda_, judge_, conservation_, lines_, *history_, record_.indicator,
           record_.seconds);
   if (lines_file_) archive(*lines_file_);
   if (frames_) archive(*frames_);
@@ -167,7 +164,7 @@ void Run::save_checkpoint() {
   std::string simulation = simulation_->save();
   saver(simulation);
   serialize(saver);
-  Checkpoint checkpoint{record_.method,          plan_.file.resolved,       {},          plan_.spacing_asked,
+  Checkpoint checkpoint{record_.method,          resolved_text(plan_.file), {},          plan_.spacing_asked,
                         *plan_.checkpoint_every, plan_.drawing.has_value(), saver.take()};
   for (const Field* field : plan_.particle_fields) checkpoint.fields.emplace_back(field->key);
   write_checkpoint(plan_.folder.checkpoint(), std::move(checkpoint));
@@ -251,10 +248,10 @@ void Run::look() {
   const Snapshot& now = simulation_->snapshot();
   const Balance sums = balance(now, plan_.file.scene);
   const Readings readings = gauge_(now);
-  judge_.look(now, sums, readings);
-  drift_.look(sums);
+  judge_.observe(now, sums, readings);
+  conservation_.follow(sums);
   history_->add(*simulation_, sums, judge_.pieces(), readings);
-  for (std::size_t k = 0; k < readings.size(); ++k) record_.indicator[k].look(readings[k], now.time);
+  for (std::size_t k = 0; k < readings.size(); ++k) record_.indicator[k].take(readings[k], now.time);
   take_verdict();
   if (record_.verdict == Verdict::diverged) result_.failure = describe_divergence(now, sums);
 }
@@ -267,7 +264,7 @@ void Run::take_verdict() {
 
 void Run::sample_lines() {
   const Timed timed(record_.seconds.write);
-  lines_.look(simulation_->snapshot());
+  lines_.sample(simulation_->snapshot());
   if (lines_file_) lines_file_->add(lines_.samples());
 }
 
@@ -296,7 +293,7 @@ bool Run::draw_the_rest() {
 void Run::save(RunRecord::Status status) {
   since_saved_ = {};
   record_.status = status;
-  record_.conservation = drift_.conservation(exchanges_momentum_);
+  record_.conservation = conservation_.so_far();
   record_.measures = measure(plan_.file.scene, simulation_->series(), record_.material_law, lines_.samples(),
                              &simulation_->snapshot());
   if (frames_) result_.frames = frames_->written();

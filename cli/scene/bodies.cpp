@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cmath>
 #include <utility>
 
 #include "cli/scene/sections.hpp"
@@ -30,15 +32,32 @@ Shape read_ring(TomlCursor& shape, int dim) {
   return ring;
 }
 
+Shape read_disc(TomlCursor& shape, int dim) {
+  return Disc{shape.point("centre", dim), shape.positive("radius")};
+}
+
+/// A shape as scene files of one dimension name it.
+struct ShapeKind {
+  std::string_view name;
+  int dim;
+  Shape (*read)(TomlCursor&, int dim);
+};
+constexpr std::array shape_kinds = {
+    ShapeKind{"rectangle", 2, read_box},
+    ShapeKind{"disc", 2, read_disc},
+    ShapeKind{"ring", 2, read_ring},
+};
+
+std::vector<std::string> names_of_shapes(int dim) {
+  std::vector<std::string> names;
+  for (const ShapeKind& kind : shape_kinds)
+    if (kind.dim == dim) names.emplace_back(kind.name);
+  return names;
+}
+
 Shape read_shape(TomlCursor shape, int dim) {
-  const std::string type = shape.choice("type", {"rectangle", "disc", "ring"});
-  Shape result;
-  if (type == "rectangle")
-    result = read_box(shape, dim);
-  else if (type == "disc")
-    result = Disc{shape.point("centre", dim), shape.positive("radius")};
-  else
-    result = read_ring(shape, dim);
+  const std::string type = shape.choice("type", names_of_shapes(dim));
+  const Shape result = shape_kinds[index_of(shape_kinds, type)].read(shape, dim);
   shape.finish();
   return result;
 }
@@ -51,7 +70,8 @@ std::vector<Shape> read_shapes(TomlCursor& body, int dim) {
   std::vector<Shape> shapes;
   for (TomlValue& item : value.items) shapes.push_back(read_shape(body.enter(item, "shape", what), dim));
   if (shapes.empty())
-    body.fail(value, "shape", what + " is empty: it needs at least one rectangle, disc or ring");
+    body.fail(value, "shape",
+              what + " is empty: it needs at least one " + join_with_or(names_of_shapes(dim)));
   return shapes;
 }
 
@@ -186,6 +206,20 @@ Body read_body(TomlCursor& cursor, const Scene& scene) {
   return body;
 }
 
+Wall read_wall(TomlCursor& cursor, const Scene& scene) {
+  Wall wall;
+  wall.name = label(cursor, names_of(scene.walls));
+  wall.at = cursor.point("at", scene.dim);
+  wall.normal = cursor.point("normal", scene.dim);
+  const double length = std::hypot(wall.normal[0], wall.normal[1], wall.normal[2]);
+  if (!(length > 0))
+    cursor.fail(cursor.need("normal"), "normal",
+                "the normal has no length; it points to the side where the bodies are, e.g. [0, 1]");
+  for (double& component : wall.normal) component /= length;
+  cursor.finish();
+  return wall;
+}
+
 }  // namespace
 
 std::string label(TomlCursor& entry, const std::vector<std::string>& taken) {
@@ -231,6 +265,10 @@ void read_bodies(TomlCursor& root, Scene& scene) {
       root.fail(root.need("material").find(name)->place, "material." + name,
                 "the material '" + name + "' is unused: no body is made of it; remove it or use it");
   }
+}
+
+void read_walls(TomlCursor& root, Scene& scene) {
+  read_each(root, "wall", [&](TomlCursor& cursor) { scene.walls.push_back(read_wall(cursor, scene)); });
 }
 
 }  // namespace taut::cli

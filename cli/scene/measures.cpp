@@ -5,84 +5,10 @@
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
 #include "engine/diagnostics/fields.hpp"
+#include "engine/diagnostics/measure_kinds.hpp"
 
 namespace taut::cli {
 namespace {
-
-const std::vector<std::string> axis_names = {"x", "y", "z"};
-
-/// What a probe of a kind has to say.
-struct ProbeKind {
-  std::string_view name;
-  Probe::Kind kind;
-  int bodies;
-  bool at, to, axis;
-};
-constexpr std::array probe_kinds{
-    ProbeKind{"displacement", Probe::Kind::displacement, 1, true, false, true},
-    ProbeKind{"position", Probe::Kind::position, 1, true, false, true},
-    ProbeKind{"distance", Probe::Kind::distance, 1, true, true, false},
-    ProbeKind{"mean_velocity", Probe::Kind::mean_velocity, 1, false, false, true},
-    ProbeKind{"gap", Probe::Kind::gap, 2, false, false, false},
-    ProbeKind{"mirror_asymmetry", Probe::Kind::mirror_asymmetry, 2, false, false, true},
-};
-
-/// What a measure of a kind may say besides name, probe and unit.
-struct MeasureKind {
-  std::string_view name;
-  Measure::Kind kind;
-  bool threshold, scale, free;
-  std::size_t probes = 1;
-  bool line = false, fields = false;  // what is measured in the place of probes
-};
-constexpr std::array measure_kinds{
-    MeasureKind{"period", Measure::Kind::period, false, false, false},
-    MeasureKind{"first_peak", Measure::Kind::first_peak, false, false, false},
-    MeasureKind{"decay", Measure::Kind::decay, false, false, false},
-    MeasureKind{"rmse", Measure::Kind::rmse, false, false, false},
-    MeasureKind{"minimum", Measure::Kind::minimum, false, false, false},
-    MeasureKind{"maximum", Measure::Kind::maximum, false, false, false},
-    MeasureKind{"first_below", Measure::Kind::first_below, true, false, false},
-    MeasureKind{"last_below", Measure::Kind::last_below, true, false, false},
-    MeasureKind{"final_ratio", Measure::Kind::final_ratio, true, true, true},
-    MeasureKind{"path_error", Measure::Kind::path_error, false, true, false, 2},
-    MeasureKind{"frequency", Measure::Kind::frequency, false, false, false},
-    MeasureKind{"turn", Measure::Kind::turn, false, false, false, 2},
-    MeasureKind{"line_rmse", Measure::Kind::line_rmse, false, false, false, 0, true},
-    MeasureKind{"at_rest", Measure::Kind::at_rest, false, false, false},
-    MeasureKind{"field_rmse", Measure::Kind::field_rmse, false, false, false, 0, false, true},
-    MeasureKind{"field_error", Measure::Kind::field_error, false, false, false, 0, false, true},
-};
-
-std::vector<int> probe_bodies(TomlCursor& cursor, int number, const Scene& scene) {
-  if (number == 1) return {body_index(cursor, cursor.need("body"), "body", scene)};
-  const TomlValue& pair = cursor.need("bodies");
-  if (pair.kind != TomlValue::Kind::array || pair.items.size() != 2)
-    cursor.fail(pair, "bodies", "bodies must be an array of two names of bodies");
-  std::vector<int> bodies;
-  for (const TomlValue& item : pair.items) bodies.push_back(body_index(cursor, item, "bodies", scene));
-  if (bodies[0] == bodies[1]) cursor.fail(pair, "bodies", "bodies must be two different ones");
-  return bodies;
-}
-
-Probe read_probe(TomlCursor& cursor, const Scene& scene) {
-  Probe probe;
-  probe.name = label(cursor, names_of(scene.probes));
-  const ProbeKind& kind = probe_kinds[index_of(probe_kinds, cursor.choice("of", names_of(probe_kinds)))];
-  probe.kind = kind.kind;
-  probe.bodies = probe_bodies(cursor, kind.bodies, scene);
-  const int material = scene.bodies[static_cast<std::size_t>(probe.bodies.front())].material;
-  add_names(cursor.names(), scene.materials[static_cast<std::size_t>(material)]);
-  if (kind.at) probe.at = cursor.point("at", scene.dim);
-  if (kind.to) probe.to = cursor.point("to", scene.dim);
-  if (kind.axis) {
-    const std::vector<std::string> allowed(axis_names.begin(), axis_names.begin() + scene.dim);
-    const auto axis = std::find(allowed.begin(), allowed.end(), cursor.choice("component", allowed));
-    probe.axis = static_cast<int>(axis - allowed.begin());
-  }
-  cursor.finish();
-  return probe;
-}
 
 std::string known_probe(TomlCursor& cursor, const TomlValue& value, std::string_view key,
                         const Scene& scene) {
@@ -92,38 +18,108 @@ std::string known_probe(TomlCursor& cursor, const TomlValue& value, std::string_
   return name;
 }
 
-std::string known_line(TomlCursor& cursor, const Scene& scene) {
-  const std::string name = cursor.text("line");
-  if (index_of(scene.lines, name) == scene.lines.size())
-    cursor.fail_unknown(cursor.need("line"), "line", "line", name, names_of(scene.lines));
-  return name;
+void read_probe_of(TomlCursor& cursor, const Scene& scene, Measure& measure) {
+  measure.probes = {known_probe(cursor, cursor.need("probe"), "probe", scene)};
+}
+
+/// `probes = ["x", "y"]`: those of a point.
+void read_probes_of(TomlCursor& cursor, const Scene& scene, Measure& measure) {
+  const auto dim = static_cast<std::size_t>(scene.dim);
+  const TomlValue& value = cursor.need("probes");
+  if (value.kind != TomlValue::Kind::array || value.items.size() != dim)
+    cursor.fail(value, "probes",
+                "probes must be an array of " + std::to_string(dim) + " names of probes: those of " +
+                    (dim == 2 ? "x and y" : "x, y and z") + " of a point");
+  for (const TomlValue& item : value.items)
+    measure.probes.push_back(known_probe(cursor, item, "probes", scene));
+}
+
+void read_line_of(TomlCursor& cursor, const Scene& scene, Measure& measure) {
+  measure.line = cursor.text("line");
+  if (index_of(scene.lines, measure.line) == scene.lines.size())
+    cursor.fail_unknown(cursor.need("line"), "line", "line", measure.line, names_of(scene.lines));
+}
+
+void read_body_of(TomlCursor& cursor, const Scene& scene, Measure& measure) {
+  measure.body = body_index(cursor, cursor.need("body"), "body", scene);
 }
 
 /// `fields = ["displacement_x", "displacement_y"]`
-std::vector<std::string> known_fields(TomlCursor& cursor, int dim) {
+void read_fields_of(TomlCursor& cursor, const Scene& scene, Measure& measure) {
   const TomlValue& value = cursor.need("fields");
   if (value.kind != TomlValue::Kind::array || value.items.empty() ||
-      value.items.size() > static_cast<std::size_t>(dim))
+      value.items.size() > static_cast<std::size_t>(scene.dim))
     cursor.fail(value, "fields",
-                "fields must be an array of 1 to " + std::to_string(dim) +
+                "fields must be an array of 1 to " + std::to_string(scene.dim) +
                     " names of fields: the components of a vector");
-  std::vector<std::string> fields;
   for (const TomlValue& item : value.items) {
-    fields.push_back(cursor.text_of(item, "fields"));
-    if (!find_field(fields.back()))
-      cursor.fail_unknown(item, "fields", "field", fields.back(), names_of_fields());
+    measure.fields.push_back(cursor.text_of(item, "fields"));
+    if (!find_field(measure.fields.back()))
+      cursor.fail_unknown(item, "fields", "field", measure.fields.back(), names_of_fields());
   }
-  return fields;
 }
 
 /// Only a displacement has a rigid motion.
-bool is_rigid_motion_free(TomlCursor& cursor, const Measure& measure) {
+void read_rigid_motion(TomlCursor& cursor, const Scene&, Measure& measure) {
   if (!cursor.find("rigid_motion")) cursor.table().set("rigid_motion", TomlValue(std::string("counts")));
-  if (cursor.choice("rigid_motion", {"counts", "free"}) == "counts") return false;
-  if (measure.fields != std::vector<std::string>{"displacement_x", "displacement_y"})
+  measure.rigid_motion_free = cursor.choice("rigid_motion", {"counts", "free"}) == "free";
+  if (measure.rigid_motion_free &&
+      measure.fields != std::vector<std::string>{"displacement_x", "displacement_y"})
     cursor.fail(cursor.need("rigid_motion"), "rigid_motion",
                 "rigid_motion is free in fields = [\"displacement_x\", \"displacement_y\"] only");
-  return true;
+}
+
+void read_threshold(TomlCursor& cursor, const Scene&, Measure& measure) {
+  measure.threshold = cursor.number("threshold", measure.threshold);
+}
+
+void read_scale(TomlCursor& cursor, const Scene&, Measure& measure) {
+  measure.scale = cursor.number("scale", measure.scale);
+  if (measure.scale == 0)
+    cursor.fail(cursor.need("scale"), "scale", "scale is 0; the ratio to it would be infinite");
+}
+
+/// Where a frequency is looked for.
+void read_band(TomlCursor& cursor, const Scene&, Measure& measure) {
+  const std::vector<double> ends = cursor.numbers("band", 2);
+  if (!(ends[0] >= 0 && ends[0] < ends[1]))
+    cursor.fail(cursor.need("band"), "band",
+                "band = [" + exact(ends[0]) + ", " + exact(ends[1]) +
+                    "] must be two frequencies in Hz, the lower one first");
+  measure.band = {ends[0], ends[1]};
+}
+
+void read_from(TomlCursor& cursor, const Scene&, Measure& measure) {
+  measure.from = cursor.number("from", measure.from);
+  if (!(measure.from >= 0))
+    cursor.fail(cursor.need("from"), "from", "from = " + exact(measure.from) + " s must be at least 0");
+}
+
+void read_free(TomlCursor& cursor, const Scene& scene, Measure& measure) {
+  if (!cursor.text("free", "").empty())
+    measure.free = known_probe(cursor, cursor.need("free"), "free", scene);
+}
+
+/// A key that kinds of measures take.
+struct MeasureKey {
+  std::string_view name;
+  void (*read)(TomlCursor&, const Scene&, Measure&);
+};
+/// What a measure is made from: these say which material its numbers know.
+constexpr std::array objects = {
+    MeasureKey{"probe", read_probe_of},   MeasureKey{"probes", read_probes_of},
+    MeasureKey{"line", read_line_of},     MeasureKey{"body", read_body_of},
+    MeasureKey{"fields", read_fields_of}, MeasureKey{"rigid_motion", read_rigid_motion}};
+constexpr std::array numbers = {MeasureKey{"threshold", read_threshold}, MeasureKey{"scale", read_scale},
+                                MeasureKey{"band", read_band}, MeasureKey{"from", read_from},
+                                MeasureKey{"free", read_free}};
+
+void read_keys(std::span<const MeasureKey> keys, const MeasureKind& kind, TomlCursor& cursor,
+               const Scene& scene, Measure& measure) {
+  for (const std::string_view taken : kind.keys) {
+    const auto key = std::ranges::find(keys, taken, &MeasureKey::name);
+    if (key != keys.end()) key->read(cursor, scene, measure);
+  }
 }
 
 /// The body that a measure looks at first.
@@ -135,73 +131,21 @@ const Body& measured_body(const Measure& measure, const Scene& scene) {
   return scene.bodies[static_cast<std::size_t>(body)];
 }
 
-/// `probe = "name"`, or `probes = ["x", "y"]` of a measure that takes several.
-std::vector<std::string> measured_probes(TomlCursor& cursor, const MeasureKind& kind, const Scene& scene) {
-  if (kind.probes == 1) return {known_probe(cursor, cursor.need("probe"), "probe", scene)};
-  const TomlValue& value = cursor.need("probes");
-  if (value.kind != TomlValue::Kind::array || value.items.size() != kind.probes)
-    cursor.fail(value, "probes",
-                "probes must be an array of " + std::to_string(kind.probes) +
-                    " names of probes: those of x and y of a point");
-  std::vector<std::string> probes;
-  for (const TomlValue& item : value.items) probes.push_back(known_probe(cursor, item, "probes", scene));
-  return probes;
-}
-
-/// Where a frequency is looked for, and from when on.
-void read_band(TomlCursor& cursor, Measure& measure) {
-  const std::vector<double> ends = cursor.numbers("band", 2);
-  if (!(ends[0] >= 0 && ends[0] < ends[1]))
-    cursor.fail(cursor.need("band"), "band",
-                "band = [" + exact(ends[0]) + ", " + exact(ends[1]) +
-                    "] must be two frequencies in Hz, the lower one first");
-  measure.band = {ends[0], ends[1]};
-  measure.from = cursor.number("from", measure.from);
-  if (!(measure.from >= 0))
-    cursor.fail(cursor.need("from"), "from", "from = " + exact(measure.from) + " s must be at least 0");
-}
-
 Measure read_measure(TomlCursor& cursor, const Scene& scene) {
   Measure measure;
   measure.name = label(cursor, names_of(scene.measures));
-  const MeasureKind& kind =
-      measure_kinds[index_of(measure_kinds, cursor.choice("of", names_of(measure_kinds)))];
-  measure.kind = kind.kind;
-  if (kind.probes > 0) measure.probes = measured_probes(cursor, kind, scene);
-  if (kind.line) measure.line = known_line(cursor, scene);
-  if (kind.fields) {
-    measure.body = body_index(cursor, cursor.need("body"), "body", scene);
-    measure.fields = known_fields(cursor, scene.dim);
-    measure.rigid_motion_free = is_rigid_motion_free(cursor, measure);
-  }
+  measure.kind = cursor.choice("of", names_of(measure_kinds()));
+  const MeasureKind& kind = *find_measure_kind(measure.kind);
+  read_keys(objects, kind, cursor, scene, measure);
   measure.unit = cursor.text("unit", "");
   const int material = measured_body(measure, scene).material;
   add_names(cursor.names(), scene.materials[static_cast<std::size_t>(material)]);
-  if (kind.threshold) measure.threshold = cursor.number("threshold", measure.threshold);
-  if (kind.scale) {
-    measure.scale = cursor.number("scale", measure.scale);
-    if (measure.scale == 0)
-      cursor.fail(cursor.need("scale"), "scale", "scale is 0; the ratio to it would be infinite");
-  }
-  if (kind.kind == Measure::Kind::frequency) read_band(cursor, measure);
-  if (kind.free && !cursor.text("free", "").empty())
-    measure.free = known_probe(cursor, cursor.need("free"), "free", scene);
+  read_keys(numbers, kind, cursor, scene, measure);
   cursor.finish();
   return measure;
 }
 
 }  // namespace
-
-int body_index(TomlCursor& cursor, const TomlValue& value, std::string_view key, const Scene& scene) {
-  const std::string name = cursor.text_of(value, key);
-  const std::size_t i = index_of(scene.bodies, name);
-  if (i == scene.bodies.size()) cursor.fail_unknown(value, key, "body", name, names_of(scene.bodies));
-  return static_cast<int>(i);
-}
-
-void read_probes(TomlCursor& root, Scene& scene) {
-  read_each(root, "probe", [&](TomlCursor& cursor) { scene.probes.push_back(read_probe(cursor, scene)); });
-}
 
 void read_measures(TomlCursor& root, Scene& scene) {
   read_each(root, "measure",

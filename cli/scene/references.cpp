@@ -5,6 +5,7 @@
 
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
+#include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/families/catalogue.hpp"
 
 namespace taut::cli {
@@ -72,30 +73,17 @@ std::map<std::string, double> read_values(TomlCursor& reference, const Scene& sc
   return values;
 }
 
-bool is_one_of(Measure::Kind kind, std::initializer_list<Measure::Kind> kinds) {
-  return std::ranges::find(kinds, kind) != kinds.end();
-}
-
-/// The measure of an entry, which must be one that is compared with a table over time.
-const Measure& table_measure(TomlCursor& cursor, const TomlEntry& entry, const Scene& scene) {
-  using enum Measure::Kind;
+/// Throws for an entry whose measure is not of a kind that takes `what`.
+const Measure& measure_taking(bool MeasureKind::*what, std::string_view named, TomlCursor& cursor,
+                              const TomlEntry& entry, const Scene& scene) {
   const Measure& measure = known_measure(cursor, entry, scene);
-  if (!is_one_of(measure.kind, {rmse, path_error, turn}))
-    cursor.fail(entry.place, entry.key,
-                "the measure '" + entry.key + "' takes no table; only one of rmse, path_error or turn does");
-  return measure;
-}
-
-const Measure& solution_measure(TomlCursor& cursor, const TomlEntry& entry, const Scene& scene) {
-  using enum Measure::Kind;
-  const Measure& measure = known_measure(cursor, entry, scene);
-  if (!is_one_of(measure.kind, {rmse, path_error, turn, line_rmse, at_rest, field_rmse, field_error}))
-    cursor.fail(
-        entry.place, entry.key,
-        "the measure '" + entry.key +
-            "' takes no solution; only one of rmse, path_error, turn, line_rmse, at_rest, field_rmse or "
-            "field_error does");
-  return measure;
+  if (find_measure_kind(measure.kind)->*what) return measure;
+  std::vector<std::string> kinds;
+  for (const MeasureKind& kind : measure_kinds())
+    if (kind.*what) kinds.emplace_back(kind.name);
+  cursor.fail(entry.place, entry.key,
+              "the measure '" + entry.key + "' takes no " + std::string(named) + "; only one of " +
+                  join_with_or(kinds) + " does");
 }
 
 /// `column = "uy"`, or `columns = ["x", "y"]` for a measure of several probes.
@@ -130,7 +118,7 @@ std::map<std::string, ReferenceTable> read_tables(TomlCursor& reference, const S
   const std::filesystem::path folder = std::filesystem::absolute(file.path).parent_path();
   TomlCursor cursor = reference.enter(*table, "tables", "'tables' of " + reference.what());
   for (TomlEntry& entry : cursor.table().entries) {
-    const Measure& measure = table_measure(cursor, entry, file.scene);
+    const Measure& measure = measure_taking(&MeasureKind::table, "table", cursor, entry, file.scene);
     tables[entry.key] =
         read_one_table(cursor.enter(entry.value, entry.key, "table '" + entry.key + "'"), measure, folder);
   }
@@ -145,7 +133,7 @@ std::map<std::string, std::vector<Solution>> read_solutions(TomlCursor& referenc
   if (!table) return solutions;
   TomlCursor cursor = reference.enter(*table, "solutions", "'solutions' of " + reference.what());
   for (const TomlEntry& entry : cursor.table().entries) {
-    const Measure& measure = solution_measure(cursor, entry, scene);
+    const Measure& measure = measure_taking(&MeasureKind::solution, "solution", cursor, entry, scene);
     const std::size_t number = std::max({std::size_t{1}, measure.probes.size(), measure.fields.size()});
     const bool several = entry.value.kind == TomlValue::Kind::array;
     if (number != (several ? entry.value.items.size() : 1))

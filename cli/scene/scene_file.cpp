@@ -88,31 +88,51 @@ void refuse_unused_parameters(TomlCursor& root, const TomlValue& original, const
                 "the parameter '" + entry.key + "' is unused: no expression names it; remove it or use it");
 }
 
-/// The scene with dp as the spacing.
-SceneFile read_with(double dp, const std::filesystem::path& path, const TomlValue& original,
-                    const Changes& changes, TomlSource& source) {
-  SceneFile file;
-  file.path = path;
-  TomlValue tree = original;
-  TomlCursor root(tree, "", "the scene", {}, source);
-  read_head(root, file);
-  read_parameters(root, changes, dp, file);
-  read_settings(root, changes, file);
-  read_times(root, changes, dp, file);
-  read_outside(root, file.scene);
-  read_materials(root, file.scene);
-  read_bodies(root, file.scene);
-  read_walls(root, file.scene);
-  read_probes(root, file.scene);
-  read_lines(root, file.scene);
-  read_measures(root, file.scene);
-  read_references(root, file);
-  read_drawing(root, file.drawing);
-  refuse_unused_parameters(root, original, source);
-  collect_places(tree, "", file.places);
-  file.resolved = print_toml(tree);
-  return file;
-}
+/// A reading of the file with dp as the spacing. What follows from dp are parameters, materials and bodies;
+/// the rest is read once dp is the one that divides the first body.
+class SceneReading {
+ public:
+  SceneReading(double dp, const std::filesystem::path& path, const TomlValue& original,
+               const Changes& changes, TomlSource& source)
+      : original_(original), source_(source), root_(start(path, original), "", "the scene", {}, source) {
+    read_head(root_, file_);
+    read_parameters(root_, changes, dp, file_);
+    read_settings(root_, changes, file_);
+    read_times(root_, changes, dp, file_);
+    read_outside(root_, file_.scene);
+    read_materials(root_, file_.scene);
+    read_bodies(root_, file_.scene);
+  }
+
+  double fitted() const {
+    const Scene& scene = file_.scene;
+    return fitted_spacing(scene.bodies.front(), scene.dim, scene.spacing);
+  }
+
+  /// The rest; this reading is used up.
+  SceneFile finish() {
+    read_walls(root_, file_.scene);
+    read_probes(root_, file_.scene);
+    read_lines(root_, file_.scene);
+    read_measures(root_, file_.scene);
+    read_references(root_, file_);
+    read_drawing(root_, file_.drawing);
+    refuse_unused_parameters(root_, original_, source_);
+    collect_places(file_.tree, "", file_.places);
+    return std::move(file_);
+  }
+
+ private:
+  TomlValue& start(const std::filesystem::path& path, const TomlValue& original) {
+    file_.path = path;
+    return file_.tree = original;
+  }
+
+  const TomlValue& original_;
+  TomlSource& source_;
+  SceneFile file_;
+  TomlCursor root_;
+};
 
 }  // namespace
 
@@ -124,15 +144,9 @@ SceneFile read_scene(const std::filesystem::path& path, const Overrides& overrid
   constexpr int most_rounds = 10;
   double dp = asked_spacing(tree, changes, source);
   for (int round = 0; round < most_rounds; ++round) {
-    SceneFile file = read_with(dp, path, tree, changes, source);
-    double fitted = 0;
-    try {
-      fitted = fitted_spacing(file.scene.bodies.front(), file.scene.dim, dp);
-    } catch (const SceneError& error) {
-      throw locate(file, error);
-    }
-    if (fitted == dp) return file;
-    dp = fitted;
+    SceneReading reading(dp, path, tree, changes, source);
+    if (reading.fitted() == dp) return reading.finish();
+    dp = reading.fitted();
   }
   const FilePlace place = tree.find("spacing")->value.place;
   throw SceneError(
@@ -153,7 +167,7 @@ SceneError locate(const SceneFile& scene, const SceneError& error) {
 }
 
 std::string resolved_text(const SceneFile& scene) {
-  TomlValue tree = parse_toml(scene.resolved, scene.path.string());
+  TomlValue tree = scene.tree;
   if (scene.history) tree.set("history", TomlValue(*scene.history));
   tree.set("render", drawing_table(scene.drawing));
   return print_toml(tree);

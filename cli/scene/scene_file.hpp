@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -10,10 +9,10 @@
 #include <vector>
 
 #include "cli/drawing/look.hpp"
-#include "cli/scene/file_place.hpp"
+#include "cli/scene/toml_tree.hpp"
 #include "engine/error.hpp"
 #include "engine/scene/scene.hpp"
-#include "engine/simulation.hpp"
+#include "engine/settings.hpp"
 
 namespace taut::cli {
 
@@ -45,8 +44,7 @@ struct SceneFile {
   Drawing drawing;
   std::optional<double> history;  // interval of history.csv, s; until / 1000 where the file says nothing
   std::vector<Parameter> parameters;
-  std::string
-      resolved;  // the scene as run, in TOML, every default written out; reading it gives the same scene
+  TomlValue tree;                           // of the file, with every default and what was changed
   std::map<std::string, FilePlace> places;  // by dotted path: "spacing", "body.left.velocity"
 };
 
@@ -58,7 +56,8 @@ std::vector<std::string> names_to_set(const SceneFile& scene);
 std::vector<std::string> texts_to_set(std::string_view name);
 /// `error`, thrown by the engine for this scene, with the file and the place of its key.
 SceneError locate(const SceneFile& scene, const SceneError& error);
-/// `resolved` with history and drawing as they stand in `scene` now.
+/// The scene as run, in TOML, every default written out, history and drawing as they stand in `scene` now;
+/// reading it gives the same scene.
 std::string resolved_text(const SceneFile& scene);
 
 }  // namespace taut::cli

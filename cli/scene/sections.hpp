@@ -8,8 +8,10 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/scene/expression.hpp"
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/toml_cursor.hpp"
+#include "engine/scene/scene.hpp"
 
 /// The parts of a scene file, each read by a function of its own: it takes the cursor of the whole file and
 /// writes what it finds into the scene, and defaults and overrides into the file's table.

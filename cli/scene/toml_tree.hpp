@@ -5,9 +5,12 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/scene/file_place.hpp"
-
 namespace taut::cli {
+
+/// Where something stands in a file, 1-based; 0 = unknown.
+struct FilePlace {
+  int line = 0, column = 0;
+};
 
 struct TomlEntry;
 

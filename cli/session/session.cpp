@@ -116,7 +116,7 @@ render::Image Session::picture(const DrawingPlan& plan) const {
 void Session::save(const std::filesystem::path& file) const {
   Checkpoint checkpoint;
   checkpoint.method = file_.settings.method;
-  checkpoint.scene = file_.resolved;
+  checkpoint.scene = resolved_text(file_);
   checkpoint.state = simulation_->save();
   write_checkpoint(file, std::move(checkpoint));
 }
@@ -126,7 +126,7 @@ void Session::load(const std::filesystem::path& path) {
   if (checkpoint.method != file_.settings.method)
     throw UsageError("'" + path.string() + "' is of method '" + checkpoint.method + "'; this session has '" +
                      file_.settings.method + "'");
-  if (checkpoint.scene != file_.resolved)
+  if (checkpoint.scene != resolved_text(file_))
     throw UsageError("'" + path.string() + "' is of another scene, or of other parameters or constants");
   std::unique_ptr<Simulation> simulation = start(file_);
   simulation->load(checkpoint.state);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/scene/file_place.hpp"
+#include "cli/scene/toml_tree.hpp"
 #include "cli/scene/toml_cursor.hpp"
 #include "cli/study/chart.hpp"
 #include "cli/study/gnuplot.hpp"

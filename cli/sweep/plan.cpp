@@ -6,6 +6,7 @@
 
 #include "cli/system/atomic_file.hpp"
 #include "engine/error.hpp"
+#include "engine/simulation.hpp"
 
 namespace taut::cli {
 namespace {
@@ -27,22 +28,17 @@ RunOptions options_of(const SweepRequest& request, const GridRow& row, const Set
   return options;
 }
 
-/// Throws what is wrong with a run; makes its particles only if `thoroughly`.
-SceneFile check_run(const RunOptions& options, bool thoroughly) {
-  SceneFile file = make_plan(options).file;
-  if (!thoroughly) return file;
-  try {
-    Settings settings = file.settings;
-    settings.threads = 1;  // a process that has had several cannot be forked
-    make_simulation(file.scene, settings);
-  } catch (const SceneError& error) {
-    throw locate(file, error);
-  }
-  return file;
+/// Throws what only shows once the particles are made.
+void check_particles(const SceneFile& file) try {
+  Settings settings = file.settings;
+  settings.threads = 1;  // a process that has had several cannot be forked
+  make_simulation(file.scene, settings);
+} catch (const SceneError& error) {
+  throw locate(file, error);
 }
 
 bool is_wrong(const RunOptions& options) try {
-  check_run(options, true);
+  check_particles(make_plan(options).file);
   return false;
 } catch (const UsageError&) {
   return true;
@@ -183,10 +179,10 @@ SweepPlan plan_sweep(const SweepRequest& request) {
     run.folder = folder_name(row);
     run.options = options_of(request, row);
     try {
-      SceneFile file = check_run(run.options, false);
+      const SceneFile file = make_plan(run.options).file;
       // whether a method can run the scene at all takes particles to tell
-      if (combinations.emplace(file.settings.method, file.scene.contact).second) check_run(run.options, true);
-      run.scene = file.resolved;
+      if (combinations.emplace(file.settings.method, file.scene.contact).second) check_particles(file);
+      run.scene = resolved_text(file);
       run.last_frame = run.options.no_render ? -1 : file.drawing.frames;
       run.work = work_of(file);
       if (plan.runs.empty()) {

@@ -49,6 +49,13 @@ std::string join(const std::vector<std::string>& words, std::string_view between
   return text;
 }
 
+std::string join_with_or(std::vector<std::string> words) {
+  if (words.size() < 2) return join(words);
+  const std::string last = words.back();
+  words.pop_back();
+  return join(words).append(" or ").append(last);
+}
+
 std::uint64_t hash_of(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;

@@ -29,6 +29,8 @@ std::string percent(double share);
 /// "0:07" or "1:02:03".
 std::string clock_time(double seconds);
 std::string join(const std::vector<std::string>& words, std::string_view between = ", ");
+/// "a, b or c".
+std::string join_with_or(std::vector<std::string> words);
 
 /// The same for a text on every machine (FNV-1a).
 std::uint64_t hash_of(std::string_view text);

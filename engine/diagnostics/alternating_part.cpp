@@ -41,13 +41,14 @@ std::vector<std::vector<int>> neighborhoods(const Snapshot& start, double radius
 /// Every monomial up to the second degree at every particle of `near`, about its first, in units of dp.
 Eigen::MatrixXd quadratics(const Snapshot& start, const std::vector<int>& near, double spacing) {
   const int dim = start.dim;
+  const Point xi = start.position(static_cast<std::size_t>(near[0]));
   Eigen::MatrixXd M(near.size(), (dim + 1) * (dim + 2) / 2);
   for (Eigen::Index k = 0; k < M.rows(); ++k) {
-    const double* xi = start.x.data() + static_cast<std::ptrdiff_t>(near[0]) * dim;
-    const double* xj = start.x.data() + static_cast<std::ptrdiff_t>(near[static_cast<std::size_t>(k)]) * dim;
+    const Point xj = start.position(static_cast<std::size_t>(near[static_cast<std::size_t>(k)]));
     Eigen::Index column = 0;
     M(k, column++) = 1;
-    for (int a = 0; a < dim; ++a) M(k, column++) = (xj[a] - xi[a]) / spacing;
+    for (std::size_t a = 0; a < static_cast<std::size_t>(dim); ++a)
+      M(k, column++) = (xj[a] - xi[a]) / spacing;
     for (int a = 1; a <= dim; ++a)
       for (int b = a; b <= dim; ++b) M(k, column++) = M(k, a) * M(k, b);
   }

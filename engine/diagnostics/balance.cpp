@@ -11,13 +11,6 @@
 namespace taut {
 namespace {
 
-template <int Dim>
-Point vector_of(const std::vector<double>& vectors, std::size_t particle) {
-  Point point{};
-  for (std::size_t a = 0; a < Dim; ++a) point[a] = vectors[particle * Dim + a];
-  return point;
-}
-
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 Point cross(const Point& a, const Point& b) {
@@ -36,29 +29,25 @@ Point values(const std::array<CompensatedSum, 3>& sums) {
   return {sums[0].value(), sums[1].value(), sums[2].value()};
 }
 
-template <int Dim>
-Balance sums(const Snapshot& now, const Scene& scene) {
+}  // namespace
+
+Balance balance(const Snapshot& now, const Scene& scene) {
+  const auto dim = static_cast<std::size_t>(now.dim);
   CompensatedSum kinetic, strain, momentum_scale, angular_scale;
   std::array<CompensatedSum, 3> linear, angular;
   for (std::size_t i = 0; i < now.size(); ++i) {
-    const Point x = vector_of<Dim>(now.x, i), v = vector_of<Dim>(now.v, i), spin = cross(x, v);
+    const Point x = now.position(i), v = now.velocity(i), spin = cross(x, v);
     const double m = now.m[i], speed = std::sqrt(dot(v, v));
     kinetic += 0.5 * m * dot(v, v);
     strain += strain_energy(now, i, scene.materials.at(static_cast<std::size_t>(now.material[i])));
     momentum_scale += m * speed;
     angular_scale += m * std::sqrt(dot(x, x)) * speed;
-    for (std::size_t a = 0; a < Dim; ++a) linear[a] += m * v[a];
-    for (std::size_t a = Dim == 3 ? 0 : 2; a < 3; ++a) angular[a] += m * spin[a];
+    for (std::size_t a = 0; a < dim; ++a) linear[a] += m * v[a];
+    for (std::size_t a = dim == 3 ? 0 : 2; a < 3; ++a) angular[a] += m * spin[a];
   }
   strain += now.contact_energy;
   return {kinetic.value(),       strain.value(), values(linear), values(angular), momentum_scale.value(),
           angular_scale.value(), now.work,       now.damped,     now.of_walls};
-}
-
-}  // namespace
-
-Balance balance(const Snapshot& now, const Scene& scene) {
-  return now.dim == 3 ? sums<3>(now, scene) : sums<2>(now, scene);
 }
 
 }  // namespace taut

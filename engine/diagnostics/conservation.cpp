@@ -20,7 +20,12 @@ std::optional<double> ratio(double change, double scale) {
 
 }  // namespace
 
-void Drift::look(const Balance& now) {
+bool exchanges_momentum(const Scene& scene, const Snapshot& start) {
+  const bool holds = std::ranges::any_of(start.held, [](unsigned char held) { return held != 0; });
+  return holds || has_drives(scene) || has_loads(scene) || scene.damping > 0;
+}
+
+void ConservationWatch::follow(const Balance& now) {
   if (!start_) start_ = now;
   linear_ = std::max(linear_, change(now.linear_momentum, now.of_walls.linear, start_->linear_momentum));
   angular_ = std::max(angular_, change(now.angular_momentum, now.of_walls.angular, start_->angular_momentum));
@@ -30,11 +35,11 @@ void Drift::look(const Balance& now) {
   energy_scale_ = std::max(energy_scale_, energy(*start_) + now.work);
 }
 
-Conservation Drift::conservation(bool exchanges_momentum) const {
+Conservation ConservationWatch::so_far() const {
   Conservation result;
   if (!start_) return result;
   result.energy = ratio(energy_, energy_scale_);
-  if (exchanges_momentum) return result;
+  if (exchanges_momentum_) return result;
   result.linear_momentum = ratio(linear_, linear_scale_);
   result.angular_momentum = ratio(angular_, angular_scale_);
   return result;

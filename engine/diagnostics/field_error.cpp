@@ -19,13 +19,6 @@ std::vector<const Field*> fields_of(const Measure& measure) {
   return found;
 }
 
-Point place_at_start(const Snapshot& now, std::size_t i) {
-  Point place{};
-  const auto dim = static_cast<std::size_t>(now.dim);
-  for (std::size_t k = 0; k < dim; ++k) place[k] = now.x0[dim * i + k];
-  return place;
-}
-
 /// What is compared, at one particle.
 struct Site {
   Point X{};           // at the start, m
@@ -69,7 +62,7 @@ std::optional<FieldError> field_error(const Measure& measure, const Snapshot& no
   double scale = 0, sum = 0, greatest = 0;  // squares
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (now.body[i] != measure.body || now.held[i]) continue;
-    Site site{place_at_start(now, i), {}, now.m[i]};
+    Site site{now.initial(i), {}, now.m[i]};
     Point should{};
     for (std::size_t k = 0; k < fields.size(); ++k) {
       should[k] = exact[k](site.X, now.time);

@@ -9,10 +9,6 @@
 namespace taut {
 namespace {
 
-double component(const std::vector<double>& vectors, const Snapshot& now, std::size_t particle, int axis) {
-  return vectors[particle * static_cast<std::size_t>(now.dim) + static_cast<std::size_t>(axis)];
-}
-
 double von_mises(const Snapshot& now, std::size_t i) { return std::sqrt(1.5 * deviator_squared(now, i)); }
 
 double pressure(const Snapshot& now, std::size_t i) { return now.p[i]; }
@@ -24,28 +20,23 @@ double stress_yy(const Snapshot& now, std::size_t i) {
   return -now.p[i] + deviator(now, i)[now.dim == 3 ? 3 : 2];
 }
 
-template <int Axis>
+template <std::size_t Axis>
 double velocity(const Snapshot& now, std::size_t i) {
-  return component(now.v, now, i, Axis);
+  return now.velocity(i)[Axis];
 }
 
-template <int Axis>
+template <std::size_t Axis>
 double displacement(const Snapshot& now, std::size_t i) {
-  return component(now.x, now, i, Axis) - component(now.x0, now, i, Axis);
+  return now.position(i)[Axis] - now.initial(i)[Axis];
 }
 
-double speed(const Snapshot& now, std::size_t i) {
-  double squared = 0;
-  for (int a = 0; a < now.dim; ++a) squared += std::pow(component(now.v, now, i, a), 2);
-  return std::sqrt(squared);
-}
+double length(const Point& a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
+
+double speed(const Snapshot& now, std::size_t i) { return length(now.velocity(i)); }
 
 double distance_moved(const Snapshot& now, std::size_t i) {
-  double squared = 0;
-  for (int a = 0; a < now.dim; ++a) {
-    squared += std::pow(component(now.x, now, i, a) - component(now.x0, now, i, a), 2);
-  }
-  return std::sqrt(squared);
+  const Point x = now.position(i), X = now.initial(i);
+  return length({x[0] - X[0], x[1] - X[1], x[2] - X[2]});
 }
 
 double density(const Snapshot& now, std::size_t i) { return now.rho[i]; }

@@ -28,9 +28,10 @@ void fill(std::vector<double>& table, const Snapshot& now) {
   table.resize(now.size() * R::width);
   for (std::size_t i = 0; i < now.size(); ++i) {
     double* row = table.data() + i * R::width;
-    for (std::size_t a = 0; a < Dim; ++a) row[a] = now.x[i * Dim + a];
+    const Point x = now.position(i);
+    std::copy_n(x.begin(), Dim, row);
     row[R::p] = now.p[i];
-    for (std::size_t a = 0; a < R::stored; ++a) row[R::s + a] = now.s[i * R::stored + a];
+    std::ranges::copy(deviator(now, i), row + R::s);
   }
 }
 
@@ -66,7 +67,7 @@ Squares squares(const double* row) {
 
 }  // namespace
 
-void IndicatorRecord::look(const Reading& now, double time) {
+void IndicatorRecord::take(const Reading& now, double time) {
   last = now.share();
   greatest_whole = std::max(greatest_whole, now.whole);
   if (!(now.part > greatest_part)) return;  // nor what is no number

@@ -39,7 +39,7 @@ struct IndicatorRecord {
   /// The greatest part over the greatest whole of the run, as the eye sees it where all frames share one
   /// range of colours: the noise of a body that has sprung back counts for what it is, not for all there is.
   double greatest() const { return Reading{greatest_part, greatest_whole}.share(); }
-  void look(const Reading& now, double time);
+  void take(const Reading& now, double time);
 };
 
 /// Measures the indicators of a state. All come from the part of a field that alternates from particle to
@@ -47,18 +47,16 @@ struct IndicatorRecord {
 /// next to nothing; rms is the root of the mean square over the particles that have such a row.
 ///
 /// hourglass_error = rms |r(x)| / dp. By Σ_j w_ij = 0 and Σ_j w_ij X_ij = 0 that is rms |Σ_j w_ij E_ij| / dp
-/// with
-///   the error vectors E_ij = F_i X_ij − x_ij of [Ganzenmueller2015], whatever F_i is. A zigzag of amplitude
-///   a gives a/dp; rigid motion and every quadratic map give 0. A particle counts with one spacing at most:
-///   beyond that its place among those that were its neighbours is lost, as it is beside a crack, and how
-///   far they are now means nothing.
+///   with the error vectors E_ij = F_i X_ij − x_ij of [Ganzenmueller2015], whatever F_i is. A zigzag of
+///   amplitude a gives a/dp; rigid motion and every quadratic map give 0. A particle counts with one spacing
+///   at most: beyond that its place among those that were its neighbours is lost, as it is beside a crack,
+///   and how far they are now means nothing.
 ///   Differs from the paper, whose scalar is the mean of |½ (E_ij − E_ji)| / |X_ij| over the neighbours:
 ///   there a smooth field counts too, where F is one-sided; here the weights leave what exceeds a smooth
 ///   field.
 /// pressure_checkerboard = rms r(p) / rms p.
 /// von_mises_checkerboard = rms √(3/2 r(s):r(s)) / rms √(3/2 s:s): of the components, which are smooth where
-/// the
-///   von Mises stress has a kink (the neutral line of a bent beam) and differ where it hides their sign.
+///   the von Mises stress has a kink (the neutral line of a bent beam) and differ where it hides their sign.
 /// The last two are shares: 1 for a pure checkerboard, ε/√(1 + ε²) for one of ε times the rms of a smooth
 /// background, 0.59 (3D: 0.73) for noise. The whole is at least 1e-8 of Young's modulus, so that round-off in
 /// a body without stress is no checkerboard.

@@ -10,14 +10,6 @@
 namespace taut {
 namespace {
 
-std::vector<Point> initial_positions(const Snapshot& start) {
-  std::vector<Point> x(start.size());
-  const std::size_t dim = static_cast<std::size_t>(start.dim);
-  for (std::size_t i = 0; i < x.size(); ++i)
-    for (std::size_t k = 0; k < dim; ++k) x[i][k] = start.x0[i * dim + k];
-  return x;
-}
-
 const Field& field_of(const SampleLine& line) {
   const Field* field = find_field(line.field);
   if (field == nullptr)
@@ -36,7 +28,8 @@ Point line_point(const SampleLine& line, int k) {
 
 LineRecorder::LineRecorder(const Scene& scene, const Snapshot& start, double reach)
     : lines_(scene.lines), samples_(scene.lines.size()) {
-  const std::vector<Point> x = initial_positions(start);
+  std::vector<Point> x(start.size());
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = start.initial(i);
   for (const SampleLine& line : lines_) {
     field_of(line);
     const auto [first, last] = std::ranges::equal_range(start.body, line.body);
@@ -61,7 +54,7 @@ double LineRecorder::next() const {
   return next;
 }
 
-void LineRecorder::look(const Snapshot& now) {
+void LineRecorder::sample(const Snapshot& now) {
   for (std::size_t l = 0; l < lines_.size(); ++l) {
     const SampleLine& line = lines_[l];
     while (samples_[l].size() < line.times.size() && line.times[samples_[l].size()] <= now.time) {

@@ -35,7 +35,7 @@ class LineRecorder {
   /// The next time that is not sampled yet, s; infinity when there is none.
   double next() const;
   /// Takes what is due.
-  void look(const Snapshot& now);
+  void sample(const Snapshot& now);
   /// [line][sample], in the order of their times.
   const std::vector<std::vector<LineSample>>& samples() const { return samples_; }
 

@@ -49,7 +49,7 @@ Judge::Judge(const Scene& scene, const Snapshot& start, double support)
   start_energy_ = given_energy_ = at_start.kinetic + at_start.strain;
 }
 
-void Judge::look(const Snapshot& now, const Balance& balance, const Readings& readings) {
+void Judge::observe(const Snapshot& now, const Balance& balance, const Readings& readings) {
   const double energy = balance.kinetic + balance.strain;
   // the angular scale contains every position, the energies every other value
   const bool finite = std::isfinite(energy) && std::isfinite(balance.angular_scale);

@@ -22,14 +22,14 @@ std::optional<Verdict> find_verdict(std::string_view name);
 /// All but `stable`, from the mildest to the worst.
 std::vector<std::string> names_of_failures();
 
-/// Hourglass error (engine/diagnostics/indicators.hpp) from which particles zigzag. What the papers show as smooth stays
-/// below 0.012: `enog` on plate, rings and ball-plate 0.0004, 0.0015, 0.0027 ([Zhang2024] Fig. 3, 12, 18),
-/// the `tic` methods on the rotating plate 0.012 ([Khayyer2024] Fig. 9, 10). What they show to zigzag is
-/// above 0.04: `og` on the plate 0.081 at 0.012 s ([Zhang2024] Fig. 6), `oas` on the rings 0.09, 0.13 and
-/// 0.17 at 0.06, 0.07 and 0.08 c0, and on ball-plate 0.12 (Fig. 12-14, 18), no artificial stress at the
-/// surface 0.10
-/// ([Khayyer2024] Fig. 13), `pf` and `tl` on the rotating plate 0.19 and 0.042 ([Lee2016] Fig. 11). 0.03 lies
-/// between. Curved smooth fields give next to nothing: bending with one particle to the radius is exact.
+/// Hourglass error (engine/diagnostics/indicators.hpp) from which particles zigzag. What the papers show as
+/// smooth stays below 0.012: `enog` on plate, rings and ball-plate 0.0004, 0.0015, 0.0027 ([Zhang2024] Fig.
+/// 3, 12, 18), the `tic` methods on the rotating plate 0.012 ([Khayyer2024] Fig. 9, 10). What they show to
+/// zigzag is above 0.04: `og` on the plate 0.081 at 0.012 s ([Zhang2024] Fig. 6), `oas` on the rings 0.09,
+/// 0.13 and 0.17 at 0.06, 0.07 and 0.08 c0, and on ball-plate 0.12 (Fig. 12-14, 18), no artificial stress at
+/// the surface 0.10 ([Khayyer2024] Fig. 13), `pf` and `tl` on the rotating plate 0.19 and 0.042 ([Lee2016]
+/// Fig. 11). 0.03 lies between. Curved smooth fields give next to nothing: bending with one particle to the
+/// radius is exact.
 /// The checkerboard shares of the stress are not judged: without any zigzag they are high where stress is low
 /// or its fronts are sharp, as for `enog` on ball-plate with 0.35 of the pressure, and wherever they are high
 /// for another reason the hourglass error is above 0.03 too.
@@ -49,14 +49,14 @@ inline constexpr double hourglass_threshold = 0.03;
 class Judge {
  public:
   Judge(const Scene& scene, const Snapshot& start, double support);
-  /// Looks at the state at one time and remembers when each failure began. Without readings its zigzags are
-  /// not judged.
-  void look(const Snapshot& now, const Balance& balance, const Readings& readings = {});
+  /// Takes the state at one time into account and remembers when each failure began. Without readings its
+  /// zigzags are not judged.
+  void observe(const Snapshot& now, const Balance& balance, const Readings& readings = {});
 
   Verdict verdict() const;
   /// The first time of each failure, s; those that never held are absent.
   const std::map<Verdict, double>& since() const { return since_; }
-  int pieces() const { return pieces_; }  // of the graph of unbroken bonds, at the last look
+  int pieces() const { return pieces_; }  // of the graph of unbroken bonds, when last observed
 
   /// What it has seen so far; the rest comes from the start.
   template <class Archive>
@@ -67,9 +67,9 @@ class Judge {
  private:
   struct Bond {
     int i, j;
-    bool broken;  // at the last look
+    bool broken;  // when last observed
   };
-  /// True if a bond broke or healed since the last look.
+  /// True if a bond broke or healed since.
   bool update_broken(const Snapshot& now);
   int count_pieces() const;
   bool has_crack() const;

@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "engine/core/point.hpp"
+#include "engine/scene/shapes.hpp"
 
 namespace taut {
 
@@ -32,19 +32,6 @@ struct Material {
   double shear_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio)); }  // G, Pa
   double sound_speed() const;  // c0 = √(K/ρ0), m/s [Zhang2024] Eq. 5
 };
-
-struct Box {  // a rectangle in 2D
-  Point low{}, high{};
-};
-struct Disc {  // a ball in 3D
-  Point centre{};
-  double radius = 0;
-};
-struct Ring {  // a hollow ball in 3D
-  Point centre{};
-  double inner = 0, outer = 0;
-};
-using Shape = std::variant<Box, Disc, Ring>;
 
 /// A region of a body that is made of another material.
 struct Part {
@@ -136,38 +123,19 @@ struct SampleLine {
 
 /// A number made from the series of probes, with its unit as it stands in run.json.
 struct Measure {
-  enum class Kind {
-    period,       // time of the second zero crossing of a series that starts at 0
-    first_peak,   // first extremum of a series that starts at 0
-    decay,        // loss of peak amplitude per period, as a share
-    rmse,         // root mean square difference from the reference's curve
-    minimum,      // least value
-    maximum,      // greatest value
-    first_below,  // first time at which the series is ≤ threshold
-    last_below,   // last time at which it was; null unless it is above at the end
-    final_ratio,  // last value over `scale`; null while series `free` is ≤ threshold at the end
-    path_error,   // greatest distance of a point from the reference's curve at the same time, over `scale`
-    line_rmse,    // root mean square difference of a line from the reference's solution, all points and times
-    frequency,    // of the highest peak of the spectrum within `band`, from `from` on, Hz
-    turn,         // angle a point has turned by about the origin, counter-clockwise, rad
-    at_rest,      // value that the series has come to rest at
-    field_rmse,  // root mean square difference of fields from the reference's solution at the end of the run,
-                 // all free particles of a body, over the greatest of the solution
-    field_error,  // the greatest difference instead
-  };
   std::string name;
-  Kind kind{};
-  std::vector<std::string> probes;  // one; path_error, turn: two, the point's x and y; line_*, field_*: none
-  std::string line;                 // line_rmse
-  int body = 0;                     // field_rmse, field_error: index into Scene::bodies
-  std::vector<std::string> fields;  // the same: keys of the components of what is compared
-  bool rigid_motion_free = false;   // the same, of displacements: loads leave a small rigid motion open
+  std::string kind;                 // its name, see diagnostics/measure_kinds.hpp; what else counts it says
+  std::vector<std::string> probes;  // those of a point: one for each axis
+  std::string line;
+  int body = 0;                     // index into Scene::bodies
+  std::vector<std::string> fields;  // keys of the components of what is compared
+  bool rigid_motion_free = false;   // of displacements: loads leave a small rigid motion open
   std::string unit;
   double threshold = 0;
   double scale = 1;
-  std::array<double, 2> band{};  // frequency: Hz
-  double from = 0;               // frequency: s
-  std::string free;              // final_ratio: the probe that says that the bodies are apart; may be empty
+  std::array<double, 2> band{};  // Hz
+  double from = 0;               // s
+  std::string free;              // the probe that says that the bodies are apart; may be empty
 };
 
 /// A table of an independent solution: time and a column for each probe of a measure, linearly interpolated.

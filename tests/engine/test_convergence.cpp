@@ -26,7 +26,7 @@ TEST_SUITE("convergence") {
     Scene scene = oscillating_plate(0.001);
     Measure period;
     period.name = "period";
-    period.kind = Measure::Kind::period;
+    period.kind = "period";
     period.probes = {"tip"};
     scene.measures = {period};
     const auto simulation = make_simulation(scene, with_method("enog"));

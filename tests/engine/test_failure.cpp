@@ -23,7 +23,7 @@ Judge judged(const Scene& scene, const std::string& method, double until) {
   const double every = 0.0005;
   for (int k = 1; k * every < until + 0.5 * every; ++k) {
     simulation->advance_to(k * every);
-    judge.look(simulation->snapshot(), balance(simulation->snapshot(), scene));
+    judge.observe(simulation->snapshot(), balance(simulation->snapshot(), scene));
   }
   return judge;
 }

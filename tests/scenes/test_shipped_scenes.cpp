@@ -13,6 +13,7 @@
 #include "engine/diagnostics/measures.hpp"
 #include "engine/error.hpp"
 #include "engine/families/catalogue.hpp"
+#include "engine/simulation.hpp"
 
 using namespace taut;
 using namespace taut::cli;
@@ -102,7 +103,7 @@ TEST_SUITE("analytic") {
     file.settings.threads = 1;
     const auto simulation = make_simulation(file.scene, file.settings);
     LineRecorder lines(file.scene, simulation->snapshot(), simulation->support());
-    for (lines.look(simulation->snapshot()); std::isfinite(lines.next()); lines.look(simulation->snapshot()))
+    for (lines.sample(simulation->snapshot()); std::isfinite(lines.next()); lines.sample(simulation->snapshot()))
       simulation->advance_to(lines.next());
     const MeasureResult rmse =
         measure(file.scene, simulation->series(), "neo_hookean", lines.samples()).at(0);

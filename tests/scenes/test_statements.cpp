@@ -10,6 +10,7 @@
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/indicators.hpp"
 #include "engine/diagnostics/verdict.hpp"
+#include "engine/simulation.hpp"
 
 using namespace taut;
 using namespace taut::cli;
@@ -136,7 +137,7 @@ Verdict verdict_of(const Statement& statement) {
   for (int k = 1; k <= looks && judge.verdict() != diverged; ++k) {
     simulation->advance_to(file.scene.until * k / looks);
     const Snapshot& now = simulation->snapshot();
-    judge.look(now, balance(now, file.scene), gauge(now));
+    judge.observe(now, balance(now, file.scene), gauge(now));
   }
   return judge.verdict();
 }

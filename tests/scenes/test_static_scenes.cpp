@@ -14,6 +14,7 @@
 #include "engine/diagnostics/verdict.hpp"
 #include "engine/error.hpp"
 #include "engine/families/catalogue.hpp"
+#include "engine/simulation.hpp"
 
 using namespace taut;
 using namespace taut::cli;
@@ -55,7 +56,7 @@ Rest run(const SceneFile& file) {
   try {
     for (int k = 1; k <= looks && judge.verdict() != Verdict::diverged; ++k) {
       simulation->advance_to(file.scene.until * k / looks);
-      judge.look(simulation->snapshot(), balance(simulation->snapshot(), file.scene));
+      judge.observe(simulation->snapshot(), balance(simulation->snapshot(), file.scene));
     }
     rest.verdict = judge.verdict();
   } catch (const NumericalError&) {

@@ -1,5 +1,9 @@
+#include <set>
+
 #include <doctest/doctest.h>
 
+#include "cli/scene/scene_file.hpp"
+#include "cli/scene/shipped.hpp"
 #include "render/image/image.hpp"
 #include "tests/support/program_runner.hpp"
 
@@ -108,12 +112,29 @@ TEST_SUITE("cli") {
     const Outcome all = call({"list"});
     CHECK(all.code == 0);
     const auto json = nlohmann::json::parse(call({"list", "--json"}).out);
-    for (const std::string kind : {"scenes", "methods", "fields", "colormaps"}) {
+    for (const std::string kind : {"scenes", "methods", "equations", "fields", "measures", "colormaps"}) {
       CHECK(nlohmann::json::parse(call({"list", kind, "--json"}).out) == json[kind]);
       CHECK_FALSE(json[kind].empty());
       for (const auto& row : json[kind])
         CHECK(contains(all.out, "  " + row["name"].get<std::string>() + " "));
     }
+  }
+
+  TEST_CASE("list names every kind of measure of the scenes, with the keys that it takes") {
+    const auto listed = nlohmann::json::parse(call({"list", "measures", "--json"}).out);
+    std::set<std::string> names;
+    for (const auto& row : listed) names.insert(row["name"]);
+    CHECK(names.size() == listed.size());
+    for (const std::string& scene : scene_names())
+      for (const taut::Measure& measure : read_scene(find_scene(scene)).scene.measures) {
+        CAPTURE(scene);
+        CAPTURE(measure.name);
+        CHECK(names.contains(measure.kind));
+      }
+    const std::string text = call({"list", "measures"}).out;
+    CHECK(contains(text, "final_ratio  probe, threshold, scale, free  number"));
+    CHECK(contains(text, "path_error   probes, scale                  table or solution"));
+    CHECK(contains(call({"describe", "oscillating-plate"}).out, "  period      period"));
   }
 
   TEST_CASE("describe tells parameters with units and bounds and constants of a method") {

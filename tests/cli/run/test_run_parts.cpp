@@ -56,44 +56,6 @@ TEST_SUITE("unit") {
     CHECK(pace.slice() * seconds_per_time == doctest::Approx(0.2));
   }
 
-  TEST_CASE("drift is relative to the greatest scale seen and absent with held particles") {
-    Balance start;
-    start.kinetic = 4;
-    start.linear_momentum = {1, 0, 0};
-    start.momentum_scale = 2;
-    Balance later = start;
-    later.kinetic = 1;
-    later.strain = 2;
-    later.linear_momentum = {1, 0.5, 0};
-    later.momentum_scale = 5;
-    Drift drift;
-    drift.look(start);
-    drift.look(later);
-    drift.look(start);
-    CHECK(*drift.conservation(false).energy == doctest::Approx(0.25));
-    CHECK(*drift.conservation(false).linear_momentum == doctest::Approx(0.1));
-    CHECK_FALSE(drift.conservation(false).angular_momentum);  // nothing turns: no scale
-    CHECK_FALSE(drift.conservation(true).linear_momentum);
-    CHECK(drift.conservation(true).energy);
-  }
-
-  TEST_CASE("drift of the energy leaves out work from outside and damping") {
-    Balance start, later;  // at rest
-    later.kinetic = 3;
-    later.strain = 2;
-    later.work = 4;
-    Drift drift;
-    drift.look(start);
-    CHECK_FALSE(drift.conservation(true).energy);  // no energy yet: no scale
-    drift.look(later);
-    CHECK(*drift.conservation(true).energy == doctest::Approx(0.25));
-    later.damped = 2;  // what was taken is not lost
-    Drift damped;
-    damped.look(start);
-    damped.look(later);
-    CHECK(*damped.conservation(true).energy == doctest::Approx(0.75));
-  }
-
   TEST_CASE("the range of a sequence skips what is no number and is symmetric for signed fields") {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float infinity = std::numeric_limits<float>::infinity();

@@ -89,7 +89,8 @@ TEST_SUITE("cli") {
                 {"parameter 'v0' must be a table", "a number"});
     check_error("shape = { type = \"rectangle\", low = [0, 0], high = [2, 1] }", "shape = @\"rectangle\"",
                 {"shape of body 'block' must be a table", "a text"});
-    check_error("shape = { type = \"rectangle\", low = [0, 0], high = [2, 1] }", "shape = @[]", {"is empty"});
+    check_error("shape = { type = \"rectangle\", low = [0, 0], high = [2, 1] }", "shape = @[]",
+                {"is empty: it needs at least one rectangle, disc or ring"});
   }
 
   TEST_CASE("scene: expressions") {

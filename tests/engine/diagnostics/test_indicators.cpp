@@ -307,14 +307,14 @@ TEST_SUITE("unit") {
   TEST_CASE("indicators: the record keeps the greatest part over the greatest whole, whatever their times") {
     IndicatorRecord record;
     CHECK(record.greatest() == 0);
-    record.look({0.1, 1}, 0);
-    record.look({0.5, 5}, 1);
-    record.look({0.4, 0.4}, 2);  // nearly without stress: all of it alternates, and it is little
+    record.take({0.1, 1}, 0);
+    record.take({0.5, 5}, 1);
+    record.take({0.4, 0.4}, 2);  // nearly without stress: all of it alternates, and it is little
     CHECK(record.greatest() == doctest::Approx(0.1));
     CHECK(record.at == 1);
     CHECK(record.last == 1);
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    record.look({nan, nan}, 3);
+    record.take({nan, nan}, 3);
     CHECK(record.greatest() == doctest::Approx(0.1));
     CHECK(std::isnan(record.last));
   }

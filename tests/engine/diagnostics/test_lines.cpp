@@ -46,7 +46,7 @@ TEST_SUITE("unit") {
     const auto simulation = make_simulation(scene, with_method("oenog"));
     LineRecorder lines(scene, simulation->snapshot(), simulation->support());
     CHECK(lines.next() == 0);
-    lines.look(simulation->snapshot());
+    lines.sample(simulation->snapshot());
     CHECK(lines.next() == std::numeric_limits<double>::infinity());
     REQUIRE(lines.samples().at(0).size() == 1);
     const double omega = scene.bodies[0].velocity[1]({1, 0, 0});
@@ -66,7 +66,7 @@ TEST_SUITE("unit") {
     scene.lines[1].name = "again";
     const auto simulation = make_simulation(scene, with_method("oenog"));
     LineRecorder lines(scene, simulation->snapshot(), simulation->support());
-    for (lines.look(simulation->snapshot()); std::isfinite(lines.next()); lines.look(simulation->snapshot()))
+    for (lines.sample(simulation->snapshot()); std::isfinite(lines.next()); lines.sample(simulation->snapshot()))
       simulation->advance_to(lines.next());
     CHECK(simulation->steps() == plain->steps());
     CHECK(simulation->snapshot().x == plain->snapshot().x);
@@ -108,7 +108,7 @@ TEST_SUITE("unit") {
     scene.lines[0].points = 2;
     Measure measure_of_line;
     measure_of_line.name = "number";
-    measure_of_line.kind = Measure::Kind::line_rmse;
+    measure_of_line.kind = "line_rmse";
     measure_of_line.line = "across";
     scene.measures = {measure_of_line};
     scene.references["neo_hookean"] = {

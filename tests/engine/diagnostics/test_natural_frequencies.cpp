@@ -94,7 +94,7 @@ std::vector<double> frequencies(const Grid& grid) {
 Measure frequency(const char* name, const char* probe, double low, double high) {
   Measure measure;
   measure.name = name;
-  measure.kind = Measure::Kind::frequency;
+  measure.kind = "frequency";
   measure.probes = {probe};
   measure.band = {low, high};
   measure.from = 0.02;

@@ -37,9 +37,9 @@ void part(Snapshot& now, double x, double by) {
     now.x[dim * i] = now.x0[dim * i] + (now.x0[dim * i] > x ? by : 0);
 }
 
-void look(Judge& judge, Snapshot& now, const Scene& scene, double time) {
+void observe(Judge& judge, Snapshot& now, const Scene& scene, double time) {
   now.time = time;
-  judge.look(now, balance(now, scene));
+  judge.observe(now, balance(now, scene));
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ TEST_SUITE("unit") {
       Snapshot now = start;
       for (std::size_t i = 0; i < now.size(); ++i) place(i, now.x0[2 * i], now.x0[2 * i + 1], &now.x[2 * i]);
       Judge judge(scene, start, support);
-      judge.look(now, balance(now, scene), gauge(now));
+      judge.observe(now, balance(now, scene), gauge(now));
       return judge.verdict();
     };
     for (const double amplitude : {0.025, 0.035}) {
@@ -88,16 +88,16 @@ TEST_SUITE("unit") {
     Judge judge(scene, now, support);
     CHECK(judge.pieces() == 1);
     part(now, 2.5 * dp, 1.59 * dp);  // a bond of 2.59 dp
-    look(judge, now, scene, 1);
+    observe(judge, now, scene, 1);
     CHECK(judge.pieces() == 1);
     CHECK(judge.verdict() == Verdict::stable);
     CHECK(judge.since().empty());
     part(now, 2.5 * dp, 1.61 * dp);
-    look(judge, now, scene, 2);
+    observe(judge, now, scene, 2);
     CHECK(judge.pieces() == 2);
     CHECK(judge.verdict() == Verdict::fractured);
     for (std::size_t i = 0; i < now.size(); ++i) now.x[2 * i] = 3 * now.x0[2 * i];
-    look(judge, now, scene, 3);
+    observe(judge, now, scene, 3);
     CHECK(judge.pieces() == 6);
     CHECK(judge.since() == std::map<Verdict, double>{{Verdict::fractured, 2.0}});
   }
@@ -107,10 +107,10 @@ TEST_SUITE("unit") {
     Snapshot now = lattice(2, 2, 1);
     Judge judge(scene, now, 1.2 * dp);
     part(now, 0, 0.99 * dp);
-    look(judge, now, scene, 1);
+    observe(judge, now, scene, 1);
     CHECK(judge.pieces() == 1);
     part(now, 0, 1.01 * dp);
-    look(judge, now, scene, 2);
+    observe(judge, now, scene, 2);
     CHECK(judge.pieces() == 2);
   }
 
@@ -135,7 +135,7 @@ TEST_SUITE("unit") {
         Judge judge(scene, now, support);
         CHECK(judge.pieces() == 1);
         part(now, origin + 3.5 * dp, 2 * dp);
-        look(judge, now, scene, 0.5);
+        observe(judge, now, scene, 0.5);
         CHECK(judge.pieces() == 2);
         CHECK(judge.verdict() == Verdict::fractured);
       }
@@ -149,7 +149,7 @@ TEST_SUITE("unit") {
       Judge judge(scene, now, support);
       for (std::size_t i = 0; i < now.size(); ++i)
         if (now.x0[2 * i] > 4.5 * dp && now.x0[2 * i + 1] > (9.5 - deep) * dp) now.x[2 * i] += 2 * dp;
-      look(judge, now, scene, 1);
+      observe(judge, now, scene, 1);
       CHECK(judge.pieces() == 1);
       CHECK(judge.verdict() == (deep == 5 ? Verdict::fractured : Verdict::stable));
     }
@@ -167,7 +167,7 @@ TEST_SUITE("unit") {
     CHECK(judge.pieces() == 1);
     for (std::size_t i = 0; i < now.size(); ++i)  // opens at (20 dp, 0) as a jaw does
       if (now.x0[2 * i + 1] > 0) now.x[2 * i + 1] += 0.1 * (now.x0[2 * i] + 20 * dp);
-    look(judge, now, scene, 1);
+    observe(judge, now, scene, 1);
     CHECK(judge.pieces() == 1);
     CHECK(judge.verdict() == Verdict::fractured);
   }
@@ -179,7 +179,7 @@ TEST_SUITE("unit") {
     Judge judge(scene, now, support);
     CHECK(judge.pieces() == 2);
     part(now, 2.5 * dp, 5);
-    look(judge, now, scene, 1);
+    observe(judge, now, scene, 1);
     CHECK(judge.pieces() == 2);
     CHECK(judge.verdict() == Verdict::stable);
   }
@@ -192,10 +192,10 @@ TEST_SUITE("unit") {
     Judge judge(scene, now, support);
     CHECK(judge.pieces() == 2);
     part(now, 7 * dp, 4);
-    look(judge, now, scene, 1);
+    observe(judge, now, scene, 1);
     CHECK(judge.verdict() == Verdict::stable);
     part(now, 1.5 * dp, 4);
-    look(judge, now, scene, 2);
+    observe(judge, now, scene, 2);
     CHECK(judge.pieces() == 3);
     CHECK(judge.verdict() == Verdict::fractured);
   }
@@ -206,10 +206,10 @@ TEST_SUITE("unit") {
     Judge judge(scene, now, support);
     for (const double time : {1.0, 3.0}) {
       part(now, 2.5 * dp, 3 * dp);
-      look(judge, now, scene, time);
+      observe(judge, now, scene, time);
       CHECK(judge.pieces() == 2);
       part(now, 2.5 * dp, 0);
-      look(judge, now, scene, time + 1);
+      observe(judge, now, scene, time + 1);
       CHECK(judge.pieces() == 1);
     }
     CHECK(judge.verdict() == Verdict::fractured);
@@ -223,15 +223,15 @@ TEST_SUITE("unit") {
     now.p[1] = 2;  // 0.5 J kinetic + 2 J strain
     Judge judge(scene, now, support);
     now.p[1] = std::sqrt(2 * 4.49);
-    look(judge, now, scene, 1);
+    observe(judge, now, scene, 1);
     CHECK(judge.verdict() == Verdict::stable);
     now.p[1] = std::sqrt(2 * 4.51);
-    look(judge, now, scene, 2);
+    observe(judge, now, scene, 2);
     CHECK(judge.verdict() == Verdict::diverged);
-    look(judge, now, scene, 2.5);
+    observe(judge, now, scene, 2.5);
     now.p[1] = 0;
     part(now, 2.5 * dp, 5 * dp);
-    look(judge, now, scene, 3);
+    observe(judge, now, scene, 3);
     CHECK(judge.verdict() == Verdict::diverged);
     CHECK(judge.since() == std::map<Verdict, double>{{Verdict::fractured, 3.0}, {Verdict::diverged, 2.0}});
   }
@@ -241,7 +241,7 @@ TEST_SUITE("unit") {
     Snapshot now = lattice(2, 6, 1);
     Judge judge(scene, now, support);
     now.v[0] = 1;
-    look(judge, now, scene, 1);
+    observe(judge, now, scene, 1);
     CHECK(judge.verdict() == Verdict::stable);
   }
 
@@ -251,13 +251,13 @@ TEST_SUITE("unit") {
     Judge judge(scene, now, support);
     now.v[0] = 1;  // 0.5 J
     now.work = 0.26;
-    look(judge, now, scene, 1);
+    observe(judge, now, scene, 1);
     CHECK(judge.verdict() == Verdict::stable);
     now.work = -0.3;
-    look(judge, now, scene, 2);
+    observe(judge, now, scene, 2);
     CHECK(judge.verdict() == Verdict::stable);
     now.v[0] = 1.03;  // 0.53 J
-    look(judge, now, scene, 3);
+    observe(judge, now, scene, 3);
     CHECK(judge.since() == std::map<Verdict, double>{{Verdict::diverged, 3.0}});
   }
 
@@ -273,7 +273,7 @@ TEST_SUITE("unit") {
         Snapshot now = start;
         now.p.assign(now.size(), 1);
         (now.*member)[3] = bad;
-        look(judge, now, scene, 4);
+        observe(judge, now, scene, 4);
         CHECK(judge.since() == std::map<Verdict, double>{{Verdict::diverged, 4.0}});
       }
     }

@@ -340,7 +340,7 @@ TEST_SUITE("failure") {
     Judge judge(scene, simulation->snapshot(), simulation->support());
     for (int k = 1; k <= 24; ++k) {
       simulation->advance_to(0.0005 * k);
-      judge.look(simulation->snapshot(), balance(simulation->snapshot(), scene));
+      judge.observe(simulation->snapshot(), balance(simulation->snapshot(), scene));
     }
     CHECK(judge.verdict() == Verdict::stable);
   }
@@ -353,7 +353,7 @@ TEST_SUITE("convergence") {
     for (int k = 0; k < 2; ++k) {
       Scene scene = oscillating_plate(0.001, 5 << k);
       Measure period;
-      period.kind = Measure::Kind::period;
+      period.kind = "period";
       period.probes = {scene.probes[0].name};
       scene.measures = {period};
       const auto simulation = make_simulation(scene, with_method("oenog"));

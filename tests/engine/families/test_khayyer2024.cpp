@@ -156,7 +156,7 @@ TEST_SUITE("failure") {
     const auto simulation = make_simulation(scene, with_method("d-ulsph-r-as"));
     Judge judge(scene, simulation->snapshot(), simulation->support());
     simulation->advance_to(0.165);
-    judge.look(simulation->snapshot(), balance(simulation->snapshot(), scene));
+    judge.observe(simulation->snapshot(), balance(simulation->snapshot(), scene));
     CHECK(judge.verdict() == Verdict::fractured);
   }
 }

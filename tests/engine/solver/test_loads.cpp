@@ -141,7 +141,7 @@ TEST_SUITE("conservation") {
         Judge judge(scene, simulation->snapshot(), simulation->support());
         simulation->advance_to(2e-4);
         const Balance now = balance(simulation->snapshot(), scene);
-        judge.look(simulation->snapshot(), now);
+        judge.observe(simulation->snapshot(), now);
         CHECK(judge.verdict() == Verdict::stable);
         CHECK((now.damped > 0) == (damping > 0));
         CHECK(now.work > 0);

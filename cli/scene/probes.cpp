@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <array>
+
+#include "cli/scene/sections.hpp"
+#include "cli/text/format.hpp"
+#include "engine/diagnostics/fields.hpp"
+
+namespace taut::cli {
+namespace {
+
+const std::vector<std::string> axis_names = {"x", "y", "z"};
+
+/// What a probe of a kind has to say.
+struct ProbeKind {
+  std::string_view name;
+  Probe::Kind kind;
+  int bodies;
+  bool at, to, axis;
+};
+constexpr std::array probe_kinds{
+    ProbeKind{"displacement", Probe::Kind::displacement, 1, true, false, true},
+    ProbeKind{"position", Probe::Kind::position, 1, true, false, true},
+    ProbeKind{"distance", Probe::Kind::distance, 1, true, true, false},
+    ProbeKind{"mean_velocity", Probe::Kind::mean_velocity, 1, false, false, true},
+    ProbeKind{"gap", Probe::Kind::gap, 2, false, false, false},
+    ProbeKind{"mirror_asymmetry", Probe::Kind::mirror_asymmetry, 2, false, false, true},
+};
+
+std::vector<int> probe_bodies(TomlCursor& cursor, int number, const Scene& scene) {
+  if (number == 1) return {body_index(cursor, cursor.need("body"), "body", scene)};
+  const TomlValue& pair = cursor.need("bodies");
+  if (pair.kind != TomlValue::Kind::array || pair.items.size() != 2)
+    cursor.fail(pair, "bodies", "bodies must be an array of two names of bodies");
+  std::vector<int> bodies;
+  for (const TomlValue& item : pair.items) bodies.push_back(body_index(cursor, item, "bodies", scene));
+  if (bodies[0] == bodies[1]) cursor.fail(pair, "bodies", "bodies must be two different ones");
+  return bodies;
+}
+
+Probe read_probe(TomlCursor& cursor, const Scene& scene) {
+  Probe probe;
+  probe.name = label(cursor, names_of(scene.probes));
+  const ProbeKind& kind = probe_kinds[index_of(probe_kinds, cursor.choice("of", names_of(probe_kinds)))];
+  probe.kind = kind.kind;
+  probe.bodies = probe_bodies(cursor, kind.bodies, scene);
+  const int material = scene.bodies[static_cast<std::size_t>(probe.bodies.front())].material;
+  add_names(cursor.names(), scene.materials[static_cast<std::size_t>(material)]);
+  if (kind.at) probe.at = cursor.point("at", scene.dim);
+  if (kind.to) probe.to = cursor.point("to", scene.dim);
+  if (kind.axis) {
+    const std::vector<std::string> allowed(axis_names.begin(), axis_names.begin() + scene.dim);
+    const auto axis = std::find(allowed.begin(), allowed.end(), cursor.choice("component", allowed));
+    probe.axis = static_cast<int>(axis - allowed.begin());
+  }
+  cursor.finish();
+  return probe;
+}
+
+std::vector<double> read_line_times(TomlCursor& cursor) {
+  const TomlValue& value = cursor.need("times");
+  if (value.kind != TomlValue::Kind::array || value.items.empty())
+    cursor.fail(value, "times", "times must be an array of times in s, in growing order");
+  std::vector<double> times;
+  for (const TomlValue& item : value.items) {
+    times.push_back(cursor.value_of(item, "times"));
+    const double before = times.size() > 1 ? times[times.size() - 2] : 0;
+    if (times.back() < before)
+      cursor.fail(item, "times", exact(times.back()) + " comes after " + exact(before) + ": times must grow");
+  }
+  return times;
+}
+
+SampleLine read_line(TomlCursor& cursor, const Scene& scene) {
+  constexpr int most_points = 100000;
+  SampleLine line;
+  line.name = label(cursor, names_of(scene.lines));
+  line.body = body_index(cursor, cursor.need("body"), "body", scene);
+  line.field = cursor.text("field");
+  if (!find_field(line.field))
+    cursor.fail_unknown(cursor.need("field"), "field", "field", line.field, names_of_fields());
+  line.from = cursor.point("from", scene.dim);
+  line.to = cursor.point("to", scene.dim);
+  cursor.need("points");
+  line.points = cursor.whole("points", 2, 2, most_points);
+  line.times = read_line_times(cursor);
+  cursor.finish();
+  return line;
+}
+
+}  // namespace
+
+int body_index(TomlCursor& cursor, const TomlValue& value, std::string_view key, const Scene& scene) {
+  const std::string name = cursor.text_of(value, key);
+  const std::size_t i = index_of(scene.bodies, name);
+  if (i == scene.bodies.size()) cursor.fail_unknown(value, key, "body", name, names_of(scene.bodies));
+  return static_cast<int>(i);
+}
+
+void read_probes(TomlCursor& root, Scene& scene) {
+  read_each(root, "probe", [&](TomlCursor& cursor) { scene.probes.push_back(read_probe(cursor, scene)); });
+}
+
+void read_lines(TomlCursor& root, Scene& scene) {
+  read_each(root, "line", [&](TomlCursor& cursor) { scene.lines.push_back(read_line(cursor, scene)); });
+}
+
+}  // namespace taut::cli

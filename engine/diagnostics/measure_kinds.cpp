@@ -1,0 +1,300 @@
+#include "engine/diagnostics/measure_kinds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/diagnostics/field_error.hpp"
+#include "engine/diagnostics/spectrum.hpp"
+
+namespace taut {
+namespace {
+
+using Source = MeasureSource;
+using Value = std::optional<double>;
+
+/// The time that a run and the reference's curves both cover, up to the end of the run; nothing while the run
+/// goes on within it.
+std::optional<std::pair<double, double>> common_time(const Source& source) {
+  if (source.reference.empty()) return std::nullopt;
+  const double begin = std::max(source.curve.front().t.front(), source.reference.begin());
+  const double end = std::min(source.until, source.reference.end());
+  for (const Curve& curve : source.curve)
+    if (curve.t.back() < end) return std::nullopt;
+  return end > begin ? std::optional(std::pair(begin, end)) : std::nullopt;
+}
+
+Value period(const Source& source) {
+  const std::vector<HalfCycle> cycles = half_cycles(source.curve.front());
+  return cycles.size() < 2 ? std::nullopt : Value(cycles[1].end);
+}
+
+Value first_peak(const Source& source) {
+  const std::vector<HalfCycle> cycles = half_cycles(source.curve.front());
+  return cycles.empty() ? std::nullopt : Value(cycles.front().peak);
+}
+
+Value decay(const Source& source) {
+  const std::vector<HalfCycle> cycles = half_cycles(source.curve.front());
+  if (cycles.size() < 3) return std::nullopt;
+  const std::size_t periods = (cycles.size() - 1) / 2;  // between the first and the last peak of its side
+  const double kept = cycles[2 * periods].peak / cycles.front().peak;
+  return 1 - std::pow(kept, 1 / static_cast<double>(periods));
+}
+
+Value rmse(const Source& source) {
+  const auto time = common_time(source);
+  if (!time) return std::nullopt;
+  const auto& [begin, end] = *time;
+  const ReferenceCurves& reference = source.reference;
+  if (!reference.exact) return rms_difference(source.curve[0], reference.table[0], begin, end);
+  return rms_difference(
+      source.curve[0], [&](double t) { return reference.at(0, t); }, begin, end);
+}
+
+/// Seen at the rows of a table, since a path that bends is not straight between them, or at the steps.
+Value path_error(const Source& source) {
+  const auto time = common_time(source);
+  if (!time) return std::nullopt;
+  const ReferenceCurves& reference = source.reference;
+  Value greatest;
+  for (const double t : reference.exact ? source.curve[0].t : reference.table[0].t) {
+    if (t < time->first || t > time->second) continue;
+    double squared = 0;
+    for (std::size_t k = 0; k < source.curve.size(); ++k)
+      squared += std::pow(value_at(source.curve[k], t) - reference.at(k, t), 2);
+    greatest = std::max(greatest.value_or(0), std::sqrt(squared) / source.measure->scale);
+  }
+  return greatest;
+}
+
+Value turn_until(const std::vector<Curve>& point, double until) {
+  const bool over = std::ranges::all_of(point, [=](const Curve& c) { return c.t.back() >= until; });
+  return over ? Value(turn(point[0], point[1], until)) : std::nullopt;
+}
+
+Value turn_of_point(const Source& source) { return turn_until(source.curve, source.until); }
+
+/// Of an exact solution at the steps of the run.
+Value turn_of_reference(const Source& source) {
+  const ReferenceCurves& reference = source.reference;
+  if (reference.empty()) return std::nullopt;
+  if (!reference.exact) return turn_until(reference.table, source.until);
+  const std::span<const double> t = source.curve[0].t;
+  std::vector<double> x, y;
+  for (const double time : t) {
+    x.push_back(reference.at(0, time));
+    y.push_back(reference.at(1, time));
+  }
+  return t.empty() ? std::nullopt : turn_until({Curve{t, x}, Curve{t, y}}, source.until);
+}
+
+/// An extreme at the end may still be ahead. What is no quantity but a fault that grows counts as it is.
+Value extreme(const Source& source, double value) {
+  return source.turns && source.curve[0].y.back() == value ? std::nullopt : Value(value);
+}
+
+Value minimum(const Source& source) { return extreme(source, std::ranges::min(source.curve[0].y)); }
+Value maximum(const Source& source) { return extreme(source, std::ranges::max(source.curve[0].y)); }
+
+Value first_below(const Source& source) {
+  const Curve& curve = source.curve.front();
+  const double threshold = source.measure->threshold;
+  const auto found = std::ranges::find_if(curve.y, [=](double y) { return y <= threshold; });
+  if (found == curve.y.end()) return std::nullopt;
+  const auto k = static_cast<std::size_t>(found - curve.y.begin());
+  return k == 0 ? curve.t.front() : crossing_time(curve, k, threshold);
+}
+
+Value last_below(const Source& source) {
+  const Curve& curve = source.curve.front();
+  const double threshold = source.measure->threshold;
+  std::size_t above = curve.size();  // the first sample of the last stretch above
+  while (above > 0 && curve.y[above - 1] > threshold) --above;
+  if (above == 0 || above == curve.size()) return std::nullopt;
+  return crossing_time(curve, above, threshold);
+}
+
+/// None while the bodies are in touch, if they never were, and while the ratio is negative: bodies that part
+/// for a moment go on as before.
+Value final_ratio(const Source& source) {
+  const double ratio = source.curve[0].y.back() / source.measure->scale;
+  if (!source.free) return ratio;
+  const auto& gap = source.free->y;
+  const double threshold = source.measure->threshold;
+  const bool touched = std::ranges::any_of(gap, [&](double y) { return y <= threshold; });
+  return !touched || gap.back() <= threshold || ratio < 0 ? std::nullopt : Value(ratio);
+}
+
+Value frequency(const Source& source) {
+  const Curve& curve = source.curve.front();
+  if (curve.t.back() < source.until) return std::nullopt;
+  return peak_frequency(curve, source.measure->from, source.until, source.measure->band);
+}
+
+/// The reference at the time of the step that was sampled; none before the last sample.
+Value line_rmse(const Source& source) {
+  if (!source.reference.exact || !source.samples) return std::nullopt;
+  const SampleLine& line = *source.line;
+  if (source.samples->size() < line.times.size() || source.samples->empty()) return std::nullopt;
+  double sum = 0;
+  for (const LineSample& sample : *source.samples)
+    for (int k = 0; k < line.points; ++k)
+      sum += std::pow(sample.value[static_cast<std::size_t>(k)] -
+                          source.reference.exact->front()(line_point(line, k), sample.time),
+                      2);
+  return std::sqrt(sum / (static_cast<double>(line.points) * static_cast<double>(line.times.size())));
+}
+
+Value at_rest(const Source& source) {
+  constexpr double last = 0.1, still = 1e-3;  // of the run, of the greatest size of the series
+  const Curve& curve = source.curve.front();
+  if (curve.t.back() < source.until) return std::nullopt;
+  double size = 0, low = curve.y.back(), high = low;
+  for (std::size_t k = 0; k < curve.size(); ++k) {
+    size = std::max(size, std::abs(curve.y[k]));
+    if (curve.t[k] < (1 - last) * source.until) continue;
+    low = std::min(low, curve.y[k]);
+    high = std::max(high, curve.y[k]);
+  }
+  return high - low <= still * size ? Value(curve.y.back()) : std::nullopt;
+}
+
+/// Particles that are not held, in their places at the start; none before the end of the run.
+std::optional<FieldError> error_at_end(const Source& source) {
+  if (!source.reference.exact || !source.now || source.now->time < source.until) return std::nullopt;
+  return field_error(*source.measure, *source.now, *source.reference.exact);
+}
+
+Value field_rmse(const Source& source) {
+  const auto error = error_at_end(source);
+  return error ? Value(error->rms) : std::nullopt;
+}
+
+Value greatest_field_error(const Source& source) {
+  const auto error = error_at_end(source);
+  return error ? Value(error->greatest) : std::nullopt;
+}
+
+/// Of a measure that is a difference from its reference: it is its own error.
+Value zero(const Source& source) { return source.reference.empty() ? std::nullopt : Value(0); }
+
+/// A number, or a solution at the end of the run.
+Value as_given(const Source& source) {
+  return source.reference.exact ? source.reference.at(0, source.until) : source.reference_value;
+}
+
+const std::vector<MeasureKind> kinds = {
+    {.name = "period",
+     .help = "time of the second zero crossing of a series that starts at 0",
+     .keys = {"probe"},
+     .number = true,
+     .value = period,
+     .reference = as_given},
+    {.name = "first_peak",
+     .help = "first extremum of a series that starts at 0, with its sign, once the half cycle is over",
+     .keys = {"probe"},
+     .number = true,
+     .value = first_peak,
+     .reference = as_given},
+    {.name = "decay",
+     .help =
+         "loss of amplitude per period: 1 − (A_n/A_1)^(1/(n−1)) of the n ≥ 2 peaks on the first one's side",
+     .keys = {"probe"},
+     .number = true,
+     .value = decay,
+     .reference = as_given},
+    {.name = "rmse",
+     .help = "√(1/T ∫ (series − reference)² dt) over the time T that both cover",
+     .keys = {"probe"},
+     .table = true,
+     .solution = true,
+     .value = rmse,
+     .reference = zero},
+    {.name = "minimum",
+     .help = "least value; none while the series ends at it",
+     .keys = {"probe"},
+     .number = true,
+     .value = minimum,
+     .reference = as_given},
+    {.name = "maximum",
+     .help = "greatest value; none while the series ends at it, unless it is a mirror_asymmetry",
+     .keys = {"probe"},
+     .number = true,
+     .value = maximum,
+     .reference = as_given},
+    {.name = "first_below",
+     .help = "first time at which the series is ≤ threshold",
+     .keys = {"probe", "threshold"},
+     .number = true,
+     .value = first_below,
+     .reference = as_given},
+    {.name = "last_below",
+     .help = "last time at which the series was ≤ threshold; none unless it is above at the end",
+     .keys = {"probe", "threshold"},
+     .number = true,
+     .value = last_below,
+     .reference = as_given},
+    {.name = "final_ratio",
+     .help = "last value over scale; none unless the series `free` was ≤ threshold and is above at the end",
+     .keys = {"probe", "threshold", "scale", "free"},
+     .number = true,
+     .value = final_ratio,
+     .reference = as_given},
+    {.name = "path_error",
+     .help = "greatest distance of the point from where the reference has it at the same time, over scale",
+     .keys = {"probes", "scale"},
+     .table = true,
+     .solution = true,
+     .value = path_error,
+     .reference = zero},
+    {.name = "frequency",
+     .help = "of the highest peak of the spectrum within band, of the series from the time `from` on, Hz",
+     .keys = {"probe", "band", "from"},
+     .number = true,
+     .value = frequency,
+     .reference = as_given},
+    {.name = "turn",
+     .help = "angle by which the point turns about the origin, rad, counter-clockwise, whole turns counted",
+     .keys = {"probes"},
+     .table = true,
+     .solution = true,
+     .value = turn_of_point,
+     .reference = turn_of_reference},
+    {.name = "line_rmse",
+     .help = "√ of the mean of (field − reference)² over all points and times of the line",
+     .keys = {"line"},
+     .solution = true,
+     .value = line_rmse,
+     .reference = zero},
+    {.name = "at_rest",
+     .help = "value at the end; none where the last tenth still moves by a thousandth of the greatest size",
+     .keys = {"probe"},
+     .number = true,
+     .solution = true,
+     .value = at_rest,
+     .reference = as_given},
+    {.name = "field_rmse",
+     .help = "√ of the mean of |fields − reference|² over the body at the end, over the greatest |reference|",
+     .keys = {"body", "fields", "rigid_motion"},
+     .solution = true,
+     .value = field_rmse,
+     .reference = zero},
+    {.name = "field_error",
+     .help = "greatest |fields − reference| in the body at the end, over the greatest |reference|",
+     .keys = {"body", "fields", "rigid_motion"},
+     .solution = true,
+     .value = greatest_field_error,
+     .reference = zero},
+};
+
+}  // namespace
+
+std::span<const MeasureKind> measure_kinds() { return kinds; }
+
+const MeasureKind* find_measure_kind(std::string_view name) {
+  const auto found = std::ranges::find(kinds, name, &MeasureKind::name);
+  return found == kinds.end() ? nullptr : &*found;
+}
+
+}  // namespace taut

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <variant>
+#include <vector>
+
+#include "engine/core/point.hpp"
+
+namespace taut {
+
+// What a shape says of itself; a new one is a struct with these members, and its name in `Shape`:
+//
+//   bounds()                  the least box around it
+//   holds(x, dim, tolerance)  x lies inside, or at most `tolerance` outside
+//   measure(dim)              area or volume, m^dim
+//   thinnest(dim)             the extent that the spacing divides into whole particles, m
+//   middle()                  what it is reflected about
+//   anchor()                  a corner of the lattice of a body that it is the first shape of
+//   shift(axis, by)           moves it
+//   sites(dim, dp)            of one that lays its own particles where it is a whole body: these; none where
+//                             the lattice does it
+//
+// Lengths are in m; components beyond `dim` say nothing.
+
+struct Bounds {
+  Point low{}, high{};
+
+  Point middle() const {
+    return {0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), 0.5 * (low[2] + high[2])};
+  }
+};
+
+/// The place of a particle at t = 0 and its volume, m^dim.
+struct InitialSite {
+  Point x{};
+  double V0 = 0;
+};
+
+/// A cuboid in 3D.
+struct Box {
+  Point low{}, high{};
+
+  Bounds bounds() const { return {low, high}; }
+  bool holds(const Point& x, int dim, double tolerance) const {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
+      if (x[k] < low[k] - tolerance || x[k] > high[k] + tolerance) return false;
+    return true;
+  }
+  double measure(int dim) const {
+    double product = 1;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
+      product *= std::max(0.0, high[k] - low[k]);
+    return product;
+  }
+  double thinnest(int dim) const {
+    double least = high[0] - low[0];
+    for (std::size_t k = 1; k < static_cast<std::size_t>(dim); ++k) least = std::min(least, high[k] - low[k]);
+    return least;
+  }
+  Point middle() const { return bounds().middle(); }
+  Point anchor() const { return low; }
+  void shift(std::size_t axis, double by) {
+    low[axis] += by;
+    high[axis] += by;
+  }
+  bool operator==(const Box&) const = default;
+};
+
+/// π r², or the volume of a ball.
+inline double measure_of_ball(int dim, double r) {
+  return dim == 2 ? std::numbers::pi * r * r : 4.0 / 3.0 * std::numbers::pi * r * r * r;
+}
+
+inline Bounds bounds_of_ball(const Point& centre, double r) {
+  return {{centre[0] - r, centre[1] - r, centre[2] - r}, {centre[0] + r, centre[1] + r, centre[2] + r}};
+}
+
+inline double distance_between(const Point& a, const Point& b, int dim) {
+  double squared = 0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k) squared += (a[k] - b[k]) * (a[k] - b[k]);
+  return std::sqrt(squared);
+}
+
+/// A ball in 3D.
+struct Disc {
+  Point centre{};
+  double radius = 0;
+
+  Bounds bounds() const { return bounds_of_ball(centre, radius); }
+  bool holds(const Point& x, int dim, double tolerance) const {
+    return distance_between(x, centre, dim) <= radius + tolerance;
+  }
+  double measure(int dim) const { return measure_of_ball(dim, radius); }
+  double thinnest(int) const { return 2 * radius; }
+  Point middle() const { return centre; }
+  Point anchor() const { return bounds().middle(); }
+  void shift(std::size_t axis, double by) { centre[axis] += by; }
+  bool operator==(const Disc&) const = default;
+};
+
+/// A hollow ball in 3D.
+struct Ring {
+  Point centre{};
+  double inner = 0, outer = 0;
+
+  Bounds bounds() const { return bounds_of_ball(centre, outer); }
+  bool holds(const Point& x, int dim, double tolerance) const {
+    const double r = distance_between(x, centre, dim);
+    return r >= inner - tolerance && r <= outer + tolerance;
+  }
+  double measure(int dim) const { return measure_of_ball(dim, outer) - measure_of_ball(dim, inner); }
+  double thinnest(int) const { return outer - inner; }
+  Point middle() const { return centre; }
+  Point anchor() const { return bounds().middle(); }
+  void shift(std::size_t axis, double by) { centre[axis] += by; }
+  /// Concentric layers at r = inner + (k + ½) dp, on each a whole number of particles about dp apart, the
+  /// first on the positive x axis.
+  std::vector<InitialSite> sites(int dim, double dp) const;
+  bool operator==(const Ring&) const = default;
+};
+
+using Shape = std::variant<Box, Disc, Ring>;
+
+}  // namespace taut

@@ -1,0 +1,92 @@
+#include <doctest/doctest.h>
+
+#include "engine/diagnostics/conservation.hpp"
+
+using namespace taut;
+using doctest::Approx;
+
+namespace {
+
+Snapshot particle(bool held) {
+  Snapshot start;
+  start.held = {static_cast<unsigned char>(held)};
+  return start;
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE(
+      "conservation: drift is relative to the greatest scale seen, momenta are none with held particles") {
+    Balance start;
+    start.kinetic = 4;
+    start.linear_momentum = {1, 0, 0};
+    start.momentum_scale = 2;
+    Balance later = start;
+    later.kinetic = 1;
+    later.strain = 2;
+    later.linear_momentum = {1, 0.5, 0};
+    later.momentum_scale = 5;
+    for (const bool held : {false, true}) {
+      ConservationWatch watch(Scene(), particle(held));
+      for (const Balance& sums : {start, later, start}) watch.follow(sums);
+      const Conservation found = watch.so_far();
+      REQUIRE(found.energy);
+      CHECK(*found.energy == Approx(0.25));
+      CHECK_FALSE(found.angular_momentum);  // nothing turns: no scale
+      REQUIRE(found.linear_momentum.has_value() == !held);
+      if (!held) CHECK(*found.linear_momentum == Approx(0.1));
+    }
+  }
+
+  TEST_CASE("conservation: what walls gave is no drift") {
+    Balance start;
+    start.linear_momentum = {0, -2, 0};
+    start.angular_momentum = {0, 0, 3};
+    start.momentum_scale = 2;
+    start.angular_scale = 5;
+    Balance later = start;
+    later.linear_momentum = {0, 2, 0};
+    later.angular_momentum = {0, 0, -1};
+    later.of_walls = {{0, 3, 0}, {0, 0, -3}};
+    ConservationWatch watch(Scene(), particle(false));
+    watch.follow(start);
+    watch.follow(later);
+    CHECK(*watch.so_far().linear_momentum == Approx(0.5));
+    CHECK(*watch.so_far().angular_momentum == Approx(0.2));
+  }
+
+  TEST_CASE("conservation: drift of the energy leaves out work from outside and damping") {
+    Balance start, later;  // at rest
+    later.kinetic = 3;
+    later.strain = 2;
+    later.work = 4;
+    ConservationWatch watch(Scene(), particle(false));
+    CHECK_FALSE(watch.so_far().energy);
+    watch.follow(start);
+    CHECK_FALSE(watch.so_far().energy);  // no energy yet: no scale
+    watch.follow(later);
+    CHECK(*watch.so_far().energy == Approx(0.25));
+    later.damped = 2;  // what was taken is not lost
+    ConservationWatch damped(Scene(), particle(false));
+    damped.follow(start);
+    damped.follow(later);
+    CHECK(*damped.so_far().energy == Approx(0.75));
+  }
+
+  TEST_CASE("conservation: momentum is exchanged with what is held, driven, loaded, pulled or damped") {
+    const Snapshot free = particle(false);
+    Scene scene;
+    scene.bodies.resize(2);
+    CHECK_FALSE(exchanges_momentum(scene, free));
+    CHECK(exchanges_momentum(scene, particle(true)));
+    Scene driven = scene, loaded = scene, pulled = scene, damped = scene;
+    driven.bodies[1].drives.resize(1);
+    loaded.bodies[1].loads.resize(1);
+    pulled.gravity[1] = [](double) { return -9.81; };
+    damped.damping = 1;
+    for (const Scene* other : {&driven, &loaded, &pulled, &damped}) CHECK(exchanges_momentum(*other, free));
+    scene.walls.resize(1);  // their impulses are counted
+    CHECK_FALSE(exchanges_momentum(scene, free));
+  }
+}
