@@ -7,6 +7,7 @@
 #include "cli/run/difference_report.hpp"
 #include "cli/system/exit_code.hpp"
 #include "engine/error.hpp"
+#include "render/image/png.hpp"
 
 namespace fs = std::filesystem;
 

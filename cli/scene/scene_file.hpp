@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/drawing/look.hpp"
+#include "cli/drawing/drawing.hpp"
 #include "cli/scene/file_place.hpp"
 #include "engine/error.hpp"
 #include "engine/scene/scene.hpp"

@@ -2,7 +2,7 @@
 
 #include "cli/run/labels.hpp"
 #include "cli/run/panel_cells.hpp"
-#include "render/image/image.hpp"
+#include "render/image/png.hpp"
 #include "tests/support/program_runner.hpp"
 
 using namespace taut;
