@@ -142,7 +142,7 @@ std::function<int(Streams)> declare_compare(CLI::App& app) {
                  "run folders with particles (`taut run --save-particles`), a column each")
       ->option_text("...")
       ->required();
-  app.add_option("--out", options->out, "the panel")->option_text("panel.png")->required();
+  app.add_option("--out", options->out, "the panel")->option_text("panel.png")->required()->check(png_name);
   app.add_option("--times", options->times, "a row each, s; default: the quarters of the longest run")
       ->option_text("T,...")
       ->delimiter(',')

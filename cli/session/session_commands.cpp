@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "cli/session/terminal.hpp"
+#include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/unknown_name.hpp"
 #include "engine/error.hpp"
@@ -110,7 +111,7 @@ void preview(Session& session, const Words& words, const Dialogue& to) {
 void frame(Session& session, const Words& words, const Dialogue& to) {
   if (words.size() != 1) wrong_words("frame");
   // a slip of the completion would cost the file that it names
-  if (!words[0].ends_with(".png")) throw UsageError("'" + words[0] + "' does not end in .png");
+  if (const std::string wrong = png_name(words[0]); !wrong.empty()) throw UsageError(wrong);
   session.frame(words[0]);
   to.out << "file=" << words[0] << '\n';
 }
