@@ -26,7 +26,8 @@ struct PanelOptions {
 
 class Panel {
  public:
-  /// Nothing else of the look may be open. UsageError if the size is out of bounds or too small for so many pictures.
+  /// Nothing of the look but its size may be open. UsageError if the size is out of bounds or too small for so
+  /// many pictures.
   explicit Panel(const PanelOptions& options);
   ~Panel();
 
