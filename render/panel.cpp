@@ -68,7 +68,8 @@ Grid empty_grid(const PanelOptions& options, double em) {
 /// Pictures of the view's shape, as large as a page takes.
 Grid own_grid(const PanelOptions& options) {
   Grid grid = empty_grid(options, own_font);
-  const double aspect = (options.view.y_max - options.view.y_min) / (options.view.x_max - options.view.x_min);
+  const View view = options.look.view.value();
+  const double aspect = (view.y_max - view.y_min) / (view.x_max - view.x_min);
   const double width = std::min(
       {most_cell, most_cell / aspect, most_grid_width / grid.columns, most_grid_height / grid.rows / aspect});
   const double least_height = (least_bar * grid.em - (grid.rows - 1) * grid.gap_size) / grid.rows;
@@ -78,33 +79,27 @@ Grid own_grid(const PanelOptions& options) {
 }
 
 Grid fitted_grid(const PanelOptions& options) {
-  Grid grid = empty_grid(
-      options, std::max(9.0, own_font * std::sqrt(options.width / 1280.0 * options.height / 720.0)));
-  grid.cell_width =
-      (options.width - grid.left - grid.right - (grid.columns - 1) * grid.gap_size) / grid.columns;
-  grid.cell_height = (options.height - grid.top - grid.bottom - (grid.rows - 1) * grid.gap_size) / grid.rows;
+  const Size size = options.look.size.value();
+  Grid grid =
+      empty_grid(options, std::max(9.0, own_font * std::sqrt(size.width / 1280.0 * size.height / 720.0)));
+  grid.cell_width = (size.width - grid.left - grid.right - (grid.columns - 1) * grid.gap_size) / grid.columns;
+  grid.cell_height = (size.height - grid.top - grid.bottom - (grid.rows - 1) * grid.gap_size) / grid.rows;
   if (grid.cell_width < least_size || grid.cell_height < least_size)
-    throw UsageError("a panel of " + std::to_string(options.width) + "x" + std::to_string(options.height) +
+    throw UsageError("a panel of " + std::to_string(size.width) + "x" + std::to_string(size.height) +
                      " pixels is too small for " + std::to_string(grid.columns) + " x " +
                      std::to_string(grid.rows) + " pictures; take a larger --size");
   return grid;
 }
 
 Image empty_image(const PanelOptions& options, const Grid& grid) {
-  if (options.width > 0) return {options.width, options.height};
+  if (const auto& size = options.look.size) return {size->width, size->height};
   return {grid.left + grid.grid_width() + grid.right, grid.top + grid.grid_height() + grid.bottom};
 }
 
-DrawOptions cell_options(const PanelOptions& options, const Grid& grid) {
-  DrawOptions result;
-  result.width = grid.cell_width;
-  result.height = grid.cell_height;
-  result.view = options.view;
-  result.low = options.low;
-  result.high = options.high;
-  result.colormap = options.colormap;
-  result.bare = true;
-  return result;
+Look look_of_cells(Look look, const Grid& grid) {
+  look.size = {grid.cell_width, grid.cell_height};
+  look.bare = true;
+  return look;
 }
 
 void copy_into(Image& image, const Rect& place, const Image& picture) {
@@ -125,11 +120,11 @@ struct Panel::Parts {
 
   explicit Parts(const PanelOptions& options_)
       : options(options_),
-        grid(options.width > 0 ? fitted_grid(options) : own_grid(options)),
+        grid(options.look.size ? fitted_grid(options) : own_grid(options)),
         image(empty_image(options, grid)),
         canvas(image),
-        renderer(cell_options(options, grid)),
-        bar(options.low, options.high, *options.colormap) {}
+        renderer(look_of_cells(options.look, grid)),
+        bar(options.look.range->low, options.look.range->high, options.look.colormap->table()) {}
   void draw_frames();
   void draw_headings();
   void draw_row_labels();
@@ -221,7 +216,7 @@ const Image& Panel::finish() {
   parts.bar.draw(parts.canvas,
                  {right + pixels(margin * em), grid.top, pixels(bar_width * em), grid.grid_height()}, em,
                  parts.options.field, parts.options.unit);
-  const PageLayout layout = make_layout(grid.cell_width, grid.cell_height, parts.options.view, false);
+  const PageLayout layout = make_layout(grid.cell_width, grid.cell_height, *parts.options.look.view, false);
   draw_scale_bar(parts.canvas, grid.cell(0, grid.rows - 1), layout.pixels_per_metre, em);
   parts.canvas.end();
   return parts.image;

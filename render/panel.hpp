@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "engine/frame_view.hpp"
-#include "render/colormap.hpp"
 #include "render/image/image.hpp"
-#include "render/page/page_layout.hpp"
+#include "render/look.hpp"
 
 namespace taut::render {
 
@@ -18,10 +17,7 @@ struct Heading {
 
 /// A figure of many pictures in rows and columns, all with the same scales of colours and lengths.
 struct PanelOptions {
-  int width = 0, height = 0;  // pixels; 0 = from the view, legible at 1:1
-  View view;
-  double low = 0, high = 1;  // range of the field, in its unit
-  const Colormap* colormap = find_colormap("viridis");
+  Look look;                // an open size: from the view, legible at 1:1
   std::string title, note;  // what holds for all pictures
   std::string field, unit;
   std::vector<Heading> columns;
@@ -30,7 +26,8 @@ struct PanelOptions {
 
 class Panel {
  public:
-  /// UsageError if the size is out of bounds or too small for so many pictures.
+  /// Nothing of the look but its size may be open. UsageError if the size is out of bounds or too small for so
+  /// many pictures.
   explicit Panel(const PanelOptions& options);
   ~Panel();
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "engine/error.hpp"
@@ -17,33 +17,46 @@
 namespace taut::render {
 namespace {
 
-DrawOptions checked(DrawOptions options) {
-  const auto size_in_bounds = [](int size) { return size >= least_size && size <= greatest_size; };
-  if (!size_in_bounds(options.width) || !size_in_bounds(options.height)) {
-    throw UsageError("size " + std::to_string(options.width) + "x" + std::to_string(options.height) +
-                     " is out of bounds; width and height are from " + std::to_string(least_size) + " to " +
-                     std::to_string(greatest_size));
+void check_size(const Size& size) {
+  const auto in_bounds = [](int side) { return side >= least_size && side <= greatest_size; };
+  if (!in_bounds(size.width) || !in_bounds(size.height)) {
+    throw UsageError(fmt::format("size {}x{} is out of bounds; width and height are from {} to {}",
+                                 size.width, size.height, least_size, greatest_size));
   }
-  const View& view = options.view;
-  const double view_width = view.x_max - view.x_min;
-  const double view_height = view.y_max - view.y_min;
-  if (!(view_width > 0) || !(view_height > 0) || !std::isfinite(view_width) || !std::isfinite(view_height)) {
+}
+
+void check_view(const View& view) {
+  const double width = view.x_max - view.x_min;
+  const double height = view.y_max - view.y_min;
+  if (!(width > 0) || !(height > 0) || !std::isfinite(width) || !std::isfinite(height)) {
     throw UsageError("the view is empty or not finite; it needs x_min < x_max and y_min < y_max");
   }
-  if (!(options.low <= options.high) || !std::isfinite(options.high - options.low)) {
-    throw UsageError("the range " + std::to_string(options.low) + ":" + std::to_string(options.high) +
-                     " is reversed or not finite; write LO:HI with LO < HI");
+}
+
+void check_range(const Range& range) {
+  if (!(range.low <= range.high) || !std::isfinite(range.high - range.low)) {
+    throw UsageError(fmt::format("the range {:g}:{:g} is reversed or not finite; write LO:HI with LO < HI",
+                                 range.low, range.high));
   }
-  if (!options.colormap) throw UsageError("no colour map is given; `taut list colormaps` names them");
-  // A constant field has the middle colour, on a bar that is wide enough for ticks.
-  const double magnitude = std::max(std::abs(options.low), std::abs(options.high));
-  if (options.high - options.low <= 1e-9 * magnitude || options.high == options.low) {
-    const double half = magnitude > 0 ? 0.05 * magnitude : 0.5;
-    const double middle = 0.5 * (options.low + options.high);
-    options.low = middle - half;
-    options.high = middle + half;
-  }
-  return options;
+}
+
+Look checked(const Look& look) {
+  if (!look.size || !look.view || !look.range)
+    throw std::logic_error("something is to be drawn before its size, view and range are chosen");
+  check_size(*look.size);
+  check_view(*look.view);
+  check_range(*look.range);
+  if (!look.colormap) throw UsageError("no colour map is given; `taut list colormaps` names them");
+  return look;
+}
+
+/// A constant field has the middle colour, on a bar that is wide enough for ticks.
+Range widened(const Range& range) {
+  const double magnitude = std::max(std::abs(range.low), std::abs(range.high));
+  if (range.high - range.low > 1e-9 * magnitude && range.high != range.low) return range;
+  const double half = magnitude > 0 ? 0.05 * magnitude : 0.5;
+  const double middle = 0.5 * (range.low + range.high);
+  return {middle - half, middle + half};
 }
 
 std::uint32_t packed(Rgb color) {
@@ -63,7 +76,7 @@ double drawn_radius(double radius) {
 }  // namespace
 
 struct Renderer::Parts {
-  DrawOptions options;
+  Range range;
   PageLayout layout;
   Image image;
   GlContext context;
@@ -73,25 +86,26 @@ struct Renderer::Parts {
   std::uint32_t not_a_number = packed(not_a_number_color);
   std::vector<Dot> discs;
 
-  explicit Parts(const DrawOptions& options_);
+  Parts(const Look& look, double until);
   void place_discs(const FrameView& frame);
   std::uint32_t color_of(double value) const;
 };
 
-Renderer::Parts::Parts(const DrawOptions& options_)
-    : options(checked(options_)),
-      layout(make_layout(options.width, options.height, options.view, !options.bare)),
-      image(options.width, options.height),
-      context(options.width, options.height) {
-  std::ranges::transform(options.colormap->table(), colors.begin(), packed);
-  if (layout.font > 0) annotation.emplace(image, layout, options);
+Renderer::Parts::Parts(const Look& look, double until)
+    : range(widened(*look.range)),
+      layout(make_layout(look.size->width, look.size->height, *look.view, !look.bare)),
+      image(look.size->width, look.size->height),
+      context(image.width, image.height) {
+  const std::array<Rgb, 256> table = look.colormap->table();
+  std::ranges::transform(table, colors.begin(), packed);
+  if (layout.font > 0) annotation.emplace(image, layout, ColorBar(range.low, range.high, table), until);
   const GlContext::Current current(context, image);
-  painter.emplace(options.width, options.height, layout.plot);
+  painter.emplace(image.width, image.height, layout.plot);
 }
 
 std::uint32_t Renderer::Parts::color_of(double value) const {
   if (std::isnan(value)) return not_a_number;
-  const double t = (value - options.low) / (options.high - options.low);
+  const double t = (value - range.low) / (range.high - range.low);
   return colors[static_cast<std::size_t>(std::lround(255 * std::clamp(t, 0.0, 1.0)))];
 }
 
@@ -115,7 +129,7 @@ void Renderer::Parts::place_discs(const FrameView& frame) {
   }
 }
 
-Renderer::Renderer(const DrawOptions& options) : parts_(std::make_unique<Parts>(options)) {}
+Renderer::Renderer(const Look& look, double until) : parts_(std::make_unique<Parts>(checked(look), until)) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
+#include "cli/drawing/keys.hpp"
 #include "cli/scene/shipped.hpp"
-#include "engine/diagnostics/fields.hpp"
 #include "engine/diagnostics/verdict.hpp"
 #include "engine/families/catalogue.hpp"
-#include "render/colormap.hpp"
 
 namespace taut::cli {
 namespace {
@@ -19,18 +18,6 @@ Words shipped_scenes(const SceneFile*) { return scene_names(); }
 Words sweep_names(const SceneFile*) {
   Words names = study_names();
   for (const std::string& scene : scene_names()) names.push_back(scene);  // with --grid
-  return names;
-}
-
-Words field_names(const SceneFile*) {
-  Words names;
-  for (const Field& field : fields()) names.emplace_back(field.key);
-  return names;
-}
-
-Words colormap_names(const SceneFile*) {
-  Words names;
-  for (const render::Colormap& map : render::colormaps()) names.emplace_back(map.key);
   return names;
 }
 
@@ -62,8 +49,6 @@ constexpr Placeholder table[] = {
     {"SCENE", shipped_scenes, "*.toml"},
     {"SWEEP", sweep_names, "*.toml"},
     {"METHOD", method_names, ""},
-    {"FIELD", field_names, ""},
-    {"COLORMAP", colormap_names, ""},
     {"VERDICT", verdict_names, ""},
     {"PROBE", probe_names, ""},
     {"MEASURE", measure_names, ""},
@@ -79,6 +64,13 @@ constexpr Placeholder table[] = {
 const Placeholder* find_placeholder(std::string_view name) {
   const auto* found = std::ranges::find(table, name, &Placeholder::name);
   return found == std::end(table) ? nullptr : found;
+}
+
+/// What keys of drawing take, FIELD and COLORMAP; none: the placeholder is of no such key.
+Words drawing_names(std::string_view placeholder) {
+  const auto keys = drawing_keys();
+  const auto key = std::ranges::find(keys, placeholder, &DrawingKey::placeholder);
+  return key != keys.end() && key->takes_words() ? key->words.names() : Words();
 }
 
 bool is_literal(std::string_view word) {
@@ -129,8 +121,9 @@ void add_assignments(Choices& choices, const Words& names, bool several, const s
 void add_alternative(Choices& choices, std::string_view name, const std::string& typed,
                      const SceneFile* scene) {
   const bool is_list = drop_end(name, ",...");
-  const Placeholder* placeholder = find_placeholder(name);
-  if (placeholder) {
+  if (const Words names = drawing_names(name); !names.empty()) {
+    add(choices, names, is_list ? items_before(typed) : "");
+  } else if (const Placeholder* placeholder = find_placeholder(name)) {
     if (!placeholder->files.empty()) choices.files = placeholder->files;
     const Words words = placeholder->words ? placeholder->words(scene) : Words();
     if (name.starts_with("NAME="))

@@ -5,6 +5,7 @@
 
 #include "cli/command_line/command.hpp"
 #include "cli/drawing/bounds.hpp"
+#include "cli/drawing/options.hpp"
 #include "cli/run/labels.hpp"
 #include "cli/run/panel_cells.hpp"
 #include "cli/run/saved_run.hpp"
@@ -12,6 +13,7 @@
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
+#include "render/image/png.hpp"
 #include "render/panel.hpp"
 
 namespace taut::cli {
@@ -55,11 +57,10 @@ std::vector<double> chosen_times(const Options& options, double until) {
 
 /// The view that the scenes ask for, if they all ask for the same.
 std::optional<render::View> common_view(const std::vector<SavedRun>& runs) {
-  const auto& view = runs.front().file.drawing.view;
+  const auto& view = runs.front().file.drawing.look.view;
   for (const SavedRun& run : runs)
-    if (run.file.drawing.view != view) return std::nullopt;
-  if (!view) return std::nullopt;
-  return render::View{(*view)[0], (*view)[1], (*view)[2], (*view)[3]};
+    if (run.file.drawing.look.view != view) return std::nullopt;
+  return view;
 }
 
 /// What is seen of `all` in `window`: particles that fly away do not make the others small.
@@ -69,18 +70,23 @@ render::View within(const render::View& all, const std::optional<render::View>& 
           std::max(all.y_min, window->y_min), std::min(all.y_max, window->y_max)};
 }
 
-/// Range and view that nobody has chosen, over what the panel shows.
-void choose_range_and_view(DrawingPlan& plan, const std::vector<SavedRun>& runs, const Cells& cells) {
-  SequenceBounds bounds;
+/// The options, else what the first run has; nobody's size and view fit a panel.
+Drawing wish(const std::vector<SavedRun>& runs, const Options& options) {
+  Drawing drawing = runs.front().file.drawing;
+  drawing.look.size.reset();
+  drawing.look.view.reset();
+  return with_options(drawing, options);
+}
+
+/// With the range and the view that nobody has chosen, over what the panel shows.
+Drawing fitted_to(const Drawing& wish, const std::vector<SavedRun>& runs, const Cells& cells) {
+  SequenceBounds shown;
   for (const auto& column : cells)
-    for (const PanelCell& cell : column) {
-      if (!cell.particles) continue;
-      const ColoredParticles& p = *cell.particles;
-      bounds.add_values(std::vector<float>(p.value.begin(), p.value.end()));
-      bounds.add_positions(std::vector<float>(p.x.begin(), p.x.end()), p.dim, std::ranges::max(p.diameter));
-    }
-  if (!plan.range) plan.range = bounds.range(plan.field->is_signed);
-  if (!plan.view) plan.view = within(bounds.view(), common_view(runs));
+    for (const PanelCell& cell : column)
+      if (cell.particles) shown.add(cell.particles->view());
+  Drawing drawing = fitted(wish, shown);
+  if (!wish.look.view) drawing.look.view = within(*drawing.look.view, common_view(runs));
+  return drawing;
 }
 
 void draw(render::Panel& panel, const Cells& cells) {
@@ -97,35 +103,28 @@ void draw(render::Panel& panel, const Cells& cells) {
   }
 }
 
-render::PanelOptions panel_options(const DrawingPlan& plan, const Options& options, RunLabels labels) {
+render::PanelOptions panel_options(const Drawing& drawing, RunLabels labels) {
   render::PanelOptions panel;
-  if (options.size) panel.width = plan.width, panel.height = plan.height;
-  panel.view = *plan.view;
-  panel.low = (*plan.range)[0];
-  panel.high = (*plan.range)[1];
-  panel.colormap = plan.colormap;
+  panel.look = drawing.look;
   panel.title = std::move(labels.title);
   panel.note = std::move(labels.note);
-  panel.field = plan.field->name;
-  panel.unit = plan.field->unit;
+  panel.field = drawing.field->name;
+  panel.unit = drawing.field->unit;
   panel.columns = std::move(labels.columns);
   return panel;
 }
 
 int compare_runs(const Options& options, std::ostream& out) {
   const std::vector<SavedRun> runs = open_runs(options.runs);
-  Drawing drawing = runs.front().file.drawing;
-  drawing.view.reset();
-  DrawingPlan plan = plan_drawing(with_options(drawing, options));
+  const Drawing wished = wish(runs, options);
   const double until = longest(runs);
   const std::vector<double> times = chosen_times(options, until);
   Cells cells;
   for (const SavedRun& run : runs) {
     cells.emplace_back();
-    for (const double time : times) cells.back().push_back(cell_at(run, time, until, *plan.field));
+    for (const double time : times) cells.back().push_back(cell_at(run, time, until, *wished.field));
   }
-  choose_range_and_view(plan, runs, cells);
-  render::PanelOptions about = panel_options(plan, options, label_runs(runs));
+  render::PanelOptions about = panel_options(fitted_to(wished, runs, cells), label_runs(runs));
   about.rows = time_labels(times, until);
   render::Panel panel(about);
   draw(panel, cells);
@@ -143,7 +142,7 @@ std::function<int(Streams)> declare_compare(CLI::App& app) {
                  "run folders with particles (`taut run --save-particles`), a column each")
       ->option_text("...")
       ->required();
-  app.add_option("--out", options->out, "the panel")->option_text("panel.png")->required();
+  app.add_option("--out", options->out, "the panel")->option_text("panel.png")->required()->check(png_name);
   app.add_option("--times", options->times, "a row each, s; default: the quarters of the longest run")
       ->option_text("T,...")
       ->delimiter(',')

@@ -6,7 +6,9 @@
 #include "cli/command_line/command.hpp"
 #include "cli/run/difference_report.hpp"
 #include "cli/system/exit_code.hpp"
+#include "cli/text/checks.hpp"
 #include "engine/error.hpp"
+#include "render/image/png.hpp"
 
 namespace fs = std::filesystem;
 
@@ -68,7 +70,8 @@ std::function<int(Streams)> declare_diff(CLI::App& app) {
       ->required();
   declare_difference_options(app, *options);
   app.add_option("--out", options->out, "draw where they differ; of folders, the worst pair")
-      ->option_text("diff.png");
+      ->option_text("diff.png")
+      ->check(png_name);
   return [options](Streams streams) { return diff(*options, streams.out); };
 }
 

@@ -5,6 +5,7 @@
 
 #include "cli/command_line/command.hpp"
 #include "cli/drawing/frames.hpp"
+#include "cli/drawing/options.hpp"
 #include "cli/run/saved_run.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/system/exit_code.hpp"
@@ -47,7 +48,7 @@ fs::path prepare(const Options& options, SavedRun& run) {
 }
 
 /// False if it was interrupted.
-bool draw_all(const SavedRun& run, const DrawingPlan& plan, Frames& frames, Progress& progress) {
+bool draw_all(const SavedRun& run, Frames& frames, Progress& progress) {
   const Interrupts interrupts;
   const double count = static_cast<double>(run.particles.size());
   const auto go_on = [&](int drawn) {
@@ -57,7 +58,7 @@ bool draw_all(const SavedRun& run, const DrawingPlan& plan, Frames& frames, Prog
   progress.begin("drawing " + std::to_string(run.particles.size()) + " frames");
   for (const ParticleFile& file : run.particles) {
     if (!go_on(frames.written())) return false;
-    frames.add(read_colored(file, *plan.field, run.file.scene.dim).view());
+    frames.add(read_colored(file, *run.file.drawing.field, run.file.scene.dim).view());
   }
   return frames.draw_kept(go_on);
 }
@@ -65,14 +66,16 @@ bool draw_all(const SavedRun& run, const DrawingPlan& plan, Frames& frames, Prog
 int render(const Options& options, Streams streams) {
   SavedRun run = open_saved_run(options.run);
   run.file.drawing = with_options(run.file.drawing, options);
-  const DrawingPlan plan = plan_drawing(run.file.drawing);
-  read_colored(run.particles.front(), *plan.field, run.file.scene.dim);  // fails before anything is removed
+  const Drawing& drawing = run.file.drawing;
+  read_colored(run.particles.front(), *drawing.field,
+               run.file.scene.dim);  // fails before anything is removed
   const fs::path folder = prepare(options, run);
-  Seconds seconds;
+  double drawing_time = 0, writing_time = 0;  // nobody asks for them
   const Scene& scene = run.file.scene;
-  Frames frames(plan, folder, {scene.title, run.file.settings.method, scene.until}, seconds);
+  Frames frames(drawing, folder, {scene.title, run.file.settings.method, scene.until}, drawing_time,
+                writing_time);
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
-  const bool all = draw_all(run, plan, frames, progress);
+  const bool all = draw_all(run, frames, progress);
   progress.end(std::to_string(frames.written()) + " frames");
   streams.out << "frames  " << folder.string() << " (" << frames.written() << ")\n";
   return all ? exit_fine : exit_interrupted;

@@ -12,6 +12,7 @@
 #include "cli/system/whole_folder.hpp"
 #include "cli/text/checks.hpp"
 #include "engine/error.hpp"
+#include "render/image/png.hpp"
 
 namespace fs = std::filesystem;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace taut::cli {
 
@@ -23,7 +24,14 @@ void SequenceBounds::add_positions(std::span<const float> x, int dim, double dia
   }
 }
 
-std::array<double, 2> SequenceBounds::range(bool is_signed) const {
+void SequenceBounds::add(const FrameView& particles) {
+  if (particles.value.empty()) return;
+  add_values(std::vector<float>(particles.value.begin(), particles.value.end()));
+  add_positions(std::vector<float>(particles.x.begin(), particles.x.end()), particles.dim,
+                std::ranges::max(particles.diameter));
+}
+
+render::Range SequenceBounds::range(bool is_signed) const {
   double low = values_.low, high = values_.high;
   if (low > high) low = high = 0;  // no finite value at all
   if (is_signed) {
@@ -39,6 +47,17 @@ render::View SequenceBounds::view() const {
   if (x_.low > x_.high) return {0, 1, 0, 1};
   const double margin = 0.05 * std::max(x_.high - x_.low, y_.high - y_.low);
   return {x_.low - margin, x_.high + margin, y_.low - margin, y_.high + margin};
+}
+
+Drawing fitted(Drawing drawing, const SequenceBounds& shown) {
+  render::Look& look = drawing.look;
+  const bool is_signed = drawing.field->is_signed;
+  // the first map of the table that suits the field
+  if (!look.colormap)
+    look.colormap = &*std::ranges::find(render::colormaps(), is_signed, &render::Colormap::diverging);
+  if (!look.range) look.range = shown.range(is_signed);
+  if (!look.view) look.view = shown.view();
+  return drawing;
 }
 
 }  // namespace taut::cli

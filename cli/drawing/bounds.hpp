@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
 #include <span>
 
-#include "render/renderer.hpp"
+#include "cli/drawing/drawing.hpp"
+#include "engine/frame_view.hpp"
 
 namespace taut::cli {
 
@@ -13,9 +13,11 @@ class SequenceBounds {
   void add_values(std::span<const float> values);
   /// Positions, `dim` coordinates each; particles of diameter `diameter` (m) at most.
   void add_positions(std::span<const float> x, int dim, double diameter);
+  /// Both, in the single precision that kept frames have.
+  void add(const FrameView& particles);
 
   /// Never empty; about zero when `is_signed`.
-  std::array<double, 2> range(bool is_signed) const;
+  render::Range range(bool is_signed) const;
   /// With a margin of 5 % of the longer side.
   render::View view() const;
 
@@ -26,5 +28,8 @@ class SequenceBounds {
   };
   Interval values_, x_, y_;
 };
+
+/// The drawing with nothing left open: the colour map as it suits the field, range and view over `shown`.
+Drawing fitted(Drawing drawing, const SequenceBounds& shown);
 
 }  // namespace taut::cli

@@ -2,12 +2,34 @@
 
 #include <algorithm>
 
-#include "cli/drawing/bounds.hpp"
-#include "cli/drawing/picture.hpp"
+#include "cli/system/stopwatch.hpp"
 #include "cli/text/format.hpp"
-#include "render/image/image.hpp"
+#include "render/image/png.hpp"
 
 namespace taut::cli {
+namespace {
+
+/// Refers to both.
+FrameView view_of(const Snapshot& snapshot, std::span<const double> value) {
+  FrameView view;
+  view.dim = snapshot.dim;
+  view.time = snapshot.time;
+  view.x = snapshot.x;
+  view.diameter = snapshot.diameter;
+  view.value = value;
+  return view;
+}
+
+/// With what stands beside the particles; refers to it.
+FrameView with_texts(FrameView view, const Field& field, const Captions& captions) {
+  view.field = field.name;
+  view.unit = field.unit;
+  view.title = captions.title;
+  view.method = captions.method;
+  return view;
+}
+
+}  // namespace
 
 std::string frame_name(int number) { return numbered("frame", number, "png"); }
 
@@ -17,26 +39,40 @@ bool is_frame(const std::filesystem::path& path) {
          (name.ends_with(".png") || name.find(".png.part") != std::string::npos);
 }
 
-Frames::Frames(const DrawingPlan& plan, std::filesystem::path folder, Captions captions, Seconds& seconds)
-    : plan_(plan), folder_(std::move(folder)), captions_(std::move(captions)), seconds_(seconds) {
-  if (plan_.range && plan_.view) renderer_ = make_renderer(plan_, captions_.until);
+Drawing fitted(const Drawing& drawing, const Snapshot& snapshot) {
+  SequenceBounds shown;
+  shown.add(view_of(snapshot, evaluate(*drawing.field, snapshot)));
+  return fitted(drawing, shown);
 }
 
-Frames::~Frames() = default;
+render::Image draw_picture(const Drawing& drawing, const Captions& captions, const Snapshot& snapshot) {
+  const std::vector<double> value = evaluate(*drawing.field, snapshot);
+  render::Renderer renderer(drawing.look, captions.until);
+  return renderer.draw(with_texts(view_of(snapshot, value), *drawing.field, captions));
+}
+
+Frames::Frames(const Drawing& drawing, std::filesystem::path folder, Captions captions, double& drawing_time,
+               double& writing_time)
+    : drawing_(drawing),
+      folder_(std::move(folder)),
+      captions_(std::move(captions)),
+      drawing_time_(drawing_time),
+      writing_time_(writing_time) {
+  if (drawing_.look.range && drawing_.look.view) begin_drawing({});
+}
+
+void Frames::begin_drawing(const SequenceBounds& shown) {
+  drawing_ = fitted(drawing_, shown);
+  renderer_.emplace(drawing_.look, captions_.until);
+}
 
 void Frames::add(const Snapshot& snapshot) {
   std::vector<double> value;
   {
-    const Timed timed(seconds_.render);
-    value = evaluate(*plan_.field, snapshot);
+    const Timed timed(drawing_time_);
+    value = evaluate(*drawing_.field, snapshot);
   }
-  FrameView view;
-  view.dim = snapshot.dim;
-  view.time = snapshot.time;
-  view.x = snapshot.x;
-  view.diameter = snapshot.diameter;
-  view.value = value;
-  add(view);
+  add(view_of(snapshot, value));
 }
 
 void Frames::add(const FrameView& particles) {
@@ -47,7 +83,7 @@ void Frames::add(const FrameView& particles) {
 }
 
 void Frames::keep(const FrameView& particles) {
-  const Timed timed(seconds_.render);
+  const Timed timed(drawing_time_);
   dim_ = particles.dim;
   diameter_.assign(particles.diameter.begin(), particles.diameter.end());
   kept_.push_back({particles.time,
@@ -55,21 +91,19 @@ void Frames::keep(const FrameView& particles) {
                    {particles.value.begin(), particles.value.end()}});
 }
 
-void Frames::choose_range_and_view() {
+SequenceBounds Frames::bounds_of_kept() const {
   const double diameter = diameter_.empty() ? 0 : std::ranges::max(diameter_);
   SequenceBounds bounds;
   for (const Kept& frame : kept_) {
     bounds.add_values(frame.value);
     bounds.add_positions(frame.x, dim_, diameter);
   }
-  if (!plan_.range) plan_.range = bounds.range(plan_.field->is_signed);
-  if (!plan_.view) plan_.view = bounds.view();
+  return bounds;
 }
 
 bool Frames::draw_kept(const std::function<bool(int)>& go_on) {
   if (kept_.empty()) return true;
-  choose_range_and_view();
-  renderer_ = make_renderer(plan_, captions_.until);
+  begin_drawing(bounds_of_kept());
   for (const Kept& frame : kept_) {
     if (!go_on(written_)) return false;
     const std::vector<double> x(frame.x.begin(), frame.x.end());
@@ -85,17 +119,13 @@ bool Frames::draw_kept(const std::function<bool(int)>& go_on) {
   return true;
 }
 
-void Frames::draw(FrameView view) {
-  view.field = plan_.field->name;
-  view.unit = plan_.field->unit;
-  view.title = captions_.title;
-  view.method = captions_.method;
+void Frames::draw(const FrameView& particles) {
   const render::Image* image = nullptr;
   {
-    const Timed timed(seconds_.render);
-    image = &renderer_->draw(view);
+    const Timed timed(drawing_time_);
+    image = &renderer_->draw(with_texts(particles, *drawing_.field, captions_));
   }
-  const Timed timed(seconds_.write);
+  const Timed timed(writing_time_);
   render::write_png(*image, folder_ / frame_name(written_));
   ++written_;
 }

@@ -2,13 +2,14 @@
 
 #include <filesystem>
 #include <functional>
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "cli/drawing/look.hpp"
-#include "cli/system/stopwatch.hpp"
+#include "cli/drawing/bounds.hpp"
+#include "cli/drawing/drawing.hpp"
 #include "engine/frame_view.hpp"
+#include "engine/snapshot.hpp"
 #include "render/renderer.hpp"
 
 namespace taut::cli {
@@ -24,17 +25,22 @@ struct Captions {
   double until = 0;  // s, the last time: gives the unit of all times
 };
 
+/// The drawing with what it leaves open as it suits this moment alone.
+Drawing fitted(const Drawing& drawing, const Snapshot& snapshot);
+/// One picture, as a frame with these captions would be; nothing may be open.
+render::Image draw_picture(const Drawing& drawing, const Captions& captions, const Snapshot& snapshot);
+
 /// Draws the frames of a run: each at once when the range and the view are known beforehand; otherwise what a
 /// frame shows is kept in memory, and all are drawn at the end over the range and view of the whole sequence.
 class Frames {
  public:
   /// Draws nothing, but fails where no picture can be drawn at all.
-  /// The time it takes is added to `seconds`.
-  Frames(const DrawingPlan& plan, std::filesystem::path folder, Captions captions, Seconds& seconds);
-  ~Frames();
+  /// The time that it takes is added to `drawing_time` and `writing_time`, s.
+  Frames(const Drawing& drawing, std::filesystem::path folder, Captions captions, double& drawing_time,
+         double& writing_time);
 
   void add(const Snapshot& snapshot);
-  /// Particles with the values of the plan's field; the texts are added here.
+  /// Particles with the values of the drawing's field; the texts are added here.
   void add(const FrameView& particles);
   /// Draws what was kept; asks `go_on` before each frame. False if it was told to stop.
   bool draw_kept(const std::function<bool(int drawn)>& go_on);
@@ -59,17 +65,18 @@ class Frames {
     }
   };
   void keep(const FrameView& particles);
-  void choose_range_and_view();
-  void draw(FrameView particles);
+  SequenceBounds bounds_of_kept() const;
+  void begin_drawing(const SequenceBounds& shown);
+  void draw(const FrameView& particles);
 
-  DrawingPlan plan_;
+  Drawing drawing_;
   std::filesystem::path folder_;
   Captions captions_;
-  Seconds& seconds_;
+  double &drawing_time_, &writing_time_;  // s
   int dim_ = 2;
   std::vector<double> diameter_;  // m
   std::vector<Kept> kept_;
-  std::unique_ptr<render::Renderer> renderer_;  // made when the range and the view are known
+  std::optional<render::Renderer> renderer_;  // made when the range and the view are known
   int written_ = 0;
 };
 

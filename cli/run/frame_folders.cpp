@@ -5,6 +5,7 @@
 
 #include "cli/run/folder.hpp"
 #include "engine/error.hpp"
+#include "render/image/png.hpp"
 
 namespace fs = std::filesystem;
 

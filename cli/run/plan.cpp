@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/drawing/keys.hpp"
 #include "cli/run/schedule.hpp"
 #include "cli/scene/shipped.hpp"
 #include "cli/text/checks.hpp"
@@ -81,8 +82,9 @@ void declare_setting_options(CLI::App& app, RunOptions& o) {
 }
 
 void declare_output_options(CLI::App& app, RunOptions& o) {
-  auto* frames = app.add_option("--frames", o.frames, "frames after the one at t = 0, evenly spaced")
-                     ->option_text("N")
+  const DrawingKey& key = drawing_key("frames");
+  auto* frames = app.add_option("--frames", o.frames, std::string(key.help))
+                     ->option_text(std::string(key.placeholder))
                      ->check(positive_whole_number);
   app.add_option("--every", o.every, "time between frames, s; rounded so that the last one shows the end")
       ->option_text("DT")
@@ -121,8 +123,7 @@ RunPlan make_plan(const RunOptions& options) {
   file.drawing.frames = frame_count(options, file);
   file.history = history_interval(options, file);
   plan.spacing_asked = options.spacing;
-  const DrawingPlan drawing = plan_drawing(file.drawing);
-  if (!options.no_render) plan.drawing = drawing;
+  if (!options.no_render) plan.drawing = file.drawing;
   plan.particle_fields = particle_fields(options);
   if (plan.drawing || !plan.particle_fields.empty())
     plan.frame_times = times_in_parts(file.scene.until, file.drawing.frames);

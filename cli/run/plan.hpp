@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/drawing/look.hpp"
+#include "cli/drawing/options.hpp"
 #include "cli/run/run.hpp"
 
 namespace CLI {

@@ -94,7 +94,8 @@ Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, LineRecord
       pace_(record_.until) {
   if (plan.drawing)
     frames_.emplace(*plan.drawing, plan.folder.frames(),
-                    Captions{plan.file.scene.title, record_.method, record_.until}, record_.seconds);
+                    Captions{plan.file.scene.title, record_.method, record_.until}, record_.seconds.render,
+                    record_.seconds.write);
   if (!plan.particle_fields.empty()) particles_.emplace(plan.particle_fields, plan.folder, record_.seconds);
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/drawing/look.hpp"
+#include "cli/drawing/drawing.hpp"
 #include "cli/run/folder.hpp"
 #include "cli/run/record.hpp"
 #include "cli/scene/scene_file.hpp"
@@ -18,7 +18,7 @@ namespace taut::cli {
 struct RunPlan {
   SceneFile file;
   std::optional<double> spacing_asked;        // m, on the command line
-  std::optional<DrawingPlan> drawing;         // none: no frames
+  std::optional<Drawing> drawing;             // none: no frames
   std::vector<const Field*> particle_fields;  // none: particles are not saved
   std::vector<double> frame_times,
       history_times;  // s, sorted; particles are saved at those of the frames

@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <vector>
 
-#include "cli/drawing/frames.hpp"
-#include "cli/drawing/look.hpp"
 #include "cli/run/folder.hpp"
 #include "cli/run/particle_file.hpp"
 #include "cli/scene/scene_file.hpp"
+#include "engine/diagnostics/fields.hpp"
+#include "engine/frame_view.hpp"
 
 namespace taut::cli {
 

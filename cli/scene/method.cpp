@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include "cli/scene/sections.hpp"
@@ -8,13 +7,9 @@
 #include "cli/text/suggest.hpp"
 #include "engine/diagnostics/fields.hpp"
 #include "engine/families/catalogue.hpp"
-#include "render/colormap.hpp"
-#include "render/renderer.hpp"
 
 namespace taut::cli {
 namespace {
-
-constexpr std::string_view automatic = "auto";
 
 const std::vector<std::string> stepping_names = {"dual", "single"};
 
@@ -125,79 +120,7 @@ void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& met
   root.table().set("law", TomlValue(settings.law));
 }
 
-void read_range(TomlCursor& render, Drawing& drawing) {
-  const TomlValue* range = render.find("range");
-  if (!range) render.table().set("range", TomlValue(std::string(automatic)));
-  if (!range || (range->kind == TomlValue::Kind::text && range->text == automatic)) return;
-  if (range->kind != TomlValue::Kind::array)
-    render.fail(*range, "range",
-                "range must be \"auto\" or [low, high], this is " + std::string(range->kind_name()));
-  const std::vector<double> ends = render.numbers("range", 2);
-  if (!(ends[0] < ends[1]))
-    render.fail(
-        *range, "range",
-        "range = [" + exact(ends[0]) + ", " + exact(ends[1]) + "]: the first must be less than the second");
-  drawing.range = {ends[0], ends[1]};
-}
-
-void read_view(TomlCursor& render, Drawing& drawing) {
-  const TomlValue* view = render.find("view");
-  if (!view) render.table().set("view", TomlValue(std::string(automatic)));
-  if (!view || (view->kind == TomlValue::Kind::text && view->text == automatic)) return;
-  if (view->kind != TomlValue::Kind::array)
-    render.fail(
-        *view, "view",
-        "view must be \"auto\" or [x_min, x_max, y_min, y_max], this is " + std::string(view->kind_name()));
-  const std::vector<double> ends = render.numbers("view", 4);
-  if (!(ends[0] < ends[1]) || !(ends[2] < ends[3]))
-    render.fail(*view, "view", "view = [x_min, x_max, y_min, y_max] needs x_min < x_max and y_min < y_max");
-  drawing.view = {ends[0], ends[1], ends[2], ends[3]};
-}
-
-void read_colors(TomlCursor& render, Drawing& drawing) {
-  drawing.color = render.text("color", drawing.color);
-  if (!find_field(drawing.color))
-    render.fail_unknown(*render.find("color"), "color", "field", drawing.color, names_of_fields());
-  drawing.colormap = render.text("colormap", automatic);
-  if (drawing.colormap == automatic) drawing.colormap.clear();
-  if (drawing.colormap.empty() || render::find_colormap(drawing.colormap)) return;
-  std::vector<std::string> known = {std::string(automatic)};
-  for (const render::Colormap& map : render::colormaps()) known.emplace_back(map.key);
-  render.fail_unknown(*render.find("colormap"), "colormap", "colour map", drawing.colormap, known);
-}
-
-void read_size(TomlCursor& render, Drawing& drawing) {
-  if (!render.find("size")) {
-    TomlValue size;
-    size.kind = TomlValue::Kind::array;
-    for (const int pixels : drawing.size) size.items.emplace_back(static_cast<double>(pixels)).whole = true;
-    render.table().set("size", std::move(size));
-  }
-  const std::vector<double> size = render.numbers("size", 2);
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (!(size[i] >= render::least_size && size[i] <= render::greatest_size) ||
-        size[i] != std::floor(size[i]))
-      render.fail(*render.find("size"), "size",
-                  "size must be two whole numbers of pixels from " + std::to_string(render::least_size) +
-                      " to " + std::to_string(render::greatest_size));
-    drawing.size[i] = static_cast<int>(size[i]);
-  }
-}
-
-TomlValue number_array(const auto& numbers, bool whole) {
-  TomlValue array;
-  array.kind = TomlValue::Kind::array;
-  for (const auto number : numbers) array.items.emplace_back(static_cast<double>(number)).whole = whole;
-  return array;
-}
-
 }  // namespace
-
-std::vector<std::string> names_of_fields() {
-  std::vector<std::string> names;
-  for (const Field& field : fields()) names.emplace_back(field.key);
-  return names;
-}
 
 std::vector<std::string> texts_to_set(std::string_view name) {
   if (name == "method") return names_of(methods());
@@ -229,32 +152,6 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   root.table().set("cfl", TomlValue(cfl));
   file.settings.cfl = cfl;
   read_constants(root, of_file, method, changes, file.settings);
-}
-
-void read_drawing(TomlCursor& root, Drawing& drawing) {
-  constexpr int most_frames = 1000000;
-  TomlCursor render = root.section("render", "[render]");
-  read_colors(render, drawing);
-  read_range(render, drawing);
-  read_view(render, drawing);
-  read_size(render, drawing);
-  drawing.frames = render.whole("frames", drawing.frames, 1, most_frames);
-  render.finish();
-}
-
-TomlValue drawing_table(const Drawing& drawing) {
-  TomlValue table;
-  table.section = true;
-  const TomlValue none{std::string(automatic)};
-  table.set("color", TomlValue(drawing.color));
-  table.set("range", drawing.range ? number_array(*drawing.range, false) : none);
-  table.set("colormap", drawing.colormap.empty() ? none : TomlValue(drawing.colormap));
-  table.set("view", drawing.view ? number_array(*drawing.view, false) : none);
-  table.set("size", number_array(drawing.size, true));
-  TomlValue frames(static_cast<double>(drawing.frames));
-  frames.whole = true;
-  table.set("frames", std::move(frames));
-  return table;
 }
 
 }  // namespace taut::cli

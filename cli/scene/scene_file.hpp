@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/drawing/look.hpp"
+#include "cli/drawing/drawing.hpp"
 #include "cli/scene/toml_tree.hpp"
 #include "engine/error.hpp"
 #include "engine/scene/scene.hpp"

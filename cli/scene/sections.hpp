@@ -65,8 +65,6 @@ void add_names(Names& names, const Material& material);
 
 /// The body that `value` names.
 int body_index(TomlCursor& cursor, const TomlValue& value, std::string_view key, const Scene& scene);
-/// What can be drawn or sampled.
-std::vector<std::string> names_of_fields();
 
 /// The tables of [[key]], each with a cursor that knows its name.
 template <class Read>

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/drawing/picture.hpp"
+#include "cli/drawing/frames.hpp"
 #include "cli/run/checkpoint.hpp"
 #include "cli/run/pace.hpp"
 #include "cli/run/run.hpp"
 #include "cli/system/stopwatch.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
+#include "render/image/png.hpp"
 
 namespace taut::cli {
 namespace {
@@ -35,9 +36,7 @@ Session::Session(const RunOptions& options)
     : options_(options),
       file_(scene_to_run(options)),
       drawing_(with_options(file_.drawing, options.drawing)),
-      simulation_(start(file_)) {
-  plan_drawing(drawing_);
-}
+      simulation_(start(file_)) {}
 
 void Session::step(long count, const Interrupts& interrupts) {
   constexpr double later = std::numeric_limits<double>::infinity();
@@ -81,36 +80,30 @@ std::vector<std::string> Session::names_to_change() const {
   return names;
 }
 
-void Session::draw_with(const DrawingOptions& options) {
-  const Drawing drawing = with_options(drawing_, options);
-  plan_drawing(drawing);
-  drawing_ = drawing;
-}
+void Session::set_look(const DrawingKey& key, const std::string& text) { set_typed(drawing_, key, text); }
 
-DrawingPlan Session::look() const { return fitted(plan_drawing(drawing_), simulation_->snapshot()); }
+Drawing Session::drawing() const { return fitted(drawing_, simulation_->snapshot()); }
 
-void Session::see(const render::View& view) {
-  drawing_.view = {view.x_min, view.x_max, view.y_min, view.y_max};
-}
+void Session::see(const render::View& view) { drawing_.look.view = view; }
 
 void Session::pan(double dx, double dy) {
-  const render::View now = *look().view;
+  const render::View now = *drawing().look.view;
   see({now.x_min + dx, now.x_max + dx, now.y_min + dy, now.y_max + dy});
 }
 
 void Session::zoom(double factor) {
   if (!(factor > 0)) throw UsageError("zoom takes a factor above 0");
-  const render::View now = *look().view;
+  const render::View now = *drawing().look.view;
   const double x = (now.x_min + now.x_max) / 2, y = (now.y_min + now.y_max) / 2;
   const double half_x = (now.x_max - now.x_min) / 2 / factor, half_y = (now.y_max - now.y_min) / 2 / factor;
   see({x - half_x, x + half_x, y - half_y, y + half_y});
 }
 
-void Session::frame(const std::filesystem::path& file) const { render::write_png(picture(look()), file); }
+void Session::frame(const std::filesystem::path& file) const { render::write_png(picture(drawing()), file); }
 
-render::Image Session::picture(const DrawingPlan& plan) const {
+render::Image Session::picture(const Drawing& drawing) const {
   const Captions captions{file_.scene.title, file_.settings.method, file_.scene.until};
-  return draw_picture(plan, captions, simulation_->snapshot());
+  return draw_picture(drawing, captions, simulation_->snapshot());
 }
 
 void Session::save(const std::filesystem::path& file) const {

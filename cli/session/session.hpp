@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/drawing/look.hpp"
+#include "cli/drawing/keys.hpp"
 #include "cli/run/plan.hpp"
 #include "cli/scene/scene_file.hpp"
 #include "cli/system/interrupts.hpp"
@@ -34,18 +34,18 @@ class Session {
   /// The names that `set` takes.
   std::vector<std::string> names_to_change() const;
 
-  /// The drawing options of `run`, as typed.
-  void draw_with(const DrawingOptions& options);
+  /// A key of drawing, as typed.
+  void set_look(const DrawingKey& key, const std::string& text);
   /// Moves what is seen, m.
   void pan(double dx, double dy);
   /// Shows less of it, larger, about its centre; `factor` > 0, below 1: more.
   void zoom(double factor);
   /// How a frame looks now, with what is automatic as it suits this moment.
-  DrawingPlan look() const;
+  Drawing drawing() const;
   /// As a frame of `run` at this time would be.
   void frame(const std::filesystem::path& file) const;
-  /// The same as a picture, of the size and with or without the texts that the plan says.
-  render::Image picture(const DrawingPlan& plan) const;
+  /// The same as a picture, with the look of this drawing, in which nothing is open.
+  render::Image picture(const Drawing& drawing) const;
 
   void save(const std::filesystem::path& file) const;
   /// A state of the same scene and method, which `save` left.

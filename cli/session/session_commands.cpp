@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "cli/session/terminal.hpp"
+#include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
@@ -26,10 +27,12 @@ const SessionCommand& find_command(const std::string& name) {
 }
 
 std::string usage(const SessionCommand& command) {
-  return std::string(command.name) + (command.arguments.empty() ? "" : " ") + std::string(command.arguments);
+  return command.name + (command.arguments.empty() ? "" : " ") + command.arguments;
 }
 
-[[noreturn]] void wrong_words(const char* name) { throw UsageError("usage: " + usage(find_command(name))); }
+[[noreturn]] void wrong_words(std::string_view name) {
+  throw UsageError("usage: " + usage(find_command(std::string(name))));
+}
 
 double number(const std::string& word) {
   const auto value = parsed<double>(word);
@@ -57,47 +60,35 @@ void run(Session& session, const Words& words, const Dialogue& to) {
   say_time(session, to);
 }
 
-void color(Session& session, const Words& words, const Dialogue&) {
-  if (words.size() != 1) wrong_words("color");
-  DrawingOptions options;
-  options.color = words[0];
-  session.draw_with(options);
+/// "LOW HIGH | auto" of "LOW:HIGH|auto"
+std::string arguments_of(const DrawingKey& key) {
+  std::string arguments;
+  for (const char c : key.placeholder)
+    arguments += c == '|' ? " | " : c == key.numbers.between && !key.takes_words() ? " " : std::string(1, c);
+  return arguments;
 }
 
-void range(Session& session, const Words& words, const Dialogue&) {
-  DrawingOptions options;
-  if (words.size() == 1 && words[0] == "auto")
-    options.range = words[0];
-  else if (words.size() == 2)
-    options.range = words[0] + ":" + words[1];
-  else
-    wrong_words("range");
-  session.draw_with(options);
+/// A word, or as many numbers as the key takes.
+void set_look(Session& session, const DrawingKey& key, const Words& words) {
+  const bool one_word = words.size() == 1 && (key.takes_words() || words[0] == automatic);
+  if (!one_word && (key.takes_words() || words.size() != key.numbers.count)) wrong_words(key.name);
+  session.set_look(key, join(words, std::string_view(&key.numbers.between, 1)));
 }
 
-void colormap(Session& session, const Words& words, const Dialogue&) {
-  if (words.size() != 1) wrong_words("colormap");
-  DrawingOptions options;
-  options.colormap = words[0];
-  session.draw_with(options);
-}
-
+/// Of a session the view has more to say than its key.
 void view(Session& session, const Words& words, const Dialogue&) {
+  const DrawingKey& key = drawing_key("view");
   const std::string what = words.empty() ? "" : words[0];
-  DrawingOptions options;
-  if (what == "pan" && words.size() == 3) {
+  if (what == "pan" && words.size() == 3)
     session.pan(number(words[1]), number(words[2]));
-  } else if (what == "zoom" && words.size() == 2) {
+  else if (what == "zoom" && words.size() == 2)
     session.zoom(number(words[1]));
-  } else if (what == "fit" && words.size() == 1) {
-    options.view = "auto";
-    session.draw_with(options);
-  } else if (words.size() == 4) {
-    options.view = join(words, ":");
-    session.draw_with(options);
-  } else {
+  else if (what == "fit" && words.size() == 1)
+    set_look(session, key, {std::string(automatic)});
+  else if (words.size() == key.numbers.count)
+    set_look(session, key, words);
+  else
     wrong_words("view");
-  }
 }
 
 std::string ends(double low, double high) { return brief(low) + " to " + brief(high); }
@@ -105,21 +96,22 @@ std::string ends(double low, double high) { return brief(low) + " to " + brief(h
 void preview(Session& session, const Words& words, const Dialogue& to) {
   if (!words.empty()) wrong_words("preview");
   const Terminal terminal(to.out);
-  DrawingPlan plan = session.look();
-  terminal.suit(plan);
-  to.out << terminal.text_of(session.picture(plan));
+  Drawing drawing = session.drawing();
+  render::Look& look = drawing.look;
+  terminal.suit(look);
+  to.out << terminal.text_of(session.picture(drawing));
   // texts in a picture of characters could not be read
-  if (plan.bare)
-    to.out << plan.field->name << ' ' << ends((*plan.range)[0], (*plan.range)[1]) << ' ' << plan.field->unit
-           << ", t = " << brief(session.simulation().time()) << " s, x "
-           << ends(plan.view->x_min, plan.view->x_max) << " m, y " << ends(plan.view->y_min, plan.view->y_max)
+  if (look.bare)
+    to.out << drawing.field->name << ' ' << ends(look.range->low, look.range->high) << ' '
+           << drawing.field->unit << ", t = " << brief(session.simulation().time()) << " s, x "
+           << ends(look.view->x_min, look.view->x_max) << " m, y " << ends(look.view->y_min, look.view->y_max)
            << " m\n";
 }
 
 void frame(Session& session, const Words& words, const Dialogue& to) {
   if (words.size() != 1) wrong_words("frame");
   // a slip of the completion would cost the file that it names
-  if (!words[0].ends_with(".png")) throw UsageError("'" + words[0] + "' does not end in .png");
+  if (const std::string wrong = png_name(words[0]); !wrong.empty()) throw UsageError(wrong);
   session.frame(words[0]);
   to.out << "file=" << words[0] << '\n';
 }
@@ -153,12 +145,17 @@ void load(Session& session, const Words& words, const Dialogue& to) {
 }
 
 /// In the words of the commands that change it.
-void say_look(const DrawingPlan& plan, const Dialogue& to) {
-  const auto& [low, high] = *plan.range;
-  const render::View& view = *plan.view;
-  to.out << "color=" << plan.field->key << "\nrange=" << exact(low) << ' ' << exact(high)
-         << "\ncolormap=" << plan.colormap->key << "\nview=" << exact(view.x_min) << ' ' << exact(view.x_max)
-         << ' ' << exact(view.y_min) << ' ' << exact(view.y_max) << '\n';
+void say_look(const Drawing& drawing, const Dialogue& to) {
+  for (const DrawingKey& key : drawing_keys()) {
+    if (key.session_help.empty()) continue;
+    const DrawingValue value = key.get(drawing);
+    Words words;
+    if (const auto* numbers = std::get_if<std::vector<double>>(&value))
+      for (const double number : *numbers) words.push_back(exact(number));
+    else
+      words.push_back(std::get<std::string>(value));
+    to.out << key.name << '=' << join(words, " ") << '\n';
+  }
 }
 
 void info(Session& session, const Words& words, const Dialogue& to) {
@@ -171,14 +168,13 @@ void info(Session& session, const Words& words, const Dialogue& to) {
          << "\nuntil=" << exact(file.scene.until) << "\nt=" << exact(simulation.time())
          << "\nstep=" << simulation.steps() << "\nkinetic_energy=" << exact(sums.kinetic)
          << "\nstrain_energy=" << exact(sums.strain) << '\n';
-  say_look(session.look(), to);
+  say_look(session.drawing(), to);
 }
 
 void help(Session&, const Words& words, const Dialogue& to) {
   std::vector<std::vector<std::string>> rows;
   for (const SessionCommand& command : session_commands())
-    if (words.empty() || command.name == words[0])
-      rows.push_back({usage(command), std::string(command.help)});
+    if (words.empty() || command.name == words[0]) rows.push_back({usage(command), command.help});
   if (rows.empty()) find_command(words[0]);  // says which names there are
   to.out << in_columns(rows);
 }
@@ -187,28 +183,42 @@ void quit(Session&, const Words& words, const Dialogue&) {
   if (!words.empty()) wrong_words("quit");
 }
 
-constexpr SessionCommand table[] = {
-    {"step", "[N]", "N steps, or one", step},
-    {"run", "until T", "to the first step at or past T seconds; Ctrl-C stops it", run},
-    {"color", "FIELD", "the field to colour by (`taut list fields`)", color},
-    {"range", "LOW HIGH | auto", "of the colours, in the field's unit; auto: of the moment", range},
-    {"colormap", "COLORMAP", "`taut list colormaps`", colormap},
-    {"view", "pan DX DY | zoom F | fit | X0 X1 Y0 Y1", "what is seen, m; fit: all particles of the moment",
-     view},
-    {"preview", "", "shows the picture in the terminal", preview},
-    {"frame", "FILE.png", "draws what `preview` shows into a file, as `taut run` does", frame},
-    {"probe", "[PROBE ...]", "the values of probes now", probe},
-    {"set", "CONSTANT=VALUE", "cfl, or method.NAME, from the next step on", set},
-    {"save", "FILE", "the state, for `load`", save},
-    {"load", "FILE", "goes on from a saved state", load},
-    {"info", "", "scene, method, time, energies, how frames look", info},
-    {"help", "[COMMAND]", "this list", help},
-    {"quit", "", "ends the session, as the end of the input does", quit},
-};
+SessionCommand command_of(const DrawingKey& key) {
+  const auto run = [&key](Session& session, const Words& words, const Dialogue&) {
+    set_look(session, key, words);
+  };
+  return {std::string(key.name), arguments_of(key), std::string(key.session_help), run};
+}
+
+std::vector<SessionCommand> make_commands() {
+  std::vector<SessionCommand> all{
+      {"step", "[N]", "N steps, or one", step},
+      {"run", "until T", "to the first step at or past T seconds; Ctrl-C stops it", run},
+  };
+  for (const DrawingKey& key : drawing_keys())
+    if (!key.session_help.empty()) all.push_back(command_of(key));
+  SessionCommand& views = *std::ranges::find(all, "view", &SessionCommand::name);
+  views.arguments = "pan DX DY | zoom F | fit | X0 X1 Y0 Y1";
+  views.run = view;
+  all.insert(all.end(),
+             {{"preview", "", "shows the picture in the terminal", preview},
+              {"frame", "FILE.png", "draws what `preview` shows into a file, as `taut run` does", frame},
+              {"probe", "[PROBE ...]", "the values of probes now", probe},
+              {"set", "CONSTANT=VALUE", "cfl, or method.NAME, from the next step on", set},
+              {"save", "FILE", "the state, for `load`", save},
+              {"load", "FILE", "goes on from a saved state", load},
+              {"info", "", "scene, method, time, energies, how frames look", info},
+              {"help", "[COMMAND]", "this list", help},
+              {"quit", "", "ends the session, as the end of the input does", quit}});
+  return all;
+}
 
 }  // namespace
 
-std::span<const SessionCommand> session_commands() { return table; }
+std::span<const SessionCommand> session_commands() {
+  static const std::vector<SessionCommand> table = make_commands();
+  return table;
+}
 
 bool run_session_line(Session& session, const std::string& line, const Dialogue& to) {
   std::istringstream text(line);
@@ -218,7 +228,7 @@ bool run_session_line(Session& session, const std::string& line, const Dialogue&
   const SessionCommand& command = find_command(words[0]);
   words.erase(words.begin());
   command.run(session, words, to);
-  return command.run != quit;
+  return command.name != "quit";
 }
 
 }  // namespace taut::cli

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <iosfwd>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "cli/session/session.hpp"
@@ -19,14 +19,14 @@ struct Dialogue {
 
 /// One command of `taut session`.
 struct SessionCommand {
-  std::string_view name;
-  std::string_view arguments;  // as help shows them
-  std::string_view help;
+  std::string name;
+  std::string arguments;  // as help shows them
+  std::string help;
   /// `words` are what stands behind the name.
-  void (*run)(Session& session, const std::vector<std::string>& words, const Dialogue& to);
+  std::function<void(Session& session, const std::vector<std::string>& words, const Dialogue& to)> run;
 };
 
-/// Every command, in the order in which `help` lists them.
+/// Every command, in the order in which `help` lists them; those of the keys of drawing are among them.
 std::span<const SessionCommand> session_commands();
 
 /// Runs one line. False if it says that the session is over. An empty line, or one that begins with #, is no

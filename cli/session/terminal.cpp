@@ -102,11 +102,11 @@ Terminal::Terminal(const std::ostream& out) {
 
 Terminal::~Terminal() = default;
 
-void Terminal::suit(DrawingPlan& plan) const {
+void Terminal::suit(render::Look& look) const {
   const Geometry& size = screen_->size;
-  plan.width = std::clamp(size.columns * size.cell_width, render::least_size, render::greatest_size);
-  plan.height = std::clamp(size.rows * size.cell_height, render::least_size, render::greatest_size);
-  plan.bare = !screen_->of_pixels;
+  const auto within = [](int side) { return std::clamp(side, render::least_size, render::greatest_size); };
+  look.size = {within(size.columns * size.cell_width), within(size.rows * size.cell_height)};
+  look.bare = !screen_->of_pixels;
 }
 
 std::string Terminal::text_of(const render::Image& image) const {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "cli/drawing/look.hpp"
 #include "render/image/image.hpp"
+#include "render/look.hpp"
 
 namespace taut::cli {
 
@@ -19,9 +19,9 @@ class Terminal {
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// Gives the plan the size of a picture here. Characters are too coarse for texts: it becomes bare for
+  /// Gives the look the size of a picture here. Characters are too coarse for texts: it becomes bare for
   /// them.
-  void suit(DrawingPlan& plan) const;
+  void suit(render::Look& look) const;
   /// What the terminal makes the picture of, with the end of its last line.
   std::string text_of(const render::Image& image) const;
 

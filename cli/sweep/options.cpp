@@ -18,10 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 
 bool draws(const SweepOptions& o) {
-  const DrawingOptions& d = o.run.drawing;
   // the times of frames are those of saved particles as well
   const bool times_of_frames = !o.run.save_particles && (o.run.frames || o.run.every);
-  return o.render || times_of_frames || d.color || d.range || d.colormap || d.view || d.size;
+  return o.render || times_of_frames || o.run.drawing.any();
 }
 
 bool fixed_by_command(const RunOptions& run, const std::string& name) {

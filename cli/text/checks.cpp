@@ -27,6 +27,10 @@ std::string whole_number(const std::string& text) {
   return value && *value >= 0 ? "" : "'" + text + "' is not a whole number of at least 0";
 }
 
+std::string png_name(const std::string& text) {
+  return text.ends_with(".png") ? "" : "'" + text + "' does not end in .png";
+}
+
 std::string assignment(const std::string& text) {
   const std::size_t at = text.find('=');
   return at != std::string::npos && at > 0 && at + 1 < text.size() ? "" : "'" + text + "' is not NAME=VALUE";

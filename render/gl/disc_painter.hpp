@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "render/page/page_layout.hpp"
+#include "render/image/image.hpp"
 
 namespace taut::render {
 

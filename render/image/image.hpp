@@ -3,10 +3,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <vector>
 
 namespace taut::render {
+
+/// Part of a picture: pixels, from the top left.
+struct Rect {
+  int x = 0, y = 0, width = 0, height = 0;
+};
 
 using Rgb = std::array<std::uint8_t, 3>;
 
@@ -34,12 +38,5 @@ struct Image {
   }
   bool operator==(const Image&) const = default;
 };
-
-/// Writes an RGB file of 8 bits per channel. The file appears whole or not at all; OutputError if it cannot.
-void write_png(const Image& image, const std::filesystem::path& path);
-
-/// Reads any PNG of at most 16384 × 16384 as RGB; transparency is dropped. UsageError if it is missing,
-/// broken or not a PNG.
-Image read_png(const std::filesystem::path& path);
 
 }  // namespace taut::render

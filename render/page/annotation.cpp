@@ -1,5 +1,7 @@
 #include "render/page/annotation.hpp"
 
+#include <utility>
+
 namespace taut::render {
 namespace {
 
@@ -9,11 +11,8 @@ constexpr double baseline_of_header = 1.8;
 
 }  // namespace
 
-Annotation::Annotation(Image& image, const PageLayout& layout, const DrawOptions& options)
-    : layout_(layout),
-      until_(options.until),
-      canvas_(image),
-      bar_(options.low, options.high, *options.colormap) {}
+Annotation::Annotation(Image& image, const PageLayout& layout, ColorBar bar, double until)
+    : layout_(layout), until_(until), canvas_(image), bar_(std::move(bar)) {}
 
 void Annotation::draw(const FrameView& frame) {
   canvas_.begin();  // OpenGL wrote into it

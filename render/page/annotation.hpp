@@ -4,7 +4,6 @@
 #include "render/page/canvas.hpp"
 #include "render/page/page_layout.hpp"
 #include "render/page/scales.hpp"
-#include "render/renderer.hpp"
 
 namespace taut::render {
 
@@ -12,7 +11,8 @@ namespace taut::render {
 class Annotation {
  public:
   /// The image must outlive the annotation and keep its pixels where they are.
-  Annotation(Image& image, const PageLayout& layout, const DrawOptions& options);
+  /// `until`: time of the last frame, s, that gives the unit of all times; 0: each has its own.
+  Annotation(Image& image, const PageLayout& layout, ColorBar bar, double until);
 
   void draw(const FrameView& frame);
 

@@ -1,16 +1,14 @@
 #pragma once
 
+#include "render/image/image.hpp"
+
 namespace taut::render {
 
 /// What must be seen, in the coordinates of the scene (m). The picture shows more along one of the axes,
 /// since a metre is as long on the one as on the other.
 struct View {
   double x_min = 0, x_max = 1, y_min = 0, y_max = 1;
-};
-
-/// Pixels, from the top left.
-struct Rect {
-  int x = 0, y = 0, width = 0, height = 0;
+  bool operator==(const View&) const = default;
 };
 
 /// Where things are in a picture.

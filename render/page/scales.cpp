@@ -15,8 +15,8 @@ constexpr double label_gap = 0.75;    // between the widest number and the turne
 
 }  // namespace
 
-ColorBar::ColorBar(double low, double high, const Colormap& colormap)
-    : low_(low), high_(high), colors_(colormap.table()) {}
+ColorBar::ColorBar(double low, double high, const std::array<Rgb, 256>& colors)
+    : low_(low), high_(high), colors_(colors) {}
 
 void ColorBar::draw(Canvas& canvas, const Rect& bar, double em, std::string_view field,
                     std::string_view unit) {

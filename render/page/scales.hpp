@@ -3,7 +3,6 @@
 #include <array>
 #include <string_view>
 
-#include "render/colormap.hpp"
 #include "render/page/canvas.hpp"
 #include "render/page/ticks.hpp"
 
@@ -12,7 +11,8 @@ namespace taut::render {
 /// The colours from low to high with numbers beside them, and what they stand for.
 class ColorBar {
  public:
-  ColorBar(double low, double high, const Colormap& colormap);
+  /// `colors` are evenly spaced from `low` to `high`.
+  ColorBar(double low, double high, const std::array<Rgb, 256>& colors);
 
   void draw(Canvas& canvas, const Rect& bar, double em, std::string_view field, std::string_view unit);
 

@@ -31,8 +31,7 @@ Found find_color(const Image& image, Rgb color, int beyond) {
 
 PanelOptions two_by_two() {
   PanelOptions options;
-  options.width = 640, options.height = 480;
-  options.view = {-1, 1, -1, 1};
+  options.look = look(640, 480, {-1, 1, -1, 1});
   options.title = "Discs", options.note = "made up";
   options.field = "speed", options.unit = "m/s";
   options.columns = {{"a", "left"}, {"b", "right"}};
@@ -60,8 +59,8 @@ TEST_SUITE("image") {
     REQUIRE(image.width == 640);
     REQUIRE(image.height == 480);
     const int before_bar = 500;
-    const Found first = find_color(image, options.colormap->at(0), before_bar);
-    const Found last = find_color(image, options.colormap->at(1), before_bar);
+    const Found first = find_color(image, options.look.colormap->at(0), before_bar);
+    const Found last = find_color(image, options.look.colormap->at(1), before_bar);
     CHECK(first.left > last.right);
     CHECK(first.bottom < last.top);
     CHECK(first.right - first.left == last.right - last.left);
@@ -96,18 +95,18 @@ TEST_SUITE("image") {
 
   TEST_CASE("a panel without a size takes one from its view, and one too small is refused") {
     PanelOptions options = two_by_two();
-    options.width = options.height = 0;
-    options.view = {0, 4, 0, 1};
+    options.look.size.reset();
+    options.look.view = {0, 4, 0, 1};
     const Image wide = Image(Panel(options).finish());
     CHECK(wide.width > 2 * wide.height);
-    options.view = {0, 1, 0, 4};
+    options.look.view = {0, 1, 0, 4};
     const Image high = Image(Panel(options).finish());
     CHECK(high.height > 2 * high.width);
-    options.width = 200, options.height = 800;
+    options.look.size = {200, 800};
     CHECK_THROWS_WITH_AS(Panel{options},
                          "a panel of 200x800 pixels is too small for 2 x 2 pictures; take a larger --size",
                          UsageError);
-    options.width = 800, options.height = 200;
+    options.look.size = {800, 200};
     CHECK_THROWS_AS(Panel{options}, UsageError);
   }
 }

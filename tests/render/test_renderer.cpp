@@ -7,6 +7,7 @@
 
 #include "engine/error.hpp"
 #include "render/image/image_difference.hpp"
+#include "render/image/png.hpp"
 #include "render/renderer.hpp"
 #include "tests/support/synthetic.hpp"
 
@@ -22,7 +23,7 @@ Particles one_disc(double x, double y, double diameter, double value) {
   return particles;
 }
 
-Image drawn(const Particles& particles, const DrawOptions& with) {
+Image drawn(const Particles& particles, const Look& with) {
   Renderer renderer(with);
   return renderer.draw(particles.frame());
 }
@@ -45,7 +46,7 @@ Rect extent(const Image& image) {
 TEST_SUITE("image") {
   TEST_CASE("an empty frame is white where no text is") {
     // If libGL comes before OSMesa in the link line, OpenGL does nothing, and reports no error.
-    Renderer renderer(options(160, 100, unit_view));
+    Renderer renderer(look(160, 100, unit_view));
     Image& image = const_cast<Image&>(renderer.draw(Particles().frame()));
     CHECK(image.at(80, 50) == white);
     // an image begins white: only what was something else before tells that it was cleared
@@ -56,7 +57,7 @@ TEST_SUITE("image") {
 
   TEST_CASE("a disc has the colour of its value and the background is white") {
     for (const auto& [width, height] : {std::pair{160, 100}, {640, 360}}) {
-      const Image image = drawn(one_disc(0.2, 0.3, 0.5, 0.25), options(width, height, unit_view));
+      const Image image = drawn(one_disc(0.2, 0.3, 0.5, 0.25), look(width, height, unit_view));
       const Rgb color = find_colormap("viridis")->table()[64];
       CHECK(color_at(image, unit_view, 0.2, 0.3) == color);
       CHECK(color_at(image, unit_view, 0.2, 0.5) == color);
@@ -67,7 +68,7 @@ TEST_SUITE("image") {
   }
 
   TEST_CASE("a disc is round, of its size, and smooth at its rim") {
-    const Image image = drawn(one_disc(0.1, 0, 1.0, 0), options(200, 100, unit_view));
+    const Image image = drawn(one_disc(0.1, 0, 1.0, 0), look(200, 100, unit_view));
     const Rect rect = extent(image);
     CHECK(rect.width == 50);  // half of the view's height
     CHECK(rect.height == 50);
@@ -86,7 +87,7 @@ TEST_SUITE("image") {
       for (const double x : {0.5, 9.5}) {
         for (const double y : {0.5, 0.5}) corners.add(x, y, 1, 0.5);
       }
-      const Image image = drawn(corners, options(width, height, wide));
+      const Image image = drawn(corners, look(width, height, wide));
       const Rect rect = extent(image);
       CHECK(rect.width == doctest::Approx(10.0 * rect.height).epsilon(0.15));
       CHECK(rect.width >= width - 1);
@@ -98,7 +99,7 @@ TEST_SUITE("image") {
     const double infinite = std::numeric_limits<double>::infinity();
     const double values[] = {-5, -infinite, 9, infinite};
     for (int i = 0; i < 4; ++i) particles.add(-0.75 + 0.5 * i, 0, 0.4, values[i]);
-    const Image image = drawn(particles, options(200, 200, unit_view));
+    const Image image = drawn(particles, look(200, 200, unit_view));
     CHECK(color_at(image, unit_view, -0.75, 0) == Rgb{68, 1, 84});
     CHECK(color_at(image, unit_view, -0.25, 0) == Rgb{68, 1, 84});
     CHECK(color_at(image, unit_view, 0.25, 0) == Rgb{253, 231, 37});
@@ -106,7 +107,7 @@ TEST_SUITE("image") {
   }
 
   TEST_CASE("what is not a number has a colour of its own") {
-    const Image image = drawn(one_disc(0, 0, 0.4, NAN), options(100, 100, unit_view));
+    const Image image = drawn(one_disc(0, 0, 0.4, NAN), look(100, 100, unit_view));
     CHECK(color_at(image, unit_view, 0, 0) == Rgb{255, 0, 255});
   }
 
@@ -118,11 +119,11 @@ TEST_SUITE("image") {
     particles.add(0, 0, 0, 0.5);
     particles.add(0, 0, -1, 0.5);
     particles.add(1e300, 0, 0.4, 0.5);
-    CHECK(drawn(particles, options(100, 100, unit_view)) == Image(100, 100));
+    CHECK(drawn(particles, look(100, 100, unit_view)) == Image(100, 100));
   }
 
   TEST_CASE("a particle is drawn as long as its rim is in the picture") {
-    const Image image = drawn(one_disc(-1.15, 0, 0.4, 0), options(100, 100, unit_view));
+    const Image image = drawn(one_disc(-1.15, 0, 0.4, 0), look(100, 100, unit_view));
     CHECK(image.at(0, 50) == Rgb{68, 1, 84});
     CHECK(image.at(4, 50) == white);
   }
@@ -131,7 +132,7 @@ TEST_SUITE("image") {
     Particles forth, back;
     forth.add(-0.2, 0, 0.8, 0), forth.add(0.2, 0, 0.8, 1);
     back.add(0.2, 0, 0.8, 1), back.add(-0.2, 0, 0.8, 0);
-    const DrawOptions with = options(100, 100, unit_view);
+    const Look with = look(100, 100, unit_view);
     const Image image = drawn(forth, with);
     CHECK(color_at(image, unit_view, -0.05, 0) == Rgb{68, 1, 84});
     CHECK(color_at(image, unit_view, 0.05, 0) == Rgb{253, 231, 37});
@@ -144,7 +145,7 @@ TEST_SUITE("image") {
     for (int i = -20; i <= 20; ++i) {
       for (int j = -20; j <= 20; ++j) particles.add(0.037 * i, 0.037 * j, 0.037, 0);  // 1.85 pixels
     }
-    const Image image = drawn(particles, options(100, 100, unit_view));
+    const Image image = drawn(particles, look(100, 100, unit_view));
     for (int row = 30; row < 70; ++row) {
       for (int column = 30; column < 70; ++column) CHECK(image.at(column, row) == Rgb{68, 1, 84});
     }
@@ -153,7 +154,7 @@ TEST_SUITE("image") {
   TEST_CASE("the same frame gives the same bytes, from one renderer or two") {
     const Particles particles = two_rings();
     const Particles other = one_disc(0, 0, 0.02, 1);
-    const DrawOptions with = options(640, 360, rings_view);
+    const Look with = look(640, 360, rings_view);
     Renderer first(with);
     Renderer second(with);
     first.draw(other.frame());  // few particles, then many, then few
@@ -170,7 +171,7 @@ TEST_SUITE("image") {
 
   TEST_CASE("a large picture, drawn in bands, is the small one enlarged") {
     // 5000 × 5000 samples twice over are more than one band holds
-    const Image image = drawn(one_disc(0, 0, 1.9, 0.5), options(5000, 2400, unit_view));
+    const Image image = drawn(one_disc(0, 0, 1.9, 0.5), look(5000, 2400, unit_view));
     const PageLayout layout = make_layout(5000, 2400, unit_view);
     const Rgb color = find_colormap("viridis")->table()[128];
     for (int y = -9; y <= 9; ++y) CHECK(color_at(image, unit_view, 0, 0.1 * y) == color);
@@ -184,7 +185,7 @@ TEST_SUITE("image") {
 
   TEST_CASE("the colour bar goes from low at the bottom to high at the top, and what is written is seen") {
     Particles particles = one_disc(0, 0, 0.1, 0);
-    const DrawOptions with = options(640, 360, unit_view);
+    const Look with = look(640, 360, unit_view);
     Renderer renderer(with);
     const Image image = renderer.draw(particles.frame());
     const PageLayout layout = make_layout(640, 360, unit_view);
@@ -213,9 +214,9 @@ TEST_SUITE("image") {
       Particles particles = one_disc(0, 0, 1.9, 0.5);
       FrameView frame = particles.frame();
       frame.title = frame.method = frame.field = frame.unit = text;
-      Renderer renderer(options(320, 180, unit_view));
+      Renderer renderer(look(320, 180, unit_view));
       const Image image = renderer.draw(frame);
-      const Image plain = drawn(particles, options(320, 180, unit_view));
+      const Image plain = drawn(particles, look(320, 180, unit_view));
       const Rect plot = make_layout(320, 180, unit_view).plot;
       int changed = 0;
       for (int row = plot.y; row < plot.y + plot.height; ++row) {
@@ -236,15 +237,15 @@ TEST_SUITE("image") {
 
   TEST_CASE("pictures of the least and of odd sizes") {
     for (const auto& [width, height] : {std::pair{64, 64}, {65, 333}, {333, 65}, {240, 120}, {1001, 121}}) {
-      const Image image = drawn(one_disc(0, 0, 0.5, 0), options(width, height, unit_view));
+      const Image image = drawn(one_disc(0, 0, 0.5, 0), look(width, height, unit_view));
       CHECK(color_at(image, unit_view, 0, 0) == Rgb{68, 1, 84});
       CHECK(image.at(width - 1, height - 1) == white);
     }
   }
 
   TEST_CASE("a constant field has the middle colour") {
-    DrawOptions with = options(100, 100, unit_view);
-    with.low = with.high = 3;
+    Look with = look(100, 100, unit_view);
+    with.range = {3, 3};
     CHECK(color_at(drawn(one_disc(0, 0, 0.4, 3), with), unit_view, 0, 0) ==
           find_colormap("viridis")->table()[128]);
   }
@@ -253,28 +254,39 @@ TEST_SUITE("image") {
 TEST_SUITE("unit") {
   TEST_CASE("options out of bounds are refused") {
     const auto refused = [](auto&& change) {
-      DrawOptions with = options(100, 100, unit_view);
+      Look with = look(100, 100, unit_view);
       change(with);
       CHECK_THROWS_AS(Renderer{with}, UsageError);
     };
-    refused([](DrawOptions& with) { with.width = 63; });
-    refused([](DrawOptions& with) { with.height = 8193; });
-    refused([](DrawOptions& with) { with.view.x_max = with.view.x_min; });
-    refused([](DrawOptions& with) { with.view.y_max = NAN; });
-    refused([](DrawOptions& with) { with.low = 2; });
-    refused([](DrawOptions& with) { with.high = INFINITY; });
-    refused([](DrawOptions& with) { with.colormap = nullptr; });
+    refused([](Look& with) { with.size->width = 63; });
+    refused([](Look& with) { with.size->height = 8193; });
+    refused([](Look& with) { with.view->x_max = with.view->x_min; });
+    refused([](Look& with) { with.view->y_max = NAN; });
+    refused([](Look& with) { with.range->low = 2; });
+    refused([](Look& with) { with.range->high = INFINITY; });
+    refused([](Look& with) { with.colormap = nullptr; });
+  }
+
+  TEST_CASE("a look with something open is a bug") {
+    const auto refused = [](auto&& change) {
+      Look with = look(100, 100, unit_view);
+      change(with);
+      CHECK_THROWS_AS(Renderer{with}, std::logic_error);
+    };
+    refused([](Look& with) { with.size.reset(); });
+    refused([](Look& with) { with.view.reset(); });
+    refused([](Look& with) { with.range.reset(); });
   }
 
   TEST_CASE("three dimensions are refused") {
-    Renderer renderer(options(64, 64, unit_view));
+    Renderer renderer(look(64, 64, unit_view));
     FrameView frame;
     frame.dim = 3;
     CHECK_THROWS_WITH_AS(renderer.draw(frame), "3D drawing is not available", UsageError);
   }
 
   TEST_CASE("arrays that do not match are a bug") {
-    Renderer renderer(options(64, 64, unit_view));
+    Renderer renderer(look(64, 64, unit_view));
     Particles particles = one_disc(0, 0, 1, 1);
     particles.x.pop_back();
     CHECK_THROWS_AS(renderer.draw(particles.frame()), std::logic_error);

@@ -50,10 +50,9 @@ inline Particles two_rings() {
   return particles;
 }
 
-inline DrawOptions options(int width, int height, View view) {
-  DrawOptions options;
-  options.width = width, options.height = height, options.view = view;
-  return options;
+inline Look look(int width, int height, View view) {
+  return {
+      .view = view, .range = Range{0, 1}, .colormap = find_colormap("viridis"), .size = Size{width, height}};
 }
 
 inline constexpr View unit_view = {-1, 1, -1, 1};

@@ -2,7 +2,7 @@
 
 #include "cli/run/labels.hpp"
 #include "cli/run/panel_cells.hpp"
-#include "render/image/image.hpp"
+#include "render/image/png.hpp"
 #include "tests/support/program_runner.hpp"
 
 using namespace taut;
@@ -135,6 +135,18 @@ TEST_SUITE("cli") {
     CHECK(constants.columns[0].title == "dp = 2 mm");
     CHECK(constants.columns[1].title == "dp = 1 mm");
     CHECK(constants.columns[1].note == "zeta = 4");
+  }
+
+  TEST_CASE("a panel that is not called PNG is refused before anything is drawn") {
+    const TemporaryFolder folder;
+    make_run(folder, "slow");
+    for (const char* name : {"panel.jpg", "panel", "panel.png.svg"}) {
+      CAPTURE(name);
+      const Outcome outcome = call({"compare", folder.str("slow"), "--out", folder.str(name)});
+      CHECK(outcome.code == 2);
+      CHECK(contains(outcome.err, "' does not end in .png"));
+      CHECK_FALSE(fs::exists(folder / name));
+    }
   }
 
   TEST_CASE("a run without particles cannot be compared") {

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "render/image/image.hpp"
+#include "render/image/png.hpp"
 #include "tests/support/path_variable.hpp"
 #include "tests/support/program_runner.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/shipped.hpp"
-#include "render/image/image.hpp"
+#include "render/image/png.hpp"
 #include "tests/support/program_runner.hpp"
 
 using namespace taut::cli;

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "render/image/image.hpp"
+#include "render/image/png.hpp"
 #include "tests/support/program_runner.hpp"
 
 using namespace taut::cli;
@@ -42,6 +42,9 @@ TEST_SUITE("cli") {
     };
     CHECK(diff().code == 0);
     CHECK(contains(diff().out, "alike\n"));
+    const Outcome jpeg = diff({"--out", folder.str("diff.jpg")});
+    CHECK(jpeg.code == 2);
+    CHECK(contains(jpeg.err, "diff.jpg' does not end in .png"));
 
     write_picture(folder / "b/frame_00001.png", 20);
     write_picture(folder / "b/frame_00002.png", 13);

@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "render/image/image.hpp"
+#include "render/image/png.hpp"
 #include "tests/support/program_runner.hpp"
 
 using namespace taut::cli;

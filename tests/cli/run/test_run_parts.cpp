@@ -62,12 +62,12 @@ TEST_SUITE("unit") {
     SequenceBounds bounds;
     bounds.add_values(std::vector<float>{1, nan, infinity, -2});
     bounds.add_values(std::vector<float>{3});
-    CHECK(bounds.range(false) == std::array<double, 2>{-2, 3});
-    CHECK(bounds.range(true) == std::array<double, 2>{-3, 3});
+    CHECK(bounds.range(false) == render::Range{-2, 3});
+    CHECK(bounds.range(true) == render::Range{-3, 3});
     SequenceBounds flat;
     flat.add_values(std::vector<float>{0, 0});
-    CHECK(flat.range(true)[0] < flat.range(true)[1]);
-    CHECK(SequenceBounds().range(false)[0] < SequenceBounds().range(false)[1]);
+    CHECK(flat.range(true).low < flat.range(true).high);
+    CHECK(SequenceBounds().range(false).low < SequenceBounds().range(false).high);
   }
 
   TEST_CASE("the view of a sequence holds every particle") {

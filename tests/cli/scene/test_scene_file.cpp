@@ -51,11 +51,11 @@ TEST_SUITE("unit") {
     CHECK(file.parameters[0].help == "speed");
     CHECK(*file.parameters[0].low == 0);
     CHECK(*file.parameters[0].high == 0.5);
-    CHECK(file.drawing.color == "von_mises");
-    CHECK(file.drawing.colormap.empty());
-    CHECK_FALSE(file.drawing.range);
-    CHECK_FALSE(file.drawing.view);
-    CHECK(file.drawing.size == std::array{1280, 720});
+    CHECK(file.drawing.field == find_field("von_mises"));
+    CHECK_FALSE(file.drawing.look.colormap);
+    CHECK_FALSE(file.drawing.look.range);
+    CHECK_FALSE(file.drawing.look.view);
+    CHECK(file.drawing.look.size == render::Size{1280, 720});
     CHECK(file.drawing.frames == 60);
   }
 
@@ -92,7 +92,7 @@ TEST_SUITE("unit") {
     CHECK(file.parameters[1].value == 0.12);
     CHECK(file.parameters[2].name == "height");
     CHECK(file.parameters[2].value == Approx(0.22));
-    CHECK((*file.drawing.view)[3] == file.parameters[2].value);
+    CHECK(file.drawing.look.view->y_max == file.parameters[2].value);
   }
 
   TEST_CASE("the spacing is fitted to the first body, and dp is the fitted one") {

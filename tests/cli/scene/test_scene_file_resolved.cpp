@@ -108,11 +108,11 @@ void check_same(const SceneFile& a, const SceneFile& b) {
   CHECK(a.settings.stepping == b.settings.stepping);
   CHECK(a.settings.cfl == b.settings.cfl);
   CHECK(a.history == b.history);
-  CHECK(a.drawing.color == b.drawing.color);
-  CHECK(a.drawing.range == b.drawing.range);
-  CHECK(a.drawing.colormap == b.drawing.colormap);
-  CHECK(a.drawing.view == b.drawing.view);
-  CHECK(a.drawing.size == b.drawing.size);
+  CHECK(a.drawing.field == b.drawing.field);
+  CHECK(a.drawing.look.range == b.drawing.look.range);
+  CHECK(a.drawing.look.colormap == b.drawing.look.colormap);
+  CHECK(a.drawing.look.view == b.drawing.look.view);
+  CHECK(a.drawing.look.size == b.drawing.look.size);
   CHECK(a.drawing.frames == b.drawing.frames);
   REQUIRE(a.parameters.size() == b.parameters.size());
   for (std::size_t i = 0; i < a.parameters.size(); ++i) {
@@ -223,11 +223,8 @@ TEST_SUITE("unit") {
 
   TEST_CASE("the drawing as changed stands in the resolved text") {
     SceneFile file = read_scene(find_scene("colliding-rings"));
-    file.drawing = {.color = "von_mises",
-                    .range = {{0.1, 1.0 / 3}},
-                    .colormap = "",
-                    .view = {},
-                    .size = {96, 64},
+    file.drawing = {.field = find_field("von_mises"),
+                    .look = {.view = {}, .range = render::Range{0.1, 1.0 / 3}, .size = render::Size{96, 64}},
                     .frames = 7};
     file.history = 0.25;
     check_round_trip(file);

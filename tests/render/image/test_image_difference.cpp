@@ -127,7 +127,7 @@ TEST_SUITE("unit") {
 TEST_SUITE("image") {
   TEST_CASE("one particle moved by its radius, in a picture of many, is found") {
     Particles particles = two_rings();
-    Renderer renderer(options(640, 360, rings_view));
+    Renderer renderer(look(640, 360, rings_view));
     const Image right = renderer.draw(particles.frame());
     particles.x[2 * 100] += 0.001;
     const ImageDifference difference = compare(right, renderer.draw(particles.frame()));
@@ -137,7 +137,7 @@ TEST_SUITE("image") {
 
   TEST_CASE("one particle of another colour is found") {
     Particles particles = two_rings();
-    Renderer renderer(options(640, 360, rings_view));
+    Renderer renderer(look(640, 360, rings_view));
     const Image right = renderer.draw(particles.frame());
     particles.value[100] += particles.value[100] > 0.5 ? -0.3 : 0.3;
     CHECK_FALSE(alike(compare(right, renderer.draw(particles.frame()))));
@@ -145,7 +145,7 @@ TEST_SUITE("image") {
 
   TEST_CASE("a shift too small to be seen is let pass") {
     Particles particles = two_rings();
-    Renderer renderer(options(640, 360, rings_view));
+    Renderer renderer(look(640, 360, rings_view));
     const Image right = renderer.draw(particles.frame());
     for (double& value : particles.value) value += 1e-4;
     CHECK(alike(compare(right, renderer.draw(particles.frame()))));

@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/error.hpp"
+#include "render/image/png.hpp"
 #include "tests/support/synthetic.hpp"
 
 using namespace taut;

@@ -1,0 +1,207 @@
+#include "cli/drawing/keys.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+
+#include "cli/text/format.hpp"
+#include "cli/text/suggest.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+using Numbers = std::vector<double>;
+
+bool is_word(const DrawingValue& value) { return std::holds_alternative<std::string>(value); }
+const std::string& word(const DrawingValue& value) { return std::get<std::string>(value); }
+const Numbers& numbers(const DrawingValue& value) { return std::get<Numbers>(value); }
+DrawingValue left_open() { return std::string(automatic); }
+
+bool is_whole_within(double value, int low, int high) {
+  return value == std::floor(value) && value >= low && value <= high;
+}
+
+/// A range and a colour map belong to the field that they were chosen for: another does without them.
+std::string set_color(Drawing& drawing, const DrawingValue& value) {
+  const Field& field = known_field(word(value));
+  if (&field == drawing.field) return "";
+  drawing.field = &field;
+  drawing.look.range.reset();
+  drawing.look.colormap = nullptr;
+  return "";
+}
+
+DrawingValue get_color(const Drawing& drawing) { return std::string(drawing.field->key); }
+
+std::string set_range(Drawing& drawing, const DrawingValue& value) {
+  drawing.look.range.reset();
+  if (is_word(value)) return "";
+  const double low = numbers(value)[0], high = numbers(value)[1];
+  if (!(low < high))
+    return "range = [" + exact(low) + ", " + exact(high) + "]: the first must be less than the second";
+  drawing.look.range = {low, high};
+  return "";
+}
+
+DrawingValue get_range(const Drawing& drawing) {
+  const auto& range = drawing.look.range;
+  return range ? Numbers{range->low, range->high} : left_open();
+}
+
+std::vector<std::string> names_of_colormaps() {
+  std::vector<std::string> names;
+  for (const render::Colormap& map : render::colormaps()) names.emplace_back(map.key);
+  return names;
+}
+
+std::string set_colormap(Drawing& drawing, const DrawingValue& value) {
+  drawing.look.colormap = render::find_colormap(word(value));  // there is none called auto
+  return "";
+}
+
+DrawingValue get_colormap(const Drawing& drawing) {
+  const render::Colormap* map = drawing.look.colormap;
+  return map ? std::string(map->key) : left_open();
+}
+
+std::string set_view(Drawing& drawing, const DrawingValue& value) {
+  drawing.look.view.reset();
+  if (is_word(value)) return "";
+  const Numbers& ends = numbers(value);
+  if (!(ends[0] < ends[1]) || !(ends[2] < ends[3]))
+    return "view = [x_min, x_max, y_min, y_max] needs x_min < x_max and y_min < y_max";
+  drawing.look.view = {ends[0], ends[1], ends[2], ends[3]};
+  return "";
+}
+
+DrawingValue get_view(const Drawing& drawing) {
+  const auto& view = drawing.look.view;
+  return view ? Numbers{view->x_min, view->x_max, view->y_min, view->y_max} : left_open();
+}
+
+std::string set_size(Drawing& drawing, const DrawingValue& value) {
+  using render::greatest_size, render::least_size;
+  const Numbers& sides = numbers(value);
+  for (const double side : sides)
+    if (!is_whole_within(side, least_size, greatest_size))
+      return fmt::format("size must be two whole numbers of pixels from {} to {}", least_size, greatest_size);
+  drawing.look.size = {static_cast<int>(sides[0]), static_cast<int>(sides[1])};
+  return "";
+}
+
+DrawingValue get_size(const Drawing& drawing) {
+  const render::Size size = drawing.look.size.value();
+  return Numbers{static_cast<double>(size.width), static_cast<double>(size.height)};
+}
+
+std::string set_frames(Drawing& drawing, const DrawingValue& value) {
+  const double count = numbers(value)[0];
+  if (!is_whole_within(count, 1, most_frames))
+    return fmt::format("frames = {} must be a whole number from 1 to {}", exact(count), most_frames);
+  drawing.frames = static_cast<int>(count);
+  return "";
+}
+
+DrawingValue get_frames(const Drawing& drawing) { return Numbers{static_cast<double>(drawing.frames)}; }
+
+/// None if these are not the numbers that the key takes.
+std::optional<Numbers> typed_numbers(const DrawingKey::Numbers& key, std::string_view text) {
+  Numbers values;
+  for (std::size_t k = 0; k < key.count; ++k) {
+    const std::size_t end = k + 1 < key.count ? text.find(key.between) : text.size();
+    if (end == std::string_view::npos) return std::nullopt;
+    const std::string_view part = text.substr(0, end);
+    const auto value = key.whole ? std::optional<double>(parsed<int>(part)) : parsed<double>(part);
+    if (!value || !std::isfinite(*value)) return std::nullopt;
+    values.push_back(*value);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return values;
+}
+
+/// None if it is nothing that the key takes. Throws UsageError for a name that there is not.
+std::optional<DrawingValue> typed_value(const DrawingKey& key, const std::string& text) {
+  if (text == automatic && key.placeholder.ends_with("|auto")) return left_open();
+  if (!key.takes_words()) return typed_numbers(key.numbers, text);
+  const std::vector<std::string> names = key.words.names();
+  if (std::ranges::find(names, text) == names.end())
+    throw UsageError(unknown_name(key.words.kind, text, names));
+  return text;
+}
+
+}  // namespace
+
+std::span<const DrawingKey> drawing_keys() {
+  static const std::array table{
+      DrawingKey{.name = "color",
+                 .placeholder = "FIELD",
+                 .help = "the field to colour by (`taut list fields`)",
+                 .session_help = "the field to colour by (`taut list fields`)",
+                 .words = {"field", names_of_fields},
+                 .set = set_color,
+                 .get = get_color},
+      DrawingKey{.name = "range",
+                 .placeholder = "LOW:HIGH|auto",
+                 .help = "of the colours, in the field's unit; auto: over the whole sequence",
+                 .session_help = "of the colours, in the field's unit; auto: of the moment",
+                 .may_be_open = true,
+                 .numbers = {.count = 2,
+                             .in_file = "[low, high]",
+                             .typed = "LOW:HIGH with LOW less than HIGH (0:2e6), nor 'auto'"},
+                 .set = set_range,
+                 .get = get_range},
+      DrawingKey{.name = "colormap",
+                 .placeholder = "COLORMAP",
+                 .help = "`taut list colormaps`; default: by the field",
+                 .session_help = "`taut list colormaps`",
+                 .may_be_open = true,
+                 .words = {"colour map", names_of_colormaps},
+                 .set = set_colormap,
+                 .get = get_colormap},
+      DrawingKey{.name = "view",
+                 .placeholder = "X0:X1:Y0:Y1|auto",
+                 .help = "what is seen, m; auto: the whole motion",
+                 .session_help = "what is seen, m; fit: all particles of the moment",
+                 .may_be_open = true,
+                 .numbers = {.count = 4,
+                             .in_file = "[x_min, x_max, y_min, y_max]",
+                             .typed = "X_MIN:X_MAX:Y_MIN:Y_MAX in metres (-0.1:0.1:0:0.05), nor 'auto'"},
+                 .set = set_view,
+                 .get = get_view},
+      DrawingKey{.name = "size",
+                 .placeholder = "WIDTHxHEIGHT",
+                 .help = "of a frame, in pixels",
+                 .numbers = {.count = 2,
+                             .whole = true,
+                             .between = 'x',
+                             .typed = fmt::format("WIDTHxHEIGHT (1280x720), each from {} to {} pixels",
+                                                  render::least_size, render::greatest_size)},
+                 .set = set_size,
+                 .get = get_size},
+      DrawingKey{.name = "frames",
+                 .placeholder = "N",
+                 .help = "frames after the one at t = 0, evenly spaced",
+                 .of_runs = true,
+                 .numbers = {.whole = true},
+                 .set = set_frames,
+                 .get = get_frames},
+  };
+  return table;
+}
+
+const DrawingKey& drawing_key(std::string_view name) {
+  return *std::ranges::find(drawing_keys(), name, &DrawingKey::name);
+}
+
+void set_typed(Drawing& drawing, const DrawingKey& key, const std::string& text) {
+  const std::optional<DrawingValue> value = typed_value(key, text);
+  Drawing changed = drawing;
+  if (!value || !key.set(changed, *value).empty())
+    throw UsageError(fmt::format("--{} is '{}', not {}", key.name, text, key.numbers.typed));
+  drawing = changed;
+}
+
+}  // namespace taut::cli

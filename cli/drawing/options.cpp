@@ -1,0 +1,31 @@
+#include "cli/drawing/options.hpp"
+
+#include <algorithm>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/drawing/keys.hpp"
+
+namespace taut::cli {
+
+bool DrawingOptions::any() const {
+  return std::ranges::any_of(typed, [](const auto& option) { return option.second.has_value(); });
+}
+
+void declare_drawing_options(CLI::App& app, DrawingOptions& options) {
+  for (const DrawingKey& key : drawing_keys()) {
+    if (key.of_runs) continue;
+    const std::string name(key.name);
+    app.add_option("--" + name, options.typed[name], std::string(key.help))
+        ->option_text(std::string(key.placeholder));
+  }
+}
+
+Drawing with_options(Drawing drawing, const DrawingOptions& options) {
+  for (const DrawingKey& key : drawing_keys())
+    if (const auto given = options.typed.find(key.name); given != options.typed.end() && given->second)
+      set_typed(drawing, key, *given->second);
+  return drawing;
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "render/image/image.hpp"
+
+namespace taut::render {
+
+/// Writes an RGB file of 8 bits per channel. The file appears whole or not at all; OutputError if it cannot.
+void write_png(const Image& image, const std::filesystem::path& path);
+
+/// Reads any PNG of at most 16384 × 16384 as RGB; transparency is dropped. UsageError if it is missing,
+/// broken or not a PNG.
+Image read_png(const std::filesystem::path& path);
+
+}  // namespace taut::render

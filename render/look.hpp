@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+
+#include "render/colormap.hpp"
+#include "render/page/page_layout.hpp"
+
+namespace taut::render {
+
+/// Of the width and the height of a picture, pixels.
+inline constexpr int least_size = 64;
+inline constexpr int greatest_size = 8192;
+
+/// Values of a field, in its unit.
+struct Range {
+  double low = 0, high = 1;
+  bool operator==(const Range&) const = default;
+};
+
+/// Pixels.
+struct Size {
+  int width = 1280, height = 720;
+  bool operator==(const Size&) const = default;
+};
+
+/// How pictures look. What is none is open: who knows all that they will show chooses it before the first is
+/// drawn.
+struct Look {
+  std::optional<View> view;            // what is seen
+  std::optional<Range> range;          // of the colours; values beyond it take the colour of the end
+  const Colormap* colormap = nullptr;  // nullptr: open
+  std::optional<Size> size = Size{};   // each from least_size to greatest_size
+  bool bare = false;                   // particles only, over the whole picture
+};
+
+}  // namespace taut::render

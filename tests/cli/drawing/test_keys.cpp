@@ -1,0 +1,127 @@
+#include <array>
+
+#include <doctest/doctest.h>
+
+#include "cli/drawing/bounds.hpp"
+#include "cli/drawing/keys.hpp"
+#include "cli/drawing/options.hpp"
+#include "engine/error.hpp"
+#include "tests/support/program_runner.hpp"
+
+using namespace taut;
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+/// Nothing as it is by default, nothing open.
+Drawing other_drawing() {
+  return {.field = find_field("pressure"),
+          .look = {.view = render::View{-1, 2, -3, 4},
+                   .range = render::Range{-5, 6},
+                   .colormap = render::find_colormap("plasma"),
+                   .size = render::Size{70, 80}},
+          .frames = 9};
+}
+
+DrawingOptions typed(const std::string& key, const std::string& text) {
+  DrawingOptions options;
+  options.typed[key] = text;
+  return options;
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("keys of drawing: each tells all that it holds, and keeps to itself") {
+    const Drawing other = other_drawing();
+    Drawing copy;
+    for (const DrawingKey& key : drawing_keys()) {
+      CAPTURE(key.name);
+      CHECK(key.get(copy) != key.get(other));  // what was copied before left it alone
+      CHECK(key.set(copy, key.get(other)).empty());
+      CHECK(key.get(copy) == key.get(other));
+    }
+    CHECK(copy.field == other.field);
+    CHECK(copy.look.view == other.look.view);
+    CHECK(copy.look.range == other.look.range);
+    CHECK(copy.look.colormap == other.look.colormap);
+    CHECK(copy.look.size == other.look.size);
+    CHECK(copy.frames == other.frames);
+  }
+
+  TEST_CASE("keys of drawing: what may be open can be opened again") {
+    Drawing drawing = other_drawing();
+    for (const DrawingKey& key : drawing_keys())
+      if (key.may_be_open) CHECK(key.set(drawing, std::string(automatic)).empty());
+    CHECK_FALSE(drawing.look.view);
+    CHECK_FALSE(drawing.look.range);
+    CHECK_FALSE(drawing.look.colormap);
+  }
+
+  TEST_CASE("keys of drawing: range and colour map go with their field") {
+    const Drawing same = with_options(other_drawing(), typed("color", "pressure"));
+    CHECK(same.look.range);
+    CHECK(same.look.colormap);
+    const Drawing another = with_options(other_drawing(), typed("color", "speed"));
+    CHECK(another.field == find_field("speed"));
+    CHECK_FALSE(another.look.range);
+    CHECK_FALSE(another.look.colormap);
+    CHECK(another.look.view);
+    DrawingOptions both = typed("color", "speed");
+    both.typed["range"] = "0:1";
+    CHECK(with_options(other_drawing(), both).look.range == render::Range{0, 1});
+  }
+
+  TEST_CASE("keys of drawing: what is typed wrong says what is right and changes nothing") {
+    for (const auto& [name, text, right] :
+         {std::array{"range", "2:1", "not LOW:HIGH with LOW less than HIGH"},
+          std::array{"range", "1:2:3", "not LOW:HIGH"},
+          std::array{"view", "0:1:2:2", "not X_MIN:X_MAX:Y_MIN:Y_MAX"},
+          std::array{"size", "100x63.5", "not WIDTHxHEIGHT"}, std::array{"size", "auto", "not WIDTHxHEIGHT"},
+          std::array{"color", "presure", "unknown field 'presure' (did you mean 'pressure'?)"},
+          std::array{"colormap", "plasm", "unknown colour map 'plasm' (did you mean 'plasma'?)"}}) {
+      CAPTURE(name);
+      CAPTURE(text);
+      Drawing drawing = other_drawing();
+      CHECK_THROWS_WITH_AS(set_typed(drawing, drawing_key(name), text), doctest::Contains(right), UsageError);
+      for (const DrawingKey& key : drawing_keys()) CHECK(key.get(drawing) == key.get(other_drawing()));
+    }
+  }
+
+  TEST_CASE("what a drawing leaves open is fitted to what is shown, and nothing else") {
+    const std::vector<double> x{0, 0, 1, 2}, diameter{0.1, 0.2}, value{-1, 3};
+    FrameView particles;
+    particles.x = x, particles.diameter = diameter, particles.value = value;
+    SequenceBounds shown;
+    shown.add(particles);
+    Drawing open;
+    open.field = find_field("von_mises");
+    const Drawing plain = fitted(open, shown);
+    CHECK(plain.look.range == render::Range{-1, 3});
+    CHECK(plain.look.colormap == render::find_colormap("viridis"));
+    CHECK(plain.look.view->x_max > 1.1);
+    open.field = find_field("pressure");
+    CHECK(fitted(open, shown).look.range == render::Range{-3, 3});
+    CHECK(fitted(open, shown).look.colormap == render::find_colormap("coolwarm"));
+    const Drawing chosen = fitted(other_drawing(), shown);
+    for (const DrawingKey& key : drawing_keys()) CHECK(key.get(chosen) == key.get(other_drawing()));
+  }
+}
+
+TEST_SUITE("cli") {
+  TEST_CASE("every key of drawing is an option of run and stands in its scene.toml, in one order") {
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_run(folder, "out", {"--no-render"})).code == 0);
+    const std::string scene = text_of(folder / "out/scene.toml");
+    const std::string help = call({"run", "--help"}).out;
+    std::size_t at = scene.find("[render]");
+    for (const DrawingKey& key : drawing_keys()) {
+      const std::string name(key.name);
+      CAPTURE(name);
+      CHECK(contains(help, "--" + name + " " + std::string(key.placeholder)));
+      at = scene.find("\n" + name + " = ", at);
+      CHECK(at != std::string::npos);
+    }
+  }
+}
