@@ -50,4 +50,7 @@ struct RunRecord {
 /// In the order of the keys as users read them; what is unknown or not finite is null.
 nlohmann::ordered_json to_json(const RunRecord& record);
 
+/// The processor that this program runs on, as it calls itself; "unknown" where it does not say.
+std::string machine_name();
+
 }  // namespace taut::cli

@@ -5,8 +5,8 @@
 
 #include "cli/drawing/picture.hpp"
 #include "cli/run/checkpoint.hpp"
-#include "cli/run/pace.hpp"
 #include "cli/run/run.hpp"
+#include "cli/run/schedule.hpp"
 #include "cli/system/stopwatch.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"

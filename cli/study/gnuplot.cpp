@@ -1,7 +1,7 @@
 #include "cli/study/gnuplot.hpp"
 
 #include "cli/system/atomic_file.hpp"
-#include "cli/system/made_file.hpp"
+#include "cli/system/external_program.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {

@@ -4,7 +4,6 @@
 
 #include "cli/drawing/bounds.hpp"
 #include "cli/run/history.hpp"
-#include "cli/run/pace.hpp"
 #include "cli/run/schedule.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/text/format.hpp"
