@@ -84,14 +84,17 @@ void RunFolder::claim(std::string_view record_text) const {
   clear_checkpoint();
 }
 
-void RunFolder::keep(int frames, int particle_files) const {
+void RunFolder::keep_frames(int number) const {
   std::set<fs::path> kept;
-  for (int k = 0; k < frames; ++k) kept.insert(frame(k));
-  for (int k = 0; k < particle_files; ++k) kept.insert(particle_file(k));
-  remove_those(this->frames(), [&](const fs::path& path) { return is_frame(path) && !kept.contains(path); });
-  remove_those(particles(), [&](const fs::path& path) {
-    return is_particle_file(path) && path != particle_index() && !kept.contains(path);
-  });
+  for (int k = 0; k < number; ++k) kept.insert(frame(k));
+  remove_those(frames(), [&](const fs::path& path) { return is_frame(path) && !kept.contains(path); });
+}
+
+void RunFolder::keep_particle_files(int number) const {
+  std::set<fs::path> kept{particle_index()};
+  for (int k = 0; k < number; ++k) kept.insert(particle_file(k));
+  remove_those(particles(),
+               [&](const fs::path& path) { return is_particle_file(path) && !kept.contains(path); });
 }
 
 void RunFolder::clear_checkpoint() const {

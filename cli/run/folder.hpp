@@ -18,9 +18,10 @@ class RunFolder {
   /// Creates the folder, or removes what an earlier run left; `record` becomes its run.json first of all, so
   /// that the folder is recognised at any time. Throws OutputError.
   void claim(std::string_view record) const;
-  /// Removes frames and particle files but the first ones, which a run that goes on has written already.
-  /// Throws OutputError.
-  void keep(int frames, int particle_files) const;
+  /// Remove all frames, or all particle files, but the first ones, which a run that goes on has written
+  /// already. Throw OutputError.
+  void keep_frames(int number) const;
+  void keep_particle_files(int number) const;
   /// Removes the checkpoint, whole or in the making. Throws OutputError.
   void clear_checkpoint() const;
   /// Removes what shows the frames that there are, before others are drawn. Throws OutputError.
