@@ -1,12 +1,10 @@
 #include "cli/run/folder.hpp"
 
-#include <fstream>
 #include <set>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/drawing/frames.hpp"
+#include "cli/run/record.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
@@ -15,12 +13,6 @@ namespace fs = std::filesystem;
 
 namespace taut::cli {
 namespace {
-
-bool is_run_record(const fs::path& path) {
-  std::ifstream file(path);
-  const auto record = nlohmann::json::parse(file, nullptr, /*allow_exceptions=*/false);
-  return record.is_object() && record.contains("taut");
-}
 
 /// Names that only `RunFolder::particle_file` and `particle_index` give, whole or in the making.
 bool is_particle_file(const fs::path& path) {
@@ -56,7 +48,7 @@ void RunFolder::check() const {
   if (!fs::is_directory(path_, error))
     throw UsageError("'" + path_.string() + "' is not a folder; name another with --out");
   if (fs::is_empty(path_, error) || error) return;
-  if (!is_run_record(record()) && !was_killed_in_the_making())
+  if (!read_record(record()) && !was_killed_in_the_making())
     throw UsageError("'" + path_.string() +
                      "' holds files that are not a run of taut, which would be mixed " +
                      "up with its own; empty it or name another folder with --out");

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
-#include <nlohmann/json.hpp>
-
+#include "cli/run/record.hpp"
 #include "render/page/ticks.hpp"
 
 namespace taut::cli {
@@ -13,12 +11,9 @@ namespace {
 
 /// Why a run has no particles later than its last ones.
 std::string ending(const SavedRun& run, double until) {
-  std::ifstream file(run.folder.record());
-  const auto record = nlohmann::json::parse(file, nullptr, /*allow_exceptions=*/false);
-  const bool failed = record.is_object() && record.value("status", "") == "failed";
-  const double last = failed && record.contains("reached") && record["reached"].is_number()
-                          ? record["reached"].get<double>()
-                          : run.particles.back().time();
+  const std::optional<StoredRecord> record = read_record(run.folder.record());
+  const bool failed = record && record->status == RunRecord::Status::failed;
+  const double last = failed && record->reached ? *record->reached : run.particles.back().time();
   return (failed ? "diverged at " : "ended at ") + render::format_time(last, until);
 }
 

@@ -1,7 +1,5 @@
 #include "cli/run/resume.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "cli/run/checkpoint.hpp"
 #include "cli/run/plan.hpp"
 #include "cli/system/atomic_file.hpp"
@@ -12,22 +10,16 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-/// "finished", "failed", ...; empty where run.json does not say.
-std::string status_of(const RunFolder& folder) {
-  const auto record = nlohmann::json::parse(read_whole(folder.record()).value_or(""), nullptr,
-                                            /*allow_exceptions=*/false);
-  return record.is_object() ? record.value("status", "") : "";
-}
-
 void check_there_is_one(const RunFolder& folder) {
   std::error_code error;
   const std::string name = '\'' + folder.path().string() + '\'';
   if (!fs::exists(folder.scene(), error))
     throw UsageError(name + " is not the folder of a run; `taut run` leaves one");
   if (fs::exists(folder.checkpoint(), error)) return;
-  const std::string status = status_of(folder);
-  if (status == "finished" || status == "failed")
-    throw UsageError("the run in " + name + (status == "failed" ? " has failed" : " is finished") +
+  const std::optional<StoredRecord> record = read_record(folder.record());
+  const bool failed = record && record->status == RunRecord::Status::failed;
+  if (failed || (record && record->status == RunRecord::Status::finished))
+    throw UsageError("the run in " + name + (failed ? " has failed" : " is finished") +
                      ": nothing is left to do");
   throw UsageError(
       name +

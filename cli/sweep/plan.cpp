@@ -12,11 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_in(const nlohmann::ordered_json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
 /// The options of one run, `without` one of its settings.
 RunOptions options_of(const SweepRequest& request, const GridRow& row, const Setting* without = nullptr) {
   RunOptions options = request.base;
@@ -142,18 +137,18 @@ void SweepRun::forget() {
   record = nullptr;
 }
 
-void SweepRun::look() {
+void SweepRun::read_folder() {
+  using Status = RunRecord::Status;
   forget();
   const RunFolder files(*options.out);
-  auto found = nlohmann::ordered_json::parse(read_whole(files.record()).value_or(""), nullptr,
-                                             /*allow_exceptions=*/false);
-  if (!found.is_object()) return;
-  const std::string status = text_in(found, "status");
-  const bool same = text_in(found, "taut") == TAUT_VERSION && read_whole(files.scene()) == scene;
+  const std::optional<StoredRecord> found = read_record(files.record());
+  if (!found) return;
+  const bool same = found->version == TAUT_VERSION && read_whole(files.scene()) == scene;
+  const bool failed = found->status == Status::failed;
   // a run that failed without diverging could not write its files
-  const bool ended = status == "finished" || (status == "failed" && text_in(found, "verdict") == "diverged");
+  const bool ended = found->status == Status::finished || (failed && found->verdict == Verdict::diverged);
   std::error_code error;
-  const bool drawn = last_frame < 0 || status == "failed" || fs::exists(files.frame(last_frame), error);
+  const bool drawn = last_frame < 0 || failed || fs::exists(files.frame(last_frame), error);
   const bool saved = !options.save_particles || fs::exists(files.particle_index(), error);
   if (!same) {
     state = ended ? RunState::outdated : RunState::interrupted;
@@ -162,7 +157,7 @@ void SweepRun::look() {
   } else {
     state = RunState::interrupted;
   }
-  if (state == RunState::done || (same && status == "interrupted")) record = std::move(found);
+  if (state == RunState::done || (same && found->status == Status::interrupted)) record = *found->all;
 }
 
 SweepPlan plan_sweep(const SweepRequest& request) {
@@ -200,7 +195,7 @@ SweepPlan plan_sweep(const SweepRequest& request) {
     } catch (const UsageError& error) {
       report(request, row, error.what());
     }
-    run.look();
+    run.read_folder();
     plan.runs.push_back(std::move(run));
   }
   if (plan.title.empty()) plan.title = plan.scene;
