@@ -16,9 +16,10 @@ namespace taut::cli {
 /// The options of `taut run` as typed; what is left out stands in the scene.
 struct RunOptions {
   std::string scene;
-  std::optional<std::string> method, out;
-  std::vector<std::string> set;  // "name=value"
-  std::optional<double> spacing, until, every, history;
+  std::vector<Setting> settings;  // --method, --spacing, --until; behind them --set, which counts before them
+  std::optional<double> spacing;  // of --spacing, m
+  std::optional<std::string> out;
+  std::optional<double> every, history;
   std::optional<int> frames;
   DrawingOptions drawing;
   int threads = 0;  // 0 = all cores

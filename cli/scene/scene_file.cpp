@@ -116,11 +116,11 @@ SceneFile read_with(double dp, const std::filesystem::path& path, const TomlValu
 
 }  // namespace
 
-SceneFile read_scene(const std::filesystem::path& path, const Overrides& overrides) {
+SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings) {
   TomlSource source;
   source.file = path.string();
   const TomlValue tree = parse_toml(file_text(path), source.file);
-  const Changes changes = by_target(overrides);
+  const Changes changes = by_target(settings);
   constexpr int most_rounds = 10;
   double dp = asked_spacing(tree, changes, source);
   for (int round = 0; round < most_rounds; ++round) {

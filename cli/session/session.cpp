@@ -59,15 +59,14 @@ void Session::run_until(double t, const Interrupts& interrupts, Progress& progre
   progress.clear();
 }
 
-void Session::set(const std::string& assignment) {
+void Session::set(const Setting& setting) {
   RunOptions options = options_;
-  options.set.push_back(assignment);
+  options.settings.push_back(setting);
   SceneFile file = scene_to_run(options);  // refuses names that there are not, and values out of bounds
-  const std::string name = assignment.substr(0, assignment.find('='));
-  if (const std::string reason = reason_against(name, file_); !reason.empty())
-    throw UsageError("'" + name + "' cannot change any more: " + reason +
+  if (const std::string reason = reason_against(setting.name, file_); !reason.empty())
+    throw UsageError("'" + setting.name + "' cannot change any more: " + reason +
                      "; cfl and other constants of the method can. Start another session with --set " +
-                     assignment);
+                     text_of(setting));
   std::unique_ptr<Simulation> simulation = start(file);
   simulation->load(simulation_->save());
   simulation_ = std::move(simulation);

@@ -17,7 +17,7 @@ RunOptions options_of(const SweepRequest& request, const GridRow& row, const Set
   RunOptions options = request.base;
   for (const GridRow* settings : {&request.set, &row})
     for (const Setting& s : *settings)
-      if (&s != without) options.set.push_back(s.name + "=" + s.value);
+      if (&s != without) options.settings.push_back(s);
   options.out = (request.folder / folder_name(row)).string();
   return options;
 }
@@ -71,12 +71,8 @@ double work_of(const SceneFile& file) {
 /// Refuses a name that has one value for all runs and others for each.
 void check_base(const SweepRequest& request) {
   std::set<std::string> fixed;
-  for (const std::string& assignment : request.base.set)
-    fixed.insert(assignment.substr(0, assignment.find('=')));
-  for (const Setting& s : request.set) fixed.insert(s.name);
-  if (request.base.method) fixed.insert("method");
-  if (request.base.spacing) fixed.insert("spacing");
-  if (request.base.until) fixed.insert("until");
+  for (const std::vector<Setting>* settings : {&request.base.settings, &request.set})
+    for (const Setting& s : *settings) fixed.insert(s.name);
   for (const GridRow& row : request.rows)
     for (const Setting& s : row)
       if (fixed.contains(s.name))

@@ -200,10 +200,10 @@ TEST_SUITE("cli") {
     CHECK(file.settings.law == "linear");
     CHECK(read_text(file.resolved).settings.law == "linear");
     const auto changed = [&](const char* law, const char* method) {
-      Overrides overrides;
-      if (law) overrides.set = {{"law", law}};
-      if (method) overrides.method = method;
-      return read_text(file.resolved, overrides).settings.law;
+      std::vector<Setting> settings;
+      if (law) settings.push_back({"law", law});
+      if (method) settings.push_back({"method", method});
+      return read_text(file.resolved, settings).settings.law;
     };
     CHECK(changed("st-venant-kirchhoff", nullptr) == "st-venant-kirchhoff");
     CHECK(changed(nullptr, "icb").empty());  // the law belongs to the method of the file

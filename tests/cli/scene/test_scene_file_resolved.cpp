@@ -147,10 +147,10 @@ SceneFile check_round_trip(const SceneFile& file) {
   return again;
 }
 
-Overrides set(std::vector<std::pair<std::string, std::string>> values) {
-  Overrides overrides;
-  overrides.set = std::move(values);
-  return overrides;
+std::vector<Setting> set(const std::vector<std::pair<std::string, std::string>>& values) {
+  std::vector<Setting> settings;
+  for (const auto& [name, value] : values) settings.push_back({name, value});
+  return settings;
 }
 
 }  // namespace
@@ -191,15 +191,15 @@ TEST_SUITE("unit") {
     CHECK(again.scene.bodies[0].parts[0].material == 0);
     CHECK(again.scene.bodies[0].drives[0].until == 0.7);
     CHECK(again.scene.bodies[0].drives[1].until == 2);  // the scene's
-    Overrides other;
-    other.method = "oenog";
-    CHECK(read_text(small_scene, other).scene.contact == ContactLaw::published);
+    CHECK(read_text(small_scene, set({{"method", "oenog"}})).scene.contact == ContactLaw::published);
   }
 
   TEST_CASE("overrides stand in the resolved text") {
-    Overrides overrides = set({{"vf", "0.03/3"}, {"stepping", "single"}, {"cfl", "0.1/3"}, {"until", "1/3"}});
-    overrides.spacing = 0.0033;
-    const SceneFile file = read_scene(find_scene("oscillating-plate"), overrides);
+    const SceneFile file = read_scene(find_scene("oscillating-plate"), set({{"spacing", "0.0033"},
+                                                                            {"vf", "0.03/3"},
+                                                                            {"stepping", "single"},
+                                                                            {"cfl", "0.1/3"},
+                                                                            {"until", "1/3"}}));
     CHECK(file.scene.spacing == 0.02 / 6);
     CHECK(file.parameters[0].value == 0.01);
     CHECK(file.parameters[0].default_value == 0.05);
