@@ -7,19 +7,6 @@
 namespace taut::cli {
 namespace {
 
-std::string header(const Scene& scene) {
-  std::string names = "t,step,kinetic_energy,strain_energy,total_energy";
-  if (has_drives(scene) || has_loads(scene)) names += ",work";
-  if (scene.damping > 0) names += ",damped";
-  names += ",momentum_x,momentum_y";
-  names += scene.dim == 3 ? ",momentum_z,angular_momentum_x,angular_momentum_y,angular_momentum_z"
-                          : ",angular_momentum";
-  for (const Probe& probe : scene.probes) names += "," + probe.name;
-  names += ",pieces";
-  for (const Indicator& indicator : indicators) (names += ',') += indicator.key;
-  return names;
-}
-
 /// What the measures of a line compare it with.
 Solution reference_of(const SampleLine& line, const Scene& scene, const std::string& law) {
   const auto reference = scene.references.find(law);
@@ -34,12 +21,28 @@ Solution reference_of(const SampleLine& line, const Scene& scene, const std::str
 
 }  // namespace
 
+std::vector<std::string> history_columns(const Scene& scene) {
+  std::vector<std::string> names{"t", "step", "kinetic_energy", "strain_energy", "total_energy"};
+  if (has_drives(scene) || has_loads(scene)) names.emplace_back("work");
+  if (scene.damping > 0) names.emplace_back("damped");
+  for (const char* x : {"x", "y", "z"})
+    if (scene.dim == 3 || *x != 'z') names.push_back(std::string("momentum_") + x);
+  if (scene.dim == 3)
+    for (const char* x : {"x", "y", "z"}) names.push_back(std::string("angular_momentum_") + x);
+  else
+    names.emplace_back("angular_momentum");
+  for (const Probe& probe : scene.probes) names.push_back(probe.name);
+  names.emplace_back("pieces");
+  for (const Indicator& indicator : indicators) names.emplace_back(indicator.key);
+  return names;
+}
+
 History::History(const std::filesystem::path& path, const Scene& scene, AppendFile::Start start)
     : file_(path, start),
       dim_(scene.dim),
       works_(has_drives(scene) || has_loads(scene)),
       damps_(scene.damping > 0) {
-  if (start == AppendFile::Start::empty) file_.append(header(scene));
+  if (start == AppendFile::Start::empty) file_.append(join(history_columns(scene), ","));
 }
 
 void History::add(const Simulation& simulation, const Balance& balance, int pieces,

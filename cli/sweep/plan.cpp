@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "cli/run/history.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "engine/error.hpp"
 
@@ -94,7 +95,7 @@ void check_study(const SweepRequest& request, const std::vector<Swept>& swept, c
   std::vector<std::string> measures, names;
   for (const Measure& measure : scene.measures) measures.push_back(measure.name);
   for (const Swept& s : swept) names.push_back(s.name);
-  check_pictures(request.pictures, request.file, measures, names);
+  check_pictures(request.pictures, request.file, measures, names, history_columns(scene));
 }
 
 std::vector<Swept> swept_names(const std::vector<GridRow>& rows, const SceneFile& file) {
@@ -183,8 +184,8 @@ SweepPlan plan_sweep(const SweepRequest& request) {
       if (plan.runs.empty()) {
         plan.scene = file.scene.name;
         plan.swept = swept_names(request.rows, file);
-        check_study(request, plan.swept, file.scene);
       }
+      check_study(request, plan.swept, file.scene);
     } catch (const SceneError& error) {
       throw SceneError(error.file, error.line, error.column, error.key,
                        error.what() + (" (in the run " + text_of(row) + ")"));
