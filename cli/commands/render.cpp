@@ -42,7 +42,7 @@ fs::path prepare(const Options& options, SavedRun& run) {
     return *options.out;
   }
   run.folder.clear_frames();
-  run.file.resolved = resolved_text(run.file);
+  run.file.resolved = resolved_text(run.file, run.folder.path());
   write_atomically(run.folder.scene(), run.file.resolved);
   return run.folder.frames();
 }

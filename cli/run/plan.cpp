@@ -138,7 +138,8 @@ RunPlan make_plan(const RunOptions& options) {
   file.drawing = with_options(file.drawing, options.drawing);
   file.drawing.frames = frame_count(options, file);
   file.history = history_interval(options, file);
-  file.resolved = resolved_text(file);
+  plan.folder = RunFolder(options.out.value_or("out/" + file.scene.name + "-" + file.settings.method));
+  file.resolved = resolved_text(file, plan.folder.path());
   plan.spacing_asked = options.spacing;
   const DrawingPlan drawing = plan_drawing(file.drawing);
   if (!options.no_render) plan.drawing = drawing;
@@ -146,7 +147,6 @@ RunPlan make_plan(const RunOptions& options) {
   if (plan.drawing || !plan.particle_fields.empty())
     plan.frame_times = times_in_parts(file.scene.until, file.drawing.frames);
   plan.history_times = times_every(file.scene.until, *file.history);
-  plan.folder = RunFolder(options.out.value_or("out/" + file.scene.name + "-" + file.settings.method));
   plan.folder.check();
   return plan;
 }

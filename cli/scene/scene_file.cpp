@@ -152,10 +152,11 @@ SceneError locate(const SceneFile& scene, const SceneError& error) {
   return {scene.path.string(), place.line, place.column, error.key, error.what()};
 }
 
-std::string resolved_text(const SceneFile& scene) {
+std::string resolved_text(const SceneFile& scene, const std::filesystem::path& folder) {
   TomlValue tree = parse_toml(scene.resolved, scene.path.string());
   if (scene.history) tree.set("history", TomlValue(*scene.history));
   tree.set("render", drawing_table(scene.drawing));
+  see_tables_from(folder, tree);
   return print_toml(tree);
 }
 

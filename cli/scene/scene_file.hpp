@@ -60,7 +60,7 @@ std::vector<std::string> names_to_set(const SceneFile& scene);
 std::vector<std::string> texts_to_set(std::string_view name);
 /// `error`, thrown by the engine for this scene, with the file and the place of its key.
 SceneError locate(const SceneFile& scene, const SceneError& error);
-/// `resolved` with history and drawing as they stand in `scene` now.
-std::string resolved_text(const SceneFile& scene);
+/// `resolved` with history and drawing as they stand in `scene` now, to be written into `folder`.
+std::string resolved_text(const SceneFile& scene, const std::filesystem::path& folder);
 
 }  // namespace taut::cli

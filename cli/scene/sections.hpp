@@ -44,6 +44,8 @@ void read_probes(TomlCursor& root, Scene& scene);
 void read_lines(TomlCursor& root, Scene& scene);
 void read_measures(TomlCursor& root, Scene& scene);
 void read_references(TomlCursor& root, SceneFile& file);
+/// The paths of tables, as they are seen from `folder`.
+void see_tables_from(const std::filesystem::path& folder, TomlValue& scene);
 void read_drawing(TomlCursor& root, Drawing& drawing);
 /// The drawing as a table of its own.
 TomlValue drawing_table(const Drawing& drawing);
