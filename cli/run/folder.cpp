@@ -65,6 +65,9 @@ bool RunFolder::was_killed_in_the_making() const {
 void RunFolder::claim(std::string_view record_text) const {
   make_folder(path_);
   write_atomically(record(), record_text);
+}
+
+void RunFolder::clear() const {
   make_folder(frames());
   clear_frames();
   remove_those(particles(), is_particle_file);
@@ -72,8 +75,6 @@ void RunFolder::claim(std::string_view record_text) const {
   fs::remove(particles(), not_empty);
   remove_file(history());
   remove_file(lines());
-  remove_file(scene());
-  clear_checkpoint();
 }
 
 void RunFolder::keep_frames(int number) const {

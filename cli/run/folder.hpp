@@ -15,9 +15,11 @@ class RunFolder {
 
   /// Throws UsageError when the folder holds something that no run of taut left there. Touches nothing.
   void check() const;
-  /// Creates the folder, or removes what an earlier run left; `record` becomes its run.json first of all, so
-  /// that the folder is recognised at any time. Throws OutputError.
+  /// Creates the folder, and `record` as its run.json first of all, so that it is recognised at any time.
+  /// Throws OutputError.
   void claim(std::string_view record) const;
+  /// Removes what an earlier run has shown, and makes room for the next one. Throws OutputError.
+  void clear() const;
   /// Remove all frames, or all particle files, but the first ones, which a run that goes on has written
   /// already. Throw OutputError.
   void keep_frames(int number) const;

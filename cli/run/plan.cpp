@@ -50,6 +50,8 @@ double history_interval(const RunOptions& options, const SceneFile& file) {
   return interval;
 }
 
+}  // namespace
+
 std::vector<const Field*> particle_fields(const RunOptions& options) {
   std::vector<const Field*> chosen;
   if (options.save_particles && options.fields.empty())
@@ -59,8 +61,6 @@ std::vector<const Field*> particle_fields(const RunOptions& options) {
       chosen.push_back(&field);
   return chosen;
 }
-
-}  // namespace
 
 void declare_setting_options(CLI::App& app, RunOptions& o) {
   app.add_option_function<std::string>(
@@ -141,6 +141,7 @@ RunPlan make_plan(const RunOptions& options) {
   plan.folder = RunFolder(options.out.value_or("out/" + file.scene.name + "-" + file.settings.method));
   file.resolved = resolved_text(file, plan.folder.path());
   plan.spacing_asked = options.spacing;
+  plan.checkpoint_every = options.checkpoint_every;
   const DrawingPlan drawing = plan_drawing(file.drawing);
   if (!options.no_render) plan.drawing = drawing;
   plan.particle_fields = particle_fields(options);

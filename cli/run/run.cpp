@@ -36,6 +36,7 @@ class Run {
   void take_up(const std::string& state);
   void open_files(AppendFile::Start start);
   void save_checkpoint();
+  void write_checkpoint(std::string state) const;
   void plan_next_checkpoint();
   void simulate();
   void step_through();
@@ -88,8 +89,11 @@ RunResult Run::execute() {
   return std::move(result_);
 }
 
+/// What it takes to begin once more comes first: the run may be killed at any moment.
 void Run::begin() {
   write_atomically(plan_.folder.scene(), plan_.file.resolved);
+  plan_.checkpoint_every ? write_checkpoint("") : plan_.folder.clear_checkpoint();
+  plan_.folder.clear();
   open_files(AppendFile::Start::empty);
   plan_next_checkpoint();
 }
@@ -122,11 +126,16 @@ void Run::save_checkpoint() {
   std::string simulation = simulation_->save();
   saver(simulation, record_.seconds);
   for (const auto& output : outputs_) output->save(saver);
-  Checkpoint checkpoint{record_.method,          plan_.file.resolved,       {},          plan_.spacing_asked,
-                        *plan_.checkpoint_every, plan_.drawing.has_value(), saver.take()};
-  for (const Field* field : plan_.particle_fields) checkpoint.fields.emplace_back(field->key);
-  write_checkpoint(plan_.folder.checkpoint(), std::move(checkpoint));
+  write_checkpoint(saver.take());
   plan_next_checkpoint();
+}
+
+void Run::write_checkpoint(std::string state) const {
+  Checkpoint checkpoint{record_.method,      plan_.file.resolved,     {},
+                        plan_.spacing_asked, *plan_.checkpoint_every, plan_.drawing.has_value(),
+                        std::move(state)};
+  for (const Field* field : plan_.particle_fields) checkpoint.fields.emplace_back(field->key);
+  cli::write_checkpoint(plan_.folder.checkpoint(), std::move(checkpoint));
 }
 
 void Run::plan_next_checkpoint() {
