@@ -54,9 +54,9 @@ class CommandLine {
   /// The scene that is typed, as it is with the method that is typed; none if there is no such thing yet.
   std::optional<SceneFile> scene() const try {
     if (arguments_.empty()) return std::nullopt;
-    Overrides overrides;
-    overrides.method = method_;
-    return read_scene(find_scene(arguments_.front()), overrides);
+    std::vector<Setting> settings;
+    if (method_) settings.push_back({"method", *method_});
+    return read_scene(find_scene(arguments_.front()), settings);
   } catch (const UsageError&) {
     return std::nullopt;
   } catch (const SceneError&) {

@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command_line/command.hpp"
-#include "cli/run/difference_report.hpp"
+#include "cli/run/frame_folders.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/text/checks.hpp"
 #include "engine/error.hpp"

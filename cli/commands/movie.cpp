@@ -7,7 +7,7 @@
 #include "cli/run/folder.hpp"
 #include "cli/run/frame_folders.hpp"
 #include "cli/system/exit_code.hpp"
-#include "cli/system/made_file.hpp"
+#include "cli/system/external_program.hpp"
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"

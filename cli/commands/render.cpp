@@ -43,7 +43,7 @@ fs::path prepare(const Options& options, SavedRun& run) {
     return *options.out;
   }
   run.folder.clear_frames();
-  write_atomically(run.folder.scene(), resolved_text(run.file));
+  write_atomically(run.folder.scene(), resolved_text(run.file, run.folder.path()));
   return run.folder.frames();
 }
 

@@ -1,12 +1,8 @@
-#include <algorithm>
-#include <array>
 #include <ostream>
-#include <string_view>
 
 #include <CLI/CLI.hpp>
 
 #include "cli/command_line/command.hpp"
-#include "cli/run/plan.hpp"
 #include "cli/run/report.hpp"
 #include "cli/run/resume.hpp"
 #include "cli/text/checks.hpp"
@@ -17,7 +13,6 @@ namespace {
 
 struct Options : RunOptions {
   std::optional<std::string> fail_on;
-  std::optional<double> checkpoint_every;
   std::optional<std::string> resume;
   bool quiet = false;
 };
@@ -34,10 +29,10 @@ void declare_options(CLI::App& app, Options& o) {
                  "simulated time, s, between checkpoints for --resume; one more when interrupted")
       ->option_text("T")
       ->check(positive_number);
-  app.add_option(
-         "--resume", o.resume,
-         "goes on with the run in this folder from its last checkpoint, to the same bytes as without a "
-         "stop; only --threads, --fail-on, --quiet may be given with it")
+  app.add_option("--resume", o.resume,
+                 "goes on with the run in this folder from its last checkpoint, or anew where there is none "
+                 "yet, to the "
+                 "same bytes as without a stop; other options given with it must say the same as the folder")
       ->option_text("DIR");
   app.add_option("--threads", o.threads, "default: all cores")
       ->option_text("N")
@@ -48,32 +43,21 @@ void declare_options(CLI::App& app, Options& o) {
   app.add_flag("--quiet", o.quiet, "no progress on stderr");
 }
 
-/// Everything else stands in the folder.
-void refuse_beside_resume(const CLI::App& app) {
-  constexpr std::array<std::string_view, 4> allowed = {"--resume", "--threads", "--fail-on", "--quiet"};
-  for (const CLI::Option* option : app.get_options()) {
-    const std::string name = option->get_name();
-    if (option->count() > 0 && std::ranges::find(allowed, name) == allowed.end())
-      throw UsageError("--resume goes on as the scene.toml of the folder says: " + name +
-                       " cannot be given with it");
+RunPlan planned(const Options& options, std::ostream& err) {
+  if (!options.resume) {
+    if (options.scene.empty()) throw UsageError("SCENE is required; see `taut run --help`");
+    return make_plan(options);
   }
-}
-
-RunPlan planned(const Options& options, const CLI::App& app) {
-  if (options.resume) {
-    refuse_beside_resume(app);
-    return resume_plan(*options.resume, options.threads);
-  }
-  if (options.scene.empty()) throw UsageError("SCENE is required; see `taut run --help`");
-  RunPlan plan = make_plan(options);
-  plan.checkpoint_every = options.checkpoint_every;
+  RunPlan plan = resume_plan(*options.resume, options);
+  if (!plan.state)
+    err << "taut: the run in '" << *options.resume << "' has left no checkpoint: it begins anew\n";
   return plan;
 }
 
-int run(const Options& options, const CLI::App& app, Streams streams) {
+int run(const Options& options, Streams streams) {
   const Stopwatch setup;
   const std::optional<Verdict> fail_on = parse_verdict(options.fail_on);
-  const RunPlan plan = planned(options, app);
+  const RunPlan plan = planned(options, streams.err);
   const Interrupts interrupts;
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
   const RunResult result = run_scene(plan, interrupts, progress, setup.seconds());
@@ -87,7 +71,7 @@ int run(const Options& options, const CLI::App& app, Streams streams) {
 std::function<int(Streams)> declare_run(CLI::App& app) {
   auto options = std::make_shared<Options>();
   declare_options(app, *options);
-  return [options, &app](Streams streams) { return run(*options, app, streams); };
+  return [options](Streams streams) { return run(*options, streams); };
 }
 
 }  // namespace taut::cli

@@ -5,11 +5,11 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command_line/command.hpp"
-#include "cli/run/difference_report.hpp"
+#include "cli/run/frame_folders.hpp"
 #include "cli/run/plan.hpp"
 #include "cli/run/report.hpp"
+#include "cli/system/atomic_file.hpp"
 #include "cli/system/exit_code.hpp"
-#include "cli/system/whole_folder.hpp"
 #include "cli/text/checks.hpp"
 #include "engine/error.hpp"
 #include "render/image/png.hpp"

@@ -65,7 +65,7 @@ std::vector<SweepRun*> what_to_run(SweepPlan& plan, const SweepOptions& o) {
   std::vector<SweepRun*> runs;
   for (SweepRun& run : plan.runs) {
     if (o.index && run.index != *o.index) continue;
-    run.look();  // another program may have worked here until the lock was ours
+    run.read_folder();  // another program may have worked here until the lock was ours
     if (o.force) run.forget();
     if (run.state != RunState::done) runs.push_back(&run);
   }

@@ -15,7 +15,7 @@ struct Checkpoint {
   std::optional<double> spacing_asked;  // m
   double every = 0;                     // s of the simulation between checkpoints
   bool draws = true;                    // there are frames
-  std::string state;                    // bytes for whoever saved them
+  std::string state;                    // bytes for whoever saved them; empty: nothing has happened yet
 
   template <class Archive>
   void serialize(Archive& archive) {

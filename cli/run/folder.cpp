@@ -1,12 +1,10 @@
 #include "cli/run/folder.hpp"
 
-#include <fstream>
 #include <set>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/drawing/frames.hpp"
+#include "cli/run/record.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
@@ -15,12 +13,6 @@ namespace fs = std::filesystem;
 
 namespace taut::cli {
 namespace {
-
-bool is_run_record(const fs::path& path) {
-  std::ifstream file(path);
-  const auto record = nlohmann::json::parse(file, nullptr, /*allow_exceptions=*/false);
-  return record.is_object() && record.contains("taut");
-}
 
 /// Names that only `RunFolder::particle_file` and `particle_index` give, whole or in the making.
 bool is_particle_file(const fs::path& path) {
@@ -56,7 +48,7 @@ void RunFolder::check() const {
   if (!fs::is_directory(path_, error))
     throw UsageError("'" + path_.string() + "' is not a folder; name another with --out");
   if (fs::is_empty(path_, error) || error) return;
-  if (!is_run_record(record()) && !was_killed_in_the_making())
+  if (!read_record(record()) && !was_killed_in_the_making())
     throw UsageError("'" + path_.string() +
                      "' holds files that are not a run of taut, which would be mixed " +
                      "up with its own; empty it or name another folder with --out");
@@ -73,6 +65,9 @@ bool RunFolder::was_killed_in_the_making() const {
 void RunFolder::claim(std::string_view record_text) const {
   make_folder(path_);
   write_atomically(record(), record_text);
+}
+
+void RunFolder::clear() const {
   make_folder(frames());
   clear_frames();
   remove_those(particles(), is_particle_file);
@@ -80,18 +75,19 @@ void RunFolder::claim(std::string_view record_text) const {
   fs::remove(particles(), not_empty);
   remove_file(history());
   remove_file(lines());
-  remove_file(scene());
-  clear_checkpoint();
 }
 
-void RunFolder::keep(int frames, int particle_files) const {
+void RunFolder::keep_frames(int number) const {
   std::set<fs::path> kept;
-  for (int k = 0; k < frames; ++k) kept.insert(frame(k));
-  for (int k = 0; k < particle_files; ++k) kept.insert(particle_file(k));
-  remove_those(this->frames(), [&](const fs::path& path) { return is_frame(path) && !kept.contains(path); });
-  remove_those(particles(), [&](const fs::path& path) {
-    return is_particle_file(path) && path != particle_index() && !kept.contains(path);
-  });
+  for (int k = 0; k < number; ++k) kept.insert(frame(k));
+  remove_those(frames(), [&](const fs::path& path) { return is_frame(path) && !kept.contains(path); });
+}
+
+void RunFolder::keep_particle_files(int number) const {
+  std::set<fs::path> kept{particle_index()};
+  for (int k = 0; k < number; ++k) kept.insert(particle_file(k));
+  remove_those(particles(),
+               [&](const fs::path& path) { return is_particle_file(path) && !kept.contains(path); });
 }
 
 void RunFolder::clear_checkpoint() const {

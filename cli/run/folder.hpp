@@ -15,12 +15,15 @@ class RunFolder {
 
   /// Throws UsageError when the folder holds something that no run of taut left there. Touches nothing.
   void check() const;
-  /// Creates the folder, or removes what an earlier run left; `record` becomes its run.json first of all, so
-  /// that the folder is recognised at any time. Throws OutputError.
-  void claim(std::string_view record) const;
-  /// Removes frames and particle files but the first ones, which a run that goes on has written already.
+  /// Creates the folder, and `record` as its run.json first of all, so that it is recognised at any time.
   /// Throws OutputError.
-  void keep(int frames, int particle_files) const;
+  void claim(std::string_view record) const;
+  /// Removes what an earlier run has shown, and makes room for the next one. Throws OutputError.
+  void clear() const;
+  /// Remove all frames, or all particle files, but the first ones, which a run that goes on has written
+  /// already. Throw OutputError.
+  void keep_frames(int number) const;
+  void keep_particle_files(int number) const;
   /// Removes the checkpoint, whole or in the making. Throws OutputError.
   void clear_checkpoint() const;
   /// Removes what shows the frames that there are, before others are drawn. Throws OutputError.

@@ -1,10 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "render/image/image_difference.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace taut::cli {
 
@@ -29,5 +34,19 @@ struct FolderDifference {
 /// UsageError for a picture that cannot be read, or that differs in size.
 FolderDifference compare_folders(const std::filesystem::path& a, const std::filesystem::path& b,
                                  const render::DifferenceLimit& limit);
+
+/// --max-difference as typed.
+struct DifferenceOptions {
+  std::optional<double> max_difference;  // ΔE*ab
+};
+
+void declare_difference_options(CLI::App& app, DifferenceOptions& options);
+render::DifferenceLimit limit_of(const DifferenceOptions& options);
+
+/// What `diff` and `snapshot` print: "alike" or "different" in the first line, then the numbers.
+std::string difference_report(const render::ImageDifference& difference,
+                              const render::DifferenceLimit& limit);
+/// `a` and `b`: what the folders are called in it.
+std::string difference_report(const FolderDifference& difference, const std::string& a, const std::string& b);
 
 }  // namespace taut::cli

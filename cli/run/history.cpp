@@ -1,31 +1,48 @@
 #include "cli/run/history.hpp"
 
+#include <algorithm>
+
 #include "cli/text/format.hpp"
 
 namespace taut::cli {
 namespace {
 
-std::string header(const Scene& scene) {
-  std::string names = "t,step,kinetic_energy,strain_energy,total_energy";
-  if (has_drives(scene) || has_loads(scene)) names += ",work";
-  if (scene.damping > 0) names += ",damped";
-  names += ",momentum_x,momentum_y";
-  names += scene.dim == 3 ? ",momentum_z,angular_momentum_x,angular_momentum_y,angular_momentum_z"
-                          : ",angular_momentum";
-  for (const Probe& probe : scene.probes) names += "," + probe.name;
-  names += ",pieces";
-  for (const Indicator& indicator : indicators) (names += ',') += indicator.key;
-  return names;
+/// What the measures of a line compare it with.
+Solution reference_of(const SampleLine& line, const Scene& scene, const std::string& law) {
+  const auto reference = scene.references.find(law);
+  if (reference == scene.references.end()) return {};
+  for (const Measure& measure : scene.measures) {
+    const auto solution = reference->second.solution.find(measure.name);
+    if (measure.line == line.name && solution != reference->second.solution.end())
+      return solution->second.front();
+  }
+  return {};
 }
 
 }  // namespace
+
+std::vector<std::string> history_columns(const Scene& scene) {
+  std::vector<std::string> names{"t", "step", "kinetic_energy", "strain_energy", "total_energy"};
+  if (has_drives(scene) || has_loads(scene)) names.emplace_back("work");
+  if (scene.damping > 0) names.emplace_back("damped");
+  for (const char* x : {"x", "y", "z"})
+    if (scene.dim == 3 || *x != 'z') names.push_back(std::string("momentum_") + x);
+  if (scene.dim == 3)
+    for (const char* x : {"x", "y", "z"}) names.push_back(std::string("angular_momentum_") + x);
+  else
+    names.emplace_back("angular_momentum");
+  for (const Probe& probe : scene.probes) names.push_back(probe.name);
+  names.emplace_back("pieces");
+  for (const Indicator& indicator : indicators) names.emplace_back(indicator.key);
+  return names;
+}
 
 History::History(const std::filesystem::path& path, const Scene& scene, AppendFile::Start start)
     : file_(path, start),
       dim_(scene.dim),
       works_(has_drives(scene) || has_loads(scene)),
       damps_(scene.damping > 0) {
-  if (start == AppendFile::Start::empty) file_.append(header(scene));
+  if (start == AppendFile::Start::empty) file_.append(join(history_columns(scene), ","));
 }
 
 void History::add(const Simulation& simulation, const Balance& balance, int pieces,
@@ -45,6 +62,29 @@ void History::add(const Simulation& simulation, const Balance& balance, int piec
   (row += ',') += std::to_string(pieces);
   for (const Reading& reading : readings) cell(reading.share());
   file_.append(row);
+}
+
+LineSamplesFile::LineSamplesFile(const std::filesystem::path& path, const Scene& scene,
+                                 const std::string& law, AppendFile::Start start)
+    : file_(path, start) {
+  if (start == AppendFile::Start::empty) file_.append("line,t,step,x,y,value,reference");
+  for (const SampleLine& line : scene.lines) lines_.push_back({line, reference_of(line, scene, law)});
+}
+
+void LineSamplesFile::add(const std::vector<std::vector<LineSample>>& samples) {
+  for (std::size_t l = 0; l < lines_.size(); ++l)
+    for (std::size_t& k = lines_[l].written; k < samples[l].size(); ++k) add(lines_[l], samples[l][k]);
+}
+
+void LineSamplesFile::add(const Known& known, const LineSample& sample) {
+  for (int k = 0; k < known.line.points; ++k) {
+    const Point at = line_point(known.line, k);
+    std::string row = known.line.name + "," + exact(sample.time) + "," + std::to_string(sample.step) + "," +
+                      exact(at[0]) + "," + exact(at[1]) + "," +
+                      exact(sample.value[static_cast<std::size_t>(k)]) + ",";
+    if (known.reference) row += exact(known.reference(at, sample.time));
+    file_.append(row);
+  }
 }
 
 }  // namespace taut::cli

@@ -1,6 +1,7 @@
 #include "cli/run/labels.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "cli/text/format.hpp"
 #include "engine/families/catalogue.hpp"
@@ -73,6 +74,22 @@ RunLabels label_runs(const std::vector<SavedRun>& runs) {
       if (!all_say(remarks, remark)) texts.push_back(remark.text);
     labels.columns.push_back(heading_of(texts, runs[k]));
   }
+  return labels;
+}
+
+std::vector<std::string> time_labels(const std::vector<double>& times, double until) {
+  constexpr int most_decimals = 4;
+  const render::Scale scale = render::scale_for(until, "s");
+  int decimals = 0;
+  const auto exact_with = [&](double time) {
+    const double shift = std::pow(10.0, decimals);
+    return std::abs(std::round(time * scale.factor * shift) / shift - time * scale.factor) <
+           1e-9 * until * scale.factor;
+  };
+  while (decimals < most_decimals && !std::ranges::all_of(times, exact_with)) ++decimals;
+  std::vector<std::string> labels;
+  for (const double time : times)
+    labels.push_back("t = " + render::format_fixed(time * scale.factor, decimals) + " " + scale.unit);
   return labels;
 }
 

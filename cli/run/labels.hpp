@@ -17,4 +17,7 @@ struct RunLabels {
 
 RunLabels label_runs(const std::vector<SavedRun>& runs);
 
+/// "t = 1.5 ms": with as few decimals as tell all of the times exactly, in one unit.
+std::vector<std::string> time_labels(const std::vector<double>& times, double until);
+
 }  // namespace taut::cli

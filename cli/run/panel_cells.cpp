@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
-#include <nlohmann/json.hpp>
-
+#include "cli/run/record.hpp"
 #include "render/page/ticks.hpp"
 
 namespace taut::cli {
@@ -13,12 +11,9 @@ namespace {
 
 /// Why a run has no particles later than its last ones.
 std::string ending(const SavedRun& run, double until) {
-  std::ifstream file(run.folder.record());
-  const auto record = nlohmann::json::parse(file, nullptr, /*allow_exceptions=*/false);
-  const bool failed = record.is_object() && record.value("status", "") == "failed";
-  const double last = failed && record.contains("reached") && record["reached"].is_number()
-                          ? record["reached"].get<double>()
-                          : run.particles.back().time();
+  const std::optional<StoredRecord> record = read_record(run.folder.record());
+  const bool failed = record && record->status == RunRecord::Status::failed;
+  const double last = failed && record->reached ? *record->reached : run.particles.back().time();
   return (failed ? "diverged at " : "ended at ") + render::format_time(last, until);
 }
 
@@ -32,22 +27,6 @@ PanelCell cell_at(const SavedRun& run, double time, double until, const Field& f
   constexpr double noticeable = 0.002;  // of the whole time
   return {read_colored(*nearest, field, run.file.scene.dim),
           distance(*nearest) > noticeable * until ? render::format_time(nearest->time(), until) : ""};
-}
-
-std::vector<std::string> time_labels(const std::vector<double>& times, double until) {
-  constexpr int most_decimals = 4;
-  const render::Scale scale = render::scale_for(until, "s");
-  int decimals = 0;
-  const auto exact_with = [&](double time) {
-    const double shift = std::pow(10.0, decimals);
-    return std::abs(std::round(time * scale.factor * shift) / shift - time * scale.factor) <
-           1e-9 * until * scale.factor;
-  };
-  while (decimals < most_decimals && !std::ranges::all_of(times, exact_with)) ++decimals;
-  std::vector<std::string> labels;
-  for (const double time : times)
-    labels.push_back("t = " + render::format_fixed(time * scale.factor, decimals) + " " + scale.unit);
-  return labels;
 }
 
 }  // namespace taut::cli

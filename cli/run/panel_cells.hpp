@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "cli/run/saved_run.hpp"
 
@@ -17,8 +16,5 @@ struct PanelCell {
 /// The saved particles nearest to `time` (s), with a remark where they are of another time than that. `until`
 /// (s) gives the unit of all times of the panel.
 PanelCell cell_at(const SavedRun& run, double time, double until, const Field& field);
-
-/// "t = 1.5 ms": with as few decimals as tell all of the times exactly, in one unit.
-std::vector<std::string> time_labels(const std::vector<double>& times, double until);
 
 }  // namespace taut::cli

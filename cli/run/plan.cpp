@@ -19,23 +19,17 @@ namespace {
 
 constexpr int default_history_rows = 1000;
 
-Overrides overrides(const RunOptions& options) {
-  Overrides result;
-  for (const std::string& text : options.set) {
-    const std::size_t at = text.find('=');
-    result.set.emplace_back(text.substr(0, at), text.substr(at + 1));
-  }
-  result.method = options.method;
-  result.spacing = options.spacing;
-  result.until = options.until;
-  return result;
-}
-
-void check_method(const std::optional<std::string>& given) {
-  if (!given || find_method(*given)) return;
+/// Before anything is said about the scene, which reads differently with each method.
+void check_methods(const std::vector<Setting>& settings) {
   std::vector<std::string> names;
   for (const MethodInfo& m : methods()) names.emplace_back(m.name);
-  throw UsageError(unknown_name("method", *given, names));
+  for (const Setting& setting : settings)
+    if (setting.name == "method" && !find_method(setting.value))
+      throw UsageError(unknown_name("method", setting.value, names));
+}
+
+void put_first(std::vector<Setting>& settings, Setting setting) {
+  settings.insert(settings.begin(), std::move(setting));
 }
 
 int frame_count(const RunOptions& options, const SceneFile& file) {
@@ -57,6 +51,8 @@ double history_interval(const RunOptions& options, const SceneFile& file) {
   return interval;
 }
 
+}  // namespace
+
 std::vector<const Field*> particle_fields(const RunOptions& options) {
   std::vector<const Field*> chosen;
   if (options.save_particles && options.fields.empty())
@@ -67,18 +63,40 @@ std::vector<const Field*> particle_fields(const RunOptions& options) {
   return chosen;
 }
 
-}  // namespace
-
 void declare_setting_options(CLI::App& app, RunOptions& o) {
-  app.add_option("--method", o.method, "`taut list methods`; default: the scene's")->option_text("METHOD");
-  app.add_option("--set", o.set, "a parameter of the scene, or method.NAME: a constant of the method")
+  app.add_option_function<std::string>(
+         "--method",
+         [&o](const std::string& name) {
+           put_first(o.settings, {"method", name});
+         },
+         "`taut list methods`; default: the scene's")
+      ->option_text("METHOD");
+  app.add_option_function<std::vector<std::string>>(
+         "--set",
+         [&o](const std::vector<std::string>& assignments) {
+           for (const std::string& text : assignments) o.settings.push_back(parse_setting(text));
+         },
+         "a parameter of the scene, or method.NAME: a constant of the method")
       ->option_text("NAME=VALUE ...")
       ->allow_extra_args(false)
       ->check(assignment);
-  app.add_option("--spacing", o.spacing, "of the particles, m; rounded so that it divides the first body")
+  app.add_option_function<double>(
+         "--spacing",
+         [&o](double spacing) {
+           o.spacing = spacing;
+           put_first(o.settings, {"spacing", exact(spacing)});
+         },
+         "of the particles, m; rounded so that it divides the first body")
       ->option_text("DP")
       ->check(positive_number);
-  app.add_option("--until", o.until, "end of the run, s")->option_text("T")->check(positive_number);
+  app.add_option_function<double>(
+         "--until",
+         [&o](double until) {
+           put_first(o.settings, {"until", exact(until)});
+         },
+         "end of the run, s")
+      ->option_text("T")
+      ->check(positive_number);
 }
 
 void declare_output_options(CLI::App& app, RunOptions& o) {
@@ -109,8 +127,8 @@ void declare_particle_options(CLI::App& app, RunOptions& o) {
 }
 
 SceneFile scene_to_run(const RunOptions& options) {
-  check_method(options.method);
-  SceneFile file = read_scene(find_scene(options.scene), overrides(options));
+  check_methods(options.settings);
+  SceneFile file = read_scene(find_scene(options.scene), options.settings);
   file.settings.threads = options.threads;
   return file;
 }
@@ -122,13 +140,14 @@ RunPlan make_plan(const RunOptions& options) {
   file.drawing = with_options(file.drawing, options.drawing);
   file.drawing.frames = frame_count(options, file);
   file.history = history_interval(options, file);
+  plan.folder = RunFolder(options.out.value_or("out/" + file.scene.name + "-" + file.settings.method));
   plan.spacing_asked = options.spacing;
+  plan.checkpoint_every = options.checkpoint_every;
   if (!options.no_render) plan.drawing = file.drawing;
   plan.particle_fields = particle_fields(options);
   if (plan.drawing || !plan.particle_fields.empty())
     plan.frame_times = times_in_parts(file.scene.until, file.drawing.frames);
   plan.history_times = times_every(file.scene.until, *file.history);
-  plan.folder = RunFolder(options.out.value_or("out/" + file.scene.name + "-" + file.settings.method));
   plan.folder.check();
   return plan;
 }

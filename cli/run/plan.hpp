@@ -16,12 +16,14 @@ namespace taut::cli {
 /// The options of `taut run` as typed; what is left out stands in the scene.
 struct RunOptions {
   std::string scene;
-  std::optional<std::string> method, out;
-  std::vector<std::string> set;  // "name=value"
-  std::optional<double> spacing, until, every, history;
+  std::vector<Setting> settings;  // --method, --spacing, --until; behind them --set, which counts before them
+  std::optional<double> spacing;  // of --spacing, m
+  std::optional<std::string> out;
+  std::optional<double> every, history;
   std::optional<int> frames;
   DrawingOptions drawing;
-  int threads = 0;  // 0 = all cores
+  int threads = 0;                         // 0 = all cores
+  std::optional<double> checkpoint_every;  // s
   bool no_render = false;
   bool save_particles = false;
   std::vector<std::string> fields;  // of the particles saved; none = all
@@ -40,6 +42,9 @@ SceneFile scene_to_run(const RunOptions& options);
 
 /// Reads and checks all there is to check, without touching the run folder. Throws UsageError and SceneError.
 RunPlan make_plan(const RunOptions& options);
+
+/// The fields that are saved of particles; none: particles are not.
+std::vector<const Field*> particle_fields(const RunOptions& options);
 
 /// Throws UsageError, with the nearest names, for a verdict that does not exist or cannot be failed on.
 std::optional<Verdict> parse_verdict(const std::optional<std::string>& text);

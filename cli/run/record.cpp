@@ -1,8 +1,11 @@
 #include "cli/run/record.hpp"
 
 #include <cmath>
+#include <fstream>
 
 #include <nlohmann/json.hpp>
+
+#include "cli/system/atomic_file.hpp"
 
 namespace taut::cli {
 namespace {
@@ -25,6 +28,24 @@ std::string_view name(RunRecord::Status status) {
       return "failed";
   }
   return "";
+}
+
+std::optional<RunRecord::Status> find_status(std::string_view text) {
+  using enum RunRecord::Status;
+  for (const RunRecord::Status status : {running, finished, interrupted, failed})
+    if (name(status) == text) return status;
+  return std::nullopt;
+}
+
+/// "" where there is no such text.
+std::string text_in(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+std::optional<double> number_in(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number() ? std::optional(found->get<double>()) : std::nullopt;
 }
 
 Json parameters(const RunRecord& record) {
@@ -103,6 +124,31 @@ Json to_json(const RunRecord& record) {
                           {"energy", number(record.conservation.energy)}};
   json["measures"] = measures(record);
   return json;
+}
+
+std::optional<StoredRecord> read_record(const std::filesystem::path& file) {
+  Json all = Json::parse(read_whole(file).value_or(""), nullptr, /*allow_exceptions=*/false);
+  if (!all.is_object() || !all.contains("taut")) return std::nullopt;
+  StoredRecord record;
+  record.version = text_in(all, "taut");
+  record.status = find_status(text_in(all, "status"));
+  record.verdict = find_verdict(text_in(all, "verdict"));
+  record.reached = number_in(all, "reached");
+  record.until = number_in(all, "until");
+  record.spacing_asked = number_in(all, "spacing_asked");
+  record.all = std::make_shared<Json>(std::move(all));
+  return record;
+}
+
+std::string machine_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with("model name")) continue;
+    const std::size_t colon = line.find(':');
+    const std::size_t start = colon == std::string::npos ? colon : line.find_first_not_of(" \t", colon + 1);
+    if (start != std::string::npos) return line.substr(start);
+  }
+  return "unknown";
 }
 
 }  // namespace taut::cli

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,5 +51,22 @@ struct RunRecord {
 
 /// In the order of the keys as users read them; what is unknown or not finite is null.
 nlohmann::ordered_json to_json(const RunRecord& record);
+
+/// What the run.json of another run says. Of keys that are missing, or hold what this program does not write,
+/// nothing.
+struct StoredRecord {
+  std::string version;  // of taut; empty where it does not say
+  std::optional<RunRecord::Status> status;
+  std::optional<Verdict> verdict;
+  std::optional<double> reached, until;  // s
+  std::optional<double> spacing_asked;   // m
+  std::shared_ptr<const nlohmann::ordered_json> all;
+};
+
+/// None if there is no such file, it is not whole, or it is no record of taut.
+std::optional<StoredRecord> read_record(const std::filesystem::path& file);
+
+/// The processor that this program runs on, as it calls itself; "unknown" where it does not say.
+std::string machine_name();
 
 }  // namespace taut::cli

@@ -3,6 +3,8 @@
 #include <string>
 
 #include "cli/run/run.hpp"
+#include "engine/diagnostics/balance.hpp"
+#include "engine/error.hpp"
 
 namespace taut::cli {
 
@@ -12,5 +14,10 @@ std::string run_report(const RunPlan& plan, const RunResult& result);
 
 /// What a run tells the shell. `fail_on`: the mildest verdict that fails; without it only divergence does.
 int exit_code(const RunResult& result, const std::optional<Verdict>& fail_on = {});
+
+/// What the user is told of a run that ended in an error of the solver.
+std::string describe_divergence(const NumericalError& error);
+/// The same of a state that was judged to have diverged: its energy, and the particle to look at first.
+std::string describe_divergence(const Snapshot& now, const Balance& sums);
 
 }  // namespace taut::cli

@@ -1,10 +1,9 @@
 #include "cli/run/resume.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "cli/run/checkpoint.hpp"
-#include "cli/run/plan.hpp"
+#include "cli/run/record.hpp"
 #include "cli/system/atomic_file.hpp"
+#include "cli/text/format.hpp"
 #include "engine/error.hpp"
 
 namespace fs = std::filesystem;
@@ -12,28 +11,17 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-/// "finished", "failed", ...; empty where run.json does not say.
-std::string status_of(const RunFolder& folder) {
-  const auto record = nlohmann::json::parse(read_whole(folder.record()).value_or(""), nullptr,
-                                            /*allow_exceptions=*/false);
-  return record.is_object() ? record.value("status", "") : "";
-}
-
-void check_there_is_one(const RunFolder& folder) {
+/// Throws where nothing is left to do. `record` is that of the folder.
+void check_goes_on(const RunFolder& folder, const std::optional<StoredRecord>& record) {
   std::error_code error;
   const std::string name = '\'' + folder.path().string() + '\'';
-  if (!fs::exists(folder.scene(), error))
+  if (!fs::exists(folder.scene(), error) || !record)
     throw UsageError(name + " is not the folder of a run; `taut run` leaves one");
   if (fs::exists(folder.checkpoint(), error)) return;
-  const std::string status = status_of(folder);
-  if (status == "finished" || status == "failed")
-    throw UsageError("the run in " + name + (status == "failed" ? " has failed" : " is finished") +
+  const bool failed = record->status == RunRecord::Status::failed;
+  if (failed || record->status == RunRecord::Status::finished)
+    throw UsageError("the run in " + name + (failed ? " has failed" : " is finished") +
                      ": nothing is left to do");
-  throw UsageError(
-      name +
-      " holds no checkpoint: the run was started without --checkpoint-every, or ended before the "
-      "first; start it anew with\n  taut run " +
-      folder.scene().string() + " --checkpoint-every T --out " + folder.path().string());
 }
 
 void check_same_scene(const Checkpoint& checkpoint, const RunFolder& folder, const RunPlan& plan) {
@@ -46,24 +34,73 @@ void check_same_scene(const Checkpoint& checkpoint, const RunFolder& folder, con
                      ", or that was changed since");
 }
 
-}  // namespace
-
-RunPlan resume_plan(const fs::path& path, int threads) {
-  const RunFolder folder(path);
-  check_there_is_one(folder);
-  Checkpoint checkpoint = read_checkpoint(folder.checkpoint());
+/// As the run in the folder was started, as far as is known.
+RunOptions stored_options(const RunFolder& folder, const std::optional<Checkpoint>& checkpoint,
+                          const RunOptions& given) {
   RunOptions options;
   options.scene = folder.scene().string();
-  options.out = path.string();
-  options.threads = threads;
-  options.no_render = !checkpoint.draws;
-  options.save_particles = !checkpoint.fields.empty();
-  options.fields = checkpoint.fields;
-  RunPlan plan = make_plan(options);
-  check_same_scene(checkpoint, folder, plan);
-  plan.spacing_asked = checkpoint.spacing_asked;
-  plan.checkpoint_every = checkpoint.every;
-  plan.state = std::move(checkpoint.state);
+  options.out = folder.path().string();
+  options.threads = given.threads;
+  if (checkpoint) {
+    options.checkpoint_every = checkpoint->every;
+    options.no_render = !checkpoint->draws;
+    options.save_particles = !checkpoint->fields.empty();
+    options.fields = checkpoint->fields;
+  } else {
+    options.checkpoint_every = given.checkpoint_every;
+    options.no_render = given.no_render;
+    options.save_particles = given.save_particles;
+    options.fields = given.fields;
+  }
+  return options;
+}
+
+/// The first of the given options that makes another run than `plan`, which is that of `stored`; "" if none
+/// does.
+std::string what_differs(const RunOptions& given, const RunOptions& stored, const RunPlan& plan) {
+  std::error_code error;
+  if (given.out && !fs::equivalent(*given.out, plan.folder.path(), error)) return "--out " + *given.out;
+  if (given.no_render && plan.drawing) return "--no-render";
+  if (given.save_particles && particle_fields(given) != plan.particle_fields) return "--save-particles";
+  if (given.checkpoint_every && given.checkpoint_every != stored.checkpoint_every)
+    return "--checkpoint-every " + exact(*given.checkpoint_every);
+  const auto differs = [&](const auto& change) {
+    RunOptions options = stored;
+    change(options);
+    return make_plan(options).scene_text() != plan.scene_text();
+  };
+  for (const Setting& setting : given.settings)
+    if (differs([&](RunOptions& options) { options.settings = {setting}; })) return text_of(setting);
+  if (differs([&](RunOptions& options) { options.frames = given.frames, options.every = given.every; }))
+    return given.frames ? "--frames" : "--every";
+  if (differs([&](RunOptions& options) { options.history = given.history; })) return "--history";
+  if (differs([&](RunOptions& options) { options.drawing = given.drawing; }))
+    return "an option of the drawing";
+  const auto all_of_it = [&](RunOptions& options) {
+    options = given;
+    options.out = stored.out;
+  };
+  return !given.scene.empty() && differs(all_of_it) ? "SCENE '" + given.scene + "' with the options given"
+                                                    : "";
+}
+
+}  // namespace
+
+RunPlan resume_plan(const fs::path& path, const RunOptions& given) {
+  const RunFolder folder(path);
+  const std::optional<StoredRecord> record = read_record(folder.record());
+  check_goes_on(folder, record);
+  std::optional<Checkpoint> checkpoint;
+  if (std::error_code error; fs::exists(folder.checkpoint(), error))
+    checkpoint = read_checkpoint(folder.checkpoint());
+  const RunOptions stored = stored_options(folder, checkpoint, given);
+  RunPlan plan = make_plan(stored);
+  if (checkpoint) check_same_scene(*checkpoint, folder, plan);
+  if (const std::string other = what_differs(given, stored, plan); !other.empty())
+    throw UsageError("--resume goes on with the run in '" + path.string() + "' as it is: " + other +
+                     " makes another run; leave it out");
+  plan.spacing_asked = checkpoint ? checkpoint->spacing_asked : record->spacing_asked;
+  if (checkpoint && !checkpoint->state.empty()) plan.state = std::move(checkpoint->state);
   return plan;
 }
 

@@ -2,12 +2,14 @@
 
 #include <filesystem>
 
-#include "cli/run/run.hpp"
+#include "cli/run/plan.hpp"
 
 namespace taut::cli {
 
-/// The plan of the run in `folder`, to go on from its checkpoint as its scene.toml says. Throws UsageError,
-/// with the reason and the way out, where that cannot be done.
-RunPlan resume_plan(const std::filesystem::path& folder, int threads);
+/// The plan of the run in `folder`: to go on from its checkpoint, or from the start where it was stopped before
+/// the first. `given` are the options beside --resume: they must say what the folder says, but for the number
+/// of threads; where there is no checkpoint at all, they decide about frames, particles and checkpoints.
+/// Throws UsageError, with the reason and the way out, where that cannot be done.
+RunPlan resume_plan(const std::filesystem::path& folder, const RunOptions& given);
 
 }  // namespace taut::cli

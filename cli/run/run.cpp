@@ -7,18 +7,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/drawing/frames.hpp"
 #include "cli/run/checkpoint.hpp"
-#include "cli/run/divergence.hpp"
-#include "cli/run/history.hpp"
-#include "cli/run/lines_file.hpp"
-#include "cli/run/machine.hpp"
-#include "cli/run/pace.hpp"
-#include "cli/run/particle_series.hpp"
+#include "cli/run/outputs.hpp"
+#include "cli/run/report.hpp"
 #include "cli/run/schedule.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/text/format.hpp"
-#include "engine/core/archive.hpp"
 #include "engine/error.hpp"
 #include "engine/families/catalogue.hpp"
 
@@ -27,11 +21,11 @@ namespace {
 
 constexpr double record_interval = 5.0;  // s between two states of run.json while running
 
-/// Drives a simulation from one output time to the next and records what it shows.
+/// Drives a simulation from one output time to the next.
 class Run {
  public:
-  Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, LineRecorder lines,
-      const Interrupts& interrupts, Progress& progress, RunRecord record);
+  Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Interrupts& interrupts,
+      Progress& progress, RunRecord record);
   Run(const Run&) = delete;  // its parts refer to one another
   Run& operator=(const Run&) = delete;
 
@@ -39,65 +33,43 @@ class Run {
 
  private:
   void begin();
-  void open_files(AppendFile::Start start);
   void take_up(const std::string& state);
-  template <class Archive>
-  void serialize(Archive& archive);
+  void open_files(AppendFile::Start start);
   void save_checkpoint();
+  void write_checkpoint(std::string state) const;
   void plan_next_checkpoint();
   void simulate();
   void step_through();
-  RunRecord::Status how_it_ended() const;
+  double next_output() const;
+  void show_what_is_due(bool at_end);
   void advance(double target);
-  void look();
-  void sample_lines();
-  void take_verdict();
-  void show_what_is_due();
-  bool draw_the_rest();
+  bool complete();
+  RunRecord::Status how_it_ended() const;
   void save(RunRecord::Status status);
   void save_what_can_be_saved();
   std::string state_line() const;
 
   const RunPlan& plan_;
   std::unique_ptr<Simulation> simulation_;
-  LineRecorder lines_;
   const Interrupts& interrupts_;
   Progress& progress_;
   RunResult result_;
   RunRecord& record_ = result_.record;
-  Agenda frame_agenda_, history_agenda_;
-  Judge judge_;
-  IndicatorGauge gauge_;
-  ConservationWatch conservation_;
-  std::optional<History> history_;
-  std::optional<LineSamplesFile> lines_file_;  // of a scene with lines
-  std::optional<Frames> frames_;
-  std::optional<ParticleSeries> particles_;
+  std::vector<std::unique_ptr<RunOutput>> outputs_;
   Pace pace_;
   Stopwatch since_saved_;
   double next_checkpoint_ = std::numeric_limits<double>::infinity();  // s
 };
 
-Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, LineRecorder lines,
-         const Interrupts& interrupts, Progress& progress, RunRecord record)
+Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Interrupts& interrupts,
+         Progress& progress, RunRecord record)
     : plan_(plan),
       simulation_(std::move(simulation)),
-      lines_(std::move(lines)),
       interrupts_(interrupts),
       progress_(progress),
       result_{std::move(record), 0, ""},
-      frame_agenda_(plan.frame_times),
-      history_agenda_(plan.history_times),
-      judge_(plan.file.scene, simulation_->snapshot(), simulation_->support()),
-      gauge_(plan.file.scene, simulation_->snapshot()),
-      conservation_(plan.file.scene, simulation_->snapshot()),
-      pace_(record_.until) {
-  if (plan.drawing)
-    frames_.emplace(*plan.drawing, plan.folder.frames(),
-                    Captions{plan.file.scene.title, record_.method, record_.until}, record_.seconds.render,
-                    record_.seconds.write);
-  if (!plan.particle_fields.empty()) particles_.emplace(plan.particle_fields, plan.folder, record_.seconds);
-}
+      outputs_(make_outputs(plan, *simulation_, result_)),
+      pace_(record_.until) {}
 
 RunResult Run::execute() {
   if (!plan_.state) plan_.folder.claim(to_json(record_).dump(2) + "\n");
@@ -106,10 +78,10 @@ RunResult Run::execute() {
     simulate();
     const RunRecord::Status status = how_it_ended();
     save(status);  // the drawing of frames that were kept takes time, and may be interrupted as well
-    const bool all_drawn = draw_the_rest();
-    save(status == RunRecord::Status::finished && !all_drawn ? RunRecord::Status::interrupted : status);
+    const bool all_done = complete();
+    save(status == RunRecord::Status::finished && !all_done ? RunRecord::Status::interrupted : status);
     // a diverged run has come to its end as well
-    if (all_drawn && record_.status != RunRecord::Status::interrupted) plan_.folder.clear_checkpoint();
+    if (all_done && record_.status != RunRecord::Status::interrupted) plan_.folder.clear_checkpoint();
   } catch (const OutputError&) {
     save_what_can_be_saved();
     throw;
@@ -117,16 +89,13 @@ RunResult Run::execute() {
   return std::move(result_);
 }
 
+/// What it takes to begin once more comes first: the run may be killed at any moment.
 void Run::begin() {
-  write_atomically(plan_.folder.scene(), resolved_text(plan_.file));
+  write_atomically(plan_.folder.scene(), plan_.scene_text());
+  plan_.checkpoint_every ? write_checkpoint("") : plan_.folder.clear_checkpoint();
+  plan_.folder.clear();
   open_files(AppendFile::Start::empty);
   plan_next_checkpoint();
-}
-
-void Run::open_files(AppendFile::Start start) {
-  const Scene& scene = plan_.file.scene;
-  history_.emplace(plan_.folder.history(), scene, start);
-  if (!scene.lines.empty()) lines_file_.emplace(plan_.folder.lines(), scene, record_.material_law, start);
 }
 
 /// What the folder holds from after the checkpoint is taken back: it comes again.
@@ -135,27 +104,19 @@ void Run::take_up(const std::string& state) {
   open_files(AppendFile::Start::as_it_is);
   Loader loader(state);
   std::string simulation;
-  loader(simulation);
-  serialize(loader);
+  loader(simulation, record_.seconds);
+  for (const auto& output : outputs_) output->load(loader);
   loader.finish();
   simulation_->load(simulation);
   record_.seconds.setup += setup;
   record_.reached = simulation_->time();
   record_.steps = simulation_->steps();
-  take_verdict();
-  plan_.folder.keep(frames_ ? frames_->written() : 0, particles_ ? particles_->written() : 0);
   plan_next_checkpoint();
   save(RunRecord::Status::running);
 }
 
-/// All that changes as the run goes by, beside the simulation itself.
-template <class Archive>
-void Run::serialize(Archive& archive) {
-  archive(frame_agenda_, history_agenda_, judge_, conservation_, lines_, *history_, record_.indicator,
-          record_.seconds);
-  if (lines_file_) archive(*lines_file_);
-  if (frames_) archive(*frames_);
-  if (particles_) archive(*particles_);
+void Run::open_files(AppendFile::Start start) {
+  for (const auto& output : outputs_) output->open(start);
 }
 
 void Run::save_checkpoint() {
@@ -163,13 +124,18 @@ void Run::save_checkpoint() {
   const Timed timed(record_.seconds.write);
   Saver saver;
   std::string simulation = simulation_->save();
-  saver(simulation);
-  serialize(saver);
-  Checkpoint checkpoint{record_.method,          resolved_text(plan_.file), {},          plan_.spacing_asked,
-                        *plan_.checkpoint_every, plan_.drawing.has_value(), saver.take()};
-  for (const Field* field : plan_.particle_fields) checkpoint.fields.emplace_back(field->key);
-  write_checkpoint(plan_.folder.checkpoint(), std::move(checkpoint));
+  saver(simulation, record_.seconds);
+  for (const auto& output : outputs_) output->save(saver);
+  write_checkpoint(saver.take());
   plan_next_checkpoint();
+}
+
+void Run::write_checkpoint(std::string state) const {
+  Checkpoint checkpoint{record_.method,      plan_.scene_text(),      {},
+                        plan_.spacing_asked, *plan_.checkpoint_every, plan_.drawing.has_value(),
+                        std::move(state)};
+  for (const Field* field : plan_.particle_fields) checkpoint.fields.emplace_back(field->key);
+  cli::write_checkpoint(plan_.folder.checkpoint(), std::move(checkpoint));
 }
 
 void Run::plan_next_checkpoint() {
@@ -177,20 +143,6 @@ void Run::plan_next_checkpoint() {
   const double every = *plan_.checkpoint_every;
   next_checkpoint_ = std::fmax((std::floor(record_.reached / every) + 1) * every,
                                std::nextafter(record_.reached, record_.until));
-}
-
-RunRecord::Status Run::how_it_ended() const {
-  if (!result_.failure.empty()) return RunRecord::Status::failed;
-  return record_.reached >= record_.until ? RunRecord::Status::finished : RunRecord::Status::interrupted;
-}
-
-/// When some output could not be written, run.json can often still say so.
-void Run::save_what_can_be_saved() {
-  try {
-    save(RunRecord::Status::failed);
-  } catch (const OutputError&) {
-    // the first failure is the one to report
-  }
 }
 
 void Run::simulate() {
@@ -208,22 +160,30 @@ void Run::simulate() {
 void Run::step_through() {
   progress_.begin(plan_.file.scene.name + ", " + record_.method + ", " + std::to_string(record_.particles) +
                   " particles");
-  if (!plan_.state) {
-    look();
-    sample_lines();
-    show_what_is_due();
-  }
+  if (!plan_.state)
+    for (const auto& output : outputs_) output->take();
   for (bool going = result_.failure.empty(); going;) {
-    advance(std::min({frame_agenda_.next(), history_agenda_.next(), lines_.next(), record_.until}));
+    advance(std::min(next_output(), record_.until));
     going = record_.reached < record_.until && !interrupts_.asked();
-    // before the look at the end, which is one more than a run that goes on has
+    // before the row of history.csv at the end, which is one more than a run that goes on has
     if (interrupts_.asked()) save_checkpoint();
-    if (history_agenda_.next() <= record_.reached || !going) look();
-    if (!result_.failure.empty()) break;
-    sample_lines();
-    show_what_is_due();
+    show_what_is_due(!going);
+    going = going && result_.failure.empty();
   }
   progress_.end(state_line());
+}
+
+double Run::next_output() const {
+  double next = std::numeric_limits<double>::infinity();
+  for (const auto& output : outputs_) next = std::min(next, output->next());
+  return next;
+}
+
+void Run::show_what_is_due(bool at_end) {
+  for (const auto& output : outputs_) {
+    if (output->next() <= record_.reached || (at_end && output->shows_the_end())) output->take();
+    if (!result_.failure.empty()) return;
+  }
 }
 
 /// In slices, so that an interrupt is seen soon: a stop in between does not change the steps.
@@ -242,64 +202,31 @@ void Run::advance(double target) {
   }
 }
 
-/// The state at hand goes into the history and before the judge.
-void Run::look() {
-  const Timed timed(record_.seconds.write);
-  history_agenda_.reached(record_.reached);
-  const Snapshot& now = simulation_->snapshot();
-  const Balance sums = balance(now, plan_.file.scene);
-  const Readings readings = gauge_(now);
-  judge_.observe(now, sums, readings);
-  conservation_.follow(sums);
-  history_->add(*simulation_, sums, judge_.pieces(), readings);
-  for (std::size_t k = 0; k < readings.size(); ++k) record_.indicator[k].take(readings[k], now.time);
-  take_verdict();
-  if (record_.verdict == Verdict::diverged) result_.failure = describe_divergence(now, sums);
-}
-
-void Run::take_verdict() {
-  record_.pieces = judge_.pieces();
-  record_.verdict = judge_.verdict();
-  record_.since = judge_.since();
-}
-
-void Run::sample_lines() {
-  const Timed timed(record_.seconds.write);
-  lines_.sample(simulation_->snapshot());
-  if (lines_file_) lines_file_->add(lines_.samples());
-}
-
-void Run::show_what_is_due() {
-  // several frames may show one step, where they are asked for closer together than the steps are
-  for (int due = frame_agenda_.reached(record_.reached); due > 0; --due) {
-    if (frames_) frames_->add(simulation_->snapshot());
-    if (particles_) particles_->add(simulation_->snapshot());
-  }
+RunRecord::Status Run::how_it_ended() const {
+  if (!result_.failure.empty()) return RunRecord::Status::failed;
+  return record_.reached >= record_.until ? RunRecord::Status::finished : RunRecord::Status::interrupted;
 }
 
 /// False if it was interrupted.
-bool Run::draw_the_rest() {
-  if (!frames_ || frames_->kept() == 0) return true;
-  const int count = frames_->kept();
-  const bool asked_before = interrupts_.asked();  // what there is of an interrupted run is drawn all the same
-  progress_.begin("drawing " + std::to_string(count) + " frames");
-  const bool all = frames_->draw_kept([&](int drawn) {
-    progress_.show(static_cast<double>(drawn) / count, "frame " + std::to_string(drawn + 1));
-    return asked_before || !interrupts_.asked();
-  });
-  progress_.end(std::to_string(frames_->written()) + " frames");
-  return all;
+bool Run::complete() {
+  return std::ranges::all_of(outputs_,
+                             [&](const auto& output) { return output->complete(interrupts_, progress_); });
 }
 
 void Run::save(RunRecord::Status status) {
   since_saved_ = {};
   record_.status = status;
-  record_.conservation = conservation_.so_far();
-  record_.measures = measure(plan_.file.scene, simulation_->series(), record_.material_law, lines_.samples(),
-                             &simulation_->snapshot());
-  if (frames_) result_.frames = frames_->written();
-  if (particles_) particles_->save_index();
+  for (const auto& output : outputs_) output->tell();
   write_atomically(plan_.folder.record(), to_json(record_).dump(2) + "\n");
+}
+
+/// When some output could not be written, run.json can often still say so.
+void Run::save_what_can_be_saved() {
+  try {
+    save(RunRecord::Status::failed);
+  } catch (const OutputError&) {
+    // the first failure is the one to report
+  }
 }
 
 std::string Run::state_line() const {
@@ -307,12 +234,6 @@ std::string Run::state_line() const {
   if (const auto speed = record_.particle_steps_per_second())
     text += ", " + with_prefix(*speed) + " particle-steps/s";
   return text;
-}
-
-LineRecorder start_lines(const SceneFile& file, const Simulation& simulation) try {
-  return {file.scene, simulation.snapshot(), simulation.support()};
-} catch (const SceneError& e) {
-  throw locate(file, e);
 }
 
 RunRecord new_record(const RunPlan& plan, const Simulation& simulation) {
@@ -355,9 +276,7 @@ RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress&
   std::unique_ptr<Simulation> simulation = start(plan.file);
   RunRecord record = new_record(plan, *simulation);
   record.seconds.setup = setup_seconds + watch.seconds();
-  LineRecorder lines = start_lines(plan.file, *simulation);
-  return Run(plan, std::move(simulation), std::move(lines), interrupts, progress, std::move(record))
-      .execute();
+  return Run(plan, std::move(simulation), interrupts, progress, std::move(record)).execute();
 }
 
 }  // namespace taut::cli

@@ -25,6 +25,9 @@ struct RunPlan {
   RunFolder folder{"."};
   std::optional<double> checkpoint_every;  // s of the simulation; none: no checkpoints
   std::optional<std::string> state;        // of the run in the folder, to go on with; none: from the start
+
+  /// Of scene.toml.
+  std::string scene_text() const { return resolved_text(file, folder.path()); }
 };
 
 /// The simulation of a scene file; an error about the scene gets its place in the file.

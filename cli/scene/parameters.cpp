@@ -10,6 +10,17 @@ namespace taut::cli {
 namespace {
 
 constexpr std::string_view constant_prefix = "method.";
+
+/// What can be set in every scene.
+struct Target {
+  const char* name;
+  std::optional<std::string> Changes::*change;
+};
+constexpr Target targets[] = {
+    {"method", &Changes::method}, {"spacing", &Changes::spacing},   {"until", &Changes::until},
+    {"cfl", &Changes::cfl},       {"stepping", &Changes::stepping}, {"contact", &Changes::contact},
+    {"law", &Changes::law}};
+
 // what a scene's own expressions and --set give a meaning to
 const std::vector<std::string> reserved_names = {
     "dp", "pi", "x",      "y",       "z",     "t",   "c0",       "E",       "nu",       "rho",
@@ -25,7 +36,7 @@ bool within_bounds(const Parameter& parameter, double value) {
   return !(parameter.low && value < *parameter.low) && !(parameter.high && value > *parameter.high);
 }
 
-/// `names` and `defaults` are the values so far, with and without overrides.
+/// `names` and `defaults` are the values so far, with and without settings.
 Parameter read_parameter(TomlCursor& entry, const std::string& name, const Changes& changes,
                          const Names& names, const Names& defaults) {
   Parameter parameter;
@@ -83,30 +94,23 @@ void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string
                    join(reserved_names) + " and the names of functions");
 }
 
-Changes by_target(const Overrides& overrides) {
+Setting parse_setting(const std::string& assignment) {
+  const std::size_t at = assignment.find('=');
+  return {assignment.substr(0, at), assignment.substr(at + 1)};
+}
+
+std::string text_of(const Setting& setting) { return setting.name + "=" + setting.value; }
+
+Changes by_target(const std::vector<Setting>& settings) {
   Changes changes;
-  changes.method = overrides.method;
-  if (overrides.spacing) changes.spacing = exact(*overrides.spacing);
-  if (overrides.until) changes.until = exact(*overrides.until);
-  for (const auto& [name, text] : overrides.set) {
-    if (name == "method")
-      changes.method = text;
-    else if (name == "stepping")
-      changes.stepping = text;
-    else if (name == "contact")
-      changes.contact = text;
-    else if (name == "law")
-      changes.law = text;
-    else if (name == "cfl")
-      changes.cfl = text;
-    else if (name == "spacing")
-      changes.spacing = text;
-    else if (name == "until")
-      changes.until = text;
+  for (const auto& [name, value, place] : settings) {
+    const auto* target = std::ranges::find(targets, name, &Target::name);
+    if (target != std::end(targets))
+      changes.*(target->change) = value;
     else if (name.starts_with(constant_prefix))
-      changes.constants[name.substr(constant_prefix.size())] = text;
+      changes.constants[name.substr(constant_prefix.size())] = value;
     else
-      changes.parameters[name] = text;
+      changes.parameters[name] = value;
   }
   return changes;
 }
@@ -115,8 +119,7 @@ std::vector<std::string> names_to_set(const SceneFile& file) {
   std::vector<std::string> names = names_of(file.parameters);
   for (const MethodConstant& constant : find_method(file.settings.method)->constants)
     names.push_back(std::string(constant_prefix) + std::string(constant.name));
-  for (const char* reserved : {"method", "spacing", "until", "cfl", "stepping", "contact", "law"})
-    names.emplace_back(reserved);
+  for (const Target& target : targets) names.emplace_back(target.name);
   return names;
 }
 

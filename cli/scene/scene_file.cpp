@@ -136,11 +136,11 @@ class SceneReading {
 
 }  // namespace
 
-SceneFile read_scene(const std::filesystem::path& path, const Overrides& overrides) {
+SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings) {
   TomlSource source;
   source.file = path.string();
   const TomlValue tree = parse_toml(file_text(path), source.file);
-  const Changes changes = by_target(overrides);
+  const Changes changes = by_target(settings);
   constexpr int most_rounds = 10;
   double dp = asked_spacing(tree, changes, source);
   for (int round = 0; round < most_rounds; ++round) {
@@ -166,10 +166,11 @@ SceneError locate(const SceneFile& scene, const SceneError& error) {
   return {scene.path.string(), place.line, place.column, error.key, error.what()};
 }
 
-std::string resolved_text(const SceneFile& scene) {
+std::string resolved_text(const SceneFile& scene, const std::filesystem::path& folder) {
   TomlValue tree = scene.tree;
   if (scene.history) tree.set("history", TomlValue(*scene.history));
   tree.set("render", drawing_table(scene.drawing));
+  see_tables_from(folder, tree);
   return print_toml(tree);
 }
 

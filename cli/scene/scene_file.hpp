@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "cli/drawing/drawing.hpp"
@@ -23,18 +22,20 @@ struct Parameter {
   std::string unit;  // shown to the user; no conversion is made
   std::string help;
   std::optional<double> low, high;  // bounds, both included
-  double default_value = 0;         // the value without overrides
+  double default_value = 0;         // the value without settings
 };
 
-/// What the command line changes about a scene file; everything else stands in the file. A name of `set` is a
-/// parameter, "method.CONSTANT" or one of method, spacing, until, cfl, stepping, contact, law; the last one
-/// of a name counts, before `method`, `spacing` and `until`. A value is a number or an expression of the
-/// parameters before it.
-struct Overrides {
-  std::vector<std::pair<std::string, std::string>> set;  // "--set name=value", in order, value as typed
-  std::optional<std::string> method;
-  std::optional<double> spacing, until;
+/// One thing that is changed about a scene file, whose other values stand: what `--set name=value` says. The
+/// name is a parameter, "method.CONSTANT" or one of method, spacing, until, cfl, stepping, contact, law; the
+/// value is a number, an expression of the parameters before it, or a name.
+struct Setting {
+  std::string name, value;
+  FilePlace place = {};  // in a sweep file; unknown for the command line
 };
+/// Of "name=value".
+Setting parse_setting(const std::string& assignment);
+/// "name=value"
+std::string text_of(const Setting& setting);
 
 /// A scene file as read: the engine's scene and what only the program needs.
 struct SceneFile {
@@ -48,8 +49,9 @@ struct SceneFile {
   std::map<std::string, FilePlace> places;  // by dotted path: "spacing", "body.left.velocity"
 };
 
-/// Throws SceneError (with file, line, column) for the file, UsageError for the overrides.
-SceneFile read_scene(const std::filesystem::path& path, const Overrides& overrides = {});
+/// Of several settings of one name the last one counts. Throws SceneError (with file, line, column) for the
+/// file, UsageError for the settings.
+SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings = {});
 /// The names that --set and --grid take in this scene with its method.
 std::vector<std::string> names_to_set(const SceneFile& scene);
 /// The texts that a name of these takes: of methods, contact laws, ways of stepping; none: it takes numbers.
@@ -57,7 +59,7 @@ std::vector<std::string> texts_to_set(std::string_view name);
 /// `error`, thrown by the engine for this scene, with the file and the place of its key.
 SceneError locate(const SceneFile& scene, const SceneError& error);
 /// The scene as run, in TOML, every default written out, history and drawing as they stand in `scene` now;
-/// reading it gives the same scene.
-std::string resolved_text(const SceneFile& scene);
+/// reading it from `folder` gives the same scene.
+std::string resolved_text(const SceneFile& scene, const std::filesystem::path& folder);
 
 }  // namespace taut::cli

@@ -14,19 +14,19 @@
 #include "engine/scene/scene.hpp"
 
 /// The parts of a scene file, each read by a function of its own: it takes the cursor of the whole file and
-/// writes what it finds into the scene, and defaults and overrides into the file's table.
+/// writes what it finds into the scene, and defaults and settings into the file's table.
 namespace taut::cli {
 
-/// Overrides by what they change, as typed; the last one of a name counts.
+/// Settings by what they change.
 struct Changes {
   std::optional<std::string> method, stepping, contact, law, cfl, spacing, until;
   std::map<std::string, std::string> parameters;
   std::map<std::string, std::string> constants;  // of the method
 };
-Changes by_target(const Overrides& overrides);
+Changes by_target(const std::vector<Setting>& settings);
 /// Throws UsageError for what is neither a parameter nor a constant of the method.
 void check_names(const Changes& changes, const SceneFile& file);
-/// The value of an override; throws UsageError where it is not a finite number.
+/// The value of a setting; throws UsageError where it is not a finite number.
 double changed_number(std::string_view name, const std::string& text, const Names& names);
 /// The same, greater than 0.
 double changed_positive(std::string_view name, const std::string& text, const Names& names);
@@ -46,6 +46,8 @@ void read_probes(TomlCursor& root, Scene& scene);
 void read_lines(TomlCursor& root, Scene& scene);
 void read_measures(TomlCursor& root, Scene& scene);
 void read_references(TomlCursor& root, SceneFile& file);
+/// The paths of tables, as they are seen from `folder`.
+void see_tables_from(const std::filesystem::path& folder, TomlValue& scene);
 void read_drawing(TomlCursor& root, Drawing& drawing);
 /// The drawing as a table of its own.
 TomlValue drawing_table(const Drawing& drawing);

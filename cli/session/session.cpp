@@ -5,8 +5,8 @@
 
 #include "cli/drawing/frames.hpp"
 #include "cli/run/checkpoint.hpp"
-#include "cli/run/pace.hpp"
 #include "cli/run/run.hpp"
+#include "cli/run/schedule.hpp"
 #include "cli/system/stopwatch.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
@@ -58,15 +58,14 @@ void Session::run_until(double t, const Interrupts& interrupts, Progress& progre
   progress.clear();
 }
 
-void Session::set(const std::string& assignment) {
+void Session::set(const Setting& setting) {
   RunOptions options = options_;
-  options.set.push_back(assignment);
+  options.settings.push_back(setting);
   SceneFile file = scene_to_run(options);  // refuses names that there are not, and values out of bounds
-  const std::string name = assignment.substr(0, assignment.find('='));
-  if (const std::string reason = reason_against(name, file_); !reason.empty())
-    throw UsageError("'" + name + "' cannot change any more: " + reason +
+  if (const std::string reason = reason_against(setting.name, file_); !reason.empty())
+    throw UsageError("'" + setting.name + "' cannot change any more: " + reason +
                      "; cfl and other constants of the method can. Start another session with --set " +
-                     assignment);
+                     text_of(setting));
   std::unique_ptr<Simulation> simulation = start(file);
   simulation->load(simulation_->save());
   simulation_ = std::move(simulation);
@@ -109,7 +108,7 @@ render::Image Session::picture(const Drawing& drawing) const {
 void Session::save(const std::filesystem::path& file) const {
   Checkpoint checkpoint;
   checkpoint.method = file_.settings.method;
-  checkpoint.scene = resolved_text(file_);
+  checkpoint.scene = resolved_text(file_, file_.path.parent_path());
   checkpoint.state = simulation_->save();
   write_checkpoint(file, std::move(checkpoint));
 }
@@ -119,7 +118,7 @@ void Session::load(const std::filesystem::path& path) {
   if (checkpoint.method != file_.settings.method)
     throw UsageError("'" + path.string() + "' is of method '" + checkpoint.method + "'; this session has '" +
                      file_.settings.method + "'");
-  if (checkpoint.scene != resolved_text(file_))
+  if (checkpoint.scene != resolved_text(file_, file_.path.parent_path()))
     throw UsageError("'" + path.string() + "' is of another scene, or of other parameters or constants");
   std::unique_ptr<Simulation> simulation = start(file_);
   simulation->load(checkpoint.state);

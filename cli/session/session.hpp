@@ -28,9 +28,9 @@ class Session {
   void step(long count, const Interrupts& interrupts);
   void run_until(double t, const Interrupts& interrupts, Progress& progress);
 
-  /// `name=value` of what may change while a simulation runs: the step size (cfl) and the method's constants
+  /// What may change while a simulation runs: the step size (cfl) and the method's constants
   /// that no geometry of the start was made from.
-  void set(const std::string& assignment);
+  void set(const Setting& setting);
   /// The names that `set` takes.
   std::vector<std::string> names_to_change() const;
 

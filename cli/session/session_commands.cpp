@@ -129,7 +129,7 @@ void probe(Session& session, const Words& words, const Dialogue& to) {
 
 void set(Session& session, const Words& words, const Dialogue&) {
   if (words.size() != 1 || words[0].find('=') == std::string::npos) wrong_words("set");
-  session.set(words[0]);
+  session.set(parse_setting(words[0]));
 }
 
 void save(Session& session, const Words& words, const Dialogue& to) {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/system/atomic_file.hpp"
-#include "cli/system/made_file.hpp"
+#include "cli/system/external_program.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {

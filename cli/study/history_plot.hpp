@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/scene/file_place.hpp"
 #include "cli/study/gnuplot.hpp"
 #include "cli/study/stored_results.hpp"
 
@@ -10,6 +11,7 @@ namespace taut::cli {
 
 struct HistoryColumn {
   std::string name, label;  // "tip", "tip, m"
+  FilePlace place = {};     // in a study
 };
 
 /// Columns of the history.csv of all runs of one sweep, over time.

@@ -63,7 +63,7 @@ StudyPictures read_pictures(TomlCursor& root) {
   if (TomlValue* history = root.find("history")) {
     TomlCursor section = root.enter(*history, "history", "[history]");
     for (const TomlEntry& entry : history->entries)
-      pictures.history.push_back({entry.key, section.text_of(entry.value, entry.key)});
+      pictures.history.push_back({entry.key, section.text_of(entry.value, entry.key), entry.place});
     if (pictures.history.empty())
       root.fail(*history, "history", "[history] is empty; it needs a line COLUMN = \"label, unit\"");
   }
@@ -71,11 +71,14 @@ StudyPictures read_pictures(TomlCursor& root) {
 }
 
 void check_pictures(const StudyPictures& pictures, const std::filesystem::path& file,
-                    const std::vector<std::string>& measures, const std::vector<std::string>& swept) {
+                    const std::vector<std::string>& measures, const std::vector<std::string>& swept,
+                    const std::vector<std::string>& history_columns) {
   for (const StudyPictures::Charted& chart : pictures.charts)
     check_name(file, "measure of the scene", chart.request.measure, chart.place, measures);
   if (pictures.map)
     check_name(file, "swept parameter", pictures.map->request.parameter, pictures.map->place, swept);
+  for (const HistoryColumn& column : pictures.history)
+    check_name(file, "column of history.csv", column.name, column.place, history_columns);
 }
 
 int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& folder, Streams streams) {

@@ -41,10 +41,11 @@ struct StudyPictures {
 /// The sections of a study as they stand. Throws SceneError.
 StudyPictures read_pictures(TomlCursor& root);
 
-/// Throws SceneError, before anything runs, for a measure that the scene has not and a parameter that is not
-/// swept.
+/// Throws SceneError, before anything runs, for a measure that the scene has not, a parameter that is not
+/// swept and a column that history.csv will not have.
 void check_pictures(const StudyPictures& pictures, const std::filesystem::path& file,
-                    const std::vector<std::string>& measures, const std::vector<std::string>& swept);
+                    const std::vector<std::string>& measures, const std::vector<std::string>& swept,
+                    const std::vector<std::string>& history_columns);
 
 /// Draws them from results.csv in `folder`, into `folder`. Gives the exit code. Throws UsageError,
 /// OutputError.

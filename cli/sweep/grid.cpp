@@ -91,7 +91,7 @@ bool is_plain(char c) {
 
 std::string joined(const GridRow& row, std::string_view between) {
   std::vector<std::string> parts;
-  for (const Setting& s : row) parts.push_back(s.name + "=" + s.value);
+  for (const Setting& s : row) parts.push_back(text_of(s));
   return join(parts, between);
 }
 

@@ -3,15 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/scene/toml_tree.hpp"
+#include "cli/scene/scene_file.hpp"
 
 namespace taut::cli {
-
-/// One name and the value that a run of a sweep gives it: what `--set name=value` takes.
-struct Setting {
-  std::string name, value;
-  FilePlace place;  // in a sweep file; unknown for the command line
-};
 
 /// What one run of a sweep sets.
 using GridRow = std::vector<Setting>;

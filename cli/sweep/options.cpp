@@ -23,13 +23,6 @@ bool draws(const SweepOptions& o) {
   return o.render || times_of_frames || o.run.drawing.any();
 }
 
-bool fixed_by_command(const RunOptions& run, const std::string& name) {
-  if (name == "method") return run.method.has_value();
-  if (name == "spacing") return run.spacing.has_value();
-  if (name == "until") return run.until.has_value();
-  return std::ranges::any_of(run.set, [&](const std::string& s) { return s.starts_with(name + "="); });
-}
-
 SweepRequest request_of_scene(const SweepOptions& o) {
   const fs::path scene = find_scene(o.what);
   if (is_sweep_file(scene))
@@ -52,7 +45,9 @@ SweepRequest request_of_file(const SweepOptions& o) {
   request.base = o.run;
   request.base.scene = file.scene;
   // the command line is stronger
-  std::erase_if(file.set, [&](const Setting& s) { return fixed_by_command(o.run, s.name); });
+  std::erase_if(file.set, [&](const Setting& s) {
+    return std::ranges::find(o.run.settings, s.name, &Setting::name) != o.run.settings.end();
+  });
   request.set = std::move(file.set);
   request.rows = std::move(file.rows);
   request.pictures = std::move(file.pictures);

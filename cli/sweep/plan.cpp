@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "cli/run/history.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "engine/error.hpp"
 #include "engine/simulation.hpp"
@@ -13,17 +14,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_in(const nlohmann::ordered_json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
 /// The options of one run, `without` one of its settings.
 RunOptions options_of(const SweepRequest& request, const GridRow& row, const Setting* without = nullptr) {
   RunOptions options = request.base;
   for (const GridRow* settings : {&request.set, &row})
     for (const Setting& s : *settings)
-      if (&s != without) options.set.push_back(s.name + "=" + s.value);
+      if (&s != without) options.settings.push_back(s);
   options.out = (request.folder / folder_name(row)).string();
   return options;
 }
@@ -72,12 +68,8 @@ double work_of(const SceneFile& file) {
 /// Refuses a name that has one value for all runs and others for each.
 void check_base(const SweepRequest& request) {
   std::set<std::string> fixed;
-  for (const std::string& assignment : request.base.set)
-    fixed.insert(assignment.substr(0, assignment.find('=')));
-  for (const Setting& s : request.set) fixed.insert(s.name);
-  if (request.base.method) fixed.insert("method");
-  if (request.base.spacing) fixed.insert("spacing");
-  if (request.base.until) fixed.insert("until");
+  for (const std::vector<Setting>* settings : {&request.base.settings, &request.set})
+    for (const Setting& s : *settings) fixed.insert(s.name);
   for (const GridRow& row : request.rows)
     for (const Setting& s : row)
       if (fixed.contains(s.name))
@@ -99,7 +91,7 @@ void check_study(const SweepRequest& request, const std::vector<Swept>& swept, c
   std::vector<std::string> measures, names;
   for (const Measure& measure : scene.measures) measures.push_back(measure.name);
   for (const Swept& s : swept) names.push_back(s.name);
-  check_pictures(request.pictures, request.file, measures, names);
+  check_pictures(request.pictures, request.file, measures, names, history_columns(scene));
 }
 
 std::vector<Swept> swept_names(const std::vector<GridRow>& rows, const SceneFile& file) {
@@ -138,18 +130,18 @@ void SweepRun::forget() {
   record = nullptr;
 }
 
-void SweepRun::look() {
+void SweepRun::read_folder() {
+  using Status = RunRecord::Status;
   forget();
   const RunFolder files(*options.out);
-  auto found = nlohmann::ordered_json::parse(read_whole(files.record()).value_or(""), nullptr,
-                                             /*allow_exceptions=*/false);
-  if (!found.is_object()) return;
-  const std::string status = text_in(found, "status");
-  const bool same = text_in(found, "taut") == TAUT_VERSION && read_whole(files.scene()) == scene;
+  const std::optional<StoredRecord> found = read_record(files.record());
+  if (!found) return;
+  const bool same = found->version == TAUT_VERSION && read_whole(files.scene()) == scene;
+  const bool failed = found->status == Status::failed;
   // a run that failed without diverging could not write its files
-  const bool ended = status == "finished" || (status == "failed" && text_in(found, "verdict") == "diverged");
+  const bool ended = found->status == Status::finished || (failed && found->verdict == Verdict::diverged);
   std::error_code error;
-  const bool drawn = last_frame < 0 || status == "failed" || fs::exists(files.frame(last_frame), error);
+  const bool drawn = last_frame < 0 || failed || fs::exists(files.frame(last_frame), error);
   const bool saved = !options.save_particles || fs::exists(files.particle_index(), error);
   if (!same) {
     state = ended ? RunState::outdated : RunState::interrupted;
@@ -158,7 +150,7 @@ void SweepRun::look() {
   } else {
     state = RunState::interrupted;
   }
-  if (state == RunState::done || (same && status == "interrupted")) record = std::move(found);
+  if (state == RunState::done || (same && found->status == Status::interrupted)) record = *found->all;
 }
 
 SweepPlan plan_sweep(const SweepRequest& request) {
@@ -179,24 +171,25 @@ SweepPlan plan_sweep(const SweepRequest& request) {
     run.folder = folder_name(row);
     run.options = options_of(request, row);
     try {
-      const SceneFile file = make_plan(run.options).file;
+      const RunPlan planned = make_plan(run.options);
+      const SceneFile& file = planned.file;
       // whether a method can run the scene at all takes particles to tell
       if (combinations.emplace(file.settings.method, file.scene.contact).second) check_particles(file);
-      run.scene = resolved_text(file);
+      run.scene = planned.scene_text();
       run.last_frame = run.options.no_render ? -1 : file.drawing.frames;
       run.work = work_of(file);
       if (plan.runs.empty()) {
         plan.scene = file.scene.name;
         plan.swept = swept_names(request.rows, file);
-        check_study(request, plan.swept, file.scene);
       }
+      check_study(request, plan.swept, file.scene);
     } catch (const SceneError& error) {
       throw SceneError(error.file, error.line, error.column, error.key,
                        error.what() + (" (in the run " + text_of(row) + ")"));
     } catch (const UsageError& error) {
       report(request, row, error.what());
     }
-    run.look();
+    run.read_folder();
     plan.runs.push_back(std::move(run));
   }
   if (plan.title.empty()) plan.title = plan.scene;

@@ -36,7 +36,7 @@ struct SweepRun {
   nlohmann::ordered_json record;  // run.json of a run that is done or was interrupted; else null
 
   /// Reads state and record from the run folder.
-  void look();
+  void read_folder();
   /// As if its folder were empty.
   void forget();
 };

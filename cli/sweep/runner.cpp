@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <csignal>
 #include <cstring>
-#include <fstream>
 #include <iostream>
 #include <poll.h>
 
@@ -37,10 +36,9 @@ std::string last_line(std::string text) {
 
 /// How far a run is, from what it notes in its run.json.
 double share_done(const SweepRun& run) {
-  std::ifstream file(RunFolder(*run.options.out).record());
-  const auto record = nlohmann::json::parse(file, nullptr, /*allow_exceptions=*/false);
-  if (!record.is_object() || record.value("status", "") != "running") return 0;
-  return std::clamp(record.value("reached", 0.0) / record.value("until", 1.0), 0.0, 1.0);
+  const std::optional<StoredRecord> record = read_record(RunFolder(*run.options.out).record());
+  if (!record || record->status != RunRecord::Status::running || !record->reached || !record->until) return 0;
+  return std::clamp(*record->reached / *record->until, 0.0, 1.0);
 }
 
 /// A bug is graver than a full disk, and that than a wrong input.
@@ -99,7 +97,7 @@ void SweepRunner::finish(Job& job) {
   const ChildProcess::End end = job.process->wait();
   job.process.reset();
   SweepRun& run = *job.run;
-  run.look();
+  run.read_folder();
   // asked to stop, it has either done so in good order or not yet begun
   const bool stopped = passed_on_ && (end.code == exit_interrupted || end.signal == SIGTERM);
   if (run.state != RunState::done && !stopped) {

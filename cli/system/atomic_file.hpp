@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace taut::cli {
 
@@ -37,5 +38,9 @@ class AppendFile {
   int descriptor_ = -1;
   std::int64_t length_ = 0;
 };
+
+/// Makes a folder of copies of `files`, or puts them in place of all that is in it. Others see the folder
+/// either in its old or in its new state, never half. Throws OutputError and leaves the old state.
+void write_whole_folder(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
 }  // namespace taut::cli

@@ -21,4 +21,20 @@ struct ProcessResult {
 ProcessResult run_process(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
                           const Interrupts& interrupts);
 
+/// Another program that makes a file.
+struct Maker {
+  std::string name;     // in PATH
+  std::string purpose;  // "movies"
+  std::string package;  // of Debian
+};
+
+/// "a/movie.mp4" → "a/movie.part.mp4": programs take the format from the extension.
+std::filesystem::path unfinished(const std::filesystem::path& file);
+
+/// Runs `maker` in `folder` with arguments that make it write unfinished(file), which gets its name when it
+/// is whole. Gives the exit code: fine or interrupted. Throws OutputError when the program is not installed
+/// or fails; then there is no such file.
+int make_file(const Maker& maker, const std::vector<std::string>& arguments,
+              const std::filesystem::path& folder, const std::filesystem::path& file);
+
 }  // namespace taut::cli

@@ -17,9 +17,7 @@ using namespace taut;
 using namespace taut::cli;
 
 void run_method(benchmark::State& state, const std::string& method, Stepping stepping) {
-  Overrides overrides;
-  overrides.method = method;
-  const SceneFile file = read_scene(find_scene("colliding-rings"), overrides);
+  const SceneFile file = read_scene(find_scene("colliding-rings"), {{"method", method}});
   Settings settings = file.settings;
   settings.threads = static_cast<int>(state.range(0));
   settings.stepping = stepping;

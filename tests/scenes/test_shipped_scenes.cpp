@@ -8,6 +8,7 @@
 
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/shipped.hpp"
+#include "cli/text/format.hpp"
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/lines.hpp"
 #include "engine/diagnostics/measures.hpp"
@@ -29,13 +30,11 @@ struct Outcome {
 };
 
 Outcome run(const std::string& name, const std::string& method, double spacing,
-            std::optional<double> until = {}, std::vector<std::pair<std::string, std::string>> set = {}) {
-  Overrides overrides;
-  overrides.set = std::move(set);
-  overrides.method = method;
-  overrides.spacing = spacing;
-  overrides.until = until;
-  SceneFile file = read_scene(find_scene(name), overrides);
+            std::optional<double> until = {}, std::vector<Setting> settings = {}) {
+  settings.push_back({"method", method});
+  settings.push_back({"spacing", exact(spacing)});
+  if (until) settings.push_back({"until", exact(*until)});
+  SceneFile file = read_scene(find_scene(name), settings);
   file.settings.threads = 1;
   const auto simulation = make_simulation(file.scene, file.settings);
   Outcome outcome;
@@ -96,10 +95,8 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE("heterogeneous cable: the stress of d-ulsph-r-tic follows the rod theory through the interface") {
-    Overrides overrides;
-    overrides.method = "d-ulsph-r-tic";
-    overrides.spacing = 0.0096;
-    SceneFile file = read_scene(find_scene("heterogeneous-cable"), overrides);
+    SceneFile file =
+        read_scene(find_scene("heterogeneous-cable"), {{"method", "d-ulsph-r-tic"}, {"spacing", "0.0096"}});
     file.settings.threads = 1;
     const auto simulation = make_simulation(file.scene, file.settings);
     LineRecorder lines(file.scene, simulation->snapshot(), simulation->support());

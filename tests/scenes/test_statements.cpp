@@ -7,6 +7,7 @@
 
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/shipped.hpp"
+#include "cli/text/format.hpp"
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/indicators.hpp"
 #include "engine/diagnostics/verdict.hpp"
@@ -119,16 +120,9 @@ const std::vector<Statement> statements = {
 };
 
 Verdict verdict_of(const Statement& statement) {
-  Overrides overrides;
-  overrides.method = statement.method;
-  overrides.until = statement.until;
-  for (const auto& [name, value] : statement.set) {
-    if (name == "spacing")
-      overrides.spacing = std::stod(value);
-    else
-      overrides.set.emplace_back(name, value);
-  }
-  SceneFile file = read_scene(find_scene(statement.scene), overrides);
+  std::vector<Setting> settings{{"method", statement.method}, {"until", exact(statement.until)}};
+  for (const auto& [name, value] : statement.set) settings.push_back({name, value});
+  SceneFile file = read_scene(find_scene(statement.scene), settings);
   file.settings.threads = 1;
   const auto simulation = make_simulation(file.scene, file.settings);
   Judge judge(file.scene, simulation->snapshot(), simulation->support());

@@ -9,6 +9,7 @@
 
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/shipped.hpp"
+#include "cli/text/format.hpp"
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/measures.hpp"
 #include "engine/diagnostics/verdict.hpp"
@@ -38,12 +39,10 @@ struct Rest {
 };
 
 SceneFile scene(const std::string& name, const std::string& method, double spacing,
-                std::vector<std::pair<std::string, std::string>> set = {}) {
-  Overrides overrides;
-  overrides.set = std::move(set);
-  overrides.method = method;
-  overrides.spacing = spacing;
-  SceneFile file = read_scene(find_scene(name), overrides);
+                std::vector<Setting> settings = {}) {
+  settings.push_back({"method", method});
+  settings.push_back({"spacing", exact(spacing)});
+  SceneFile file = read_scene(find_scene(name), settings);
   file.settings.threads = 1;
   return file;
 }

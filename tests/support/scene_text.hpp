@@ -35,8 +35,8 @@ inline std::filesystem::path write_scene(std::string_view text) {
   return path;
 }
 
-inline SceneFile read_text(std::string_view text, const Overrides& overrides = {}) {
-  return read_scene(write_scene(text), overrides);
+inline SceneFile read_text(std::string_view text, const std::vector<Setting>& settings = {}) {
+  return read_scene(write_scene(text), settings);
 }
 
 inline std::string replaced(std::string text, std::string_view old_part, std::string_view new_part) {

@@ -70,7 +70,7 @@ while [ "$killed" -lt "$kills" ]; do
     sleep "0.$(printf %03d $((RANDOM % 400)))"
     if kill -9 $! 2> /dev/null; then killed=$((killed + 1)); fi
     wait $! 2> /dev/null || true
-    # killed before its first checkpoint: once more from the start
+    # killed before it had begun: once more; before its first checkpoint, --resume begins it anew
     [ -e out/checkpoint.bin ] && again=(--resume out --threads 1 --quiet)
     has_ended && break
   done

@@ -1,5 +1,6 @@
 #include <csignal>
 #include <cstdlib>
+#include <map>
 #include <random>
 #include <set>
 
@@ -32,7 +33,8 @@ Arguments resume(const TemporaryFolder& folder, const std::string& out, const Ar
 
 std::set<std::string> files_below(const fs::path& folder) {
   std::set<std::string> names;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
+  std::error_code none;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, none))
     if (entry.is_regular_file()) names.insert(fs::relative(entry.path(), folder).string());
   return names;
 }
@@ -74,10 +76,10 @@ void leave_interrupted(const TemporaryFolder& folder, const Arguments& more = {}
   REQUIRE(child.exit_code() == 130);
 }
 
-void check_refused(const TemporaryFolder& folder, const std::string& reason) {
+void check_refused(const TemporaryFolder& folder, const std::string& reason, const Arguments& more = {}) {
   const auto before = files_below(folder / "out");
   const std::string history = text_of(folder / "out/history.csv");
-  const Outcome outcome = call(resume(folder, "out"));
+  const Outcome outcome = call(resume(folder, "out", more));
   CAPTURE(outcome.err);
   CHECK(outcome.code == 2);
   CHECK(contains(outcome.err, reason));
@@ -149,14 +151,32 @@ TEST_SUITE("restart") {
     CHECK(contains(call(resume(folder, "with")).err, "has failed"));
   }
 
-  TEST_CASE("a folder without a checkpoint is refused with the way out") {
+  TEST_CASE("a run that was stopped before its first checkpoint begins anew, to the same bytes") {
     const TemporaryFolder folder;
-    CHECK(call(resume(folder, "out")).code == 2);
-    ChildProgram child(tiny_run(folder, "out", {"--until", "1000", "--frames", "1"}));
-    ChildProgram::wait_for(folder / "out/frames/frame_00000.png");
-    child.send(SIGINT);
-    REQUIRE(child.exit_code() == 130);
-    check_refused(folder, "--checkpoint-every T --out " + folder.str("out"));
+    const Arguments all = long_run + Arguments{"--no-render", "--spacing", "0.0021"};
+    REQUIRE(call(tiny_run(folder, "straight", all)).code == 0);
+    const auto some = fs::file_size(folder / "straight/history.csv") / 10;
+    // one that was to have checkpoints knows how it was started; of the other nothing says that it has no frames
+    const Arguments later{"--checkpoint-every", "1"};
+    REQUIRE(run_and_kill(tiny_run(folder, "out", all + later), folder / "out/history.csv", some));
+    REQUIRE(run_and_kill(tiny_run(folder, "bare", all), folder / "bare/history.csv", some));
+    const std::map<std::string, Arguments> given{{"out", {}}, {"bare", {"--no-render"}}};
+    for (const auto& [name, more] : given) {
+      const Outcome outcome = call(resume(folder, name, more));
+      CAPTURE(outcome.err);
+      CHECK(outcome.code == 0);
+      CHECK(contains(outcome.err, "begins anew"));
+      check_same_run(folder / "straight", folder / name);
+    }
+  }
+
+  TEST_CASE("what is no run is not begun") {
+    const TemporaryFolder folder;
+    check_refused(folder, "is not the folder of a run");
+    fs::create_directories(folder / "out");
+    check_refused(folder, "is not the folder of a run");
+    fs::copy_file(write_tiny_scene(folder), folder / "out/scene.toml");
+    check_refused(folder, "is not the folder of a run");
   }
 
   TEST_CASE("a checkpoint that is damaged, cut short, of another version, method or scene is refused") {
@@ -207,20 +227,33 @@ TEST_SUITE("restart") {
     }
   }
 
-  TEST_CASE("options that the folder answers are refused beside --resume") {
+  TEST_CASE("options beside --resume must say what the folder says") {
     const TemporaryFolder folder;
-    for (const Arguments& more : {Arguments{"--method", "og"},
-                                  {"--until", "1"},
-                                  {"--set", "speed=3"},
-                                  {"--out", "x"},
-                                  {"--no-render"},
-                                  {"--checkpoint-every", "1"},
-                                  {write_tiny_scene(folder)}}) {
-      const Outcome outcome = call(resume(folder, "out", more));
-      CAPTURE(outcome.err);
-      CHECK(outcome.code == 2);
-      CHECK(contains(outcome.err, "cannot be given with it"));
-    }
+    const Arguments all =
+        long_run + Arguments{"--save-particles", "--fields", "pressure", "--spacing", "0.0021"};
+    REQUIRE(call(tiny_run(folder, "straight", all)).code == 0);
+    const auto some = fs::file_size(folder / "straight/history.csv") / 3;
+    REQUIRE(run_and_kill(tiny_run(folder, "out", all + with_checkpoints), folder / "out/history.csv", some));
+    const std::map<Arguments, std::string> others{{{"--method", "og"}, "method=og"},
+                                                  {{"--until", "1"}, "until=1"},
+                                                  {{"--set", "speed=3"}, "speed=3"},
+                                                  {{"--out", "x"}, "--out x"},
+                                                  {{"--no-render"}, "--no-render"},
+                                                  {{"--save-particles"}, "--save-particles"},
+                                                  {{"--frames", "3"}, "--frames"},
+                                                  {{"--every", "1"}, "--every"},
+                                                  {{"--history", "1"}, "--history"},
+                                                  {{"--color", "pressure"}, "an option of the drawing"},
+                                                  {{"--checkpoint-every", "1"}, "--checkpoint-every 1"},
+                                                  {{write_tiny_scene(folder)}, "SCENE"}};
+    for (const auto& [more, name] : others) check_refused(folder, ": " + name, more);
+    const Arguments as_started = tiny_run(folder, "out", all + with_checkpoints);
+    const Arguments words(as_started.begin() + 1, as_started.end());
+    CHECK(call(Arguments{"run", "--resume", folder.str("out")} + words).code == 0);
+    check_same_run(folder / "straight", folder / "out");
+  }
+
+  TEST_CASE("a run needs a scene or a folder") {
     const Outcome outcome = call({"run"});
     CHECK(outcome.code == 2);
     CHECK(contains(outcome.err, "SCENE is required"));

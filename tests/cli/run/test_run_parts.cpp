@@ -4,7 +4,7 @@
 
 #include "cli/drawing/bounds.hpp"
 #include "cli/run/history.hpp"
-#include "cli/run/pace.hpp"
+#include "cli/run/record.hpp"
 #include "cli/run/schedule.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/text/format.hpp"
@@ -101,6 +101,27 @@ TEST_SUITE("unit") {
       history.add(simulation, {}, 1, {});
     }
     CHECK(lines_of(folder / "history.csv").size() == 3);
+  }
+
+  TEST_CASE("of a run.json nothing is taken but what a run writes") {
+    const TemporaryFolder folder;
+    const auto read = [&](const std::string& text) {
+      write_atomically(folder / "run.json", text);
+      return read_record(folder / "run.json");
+    };
+    CHECK_FALSE(read_record(folder / "run.json"));
+    for (const char* text : {"", "[1]", "{}", "{\"taut\": \"0.1.0\"", "{\"status\": \"finished\"}"})
+      CHECK_FALSE(read(text));
+    const auto record =
+        read(R"({"taut": "0.1.0", "status": 3, "verdict": "torn", "reached": "far", "until": 0.5})");
+    REQUIRE(record);
+    CHECK(record->version == "0.1.0");
+    CHECK_FALSE(record->status);
+    CHECK_FALSE(record->verdict);
+    CHECK_FALSE(record->reached);
+    CHECK(record->until == 0.5);
+    CHECK(read(R"({"taut": "0.1.0", "status": "failed"})")->status == RunRecord::Status::failed);
+    CHECK(read(R"({"taut": "0.1.0", "verdict": "diverged"})")->verdict == Verdict::diverged);
   }
 
   TEST_CASE("a file is written whole or not at all") {

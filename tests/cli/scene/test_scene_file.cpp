@@ -17,14 +17,14 @@ using doctest::Approx;
 
 namespace {
 
-SceneFile shipped(const std::string& name, const Overrides& overrides = {}) {
-  return read_scene(std::filesystem::path(TAUT_SOURCE_DIR) / "scenes" / (name + ".toml"), overrides);
+SceneFile shipped(const std::string& name, const std::vector<Setting>& settings = {}) {
+  return read_scene(std::filesystem::path(TAUT_SOURCE_DIR) / "scenes" / (name + ".toml"), settings);
 }
 
-Overrides set(std::vector<std::pair<std::string, std::string>> values) {
-  Overrides overrides;
-  overrides.set = std::move(values);
-  return overrides;
+std::vector<Setting> set(const std::vector<std::pair<std::string, std::string>>& values) {
+  std::vector<Setting> settings;
+  for (const auto& [name, value] : values) settings.push_back({name, value});
+  return settings;
 }
 
 std::size_t particles(const Scene& scene) {
@@ -118,8 +118,8 @@ TEST_SUITE("unit") {
     const std::string text =
         replaced(rmse, "values = { peak = 3 }",
                  "let = { a = \"2*v0\", b = \"a + 1\" }\nsolutions = { peak = \"b*t + x\" }");
-    const auto peak = [&](const std::string& scene, const Overrides& overrides = {}) {
-      return read_text(scene, overrides)
+    const auto peak = [&](const std::string& scene, const std::vector<Setting>& settings = {}) {
+      return read_text(scene, settings)
           .scene.references.at("neo_hookean")
           .solution.at("peak")
           .at(0)({5, 0, 0}, 10);

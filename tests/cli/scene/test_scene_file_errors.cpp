@@ -11,10 +11,10 @@ using namespace taut::test;
 
 namespace {
 
-/// The message of the UsageError that these overrides must give.
-std::string usage_error(const Overrides& overrides) {
+/// The message of the UsageError that these settings must give.
+std::string usage_error(const std::vector<Setting>& settings) {
   try {
-    read_text(small_scene, overrides);
+    read_text(small_scene, settings);
   } catch (const UsageError& error) {
     return error.what();
   }
@@ -23,9 +23,7 @@ std::string usage_error(const Overrides& overrides) {
 }
 
 std::string set_error(const std::string& name, const std::string& value) {
-  Overrides overrides;
-  overrides.set = {{name, value}};
-  return usage_error(overrides);
+  return usage_error({{name, value}});
 }
 
 bool says(const std::string& message, const char* part) {
@@ -321,12 +319,8 @@ TEST_SUITE("cli") {
     CHECK(says(set_error("spacing", "0"), "spacing = 0 must be greater than 0"));
     CHECK(says(set_error("until", "-1"), "until = -1 must be greater than 0"));
     CHECK(says(set_error("cfl", "v0 - 1"), "cfl = v0 - 1 must be greater than 0"));
-    Overrides overrides;
-    overrides.method = "enogg";
-    CHECK(says(usage_error(overrides), "did you mean 'enog'"));
-    overrides = {};
-    overrides.until = 0;
-    CHECK(says(usage_error(overrides), "until = 0 must be greater than 0"));
+    CHECK(says(usage_error({{"method", "enogg"}}), "did you mean 'enog'"));
+    CHECK(says(usage_error({{"until", "0"}}), "until = 0 must be greater than 0"));
   }
 
   TEST_CASE("files that are no scenes") {

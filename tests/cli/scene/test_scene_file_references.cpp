@@ -21,10 +21,7 @@ std::string reference(const std::string& name, const std::string& keys) {
 }
 
 std::string chosen(const std::string& text, const std::string& method, const std::string& v0) {
-  Overrides overrides;
-  overrides.method = method;
-  overrides.set = {{"v0", v0}};
-  const auto references = read_text(text, overrides).scene.references;
+  const auto references = read_text(text, {{"method", method}, {"v0", v0}}).scene.references;
   return references.contains("neo_hookean") ? references.at("neo_hookean").name : "none";
 }
 

@@ -166,7 +166,8 @@ TEST_SUITE("cli") {
     REQUIRE(file.scene.walls.size() == 1);
     CHECK(file.scene.walls[0].normal == Point{0, 1, 0});
     CHECK(file.scene.walls[0].at == Point{0, -1, 0});
-    CHECK(resolved_text(read_text(resolved_text(file))) == resolved_text(file));
+    CHECK(resolved_text(read_text(resolved_text(file, scratch_folder())), scratch_folder()) ==
+          resolved_text(file, scratch_folder()));
     const auto error_of = [&](const std::string& keys) -> std::string {
       try {
         read_text(with_wall(keys));
@@ -199,12 +200,12 @@ TEST_SUITE("cli") {
     CHECK(read_text(with_law("tl", "")).settings.law == "neo-hookean");
     const SceneFile file = read_text(with_law("tl", "\nlaw = \"linear\""));
     CHECK(file.settings.law == "linear");
-    CHECK(read_text(resolved_text(file)).settings.law == "linear");
+    CHECK(read_text(resolved_text(file, scratch_folder())).settings.law == "linear");
     const auto changed = [&](const char* law, const char* method) {
-      Overrides overrides;
-      if (law) overrides.set = {{"law", law}};
-      if (method) overrides.method = method;
-      return read_text(resolved_text(file), overrides).settings.law;
+      std::vector<Setting> settings;
+      if (law) settings.push_back({"law", law});
+      if (method) settings.push_back({"method", method});
+      return read_text(resolved_text(file, scratch_folder()), settings).settings.law;
     };
     CHECK(changed("st-venant-kirchhoff", nullptr) == "st-venant-kirchhoff");
     CHECK(changed(nullptr, "icb").empty());  // the law belongs to the method of the file

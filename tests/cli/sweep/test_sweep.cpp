@@ -82,6 +82,37 @@ TEST_SUITE("cli") {
     CHECK(sweep({"--set", "pull=1", "--force"}).at("speed=2") > other.at("speed=2"));
   }
 
+  TEST_CASE("a sweep that is moved with its scene and its references has nothing to do") {
+    const TemporaryFolder folder;
+    fs::create_directories(folder / "here/tables");
+    std::ofstream(folder / "here/tables/gap.csv") << "t,gap\n0,0.002\n0.002,0\n";
+    std::ofstream(folder / "here/discs.toml") << text_of(write_tiny_scene(folder)) << R"(
+[[measure]]
+name = "gap_rmse"
+of = "rmse"
+probe = "gap"
+unit = "m"
+[[reference]]
+law = "2d_deviator"
+name = "made up"
+tables = { gap_rmse = { file = "tables/gap.csv", column = "gap" } }
+)";
+    const auto sweep = [&](const std::string& place) {
+      const Outcome outcome = program({"sweep", folder.str(place + "/discs.toml"), "--grid", "speed=1,2",
+                                       "--out", folder.str(place + "/out"), "--quiet"});
+      CAPTURE(outcome.err);
+      REQUIRE(outcome.code == 0);
+      return ends(folder / (place + "/out"));
+    };
+    const auto before = sweep("here");
+    CHECK(before.size() == 2);
+    fs::rename(folder / "here", folder / "there");
+    CHECK(sweep("there") == before);
+    const Texts again{"run", folder.str("there/out/speed=1/scene.toml"), "--out", folder.str("again"),
+                      "--quiet"};
+    CHECK(call(again).code == 0);
+  }
+
   TEST_CASE("a larger grid in the same folder adds what is new") {
     const TemporaryFolder folder;
     REQUIRE(program(tiny_sweep(folder, "out", {"--grid", "speed=1,3"})).code == 0);

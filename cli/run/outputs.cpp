@@ -1,0 +1,220 @@
+#include "cli/run/outputs.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <type_traits>
+
+#include "cli/drawing/frames.hpp"
+#include "cli/run/history.hpp"
+#include "cli/run/particle_file.hpp"
+#include "cli/run/report.hpp"
+#include "cli/run/schedule.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+/// Saves and loads what `Kind` lists in `serialize`.
+template <class Kind>
+class OutputOf : public RunOutput {
+ public:
+  void save(Saver& saver) final { saver(static_cast<Kind&>(*this)); }
+  void load(Loader& loader) final { loader(static_cast<Kind&>(*this)); }
+};
+
+/// history.csv; and what its rows say of the run: indicators, drift, verdict.
+class HistoryOutput final : public OutputOf<HistoryOutput> {
+ public:
+  HistoryOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)
+      : scene_(plan.file.scene),
+        path_(plan.folder.history()),
+        simulation_(simulation),
+        result_(result),
+        agenda_(plan.history_times),
+        judge_(scene_, simulation.snapshot(), simulation.support()),
+        gauge_(scene_, simulation.snapshot()),
+        conservation_(scene_, simulation.snapshot()) {}
+
+  void open(AppendFile::Start start) override { history_.emplace(path_, scene_, start); }
+  double next() const override { return agenda_.next(); }
+  bool shows_the_end() const override { return true; }
+
+  void take() override {
+    const Timed timed(result_.record.seconds.write);
+    const Snapshot& now = simulation_.snapshot();
+    agenda_.reached(now.time);
+    const Balance sums = balance(now, scene_);
+    const Readings readings = gauge_(now);
+    judge_.observe(now, sums, readings);
+    conservation_.follow(sums);
+    history_->add(simulation_, sums, judge_.pieces(), readings);
+    for (std::size_t k = 0; k < readings.size(); ++k) result_.record.indicator[k].take(readings[k], now.time);
+    take_verdict();
+    if (judge_.verdict() == Verdict::diverged) result_.failure = describe_divergence(now, sums);
+  }
+
+  void tell() override { result_.record.conservation = conservation_.so_far(); }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(agenda_, judge_, conservation_, *history_, result_.record.indicator);
+    if constexpr (std::is_same_v<Archive, Loader>) take_verdict();
+  }
+
+ private:
+  void take_verdict() {
+    result_.record.pieces = judge_.pieces();
+    result_.record.verdict = judge_.verdict();
+    result_.record.since = judge_.since();
+  }
+
+  const Scene& scene_;
+  std::filesystem::path path_;
+  const Simulation& simulation_;
+  RunResult& result_;
+  Agenda agenda_;
+  Judge judge_;
+  IndicatorGauge gauge_;
+  ConservationWatch conservation_;
+  std::optional<History> history_;
+};
+
+LineRecorder start_lines(const SceneFile& file, const Simulation& simulation) try {
+  return {file.scene, simulation.snapshot(), simulation.support()};
+} catch (const SceneError& e) {
+  throw locate(file, e);
+}
+
+/// The measures, and lines.csv of a scene with lines, which are measured too.
+class MeasuresOutput final : public OutputOf<MeasuresOutput> {
+ public:
+  MeasuresOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)
+      : scene_(plan.file.scene),
+        path_(plan.folder.lines()),
+        simulation_(simulation),
+        result_(result),
+        lines_(start_lines(plan.file, simulation)) {}
+
+  void open(AppendFile::Start start) override {
+    if (!scene_.lines.empty()) file_.emplace(path_, scene_, result_.record.material_law, start);
+  }
+  double next() const override { return lines_.next(); }
+
+  void take() override {
+    const Timed timed(result_.record.seconds.write);
+    lines_.sample(simulation_.snapshot());
+    if (file_) file_->add(lines_.samples());
+  }
+
+  void tell() override {
+    result_.record.measures = measure(scene_, simulation_.series(), result_.record.material_law,
+                                      lines_.samples(), &simulation_.snapshot());
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(lines_);
+    if (file_) archive(*file_);
+  }
+
+ private:
+  const Scene& scene_;
+  std::filesystem::path path_;
+  const Simulation& simulation_;
+  RunResult& result_;
+  LineRecorder lines_;
+  std::optional<LineSamplesFile> file_;
+};
+
+/// The pictures.
+class FramesOutput final : public OutputOf<FramesOutput> {
+ public:
+  FramesOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)
+      : folder_(plan.folder),
+        simulation_(simulation),
+        result_(result),
+        agenda_(plan.frame_times),
+        frames_(*plan.drawing, plan.folder.frames(),
+                {plan.file.scene.title, result.record.method, result.record.until},
+                result.record.seconds.render, result.record.seconds.write) {}
+
+  double next() const override { return agenda_.next(); }
+
+  void take() override {
+    // several frames may show one step, where they are asked for closer together than the steps are
+    for (int due = agenda_.reached(simulation_.time()); due > 0; --due) frames_.add(simulation_.snapshot());
+  }
+
+  void tell() override { result_.frames = frames_.written(); }
+
+  bool complete(const Interrupts& interrupts, Progress& progress) override {
+    const int count = frames_.kept();
+    if (count == 0) return true;
+    // what there is of an interrupted run is drawn all the same
+    const bool asked_before = interrupts.asked();
+    progress.begin("drawing " + std::to_string(count) + " frames");
+    const bool all = frames_.draw_kept([&](int drawn) {
+      progress.show(static_cast<double>(drawn) / count, "frame " + std::to_string(drawn + 1));
+      return asked_before || !interrupts.asked();
+    });
+    progress.end(std::to_string(frames_.written()) + " frames");
+    return all;
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(agenda_, frames_);
+    if constexpr (std::is_same_v<Archive, Loader>) folder_.keep_frames(frames_.written());
+  }
+
+ private:
+  const RunFolder& folder_;
+  const Simulation& simulation_;
+  RunResult& result_;
+  Agenda agenda_;
+  Frames frames_;
+};
+
+/// particles/, at the times of the frames.
+class ParticlesOutput final : public OutputOf<ParticlesOutput> {
+ public:
+  ParticlesOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)
+      : folder_(plan.folder),
+        simulation_(simulation),
+        agenda_(plan.frame_times),
+        series_(plan.particle_fields, plan.folder, result.record.seconds) {}
+
+  double next() const override { return agenda_.next(); }
+  void take() override {
+    for (int due = agenda_.reached(simulation_.time()); due > 0; --due) series_.add(simulation_.snapshot());
+  }
+  void tell() override { series_.save_index(); }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(agenda_, series_);
+    if constexpr (std::is_same_v<Archive, Loader>) folder_.keep_particle_files(series_.written());
+  }
+
+ private:
+  const RunFolder& folder_;
+  const Simulation& simulation_;
+  Agenda agenda_;
+  ParticleSeries series_;
+};
+
+}  // namespace
+
+std::vector<std::unique_ptr<RunOutput>> make_outputs(const RunPlan& plan, const Simulation& simulation,
+                                                     RunResult& result) {
+  std::vector<std::unique_ptr<RunOutput>> all;
+  // history.csv comes first: what has diverged is not shown
+  all.push_back(std::make_unique<HistoryOutput>(plan, simulation, result));
+  all.push_back(std::make_unique<MeasuresOutput>(plan, simulation, result));
+  if (plan.drawing) all.push_back(std::make_unique<FramesOutput>(plan, simulation, result));
+  if (!plan.particle_fields.empty())
+    all.push_back(std::make_unique<ParticlesOutput>(plan, simulation, result));
+  return all;
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "cli/run/run.hpp"
+#include "cli/system/atomic_file.hpp"
+#include "engine/core/archive.hpp"
+
+namespace taut::cli {
+
+/// Something that a run shows of itself on its way. The steps of the run do not depend on it.
+class RunOutput {
+ public:
+  virtual ~RunOutput() = default;
+  RunOutput() = default;
+  RunOutput(const RunOutput&) = delete;
+  RunOutput& operator=(const RunOutput&) = delete;
+
+  /// Its file; the folder belongs to the run by now. Throws OutputError, as all that writes does.
+  virtual void open(AppendFile::Start) {}
+  /// The next time that it shows, s; infinity when there is none.
+  virtual double next() const = 0;
+  /// Whether it shows the end of a run too, at whatever time that is.
+  virtual bool shows_the_end() const { return false; }
+  /// Shows the state at hand, the first one past `next`. What it finds out goes into the run's result.
+  virtual void take() = 0;
+  /// Brings the result up to date, before run.json is written.
+  virtual void tell() {}
+  /// Does what was put off until the run has ended. False if it was interrupted.
+  virtual bool complete(const Interrupts&, Progress&) { return true; }
+
+  /// All that changes as the run goes by. Loading takes back what the folder holds from after the saving.
+  virtual void save(Saver& saver) = 0;
+  virtual void load(Loader& loader) = 0;
+};
+
+/// All outputs of a run, in the order in which they take a state. `result` is theirs to write to; nothing
+/// touches the folder yet. Throws SceneError for a line that leaves its body.
+std::vector<std::unique_ptr<RunOutput>> make_outputs(const RunPlan& plan, const Simulation& simulation,
+                                                     RunResult& result);
+
+}  // namespace taut::cli
