@@ -13,6 +13,11 @@ struct Impulse {
   Point angular{};  // about the origin, N m s; in 2D only the last component
 };
 
+/// The components of a stress, Pa. In 2D xz and yz are 0.
+struct StressTensor {
+  double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+};
+
 /// The particles at one time, in the order of their creation, whatever order the solver keeps them in.
 struct Snapshot {
   int dim = 2;
@@ -37,16 +42,47 @@ struct Snapshot {
   std::vector<unsigned char> held;
 
   std::size_t size() const { return m.size(); }
-  Point initial(std::size_t i) const { return vector_of(x0, i); }  // position at the start, m
-  Point position(std::size_t i) const { return vector_of(x, i); }  // m
-  Point velocity(std::size_t i) const { return vector_of(v, i); }  // m/s
+
+  Point initial(std::size_t i) const { return point(x0, i); }  // m
+  Point position(std::size_t i) const { return point(x, i); }  // m
+  Point velocity(std::size_t i) const { return point(v, i); }  // m/s
+  StressTensor deviator(std::size_t i) const {                 // Pa
+    if (const double* c = &s[i * stored(dim)]; dim == 3)
+      return {c[0], c[3], c[5], c[1], c[2], c[4]};
+    else
+      return {c[0], c[2], c[3], c[1], 0, 0};
+  }
+  /// σ = s − p I, Pa
+  StressTensor stress(std::size_t i) const {
+    StressTensor sigma = deviator(i);
+    for (double* normal : {&sigma.xx, &sigma.yy, &sigma.zz}) *normal -= p[i];
+    return sigma;
+  }
+
+  /// Room for the fields of n particles but `strain_energy`.
+  void resize(int dimensions, std::size_t n) {
+    dim = dimensions;
+    const auto d = static_cast<std::size_t>(dim);
+    for (std::vector<double>* field : {&x0, &x, &v}) field->resize(n * d);
+    for (std::vector<double>* field : {&m, &rho, &p, &diameter}) field->resize(n);
+    s.resize(n * stored(dim));
+    body.resize(n), material.resize(n), held.resize(n);
+  }
+  void set_deviator(std::size_t i, const StressTensor& t) {
+    double* c = &s[i * stored(dim)];
+    if (dim == 3)
+      c[0] = t.xx, c[1] = t.xy, c[2] = t.xz, c[3] = t.yy, c[4] = t.yz, c[5] = t.zz;
+    else
+      c[0] = t.xx, c[1] = t.xy, c[2] = t.yy, c[3] = t.zz;
+  }
 
  private:
-  Point vector_of(const std::vector<double>& rows, std::size_t i) const {
-    const auto components = static_cast<std::size_t>(dim);
-    Point vector{};
-    for (std::size_t a = 0; a < components; ++a) vector[a] = rows[components * i + a];
-    return vector;
+  static std::size_t stored(int dim) { return dim == 3 ? 6 : 4; }  // components of s
+  Point point(const std::vector<double>& of, std::size_t i) const {
+    const auto d = static_cast<std::size_t>(dim);
+    Point value{};
+    for (std::size_t k = 0; k < d; ++k) value[k] = of[i * d + k];
+    return value;
   }
 };
 

@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
+#include "engine/families/catalogue.hpp"
 
 namespace taut::cli {
 namespace {
@@ -17,6 +20,21 @@ void read_bulk_modulus(TomlCursor& cursor, Material& material) {
   material.given_bulk_modulus = cursor.positive(key);
 }
 
+/// The numbers of the laws that have some beside K and G: none need be given.
+void read_law_parameters(TomlCursor& cursor, Material& material) {
+  for (const LawRow& law : laws()) {
+    for (const LawParameter& parameter : law.parameters) {
+      if (!cursor.find(parameter.key)) continue;
+      const double value = cursor.number(parameter.key);
+      if (!(value >= parameter.low && value <= parameter.high))
+        cursor.fail(cursor.need(parameter.key), parameter.key,
+                    fmt::format("{} = {:g} must lie between {:g} and {:g}: {}", parameter.key, value,
+                                parameter.low, parameter.high, parameter.help));
+      material.of_laws[std::string(parameter.key)] = value;
+    }
+  }
+}
+
 Material read_material(TomlCursor cursor, const std::string& name) {
   Material material{.name = name,
                     .density = cursor.positive("density"),
@@ -30,6 +48,7 @@ Material read_material(TomlCursor cursor, const std::string& name) {
             (material.poisson_ratio == 0.5 ? ": at 0.5 the bulk modulus would be infinite; 0.49 is rubber"
                                            : ""));
   read_bulk_modulus(cursor, material);
+  read_law_parameters(cursor, material);
   cursor.finish();
   return material;
 }

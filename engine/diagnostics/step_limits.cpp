@@ -5,21 +5,12 @@
 #include <numbers>
 #include <string_view>
 
-#include "engine/families/all_methods.hpp"
 #include "engine/families/catalogue.hpp"
 #include "engine/kernels/kernel.hpp"
+#include "engine/methods/all_methods.hpp"
 
 namespace taut {
 namespace {
-
-/// The setting of a constant of the method, or its default.
-double constant(const Settings& settings, const MethodInfo& method, std::string_view name) {
-  const auto set = settings.constants.find(std::string(name));
-  if (set != settings.constants.end()) return set->second;
-  for (const MethodConstant& c : method.constants)
-    if (c.name == name) return c.value;
-  return 0;
-}
 
 /// V B W′ of a method on an unbounded square lattice of spacing 1, as the gradients have it.
 template <const Formulation& M>
@@ -76,13 +67,15 @@ class Lattice {
 
 template <const Formulation& M>
 std::vector<StepLimit> limits_of(const Scene& scene, const Settings& settings) {
-  if constexpr (M.shear != Shear::reference_stress || is_mixed(M)) {
+  if constexpr (M.family != Family::tl_displacement) {
     return {};
   } else {
-    const MethodInfo& method = *find_method(M.name);
     const Material& material = scene.materials.at(static_cast<std::size_t>(scene.bodies.front().material));
     const double nu = material.poisson_ratio, dp = scene.spacing;
-    const Lattice<M> lattice(constant(settings, method, "h"), constant(settings, method, "normalised"));
+    Constants c;
+    c.dp = 1;
+    set_constants(c, M, 2, settings);
+    const Lattice<M> lattice(c.h, c.normalised);
     const double stiffness = material.bulk_modulus() + 4.0 / 3 * material.shear_modulus();
     const double c_p = std::sqrt(stiffness / material.density);
     std::vector<StepLimit> limits{{"sharp limit of an unbounded lattice", "von Neumann",

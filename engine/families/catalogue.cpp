@@ -3,77 +3,56 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/families/all_methods.hpp"
-#include "engine/families/describe.hpp"
+#include "engine/error.hpp"
+#include "engine/families/families.hpp"
+#include "engine/materials/laws.hpp"
+#include "engine/methods/all_methods.hpp"
+#include "engine/solver/wall_contacts.hpp"
 
 namespace taut {
 namespace {
 
+/// Those of its family in the words of its paper, and walls, which are every method's.
 std::vector<TermInfo> terms(const Formulation& m) {
-  switch (m.shear) {
-    case Shear::bonds:
-      return bonded_terms();
-    case Shear::cauchy_stress:
-      return cauchy_stress_terms(m);
-    case Shear::reference_stress:
-      return total_lagrangian_terms(m);
-    default:
-      return updated_lagrangian_terms(m);
+  std::vector<TermInfo> all = row_of(m.family).terms(m);
+  for (TermInfo& term : all) {
+    const auto own = std::ranges::find(m.citations, term.what, &Citation::what);
+    if (own == m.citations.end()) continue;
+    term.source = own->source;
+    if (!own->test.empty()) term.test = own->test;
   }
+  all.push_back(wall_info);
+  return all;
 }
 
-std::vector<MethodConstant> constants(const Formulation& m) {
-  switch (m.shear) {
-    case Shear::bonds:
-      return bonded_constants(m);
-    case Shear::cauchy_stress:
-      return cauchy_stress_constants(m);
-    case Shear::reference_stress:
-      return total_lagrangian_constants(m);
-    default:
-      return updated_lagrangian_constants(m);
-  }
-}
-
-/// Walls are every method's.
-std::vector<TermInfo> with_wall(std::vector<TermInfo> t) {
-  t.push_back({"wall", "as the own mirror image by the law of contact, sph: by the penalty", "ours",
-               "solver/wall_contacts.hpp:WallContacts", "wall: a body meets its mirror image"});
-  return t;
-}
-
-/// Those that every method has.
-std::vector<MethodConstant> with_contact(std::vector<MethodConstant> c, const Formulation& m) {
-  c.push_back({"contact_stiffness", m.contact_stiffness, 0.01, 100.0,
-               "stiffness of a contact by forces over K1 K2/(K1 + K2): 1 as published, 2 as the material"});
-  return c;
-}
-
-/// Bonds act between neighbours of the start, not on what comes near.
+/// Bonds act between initial neighbours, not on what comes near.
 std::vector<ContactLaw> contact_laws(const Formulation& m) {
-  if (m.shear == Shear::bonds || m.shear == Shear::reference_stress)
+  if (!row_of(m.family).searches)
     return {ContactLaw::penalty, ContactLaw::impulse, ContactLaw::lennard_jones};
   return {ContactLaw::sph, ContactLaw::impulse, ContactLaw::penalty, ContactLaw::lennard_jones};
 }
 
-/// In the order of free_laws.
+/// Its own, and the others that can be chosen.
 std::vector<LawChoice> laws(const Formulation& m) {
   if (!m.free_law) return {};
-  return {{"neo-hookean", "neo_hookean"},
-          {"st-venant-kirchhoff", "st_venant_kirchhoff"},
-          {"linear", "linear_elastic"}};
+  std::vector<LawChoice> all;
+  for (const LawRow& row : Laws::rows)
+    if (!row.choice.empty()) all.push_back({row.choice, row.material_law, row.law});
+  std::ranges::stable_partition(all, [&](const LawChoice& choice) { return choice.law == m.law; });
+  return all;
 }
 
 MethodInfo info(const Formulation& m) {
   return {
+      .formulation = m,
       .name = m.name,
       .paper = m.paper,
       .summary = m.summary,
       .material_law = m.deviator == Deviator::in_plane ? "2d_deviator" : "neo_hookean",
       .laws = laws(m),
       .conserves = m.conserves,
-      .terms = with_wall(terms(m)),
-      .constants = with_contact(constants(m), m),
+      .terms = terms(m),
+      .constants = method_constants(m, 2),
       .cfl = m.cfl,
       .contact = m.contact,
       .contact_laws = contact_laws(m),
@@ -86,25 +65,19 @@ auto table(MethodList<M...>) {
   return std::array{info(M)...};
 }
 
+/// The settings' law among those of the method; its first where they have none. Throws UsageError if it is
+/// none of them.
+const LawChoice& chosen_law(const MethodInfo& method, const Settings& settings) {
+  std::string known;
+  for (const LawChoice& choice : method.laws) {
+    if (settings.law.empty() || choice.name == settings.law) return choice;
+    known += (known.empty() ? "" : ", ") + std::string(choice.name);
+  }
+  throw UsageError("method '" + std::string(method.name) + "' has no law '" + settings.law + "'; " +
+                   (known.empty() ? "its own cannot be changed" : "it has: " + known));
+}
+
 }  // namespace
-
-TermInfo penalty_term() {
-  return {"contact", "f = s K1 K2/(K1 + K2) dp^(d−2) (dp − r) between bodies", "[TranDuc2023] Eq. 2.13",
-          "terms/penalty_contact.hpp:penalty_force",
-          "penalty contact: none from one spacing on, and the slope of its energy"};
-}
-
-TermInfo lennard_jones_term() {
-  return {"contact", "f = s/2 K1 K2/(K1 + K2) dp^d (l⁶ − l⁴)/r, l = dp/r ≥ 1, between bodies",
-          "[Zhang2020] Eq. 12", "terms/lennard_jones_contact.hpp:lennard_jones_force",
-          "Lennard-Jones contact: none from one spacing on, and the slope of its energy"};
-}
-
-TermInfo impulse_term() {
-  return {"contact", "Δ(m_i v_i) = m_i m_j/(m_i + m_j) · closing speed, between bodies, r < dp",
-          "[Khayyer2024] Eq. 53, 54", "terms/impulse_contact.hpp:stopping_impulse",
-          "impulse contact: stops the approach of a pair, nothing else"};
-}
 
 std::span<const MethodInfo> methods() {
   static const auto all = table(Methods{});
@@ -115,6 +88,48 @@ const MethodInfo* find_method(std::string_view name) {
   const auto all = methods();
   const auto it = std::find_if(all.begin(), all.end(), [&](const MethodInfo& m) { return m.name == name; });
   return it == all.end() ? nullptr : &*it;
+}
+
+std::vector<MethodConstant> method_constants(const Formulation& m, int dim) {
+  std::vector<MethodConstant> all = row_of(m.family).constants(m, dim);
+  all.push_back({"contact_stiffness", &Constants::contact_stiffness, m.contact_stiffness, 0.01, 100.0,
+                 "stiffness of a contact by forces over K1 K2/(K1 + K2): 1 as published, 2 as the material"});
+  return all;
+}
+
+void set_constants(Constants& c, const Formulation& m, int dim, const Settings& settings) {
+  for (const MethodConstant& constant : method_constants(m, dim)) {
+    const auto given = settings.constants.find(std::string(constant.name));
+    const double value = given == settings.constants.end() ? constant.value : given->second;
+    c.*constant.member = constant.in_spacings ? value * c.dp : value;
+  }
+}
+
+std::string_view material_law(const MethodInfo& method, const Settings& settings) {
+  return method.laws.empty() && settings.law.empty() ? method.material_law
+                                                     : chosen_law(method, settings).material_law;
+}
+
+const LawRow* law_row(const MethodInfo& method, const Settings& settings) {
+  const Law law =
+      method.laws.empty() && settings.law.empty() ? method.formulation.law : chosen_law(method, settings).law;
+  return law == Law::none ? nullptr : &law_row(law);
+}
+
+std::span<const LawRow> laws() { return Laws::rows; }
+
+ContactLaw contact_law(const Scene& scene, const MethodInfo& method) {
+  if (scene.contact == ContactLaw::published) return method.contact;
+  std::string known;
+  for (const ContactLaw law : method.contact_laws) {
+    if (law == scene.contact) return law;
+    known += (known.empty() ? "" : ", ") + std::string(name(law));
+  }
+  throw SceneError("contact", "method '" + std::string(method.name) + "' cannot run with the contact law '" +
+                                  std::string(name(scene.contact)) +
+                                  "': its particles act on their neighbours of the start, not on what comes "
+                                  "near; it can with: " +
+                                  known);
 }
 
 }  // namespace taut

@@ -4,7 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/methods/description.hpp"
+#include "engine/materials/law_row.hpp"
+#include "engine/methods/constants.hpp"
+#include "engine/methods/formulation.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/settings.hpp"
 
@@ -14,10 +16,12 @@ namespace taut {
 struct LawChoice {
   std::string_view name;          // "st-venant-kirchhoff"
   std::string_view material_law;  // the reference to compare with
+  Law law;
 };
 
 /// What `list` and `describe` say of a method, derived from its Formulation.
 struct MethodInfo {
+  const Formulation& formulation;
   std::string_view name;
   std::string_view paper;
   std::string_view summary;
@@ -25,17 +29,27 @@ struct MethodInfo {
   std::vector<LawChoice> laws;    // of elasticity, which may be chosen; the first is the published one
   std::string_view conserves;
   std::vector<TermInfo> terms;
-  std::vector<MethodConstant> constants;
-  double cfl;                            // default acoustic CFL number
-  ContactLaw contact;                    // the published one
-  std::vector<ContactLaw> contact_laws;  // those that the method can run with
-  bool several_materials;                // in one scene
+  std::vector<MethodConstant> constants;  // in 2D
+  double cfl;                             // default acoustic CFL number
+  ContactLaw contact;                     // the published one
+  std::vector<ContactLaw> contact_laws;   // those that the method can run with
+  bool several_materials;                 // in one scene
 };
 
 /// Every method by name, in the order in which they are listed.
 std::span<const MethodInfo> methods();
 /// nullptr if there is none of that name.
 const MethodInfo* find_method(std::string_view name);
+/// The constants that a user may set, with their defaults in this dimension.
+std::vector<MethodConstant> method_constants(const Formulation& m, int dim);
+/// Gives `c`, whose dp is set, those of the settings and for the rest their defaults.
+void set_constants(Constants& c, const Formulation& m, int dim, const Settings& settings);
+
+/// Every law of elasticity.
+std::span<const LawRow> laws();
+/// The one that the method runs with; nullptr for a method without one. Throws UsageError for a law that the
+/// method does not have.
+const LawRow* law_row(const MethodInfo& method, const Settings& settings);
 /// The reference to compare a run with these settings with. Throws UsageError for a law that the method does
 /// not have.
 std::string_view material_law(const MethodInfo& method, const Settings& settings);

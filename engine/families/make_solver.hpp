@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <string_view>
 
 #include "engine/core/isa.hpp"
 #include "engine/solver/running.hpp"
@@ -10,13 +9,17 @@
 namespace taut {
 
 inline namespace TAUT_ISA {
-/// The solver of a method, for this instruction set; nullptr if there is no such method.
-std::unique_ptr<Simulation> make_solver(std::string_view method, const SolverInput& input);
+/// The solver of the input's method, for this instruction set.
+std::unique_ptr<Simulation> make_solver(const SolverInput& input);
+
+/// The same if it is of this family. Defined in instantiate.hpp, and instantiated by the family's solver.cpp.
+template <Family F>
+std::unique_ptr<Simulation> make_solver_of(const SolverInput& input);
 }  // namespace TAUT_ISA
 
 #if defined(__x86_64__)
 namespace x86_64_v3 {
-std::unique_ptr<Simulation> make_solver(std::string_view method, const SolverInput& input);
+std::unique_ptr<Simulation> make_solver(const SolverInput& input);
 }
 #endif
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "engine/core/pack.hpp"
-#include "engine/methods/kernel_name.hpp"
+#include "engine/methods/formulation.hpp"
 
 namespace taut::inline TAUT_ISA {
 

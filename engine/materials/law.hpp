@@ -3,14 +3,14 @@
 #include <cmath>
 
 #include "engine/core/tensor.hpp"
-#include "engine/methods/formulation.hpp"
+#include "engine/materials/law_row.hpp"
 
 /// What a law of elasticity gives for the deformation gradient F = ∂x/∂X of a particle, in plane strain in 2D
-/// (F_zz = 1). Each law is one header beside this one, a struct of K and G (Pa) with
-///   P = piola(F, J)       first Piola–Kirchhoff stress, N per m² of the start
-///   ψ = energy(F, J)      J per m³ of the start, 0 at rest
+/// (F_zz = 1). Each law is one header beside this one, a struct of K, G (Pa) and parameters of its own with
+///   P = piola(F, J)       first Piola–Kirchhoff stress, N per m² of the initial configuration
+///   ψ = energy(F, J)      J per m³ of the same, 0 at rest
 ///   σ = cauchy(F, J)      stress in the deformed body, Pa
-/// and a row at the end of laws.hpp. J is det F, or, where a method follows J by an equation of its own
+/// and a specialisation of LawOf that derives from it and has its `row`. J is det F, or, where a method follows J by an equation of its own
 /// ([Lee2016] Eq. 33c), that J.
 namespace taut::inline TAUT_ISA {
 
@@ -21,7 +21,7 @@ struct Cauchy {
   double zz;               // Pa; 0 in 3D
 };
 
-/// The specialisation of a law is its struct.
+/// The specialisation of a law is its struct, and has its LawRow `row`.
 template <Law law>
 struct LawOf;
 

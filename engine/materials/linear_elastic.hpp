@@ -35,6 +35,15 @@ struct LinearElastic {
   }
 };
 template <>
-struct LawOf<Law::linear_elastic> : LinearElastic {};
+struct LawOf<Law::linear_elastic> : LinearElastic {
+  static constexpr LawRow row{
+      .law = Law::linear_elastic,
+      .choice = "linear",
+      .material_law = "linear_elastic",
+      .term = {"stress", "P = 2G dev ε + K tr ε I, ε = ½ (F + Fᵀ) − I", "[Zhang2020] Eq. 3, 4",
+               "materials/linear_elastic.hpp:piola",
+               "laws: no stress at rest, Hooke's law for small strains"},
+  };
+};
 
 }  // namespace taut::inline TAUT_ISA

@@ -37,6 +37,14 @@ struct RotatedPiola {
   }
 };
 template <>
-struct LawOf<Law::rotated_piola> : RotatedPiola {};
+struct LawOf<Law::rotated_piola> : RotatedPiola {
+  static constexpr LawRow row{
+      .law = Law::rotated_piola,
+      .choice = "",
+      .material_law = "neo_hookean",
+      .term = {"stress", "P = R (2G dev E + K tr E I), F = R U, E = ½ (FᵀF − I)", "[TranDuc2023] §2.3",
+               "materials/rotated_piola.hpp:piola", "laws: no stress at rest, Hooke's law for small strains"},
+  };
+};
 
 }  // namespace taut::inline TAUT_ISA

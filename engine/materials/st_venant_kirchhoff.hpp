@@ -23,6 +23,15 @@ struct StVenantKirchhoff {
   }
 };
 template <>
-struct LawOf<Law::st_venant_kirchhoff> : StVenantKirchhoff {};
+struct LawOf<Law::st_venant_kirchhoff> : StVenantKirchhoff {
+  static constexpr LawRow row{
+      .law = Law::st_venant_kirchhoff,
+      .choice = "st-venant-kirchhoff",
+      .material_law = "st_venant_kirchhoff",
+      .term = {"stress", "P = F (2G dev E + K tr E I), E = ½ (FᵀF − I)", "textbook",
+               "materials/st_venant_kirchhoff.hpp:piola",
+               "laws: no stress at rest, Hooke's law for small strains"},
+  };
+};
 
 }  // namespace taut::inline TAUT_ISA

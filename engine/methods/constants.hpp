@@ -1,13 +1,26 @@
 #pragma once
 
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+
 namespace taut {
+
+inline constexpr std::size_t most_law_parameters = 4;
 
 /// The numbers of a material.
 struct Elasticity {
-  double rho0 = 0;      // kg/m³
-  double c0 = 0;        // sound speed √(K/ρ0), m/s, [Zhang2024] Eq. 5
-  double K = 0, G = 0;  // bulk and shear modulus, Pa
+  double rho0 = 0;                                   // kg/m³
+  double c0 = 0;                                     // sound speed √(K/ρ0), m/s, [Zhang2024] Eq. 5
+  double K = 0, G = 0;                               // bulk and shear modulus, Pa
+  std::array<double, most_law_parameters> of_law{};  // those of LawRow::parameters, in that order
 };
+
+/// m/s, of compression in plane strain and in 3D
+inline double compression_wave_speed(const Elasticity& m) {
+  return std::sqrt((m.K + 4.0 / 3 * m.G) / m.rho0);
+}
 
 /// The numbers of one run of a method. SI units. Those of the material are of the only one; where there are
 /// several, of the first body's, with the greatest sound speed of all.
@@ -35,6 +48,16 @@ struct Constants : Elasticity {
   double projection = 0;                       // 1: on what conserves momenta
   double cfl = 0, cfl_advection = 0;
   double step = 0;  // s, of every step; 0: by cfl
+};
+
+/// A constant of a method that a user may set ("--set method.zeta=4") and sweep, and where it goes.
+struct MethodConstant {
+  std::string_view name;
+  double Constants::*member;
+  double value;  // published default
+  double low, high;
+  std::string_view help;
+  bool in_spacings = false;  // the member is that many spacings, m
 };
 
 }  // namespace taut

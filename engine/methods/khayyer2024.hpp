@@ -7,9 +7,15 @@
 /// density diffusion.
 namespace taut {
 
+inline constexpr Citation khayyer2024_citations[] = {{"pressure", "[Khayyer2024] Eq. 5", ""}};
+
 /// What all of them share, [Khayyer2024] §2.
 constexpr Formulation ladder(Formulation step) {
+  step.family = Family::ul_cauchy;
+  step.citations = khayyer2024_citations;
   step.artificial_stress = true;
+  step.epsilon = 0.15;
+  step.exponent = 8;
   step.transport_velocity = true;
   step.deviator = Deviator::plane_strain;
   step.contact = ContactLaw::impulse;
@@ -24,7 +30,6 @@ inline constexpr Formulation ulsph_av_as_uncorrected = ladder({
     .paper = "Khayyer2024 §2",
     .summary = "Gray's method: Cauchy stress, artificial viscosity and stress, XSPH; damps what swings",
     .conserves = "linear momentum",
-    .shear = Shear::cauchy_stress,
     .viscosity = Viscosity::artificial,
 });
 inline constexpr Formulation ulsph_av_as = ladder({
@@ -32,7 +37,6 @@ inline constexpr Formulation ulsph_av_as = ladder({
     .paper = "Khayyer2024 §3.1",
     .summary = "with corrected kernel gradients: keeps swinging",
     .conserves = "linear momentum",
-    .shear = Shear::cauchy_stress,
     .viscosity = Viscosity::artificial,
     .corrected = true,
 });
@@ -41,7 +45,6 @@ inline constexpr Formulation d_ulsph_av_as = ladder({
     .paper = "Khayyer2024 §3.2",
     .summary = "ulsph-av-as with density diffusion: smoother pressure",
     .conserves = "linear momentum",
-    .shear = Shear::cauchy_stress,
     .viscosity = Viscosity::artificial,
     .corrected = true,
     .density_diffusion = true,
@@ -51,7 +54,6 @@ inline constexpr Formulation d_ulsph_av_tic = ladder({
     .paper = "Khayyer2024 §3.4",
     .summary = "d-ulsph-av-as with tensile control instead of artificial stress inside",
     .conserves = "nothing exactly",
-    .shear = Shear::cauchy_stress,
     .viscosity = Viscosity::artificial,
     .corrected = true,
     .density_diffusion = true,
@@ -63,7 +65,6 @@ inline constexpr Formulation d_ulsph_r_as = ladder({
     .summary =
         "d-ulsph-av-as with a second-order Riemann term instead of artificial viscosity: noisy in tension",
     .conserves = "linear momentum",
-    .shear = Shear::cauchy_stress,
     .viscosity = Viscosity::riemann,
     .corrected = true,
     .density_diffusion = true,
@@ -73,7 +74,6 @@ inline constexpr Formulation ulsph_r_tic = ladder({
     .paper = "Khayyer2024 §4.4",
     .summary = "d-ulsph-r-tic without density diffusion: noisy pressure in a collision",
     .conserves = "nothing exactly",
-    .shear = Shear::cauchy_stress,
     .viscosity = Viscosity::riemann,
     .corrected = true,
     .tensile_control = true,
@@ -83,7 +83,6 @@ inline constexpr Formulation d_ulsph_r_tic = ladder({
     .paper = "Khayyer2024 §3",
     .summary = "all four improvements: correction, density diffusion, Riemann term, tensile control",
     .conserves = "nothing exactly",
-    .shear = Shear::cauchy_stress,
     .viscosity = Viscosity::riemann,
     .corrected = true,
     .density_diffusion = true,

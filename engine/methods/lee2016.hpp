@@ -2,9 +2,8 @@
 
 #include "engine/methods/formulation.hpp"
 
-/// Methods on the configuration of the start. [Zhang2020] has a contact of its own between bodies, without
-/// numbers; the others take the penalty of [TranDuc2023], `icb` with the printed stiffness, the rest with
-/// that of a layer of the material.
+/// The total-Lagrangian methods of [Lee2016]. It has no contact between bodies: they take the penalty of
+/// [TranDuc2023] with the stiffness of a layer of the material.
 namespace taut {
 
 /// [Lee2016] states neither kernel nor h. A short support costs and smooths least: 1.05 dp is the shortest
@@ -13,13 +12,14 @@ namespace taut {
 constexpr Formulation lee2016(Formulation m) {
   m.deviator = Deviator::plane_strain;
   m.law = Law::neo_hookean;
-  m.several_materials = !is_mixed(m);  // the momentum of two materials is not smooth where they meet
+  m.several_materials =
+      m.family != Family::tl_mixed;  // the momentum of two materials is not smooth where they meet
   m.contact = ContactLaw::penalty;
   m.contact_stiffness = 2;
   m.h_over_dp = 1.05;
   // [Lee2016] §5 takes 0.3. Waves grow slowly in two Runge–Kutta stages: at Poisson's ratio 0.499 the bending
   // column is lost at 0.3 and not at 0.25
-  if (is_mixed(m)) m.cfl = 0.25;
+  if (m.family == Family::tl_mixed) m.cfl = 0.25;
   return m;
 }
 
@@ -29,7 +29,7 @@ inline constexpr Formulation tl = lee2016({
     .summary = "deformation gradient from positions, neighbours of the start: no tension instability, but "
                "zigzags cost nothing",
     .conserves = "linear momentum, angular momentum, energy",
-    .shear = Shear::reference_stress,
+    .family = Family::tl_displacement,
     .free_law = true,
 });
 inline constexpr Formulation pf = lee2016({
@@ -37,7 +37,7 @@ inline constexpr Formulation pf = lee2016({
     .paper = "Lee2016 §3.3",
     .summary = "momentum and deformation gradient as unknowns, no dissipation: zigzags grow",
     .conserves = "linear momentum, angular momentum",
-    .shear = Shear::reference_stress,
+    .family = Family::tl_mixed,
     .unknowns = Unknowns::v_F,
 });
 inline constexpr Formulation pf_jst = lee2016({
@@ -45,7 +45,7 @@ inline constexpr Formulation pf_jst = lee2016({
     .paper = "Lee2016 §3.4, §6",
     .summary = "pf with Jameson–Schmidt–Turkel dissipation: no zigzags up to Poisson's ratio 0.495",
     .conserves = "linear momentum, angular momentum",
-    .shear = Shear::reference_stress,
+    .family = Family::tl_mixed,
     .unknowns = Unknowns::v_F,
     .jst = true,
 });
@@ -54,40 +54,9 @@ inline constexpr Formulation pfj_jst = lee2016({
     .paper = "Lee2016 §3.4, §6",
     .summary = "pf-jst with the volume ratio as an unknown: smooth pressure near incompressibility",
     .conserves = "linear momentum, angular momentum",
-    .shear = Shear::reference_stress,
+    .family = Family::tl_mixed,
     .unknowns = Unknowns::v_F_J,
     .jst = true,
 });
-inline constexpr Formulation icb{
-    .name = "icb",
-    .paper = "TranDuc2023 §2.3",
-    .summary = "second Piola–Kirchhoff stress turned by the rotation of each particle: for moderate strains",
-    .conserves = "linear momentum, angular momentum",
-    .shear = Shear::reference_stress,
-    .law = Law::rotated_piola,
-    .deviator = Deviator::plane_strain,
-    .kernel = KernelName::sinc,
-    .contact = ContactLaw::penalty,
-    .several_materials = true,
-    .h_over_dp = 1.2,
-};
-
-/// [Zhang2020] states neither h nor where the Gaussian ends. h = dp: sums over a square lattice are right to
-/// 1e-3 then, and not with less.
-inline constexpr Formulation tl_small_strain{
-    .name = "tl-small-strain",
-    .paper = "Zhang2020",
-    .summary = "linear strain on neighbours of the start: for small strains with little rotation",
-    .conserves = "linear momentum, energy",
-    .shear = Shear::reference_stress,
-    .law = Law::linear_elastic,
-    .gradient = GradientCorrection::normalised,
-    .deviator = Deviator::plane_strain,
-    .kernel = KernelName::gauss,
-    .contact = ContactLaw::lennard_jones,
-    .contact_stiffness = 2,
-    .several_materials = true,
-    .h_over_dp = 1,
-};
 
 }  // namespace taut

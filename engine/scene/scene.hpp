@@ -25,6 +25,7 @@ struct Material {
   double youngs_modulus = 0;      // E, Pa
   double poisson_ratio = 0;       // ν
   double given_bulk_modulus = 0;  // Pa; 0 = the one of E and ν. [Khayyer2024] §4.5 takes E, Eq. 57
+  std::map<std::string, double, std::less<>> of_laws{};  // given LawRow::parameters, by key
 
   double bulk_modulus() const {  // K, Pa
     return given_bulk_modulus > 0 ? given_bulk_modulus : youngs_modulus / (3 * (1 - 2 * poisson_ratio));

@@ -38,14 +38,14 @@ class Contact {
   static constexpr double reach = 2;
 
   explicit Contact(const SolverInput& input)
-      : between_bodies_(input.contact != ContactLaw::sph && input.layout.first.size() > 2),
+      : between_bodies_(input.contact != ContactLaw::sph && input.initial.first.size() > 2),
         law_(input.contact == ContactLaw::sph ? ContactLaw::penalty : input.contact),
         dp_(input.constants.dp),
         stiffness_(input.constants.contact_stiffness),
         pairs_(reach * dp_, skin * dp_),
         walls_(input.scene) {
     if (!active()) return;
-    for (const int material : input.layout.material) K_.push_back(input.materials[material].K);
+    for (const int material : input.initial.material) K_.push_back(input.materials[material].K);
   }
 
   /// Particles of two bodies act on each other here, not as those of one.
@@ -196,5 +196,12 @@ class Contact {
   std::vector<V> impulse_;     // N s
   double travelled_ = 0;       // by the fastest particle since the last search, m
 };
+
+/// Of a law of contact between bodies that is not `sph`.
+constexpr const TermInfo& contact_info(ContactLaw law) {
+  return law == ContactLaw::impulse         ? impulse_info
+         : law == ContactLaw::lennard_jones ? lennard_jones_info
+                                            : penalty_info;
+}
 
 }  // namespace taut::inline TAUT_ISA

@@ -19,15 +19,15 @@ class Drives {
  public:
   using V = Vec<double, Dim>;
 
-  Drives(const Scene& scene, const InitialParticles& layout) {
+  Drives(const Scene& scene, const InitialParticles& initial) {
     std::vector<int> first;  // of each body
     for (const Body& body : scene.bodies) {
       first.push_back(static_cast<int>(drives_.size()));
       for (const Drive& drive : body.drives) drives_.push_back({drive.velocity, drive.until});
     }
     if (drives_.empty()) return;
-    for (int id = 0; id < layout.size(); ++id)
-      drive_.push_back(layout.drive[id] < 0 ? -1 : first[layout.body[id]] + layout.drive[id]);
+    for (int id = 0; id < initial.size(); ++id)
+      drive_.push_back(initial.drive[id] < 0 ? -1 : first[initial.body[id]] + initial.drive[id]);
     work_.assign(drive_.size(), 0);
     active_ = true;
     set_time(0);

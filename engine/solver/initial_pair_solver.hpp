@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -12,14 +13,14 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// What the solvers of total-Lagrangian methods share: bodies whose particles act on their neighbours of the
-/// start through a law of elasticity, and on other bodies by contact. A solver adds what it integrates.
+/// What the solvers of total-Lagrangian methods share: bodies whose particles act on their initial neighbours
+/// through a law of elasticity, and on other bodies by contact. A solver adds what it integrates.
 /// The papers put particles on the boundary; here they are in the middle of cells, as in every method of this
 /// program: the outermost stand half a spacing inside the face.
-template <const Formulation& M, int Dim>
-class InitialPairSolver : public ParticleSolver<Dim> {
+template <class Solver, const Formulation& M, int Dim>
+class InitialPairSolver : public ParticleSolver<Solver, Dim> {
  protected:
-  using Base = ParticleSolver<Dim>;
+  using Base = ParticleSolver<Solver, Dim>;
   using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::loads_, Base::initial_, Base::threads_now,
       Base::vmax_;
   using typename Base::V;
@@ -34,10 +35,6 @@ class InitialPairSolver : public ParticleSolver<Dim> {
 
   const LawOf<M.law>& law(int i) const { return laws_[material_[i]]; }
 
-  void show_contacts_to_probes() {
-    s_.neighbors = contact_.neighbors(s_.size());
-    this->recorder_.rebuilt(s_, Contact<Dim>::reach * c_.dp);
-  }
   void begin_snapshot() {
     Base::begin_snapshot();
     this->snapshot_.strain_energy.resize(s_.size());
@@ -47,7 +44,7 @@ class InitialPairSolver : public ParticleSolver<Dim> {
 
   std::vector<V> X_;        // m
   std::vector<double> V0_;  // m^Dim
-  ReferencePairs<Dim> pairs_of_start_;
+  InitialPairs<Dim> initial_pairs_;
 
  private:
   void check_pairs(const Scene& scene) const;
@@ -57,8 +54,8 @@ class InitialPairSolver : public ParticleSolver<Dim> {
   double c_p_ = 0;                  // m/s
 };
 
-template <const Formulation& M, int Dim>
-InitialPairSolver<M, Dim>::InitialPairSolver(const SolverInput& input)
+template <class Solver, const Formulation& M, int Dim>
+InitialPairSolver<Solver, M, Dim>::InitialPairSolver(const SolverInput& input)
     : Base(input, Kernel<M.kernel>::support * input.constants.h) {
   s_.reorder(order_in_space(s_.x, initial_.first, this->support_), threads_now());
   X_ = s_.x;
@@ -66,22 +63,22 @@ InitialPairSolver<M, Dim>::InitialPairSolver(const SolverInput& input)
     V0_.push_back(initial_.V0[id]);
     material_.push_back(initial_.material[id]);
   }
-  pairs_of_start_ =
-      make_reference_pairs<Kernel<M.kernel>>(X_, V0_, initial_.first, c_.h, M.gradient, c_.normalised);
+  initial_pairs_ =
+      make_initial_pairs<Kernel<M.kernel>>(X_, V0_, initial_.first, c_.h, M.gradient, c_.normalised);
   check_pairs(input.scene);
-  this->pairs_ = static_cast<long>(pairs_of_start_.j.size());
+  this->pairs_ = static_cast<long>(initial_pairs_.j.size());
   for (const Elasticity& e : input.materials) {
-    laws_.push_back({{e.K, e.G}});
-    c_p_ = std::max(c_p_, std::sqrt((e.K + 4.0 / 3 * e.G) / e.rho0));
+    laws_.push_back(law_of<M.law>(e));
+    c_p_ = std::max(c_p_, compression_wave_speed(e));
   }
   contact_.search(s_);
-  show_contacts_to_probes();
+  this->show_contacts_to_probes();
 }
 
-template <const Formulation& M, int Dim>
-void InitialPairSolver<M, Dim>::check_pairs(const Scene& scene) const {
+template <class Solver, const Formulation& M, int Dim>
+void InitialPairSolver<Solver, M, Dim>::check_pairs(const Scene& scene) const {
   for (int i = 0; i < s_.size(); ++i) {
-    if (trace(pairs_of_start_.B[i]) > 0) continue;
+    if (trace(initial_pairs_.B[i]) > 0) continue;
     const std::string& body = scene.bodies[s_.body[i]].name;
     throw SceneError("body." + body, "body '" + body + "' is too thin for method '" + std::string(M.name) +
                                          "': the neighbours of one of its particles do not span the space; "
@@ -89,14 +86,44 @@ void InitialPairSolver<M, Dim>::check_pairs(const Scene& scene) const {
   }
 }
 
-template <const Formulation& M, int Dim>
-void InitialPairSolver<M, Dim>::store(int i, const Mat& F, double J) {
+template <class Solver, const Formulation& M, int Dim>
+void InitialPairSolver<Solver, M, Dim>::store(int i, const Mat& F, double J) {
   const auto [sigma, zz] = law(i).cauchy(F, J);
   const double p = -(trace(sigma) + zz) / 3;
   Sym<double, Dim> s = sigma;
   for (int k = 0; k < Dim; ++k) s(k, k) += p;
   Base::store(i, s_.m[i] / (V0_[i] * J), p, s, zz + p);
   this->snapshot_.strain_energy[s_.id[i]] = V0_[i] * law(i).energy(F, J);
+}
+
+template <template <const Formulation&, int> class Solver, const Formulation& M, int Dim, Law... law>
+std::unique_ptr<Simulation> make_with_one_of(const SolverInput& input, LawList<law...>) {
+  std::unique_ptr<Simulation> simulation;
+  const auto made = [&]<Law L>() {
+    if constexpr (LawOf<L>::row.choice.empty()) {
+      return false;
+    } else {
+      if (input.law != L) return false;
+      simulation = std::make_unique<Solver<with_law<M, L>, Dim>>(input);
+      return true;
+    }
+  };
+  static_cast<void>((made.template operator()<law>() || ...));
+  return simulation;
+}
+
+/// The solver of a method, with the law that the input asks for where the method leaves it free.
+template <template <const Formulation&, int> class Solver, const Formulation& M, int Dim>
+std::unique_ptr<Simulation> make_with_law(const SolverInput& input) {
+  if constexpr (M.free_law)
+    return make_with_one_of<Solver, M, Dim>(input, Laws{});
+  else
+    return std::make_unique<Solver<M, Dim>>(input);
+}
+
+/// The constant h of these methods.
+constexpr MethodConstant smoothing_length(const Formulation& m, double least) {
+  return {"h", &Constants::h, m.h_over_dp, least, 3.0, "smoothing length over the spacing", true};
 }
 
 }  // namespace taut::inline TAUT_ISA

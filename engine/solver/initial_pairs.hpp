@@ -13,7 +13,7 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// The pairs of particles of one body that are neighbours at the start, seen from both sides, flat. They
+/// The pairs of particles of one body that are initial neighbours, seen from both sides, flat. They
 /// never change, and all that depends on them is computed once:
 ///   k_ij = V_i V_j ∇_i W(X_i − X_j) = −k_ji,
 ///   ∇f at i = [Σ_j (f_j − f_i) ⊗ k_ij] B_i,     force on i = Σ_j (V_i P_i B_i + V_j P_j B_j) k_ij.
@@ -21,7 +21,7 @@ namespace taut::inline TAUT_ISA {
 /// B the force is that of [Lee2016] Eq. 29c and of [TranDuc2023] §2.3, (R_j σ_j N_j + R_i σ_i N_i) ∇W: the
 /// derivative of Σ V_i ψ(F_i) by the positions; equal and opposite for each pair to the last bit.
 template <int Dim>
-struct ReferencePairs {
+struct InitialPairs {
   std::vector<int> begin, j;        // those of i are begin[i] … begin[i + 1] − 1
   std::vector<Vec<double, Dim>> k;  // m^(Dim − 1)
   std::vector<Sym<double, Dim>> B;  // of each particle, 1/m^Dim
@@ -43,6 +43,18 @@ struct ReferencePairs {
     return sum_of_columns(sum);
   }
 };
+inline constexpr TermInfo deformation_info{
+    "deformation", "F = I + Σ_j (u_j − u_i) ⊗ k_ij B_i, k_ij = V_i V_j ∇W of the start", "[Lee2016] Eq. 34",
+    "solver/initial_pairs.hpp:difference_sum",
+    "pairs of the start: antisymmetric, within a body, gradients of linear fields exact"};
+inline constexpr TermInfo deformation_rate_info{
+    "deformation", "dF/dt = Σ_j (v_j − v_i) ⊗ k_ij B_i, k_ij = V_i V_j ∇W of the start", "[Lee2016] Eq. 33a",
+    "solver/initial_pairs.hpp:difference_sum",
+    "pairs of the start: antisymmetric, within a body, gradients of linear fields exact"};
+inline constexpr TermInfo internal_force_info{
+    "internal force", "f_i = Σ_j (V_i P_i B_i + V_j P_j B_j) k_ij", "[Lee2016] Eq. 29c",
+    "solver/initial_pairs.hpp:pair_sum",
+    "pairs of the start: the force is minus the derivative of the energy"};
 
 /// The particles of each body in the order of their cells, body after body: what stands at order[i] comes to
 /// i.
@@ -81,10 +93,10 @@ Sym<double, Dim> gradient_correction(GradientCorrection gradient, const Mat<doub
 
 /// The pairs of particles stored in `order_in_space`, of places X and volumes V, m^Dim.
 template <class K, int Dim>
-ReferencePairs<Dim> make_reference_pairs(const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,
-                                         const std::vector<int>& first, double h, GradientCorrection gradient,
-                                         double share = 1) {
-  ReferencePairs<Dim> pairs;
+InitialPairs<Dim> make_initial_pairs(const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,
+                                     const std::vector<int>& first, double h, GradientCorrection gradient,
+                                     double share = 1) {
+  InitialPairs<Dim> pairs;
   pairs.begin.push_back(0);
   const double scale_W = K::alpha(Dim) / std::pow(h, Dim), scale_dW = scale_W / h;
   // a lattice may have neighbours at the very end of the support, where a kernel need not be 0: they do not

@@ -25,16 +25,16 @@ class Loads {
  public:
   using V = Vec<double, Dim>;
 
-  Loads(const Scene& scene, const InitialParticles& layout)
+  Loads(const Scene& scene, const InitialParticles& initial)
       : gravity_(scene.gravity), damping_(scene.damping) {
     active_ = has_loads(scene) || damping_ > 0;
     if (!active_) return;
-    work_.assign(layout.size(), 0);
-    damped_.assign(layout.size(), 0);
-    force_.assign(layout.size(), V{});
+    work_.assign(initial.size(), 0);
+    damped_.assign(initial.size(), 0);
+    force_.assign(initial.size(), V{});
     for (std::size_t b = 0; b < scene.bodies.size(); ++b)
       for (const Load& load : scene.bodies[b].loads)
-        regions_.push_back({load.ramp, shares(load, scene, layout, static_cast<int>(b))});
+        regions_.push_back({load.ramp, shares(load, scene, initial, static_cast<int>(b))});
   }
 
   bool active() const { return active_; }
@@ -94,7 +94,7 @@ class Loads {
   V push(const State<Dim>& s, int i) const { return g_ + (1 / s.m[i]) * force_[s.id[i]]; }
 
   static std::vector<std::pair<int, V>> shares(const Load& load, const Scene& scene,
-                                               const InitialParticles& layout, int body);
+                                               const InitialParticles& initial, int body);
 
   bool active_ = false;
   std::array<std::function<double(double)>, 3> gravity_;
@@ -107,14 +107,14 @@ class Loads {
 
 /// Throws SceneError where all particles of the region are held.
 template <int Dim>
-auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParticles& layout, int body)
+auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParticles& initial, int body)
     -> std::vector<std::pair<int, V>> {
   std::vector<int> free;
   double volume = 0;
-  for (int id = layout.first[body]; id < layout.first[body + 1]; ++id) {
-    if (layout.held[id] || load.where(layout.x[id]) == 0) continue;
+  for (int id = initial.first[body]; id < initial.first[body + 1]; ++id) {
+    if (initial.held[id] || load.where(initial.x[id]) == 0) continue;
     free.push_back(id);
-    volume += layout.V0[id];
+    volume += initial.V0[id];
   }
   const std::string& name = scene.bodies[body].name;
   if (free.empty())
@@ -128,7 +128,7 @@ auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParti
   for (const int id : free) {
     V force{};
     for (int k = 0; k < Dim; ++k)
-      if (load.value[k]) force[k] = layout.V0[id] / over * load.value[k](layout.x[id]);
+      if (load.value[k]) force[k] = initial.V0[id] / over * load.value[k](initial.x[id]);
     shares.emplace_back(id, force);
   }
   return shares;

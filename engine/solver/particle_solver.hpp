@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -24,27 +25,15 @@ namespace taut::inline TAUT_ISA {
 /// Beyond this multiple of the sound speed the steps shrink without end: the run has diverged.
 inline constexpr double greatest_mach_number = 10;
 
-/// What every solver has: particles, time, probes and the snapshot. A solver adds `step`.
+/// What every solver has, whatever it does in a step: particles, what acts on them from outside, probes.
 template <int Dim>
-class ParticleSolver : public Simulation {
+class SolverParts : public Simulation {
  protected:
   using V = Vec<double, Dim>;
 
   /// Particles in the order of creation, at rest on what they were laid on.
-  ParticleSolver(const SolverInput& input, double support);
+  SolverParts(const SolverInput& input, double support);
 
-  /// Runs `step` up to the first time at or past t.
-  template <class Step>
-  void run_to(double t, const Step& step) {
-    team_.resume();
-    while (time_ < t) {
-      step();
-      recorder_.record(s_, time_, series_);
-      team_.step_done();
-    }
-  }
-  /// The probes at t = 0.
-  void record_start() { recorder_.record(s_, time_, series_); }
   /// `by_speed`, s, or the one step that the settings ask for.
   double fixed_or(double by_speed) const { return c_.step > 0 ? c_.step : by_speed; }
   double step_size() const { return fixed_or(c_.cfl * c_.h / (c_.c0 + vmax_)); }  // s, [Zhang2024] Eq. 22
@@ -60,12 +49,11 @@ class ParticleSolver : public Simulation {
     if (!(vmax_ <= greatest_mach_number * c_.c0)) fail();
   }
 
-  /// Once in each step, before `act_from_outside`: `t` is where in time the new velocities stand.
+  /// Once in each step of `dt`, before `act_from_outside`: `t` is where in time the new velocities stand.
   void set_outside(double dt, double t) {
     drives_.set_time(t);
     loads_.set_time(t - 0.5 * dt);
   }
-  bool outside_acts() const { return drives_.active() || loads_.active(); }
   /// What loads, gravity, damping and drives make of `v`, the new velocity of particle i without them.
   void act_from_outside(int i, double dt, V& v) {
     if (drives_.moves(s_.id[i]))
@@ -73,6 +61,43 @@ class ParticleSolver : public Simulation {
     else if (loads_.active())
       loads_.act(s_, i, dt, v);
   }
+
+  /// Gives particles the velocities of a whole step, from what acts inside a body, contact and what acts from
+  /// outside.
+  class Kick {
+   public:
+    /// `t` is where in time the new velocities stand.
+    Kick(SolverParts& solver, double dt, double t)
+        : solver_(solver), dt_(dt), contact_(solver.contact_.active()) {
+      solver.set_outside(dt, t);
+      outside_ = solver.drives_.active() || solver.loads_.active();
+    }
+
+    const V& by_acceleration(int i, V a) const {
+      State<Dim>& s = solver_.s_;
+      if (contact_) a += (1 / s.m[i]) * solver_.contact_.force(i);
+      V v = s.v[i];
+      v += (dt_ * s.mobile[i]) * a;
+      return take(i, v);
+    }
+    const V& by_force(int i, V force) const {
+      State<Dim>& s = solver_.s_;
+      if (contact_) force += solver_.contact_.force(i);
+      V v = s.v[i];
+      v += (dt_ * s.mobile[i] / s.m[i]) * force;
+      return take(i, v);
+    }
+
+   private:
+    const V& take(int i, V v) const {
+      if (outside_) solver_.act_from_outside(i, dt_, v);
+      return solver_.s_.v[i] = v;
+    }
+
+    SolverParts& solver_;
+    double dt_;  // s
+    bool contact_, outside_;
+  };
 
   /// The new velocities of particles that meet those of other bodies, under the impulse law: each is changed
   /// so that the approach ends, and `follow(i, change)` corrects what was made of it. Positions have followed
@@ -90,27 +115,18 @@ class ParticleSolver : public Simulation {
     });
   }
 
-  /// A solver whose steps depend on more than this has a `serialize` of its own, which begins with this one.
+  /// Of methods that search for nothing but contacts.
+  void show_contacts_to_probes() {
+    s_.neighbors = contact_.neighbors(s_.size());
+    recorder_.rebuilt(s_, Contact<Dim>::reach * c_.dp);
+  }
+
   template <class Archive>
   void serialize(Archive& archive) {
     archive.match(initial_.size());
     archive.match(static_cast<int>(recorder_.size()));
     archive(s_, contact_, drives_, loads_, recorder_, time_, step_, vmax_, series_, pairs_);
   }
-  /// The bodies of `save` and `load` of a solver with `serialize`.
-  template <class Solver>
-  static std::string saved(Solver& solver) {
-    Saver saver;
-    solver.serialize(saver);
-    return saver.take();
-  }
-  template <class Solver>
-  static void load_into(Solver& solver, std::string_view state) {
-    Loader loader(state);
-    solver.serialize(loader);
-    loader.finish();
-  }
-
   /// Time and sizes of the snapshot; then every particle is to be stored.
   void begin_snapshot();
   void store(int i, double rho, double p, const Sym<double, Dim>& s, double s_zz);
@@ -122,24 +138,59 @@ class ParticleSolver : public Simulation {
   Drives<Dim> drives_;
   Loads<Dim> loads_;
   ProbeRecorder<Dim> recorder_;
-  double time_ = 0;  // s
-  long step_ = 0;
+  TeamSize team_;
   double vmax_ = 0;  // m/s
 
  private:
   [[noreturn]] void fail() const;
+};
 
-  TeamSize team_;
+/// A solver, which has `step`, `take_snapshot` and, where its steps depend on more than SolverParts, a
+/// `serialize` that begins with that of its base. Its constructor ends with `record`.
+template <class Solver, int Dim>
+class ParticleSolver : public SolverParts<Dim> {
+ public:
+  void advance_to(double t) final {
+    this->outdated_ = this->snapshot_.m.empty();  // a run that breaks off keeps the last one
+    this->team_.resume();
+    while (this->time_ < t) {
+      solver().step();
+      record();
+      this->team_.step_done();
+    }
+    this->outdated_ = true;
+  }
+
+  std::string save() final {
+    Saver saver;
+    solver().serialize(saver);
+    return saver.take();
+  }
+  void load(std::string_view state) final {
+    Loader loader(state);
+    solver().serialize(loader);
+    loader.finish();
+    this->outdated_ = true;
+  }
+
+ protected:
+  using SolverParts<Dim>::SolverParts;
+
+  /// The probes as they are now.
+  void record() { this->recorder_.record(this->s_, this->time_, this->series_); }
+
+ private:
+  Solver& solver() { return static_cast<Solver&>(*this); }
 };
 
 template <int Dim>
-ParticleSolver<Dim>::ParticleSolver(const SolverInput& input, double support)
+SolverParts<Dim>::SolverParts(const SolverInput& input, double support)
     : c_(input.constants),
-      initial_(input.layout),
+      initial_(input.initial),
       contact_(input),
-      drives_(input.scene, input.layout),
-      loads_(input.scene, input.layout),
-      recorder_(input.scene, input.layout, support),
+      drives_(input.scene, input.initial),
+      loads_(input.scene, input.initial),
+      recorder_(input.scene, input.initial, support),
       team_(input.threads) {
   threads_ = input.threads;
   support_ = support;
@@ -164,18 +215,18 @@ ParticleSolver<Dim>::ParticleSolver(const SolverInput& input, double support)
 
 /// Names the first particle in the order of creation that went wrong.
 template <int Dim>
-void ParticleSolver<Dim>::fail() const {
+void SolverParts<Dim>::fail() const {
   const double limit = greatest_mach_number * c_.c0;
   int culprit = s_.size();  // id
   for (int i = 0; i < s_.size(); ++i)
     if (!(dot(s_.v[i], s_.v[i]) <= limit * limit)) culprit = std::min(culprit, s_.id[i]);
   throw NumericalError(step_, time_, culprit, "velocity",
-                       "particle " + std::to_string(culprit) + " is faster than " + std::to_string(limit) +
-                           " m/s (" + std::to_string(greatest_mach_number) + " c0) or not a number");
+                       fmt::format("particle {} is faster than {:g} m/s ({:g} c0) or not a number", culprit,
+                                   limit, greatest_mach_number));
 }
 
 template <int Dim>
-void ParticleSolver<Dim>::begin_snapshot() {
+void SolverParts<Dim>::begin_snapshot() {
   const std::size_t n = s_.size();
   Snapshot& out = snapshot_;
   out.time = time_;
@@ -185,10 +236,7 @@ void ParticleSolver<Dim>::begin_snapshot() {
   out.damped = loads_.damped();
   out.of_walls = contact_.of_walls();
   if (!out.m.empty()) return;
-  constexpr int S = Sym<double, Dim>::size + (Dim == 2);  // in 2D s_zz is stored too
-  out.dim = Dim;
-  out.x0.resize(n * Dim), out.x.resize(n * Dim), out.v.resize(n * Dim);
-  out.m.resize(n), out.rho.resize(n), out.p.resize(n), out.s.resize(n * S), out.diameter.resize(n);
+  out.resize(Dim, n);
   out.body = initial_.body;
   out.material = initial_.material;
   out.held = initial_.held;
@@ -199,8 +247,7 @@ void ParticleSolver<Dim>::begin_snapshot() {
 }
 
 template <int Dim>
-void ParticleSolver<Dim>::store(int i, double rho, double p, const Sym<double, Dim>& s, double s_zz) {
-  constexpr int S = Sym<double, Dim>::size + (Dim == 2);
+void SolverParts<Dim>::store(int i, double rho, double p, const Sym<double, Dim>& s, double s_zz) {
   Snapshot& out = snapshot_;
   const std::size_t id = s_.id[i];
   for (int k = 0; k < Dim; ++k) {
@@ -210,8 +257,10 @@ void ParticleSolver<Dim>::store(int i, double rho, double p, const Sym<double, D
   out.m[id] = s_.m[i];
   out.rho[id] = rho;
   out.p[id] = p;
-  for (int k = 0; k < Sym<double, Dim>::size; ++k) out.s[id * S + k] = s.c[k];
-  if constexpr (Dim == 2) out.s[id * S + S - 1] = s_zz;
+  if constexpr (Dim == 2)
+    out.set_deviator(id, {s(0, 0), s(1, 1), s_zz, s(0, 1), 0, 0});
+  else
+    out.set_deviator(id, {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(0, 2), s(1, 2)});
 }
 
 }  // namespace taut::inline TAUT_ISA

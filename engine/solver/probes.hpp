@@ -16,7 +16,7 @@ template <int Dim>
 class ProbeRecorder {
  public:
   /// Throws SceneError for a probe that is not in its body.
-  ProbeRecorder(const Scene& scene, const InitialParticles& layout, double reach);
+  ProbeRecorder(const Scene& scene, const InitialParticles& initial, double reach);
 
   /// Where each particle is stored now; refreshes what is only looked at between rebuilds.
   void rebuilt(const State<Dim>& s, double support);
@@ -40,7 +40,7 @@ class ProbeRecorder {
     double held_value = 0;                   // of what is looked at between rebuilds only, m
   };
 
-  std::vector<PointWeight> point(const InitialParticles& layout, const Probe& probe, const Point& at,
+  std::vector<PointWeight> point(const InitialParticles& initial, const Probe& probe, const Point& at,
                                  double reach) const;
   void find_close_pairs(const State<Dim>& s, const Probe& probe, Follower& f) const;
   double mirror_asymmetry(const State<Dim>& s, const Probe& probe) const;
@@ -61,29 +61,29 @@ class ProbeRecorder {
 };
 
 template <int Dim>
-ProbeRecorder<Dim>::ProbeRecorder(const Scene& scene, const InitialParticles& layout, double reach)
-    : probes_(scene.probes), first_(layout.first), body_(layout.body) {
-  for (double V0 : layout.V0) diameter_.push_back(std::pow(V0, 1.0 / Dim));
+ProbeRecorder<Dim>::ProbeRecorder(const Scene& scene, const InitialParticles& initial, double reach)
+    : probes_(scene.probes), first_(initial.first), body_(initial.body) {
+  for (double V0 : initial.V0) diameter_.push_back(std::pow(V0, 1.0 / Dim));
   for (const Probe& probe : probes_) {
     Follower f;
     const int body = probe.bodies.empty() ? 0 : probe.bodies[0];
     if (probe.kind == Probe::Kind::mean_velocity) {
       double total = 0;
-      for (int i = first_[body]; i < first_[body + 1]; ++i) total += layout.V0[i];
-      for (int i = first_[body]; i < first_[body + 1]; ++i) f.at.push_back({i, layout.V0[i] / total});
+      for (int i = first_[body]; i < first_[body + 1]; ++i) total += initial.V0[i];
+      for (int i = first_[body]; i < first_[body + 1]; ++i) f.at.push_back({i, initial.V0[i] / total});
     } else if (probe.kind != Probe::Kind::gap && probe.kind != Probe::Kind::mirror_asymmetry) {
-      f.at = point(layout, probe, probe.at, reach);
-      if (probe.kind == Probe::Kind::distance) f.to = point(layout, probe, probe.to, reach);
+      f.at = point(initial, probe, probe.at, reach);
+      if (probe.kind == Probe::Kind::distance) f.to = point(initial, probe, probe.to, reach);
     }
     followers_.push_back(std::move(f));
   }
 }
 
 template <int Dim>
-auto ProbeRecorder<Dim>::point(const InitialParticles& layout, const Probe& probe, const Point& at,
+auto ProbeRecorder<Dim>::point(const InitialParticles& initial, const Probe& probe, const Point& at,
                                double reach) const -> std::vector<PointWeight> {
   const int body = probe.bodies[0];
-  std::vector<PointWeight> point = material_point(layout.x, first_[body], first_[body + 1], at, reach, Dim);
+  std::vector<PointWeight> point = material_point(initial.x, first_[body], first_[body + 1], at, reach, Dim);
   if (point.empty())
     throw SceneError("probe." + probe.name,
                      "the probe '" + probe.name + "' has too few particles of its body around its point");

@@ -24,8 +24,8 @@ class Simulation {
  public:
   virtual ~Simulation() = default;
 
-  /// Steps until the first step at or past time `t` (never cut short: output does not alter a run), then
-  /// refreshes `snapshot`. Throws NumericalError when a value is no longer finite.
+  /// Steps until the first step at or past time `t` (never cut short: output does not alter a run). Throws
+  /// NumericalError when a value is no longer finite; `snapshot` is the last one taken before, then.
   virtual void advance_to(double t) = 0;
 
   /// All that its next steps depend on, and the series so far, as bytes for `load`.
@@ -34,10 +34,15 @@ class Simulation {
   /// of machine: the next steps give the same bytes. Throws UsageError for a state that is not one of those.
   virtual void load(std::string_view state) = 0;
 
-  const Snapshot& snapshot() const { return snapshot_; }
+  /// The particles now. Made when it is first asked for, from what the next steps make anew, so that nothing
+  /// they depend on is altered.
+  const Snapshot& snapshot() const {
+    if (outdated_) const_cast<Simulation*>(this)->renew_snapshot();
+    return snapshot_;
+  }
   const Series& series() const { return series_; }
-  double time() const { return snapshot_.time; }
-  long steps() const { return snapshot_.step; }
+  double time() const { return time_; }  // s
+  long steps() const { return step_; }
   /// Directed pairs of neighbours, as of the last rebuild.
   long pairs() const { return pairs_; }
   double support() const { return support_; }  // radius of interaction, m
@@ -45,11 +50,22 @@ class Simulation {
   int threads() const { return threads_; }
 
  protected:
+  virtual void take_snapshot() = 0;  // into snapshot_
+
   Snapshot snapshot_;
+  bool outdated_ = true;  // snapshot_
+  double time_ = 0;       // s
+  long step_ = 0;
   Series series_;
   long pairs_ = 0;
   double support_ = 0;
   int threads_ = 1;
+
+ private:
+  void renew_snapshot() {
+    take_snapshot();
+    outdated_ = false;
+  }
 };
 
 }  // namespace taut

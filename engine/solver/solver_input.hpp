@@ -12,8 +12,9 @@ namespace taut {
 
 /// What a solver is made from.
 struct SolverInput {
+  const Formulation& method;
   const Scene& scene;
-  const InitialParticles& layout;
+  const InitialParticles& initial;
   Constants constants;
   std::vector<Elasticity> materials;  // in the order of Scene::materials
   Law law;                            // of a method whose law is free

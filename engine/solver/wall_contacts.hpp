@@ -3,7 +3,9 @@
 #include <utility>
 #include <vector>
 
+#include "engine/methods/term_info.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/snapshot.hpp"
 #include "engine/solver/state.hpp"
 
 namespace taut::inline TAUT_ISA {
@@ -75,5 +77,9 @@ class WallContacts {
   std::vector<std::pair<int, int>> near_;
   Impulse given_;
 };
+
+inline constexpr TermInfo wall_info{
+    "wall", "as the own mirror image by the law of contact, sph: by the penalty", "ours",
+    "solver/wall_contacts.hpp:WallContacts", "wall: a body meets its mirror image"};
 
 }  // namespace taut::inline TAUT_ISA

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/core/tensor.hpp"
+#include "engine/methods/term_info.hpp"
 
 /// Gray's artificial stress: tension is met by a small repulsion between close particles.
 /// [Zhang2024] names it for SPH-OAS with neither equations nor values; these are Gray, Monaghan, Swift
@@ -20,6 +21,19 @@ inline Sym<double, 2> positive_part(const Sym<double, 2>& sigma) {
   const double scale = 0.5 * greatest / radius;  // greatest · n ⊗ n = ½ greatest (I + deviator/radius)
   return {scale * (radius + half), scale * sigma(0, 1), scale * (radius - half)};
 }
+/// As the stress divergence of [Khayyer2024] has it: without correction, with it, and with tensile control.
+inline constexpr TermInfo repulsion_info{
+    "artificial stress", "dv/dt = ε Σ (W/W(dp))ⁿ of the stress divergence of −σ⁺", "[Khayyer2024] Eq. 17–21",
+    "terms/artificial_stress.hpp:positive_part",
+    "artificial stress: the positive part against principal stresses chosen by hand"};
+inline constexpr TermInfo corrected_repulsion_info{
+    "artificial stress", "dv/dt = ε Σ (W/W(dp))ⁿ of the stress divergence of −σ⁺",
+    "[Khayyer2024] Eq. 18–21, 31", "terms/artificial_stress.hpp:positive_part",
+    "artificial stress: the positive part against principal stresses chosen by hand"};
+inline constexpr TermInfo surface_repulsion_info{
+    "artificial stress, at surfaces", "dv/dt = ε Σ (W/W(dp))ⁿ of the stress divergence of −σ⁺",
+    "[Khayyer2024] Eq. 18–21, 31", "terms/artificial_stress.hpp:positive_part",
+    "artificial stress: the positive part against principal stresses chosen by hand"};
 
 /// R = −ε σ⁺/ρ², Pa m⁶/kg²
 template <int Dim>
@@ -33,5 +47,9 @@ Vec<T, Dim> artificial_stress_term(const Sym<T, Dim>& R_i, const Sym<T, Dim>& R_
                                    const T& closeness, const T& dW, const Vec<T, Dim>& e_ij) {
   return T(m_j * closeness * dW) * ((R_i + R_j) * e_ij);
 }
+inline constexpr TermInfo artificial_stress_info{
+    "artificial stress", "dv/dt = Σ m_j (R_i + R_j) (W/W(dp))ⁿ·∇W, R = −ε σ⁺/ρ²",
+    "[Zhang2024] §6, Gray et al. 2001", "terms/artificial_stress.hpp:artificial_stress_term",
+    "artificial stress: pushes a stretched pair apart, the more the closer it is"};
 
 }  // namespace taut::inline TAUT_ISA

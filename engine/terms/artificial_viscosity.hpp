@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/pack.hpp"
+#include "engine/methods/term_info.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -15,5 +16,9 @@ T artificial_viscosity(const T& closing_speed, const T& r, const T& c_mean, cons
   const T closing = max(closing_speed, T{});
   return -alpha * h * c_mean * closing * r / (rho_mean * (r * r + 0.01 * h * h));
 }
+inline constexpr TermInfo artificial_viscosity_info{
+    "artificial viscosity", "dv/dt = Σ m_j Π ∇W, Π = α h c̄/ρ̄ u·r/(r² + 0.01 h²) where it closes",
+    "[Khayyer2024] Eq. 15, 16", "terms/artificial_viscosity.hpp:artificial_viscosity",
+    "artificial viscosity: slows what closes by Eq. 16, leaves what opens"};
 
 }  // namespace taut::inline TAUT_ISA

@@ -5,7 +5,7 @@
 #include "engine/core/cube_root.hpp"
 #include "engine/core/pack.hpp"
 #include "engine/core/tensor.hpp"
-#include "engine/methods/constants.hpp"
+#include "engine/methods/term_info.hpp"
 
 /// `oenog`, an objective relative of ENOG that no paper has. In 2D; in 3D the sums over 1/s are others.
 ///
@@ -60,6 +60,9 @@ template <class T>
 T bond_energy(const T& s) {
   return (s * (2 * s - 3) + 1 / s) / 24;
 }
+inline constexpr TermInfo bond_energy_info{
+    "energy", "E = Σ_i V_i [ G Σ_j w_ij φ(r_ij/r0_ij) + U_i(F_i) ]", "ours", "terms/bond.hpp:bond_energy",
+    "bond: a linear displacement has the neo-Hookean energy and stress"};
 
 /// φ′(λ)/λ of s = λ²: times k (x_j − x_i) with k = G (V_i w_ij + V_j w_ji)/r0² it is the force on i.
 template <class T>
@@ -67,6 +70,10 @@ T bond_slope(const T& s) {
   const T inverse = 1 / s;
   return (4 * s - 3 - inverse * inverse) / 12;
 }
+inline constexpr TermInfo bond_force_info{
+    "bond force", "f_i = Σ_j k_ij φ′(λ_ij)/λ_ij (x_j − x_i), φ = (2λ⁴ − 3λ² + λ⁻²)/24",
+    "ours, from [Zhang2024] Eq. 20", "terms/bond.hpp:bond_slope",
+    "bond: the slopes are those of the energies, and rise"};
 
 /// φ″(λ) of s = λ²: 1 at rest. What a bond resists its own stretch with.
 template <class T>
@@ -79,11 +86,6 @@ T bond_stiffness(const T& s) {
 template <class T>
 T closing_stiffness(const T& J) {
   return 1 + 24 * max(1 - 2 * J, T{});
-}
-
-/// m/s, of compression in plane strain and in 3D
-inline double compression_wave_speed(const Elasticity& m) {
-  return std::sqrt((m.K + 4.0 / 3 * m.G) / m.rho0);
 }
 
 /// Not std::complex, which looks for infinities in every product.
@@ -142,5 +144,9 @@ struct Remainder {
   static T shut(const T& J) { return max(1 - 2 * J, T{}); }
   T wave_modulus() const { return K + 4.0 / 3 * G; }
 };
+inline constexpr TermInfo remainder_info{
+    "stress",
+    "f_i = Σ_j (V_i P_i g_ij − V_j P_j g_ji), P = ∂U/∂F, U = W − G (t² − t − J²/3 + (1 − R/4)/(3J))", "ours",
+    "terms/bond.hpp:Remainder", "bond: the slopes are those of the energies, and rise"};
 
 }  // namespace taut::inline TAUT_ISA

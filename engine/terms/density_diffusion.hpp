@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/tensor.hpp"
+#include "engine/methods/term_info.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -21,5 +22,9 @@ T density_diffusion_term(const T& rho_i, const T& rho_j, const Vec<T, Dim>& grad
   const T psi = 2 * (rho_j - rho_i) + r * dot(gradient_i + gradient_j, e_ij);
   return -psi * dW / r * V_j;
 }
+inline constexpr TermInfo density_diffusion_info{
+    "density diffusion", "dρ/dt = δ h c0 Σ ψ_ij (r·∇W)/r² V_j", "[Khayyer2024] Eq. 32–35",
+    "terms/density_diffusion.hpp:density_diffusion_term",
+    "density diffusion: none where the density is linear, from dense to thin otherwise"};
 
 }  // namespace taut::inline TAUT_ISA

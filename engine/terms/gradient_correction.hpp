@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/tensor.hpp"
+#include "engine/methods/term_info.hpp"
 
 /// The kernel gradient is corrected so that the gradient of a linear field is exact, L_i·∇_i W in place of
 /// ∇_i W.
@@ -13,11 +14,20 @@ template <class T, int Dim>
 void add_gradient_moment(Sym<T, Dim>& M, const T& V_j, const T& dW, const T& r, const Vec<T, Dim>& e_ij) {
   add_outer(M, T(-V_j * dW * r), e_ij);
 }
+/// In what is recovered to be shown.
+inline constexpr TermInfo stress_recovery_info{
+    "stress shown", "s = ∫ 2G dev D + rotation dt, corrected gradient", "[Zhang2024] Eq. 26, 27",
+    "terms/gradient_correction.hpp:add_gradient_moment",
+    "velocity gradient: exact for a linear field after correction, on irregular particles"};
 
 /// L = M⁻¹; 0 where M has no inverse, as for a particle without neighbours, or with all of them in one line.
 template <int Dim>
 Sym<double, Dim> gradient_correction(const Sym<double, Dim>& M) {
   return inverse(M);
 }
+inline constexpr TermInfo gradient_correction_info{
+    "gradient correction", "L = (−Σ V_j r_ij ⊗ ∇W)⁻¹", "[Khayyer2024] §3.1",
+    "terms/gradient_correction.hpp:gradient_correction",
+    "gradient correction: exact for a linear field at a surface, and far off without"};
 
 }  // namespace taut::inline TAUT_ISA

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/core/pack.hpp"
+#include "engine/methods/term_info.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -18,5 +19,9 @@ inline double stopping_impulse(double closing_speed, double inv_m_i, double inv_
   const double inv_mu = inv_m_i + inv_m_j;
   return inv_mu > 0 ? std::max(closing_speed, 0.0) / inv_mu : 0;
 }
+inline constexpr TermInfo impulse_info{
+    "contact", "Δ(m_i v_i) = m_i m_j/(m_i + m_j) · closing speed, between bodies, r < dp",
+    "[Khayyer2024] Eq. 53, 54", "terms/impulse_contact.hpp:stopping_impulse",
+    "impulse contact: stops the approach of a pair, nothing else"};
 
 }  // namespace taut::inline TAUT_ISA

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/pack.hpp"
+#include "engine/methods/term_info.hpp"
 
 /// The low-dissipation Riemann problem of a pair along e_ij (from j to i), with the left state i:
 ///   U_L = −v_i·e_ij,  U_R = −v_j·e_ij,  so U_L − U_R = −v_ij·e_ij is the speed at which the pair closes.
@@ -26,6 +27,9 @@ T riemann_pressure(const T& p_i, const T& p_j, const T& closing_speed, const Dis
   const T beta = min(max(d.slope * closing_speed, filled<T>(d.least)), filled<T>(1));
   return 0.5 * (p_i + p_j + d.rho0_c0 * beta * closing_speed);
 }
+inline constexpr TermInfo riemann_pressure_info{"pressure force", "dv/dt = −2 Σ m_j P*/(ρ_i ρ_j) ∇W",
+                                                "[Zhang2024] Eq. 12", "terms/riemann.hpp:riemann_pressure",
+                                                "riemann: P* is symmetric in the two states"};
 
 /// V_j · 2 (U* + v_i·e_ij) ∂W/∂r with U* = ½ (U_L + U_R), that is V_j (v_ij·e_ij) ∂W/∂r: its sum over j times
 /// ρ_i is dρ_i/dt, in 1/s.                                                      [Zhang2024] Eq. 11
@@ -34,6 +38,9 @@ template <class T>
 T compression_term(const T& V_j, const T& dW, const T& closing_speed) {
   return -V_j * dW * closing_speed;
 }
+inline constexpr TermInfo compression_info{
+    "continuity", "dρ/dt = ρ_i Σ V_j v_ij·∇W", "[Zhang2024] Eq. 11", "terms/riemann.hpp:compression_term",
+    "riemann: what closes grows denser, whatever the order of the pair"};
 
 /// The remaining part of U*: V_j · 2 · share (p_i − p_j)/(2 ρ0 c0) ∂W/∂r, in 1/s.  [Zhang2024] Eq. 11
 /// Left out by default (share = 0), as in the authors' own implementation: it diffuses the pressure gradient

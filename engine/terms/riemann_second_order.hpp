@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/tensor.hpp"
+#include "engine/methods/term_info.hpp"
 
 /// Dissipation from the Riemann problem of each pair, with velocities reconstructed half way to each other:
 /// it vanishes where the velocity is linear.
@@ -23,5 +24,9 @@ T riemann_dissipation(const T& closing_speed, const T& impedance_i, const T& imp
                       const T& root_rho_j) {
   return (impedance_i + impedance_j) / (root_rho_i + root_rho_j) * closing_speed;
 }
+inline constexpr TermInfo riemann_dissipation_info{
+    "Riemann term", "dv/dt = −Σ m_j p**/(ρ_i ρ_j) ∇W, p** = C_ij (u_i − u_j) reconstructed",
+    "[Khayyer2024] Eq. 39–45", "terms/riemann_second_order.hpp:riemann_dissipation",
+    "Riemann term: none where the velocity is linear, equal and opposite"};
 
 }  // namespace taut::inline TAUT_ISA

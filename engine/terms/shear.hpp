@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/tensor.hpp"
+#include "engine/methods/term_info.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -11,6 +12,9 @@ Vec<T, Dim> nested_shear_term(const Sym<T, Dim>& s_i, const Sym<T, Dim>& s_j, co
                               const Vec<T, Dim>& e_ij) {
   return T(V_j * dW) * ((s_i + s_j) * e_ij);
 }
+inline constexpr TermInfo nested_shear_info{"shear force", "dv/dt = Σ m_j (s_i + s_j)/(ρ_i ρ_j)·∇W",
+                                            "[Zhang2024] Eq. 13", "terms/shear.hpp:nested_shear_term",
+                                            "force: what j does to i, i does to j in the other direction"};
 
 /// 2 V_j (e_ij·v_ij)/r_ij ∇_i W: its sum over j times ζ is ∇²v, 1/(m s).             [Zhang2024] Eq. 19
 /// The force acts along e_ij, so that a rigid rotation gives none. In the continuum the operator equals
@@ -21,6 +25,10 @@ Vec<T, Dim> laplacian_term(const Vec<T, Dim>& v_ij, const T& V_j, const T& dW, c
                            const Vec<T, Dim>& e_ij) {
   return T(2 * V_j * dW * inv_r * dot(e_ij, v_ij)) * e_ij;
 }
+inline constexpr TermInfo laplacian_info{
+    "shear force", "dv/dt = ∫ 2ζ G/ρ Σ V_j (e·v_ij)/r ∇W dt", "[Zhang2024] Eq. 20",
+    "terms/shear.hpp:laplacian_term",
+    "laplacian: in the continuum it is (∇²v + 2 ∇∇·v)/(d + 2), the plain one ∇²v"};
 
 /// 2 V_j v_ij/r_ij ∂W/∂r: its sum over j is ∇²v, 1/(m s).                           [Zhang2024] Eq. 18
 /// Does not vanish for a rigid rotation.
@@ -29,5 +37,9 @@ Vec<T, Dim> laplacian_term_nonconservative(const Vec<T, Dim>& v_ij, const T& V_j
                                            const T& inv_r) {
   return T(2 * V_j * dW * inv_r) * v_ij;
 }
+inline constexpr TermInfo laplacian_nonconservative_info{
+    "shear force", "dv/dt = ∫ 2 G/ρ Σ V_j v_ij/r ∂W/∂r dt", "[Zhang2024] Eq. 18",
+    "terms/shear.hpp:laplacian_term_nonconservative",
+    "laplacian: in the continuum it is (∇²v + 2 ∇∇·v)/(d + 2), the plain one ∇²v"};
 
 }  // namespace taut::inline TAUT_ISA

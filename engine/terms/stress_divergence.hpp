@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/tensor.hpp"
+#include "engine/methods/term_info.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -13,5 +14,17 @@ Vec<T, Dim> stress_divergence_term(const Mat<T, Dim>& T_i, const Mat<T, Dim>& T_
                                    const Vec<T, Dim>& e_ij) {
   return T(w_j * dW) * ((T_i + T_j) * e_ij);
 }
+inline constexpr TermInfo stress_divergence_info{
+    "stress divergence", "dv/dt = Σ m_j (σ_i + σ_j)/(ρ_i ρ_j)·∇W", "[Khayyer2024] Eq. 9",
+    "terms/stress_divergence.hpp:stress_divergence_term",
+    "stress divergence: equal and opposite, and the pull of tension is towards the other"};
+inline constexpr TermInfo corrected_divergence_info{
+    "stress divergence", "dv/dt = Σ m_j (σ_i·L_i + σ_j·L_j)/(ρ_i ρ_j)·∇W", "[Khayyer2024] Eq. 28",
+    "terms/stress_divergence.hpp:stress_divergence_term",
+    "stress divergence: equal and opposite, and the pull of tension is towards the other"};
+inline constexpr TermInfo divergence_of_squares_info{
+    "stress divergence", "dv/dt = Σ m_j (σ_i/ρ_i² + σ_j/ρ_j²)·∇W", "[TranDuc2023] Eq. 2.3",
+    "terms/stress_divergence.hpp:stress_divergence_term",
+    "stress divergence: equal and opposite, and the pull of tension is towards the other"};
 
 }  // namespace taut::inline TAUT_ISA

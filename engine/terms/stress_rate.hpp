@@ -2,6 +2,7 @@
 
 #include "engine/core/tensor.hpp"
 #include "engine/methods/formulation.hpp"
+#include "engine/methods/term_info.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -25,6 +26,9 @@ Sym<double, Dim> jaumann_rate(const Mat<double, Dim>& L, const Sym<double, Dim>&
   }
   return rate;
 }
+inline constexpr TermInfo jaumann_rate_info{"stress rate", "ds/dt = 2G (D − tr D/d I) + ω s − s ω",
+                                            "[Zhang2024] Eq. 7", "terms/stress_rate.hpp:jaumann_rate",
+                                            "stress rate: by hand for stretch and shear, for both deviators"};
 
 /// The deviatoric stress a time dt later, s → R s Rᵀ + 2G (D − tr D/n I) dt: Jaumann's rate with its rotation
 /// terms over the whole step, R = (I − ½ dt ω)⁻¹ (I + ½ dt ω). A rigid rotation of the particles then turns s
@@ -40,5 +44,9 @@ Sym<double, 2> turned_stress(const Mat<double, 2>& L, const Sym<double, 2>& s, d
   Sym<double, 2> result{mean + turned, cos2 * s(0, 1) - sin2 * difference, mean - turned};
   return result += dt * jaumann_rate<deviator>(L, Sym<double, 2>{}, G);
 }
+inline constexpr TermInfo turned_stress_info{
+    "stress rate", "ds/dt = 2G (D − tr D/3 I) + ω s − s ω", "[Khayyer2024] Eq. 6, 7",
+    "terms/stress_rate.hpp:turned_stress",
+    "turned stress: a rigid turn of any size in one step turns it and keeps its size"};
 
 }  // namespace taut::inline TAUT_ISA

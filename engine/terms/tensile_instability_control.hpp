@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/tensor.hpp"
+#include "engine/methods/term_info.hpp"
 
 /// In the inner region the stress divergence of a particle in tension takes differences instead of sums: with
 /// R = −σ⁺, σ⁺ the tensile part, σ_i·L_i becomes (σ_i + 2 R_i)·L_i.              [Khayyer2024] §3.4
@@ -13,10 +14,18 @@ template <class T>
 T colour_term(const T& W, const T& V_j) {
   return W * V_j;
 }
+inline constexpr TermInfo surface_info{
+    "surface", "C = Σ W V_j < 0.9, and what is nearer than 1.2 dp", "[Khayyer2024] Eq. 52",
+    "terms/tensile_instability_control.hpp:colour_term",
+    "colour function: 1 inside a lattice, below 0.9 on its face, above one row deeper"};
 
 /// 2 R_i·L_i·Σ V_j ∇_i W, force per volume of an inner particle, N/m³.          [Khayyer2024] Eq. 50, 51
 inline Vec<double, 2> tensile_control(const Mat<double, 2>& R_L, const Vec<double, 2>& sum_V_gradient) {
   return 2.0 * (R_L * sum_V_gradient);
 }
+inline constexpr TermInfo tensile_control_info{
+    "tensile control, inside", "dv/dt = Σ m_j 2 R_i·L_i/(ρ_i ρ_j)·∇W, R = −σ⁺", "[Khayyer2024] Eq. 49–51",
+    "terms/tensile_instability_control.hpp:tensile_control",
+    "tensile control: turns the sum of equal tensions into their difference"};
 
 }  // namespace taut::inline TAUT_ISA

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -61,6 +62,40 @@ TEST_SUITE("unit") {
         CHECK(test_sources().find("TEST_CASE(\"" + std::string(term.test) + "\")") != std::string::npos);
       }
     }
+  }
+
+  TEST_CASE("equations: every citation of a paper is of a term that its method has") {
+    for (const MethodInfo& method : methods()) {
+      for (const Citation& citation : method.formulation.citations) {
+        // a paper's list serves all its methods of a family
+        const auto has = [&](const MethodInfo& m) {
+          return m.formulation.citations.data() == method.formulation.citations.data() &&
+                 std::ranges::find(m.terms, citation.what, &TermInfo::what) != m.terms.end();
+        };
+        CAPTURE(std::string(citation.what));
+        CHECK(std::ranges::any_of(methods(), has));
+      }
+    }
+  }
+
+  TEST_CASE("constants: each setting reaches a place of its own, and what is left out its default") {
+    for (const MethodInfo& method : methods()) {
+      CAPTURE(std::string(method.name));
+      for (const MethodConstant& one : method.constants) {
+        CAPTURE(std::string(one.name));
+        Settings settings;
+        settings.constants[std::string(one.name)] = 0.75;
+        Constants c;
+        c.dp = 2;
+        set_constants(c, method.formulation, 2, settings);
+        for (const MethodConstant& other : method.constants) {
+          const double value = other.name == one.name ? 0.75 : other.value;
+          CHECK(c.*other.member == value * (other.name == "h" ? c.dp : 1));
+        }
+      }
+    }
+    const auto spatial = method_constants(find_method("enog")->formulation, 3);
+    CHECK(std::ranges::find(spatial, "zeta", &MethodConstant::name)->value == doctest::Approx(4.2));
   }
 
   TEST_CASE("tests: no name has a semicolon, at which CMake would break it and run nothing") {

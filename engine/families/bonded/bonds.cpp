@@ -77,11 +77,11 @@ class Moments {
 };
 
 /// The particles of its own body within reach of each one, by id.
-std::vector<std::vector<int>> neighbors_at_start(const InitialParticles& layout, double reach) {
-  const int n = layout.size();
+std::vector<std::vector<int>> initial_neighbors(const InitialParticles& initial, double reach) {
+  const int n = initial.size();
   std::vector<Vec<double, Dim>> x(n), sorted(n);
   for (int i = 0; i < n; ++i)
-    for (int k = 0; k < Dim; ++k) x[i][k] = layout.x[i][k];
+    for (int k = 0; k < Dim; ++k) x[i][k] = initial.x[i][k];
   CellGrid<Dim> grid;
   const std::vector<int> order = grid.sort(x, reach);
   for (int i = 0; i < n; ++i) sorted[i] = x[order[i]];
@@ -92,7 +92,7 @@ std::vector<std::vector<int>> neighbors_at_start(const InitialParticles& layout,
     const int id = order[i];
     for (int k = lanes * found.begin[i]; k < lanes * found.begin[i + 1]; ++k) {
       const int other = order[found.j[k]];
-      if (other != id && layout.body[other] == layout.body[id]) near[id].push_back(other);
+      if (other != id && initial.body[other] == initial.body[id]) near[id].push_back(other);
     }
   }
   return near;
@@ -114,8 +114,8 @@ Point point(const Eigen::Vector<double, Dim>& v) {
 /// Makes the bonds step by step; what each step needs was made by the ones before.
 class Maker {
  public:
-  Maker(const Scene& scene, const InitialParticles& layout, double h)
-      : scene_(scene), initial_(layout), h_(h), chosen_(layout.size()) {}
+  Maker(const Scene& scene, const InitialParticles& initial, double h)
+      : scene_(scene), initial_(initial), h_(h), chosen_(initial.size()) {}
 
   Bonds make() {
     choose();
@@ -146,7 +146,7 @@ class Maker {
 /// Which others each particle asks for, and with which weights.
 void Maker::choose() {
   const Moments moments;
-  const auto near = neighbors_at_start(initial_, greatest_bond_reach * h_);
+  const auto near = initial_neighbors(initial_, greatest_bond_reach * h_);
   for (int i = 0; i < initial_.size(); ++i) {
     const Eigen::Vector<double, Dim> x_i = column(initial_.x[i]);
     for (double reach = 2; reach <= greatest_bond_reach; reach += 0.125) {
@@ -270,8 +270,8 @@ std::complex<double> harmonic(const Bonds& bonds, int i, int n) {
   return sum;
 }
 
-Bonds make_bonds(const Scene& scene, const InitialParticles& layout, double h) {
-  return Maker(scene, layout, h).make();
+Bonds make_bonds(const Scene& scene, const InitialParticles& initial, double h) {
+  return Maker(scene, initial, h).make();
 }
 
 }  // namespace taut

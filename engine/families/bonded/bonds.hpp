@@ -41,7 +41,7 @@ struct Bonds {
 /// surface. The volumes contain this end correction, with g_ij for the derivative: about 1.05, 0.94 and 1.01
 /// of V0 in the outermost rows. It brings bending, where the outermost particles count most, from an error of
 /// the period of 0.57 % at ten particles across to 0.18 %. Masses stay as they are.
-Bonds make_bonds(const Scene& scene, const InitialParticles& layout, double h);
+Bonds make_bonds(const Scene& scene, const InitialParticles& initial, double h);
 
 /// Σ_j w_ij e^(−inθ_ij) of particle i, θ_ij the direction of X_ij in the plane: 0 for n = 2 and 4 where the
 /// moments are right, and what is left to say how far from isotropic the bonds are.

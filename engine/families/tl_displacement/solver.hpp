@@ -11,36 +11,25 @@ namespace taut::inline TAUT_ISA {
 /// unless the law has none, and time goes in position Verlet steps (the leap-frog of [Zhang2020] Eq. 10, 11
 /// with its forces at mid-step), so that the energy has no drift. There is no dissipation.
 template <const Formulation& M, int Dim>
-class TlDisplacement final : public InitialPairSolver<M, Dim> {
+class TlDisplacement final : public InitialPairSolver<TlDisplacement<M, Dim>, M, Dim> {
  public:
   explicit TlDisplacement(const SolverInput& input)
       : Base(input), displacement_(s_.size()), stress_(s_.size()), F_(s_.size()) {
-    this->record_start();
-    take_snapshot();
+    this->record();
   }
 
-  void advance_to(double t) override {
-    this->run_to(t, [this] { step(); });
-    take_snapshot();
-  }
-
-  std::string save() override { return Base::saved(*this); }
-  void load(std::string_view state) override {
-    Base::load_into(*this, state);
-    take_snapshot();
-  }
+  void step();
 
  private:
-  using Base = InitialPairSolver<M, Dim>;
-  using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::threads_now, Base::vmax_,
-      Base::pairs_of_start_, Base::V0_, Base::X_;
+  using Base = InitialPairSolver<TlDisplacement<M, Dim>, M, Dim>;
+  using Base::c_, Base::s_, Base::contact_, Base::threads_now, Base::vmax_, Base::initial_pairs_, Base::V0_,
+      Base::X_;
   using typename Base::Mat;
   using typename Base::V;
 
-  void step();
   void deformation_pass();
   double force_pass(double dt);
-  void take_snapshot();
+  void take_snapshot() override;
 
   std::vector<Tile<Dim>> displacement_;  // u = x − X, in rows
   std::vector<Tile<Dim>> stress_;        // V P B
@@ -61,30 +50,27 @@ void TlDisplacement<M, Dim>::step() {
   Base::stop_approach(0.5 * dt, [&](int i, const V& change) { s_.x[i] += (0.5 * dt) * change; });
   Base::finish_step(dt);
 }
+inline constexpr TermInfo tl_displacement_time_info{
+    "time", "position Verlet, one step", "[Zhang2020] Eq. 10, 11", "families/tl_displacement/solver.hpp:step",
+    "total Lagrangian: a ring and a disc that collide"};
 
 /// F = I + ∇u and P(F) of every particle.
 template <const Formulation& M, int Dim>
 void TlDisplacement<M, Dim>::deformation_pass() {
   parallel_for(s_.size(), threads_now(), [&](int i) {
-    Mat F = product(matrix(pairs_of_start_.difference_sum(displacement_, i)), pairs_of_start_.B[i]);
+    Mat F = product(matrix(initial_pairs_.difference_sum(displacement_, i)), initial_pairs_.B[i]);
     for (int k = 0; k < Dim; ++k) F(k, k) += 1;
     F_[i] = F;
-    stress_[i] = tile(product(this->law(i).piola(F, determinant(F)), V0_[i] * pairs_of_start_.B[i]));
+    stress_[i] = tile(product(this->law(i).piola(F, determinant(F)), V0_[i] * initial_pairs_.B[i]));
   });
 }
 
 /// Internal and contact force; then v and the second half of x. The greatest v², m²/s².
 template <const Formulation& M, int Dim>
 double TlDisplacement<M, Dim>::force_pass(double dt) {
-  Base::set_outside(dt, this->time_ + dt);
-  const bool contact = contact_.active(), outside = Base::outside_acts();
+  const typename Base::Kick kick(*this, dt, this->time_ + dt);
   return parallel_max(s_.size(), threads_now(), [&](int i) {
-    V force = pairs_of_start_.pair_sum(stress_, i);
-    if (contact) force += contact_.force(i);
-    V v = s_.v[i];
-    v += (dt * s_.mobile[i] / s_.m[i]) * force;
-    if (outside) Base::act_from_outside(i, dt, v);
-    s_.v[i] = v;
+    const V v = kick.by_force(i, initial_pairs_.pair_sum(stress_, i));
     s_.x[i] += (0.5 * dt) * v;
     return dot(v, v);
   });

@@ -13,7 +13,7 @@ namespace taut::inline TAUT_ISA {
 /// ΔW = W″ + (Dim − 1) W′/r. The w_ij are stored times `scale`, m².
 /// Not symmetric: Σ V_i L[f]_i ≠ 0.
 template <class K, int Dim>
-std::vector<double> corrected_laplacian(const ReferencePairs<Dim>& pairs,
+std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
                                         const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,
                                         double h, double scale) {
   constexpr int N = Dim + 1;
@@ -57,11 +57,15 @@ std::vector<double> corrected_laplacian(const ReferencePairs<Dim>& pairs,
   }
   return w;
 }
+inline constexpr TermInfo corrected_laplacian_info{
+    "dissipation", "D(U) = c_p dp (ε₂ L[U] − ε₄ dp² L*[L[U]]), L corrected", "[Lee2016] Eq. 36, 37, A.1–A.5",
+    "families/tl_mixed/corrected_laplacian.hpp:corrected_laplacian",
+    "corrected Laplacian: 0 of linear fields, 2 d of the square of the distance, at surfaces too"};
 
 /// V_j w_ji/V_i of each pair, so that L*[f]_i = Σ_j (V_j w_ji/V_i f_j − w_ij f_i) is the adjoint of L:
 /// Σ V_i g_i L[f]_i = Σ V_i f_i L*[g]_i.
 template <int Dim>
-std::vector<double> adjoint_weights(const ReferencePairs<Dim>& pairs, const std::vector<double>& w,
+std::vector<double> adjoint_weights(const InitialPairs<Dim>& pairs, const std::vector<double>& w,
                                     const std::vector<double>& V) {
   std::vector<double> adjoint(w.size());
   for (int i = 0; i < pairs.size(); ++i) {
@@ -76,7 +80,7 @@ std::vector<double> adjoint_weights(const ReferencePairs<Dim>& pairs, const std:
 
 /// Σ_j (from_j f_j − from_i f_i) of up to four fields at once: L*[U], or L[U] with both weights alike.
 template <int Dim>
-Pack weighted_sum(const ReferencePairs<Dim>& pairs, const std::vector<double>& from_j,
+Pack weighted_sum(const InitialPairs<Dim>& pairs, const std::vector<double>& from_j,
                   const std::vector<double>& from_i, const std::vector<Pack>& U, int i) {
   const Pack own = U[i];
   Pack sum{};
@@ -87,7 +91,7 @@ Pack weighted_sum(const ReferencePairs<Dim>& pairs, const std::vector<double>& f
 
 /// L[U] of up to four fields at once.
 template <int Dim>
-Pack laplacian_sum(const ReferencePairs<Dim>& pairs, const std::vector<double>& w, const std::vector<Pack>& U,
+Pack laplacian_sum(const InitialPairs<Dim>& pairs, const std::vector<double>& w, const std::vector<Pack>& U,
                    int i) {
   const Pack own = U[i];
   Pack sum{};

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/core/tensor.hpp"
+#include "engine/methods/term_info.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -35,5 +36,10 @@ inline void project_on_momenta(std::vector<Vec<double, 2>>& a, const std::vector
     a[i] += share * Vec<double, 2>{-lambda * z[1] - mean_a[0], lambda * z[0] - mean_a[1]};
   }
 }
+
+inline constexpr TermInfo projection_info{
+    "projection", "forces and D(v) nearest to those with Σ V a = 0, Σ V Z × a = 0", "[Lee2016] Eq. 45–51",
+    "families/tl_mixed/momentum_projection.hpp:project_on_momenta",
+    "projection: the nearest accelerations without force and torque"};
 
 }  // namespace taut::inline TAUT_ISA

@@ -21,20 +21,11 @@ namespace taut::inline TAUT_ISA {
 /// about which central forces have no moment; so do loads. Of the dissipation and the internal force the sum
 /// is projected, which is the same as each of them (Eq. 49).
 template <const Formulation& M, int Dim>
-class TlMixed final : public InitialPairSolver<M, Dim> {
+class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
  public:
   explicit TlMixed(const SolverInput& input);
 
-  void advance_to(double t) override {
-    this->run_to(t, [this] { step(); });
-    take_snapshot();
-  }
-
-  std::string save() override { return Base::saved(*this); }
-  void load(std::string_view state) override {
-    Base::load_into(*this, state);
-    take_snapshot();
-  }
+  void step();
   template <class Archive>
   void serialize(Archive& archive) {
     Base::serialize(archive);
@@ -42,9 +33,9 @@ class TlMixed final : public InitialPairSolver<M, Dim> {
   }
 
  private:
-  using Base = InitialPairSolver<M, Dim>;
+  using Base = InitialPairSolver<TlMixed<M, Dim>, M, Dim>;
   using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::loads_, Base::threads_now, Base::vmax_;
-  using Base::initial_, Base::pairs_of_start_, Base::V0_, Base::X_;
+  using Base::initial_, Base::initial_pairs_, Base::V0_, Base::X_;
   using typename Base::Mat;
   using typename Base::V;
 
@@ -59,7 +50,6 @@ class TlMixed final : public InitialPairSolver<M, Dim> {
 
   double volume_ratio(const Unknown& u) const { return has_J ? u.J : determinant(u.F); }
 
-  void step();
   void find_rates(const std::vector<V>& Z, double dt);
   void set_rows(const std::vector<V>& Z);
   void gather_pass();
@@ -67,7 +57,7 @@ class TlMixed final : public InitialPairSolver<M, Dim> {
   void project(const std::vector<V>& Z);
   void predict(double dt);
   double correct(double dt);
-  void take_snapshot();
+  void take_snapshot() override;
 
   std::vector<Unknown> now_, start_;  // at the stage and at the start of the step
   std::vector<Unknown> rate_, rate_of_start_;
@@ -97,15 +87,14 @@ TlMixed<M, Dim>::TlMixed(const SolverInput& input)
   rate_of_start_ = rate_;
   Z_ = s_.x;
   if constexpr (M.jst) {
-    laplacian_ = corrected_laplacian<Kernel<M.kernel>>(pairs_of_start_, X_, V0_, c_.h, c_.dp * c_.dp);
-    outer_ = adjoint_weights(pairs_of_start_, laplacian_, V0_);
+    laplacian_ = corrected_laplacian<Kernel<M.kernel>>(initial_pairs_, X_, V0_, c_.h, c_.dp * c_.dp);
+    outer_ = adjoint_weights(initial_pairs_, laplacian_, V0_);
     for (std::size_t p = 0; p < outer_.size(); ++p)
       outer_[p] = c_.adjoint * outer_[p] + (1 - c_.adjoint) * laplacian_[p];
     smoothed_.resize(s_.size());
     once_.resize(s_.size());
   }
-  this->record_start();
-  take_snapshot();
+  this->record();
 }
 
 /// U* = U + Δt U̇(U), U** = U* + Δt U̇(U*), then the mean of U and U**.               [Lee2016] Eq. 43
@@ -130,6 +119,9 @@ void TlMixed<M, Dim>::step() {
   });
   Base::finish_step(dt);
 }
+inline constexpr TermInfo tl_mixed_time_info{"time", "TVD Runge–Kutta, two stages", "[Lee2016] Eq. 43",
+                                             "families/tl_mixed/solver.hpp:step",
+                                             "mixed: a ring and a disc that collide"};
 
 /// The right-hand sides at the present unknowns.                             [Lee2016] Algorithm 1, steps 4–8
 template <const Formulation& M, int Dim>
@@ -157,7 +149,7 @@ void TlMixed<M, Dim>::set_rows(const std::vector<V>& Z) {
     s_.x[i] = Z[i];
     s_.v[i] = u.v;
     velocity_[i] = in_rows(u.v);
-    stress_[i] = tile(product(this->law(i).piola(u.F, volume_ratio(u)), V0_[i] * pairs_of_start_.B[i]));
+    stress_[i] = tile(product(this->law(i).piola(u.F, volume_ratio(u)), V0_[i] * initial_pairs_.B[i]));
     if constexpr (M.jst) {
       for (int k = 0; k < Dim; ++k) smoothed_[i][k] = u.v[k];
       smoothed_[i][Dim] = u.J;
@@ -169,20 +161,23 @@ void TlMixed<M, Dim>::set_rows(const std::vector<V>& Z) {
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::gather_pass() {
   parallel_for(s_.size(), threads_now(), [&](int i) {
-    const Mat grad_v = product(matrix(pairs_of_start_.difference_sum(velocity_, i)), pairs_of_start_.B[i]);
+    const Mat grad_v = product(matrix(initial_pairs_.difference_sum(velocity_, i)), initial_pairs_.B[i]);
     rate_[i].F = grad_v;
     if constexpr (has_J) rate_[i].J = contraction(cofactor(now_[i].F), grad_v);
-    a_[i] = (1 / s_.m[i]) * pairs_of_start_.pair_sum(stress_, i);
-    if constexpr (M.jst) once_[i] = laplacian_sum(pairs_of_start_, laplacian_, smoothed_, i);
+    a_[i] = (1 / s_.m[i]) * initial_pairs_.pair_sum(stress_, i);
+    if constexpr (M.jst) once_[i] = laplacian_sum(initial_pairs_, laplacian_, smoothed_, i);
   });
 }
+inline constexpr TermInfo volume_ratio_info{
+    "volume ratio", "dJ/dt = H : Σ_j (v_j − v_i) ⊗ k_ij B_i, H = cof F", "[Lee2016] Eq. 33c",
+    "families/tl_mixed/solver.hpp:gather_pass", "mixed: a ring and a disc that collide"};
 
 /// D(U) = c_p dp ε₂ L[U] − c_p dp³ ε₄ L*[L[U]] of the velocity and of J.                [Lee2016] Eq. 35–38
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::dissipation_pass() {
   const double rate = Base::wave_speed() / c_.dp;
   parallel_for(s_.size(), threads_now(), [&](int i) {
-    const Pack twice = weighted_sum(pairs_of_start_, outer_, laplacian_, once_, i);
+    const Pack twice = weighted_sum(initial_pairs_, outer_, laplacian_, once_, i);
     for (int k = 0; k < Dim; ++k) a_[i][k] += rate * (c_.eps_v2 * once_[i][k] - c_.eps_v4 * twice[k]);
     dissipation_J_[i] = rate * (c_.eps_J2 * once_[i][Dim] - c_.eps_J4 * twice[Dim]);
   });

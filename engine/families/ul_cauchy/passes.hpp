@@ -177,12 +177,12 @@ void rate_pass(const CauchyFields<M, Dim>& f, const Constants& c, int threads, c
       if constexpr (M.corrected) add_gradient_moment(moment, o.V, g.dW, g.r, g.e);
       add_velocity_gradient(gradient, o.V, g.dW, v_ij, g.e);
       // Σ m_j u_ij·∇W, [TranDuc2023] §2.2
-      if constexpr (M.pair_stress == PairStress::squares) compression += o.rho * o.V * g.dW * dot(v_ij, g.e);
+      if constexpr (M.continuity == Continuity::masses) compression += o.rho * o.V * g.dW * dot(v_ij, g.e);
     }
     Mat<double, Dim> L = sum(gradient);
     if constexpr (M.corrected) L = product(L, gradient_correction(sum(moment)));
     double drho = sum(compression);
-    if constexpr (M.pair_stress == PairStress::product) drho = -a.rho[0] * trace(L);
+    if constexpr (M.continuity == Continuity::velocity_gradient) drho = -a.rho[0] * trace(L);
     use(i, L, drho);
   });
 }

@@ -7,7 +7,7 @@
 #include "engine/neighbors/neighbors.hpp"
 #include "engine/solver/state.hpp"
 
-/// What the passes of cauchy_passes.hpp gather and leave for each other.
+/// What the passes of passes.hpp gather and leave for each other.
 namespace taut::inline TAUT_ISA {
 
 /// Velocity (u or û), density, volume, place.

@@ -16,7 +16,7 @@ namespace taut::inline TAUT_ISA {
 /// Lists of neighbours reach a skin farther than the kernel, and hold until a particle has gone half the skin
 /// against the mean motion of its body; what lies beyond the kernel's support has no weight.
 template <const Formulation& M, int Dim>
-class UlCauchy final : public ParticleSolver<Dim> {
+class UlCauchy final : public ParticleSolver<UlCauchy<M, Dim>, Dim> {
  public:
   explicit UlCauchy(const SolverInput& input)
       : Base(input, Kernel<M.kernel>::support * input.constants.h), materials_(input.materials) {
@@ -28,20 +28,10 @@ class UlCauchy final : public ParticleSolver<Dim> {
     }
     f_.resize_particles(s_.size());
     rebuild();
-    Base::record_start();
-    take_snapshot();
+    Base::record();
   }
 
-  void advance_to(double t) override {
-    Base::run_to(t, [this] { step(); });
-    take_snapshot();
-  }
-
-  std::string save() override { return Base::saved(*this); }
-  void load(std::string_view state) override {
-    Base::load_into(*this, state);
-    take_snapshot();
-  }
+  void step();
   template <class Archive>
   void serialize(Archive& archive) {
     Base::serialize(archive);
@@ -49,7 +39,7 @@ class UlCauchy final : public ParticleSolver<Dim> {
   }
 
  private:
-  using Base = ParticleSolver<Dim>;
+  using Base = ParticleSolver<UlCauchy<M, Dim>, Dim>;
   using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::recorder_, Base::support_, Base::threads_now,
       Base::vmax_;
   using typename Base::V;
@@ -59,16 +49,15 @@ class UlCauchy final : public ParticleSolver<Dim> {
   static constexpr double skin = 0.25;
 
   const Elasticity& material(int i) const { return materials_[s_.material[i]]; }
-  void step();
   void rebuild();
-  void show_contacts_to_probes();
+  void show_neighbors_to_probes();
   void mark_materials();
   void set_motion();
   void set_stress(int i, const Gradients<Dim>& g);
   void accelerate(double dt);
   void transport(double dt);
   void advance(double dt);
-  void take_snapshot();
+  void take_snapshot() override;
 
   std::vector<Elasticity> materials_;
   bool several_materials_ = false;
@@ -87,7 +76,7 @@ template <const Formulation& M, int Dim>
 void UlCauchy<M, Dim>::step() {
   if (2 * way_ > skin * c_.dp) rebuild();
   const double dt = Base::fixed_or(c_.cfl * c_.h / c_.c0);  // Eq. 26
-  if (contact_.prepare(s_, vmax_ * dt)) show_contacts_to_probes();
+  if (contact_.prepare(s_, vmax_ * dt)) show_neighbors_to_probes();
   contact_.evaluate(s_, dt);
   gradient_pass(f_, c_, threads_now(), [&](int i, const Gradients<Dim>& g) { set_stress(i, g); });
   accelerate(dt);
@@ -95,6 +84,10 @@ void UlCauchy<M, Dim>::step() {
   advance(dt);
   Base::finish_step(dt);
 }
+inline constexpr TermInfo ul_cauchy_time_info{
+    "time", "symplectic Euler, rates at the middle of the step or where `geometry` says",
+    "[Khayyer2024] Eq. 22–26", "families/ul_cauchy/solver.hpp:step",
+    "naive: the ladder, a clamped plate of two materials and a disc that hits it"};
 
 /// T and R, and what else the stress pass gathers.
 template <const Formulation& M, int Dim>
@@ -129,14 +122,9 @@ void UlCauchy<M, Dim>::set_stress(int i, const Gradients<Dim>& g) {
 /// Velocities over the whole step, from the stresses of its start and the contact of bodies.
 template <const Formulation& M, int Dim>
 void UlCauchy<M, Dim>::accelerate(double dt) {
-  Base::set_outside(dt, this->time_ + 0.5 * dt);
-  const bool contact = contact_.active(), outside = Base::outside_acts();
-  const double v2 = stress_pass(f_, c_, threads_now(), [&](int i, V a, double density_diffusion) {
-    if (contact) a += (1 / s_.m[i]) * contact_.force(i);
-    V v = s_.v[i];
-    v += (dt * s_.mobile[i]) * a;
-    if (outside) Base::act_from_outside(i, dt, v);
-    s_.v[i] = v;
+  const typename Base::Kick kick(*this, dt, this->time_ + 0.5 * dt);
+  const double v2 = stress_pass(f_, c_, threads_now(), [&](int i, const V& a, double density_diffusion) {
+    const V v = kick.by_acceleration(i, a);
     s_.drho[i] = density_diffusion;
     f_.moved[i] = f_.motion[i];
     f_.moved[i].put_velocity(v);
@@ -192,15 +180,16 @@ void UlCauchy<M, Dim>::rebuild() {
   mark_materials();
   set_motion();
   contact_.search(s_);
-  show_contacts_to_probes();
+  show_neighbors_to_probes();
   way_ = 0;
 }
 
 /// Pairs of two bodies are in the lists only where they act as in one.
 template <const Formulation& M, int Dim>
-void UlCauchy<M, Dim>::show_contacts_to_probes() {
-  s_.neighbors = s_.sph_contact ? f_.near : contact_.neighbors(s_.size());
-  recorder_.rebuilt(s_, s_.sph_contact ? support_ : Contact<Dim>::reach * c_.dp);
+void UlCauchy<M, Dim>::show_neighbors_to_probes() {
+  if (!s_.sph_contact) return Base::show_contacts_to_probes();
+  s_.neighbors = f_.near;
+  recorder_.rebuilt(s_, support_);
 }
 
 template <const Formulation& M, int Dim>

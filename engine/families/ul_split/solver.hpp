@@ -10,27 +10,17 @@ namespace taut::inline TAUT_ISA {
 /// The updated-Lagrangian methods of [Zhang2024] with the position-based Verlet scheme and the dual-criteria
 /// time stepping of its §5.
 template <const Formulation& M, int Dim>
-class UlSplit final : public ParticleSolver<Dim> {
+class UlSplit final : public ParticleSolver<UlSplit<M, Dim>, Dim> {
  public:
   explicit UlSplit(const SolverInput& input)
       : Base(input, Kernel<M.kernel>::support * input.constants.h), stepping_(input.stepping) {
     make_room();
     rebuild();
     greatest_speed_ = vmax_;
-    Base::record_start();
-    take_snapshot();
+    Base::record();
   }
 
-  void advance_to(double t) override {
-    Base::run_to(t, [this] { step(); });
-    take_snapshot();
-  }
-
-  std::string save() override { return Base::saved(*this); }
-  void load(std::string_view state) override {
-    Base::load_into(*this, state);
-    take_snapshot();
-  }
+  void step();
   template <class Archive>
   void serialize(Archive& archive) {
     Base::serialize(archive);
@@ -38,23 +28,21 @@ class UlSplit final : public ParticleSolver<Dim> {
   }
 
  private:
-  using Base = ParticleSolver<Dim>;
-  using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::recorder_, Base::step_, Base::vmax_,
-      Base::support_, Base::threads_now;
+  using Base = ParticleSolver<UlSplit<M, Dim>, Dim>;
+  using Base::c_, Base::s_, Base::contact_, Base::recorder_, Base::vmax_, Base::support_, Base::threads_now;
   using typename Base::V;
   static constexpr bool nested = carries_stress(M);
 
   void make_room();
   void rebuild();
-  void step();
   void half_drift(double dt);
-  void kick(double dt);
+  void accelerate(double dt);
   void close_rates(double dt);
   void take_rates_at_start();
   template <bool pressure_diffusion>
   void rates(double dt);
   void set_recovery_displacements();
-  void take_snapshot();
+  void take_snapshot() override;
 
   Stepping stepping_;
   CellGrid<Dim> grid_;
@@ -68,17 +56,20 @@ template <const Formulation& M, int Dim>
 void UlSplit<M, Dim>::step() {
   // Eq. 21 as a distance, and with the greatest speed so far: a body that speeds up within an advection step
   // is rebuilt in time, and one at the turning point of its swing is not left with pairs from long ago.
-  if (stepping_ == Stepping::single ? step_ > 0 : advected_ >= c_.cfl_advection * c_.h) rebuild();
+  if (stepping_ == Stepping::single ? this->step_ > 0 : advected_ >= c_.cfl_advection * c_.h) rebuild();
   const double dt = Base::step_size();
   contact_.prepare(s_, vmax_ * dt);
   half_drift(0.5 * dt);
   contact_geometry_pass<M>(s_, c_);
   contact_.evaluate(s_, dt);
-  kick(dt);
+  accelerate(dt);
   close_rates(0.5 * dt);
   advected_ += greatest_speed_ * dt;
   Base::finish_step(dt);
 }
+inline constexpr TermInfo ul_split_time_info{"time", "position Verlet, dual-criteria steps",
+                                             "[Zhang2024] Eq. 21–25", "families/ul_split/solver.hpp:step",
+                                             "naive: a ring and a disc that collide, dual stepping"};
 
 /// Positions, densities and shear to the middle of the step, Eq. 23.
 template <const Formulation& M, int Dim>
@@ -104,15 +95,10 @@ void UlSplit<M, Dim>::half_drift(double dt) {
 
 /// Velocities over the whole step, Eq. 24, and positions to its end, Eq. 25.
 template <const Formulation& M, int Dim>
-void UlSplit<M, Dim>::kick(double dt) {
-  Base::set_outside(dt, this->time_ + dt);
-  const bool contact = contact_.active(), outside = Base::outside_acts();
-  const double vmax2 = momentum_pass<M>(s_, c_, threads_now(), [&](int i, V a) {
-    if (contact) a += (1 / s_.m[i]) * contact_.force(i);
-    V v = s_.v[i];
-    v += (dt * s_.mobile[i]) * a;
-    if (outside) Base::act_from_outside(i, dt, v);
-    s_.v[i] = v;
+void UlSplit<M, Dim>::accelerate(double dt) {
+  const typename Base::Kick kick(*this, dt, this->time_ + dt);
+  const double vmax2 = momentum_pass<M>(s_, c_, threads_now(), [&](int i, const V& a) {
+    const V v = kick.by_acceleration(i, a);
     s_.x[i] += (0.5 * dt) * v;
     const FlowRow<Dim>& old = s_.flow[i];
     s_.flow_new[i].set(v, old.c[Dim], old.c[Dim + 1]);
@@ -172,7 +158,7 @@ void UlSplit<M, Dim>::make_room() {
 template <const Formulation& M, int Dim>
 void UlSplit<M, Dim>::rebuild() {
   if constexpr (!nested) {
-    if (step_ > 0) {
+    if (this->step_ > 0) {
       set_recovery_displacements();
       stress_recovery_pass<M>(s_, c_, threads_now(), [&](int i, const Sym<double, Dim>& s) { s_.s[i] = s; });
       s_.x_recovered = s_.x;
@@ -185,7 +171,7 @@ void UlSplit<M, Dim>::rebuild() {
   contact_.search(s_);
   recorder_.rebuilt(s_, support_);
   advected_ = 0;
-  if (step_ == 0) take_rates_at_start();
+  if (this->step_ == 0) take_rates_at_start();
 }
 
 /// The rates at t = 0, which the first half step needs.

@@ -48,16 +48,16 @@ class NaiveOenog {
 
   NaiveOenog(const Scene& scene, double h_over_dp)
       : scene_(scene),
-        layout_(make_initial_particles(scene)),
-        bonds_(make_bonds(scene, layout_, h_over_dp * scene.spacing)) {
-    for (int i = 0; i < layout_.size(); ++i) {
-      x.push_back({layout_.x[i][0], layout_.x[i][1]});
-      v.push_back({layout_.v[i][0], layout_.v[i][1]});
+        initial_(make_initial_particles(scene)),
+        bonds_(make_bonds(scene, initial_, h_over_dp * scene.spacing)) {
+    for (int i = 0; i < initial_.size(); ++i) {
+      x.push_back({initial_.x[i][0], initial_.x[i][1]});
+      v.push_back({initial_.v[i][0], initial_.v[i][1]});
     }
   }
 
-  int size() const { return layout_.size(); }
-  bool held(int i) const { return layout_.held[i]; }
+  int size() const { return initial_.size(); }
+  bool held(int i) const { return initial_.held[i]; }
 
   /// E = Σ V [G Σ w φ(λ) + U(F)], G of a bond between two materials being their harmonic mean
   double energy(const Places& at) const {
@@ -138,7 +138,7 @@ class NaiveOenog {
       }
     for (int i = 0; i < size(); ++i) {
       if (held(i)) continue;
-      const double m = material(i).density * layout_.V0[i];
+      const double m = material(i).density * initial_.V0[i];
       for (int k = 0; k < 2; ++k) {
         v[i][k] += dt * (f[i][k] + dashpots[i][k]) / m;
         x[i][k] += dt / 2 * v[i][k];
@@ -149,7 +149,7 @@ class NaiveOenog {
   Places x, v;  // m, m/s
 
  private:
-  const Material& material(int i) const { return scene_.materials[layout_.material[i]]; }
+  const Material& material(int i) const { return scene_.materials[initial_.material[i]]; }
   double K(int i) const { return material(i).bulk_modulus(); }
   double G(int i) const { return material(i).shear_modulus(); }
   double modulus(int i, int b) const {
@@ -185,7 +185,7 @@ class NaiveOenog {
   std::array<double, 2> way(const Places& at, int i, int b) const {
     const int j = bonds_.j[b];
     if (!held(j)) return {at[j][0] - at[i][0], at[j][1] - at[i][1]};
-    return {layout_.x[i][0] + bonds_.X[b][0] - at[i][0], layout_.x[i][1] + bonds_.X[b][1] - at[i][1]};
+    return {initial_.x[i][0] + bonds_.X[b][0] - at[i][0], initial_.x[i][1] + bonds_.X[b][1] - at[i][1]};
   }
   double stretch(const Places& at, int i, int b) const {
     const auto d = way(at, i, b);
@@ -201,7 +201,7 @@ class NaiveOenog {
     return F;
   }
   const Scene& scene_;
-  InitialParticles layout_;
+  InitialParticles initial_;
   Bonds bonds_;
   double stiffest_ = 1;  // greatest φ″ in the last step
 };

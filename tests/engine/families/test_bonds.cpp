@@ -12,7 +12,7 @@
 #include "engine/diagnostics/verdict.hpp"
 #include "engine/families/bonded/bonds.hpp"
 #include "engine/materials/neo_hookean.hpp"
-#include "engine/methods/formulation.hpp"
+#include "engine/methods/oenog.hpp"
 #include "engine/terms/bond.hpp"
 #include "engine/terms/penalty_contact.hpp"
 #include "tests/support/relative.hpp"
@@ -25,8 +25,8 @@ using namespace taut;
 using namespace taut::test;
 using doctest::Approx;
 
-Bonds bonds_of(const Scene& scene, const InitialParticles& layout) {
-  return make_bonds(scene, layout, oenog.h_over_dp * scene.spacing);
+Bonds bonds_of(const Scene& scene, const InitialParticles& initial) {
+  return make_bonds(scene, initial, oenog.h_over_dp * scene.spacing);
 }
 
 /// Σ_j w e_x^(4−k) e_y^k of one particle, for k = 0 … 4.
@@ -79,10 +79,10 @@ Star lattice(double turned) {
 }
 Star on_ring() {
   const Scene scene = colliding_rings();
-  const InitialParticles layout = make_initial_particles(scene);
-  const Bonds bonds = bonds_of(scene, layout);
+  const InitialParticles initial = make_initial_particles(scene);
+  const Bonds bonds = bonds_of(scene, initial);
   int i = 0;
-  while (i + 1 < layout.size() && std::hypot(layout.x[i][0] + 0.045, layout.x[i][1]) < 0.0392) ++i;
+  while (i + 1 < initial.size() && std::hypot(initial.x[i][0] + 0.045, initial.x[i][1]) < 0.0392) ++i;
   Star star;
   for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) {
     star.angle.push_back(std::atan2(bonds.X[b][1], bonds.X[b][0]));
@@ -126,18 +126,18 @@ double total_energy(const Simulation& simulation, const Scene& scene) {
 TEST_SUITE("unit") {
   TEST_CASE("bonds: moments are isotropic inside, at faces and on rings, and no weight is negative") {
     for (const Scene& scene : {oscillating_plate(0.01), colliding_rings()}) {
-      const InitialParticles layout = make_initial_particles(scene);
-      const Bonds bonds = bonds_of(scene, layout);
+      const InitialParticles initial = make_initial_particles(scene);
+      const Bonds bonds = bonds_of(scene, initial);
       int poor = 0;
-      for (int i = 0; i < layout.size(); ++i) {
-        if (layout.held[i]) continue;
+      for (int i = 0; i < initial.size(); ++i) {
+        if (initial.held[i]) continue;
         const auto m = fourth_moments(bonds, i);
         const bool good = std::abs(m[0] - 3) < 1e-9 && std::abs(m[1]) < 1e-9 && std::abs(m[2] - 1) < 1e-9 &&
                           std::abs(m[3]) < 1e-9 && std::abs(m[4] - 3) < 1e-9;
         poor += !good;
       }
       CAPTURE(scene.name);
-      CAPTURE(layout.size());
+      CAPTURE(initial.size());
       CHECK(poor <= (scene.name == "oscillating-plate" ? 2 : 0));  // the corners of the free end
       for (double w : bonds.weight) CHECK_FALSE(w < 0);
     }
@@ -145,10 +145,10 @@ TEST_SUITE("unit") {
 
   TEST_CASE("bonds: the gradient of a linear field is exact at every particle") {
     const Scene scene = small_clamped_plate();
-    const InitialParticles layout = make_initial_particles(scene);
-    const Bonds bonds = bonds_of(scene, layout);
-    for (int i = 0; i < layout.size(); ++i) {
-      if (layout.held[i]) continue;
+    const InitialParticles initial = make_initial_particles(scene);
+    const Bonds bonds = bonds_of(scene, initial);
+    for (int i = 0; i < initial.size(); ++i) {
+      if (initial.held[i]) continue;
       double gx = 0, gy = 0;
       for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) {
         const double df = 3 * bonds.X[b][0] - 7 * bonds.X[b][1];
@@ -162,15 +162,15 @@ TEST_SUITE("unit") {
 
   TEST_CASE("bonds: those into a clamp end at its face, and what is held has none") {
     const Scene scene = small_clamped_plate();
-    const InitialParticles layout = make_initial_particles(scene);
-    const Bonds bonds = bonds_of(scene, layout);
+    const InitialParticles initial = make_initial_particles(scene);
+    const Bonds bonds = bonds_of(scene, initial);
     int ends = 0;
-    for (int i = 0; i < layout.size(); ++i) {
-      if (layout.held[i]) CHECK(bonds.begin[i] == bonds.begin[i + 1]);
+    for (int i = 0; i < initial.size(); ++i) {
+      if (initial.held[i]) CHECK(bonds.begin[i] == bonds.begin[i + 1]);
       for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) {
-        if (!layout.held[bonds.j[b]]) continue;
+        if (!initial.held[bonds.j[b]]) continue;
         ++ends;
-        CHECK(std::abs(layout.x[i][0] + bonds.X[b][0]) < 1e-9 * scene.spacing);
+        CHECK(std::abs(initial.x[i][0] + bonds.X[b][0]) < 1e-9 * scene.spacing);
       }
     }
     CHECK(ends == 3 * 5 - 2);  // of the five rows; the outermost have two
@@ -180,16 +180,16 @@ TEST_SUITE("unit") {
     Scene scene = small_clamped_plate();
     scene.bodies.pop_back();
     scene.bodies[0].held = {};
-    const InitialParticles layout = make_initial_particles(scene);
-    const Bonds bonds = bonds_of(scene, layout);
+    const InitialParticles initial = make_initial_particles(scene);
+    const Bonds bonds = bonds_of(scene, initial);
     double exact = 0, lattice = 0, corrected = 0, V0 = 0, V = 0;
-    for (int i = 0; i < layout.size(); ++i) {
-      if (std::abs(layout.x[i][0] - 0.006) > 0.005) continue;  // whole columns
-      const double y2 = layout.x[i][1] * layout.x[i][1], dp2 = scene.spacing * scene.spacing;
-      lattice += layout.V0[i] * y2;
+    for (int i = 0; i < initial.size(); ++i) {
+      if (std::abs(initial.x[i][0] - 0.006) > 0.005) continue;  // whole columns
+      const double y2 = initial.x[i][1] * initial.x[i][1], dp2 = scene.spacing * scene.spacing;
+      lattice += initial.V0[i] * y2;
       corrected += bonds.volume[i] * y2;
-      exact += layout.V0[i] * (y2 + dp2 / 12);
-      V0 += layout.V0[i], V += bonds.volume[i];
+      exact += initial.V0[i] * (y2 + dp2 / 12);
+      V0 += initial.V0[i], V += bonds.volume[i];
     }
     CHECK(V == relative(V0, 1e-12));
     CHECK(std::abs(corrected - exact) < 0.4 * std::abs(lattice - exact));  // five rows: 0.3; ten: 0.15

@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/balance.hpp"
-#include "engine/methods/formulation.hpp"
+#include "engine/methods/oenog.hpp"
 #include "tests/engine/families/naive_oenog.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"

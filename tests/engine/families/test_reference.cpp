@@ -33,13 +33,13 @@ naive::Run naive_run(const Scene& scene, Method method, Stepping stepping, doubl
   const Material& material = scene.materials[0];
   naive::Run run(method, stepping == Stepping::dual, scene.spacing, material.density, material.sound_speed(),
                  material.shear_modulus());
-  const InitialParticles layout = make_initial_particles(scene);
-  for (int i = 0; i < layout.size(); ++i) {
+  const InitialParticles initial = make_initial_particles(scene);
+  for (int i = 0; i < initial.size(); ++i) {
     naive::Particle a;
-    for (int k = 0; k < 2; ++k) a.x[k] = layout.x[i][k], a.v[k] = layout.v[i][k];
-    a.m = material.density * layout.V0[i];
-    a.body = layout.body[i];
-    a.held = layout.held[i];
+    for (int k = 0; k < 2; ++k) a.x[k] = initial.x[i][k], a.v[k] = initial.v[i][k];
+    a.m = material.density * initial.V0[i];
+    a.body = initial.body[i];
+    a.held = initial.held[i];
     run.particles.push_back(a);
   }
   run.pressure_diffusion = pressure_diffusion;

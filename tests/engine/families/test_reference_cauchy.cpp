@@ -50,17 +50,17 @@ naive_cauchy::Run naive_run(const Scene& scene, const std::string& method, int s
   naive_cauchy::Run run(naive_cauchy::method_named(method), scene.spacing, c0);
   run.riemann_factor = riemann_factor;
   run.geometry = geometry;
-  const InitialParticles layout = make_initial_particles(scene);
-  for (int i = 0; i < layout.size(); ++i) {
-    const Material& material = scene.materials[layout.material[i]];
+  const InitialParticles initial = make_initial_particles(scene);
+  for (int i = 0; i < initial.size(); ++i) {
+    const Material& material = scene.materials[initial.material[i]];
     naive_cauchy::Particle a;
-    for (int k = 0; k < 2; ++k) a.r[k] = layout.x[i][k], a.u[k] = layout.v[i][k];
+    for (int k = 0; k < 2; ++k) a.r[k] = initial.x[i][k], a.u[k] = initial.v[i][k];
     a.material = {material.density, material.bulk_modulus(), material.shear_modulus()};
-    a.m = material.density * layout.V0[i];
+    a.m = material.density * initial.V0[i];
     a.rho = material.density;
-    a.body = layout.body[i];
-    a.of_material = layout.material[i];
-    a.held = layout.held[i];
+    a.body = initial.body[i];
+    a.of_material = initial.material[i];
+    a.held = initial.held[i];
     run.particles.push_back(a);
   }
   for (int k = 0; k < steps; ++k) run.step();

@@ -48,14 +48,14 @@ naive_reference::Run naive_run(const Scene& scene, const Case& test) {
                            material.shear_modulus(),
                            constant_of(info, "contact_stiffness"),
                            {}};
-  const InitialParticles layout = make_initial_particles(scene);
-  for (int i = 0; i < layout.size(); ++i) {
+  const InitialParticles initial = make_initial_particles(scene);
+  for (int i = 0; i < initial.size(); ++i) {
     naive_reference::Particle a;
-    for (int k = 0; k < 2; ++k) a.X[k] = a.x[k] = layout.x[i][k], a.v[k] = layout.v[i][k];
-    a.V = layout.V0[i];
+    for (int k = 0; k < 2; ++k) a.X[k] = a.x[k] = initial.x[i][k], a.v[k] = initial.v[i][k];
+    a.V = initial.V0[i];
     a.m = material.density * a.V;
-    a.body = layout.body[i];
-    a.held = layout.held[i];
+    a.body = initial.body[i];
+    a.held = initial.held[i];
     run.particles.push_back(a);
   }
   run.start();
@@ -141,14 +141,14 @@ naive_lee::Run naive_mixed_run(const Scene& scene, const std::string& name, cons
                      constant("projection") != 0,
                      constant("adjoint") != 0,
                      {}};
-  const InitialParticles layout = make_initial_particles(scene);
-  for (int i = 0; i < layout.size(); ++i) {
+  const InitialParticles initial = make_initial_particles(scene);
+  for (int i = 0; i < initial.size(); ++i) {
     naive_lee::Particle a;
-    a.X = a.x = {layout.x[i][0], layout.x[i][1]};
-    a.p = material.density * naive_lee::Vector(layout.v[i][0], layout.v[i][1]);
-    a.V = layout.V0[i];
-    a.body = layout.body[i];
-    a.held = layout.held[i];
+    a.X = a.x = {initial.x[i][0], initial.x[i][1]};
+    a.p = material.density * naive_lee::Vector(initial.v[i][0], initial.v[i][1]);
+    a.V = initial.V0[i];
+    a.body = initial.body[i];
+    a.held = initial.held[i];
     run.particles.push_back(a);
   }
   run.start();

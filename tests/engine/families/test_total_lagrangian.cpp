@@ -36,23 +36,23 @@ struct Cloud {
 
   Cloud() {
     const Scene scene = small_collision();
-    const InitialParticles layout = make_initial_particles(scene);
+    const InitialParticles initial = make_initial_particles(scene);
     dp = scene.spacing;
-    first = layout.first;
+    first = initial.first;
     std::vector<V2> x;
-    for (const Point& p : layout.x) x.push_back({p[0], p[1]});
+    for (const Point& p : initial.x) x.push_back({p[0], p[1]});
     for (const int i : order_in_space(x, first, Wendland::support * 1.05 * dp)) {
       X.push_back(x[i]);
-      V.push_back(layout.V0[i]);
+      V.push_back(initial.V0[i]);
     }
   }
-  ReferencePairs<2> pairs(GradientCorrection gradient = GradientCorrection::corrected) const {
-    return make_reference_pairs<Wendland>(X, V, first, 1.05 * dp, gradient);
+  InitialPairs<2> pairs(GradientCorrection gradient = GradientCorrection::corrected) const {
+    return make_initial_pairs<Wendland>(X, V, first, 1.05 * dp, gradient);
   }
 };
 
 /// ∇u of every particle.
-std::vector<M2> gradients(const ReferencePairs<2>& pairs, const std::vector<V2>& u) {
+std::vector<M2> gradients(const InitialPairs<2>& pairs, const std::vector<V2>& u) {
   std::vector<Tile<2>> rows;
   for (const V2& one : u) rows.push_back(in_rows(one));
   std::vector<M2> all;
@@ -97,7 +97,7 @@ double stress_of_turning(const std::string& method, double angle) {
 TEST_SUITE("term") {
   TEST_CASE("pairs of the start: antisymmetric, within a body, gradients of linear fields exact") {
     const Cloud cloud;
-    const ReferencePairs<2> pairs = cloud.pairs();
+    const InitialPairs<2> pairs = cloud.pairs();
     const M2 A{{{0.3, -1.2}, {0.7, 2.1}}};
     std::vector<V2> u;
     for (const V2& X : cloud.X)
@@ -125,7 +125,7 @@ TEST_SUITE("term") {
 
   TEST_CASE("pairs of the start: the force is minus the derivative of the energy") {
     const Cloud cloud;
-    const ReferencePairs<2> pairs = cloud.pairs();
+    const InitialPairs<2> pairs = cloud.pairs();
     const LawOf<Law::neo_hookean> law{{5e6, 2e6}};
     std::vector<V2> u;
     for (const V2& X : cloud.X)
@@ -160,7 +160,7 @@ TEST_SUITE("term") {
 TEST_SUITE("term") {
   TEST_CASE("corrected Laplacian: 0 of linear fields, 2 d of the square of the distance, at surfaces too") {
     const Cloud cloud;
-    const ReferencePairs<2> pairs = cloud.pairs();
+    const InitialPairs<2> pairs = cloud.pairs();
     const std::vector<double> w =
         corrected_laplacian<Wendland>(pairs, cloud.X, cloud.V, 1.05 * cloud.dp, cloud.dp * cloud.dp);
     for (int i = 0; i < pairs.size(); ++i) {

@@ -1,13 +1,16 @@
 #pragma once
 
-#include "engine/methods/formulation.hpp"
 #include "engine/methods/khayyer2024.hpp"
 #include "engine/methods/lee2016.hpp"
+#include "engine/methods/oenog.hpp"
 #include "engine/methods/tranduc2023.hpp"
+#include "engine/methods/zhang2020.hpp"
+#include "engine/methods/zhang2024.hpp"
 
 namespace taut {
 
-/// Every method, in the order in which they are listed. A method is one value above and its name here.
+/// Every method, in the order in which they are listed. A method is one value in the file of its
+/// paper and its name here.
 template <const Formulation&... M>
 struct MethodList {
   static_assert((consistent(M) && ...));

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "engine/methods/formulation.hpp"
+
+namespace taut {
+
+inline constexpr Formulation oenog{
+    .name = "oenog",
+    .paper = "none: ours",
+    .summary =
+        "objective ENOG: its pair forces turn with the pairs of the start; an energy, and no search in a "
+        "body",
+    .conserves = "linear momentum, angular momentum",
+    .family = Family::bonded,
+    .deviator = Deviator::plane_strain,
+    .contact = ContactLaw::penalty,
+    .contact_stiffness = 2,  // a layer of the material
+    .several_materials = true,
+    .h_over_dp = 0.8,  // the eight nearest on a square lattice, see engine/families/bonded/bonds.hpp
+    .cfl = 0.64,       // over dp/(c_p + |v|max), c_p of compression; the lattice is stable up to 0.97
+};
+
+}  // namespace taut
