@@ -15,6 +15,7 @@
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
 #include "engine/families/catalogue.hpp"
+#include "engine/simulation.hpp"
 
 namespace taut::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/scene/file_place.hpp"
+#include "cli/scene/toml_tree.hpp"
 #include "cli/study/gnuplot.hpp"
 #include "cli/study/stored_results.hpp"
 
