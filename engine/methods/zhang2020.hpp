@@ -4,8 +4,8 @@
 
 namespace taut {
 
-/// [Zhang2020] states neither h nor where the Gaussian ends, and gives no numbers for its contact. h = dp: sums over a square lattice are right to
-/// 1e-3 then, and not with less.
+/// [Zhang2020] states neither h nor where the Gaussian ends, and has no numbers for its contact. h = dp: sums
+/// over a square lattice are right to 1e-3 then, and not with less.
 inline constexpr Formulation tl_small_strain{
     .name = "tl-small-strain",
     .paper = "Zhang2020",

@@ -81,21 +81,21 @@ std::vector<double> adjoint_weights(const InitialPairs<Dim>& pairs, const std::v
 /// Σ_j (from_j f_j − from_i f_i) of up to four fields at once: L*[U], or L[U] with both weights alike.
 template <int Dim>
 Pack weighted_sum(const InitialPairs<Dim>& pairs, const std::vector<double>& from_j,
-                  const std::vector<double>& from_i, const std::vector<Pack>& U, int i) {
-  const Pack own = U[i];
+                  const std::vector<double>& from_i, const std::vector<StoredPack>& U, int i) {
+  const Pack own = U[i].value;
   Pack sum{};
   for (int p = pairs.begin[i]; p < pairs.begin[i + 1]; ++p)
-    sum += from_j[p] * U[pairs.j[p]] - from_i[p] * own;
+    sum += from_j[p] * U[pairs.j[p]].value - from_i[p] * own;
   return sum;
 }
 
 /// L[U] of up to four fields at once.
 template <int Dim>
-Pack laplacian_sum(const InitialPairs<Dim>& pairs, const std::vector<double>& w, const std::vector<Pack>& U,
-                   int i) {
-  const Pack own = U[i];
+Pack laplacian_sum(const InitialPairs<Dim>& pairs, const std::vector<double>& w,
+                   const std::vector<StoredPack>& U, int i) {
+  const Pack own = U[i].value;
   Pack sum{};
-  for (int p = pairs.begin[i]; p < pairs.begin[i + 1]; ++p) sum += w[p] * (U[pairs.j[p]] - own);
+  for (int p = pairs.begin[i]; p < pairs.begin[i + 1]; ++p) sum += w[p] * (U[pairs.j[p]].value - own);
   return sum;
 }
 

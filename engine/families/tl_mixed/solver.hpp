@@ -65,10 +65,10 @@ class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
   std::vector<V> Z_;                   // x at the end of the step, m
   std::vector<double> dissipation_J_;  // 1/s
 
-  std::vector<Tile<Dim>> velocity_;        // in rows
-  std::vector<Tile<Dim>> stress_;          // V P B
-  std::vector<double> laplacian_, outer_;  // w_ij dp²; what L[U] of a neighbour counts in the second
-  std::vector<Pack> smoothed_, once_;      // (v, J) and dp² L of it
+  std::vector<Tile<Dim>> velocity_;          // in rows
+  std::vector<Tile<Dim>> stress_;            // V P B
+  std::vector<double> laplacian_, outer_;    // w_ij dp²; what L[U] of a neighbour counts in the second
+  std::vector<StoredPack> smoothed_, once_;  // (v, J) and dp² L of it
 };
 
 template <const Formulation& M, int Dim>
@@ -151,8 +151,8 @@ void TlMixed<M, Dim>::set_rows(const std::vector<V>& Z) {
     velocity_[i] = in_rows(u.v);
     stress_[i] = tile(product(this->law(i).piola(u.F, volume_ratio(u)), V0_[i] * initial_pairs_.B[i]));
     if constexpr (M.jst) {
-      for (int k = 0; k < Dim; ++k) smoothed_[i][k] = u.v[k];
-      smoothed_[i][Dim] = u.J;
+      for (int k = 0; k < Dim; ++k) smoothed_[i].value[k] = u.v[k];
+      smoothed_[i].value[Dim] = u.J;
     }
   });
 }
@@ -165,7 +165,7 @@ void TlMixed<M, Dim>::gather_pass() {
     rate_[i].F = grad_v;
     if constexpr (has_J) rate_[i].J = contraction(cofactor(now_[i].F), grad_v);
     a_[i] = (1 / s_.m[i]) * initial_pairs_.pair_sum(stress_, i);
-    if constexpr (M.jst) once_[i] = laplacian_sum(initial_pairs_, laplacian_, smoothed_, i);
+    if constexpr (M.jst) once_[i].value = laplacian_sum(initial_pairs_, laplacian_, smoothed_, i);
   });
 }
 inline constexpr TermInfo volume_ratio_info{
@@ -178,8 +178,8 @@ void TlMixed<M, Dim>::dissipation_pass() {
   const double rate = Base::wave_speed() / c_.dp;
   parallel_for(s_.size(), threads_now(), [&](int i) {
     const Pack twice = weighted_sum(initial_pairs_, outer_, laplacian_, once_, i);
-    for (int k = 0; k < Dim; ++k) a_[i][k] += rate * (c_.eps_v2 * once_[i][k] - c_.eps_v4 * twice[k]);
-    dissipation_J_[i] = rate * (c_.eps_J2 * once_[i][Dim] - c_.eps_J4 * twice[Dim]);
+    for (int k = 0; k < Dim; ++k) a_[i][k] += rate * (c_.eps_v2 * once_[i].value[k] - c_.eps_v4 * twice[k]);
+    dissipation_J_[i] = rate * (c_.eps_J2 * once_[i].value[Dim] - c_.eps_J4 * twice[Dim]);
   });
 }
 

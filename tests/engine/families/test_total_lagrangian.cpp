@@ -164,10 +164,10 @@ TEST_SUITE("term") {
     const std::vector<double> w =
         corrected_laplacian<Wendland>(pairs, cloud.X, cloud.V, 1.05 * cloud.dp, cloud.dp * cloud.dp);
     for (int i = 0; i < pairs.size(); ++i) {
-      std::vector<Pack> U;
+      std::vector<StoredPack> U;
       for (const V2& X : cloud.X) {
         const double x = (X[0] - cloud.X[i][0]) / cloud.dp, y = (X[1] - cloud.X[i][1]) / cloud.dp;
-        U.push_back(Pack{1, 3 + x, y - 2 * x, x * x + y * y});
+        U.push_back({Pack{1, 3 + x, y - 2 * x, x * x + y * y}});
       }
       const Pack L = laplacian_sum(pairs, w, U, i);
       CHECK(L[0] == 0);
