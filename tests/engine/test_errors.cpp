@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <string>
 #include <tuple>
@@ -90,8 +91,8 @@ TEST_SUITE("unit") {
           settings.constants = {{name, value}};
           const std::string error = usage_error(settings);
           CHECK(contains(error, "'" + name + "'"));
-          CHECK(contains(error, std::to_string(constant.low)));
-          CHECK(contains(error, std::to_string(constant.high)));
+          CHECK(contains(error, fmt::format("{:g}", constant.low)));
+          CHECK(contains(error, fmt::format("{:g}", constant.high)));
         }
       }
     }
