@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// Where a run leaves its output; see README for what each file holds.
+/// Where a run leaves its output; cli/COMMANDS.md says what each file holds.
 class RunFolder {
  public:
   explicit RunFolder(std::filesystem::path path) : path_(std::move(path)) {}

@@ -43,57 +43,11 @@ Texts files_below(const fs::path& folder, const std::set<std::string>& extension
 
 Texts sources_below(const fs::path& folder) { return files_below(folder, {".cpp", ".hpp"}); }
 
-/// The table of a part's README.md, or what holds where there is none.
+/// The table of a part's README.md.
 RoomTable rooms_of(const std::string& part) {
-  static const std::map<std::string, std::string> tables = {{"engine", R"(
-| room | may include |
-|---|---|
-| `error` `frame_view` `settings` | |
-| `core/` | `error` |
-| `snapshot` | `core/` |
-| `scene/` | `error` `core/` `snapshot` |
-| `methods/` | all above |
-| `kernels/` | all above |
-| `materials/` | all above |
-| `terms/` | all above |
-| `neighbors/` | all above |
-| `solver/` | all above |
-| `families/describe` | `methods/` |
-| `families/bonded/` `families/tl_displacement/` `families/tl_mixed/` `families/ul_cauchy/` `families/ul_split/` | all above |
-| `families/` | all above |
-| `simulation.hpp` | all above |
-| `diagnostics/` | all above |
-| `simulation.cpp` | all above |
-)"},
-                                                            {"render", R"(
-| room | may include |
-|---|---|
-| `image/` | |
-| `colormap` | `image/` |
-| `page/page_layout` | |
-| `renderer.hpp` | all above |
-| `page/` | all above |
-| `gl/` | all above |
-| `renderer.cpp` | all above |
-| `panel` | all above |
-)"},
-                                                            {"cli", R"(
-| room | may include |
-|---|---|
-| `text/` | |
-| `system/` | `text/` |
-| `drawing/` | `text/` `system/` |
-| `scene/` | `text/` `drawing/` |
-| `run/` | `text/` `system/` `drawing/` `scene/` |
-| `study/` | `text/` `system/` `scene/` |
-| `sweep/` | `text/` `system/` `scene/` `run/` `study/` |
-| `command_line/` | `text/` `system/` `scene/` |
-| `session/` | `text/` `system/` `drawing/` `scene/` `run/` `command_line/` |
-| `commands/` | all above |
-| `main` | `command_line/` `commands/` |
-)"}};
-  const auto written = RoomTable::read(text_of(top / part / "README.md"));
-  return written ? *written : *RoomTable::read(tables.at(part));
+  const auto table = RoomTable::read(text_of(top / part / "README.md"));
+  REQUIRE_MESSAGE(table, part << "/README.md has no table of rooms");
+  return *table;
 }
 
 /// What a source includes of this part.

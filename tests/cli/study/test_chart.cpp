@@ -71,7 +71,7 @@ TEST_SUITE("cli") {
     CHECK(*taut::cli::convergence_order(bent) == doctest::Approx(2));
   }
 
-  TEST_CASE("the default measure is the one that most runs have; times of events and units come last") {
+  TEST_CASE("the default measure is the one that most runs have, times of events and units come last") {
     const TemporaryFolder folder;
     const auto chosen = [&](const std::string& rows) {
       std::ofstream(folder / "results.csv")
