@@ -94,7 +94,7 @@ void contact_geometry_pass(State<Dim>& s, const Constants& c) {
 template <const Formulation& M, int Dim, class Use>
 double momentum_pass(State<Dim>& s, const Constants& c, int threads, const Use& use) {
   const Dissipation dissipation{c.rho0 * c.c0, c.riemann_limiter / c.c0, c.beta_least};
-  return parallel_max(s.size(), threads, [&](int i) {
+  return parallel_max(s.size(), threads, [&](int i) TAUT_FLATTEN {
     const Flow<Dim, Pack> f_i = spread_flow(s.flow[i]);
     [[maybe_unused]] Tensor<Dim> s_i, R_i;
     if constexpr (carries_stress(M)) s_i = spread_tensor(s.stress[i]);
@@ -127,7 +127,7 @@ double momentum_pass(State<Dim>& s, const Constants& c, int threads, const Use& 
 /// `use(i)` is called when those of particle i are there.
 template <const Formulation& M, int Dim, bool pressure_diffusion, class Use>
 void rate_pass(State<Dim>& s, const Constants& c, int threads, const Use& use) {
-  parallel_for(s.size(), threads, [&](int i) {
+  parallel_for(s.size(), threads, [&](int i) TAUT_FLATTEN {
     const Flow<Dim, Pack> f_i = spread_flow(s.flow_new[i]);
     Pack compression{};  // 1/s
     [[maybe_unused]] Mat<Pack, Dim> L{};
