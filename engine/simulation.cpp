@@ -1,8 +1,8 @@
 #include "engine/simulation.hpp"
 
 #include <algorithm>
-#include <fmt/format.h>
 
+#include <fmt/format.h>
 #include <omp.h>
 
 #include "engine/error.hpp"

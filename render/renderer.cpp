@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <fmt/format.h>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "engine/error.hpp"
 #include "render/gl/disc_painter.hpp"

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/format.h>
 #include <optional>
+
+#include <fmt/format.h>
 
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"

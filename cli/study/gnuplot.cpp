@@ -1,6 +1,7 @@
 #include "cli/study/gnuplot.hpp"
 
 #include <array>
+
 #include <fmt/format.h>
 
 #include "cli/system/atomic_file.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/scene/toml_tree.hpp"
 #include "cli/scene/toml_cursor.hpp"
+#include "cli/scene/toml_tree.hpp"
 #include "cli/study/chart.hpp"
 #include "cli/study/gnuplot.hpp"
 #include "cli/study/history_plot.hpp"

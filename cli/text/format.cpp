@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+
 #include <fmt/format.h>
 
 namespace taut::cli {

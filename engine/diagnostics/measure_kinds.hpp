@@ -50,8 +50,8 @@ struct MeasureKind {
   /// probe for each axis.
   std::vector<std::string_view> keys;
   bool number = false, table = false, solution = false;  // what a reference has for it
-  Value value;                           // none: the run was too short
-  Value reference;                       // what it is compared with; asked where a reference is there
+  Value value;                                           // none: the run was too short
+  Value reference;  // what it is compared with; asked where a reference is there
 };
 
 /// Every kind, in the order in which they are listed.

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <unordered_map>
 #include <variant>
+
+#include <fmt/format.h>
 
 #include "engine/error.hpp"
 

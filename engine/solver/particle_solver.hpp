@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <numeric>
 #include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "engine/core/archive.hpp"
 #include "engine/core/team_size.hpp"

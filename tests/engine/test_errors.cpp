@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 #include <string>
 #include <tuple>
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include "engine/error.hpp"
 #include "tests/support/relative.hpp"

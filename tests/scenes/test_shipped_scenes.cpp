@@ -100,7 +100,8 @@ TEST_SUITE("analytic") {
     file.settings.threads = 1;
     const auto simulation = make_simulation(file.scene, file.settings);
     LineRecorder lines(file.scene, simulation->snapshot(), simulation->support());
-    for (lines.sample(simulation->snapshot()); std::isfinite(lines.next()); lines.sample(simulation->snapshot()))
+    for (lines.sample(simulation->snapshot()); std::isfinite(lines.next());
+         lines.sample(simulation->snapshot()))
       simulation->advance_to(lines.next());
     const MeasureResult rmse =
         measure(file.scene, simulation->series(), "neo_hookean", lines.samples()).at(0);

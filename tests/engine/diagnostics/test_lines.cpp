@@ -66,7 +66,8 @@ TEST_SUITE("unit") {
     scene.lines[1].name = "again";
     const auto simulation = make_simulation(scene, with_method("oenog"));
     LineRecorder lines(scene, simulation->snapshot(), simulation->support());
-    for (lines.sample(simulation->snapshot()); std::isfinite(lines.next()); lines.sample(simulation->snapshot()))
+    for (lines.sample(simulation->snapshot()); std::isfinite(lines.next());
+         lines.sample(simulation->snapshot()))
       simulation->advance_to(lines.next());
     CHECK(simulation->steps() == plain->steps());
     CHECK(simulation->snapshot().x == plain->snapshot().x);
