@@ -142,7 +142,7 @@ void add_outer(Sym<T, Dim>& A, const T& s, const Vec<T, Dim>& a) {
 
 /// A · B
 template <class T, int Dim>
-Mat<T, Dim> product(const Mat<T, Dim>& A, const Sym<T, Dim>& B) {
+[[gnu::always_inline]] inline Mat<T, Dim> product(const Mat<T, Dim>& A, const Sym<T, Dim>& B) {
   Mat<T, Dim> C{};
 #pragma GCC unroll 3
   for (int a = 0; a < Dim; ++a)
@@ -155,7 +155,7 @@ Mat<T, Dim> product(const Mat<T, Dim>& A, const Sym<T, Dim>& B) {
 
 /// A · B, which is not symmetric unless they commute
 template <class T, int Dim>
-Mat<T, Dim> product(const Sym<T, Dim>& A, const Sym<T, Dim>& B) {
+[[gnu::always_inline]] inline Mat<T, Dim> product(const Sym<T, Dim>& A, const Sym<T, Dim>& B) {
   Mat<T, Dim> C{};
 #pragma GCC unroll 3
   for (int a = 0; a < Dim; ++a)

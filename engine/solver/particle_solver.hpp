@@ -74,14 +74,14 @@ class SolverParts : public Simulation {
       outside_ = solver.drives_.active() || solver.loads_.active();
     }
 
-    const V& by_acceleration(int i, V a) const {
+    [[gnu::always_inline]] const V& by_acceleration(int i, V a) const {
       State<Dim>& s = solver_.s_;
       if (contact_) a += (1 / s.m[i]) * solver_.contact_.force(i);
       V v = s.v[i];
       v += (dt_ * s.mobile[i]) * a;
       return take(i, v);
     }
-    const V& by_force(int i, V force) const {
+    [[gnu::always_inline]] const V& by_force(int i, V force) const {
       State<Dim>& s = solver_.s_;
       if (contact_) force += solver_.contact_.force(i);
       V v = s.v[i];
@@ -90,7 +90,7 @@ class SolverParts : public Simulation {
     }
 
    private:
-    const V& take(int i, V v) const {
+    [[gnu::always_inline]] const V& take(int i, V v) const {
       if (outside_) solver_.act_from_outside(i, dt_, v);
       return solver_.s_.v[i] = v;
     }

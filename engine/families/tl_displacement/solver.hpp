@@ -69,7 +69,7 @@ void TlDisplacement<M, Dim>::deformation_pass() {
 template <const Formulation& M, int Dim>
 double TlDisplacement<M, Dim>::force_pass(double dt) {
   const typename Base::Kick kick(*this, dt, this->time_ + dt);
-  return parallel_max(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
+  return parallel_max(s_.size(), threads_now(), [&](int i) {
     const V v = kick.by_force(i, initial_pairs_.pair_sum(stress_, i));
     s_.x[i] += (0.5 * dt) * v;
     return dot(v, v);
