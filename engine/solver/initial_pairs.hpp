@@ -32,14 +32,14 @@ struct InitialPairs {
   Tile<Dim> difference_sum(const std::vector<Tile<Dim>>& rows, int i) const {
     const Tile<Dim> own = rows[i];
     Tile<Dim> sum{};
-    for (int b = begin[i]; b < begin[i + 1]; ++b) sum += (rows[j[b]] - own) * in_columns(k[b]);
+    for (int b = begin[i], end = begin[i + 1]; b < end; ++b) sum += (rows[j[b]] - own) * in_columns(k[b]);
     return sum;
   }
   /// Σ_j (A_i + A_j) k_ij
   Vec<double, Dim> pair_sum(const std::vector<Tile<Dim>>& A, int i) const {
     const Tile<Dim> own = A[i];
     Tile<Dim> sum{};
-    for (int b = begin[i]; b < begin[i + 1]; ++b) sum += (A[j[b]] + own) * in_columns(k[b]);
+    for (int b = begin[i], end = begin[i + 1]; b < end; ++b) sum += (A[j[b]] + own) * in_columns(k[b]);
     return sum_of_columns(sum);
   }
 };

@@ -84,7 +84,7 @@ Pack weighted_sum(const InitialPairs<Dim>& pairs, const std::vector<double>& fro
                   const std::vector<double>& from_i, const std::vector<StoredPack>& U, int i) {
   const Pack own = U[i].value;
   Pack sum{};
-  for (int p = pairs.begin[i]; p < pairs.begin[i + 1]; ++p)
+  for (int p = pairs.begin[i], end = pairs.begin[i + 1]; p < end; ++p)
     sum += from_j[p] * U[pairs.j[p]].value - from_i[p] * own;
   return sum;
 }
@@ -95,7 +95,8 @@ Pack laplacian_sum(const InitialPairs<Dim>& pairs, const std::vector<double>& w,
                    const std::vector<StoredPack>& U, int i) {
   const Pack own = U[i].value;
   Pack sum{};
-  for (int p = pairs.begin[i]; p < pairs.begin[i + 1]; ++p) sum += w[p] * (U[pairs.j[p]].value - own);
+  for (int p = pairs.begin[i], end = pairs.begin[i + 1]; p < end; ++p)
+    sum += w[p] * (U[pairs.j[p]].value - own);
   return sum;
 }
 

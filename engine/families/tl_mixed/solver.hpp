@@ -144,7 +144,7 @@ void TlMixed<M, Dim>::find_rates(const std::vector<V>& Z, double dt) {
 
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::set_rows(const std::vector<V>& Z) {
-  parallel_for(s_.size(), threads_now(), [&](int i) {
+  parallel_for(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
     const Unknown& u = now_[i];
     s_.x[i] = Z[i];
     s_.v[i] = u.v;
@@ -160,7 +160,7 @@ void TlMixed<M, Dim>::set_rows(const std::vector<V>& Z) {
 /// dF/dt, dJ/dt, internal force and L[U].
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::gather_pass() {
-  parallel_for(s_.size(), threads_now(), [&](int i) {
+  parallel_for(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
     const Mat grad_v = product(matrix(initial_pairs_.difference_sum(velocity_, i)), initial_pairs_.B[i]);
     rate_[i].F = grad_v;
     if constexpr (has_J) rate_[i].J = contraction(cofactor(now_[i].F), grad_v);
@@ -176,7 +176,7 @@ inline constexpr TermInfo volume_ratio_info{
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::dissipation_pass() {
   const double rate = Base::wave_speed() / c_.dp;
-  parallel_for(s_.size(), threads_now(), [&](int i) {
+  parallel_for(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
     const Pack twice = weighted_sum(initial_pairs_, outer_, laplacian_, once_, i);
     for (int k = 0; k < Dim; ++k) a_[i][k] += rate * (c_.eps_v2 * once_[i].value[k] - c_.eps_v4 * twice[k]);
     dissipation_J_[i] = rate * (c_.eps_J2 * once_[i].value[Dim] - c_.eps_J4 * twice[Dim]);
