@@ -57,7 +57,7 @@ inline constexpr TermInfo tl_displacement_time_info{
 /// F = I + ∇u and P(F) of every particle.
 template <const Formulation& M, int Dim>
 void TlDisplacement<M, Dim>::deformation_pass() {
-  parallel_for(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
+  parallel_for(s_.size(), threads_now(), [&](int i) {
     Mat F = product(matrix(initial_pairs_.difference_sum(displacement_, i)), initial_pairs_.B[i]);
     for (int k = 0; k < Dim; ++k) F(k, k) += 1;
     F_[i] = F;
