@@ -24,8 +24,18 @@ Shape read_box(TomlCursor& shape, int dim) {
   return box;
 }
 
+/// The key `layout`, one of `allowed`; the first where it is not there.
+RoundLayout read_layout(TomlCursor& shape, const std::vector<RoundLayout>& allowed) {
+  std::vector<std::string> names;
+  for (const RoundLayout layout : allowed) names.emplace_back(name(layout));
+  if (!shape.find("layout")) shape.table().set("layout", TomlValue(names.front()));
+  const std::string chosen = shape.choice("layout", names);
+  return allowed[static_cast<std::size_t>(std::ranges::find(names, chosen) - names.begin())];
+}
+
 Shape read_ring(TomlCursor& shape, int dim) {
-  const Ring ring{shape.point("centre", dim), shape.positive("inner"), shape.positive("outer")};
+  const Ring ring{shape.point("centre", dim), shape.positive("inner"), shape.positive("outer"),
+                  read_layout(shape, {RoundLayout::aligned, RoundLayout::spaced, RoundLayout::lattice})};
   if (!(ring.inner < ring.outer))
     shape.fail(shape.need("inner"), "inner",
                "inner = " + exact(ring.inner) + " must be less than outer = " + exact(ring.outer));
@@ -33,7 +43,8 @@ Shape read_ring(TomlCursor& shape, int dim) {
 }
 
 Shape read_disc(TomlCursor& shape, int dim) {
-  return Disc{shape.point("centre", dim), shape.positive("radius")};
+  return Disc{shape.point("centre", dim), shape.positive("radius"),
+              read_layout(shape, {RoundLayout::spaced, RoundLayout::lattice})};
 }
 
 /// A shape as scene files of one dimension name it.

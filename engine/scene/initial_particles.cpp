@@ -58,7 +58,7 @@ std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
         Point x{anchor[0] + (static_cast<double>(i) + 0.5) * dp,
                 anchor[1] + (static_cast<double>(j) + 0.5) * dp, 0};
         if (dim == 3) x[2] = anchor[2] + (static_cast<double>(k) + 0.5) * dp;
-        if (holds(body, x, dim, edge_tolerance * dp)) sites.push_back({x, V0});
+        if (holds(body, x, dim, edge_tolerance * dp)) sites.push_back({.x = x, .V0 = V0});
       }
     }
   }
@@ -124,7 +124,9 @@ void append(InitialParticles& layout, const Scene& scene, int b) {
   refuse_empty(body.parts, sites, body, "parts");
   refuse_empty(body.drives, sites, body, "driven");
   refuse_empty(body.loads, sites, body, "loaded");
+  const int first = layout.size();
   for (const InitialSite& site : sites) {
+    layout.turned.push_back(site.turned < 0 ? layout.size() : first + site.turned);
     layout.x.push_back(site.x);
     layout.V0.push_back(site.V0);
     layout.body.push_back(b);

@@ -15,6 +15,8 @@ struct InitialParticles {
   std::vector<int> material;        // index into Scene::materials
   std::vector<int> drive;           // index into the body's drives, or -1
   std::vector<unsigned char> held;  // 1: stays where it is
+  std::vector<int> turned;          // where a turn of the body that maps its layout onto itself takes each:
+                                    // another particle of the body, or itself where there is no such turn
   std::vector<int> first;           // first particle of each body, and one past the last of all
 
   int size() const { return static_cast<int>(x.size()); }
@@ -22,8 +24,8 @@ struct InitialParticles {
 
 inline constexpr double greatest_particle_number = 20e6;
 
-/// Boxes and discs are filled with a square lattice, rings with concentric layers whose particles share the
-/// layer's area, so that their mass is exact. Throws SceneError: no particles, too many, bodies that overlap.
+/// Boxes and unions are filled with a square lattice, discs and rings that are a body with concentric layers
+/// (RoundLayout) whose particles share the layer's area, so that their mass is exact. Throws SceneError: no particles, too many, bodies that overlap.
 InitialParticles make_initial_particles(const Scene& scene);
 
 }  // namespace taut

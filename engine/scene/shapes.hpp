@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -23,6 +25,9 @@ namespace taut {
 //   sites(dim, dp)            of one that lays its own particles where it is a whole body: these; none where
 //                             the lattice does it
 //
+// A shape that follows its own faces with layers of particles keeps its strain smooth up to them: steps of a
+// lattice at a curved face leave a noise of the strain there that does not fall with the spacing.
+//
 // Lengths are in m; components beyond `dim` say nothing.
 
 struct Bounds {
@@ -37,7 +42,16 @@ struct Bounds {
 struct InitialSite {
   Point x{};
   double V0 = 0;
+  int turned = -1;  // the site that this one comes to when all are turned onto each other, -1: they cannot be
 };
+
+/// How a round body is laid.
+enum class RoundLayout : std::uint8_t {
+  aligned,  // in layers with the same number of particles on each, of a ring only
+  spaced,   // in layers whose particles are about a spacing apart on each
+  lattice,  // cut from the square lattice
+};
+std::string_view name(RoundLayout);
 
 /// A cuboid in 3D.
 struct Box {
@@ -88,6 +102,7 @@ inline double distance_between(const Point& a, const Point& b, int dim) {
 struct Disc {
   Point centre{};
   double radius = 0;
+  RoundLayout layout = RoundLayout::spaced;
 
   Bounds bounds() const { return bounds_of_ball(centre, radius); }
   bool holds(const Point& x, int dim, double tolerance) const {
@@ -98,6 +113,9 @@ struct Disc {
   Point middle() const { return centre; }
   Point anchor() const { return bounds().middle(); }
   void shift(std::size_t axis, double by) { centre[axis] += by; }
+  /// One particle in the centre and 6, 12, 18 … on the layers around it: a hexagonal lattice made round,
+  /// which it is to the eye within each of six sectors.
+  std::vector<InitialSite> sites(int dim, double dp) const;
   bool operator==(const Disc&) const = default;
 };
 
@@ -105,6 +123,7 @@ struct Disc {
 struct Ring {
   Point centre{};
   double inner = 0, outer = 0;
+  RoundLayout layout = RoundLayout::aligned;
 
   Bounds bounds() const { return bounds_of_ball(centre, outer); }
   bool holds(const Point& x, int dim, double tolerance) const {
@@ -116,8 +135,10 @@ struct Ring {
   Point middle() const { return centre; }
   Point anchor() const { return bounds().middle(); }
   void shift(std::size_t axis, double by) { centre[axis] += by; }
-  /// Concentric layers at r = inner + (k + ½) dp, on each a whole number of particles about dp apart, the
-  /// first on the positive x axis.
+  /// Concentric layers at r = inner + (k + ½) dp, the first particle of each on the positive x axis. Aligned:
+  /// on each as many as are a spacing apart in the middle of the ring, so that each has its neighbours where
+  /// a lattice has them, on a grid of polar coordinates. Spaced: a whole number about dp apart on each, which
+  /// puts the neighbours of the next layer anywhere.
   std::vector<InitialSite> sites(int dim, double dp) const;
   bool operator==(const Ring&) const = default;
 };
