@@ -113,6 +113,16 @@ T trace(const Mat<T, Dim>& A) {
   return s;
 }
 
+/// C = Fᵀ F
+template <class T, int Dim>
+Sym<T, Dim> right_cauchy_green(const Mat<T, Dim>& F) {
+  Sym<T, Dim> C{};
+  for (int a = 0; a < Dim; ++a)
+    for (int b = a; b < Dim; ++b)
+      for (int k = 0; k < Dim; ++k) C(a, b) += F(k, a) * F(k, b);
+  return C;
+}
+
 /// All components of a symmetric tensor.
 template <class T, int Dim>
 Mat<T, Dim> full(const Sym<T, Dim>& S) {

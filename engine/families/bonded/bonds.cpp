@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <map>
 #include <utility>
 
 #include <Eigen/Dense>
 
+#include "engine/families/bonded/balance.hpp"
 #include "engine/neighbors/neighbors.hpp"
 
 namespace taut {
@@ -115,13 +115,12 @@ Point point(const Eigen::Vector<double, Dim>& v) {
 class Maker {
  public:
   Maker(const Scene& scene, const InitialParticles& initial, double h)
-      : scene_(scene), initial_(initial), h_(h), chosen_(initial.size()) {}
+      : scene_(scene), initial_(initial), h_(h), least_reach_(initial.first.size() - 1, least_bond_reach) {}
 
   Bonds make() {
-    choose();
-    set_ends();
+    make_balanced();
+    if (widen()) make_balanced();
     out_.volume = initial_.V0;
-    set_gradients();
     correct_volumes();
     cut_at_clamp();
     set_gradients();
@@ -129,9 +128,18 @@ class Maker {
   }
 
  private:
+  void make_balanced() {
+    choose();
+    set_ends();
+    set_gradients();
+    balance_areas(initial_, out_);
+    set_gradients();
+    balance_weights(initial_, out_);
+  }
   void choose();
   void set_ends();
   void set_gradients();
+  bool widen();
   void correct_volumes();
   void cut_at_clamp();
   double share_before_clamp(int i, const Point& X) const;
@@ -139,6 +147,7 @@ class Maker {
   const Scene& scene_;
   const InitialParticles& initial_;
   double h_;
+  std::vector<double> least_reach_;            // [body] of the bonds, in h
   std::vector<std::map<int, double>> chosen_;  // [id] w_ij by j
   Bonds out_;
 };
@@ -146,10 +155,12 @@ class Maker {
 /// Which others each particle asks for, and with which weights.
 void Maker::choose() {
   const Moments moments;
+  chosen_.assign(initial_.size(), {});
   const auto near = initial_neighbors(initial_, greatest_bond_reach * h_);
   for (int i = 0; i < initial_.size(); ++i) {
     const Eigen::Vector<double, Dim> x_i = column(initial_.x[i]);
-    for (double reach = 2; reach <= greatest_bond_reach; reach += 0.125) {
+    const double least = least_reach_[initial_.body[i]];
+    for (double reach = least; reach <= greatest_bond_reach; reach += 0.125) {
       std::vector<int> others;
       for (int j : near[i])
         if ((column(initial_.x[j]) - x_i).norm() < reach * h_ * (1 - 1e-9)) others.push_back(j);
@@ -161,11 +172,9 @@ void Maker::choose() {
         omega[b] = initial_.V0[others[b]] / std::pow(X.col(b).norm(), Dim);
       }
       const auto [w, right] = moments.weights(X, omega);
-      if (!right && reach > 2) continue;  // the first choice stands if none is right
+      if (!right && reach > least) continue;  // the first choice stands if none is right
       chosen_[i].clear();
-      // to 2^-36, far finer than the moments are right: the last bits may differ in a mirror image
-      for (std::size_t b = 0; b < others.size(); ++b)
-        chosen_[i][others[b]] = std::ldexp(std::round(std::ldexp(w[b], 36)), -36);
+      for (std::size_t b = 0; b < others.size(); ++b) chosen_[i][others[b]] = w[static_cast<Eigen::Index>(b)];
       if (right) break;
     }
   }
@@ -175,6 +184,7 @@ void Maker::choose() {
 void Maker::set_ends() {
   for (int i = 0; i < initial_.size(); ++i)
     for (const auto& [j, w] : chosen_[i]) chosen_[j].try_emplace(i, 0.0);
+  out_ = {};
   out_.begin.push_back(0);
   for (int i = 0; i < initial_.size(); ++i) {
     for (const auto& [j, w] : chosen_[i]) {
@@ -182,7 +192,7 @@ void Maker::set_ends() {
       out_.j.push_back(j);
       out_.weight.push_back(w);
       out_.X.push_back(point(X));
-      out_.area.push_back(point(initial_.V0[i] * initial_.V0[j] / std::pow(X.norm(), Dim + 2) * X));
+      out_.area.push_back(point(std::pow(scene_.spacing / X.norm(), 8) * X));
     }
     out_.begin.push_back(static_cast<int>(out_.j.size()));
   }
@@ -202,6 +212,26 @@ void Maker::set_gradients() {
     for (int b = out_.begin[i]; b < out_.begin[i + 1]; ++b)
       out_.gradient[b] = point(B * column(out_.area[b]));
   }
+}
+
+/// Bodies whose balance left a pair of particles with next to no bond, or with one that pushes when it is
+/// pulled, get bonds of a longer reach. True if there are any.
+bool Maker::widen() {
+  constexpr double typical = 2, least = 0.2;  // (V_i w_ij + V_j w_ji)/V_i
+  bool any = false;
+  for (int i = 0; i < initial_.size(); ++i) {
+    for (int b = out_.begin[i]; b < out_.begin[i + 1]; ++b) {
+      const int j = out_.j[b];
+      const int* last = out_.j.data() + out_.begin[j + 1];
+      const int* back = std::find(last - (out_.begin[j + 1] - out_.begin[j]), last, i);
+      const double both =
+          out_.weight[b] + initial_.V0[j] / initial_.V0[i] * out_.weight[back - out_.j.data()];
+      if (both >= least * typical) continue;
+      least_reach_[initial_.body[i]] = wide_bond_reach;
+      any = true;
+    }
+  }
+  return any;
 }
 
 /// V_k += Σ_j D_j²/24 S_j · (g_jk − δ_jk Σ_l g_jl): S_j = Σ_i (V_i g_ij − V_j g_ji) is the surface that
@@ -258,17 +288,6 @@ void Maker::cut_at_clamp() {
 }
 
 }  // namespace
-
-std::complex<double> harmonic(const Bonds& bonds, int i, int n) {
-  std::complex<double> sum = 0;
-  for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) {
-    const std::complex<double> X(bonds.X[b][0], -bonds.X[b][1]), e = X / std::abs(X);
-    std::complex<double> power = bonds.weight[b];
-    for (int k = 0; k < n; ++k) power *= e;  // not by the angle: a mirror image has the same bits
-    sum += power;
-  }
-  return sum;
-}
 
 Bonds make_bonds(const Scene& scene, const InitialParticles& initial, double h) {
   return Maker(scene, initial, h).make();

@@ -5,7 +5,7 @@
 namespace taut::bonded {
 
 std::vector<TermInfo> terms(const Formulation& m) {
-  return {bond_energy_info,    bond_force_info,         remainder_info,
+  return {bond_energy_info,    bond_force_info,         cancelled_info,  stress_info,
           bonded_damping_info, contact_info(m.contact), bonded_time_info};
 }
 

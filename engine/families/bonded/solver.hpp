@@ -13,10 +13,11 @@ namespace taut::inline TAUT_ISA {
 /// Bodies held together by bonds (terms/bond.hpp), which touch by a contact law. Position Verlet, so that
 /// without damping the energy has no drift.
 ///
-/// Three passes a step. The strain pass visits x_j and v_j and gives F_i and the bonds' force; the stress
-/// pass takes four particles at once and no neighbour, and gives Q_i = V_i P_i B_i, from which the force pass
-/// makes that of all stresses: with g_ij = B_i a_ij and a_ij = −a_ji it is
-///   Σ_j (V_i P_i g_ij − V_j P_j g_ji) = Σ_j (Q_i + Q_j) a_ij,
+/// Three passes a step. The strain pass visits x_j and v_j and gives F_i, the bonds' force and what is
+/// cancelled of the bonds; the stress pass takes four particles at once and no neighbour, and gives
+/// Q_i = T_i B_i, from which the force pass makes that of all stresses: with g_ij = B_i a_ij and a_ij = −a_ji
+/// it is
+///   Σ_j (T_i g_ij − T_j g_ji) = Σ_j (Q_i + Q_j) a_ij,
 /// so that the passes over neighbours share one vector a bond, and each visits one short row a neighbour.
 /// F goes from the first to the second through memory: in one loop the bonds of the next particles do not
 /// fill the time that the law's long chain of operations takes.
@@ -56,13 +57,17 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   using PlaceRow = Row<2 * Dim>;     // x, v
   using StressRow = Row<Dim * Dim>;  // Q, row by row
   struct Spring {                    // four bonds; the filling has k = 0
-    Pack k;                          // G (V_i w_ij + V_j w_ji)/r0², N/m (per metre depth in 2D)
+    Pack k;                          // G (V0_i w_ij + V0_j w_ji)/r0², N/m (per metre depth in 2D)
     Pack per_r0_squared;             // 1/r0², 1/m²
+  };
+  struct Cancelled {  // of four bonds, as far as they are energies of this end; the filling has Gw = 0
+    Vec<Pack, Dim> e;
+    Pack Gw;  // G V0_i w_ij, J
   };
   struct Sites {  // four particles; the filling and what is held has V = 0
     Sym<Pack, Dim> B;
     Pack V;  // m^Dim, with which the energy counts
-    Remainder<Pack> rest;
+    ClosedNeoHookean<Pack> law;
   };
   struct Strained {    // of one particle, to be summed over the lanes
     Mat<Pack, Dim> A;  // (x_j − x_i) ⊗ a_ij: F = A B
@@ -73,13 +78,19 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
 
   void pack_bonds(const Bonds& bonds);
   void add_site(const Bonds& bonds, int i);
-  double strength(const Bonds& bonds, int id, int b, int back) const;
+  double shear_modulus(const Bonds& bonds, int id, int b) const;
   double step_size() const;
   void strain_pass();
   void stress_pass();
   double force_pass(double dt);
+  struct Cancel {  // of four particles
+    Sym<Pack, Dim> S;
+    Pack energy;
+  };
   template <bool WithEnergy>
   Strained strained(int i) const;
+  template <bool WithEnergy>
+  Cancel cancelled(int first, const Sym<Pack, Dim>& C) const;
   template <bool WithEnergy>
   double strain(int group);
   void take_snapshot() override;
@@ -95,27 +106,24 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   double stiffest_ = 1;    // greatest of all bonds and particles in the last step, over that at rest
   std::vector<Sites> sites_;
   std::vector<int> begin_, j_;        // bonds in packs, as in Neighbors; from size() on places at a clamp
-  std::vector<Vec<Pack, Dim>> a_ij_;  // m^Dim/m, times a constant that B takes out again
+  std::vector<Vec<Pack, Dim>> a_ij_;  // times a constant that B takes out again
   std::vector<Spring> springs_;
-  std::vector<StoredPack> energy_scales_;  // of each bond's energy, J: its half, or all at a clamp
-  std::vector<Mat<Pack, Dim>> F_;          // of each group; 0 where there is no volume
+  std::vector<Cancelled> cancelled_;
+  std::vector<Mat<Pack, Dim>> F_;  // of each group; 0 where there is no volume
+  std::vector<Sym<Pack, Dim>> S_;  // of each group: G V0 Σ_j w φ′(λ°)/λ° e ⊗ e, J
   std::vector<PlaceRow> places_;
   std::vector<StressRow> stress_;
   std::vector<V> bond_force_;  // N
 };
 
-/// G (V_i w_ij + V_j w_ji), J: that of the energies of both ends. Halves of two materials stand one behind
-/// the other in a bond, as two springs do: the harmonic mean of their G. A place at a clamp has no energy of
-/// its own.
+/// G of a bond, Pa. Halves of two materials stand one behind the other in it, as two springs do: the harmonic
+/// mean. What is held is as stiff as who holds on to it.
 template <const Formulation& M, int Dim>
-double Bonded<M, Dim>::strength(const Bonds& bonds, int id, int b, int back) const {
+double Bonded<M, Dim>::shear_modulus(const Bonds& bonds, int id, int b) const {
   const std::vector<int>& material = this->initial_.material;
-  const int other = bonds.j[b];
-  const double G_i = materials_[material[id]].G;
-  const double G_j = back < 0 ? G_i : materials_[material[other]].G;
-  double Vw = bonds.volume[id] * bonds.weight[b];
-  if (back >= 0) Vw += bonds.volume[other] * bonds.weight[back];
-  return 2 * G_i * G_j / (G_i + G_j) * Vw;
+  const int other = this->initial_.held[bonds.j[b]] ? id : bonds.j[b];
+  const double G_i = materials_[material[id]].G, G_j = materials_[material[other]].G;
+  return 2 * G_i * G_j / (G_i + G_j);
 }
 
 template <const Formulation& M, int Dim>
@@ -139,7 +147,7 @@ void Bonded<M, Dim>::pack_bonds(const Bonds& bonds) {
     for (int first = bonds.begin[id]; first < last; first += lanes) {
       Vec<Pack, Dim> area{};
       Spring four{{}, 1 / least_r2_};  // the filling: λ = 1
-      StoredPack scale{};
+      Cancelled own{};
       for (int lane = 0; lane < lanes; ++lane) {
         const int b = first + lane;
         if (b >= last) {
@@ -155,19 +163,22 @@ void Bonded<M, Dim>::pack_bonds(const Bonds& bonds) {
           r2 += bonds.X[b][k] * bonds.X[b][k];
           area[k][lane] = bonds.area[b][k];
         }
-        const double Gw = strength(bonds, id, b, back);
-        four.k[lane] = Gw / r2;
-        scale.value[lane] = back >= 0 ? 0.5 * Gw : Gw;
+        // a place at a clamp has no energy of its own
+        const double G = shear_modulus(bonds, id, b), of_other = back < 0 ? 0 : bonds.weight[back];
+        for (int k = 0; k < Dim; ++k) own.e[k][lane] = bonds.X[b][k] / std::sqrt(r2);
+        own.Gw[lane] = G * initial.V0[id] * bonds.weight[b];
+        four.k[lane] = G * (initial.V0[id] * bonds.weight[b] + initial.V0[bonds.j[b]] * of_other) / r2;
         four.per_r0_squared[lane] = 1 / r2;
       }
       a_ij_.push_back(area);
-      energy_scales_.push_back(scale);
       springs_.push_back(four);
+      cancelled_.push_back(own);
     }
     begin_.push_back(static_cast<int>(springs_.size()));
   }
   stress_.resize(places_.size());
   F_.resize(groups());
+  S_.resize(groups());
   bond_force_.resize(n);
   this->pairs_ = static_cast<long>(bonds.j.size());
 }
@@ -177,10 +188,7 @@ void Bonded<M, Dim>::add_site(const Bonds& bonds, int i) {
   Sites& four = sites_[i / lanes];
   const int lane = i % lanes, id = s_.id[i];
   const Elasticity& material = materials_[this->initial_.material[id]];
-  const auto six = harmonic(bonds, id, 6), eight = harmonic(bonds, id, 8);
-  four.rest.K[lane] = material.K, four.rest.G[lane] = material.G;
-  four.rest.Z6.re[lane] = six.real(), four.rest.Z6.im[lane] = six.imag();
-  four.rest.Z8.re[lane] = eight.real(), four.rest.Z8.im[lane] = eight.imag();
+  four.law.K[lane] = material.K, four.law.G[lane] = material.G;
   for (int a = 0; a < Dim; ++a)
     for (int k = a; k < Dim; ++k) four.B(a, k)[lane] = bonds.B[id][a][k];
   if (four.B(0, 0)[lane] > 0) four.V[lane] = bonds.volume[id];
@@ -238,7 +246,7 @@ auto Bonded<M, Dim>::strained(int i) const -> Strained {
     stiffest = max(stiffest, bond_stiffness(s));
     f += Pack(spring.k * (bond_slope(s) + relaxation_ * rate)) * d;
     add_outer(A, filled<Pack>(1), d, a_ij_[b]);
-    if constexpr (WithEnergy) energy += energy_scales_[b].value * bond_energy(s);
+    if constexpr (WithEnergy) energy += cancelled_[b].Gw * bond_energy(s);
   }
   return {A, f, energy, stiffest};
 }
@@ -246,6 +254,33 @@ inline constexpr TermInfo bonded_damping_info{
     "damping", "f_i = Σ_j k_ij τ q̇_ij (x_j − x_i), q = ½ (λ² − 1), τ = damping dp √(ρ0/G)", "ours",
     "families/bonded/solver.hpp:strained",
     "oenog: the damping takes a zigzag away and leaves the first mode alone"};
+
+/// What is cancelled of the bonds of four particles from `first` on, whose C is this.
+template <const Formulation& M, int Dim>
+template <bool WithEnergy>
+auto Bonded<M, Dim>::cancelled(int first, const Sym<Pack, Dim>& C) const -> Cancel {
+  Sym<Pack, Dim> S[lanes];
+  Pack energy[lanes];
+  for (int lane = 0; lane < lanes; ++lane) {
+    const int i = std::min(first + lane, s_.size() - 1);
+    Sym<Pack, Dim> C_i, S_i{};
+    Pack E{};
+    for (int k = 0; k < Sym<Pack, Dim>::size; ++k) C_i.c[k] = filled<Pack>(C.c[k][lane]);
+    for (int b = begin_[i]; b < begin_[i + 1]; ++b) {
+      const Cancelled& own = cancelled_[b];
+      const Pack s = dot(own.e, C_i * own.e);
+      add_outer(S_i, own.Gw * cancelled_slope(s), own.e);
+      if constexpr (WithEnergy) E += own.Gw * cancelled_energy(s);
+    }
+    S[lane] = S_i;
+    energy[lane] = E;
+  }
+  Cancel of_group;
+  for (int k = 0; k < Sym<Pack, Dim>::size; ++k)
+    of_group.S.c[k] = sums(S[0].c[k], S[1].c[k], S[2].c[k], S[3].c[k]);
+  of_group.energy = sums(energy[0], energy[1], energy[2], energy[3]);
+  return of_group;
+}
 
 /// F and the bonds' force of four particles, or fewer in the last group, and their energy if asked for. The
 /// greatest stiffness, over that of a bond at rest.
@@ -268,10 +303,14 @@ double Bonded<M, Dim>::strain(int group) {
   }
   const Sites& sites = sites_[group];
   F_[group] = product(A, sites.B);
+  Sym<Pack, Dim> C = right_cauchy_green(F_[group]);
+  for (int k = 0; k < Dim; ++k) C(k, k) = sites.V > 0 ? C(k, k) : filled<Pack>(1);
+  const Cancel cancel = cancelled<WithEnergy>(first, C);
+  S_[group] = cancel.S;
   if constexpr (WithEnergy) {
     std::vector<double>& energies = this->snapshot_.strain_energy;
-    const Pack energy = sums_of([](const Strained& one) -> const Pack& { return one.energy; }) +
-                        sites.V * sites.rest.energy(F_[group]);
+    const Pack energy = sums_of([](const Strained& one) -> const Pack& { return one.energy; }) -
+                        cancel.energy + sites.V * sites.law.energy(F_[group]);
     for (int lane = 0; lane < count; ++lane) energies[s_.id[first + lane]] = energy[lane];
   }
   Pack stiffest = max(max(of[0].stiffest, of[1].stiffest), max(of[2].stiffest, of[3].stiffest));
@@ -289,7 +328,12 @@ template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::stress_pass() {
   parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
     const Sites& sites = sites_[group];
-    const Mat<Pack, Dim> Q = sites.V * product(sites.rest.piola(F_[group]), sites.B);
+    const Mat<Pack, Dim>& F = F_[group];
+    Mat<Pack, Dim> T = sites.V * sites.law.piola(F);
+    const Mat<Pack, Dim> of_bonds = product(F, S_[group]);
+    for (int a = 0; a < Dim; ++a)
+      for (int k = 0; k < Dim; ++k) T(a, k) -= of_bonds(a, k);
+    const Mat<Pack, Dim> Q = product(T, sites.B);
     const int first = group * lanes, count = std::min(lanes, s_.size() - first);
     for (int lane = 0; lane < count; ++lane)
       for (int a = 0; a < Dim; ++a)
@@ -333,13 +377,13 @@ void Bonded<M, Dim>::take_snapshot() {
     const Sites& sites = sites_[group];
     Mat<Pack, Dim> F = F_[group];
     for (int k = 0; k < Dim; ++k) F(k, k) = sites.V > 0 ? F(k, k) : filled<Pack>(1);
-    const Pack J = determinant(F), p = -sites.rest.K * (J - 1);
+    const Pack J = determinant(F), p = -sites.law.K * (J - 1);
     const Pack root = inverse_cube_root(max(J, filled<Pack>(0.05)));
     Sym<Pack, Dim> b{};
     for (int a = 0; a < Dim; ++a)
       for (int k = a; k < Dim; ++k)
         for (int l = 0; l < Dim; ++l) b(a, k) += F(a, l) * F(k, l);
-    const Pack mean = (trace(b) + (3 - Dim)) / 3, shear = sites.rest.G * power<5>(root);
+    const Pack mean = (trace(b) + (3 - Dim)) / 3, shear = sites.law.G * power<5>(root);
     for (int k = 0; k < Dim; ++k) b(k, k) -= mean;
     const int first = group * lanes, count = std::min(lanes, s_.size() - first);
     for (int lane = 0; lane < count; ++lane) {

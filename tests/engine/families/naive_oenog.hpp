@@ -47,9 +47,9 @@ class NaiveOenog {
   using Places = std::vector<std::array<double, 2>>;
 
   NaiveOenog(const Scene& scene, double h_over_dp)
-      : scene_(scene),
-        initial_(make_initial_particles(scene)),
-        bonds_(make_bonds(scene, initial_, h_over_dp * scene.spacing)) {
+      : NaiveOenog(scene, make_initial_particles(scene), h_over_dp) {}
+  NaiveOenog(const Scene& scene, const InitialParticles& initial, double h_over_dp)
+      : scene_(scene), initial_(initial), bonds_(make_bonds(scene, initial_, h_over_dp * scene.spacing)) {
     for (int i = 0; i < initial_.size(); ++i) {
       x.push_back({initial_.x[i][0], initial_.x[i][1]});
       v.push_back({initial_.v[i][0], initial_.v[i][1]});
@@ -59,14 +59,16 @@ class NaiveOenog {
   int size() const { return initial_.size(); }
   bool held(int i) const { return initial_.held[i]; }
 
-  /// E = Σ V [G Σ w φ(λ) + U(F)], G of a bond between two materials being their harmonic mean
+  /// E = Σ [V W(F) + V0 G Σ w (φ(λ) − φ(λ°))], G of a bond between two materials being their harmonic mean;
+  /// λ° within ½ and 2
   double energy(const Places& at) const {
     double E = 0;
     for (int i = 0; i < size(); ++i) {
       if (held(i)) continue;
+      const auto F = gradient(at, i);
       for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b)
-        E += bonds_.volume[i] * modulus(i, b) * bonds_.weight[b] * phi(stretch(at, i, b));
-      E += bonds_.volume[i] * U(i, gradient(at, i)).value;
+        E += strength(i, b) * (phi(stretch(at, i, b)) - phi(std::sqrt(affine(b, duals(F)).value)));
+      E += bonds_.volume[i] * W(i, duals(F)).value;
     }
     return E;
   }
@@ -76,17 +78,20 @@ class NaiveOenog {
     Places f(at.size());
     for (int i = 0; i < size(); ++i) {
       if (held(i)) continue;
-      const double V = bonds_.volume[i];
-      const auto F = gradient(at, i);
-      const Dual left = U(i, F);
+      const auto F = duals(gradient(at, i));
+      Dual left = bonds_.volume[i] * W(i, F);
+      for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
+        const Dual s = affine(b, F);
+        left = left - strength(i, b) / 24 * (2.0 * s * s - 3.0 * s + 1 / s);
+      }
       for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
         const auto d = way(at, i, b);
         const double r = std::hypot(d[0], d[1]), r0 = std::hypot(bonds_.X[b][0], bonds_.X[b][1]);
-        const double pull = V * modulus(i, b) * bonds_.weight[b] * dphi(r / r0) / r0;
+        const double pull = strength(i, b) * dphi(r / r0) / r0;
         const Point& g = bonds_.gradient[b];
-        const auto& P = left.slope;
-        const double on_i[2] = {pull * d[0] / r + V * (P[0] * g[0] + P[1] * g[1]),
-                                pull * d[1] / r + V * (P[2] * g[0] + P[3] * g[1])};
+        const auto& T = left.slope;
+        const double on_i[2] = {pull * d[0] / r + T[0] * g[0] + T[1] * g[1],
+                                pull * d[1] / r + T[2] * g[0] + T[3] * g[1]};
         for (int k = 0; k < 2; ++k) {
           f[i][k] += on_i[k];
           f[bonds_.j[b]][k] -= on_i[k];  // on a held particle: not used
@@ -96,7 +101,7 @@ class NaiveOenog {
     return f;
   }
 
-  /// Of the dashpots, V G w τ q̇/r0² (x_j − x_i) for each bond from either side, q = ½ (r²/r0² − 1)
+  /// Of the dashpots, V0 G w τ q̇/r0² (x_j − x_i) for each bond from either side, q = ½ (r²/r0² − 1)
   Places drag(double damping) const {
     double shear_speed = 0;
     for (int i = 0; i < size(); ++i)
@@ -110,7 +115,7 @@ class NaiveOenog {
         const double r0 = std::hypot(bonds_.X[b][0], bonds_.X[b][1]);
         const double vx = (held(j) ? 0 : v[j][0]) - v[i][0], vy = (held(j) ? 0 : v[j][1]) - v[i][1];
         const double rate = (d[0] * vx + d[1] * vy) / (r0 * r0);
-        const double k = bonds_.volume[i] * modulus(i, b) * bonds_.weight[b] / (r0 * r0);
+        const double k = strength(i, b) / (r0 * r0);
         for (int a = 0; a < 2; ++a) {
           f[i][a] += k * tau * rate * d[a];
           f[j][a] -= k * tau * rate * d[a];
@@ -160,25 +165,26 @@ class NaiveOenog {
   static double phi(double l) { return (2 * std::pow(l, 4) - 3 * l * l + std::pow(l, -2)) / 24; }
   static double dphi(double l) { return (8 * std::pow(l, 3) - 6 * l - 2 * std::pow(l, -3)) / 24; }
 
-  /// What the bonds leave to the neo-Hookean energy, with its slopes in F; J ≥ ½
-  Dual U(int i, const std::array<double, 4>& components) const {
-    std::array<Dual, 4> F;
+  double strength(int i, int b) const {  // J
+    return initial_.V0[i] * modulus(i, b) * bonds_.weight[b];
+  }
+  using Duals = std::array<Dual, 4>;
+  static Duals duals(const std::array<double, 4>& components) {
+    Duals F;
     for (int k = 0; k < 4; ++k) F[k] = Dual::variable(components[k], k);
+    return F;
+  }
+  /// s° of a bond, with its slopes in F
+  Dual affine(int b, const Duals& F) const {
+    const Point& X = bonds_.X[b];
+    const Dual x = F[0] * X[0] + F[1] * X[1], y = F[2] * X[0] + F[3] * X[1];
+    return (x * x + y * y) / Dual(X[0] * X[0] + X[1] * X[1]);
+  }
+  /// The neo-Hookean energy with its slopes in F; J ≥ ½
+  Dual W(int i, const Duals& F) const {
     const Dual J = F[0] * F[3] - F[1] * F[2];
-    const Dual Cxx = F[0] * F[0] + F[2] * F[2], Cyy = F[1] * F[1] + F[3] * F[3];
-    const Dual Cxy = F[0] * F[1] + F[2] * F[3], t = 0.5 * (Cxx + Cyy);
-    const Dual p = 0.5 * (Cxx - Cyy) / (t + J), q = Cxy / (t + J);  // ζ = p + i q
-    const Dual p2 = p * p - q * q, q2 = 2.0 * p * q;
-    const Dual p3 = p2 * p - q2 * q, q3 = p2 * q + q2 * p, p4 = p2 * p2 - q2 * q2, q4 = 2.0 * p2 * q2;
-    double c6 = 0, s6 = 0, c8 = 0, s8 = 0;
-    for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
-      const double angle = std::atan2(bonds_.X[b][1], bonds_.X[b][0]), w = bonds_.weight[b];
-      c6 += w * std::cos(6 * angle), s6 += w * std::sin(6 * angle);
-      c8 += w * std::cos(8 * angle), s8 += w * std::sin(8 * angle);
-    }
-    const Dual R = c6 * p3 + s6 * q3 - (c8 * p4 + s8 * q4);
-    const Dual W = G(i) / 2 * (J.to(-2.0 / 3) * (Cxx + Cyy + 1) - 3) + K(i) / 2 * (J - 1) * (J - 1);
-    return W - G(i) * (t * t - t - J * J / 3 + 1 / (3.0 * J) - R / (12.0 * J));
+    const Dual C = F[0] * F[0] + F[1] * F[1] + F[2] * F[2] + F[3] * F[3];
+    return G(i) / 2 * (J.to(-2.0 / 3) * (C + 1) - 3) + K(i) / 2 * (J - 1) * (J - 1);
   }
 
   /// x_j − x_i, or to the place at the clamp's face, which stands still

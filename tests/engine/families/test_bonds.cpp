@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -15,6 +15,7 @@
 #include "engine/methods/oenog.hpp"
 #include "engine/terms/bond.hpp"
 #include "engine/terms/penalty_contact.hpp"
+#include "tests/engine/families/naive_oenog.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
@@ -44,51 +45,62 @@ using Gradient = Mat<double, 2>;
 
 Gradient gradient(double xx, double xy, double yx, double yy) { return {{{xx, xy}, {yx, yy}}}; }
 
-/// The directions and weights of a particle's bonds.
-struct Star {
-  std::vector<double> angle, weight;
+ClosedNeoHookean<double> closed_law() { return {4.6, 1}; }  // over G: ν = 0.4
 
-  Complex<double> harmonic(int n) const {
-    Complex<double> sum{};
-    for (std::size_t b = 0; b < angle.size(); ++b) {
-      sum.re += weight[b] * std::cos(n * angle[b]);
-      sum.im -= weight[b] * std::sin(n * angle[b]);
-    }
-    return sum;
+/// The greatest force on a particle of one body under the displacement gradient of ±`size` in each of the three
+/// strains, half the difference, over G `size` dp; of particles `depth` or more layers inside.
+double unbalanced(const Scene& scene, const InitialParticles& initial, const std::vector<double>& depth) {
+  constexpr double size = 1e-5;
+  const double G = scene.materials[0].shear_modulus(), dp = scene.spacing;
+  NaiveOenog naive(scene, initial, oenog.h_over_dp);
+  double greatest = 0;
+  for (const Gradient& H : {gradient(1, 0, 0, 0), gradient(0, 0, 0, 1), gradient(0, 0.5, 0.5, 0)}) {
+    const auto force = [&](double factor) {
+      NaiveOenog::Places at;
+      for (const Point& X : initial.x)
+        at.push_back({X[0] + factor * (H(0, 0) * X[0] + H(0, 1) * X[1]),
+                      X[1] + factor * (H(1, 0) * X[0] + H(1, 1) * X[1])});
+      return naive.force(at);
+    };
+    const auto above = force(size), below = force(-size);
+    for (int i = 0; i < initial.size(); ++i)
+      if (depth[i] > 4 * dp)
+        for (int k = 0; k < 2; ++k)
+          greatest = std::max(greatest, std::abs(above[i][k] - below[i][k]) / (2 * G * size * dp));
   }
-  Remainder<double> remainder(double K) const { return {K, 1, harmonic(6), harmonic(8)}; }
-
-  /// The energy of the bonds after a linear displacement, over G
-  double energy(const Gradient& F) const {
-    double sum = 0;
-    for (std::size_t b = 0; b < angle.size(); ++b) {
-      const double ex = std::cos(angle[b]), ey = std::sin(angle[b]);
-      const double x = F(0, 0) * ex + F(0, 1) * ey, y = F(1, 0) * ex + F(1, 1) * ey;
-      sum += weight[b] * bond_energy(x * x + y * y);
-    }
-    return sum;
-  }
-};
-
-/// Those of a square lattice, turned, and of a particle at the surface of a ring.
-Star lattice(double turned) {
-  Star star;
-  for (int k = 0; k < 8; ++k) star.angle.push_back(turned + k * std::numbers::pi / 4);
-  star.weight.assign(8, 1);
-  return star;
+  return greatest;
 }
-Star on_ring() {
-  const Scene scene = colliding_rings();
-  const InitialParticles initial = make_initial_particles(scene);
-  const Bonds bonds = bonds_of(scene, initial);
-  int i = 0;
-  while (i + 1 < initial.size() && std::hypot(initial.x[i][0] + 0.045, initial.x[i][1]) < 0.0392) ++i;
-  Star star;
-  for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) {
-    star.angle.push_back(std::atan2(bonds.X[b][1], bonds.X[b][0]));
-    star.weight.push_back(bonds.weight[b]);
+
+/// Each particle moved by up to `share` of half a spacing along either axis, at random but always alike.
+InitialParticles jittered_by(double share, InitialParticles initial, double dp) {
+  std::mt19937 random(1);
+  for (Point& x : initial.x)
+    for (int k = 0; k < 2; ++k) x[k] += share * dp * (std::generate_canonical<double, 32>(random) - 0.5);
+  return initial;
+}
+
+Scene alone(const Shape& shape, double dp) {
+  Scene scene = colliding_rings(0, dp);
+  scene.bodies.pop_back();
+  scene.bodies[0].shapes = {shape};
+  scene.bodies[0].velocity = {};
+  return scene;
+}
+
+/// Of each particle of a ring or disc about the origin, and of a box, m
+std::vector<double> depths(const InitialParticles& initial, double inner, double outer) {
+  std::vector<double> depth;
+  for (const Point& x : initial.x) {
+    const double r = std::hypot(x[0], x[1]);
+    depth.push_back(std::min(outer - r, inner > 0 ? r - inner : outer));
   }
-  return star;
+  return depth;
+}
+std::vector<double> depths(const InitialParticles& initial, const Box& box) {
+  std::vector<double> depth;
+  for (const Point& x : initial.x)
+    depth.push_back(std::min({x[0] - box.low[0], box.high[0] - x[0], x[1] - box.low[1], box.high[1] - x[1]}));
+  return depth;
 }
 
 /// The least stiffness, over that at rest, that the zigzags of a square lattice meet: columns or rows against
@@ -124,23 +136,50 @@ double total_energy(const Simulation& simulation, const Scene& scene) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("bonds: moments are isotropic inside, at faces and on rings, and no weight is negative") {
+  TEST_CASE("bonds: moments are isotropic on the lattice and nearly so on rings, and no weight is negative") {
     for (const Scene& scene : {oscillating_plate(0.01), colliding_rings()}) {
       const InitialParticles initial = make_initial_particles(scene);
       const Bonds bonds = bonds_of(scene, initial);
+      const bool lattice = scene.name == "oscillating-plate";
+      const double allowed = lattice ? 1e-9 : 0.01;  // what the balance inside has changed
       int poor = 0;
       for (int i = 0; i < initial.size(); ++i) {
         if (initial.held[i]) continue;
         const auto m = fourth_moments(bonds, i);
-        const bool good = std::abs(m[0] - 3) < 1e-9 && std::abs(m[1]) < 1e-9 && std::abs(m[2] - 1) < 1e-9 &&
-                          std::abs(m[3]) < 1e-9 && std::abs(m[4] - 3) < 1e-9;
+        const bool good = std::abs(m[0] - 3) < allowed && std::abs(m[1]) < allowed &&
+                          std::abs(m[2] - 1) < allowed && std::abs(m[3]) < allowed &&
+                          std::abs(m[4] - 3) < allowed;
         poor += !good;
       }
       CAPTURE(scene.name);
       CAPTURE(initial.size());
-      CHECK(poor <= (scene.name == "oscillating-plate" ? 2 : 0));  // the corners of the free end
+      CHECK(poor <= (lattice ? 2 : 0));  // the corners of the free end
       for (double w : bonds.weight) CHECK_FALSE(w < 0);
     }
+  }
+
+  TEST_CASE("bonds: a homogeneous strain leaves no force inside a lattice, a ring and a disc") {
+    constexpr double dp = 0.001;
+    const Scene block = alone(Box{{0, 0, 0}, {0.016, 0.012, 0}}, dp);
+    const InitialParticles of_block = make_initial_particles(block);
+    CHECK(unbalanced(block, of_block, depths(of_block, Box{{0, 0, 0}, {0.016, 0.012, 0}})) < 1e-10);
+    const Scene ring = alone(Ring{{}, 0.03, 0.042}, dp);
+    const InitialParticles of_ring = make_initial_particles(ring);
+    CHECK(unbalanced(ring, of_ring, depths(of_ring, 0.03, 0.042)) < 1e-10);
+    const Scene disc = alone(Disc{{}, 0.015}, dp);
+    const InitialParticles of_disc = make_initial_particles(disc);
+    CHECK(unbalanced(disc, of_disc, depths(of_disc, 0, 0.015)) < 1e-10);
+  }
+
+  TEST_CASE("bonds: nor does it on layers that are not aligned and on a jittered lattice") {
+    constexpr double dp = 0.001;
+    const Scene ring = alone(Ring{{}, 0.01, 0.022, RoundLayout::spaced}, dp);
+    const InitialParticles of_ring = make_initial_particles(ring);
+    CHECK(unbalanced(ring, of_ring, depths(of_ring, 0.01, 0.022)) < 1e-9);
+    const Box box{{0, 0, 0}, {0.018, 0.014, 0}};
+    const Scene block = alone(box, dp);
+    const InitialParticles jittered = jittered_by(0.2, make_initial_particles(block), dp);
+    CHECK(unbalanced(block, jittered, depths(jittered, box)) < 1e-9);
   }
 
   TEST_CASE("bonds: the gradient of a linear field is exact at every particle") {
@@ -208,7 +247,7 @@ TEST_SUITE("term") {
       CHECK(bond_stiffness(a * a) > 0.9);
     }
     CHECK(std::abs(slope(1.0)) < 1e-16);
-    const auto rest = on_ring().remainder(4.6);
+    const auto rest = closed_law();
     for (const Gradient& F :
          {gradient(1, 0, 0, 1), gradient(1.3, 0.2, -0.4, 0.9), gradient(0.2, 0.8, -0.7, 0.1),
           gradient(0.5, 0.1, 0, 0.4), gradient(0.3, 0.2, 0.5, -0.2)}) {  // the last two: J = 0.2, −0.16
@@ -224,41 +263,52 @@ TEST_SUITE("term") {
   }
 
   TEST_CASE("bond: a linear displacement has the neo-Hookean energy and stress") {
-    constexpr double K = 4.6;  // over G: ν = 0.4
-    const NeoHookean law{K, 1};
-    const auto missed = [&](const Star& star, const Gradient& F) {
-      return star.energy(F) + star.remainder(K).energy(F) - law.energy(F, determinant(F));
-    };
+    const NeoHookean law{4.6, 1};
     for (const Gradient& F :
-         {gradient(1.2, 0.1, -0.3, 0.9), gradient(0.75, 0, 0, 1), gradient(0.4, 0.9, -0.8, 0.5)})
-      for (const double turned : {0.0, 0.2, std::numbers::pi / 8})
-        CHECK(std::abs(missed(lattice(turned), F)) < 1e-6);
-    // P of the bonds is Σ w φ′/λ (F e) ⊗ e, as that of their energy
-    const Gradient F = gradient(1.2, 0.1, -0.3, 0.9);
-    const Star star = lattice(0.2);
-    Gradient P = star.remainder(K).piola(F);
-    for (std::size_t b = 0; b < star.angle.size(); ++b) {
-      const double ex = std::cos(star.angle[b]), ey = std::sin(star.angle[b]);
-      const double x = F(0, 0) * ex + F(0, 1) * ey, y = F(1, 0) * ex + F(1, 1) * ey;
-      const double pull = star.weight[b] * bond_slope(x * x + y * y);
-      P(0, 0) += pull * x * ex, P(0, 1) += pull * x * ey, P(1, 0) += pull * y * ex, P(1, 1) += pull * y * ey;
+         {gradient(1.2, 0.1, -0.3, 0.9), gradient(0.75, 0, 0, 1), gradient(0.4, 0.9, -0.8, 0.5)}) {
+      CHECK(closed_law().energy(F) == Approx(law.energy(F, determinant(F))).epsilon(1e-12));
+      const Gradient P = closed_law().piola(F), exact = law.piola(F, determinant(F));
+      for (int a = 0; a < 2; ++a)
+        for (int k = 0; k < 2; ++k) CHECK(std::abs(P(a, k) - exact(a, k)) < 1e-12);
     }
-    const Gradient exact = law.piola(F, determinant(F));
-    for (int a = 0; a < 2; ++a)
-      for (int k = 0; k < 2; ++k) CHECK(std::abs(P(a, k) - exact(a, k)) < 1e-5);
-    // what is left out is of the eighth power of the strain on the lattice, of the fifth on any other layout
-    const auto strained = [](double e) { return gradient(1 + e, 0, 0, 1 - e); };
-    CHECK(missed(lattice(0), strained(0.4)) / missed(lattice(0), strained(0.2)) == Approx(256).epsilon(0.3));
-    const Star irregular = on_ring();
-    REQUIRE(std::abs(missed(irregular, strained(0.1))) > 1e-9);
-    CHECK(missed(irregular, strained(0.1)) / missed(irregular, strained(0.05)) == Approx(32).epsilon(0.3));
+    // and nothing of the bonds beside it: on any layout, at faces and in corners, at a strain of 0.3
+    for (const Scene& scene : {alone(Ring{{}, 0.004, 0.01}, 0.001), alone(Disc{{}, 0.006}, 0.001),
+                               alone(Box{{0, 0, 0}, {0.008, 0.006, 0}}, 0.001)}) {
+      const InitialParticles initial = make_initial_particles(scene);
+      NaiveOenog naive(scene, initial, oenog.h_over_dp);
+      const Bonds bonds = bonds_of(scene, initial);
+      const Material& material = scene.materials[0];
+      const NeoHookean rubber{material.bulk_modulus(), material.shear_modulus()};
+      const Gradient F = gradient(1.3, 0.2, -0.1, 0.9);
+      NaiveOenog::Places at;
+      double volume = 0;
+      for (int i = 0; i < initial.size(); ++i) {
+        const Point& X = initial.x[i];
+        at.push_back({F(0, 0) * X[0] + F(0, 1) * X[1], F(1, 0) * X[0] + F(1, 1) * X[1]});
+        volume += bonds.volume[i];
+      }
+      CHECK(naive.energy(at) == Approx(volume * rubber.energy(F, determinant(F))).epsilon(1e-11));
+    }
+  }
+
+  TEST_CASE("bond: what is cancelled is the bond's own within [1/4, 4], and goes on with its slope") {
+    for (const double s : {0.25, 0.5, 1.0, 2.0, 4.0}) {
+      CHECK(cancelled_energy(s) == bond_energy(s));
+      CHECK(cancelled_slope(s) == bond_slope(s));
+    }
+    for (const double s : {0.01, 0.1, 0.24, 4.5, 30.0}) {
+      const double step = 1e-6, edge = s < 1 ? 0.25 : 4;
+      // dφ/ds = φ′/(2 λ)
+      CHECK((cancelled_energy(s + step) - cancelled_energy(s - step)) / (2 * step) ==
+            Approx(0.5 * cancelled_slope(s)).epsilon(1e-7));
+      CHECK(cancelled_slope(s) == bond_slope(edge));
+      CHECK(bond_energy(s) > cancelled_energy(s));
+    }
   }
 
   TEST_CASE("bond: four particles at once have what each has alone, below J = 1/2 too") {
-    const auto one = on_ring().remainder(4.6);
-    const auto all = [](double v) { return filled<Pack>(v); };
-    const Remainder<Pack> four{
-        all(one.K), all(one.G), {all(one.Z6.re), all(one.Z6.im)}, {all(one.Z8.re), all(one.Z8.im)}};
+    const auto one = closed_law();
+    const ClosedNeoHookean<Pack> four{filled<Pack>(one.K), filled<Pack>(one.G)};
     const std::array<Gradient, 4> alone{gradient(1.3, 0.2, -0.4, 0.9), gradient(0.5, 0, 0, 1),
                                         gradient(0.5, 0.1, 0, 0.4), gradient(0.3, 0.2, 0.5, -0.2)};
     Mat<Pack, 2> F;
