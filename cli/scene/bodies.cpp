@@ -14,7 +14,7 @@ using Kind = TomlValue::Kind;
 
 const std::vector<std::string> axis_names = {"x", "y", "z"};
 
-Shape read_box(TomlCursor& shape, int dim) {
+Shape read_box(TomlCursor& shape, int dim, bool) {
   const Box box{shape.point("low", dim), shape.point("high", dim)};
   for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
     if (!(box.low[k] < box.high[k]))
@@ -24,34 +24,39 @@ Shape read_box(TomlCursor& shape, int dim) {
   return box;
 }
 
-/// The key `layout`, one of `allowed`; the first where it is not there.
-RoundLayout read_layout(TomlCursor& shape, const std::vector<RoundLayout>& allowed) {
+/// The key `layout`, one of `allowed`, or `otherwise` where it is not there.
+RoundLayout read_layout(TomlCursor& shape, const std::vector<RoundLayout>& allowed, RoundLayout otherwise) {
   std::vector<std::string> names;
   for (const RoundLayout layout : allowed) names.emplace_back(name(layout));
-  if (!shape.find("layout")) shape.table().set("layout", TomlValue(names.front()));
+  if (!shape.find("layout")) shape.table().set("layout", TomlValue(std::string(name(otherwise))));
   const std::string chosen = shape.choice("layout", names);
   return allowed[static_cast<std::size_t>(std::ranges::find(names, chosen) - names.begin())];
 }
 
-Shape read_ring(TomlCursor& shape, int dim) {
-  const Ring ring{shape.point("centre", dim), shape.positive("inner"), shape.positive("outer"),
-                  read_layout(shape, {RoundLayout::aligned, RoundLayout::spaced, RoundLayout::lattice})};
+/// Aligned layers are a third as far apart along the inner face as along the outer one at most.
+Shape read_ring(TomlCursor& shape, int dim, bool keeps_neighbors) {
+  Ring ring{shape.point("centre", dim), shape.positive("inner"), shape.positive("outer")};
   if (!(ring.inner < ring.outer))
     shape.fail(shape.need("inner"), "inner",
                "inner = " + exact(ring.inner) + " must be less than outer = " + exact(ring.outer));
+  const bool thin = 3 * ring.inner >= ring.outer;
+  ring.layout = read_layout(shape, {RoundLayout::aligned, RoundLayout::spaced, RoundLayout::lattice},
+                            keeps_neighbors && thin ? RoundLayout::aligned : RoundLayout::spaced);
   return ring;
 }
 
-Shape read_disc(TomlCursor& shape, int dim) {
-  return Disc{shape.point("centre", dim), shape.positive("radius"),
-              read_layout(shape, {RoundLayout::spaced, RoundLayout::lattice})};
+Shape read_disc(TomlCursor& shape, int dim, bool keeps_neighbors) {
+  Disc disc{shape.point("centre", dim), shape.positive("radius")};
+  disc.layout = read_layout(shape, {RoundLayout::spaced, RoundLayout::lattice},
+                            keeps_neighbors ? RoundLayout::spaced : RoundLayout::lattice);
+  return disc;
 }
 
 /// A shape as scene files of one dimension name it.
 struct ShapeKind {
   std::string_view name;
   int dim;
-  Shape (*read)(TomlCursor&, int dim);
+  Shape (*read)(TomlCursor&, int dim, bool keeps_neighbors);  // the method does
 };
 constexpr std::array shape_kinds = {
     ShapeKind{"rectangle", 2, read_box},
@@ -66,20 +71,21 @@ std::vector<std::string> names_of_shapes(int dim) {
   return names;
 }
 
-Shape read_shape(TomlCursor shape, int dim) {
+Shape read_shape(TomlCursor shape, int dim, bool keeps_neighbors) {
   const std::string type = shape.choice("type", names_of_shapes(dim));
-  const Shape result = shape_kinds[index_of(shape_kinds, type)].read(shape, dim);
+  const Shape result = shape_kinds[index_of(shape_kinds, type)].read(shape, dim, keeps_neighbors);
   shape.finish();
   return result;
 }
 
 /// One table, or an array of tables: their union.
-std::vector<Shape> read_shapes(TomlCursor& body, int dim) {
+std::vector<Shape> read_shapes(TomlCursor& body, int dim, bool keeps_neighbors) {
   TomlValue& value = body.need("shape");
   const std::string what = "the shape of " + body.what();
-  if (value.kind != Kind::array) return {read_shape(body.enter(value, "shape", what), dim)};
+  if (value.kind != Kind::array) return {read_shape(body.enter(value, "shape", what), dim, keeps_neighbors)};
   std::vector<Shape> shapes;
-  for (TomlValue& item : value.items) shapes.push_back(read_shape(body.enter(item, "shape", what), dim));
+  for (TomlValue& item : value.items)
+    shapes.push_back(read_shape(body.enter(item, "shape", what), dim, keeps_neighbors));
   if (shapes.empty())
     body.fail(value, "shape",
               what + " is empty: it needs at least one " + join_with_or(names_of_shapes(dim)));
@@ -200,12 +206,12 @@ void read_mirror(TomlCursor& cursor, int dim, Body& body) {
   std::for_each(value.items.begin(), value.items.end(), add);
 }
 
-Body read_body(TomlCursor& cursor, const Scene& scene) {
+Body read_body(TomlCursor& cursor, const Scene& scene, bool keeps_neighbors) {
   Body body;
   body.name = label(cursor, names_of(scene.bodies));
   body.material = read_material_of(cursor, scene);
   add_names(cursor.names(), scene.materials[static_cast<std::size_t>(body.material)]);
-  body.shapes = read_shapes(cursor, scene.dim);
+  body.shapes = read_shapes(cursor, scene.dim, keeps_neighbors);
   read_velocity(cursor, scene.dim, body);
   if (!cursor.find("held")) cursor.table().set("held", TomlValue(0.0));
   body.held = cursor.function_of(cursor.need("held"), "held");
@@ -256,12 +262,12 @@ void read_outside(TomlCursor& root, Scene& scene) {
               "damping = " + exact(scene.damping) + " must not be negative, 1/s");
 }
 
-void read_bodies(TomlCursor& root, Scene& scene) {
+void read_bodies(TomlCursor& root, bool keeps_neighbors, Scene& scene) {
   for (TomlValue& value : root.list("body")) {
     const TomlEntry* name = value.find("name");
     const std::string known_as = name ? name->value.text : std::to_string(scene.bodies.size() + 1);
     TomlCursor cursor = root.enter(value, "body." + known_as, "body '" + known_as + "'");
-    scene.bodies.push_back(read_body(cursor, scene));
+    scene.bodies.push_back(read_body(cursor, scene, keeps_neighbors));
   }
   if (scene.bodies.empty())
     root.fail(FilePlace{1, 1}, "body",

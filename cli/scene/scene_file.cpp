@@ -7,6 +7,7 @@
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
+#include "engine/families/catalogue.hpp"
 
 namespace taut::cli {
 namespace {
@@ -101,7 +102,7 @@ class SceneReading {
     read_times(root_, changes, dp, file_);
     read_outside(root_, file_.scene);
     read_materials(root_, file_.scene);
-    read_bodies(root_, file_.scene);
+    read_bodies(root_, keeps_neighbors(find_method(file_.settings.method)->formulation), file_.scene);
   }
 
   double fitted() const {

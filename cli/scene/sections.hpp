@@ -40,7 +40,7 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file);
 /// Gravity and damping.
 void read_outside(TomlCursor& root, Scene& scene);
 void read_materials(TomlCursor& root, Scene& scene);
-void read_bodies(TomlCursor& root, Scene& scene);
+void read_bodies(TomlCursor& root, bool keeps_neighbors, Scene& scene);
 void read_walls(TomlCursor& root, Scene& scene);
 void read_probes(TomlCursor& root, Scene& scene);
 void read_lines(TomlCursor& root, Scene& scene);

@@ -112,6 +112,11 @@ constexpr bool carries_stress(const Formulation& m) {
 /// [Zhang2024] does not say.
 constexpr bool strains_what_is_held(const Formulation& m) { return carries_stress(m); }
 
+/// The neighbours of a particle inside its body are those of the start.
+constexpr bool keeps_neighbors(const Formulation& m) {
+  return m.family == Family::bonded || m.family == Family::tl_displacement || m.family == Family::tl_mixed;
+}
+
 /// The method M with another law. Not one of the named methods, but a setting of theirs.
 template <const Formulation& M, Law law>
 inline constexpr Formulation with_law = [] {

@@ -45,7 +45,9 @@ struct InitialSite {
   int turned = -1;  // the site that this one comes to when all are turned onto each other, -1: they cannot be
 };
 
-/// How a round body is laid.
+/// How a round body is laid. Methods that keep the neighbours of the start take the layers that fit its faces
+/// best; those that search for neighbours, with one smoothing length for all directions, want particles that
+/// are equally far from each other in all.
 enum class RoundLayout : std::uint8_t {
   aligned,  // in layers with the same number of particles on each, of a ring only
   spaced,   // in layers whose particles are about a spacing apart on each
@@ -102,7 +104,7 @@ inline double distance_between(const Point& a, const Point& b, int dim) {
 struct Disc {
   Point centre{};
   double radius = 0;
-  RoundLayout layout = RoundLayout::spaced;
+  RoundLayout layout = RoundLayout::lattice;
 
   Bounds bounds() const { return bounds_of_ball(centre, radius); }
   bool holds(const Point& x, int dim, double tolerance) const {
@@ -123,7 +125,7 @@ struct Disc {
 struct Ring {
   Point centre{};
   double inner = 0, outer = 0;
-  RoundLayout layout = RoundLayout::aligned;
+  RoundLayout layout = RoundLayout::spaced;
 
   Bounds bounds() const { return bounds_of_ball(centre, outer); }
   bool holds(const Point& x, int dim, double tolerance) const {

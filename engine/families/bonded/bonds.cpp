@@ -174,7 +174,9 @@ void Maker::choose() {
       const auto [w, right] = moments.weights(X, omega);
       if (!right && reach > least) continue;  // the first choice stands if none is right
       chosen_[i].clear();
-      for (std::size_t b = 0; b < others.size(); ++b) chosen_[i][others[b]] = w[static_cast<Eigen::Index>(b)];
+      // to 2^-36, far finer than the moments are right: the last bits may differ in a mirror image
+      for (std::size_t b = 0; b < others.size(); ++b)
+        chosen_[i][others[b]] = std::ldexp(std::round(std::ldexp(w[static_cast<Eigen::Index>(b)], 36)), -36);
       if (right) break;
     }
   }

