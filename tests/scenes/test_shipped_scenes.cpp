@@ -136,8 +136,8 @@ TEST_SUITE("analytic") {
     };
     double coarse_later = 0, fine_later = 0;
     const double coarse = period(0.001, coarse_later), fine = period(0.0005, fine_later);
-    CHECK(std::abs(coarse / coarse_later - 1) < 2e-4);
-    CHECK(std::abs(fine / fine_later - 1) < 2e-4);
+    CHECK(std::abs(coarse / coarse_later - 1) < 5e-5);
+    CHECK(std::abs(fine / fine_later - 1) < 5e-5);
     // tl is of second order: two spacings say where it goes to
     const double limit = fine - (coarse - fine) / 3;
     CHECK(std::abs(limit / 10.40371e-3 - 1) < 1e-3);
