@@ -211,8 +211,8 @@ TEST_SUITE("analytic") {
 
   TEST_CASE("natural frequencies: of bodies that have fallen on each other, by the spectrum") {
     const Scene scene = drop();
-    // of ten layers and over 0.08 s the first mode of the ring is low by 3.9 % with this, by 3.2 % with oenog
-    // and 4.1 % with tl; at half the spacing by 2.6 % and 1.9 % with these two
+    // of ten layers and over 0.08 s the first mode of the ring is low by 4.1 % with this, by 1.3 % with oenog and
+    // 1.1 % with tl; the method, the amplitude and 0.06 s of spectrum share that
     const auto simulation = make_simulation(scene, with_method("pf-jst"));
     simulation->advance_to(scene.until);
     const std::vector<MeasureResult> found = measure(scene, simulation->series(), "neo_hookean");
