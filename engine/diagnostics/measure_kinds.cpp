@@ -47,9 +47,10 @@ Value rmse(const Source& source) {
   if (!time) return std::nullopt;
   const auto& [begin, end] = *time;
   const ReferenceCurves& reference = source.reference;
-  if (!reference.exact) return rms_difference(source.curve[0], reference.table[0], begin, end);
-  return rms_difference(
-      source.curve[0], [&](double t) { return reference.at(0, t); }, begin, end);
+  const auto exact = [&](double t) { return reference.at(0, t); };
+  const double difference = reference.exact ? rms_difference(source.curve[0], exact, begin, end)
+                                            : rms_difference(source.curve[0], reference.table[0], begin, end);
+  return difference / std::abs(source.measure->scale);
 }
 
 /// Seen at the rows of a table, since a path that bends is not straight between them, or at the steps.
@@ -205,8 +206,10 @@ const std::vector<MeasureKind> kinds = {
      .value = decay,
      .reference = as_given},
     {.name = "rmse",
-     .help = "√(1/T ∫ (series − reference)² dt) over the time T that both cover",
-     .keys = {"probe"},
+     .help =
+         "√(1/T ∫ (series − reference)² dt) over the time T that both cover, over scale (1 unless given, as "
+         "by the range of the reference)",
+     .keys = {"probe", "scale"},
      .table = true,
      .solution = true,
      .value = rmse,

@@ -10,6 +10,7 @@
 #include "cli/scene/shipped.hpp"
 #include "cli/text/format.hpp"
 #include "engine/diagnostics/balance.hpp"
+#include "engine/diagnostics/curve.hpp"
 #include "engine/diagnostics/lines.hpp"
 #include "engine/diagnostics/measures.hpp"
 #include "engine/error.hpp"
@@ -115,6 +116,51 @@ TEST_SUITE("analytic") {
     const Outcome cable = run("elastic-cable", "oenog", 0.1, 5e-3);
     REQUIRE(cable.measure.at("end_rmse"));
     CHECK(*cable.measure.at("end_rmse") < 1e-4);
+  }
+}
+
+TEST_SUITE("analytic") {
+  TEST_CASE("ringing ring: one mode alone rings, and its period comes to the exact one with the spacing") {
+    // a second mode would move every crossing of zero in its own way; the first period and the next two agree
+    const auto period = [](double spacing, double& later) {
+      SceneFile file =
+          read_scene(find_scene("ringing-ring"), {{"method", "tl"}, {"spacing", exact(spacing)}});
+      file.settings.threads = 1;
+      const auto simulation = make_simulation(file.scene, file.settings);
+      simulation->advance_to(file.scene.until);
+      const Series& series = simulation->series();
+      const std::vector<HalfCycle> cycles = half_cycles({series.time, series.value.at(0)});
+      REQUIRE(cycles.size() == 5);
+      later = cycles[4].end - cycles[2].end;
+      return *measure(file.scene, series, "neo_hookean").at(0).value;
+    };
+    double coarse_later = 0, fine_later = 0;
+    const double coarse = period(0.001, coarse_later), fine = period(0.0005, fine_later);
+    CHECK(std::abs(coarse / coarse_later - 1) < 5e-5);
+    CHECK(std::abs(fine / fine_later - 1) < 5e-5);
+    // tl is of second order: two spacings say where it goes to
+    const double limit = fine - (coarse - fine) / 3;
+    CHECK(std::abs(limit / 10.40371e-3 - 1) < 1e-3);
+  }
+
+  TEST_CASE("ringing ring: a mode of linear elasticity, so that half the speed gives half the motion") {
+    const Outcome whole = run("ringing-ring", "oenog", 0.002, {}, {{"v0", "1e-4"}});
+    const Outcome half = run("ringing-ring", "oenog", 0.002, {}, {{"v0", "5e-5"}});
+    REQUIRE(whole.measure.at("first_peak"));
+    REQUIRE(half.measure.at("first_peak"));
+    CHECK(*half.measure.at("first_peak") / *whole.measure.at("first_peak") ==
+          doctest::Approx(0.5).epsilon(1e-4));
+    CHECK(*half.measure.at("period") / *whole.measure.at("period") == doctest::Approx(1).epsilon(1e-5));
+  }
+
+  TEST_CASE("colliding rings, ball and plate: whole time lines of oenog follow finite elements") {
+    // a share of the range of the line; a wrong sign, point or body is off by 0.2 and more
+    const Outcome rings = run("colliding-rings", "oenog", 0.001);
+    CHECK(*rings.measure.at("diameter_rmse") < 0.006);
+    CHECK(*rings.measure.at("speed_rmse") < 0.007);
+    const Outcome ball = run("ball-plate", "oenog", 0.0025);
+    CHECK(*ball.measure.at("deflection_rmse") < 0.005);
+    CHECK(*ball.measure.at("speed_rmse") < 0.005);
   }
 }
 

@@ -157,6 +157,11 @@ TEST_SUITE("unit") {
     // the difference grows from −0.5 at 0.5 s to 1 at 2 s: √(∫ (t − 1)² dt / 1.5)
     const Series steeper{{0, 0.7, 1.1, 2.2}, {{0, 1.4, 2.2, 4.4}}};
     expect(result(scene, steeper).value, std::sqrt((1 + 0.125) / 3 / 1.5));
+    for (const double scale : {4.0, -4.0}) {
+      scene.measures[0].scale = scale;
+      expect(result(scene, series).value, 0.25);
+      expect(result(scene, series).error, 0.25);
+    }
   }
 
   TEST_CASE("rmse: weighs time, not steps") {
@@ -201,6 +206,9 @@ TEST_SUITE("unit") {
     const Series series{{0, 0.3, 0.9, 1.5}, {{0, 0.6, 1.8, 3}}};
     expect(result(scene, series).value, std::sqrt(1 / 5.0));
     CHECK(result(scene, series).reference == 0.0);
+    scene.measures[0].scale = 2;
+    expect(result(scene, series).value, std::sqrt(1 / 5.0) / 2);
+    scene.measures[0].scale = 1;
     scene.until = 2;
     CHECK_FALSE(result(scene, series).value);
     // a step up at 0.7 within one of 1000 steps
