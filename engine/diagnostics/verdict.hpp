@@ -9,13 +9,14 @@
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/indicators.hpp"
 #include "engine/diagnostics/measures.hpp"
+#include "engine/diagnostics/penetration.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/snapshot.hpp"
 
 namespace taut {
 
 /// From best to worst; the verdict of a run is the worst that ever held.
-enum class Verdict { stable, hourglass, fractured, diverged };
+enum class Verdict { stable, hourglass, penetrated, fractured, diverged };
 std::string_view name(Verdict);
 /// None if there is no verdict of that name.
 std::optional<Verdict> find_verdict(std::string_view name);
@@ -38,6 +39,7 @@ inline constexpr double hourglass_threshold = 0.03;
 /// Watches a run at history times.
 ///
 /// hourglass: the hourglass error is above its threshold.
+/// penetrated: a particle lies inside another body, or inside a far part of its own; see Penetration.
 /// connectivity: a bond joins two particles of one body that are at most 1.5 dp apart at the start; it is
 ///   broken while it is longer than max(support, 2 dp). Fractured = more pieces of the graph of unbroken
 ///   bonds than at the start ("at the start", not "bodies": a body may consist of parts), or a broken bond
@@ -83,6 +85,7 @@ class Judge {
   double given_energy_ = 0;  // J, greatest so far
   int start_pieces_ = 0;
   int pieces_ = 0;
+  Penetration penetration_;
   std::map<Verdict, double> since_;
 };
 

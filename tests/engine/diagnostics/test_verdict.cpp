@@ -48,12 +48,15 @@ TEST_SUITE("unit") {
   TEST_CASE("verdict: names go both ways, from best to worst") {
     CHECK(name(Verdict::stable) == "stable");
     CHECK(name(Verdict::diverged) == "diverged");
-    for (const Verdict each : {Verdict::stable, Verdict::hourglass, Verdict::fractured, Verdict::diverged}) {
+    for (const Verdict each :
+         {Verdict::stable, Verdict::hourglass, Verdict::penetrated, Verdict::fractured, Verdict::diverged}) {
       CHECK(find_verdict(name(each)) == each);
     }
+    CHECK(name(Verdict::penetrated) == "penetrated");
     CHECK_FALSE(find_verdict("broken"));
     CHECK(Verdict::stable < Verdict::hourglass);
-    CHECK(Verdict::hourglass < Verdict::fractured);
+    CHECK(Verdict::hourglass < Verdict::penetrated);
+    CHECK(Verdict::penetrated < Verdict::fractured);
     CHECK(Verdict::fractured < Verdict::diverged);
   }
 
