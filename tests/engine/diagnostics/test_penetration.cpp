@@ -178,7 +178,8 @@ TEST_SUITE("unit") {
     saver(judge);
     const std::string before = saver.take();
     Judge resumed(scene, start, 2.6 * dp);
-    Loader(before)(resumed);
+    Loader from_before(before);
+    from_before(resumed);
     for (Judge* each : {&judge, &resumed}) {
       observe(*each, 2, -1.5 * dp);
       observe(*each, 3, -2.5 * dp);
@@ -189,7 +190,8 @@ TEST_SUITE("unit") {
     saver(judge);
     const std::string after = saver.take();
     Judge late(scene, start, 2.6 * dp);
-    Loader(after)(late);
+    Loader from_after(after);
+    from_after(late);
     CHECK(late.since() == judge.since());
     CHECK(late.verdict() == Verdict::penetrated);
   }
