@@ -277,7 +277,8 @@ TEST_SUITE("restart") {
     std::ostream err(&watch);
     std::ostringstream out;
     // just before the half of the run of 0.002 s: the quarter comes before it, the half after it
-    Arguments arguments = tiny_run(folder, "out", {"--no-render", "--checkpoint-every", "0.00098"});
+    Arguments arguments =
+        tiny_run(folder, "out", {"--no-render", "--checkpoint-every", "0.00098", "--set", "cfl=0.02"});
     std::erase(arguments, "--quiet");
     REQUIRE(run_program(commands(), arguments, {out, err}) == 0);
     REQUIRE(sizes.size() >= 3);

@@ -85,8 +85,8 @@ TEST_SUITE("unit") {
     // 5 % of the longer side, here the height of 2.2 with the particles' radii, on all sides
     CHECK(view.x_min == doctest::Approx(-1.1 - 0.11));
     CHECK(view.x_max == doctest::Approx(1.1 + 0.11));
-    CHECK(view.y_min == doctest::Approx(-0.1 - 0.115));
-    CHECK(view.y_max == doctest::Approx(2.1 + 0.115));
+    CHECK(view.y_min == doctest::Approx(-0.1 - 0.11));
+    CHECK(view.y_max == doctest::Approx(2.1 + 0.11));
   }
 
   TEST_CASE("columns line up by what a terminal shows") {

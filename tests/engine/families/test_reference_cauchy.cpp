@@ -148,8 +148,10 @@ TEST_SUITE("reference") {
 
 TEST_SUITE("unit") {
   TEST_CASE("beside the surface is who has it within 1.2 spacings, and no other reach") {
-    // neighbours of a lattice are 1 and 1.41 spacings away, and stay near that
-    const Scene scene = small_clamped_plate();
+    // neighbours of a lattice are 1 and 1.41 spacings away, and stay near that; on round shapes there are
+    // particles that have one of the surface across a corner only
+    Scene scene = small_collision();
+    scene.bodies.pop_back();
     for (const MethodInfo& method : methods()) {
       const auto vicinity = std::ranges::find(method.constants, "vicinity", &MethodConstant::name);
       if (vicinity == method.constants.end()) continue;
@@ -158,10 +160,10 @@ TEST_SUITE("unit") {
       const auto after = [&](std::optional<double> reach) {
         Settings settings = with_method(std::string(method.name));
         if (reach) settings.constants["vicinity"] = *reach;
-        return state_after(6, scene, settings).v;
+        return state_after(3, scene, settings).v;
       };
       CHECK(after({}) == after(1.1));
-      CHECK(after(1.36) == after(1.1));
+      CHECK(after(1.34) == after(1.1));
       CHECK(after(1.48) != after(1.1));
     }
   }
