@@ -18,7 +18,7 @@ struct Kind {
 
 /// From calm to alarming, and ever darker, so that grey will do; cells without a verdict come last.
 std::vector<Kind> kinds() {
-  constexpr std::array colors = {"#cfe8f3", "#fbdc7f", "#ee8f4f", "#a3303f"};
+  constexpr std::array colors = {"#cfe8f3", "#fbdc7f", "#c9b0e6", "#ee8f4f", "#a3303f"};
   std::vector<std::string> names = names_of_failures();
   names.insert(names.begin(), std::string(name(Verdict::stable)));
   std::vector<Kind> all;

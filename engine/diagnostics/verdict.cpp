@@ -11,9 +11,10 @@
 namespace taut {
 namespace {
 
-constexpr std::array<std::pair<Verdict, std::string_view>, 4> verdicts = {{
+constexpr std::array<std::pair<Verdict, std::string_view>, 5> verdicts = {{
     {Verdict::stable, "stable"},
     {Verdict::hourglass, "hourglass"},
+    {Verdict::penetrated, "penetrated"},
     {Verdict::fractured, "fractured"},
     {Verdict::diverged, "diverged"},
 }};
@@ -37,7 +38,9 @@ std::vector<std::string> names_of_failures() {
 }
 
 Judge::Judge(const Scene& scene, const Snapshot& start, double support)
-    : particles_(start.size()), longest_(std::max(support, 2 * scene.spacing)) {
+    : particles_(start.size()),
+      longest_(std::max(support, 2 * scene.spacing)),
+      penetration_(start, scene.spacing) {
   // 1.5 dp: the eight nearest of a square lattice (√2 dp), the six of a hexagonal one, no second row
   for_each_close_pair(start, 1.5 * scene.spacing, [this](int i, int j) { bonds_.push_back({i, j, false}); });
   bonds_of_.resize(particles_);
@@ -60,6 +63,8 @@ void Judge::observe(const Snapshot& now, const Balance& balance, const Readings&
   if (!finite) return;
   static_assert(indicators[0].key == "hourglass_error");
   if (readings[0].share() > hourglass_threshold) since_.try_emplace(Verdict::hourglass, now.time);
+  if (!since_.contains(Verdict::penetrated) && penetration_(now) > 0)
+    since_.emplace(Verdict::penetrated, now.time);
   if (!update_broken(now)) return;
   pieces_ = count_pieces();
   if (!since_.contains(Verdict::fractured) && (pieces_ > start_pieces_ || has_crack()))

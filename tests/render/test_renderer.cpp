@@ -80,6 +80,19 @@ TEST_SUITE("image") {
     CHECK(area == doctest::Approx(M_PI * 25 * 25).epsilon(0.005));
   }
 
+  TEST_CASE("a disc of a few pixels has its size, and one that is smaller fills its square") {
+    // by hand: r from a radius of 2 pixels on, √2 r + ¼ up to 1, and between them what lies between
+    for (const auto& [radius, drawn_as] :
+         {std::pair{0.8, 1.38137}, {1.0, 1.66421}, {1.5, 1.93566}, {2.0, 2.0}, {3.0, 3.0}, {6.0, 6.0}}) {
+      CAPTURE(radius);
+      const Image image = drawn(one_disc(0.003, 0.001, 2 * radius / 50, 0), look(100, 100, unit_view));
+      double area = 0;
+      for (int row = 0; row < 100; ++row)
+        for (int column = 0; column < 100; ++column) area += (255 - image.at(column, row)[2]) / (255.0 - 84);
+      CHECK(std::sqrt(area / M_PI) == doctest::Approx(drawn_as).scale(0).epsilon(0.03));
+    }
+  }
+
   TEST_CASE("axes are equal and the whole view is seen, whatever the shape of the picture") {
     const View wide = {0, 10, 0, 1};
     for (const auto& [width, height] : {std::pair{100, 100}, {200, 70}, {70, 200}}) {

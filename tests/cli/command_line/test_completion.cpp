@@ -60,7 +60,7 @@ TEST_SUITE("cli") {
         {{"run", scene, "--set", "pull=1", "--set", "stepping="}, {"stepping=dual", "stepping=single"}},
         {{"run", "--quiet", "tran"}, {"tran-duc-rings"}},
         {{"run", scene, "--fields", "speed,den"}, {"speed,density"}},
-        {{"run", scene, "--fail-on", ""}, {"hourglass", "fractured", "diverged"}},
+        {{"run", scene, "--fail-on", ""}, {"hourglass", "penetrated", "fractured", "diverged"}},
         {{"run", scene, "--range", ""}, {"auto"}},
         {{"run", scene, "--until", ""}, {}},
         {{"run", scene, "--until", "1", "--unt"}, {}},  // once only

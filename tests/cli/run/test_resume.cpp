@@ -1,5 +1,6 @@
 #include <csignal>
 #include <cstdlib>
+#include <functional>
 #include <map>
 #include <random>
 #include <set>
@@ -75,6 +76,19 @@ void leave_interrupted(const TemporaryFolder& folder, const Arguments& more = {}
   child.send(SIGINT);
   REQUIRE(child.exit_code() == 130);
 }
+
+/// Looks at a file whenever something is written to it: here the lines at each quarter of a run.
+class Watch : public std::stringbuf {
+ public:
+  explicit Watch(std::function<void()> look) : look_(std::move(look)) {}
+
+ private:
+  int sync() override {
+    look_();
+    return std::stringbuf::sync();
+  }
+  std::function<void()> look_;
+};
 
 void check_refused(const TemporaryFolder& folder, const std::string& reason, const Arguments& more = {}) {
   const auto before = files_below(folder / "out");
@@ -251,6 +265,26 @@ TEST_SUITE("restart") {
     const Arguments words(as_started.begin() + 1, as_started.end());
     CHECK(call(Arguments{"run", "--resume", folder.str("out")} + words).code == 0);
     check_same_run(folder / "straight", folder / "out");
+  }
+
+  TEST_CASE("the first checkpoint is made when the first interval is over, not before and not later") {
+    const TemporaryFolder folder;
+    std::vector<std::size_t> sizes;  // of the state in the checkpoint, at the start and the quarters
+    Watch watch([&] {
+      if (fs::exists(folder / "out/checkpoint.bin"))
+        sizes.push_back(read_checkpoint(folder / "out/checkpoint.bin").state.size());
+    });
+    std::ostream err(&watch);
+    std::ostringstream out;
+    // just before the half of the run of 0.002 s: the quarter comes before it, the half after it
+    Arguments arguments =
+        tiny_run(folder, "out", {"--no-render", "--checkpoint-every", "0.00098", "--set", "cfl=0.02"});
+    std::erase(arguments, "--quiet");
+    REQUIRE(run_program(commands(), arguments, {out, err}) == 0);
+    REQUIRE(sizes.size() >= 3);
+    CHECK(sizes[0] == 0);
+    CHECK(sizes[1] == 0);
+    CHECK(sizes[2] > 0);
   }
 
   TEST_CASE("a run needs a scene or a folder") {

@@ -1,4 +1,5 @@
 #include <limits>
+#include <map>
 
 #include <doctest/doctest.h>
 
@@ -81,6 +82,11 @@ TEST_SUITE("unit") {
     CHECK(view.y_min < -0.1);
     CHECK(view.y_max > 2.2);
     CHECK(view.y_max < 2.5);
+    // 5 % of the longer side, here the height of 2.2 with the particles' radii, on all sides
+    CHECK(view.x_min == doctest::Approx(-1.1 - 0.11));
+    CHECK(view.x_max == doctest::Approx(1.1 + 0.11));
+    CHECK(view.y_min == doctest::Approx(-0.1 - 0.11));
+    CHECK(view.y_max == doctest::Approx(2.1 + 0.11));
   }
 
   TEST_CASE("columns line up by what a terminal shows") {
@@ -102,6 +108,49 @@ TEST_SUITE("unit") {
       history.add(simulation, {}, 1, {});
     }
     CHECK(lines_of(folder / "history.csv").size() == 3);
+  }
+
+  TEST_CASE("each sum stands in the column of its name") {
+    Balance sums;
+    sums.kinetic = 1, sums.strain = 2, sums.linear_momentum = {3, 4, 5}, sums.angular_momentum = {6, 7, 8};
+    sums.work = 9, sums.damped = 10;
+    for (const int dim : {2, 3}) {
+      CAPTURE(dim);
+      const TemporaryFolder folder;
+      Scene scene;
+      scene.dim = dim;
+      scene.damping = 1;
+      scene.gravity[0] = [](double) { return 1.0; };
+      History(folder / "history.csv", scene).add(StandingSimulation(), sums, 11, {});
+      const std::vector<std::string> lines = lines_of(folder / "history.csv");
+      REQUIRE(lines.size() == 2);
+      std::map<std::string, std::string> row;
+      std::istringstream names(lines[0]), cells(lines[1]);
+      for (std::string name, cell; std::getline(names, name, ',') && std::getline(cells, cell, ',');)
+        row[name] = cell;
+      CHECK(row["kinetic_energy"] == "1");
+      CHECK(row["strain_energy"] == "2");
+      CHECK(row["total_energy"] == "3");
+      CHECK(row["work"] == "9");
+      CHECK(row["damped"] == "10");
+      CHECK(row["pieces"] == "11");
+      CHECK(row["momentum_x"] == "3");
+      CHECK(row["momentum_y"] == "4");
+      CHECK(row["momentum_z"] == (dim == 3 ? "5" : ""));
+      CHECK(row["angular_momentum_x"] == (dim == 3 ? "6" : ""));
+      CHECK(row["angular_momentum_y"] == (dim == 3 ? "7" : ""));
+      CHECK(row[dim == 3 ? "angular_momentum_z" : "angular_momentum"] == "8");
+    }
+  }
+
+  TEST_CASE("the speed of a run is that of solving alone") {
+    RunRecord record;
+    record.particles = 300, record.steps = 20;
+    record.seconds = {.setup = 7, .solve = 4, .render = 11, .write = 13};
+    CHECK(record.particle_steps_per_second() == 1500.0);
+    record.steps = 0;
+    record.seconds.solve = 0;
+    CHECK_FALSE(record.particle_steps_per_second());
   }
 
   TEST_CASE("of a run.json nothing is taken but what a run writes") {

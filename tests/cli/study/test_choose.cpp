@@ -44,6 +44,12 @@ TEST_SUITE("cli") {
     CHECK(rough.front().finer == 2);
     CHECK(taut::cli::grants(chart, {0.06, 0.5}).empty());
     CHECK(taut::cli::grants(chart, {0.003, std::nullopt}).empty());
+    // a wish is met or not: 0.8 % is no more than 0.8 %, and more than 0.79 %
+    CHECK(taut::cli::grants(chart, {0.008, std::nullopt}).front().point->error == 0.008);
+    CHECK(taut::cli::grants(chart, {0.0079, std::nullopt}).front().point->error == 0.004);
+    CHECK(taut::cli::grants(chart, {0.0039, std::nullopt}).empty());
+    CHECK(taut::cli::grants(chart, {0.06, 1.0}).size() == 1);
+    CHECK(taut::cli::grants(chart, {0.06, 0.99}).empty());
   }
 
   TEST_CASE("choose names method, spacing and evidence, or says that the results do not reach that far") {

@@ -1,4 +1,5 @@
 #include <map>
+#include <set>
 
 #include <doctest/doctest.h>
 
@@ -59,6 +60,24 @@ TEST_SUITE("cli") {
       CHECK(script.rfind(index, at) != std::string::npos);
       CHECK(script.rfind(index, at) > script.rfind('\n', at));
     }
+  }
+
+  TEST_CASE("every verdict has a colour of its own") {
+    const TemporaryFolder folder;
+    std::string lines;
+    for (const std::string verdict : {"stable", "hourglass", "penetrated", "fractured", "diverged"})
+      lines += "finished,og,og,0.4,10," + verdict + ",,,,4," + std::to_string(lines.size()) + "\n";
+    const std::string file = write_results(folder / "a", lines + "error,og,,,,,,,,,1000\n", "rod", "speed");
+    const Outcome outcome = call({"map", file, "--out", folder.str("map.png")});
+    CHECK(outcome.code == 0);
+    CHECK(contains(outcome.out, "penetrated"));
+    const std::string script = text_of(folder / "map.gp");
+    CHECK(contains(script, "title 'penetrated'"));
+    const std::string mark = "fillcolor '";
+    std::set<std::string> colors;
+    for (std::size_t at = script.find(mark); at != std::string::npos; at = script.find(mark, at + 1))
+      colors.insert(script.substr(at + mark.size(), 7));
+    CHECK(colors.size() == 6);  // with that of a cell without a verdict
   }
 
   TEST_CASE("maps of no parameter, or of one that was not swept, are refused with the reason") {

@@ -109,6 +109,32 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE("alternating part: inside a lattice the checkerboard gives itself, noise its κ") {
+    for (const int dim : {2, 3}) {
+      CAPTURE(dim);
+      std::vector<Point> places;
+      const int layers = dim == 3 ? 3 : 0;
+      for (int k = -layers; k <= layers; ++k)
+        for (int j = -3; j <= 3; ++j)
+          for (int i = -3; i <= 3; ++i) places.push_back({i * 0.1, j * 0.1, k * 0.1});
+      const int middle = static_cast<int>(places.size() / 2);
+      const AlternatingPart part = alternating_part(test::made_snapshot(dim, places), 0.1);
+      const auto found = std::ranges::find_if(
+          part.begin, [&](int b) { return part.j[static_cast<std::size_t>(b)] == middle; });
+      REQUIRE(found != part.begin.end());
+      double checkerboard = 0, squares = 0;
+      for (int e = found[0]; e < found[1]; ++e) {
+        const auto entry = static_cast<std::size_t>(e);
+        const double w = part.weight[entry];  // one apart in the list is one apart in x: signs by the place
+        checkerboard += (part.j[entry] - middle) % 2 == 0 ? w : -w;
+        squares += w * w;
+      }
+      CHECK(checkerboard == doctest::Approx(1).epsilon(1e-12));
+      // by hand: √(11/8)/2 and √(207/170) 85/128
+      CHECK(std::sqrt(squares) == doctest::Approx(dim == 2 ? 0.5863019699779287 : 0.7327733).epsilon(1e-6));
+    }
+  }
+
   TEST_CASE("hourglass error: a zigzag of amplitude a is a/dp") {
     const double dp = 0.01, a = 0.2 * dp;
     const Sample body = lattice(40, 40, dp);

@@ -48,12 +48,15 @@ TEST_SUITE("unit") {
   TEST_CASE("verdict: names go both ways, from best to worst") {
     CHECK(name(Verdict::stable) == "stable");
     CHECK(name(Verdict::diverged) == "diverged");
-    for (const Verdict each : {Verdict::stable, Verdict::hourglass, Verdict::fractured, Verdict::diverged}) {
+    for (const Verdict each :
+         {Verdict::stable, Verdict::hourglass, Verdict::penetrated, Verdict::fractured, Verdict::diverged}) {
       CHECK(find_verdict(name(each)) == each);
     }
+    CHECK(name(Verdict::penetrated) == "penetrated");
     CHECK_FALSE(find_verdict("broken"));
     CHECK(Verdict::stable < Verdict::hourglass);
-    CHECK(Verdict::hourglass < Verdict::fractured);
+    CHECK(Verdict::hourglass < Verdict::penetrated);
+    CHECK(Verdict::penetrated < Verdict::fractured);
     CHECK(Verdict::fractured < Verdict::diverged);
   }
 
@@ -80,6 +83,25 @@ TEST_SUITE("unit") {
             x[0] = (radius + y0 - 0.45) * std::sin(angle);
             x[1] = (radius + y0 - 0.45) * std::cos(angle);
           }) == Verdict::stable);
+  }
+
+  TEST_CASE("judge: bent to a radius of one spacing rows read above the threshold, to two far below it") {
+    const Scene scene = one_body(2);
+    const auto reading = [&](int rows, double radius) {
+      const Snapshot start = lattice(2, 40, rows);
+      Snapshot now = start;
+      for (std::size_t i = 0; i < now.size(); ++i) {
+        const double angle = now.x0[2 * i] / radius, r = radius + now.x0[2 * i + 1] - 0.5 * (rows - 1) * dp;
+        now.x[2 * i] = r * std::sin(angle), now.x[2 * i + 1] = r * std::cos(angle);
+      }
+      return IndicatorGauge(scene, start)(now)[0].share();
+    };
+    for (const int rows : {1, 2, 3}) {
+      CAPTURE(rows);
+      CHECK(reading(rows, dp) > hourglass_threshold);
+      CHECK(reading(rows, 2 * dp) < 0.5 * hourglass_threshold);
+      CHECK(reading(rows, 4 * dp) < 0.1 * hourglass_threshold);
+    }
   }
 
   TEST_CASE("judge: a chain of particles breaks when a bond outgrows the support") {
@@ -121,6 +143,30 @@ TEST_SUITE("unit") {
     CHECK(Judge(scene, lattice(3, 3, 3, 3), support).pieces() == 1);
     CHECK(Judge(scene, made_snapshot(3, {{0, 0, 0}, {2 * dp, 0, 0}}), support).pieces() == 2);
     CHECK(Judge(scene, made_snapshot(3, {{0, 0, 0}, {dp, dp, dp}}), support).pieces() == 2);  // √3 dp
+  }
+
+  TEST_CASE("judge: bonds reach 1.5 spacings and no further") {
+    const Scene scene = one_body(2);
+    CHECK(Judge(scene, made_snapshot(2, {{0, 0, 0}, {1.49 * dp, 0, 0}}), support).pieces() == 1);
+    CHECK(Judge(scene, made_snapshot(2, {{0, 0, 0}, {1.51 * dp, 0, 0}}), support).pieces() == 2);
+  }
+
+  TEST_CASE("judge: the ends of a broken bond may be eight bonds apart, not nine") {
+    const Scene scene = one_body(2);
+    for (const int bonds : {8, 9}) {  // beside the one that breaks, in a closed chain laid out straight
+      const int n = bonds + 1;
+      const double turn = 2 * 3.14159265358979 / n, radius = 0.5 * dp / std::sin(0.5 * turn);
+      std::vector<Point> places;
+      for (int k = 0; k < n; ++k)
+        places.push_back({radius * std::cos(turn * k), radius * std::sin(turn * k), 0});
+      Snapshot now = made_snapshot(2, places);
+      Judge judge(scene, now, support);
+      for (int k = 0; k < n; ++k) now.x[2 * static_cast<std::size_t>(k)] = k * dp;
+      for (int k = 0; k < n; ++k) now.x[2 * static_cast<std::size_t>(k) + 1] = 0;
+      observe(judge, now, scene, 1);
+      CHECK(judge.pieces() == 1);
+      CHECK(judge.verdict() == (bonds == 9 ? Verdict::fractured : Verdict::stable));
+    }
   }
 
   TEST_CASE("judge: a body cut in half is a fracture, in 2D and 3D, wherever it lies") {

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/core/tensor.hpp"
 #include "engine/diagnostics/balance.hpp"
 #include "engine/methods/oenog.hpp"
 #include "tests/engine/families/naive_oenog.hpp"
@@ -152,6 +153,107 @@ TEST_SUITE("term") {
     const Scene plate = oscillating_plate(0.001, 5);
     CHECK(kept(plate, 0.25, 0.5, damping) > 0.999);
     CHECK(kept(plate, 0.25, 0.5, damping) < 1);
+  }
+}
+
+namespace {
+
+/// A block that flies apart or together with the velocities L x, faster than its surface can tell its middle.
+Scene straining_block(const Mat<double, 2>& L) {
+  Scene scene = rotating_plate(0);
+  for (const int axis : {0, 1})
+    scene.bodies[0].velocity[static_cast<std::size_t>(axis)] = [=](const Point& x) {
+      return L(axis, 0) * x[0] + L(axis, 1) * x[1];
+    };
+  return scene;
+}
+
+/// From three particles around the middle of the block.
+Mat<double, 2> gradient(const Snapshot& now) {
+  const auto corner = [&](double X, double Y) {
+    for (std::size_t i = 0; i < now.size(); ++i)
+      if (std::hypot(now.x0[2 * i] - X, now.x0[2 * i + 1] - Y) < 1e-9) return i;
+    FAIL("no particle there");
+    return now.size();
+  };
+  const double half = 0.0005;  // of a spacing
+  const std::size_t low = corner(-half, -half), right = corner(half, -half), up = corner(-half, half);
+  Mat<double, 2> F;
+  for (int a = 0; a < 2; ++a) {
+    const auto at = [&](std::size_t i) { return now.x[2 * i + a]; };
+    F(a, 0) = (at(right) - at(low)) / (2 * half), F(a, 1) = (at(up) - at(low)) / (2 * half);
+  }
+  return F;
+}
+
+std::size_t middle_of(const Snapshot& now) {
+  std::size_t middle = 0;
+  const auto from = [&](std::size_t i) { return std::hypot(now.x0[2 * i], now.x0[2 * i + 1]); };
+  for (std::size_t i = 0; i < now.size(); ++i)
+    if (from(i) < from(middle)) middle = i;
+  return middle;
+}
+
+}  // namespace
+
+TEST_SUITE("analytic") {
+  TEST_CASE("oenog: pressure, stress and density shown are the neo-Hookean ones of the deformation") {
+    const Material rubber = ring_rubber();
+    const double rate = rubber.sound_speed() / 0.01, K = rubber.bulk_modulus(), G = rubber.shear_modulus();
+    Mat<double, 2> drawn, pressed, shut;  // J about 1.2, 0.8 and 0.3
+    drawn(0, 0) = 0.8, drawn(0, 1) = 0.5, drawn(1, 0) = -0.2, drawn(1, 1) = 0.3;
+    pressed(0, 0) = -1, pressed(0, 1) = 0.4, pressed(1, 0) = 0.7, pressed(1, 1) = 0.1;
+    shut(0, 0) = -3, shut(1, 1) = -3.5, shut(0, 1) = 0.3, shut(1, 0) = 0.1;
+    for (const Mat<double, 2>& L : {drawn, pressed, shut}) {
+      const Snapshot now = state_after(8, straining_block(rate * L), with_method("oenog"));
+      const Mat<double, 2> F = gradient(now);
+      const double J = determinant(F), scale = G * std::pow(J, -5.0 / 3);
+      CAPTURE(J);
+      CHECK(std::abs(J - 1) > 0.1);
+      const double xx = F(0, 0) * F(0, 0) + F(0, 1) * F(0, 1), yy = F(1, 0) * F(1, 0) + F(1, 1) * F(1, 1);
+      const double xy = F(0, 0) * F(1, 0) + F(0, 1) * F(1, 1), mean = (xx + yy + 1) / 3;
+      const std::size_t i = middle_of(now);
+      const StressTensor s = now.deviator(i);
+      const auto close = [&](double value, double expected) {
+        CHECK(std::abs(value - expected) < 1e-6 * (K + G));
+      };
+      CHECK(now.rho[i] == relative(rubber.density / J, 1e-6));
+      close(now.p[i], -K * (J - 1));
+      close(s.xx, scale * (xx - mean));
+      close(s.xy, scale * xy);
+      close(s.yy, scale * (yy - mean));
+      close(s.zz, scale * (1 - mean));
+      CHECK(std::abs(s.xy) > 0.01 * G);
+    }
+  }
+
+  TEST_CASE("oenog: pressed below half its volume a body takes steps for what then stiffens it") {
+    const Material rubber = ring_rubber();
+    const double G = rubber.shear_modulus(), M = rubber.bulk_modulus() + 4 * G / 3;
+    const double c = std::sqrt(M / rubber.density), rate = 4 * rubber.sound_speed() / 0.01;
+    Mat<double, 2> L;
+    L(0, 0) = L(1, 1) = -rate, L(0, 1) = L(1, 0) = 0;
+    const Scene scene = straining_block(L);
+    int shut = 0;
+    for (int steps = 1; steps < 40 && shut < 2; ++steps) {
+      const Snapshot before = state_after(steps - 1, scene, with_method("oenog")),
+                     now = state_after(steps, scene, with_method("oenog")),
+                     after = state_after(steps + 1, scene, with_method("oenog"));
+      double J = 1;  // the least, where forces are taken: in the middle of the step, of √J nearly the mean
+      for (std::size_t i = 0; i < now.size(); ++i) {
+        const auto root = [&](const Snapshot& at) { return std::sqrt(rubber.density / at.rho[i]); };
+        J = std::min(J, std::pow(0.5 * (root(before) + root(now)), 2));
+      }
+      if (J > 0.4) continue;
+      ++shut;
+      double fastest = 0;
+      for (std::size_t i = 0; i < now.size(); ++i)
+        fastest = std::max(fastest, std::hypot(now.v[2 * i], now.v[2 * i + 1]));
+      const double shorter = oenog.cfl * scene.spacing / (c + fastest) / (after.time - now.time);
+      // ∂²/∂J² of (K + 4G/3)(1 − 2J)³ over the modulus at rest, and 1.5 that the steps have to spare
+      CHECK(1.5 * shorter * shorter == relative(1 + 24 * (1 - 2 * J), 0.02));
+    }
+    CHECK(shut == 2);
   }
 }
 

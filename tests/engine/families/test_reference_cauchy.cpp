@@ -145,3 +145,27 @@ TEST_SUITE("reference") {
     CHECK(engine.v != state_after(16, scene, with_method("d-ulsph-r-tic")).v);
   }
 }
+
+TEST_SUITE("unit") {
+  TEST_CASE("beside the surface is who has it within 1.2 spacings, and no other reach") {
+    // neighbours of a lattice are 1 and 1.41 spacings away, and stay near that; in the inner corner of an L
+    // some particles have one of the surface across a cell only
+    Scene scene = small_collision();
+    scene.bodies.pop_back();
+    scene.bodies[0].shapes = {Box{{0, 0, 0}, {0.012, 0.012, 0}}, Box{{0.012, 0, 0}, {0.024, 0.006, 0}}};
+    for (const MethodInfo& method : methods()) {
+      const auto vicinity = std::ranges::find(method.constants, "vicinity", &MethodConstant::name);
+      if (vicinity == method.constants.end()) continue;
+      CAPTURE(std::string(method.name));
+      CHECK(vicinity->value == 1.2);
+      const auto after = [&](std::optional<double> reach) {
+        Settings settings = with_method(std::string(method.name));
+        if (reach) settings.constants["vicinity"] = *reach;
+        return state_after(5, scene, settings).v;
+      };
+      CHECK(after({}) == after(1.1));
+      CHECK(after(1.3) == after(1.1));
+      CHECK(after(1.48) != after(1.1));
+    }
+  }
+}

@@ -83,3 +83,16 @@ TEST_SUITE("unit") {
         (solid.xx == 1 && solid.yy == 2 && solid.zz == 3 && solid.xy == 4 && solid.xz == 5 && solid.yz == 6));
   }
 }
+
+TEST_SUITE("unit") {
+  TEST_CASE("snapshots: a particle is drawn as wide as the square of its volume at the start") {
+    const Scene scene = small_collision();
+    for (const MethodInfo& method : methods()) {
+      CAPTURE(std::string(method.name));
+      const Snapshot now = state_after(3, scene, with_method(std::string(method.name)));
+      for (std::size_t i = 0; i < now.size(); ++i)
+        REQUIRE(now.diameter[i] * now.diameter[i] * ring_rubber().density ==
+                doctest::Approx(now.m[i]).scale(0).epsilon(1e-12));
+    }
+  }
+}

@@ -166,6 +166,34 @@ TEST_SUITE("conservation") {
   }
 }
 
+TEST_SUITE("conservation") {
+  TEST_CASE("wall: what it gives turns about the origin with the arm to where it acts") {
+    const double speed = 0.02 * ring_rubber().sound_speed();
+    for (const int axis : {0, 1}) {  // of the wall's normal
+      CAPTURE(axis);
+      const std::size_t along = static_cast<std::size_t>(axis), across = 1 - along;
+      Scene scene = flying_block();
+      Point centre{}, at{}, normal{};
+      centre[along] = 5 * dp, centre[across] = 70 * dp, at[across] = -3 * dp, normal[along] = 1;
+      scene.bodies[0].shapes = {
+          Box{{centre[0] - 4 * dp, centre[1] - 4 * dp, 0}, {centre[0] + 4 * dp, centre[1] + 4 * dp, 0}}};
+      scene.bodies[0].velocity = {};
+      scene.bodies[0].velocity[along] = constant(-speed);
+      scene.walls = {wall("wall", at, normal)};
+      for (const ContactLaw law : {ContactLaw::penalty, ContactLaw::lennard_jones, ContactLaw::impulse}) {
+        CAPTURE(std::string(name(law)));
+        scene.contact = law;
+        const Impulse given = state_after(200, scene, with_method("tl")).of_walls;
+        CHECK(given.linear[along] > 0.1 * speed * 64 * dp * dp * ring_rubber().density);
+        CHECK(given.linear[across] == 0);
+        // the block is the same on both sides of its middle, and so is what it is given
+        const double arm = axis == 1 ? centre[across] : -centre[across];
+        CHECK(given.angular[2] == Approx(arm * given.linear[along]).scale(0).epsilon(1e-9));
+      }
+    }
+  }
+}
+
 TEST_SUITE("unit") {
   TEST_CASE("wall: a body that begins inside one is refused, one that is held there is not") {
     Scene scene = disc_in_corner();

@@ -1,0 +1,198 @@
+#include <cmath>
+#include <numbers>
+
+#include <doctest/doctest.h>
+
+#include "engine/core/archive.hpp"
+#include "engine/diagnostics/balance.hpp"
+#include "engine/diagnostics/penetration.hpp"
+#include "engine/diagnostics/verdict.hpp"
+#include "tests/support/made_snapshot.hpp"
+
+using namespace taut;
+using test::made_scene;
+using test::made_snapshot;
+using test::unit_bulk;
+
+namespace {
+
+constexpr double dp = 0.1;
+
+void add_rows(std::vector<Point>& places, int columns, int rows, const Point& low) {
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) places.push_back({low[0] + i * dp, low[1] + j * dp, 0});
+}
+
+/// A block of 20 × 8 particles whose upper row is at y = 0, and one of 8 × 6 above it, that begins 10 dp away.
+Snapshot two_blocks() {
+  std::vector<Point> places;
+  add_rows(places, 20, 8, {0, -7 * dp, 0});
+  const std::size_t first = places.size();
+  add_rows(places, 8, 6, {6 * dp, 10 * dp, 0});
+  Snapshot now = made_snapshot(2, places);
+  for (std::size_t i = first; i < now.size(); ++i) now.body[i] = 1;
+  return now;
+}
+
+/// Body 1 as at the start, moved so that its lower row is at (6 dp + right, up).
+void put(Snapshot& now, double right, double up) {
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (now.body[i] == 0) continue;
+    now.x[2 * i] = now.x0[2 * i] + right;
+    now.x[2 * i + 1] = now.x0[2 * i + 1] - 10 * dp + up;
+  }
+}
+
+/// A strip of 60 × 4 particles, laid double: the turn has the radius r to the middle of the strip, and beyond
+/// it the second half lies over the first at a distance of 2r.
+Snapshot hairpin(double r) {
+  std::vector<Point> places;
+  add_rows(places, 60, 4, {0, -1.5 * dp, 0});
+  Snapshot now = made_snapshot(2, places);
+  const double begin = 28 * dp, end = begin + std::numbers::pi * r;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const double s = now.x0[2 * i], y = now.x0[2 * i + 1];
+    double* x = &now.x[2 * i];
+    if (s > end) {
+      x[0] = begin - (s - end), x[1] = 2 * r - y;
+    } else if (s > begin) {
+      const double angle = (s - begin) / r;
+      x[0] = begin + (r - y) * std::sin(angle), x[1] = r - (r - y) * std::cos(angle);
+    }
+  }
+  return now;
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("penetration: the widest gap of directions") {
+    const auto gap = [](std::vector<double> directions) { return widest_gap(directions) / std::numbers::pi; };
+    CHECK(gap({}) == 2);
+    CHECK(gap({1}) == 2);
+    CHECK(gap({0.5, 0.5 - std::numbers::pi}) == doctest::Approx(1));
+    CHECK(gap({3, -3}) == doctest::Approx(6 / std::numbers::pi));  // over the cut at π too
+    CHECK(gap({-2, 0, 2}) == doctest::Approx(2 - 4 / std::numbers::pi));
+  }
+
+  TEST_CASE("penetration: faces that touch, interlock by a row or dent each other are no penetration") {
+    Snapshot now = two_blocks();
+    Penetration penetration(now, dp);
+    CHECK(penetration(now) == 0);
+    for (const double right : {0.0, 0.25 * dp, 0.5 * dp})
+      for (const double up : {dp, 0.7 * dp, 0.3 * dp, 0.0}) {
+        CAPTURE(right);
+        CAPTURE(up);
+        put(now, right, up);
+        CHECK(penetration(now) == 0);
+      }
+    // pressed into a bowl, the lower one drawn out by 1.4 along its face, half a spacing away
+    put(now, 0, 0);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      double* x = &now.x[2 * i];
+      if (now.body[i] == 0) x[0] = 9.5 * dp + 1.4 * (now.x0[2 * i] - 9.5 * dp);
+      x[1] += (now.body[i] == 0 ? 0 : 0.5 * dp) + 0.5 * (x[0] - 9.5 * dp) * (x[0] - 9.5 * dp);
+    }
+    CHECK(penetration(now) == 0);
+  }
+
+  TEST_CASE("penetration: a body is in another from a depth of 0.29 spacings behind two of its particles") {
+    const Snapshot start = two_blocks();
+    const auto inside = [&](double right, double up) {
+      Snapshot now = start;
+      put(now, right, up);
+      return Penetration(start, dp)(now);
+    };
+    const double depth = 0.5 * dp / std::tan(std::numbers::pi / 3);
+    CHECK(inside(0.5 * dp, -0.99 * depth) == 0);
+    CHECK(inside(0.5 * dp, -1.01 * depth) > 0);
+    CHECK(inside(0.5 * dp, -2 * dp) > 0);
+    CHECK(inside(0.1 * dp, -4 * dp) > 0);
+    CHECK(inside(30 * dp, -2 * dp) == 0);  // beside it
+  }
+
+  TEST_CASE("penetration: a body folded into itself, and not one folded onto itself") {
+    const Snapshot start = hairpin(1e9);  // straight
+    Penetration penetration(start, dp);
+    CHECK(penetration(start) == 0);
+    CHECK(penetration(hairpin(2.5 * dp)) == 0);  // the halves a spacing apart
+    CHECK(penetration(hairpin(2.1 * dp)) == 0);
+    CHECK(penetration(hairpin(1.2 * dp)) > 0);
+  }
+
+  TEST_CASE("penetration: neighbours of the start are no far part, however a body is strained and turned") {
+    const Snapshot start = hairpin(1e9);
+    Penetration penetration(start, dp);
+    for (const double stretch : {0.4, 0.6, 1.0, 1.7})
+      for (const double angle : {0.0, 0.7}) {
+        CAPTURE(stretch);
+        Snapshot now = start;
+        for (std::size_t i = 0; i < now.size(); ++i) {
+          const double x = stretch * now.x0[2 * i], y = 0.8 * now.x0[2 * i + 1];
+          now.x[2 * i] = std::cos(angle) * x - std::sin(angle) * y;
+          now.x[2 * i + 1] = std::sin(angle) * x + std::cos(angle) * y;
+        }
+        CHECK(penetration(now) == 0);
+      }
+  }
+
+  TEST_CASE("penetration: what is found does not depend on when the lists were made") {
+    const Snapshot start = two_blocks();
+    Penetration followed(start, dp);
+    Snapshot now = start;
+    int found = 0;
+    for (int step = 0; step <= 600; ++step) {
+      put(now, 0.03 * dp * std::sin(0.1 * step), (10 - 0.02 * step) * dp);  // 2 dp deep at the end
+      for (std::size_t i = 0; i < now.size(); ++i) {  // a common motion, and the lower one is drawn out
+        if (now.body[i] == 0) now.x[2 * i] = (1 + 0.0004 * step) * now.x0[2 * i];
+        now.x[2 * i + 1] = (now.body[i] == 0 ? now.x0[2 * i + 1] : now.x[2 * i + 1]) - step * dp;
+      }
+      const int inside = followed(now);
+      REQUIRE(inside == Penetration(start, dp)(now));
+      found += inside > 0;
+    }
+    CHECK(found > 50);
+    CHECK(found < 200);
+  }
+
+  TEST_CASE("penetration: nothing is found in three dimensions") {
+    Snapshot now = made_snapshot(3, {{0, 0, 0}, {dp, 0, 0}, {0, dp, 0}, {0.3 * dp, 0.3 * dp, 0}});
+    now.body[3] = 1;
+    CHECK(Penetration(now, dp)(now) == 0);
+  }
+
+  TEST_CASE("judge: the time of the first penetration counts, and a checkpoint keeps it") {
+    const Scene scene = made_scene(2, dp, {unit_bulk(), unit_bulk()});
+    const Snapshot start = two_blocks();
+    Snapshot now = start;
+    const auto observe = [&](Judge& judge, double time, double up) {
+      now.time = time;
+      put(now, 0, up);
+      judge.observe(now, balance(now, scene));
+    };
+    Judge judge(scene, start, 2.6 * dp);
+    observe(judge, 1, dp);
+    CHECK(judge.verdict() == Verdict::stable);
+
+    Saver saver;
+    saver(judge);
+    const std::string before = saver.take();
+    Judge resumed(scene, start, 2.6 * dp);
+    Loader from_before(before);
+    from_before(resumed);
+    for (Judge* each : {&judge, &resumed}) {
+      observe(*each, 2, -1.5 * dp);
+      observe(*each, 3, -2.5 * dp);
+      observe(*each, 4, dp);
+      CHECK(each->verdict() == Verdict::penetrated);
+      CHECK(each->since() == std::map<Verdict, double>{{Verdict::penetrated, 2.0}});
+    }
+    saver(judge);
+    const std::string after = saver.take();
+    Judge late(scene, start, 2.6 * dp);
+    Loader from_after(after);
+    from_after(late);
+    CHECK(late.since() == judge.since());
+    CHECK(late.verdict() == Verdict::penetrated);
+  }
+}
