@@ -43,6 +43,10 @@ struct Bonds {
 /// the period of 0.57 % at ten particles across to 0.18 %. Masses stay as they are.
 Bonds make_bonds(const Scene& scene, const InitialParticles& initial, double h);
 
+/// The surface that belongs to each particle, S_j = Σ_i (V_i g_ij − V_j g_ji), against which a uniform stress
+/// pushes; 0 inside a lattice.
+std::vector<Point> surface(const Bonds& bonds);
+
 /// Σ_j w_ij e^(−inθ_ij) of particle i, θ_ij the direction of X_ij in the plane: 0 for n = 2 and 4 where the
 /// moments are right, and what is left to say how far from isotropic the bonds are.
 std::complex<double> harmonic(const Bonds& bonds, int i, int n);
