@@ -83,6 +83,8 @@ SampleLine read_line(TomlCursor& cursor, const Scene& scene) {
   cursor.need("points");
   line.points = cursor.whole("points", 2, 2, most_points);
   line.times = read_line_times(cursor);
+  if (!cursor.find("frame")) cursor.table().set("frame", TomlValue(std::string("body")));
+  line.in_space = cursor.choice("frame", {"body", "space"}) == "space";
   cursor.finish();
   return line;
 }

@@ -78,11 +78,12 @@ std::string file_text(const std::filesystem::path& path) {
   return text;
 }
 
-ReferenceTable read_table(const std::filesystem::path& path, const std::vector<std::string>& columns) {
+ReferenceTable read_table(const std::filesystem::path& path, const std::string& lead,
+                          const std::vector<std::string>& columns) {
   Rows rows{.file = path.string(), .text = file_text(path)};
   const auto head = rows.read();
-  if (!head) rows.fail("the table is empty; it needs a head with 't' and " + join(columns));
-  const std::size_t t = column_of(rows, *head, "t");
+  if (!head) rows.fail("the table is empty; it needs a head with '" + lead + "' and " + join(columns));
+  const std::size_t t = column_of(rows, *head, lead);
   std::vector<std::size_t> places;
   for (const std::string& name : columns) places.push_back(column_of(rows, *head, name));
   ReferenceTable table;
@@ -91,7 +92,7 @@ ReferenceTable read_table(const std::filesystem::path& path, const std::vector<s
     table.t.push_back(rows.number(*row, t));
     for (std::size_t k = 0; k < places.size(); ++k) table.value[k].push_back(rows.number(*row, places[k]));
     if (table.t.size() > 1 && !(table.t.back() > table.t[table.t.size() - 2]))
-      rows.fail("t must grow from row to row");
+      rows.fail(lead + " must grow from row to row");
   }
   if (table.t.size() < 2) rows.fail("the table needs at least two rows");
   return table;

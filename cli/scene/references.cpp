@@ -89,7 +89,7 @@ const Measure& measure_taking(bool MeasureKind::*what, std::string_view named, T
 
 /// `column = "uy"`, or `columns = ["x", "y"]` for a measure of several probes.
 std::vector<std::string> column_names(TomlCursor& entry, const Measure& measure) {
-  const std::size_t number = measure.probes.size();
+  const std::size_t number = std::max(std::size_t{1}, measure.probes.size());  // a line has one
   if (number == 1) return {entry.text("column")};
   const TomlValue& value = entry.need("columns");
   if (value.kind != TomlValue::Kind::array || value.items.size() != number)
@@ -126,7 +126,7 @@ ReferenceTable read_one_table(TomlCursor entry, const Measure& measure, const st
     entry.fail(entry.need("file"), "file",
                "there is no table '" + path.string() + "'; the path starts at the scene's folder");
   entry.table().set("file", TomlValue(known_as(path)));
-  return read_table(path, columns);
+  return read_table(path, measure.line.empty() ? "t" : "s", columns);
 }
 
 std::map<std::string, ReferenceTable> read_tables(TomlCursor& reference, const SceneFile& file) {

@@ -52,9 +52,10 @@ void read_drawing(TomlCursor& root, Drawing& drawing);
 /// The drawing as a table of its own.
 TomlValue drawing_table(const Drawing& drawing);
 
-/// Columns `t` and `columns` of a CSV file; lines that start with # are comments. Throws SceneError with the
+/// Columns `lead`, which grows, and `columns` of a CSV file; lines that start with # are comments. Throws SceneError with the
 /// place in that file.
-ReferenceTable read_table(const std::filesystem::path& path, const std::vector<std::string>& columns);
+ReferenceTable read_table(const std::filesystem::path& path, const std::string& lead,
+                          const std::vector<std::string>& columns);
 /// The whole file; throws SceneError if it is not there, cannot be read or is larger than 4 MiB.
 std::string file_text(const std::filesystem::path& path);
 

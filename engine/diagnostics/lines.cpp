@@ -27,23 +27,29 @@ Point line_point(const SampleLine& line, int k) {
 }
 
 LineRecorder::LineRecorder(const Scene& scene, const Snapshot& start, double reach)
-    : lines_(scene.lines), samples_(scene.lines.size()) {
-  std::vector<Point> x(start.size());
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] = start.initial(i);
+    : lines_(scene.lines), reach_(reach), samples_(scene.lines.size()) {
   for (const SampleLine& line : lines_) {
     field_of(line);
-    const auto [first, last] = std::ranges::equal_range(start.body, line.body);
-    const int begin = static_cast<int>(first - start.body.begin());
-    const int end = static_cast<int>(last - start.body.begin());
-    std::vector<std::vector<PointWeight>>& points = points_.emplace_back();
-    for (int k = 0; k < line.points; ++k) {
-      points.push_back(material_point(x, begin, end, line_point(line, k), reach, start.dim));
-      if (points.back().empty())
+    points_.push_back(line.in_space ? Points{} : points_now(line, start));
+    for (std::size_t k = 0; k < points_.back().size(); ++k) {
+      if (points_.back()[k].empty())
         throw SceneError("line." + line.name, "point " + std::to_string(k + 1) + " of the line '" +
                                                   line.name +
                                                   "' has too few particles of its body around it");
     }
   }
+}
+
+LineRecorder::Points LineRecorder::points_now(const SampleLine& line, const Snapshot& now) const {
+  std::vector<Point> x(now.size());
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = line.in_space ? now.position(i) : now.initial(i);
+  const auto [first, last] = std::ranges::equal_range(now.body, line.body);
+  const int begin = static_cast<int>(first - now.body.begin());
+  const int end = static_cast<int>(last - now.body.begin());
+  Points points;
+  for (int k = 0; k < line.points; ++k)
+    points.push_back(material_point(x, begin, end, line_point(line, k), reach_, now.dim));
+  return points;
 }
 
 double LineRecorder::next() const {
@@ -60,8 +66,8 @@ void LineRecorder::sample(const Snapshot& now) {
     while (samples_[l].size() < line.times.size() && line.times[samples_[l].size()] <= now.time) {
       LineSample sample{now.time, now.step, {}};
       const Field& field = field_of(line);
-      for (const std::vector<PointWeight>& point : points_[l]) {
-        double value = 0;
+      for (const std::vector<PointWeight>& point : line.in_space ? points_now(line, now) : points_[l]) {
+        double value = point.empty() ? std::numeric_limits<double>::quiet_NaN() : 0;
         for (const PointWeight& w : point)
           value += w.weight * field.value(now, static_cast<std::size_t>(w.particle));
         sample.value.push_back(value);

@@ -13,7 +13,7 @@ namespace taut {
 struct LineSample {
   double time = 0;  // of the step that it shows, s
   long step = 0;
-  std::vector<double> value;  // at the line's points, in the field's unit
+  std::vector<double> value;  // at the line's points, in the field's unit; no number outside of the body
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -21,7 +21,7 @@ struct LineSample {
   }
 };
 
-/// A point of a line at t = 0, from the first one at `from` to the last one at `to`.
+/// A point of a line, at t = 0 where it is a material one, from the first one at `from` to the last one at `to`.
 Point line_point(const SampleLine& line, int k);
 
 /// Samples the lines of a scene. The steps of the run do not depend on it: a sample shows the first step at
@@ -45,8 +45,12 @@ class LineRecorder {
   }
 
  private:
+  using Points = std::vector<std::vector<PointWeight>>;
+  Points points_now(const SampleLine& line, const Snapshot& now) const;
+
   std::vector<SampleLine> lines_;
-  std::vector<std::vector<std::vector<PointWeight>>> points_;  // [line][point]
+  double reach_;                // m
+  std::vector<Points> points_;  // [line][point], of material points
   std::vector<std::vector<LineSample>> samples_;
 };
 

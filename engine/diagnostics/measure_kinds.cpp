@@ -133,18 +133,42 @@ Value frequency(const Source& source) {
   return peak_frequency(curve, source.measure->from, source.until, source.measure->band);
 }
 
-/// The reference at the time of the step that was sampled; none before the last sample.
-Value line_rmse(const Source& source) {
-  if (!source.reference.exact || !source.samples) return std::nullopt;
+/// Of a line's difference from its reference, and of the reference.
+struct LineSquares {
+  double difference = 0, reference = 0;  // √ of the mean
+};
+
+/// The reference at the time of the step that was sampled, or a table, at its only time; none before the last
+/// sample, and where a point has left the body.
+std::optional<LineSquares> line_squares(const Source& source) {
+  if (source.reference.empty() || !source.samples) return std::nullopt;
   const SampleLine& line = *source.line;
   if (source.samples->size() < line.times.size() || source.samples->empty()) return std::nullopt;
-  double sum = 0;
-  for (const LineSample& sample : *source.samples)
-    for (int k = 0; k < line.points; ++k)
-      sum += std::pow(sample.value[static_cast<std::size_t>(k)] -
-                          source.reference.exact->front()(line_point(line, k), sample.time),
-                      2);
-  return std::sqrt(sum / (static_cast<double>(line.points) * static_cast<double>(line.times.size())));
+  const double apart = std::hypot(line.to[0] - line.from[0], line.to[1] - line.from[1]) / (line.points - 1);
+  LineSquares mean;
+  for (const LineSample& sample : *source.samples) {
+    for (int k = 0; k < line.points; ++k) {
+      const ReferenceCurves& reference = source.reference;
+      const double is = sample.value[static_cast<std::size_t>(k)];
+      const double should = reference.exact ? reference.exact->front()(line_point(line, k), sample.time)
+                                            : value_at(reference.table.front(), k * apart);
+      mean.difference += (is - should) * (is - should);
+      mean.reference += should * should;
+    }
+  }
+  const double number = static_cast<double>(line.points) * static_cast<double>(line.times.size());
+  if (!std::isfinite(mean.difference)) return std::nullopt;
+  return LineSquares{std::sqrt(mean.difference / number), std::sqrt(mean.reference / number)};
+}
+
+Value line_rmse(const Source& source) {
+  const auto mean = line_squares(source);
+  return mean ? Value(mean->difference) : std::nullopt;
+}
+
+Value line_error(const Source& source) {
+  const auto mean = line_squares(source);
+  return mean && mean->reference > 0 ? Value(mean->difference / mean->reference) : std::nullopt;
 }
 
 Value at_rest(const Source& source) {
@@ -267,8 +291,16 @@ const std::vector<MeasureKind> kinds = {
     {.name = "line_rmse",
      .help = "√ of the mean of (field − reference)² over all points and times of the line",
      .keys = {"line"},
+     .table = true,
      .solution = true,
      .value = line_rmse,
+     .reference = zero},
+    {.name = "line_error",
+     .help = "line_rmse over √ of the mean of reference² over the same points and times",
+     .keys = {"line"},
+     .table = true,
+     .solution = true,
+     .value = line_error,
      .reference = zero},
     {.name = "at_rest",
      .help = "value at the end; none where the last tenth still moves by a thousandth of the greatest size",

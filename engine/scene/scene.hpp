@@ -54,7 +54,7 @@ struct Load {
   enum class Kind : std::uint8_t {
     force,          // N (per metre depth in 2D), spread over the free particles of the region by volume
     force_density,  // N/m³ of the initial volume
-    traction,       // Pa, on the outer face of a layer that is one spacing deep
+    traction,       // Pa, on the outer face of a layer that is one spacing deep; see solver/face_loads.hpp
   };
   Expression where;  // particles where it is not 0
   Kind kind{};
@@ -112,12 +112,13 @@ struct Probe {
   int axis = 0;
 };
 
-/// Material points of a body, evenly spaced along a straight line at t = 0, at which a field is sampled.
+/// Points of a body, evenly spaced along a straight line, at which a field is sampled.
 struct SampleLine {
   std::string name;
-  int body = 0;        // index into Scene::bodies
-  std::string field;   // its key
-  Point from{}, to{};  // the first and the last point, m
+  int body = 0;           // index into Scene::bodies
+  std::string field;      // its key
+  Point from{}, to{};     // the first and the last point, m
+  bool in_space = false;  // points that stand still while the body moves through them, else material ones
   int points = 0;
   std::vector<double> times;  // s, increasing
 };
@@ -139,9 +140,10 @@ struct Measure {
   std::string free;              // the probe that says that the bodies are apart; may be empty
 };
 
-/// A table of an independent solution: time and a column for each probe of a measure, linearly interpolated.
+/// A table of an independent solution: time and a column for each probe of a measure, or the distance from the
+/// first point and a column for a line, linearly interpolated.
 struct ReferenceTable {
-  std::vector<double> t;                   // s
+  std::vector<double> t;                   // s, m
   std::vector<std::vector<double>> value;  // [probe], the probe's unit
 };
 

@@ -48,6 +48,7 @@ class InitialPairSolver : public ParticleSolver<Solver, Dim> {
 
  private:
   void check_pairs(const Scene& scene) const;
+  std::vector<Point> surface() const;
 
   std::vector<int> material_;
   std::vector<LawOf<M.law>> laws_;  // by material
@@ -66,6 +67,9 @@ InitialPairSolver<Solver, M, Dim>::InitialPairSolver(const SolverInput& input)
   initial_pairs_ =
       make_initial_pairs<Kernel<M.kernel>>(X_, V0_, initial_.first, c_.h, M.gradient, c_.normalised);
   check_pairs(input.scene);
+  // normalised gradients keep the loads of their paper: they say less than all of a uniform field
+  if constexpr (M.gradient == GradientCorrection::corrected)
+    loads_.act_on_faces(input.scene, initial_, FaceRule::uniform, surface(), this->support_);
   this->pairs_ = static_cast<long>(initial_pairs_.j.size());
   for (const Elasticity& e : input.materials) {
     laws_.push_back(law_of<M.law>(e));
@@ -84,6 +88,23 @@ void InitialPairSolver<Solver, M, Dim>::check_pairs(const Scene& scene) const {
                                          "': the neighbours of one of its particles do not span the space; "
                                          "use a smaller spacing");
   }
+}
+
+/// By id: S_i = −Σ_j (V_i B_i + V_j B_j) k_ij, against which a uniform stress pushes; 0 inside a lattice.
+template <class Solver, const Formulation& M, int Dim>
+std::vector<Point> InitialPairSolver<Solver, M, Dim>::surface() const {
+  std::vector<Tile<Dim>> VB;
+  for (int i = 0; i < s_.size(); ++i) {
+    Mat one{};
+    for (int k = 0; k < Dim; ++k) one(k, k) = V0_[i];
+    VB.push_back(tile(product(one, initial_pairs_.B[i])));
+  }
+  std::vector<Point> S(s_.size());
+  for (int i = 0; i < s_.size(); ++i) {
+    const V sum = initial_pairs_.pair_sum(VB, i);
+    for (int k = 0; k < Dim; ++k) S[s_.id[i]][k] = -sum[k];
+  }
+  return S;
 }
 
 template <class Solver, const Formulation& M, int Dim>

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "engine/error.hpp"
+#include "engine/neighbors/initial_neighbors.hpp"
 #include "engine/scene/initial_particles.hpp"
+#include "engine/solver/face_loads.hpp"
 #include "engine/solver/state.hpp"
 
 namespace taut::inline TAUT_ISA {
@@ -36,6 +38,12 @@ class Loads {
       for (const Load& load : scene.bodies[b].loads)
         regions_.push_back({load.ramp, shares(load, scene, initial, static_cast<int>(b))});
   }
+
+  /// Tractions act on the face instead of the outermost layer, for methods whose neighbours are those of the
+  /// start: see solver/face_loads.hpp. A region that is no layer keeps what it has. `surface` is S by id, `reach`
+  /// that of the method's gradient, m.
+  void act_on_faces(const Scene& scene, const InitialParticles& initial, FaceRule rule,
+                    const std::vector<Point>& surface, double reach);
 
   bool active() const { return active_; }
 
@@ -104,6 +112,30 @@ class Loads {
   std::vector<V> force_;               // [id] of all regions, N
   std::vector<double> work_, damped_;  // [id] J
 };
+
+template <int Dim>
+void Loads<Dim>::act_on_faces(const Scene& scene, const InitialParticles& initial, FaceRule rule,
+                              const std::vector<Point>& surface, double reach) {
+  std::vector<std::vector<int>> near;
+  auto region = regions_.begin();
+  for (const Body& body : scene.bodies) {
+    for (const Load& load : body.loads) {
+      std::vector<std::pair<int, V>>& shares = (region++)->shares;
+      if (load.kind != Load::Kind::traction) continue;
+      if (near.empty()) near = initial_neighbors(initial, 2 * reach);
+      std::vector<int> ids;
+      for (const auto& [id, force] : shares) ids.push_back(id);
+      const FaceLayer layer = face_layer(load, initial, near, std::move(ids), scene.spacing);
+      if (layer.id.empty()) continue;
+      shares.clear();
+      for (const auto& [id, force] : face_shares(rule, layer, initial, near, surface, scene.spacing)) {
+        V f;
+        for (int k = 0; k < Dim; ++k) f[k] = force[k];
+        shares.emplace_back(id, f);
+      }
+    }
+  }
+}
 
 /// Throws SceneError where all particles of the region are held.
 template <int Dim>

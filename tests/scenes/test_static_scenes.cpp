@@ -161,6 +161,47 @@ TEST_SUITE("analytic") {
   }
 }
 
+TEST_SUITE("analytic") {
+  TEST_CASE("sheared annulus: the shear stress of tl is right up to the loaded face and the clamp") {
+    const double load = 0.02, q = load * 1.7227e-9, a = 2.5e-4;  // small strains
+    SceneFile file = scene("sheared-annulus", "tl", 1e-5, {{"load", exact(load)}});
+    const auto simulation = make_simulation(file.scene, file.settings);
+    simulation->advance_to(file.scene.until);
+    const Snapshot& now = simulation->snapshot();
+    double difference = 0, size = 0, worst = 0;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      const Point X = now.initial(i);
+      const double r = std::hypot(X[0], X[1]), c = X[0] / r, s = X[1] / r;
+      if (r < a + 1e-5) continue;  // held
+      const StressTensor sigma = now.stress(i);
+      const double shear = sigma.xy * (c * c - s * s) + (sigma.yy - sigma.xx) * c * s;
+      difference += std::pow(shear - q / (r * r), 2);
+      size += std::pow(q / (r * r), 2);
+      worst = std::max(worst, std::abs(shear / (q / (r * r)) - 1));
+    }
+    CHECK(std::sqrt(difference / size) < 0.02);
+    CHECK(worst < 0.05);
+  }
+
+  TEST_CASE("loaded square: the tension of tl and oenog at the loaded sides is that of the load") {
+    const double k = 50 * 0.02, l = 5e-4;
+    for (const auto& [method, most] : {std::pair("tl", 0.01), std::pair("oenog", 0.05)}) {
+      CAPTURE(std::string(method));
+      SceneFile file = scene("loaded-square", method, 2.5e-5, {{"load", "0.02"}});
+      const auto simulation = make_simulation(file.scene, file.settings);
+      simulation->advance_to(file.scene.until);
+      const Snapshot& now = simulation->snapshot();
+      double difference = 0, size = 0;
+      for (std::size_t i = 0; i < now.size(); ++i) {
+        const Point X = now.initial(i);
+        size += std::pow(k * X[1], 2) / static_cast<double>(now.size());
+        if (std::abs(X[0]) > 0.5 * l - 2.5e-5) difference += std::pow(now.stress(i).xx + k * X[1], 2) / 40;
+      }
+      CHECK(std::sqrt(difference / size) < most);
+    }
+  }
+}
+
 TEST_SUITE("convergence") {
   TEST_CASE("bent beam: the deflection of icb comes nearer to finite elements with the spacing") {
     const Rest coarse = run(scene("beam-bending", "icb", 0.004)),

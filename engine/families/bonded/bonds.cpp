@@ -291,6 +291,19 @@ void Maker::cut_at_clamp() {
 
 }  // namespace
 
+std::vector<Point> surface(const Bonds& bonds) {
+  std::vector<Point> S(bonds.volume.size());
+  for (std::size_t i = 0; i < S.size(); ++i) {
+    for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) {
+      for (int k = 0; k < Dim; ++k) {
+        S[static_cast<std::size_t>(bonds.j[b])][k] += bonds.volume[i] * bonds.gradient[b][k];
+        S[i][k] -= bonds.volume[i] * bonds.gradient[b][k];
+      }
+    }
+  }
+  return S;
+}
+
 Bonds make_bonds(const Scene& scene, const InitialParticles& initial, double h) {
   return Maker(scene, initial, h).make();
 }

@@ -48,6 +48,10 @@ struct Bonds {
 /// the period of 0.57 % at ten particles across to 0.18 %. Masses stay as they are.
 Bonds make_bonds(const Scene& scene, const InitialParticles& initial, double h);
 
+/// The surface that belongs to each particle, S_j = Σ_i (V_i g_ij − V_j g_ji), against which a uniform stress
+/// pushes; 0 inside a lattice.
+std::vector<Point> surface(const Bonds& bonds);
+
 inline constexpr double least_bond_reach = 2, wide_bond_reach = 2.625;  // in h
 inline constexpr double greatest_bond_reach = 3;                        // in h
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/families/bonded/bonds.hpp"
+#include "engine/families/bonded/recovered_gradient.hpp"
 #include "engine/solver/particle_solver.hpp"
 #include "engine/terms/bond.hpp"
 
@@ -36,7 +37,11 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     relaxation_ = c_.damping * c_.dp / shear_speed;
     CellGrid<Dim> grid;
     s_.reorder(grid.sort(s_.x, this->support_), threads_now());
-    pack_bonds(make_bonds(input.scene, this->initial_, c_.h));
+    const Bonds bonds = make_bonds(input.scene, this->initial_, c_.h);
+    pack_bonds(bonds);
+    // not what a corner takes from a uniform stress, since there the bonds have no choice that is right
+    this->loads_.act_on_faces(input.scene, this->initial_, FaceRule::by_column, surface(bonds),
+                              this->support_);
     contact_.search(s_);
     Base::show_contacts_to_probes();
     Base::record();
@@ -93,6 +98,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   Cancel cancelled(int first, const Sym<Pack, Dim>& C) const;
   template <bool WithEnergy>
   double strain(int group);
+  Mat<Pack, Dim> shown_deformations(int group) const;
   void take_snapshot() override;
   void set_row(int i) {
     for (int k = 0; k < Dim; ++k) places_[i].c[k] = s_.x[i][k], places_[i].c[Dim + k] = s_.v[i][k];
@@ -113,7 +119,9 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   std::vector<Sym<Pack, Dim>> S_;  // of each group: G V0 Σ_j w φ′(λ°)/λ° e ⊗ e, J
   std::vector<PlaceRow> places_;
   std::vector<StressRow> stress_;
-  std::vector<V> bond_force_;  // N
+  std::vector<V> bond_force_;     // N
+  RecoveredGradient recovered_;   // once a snapshot has asked for it
+  std::vector<V> displacements_;  // of the last snapshot, m
 };
 
 /// G of a bond, Pa. Halves of two materials stand one behind the other in it, as two springs do: the harmonic
@@ -365,17 +373,43 @@ double Bonded<M, Dim>::force_pass(double dt) {
   });
 }
 
-/// The stress shown is the neo-Hookean one of F, below J = ½ too: p = −K (J − 1), s = G J^(−5/3) dev(F Fᵀ)
+/// Four F with those of the recovered gradient, where there are any.
+template <const Formulation& M, int Dim>
+Mat<Pack, Dim> Bonded<M, Dim>::shown_deformations(int group) const {
+  Mat<Pack, Dim> F = F_[group];
+  const int first = group * lanes, count = std::min(lanes, s_.size() - first);
+  for (int lane = 0; lane < count; ++lane) {
+    const int i = first + lane, begin = recovered_.begin[i], end = recovered_.begin[i + 1];
+    if (begin == end) continue;
+    Mat<double, Dim> one{};
+    for (int a = 0; a < Dim; ++a) one(a, a) = 1;
+    for (int b = begin; b < end; ++b) {
+      const V u = displacements_[recovered_.j[b]] - displacements_[i];
+      for (int a = 0; a < Dim; ++a)
+        for (int k = 0; k < Dim; ++k) one(a, k) += u[a] * recovered_.g[b][k];
+    }
+    for (int a = 0; a < Dim; ++a)
+      for (int k = 0; k < Dim; ++k) F(a, k)[lane] = one(a, k);
+  }
+  return F;
+}
+
+/// The stress shown is the neo-Hookean one of the recovered F, below J = ½ too: p = −K (J − 1), s = G J^(−5/3) dev(F Fᵀ)
 /// with (F Fᵀ)_zz = 1 in 2D and J no less than 0.05; none of a held particle, which is rigid.
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::take_snapshot() {
   Base::begin_snapshot();
+  if (recovered_.empty()) recovered_ = recovered_gradient(this->initial_, s_.id, c_.dp, this->support_);
   this->snapshot_.strain_energy.resize(s_.size());
-  parallel_for(s_.size(), threads_now(), [&](int i) { set_row(i); });
+  displacements_.resize(s_.size());
+  parallel_for(s_.size(), threads_now(), [&](int i) {
+    set_row(i);
+    for (int k = 0; k < Dim; ++k) displacements_[i][k] = s_.x[i][k] - this->initial_.x[s_.id[i]][k];
+  });
   parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
     strain<true>(group);
     const Sites& sites = sites_[group];
-    Mat<Pack, Dim> F = F_[group];
+    Mat<Pack, Dim> F = shown_deformations(group);
     for (int k = 0; k < Dim; ++k) F(k, k) = sites.V > 0 ? F(k, k) : filled<Pack>(1);
     const Pack J = determinant(F), p = -sites.law.K * (J - 1);
     const Pack root = inverse_cube_root(max(J, filled<Pack>(0.05)));

@@ -262,6 +262,12 @@ TEST_SUITE("cli") {
     const SceneFile right =
         read_text(replaced(small_scene, "[[reference]]", with("points = 5\ntimes = [0, \"v0\", 2]\n")));
     CHECK(right.scene.lines.at(0).times == std::vector<double>{0, 0.06, 2});
+    CHECK_FALSE(right.scene.lines.at(0).in_space);
+    CHECK(read_text(
+              replaced(small_scene, "[[reference]]", with("points = 5\ntimes = [1]\nframe = \"space\"\n")))
+              .scene.lines.at(0)
+              .in_space);
+    bad("points = 5\ntimes = [1]\nframe = @\"spce\"\n", {"spce", "space"});
     bad("points = @1\ntimes = [1]\n", {"points = 1 must be a whole number from 2"});
     bad("points = 5\ntimes = @[]\n", {"times must be an array"});
     bad("points = 5\ntimes = @3\n", {"times must be an array"});

@@ -103,6 +103,58 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE(
+      "lines: points in space stand still while the body moves through them, and see none outside of it") {
+    Scene scene = rotating_plate(0.01);
+    scene.bodies[0].velocity[0] = constant(300);  // m/s, all of it
+    scene.bodies[0].velocity[1] = [](const Point& X) { return 5 * X[0]; };
+    scene.lines = {line_across_plate({0, 1e-7}), line_across_plate({0, 1e-7})};
+    scene.lines[0].in_space = true;
+    scene.lines[1].name = "material";
+    Settings settings = with_method("oenog");
+    settings.step = 1e-7;  // moves by 0.03 mm, in which forces do next to nothing
+    const auto simulation = make_simulation(scene, settings);
+    LineRecorder lines(scene, simulation->snapshot(), simulation->support());
+    lines.sample(simulation->snapshot());
+    simulation->advance_to(1e-7);
+    lines.sample(simulation->snapshot());
+    for (int k = 0; k < 7; ++k) {
+      const double start = lines.samples()[0][0].value[k], later = lines.samples()[0][1].value[k];
+      CHECK(start == doctest::Approx(5 * line_point(scene.lines[0], k)[0]).epsilon(1e-9));
+      CHECK(later - start == relative(-5 * 3e-5, 0.05));
+      CHECK(std::abs(lines.samples()[1][1].value[k] - start) < 0.05 * 5 * 3e-5);
+    }
+    scene.lines[0].to = {10, 0, 0};  // no error: the body may come there
+    LineRecorder far(scene, simulation->snapshot(), simulation->support());
+    far.sample(simulation->snapshot());
+    CHECK(std::isnan(far.samples()[0][0].value[6]));
+    CHECK(std::isfinite(far.samples()[0][0].value[0]));
+  }
+
+  TEST_CASE(
+      "line_error: against a table over the distance from the first point, over the size of the table") {
+    Scene scene;
+    scene.lines = {line_across_plate({1})};
+    scene.lines[0].from = {1, 2, 0};
+    scene.lines[0].to = {4, 6, 0};  // 5 m
+    scene.lines[0].points = 3;
+    Measure of_line;
+    of_line.name = "number";
+    of_line.kind = "line_error";
+    of_line.line = "across";
+    scene.measures = {of_line};
+    scene.references["neo_hookean"].table["number"] = {{0, 4, 6}, {{1, 9, -7}}};  // 1, 6, 1 at the points
+    const auto value = [&](std::vector<double> shown) {
+      return measure(scene, {}, "neo_hookean", {{{1, 3, std::move(shown)}}}).at(0).value;
+    };
+    CHECK(*value({1, 6, 1}) == 0);
+    CHECK(*value({1, 9, 5}) == relative(5 / std::sqrt(38)));
+    CHECK_FALSE(value({1, std::nan(""), 5}));
+    scene.measures[0].kind = "line_rmse";
+    CHECK(*value({1, 9, 5}) == relative(5 / std::sqrt(3)));
+    CHECK_FALSE(measure(scene, {}, "neo_hookean", {{}}).at(0).value);
+  }
+
   TEST_CASE("line_rmse: over all points and times, the reference at the time of the step") {
     Scene scene;
     scene.lines = {line_across_plate({1, 2})};

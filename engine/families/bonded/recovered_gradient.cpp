@@ -1,0 +1,115 @@
+#include "engine/families/bonded/recovered_gradient.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+#include "engine/neighbors/initial_neighbors.hpp"
+
+namespace taut {
+namespace {
+
+constexpr int Dim = 2;  // of the scenes of this version; the code below is for 3 too
+constexpr int linear = Dim, quadratic = Dim + Dim * (Dim + 1) / 2;
+
+constexpr double least_reach = 2.2, greatest_reach = 3.4, growth = 0.3;  // dp
+constexpr double greatest_cost = 8;                                      // 1/dp
+
+using Place = Eigen::Vector<double, Dim>;
+struct Neighbor {
+  int id;
+  Place X;  // from i, in dp
+};
+using Neighborhood = std::vector<Neighbor>;
+
+/// Those of `near` that are of the same kind as i.
+Neighborhood alike(const InitialParticles& initial, int i, const std::vector<int>& near, double spacing) {
+  Neighborhood some;
+  for (const int j : near) {
+    if (initial.material[j] != initial.material[i] || initial.held[j] != initial.held[i]) continue;
+    Place X;
+    for (int a = 0; a < Dim; ++a) X[a] = (initial.x[j][a] - initial.x[i][a]) / spacing;
+    some.push_back({j, X});
+  }
+  return some;
+}
+
+Neighborhood within(const Neighborhood& near, double reach) {
+  Neighborhood some;
+  std::ranges::copy_if(near, std::back_inserter(some),
+                       [=](const Neighbor& one) { return one.X.squaredNorm() < reach * reach; });
+  return some;
+}
+
+/// Each neighbour has another one on the opposite side.
+bool symmetric(const Neighborhood& near) {
+  constexpr double alike = 1e-6;
+  return std::ranges::all_of(near, [&](const Neighbor& one) {
+    return std::ranges::any_of(
+        near, [&](const Neighbor& other) { return (one.X + other.X).squaredNorm() < alike * alike; });
+  });
+}
+
+/// The rows g_j of the fit with the first `terms` of X, X ⊗ X, in 1/dp, a column for each; empty where the fit
+/// is not determined or costs too much.
+Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood& near, int terms) {
+  const auto n = static_cast<Eigen::Index>(near.size());
+  if (n < terms) return {};
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, quadratic> P(terms, n);
+  Eigen::VectorXd root(n);  // of the weight
+  for (Eigen::Index b = 0; b < n; ++b) {
+    const Place& X = near[b].X;
+    root[b] = 1 / X.squaredNorm();
+    int term = 0;
+    for (int a = 0; a < Dim; ++a) P(term++, b) = X[a];
+    for (int a = 0; a < Dim && term < terms; ++a)
+      for (int c = a; c < Dim; ++c) P(term++, b) = X[a] * X[c];
+  }
+  const Eigen::MatrixXd A = (P * root.asDiagonal()).transpose();
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A);
+  if (qr.rank() < terms) return {};
+  const Eigen::MatrixXd inverse = qr.solve(Eigen::MatrixXd(root.asDiagonal()));
+  const Eigen::Matrix<double, Dim, Eigen::Dynamic> g = inverse.topRows<Dim>();
+  for (int a = 0; a < Dim; ++a)
+    if (!(g.row(a).cwiseAbs().sum() + std::abs(g.row(a).sum()) <= greatest_cost)) return {};
+  return g;
+}
+
+/// The neighbours of a row and what they count, in 1/dp.
+std::pair<Neighborhood, Eigen::Matrix<double, Dim, Eigen::Dynamic>> row(const Neighborhood& near) {
+  for (const int terms : {quadratic, linear}) {
+    for (double reach = least_reach; reach <= greatest_reach; reach += growth) {
+      Neighborhood some = within(near, reach);
+      if (auto g = fit(some, terms); g.size() > 0) return {std::move(some), std::move(g)};
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+RecoveredGradient recovered_gradient(const InitialParticles& initial, const std::vector<int>& id,
+                                     double spacing, double reach) {
+  RecoveredGradient out;
+  std::vector<int> where(id.size());
+  for (std::size_t k = 0; k < id.size(); ++k) where[id[k]] = static_cast<int>(k);
+  const auto near = initial_neighbors(initial, std::max(1.001 * reach, greatest_reach * spacing));
+  out.begin.push_back(0);
+  for (const int i : id) {
+    const Neighborhood kin = alike(initial, i, near[i], spacing);
+    if (!initial.held[i] && !symmetric(within(kin, (1 + 1e-9) * reach / spacing))) {
+      const auto& [some, g] = row(kin);
+      for (std::size_t b = 0; b < some.size(); ++b) {
+        Point g_j{};
+        for (int a = 0; a < Dim; ++a) g_j[a] = g(a, b) / spacing;
+        out.j.push_back(where[some[b].id]);
+        out.g.push_back(g_j);
+      }
+    }
+    out.begin.push_back(static_cast<int>(out.j.size()));
+  }
+  return out;
+}
+
+}  // namespace taut

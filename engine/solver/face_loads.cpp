@@ -1,0 +1,117 @@
+#include "engine/solver/face_loads.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include <Eigen/Dense>
+
+namespace taut {
+namespace {
+
+constexpr int Dim = 2;  // of the scenes of this version; the code below is for 3 too
+using Place = Eigen::Vector<double, Dim>;
+
+constexpr double layer_reach = 2.1;  // dp, of what tells the direction of a layer
+constexpr double aside = 0.75;       // dp, along the face, of a particle that stands below another one
+
+Place place(const Point& p) { return Eigen::Map<const Place>(p.data()); }
+
+Point point(const Place& v) {
+  Point p{};
+  for (int k = 0; k < Dim; ++k) p[k] = v[k];
+  return p;
+}
+
+/// The direction in which the layer is thin, away from the rest of the body; 0 where there is none.
+Place outwards(int i, const InitialParticles& initial, const std::vector<int>& near,
+               const std::vector<int>& layer, double spacing) {
+  constexpr double thin = 0.1;  // mean square across the layer over that along it
+  Eigen::Matrix<double, Dim, Dim> spread = Eigen::Matrix<double, Dim, Dim>::Zero();
+  Place away = Place::Zero();
+  for (const int j : near) {
+    const Place d = (place(initial.x[j]) - place(initial.x[i])) / spacing;
+    if (d.norm() > layer_reach) continue;
+    if (std::ranges::binary_search(layer, j))
+      spread += d * d.transpose();
+    else
+      away -= d;
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Dim, Dim>> axes(spread);
+  const Place n = axes.eigenvectors().col(0);
+  const double side = n.dot(away);
+  if (!(axes.eigenvalues()[0] < thin * axes.eigenvalues()[1]) || side == 0) return Place::Zero();
+  return side > 0 ? n : Place(-n);
+}
+
+/// How much longer the face is than the layer below it, from the chords to those beside i in the layer.
+double stretch(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
+               const std::vector<int>& near, double spacing) {
+  double inside = 0, outside = 0;
+  for (const int j : near) {
+    const auto found = std::ranges::lower_bound(layer.id, j);
+    if (found == layer.id.end() || *found != j) continue;
+    const Place d = place(initial.x[j]) - place(initial.x[layer.id[k]]);
+    if (d.norm() > layer_reach * spacing) continue;
+    const Place& n = place(layer.normal[static_cast<std::size_t>(found - layer.id.begin())]);
+    inside += d.norm();
+    outside += (d + 0.5 * spacing * (n - place(layer.normal[k]))).norm();
+  }
+  return std::pow(inside > 0 ? outside / inside : 1, Dim - 1);
+}
+
+}  // namespace
+
+FaceLayer face_layer(const Load& load, const InitialParticles& initial,
+                     const std::vector<std::vector<int>>& near, std::vector<int> id, double spacing) {
+  FaceLayer layer{.id = std::move(id), .normal = {}, .traction = {}, .area = {}};
+  std::ranges::sort(layer.id);
+  for (const int i : layer.id) {
+    const Place n = outwards(i, initial, near[i], layer.id, spacing);
+    if (n.isZero()) return {};
+    layer.normal.push_back(point(n));
+  }
+  for (std::size_t k = 0; k < layer.id.size(); ++k) {
+    const int i = layer.id[k];
+    Point at = initial.x[i], t{};
+    for (int a = 0; a < Dim; ++a) at[a] += 0.5 * spacing * layer.normal[k][a];
+    for (int a = 0; a < Dim; ++a)
+      if (load.value[a]) t[a] = load.value[a](at);
+    layer.traction.push_back(t);
+    layer.area.push_back(initial.V0[i] / spacing * stretch(layer, k, initial, near[i], spacing));
+  }
+  return layer;
+}
+
+std::vector<FaceShare> face_shares(FaceRule rule, const FaceLayer& layer, const InitialParticles& initial,
+                                   const std::vector<std::vector<int>>& near,
+                                   const std::vector<Point>& surface, double spacing) {
+  struct Above {
+    double distance = std::numeric_limits<double>::infinity();
+    std::size_t k = 0;  // in the layer
+  };
+  std::map<int, Above> above;  // of a particle the nearest of the layer that stands above it
+  for (std::size_t k = 0; k < layer.id.size(); ++k) {
+    const int i = layer.id[k];
+    const Place n = place(layer.normal[k]);
+    above[i] = {0, k};
+    for (const int j : near[i]) {
+      const Place d = place(initial.x[i]) - place(initial.x[j]);
+      if (initial.held[j] || (d - d.dot(n) * n).norm() > aside * spacing) continue;
+      if (Above& known = above[j]; d.norm() < known.distance) known = {d.norm(), k};
+    }
+  }
+  std::vector<double> column(layer.id.size());
+  const auto own_area = [&](int j, std::size_t k) { return place(layer.normal[k]).dot(place(surface[j])); };
+  for (const auto& [j, from] : above) column[from.k] += own_area(j, from.k);
+  std::vector<FaceShare> shares;
+  for (const auto& [j, from] : above) {
+    double area = own_area(j, from.k);
+    if (rule == FaceRule::by_column) area *= layer.area[from.k] / column[from.k];
+    shares.emplace_back(j, point(area * place(layer.traction[from.k])));
+  }
+  return shares;
+}
+
+}  // namespace taut

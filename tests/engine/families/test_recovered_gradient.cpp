@@ -1,0 +1,143 @@
+// What oenog shows: gradients that are exact for quadratic fields up to the surface.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "engine/families/bonded/bonds.hpp"
+#include "engine/families/bonded/recovered_gradient.hpp"
+#include "engine/methods/oenog.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/runs.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace taut;
+using namespace taut::test;
+
+namespace {
+
+constexpr double H = 0.02, L = 0.06;  // m
+
+Scene block(int across, double length = L) {
+  Scene scene;
+  scene.name = "block";
+  scene.spacing = H / across;
+  scene.until = 1;
+  scene.materials = {{"elastic", /*ρ0*/ 1000, /*E*/ 2e6, /*ν*/ 0.3}};
+  Body body;
+  body.name = "block";
+  body.shapes = {Box{{-length / 2, -H / 2, 0}, {length / 2, H / 2, 0}}};
+  scene.bodies = {body};
+  return scene;
+}
+
+/// Its right half of another material.
+Scene block_of_two() {
+  Scene scene = block(10);
+  scene.materials.push_back({"soft", 900, 4e6, 0.3});
+  scene.bodies[0].parts = {{1, [](const Point& x) { return x[0] > 0 ? 1.0 : 0.0; }}};
+  return scene;
+}
+
+RecoveredGradient recovered(const Scene& scene, const InitialParticles& initial) {
+  std::vector<int> id(initial.size());
+  std::iota(id.begin(), id.end(), 0);
+  const double h = oenog.h_over_dp * scene.spacing;
+  return recovered_gradient(initial, id, scene.spacing, greatest_bond_reach * h);
+}
+
+/// Greatest error of the gradients of all monomials of the degree at a particle, over what they are in dp.
+double error(const std::vector<int>& j, const std::vector<Point>& g, int begin, int end,
+             const InitialParticles& initial, int i, double dp, int degree) {
+  double greatest = 0;
+  for (int power = 0; power <= degree; ++power) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      double sum = 0;
+      for (int b = begin; b < end; ++b) {
+        const Point &X_j = initial.x[j[b]], &X_i = initial.x[i];
+        sum += std::pow((X_j[0] - X_i[0]) / dp, power) * std::pow((X_j[1] - X_i[1]) / dp, degree - power) *
+               g[b][k] * dp;
+      }
+      const double should = degree == 1 && power == (k == 0 ? 1 : 0) ? 1 : 0;
+      greatest = std::max(greatest, std::abs(sum - should));
+    }
+  }
+  return greatest;
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("recovered gradient: exact for quadratic fields on every layout, or the method's own is") {
+    for (const Scene& scene : {block(10), block_of_two(), small_collision(), small_clamped_plate()}) {
+      CAPTURE(scene.name);
+      const InitialParticles initial = make_initial_particles(scene);
+      const RecoveredGradient rows = recovered(scene, initial);
+      const Bonds bonds = make_bonds(scene, initial, oenog.h_over_dp * scene.spacing);
+      int shown = 0;
+      double worst = 0;
+      for (int i = 0; i < initial.size(); ++i) {
+        const int begin = rows.begin[i], end = rows.begin[i + 1];
+        shown += end > begin;
+        if (initial.held[i]) continue;
+        for (const int degree : {1, 2})
+          worst = std::max(worst, end > begin
+                                      ? error(rows.j, rows.g, begin, end, initial, i, scene.spacing, degree)
+                                      : error(bonds.j, bonds.gradient, bonds.begin[i], bonds.begin[i + 1],
+                                              initial, i, scene.spacing, degree));
+        for (int b = begin; b < end; ++b) {
+          CHECK(initial.material[rows.j[b]] == initial.material[i]);
+          CHECK(initial.held[rows.j[b]] == initial.held[i]);
+        }
+      }
+      CHECK(worst < 1e-9);
+      CHECK(shown > 0);
+    }
+  }
+
+  TEST_CASE(
+      "recovered gradient: linear where a body is two particles thick, the method's own where it is one") {
+    Scene thin = block(2);
+    InitialParticles initial = make_initial_particles(thin);
+    RecoveredGradient rows = recovered(thin, initial);
+    for (int i = 0; i < initial.size(); ++i) {
+      REQUIRE(rows.begin[i + 1] > rows.begin[i]);
+      CHECK(error(rows.j, rows.g, rows.begin[i], rows.begin[i + 1], initial, i, thin.spacing, 1) < 1e-9);
+      CHECK(error(rows.j, rows.g, rows.begin[i], rows.begin[i + 1], initial, i, thin.spacing, 2) > 0.1);
+    }
+    thin = block(1);
+    initial = make_initial_particles(thin);
+    rows = recovered(thin, initial);
+    CHECK(rows.j.empty());
+  }
+}
+
+TEST_SUITE("analytic") {
+  TEST_CASE("oenog: the stress of an imposed bending is exact at faces and corners") {
+    const double kappa = 1e3 / H, step = 1e-9;  // 1/m s, s: too short for forces to move anything
+    for (const double rate : {1.0, -1.0}) {
+      Scene scene = block(5, H);
+      // u = t κ (x y, −(x² + m y²)/2), m = ν/(1 − ν): pure bending
+      const double m = 0.3 / 0.7, E = 2e6 / (1 - 0.09);
+      scene.bodies[0].velocity[0] = [=](const Point& X) { return rate * kappa * X[0] * X[1]; };
+      scene.bodies[0].velocity[1] = [=](const Point& X) {
+        return -0.5 * rate * kappa * (X[0] * X[0] + m * X[1] * X[1]);
+      };
+      Settings settings = with_method("oenog");
+      settings.step = step;
+      const Snapshot now = state_after(1, scene, settings);
+      CHECK(now.time == step);
+      const double scale = E * kappa * now.time * H / 2;
+      for (std::size_t i = 0; i < now.size(); ++i) {
+        const StressTensor sigma = now.stress(i);
+        CHECK(sigma.xx / scale == doctest::Approx(rate * now.x0[2 * i + 1] / (H / 2)).epsilon(1e-3));
+        CHECK(std::abs(sigma.yy) < 1e-3 * scale);
+        CHECK(std::abs(sigma.xy) < 1e-3 * scale);
+      }
+    }
+  }
+}

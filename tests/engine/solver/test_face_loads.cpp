@@ -1,0 +1,183 @@
+// Tractions on the faces of bodies whose outermost particles stand half a spacing inside them.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "engine/families/bonded/bonds.hpp"
+#include "engine/methods/oenog.hpp"
+#include "engine/neighbors/initial_neighbors.hpp"
+#include "engine/solver/face_loads.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/runs.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace taut;
+using namespace taut::test;
+using doctest::Approx;
+
+namespace {
+
+constexpr double H = 0.02, E = 2e6, nu = 0.3, rho = 1000;  // m, Pa, kg/m³
+
+/// A free block L long under a traction σxx(y) at both ends, which comes up slowly and is damped.
+Scene pulled_block(int across, double L, const std::function<double(double)>& sigma, double omega) {
+  Scene scene;
+  scene.name = "block";
+  scene.spacing = H / across;
+  scene.until = 50 / omega;
+  scene.materials = {{"elastic", rho, E, nu}};
+  scene.damping = 1.4 * omega;
+  Body body;
+  body.name = "block";
+  body.shapes = {Box{{-L / 2, -H / 2, 0}, {L / 2, H / 2, 0}}};
+  for (const double side : {-1.0, 1.0}) {
+    Load load;
+    load.kind = Load::Kind::traction;
+    load.where = [=, dp = scene.spacing](const Point& X) { return side * X[0] > L / 2 - dp ? 1.0 : 0.0; };
+    load.value[0] = [=](const Point& X) { return side * sigma(X[1]); };
+    load.ramp = [=](double t) { return std::min(1.0, omega * t / 6); };
+    body.loads.push_back(load);
+  }
+  scene.bodies = {body};
+  return scene;
+}
+
+Snapshot at_rest(const Scene& scene, const char* method) {
+  const auto simulation = make_simulation(scene, with_method(method));
+  simulation->advance_to(scene.until);
+  return simulation->snapshot();
+}
+
+/// √ of the mean square of σxx − σ(y), over that of σ(y), of particles |x| < `middle`.
+double error(const Snapshot& now, const std::function<double(double)>& sigma, double middle) {
+  double difference = 0, size = 0;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const Point X = now.initial(i);
+    if (std::abs(X[0]) > middle) continue;
+    difference += std::pow(now.stress(i).xx - sigma(X[1]), 2);
+    size += std::pow(sigma(X[1]), 2);
+  }
+  return std::sqrt(difference / size);
+}
+
+/// Σ f and the moment of the shares about the origin.
+std::array<double, 3> sums(const std::vector<FaceShare>& shares, const InitialParticles& initial) {
+  std::array<double, 3> sum{};
+  for (const auto& [i, f] : shares) {
+    sum[0] += f[0], sum[1] += f[1];
+    sum[2] += initial.x[i][0] * f[1] - initial.x[i][1] * f[0];
+  }
+  return sum;
+}
+
+std::vector<FaceShare> shares_of(FaceRule rule, const Scene& scene, const Load& load) {
+  const InitialParticles initial = make_initial_particles(scene);
+  const double dp = scene.spacing, h = oenog.h_over_dp * dp;
+  const auto near = initial_neighbors(initial, 2 * greatest_bond_reach * h);
+  std::vector<int> id;
+  for (int i = 0; i < initial.size(); ++i)
+    if (load.where(initial.x[i]) != 0) id.push_back(i);
+  const FaceLayer layer = face_layer(load, initial, near, id, dp);
+  REQUIRE(layer.id.size() == id.size());
+  return face_shares(rule, layer, initial, near, surface(make_bonds(scene, initial, h)), dp);
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("face loads: force and moment are those on the face, of a linear traction by columns") {
+    const Scene scene = pulled_block(
+        10, 0.03, [](double y) { return 3 + 200 * y; }, 1);
+    const InitialParticles initial = make_initial_particles(scene);
+    Load load = scene.bodies[0].loads[1];
+    const auto by_column = sums(shares_of(FaceRule::by_column, scene, load), initial);
+    CHECK(by_column[0] == relative(3 * H));
+    CHECK(by_column[1] == 0);
+    CHECK(by_column[2] == relative(-200 * H * H * H / 12 * (1 - 0.01)));  // −∫ y t_x dy by the midpoint rule
+    load.value[0] = constant(3);
+    load.value[1] = constant(2);
+    const auto uniform = sums(shares_of(FaceRule::uniform, scene, load), initial);
+    CHECK(uniform[0] == relative(3 * H));
+    CHECK(uniform[1] == relative(2 * H));
+    CHECK(uniform[2] == relative(0.015 * 2 * H));
+  }
+
+  TEST_CASE("face loads: on a circle the traction is that of the face, and so is its torque") {
+    Scene scene;
+    scene.name = "ring";
+    scene.spacing = 0.001;
+    scene.until = 1;
+    scene.materials = {ring_rubber()};
+    Body body;
+    body.name = "ring";
+    body.shapes = {Ring{{0, 0, 0}, 0.03, 0.04}};
+    scene.bodies = {body};
+    Load load;
+    load.kind = Load::Kind::traction;
+    load.where = [](const Point& X) { return std::hypot(X[0], X[1]) > 0.039 ? 1.0 : 0.0; };
+    load.value[0] = [](const Point& X) { return -X[1] / 0.04; };  // 1 Pa along the circle
+    load.value[1] = [](const Point& X) { return X[0] / 0.04; };
+    const auto sum = sums(shares_of(FaceRule::by_column, scene, load), make_initial_particles(scene));
+    const double torque = 2 * std::numbers::pi * 0.04 * 0.04;
+    CHECK(std::abs(sum[0]) < 1e-9 * torque);
+    // a circle through points that stand apart, and two layers in place of the face: second order
+    CHECK(sum[2] == relative(torque, 1e-3));
+  }
+
+  TEST_CASE("face loads: a region that is no layer has no face") {
+    const Scene scene = pulled_block(
+        10, 0.03, [](double) { return 1.0; }, 1);
+    const InitialParticles initial = make_initial_particles(scene);
+    const auto near = initial_neighbors(initial, 4 * scene.spacing);
+    std::vector<int> deep, corner;
+    for (int i = 0; i < initial.size(); ++i) {
+      if (initial.x[i][0] > 0.009) deep.push_back(i);
+      if (initial.x[i][0] > 0.013 || initial.x[i][1] > 0.008) corner.push_back(i);
+    }
+    const Load& load = scene.bodies[0].loads[1];
+    CHECK(face_layer(load, initial, near, deep, scene.spacing).id.empty());
+    CHECK(face_layer(load, initial, near, corner, scene.spacing).id.empty());
+    CHECK(face_layer(load, initial, near, {deep[0]}, scene.spacing).id.empty());
+  }
+}
+
+TEST_SUITE("analytic") {
+  TEST_CASE(
+      "patch test: under a uniform traction tl, pf-jst and pfj-jst show the uniform stress everywhere") {
+    const double omega = 1.57 * std::sqrt(E / rho) / H;
+    const auto sigma = [](double) { return 2e-5 * E; };
+    for (const char* method : {"tl", "pf-jst", "pfj-jst"}) {
+      CAPTURE(std::string(method));
+      const Snapshot now = at_rest(pulled_block(6, 1.5 * H, sigma, omega), method);
+      for (std::size_t i = 0; i < now.size(); ++i) {
+        // to the order of the strain and of what is left of the motion
+        REQUIRE(now.stress(i).xx == Approx(sigma(0)).epsilon(5e-4));
+        REQUIRE(std::abs(now.stress(i).yy) < 5e-4 * sigma(0));
+        REQUIRE(std::abs(now.stress(i).xy) < 5e-4 * sigma(0));
+      }
+    }
+    // oenog's corners are not exact
+    CHECK(error(at_rest(pulled_block(6, 1.5 * H, sigma, omega), "oenog"), sigma, 1) < 0.05);
+  }
+
+  TEST_CASE("bent block at rest: stress across it, surface rows included") {
+    const double L = 3 * H, omega = 22.4 * H / (L * L) * std::sqrt(E / ((1 - nu * nu) * 12 * rho));
+    const auto sigma = [](double y) { return 20 * y / (H / 2); };
+    const auto across = [&](const char* method, int rows) {
+      return error(at_rest(pulled_block(rows, L, sigma, omega), method), sigma, L / 6);
+    };
+    const double oenog_coarse = across("oenog", 5), oenog_fine = across("oenog", 10);
+    CHECK(oenog_fine < 0.01);
+    CHECK(oenog_fine < 0.5 * oenog_coarse);
+    const double tl_coarse = across("tl", 5), tl_fine = across("tl", 10);
+    CHECK(tl_fine < 0.03);
+    CHECK(tl_fine < 0.5 * tl_coarse);
+  }
+}
