@@ -28,8 +28,9 @@ std::vector<TermInfo> terms(const Formulation& m) {
 /// Bonds act between initial neighbours, not on what comes near.
 std::vector<ContactLaw> contact_laws(const Formulation& m) {
   if (!row_of(m.family).searches)
-    return {ContactLaw::penalty, ContactLaw::impulse, ContactLaw::lennard_jones};
-  return {ContactLaw::sph, ContactLaw::impulse, ContactLaw::penalty, ContactLaw::lennard_jones};
+    return {ContactLaw::penalty, ContactLaw::impulse, ContactLaw::lennard_jones, ContactLaw::surface};
+  return {ContactLaw::sph, ContactLaw::impulse, ContactLaw::penalty, ContactLaw::lennard_jones,
+          ContactLaw::surface};
 }
 
 /// Its own, and the others that can be chosen.
@@ -56,6 +57,7 @@ MethodInfo info(const Formulation& m) {
       .cfl = m.cfl,
       .contact = m.contact,
       .contact_laws = contact_laws(m),
+      .meets_itself = !row_of(m.family).searches,
       .several_materials = m.several_materials,
   };
 }
@@ -92,8 +94,10 @@ const MethodInfo* find_method(std::string_view name) {
 
 std::vector<MethodConstant> method_constants(const Formulation& m, int dim) {
   std::vector<MethodConstant> all = row_of(m.family).constants(m, dim);
-  all.push_back({"contact_stiffness", &Constants::contact_stiffness, m.contact_stiffness, 0.01, 100.0,
-                 "stiffness of a contact by forces over K1 K2/(K1 + K2): 1 as published, 2 as the material"});
+  all.push_back(
+      {"contact_stiffness", &Constants::contact_stiffness, m.contact_stiffness, 0.01, 100.0,
+       "stiffness of a contact by forces over K1 K2/(K1 + K2), of `surface` over the same of K + 4G/3: 1 as "
+       "published, 2 as the material"});
   return all;
 }
 
