@@ -7,12 +7,13 @@
 #include "engine/families/families.hpp"
 #include "engine/materials/laws.hpp"
 #include "engine/methods/all_methods.hpp"
+#include "engine/solver/motion_bound.hpp"
 #include "engine/solver/wall_contacts.hpp"
 
 namespace taut {
 namespace {
 
-/// Those of its family in the words of its paper, and walls, which are every method's.
+/// Those of its family in the words of its paper, and of walls, which are every method's, and folds.
 std::vector<TermInfo> terms(const Formulation& m) {
   std::vector<TermInfo> all = row_of(m.family).terms(m);
   for (TermInfo& term : all) {
@@ -22,6 +23,7 @@ std::vector<TermInfo> terms(const Formulation& m) {
     if (!own->test.empty()) term.test = own->test;
   }
   all.push_back(wall_info);
+  if (!row_of(m.family).searches) all.push_back(self_contact_info);
   return all;
 }
 

@@ -134,15 +134,22 @@ class Maker {
     }
   }
 
-  /// The node of a place of a chain, made when it is first asked for.
+  /// The node of a place of a chain, made when it is first asked for; where the chains of two shapes meet, it
+  /// is of both.
   int node_at(int& known, int b, Point x, const Cells& cells) {
     if (known != Outline::none) return known;
     for (std::size_t k = 0; k < at(scene_.dim); ++k)
       if (scene_.bodies[at(b)].mirror[k]) x[k] = -x[k];
+    std::erase_if(open_, [&](int n) {
+      return out_.body[at(n)] != b || std::ranges::count(out_.beside[at(n)], Outline::none) == 0;
+    });
+    for (const int n : open_)
+      if (distance_between(out_.x[at(n)], x, 2) < 1e-6 * scene_.spacing) return known = n;
     const std::vector<PointWeight> shares = shares_of(cells, initial_, x, scene_.spacing);
     if (shares.empty()) return Outline::none;
     const PointWeight& greatest = *std::ranges::max_element(shares, {}, &PointWeight::weight);
     known = out_.size();
+    open_.push_back(known);
     out_.x.push_back(x);
     out_.body.push_back(b);
     out_.material.push_back(initial_.material[at(greatest.particle)]);
@@ -155,6 +162,7 @@ class Maker {
   const Scene& scene_;
   const InitialParticles& initial_;
   Outline out_;
+  std::vector<int> open_;  // nodes that lack a segment
 };
 
 }  // namespace

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "engine/core/tensor.hpp"
+#include "engine/methods/term_info.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -61,5 +63,10 @@ class MotionBound {
   double free_ = 0, gone_ = 0;  // m
   std::vector<V> from_;         // m
 };
+
+inline constexpr TermInfo self_contact_info{
+    "self-contact", "by the law of contact, of what was further than 4 dp apart at the start", "ours",
+    "solver/motion_bound.hpp:MotionBound",
+    "contact: a strip that folds meets itself, by every law, and does not pass through"};
 
 }  // namespace taut::inline TAUT_ISA

@@ -36,8 +36,8 @@ inline constexpr TermInfo surface_contact_info{
     "surface contact: none before faces meet, and the slope of its energy"};
 
 /// Share of a piece of a face that counts, of the cosine between its outward normal and that of the face it
-/// lies behind: all of it up to 60° from facing it, none from 90° on. At a corner one side meets a face and
-/// the other one does not.
-inline double facing_share(double cosine) { return std::clamp(-2 * cosine, 0.0, 1.0); }
+/// lies behind: all of it up to 60° from facing it, none from 76° on. At a corner one side meets a face and
+/// the other one, at 90° or a little less once it is strained, does not.
+inline double facing_share(double cosine) { return std::clamp(-4 * cosine - 1, 0.0, 1.0); }
 
 }  // namespace taut::inline TAUT_ISA
