@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+
 #include "engine/error.hpp"
 #include "engine/families/families.hpp"
 #include "engine/materials/laws.hpp"
@@ -27,12 +29,12 @@ std::vector<TermInfo> terms(const Formulation& m) {
   return all;
 }
 
-/// Bonds act between initial neighbours, not on what comes near.
+/// Bonds act between initial neighbours, not on what comes near; faces move with initial neighbours, which
+/// particles of the other methods may leave.
 std::vector<ContactLaw> contact_laws(const Formulation& m) {
   if (!row_of(m.family).searches)
     return {ContactLaw::penalty, ContactLaw::impulse, ContactLaw::lennard_jones, ContactLaw::surface};
-  return {ContactLaw::sph, ContactLaw::impulse, ContactLaw::penalty, ContactLaw::lennard_jones,
-          ContactLaw::surface};
+  return {ContactLaw::sph, ContactLaw::impulse, ContactLaw::penalty, ContactLaw::lennard_jones};
 }
 
 /// Its own, and the others that can be chosen.
@@ -131,11 +133,13 @@ ContactLaw contact_law(const Scene& scene, const MethodInfo& method) {
     if (law == scene.contact) return law;
     known += (known.empty() ? "" : ", ") + std::string(name(law));
   }
-  throw SceneError("contact", "method '" + std::string(method.name) + "' cannot run with the contact law '" +
-                                  std::string(name(scene.contact)) +
-                                  "': its particles act on their neighbours of the start, not on what comes "
-                                  "near; it can with: " +
-                                  known);
+  const std::string_view reason =
+      scene.contact == ContactLaw::surface
+          ? "faces move with neighbours of the start, which its particles may leave"
+          : "its particles act on their neighbours of the start, not on what comes near";
+  throw SceneError("contact",
+                   fmt::format("method '{}' cannot run with the contact law '{}': {}; it can with: {}",
+                               method.name, name(scene.contact), reason, known));
 }
 
 }  // namespace taut
