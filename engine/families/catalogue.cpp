@@ -98,10 +98,10 @@ const MethodInfo* find_method(std::string_view name) {
 
 std::vector<MethodConstant> method_constants(const Formulation& m, int dim) {
   std::vector<MethodConstant> all = row_of(m.family).constants(m, dim);
-  all.push_back(
-      {"contact_stiffness", &Constants::contact_stiffness, m.contact_stiffness, 0.01, 100.0,
-       "stiffness of a contact by forces over K1 K2/(K1 + K2), of `surface` over the same of K + 4G/3: 1 as "
-       "published, 2 as the material"});
+  all.push_back({"contact_stiffness", &Constants::contact_stiffness, m.contact_stiffness, 0.01, 100.0,
+                 "stiffness of a contact by forces over K1 K2/(K1 + K2), of `surface` over half of that of K "
+                 "+ 4G/3: 1 as "
+                 "published, 2 as the material"});
   return all;
 }
 

@@ -150,9 +150,9 @@ double total_energy(const Simulation& simulation, const Scene& scene) {
 TEST_SUITE("term") {
   TEST_CASE("surface contact: none before faces meet, and the slope of its energy") {
     const double k = surface_stiffness(2e7, 3e7, 2, dp), depth = 0.2 * dp, step = 1e-6 * dp;
-    CHECK(k == Approx(2.4e10));
+    CHECK(k == Approx(1.2e10));
     CHECK(surface_stiffness(2e7, 3e7, 2, dp) == surface_stiffness(3e7, 2e7, 2, dp));
-    CHECK(surface_stiffness(2e7, 2e7, 2, dp) == 2e7 / dp);  // as a layer of one spacing
+    CHECK(surface_stiffness(2e7, 2e7, 2, dp) == 1e7 / dp);  // as a layer of two spacings
     CHECK(surface_energy(-1e-9, dp, k) == 0);
     CHECK(surface_force(-1e-9, dp, k) == 0);
     CHECK((surface_energy(depth + step, dp, k) - surface_energy(depth - step, dp, k)) / (2 * step) ==
@@ -168,7 +168,7 @@ TEST_SUITE("term") {
 
 TEST_SUITE("analytic") {
   TEST_CASE("contact of faces: two blocks press each other by k times their overlap, corners included") {
-    const double depth = 0.1 * dp, length = 6 * dp, k = modulus() / dp;
+    const double depth = 0.1 * dp, length = 6 * dp, k = modulus() / (2 * dp);
     Pressed blocks(scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0}}, Box{{0, 0, 0}, {0.008, 0.006, 0}}}));
     blocks.shift(1, {-depth, 0});
     const V force = blocks.force_on(1);
@@ -179,7 +179,7 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE("contact of faces: a wall presses as the mirror image does") {
-    const double depth = 0.1 * dp, length = 6 * dp, k = modulus() / dp;
+    const double depth = 0.1 * dp, length = 6 * dp, k = modulus() / (2 * dp);
     Scene scene = scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0}}});
     scene.walls = {{"wall", {0, 0, 0}, {-1, 0, 0}}};
     Pressed block(scene);
@@ -196,7 +196,7 @@ TEST_SUITE("analytic") {
       const V force = discs.force_on(1);
       // nodes of the one are not opposite to those of the other: chords lie inside their arcs
       const double sag = dp * dp / (8 * 0.006);
-      CHECK(discs.gap() == Approx(-depth).epsilon(0).scale(1).epsilon(2 * sag));
+      CHECK(discs.gap() == Approx(-depth).epsilon(2 * sag));
       const double away = force[0] * std::cos(0.7) + force[1] * std::sin(0.7);
       if (depth < 0)
         CHECK((force[0] == 0 && force[1] == 0 && discs.energy() == 0));
@@ -224,7 +224,7 @@ TEST_SUITE("conservation") {
       moment += discs.s.x[i][0] * force[i][1] - discs.s.x[i][1] * force[i][0];
       greatest = std::max(greatest, std::sqrt(dot(force[i], force[i])));
     }
-    REQUIRE(greatest > 0.05 * modulus() * dp);
+    REQUIRE(greatest > 0.02 * modulus() * dp);
     CHECK(std::sqrt(dot(sum, sum)) < 1e-12 * greatest);
     CHECK(std::abs(moment) < 1e-12 * greatest * 0.01);
     int pushed = 0;
