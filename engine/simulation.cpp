@@ -121,6 +121,7 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Settings& 
                           materials,
                           law ? law->law : Law::none,
                           contact_law(scene, *method),
+                          method->meets_itself,
                           settings.stepping,
                           threads};
 #if defined(__x86_64__)

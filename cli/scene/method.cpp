@@ -13,8 +13,8 @@ namespace {
 
 const std::vector<std::string> stepping_names = {"dual", "single"};
 
-constexpr std::array contact_laws = {ContactLaw::published, ContactLaw::sph, ContactLaw::impulse,
-                                     ContactLaw::penalty, ContactLaw::lennard_jones};
+constexpr std::array contact_laws = {ContactLaw::published, ContactLaw::sph,           ContactLaw::impulse,
+                                     ContactLaw::penalty,   ContactLaw::lennard_jones, ContactLaw::surface};
 
 std::vector<std::string> names_of_laws() {
   std::vector<std::string> names;
@@ -141,8 +141,10 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   file.scene.contact = *std::ranges::find(contact_laws, contact, [](ContactLaw law) { return name(law); });
   const ContactLaw law = file.scene.contact == ContactLaw::published ? method.contact : file.scene.contact;
   // the gap below which bodies are in touch: particles that act on those of another body as on their own
-  // repel them before faces meet; with the other laws faces that meet obliquely leave a tenth of a spacing
-  root.names()["touching"] = (law == ContactLaw::sph ? 0.9 : 0.1) * root.names().at("dp");
+  // repel them before faces meet; with the other laws of particles faces that meet obliquely leave a tenth of a
+  // spacing
+  const double touching = law == ContactLaw::surface ? 0 : law == ContactLaw::sph ? 0.9 : 0.1;
+  root.names()["touching"] = touching * root.names().at("dp");
 
   read_law(root, of_file, method, changes, file.settings);
   // constants and CFL number of a file belong to the method of the file; another one takes its own

@@ -3,16 +3,19 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+
 #include "engine/error.hpp"
 #include "engine/families/families.hpp"
 #include "engine/materials/laws.hpp"
 #include "engine/methods/all_methods.hpp"
+#include "engine/solver/motion_bound.hpp"
 #include "engine/solver/wall_contacts.hpp"
 
 namespace taut {
 namespace {
 
-/// Those of its family in the words of its paper, and walls, which are every method's.
+/// Those of its family in the words of its paper, and of walls, which are every method's, and folds.
 std::vector<TermInfo> terms(const Formulation& m) {
   std::vector<TermInfo> all = row_of(m.family).terms(m);
   for (TermInfo& term : all) {
@@ -22,13 +25,15 @@ std::vector<TermInfo> terms(const Formulation& m) {
     if (!own->test.empty()) term.test = own->test;
   }
   all.push_back(wall_info);
+  if (!row_of(m.family).searches) all.push_back(self_contact_info);
   return all;
 }
 
-/// Bonds act between initial neighbours, not on what comes near.
+/// Bonds act between initial neighbours, not on what comes near; faces move with initial neighbours, which
+/// particles of the other methods may leave.
 std::vector<ContactLaw> contact_laws(const Formulation& m) {
   if (!row_of(m.family).searches)
-    return {ContactLaw::penalty, ContactLaw::impulse, ContactLaw::lennard_jones};
+    return {ContactLaw::penalty, ContactLaw::impulse, ContactLaw::lennard_jones, ContactLaw::surface};
   return {ContactLaw::sph, ContactLaw::impulse, ContactLaw::penalty, ContactLaw::lennard_jones};
 }
 
@@ -56,6 +61,7 @@ MethodInfo info(const Formulation& m) {
       .cfl = m.cfl,
       .contact = m.contact,
       .contact_laws = contact_laws(m),
+      .meets_itself = !row_of(m.family).searches,
       .several_materials = m.several_materials,
   };
 }
@@ -93,7 +99,9 @@ const MethodInfo* find_method(std::string_view name) {
 std::vector<MethodConstant> method_constants(const Formulation& m, int dim) {
   std::vector<MethodConstant> all = row_of(m.family).constants(m, dim);
   all.push_back({"contact_stiffness", &Constants::contact_stiffness, m.contact_stiffness, 0.01, 100.0,
-                 "stiffness of a contact by forces over K1 K2/(K1 + K2): 1 as published, 2 as the material"});
+                 "stiffness of a contact by forces over K1 K2/(K1 + K2), of `surface` over half of that of K "
+                 "+ 4G/3: 1 as "
+                 "published, 2 as the material"});
   return all;
 }
 
@@ -125,11 +133,13 @@ ContactLaw contact_law(const Scene& scene, const MethodInfo& method) {
     if (law == scene.contact) return law;
     known += (known.empty() ? "" : ", ") + std::string(name(law));
   }
-  throw SceneError("contact", "method '" + std::string(method.name) + "' cannot run with the contact law '" +
-                                  std::string(name(scene.contact)) +
-                                  "': its particles act on their neighbours of the start, not on what comes "
-                                  "near; it can with: " +
-                                  known);
+  const std::string_view reason =
+      scene.contact == ContactLaw::surface
+          ? "faces move with neighbours of the start, which its particles may leave"
+          : "its particles act on their neighbours of the start, not on what comes near";
+  throw SceneError("contact",
+                   fmt::format("method '{}' cannot run with the contact law '{}': {}; it can with: {}",
+                               method.name, name(scene.contact), reason, known));
 }
 
 }  // namespace taut

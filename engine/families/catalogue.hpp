@@ -33,6 +33,7 @@ struct MethodInfo {
   double cfl;                             // default acoustic CFL number
   ContactLaw contact;                     // the published one
   std::vector<ContactLaw> contact_laws;   // those that the method can run with
+  bool meets_itself;                      // contact acts between parts of one body, too
   bool several_materials;                 // in one scene
 };
 

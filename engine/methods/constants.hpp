@@ -31,7 +31,7 @@ struct Constants : Elasticity {
   double epsilon = 0, exponent = 0;            // artificial stress
   double riemann_limiter = 0, beta_least = 1;  // β = min(max(limiter · (U_L − U_R)/c0, β_least), 1)
   double pressure_diffusion = 0;               // share of (p_i − p_j)/(2 ρ0 c0) in U*: 0 or 1
-  double contact_stiffness = 1;                // of the penalty, over K1 K2/(K1 + K2)
+  double contact_stiffness = 1;                // over K1 K2/(K1 + K2), see terms/
   double alpha = 0;                            // artificial viscosity
   double xsph = 0;                             // share of the mean velocity around in the transport velocity
   double damping = 0;                          // of bonds: τ over dp √(ρ0/G) of the fastest material

@@ -13,7 +13,7 @@ inline constexpr Formulation oenog{
     .conserves = "linear momentum, angular momentum",
     .family = Family::bonded,
     .deviator = Deviator::plane_strain,
-    .contact = ContactLaw::penalty,
+    .contact = ContactLaw::surface,
     .contact_stiffness = 2,  // a layer of the material
     .several_materials = true,
     .h_over_dp = 0.8,  // the eight nearest on a square lattice, see engine/families/bonded/bonds.hpp

@@ -27,7 +27,7 @@ std::string_view name(Load::Kind kind) {
 }
 
 std::string_view name(ContactLaw law) {
-  constexpr std::string_view names[] = {"published", "sph", "impulse", "penalty", "lennard-jones"};
+  constexpr std::string_view names[] = {"published", "sph", "impulse", "penalty", "lennard-jones", "surface"};
   return names[static_cast<int>(law)];
 }
 

@@ -69,6 +69,7 @@ enum class ContactLaw : std::uint8_t {
   impulse,        // the approach of two particles is stopped, [Khayyer2024] Eq. 53, 54
   penalty,        // a spring of the bulk modulus, [TranDuc2023] Eq. 2.13–2.15
   lennard_jones,  // one that hardens the nearer they come, [Zhang2020] Eq. 12
+  surface,        // a spring between faces where they overlap; ours
 };
 
 std::string_view name(ContactLaw law);

@@ -6,19 +6,49 @@
 namespace taut {
 namespace {
 
+/// The k-th of n points on a circle. Angles go from −π to π, so that the circle is its own mirror image in y
+/// to the last bit.
+Point on_circle(const Point& centre, double r, long k, long n) {
+  const double angle =
+      2 * std::numbers::pi * static_cast<double>(2 * k <= n ? k : k - n) / static_cast<double>(n);
+  return {centre[0] + r * std::cos(angle), centre[1] + r * std::sin(angle), 0};
+}
+
+/// n points on a circle, `against` the clock or with it.
+Chain circle(const Point& centre, double r, long n, bool against) {
+  Chain chain;
+  for (long k = 0; k < n; ++k) chain.push_back(on_circle(centre, r, against ? k : (n - k) % n, n));
+  return chain;
+}
+
+/// Of what lies about dp apart on a circle.
+long number_around(double r, double dp) { return std::max(1L, std::lround(2 * std::numbers::pi * r / dp)); }
+
+/// How many particles are on each layer, from the innermost.
+std::vector<long> numbers_of(const Ring& ring, double dp) {
+  const long layers = std::max(1L, std::lround((ring.outer - ring.inner) / dp));
+  const double thickness = (ring.outer - ring.inner) / static_cast<double>(layers);
+  std::vector<long> numbers;
+  for (long layer = 0; layer < layers; ++layer) {
+    const double r = ring.inner + (static_cast<double>(layer) + 0.5) * thickness;
+    numbers.push_back(
+        number_around(ring.layout == RoundLayout::aligned ? 0.5 * (ring.inner + ring.outer) : r, dp));
+  }
+  return numbers;
+}
+
+/// Layers around the particle in the centre, 6 k particles on the k-th.
+constexpr int sectors = 6;
+long layers_of(const Disc& disc, double dp) { return std::max(0L, std::lround(disc.radius / dp - 0.5)); }
+
 /// `n` particles on the circle of this radius, which stand for an area of `area`, m². All are turned onto
 /// each other by `fold` turns of a circle.
 void add_layer(std::vector<InitialSite>& sites, const Point& centre, double r, long n, double area,
                long fold) {
   const int first = static_cast<int>(sites.size());
-  for (long k = 0; k < n; ++k) {
-    // angles from −π to π, so that the layer is its own mirror image in y to the last bit
-    const double angle =
-        2 * std::numbers::pi * static_cast<double>(2 * k <= n ? k : k - n) / static_cast<double>(n);
-    sites.push_back({{centre[0] + r * std::cos(angle), centre[1] + r * std::sin(angle), 0},
-                     area / static_cast<double>(n),
+  for (long k = 0; k < n; ++k)
+    sites.push_back({on_circle(centre, r, k, n), area / static_cast<double>(n),
                      fold > 1 ? first + static_cast<int>((k + n / fold) % n) : -1});
-  }
 }
 
 }  // namespace
@@ -31,8 +61,7 @@ std::string_view name(RoundLayout layout) {
 std::vector<InitialSite> Disc::sites(int dim, double dp) const {
   std::vector<InitialSite> sites;
   if (dim != 2 || layout == RoundLayout::lattice) return sites;
-  constexpr int sectors = 6;
-  const long layers = std::max(0L, std::lround(radius / dp - 0.5));
+  const long layers = layers_of(*this, dp);
   const double thickness = radius / (static_cast<double>(layers) + 0.5);
   sites.push_back({centre, measure_of_ball(2, 0.5 * thickness), 0});
   for (long k = 1; k <= layers; ++k) {
@@ -45,22 +74,44 @@ std::vector<InitialSite> Disc::sites(int dim, double dp) const {
 std::vector<InitialSite> Ring::sites(int dim, double dp) const {
   std::vector<InitialSite> sites;
   if (dim != 2 || layout == RoundLayout::lattice) return sites;
-  const int layers = std::max(1L, std::lround((outer - inner) / dp));
-  const double thickness = (outer - inner) / layers;
-  const auto radius = [&](int layer) { return inner + (layer + 0.5) * thickness; };
-  std::vector<long> numbers;
-  long fold = 0;
-  for (int layer = 0; layer < layers; ++layer) {
-    const double r = layout == RoundLayout::aligned ? 0.5 * (inner + outer) : radius(layer);
-    numbers.push_back(std::max(1L, std::lround(2 * std::numbers::pi * r / dp)));
-    fold = std::gcd(fold, numbers.back());
-  }
-  for (int layer = 0; layer < layers; ++layer) {
-    const double r = radius(layer);
-    add_layer(sites, centre, r, numbers[static_cast<std::size_t>(layer)],
-              2 * std::numbers::pi * r * thickness, fold);
+  const std::vector<long> numbers = numbers_of(*this, dp);
+  const double thickness = (outer - inner) / static_cast<double>(numbers.size());
+  const long fold = std::accumulate(numbers.begin(), numbers.end(), 0L, std::gcd<long, long>);
+  for (std::size_t layer = 0; layer < numbers.size(); ++layer) {
+    const double r = inner + (static_cast<double>(layer) + 0.5) * thickness;
+    add_layer(sites, centre, r, numbers[layer], 2 * std::numbers::pi * r * thickness, fold);
   }
   return sites;
+}
+
+std::vector<Chain> Box::outline(int dim, double dp) const {
+  if (dim != 2) return {};
+  const Point corners[] = {low, {high[0], low[1], 0}, high, {low[0], high[1], 0}};
+  Chain chain;
+  for (std::size_t side = 0; side < 4; ++side) {
+    const Point &from = corners[side], &to = corners[(side + 1) % 4];
+    const long n = std::max(1L, std::lround(distance_between(from, to, dim) / dp));
+    for (long k = 0; k < n; ++k) {
+      const double share = static_cast<double>(k) / static_cast<double>(n);
+      chain.push_back({from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1]), 0});
+    }
+  }
+  return {chain};
+}
+
+std::vector<Chain> Disc::outline(int dim, double dp) const {
+  if (dim != 2) return {};
+  const long layers = layout == RoundLayout::lattice ? 0 : layers_of(*this, dp);
+  return {
+      circle(centre, radius, layers > 0 ? sectors * layers : std::max(3L, number_around(radius, dp)), true)};
+}
+
+std::vector<Chain> Ring::outline(int dim, double dp) const {
+  if (dim != 2) return {};
+  const std::vector<long> numbers = numbers_of(*this, dp);
+  std::vector<Chain> chains = {circle(centre, outer, std::max(3L, numbers.back()), true)};
+  if (inner > 0) chains.push_back(circle(centre, inner, std::max(3L, numbers.front()), false));
+  return chains;
 }
 
 }  // namespace taut

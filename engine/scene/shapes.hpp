@@ -24,6 +24,8 @@ namespace taut {
 //   shift(axis, by)           moves it
 //   sites(dim, dp)            of one that lays its own particles where it is a whole body: these; none where
 //                             the lattice does it
+//   outline(dim, dp)          its faces: closed chains of points exactly on them, about dp apart, with the solid
+//                             to the left of the way from one to the next; corners are points. None in 3D
 //
 // A shape that follows its own faces with layers of particles keeps its strain smooth up to them: steps of a
 // lattice at a curved face leave a noise of the strain there that does not fall with the spacing.
@@ -37,6 +39,9 @@ struct Bounds {
     return {0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), 0.5 * (low[2] + high[2])};
   }
 };
+
+/// Points on a face, m, one after the other; the first follows the last.
+using Chain = std::vector<Point>;
 
 /// The place of a particle at t = 0 and its volume, m^dim.
 struct InitialSite {
@@ -82,6 +87,7 @@ struct Box {
     low[axis] += by;
     high[axis] += by;
   }
+  std::vector<Chain> outline(int dim, double dp) const;
   bool operator==(const Box&) const = default;
 };
 
@@ -118,6 +124,7 @@ struct Disc {
   /// One particle in the centre and 6, 12, 18 … on the layers around it: a hexagonal lattice made round,
   /// which it is to the eye within each of six sectors.
   std::vector<InitialSite> sites(int dim, double dp) const;
+  std::vector<Chain> outline(int dim, double dp) const;
   bool operator==(const Disc&) const = default;
 };
 
@@ -142,6 +149,8 @@ struct Ring {
   /// a lattice has them, on a grid of polar coordinates. Spaced: a whole number about dp apart on each, which
   /// puts the neighbours of the next layer anywhere.
   std::vector<InitialSite> sites(int dim, double dp) const;
+  /// One point for each particle of the innermost and of the outermost layer, at its angle.
+  std::vector<Chain> outline(int dim, double dp) const;
   bool operator==(const Ring&) const = default;
 };
 

@@ -69,7 +69,7 @@ class SolverParts : public Simulation {
    public:
     /// `t` is where in time the new velocities stand.
     Kick(SolverParts& solver, double dt, double t)
-        : solver_(solver), dt_(dt), contact_(solver.contact_.active()) {
+        : solver_(solver), dt_(dt), contact_(solver.contact_.acting()) {
       solver.set_outside(dt, t);
       outside_ = solver.drives_.active() || solver.loads_.active();
     }
@@ -178,7 +178,7 @@ class ParticleSolver : public SolverParts<Dim> {
   using SolverParts<Dim>::SolverParts;
 
   /// The probes as they are now.
-  void record() { this->recorder_.record(this->s_, this->time_, this->series_); }
+  void record() { this->recorder_.record(this->s_, this->time_, this->contact_.faces(), this->series_); }
 
  private:
   Solver& solver() { return static_cast<Solver&>(*this); }

@@ -6,6 +6,7 @@
 #include "engine/error.hpp"
 #include "engine/scene/initial_particles.hpp"
 #include "engine/scene/material_point.hpp"
+#include "engine/solver/face_contacts.hpp"
 #include "engine/solver/running.hpp"
 #include "engine/solver/state.hpp"
 
@@ -20,8 +21,8 @@ class ProbeRecorder {
 
   /// Where each particle is stored now; refreshes what is only looked at between rebuilds.
   void rebuilt(const State<Dim>& s, double support);
-  /// Appends a row to `series`.
-  void record(const State<Dim>& s, double time, Series& series);
+  /// Appends a row to `series`. `faces` measure gaps, if there are any.
+  void record(const State<Dim>& s, double time, FaceContacts<Dim>* faces, Series& series);
 
   std::size_t size() const { return probes_.size(); }
 
@@ -44,7 +45,7 @@ class ProbeRecorder {
                                  double reach) const;
   void find_close_pairs(const State<Dim>& s, const Probe& probe, Follower& f) const;
   double mirror_asymmetry(const State<Dim>& s, const Probe& probe) const;
-  double value(const State<Dim>& s, const Probe& probe, const Follower& f) const;
+  double value(const State<Dim>& s, const Probe& probe, const Follower& f, FaceContacts<Dim>* faces) const;
   Vec<double, Dim> place(const State<Dim>& s, const std::vector<PointWeight>& point) const {
     Vec<double, Dim> x{};
     for (const PointWeight& w : point) x += w.weight * s.x[where_[w.particle]];
@@ -130,7 +131,8 @@ double ProbeRecorder<Dim>::mirror_asymmetry(const State<Dim>& s, const Probe& pr
 }
 
 template <int Dim>
-double ProbeRecorder<Dim>::value(const State<Dim>& s, const Probe& probe, const Follower& f) const {
+double ProbeRecorder<Dim>::value(const State<Dim>& s, const Probe& probe, const Follower& f,
+                                 FaceContacts<Dim>* faces) const {
   switch (probe.kind) {
     case Probe::Kind::displacement:
       return place(s, f.at)[probe.axis] - probe.at[probe.axis];
@@ -146,6 +148,7 @@ double ProbeRecorder<Dim>::value(const State<Dim>& s, const Probe& probe, const 
       return v;
     }
     case Probe::Kind::gap: {
+      if (faces) return faces->gap(s, probe.bodies[0], probe.bodies[1]);
       double least = support_ - diameter_[first_[probe.bodies[0]]];  // at least this: nothing is in reach
       for (const auto& [i, j] : f.pairs) {
         const Vec<double, Dim> d = s.x[i] - s.x[j];
@@ -160,12 +163,12 @@ double ProbeRecorder<Dim>::value(const State<Dim>& s, const Probe& probe, const 
 }
 
 template <int Dim>
-void ProbeRecorder<Dim>::record(const State<Dim>& s, double time, Series& series) {
+void ProbeRecorder<Dim>::record(const State<Dim>& s, double time, FaceContacts<Dim>* faces, Series& series) {
   if (probes_.empty()) return;
   series.value.resize(probes_.size());
   series.time.push_back(time);
   for (std::size_t k = 0; k < probes_.size(); ++k)
-    series.value[k].push_back(value(s, probes_[k], followers_[k]));
+    series.value[k].push_back(value(s, probes_[k], followers_[k], faces));
 }
 
 }  // namespace taut::inline TAUT_ISA

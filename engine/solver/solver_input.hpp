@@ -19,6 +19,7 @@ struct SolverInput {
   std::vector<Elasticity> materials;  // in the order of Scene::materials
   Law law;                            // of a method whose law is free
   ContactLaw contact;                 // never `published`
+  bool meets_itself;                  // contact acts between parts of one body that were far apart
   Stepping stepping;
   int threads;
 };

@@ -27,6 +27,11 @@ class WallContacts {
   }
 
   bool any() const { return !planes_.empty(); }
+  int count() const { return static_cast<int>(planes_.size()); }
+  const V& normal(int wall) const { return planes_[wall].normal; }  // to the side of the bodies
+  double height(int wall, const V& x) const {                       // of x over it, m
+    return dot(x - planes_[wall].at, planes_[wall].normal);
+  }
 
   /// The particles less than `reach`, m, from their image.
   void search(const State<Dim>& s, double reach) {

@@ -131,7 +131,7 @@ void TlMixed<M, Dim>::find_rates(const std::vector<V>& Z, double dt) {
   gather_pass();
   if constexpr (M.jst) dissipation_pass();
   if (c_.projection != 0) project(Z);
-  const bool contact = contact_.active(), loaded = loads_.active();
+  const bool contact = contact_.acting(), loaded = loads_.active();
   parallel_for(s_.size(), threads_now(), [&](int i) {
     V a = a_[i];
     if (contact) a += (1 / s_.m[i]) * contact_.force(i);

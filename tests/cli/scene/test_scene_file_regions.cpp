@@ -219,9 +219,13 @@ TEST_SUITE("cli") {
   TEST_CASE("scene: the contact law is one there is, and one that the method can run with") {
     CHECK(read_text(replaced(small_scene, "until = 2", "until = 2\ncontact = \"penalty\"")).scene.contact ==
           ContactLaw::penalty);
+    CHECK(read_text(replaced(small_scene, "until = 2", "until = 2\ncontact = \"surface\"")).scene.contact ==
+          ContactLaw::surface);
+    check_error("until = 2", "until = 2\ncontact = @\"surfaces\"",
+                {"unknown contact 'surfaces'", "did you mean 'surface'"});
     check_error("until = 2", "until = 2\ncontact = @\"impuls\"",
                 {"unknown contact 'impuls'", "did you mean 'impulse'",
-                 "published, sph, impulse, penalty, lennard-jones"});
+                 "published, sph, impulse, penalty, lennard-jones, surface"});
     const SceneFile file =
         read_text(replaced(small_scene, "until = 2", "until = 2\nmethod = \"oenog\"\ncontact = \"sph\""));
     try {

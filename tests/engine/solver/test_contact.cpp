@@ -212,15 +212,18 @@ TEST_SUITE("unit") {
 
   TEST_CASE("contact: a law that a method cannot run with is refused with the reason, before the run") {
     Scene scene = small_collision();
-    scene.contact = ContactLaw::sph;
-    try {
-      make_simulation(scene, with_method("oenog"));
-      FAIL("nothing was thrown");
-    } catch (const SceneError& error) {
-      const std::string message = error.what();
-      CHECK(error.key == "contact");
-      for (const char* part : {"'oenog'", "'sph'", "neighbours of the start", "penalty, impulse"})
-        CHECK(message.find(part) != std::string::npos);
-    }
+    const auto refused = [&](const char* method, ContactLaw law, const std::vector<const char*>& parts) {
+      scene.contact = law;
+      try {
+        make_simulation(scene, with_method(method));
+        FAIL("nothing was thrown");
+      } catch (const SceneError& error) {
+        CHECK(error.key == "contact");
+        for (const char* part : parts) CHECK(std::string(error.what()).find(part) != std::string::npos);
+      }
+    };
+    refused("oenog", ContactLaw::sph,
+            {"'oenog'", "'sph'", "act on their neighbours of the start", "penalty, impulse"});
+    refused("enog", ContactLaw::surface, {"'enog'", "'surface'", "may leave", "sph, impulse"});
   }
 }

@@ -1,0 +1,175 @@
+#include "engine/scene/outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <variant>
+
+namespace taut {
+namespace {
+
+// Of the particles whose mean a node is, in spacings: the fewer and the nearer, the less a face is smoothed.
+constexpr double least_reach = 2, greatest_reach = 4, reach_step = 0.25;
+/// Of Σ weight², which is how many times lighter a node is than a particle: heavier ones are sought further
+/// away. It is 2.5 at a face of a lattice, (3/2)² + (1/2)² from two layers.
+constexpr double greatest_square = 3;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// The particles of one body by square cells, to find those around a point.
+class Cells {
+ public:
+  Cells(const InitialParticles& initial, int body, double size) : initial_(initial), size_(size) {
+    for (int i = initial.first[at(body)]; i < initial.first[at(body) + 1]; ++i)
+      cells_[key(initial.x[at(i)], 0, 0)].push_back(i);
+  }
+  /// Those of the nine cells around x, in rising order.
+  std::vector<int> around(const Point& x) const {
+    std::vector<int> found;
+    for (long dy = -1; dy <= 1; ++dy)
+      for (long dx = -1; dx <= 1; ++dx)
+        if (const auto cell = cells_.find(key(x, dx, dy)); cell != cells_.end())
+          found.insert(found.end(), cell->second.begin(), cell->second.end());
+    std::ranges::sort(found);
+    return found;
+  }
+
+ private:
+  std::pair<long, long> key(const Point& x, long dx, long dy) const {
+    return {static_cast<long>(std::floor(x[0] / size_)) + dx,
+            static_cast<long>(std::floor(x[1] / size_)) + dy};
+  }
+
+  const InitialParticles& initial_;
+  double size_;  // m
+  std::map<std::pair<long, long>, std::vector<int>> cells_;
+};
+
+/// Of a node at x: from the nearest particles that do not make it too light.
+std::vector<PointWeight> shares_of(const Cells& cells, const InitialParticles& initial, const Point& x,
+                                   double dp) {
+  const std::vector<int> near = cells.around(x);
+  std::vector<Point> places;
+  for (const int i : near) places.push_back(initial.x[at(i)]);
+  std::vector<PointWeight> best;
+  double least = 0;
+  for (double reach = least_reach; reach <= greatest_reach; reach += reach_step) {
+    std::vector<PointWeight> shares =
+        material_point(places, 0, static_cast<int>(places.size()), x, reach * dp, initial.dim);
+    double square = 0;
+    for (const PointWeight& share : shares) square += share.weight * share.weight;
+    if (shares.empty() || (!best.empty() && square >= least)) continue;
+    best = std::move(shares);
+    least = square;
+    if (least <= greatest_square) break;
+  }
+  for (PointWeight& share : best) share.particle = near[at(share.particle)];
+  return best;
+}
+
+bool holds(const Shape& shape, const Point& x, int dim, double tolerance) {
+  return std::visit([&](const auto& s) { return s.holds(x, dim, tolerance); }, shape);
+}
+
+/// Another shape lies in front of the segment of `own`, or holds it and comes first, as where two faces lie
+/// in one.
+bool covered(const std::vector<Shape>& shapes, std::size_t own, const Point& a, const Point& b, double dp) {
+  const double thin = 1e-6 * dp, length = distance_between(a, b, 2);
+  const Point middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0};
+  const double off = 1e3 * thin / length;  // a thousandth of a spacing
+  const Point before{middle[0] + off * (b[1] - a[1]), middle[1] - off * (b[0] - a[0]), 0};
+  for (std::size_t k = 0; k < shapes.size(); ++k)
+    if (k != own && (holds(shapes[k], before, 2, -thin) || (k < own && holds(shapes[k], middle, 2, thin))))
+      return true;
+  return false;
+}
+
+class Maker {
+ public:
+  Maker(const Scene& scene, const InitialParticles& initial) : scene_(scene), initial_(initial) {}
+
+  Outline make() {
+    for (std::size_t b = 0; b < scene_.bodies.size(); ++b) add(static_cast<int>(b));
+    out_.begin.push_back(static_cast<int>(out_.shares.size()));
+    return std::move(out_);
+  }
+
+ private:
+  /// A reflected outline is made as the layout is: about −c, and then turned over.
+  void add(int b) {
+    const Body& body = scene_.bodies[at(b)];
+    std::vector<Shape> shapes = body.shapes;
+    const Point middle = std::visit([](const auto& s) { return s.middle(); }, shapes.front());
+    for (std::size_t k = 0; k < at(scene_.dim); ++k)
+      if (body.mirror[k])
+        for (Shape& shape : shapes) std::visit([&](auto& s) { s.shift(k, -2 * middle[k]); }, shape);
+    const Cells cells(initial_, b, greatest_reach * scene_.spacing);
+    for (std::size_t own = 0; own < shapes.size(); ++own)
+      for (const Chain& chain : chains_of(shapes[own])) add(b, shapes, own, chain, cells);
+  }
+
+  std::vector<Chain> chains_of(const Shape& shape) const {
+    const auto lay = [&](const auto& s) -> std::vector<Chain> {
+      if constexpr (requires { s.outline(2, 0.0); })
+        return s.outline(scene_.dim, scene_.spacing);
+      else
+        return {};
+    };
+    return std::visit(lay, shape);
+  }
+
+  void add(int b, const std::vector<Shape>& shapes, std::size_t own, const Chain& chain, const Cells& cells) {
+    const std::size_t n = chain.size();
+    std::vector<int> node(n, Outline::none);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Point &from = chain[k], &to = chain[(k + 1) % n];
+      if (covered(shapes, own, from, to, scene_.spacing)) continue;
+      const int first = node_at(node[k], b, from, cells), second = node_at(node[(k + 1) % n], b, to, cells);
+      if (first == Outline::none || second == Outline::none) continue;
+      const std::array<bool, 3>& mirror = scene_.bodies[at(b)].mirror;
+      const double sense = (mirror[0] != mirror[1]) ? -1 : 1;
+      out_.beside[at(first)][1] = out_.beside[at(second)][0] = static_cast<int>(out_.segments.size());
+      out_.segments.push_back({{first, second}, distance_between(from, to, 2), sense});
+    }
+  }
+
+  /// The node of a place of a chain, made when it is first asked for; where the chains of two shapes meet, it
+  /// is of both.
+  int node_at(int& known, int b, Point x, const Cells& cells) {
+    if (known != Outline::none) return known;
+    for (std::size_t k = 0; k < at(scene_.dim); ++k)
+      if (scene_.bodies[at(b)].mirror[k]) x[k] = -x[k];
+    std::erase_if(open_, [&](int n) {
+      return out_.body[at(n)] != b || std::ranges::count(out_.beside[at(n)], Outline::none) == 0;
+    });
+    for (const int n : open_)
+      if (distance_between(out_.x[at(n)], x, 2) < 1e-6 * scene_.spacing) return known = n;
+    const std::vector<PointWeight> shares = shares_of(cells, initial_, x, scene_.spacing);
+    if (shares.empty()) return Outline::none;
+    const PointWeight& greatest = *std::ranges::max_element(shares, {}, &PointWeight::weight);
+    known = out_.size();
+    open_.push_back(known);
+    out_.x.push_back(x);
+    out_.body.push_back(b);
+    out_.material.push_back(initial_.material[at(greatest.particle)]);
+    out_.beside.push_back({Outline::none, Outline::none});
+    out_.begin.push_back(static_cast<int>(out_.shares.size()));
+    out_.shares.insert(out_.shares.end(), shares.begin(), shares.end());
+    return known;
+  }
+
+  const Scene& scene_;
+  const InitialParticles& initial_;
+  Outline out_;
+  std::vector<int> open_;  // nodes that lack a segment
+};
+
+}  // namespace
+
+Outline make_outline(const Scene& scene, const InitialParticles& initial) {
+  if (scene.dim != 2) return {};
+  return Maker(scene, initial).make();
+}
+
+}  // namespace taut

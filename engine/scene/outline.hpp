@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/scene/initial_particles.hpp"
+#include "engine/scene/material_point.hpp"
+#include "engine/scene/scene.hpp"
+
+namespace taut {
+
+/// The faces of all bodies: nodes that move with the particles, and elements between them. In 2D an element
+/// is a straight segment with one node at each end; a surface element of 3D would have more nodes and other
+/// shape functions, and nothing else would change.
+struct Outline {
+  static constexpr int none = -1;
+
+  struct Segment {
+    std::array<int, 2> node{};
+    double length = 0;  // at the start, m
+    double sense = 1;   // the outward normal is sense (t_y, −t_x), t from the first node to the second
+  };
+
+  std::vector<Point> x;                    // [node] at the start, on the face, m
+  std::vector<int> body;                   // [node]
+  std::vector<int> material;               // [node] of the particle that counts most
+  std::vector<std::array<int, 2>> beside;  // [node] the segment that ends there and the one that begins
+  std::vector<int> begin;                  // [node] its first share; and one past the last of all
+  std::vector<PointWeight> shares;         // x = Σ weight x_particle, exact for linear fields
+  std::vector<Segment> segments;
+
+  int size() const { return static_cast<int>(x.size()); }
+  int body_of(const Segment& segment) const { return body[static_cast<std::size_t>(segment.node[0])]; }
+};
+
+/// That of a body is the one of the union of its shapes: no segment lies inside another shape. The nodes of a
+/// mirrored body are the mirror images, in the same order, to the last bit. Empty in 3D, of a shape that has
+/// none, and where too few particles lie around a node.
+Outline make_outline(const Scene& scene, const InitialParticles& initial);
+
+}  // namespace taut

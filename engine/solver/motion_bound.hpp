@@ -1,0 +1,72 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "engine/core/tensor.hpp"
+#include "engine/methods/term_info.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// Decides when points of one and the same body have to be searched again: `holds` while none of them can
+/// have come nearer to another by more than what was free at the last search. The bound is twice the way of
+/// the fastest particle; where that is used up, twice the greatest way of a point beside the mean of its
+/// body's, which tells flight from folding.
+template <int Dim>
+class MotionBound {
+ public:
+  using V = Vec<double, Dim>;
+
+  /// `per_way`: how far a point may go where each particle goes at most 1.
+  explicit MotionBound(double per_way = 1) : per_way_(per_way) {}
+
+  /// Two points may come nearer by `free`, m, before the next search. `x` and their bodies, in rising order.
+  void restart(double free, std::vector<V> x) {
+    free_ = free;
+    gone_ = 0;
+    from_ = std::move(x);
+  }
+
+  /// Before particles go by `way`, m, at most. False: look at `still_holds`.
+  bool holds(double way) {
+    gone_ += per_way_ * way;
+    return 2 * gone_ <= free_;
+  }
+
+  /// With the places of the points before that way; `body` of each, in rising order. False: search.
+  bool still_holds(const std::vector<V>& x, const std::vector<int>& body, double way) {
+    gone_ = 0;
+    const std::size_t n = x.size();
+    for (std::size_t first = 0, last; first < n; first = last) {
+      V mean{};
+      for (last = first; last < n && body[last] == body[first]; ++last) mean += x[last] - from_[last];
+      mean = (1 / static_cast<double>(last - first)) * mean;
+      for (std::size_t k = first; k < last; ++k) {
+        const V d = x[k] - from_[k] - mean;
+        gone_ = std::max(gone_, dot(d, d));
+      }
+    }
+    gone_ = std::sqrt(gone_);
+    constexpr double worthwhile = 0.75;  // of what is free: with less left it would be looked at each step
+    return 2 * gone_ <= worthwhile * free_ && holds(way);
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(free_, gone_, from_);
+  }
+
+ private:
+  double per_way_;
+  double free_ = 0, gone_ = 0;  // m
+  std::vector<V> from_;         // m
+};
+
+inline constexpr TermInfo self_contact_info{
+    "self-contact", "by the law of contact, of what was further than 4 dp apart at the start", "ours",
+    "solver/motion_bound.hpp:MotionBound",
+    "contact: a strip that folds meets itself, by every law, and does not pass through"};
+
+}  // namespace taut::inline TAUT_ISA

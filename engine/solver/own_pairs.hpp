@@ -1,0 +1,118 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "engine/neighbors/neighbors.hpp"
+#include "engine/scene/outline.hpp"
+#include "engine/solver/motion_bound.hpp"
+#include "engine/solver/solver_input.hpp"
+#include "engine/solver/state.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// Pairs of particles of one body that were far apart at the start and have come near: a body that folds
+/// meets itself. Only those that its faces move with (scene/outline.hpp) are looked at. The particles keep
+/// their places in the solver's order.
+template <int Dim>
+class OwnPairs {
+ public:
+  using V = Vec<double, Dim>;
+
+  /// Pairs nearer than `reach`, m, act.
+  OwnPairs(const SolverInput& input, double reach) : dp_(input.constants.dp), reach_(reach) {
+    if (!input.meets_itself || input.contact == ContactLaw::surface) return;
+    for (const PointWeight& share : make_outline(input.scene, input.initial).shares)
+      ids_.push_back(share.particle);
+    std::sort(ids_.begin(), ids_.end());
+    ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
+    for (const int id : ids_) {
+      body_.push_back(input.initial.body[id]);
+      V x;
+      for (int k = 0; k < Dim; ++k) x[k] = input.initial.x[id][k];
+      X_.push_back(x);
+    }
+  }
+
+  bool any() const { return !ids_.empty(); }
+
+  /// Searches where the next way of the fastest particle, m, asks for it: true if it did.
+  bool prepare(const State<Dim>& s, double way) {
+    if (ids_.empty() || bound_.holds(way)) return false;
+    place(s);
+    if (bound_.still_holds(x_, body_, way)) return false;
+    find(s);
+    bound_.holds(way);
+    return true;
+  }
+  void search(const State<Dim>& s) {
+    if (ids_.empty()) return;
+    place(s);
+    find(s);
+  }
+
+  /// Those of stored particle i are j[begin[i]] … j[begin[i + 1] − 1]; both are empty where there are none.
+  std::vector<int> begin, j;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(begin, j, bound_);
+  }
+
+ private:
+  // in spacings
+  static constexpr double skin = 1;       // longer: fewer searches, more pairs
+  static constexpr double horizon = 4;    // how far a search looks, for how long it may hold
+  static constexpr double far_apart = 4;  // the two faces of a thinner wall do not act on each other
+
+  void place(const State<Dim>& s) {
+    stored_.resize(ids_.size());
+    std::vector<int> where(s.size());
+    for (int i = 0; i < s.size(); ++i) where[s.id[i]] = i;
+    x_.clear();
+    for (std::size_t k = 0; k < ids_.size(); ++k) x_.push_back(s.x[stored_[k] = where[ids_[k]]]);
+  }
+
+  void find(const State<Dim>& s) {
+    const double listed = reach_ + skin * dp_, far = far_apart * dp_;
+    double beyond2 = horizon * horizon * dp_ * dp_;
+    std::vector<std::pair<int, int>> found;  // stored i, and j in the order of creation
+    const std::vector<int>& order = grid_.sort(x_, horizon * dp_);
+    for (int a = 0; a < static_cast<int>(ids_.size()); ++a) {
+      grid_.for_each_row(x_[a], [&](int first, int last) {
+        for (int k = first; k < last; ++k) {
+          const int b = order[k];
+          const V d = x_[a] - x_[b], D = X_[a] - X_[b];
+          if (body_[b] != body_[a] || dot(D, D) <= far * far || dot(d, d) >= beyond2) continue;
+          if (dot(d, d) < listed * listed)
+            found.emplace_back(stored_[a], b);
+          else
+            beyond2 = dot(d, d);
+        }
+      });
+    }
+    begin.clear();
+    j.clear();
+    if (!found.empty()) {
+      std::sort(found.begin(), found.end());
+      begin.assign(s.size() + 1, 0);
+      for (const auto& [i, b] : found) {
+        ++begin[i + 1];
+        j.push_back(stored_[b]);
+      }
+      for (int i = 0; i < s.size(); ++i) begin[i + 1] += begin[i];
+    }
+    bound_.restart(std::sqrt(beyond2) - reach_, x_);
+  }
+
+  double dp_, reach_;      // m
+  std::vector<int> ids_;   // in rising order
+  std::vector<int> body_;  // of each of them
+  std::vector<V> X_, x_;   // at the start and now, m
+  std::vector<int> stored_;
+  MotionBound<Dim> bound_;
+  CellGrid<Dim> grid_;
+};
+
+}  // namespace taut::inline TAUT_ISA

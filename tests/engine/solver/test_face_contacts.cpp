@@ -1,0 +1,322 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "engine/diagnostics/balance.hpp"
+#include "engine/error.hpp"
+#include "engine/scene/outline.hpp"
+#include "engine/solver/contact.hpp"
+#include "engine/terms/surface_contact.hpp"
+#include "tests/support/runs.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace taut;
+using namespace taut::test;
+using doctest::Approx;
+
+namespace {
+
+constexpr double dp = 0.001;  // m
+using V = Vec<double, 2>;
+
+double modulus() { return ring_rubber().bulk_modulus() + 4.0 / 3 * ring_rubber().shear_modulus(); }
+
+Scene scene_of(const std::vector<Shape>& shapes) {
+  Scene scene;
+  scene.name = "faces";
+  scene.spacing = dp;
+  scene.materials = {ring_rubber()};
+  scene.contact = ContactLaw::surface;
+  for (const Shape& shape : shapes) {
+    Body body;
+    body.name = "body " + std::to_string(scene.bodies.size());
+    body.shapes = {shape};
+    scene.bodies.push_back(body);
+  }
+  return scene;
+}
+
+/// The particles of a scene and what its faces do to them, without a method.
+class Pressed {
+ public:
+  explicit Pressed(const Scene& scene)
+      : scene_(scene), initial_(make_initial_particles(scene_)), walls_(scene_), faces_(input()) {
+    for (int i = 0; i < initial_.size(); ++i) {
+      s.x.push_back({initial_.x[i][0], initial_.x[i][1]});
+      s.v.push_back({});
+      s.m.push_back(1);
+      s.mobile.push_back(1);
+      s.id.push_back(i);
+      s.body.push_back(initial_.body[i]);
+    }
+  }
+
+  void shift(int body, const V& by) {
+    for (int i = 0; i < s.size(); ++i)
+      if (s.body[i] == body) s.x[i] += by;
+  }
+  /// Of every particle, N.
+  const std::vector<V>& forces() {
+    faces_.search(s, walls_);
+    return forces_as_found();
+  }
+  const std::vector<V>& forces_as_found() {
+    force_.assign(s.size(), V{});
+    faces_.evaluate(s, 1, walls_, force_);
+    return force_;
+  }
+  V force_on(int body) {
+    V sum{};
+    const std::vector<V>& f = forces();
+    for (int i = 0; i < s.size(); ++i)
+      if (s.body[i] == body) sum += f[i];
+    return sum;
+  }
+  double energy() { return faces_.energy(s, walls_); }
+  double gap() { return faces_.gap(s, 0, 1); }
+
+  State<2> s;
+
+ private:
+  SolverInput input() {
+    constants_.dp = dp;
+    constants_.contact_stiffness = 2;
+    Elasticity e;
+    e.K = ring_rubber().bulk_modulus();
+    e.G = ring_rubber().shear_modulus();
+    return {find_method("oenog")->formulation,
+            scene_,
+            initial_,
+            constants_,
+            {e},
+            Law::none,
+            ContactLaw::surface,
+            true,
+            Stepping::dual,
+            1};
+  }
+
+  Scene scene_;
+  InitialParticles initial_;
+  Constants constants_;
+  WallContacts<2> walls_;
+  FaceContacts<2> faces_;
+  std::vector<V> force_;
+};
+
+/// Two discs whose faces overlap by `depth`, m, along a direction that is none of the layout's.
+Pressed two_discs(double depth) {
+  const double r = 0.006, angle = 0.7, apart = 2 * r - depth;
+  return Pressed(
+      scene_of({Disc{{0, 0, 0}, r}, Disc{{apart * std::cos(angle), apart * std::sin(angle), 0}, r}}));
+}
+
+/// A thin U, whose arms close with `speed`, over the sound speed. It is one body.
+Scene closing_arms(double speed) {
+  Scene scene = scene_of({Box{{-0.009, 0, 0}, {-0.004, 0.03, 0}}});
+  scene.name = "closing-arms";
+  Body& strip = scene.bodies[0];
+  strip.shapes.push_back(Box{{0.004, 0, 0}, {0.009, 0.03, 0}});
+  strip.shapes.push_back(Box{{-0.009, -0.005, 0}, {0.009, 0, 0}});
+  const double v = speed * ring_rubber().sound_speed();
+  strip.velocity[0] = [=](const Point& x) { return x[1] < 0 ? 0 : (x[0] < 0 ? v : -v) * x[1] / 0.03; };
+  return scene;
+}
+
+/// How far a particle of the left arm has come to the right of one of the right arm about as high, m.
+double crossed(const Snapshot& now) {
+  double most = -1;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (now.x0[2 * i] > 0 || now.x0[2 * i + 1] < 0.015) continue;
+    for (std::size_t j = 0; j < now.size(); ++j)
+      if (now.x0[2 * j] > 0 && now.x0[2 * j + 1] > 0.015 &&
+          std::abs(now.x[2 * i + 1] - now.x[2 * j + 1]) < dp)
+        most = std::max(most, now.x[2 * i] - now.x[2 * j]);
+  }
+  return most;
+}
+
+double total_energy(const Simulation& simulation, const Scene& scene) {
+  const Balance now = balance(simulation.snapshot(), scene);
+  return now.kinetic + now.strain;
+}
+
+}  // namespace
+
+TEST_SUITE("term") {
+  TEST_CASE("surface contact: none before faces meet, and the slope of its energy") {
+    const double k = surface_stiffness(2e7, 3e7, 2, dp), depth = 0.2 * dp, step = 1e-6 * dp;
+    CHECK(k == Approx(1.2e10));
+    CHECK(surface_stiffness(2e7, 3e7, 2, dp) == surface_stiffness(3e7, 2e7, 2, dp));
+    CHECK(surface_stiffness(2e7, 2e7, 2, dp) == 1e7 / dp);  // as a layer of two spacings
+    CHECK(surface_energy(-1e-9, dp, k) == 0);
+    CHECK(surface_force(-1e-9, dp, k) == 0);
+    CHECK((surface_energy(depth + step, dp, k) - surface_energy(depth - step, dp, k)) / (2 * step) ==
+          Approx(surface_force(depth, dp, k)).epsilon(1e-8));
+    CHECK(surface_energy(depth, dp, k) == Approx(0.25 * k * dp * depth * depth));
+    CHECK(facing_share(-1) == 1);
+    CHECK(facing_share(-0.5) == 1);
+    CHECK(facing_share(-0.24) == 0);  // a corner's other side
+    CHECK(facing_share(-0.375) == Approx(0.5));
+    CHECK(facing_share(1) == 0);
+  }
+}
+
+TEST_SUITE("analytic") {
+  TEST_CASE("contact of faces: two blocks press each other by k times their overlap, corners included") {
+    const double depth = 0.1 * dp, length = 6 * dp, k = modulus() / (2 * dp);
+    Pressed blocks(scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0}}, Box{{0, 0, 0}, {0.008, 0.006, 0}}}));
+    blocks.shift(1, {-depth, 0});
+    const V force = blocks.force_on(1);
+    CHECK(force[0] == Approx(k * depth * length).epsilon(1e-9));
+    CHECK(std::abs(force[1]) < 1e-9 * force[0]);
+    CHECK(blocks.energy() == Approx(0.5 * k * depth * depth * length).epsilon(1e-9));
+    CHECK(blocks.gap() == Approx(-depth).epsilon(1e-9));
+  }
+
+  TEST_CASE("contact of faces: a wall presses as the mirror image does") {
+    const double depth = 0.1 * dp, length = 6 * dp, k = modulus() / (2 * dp);
+    Scene scene = scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0}}});
+    scene.walls = {{"wall", {0, 0, 0}, {-1, 0, 0}}};
+    Pressed block(scene);
+    CHECK(std::abs(block.force_on(0)[0]) < 1e-9 * k * depth * length);
+    block.shift(0, {0.5 * depth, 0});
+    CHECK(block.force_on(0)[0] == Approx(-k * depth * length).epsilon(1e-9));
+    CHECK(block.energy() == Approx(0.25 * k * depth * depth * length).epsilon(1e-9));  // half of the two
+  }
+
+  TEST_CASE("contact of faces: nothing acts a micrometre before they meet, and nothing ever pulls") {
+    for (const double depth : {-0.3e-3, -1e-6, 1e-6, 0.1e-3, 0.3e-3}) {
+      CAPTURE(depth);
+      Pressed discs = two_discs(depth);
+      const V force = discs.force_on(1);
+      // nodes of the one are not opposite to those of the other: chords lie inside their arcs
+      const double sag = dp * dp / (8 * 0.006);
+      CHECK(discs.gap() == Approx(-depth).epsilon(2 * sag));
+      const double away = force[0] * std::cos(0.7) + force[1] * std::sin(0.7);
+      if (depth < 0)
+        CHECK((force[0] == 0 && force[1] == 0 && discs.energy() == 0));
+      else if (depth > 2 * sag)
+        CHECK(away > 0.1 * modulus() * depth);
+      CHECK(away >= 0);
+      // a chord's normal is off by half of its angle at most
+      CHECK(std::abs(force[1] * std::cos(0.7) - force[0] * std::sin(0.7)) <= 1.05 * dp / (2 * 0.006) * away);
+    }
+  }
+}
+
+TEST_SUITE("conservation") {
+  TEST_CASE("contact of faces: forces are the slope of the energy, without a sum or a moment") {
+    Pressed discs = two_discs(0.3 * dp);
+    for (int i = 0; i < discs.s.size(); ++i)  // no symmetry is left
+      discs.s.x[i] += 0.03 * dp *
+                      V{shake({discs.s.x[i][0], discs.s.x[i][1], 0}, 7 * dp),
+                        shake({discs.s.x[i][1], discs.s.x[i][0], 0}, 5 * dp)};
+    const std::vector<V> force = discs.forces();
+    double greatest = 0, moment = 0;
+    V sum{};
+    for (int i = 0; i < discs.s.size(); ++i) {
+      sum += force[i];
+      moment += discs.s.x[i][0] * force[i][1] - discs.s.x[i][1] * force[i][0];
+      greatest = std::max(greatest, std::sqrt(dot(force[i], force[i])));
+    }
+    REQUIRE(greatest > 0.02 * modulus() * dp);
+    CHECK(std::sqrt(dot(sum, sum)) < 1e-12 * greatest);
+    CHECK(std::abs(moment) < 1e-12 * greatest * 0.01);
+    int pushed = 0;
+    for (int i = 0; i < discs.s.size(); ++i) {
+      if (force[i][0] == 0) continue;
+      ++pushed;
+      for (int k = 0; k < 2; ++k) {
+        const double step = 1e-6 * dp, at = discs.s.x[i][k];
+        discs.s.x[i][k] = at + step;
+        const double more = discs.energy();
+        discs.s.x[i][k] = at - step;
+        const double less = discs.energy();
+        discs.s.x[i][k] = at;
+        CHECK(-(more - less) / (2 * step) == Approx(force[i][k]).scale(greatest).epsilon(1e-5));
+      }
+    }
+    CHECK(pushed > 10);
+  }
+
+  TEST_CASE("contact of faces: an oblique collision keeps both momenta and, undamped, the energy") {
+    Scene scene = small_collision();
+    scene.contact = ContactLaw::surface;
+    Settings settings = with_method("oenog");
+    settings.constants["damping"] = 0;
+    settings.cfl = 0.3;
+    const auto simulation = make_simulation(scene, settings);
+    const Balance before = balance(simulation->snapshot(), scene);
+    const double energy = total_energy(*simulation, scene);
+    double pressed = 0;
+    for (int k = 0; k < 10; ++k) {
+      make_steps(*simulation, 20);
+      pressed = std::max(pressed, simulation->snapshot().contact_energy / energy);
+      CHECK(total_energy(*simulation, scene) == Approx(energy).epsilon(2e-3));
+    }
+    CHECK(pressed > 0.01);
+    const Balance after = balance(simulation->snapshot(), scene);
+    for (int k = 0; k < 2; ++k)
+      CHECK(std::abs(after.linear_momentum[k] - before.linear_momentum[k]) < 1e-13 * before.momentum_scale);
+    CHECK(std::abs(after.angular_momentum[2] - before.angular_momentum[2]) < 1e-13 * before.angular_scale);
+  }
+
+  TEST_CASE("contact of faces: mirrored bodies stay mirrored to the last bit") {
+    Scene scene = colliding_rings(0.14, 0.002);
+    scene.contact = ContactLaw::surface;
+    const auto simulation = make_simulation(scene, with_method("oenog"));
+    simulation->advance_to(0.006);
+    const Snapshot& now = simulation->snapshot();
+    const std::size_t half = now.size() / 2;
+    for (std::size_t i = 0; i < half; ++i) {
+      CHECK(now.x[2 * i] == -now.x[2 * (i + half)]);
+      CHECK(now.x[2 * i + 1] == now.x[2 * (i + half) + 1]);
+    }
+  }
+}
+
+TEST_SUITE("failure") {
+  TEST_CASE("contact: a strip that folds meets itself, by every law, and does not pass through") {
+    Scene scene = closing_arms(0.15);
+    for (const char* method : {"oenog", "tl", "pf-jst"}) {
+      for (const ContactLaw law : find_method(method)->contact_laws) {
+        CAPTURE(std::string(method));
+        CAPTURE(std::string(name(law)));
+        scene.contact = law;
+        const auto simulation = make_simulation(scene, with_method(method));
+        const Balance before = balance(simulation->snapshot(), scene);
+        double pressed = 0, most = -1;
+        for (int k = 1; k <= 30; ++k) {
+          simulation->advance_to(0.0001 * k);
+          pressed = std::max(pressed, simulation->snapshot().contact_energy / before.kinetic);
+          most = std::max(most, crossed(simulation->snapshot()));
+        }
+        CHECK(most < 0);
+        if (law != ContactLaw::impulse) CHECK(pressed > 0.001);  // they did meet
+        const Balance after = balance(simulation->snapshot(), scene);
+        CHECK(std::abs(after.linear_momentum[0] - before.linear_momentum[0]) < 1e-12 * before.momentum_scale);
+        CHECK(std::abs(after.angular_momentum[2] - before.angular_momentum[2]) <
+              1e-12 * before.angular_scale);
+      }
+    }
+  }
+}
+
+TEST_SUITE("unit") {
+  TEST_CASE("contact of faces: a body too thin to have faces is refused") {
+    const Scene scene = scene_of({Box{{0, 0, 0}, {0.02, dp, 0}}, Box{{0, 0.002, 0}, {0.02, 0.008, 0}}});
+    try {
+      make_simulation(scene, with_method("oenog"));
+      FAIL("nothing was thrown");
+    } catch (const SceneError& error) {
+      CHECK(error.key == "contact");
+      for (const char* part : {"'surface'", "'body 0'", "too thin", "smaller spacing"})
+        CHECK(std::string(error.what()).find(part) != std::string::npos);
+    }
+  }
+}
