@@ -186,7 +186,7 @@ TEST_SUITE("unit") {
     CHECK(scene.measures.at(2).free == "gap");
     for (std::size_t m = 0; m < 3; ++m) CHECK(scene.measures[m].threshold == Approx(0.0009));  // 0.9 dp
     CHECK(scene.references.at("2d_deviator").value.at("least_diameter") == 0.0485);
-    CHECK(scene.references.at("neo_hookean").value.at("separation_time") == 0.00975);
+    CHECK(scene.references.at("neo_hookean").value.at("separation_time") == 0.009756);
     CHECK(particles(scene) == 4398);
   }
 

@@ -190,7 +190,7 @@ TEST_SUITE("cli") {
   TEST_CASE("scene: measures and tables") {
     check_error("of = \"maximum\"", "of = \"final_ratio\"\nscale = @0", {"scale is 0"});
     check_error("values = { peak = 3 }", "tables = { @peak = { file = \"no.csv\", column = \"a\" } }",
-                {"takes no table; only one of rmse, path_error or turn"});
+                {"takes no table; only one of rmse, path_error, turn, line_rmse or "});
     check_error("of = \"maximum\"\nprobe = \"tip\"", "of = \"turn\"\nprobes = @[\"tip\"]",
                 {"probes must be an array of 2 names"});
     check_error("of = \"maximum\"\nprobe = \"tip\"", "of = \"turn\"\nprobes = [\"tip\", @\"top\"]",
@@ -199,7 +199,8 @@ TEST_SUITE("cli") {
                 "[[measure]]\nname = \"peak\"\nof = \"turn\"\n@probe",
                 {"'probes' is missing", "there is 'probe'"});
     check_error("values = { peak = 3 }", "solutions = { @peak = \"t\" }",
-                {"takes no solution; only one of rmse, path_error, turn, line_rmse, at_rest, field_rmse or "
+                {"takes no solution; only one of rmse, path_error, turn, line_rmse, line_error, at_rest, "
+                 "field_rmse or "
                  "field_error"});
     check_error("values = { peak = 3 }", "let = { @t = 1 }", {"the name 't' has a meaning already"});
     check_error("values = { peak = 3 }", "let = { @v0 = 1 }", {"'v0' stands for a parameter already"});
