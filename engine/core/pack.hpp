@@ -49,6 +49,11 @@ template <class T>
 T max(const T& a, const T& b) {
   return a > b ? a : b;
 }
+#ifdef __AVX__
+// one instruction each, of the same result to the last bit, for NaN too
+inline Pack min(const Pack& a, const Pack& b) { return __builtin_ia32_minpd256(a, b); }
+inline Pack max(const Pack& a, const Pack& b) { return __builtin_ia32_maxpd256(a, b); }
+#endif
 template <int N, class T>
 T power(const T& a) {
   T r = a;

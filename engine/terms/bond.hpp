@@ -50,7 +50,7 @@ namespace taut::inline TAUT_ISA {
 /// φ = (2 s² − 3 s + 1/s)/24, of s = λ² = r²/r0²
 template <class T>
 T bond_energy(const T& s) {
-  return (s * (2 * s - 3) + 1 / s) / 24;
+  return (1.0 / 24) * (s * (2 * s - 3) + 1 / s);
 }
 inline constexpr TermInfo bond_energy_info{
     "energy", "E = Σ_i [ V_i W(F_i) + G V0_i Σ_j w_ij (φ(s_ij) − φ_c(s°_ij)) ]", "ours",
@@ -60,7 +60,7 @@ inline constexpr TermInfo bond_energy_info{
 template <class T>
 T bond_slope(const T& s) {
   const T inverse = 1 / s;
-  return (4 * s - 3 - inverse * inverse) / 12;
+  return (1.0 / 12) * (4 * s - 3 - inverse * inverse);
 }
 inline constexpr TermInfo bond_force_info{
     "bond force", "f_i = Σ_j k_ij φ′(λ_ij)/λ_ij (x_j − x_i), φ = (2λ⁴ − 3λ² + λ⁻²)/24",
@@ -114,7 +114,7 @@ struct ClosedNeoHookean {
   Mat<T, 2> piola(const Mat<T, 2>& F) const {  // ∂energy/∂F, Pa
     const auto [t, J, c, per_J] = invariants(F);
     const T root = inverse_cube_root(c), shear = G * root * root;
-    const T of_c = -shear * (2 * t + 1) / (3 * c);
+    const T of_c = (-1.0 / 3) * shear * power<3>(root) * (2 * t + 1);  // 1/c = root³
     const T of_J = K * (J - 1) - 6 * wave_modulus() * power<2>(shut(J)) + of_c * per_J;
     return shear * F + of_J * cofactor(F);
   }

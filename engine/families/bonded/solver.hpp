@@ -14,10 +14,9 @@ namespace taut::inline TAUT_ISA {
 /// Bodies held together by bonds (terms/bond.hpp), which touch by a contact law. Position Verlet, so that
 /// without damping the energy has no drift.
 ///
-/// Three passes a step. The strain pass visits x_j and v_j and gives F_i, the bonds' force and what is
-/// cancelled of the bonds; the stress pass takes four particles at once and no neighbour, and gives
-/// Q_i = T_i B_i, from which the force pass makes that of all stresses: with g_ij = B_i a_ij and a_ij = −a_ji
-/// it is
+/// Three passes a step. The strain pass visits x_j and v_j and gives F_i and the bonds' force; the stress
+/// pass takes four particles at once and no neighbour, cancels their bonds and gives Q_i = T_i B_i, from which
+/// the force pass makes that of all stresses: with g_ij = B_i a_ij and a_ij = −a_ji it is
 ///   Σ_j (T_i g_ij − T_j g_ji) = Σ_j (Q_i + Q_j) a_ij,
 /// so that the passes over neighbours share one vector a bond, and each visits one short row a neighbour.
 /// F goes from the first to the second through memory: in one loop the bonds of the next particles do not
@@ -65,9 +64,12 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     Pack k;                          // G (V0_i w_ij + V0_j w_ji)/r0², N/m (per metre depth in 2D)
     Pack per_r0_squared;             // 1/r0², 1/m²
   };
-  struct Cancelled {  // of four bonds, as far as they are energies of this end; the filling has Gw = 0
-    Vec<Pack, Dim> e;
-    Pack Gw;  // G V0_i w_ij, J
+  /// One bond of each of four particles, as far as it is their energy; the filling has Gw = 0. Of e ⊗ e the
+  /// last component is 1 less the others of the diagonal.
+  static constexpr int dyad_size = Sym<Pack, Dim>::size - 1;
+  struct Cancelled {
+    Pack dyad[dyad_size];
+    Pack Gw;  // G V0_i w_ij, of a bond straight on the other side too, J
   };
   struct Sites {  // four particles; the filling and what is held has V = 0
     Sym<Pack, Dim> B;
@@ -82,20 +84,19 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   };
 
   void pack_bonds(const Bonds& bonds);
+  void pack_cancelled(const Bonds& bonds);
   void add_site(const Bonds& bonds, int i);
   double shear_modulus(const Bonds& bonds, int id, int b) const;
   double step_size() const;
   void strain_pass();
   void stress_pass();
   double force_pass(double dt);
-  struct Cancel {  // of four particles
-    Sym<Pack, Dim> S;
-    Pack energy;
-  };
   template <bool WithEnergy>
   Strained strained(int i) const;
-  template <bool WithEnergy>
-  Cancel cancelled(int first, const Sym<Pack, Dim>& C) const;
+  template <class F>
+  void for_each_cancelled(int group, const Sym<Pack, Dim>& C, const F& f) const;
+  Sym<Pack, Dim> of_bonds(int group) const;
+  Pack energy_of_four(int group) const;
   template <bool WithEnergy>
   double strain(int group);
   Mat<Pack, Dim> shown_deformations(int group) const;
@@ -114,9 +115,11 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   std::vector<int> begin_, j_;        // bonds in packs, as in Neighbors; from size() on places at a clamp
   std::vector<Vec<Pack, Dim>> a_ij_;  // times a constant that B takes out again
   std::vector<Spring> springs_;
+  std::vector<StoredPack>
+      energy_scales_;                 // of each bond, as far as it is an energy of this end: G V0_i w_ij, J
+  std::vector<int> cancelled_begin_;  // [group + 1]
   std::vector<Cancelled> cancelled_;
   std::vector<Mat<Pack, Dim>> F_;  // of each group; 0 where there is no volume
-  std::vector<Sym<Pack, Dim>> S_;  // of each group: G V0 Σ_j w φ′(λ°)/λ° e ⊗ e, J
   std::vector<PlaceRow> places_;
   std::vector<StressRow> stress_;
   std::vector<V> bond_force_;     // N
@@ -155,7 +158,7 @@ void Bonded<M, Dim>::pack_bonds(const Bonds& bonds) {
     for (int first = bonds.begin[id]; first < last; first += lanes) {
       Vec<Pack, Dim> area{};
       Spring four{{}, 1 / least_r2_};  // the filling: λ = 1
-      Cancelled own{};
+      StoredPack own{};
       for (int lane = 0; lane < lanes; ++lane) {
         const int b = first + lane;
         if (b >= last) {
@@ -173,22 +176,64 @@ void Bonded<M, Dim>::pack_bonds(const Bonds& bonds) {
         }
         // a place at a clamp has no energy of its own
         const double G = shear_modulus(bonds, id, b), of_other = back < 0 ? 0 : bonds.weight[back];
-        for (int k = 0; k < Dim; ++k) own.e[k][lane] = bonds.X[b][k] / std::sqrt(r2);
-        own.Gw[lane] = G * initial.V0[id] * bonds.weight[b];
-        four.k[lane] = G * (initial.V0[id] * bonds.weight[b] + initial.V0[bonds.j[b]] * of_other) / r2;
+        own.value[lane] = G * initial.V0[id] * bonds.weight[b];
+        four.k[lane] = (own.value[lane] + G * initial.V0[bonds.j[b]] * of_other) / r2;
         four.per_r0_squared[lane] = 1 / r2;
       }
       a_ij_.push_back(area);
       springs_.push_back(four);
-      cancelled_.push_back(own);
+      energy_scales_.push_back(own);
     }
     begin_.push_back(static_cast<int>(springs_.size()));
   }
+  pack_cancelled(bonds);
   stress_.resize(places_.size());
   F_.resize(groups());
-  S_.resize(groups());
   bond_force_.resize(n);
   this->pairs_ = static_cast<long>(bonds.j.size());
+}
+
+/// Bond after bond, four particles at once. Two that are each other's continuation have one s°.
+template <const Formulation& M, int Dim>
+void Bonded<M, Dim>::pack_cancelled(const Bonds& bonds) {
+  struct One {
+    Sym<double, Dim> dyad;
+    double Gw;
+  };
+  const auto of_particle = [&](int id) {
+    std::vector<One> all;
+    for (int b = bonds.begin[id]; b < bonds.begin[id + 1]; ++b) {
+      One one{{}, shear_modulus(bonds, id, b) * this->initial_.V0[id] * bonds.weight[b]};
+      const Point& X = bonds.X[b];
+      double r2 = 0;
+      for (int k = 0; k < Dim; ++k) r2 += X[k] * X[k];
+      for (int a = 0; a < Dim; ++a)
+        for (int k = a; k < Dim; ++k) one.dyad(a, k) = X[a] * X[k] / r2;
+      const auto same = std::ranges::find_if(all, [&](const One& other) {
+        double off = 0;
+        for (int k = 0; k <= dyad_size; ++k) off = std::max(off, std::abs(one.dyad.c[k] - other.dyad.c[k]));
+        return off < 1e-12;
+      });
+      if (same == all.end())
+        all.push_back(one);
+      else
+        same->Gw += one.Gw;
+    }
+    return all;
+  };
+  cancelled_begin_.assign(1, 0);
+  for (int first = 0; first < s_.size(); first += lanes) {
+    const std::size_t begin = cancelled_.size();
+    for (int lane = 0; lane < lanes && first + lane < s_.size(); ++lane) {
+      const std::vector<One> all = of_particle(s_.id[first + lane]);
+      cancelled_.resize(std::max(cancelled_.size(), begin + all.size()));
+      for (std::size_t b = 0; b < all.size(); ++b) {
+        for (int k = 0; k < dyad_size; ++k) cancelled_[begin + b].dyad[k][lane] = all[b].dyad.c[k];
+        cancelled_[begin + b].Gw[lane] = all[b].Gw;
+      }
+    }
+    cancelled_begin_.push_back(static_cast<int>(cancelled_.size()));
+  }
 }
 
 template <const Formulation& M, int Dim>
@@ -254,7 +299,7 @@ auto Bonded<M, Dim>::strained(int i) const -> Strained {
     stiffest = max(stiffest, bond_stiffness(s));
     f += Pack(spring.k * (bond_slope(s) + relaxation_ * rate)) * d;
     add_outer(A, filled<Pack>(1), d, a_ij_[b]);
-    if constexpr (WithEnergy) energy += cancelled_[b].Gw * bond_energy(s);
+    if constexpr (WithEnergy) energy += energy_scales_[b].value * bond_energy(s);
   }
   return {A, f, energy, stiffest};
 }
@@ -263,31 +308,46 @@ inline constexpr TermInfo bonded_damping_info{
     "families/bonded/solver.hpp:strained",
     "oenog: the damping takes a zigzag away and leaves the first mode alone"};
 
-/// What is cancelled of the bonds of four particles from `first` on, whose C is this.
+/// f(bond, s°) for one bond after the other of each of four particles, whose C is this.
 template <const Formulation& M, int Dim>
-template <bool WithEnergy>
-auto Bonded<M, Dim>::cancelled(int first, const Sym<Pack, Dim>& C) const -> Cancel {
-  Sym<Pack, Dim> S[lanes];
-  Pack energy[lanes];
-  for (int lane = 0; lane < lanes; ++lane) {
-    const int i = std::min(first + lane, s_.size() - 1);
-    Sym<Pack, Dim> C_i, S_i{};
-    Pack E{};
-    for (int k = 0; k < Sym<Pack, Dim>::size; ++k) C_i.c[k] = filled<Pack>(C.c[k][lane]);
-    for (int b = begin_[i]; b < begin_[i + 1]; ++b) {
-      const Cancelled& own = cancelled_[b];
-      const Pack s = dot(own.e, C_i * own.e);
-      add_outer(S_i, own.Gw * cancelled_slope(s), own.e);
-      if constexpr (WithEnergy) E += own.Gw * cancelled_energy(s);
-    }
-    S[lane] = S_i;
-    energy[lane] = E;
+template <class F>
+void Bonded<M, Dim>::for_each_cancelled(int group, const Sym<Pack, Dim>& C, const F& f) const {
+  constexpr int last = Dim - 1;
+  Sym<Pack, Dim> factor = C;  // of the components of e ⊗ e that are kept
+  for (int a = 0; a < last; ++a) {
+    factor(a, a) -= C(last, last);
+    for (int k = a + 1; k < Dim; ++k) factor(a, k) += C(a, k);
   }
-  Cancel of_group;
-  for (int k = 0; k < Sym<Pack, Dim>::size; ++k)
-    of_group.S.c[k] = sums(S[0].c[k], S[1].c[k], S[2].c[k], S[3].c[k]);
-  of_group.energy = sums(energy[0], energy[1], energy[2], energy[3]);
-  return of_group;
+  for (int b = cancelled_begin_[group]; b < cancelled_begin_[group + 1]; ++b) {
+    Pack s = C(last, last);
+    for (int k = 0; k < dyad_size; ++k) s += factor.c[k] * cancelled_[b].dyad[k];
+    f(cancelled_[b], s);
+  }
+}
+
+/// G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e of four particles, J
+template <const Formulation& M, int Dim>
+Sym<Pack, Dim> Bonded<M, Dim>::of_bonds(int group) const {
+  Sym<Pack, Dim> S{};
+  for_each_cancelled(group, right_cauchy_green(F_[group]), [&](const Cancelled& own, const Pack& s) {
+    const Pack pull = own.Gw * cancelled_slope(s);
+    for (int k = 0; k < dyad_size; ++k) S.c[k] += pull * own.dyad[k];
+    S.c[dyad_size] += pull;
+  });
+  for (int k = 0; k < Dim - 1; ++k) S(Dim - 1, Dim - 1) -= S(k, k);
+  return S;
+}
+
+/// V_i W(F_i) less what is cancelled of the bonds, of four particles, J
+template <const Formulation& M, int Dim>
+Pack Bonded<M, Dim>::energy_of_four(int group) const {
+  const Sites& sites = sites_[group];
+  Sym<Pack, Dim> C = right_cauchy_green(F_[group]);
+  for (int k = 0; k < Dim; ++k) C(k, k) = sites.V > 0 ? C(k, k) : filled<Pack>(1);
+  Pack energy = sites.V * sites.law.energy(F_[group]);
+  for_each_cancelled(group, C,
+                     [&](const Cancelled& own, const Pack& s) { energy -= own.Gw * cancelled_energy(s); });
+  return energy;
 }
 
 /// F and the bonds' force of four particles, or fewer in the last group, and their energy if asked for. The
@@ -311,14 +371,10 @@ double Bonded<M, Dim>::strain(int group) {
   }
   const Sites& sites = sites_[group];
   F_[group] = product(A, sites.B);
-  Sym<Pack, Dim> C = right_cauchy_green(F_[group]);
-  for (int k = 0; k < Dim; ++k) C(k, k) = sites.V > 0 ? C(k, k) : filled<Pack>(1);
-  const Cancel cancel = cancelled<WithEnergy>(first, C);
-  S_[group] = cancel.S;
   if constexpr (WithEnergy) {
     std::vector<double>& energies = this->snapshot_.strain_energy;
-    const Pack energy = sums_of([](const Strained& one) -> const Pack& { return one.energy; }) -
-                        cancel.energy + sites.V * sites.law.energy(F_[group]);
+    const Pack energy =
+        sums_of([](const Strained& one) -> const Pack& { return one.energy; }) + energy_of_four(group);
     for (int lane = 0; lane < count; ++lane) energies[s_.id[first + lane]] = energy[lane];
   }
   Pack stiffest = max(max(of[0].stiffest, of[1].stiffest), max(of[2].stiffest, of[3].stiffest));
@@ -338,9 +394,9 @@ void Bonded<M, Dim>::stress_pass() {
     const Sites& sites = sites_[group];
     const Mat<Pack, Dim>& F = F_[group];
     Mat<Pack, Dim> T = sites.V * sites.law.piola(F);
-    const Mat<Pack, Dim> of_bonds = product(F, S_[group]);
+    const Mat<Pack, Dim> FS = product(F, of_bonds(group));
     for (int a = 0; a < Dim; ++a)
-      for (int k = 0; k < Dim; ++k) T(a, k) -= of_bonds(a, k);
+      for (int k = 0; k < Dim; ++k) T(a, k) -= FS(a, k);
     const Mat<Pack, Dim> Q = product(T, sites.B);
     const int first = group * lanes, count = std::min(lanes, s_.size() - first);
     for (int lane = 0; lane < count; ++lane)
