@@ -33,7 +33,7 @@ RoundLayout read_layout(TomlCursor& shape, const std::vector<RoundLayout>& allow
   return allowed[static_cast<std::size_t>(std::ranges::find(names, chosen) - names.begin())];
 }
 
-/// Aligned layers are a third as far apart along the inner face as along the outer one at most.
+/// Aligned only where particles on the inner face are at least a third as far apart as on the outer one.
 Shape read_ring(TomlCursor& shape, int dim, bool keeps_neighbors) {
   Ring ring{shape.point("centre", dim), shape.positive("inner"), shape.positive("outer")};
   if (!(ring.inner < ring.outer))
@@ -42,6 +42,11 @@ Shape read_ring(TomlCursor& shape, int dim, bool keeps_neighbors) {
   const bool thin = 3 * ring.inner >= ring.outer;
   ring.layout = read_layout(shape, {RoundLayout::aligned, RoundLayout::spaced, RoundLayout::lattice},
                             keeps_neighbors && thin ? RoundLayout::aligned : RoundLayout::spaced);
+  if (ring.layout == RoundLayout::aligned && !thin)
+    shape.fail(
+        shape.need("layout"), "layout",
+        "layout = \"aligned\" would put the particles of the inner face less than a third as far apart as "
+        "those of the outer one; it needs inner >= outer/3, take \"spaced\"");
   return ring;
 }
 

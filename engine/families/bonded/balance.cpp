@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <vector>
 
 #include <Eigen/Sparse>
 #include <Eigen/SparseCholesky>
@@ -19,32 +21,40 @@ constexpr double balanced = 1e-12;
 
 Vector vector(const Point& p) { return {p[0], p[1]}; }
 
-/// x of the least Σ (Δx)²/ω with A x = b, from x. Rows of A may depend on each other. Conjugate gradients for
-/// A Ω Aᵀ, with its own Cholesky factor, a little off where it is singular, to lead them.
-Eigen::VectorXd least_change(const Rows& A, const Eigen::VectorXd& b, const Eigen::VectorXd& x,
-                             const Eigen::VectorXd& omega) {
-  Eigen::VectorXd r = b - A * x;
-  if (r.size() == 0 || r.cwiseAbs().maxCoeff() < balanced) return x;
+/// α of A Ω Aᵀ α = r by conjugate gradients, led by a Cholesky factor of the matrix, a little off where it is
+/// singular; of a large one, whose factor would cost minutes, by its diagonal, so far as that comes.
+Eigen::VectorXd solve_normal(const Rows& A, const Eigen::VectorXd& omega, Eigen::VectorXd r) {
+  constexpr Eigen::Index largest_factor = 12000;
   const Rows N = A * omega.asDiagonal() * A.transpose();
-  Rows shifted = N;
-  const double shift = 1e-10 * N.diagonal().maxCoeff();
-  for (Eigen::Index k = 0; k < N.rows(); ++k) shifted.coeffRef(k, k) += shift;
-  const Eigen::SimplicialLDLT<Rows> factor(shifted);
-  Eigen::VectorXd alpha = Eigen::VectorXd::Zero(r.size()), z = factor.solve(r), p = z;
+  const double greatest = N.diagonal().maxCoeff();
+  const bool factored = N.rows() <= largest_factor;
+  Eigen::SimplicialLDLT<Rows> factor;
+  if (factored) {
+    Rows shifted = N;
+    for (Eigen::Index k = 0; k < N.rows(); ++k) shifted.coeffRef(k, k) += 1e-10 * greatest;
+    factor.compute(shifted);
+  }
+  const Eigen::VectorXd scale = N.diagonal().cwiseMax(1e-10 * greatest).cwiseInverse();
+  const auto lead = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
+    return factored ? Eigen::VectorXd(factor.solve(v)) : Eigen::VectorXd(scale.cwiseProduct(v));
+  };
+  Eigen::VectorXd alpha = Eigen::VectorXd::Zero(r.size()), z = lead(r), p = z;
   double rz = r.dot(z);
-  constexpr int most = 100;
+  constexpr int most = 300;
   for (int k = 0; k < most && r.cwiseAbs().maxCoeff() > balanced; ++k) {
     const Eigen::VectorXd Np = N * p;
     const double step = rz / p.dot(Np);
     alpha += step * p;
     r -= step * Np;
-    z = factor.solve(r);
+    z = lead(r);
     const double next = r.dot(z);
     p = z + next / rz * p;
     rz = next;
   }
-  return x + omega.asDiagonal() * (A.transpose() * alpha);
+  return alpha;
 }
+
+using Entries = std::vector<Eigen::Triplet<double>>;
 
 /// The bonds of one body, those that a turn maps onto each other as one unknown.
 class Sector {
@@ -70,9 +80,11 @@ class Sector {
   }
   int begin() const { return bonds_.begin[first_]; }
   int end() const { return bonds_.begin[last_]; }
+  /// The bond of i to j; −1 if there is none.
   int find(int i, int j) const {
     const auto from = bonds_.j.begin() + bonds_.begin[i], to = bonds_.j.begin() + bonds_.begin[i + 1];
-    return static_cast<int>(std::lower_bound(from, to, j) - bonds_.j.begin());
+    const auto found = std::lower_bound(from, to, j);
+    return found != to && *found == j ? static_cast<int>(found - bonds_.j.begin()) : -1;
   }
   void find_reverse();
   void find_classes();
@@ -88,11 +100,19 @@ class Sector {
     B << bonds_.B[i][0][0], bonds_.B[i][0][1], bonds_.B[i][1][0], bonds_.B[i][1][1];
     return initial_.V0[i] * B;
   }
-  void add_force_rows(int i, int row, std::vector<Eigen::Triplet<double>>& entries) const;
+  void add_area_rows(int i, int row, Entries& entries, std::vector<double>& target) const;
+  void add_force_rows(int i, int row, Entries& entries, std::vector<double>& target) const;
+  std::vector<int> steps_from(const std::vector<int>& particles) const;
+  template <class AddRows>
+  void least_change(Eigen::VectorXd& x, const Eigen::VectorXd& omega, const std::vector<int>& owner,
+                    const AddRows& add_rows) const;
+  /// The unknowns along and across of a pair, from either side
+  int pair(int b) const { return 2 * std::min(class_[b - begin()], class_[reverse_[b - begin()] - begin()]); }
 
   const InitialParticles& initial_;
   Bonds& bonds_;
   int first_, last_;                  // particles of the body
+  std::vector<int> turned_;           // InitialParticles::turned, or each itself
   std::vector<int> reverse_, class_;  // [bond − begin()]
   int classes_ = 0;
   std::vector<unsigned char> inside_;  // [particle − first_]
@@ -106,22 +126,30 @@ void Sector::find_reverse() {
 }
 
 void Sector::find_classes() {
-  std::vector<int> owner(end() - begin());
-  for (int i = first_; i < last_; ++i) for_each_bond(i, [&](int b) { owner[b - begin()] = i; });
+  std::vector<int> image(end() - begin());
+  turned_ = initial_.turned;
+  bool turns = true;
+  for (int i = first_; i < last_; ++i) {
+    for_each_bond(i, [&](int b) {
+      image[b - begin()] = find(turned_[i], turned_[bonds_.j[b]]);
+      turns = turns && image[b - begin()] >= 0;
+    });
+  }
+  if (!turns) {  // round-off has decided otherwise about a bond of the image
+    std::iota(turned_.begin(), turned_.end(), 0);
+    std::iota(image.begin(), image.end(), begin());
+  }
   class_.assign(end() - begin(), -1);
   for (int start = begin(); start < end(); ++start) {
     if (class_[start - begin()] >= 0) continue;
-    for (int b = start; class_[b - begin()] < 0;) {
-      class_[b - begin()] = classes_;
-      b = find(initial_.turned[owner[b - begin()]], initial_.turned[bonds_.j[b]]);
-    }
+    for (int b = start; class_[b - begin()] < 0; b = image[b - begin()]) class_[b - begin()] = classes_;
     ++classes_;
   }
   std::vector<unsigned char> seen(last_ - first_);
   for (int start = first_; start < last_; ++start) {
     if (seen[start - first_]) continue;
     chosen_.push_back(start);
-    for (int i = start; !seen[i - first_]; i = initial_.turned[i]) seen[i - first_] = 1;
+    for (int i = start; !seen[i - first_]; i = turned_[i]) seen[i - first_] = 1;
   }
 }
 
@@ -149,48 +177,70 @@ void Sector::find_inside() {
   }
 }
 
+/// How many bonds each particle of the body is away from the nearest of some; of those too far, `far`.
+constexpr int far = 12;
+std::vector<int> Sector::steps_from(const std::vector<int>& particles) const {
+  std::vector<int> steps(last_ - first_, far), edge = particles, next;
+  for (const int i : edge) steps[i - first_] = 0;
+  for (int step = 1; step < far && !edge.empty(); ++step, edge.swap(next)) {
+    next.clear();
+    for (const int i : edge)
+      for_each_bond(i, [&](int b) {
+        int& known = steps[bonds_.j[b] - first_];
+        if (known > step) known = step, next.push_back(bonds_.j[b]);
+      });
+  }
+  return steps;
+}
+
+/// Adds to x the change of least Σ (Δx)²/ω with which the rows of each chosen particle hold that
+/// `add_rows(i, first row, entries, targets)` gives, around where they do not hold yet: a row of i has unknowns
+/// of i and of those bonded to it only. `owner` is a particle that an unknown belongs to. Leaves x as it is
+/// where that does not come nearer.
+template <class AddRows>
+void Sector::least_change(Eigen::VectorXd& x, const Eigen::VectorXd& omega, const std::vector<int>& owner,
+                          const AddRows& add_rows) const {
+  Entries entries;
+  std::vector<double> target, missing;
+  const auto residual = [&] {
+    missing = target;
+    for (const auto& entry : entries) missing[entry.row()] -= entry.value() * x[entry.col()];
+    double greatest = 0;
+    for (const double m : missing) greatest = std::max(greatest, std::abs(m));
+    return greatest;
+  };
+  std::vector<int> unbalanced;
+  for (const int i : chosen_) {
+    entries.clear(), target.clear();
+    add_rows(i, 0, entries, target);
+    if (residual() > balanced) unbalanced.push_back(i);
+  }
+  if (unbalanced.empty()) return;
+  for (std::size_t k = 0, n = unbalanced.size(); k < n; ++k)  // and its images
+    for (int i = turned_[unbalanced[k]]; i != unbalanced[k]; i = turned_[i]) unbalanced.push_back(i);
+  const std::vector<int> steps = steps_from(unbalanced);
+  entries.clear(), target.clear();
+  for (const int i : chosen_)
+    if (steps[i - first_] < far) add_rows(i, static_cast<int>(target.size()), entries, target);
+  const double before = residual();
+  std::erase_if(entries, [&](const auto& entry) { return steps[owner[entry.col()] - first_] >= far - 2; });
+  Rows A(static_cast<Eigen::Index>(target.size()), x.size());
+  A.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::VectorXd r = Eigen::Map<const Eigen::VectorXd>(missing.data(), A.rows());
+  const Eigen::VectorXd change = omega.asDiagonal() * (A.transpose() * solve_normal(A, omega, r));
+  if ((r - A * change).cwiseAbs().maxCoeff() < before) x += change;  // not if it is not a number
+}
+
 /// Unknowns ξ, η of each pair: a_ij = (1 + ξ) α X + η α X⊥, seen from either side.
 void Sector::balance_areas() {
-  const auto pair = [&](int b) {
-    return 2 * std::min(class_[b - begin()], class_[reverse_[b - begin()] - begin()]);
-  };
-  std::vector<Eigen::Triplet<double>> entries;
-  std::vector<double> target;
-  const auto add_row = [&](double value) {
-    target.push_back(value);
-    return static_cast<int>(target.size()) - 1;
-  };
-  for (const int i : chosen_) {
-    const Eigen::Matrix2d mine = area_of_unit(i);
-    const double scale = mine.trace() / (2 * initial_.V0[i]);  // of B
-    std::array<int, 4> keep{};
-    for (int& row : keep) row = add_row(0);
-    const bool inside = inside_[i - first_];
-    Vector excess = Vector::Zero();
-    const double spacing = std::sqrt(initial_.V0[i]);
-    const int none = inside ? add_row(0) : -1, too = inside ? add_row(0) : -1;
-    for_each_bond(i, [&](int b) {
-      const Vector a = vector(bonds_.area[b]), X = bond(b).X, across{-a[1], a[0]};
-      for (int k = 0; k < 4; ++k) {
-        entries.emplace_back(keep[k], pair(b), scale * a[k / 2] * X[k % 2]);
-        entries.emplace_back(keep[k], pair(b) + 1, scale * across[k / 2] * X[k % 2]);
-      }
-      if (!inside) return;
-      const Eigen::Matrix2d both = (mine + area_of_unit(bonds_.j[b])) / spacing;
-      const Vector along = both * a, beside = both * across;
-      excess += along;
-      for (int k = 0; k < 2; ++k) {
-        entries.emplace_back(k == 0 ? none : too, pair(b), along[k]);
-        entries.emplace_back(k == 0 ? none : too, pair(b) + 1, beside[k]);
-      }
-    });
-    if (inside) target[none] = -excess[0], target[too] = -excess[1];
-  }
-  Rows A(static_cast<Eigen::Index>(target.size()), 2 * classes_);
-  A.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::VectorXd none = Eigen::VectorXd::Zero(2 * classes_);
-  const Eigen::VectorXd change = least_change(A, Eigen::Map<const Eigen::VectorXd>(target.data(), A.rows()),
-                                              none, Eigen::VectorXd::Ones(2 * classes_));
+  std::vector<int> owner(2 * classes_, first_);
+  for (int i = first_; i < last_; ++i)
+    for_each_bond(i, [&](int b) { owner[pair(b)] = owner[pair(b) + 1] = i; });
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(2 * classes_);
+  least_change(change, Eigen::VectorXd::Ones(2 * classes_), owner,
+               [&](int i, int row, Entries& entries, std::vector<double>& target) {
+                 add_area_rows(i, row, entries, target);
+               });
   for (int b = begin(); b < end(); ++b) {
     const double along = 1 + change[pair(b)], across = change[pair(b) + 1];
     const Point a = bonds_.area[b];
@@ -198,14 +248,39 @@ void Sector::balance_areas() {
   }
 }
 
-constexpr int strains = 3, force_rows = 2 * strains;
+/// Σ_j a_ij ⊗ X_ij as it is, and where i is inside Σ_j (V_i B_i + V_j B_j) a_ij = 0.
+void Sector::add_area_rows(int i, int row, Entries& entries, std::vector<double>& target) const {
+  const Eigen::Matrix2d mine = area_of_unit(i);
+  const double scale = mine.trace() / (2 * initial_.V0[i]);  // of B
+  const double spacing = std::sqrt(initial_.V0[i]);
+  const bool inside = inside_[i - first_];
+  Vector excess = Vector::Zero();
+  for_each_bond(i, [&](int b) {
+    const Vector a = vector(bonds_.area[b]), X = bond(b).X, across{-a[1], a[0]};
+    const auto add = [&](int k, double of_along, double of_across) {
+      entries.emplace_back(row + k, pair(b), of_along);
+      entries.emplace_back(row + k, pair(b) + 1, of_across);
+    };
+    for (int k = 0; k < 4; ++k) add(k, scale * a[k / 2] * X[k % 2], scale * across[k / 2] * X[k % 2]);
+    if (!inside) return;
+    const Eigen::Matrix2d both = (mine + area_of_unit(bonds_.j[b])) / spacing;
+    const Vector along = both * a, beside = both * across;
+    excess += along;
+    for (int k = 0; k < 2; ++k) add(4 + k, along[k], beside[k]);
+  });
+  target.insert(target.end(), 4, 0.0);
+  if (inside) target.insert(target.end(), {-excess[0], -excess[1]});
+}
+
+constexpr int strains = 3;
 
 double stretch(int strain, const Vector& e) {  // e·H e of ε_xx, ε_yy, ε_xy
   return strain == 0 ? e[0] * e[0] : strain == 1 ? e[1] * e[1] : e[0] * e[1];
 }
 
-/// The force on i of the bonds and of what is cancelled of them, over G and the spacing, from `row` on.
-void Sector::add_force_rows(int i, int row, std::vector<Eigen::Triplet<double>>& entries) const {
+/// The force on i, if it is inside, of the bonds and of what is cancelled of them, over G and the spacing.
+void Sector::add_force_rows(int i, int row, Entries& entries, std::vector<double>& target) const {
+  if (!inside_[i - first_]) return;
   const double spacing = std::sqrt(initial_.V0[i]);
   const auto add = [&](int b, const Vector& of_unit_stretch, const Vector& e) {
     for (int s = 0; s < strains; ++s)
@@ -226,23 +301,22 @@ void Sector::add_force_rows(int i, int row, std::vector<Eigen::Triplet<double>>&
       add(c, initial_.V0[j] * d.dot(g) * d, d);
     });
   });
+  target.insert(target.end(), 2 * strains, 0.0);
 }
 
 void Sector::balance_weights() {
-  std::vector<Eigen::Triplet<double>> entries;
-  int rows = 0;
-  for (const int i : chosen_) {
-    if (!inside_[i - first_]) continue;
-    add_force_rows(i, rows, entries);
-    rows += force_rows;
-  }
-  Rows A(rows, classes_);
-  A.setFromTriplets(entries.begin(), entries.end());
+  std::vector<int> owner(classes_);
   Eigen::VectorXd w(classes_);
-  for (int b = begin(); b < end(); ++b) w[class_[b - begin()]] = bonds_.weight[b];
+  for (int i = first_; i < last_; ++i)
+    for_each_bond(i, [&](int b) {
+      owner[class_[b - begin()]] = i;
+      w[class_[b - begin()]] = bonds_.weight[b];
+    });
   const Eigen::VectorXd omega = w.cwiseMax(0.5);  // a bond without weight may get one
-  const Eigen::VectorXd solved = least_change(A, Eigen::VectorXd::Zero(rows), w, omega);
-  for (int b = begin(); b < end(); ++b) bonds_.weight[b] = solved[class_[b - begin()]];
+  least_change(w, omega, owner, [&](int i, int row, Entries& entries, std::vector<double>& target) {
+    add_force_rows(i, row, entries, target);
+  });
+  for (int b = begin(); b < end(); ++b) bonds_.weight[b] = w[class_[b - begin()]];
 }
 
 }  // namespace

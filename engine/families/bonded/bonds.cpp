@@ -9,12 +9,12 @@
 #include <Eigen/Dense>
 
 #include "engine/families/bonded/balance.hpp"
-#include "engine/neighbors/neighbors.hpp"
+#include "engine/neighbors/initial_neighbors.hpp"
 
 namespace taut {
 namespace {
 
-constexpr int Dim = 2;  // of the scenes of this version; the code below is for 3 too
+constexpr int Dim = 2;  // of the scenes of this version and of balance.cpp
 
 /// One product e_a e_b e_c e_d of four components of a unit vector, by the power of each component.
 using Powers = std::array<int, Dim>;
@@ -76,28 +76,6 @@ class Moments {
   Eigen::VectorXd target_;
 };
 
-/// The particles of its own body within reach of each one, by id.
-std::vector<std::vector<int>> initial_neighbors(const InitialParticles& initial, double reach) {
-  const int n = initial.size();
-  std::vector<Vec<double, Dim>> x(n), sorted(n);
-  for (int i = 0; i < n; ++i)
-    for (int k = 0; k < Dim; ++k) x[i][k] = initial.x[i][k];
-  CellGrid<Dim> grid;
-  const std::vector<int> order = grid.sort(x, reach);
-  for (int i = 0; i < n; ++i) sorted[i] = x[order[i]];
-  Neighbors found;
-  NeighborSearch<Dim>()(grid, sorted, reach, 1, found);
-  std::vector<std::vector<int>> near(n);
-  for (int i = 0; i < n; ++i) {
-    const int id = order[i];
-    for (int k = lanes * found.begin[i]; k < lanes * found.begin[i + 1]; ++k) {
-      const int other = order[found.j[k]];
-      if (other != id && initial.body[other] == initial.body[id]) near[id].push_back(other);
-    }
-  }
-  return near;
-}
-
 using Columns = Eigen::Matrix<double, Dim, Eigen::Dynamic>;
 using Square = Eigen::Matrix<double, Dim, Dim>;
 
@@ -119,7 +97,12 @@ class Maker {
 
   Bonds make() {
     make_balanced();
-    if (widen()) make_balanced();
+    bool wide = false;
+    for (const int body : with_pair_below(least_strength)) least_reach_[body] = wide_bond_reach, wide = true;
+    if (wide) make_balanced();
+    for (const int body : with_pair_below(-least_strength))
+      for (int b = out_.begin[initial_.first[body]]; b < out_.begin[initial_.first[body + 1]]; ++b)
+        out_.weight[b] = unbalanced_[b];
     out_.volume = initial_.V0;
     correct_volumes();
     cut_at_clamp();
@@ -128,18 +111,23 @@ class Maker {
   }
 
  private:
+  /// Of (V_i w_ij + V_j w_ji)/V_i, which is about 2; of w_ij alone at a clamp.
+  static constexpr double least_strength = 0.4;
+
   void make_balanced() {
     choose();
     set_ends();
     set_gradients();
     balance_areas(initial_, out_);
     set_gradients();
+    unbalanced_ = out_.weight;
     balance_weights(initial_, out_);
   }
   void choose();
   void set_ends();
   void set_gradients();
-  bool widen();
+  std::vector<int> with_pair_below(double least) const;
+  void straighten(int i);
   void correct_volumes();
   void cut_at_clamp();
   double share_before_clamp(int i, const Point& X) const;
@@ -149,6 +137,7 @@ class Maker {
   double h_;
   std::vector<double> least_reach_;            // [body] of the bonds, in h
   std::vector<std::map<int, double>> chosen_;  // [id] w_ij by j
+  std::vector<double> unbalanced_;             // weights before they were balanced
   Bonds out_;
 };
 
@@ -164,7 +153,6 @@ void Maker::choose() {
       std::vector<int> others;
       for (int j : near[i])
         if ((column(initial_.x[j]) - x_i).norm() < reach * h_ * (1 - 1e-9)) others.push_back(j);
-      std::ranges::sort(others);
       Eigen::MatrixXd X(Dim, others.size());
       Eigen::VectorXd omega(others.size());
       for (std::size_t b = 0; b < others.size(); ++b) {
@@ -216,43 +204,37 @@ void Maker::set_gradients() {
   }
 }
 
-/// Bodies whose balance left a pair of particles with next to no bond, or with one that pushes when it is
-/// pulled, get bonds of a longer reach. True if there are any.
-bool Maker::widen() {
-  constexpr double typical = 2, least = 0.2;  // (V_i w_ij + V_j w_ji)/V_i
-  bool any = false;
+/// The bodies whose balance has left a pair of particles less than this strength.
+std::vector<int> Maker::with_pair_below(double least) const {
+  std::vector<int> bodies;
   for (int i = 0; i < initial_.size(); ++i) {
+    if (initial_.held[i] || (!bodies.empty() && bodies.back() == initial_.body[i])) continue;
     for (int b = out_.begin[i]; b < out_.begin[i + 1]; ++b) {
       const int j = out_.j[b];
       const int* last = out_.j.data() + out_.begin[j + 1];
       const int* back = std::find(last - (out_.begin[j + 1] - out_.begin[j]), last, i);
-      const double both =
-          out_.weight[b] + initial_.V0[j] / initial_.V0[i] * out_.weight[back - out_.j.data()];
-      if (both >= least * typical) continue;
-      least_reach_[initial_.body[i]] = wide_bond_reach;
-      any = true;
+      const double of_other = initial_.V0[j] / initial_.V0[i] * out_.weight[back - out_.j.data()];
+      const double strength = initial_.held[j] ? 2 * out_.weight[b] : out_.weight[b] + of_other;
+      if (strength >= least) continue;
+      bodies.push_back(initial_.body[i]);
+      break;
     }
   }
-  return any;
+  return bodies;
 }
 
 /// V_k += Σ_j D_j²/24 S_j · (g_jk − δ_jk Σ_l g_jl): S_j = Σ_i (V_i g_ij − V_j g_ji) is the surface that
 /// belongs to particle j, 0 inside.
 void Maker::correct_volumes() {
-  std::vector<Eigen::Vector<double, Dim>> S(initial_.size(), Eigen::Vector<double, Dim>::Zero());
-  const auto for_each_bond = [&](const auto& visit) {
-    for (int i = 0; i < initial_.size(); ++i)
-      for (int b = out_.begin[i]; b < out_.begin[i + 1]; ++b) visit(i, out_.j[b], column(out_.gradient[b]));
-  };
-  for_each_bond([&](int i, int j, const auto& g) {
-    S[j] += initial_.V0[i] * g;
-    S[i] -= initial_.V0[i] * g;
-  });
-  for_each_bond([&](int j, int k, const auto& g) {
-    const double change = std::pow(initial_.V0[j], 2.0 / Dim) / 24 * S[j].dot(g);
-    out_.volume[k] += change;
-    out_.volume[j] -= change;
-  });
+  const std::vector<Point> S = surface(out_);
+  for (int j = 0; j < initial_.size(); ++j) {
+    for (int b = out_.begin[j]; b < out_.begin[j + 1]; ++b) {
+      const double change =
+          std::pow(initial_.V0[j], 2.0 / Dim) / 24 * column(S[j]).dot(column(out_.gradient[b]));
+      out_.volume[out_.j[b]] += change;
+      out_.volume[j] -= change;
+    }
+  }
 }
 
 /// Share of the way X from free particle i that lies before the held region.
@@ -287,6 +269,23 @@ void Maker::cut_at_clamp() {
     cut.begin.push_back(static_cast<int>(cut.j.size()));
   }
   out_ = std::move(cut);
+  for (int i = 0; i < initial_.size(); ++i) straighten(i);
+}
+
+/// Where a_ij has a part across X_ij, a shortened X makes Σ_j a_ij ⊗ X_ij skew. Bonds into the clamp, which
+/// have no other side to agree with, take that back.
+void Maker::straighten(int i) {
+  double skew = 0, into_clamp = 0;
+  for (int b = out_.begin[i]; b < out_.begin[i + 1]; ++b) {
+    const Point &a = out_.area[b], &X = out_.X[b];
+    skew += a[0] * X[1] - a[1] * X[0];
+    if (initial_.held[out_.j[b]]) into_clamp += X[0] * X[0] + X[1] * X[1];
+  }
+  for (int b = out_.begin[i]; b < out_.begin[i + 1] && into_clamp > 0; ++b) {
+    if (!initial_.held[out_.j[b]]) continue;
+    out_.area[b][0] += skew / into_clamp * -out_.X[b][1];
+    out_.area[b][1] += skew / into_clamp * out_.X[b][0];
+  }
 }
 
 }  // namespace
