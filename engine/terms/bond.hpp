@@ -58,9 +58,12 @@ inline constexpr TermInfo bond_energy_info{
 
 /// φ′(λ)/λ of s = λ²: times k (x_j − x_i) with k = G (V0_i w_ij + V0_j w_ji)/r0² it is the force on i.
 template <class T>
-T bond_slope(const T& s) {
-  const T inverse = 1 / s;
+T bond_slope(const T& s, const T& inverse) {
   return (1.0 / 12) * (4 * s - 3 - inverse * inverse);
+}
+template <class T>
+T bond_slope(const T& s) {
+  return bond_slope(s, T(1 / s));
 }
 inline constexpr TermInfo bond_force_info{
     "bond force", "f_i = Σ_j k_ij φ′(λ_ij)/λ_ij (x_j − x_i), φ = (2λ⁴ − 3λ² + λ⁻²)/24",
@@ -87,6 +90,15 @@ T cancelled_energy(const T& s) {
 template <class T>
 T cancelled_slope(const T& s) {
   return bond_slope(within_cancelled(s));
+}
+/// cancelled_slope of four s in their place, by one division
+template <class T>
+[[gnu::always_inline]] inline void take_cancelled_slopes(T (&s)[4]) {
+  for (T& one : s) one = within_cancelled(one);
+  const T first = s[0] * s[1], second = s[2] * s[3], inverse = 1 / (first * second);
+  const T of_first = inverse * second, of_second = inverse * first;
+  const T of_each[4] = {of_first * s[1], of_first * s[0], of_second * s[3], of_second * s[2]};
+  for (int k = 0; k < 4; ++k) s[k] = bond_slope(s[k], of_each[k]);
 }
 inline constexpr TermInfo cancelled_info{
     "cancelled",

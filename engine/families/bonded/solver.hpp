@@ -66,7 +66,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   };
   /// One bond of each of four particles, as far as it is their energy; the filling has Gw = 0. Of e ⊗ e the
   /// last component is 1 less the others of the diagonal.
-  static constexpr int dyad_size = Sym<Pack, Dim>::size - 1;
+  static constexpr int dyad_size = Sym<Pack, Dim>::size - 1, cancelled_at_once = 4;
   struct Cancelled {
     Pack dyad[dyad_size];
     Pack Gw;  // G V0_i w_ij, of a bond straight on the other side too, J
@@ -93,8 +93,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   double force_pass(double dt);
   template <bool WithEnergy>
   Strained strained(int i) const;
-  template <class F>
-  void for_each_cancelled(int group, const Sym<Pack, Dim>& C, const F& f) const;
+  struct AffineStretch;
   Sym<Pack, Dim> of_bonds(int group) const;
   Pack energy_of_four(int group) const;
   template <bool WithEnergy>
@@ -232,6 +231,8 @@ void Bonded<M, Dim>::pack_cancelled(const Bonds& bonds) {
         cancelled_[begin + b].Gw[lane] = all[b].Gw;
       }
     }
+    const std::size_t over = (cancelled_.size() - begin) % cancelled_at_once;
+    if (over > 0) cancelled_.resize(cancelled_.size() + cancelled_at_once - over);
     cancelled_begin_.push_back(static_cast<int>(cancelled_.size()));
   }
 }
@@ -308,32 +309,40 @@ inline constexpr TermInfo bonded_damping_info{
     "families/bonded/solver.hpp:strained",
     "oenog: the damping takes a zigzag away and leaves the first mode alone"};
 
-/// f(bond, s°) for one bond after the other of each of four particles, whose C is this.
+/// s° of a bond of each of four particles: of the components of e ⊗ e that are kept, what C gives them.
 template <const Formulation& M, int Dim>
-template <class F>
-void Bonded<M, Dim>::for_each_cancelled(int group, const Sym<Pack, Dim>& C, const F& f) const {
-  constexpr int last = Dim - 1;
-  Sym<Pack, Dim> factor = C;  // of the components of e ⊗ e that are kept
-  for (int a = 0; a < last; ++a) {
-    factor(a, a) -= C(last, last);
-    for (int k = a + 1; k < Dim; ++k) factor(a, k) += C(a, k);
+struct Bonded<M, Dim>::AffineStretch {
+  explicit AffineStretch(Sym<Pack, Dim> C) : factor(C) {
+    constexpr int last = Dim - 1;
+    for (int a = 0; a < last; ++a) {
+      factor(a, a) -= C(last, last);
+      for (int k = a + 1; k < Dim; ++k) factor(a, k) += C(a, k);
+    }
   }
-  for (int b = cancelled_begin_[group]; b < cancelled_begin_[group + 1]; ++b) {
-    Pack s = C(last, last);
-    for (int k = 0; k < dyad_size; ++k) s += factor.c[k] * cancelled_[b].dyad[k];
-    f(cancelled_[b], s);
+  [[gnu::always_inline]] Pack of(const Cancelled& bond) const {
+    Pack s = factor.c[dyad_size];
+    for (int k = 0; k < dyad_size; ++k) s += factor.c[k] * bond.dyad[k];
+    return s;
   }
-}
+  Sym<Pack, Dim> factor;
+};
 
 /// G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e of four particles, J
 template <const Formulation& M, int Dim>
 Sym<Pack, Dim> Bonded<M, Dim>::of_bonds(int group) const {
   Sym<Pack, Dim> S{};
-  for_each_cancelled(group, right_cauchy_green(F_[group]), [&](const Cancelled& own, const Pack& s) {
-    const Pack pull = own.Gw * cancelled_slope(s);
-    for (int k = 0; k < dyad_size; ++k) S.c[k] += pull * own.dyad[k];
-    S.c[dyad_size] += pull;
-  });
+  const AffineStretch stretch(right_cauchy_green(F_[group]));
+  for (int b = cancelled_begin_[group]; b < cancelled_begin_[group + 1]; b += cancelled_at_once) {
+    Pack slope[cancelled_at_once];
+    for (int n = 0; n < cancelled_at_once; ++n) slope[n] = stretch.of(cancelled_[b + n]);
+    take_cancelled_slopes(slope);
+    for (int n = 0; n < cancelled_at_once; ++n) {
+      const Cancelled& own = cancelled_[b + n];
+      const Pack pull = own.Gw * slope[n];
+      for (int k = 0; k < dyad_size; ++k) S.c[k] += pull * own.dyad[k];
+      S.c[dyad_size] += pull;
+    }
+  }
   for (int k = 0; k < Dim - 1; ++k) S(Dim - 1, Dim - 1) -= S(k, k);
   return S;
 }
@@ -345,8 +354,9 @@ Pack Bonded<M, Dim>::energy_of_four(int group) const {
   Sym<Pack, Dim> C = right_cauchy_green(F_[group]);
   for (int k = 0; k < Dim; ++k) C(k, k) = sites.V > 0 ? C(k, k) : filled<Pack>(1);
   Pack energy = sites.V * sites.law.energy(F_[group]);
-  for_each_cancelled(group, C,
-                     [&](const Cancelled& own, const Pack& s) { energy -= own.Gw * cancelled_energy(s); });
+  const AffineStretch stretch(C);
+  for (int b = cancelled_begin_[group]; b < cancelled_begin_[group + 1]; ++b)
+    energy -= cancelled_[b].Gw * cancelled_energy(stretch.of(cancelled_[b]));
   return energy;
 }
 

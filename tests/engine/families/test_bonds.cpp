@@ -317,6 +317,10 @@ TEST_SUITE("term") {
       CHECK(cancelled_energy(s) == bond_energy(s));
       CHECK(cancelled_slope(s) == bond_slope(s));
     }
+    double four[4] = {0.1, 0.8, 1.3, 9.0};
+    take_cancelled_slopes(four);
+    for (const auto& [k, s] : {std::pair{0, 0.1}, {1, 0.8}, {2, 1.3}, {3, 9.0}})
+      CHECK(four[k] == Approx(cancelled_slope(s)).epsilon(1e-14));
     for (const double s : {0.01, 0.1, 0.24, 4.5, 30.0}) {
       const double step = 1e-6, edge = s < 1 ? 0.25 : 4;
       // dφ/ds = φ′/(2 λ)
