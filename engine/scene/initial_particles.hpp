@@ -24,8 +24,9 @@ struct InitialParticles {
 
 inline constexpr double greatest_particle_number = 20e6;
 
-/// Boxes and unions are filled with a square lattice, discs and rings that are a body with concentric layers
-/// (RoundLayout) whose particles share the layer's area, so that their mass is exact. Throws SceneError: no particles, too many, bodies that overlap.
+/// Boxes, unions and round shapes of layout `lattice` are filled with a square lattice, other discs and rings
+/// that are a body with concentric layers (RoundLayout) whose particles share the layer's area, so that their
+/// mass is exact. Throws SceneError: no particles, too many, bodies that overlap.
 InitialParticles make_initial_particles(const Scene& scene);
 
 }  // namespace taut
