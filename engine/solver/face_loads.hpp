@@ -37,8 +37,8 @@ using FaceShare = std::pair<int, Point>;
 /// the outermost one on, which is the force at the face whose displacement follows from theirs.
 /// - uniform: f_j = t (n · S_j), the force that a uniform stress σ, σ n = t, takes at j. So a uniform stress is at
 ///   rest to round-off, corners included. Force and moment are exact where t is uniform, the gradient exact for
-///   linear fields and the face a whole straight side of a rectangle; elsewhere both are off by what other faces
-///   at its ends take. Of a t that is linear along the face a corner moves the moment by the order of dp².
+///   linear fields and the face a whole straight side of a rectangle, not of curved faces or oblique corners.
+///   Of a t that is linear along the face a corner moves the moment by the order of dp².
 /// - by_column: the force of each particle of the layer is shared like n · S_j among those below it. So the force
 ///   of any t is exact, and where t is normal to a plane face its moment; a corner is not at rest.
 /// Where a body is so thin that particles feel the opposite face too, S_j is of both faces: the half of the column
