@@ -16,6 +16,9 @@ using Place = Eigen::Vector<double, Dim>;
 constexpr double layer_reach = 2.1;  // dp, of what tells the direction of a layer
 constexpr double aside = 0.75;       // dp, along the face, of a particle that stands below another one
 
+constexpr double least_scaled =
+    0.5;  // of its area, n · S of a column that can share a force; ends of bars have 0.95 to 1.5
+
 Place place(const Point& p) { return Eigen::Map<const Place>(p.data()); }
 
 Point point(const Place& v) {
@@ -165,9 +168,9 @@ std::vector<FaceShare> face_shares(FaceRule rule, const FaceLayer& layer, const 
     const Column& c = columns[b.k];
     const double whole = layer.area[b.k];
     double area = own_area(j, b);
-    if (!c.thin)
-      area *= rule == FaceRule::by_column ? whole / c.area : 1;
-    else if (c.at_middle > 0 ? is_middle(b) : j == layer.id[b.k])
+    if (!c.thin && rule == FaceRule::by_column)
+      area = c.area > least_scaled * whole ? area * (whole / c.area) : j == layer.id[b.k] ? whole : 0;
+    else if (c.thin && (c.at_middle > 0 ? is_middle(b) : j == layer.id[b.k]))
       area += (whole - c.area) / std::max(1, c.at_middle);
     if (area != 0) shares.emplace_back(j, point(area * place(layer.traction[b.k])));
   }

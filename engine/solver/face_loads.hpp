@@ -41,6 +41,7 @@ using FaceShare = std::pair<int, Point>;
 ///   Of a t that is linear along the face a corner moves the moment by the order of dp².
 /// - by_column: the force of each particle of the layer is shared like n · S_j among those below it. So the force
 ///   of any t is exact, and where t is normal to a plane face its moment; a corner is not at rest.
+///   Where Σ n · S is less than half of the area the force stays on the layer.
 /// Where a body is so thin that particles feel the opposite face too, S_j is of both faces: the half of the column
 /// that is nearer counts, and what it lacks of the area (−1 times it in 2 rows, −0.5 in 3, next to nothing
 /// from 6 on) acts at the middle, in both rules. The opposite face has the same there with the other sign: a

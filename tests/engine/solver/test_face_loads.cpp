@@ -175,6 +175,24 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE("face loads: a column without a surface of its own keeps its force on the layer") {
+    const Scene scene = thin_bar(12, {0, 1, 0}, false);
+    const InitialParticles initial = make_initial_particles(scene);
+    const Load& load = scene.bodies[0].loads[0];
+    const auto near = initial_neighbors(initial, 4.8 * scene.spacing);
+    std::vector<int> id;
+    for (int i = 0; i < initial.size(); ++i)
+      if (load.where(initial.x[i]) != 0) id.push_back(i);
+    const FaceLayer layer = face_layer(load, initial, near, id, scene.spacing);
+    const std::vector<Point> none(initial.size());
+    const auto shares = face_shares(FaceRule::by_column, layer, initial, near, none, scene.spacing);
+    CHECK(shares.size() == id.size());
+    for (const auto& [i, f] : shares) {
+      CHECK(load.where(initial.x[i]) != 0);
+      CHECK(f[1] == relative(scene.spacing));
+    }
+  }
+
   TEST_CASE("face loads: a uniform stress across a thin bar is at rest") {
     for (int rows = 2; rows <= 10; ++rows) {
       CAPTURE(rows);
