@@ -16,6 +16,9 @@ using Place = Eigen::Vector<double, Dim>;
 constexpr double layer_reach = 2.1;  // dp, of what tells the direction of a layer
 constexpr double aside = 0.75;       // dp, along the face, of a particle that stands below another one
 
+constexpr double least_scaled =
+    0.5;  // of its area, n · S of a column that can share a force; ends of bars have 0.95 to 1.5
+
 Place place(const Point& p) { return Eigen::Map<const Place>(p.data()); }
 
 Point point(const Place& v) {
@@ -61,6 +64,63 @@ double stretch(const FaceLayer& layer, std::size_t k, const InitialParticles& in
   return std::pow(inside > 0 ? outside / inside : 1, Dim - 1);
 }
 
+/// The particles below one of the layer, down to the middle between its face and the opposite one.
+struct Column {
+  bool thin = false;  // particles that feel its face may feel the opposite one
+  double middle = std::numeric_limits<double>::infinity();  // m, below the particle of the layer, if thin
+  double area = 0;                                          // Σ n · S, m^(dim − 1)
+  int at_middle = 0;                                        // number of its particles there
+};
+
+/// The particle farthest below i, by `near`, and how far, m.
+std::pair<int, double> deepest(int i, const Place& n, const InitialParticles& initial,
+                               const std::vector<std::vector<int>>& near, double spacing) {
+  std::pair<int, double> known{i, 0};
+  for (const int j : near[i]) {
+    const Place d = place(initial.x[i]) - place(initial.x[j]);
+    if ((d - d.dot(n) * n).norm() > aside * spacing) continue;
+    if (d.dot(n) > known.second + 1e-6 * spacing) known = {j, d.dot(n)};
+  }
+  return known;
+}
+
+/// Faces are felt as far as `near` goes, so that two of them meet where they are less than twice that apart.
+Column column(int i, const Place& n, const InitialParticles& initial,
+              const std::vector<std::vector<int>>& near, double spacing) {
+  double depth = 0, enough = std::numeric_limits<double>::infinity();
+  while (depth < enough) {
+    const auto [j, step] = deepest(i, n, initial, near, spacing);
+    if (step == 0) return {.thin = true, .middle = 0.5 * depth};
+    if (depth == 0) enough = 2 * step - 0.5 * spacing;
+    depth += step;
+    i = j;
+  }
+  return {};
+}
+
+struct Below {
+  double distance = std::numeric_limits<double>::infinity();  // m
+  std::size_t k = 0;                                          // in the layer
+  double depth = 0;                                           // m, along the normal
+};
+
+/// Of each free particle below the layer the nearest of the layer that stands above it.
+std::map<int, Below> below(const FaceLayer& layer, const InitialParticles& initial,
+                           const std::vector<std::vector<int>>& near, double spacing) {
+  std::map<int, Below> all;
+  for (std::size_t k = 0; k < layer.id.size(); ++k) {
+    const int i = layer.id[k];
+    const Place n = place(layer.normal[k]);
+    all[i] = {0, k, 0};
+    for (const int j : near[i]) {
+      const Place d = place(initial.x[i]) - place(initial.x[j]);
+      if (initial.held[j] || (d - d.dot(n) * n).norm() > aside * spacing) continue;
+      if (Below& known = all[j]; d.norm() < known.distance) known = {d.norm(), k, d.dot(n)};
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 FaceLayer face_layer(const Load& load, const InitialParticles& initial,
@@ -87,29 +147,32 @@ FaceLayer face_layer(const Load& load, const InitialParticles& initial,
 std::vector<FaceShare> face_shares(FaceRule rule, const FaceLayer& layer, const InitialParticles& initial,
                                    const std::vector<std::vector<int>>& near,
                                    const std::vector<Point>& surface, double spacing) {
-  struct Above {
-    double distance = std::numeric_limits<double>::infinity();
-    std::size_t k = 0;  // in the layer
+  std::vector<Column> columns;
+  for (std::size_t k = 0; k < layer.id.size(); ++k)
+    columns.push_back(column(layer.id[k], place(layer.normal[k]), initial, near, spacing));
+  const std::map<int, Below> belows = below(layer, initial, near, spacing);
+  const auto own_area = [&](int j, const Below& b) {
+    const double from_middle = b.depth - columns[b.k].middle;
+    const double part = from_middle < -0.25 * spacing ? 1 : from_middle < 0.25 * spacing ? 0.5 : 0;
+    return part * place(layer.normal[b.k]).dot(place(surface[j]));
   };
-  std::map<int, Above> above;  // of a particle the nearest of the layer that stands above it
-  for (std::size_t k = 0; k < layer.id.size(); ++k) {
-    const int i = layer.id[k];
-    const Place n = place(layer.normal[k]);
-    above[i] = {0, k};
-    for (const int j : near[i]) {
-      const Place d = place(initial.x[i]) - place(initial.x[j]);
-      if (initial.held[j] || (d - d.dot(n) * n).norm() > aside * spacing) continue;
-      if (Above& known = above[j]; d.norm() < known.distance) known = {d.norm(), k};
-    }
+  const auto is_middle = [&](const Below& b) {
+    return std::abs(b.depth - columns[b.k].middle) < 0.75 * spacing;
+  };
+  for (const auto& [j, b] : belows) {
+    columns[b.k].area += own_area(j, b);
+    columns[b.k].at_middle += is_middle(b);
   }
-  std::vector<double> column(layer.id.size());
-  const auto own_area = [&](int j, std::size_t k) { return place(layer.normal[k]).dot(place(surface[j])); };
-  for (const auto& [j, from] : above) column[from.k] += own_area(j, from.k);
   std::vector<FaceShare> shares;
-  for (const auto& [j, from] : above) {
-    double area = own_area(j, from.k);
-    if (rule == FaceRule::by_column) area *= layer.area[from.k] / column[from.k];
-    shares.emplace_back(j, point(area * place(layer.traction[from.k])));
+  for (const auto& [j, b] : belows) {
+    const Column& c = columns[b.k];
+    const double whole = layer.area[b.k];
+    double area = own_area(j, b);
+    if (!c.thin && rule == FaceRule::by_column)
+      area = c.area > least_scaled * whole ? area * (whole / c.area) : j == layer.id[b.k] ? whole : 0;
+    else if (c.thin && (c.at_middle > 0 ? is_middle(b) : j == layer.id[b.k]))
+      area += (whole - c.area) / std::max(1, c.at_middle);
+    if (area != 0) shares.emplace_back(j, point(area * place(layer.traction[b.k])));
   }
   return shares;
 }

@@ -15,7 +15,8 @@ namespace taut {
 ///
 /// The layer is that of the load's region. Its normals come from the layer alone, so that a corner belongs to the
 /// face that is loaded; `traction` and the area that a particle stands for are those of the face, half a spacing
-/// outside.
+/// outside. Both take the layer to be one spacing thick: where those of a ring are not, the area, V0 over the
+/// spacing, is off by the ratio.
 struct FaceLayer {
   std::vector<int> id;
   std::vector<Point> normal;    // outwards
@@ -35,10 +36,16 @@ using FaceShare = std::pair<int, Point>;
 /// under the method's own gradient Σ_k (f_k − f_j) g_jk: on a face about 1.5 dp, −0.5 dp and 0 in the layers from
 /// the outermost one on, which is the force at the face whose displacement follows from theirs.
 /// - uniform: f_j = t (n · S_j), the force that a uniform stress σ, σ n = t, takes at j. So a uniform stress is at
-///   rest to round-off, corners included. Force and moment are exact where t is uniform and the gradient exact
-///   for linear fields; of a t that is linear along the face a corner moves the moment by the order of dp².
+///   rest to round-off, corners included. Force and moment are exact where t is uniform, the gradient exact for
+///   linear fields and the face a whole straight side of a rectangle, not of curved faces or oblique corners.
+///   Of a t that is linear along the face a corner moves the moment by the order of dp².
 /// - by_column: the force of each particle of the layer is shared like n · S_j among those below it. So the force
 ///   of any t is exact, and where t is normal to a plane face its moment; a corner is not at rest.
+///   Where Σ n · S is less than half of the area the force stays on the layer.
+/// Where a body is so thin that particles feel the opposite face too, S_j is of both faces: the half of the column
+/// that is nearer counts, and what it lacks of the area (−1 times it in 2 rows, −0.5 in 3, next to nothing
+/// from 6 on) acts at the middle, in both rules. The opposite face has the same there with the other sign: a
+/// uniform stress stays at rest, and force and moment are those of the face.
 enum class FaceRule : std::uint8_t { uniform, by_column };
 std::vector<FaceShare> face_shares(FaceRule rule, const FaceLayer& layer, const InitialParticles& initial,
                                    const std::vector<std::vector<int>>& near,
