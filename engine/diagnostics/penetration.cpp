@@ -20,7 +20,7 @@ typedef double Pair __attribute__((vector_size(2 * sizeof(double))));
 
 // in spacings
 constexpr double near = 1.5;   // the eight around a particle of a square lattice, the six of a hexagonal one
-constexpr double far = 3;      // at the start
+constexpr double far = 4;      // at the start: as far as what contact keeps apart is
 constexpr double reach = 2.5;  // of the lists; below `far` a body with little strain has nobody in them
 constexpr double skin = reach - near;
 

@@ -13,7 +13,7 @@ double widest_gap(std::span<double> directions);
 
 /// Finds particles that have gone through a surface: a particle lies inside a far part when the particles of
 /// that part within 1.5 dp leave no gap wider than 2π/3 around it. Far are particles of another body, and
-/// those of its own that were more than 3 dp away at the start. A face that touches another one has it on one
+/// those of its own that were more than 4 dp away at the start. A face that touches another one has it on one
 /// side: the gap is near π, dented or interlocked by a row too. Behind two particles of a surface that are
 /// 1 dp apart the gap is 2π/3 at a depth of 0.29 dp.
 ///

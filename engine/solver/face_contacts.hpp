@@ -103,7 +103,7 @@ FaceContacts<Dim>::FaceContacts(const SolverInput& input)
       meets_others_(input.scene.bodies.size() > 1 || !input.scene.walls.empty()) {
   if (input.contact != ContactLaw::surface) return;
   faces_ = MovingFaces<Dim>(make_outline(input.scene, input.initial));
-  refuse_thin(input.scene);
+  if (meets_others_) refuse_thin(input.scene);
   const Outline& outline = faces_.outline();
   double per_way = 1;  // greatest way of a node where no particle goes further than 1
   for (int n = 0; n < outline.size(); ++n) {
