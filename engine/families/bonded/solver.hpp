@@ -460,8 +460,9 @@ Mat<Pack, Dim> Bonded<M, Dim>::shown_deformations(int group) const {
   return F;
 }
 
-/// The stress shown is the neo-Hookean one of the recovered F, below J = ½ too: p = −K (J − 1), s = G J^(−5/3) dev(F Fᵀ)
-/// with (F Fᵀ)_zz = 1 in 2D and J no less than 0.05; none of a held particle, which is rigid.
+/// The stress shown is the neo-Hookean one of the recovered F, below J = ½ too: p = −K (J − 1) and
+/// s = G J^(−5/3) dev(F Fᵀ) with (F Fᵀ)_zz = 1 in 2D and J no less than 0.05; none of a held particle, which is
+/// rigid.
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::take_snapshot() {
   Base::begin_snapshot();
