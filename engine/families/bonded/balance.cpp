@@ -167,7 +167,7 @@ bool Sector::at_surface(int i) const {
 
 void Sector::find_inside() {
   std::vector<unsigned char> surface(last_ - first_);
-  for (int i = first_; i < last_; ++i) surface[i - first_] = at_surface(i);
+  for (int i = first_; i < last_; ++i) surface[i - first_] = initial_.held[i] || at_surface(i);
   inside_.assign(last_ - first_, 1);
   for (int i = first_; i < last_; ++i) {
     if (surface[i - first_]) inside_[i - first_] = 0;

@@ -214,8 +214,10 @@ std::vector<int> Maker::with_pair_below(double least) const {
       const int* last = out_.j.data() + out_.begin[j + 1];
       const int* back = std::find(last - (out_.begin[j + 1] - out_.begin[j]), last, i);
       const double of_other = initial_.V0[j] / initial_.V0[i] * out_.weight[back - out_.j.data()];
-      const double strength = initial_.held[j] ? 2 * out_.weight[b] : out_.weight[b] + of_other;
-      if (strength >= least) continue;
+      const bool enough = initial_.held[j]
+                              ? out_.weight[b] >= std::min(least, 0.0)  // of others there are more
+                              : out_.weight[b] + of_other >= least;
+      if (enough) continue;
       bodies.push_back(initial_.body[i]);
       break;
     }
