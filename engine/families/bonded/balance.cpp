@@ -1,7 +1,6 @@
 #include "engine/families/bonded/balance.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -153,7 +152,7 @@ void Sector::find_classes() {
   }
 }
 
-/// No bond in a third of all directions
+/// No bond within a hundred degrees of directions
 bool Sector::at_surface(int i) const {
   constexpr double widest = 100 * std::numbers::pi / 180;
   std::vector<double> angle;

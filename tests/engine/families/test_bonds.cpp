@@ -202,6 +202,27 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE(
+      "bonds: a clamp leaves the next ones as near as they are, and none that pushes when it is pulled") {
+    const Scene scene = oscillating_plate(0.01, 8);
+    const InitialParticles initial = make_initial_particles(scene);
+    const Bonds bonds = bonds_of(scene, initial);
+    for (int i = 0; i < initial.size(); ++i) {
+      if (initial.held[i]) continue;
+      CHECK(bonds.begin[i + 1] - bonds.begin[i] <= 8);
+      for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) CHECK(bonds.weight[b] > 0);
+    }
+  }
+
+  TEST_CASE("bonds: a disc that is held by a skew clamp is at rest") {
+    Scene scene = alone(Disc{{}, 0.0153, RoundLayout::spaced}, 0.001);
+    scene.bodies[0].held = [](const Point& x) { return x[0] + 0.3 * x[1] < -0.002 ? 1.0 : 0.0; };
+    const auto simulation = make_simulation(scene, with_method("oenog"));
+    CHECK(std::abs(balance(simulation->snapshot(), scene).strain) < 1e-9);  // J; 1.7e-2 with a skew Σ a ⊗ X
+    simulation->advance_to(1e-4);
+    CHECK(balance(simulation->snapshot(), scene).kinetic < 1e-12);
+  }
+
   TEST_CASE("bonds: those into a clamp end at its face, and what is held has none") {
     const Scene scene = small_clamped_plate();
     const InitialParticles initial = make_initial_particles(scene);
