@@ -52,6 +52,17 @@ bool same(const Material& a, const Material& b) {
          a.poisson_ratio == b.poisson_ratio && a.bulk_modulus() == b.bulk_modulus() && a.of_laws == b.of_laws;
 }
 
+/// Throws SceneError if the method has no form in as many dimensions.
+void check_dimension(const Scene& scene, const MethodInfo& method) {
+  if (scene.dim <= greatest_dim(method.formulation)) return;
+  std::string others;
+  for (const MethodInfo& other : methods())
+    if (greatest_dim(other.formulation) >= scene.dim)
+      others += (others.empty() ? "" : ", ") + std::string(other.name);
+  throw SceneError(
+      "dim", fmt::format("method '{}' runs scenes of 2 dimensions only; of 3: {}", method.name, others));
+}
+
 /// Throws SceneError if the scene has several materials and the method takes one.
 void check_materials(const Scene& scene, const InitialParticles& initial, const MethodInfo& method) {
   if (method.several_materials) return;
@@ -106,7 +117,7 @@ bool has_x86_64_v3() {
 std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Settings& settings) {
   const MethodInfo* method = find_method(settings.method);
   if (!method) throw UsageError("there is no method '" + settings.method + "'");
-  if (scene.dim != 2) throw SceneError("dim", "only dim = 2 is available in this version");
+  check_dimension(scene, *method);
   if (scene.bodies.empty()) throw SceneError("body", "the scene has no particles; add a [[body]]");
   const InitialParticles initial = make_initial_particles(scene);
   check_materials(scene, initial, *method);

@@ -195,6 +195,26 @@ template <class T>
 Mat<T, 2> cofactor(const Mat<T, 2>& A) {
   return {{{A(1, 1), -A(1, 0)}, {-A(0, 1), A(0, 0)}}};
 }
+template <class T>
+Mat<T, 3> cofactor(const Mat<T, 3>& A) {
+  Mat<T, 3> H;
+#pragma GCC unroll 3
+  for (int a = 0; a < 3; ++a) {
+    const int a1 = (a + 1) % 3, a2 = (a + 2) % 3;
+#pragma GCC unroll 3
+    for (int b = 0; b < 3; ++b) {
+      const int b1 = (b + 1) % 3, b2 = (b + 2) % 3;
+      H(a, b) = A(a1, b1) * A(a2, b2) - A(a1, b2) * A(a2, b1);
+    }
+  }
+  return H;
+}
+template <class T>
+T determinant(const Mat<T, 3>& A) {
+  return A(0, 0) * (A(1, 1) * A(2, 2) - A(1, 2) * A(2, 1)) +
+         A(0, 1) * (A(1, 2) * A(2, 0) - A(1, 0) * A(2, 2)) +
+         A(0, 2) * (A(1, 0) * A(2, 1) - A(1, 1) * A(2, 0));
+}
 
 /// Inverse of a symmetric tensor; 0 where it has none, as for a particle without neighbours.
 inline Sym<double, 2> inverse(const Sym<double, 2>& a) {
@@ -202,6 +222,13 @@ inline Sym<double, 2> inverse(const Sym<double, 2>& a) {
   const double scale = trace(a) * trace(a);
   if (!(det > 1e-12 * scale)) return {};
   return (1 / det) * Sym<double, 2>{a(1, 1), -a(0, 1), a(0, 0)};
+}
+inline Sym<double, 3> inverse(const Sym<double, 3>& a) {
+  const Mat<double, 3> H = cofactor(full(a));
+  const double det = a(0, 0) * H(0, 0) + a(0, 1) * H(0, 1) + a(0, 2) * H(0, 2);
+  const double scale = trace(a) * trace(a) * trace(a);
+  if (!(det > 1e-12 * scale)) return {};
+  return (1 / det) * Sym<double, 3>{H(0, 0), H(0, 1), H(0, 2), H(1, 1), H(1, 2), H(2, 2)};
 }
 
 /// Lane sums.

@@ -113,7 +113,8 @@ void set_constants(Constants& c, const Formulation& m, int dim, const Settings& 
   }
 }
 
-std::string_view material_law(const MethodInfo& method, const Settings& settings) {
+std::string_view material_law(const MethodInfo& method, const Settings& settings, int dim) {
+  if (dim == 3 && method.laws.empty() && settings.law.empty()) return "neo_hookean";  // 1/d is 1/3
   return method.laws.empty() && settings.law.empty() ? method.material_law
                                                      : chosen_law(method, settings).material_law;
 }
@@ -127,7 +128,12 @@ const LawRow* law_row(const MethodInfo& method, const Settings& settings) {
 std::span<const LawRow> laws() { return Laws::rows; }
 
 ContactLaw contact_law(const Scene& scene, const MethodInfo& method) {
-  if (scene.contact == ContactLaw::published) return method.contact;
+  if (scene.contact == ContactLaw::published)  // faces are of the plane
+    return scene.dim == 3 && method.contact == ContactLaw::surface ? ContactLaw::penalty : method.contact;
+  if (scene.dim == 3 && scene.contact == ContactLaw::surface)
+    throw SceneError("contact",
+                     "the contact law 'surface' is for scenes of 2 dimensions; of 3: penalty, impulse, "
+                     "lennard-jones");
   std::string known;
   for (const ContactLaw law : method.contact_laws) {
     if (law == scene.contact) return law;

@@ -53,7 +53,7 @@ std::span<const LawRow> laws();
 const LawRow* law_row(const MethodInfo& method, const Settings& settings);
 /// The reference to compare a run with these settings with. Throws UsageError for a law that the method does
 /// not have.
-std::string_view material_law(const MethodInfo& method, const Settings& settings);
+std::string_view material_law(const MethodInfo& method, const Settings& settings, int dim = 2);
 /// How the bodies of the scene act on each other with this method, never `published`. Throws SceneError for a
 /// law that the method cannot run with.
 ContactLaw contact_law(const Scene& scene, const MethodInfo& method);

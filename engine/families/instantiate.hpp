@@ -14,7 +14,7 @@ template <Family F, int Dim, const Formulation&... M>
 std::unique_ptr<Simulation> make_among(const SolverInput& input, MethodList<M...>) {
   std::unique_ptr<Simulation> simulation;
   const auto made = [&]<const Formulation & Each>() {
-    if constexpr (Each.family == F) {
+    if constexpr (Each.family == F && greatest_dim(Each) >= Dim) {
       if (Each.name != input.method.name) return false;
       simulation = SolverOf<F>::template make<Each, Dim>(input);
       return true;
@@ -28,7 +28,7 @@ std::unique_ptr<Simulation> make_among(const SolverInput& input, MethodList<M...
 
 template <Family F>
 std::unique_ptr<Simulation> make_solver_of(const SolverInput& input) {
-  return make_among<F, 2>(input, Methods{});
+  return input.scene.dim == 3 ? make_among<F, 3>(input, Methods{}) : make_among<F, 2>(input, Methods{});
 }
 
 }  // namespace taut::inline TAUT_ISA

@@ -20,6 +20,11 @@ struct Cauchy {
   Sym<double, Dim> sigma;  // Pa
   double zz;               // Pa; 0 in 3D
 };
+/// σ_zz of plane strain where it is beside the plane
+template <int Dim>
+double beside_plane(double zz) {
+  return Dim == 2 ? zz : 0;
+}
 
 /// The specialisation of a law is its struct, and has its LawRow `row`.
 template <Law law>

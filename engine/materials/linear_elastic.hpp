@@ -31,7 +31,7 @@ struct LinearElastic {
   }
   template <int Dim>
   Cauchy<Dim> cauchy(const Mat<double, Dim>& F, double) const {
-    return {hooke(strain(F), K, G), (K - 2.0 / 3 * G) * trace(strain(F))};
+    return {hooke(strain(F), K, G), beside_plane<Dim>((K - 2.0 / 3 * G) * trace(strain(F)))};
   }
 };
 template <>

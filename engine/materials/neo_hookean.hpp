@@ -33,7 +33,7 @@ struct NeoHookean {
   template <int Dim>
   Cauchy<Dim> cauchy(const Mat<double, Dim>& F, double J) const {
     const double j = determinant(F), root = inverse_cube_root(j), shear = G * root * root / j;
-    return {push_forward(piola(F, J), F, j), K * (J - 1) + shear * (1 - square(F) / 3)};
+    return {push_forward(piola(F, J), F, j), beside_plane<Dim>(K * (J - 1) + shear * (1 - square(F) / 3))};
   }
 };
 template <>

@@ -1,10 +1,27 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 #include "engine/materials/law.hpp"
 
 namespace taut::inline TAUT_ISA {
+
+/// exp(ω) R, |ω| = angle
+inline Mat<double, 3> turned_by(const Vec<double, 3>& omega, double angle, const Mat<double, 3>& R) {
+  const Vec<double, 3> n = (1 / angle) * omega;
+  const double c = std::cos(angle), s = std::sin(angle);
+  Mat<double, 3> result;
+  for (int a = 0; a < 3; ++a) {
+    const Vec<double, 3> column{R(0, a), R(1, a), R(2, a)};
+    const double along = (1 - c) * dot(n, column);
+    for (int k = 0; k < 3; ++k) {
+      const double across = n[(k + 1) % 3] * column[(k + 2) % 3] - n[(k + 2) % 3] * column[(k + 1) % 3];
+      result(k, a) = c * column[k] + s * across + along * n[k];
+    }
+  }
+  return result;
+}
 
 /// The rotation nearest to F: that of its polar decomposition F = R U where det F > 0. In the plane it is
 /// known in closed form, R ∝ F + cof F. Differs from [TranDuc2023] §2.3, which iterates towards the same R.
@@ -13,6 +30,30 @@ inline Mat<double, 2> nearest_rotation(const Mat<double, 2>& F) {
   const double length = std::sqrt(c * c + s * s);  // the sum of the principal stretches
   if (!(length > std::numeric_limits<double>::min())) return {{{1, 0}, {0, 1}}};  // a reflection has none
   return {{{c / length, -s / length}, {s / length, c / length}}};
+}
+
+/// In 3D by Müller's iteration, from R = I: turned by the torque of the columns of F upon those of R,
+///   ω = Σ_k R_k × F_k/(|Σ_k R_k · F_k| + ε),  R ← exp(ω) R.                       [TranDuc2023] §2.3
+/// Differs from the paper, which prints the sum of products without the bars: where it is negative, beyond
+/// 90°, the rotation would run away.
+inline Mat<double, 3> nearest_rotation(const Mat<double, 3>& F) {
+  Mat<double, 3> R{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  constexpr int most = 100;
+  for (int k = 0; k < most; ++k) {
+    Vec<double, 3> torque{};
+    double along = 0;
+    for (int a = 0; a < 3; ++a) {
+      for (int c = 0; c < 3; ++c) {
+        torque[c] += R((c + 1) % 3, a) * F((c + 2) % 3, a) - R((c + 2) % 3, a) * F((c + 1) % 3, a);
+        along += R(c, a) * F(c, a);
+      }
+    }
+    const Vec<double, 3> omega = (1 / (std::abs(along) + 1e-9)) * torque;
+    const double angle = std::sqrt(dot(omega, omega));
+    if (!(angle > 1e-15)) break;
+    R = turned_by(omega, angle, R);
+  }
+  return R;
 }
 
 /// The stress of `icb`: Hooke's law between the second Piola–Kirchhoff stress and the Green–Lagrange strain,
@@ -33,7 +74,8 @@ struct RotatedPiola {
   }
   template <int Dim>
   Cauchy<Dim> cauchy(const Mat<double, Dim>& F, double J) const {
-    return {push_forward(piola(F, J), F, J), (K - 2.0 / 3 * G) * trace(green_strain(F)) / J};
+    return {push_forward(piola(F, J), F, J),
+            beside_plane<Dim>((K - 2.0 / 3 * G) * trace(green_strain(F)) / J)};
   }
 };
 template <>

@@ -19,7 +19,8 @@ struct StVenantKirchhoff {
   }
   template <int Dim>
   Cauchy<Dim> cauchy(const Mat<double, Dim>& F, double J) const {
-    return {push_forward(piola(F, J), F, J), (K - 2.0 / 3 * G) * trace(green_strain(F)) / J};
+    return {push_forward(piola(F, J), F, J),
+            beside_plane<Dim>((K - 2.0 / 3 * G) * trace(green_strain(F)) / J)};
   }
 };
 template <>

@@ -117,6 +117,13 @@ constexpr bool keeps_neighbors(const Formulation& m) {
   return m.family == Family::bonded || m.family == Family::tl_displacement || m.family == Family::tl_mixed;
 }
 
+/// Of the scenes that it can run.
+constexpr int greatest_dim(const Formulation& m) {
+  return m.family == Family::ul_split || m.family == Family::bonded || m.family == Family::tl_displacement
+             ? 3
+             : 2;
+}
+
 /// The method M with another law. Not one of the named methods, but a setting of theirs.
 template <const Formulation& M, Law law>
 inline constexpr Formulation with_law = [] {

@@ -6,8 +6,10 @@
 
 namespace taut {
 
-std::vector<std::vector<int>> initial_neighbors(const InitialParticles& initial, double reach) {
-  constexpr int Dim = 2;  // of the scenes of this version
+namespace {
+
+template <int Dim>
+std::vector<std::vector<int>> neighbors_of(const InitialParticles& initial, double reach) {
   const int n = initial.size();
   std::vector<Vec<double, Dim>> x(n), sorted(n);
   for (int i = 0; i < n; ++i)
@@ -27,6 +29,12 @@ std::vector<std::vector<int>> initial_neighbors(const InitialParticles& initial,
     std::ranges::sort(near[id]);
   }
   return near;
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> initial_neighbors(const InitialParticles& initial, double reach) {
+  return initial.dim == 3 ? neighbors_of<3>(initial, reach) : neighbors_of<2>(initial, reach);
 }
 
 }  // namespace taut

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "engine/neighbors/neighbors.hpp"
-#include "engine/scene/outline.hpp"
 #include "engine/solver/motion_bound.hpp"
+#include "engine/solver/particles_at_faces.hpp"
 #include "engine/solver/solver_input.hpp"
 #include "engine/solver/state.hpp"
 
@@ -23,10 +23,7 @@ class OwnPairs {
   /// Pairs nearer than `reach`, m, act.
   OwnPairs(const SolverInput& input, double reach) : dp_(input.constants.dp), reach_(reach) {
     if (!input.meets_itself || input.contact == ContactLaw::surface) return;
-    for (const PointWeight& share : make_outline(input.scene, input.initial).shares)
-      ids_.push_back(share.particle);
-    std::sort(ids_.begin(), ids_.end());
-    ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
+    ids_ = particles_at_faces(input.scene, input.initial);
     for (const int id : ids_) {
       body_.push_back(input.initial.body[id]);
       V x;

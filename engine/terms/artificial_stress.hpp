@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/core/principal_axes.hpp"
 #include "engine/core/tensor.hpp"
 #include "engine/methods/term_info.hpp"
 
@@ -20,6 +21,15 @@ inline Sym<double, 2> positive_part(const Sym<double, 2>& sigma) {
   if (greatest <= 0) return {};
   const double scale = 0.5 * greatest / radius;  // greatest · n ⊗ n = ½ greatest (I + deviator/radius)
   return {scale * (radius + half), scale * sigma(0, 1), scale * (radius - half)};
+}
+/// In 3D each positive principal stress is found with its axis by Jacobi's rotations. Ours: the paper that
+/// names the stress has no instance in 3D, and prints a rotation of the plane.
+inline Sym<double, 3> positive_part(const Sym<double, 3>& sigma) {
+  const Principal principal = principal_axes(sigma);
+  Sym<double, 3> positive{};
+  for (int k = 0; k < 3; ++k)
+    if (principal.value[k] > 0) add_outer(positive, principal.value[k], principal.axis[k]);
+  return positive;
 }
 /// As the stress divergence of [Khayyer2024] has it: without correction, with it, and with tensile control.
 inline constexpr TermInfo repulsion_info{

@@ -27,7 +27,7 @@
 /// Law. Under a linear displacement each s is its s°: what the bonds store is cancelled bond by bond, on any
 /// layout, at faces and in corners, for any law W, in 2D and 3D, and the energy is just W,
 ///   W = G/2 (J^(−2/3) tr C − 3) + K/2 (J − 1)²,
-/// the neo-Hookean of plane strain. Of any other displacement the bonds keep what F_i does not see.
+/// the neo-Hookean one, in 2D of plane strain. Of any other displacement the bonds keep what F_i does not see.
 /// φ_c is φ, continued linearly in s outside [¼, 4]: −φ alone has no least value for a body pressed flat or
 /// drawn out without end. Below J = ½ the term in G of W is taken at c = ¼ + 1/(12 − 16 J), which goes on
 /// from J with its slope and stays above ¼, and W has (K + 4G/3)(1 − 2J)³ more: particles that are pressed
@@ -111,35 +111,43 @@ T closing_stiffness(const T& J) {
   return 1 + 24 * max(1 - 2 * J, T{});
 }
 
-/// W, the neo-Hookean energy of plane strain with its continuation below J = ½; see above. T: of one particle
+/// W, the neo-Hookean energy, in 2D of plane strain, with its continuation below J = ½; see above. T: of one particle
 /// or of four.
 template <class T>
 struct ClosedNeoHookean {
   T K, G;  // Pa
 
-  T energy(const Mat<T, 2>& F) const {  // Pa
+  template <int Dim>
+  T energy(const Mat<T, Dim>& F) const {  // Pa
     const auto [t, J, c, per_J] = invariants(F);
     const T root = inverse_cube_root(c);
-    return 0.5 * G * (root * root * (2 * t + 1) - 3) + 0.5 * K * (J - 1) * (J - 1) +
+    return 0.5 * G * (root * root * (2 * t + (3 - Dim)) - 3) + 0.5 * K * (J - 1) * (J - 1) +
            wave_modulus() * power<3>(shut(J));
   }
-  Mat<T, 2> piola(const Mat<T, 2>& F) const {  // ∂energy/∂F, Pa
+  template <int Dim>
+  Mat<T, Dim> piola(const Mat<T, Dim>& F) const {  // ∂energy/∂F, Pa
     const auto [t, J, c, per_J] = invariants(F);
     const T root = inverse_cube_root(c), shear = G * root * root;
-    const T of_c = (-1.0 / 3) * shear * power<3>(root) * (2 * t + 1);  // 1/c = root³
+    const T of_c = (-1.0 / 3) * shear * power<3>(root) * (2 * t + (3 - Dim));  // 1/c = root³
     const T of_J = K * (J - 1) - 6 * wave_modulus() * power<2>(shut(J)) + of_c * per_J;
     return shear * F + of_J * cofactor(F);
   }
 
  private:
   struct Invariants {
-    T t, J;      // ½ tr C in the plane, det F
+    T t, J;      // ½ tr C, in 2D in the plane; det F
     T c, per_J;  // what stands for J, dc/dJ
   };
-  static Invariants invariants(const Mat<T, 2>& F) {
-    const T xx = F(0, 0) * F(0, 0) + F(1, 0) * F(1, 0), yy = F(0, 1) * F(0, 1) + F(1, 1) * F(1, 1);
+  template <int Dim>
+  static Invariants invariants(const Mat<T, Dim>& F) {
+    T trace_C{};
+    for (int b = 0; b < Dim; ++b) {
+      T square = F(0, b) * F(0, b);
+      for (int a = 1; a < Dim; ++a) square += F(a, b) * F(a, b);
+      trace_C = b == 0 ? square : T(trace_C + square);
+    }
     const T J = determinant(F), below = 0.25 / (0.75 - min(J, filled<T>(0.5))), one = filled<T>(1);
-    return {0.5 * (xx + yy), J, J < 0.5 ? 0.25 + 0.25 * below : J, J < 0.5 ? below * below : one};
+    return {0.5 * trace_C, J, J < 0.5 ? 0.25 + 0.25 * below : J, J < 0.5 ? below * below : one};
   }
   static T shut(const T& J) { return max(1 - 2 * J, T{}); }
   T wave_modulus() const { return K + 4.0 / 3 * G; }

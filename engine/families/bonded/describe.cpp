@@ -9,8 +9,9 @@ std::vector<TermInfo> terms(const Formulation& m) {
           bonded_damping_info, contact_info(m.contact), bonded_time_info};
 }
 
-std::vector<MethodConstant> constants(const Formulation& m, int) {
-  return {{"h", &Constants::h, m.h_over_dp, 0.8, 2.0, "half the least reach of bonds over the spacing", true},
+std::vector<MethodConstant> constants(const Formulation& m, int dim) {
+  const double h = dim == 3 ? 0.9 : m.h_over_dp;  // the 26 nearest on a cubic lattice
+  return {{"h", &Constants::h, h, 0.8, 2.0, "half the least reach of bonds over the spacing", true},
           {"damping", &Constants::damping, 0.01, 0.0, 0.05,
            "τ of the bonds over dp √(ρ0/G), against what a blow leaves; 0 keeps the energy"}};
 }

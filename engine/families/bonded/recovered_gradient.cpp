@@ -10,56 +10,63 @@
 namespace taut {
 namespace {
 
-constexpr int Dim = 2;  // of the scenes of this version; the code below is for 3 too
-constexpr int linear = Dim, quadratic = Dim + Dim * (Dim + 1) / 2;
-
 constexpr double least_reach = 2.2, greatest_reach = 3.4, growth = 0.3;  // dp
 constexpr double greatest_cost = 8;                                      // 1/dp
 
-using Place = Eigen::Vector<double, Dim>;
+template <int Dim>
 struct Neighbor {
   int id;
-  Place X;  // from i, in dp
+  Eigen::Vector<double, Dim> X;  // from i, in dp
 };
-using Neighborhood = std::vector<Neighbor>;
+template <int Dim>
+using Neighborhood = std::vector<Neighbor<Dim>>;
+template <int Dim>
+constexpr int linear = Dim;  // terms
+template <int Dim>
+constexpr int quadratic = Dim + Dim*(Dim + 1) / 2;
 
 /// Those of `near` that are of the same kind as i.
-Neighborhood alike(const InitialParticles& initial, int i, const std::vector<int>& near, double spacing) {
-  Neighborhood some;
+template <int Dim>
+Neighborhood<Dim> alike(const InitialParticles& initial, int i, const std::vector<int>& near,
+                        double spacing) {
+  Neighborhood<Dim> some;
   for (const int j : near) {
     if (initial.material[j] != initial.material[i] || initial.held[j] != initial.held[i]) continue;
-    Place X;
+    Eigen::Vector<double, Dim> X;
     for (int a = 0; a < Dim; ++a) X[a] = (initial.x[j][a] - initial.x[i][a]) / spacing;
     some.push_back({j, X});
   }
   return some;
 }
 
-Neighborhood within(const Neighborhood& near, double reach) {
-  Neighborhood some;
+template <int Dim>
+Neighborhood<Dim> within(const Neighborhood<Dim>& near, double reach) {
+  Neighborhood<Dim> some;
   std::ranges::copy_if(near, std::back_inserter(some),
-                       [=](const Neighbor& one) { return one.X.squaredNorm() < reach * reach; });
+                       [=](const Neighbor<Dim>& one) { return one.X.squaredNorm() < reach * reach; });
   return some;
 }
 
 /// Each neighbour has another one on the opposite side.
-bool symmetric(const Neighborhood& near) {
+template <int Dim>
+bool symmetric(const Neighborhood<Dim>& near) {
   constexpr double alike = 1e-6;
-  return std::ranges::all_of(near, [&](const Neighbor& one) {
+  return std::ranges::all_of(near, [&](const Neighbor<Dim>& one) {
     return std::ranges::any_of(
-        near, [&](const Neighbor& other) { return (one.X + other.X).squaredNorm() < alike * alike; });
+        near, [&](const Neighbor<Dim>& other) { return (one.X + other.X).squaredNorm() < alike * alike; });
   });
 }
 
 /// The rows g_j of the fit with the first `terms` of X, X ⊗ X, in 1/dp, a column for each; empty where the fit
 /// is not determined or costs too much.
-Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood& near, int terms) {
+template <int Dim>
+Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, int terms) {
   const auto n = static_cast<Eigen::Index>(near.size());
   if (n < terms) return {};
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, quadratic> P(terms, n);
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, quadratic<Dim>> P(terms, n);
   Eigen::VectorXd root(n);  // of the weight
   for (Eigen::Index b = 0; b < n; ++b) {
-    const Place& X = near[b].X;
+    const auto& X = near[b].X;
     root[b] = 1 / X.squaredNorm();
     int term = 0;
     for (int a = 0; a < Dim; ++a) P(term++, b) = X[a];
@@ -70,36 +77,36 @@ Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood& near, int ter
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A);
   if (qr.rank() < terms) return {};
   const Eigen::MatrixXd inverse = qr.solve(Eigen::MatrixXd(root.asDiagonal()));
-  const Eigen::Matrix<double, Dim, Eigen::Dynamic> g = inverse.topRows<Dim>();
+  const Eigen::Matrix<double, Dim, Eigen::Dynamic> g = inverse.template topRows<Dim>();
   for (int a = 0; a < Dim; ++a)
     if (!(g.row(a).cwiseAbs().sum() + std::abs(g.row(a).sum()) <= greatest_cost)) return {};
   return g;
 }
 
 /// The neighbours of a row and what they count, in 1/dp.
-std::pair<Neighborhood, Eigen::Matrix<double, Dim, Eigen::Dynamic>> row(const Neighborhood& near) {
-  for (const int terms : {quadratic, linear}) {
+template <int Dim>
+std::pair<Neighborhood<Dim>, Eigen::Matrix<double, Dim, Eigen::Dynamic>> row(const Neighborhood<Dim>& near) {
+  for (const int terms : {quadratic<Dim>, linear<Dim>}) {
     for (double reach = least_reach; reach <= greatest_reach; reach += growth) {
-      Neighborhood some = within(near, reach);
-      if (auto g = fit(some, terms); g.size() > 0) return {std::move(some), std::move(g)};
+      Neighborhood<Dim> some = within(near, reach);
+      if (auto g = fit<Dim>(some, terms); g.size() > 0) return {std::move(some), std::move(g)};
     }
   }
   return {};
 }
 
-}  // namespace
-
-RecoveredGradient recovered_gradient(const InitialParticles& initial, const std::vector<int>& id,
-                                     double spacing, double reach) {
+template <int Dim>
+RecoveredGradient recovered(const InitialParticles& initial, const std::vector<int>& id, double spacing,
+                            double reach) {
   RecoveredGradient out;
   std::vector<int> where(id.size());
   for (std::size_t k = 0; k < id.size(); ++k) where[id[k]] = static_cast<int>(k);
   const auto near = initial_neighbors(initial, std::max(1.001 * reach, greatest_reach * spacing));
   out.begin.push_back(0);
   for (const int i : id) {
-    const Neighborhood kin = alike(initial, i, near[i], spacing);
+    const Neighborhood<Dim> kin = alike<Dim>(initial, i, near[i], spacing);
     if (!initial.held[i] && !symmetric(within(kin, (1 + 1e-9) * reach / spacing))) {
-      const auto& [some, g] = row(kin);
+      const auto& [some, g] = row<Dim>(kin);
       for (std::size_t b = 0; b < some.size(); ++b) {
         Point g_j{};
         for (int a = 0; a < Dim; ++a) g_j[a] = g(a, b) / spacing;
@@ -110,6 +117,14 @@ RecoveredGradient recovered_gradient(const InitialParticles& initial, const std:
     out.begin.push_back(static_cast<int>(out.j.size()));
   }
   return out;
+}
+
+}  // namespace
+
+RecoveredGradient recovered_gradient(const InitialParticles& initial, const std::vector<int>& id,
+                                     double spacing, double reach) {
+  return initial.dim == 3 ? recovered<3>(initial, id, spacing, reach)
+                          : recovered<2>(initial, id, spacing, reach);
 }
 
 }  // namespace taut
