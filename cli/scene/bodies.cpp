@@ -12,91 +12,6 @@ namespace {
 
 using Kind = TomlValue::Kind;
 
-const std::vector<std::string> axis_names = {"x", "y", "z"};
-
-Shape read_box(TomlCursor& shape, int dim, bool) {
-  const Box box{shape.point("low", dim), shape.point("high", dim)};
-  for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
-    if (!(box.low[k] < box.high[k]))
-      shape.fail(shape.need("low"), "low",
-                 "low." + axis_names[k] + " = " + exact(box.low[k]) + " must be less than high." +
-                     axis_names[k] + " = " + exact(box.high[k]));
-  return box;
-}
-
-/// The key `layout`, one of `allowed`, or `otherwise` where it is not there.
-RoundLayout read_layout(TomlCursor& shape, const std::vector<RoundLayout>& allowed, RoundLayout otherwise) {
-  std::vector<std::string> names;
-  for (const RoundLayout layout : allowed) names.emplace_back(name(layout));
-  if (!shape.find("layout")) shape.table().set("layout", TomlValue(std::string(name(otherwise))));
-  const std::string chosen = shape.choice("layout", names);
-  return allowed[static_cast<std::size_t>(std::ranges::find(names, chosen) - names.begin())];
-}
-
-/// Aligned only where particles on the inner face are at least a third as far apart as on the outer one.
-Shape read_ring(TomlCursor& shape, int dim, bool keeps_neighbors) {
-  Ring ring{shape.point("centre", dim), shape.positive("inner"), shape.positive("outer")};
-  if (!(ring.inner < ring.outer))
-    shape.fail(shape.need("inner"), "inner",
-               "inner = " + exact(ring.inner) + " must be less than outer = " + exact(ring.outer));
-  const bool thin = 3 * ring.inner >= ring.outer;
-  ring.layout = read_layout(shape, {RoundLayout::aligned, RoundLayout::spaced, RoundLayout::lattice},
-                            keeps_neighbors && thin ? RoundLayout::aligned : RoundLayout::spaced);
-  if (ring.layout == RoundLayout::aligned && !thin)
-    shape.fail(
-        shape.need("layout"), "layout",
-        "layout = \"aligned\" would put the particles of the inner face less than a third as far apart as "
-        "those of the outer one; it needs inner >= outer/3, take \"spaced\"");
-  return ring;
-}
-
-Shape read_disc(TomlCursor& shape, int dim, bool keeps_neighbors) {
-  Disc disc{shape.point("centre", dim), shape.positive("radius")};
-  disc.layout = read_layout(shape, {RoundLayout::spaced, RoundLayout::lattice},
-                            keeps_neighbors ? RoundLayout::spaced : RoundLayout::lattice);
-  return disc;
-}
-
-/// A shape as scene files of one dimension name it.
-struct ShapeKind {
-  std::string_view name;
-  int dim;
-  Shape (*read)(TomlCursor&, int dim, bool keeps_neighbors);  // the method does
-};
-constexpr std::array shape_kinds = {
-    ShapeKind{"rectangle", 2, read_box},
-    ShapeKind{"disc", 2, read_disc},
-    ShapeKind{"ring", 2, read_ring},
-};
-
-std::vector<std::string> names_of_shapes(int dim) {
-  std::vector<std::string> names;
-  for (const ShapeKind& kind : shape_kinds)
-    if (kind.dim == dim) names.emplace_back(kind.name);
-  return names;
-}
-
-Shape read_shape(TomlCursor shape, int dim, bool keeps_neighbors) {
-  const std::string type = shape.choice("type", names_of_shapes(dim));
-  const Shape result = shape_kinds[index_of(shape_kinds, type)].read(shape, dim, keeps_neighbors);
-  shape.finish();
-  return result;
-}
-
-/// One table, or an array of tables: their union.
-std::vector<Shape> read_shapes(TomlCursor& body, int dim, bool keeps_neighbors) {
-  TomlValue& value = body.need("shape");
-  const std::string what = "the shape of " + body.what();
-  if (value.kind != Kind::array) return {read_shape(body.enter(value, "shape", what), dim, keeps_neighbors)};
-  std::vector<Shape> shapes;
-  for (TomlValue& item : value.items)
-    shapes.push_back(read_shape(body.enter(item, "shape", what), dim, keeps_neighbors));
-  if (shapes.empty())
-    body.fail(value, "shape",
-              what + " is empty: it needs at least one " + join_with_or(names_of_shapes(dim)));
-  return shapes;
-}
-
 TomlValue array_of(std::vector<TomlValue> items) {
   TomlValue array;
   array.kind = Kind::array;
@@ -122,6 +37,26 @@ void read_velocity(TomlCursor& cursor, int dim, Body& body) {
   std::size_t axis = 0;
   for (const TomlValue& component : components(cursor, "velocity", dim))
     body.velocity[axis++] = cursor.function_of(component, "velocity");
+}
+
+/// One expression for all components, or one for each, of which an empty text leaves its component free.
+void read_held(TomlCursor& cursor, int dim, Body& body) {
+  if (!cursor.find("held")) cursor.table().set("held", TomlValue(0.0));
+  const TomlValue& value = cursor.need("held");
+  if (value.kind != Kind::array) {
+    body.held = cursor.function_of(value, "held");
+    return;
+  }
+  std::size_t axis = 0;
+  for (const TomlValue& component : components(cursor, "held", dim)) {
+    const bool free = component.kind == Kind::text && component.text.empty();
+    body.guided[axis++] = free ? Expression() : cursor.function_of(component, "held");
+  }
+  const std::vector<Expression> all(body.guided.begin(), body.guided.begin() + dim);
+  if (std::ranges::any_of(all, [](const Expression& along) { return !along; })) return;
+  body.held = [all](const Point& x) {
+    return std::ranges::all_of(all, [&](const Expression& along) { return along(x) != 0; });
+  };
 }
 
 /// The tables of `key`, none by default; `what` names one in messages.
@@ -216,10 +151,9 @@ Body read_body(TomlCursor& cursor, const Scene& scene, bool keeps_neighbors) {
   body.name = label(cursor, names_of(scene.bodies));
   body.material = read_material_of(cursor, scene);
   add_names(cursor.names(), scene.materials[static_cast<std::size_t>(body.material)]);
-  body.shapes = read_shapes(cursor, scene.dim, keeps_neighbors);
+  body.shapes = read_shapes(cursor, "shape", scene.dim, keeps_neighbors);
   read_velocity(cursor, scene.dim, body);
-  if (!cursor.find("held")) cursor.table().set("held", TomlValue(0.0));
-  body.held = cursor.function_of(cursor.need("held"), "held");
+  read_held(cursor, scene.dim, body);
   read_mirror(cursor, scene.dim, body);
   read_parts(cursor, scene, body);
   read_drives(cursor, scene, body);

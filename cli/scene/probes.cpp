@@ -8,8 +8,6 @@
 namespace taut::cli {
 namespace {
 
-const std::vector<std::string> axis_names = {"x", "y", "z"};
-
 /// What a probe of a kind has to say.
 struct ProbeKind {
   std::string_view name;

@@ -1,7 +1,6 @@
 #include "cli/scene/scene_file.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "cli/scene/sections.hpp"
@@ -58,12 +57,7 @@ void read_head(TomlCursor& root, SceneFile& file) {
   scene.title = root.text("title", scene.name);
   scene.source = root.text("source", "");
   constexpr int default_dim = 2;
-  const int dim =
-      root.whole("dim", default_dim, std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
-  if (dim != default_dim)
-    root.fail(root.need("dim"), "dim",
-              "dim = " + std::to_string(dim) + ": only dim = 2 is available in this version");
-  scene.dim = dim;
+  scene.dim = root.whole("dim", default_dim, 2, 3);
 }
 
 void read_times(TomlCursor& root, const Changes& changes, double dp, SceneFile& file) {

@@ -59,6 +59,11 @@ ReferenceTable read_table(const std::filesystem::path& path, const std::string& 
 /// The whole file; throws SceneError if it is not there, cannot be read or is larger than 4 MiB.
 std::string file_text(const std::filesystem::path& path);
 
+inline const std::vector<std::string> axis_names = {"x", "y", "z"};
+
+/// The shapes of `key`: one table, or an array of tables. `keeps_neighbors`: the method does.
+std::vector<Shape> read_shapes(TomlCursor& body, std::string_view key, int dim, bool keeps_neighbors);
+
 /// Throws SceneError for a key that cannot be a name in expressions, or is one already.
 void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string_view kind);
 /// The name of an entry: letters, digits, '_' and '-', not one of `taken`.

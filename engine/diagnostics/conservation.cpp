@@ -22,7 +22,7 @@ std::optional<double> ratio(double change, double scale) {
 
 bool exchanges_momentum(const Scene& scene, const Snapshot& start) {
   const bool holds = std::ranges::any_of(start.held, [](unsigned char held) { return held != 0; });
-  return holds || has_drives(scene) || has_loads(scene) || scene.damping > 0;
+  return holds || has_guides(scene) || has_drives(scene) || has_loads(scene) || scene.damping > 0;
 }
 
 void ConservationWatch::follow(const Balance& now) {

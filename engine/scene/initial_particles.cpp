@@ -114,6 +114,14 @@ void refuse_empty(const std::vector<Region>& regions, const std::vector<InitialS
   }
 }
 
+/// Bit k: a particle of the body that starts at x does not move along axis k.
+unsigned char guide_at(const Body& body, const Point& x) {
+  unsigned guide = 0;
+  for (unsigned k = 0; k < body.guided.size(); ++k)
+    if (value_of(body.guided[k], x) != 0) guide |= 1u << k;
+  return static_cast<unsigned char>(guide);
+}
+
 void append(InitialParticles& layout, const Scene& scene, int b) {
   const Body& body = scene.bodies[b];
   const std::vector<InitialSite> sites = body_sites(body, scene.dim, scene.spacing);
@@ -138,9 +146,11 @@ void append(InitialParticles& layout, const Scene& scene, int b) {
       throw SceneError("body." + body.name + ".driven",
                        "particles of body '" + body.name +
                            "' are both held and driven; let 'held' and the 'where' of 'driven' not overlap");
+    layout.guided.push_back(layout.held.back() ? 0 : guide_at(body, site.x));
     Point v{};
     if (!layout.held.back())
-      for (int k = 0; k < scene.dim; ++k) v[k] = value_of(body.velocity[k], site.x);
+      for (int k = 0; k < scene.dim; ++k)
+        if ((layout.guided.back() >> k & 1) == 0) v[k] = value_of(body.velocity[k], site.x);
     layout.v.push_back(v);
   }
   layout.first.push_back(layout.size());
@@ -197,6 +207,7 @@ InitialParticles make_initial_particles(const Scene& scene) {
   layout.first.push_back(0);
   for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b) append(layout, scene, b);
   if (layout.size() == 0) throw SceneError("body", "the scene has no particles; add a [[body]]");
+  if (std::ranges::count(layout.guided, 0) == layout.size()) layout.guided.clear();
   refuse_overlap(layout, scene);
   return layout;
 }

@@ -12,6 +12,12 @@ bool has_drives(const Scene& scene) {
   return std::ranges::any_of(scene.bodies, [](const Body& body) { return !body.drives.empty(); });
 }
 
+bool has_guides(const Scene& scene) {
+  return std::ranges::any_of(scene.bodies, [](const Body& body) {
+    return std::ranges::any_of(body.guided, [](const Expression& along) { return along != nullptr; });
+  });
+}
+
 bool has_gravity(const Scene& scene) {
   return std::ranges::any_of(scene.gravity, [](const auto& component) { return component != nullptr; });
 }

@@ -92,6 +92,7 @@ struct Body {
   std::vector<Load> loads;             // those of all that hold
   std::array<Expression, 3> velocity;  // initial velocity, m/s; empty = 0
   Expression held;                     // particles where it is not 0 stay where they are; empty = none
+  std::array<Expression, 3> guided;    // those where it is not 0 do not move along this axis; empty = none
   std::array<bool, 3> mirror{};  // the layout is reflected along these axes about the first shape's centre
 };
 
@@ -181,6 +182,8 @@ struct Scene {
 
 /// There are driven regions.
 bool has_drives(const Scene& scene);
+/// Some particles are held along some axes.
+bool has_guides(const Scene& scene);
 bool has_gravity(const Scene& scene);
 /// There are loads or there is gravity.
 bool has_loads(const Scene& scene);

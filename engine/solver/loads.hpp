@@ -20,8 +20,8 @@ namespace taut::inline TAUT_ISA {
 /// the loads excite, brings it to rest soonest; where it comes to rest does not depend on c, which is 0 in
 /// scenes of motion. None of it acts on what is held or driven.
 ///
-/// In each step: `set_time`, then `act` for each new velocity before it is used, or where a scheme has
-/// stages, `acceleration` in each of them and `count` at the end.
+/// In each step: `set_time`, then `act` and `count` for each new velocity before it is used, or where a scheme
+/// has stages, `acceleration` in each of them and `count` at the end.
 template <int Dim>
 class Loads {
  public:
@@ -74,7 +74,6 @@ class Loads {
     const double half = 0.5 * damping_ * dt * s.mobile[i];
     v += (dt * s.mobile[i]) * push(s, i);
     v = (1 / (1 + half)) * (v - half * s.v[i]);
-    count(s, i, dt, 0.5 * (s.v[i] + v));
   }
   /// Notes the work of a step of `dt` in which particle i had the velocity `mean`.
   void count(const State<Dim>& s, int i, double dt, const V& mean) {

@@ -15,6 +15,7 @@
 #include "engine/scene/initial_particles.hpp"
 #include "engine/solver/contact.hpp"
 #include "engine/solver/drives.hpp"
+#include "engine/solver/guides.hpp"
 #include "engine/solver/loads.hpp"
 #include "engine/solver/probes.hpp"
 #include "engine/solver/running.hpp"
@@ -55,12 +56,13 @@ class SolverParts : public Simulation {
     drives_.set_time(t);
     loads_.set_time(t - 0.5 * dt);
   }
-  /// What loads, gravity, damping and drives make of `v`, the new velocity of particle i without them.
+  /// What loads, gravity, damping, guides and drives make of `v`, the new velocity of particle i without them.
   void act_from_outside(int i, double dt, V& v) {
-    if (drives_.moves(s_.id[i]))
-      drives_.replace(s_, i, v);
-    else if (loads_.active())
-      loads_.act(s_, i, dt, v);
+    if (drives_.moves(s_.id[i])) return drives_.replace(s_, i, v);
+    const bool loaded = loads_.active();
+    if (loaded) loads_.act(s_, i, dt, v);
+    guides_.hold(s_.id[i], v);
+    if (loaded) loads_.count(s_, i, dt, 0.5 * (s_.v[i] + v));
   }
 
   /// Gives particles the velocities of a whole step, from what acts inside a body, contact and what acts from
@@ -71,7 +73,7 @@ class SolverParts : public Simulation {
     Kick(SolverParts& solver, double dt, double t)
         : solver_(solver), dt_(dt), contact_(solver.contact_.acting()) {
       solver.set_outside(dt, t);
-      outside_ = solver.drives_.active() || solver.loads_.active();
+      outside_ = solver.drives_.active() || solver.loads_.active() || solver.guides_.active();
     }
 
     [[gnu::always_inline]] const V& by_acceleration(int i, V a) const {
@@ -109,6 +111,7 @@ class SolverParts : public Simulation {
     contact_.stop_approach(s_, gone, inverse_mass, [&](int i, const V& impulse) {
       V v = s_.v[i];
       v += (s_.mobile[i] / s_.m[i]) * impulse;
+      if (!drives_.moves(s_.id[i])) guides_.hold(s_.id[i], v);
       drives_.replace(s_, i, v);
       const V change = v - s_.v[i];
       s_.v[i] = v;
@@ -137,6 +140,7 @@ class SolverParts : public Simulation {
   State<Dim> s_;
   Contact<Dim> contact_;
   Drives<Dim> drives_;
+  Guides<Dim> guides_;
   Loads<Dim> loads_;
   ProbeRecorder<Dim> recorder_;
   TeamSize team_;
@@ -190,6 +194,7 @@ SolverParts<Dim>::SolverParts(const SolverInput& input, double support)
       initial_(input.initial),
       contact_(input),
       drives_(input.scene, input.initial),
+      guides_(input.initial),
       loads_(input.scene, input.initial),
       recorder_(input.scene, input.initial, support),
       team_(input.threads) {

@@ -34,7 +34,8 @@ class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
 
  private:
   using Base = InitialPairSolver<TlMixed<M, Dim>, M, Dim>;
-  using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::loads_, Base::threads_now, Base::vmax_;
+  using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::guides_, Base::loads_, Base::threads_now,
+      Base::vmax_;
   using Base::initial_, Base::initial_pairs_, Base::V0_, Base::X_;
   using typename Base::Mat;
   using typename Base::V;
@@ -209,7 +210,10 @@ void TlMixed<M, Dim>::predict(double dt) {
     u.v += dt * r.v;
     u.F = combination(1.0, u.F, dt, r.F);
     if constexpr (has_J) u.J += dt * r.J;
-    if (driven && drives_.moves(s_.id[i])) u.v = drives_.velocity(s_.id[i]);
+    if (driven && drives_.moves(s_.id[i]))
+      u.v = drives_.velocity(s_.id[i]);
+    else
+      guides_.hold(s_.id[i], u.v);
   });
 }
 
@@ -225,10 +229,12 @@ double TlMixed<M, Dim>::correct(double dt) {
     u.v += (0.5 * dt) * (r.v + q.v);
     u.F = combination(1.0, u.F, 0.5 * dt, combination(1.0, r.F, 1.0, q.F));
     if constexpr (has_J) u.J += 0.5 * dt * (r.J + q.J);
-    if (driven && drives_.moves(s_.id[i]))
+    if (driven && drives_.moves(s_.id[i])) {
       drives_.replace(s_, i, u.v);
-    else if (loaded)
-      loads_.count(s_, i, dt, 0.5 * (s_.v[i] + u.v));
+    } else {
+      guides_.hold(s_.id[i], u.v);
+      if (loaded) loads_.count(s_, i, dt, 0.5 * (s_.v[i] + u.v));
+    }
     now_[i] = u;
     s_.x[i] = u.x;
     s_.v[i] = u.v;

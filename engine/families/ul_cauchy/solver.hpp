@@ -40,8 +40,8 @@ class UlCauchy final : public ParticleSolver<UlCauchy<M, Dim>, Dim> {
 
  private:
   using Base = ParticleSolver<UlCauchy<M, Dim>, Dim>;
-  using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::recorder_, Base::support_, Base::threads_now,
-      Base::vmax_;
+  using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::guides_, Base::recorder_, Base::support_,
+      Base::threads_now, Base::vmax_;
   using typename Base::V;
   using S = Sym<double, Dim>;
 
@@ -134,12 +134,15 @@ void UlCauchy<M, Dim>::accelerate(double dt) {
   Base::stop_approach(0, [&](int i, const V&) { f_.moved[i].put_velocity(s_.v[i]); });
 }
 
-/// û from the new velocities. Held particles stay, driven ones go as they are told.
+/// û from the new velocities. Held particles stay, guided and driven ones go as they are told.
 template <const Formulation& M, int Dim>
 void UlCauchy<M, Dim>::transport(double dt) {
   const auto use = [&](int i, const V& du) {
     V u = s_.v[i];
-    if (!drives_.moves(s_.id[i])) u += s_.mobile[i] * du;
+    if (!drives_.moves(s_.id[i])) {
+      u += s_.mobile[i] * du;
+      guides_.hold(s_.id[i], u);
+    }
     V x = s_.x[i];
     x += (c_.geometry * dt) * u;
     f_.transported[i].set(u, s_.rho[i], s_.m[i] / s_.rho[i], x);

@@ -136,7 +136,7 @@ TEST_SUITE("cli") {
     check_error("until = 2", "until = @-2", {"until = -2 must be greater than 0"});
     check_error("until = 2", "until = 2\nhistory = @0", {"history = 0 must be greater than 0"});
     check_error("until = 2", "until = 2\ncfl = @0", {"cfl = 0 must be greater than 0"});
-    check_error("until = 2", "until = 2\ndim = @3", {"only dim = 2 is available in this version"});
+    check_error("until = 2", "until = 2\ndim = @4", {"dim = 4 must be a whole number from 2 to 3"});
     check_error("until = 2", "until = 2\ndim = @2.5", {"dim = 2.5 must be a whole number"});
     check_error("inner = 1", "inner = @2", {"inner = 2 must be less than outer = 2"});
     check_error("low = [0, 0]", "low = @[0, 1]", {"low.y = 1 must be less than high.y = 1"});

@@ -1,0 +1,159 @@
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "engine/error.hpp"
+#include "engine/scene/initial_particles.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/scene_text.hpp"
+
+using namespace taut;
+using namespace taut::test;
+
+namespace {
+
+/// A solid scene with `shape` and the `keys` of its body.
+std::string solid_scene(const std::string& shape, const std::string& keys = "") {
+  return "title = \"Solid\"\ndim = 3\nspacing = 0.1\nuntil = 2\n"
+         "[material.rubber]\ndensity = 1200\nyoungs_modulus = 1e7\npoisson_ratio = 0.4\n"
+         "[[body]]\nname = \"thing\"\nshape = " +
+         shape + "\nmaterial = \"rubber\"\n" + keys + "\n";
+}
+
+const std::string brick = "{ type = \"box\", low = [0, 0, 0], high = [2, 1, 0.5] }";
+
+/// Reading `text`, in which '@' marks the place, must throw there with a message that holds each of `parts`.
+void check_solid_error(std::string text, std::initializer_list<const char*> parts) {
+  const std::size_t mark = text.find('@');
+  REQUIRE(mark != std::string::npos);
+  const int line =
+      1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(mark), '\n'));
+  text.erase(mark, 1);
+  INFO(text);
+  try {
+    read_text(text);
+    FAIL_CHECK("no error");
+  } catch (const SceneError& error) {
+    INFO("message: ", std::string(error.what()));
+    CHECK(error.line == line);
+    CHECK(error.column == static_cast<int>(mark - (text.rfind('\n', mark - 1) + 1)) + 1);
+    for (const char* part : parts) {
+      INFO("expected: ", part);
+      CHECK(std::string(error.what()).find(part) != std::string::npos);
+    }
+  }
+}
+
+double volume(const InitialParticles& layout) {
+  return std::accumulate(layout.V0.begin(), layout.V0.end(), 0.0);
+}
+
+/// The scene as a run writes it gives the same scene again, and the same text.
+void check_resolved(const SceneFile& file) {
+  const std::string text = resolved_text(file, scratch_folder());
+  const SceneFile again = read_text(text);
+  CHECK(resolved_text(again, scratch_folder()) == text);
+  const InitialParticles a = make_initial_particles(file.scene), b = make_initial_particles(again.scene);
+  CHECK(a.x == b.x);
+  CHECK(a.V0 == b.V0);
+  CHECK(a.held == b.held);
+  CHECK(a.guided == b.guided);
+}
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("scene in 3D: vectors have three components and expressions know x, y and z") {
+    const SceneFile file = read_text(
+        "gravity = [0, 0, \"-9.8*t\"]\n" +
+        solid_scene(brick,
+                    "velocity = [0, 0, \"x + 10*y + 100*z\"]\n"
+                    "driven = [{ where = \"z > 0.4\", velocity = [0, 0, \"t\"] }]\n"
+                    "loaded = [{ where = \"z < 0.1\", force = [0, 0, \"z\"] }]\n"
+                    "[[wall]]\nname = \"floor\"\nat = [0, 0, -1]\nnormal = [0, 0, 2]\n"
+                    "[[probe]]\nname = \"tip\"\nof = \"displacement\"\nbody = \"thing\"\nat = [2, 1, 0.25]\n"
+                    "component = \"z\"\n[[measure]]\nname = \"peak\"\nof = \"maximum\"\nprobe = \"tip\"\n"
+                    "unit = \"m\""));
+    const Scene& scene = file.scene;
+    CHECK(scene.dim == 3);
+    CHECK(scene.gravity[2](2) == -19.6);
+    CHECK(scene.bodies[0].velocity[2]({1, 2, 3}) == 321);
+    CHECK(scene.bodies[0].drives[0].velocity[2](7) == 7);
+    CHECK(scene.bodies[0].loads[0].value[2]({0, 0, 0.5}) == 0.5);
+    CHECK(scene.walls[0].normal == Point{0, 0, 1});
+    CHECK(scene.probes[0].at == Point{2, 1, 0.25});
+    CHECK(scene.probes[0].axis == 2);
+    check_resolved(file);
+    check_solid_error(solid_scene(brick, "velocity = @[0, 0]"), {"velocity must be an array of 3"});
+    check_solid_error(solid_scene("{ type = \"box\", low = @[0, 0], high = [1, 1, 1] }"),
+                      {"low must be an array of 3 numbers", "one of 2"});
+  }
+
+  TEST_CASE("scene in 3D: boxes, balls and shells") {
+    const auto layout = [](const std::string& shape) {
+      const SceneFile file = read_text(solid_scene(shape));
+      check_resolved(file);
+      return make_initial_particles(file.scene);
+    };
+    CHECK(layout(brick).size() == 20 * 10 * 5);
+    const double ball = 4.0 / 3 * std::numbers::pi;
+    CHECK(volume(layout("{ type = \"ball\", centre = [1, 2, 3], radius = 1 }")) == relative(ball, 0.01));
+    CHECK(volume(layout("{ type = \"shell\", centre = [1, 2, 3], inner = 0.5, outer = 1 }")) ==
+          relative(ball * 7 / 8, 0.01));
+    check_solid_error(solid_scene("{ type = \"shell\", centre = [0, 0, 0], inner = @2, outer = 1 }"),
+                      {"inner = 2 must be less than outer = 1"});
+    check_solid_error(
+        solid_scene("{ type = \"ball\", centre = [0, 0, 0], radius = 1, @layout = \"spaced\" }"),
+        {"unknown key 'layout'"});
+    check_solid_error(solid_scene("{ type = \"box\", low = @[0, 0, 1], high = [1, 1, 0] }"),
+                      {"low.z = 1 must be less than high.z = 0"});
+  }
+
+  TEST_CASE("scene: a shape of the other dimension is refused with the one that comes nearest") {
+    const auto solid = [](const char* type, const char* instead) {
+      check_solid_error(solid_scene(std::string("{ type = @\"") + type + "\" }"),
+                        {type, "is a shape of 2 dimensions and the scene has dim = 3; take ", instead});
+    };
+    solid("rectangle", "box");
+    solid("disc", "ball");
+    solid("ring", "shell");
+    const auto flat = [](const char* type, const char* instead) {
+      check_error("type = \"ring\"", std::string("type = @\"") + type + "\"",
+                  {type, "is a shape of 3 dimensions and the scene has dim = 2; take ", instead});
+    };
+    flat("box", "rectangle");
+    flat("ball", "disc");
+    flat("shell", "ring");
+    check_solid_error(solid_scene("{ type = @\"bal\" }"), {"unknown type 'bal'", "did you mean 'ball'"});
+  }
+
+  TEST_CASE("scene: held is one expression for all components, or one for each") {
+    const SceneFile file = read_text(solid_scene(
+        brick, "velocity = [1, 2, 3]\nheld = [\"x < 0.1 || y < 0.1\", \"\", \"x < 0.1 && z < 0.1\"]"));
+    check_resolved(file);
+    const InitialParticles layout = make_initial_particles(file.scene);
+    REQUIRE_FALSE(layout.guided.empty());
+    for (int i = 0; i < layout.size(); ++i) {
+      const Point& x = layout.x[i];
+      const bool along_x = x[0] < 0.1 || x[1] < 0.1, along_z = x[0] < 0.1 && x[2] < 0.1;
+      CHECK(layout.held[i] == 0);
+      CHECK(layout.guided[i] == (along_x ? 1 : 0) + (along_z ? 4 : 0));
+      CHECK(layout.v[i] == Point{along_x ? 0.0 : 1.0, 2, along_z ? 0.0 : 3.0});
+    }
+    const SceneFile all = read_text(solid_scene(brick, "held = [\"x < 0.3\", \"x < 0.2\", \"x < 0.1\"]"));
+    check_resolved(all);
+    const InitialParticles clamped = make_initial_particles(all.scene);
+    for (int i = 0; i < clamped.size(); ++i) {
+      const double x = clamped.x[i][0];
+      CHECK(clamped.held[i] == (x < 0.1));
+      CHECK(clamped.guided[i] == (x < 0.1 ? 0 : x < 0.2 ? 3 : x < 0.3 ? 1 : 0));
+    }
+    check_solid_error(solid_scene(brick, "held = @[\"x < 1\", 0]"), {"held must be an array of 3"});
+    check_solid_error(solid_scene(brick, "held = [\"\", \"@q < 1\", 0]"), {"unknown name 'q'"});
+    check_error("velocity = [\"v0*c0*x\", 0]", "velocity = [\"v0*c0*x\", 0]\nheld = @[\"x < 1\", 0, 0]",
+                {"held must be an array of 2"});
+  }
+}
