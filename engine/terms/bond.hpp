@@ -138,8 +138,10 @@ struct ClosedNeoHookean {
   };
   static Invariants invariants(const Mat<T, 2>& F) {
     const T xx = F(0, 0) * F(0, 0) + F(1, 0) * F(1, 0), yy = F(0, 1) * F(0, 1) + F(1, 1) * F(1, 1);
-    const T J = determinant(F), below = 0.25 / (0.75 - min(J, filled<T>(0.5))), one = filled<T>(1);
-    return {0.5 * (xx + yy), J, J < 0.5 ? 0.25 + 0.25 * below : J, J < 0.5 ? below * below : one};
+    const T t = 0.5 * (xx + yy), J = determinant(F), one = filled<T>(1);
+    if (!any(J < 0.5)) return {t, J, J, one};
+    const T below = 0.25 / (0.75 - min(J, filled<T>(0.5)));
+    return {t, J, J < 0.5 ? 0.25 + 0.25 * below : J, J < 0.5 ? below * below : one};
   }
   static T shut(const T& J) { return max(1 - 2 * J, T{}); }
   T wave_modulus() const { return K + 4.0 / 3 * G; }
