@@ -75,6 +75,7 @@ InitialPairSolver<Solver, M, Dim>::InitialPairSolver(const SolverInput& input)
     laws_.push_back(law_of<M.law>(e));
     c_p_ = std::max(c_p_, compression_wave_speed(e));
   }
+  this->go_to_start();
   contact_.search(s_);
   this->show_contacts_to_probes();
 }
