@@ -77,12 +77,25 @@ void check_materials(const Scene& scene, const InitialParticles& initial, const 
   }
 }
 
+/// Throws SceneError for a displacement from a reference configuration that the method does not know.
+void check_displacements(const Scene& scene, const MethodInfo& method) {
+  if (keeps_neighbors(method.formulation)) return;
+  for (const Body& body : scene.bodies)
+    for (const Expression& component : body.displacement)
+      if (component)
+        throw SceneError("body." + body.name + ".displacement",
+                         "method '" + std::string(method.name) + "' has no reference configuration: body '" +
+                             body.name +
+                             "' would start where it is displaced to, but without stress; take a method that "
+                             "keeps the neighbours of the start, such as tl or oenog");
+}
+
 /// Throws SceneError for a body that begins inside a wall.
 void check_walls(const Scene& scene, const InitialParticles& initial) {
   for (const Wall& wall : scene.walls) {
     for (int i = 0; i < initial.size(); ++i) {
       double height = 0;
-      for (std::size_t k = 0; k < 3; ++k) height += (initial.x[i][k] - wall.at[k]) * wall.normal[k];
+      for (std::size_t k = 0; k < 3; ++k) height += (initial.at_start(i)[k] - wall.at[k]) * wall.normal[k];
       if (initial.held[i] || height >= 0) continue;
       const std::string& body = scene.bodies[initial.body[i]].name;
       throw SceneError("wall." + wall.name, "body '" + body + "' begins inside the wall '" + wall.name +
@@ -122,6 +135,7 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Settings& 
   const InitialParticles initial = make_initial_particles(scene);
   check_materials(scene, initial, *method);
   check_walls(scene, initial);
+  check_displacements(scene, *method);
   const LawRow* law = law_row(*method, settings);
   const std::vector<Elasticity> materials = elasticities(scene, law);
   const int threads = settings.threads > 0 ? settings.threads : omp_get_max_threads();

@@ -39,6 +39,44 @@ void read_velocity(TomlCursor& cursor, int dim, Body& body) {
     body.velocity[axis++] = cursor.function_of(component, "velocity");
 }
 
+void read_displacement(TomlCursor& cursor, int dim, Body& body) {
+  if (!cursor.find("displacement")) return;
+  std::size_t axis = 0;
+  for (const TomlValue& component : components(cursor, "displacement", dim))
+    body.displacement[axis++] = cursor.function_of(component, "displacement");
+}
+
+void read_on_boundary(TomlCursor& cursor, Body& body) {
+  body.on_boundary = cursor.flag("on_boundary");
+  const bool one_box = body.shapes.size() == 1 && std::holds_alternative<Box>(body.shapes.front());
+  if (body.on_boundary && !(one_box && body.without.empty()))
+    cursor.fail(
+        cursor.need("on_boundary"), "on_boundary",
+        "on_boundary = true is for a body of one rectangle or box: particles on other faces would have no "
+        "lattice");
+}
+
+/// In 2D without an axis. About the middle of the first shape unless it says otherwise.
+void read_rotation(TomlCursor& cursor, int dim, Body& body) {
+  TomlValue* value = cursor.find("rotate");
+  if (!value) return;
+  TomlCursor entry = cursor.enter(*value, "rotate", "the rotation of " + cursor.what());
+  Rotation rotation;
+  if (dim == 3) {
+    rotation.axis = entry.point("axis", dim);
+    const double length = std::hypot(rotation.axis[0], rotation.axis[1], rotation.axis[2]);
+    if (!(length > 0))
+      entry.fail(entry.need("axis"), "axis", "the axis has no length; it points along it, e.g. [0, 0, 1]");
+    for (double& component : rotation.axis) component /= length;
+  }
+  rotation.angle = entry.number("angle");
+  rotation.about = entry.find("about")
+                       ? entry.point("about", dim)
+                       : std::visit([](const auto& s) { return s.middle(); }, body.shapes.front());
+  entry.finish();
+  body.rotation = rotation;
+}
+
 /// One expression for all components, or one for each, of which an empty text leaves its component free.
 void read_held(TomlCursor& cursor, int dim, Body& body) {
   if (!cursor.find("held")) cursor.table().set("held", TomlValue(0.0));
@@ -151,9 +189,14 @@ Body read_body(TomlCursor& cursor, const Scene& scene, bool keeps_neighbors) {
   body.name = label(cursor, names_of(scene.bodies));
   body.material = read_material_of(cursor, scene);
   add_names(cursor.names(), scene.materials[static_cast<std::size_t>(body.material)]);
-  body.shapes = read_shapes(cursor, "shape", scene.dim, keeps_neighbors);
+  body.shapes = read_shapes(cursor, "shape", scene.dim,
+                            keeps_neighbors ? Layers::that_fit_faces : Layers::evenly_spaced);
+  if (cursor.find("without")) body.without = read_shapes(cursor, "without", scene.dim, Layers::none);
+  read_on_boundary(cursor, body);
+  read_rotation(cursor, scene.dim, body);
   read_velocity(cursor, scene.dim, body);
   read_held(cursor, scene.dim, body);
+  read_displacement(cursor, scene.dim, body);
   read_mirror(cursor, scene.dim, body);
   read_parts(cursor, scene, body);
   read_drives(cursor, scene, body);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -61,8 +62,11 @@ std::string file_text(const std::filesystem::path& path);
 
 inline const std::vector<std::string> axis_names = {"x", "y", "z"};
 
-/// The shapes of `key`: one table, or an array of tables. `keeps_neighbors`: the method does.
-std::vector<Shape> read_shapes(TomlCursor& body, std::string_view key, int dim, bool keeps_neighbors);
+/// How the round shapes of a body are laid where the file does not say: for a method that keeps the neighbours of
+/// the start, for one that searches for them; none are laid of what is cut out.
+enum class Layers : std::uint8_t { that_fit_faces, evenly_spaced, none };
+/// The shapes of `key`: one table, or an array of tables.
+std::vector<Shape> read_shapes(TomlCursor& body, std::string_view key, int dim, Layers layers);
 
 /// Throws SceneError for a key that cannot be a name in expressions, or is one already.
 void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string_view kind);

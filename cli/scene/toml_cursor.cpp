@@ -106,6 +106,14 @@ int TomlCursor::whole(std::string_view key, int otherwise, int low, int high) {
   return static_cast<int>(given);
 }
 
+bool TomlCursor::flag(std::string_view key) {
+  const TomlValue* value = find(key);
+  if (value && value->kind != Kind::boolean)
+    fail(*value, key,
+         std::string(key) + " must be true or false, this is " + std::string(value->kind_name()));
+  return value && value->flag;
+}
+
 std::vector<double> TomlCursor::numbers(std::string_view key, std::size_t size) {
   const TomlValue& value = need(key);
   if (value.kind != Kind::array || value.items.size() != size)

@@ -45,6 +45,8 @@ class TomlCursor {
   double number(std::string_view key, double otherwise);
   double positive(std::string_view key);
   int whole(std::string_view key, int otherwise, int low, int high);
+  /// true or false; false if it is missing, without writing that.
+  bool flag(std::string_view key);
   /// One number per component; an array of `size` numbers.
   std::vector<double> numbers(std::string_view key, std::size_t size);
   Point point(std::string_view key, int dim);

@@ -22,9 +22,11 @@ double expected_number(const Body& body, int dim, double dp) {
   return volume / std::pow(dp, dim);
 }
 
-bool holds(const Body& body, const Point& x, int dim, double tolerance) {
+/// Of the first of the shapes that hold x, or their number.
+std::size_t first_that_holds(const std::vector<Shape>& shapes, const Point& x, int dim, double tolerance) {
   const auto inside = [&](const auto& shape) { return shape.holds(x, dim, tolerance); };
-  return std::ranges::any_of(body.shapes, [&](const Shape& shape) { return std::visit(inside, shape); });
+  const auto found = std::ranges::find_if(shapes, [&](const Shape& s) { return std::visit(inside, s); });
+  return static_cast<std::size_t>(found - shapes.begin());
 }
 
 Bounds bounds_of(const Shape& shape) {
@@ -41,7 +43,17 @@ Bounds bounds_of(const Body& body) {
   return all;
 }
 
-/// Square lattice of pitch dp over the union of the shapes, half a pitch off the anchor of the first.
+/// What cuts nothing is a slip of whoever wrote it.
+void refuse_idle_cuts(const Body& body, const std::vector<long>& cut) {
+  for (std::size_t k = 0; k < cut.size(); ++k)
+    if (cut[k] == 0)
+      throw SceneError("body." + body.name + ".without", "without: no particle of body '" + body.name +
+                                                             "' is in shape " + std::to_string(k + 1) +
+                                                             ", or all are in one before it");
+}
+
+/// Square lattice of pitch dp over the union of the shapes, half a pitch off the anchor of the first, less what
+/// is cut out.
 std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
   const Point anchor = std::visit([](const auto& s) { return s.anchor(); }, body.shapes.front());
   const Bounds all = bounds_of(body);
@@ -51,14 +63,47 @@ std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
     to[k] = static_cast<long>(std::ceil((all.high[k] - anchor[k]) / dp)) + 1;
   }
   std::vector<InitialSite> sites;
-  const double V0 = std::pow(dp, dim);
+  std::vector<long> cut(body.without.size());
+  const double V0 = std::pow(dp, dim), edge = edge_tolerance * dp;
   for (long k = from[2]; k <= to[2]; ++k) {
     for (long j = from[1]; j <= to[1]; ++j) {
       for (long i = from[0]; i <= to[0]; ++i) {
         Point x{anchor[0] + (static_cast<double>(i) + 0.5) * dp,
                 anchor[1] + (static_cast<double>(j) + 0.5) * dp, 0};
         if (dim == 3) x[2] = anchor[2] + (static_cast<double>(k) + 0.5) * dp;
-        if (holds(body, x, dim, edge_tolerance * dp)) sites.push_back({.x = x, .V0 = V0});
+        if (first_that_holds(body.shapes, x, dim, edge) == body.shapes.size()) continue;
+        const std::size_t out = first_that_holds(body.without, x, dim, -edge);
+        if (out == body.without.size())
+          sites.push_back({.x = x, .V0 = V0});
+        else
+          ++cut[out];
+      }
+    }
+  }
+  refuse_idle_cuts(body, cut);
+  return sites;
+}
+
+/// Particles from face to face, each with the part of its cell that is inside.
+std::vector<InitialSite> sites_on_boundary(const Box& box, int dim, double dp) {
+  long last[3] = {0, 0, 0};
+  double pitch[3] = {1, 1, 1};
+  for (int k = 0; k < dim; ++k) {
+    last[k] = std::max(1L, std::lround((box.high[k] - box.low[k]) / dp));
+    pitch[k] = (box.high[k] - box.low[k]) / static_cast<double>(last[k]);
+  }
+  std::vector<InitialSite> sites;
+  for (long k = 0; k <= last[2]; ++k) {
+    for (long j = 0; j <= last[1]; ++j) {
+      for (long i = 0; i <= last[0]; ++i) {
+        const long at[3] = {i, j, k};
+        InitialSite site{.V0 = 1};
+        for (int a = 0; a < dim; ++a) {
+          const bool on_face = at[a] == 0 || at[a] == last[a];
+          site.x[a] = at[a] == last[a] ? box.high[a] : box.low[a] + static_cast<double>(at[a]) * pitch[a];
+          site.V0 *= on_face ? 0.5 * pitch[a] : pitch[a];
+        }
+        sites.push_back(site);
       }
     }
   }
@@ -73,21 +118,22 @@ std::vector<InitialSite> own_sites(const Body& body, int dim, double dp) {
     else
       return {};
   };
-  return body.shapes.size() == 1 ? std::visit(lay, body.shapes.front()) : std::vector<InitialSite>();
+  if (body.shapes.size() != 1 || !body.without.empty()) return {};
+  if (body.on_boundary) return sites_on_boundary(std::get<Box>(body.shapes.front()), dim, dp);
+  return std::visit(lay, body.shapes.front());
 }
 
 /// A reflected layout about c is one about −c with the sign of its coordinates changed: the image of a round
 /// body at −c to the last bit.
-std::vector<InitialSite> body_sites(Body body, int dim, double dp) {
-  const Point middle = std::visit([](const auto& s) { return s.middle(); }, body.shapes.front());
-  for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
-    if (body.mirror[k])
-      for (Shape& shape : body.shapes) std::visit([&](auto& s) { s.shift(k, -2 * middle[k]); }, shape);
+std::vector<InitialSite> body_sites(const Body& as_given, int dim, double dp) {
+  const Body body = before_reflection(as_given, dim);
   std::vector<InitialSite> sites = own_sites(body, dim, dp);
   if (sites.empty()) sites = lattice_sites(body, dim, dp);
   for (int k = 0; k < dim; ++k)
     if (body.mirror[k])
       for (InitialSite& site : sites) site.x[k] = -site.x[k];
+  if (body.rotation)
+    for (InitialSite& site : sites) site.x = rotated(*body.rotation, site.x);
   return sites;
 }
 
@@ -132,6 +178,11 @@ void append(InitialParticles& layout, const Scene& scene, int b) {
   refuse_empty(body.parts, sites, body, "parts");
   refuse_empty(body.drives, sites, body, "driven");
   refuse_empty(body.loads, sites, body, "loaded");
+  const auto is_traction = [](const Load& load) { return load.kind == Load::Kind::traction; };
+  if (body.on_boundary && std::ranges::any_of(body.loads, is_traction))
+    throw SceneError("body." + body.name + ".loaded",
+                     "a traction acts on a layer of whole particles, and those of body '" + body.name +
+                         "' stand on its faces (on_boundary): give the force of the face as 'force'");
   const int first = layout.size();
   for (const InitialSite& site : sites) {
     layout.turned.push_back(site.turned < 0 ? layout.size() : first + site.turned);
@@ -167,7 +218,7 @@ void refuse_overlap(const InitialParticles& layout, const Scene& scene) {
   };
   std::unordered_multimap<std::size_t, int> grid;
   for (int i = 0; i < layout.size(); ++i) {
-    const Point& x = layout.x[i];
+    const Point& x = layout.at_start(i);
     const long c[3] = {cell(x[0]), cell(x[1]), cell(x[2])};
     const long depth = scene.dim == 3 ? 1 : 0;
     for (long dz = -depth; dz <= depth; ++dz) {
@@ -178,7 +229,8 @@ void refuse_overlap(const InitialParticles& layout, const Scene& scene) {
             const int j = it->second;
             if (layout.body[i] == layout.body[j]) continue;
             double r2 = 0;
-            for (int k = 0; k < 3; ++k) r2 += (x[k] - layout.x[j][k]) * (x[k] - layout.x[j][k]);
+            const Point& y = layout.at_start(j);
+            for (int k = 0; k < 3; ++k) r2 += (x[k] - y[k]) * (x[k] - y[k]);
             if (r2 >= reach * reach) continue;
             const std::string &a = scene.bodies[layout.body[i]].name, &b = scene.bodies[layout.body[j]].name;
             throw SceneError("body." + a,
@@ -207,6 +259,9 @@ InitialParticles make_initial_particles(const Scene& scene) {
   layout.first.push_back(0);
   for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b) append(layout, scene, b);
   if (layout.size() == 0) throw SceneError("body", "the scene has no particles; add a [[body]]");
+  if (has_displacements(scene))
+    for (int i = 0; i < layout.size(); ++i)
+      layout.start.push_back(displaced(scene.bodies[layout.body[i]], layout.x[i]));
   if (std::ranges::count(layout.guided, 0) == layout.size()) layout.guided.clear();
   refuse_overlap(layout, scene);
   return layout;

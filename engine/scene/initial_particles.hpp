@@ -9,7 +9,8 @@ namespace taut {
 /// The particles of a scene at t = 0, body after body.
 struct InitialParticles {
   int dim = 2;
-  std::vector<Point> x, v;            // m, m/s
+  std::vector<Point> x, v;            // in the reference configuration, m; m/s
+  std::vector<Point> start;           // where each starts, m; empty where that is x for all
   std::vector<double> V0;             // m^dim
   std::vector<int> body;              // index into Scene::bodies
   std::vector<int> material;          // index into Scene::materials
@@ -21,13 +22,15 @@ struct InitialParticles {
   std::vector<int> first;             // first particle of each body, and one past the last of all
 
   int size() const { return static_cast<int>(x.size()); }
+  const Point& at_start(int i) const { return start.empty() ? x[i] : start[i]; }
 };
 
 inline constexpr double greatest_particle_number = 20e6;
 
-/// Boxes, unions and round shapes of layout `lattice` are filled with a square lattice, other discs and rings
-/// that are a body with concentric layers (RoundLayout) whose particles share the layer's area, so that their
-/// mass is exact. Throws SceneError: no particles, too many, bodies that overlap.
+/// Bodies are filled with a square (cubic) lattice; discs and rings of another layout that are a whole body with
+/// concentric layers (RoundLayout) whose particles share the layer's area, so that their mass is exact; a box
+/// whose particles stand on its faces with a lattice whose outermost particles have halves, quarters or eighths
+/// of a cell. Then they are reflected, rotated, and displaced to where they start. Throws SceneError: no particles, too many, bodies that overlap.
 InitialParticles make_initial_particles(const Scene& scene);
 
 }  // namespace taut

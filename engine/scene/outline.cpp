@@ -72,17 +72,29 @@ bool holds(const Shape& shape, const Point& x, int dim, double tolerance) {
   return std::visit([&](const auto& s) { return s.holds(x, dim, tolerance); }, shape);
 }
 
-/// Another shape lies in front of the segment of `own`, or holds it and comes first, as where two faces lie
-/// in one.
-bool covered(const std::vector<Shape>& shapes, std::size_t own, const Point& a, const Point& b, double dp) {
-  const double thin = 1e-6 * dp, length = distance_between(a, b, 2);
-  const Point middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0};
-  const double off = 1e3 * thin / length;  // a thousandth of a spacing
-  const Point before{middle[0] + off * (b[1] - a[1]), middle[1] - off * (b[0] - a[0]), 0};
+bool any_holds(const std::vector<Shape>& shapes, const Point& x, double tolerance) {
+  return std::ranges::any_of(shapes, [&](const Shape& shape) { return holds(shape, x, 2, tolerance); });
+}
+
+/// Another of the shapes lies at `x`, or holds the middle of the segment and comes before `own`, as where two
+/// faces lie in one.
+bool covered(const std::vector<Shape>& shapes, std::size_t own, const Point& x, const Point& middle,
+             double dp) {
+  const double thin = 1e-6 * dp;
   for (std::size_t k = 0; k < shapes.size(); ++k)
-    if (k != own && (holds(shapes[k], before, 2, -thin) || (k < own && holds(shapes[k], middle, 2, thin))))
+    if (k != own && (holds(shapes[k], x, 2, -thin) || (k < own && holds(shapes[k], middle, 2, thin))))
       return true;
   return false;
+}
+
+/// The segment of the shape `own`, or of what is cut out, is a face of the body: the solid lies behind it.
+bool is_face(const Body& body, bool cut, std::size_t own, const Point& a, const Point& b, double dp) {
+  const double off = 1e-3 * dp / distance_between(a, b, 2);  // a thousandth of a spacing
+  const Point middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0};
+  const Point before{middle[0] + off * (b[1] - a[1]), middle[1] - off * (b[0] - a[0]), 0};
+  const Point behind{middle[0] - off * (b[1] - a[1]), middle[1] + off * (b[0] - a[0]), 0};
+  if (cut) return any_holds(body.shapes, behind, 0) && !covered(body.without, own, behind, middle, dp);
+  return !any_holds(body.without, behind, 0) && !covered(body.shapes, own, before, middle, dp);
 }
 
 class Maker {
@@ -96,17 +108,22 @@ class Maker {
   }
 
  private:
-  /// A reflected outline is made as the layout is: about −c, and then turned over.
+  /// A reflected or rotated outline is made as the layout is.
   void add(int b) {
-    const Body& body = scene_.bodies[at(b)];
-    std::vector<Shape> shapes = body.shapes;
-    const Point middle = std::visit([](const auto& s) { return s.middle(); }, shapes.front());
-    for (std::size_t k = 0; k < at(scene_.dim); ++k)
-      if (body.mirror[k])
-        for (Shape& shape : shapes) std::visit([&](auto& s) { s.shift(k, -2 * middle[k]); }, shape);
+    const Body body = before_reflection(scene_.bodies[at(b)], scene_.dim);
     const Cells cells(initial_, b, greatest_reach * scene_.spacing);
-    for (std::size_t own = 0; own < shapes.size(); ++own)
-      for (const Chain& chain : chains_of(shapes[own])) add(b, shapes, own, chain, cells);
+    const auto add_all = [&](const std::vector<Shape>& shapes, bool cut) {
+      for (std::size_t own = 0; own < shapes.size(); ++own) {
+        for (Chain& chain : chains_of(shapes[own])) {
+          if (cut) std::ranges::reverse(chain);
+          add(b, chain, cells, [&](const Point& from, const Point& to) {
+            return is_face(body, cut, own, from, to, scene_.spacing);
+          });
+        }
+      }
+    };
+    add_all(body.shapes, false);
+    add_all(body.without, true);
   }
 
   std::vector<Chain> chains_of(const Shape& shape) const {
@@ -119,12 +136,13 @@ class Maker {
     return std::visit(lay, shape);
   }
 
-  void add(int b, const std::vector<Shape>& shapes, std::size_t own, const Chain& chain, const Cells& cells) {
+  template <class IsFace>
+  void add(int b, const Chain& chain, const Cells& cells, const IsFace& is_face) {
     const std::size_t n = chain.size();
     std::vector<int> node(n, Outline::none);
     for (std::size_t k = 0; k < n; ++k) {
       const Point &from = chain[k], &to = chain[(k + 1) % n];
-      if (covered(shapes, own, from, to, scene_.spacing)) continue;
+      if (!is_face(from, to)) continue;
       const int first = node_at(node[k], b, from, cells), second = node_at(node[(k + 1) % n], b, to, cells);
       if (first == Outline::none || second == Outline::none) continue;
       const std::array<bool, 3>& mirror = scene_.bodies[at(b)].mirror;
@@ -138,8 +156,10 @@ class Maker {
   /// is of both.
   int node_at(int& known, int b, Point x, const Cells& cells) {
     if (known != Outline::none) return known;
+    const Body& body = scene_.bodies[at(b)];
     for (std::size_t k = 0; k < at(scene_.dim); ++k)
-      if (scene_.bodies[at(b)].mirror[k]) x[k] = -x[k];
+      if (body.mirror[k]) x[k] = -x[k];
+    if (body.rotation) x = rotated(*body.rotation, x);
     std::erase_if(open_, [&](int n) {
       return out_.body[at(n)] != b || std::ranges::count(out_.beside[at(n)], Outline::none) == 0;
     });

@@ -33,7 +33,8 @@ struct Outline {
   int body_of(const Segment& segment) const { return body[static_cast<std::size_t>(segment.node[0])]; }
 };
 
-/// That of a body is the one of the union of its shapes: no segment lies inside another shape. The nodes of a
+/// That of a body is the one of the union of its shapes, less what is cut out: no segment lies inside another
+/// shape. The nodes of a
 /// mirrored body are the mirror images, in the same order, to the last bit. Empty in 3D, of a shape that has
 /// none, and where too few particles lie around a node.
 Outline make_outline(const Scene& scene, const InitialParticles& initial);

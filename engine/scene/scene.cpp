@@ -1,10 +1,51 @@
 #include "engine/scene/scene.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
 #include <variant>
 
 namespace taut {
+namespace {
+
+bool any_is_given(const std::array<Expression, 3>& components) {
+  return std::ranges::any_of(components, [](const Expression& component) { return component != nullptr; });
+}
+
+std::pair<double, double> cosine_and_sine(double degrees) {
+  constexpr double quarter = 90, whole = 4;
+  const double quarters = degrees / quarter, over = quarters - whole * std::floor(quarters / whole);
+  constexpr std::array<std::pair<double, double>, 4> of_quarters = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+  if (over == std::floor(over) && over < whole) return of_quarters[static_cast<std::size_t>(over)];
+  const double angle = degrees * std::numbers::pi / 180;
+  return {std::cos(angle), std::sin(angle)};
+}
+
+}  // namespace
+
+Point rotated(const Rotation& rotation, const Point& x) {
+  const auto [cosine, sine] = cosine_and_sine(rotation.angle);
+  const Point &k = rotation.axis, &o = rotation.about;
+  const Point d{x[0] - o[0], x[1] - o[1], x[2] - o[2]};
+  const double along = (1 - cosine) * (k[0] * d[0] + k[1] * d[1] + k[2] * d[2]);
+  const Point across{k[1] * d[2] - k[2] * d[1], k[2] * d[0] - k[0] * d[2], k[0] * d[1] - k[1] * d[0]};
+  Point y{};
+  for (std::size_t a = 0; a < y.size(); ++a)
+    y[a] = o[a] + (cosine * d[a] + (sine * across[a] + along * k[a]));
+  return y;
+}
+
+Body before_reflection(Body body, int dim) {
+  const Point middle = std::visit([](const auto& s) { return s.middle(); }, body.shapes.front());
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
+    if (body.mirror[k])
+      for (std::vector<Shape>* shapes : {&body.shapes, &body.without})
+        for (Shape& shape : *shapes) std::visit([&](auto& s) { s.shift(k, -2 * middle[k]); }, shape);
+  return body;
+}
 
 double Material::sound_speed() const { return std::sqrt(bulk_modulus() / density); }
 
@@ -13,9 +54,18 @@ bool has_drives(const Scene& scene) {
 }
 
 bool has_guides(const Scene& scene) {
-  return std::ranges::any_of(scene.bodies, [](const Body& body) {
-    return std::ranges::any_of(body.guided, [](const Expression& along) { return along != nullptr; });
-  });
+  return std::ranges::any_of(scene.bodies, [](const Body& body) { return any_is_given(body.guided); });
+}
+
+bool has_displacements(const Scene& scene) {
+  return std::ranges::any_of(scene.bodies, [](const Body& body) { return any_is_given(body.displacement); });
+}
+
+Point displaced(const Body& body, const Point& x) {
+  Point y = x;
+  for (std::size_t k = 0; k < y.size(); ++k)
+    if (body.displacement[k]) y[k] += body.displacement[k](x);
+  return y;
 }
 
 bool has_gravity(const Scene& scene) {

@@ -83,9 +83,20 @@ struct Wall {
   Point normal{};  // of length 1, to the side of the bodies
 };
 
+/// A turn by `angle`, in degrees by the right-hand rule.
+struct Rotation {
+  Point axis{0, 0, 1};  // of length 1; in 2D z
+  Point about{};        // m
+  double angle = 0;
+};
+/// Where the point x comes to. Quarters of a turn and mirror images are exact to the last bit.
+Point rotated(const Rotation& rotation, const Point& x);
+
 struct Body {
   std::string name;
   std::vector<Shape> shapes;           // their union; the first one anchors the lattice
+  std::vector<Shape> without;          // cut out of it
+  bool on_boundary = false;            // of one box: the outermost particles stand on its faces
   int material = 0;                    // index into Scene::materials
   std::vector<Part> parts;             // of other materials; of several that hold the last counts
   std::vector<Drive> drives;           // of several that hold the last counts
@@ -94,7 +105,12 @@ struct Body {
   Expression held;                     // particles where it is not 0 stay where they are; empty = none
   std::array<Expression, 3> guided;    // those where it is not 0 do not move along this axis; empty = none
   std::array<bool, 3> mirror{};  // the layout is reflected along these axes about the first shape's centre
+  std::optional<Rotation> rotation;        // of the layout, after that
+  std::array<Expression, 3> displacement;  // from the reference configuration to the start, m; empty = 0
 };
+
+/// The body with its shapes where they are laid before they are reflected: those about c stand about −c.
+Body before_reflection(Body body, int dim);
 
 /// A quantity followed at every step.
 struct Probe {
@@ -182,6 +198,10 @@ struct Scene {
 
 /// There are driven regions.
 bool has_drives(const Scene& scene);
+/// Some bodies start away from their reference configuration.
+bool has_displacements(const Scene& scene);
+/// Where the particle of the body that stands at x in the reference configuration starts.
+Point displaced(const Body& body, const Point& x);
 /// Some particles are held along some axes.
 bool has_guides(const Scene& scene);
 bool has_gravity(const Scene& scene);

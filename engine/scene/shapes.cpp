@@ -114,4 +114,26 @@ std::vector<Chain> Ring::outline(int dim, double dp) const {
   return chains;
 }
 
+Bounds Cylinder::bounds() const {
+  Bounds box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double along = (to[k] - from[k]) / length();
+    const double half = radius * std::sqrt(std::max(0.0, 1 - along * along));  // of a face, seen along k
+    box.low[k] = std::min(from[k], to[k]) - half;
+    box.high[k] = std::max(from[k], to[k]) + half;
+  }
+  return box;
+}
+
+bool Cylinder::holds(const Point& x, int, double tolerance) const {
+  double along = 0, squared = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    along += (x[k] - from[k]) * (to[k] - from[k]) / length();
+    squared += (x[k] - from[k]) * (x[k] - from[k]);
+  }
+  const double r = std::sqrt(std::max(0.0, squared - along * along));
+  return along >= -tolerance && along <= length() + tolerance && r <= radius + tolerance &&
+         (inner == 0 || r >= inner - tolerance);
+}
+
 }  // namespace taut

@@ -154,6 +154,25 @@ struct Ring {
   bool operator==(const Ring&) const = default;
 };
 
-using Shape = std::variant<Box, Disc, Ring>;
+/// A round bar from one point to another, hollow where `inner` is above 0; 3D only.
+struct Cylinder {
+  Point from{}, to{};
+  double radius = 0, inner = 0;
+
+  Bounds bounds() const;
+  bool holds(const Point& x, int dim, double tolerance) const;
+  double length() const { return distance_between(from, to, 3); }
+  double measure(int) const { return (measure_of_ball(2, radius) - measure_of_ball(2, inner)) * length(); }
+  double thinnest(int) const { return std::min(length(), inner > 0 ? radius - inner : 2 * radius); }
+  Point middle() const { return Bounds{from, to}.middle(); }
+  Point anchor() const { return from; }
+  void shift(std::size_t axis, double by) {
+    from[axis] += by;
+    to[axis] += by;
+  }
+  bool operator==(const Cylinder&) const = default;
+};
+
+using Shape = std::variant<Box, Disc, Ring, Cylinder>;
 
 }  // namespace taut

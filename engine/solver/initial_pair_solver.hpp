@@ -15,8 +15,8 @@ namespace taut::inline TAUT_ISA {
 
 /// What the solvers of total-Lagrangian methods share: bodies whose particles act on their initial neighbours
 /// through a law of elasticity, and on other bodies by contact. A solver adds what it integrates.
-/// The papers put particles on the boundary; here they are in the middle of cells, as in every method of this
-/// program: the outermost stand half a spacing inside the face.
+/// The papers put particles on the boundary; here they are in the middle of cells unless the body says so
+/// (Body::on_boundary): the outermost stand half a spacing inside the face.
 template <class Solver, const Formulation& M, int Dim>
 class InitialPairSolver : public ParticleSolver<Solver, Dim> {
  protected:
@@ -75,6 +75,7 @@ InitialPairSolver<Solver, M, Dim>::InitialPairSolver(const SolverInput& input)
     laws_.push_back(law_of<M.law>(e));
     c_p_ = std::max(c_p_, compression_wave_speed(e));
   }
+  this->go_to_start();
   contact_.search(s_);
   this->show_contacts_to_probes();
 }

@@ -33,8 +33,16 @@ class SolverParts : public Simulation {
  protected:
   using V = Vec<double, Dim>;
 
-  /// Particles in the order of creation, at rest on what they were laid on.
+  /// Particles in the order of creation, where they were laid.
   SolverParts(const SolverInput& input, double support);
+
+  /// Puts the particles where they start; a constructor calls it once it has what it needs of the reference
+  /// configuration.
+  void go_to_start() {
+    if (initial_.start.empty()) return;
+    for (int i = 0; i < s_.size(); ++i)
+      for (int k = 0; k < Dim; ++k) s_.x[i][k] = initial_.start[s_.id[i]][k];
+  }
 
   /// `by_speed`, s, or the one step that the settings ask for.
   double fixed_or(double by_speed) const { return c_.step > 0 ? c_.step : by_speed; }

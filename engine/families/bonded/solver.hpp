@@ -38,7 +38,8 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     CellGrid<Dim> grid;
     s_.reorder(grid.sort(s_.x, this->support_), threads_now());
     const Bonds bonds = make_bonds(input.scene, this->initial_, c_.h);
-    pack_bonds(bonds);
+    Base::go_to_start();
+    pack_bonds(bonds, input.scene);
     // not what a corner takes from a uniform stress, since there the bonds have no choice that is right
     this->loads_.act_on_faces(input.scene, this->initial_, FaceRule::by_column, surface(bonds),
                               this->support_);
@@ -77,7 +78,8 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     Pack stiffest;     // φ″ of a bond
   };
 
-  void pack_bonds(const Bonds& bonds);
+  void pack_bonds(const Bonds& bonds, const Scene& scene);
+  PlaceRow place_at_clamp(const Scene& scene, int id, const Point& X) const;
   CancelledBonds<Dim> cancelled(const Bonds& bonds) const;
   void add_site(const Bonds& bonds, int i);
   double shear_modulus(const Bonds& bonds, int id, int b) const;
@@ -128,8 +130,19 @@ double Bonded<M, Dim>::shear_modulus(const Bonds& bonds, int id, int b) const {
   return 2 * G_i * G_j / (G_i + G_j);
 }
 
+/// The row of the place that the bond X of a particle leads to.
 template <const Formulation& M, int Dim>
-void Bonded<M, Dim>::pack_bonds(const Bonds& bonds) {
+auto Bonded<M, Dim>::place_at_clamp(const Scene& scene, int id, const Point& X) const -> PlaceRow {
+  Point x = this->initial_.x[id];
+  for (int k = 0; k < Dim; ++k) x[k] += X[k];
+  x = displaced(scene.bodies[this->initial_.body[id]], x);
+  PlaceRow row;
+  for (int k = 0; k < Dim; ++k) row.c[k] = x[k];
+  return row;
+}
+
+template <const Formulation& M, int Dim>
+void Bonded<M, Dim>::pack_bonds(const Bonds& bonds, const Scene& scene) {
   const InitialParticles& initial = this->initial_;
   const int n = s_.size();
   std::vector<int> where(n);
@@ -158,10 +171,9 @@ void Bonded<M, Dim>::pack_bonds(const Bonds& bonds) {
         }
         const int back = seen_from(bonds.j[b], id);
         j_.push_back(back >= 0 ? where[bonds.j[b]] : static_cast<int>(places_.size()));
-        if (back < 0) places_.emplace_back();
+        if (back < 0) places_.push_back(place_at_clamp(scene, id, bonds.X[b]));
         double r2 = 0;
         for (int k = 0; k < Dim; ++k) {
-          if (back < 0) places_.back().c[k] = initial.x[id][k] + bonds.X[b][k];
           r2 += bonds.X[b][k] * bonds.X[b][k];
           area[k][lane] = bonds.area[b][k];
         }

@@ -51,6 +51,7 @@ class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
 
   double volume_ratio(const Unknown& u) const { return has_J ? u.J : determinant(u.F); }
 
+  void set_start_gradients();
   void find_rates(const std::vector<V>& Z, double dt);
   void set_rows(const std::vector<V>& Z);
   void gather_pass();
@@ -84,6 +85,7 @@ TlMixed<M, Dim>::TlMixed(const SolverInput& input)
   Mat one{};
   for (int k = 0; k < Dim; ++k) one(k, k) = 1;
   for (int i = 0; i < s_.size(); ++i) now_.push_back({s_.x[i], s_.v[i], one, 1});
+  if (!initial_.start.empty()) set_start_gradients();
   start_ = now_;
   rate_of_start_ = rate_;
   Z_ = s_.x;
@@ -96,6 +98,18 @@ TlMixed<M, Dim>::TlMixed(const SolverInput& input)
     once_.resize(s_.size());
   }
   this->record();
+}
+
+/// Of bodies that start displaced: F is what the kernel sees of their places, as its rate is what it sees of
+/// their velocities, and J its determinant.
+template <const Formulation& M, int Dim>
+void TlMixed<M, Dim>::set_start_gradients() {
+  for (int i = 0; i < s_.size(); ++i) velocity_[i] = in_rows(s_.x[i] - X_[i]);
+  for (int i = 0; i < s_.size(); ++i) {
+    const Mat grad_u = product(matrix(initial_pairs_.difference_sum(velocity_, i)), initial_pairs_.B[i]);
+    now_[i].F = combination(1.0, now_[i].F, 1.0, grad_u);
+    if constexpr (has_J) now_[i].J = determinant(now_[i].F);
+  }
 }
 
 /// U* = U + Δt U̇(U), U** = U* + Δt U̇(U*), then the mean of U and U**.               [Lee2016] Eq. 43

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -103,6 +104,14 @@ TEST_SUITE("cli") {
     CHECK(volume(layout("{ type = \"ball\", centre = [1, 2, 3], radius = 1 }")) == relative(ball, 0.01));
     CHECK(volume(layout("{ type = \"shell\", centre = [1, 2, 3], inner = 0.5, outer = 1 }")) ==
           relative(ball * 7 / 8, 0.01));
+    CHECK(volume(
+              layout("{ type = \"cylinder\", from = [0, 0, 0], to = [0, 3, 0], radius = 1, inner = 0.5 }")) ==
+          relative(2.25 * std::numbers::pi, 0.02));
+    check_solid_error(solid_scene("{ type = \"cylinder\", from = [1, 2, 3], to = @[1, 2, 3], radius = 1 }"),
+                      {"from and to are the same point"});
+    check_solid_error(
+        solid_scene("{ type = \"cylinder\", from = [0, 0, 0], to = [1, 0, 0], radius = 1, inner = @1 }"),
+        {"inner = 1 must be less than radius = 1"});
     check_solid_error(solid_scene("{ type = \"shell\", centre = [0, 0, 0], inner = @2, outer = 1 }"),
                       {"inner = 2 must be less than outer = 1"});
     check_solid_error(
@@ -127,6 +136,7 @@ TEST_SUITE("cli") {
     flat("box", "rectangle");
     flat("ball", "disc");
     flat("shell", "ring");
+    flat("cylinder", "disc or rectangle");
     check_solid_error(solid_scene("{ type = @\"bal\" }"), {"unknown type 'bal'", "did you mean 'ball'"});
   }
 
@@ -155,5 +165,59 @@ TEST_SUITE("cli") {
     check_solid_error(solid_scene(brick, "held = [\"\", \"@q < 1\", 0]"), {"unknown name 'q'"});
     check_error("velocity = [\"v0*c0*x\", 0]", "velocity = [\"v0*c0*x\", 0]\nheld = @[\"x < 1\", 0, 0]",
                 {"held must be an array of 2"});
+  }
+
+  TEST_CASE("scene: what is cut out, rotated, laid on the faces and displaced") {
+    const SceneFile file = read_text(solid_scene(
+        brick,
+        "without = [{ type = \"ball\", centre = [2, 1, 0.5], radius = 0.4 }, { type = \"box\", low = [0, 0, "
+        "0], "
+        "high = [0.5, 0.5, 1] }]\nrotate = { axis = [0, 0, 2], angle = \"45 + 45\", about = [2, 1, 0] }"));
+    check_resolved(file);
+    const Body& body = file.scene.bodies[0];
+    REQUIRE(body.without.size() == 2);
+    CHECK(std::get<Disc>(body.without[0]).radius == 0.4);
+    CHECK(body.rotation->axis == Point{0, 0, 1});
+    CHECK(body.rotation->about == Point{2, 1, 0});
+    for (const Point& x : make_initial_particles(file.scene).x) CHECK((x[0] > 2 && x[0] < 3 && x[1] < 1));
+    const SceneFile about_middle = read_text(solid_scene(brick, "rotate = { axis = [1, 0, 0], angle = 30 }"));
+    check_resolved(about_middle);
+    CHECK(about_middle.scene.bodies[0].rotation->about == Point{1, 0.5, 0.25});
+    const SceneFile faces =
+        read_text(solid_scene(brick, "on_boundary = true\ndisplacement = [0, \"0.1*x*z\", 0]"));
+    check_resolved(faces);
+    const InitialParticles layout = make_initial_particles(faces.scene);
+    CHECK(layout.size() == 21 * 11 * 6);
+    CHECK(layout.start.back()[1] == doctest::Approx(1 + 0.1 * 2 * 0.5));
+    CHECK(resolved_text(file, scratch_folder()).find("on_boundary") == std::string::npos);
+    check_solid_error(solid_scene(brick, "rotate = { axis = @[0, 0, 0], angle = 3 }"), {"has no length"});
+    check_solid_error(solid_scene(brick, "rotate = @{ axis = [0, 0, 1] }"), {"'angle' is missing"});
+    check_solid_error(solid_scene(brick, "rotate = @3"), {"must be a table"});
+    check_solid_error(solid_scene(brick, "on_boundary = @1"), {"must be true or false, this is a number"});
+    check_solid_error(solid_scene("[" + brick + "," + brick + "]", "on_boundary = @true"),
+                      {"one rectangle or box"});
+    check_solid_error(solid_scene(brick, "displacement = @[1, 2]"), {"displacement must be an array of 3"});
+    check_solid_error(solid_scene(brick, "without = { type = @\"disc\" }"),
+                      {"disc is a shape of 2 dimensions"});
+    check_error("velocity = [\"v0*c0*x\", 0]",
+                "rotate = { @axis = [0, 0, 1], angle = 3 }\nvelocity = [\"v0\", 0]", {"unknown key 'axis'"});
+  }
+
+  TEST_CASE("scene: a layout that the engine refuses is refused at its key") {
+    const auto refused = [](const std::string& keys, const char* part) {
+      const SceneFile file = read_text(solid_scene(brick, keys));
+      try {
+        make_initial_particles(file.scene);
+        FAIL_CHECK("no error");
+      } catch (const SceneError& error) {
+        const SceneError located = locate(file, error);
+        CHECK(located.line == 13);
+        CHECK(std::string(located.what()).find(part) != std::string::npos);
+      }
+    };
+    refused("without = { type = \"ball\", centre = [9, 9, 9], radius = 1 }",
+            "without: no particle of body 'thing'");
+    refused("loaded = [{ where = 1, traction = [1, 0, 0] }]\non_boundary = true",
+            "give the force of the face");
   }
 }
