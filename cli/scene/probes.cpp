@@ -21,6 +21,7 @@ constexpr std::array probe_kinds{
     ProbeKind{"position", Probe::Kind::position, 1, true, false, true},
     ProbeKind{"distance", Probe::Kind::distance, 1, true, true, false},
     ProbeKind{"mean_velocity", Probe::Kind::mean_velocity, 1, false, false, true},
+    ProbeKind{"mean_position", Probe::Kind::mean_position, 1, false, false, true},
     ProbeKind{"gap", Probe::Kind::gap, 2, false, false, false},
     ProbeKind{"mirror_asymmetry", Probe::Kind::mirror_asymmetry, 2, false, false, true},
     ProbeKind{"turn", Probe::Kind::turn, 1, true, false, false},

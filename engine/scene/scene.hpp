@@ -103,6 +103,7 @@ struct Probe {
     position,       // of material point `at`, component `axis`, m
     distance,       // between material points `at` and `to` of `bodies[0]`, m
     mean_velocity,  // mass-weighted, of `bodies[0]`, component `axis`, m/s
+    mean_position,  // the same of the position, m
     gap,  // least distance of two particles of `bodies[0]` and `bodies[1]` less their mean diameter, m
     mirror_asymmetry,  // greatest |x_a − mirror(x_b)| over particles of two bodies of equal layout, or of one
                        // that is its own image, plane ⊥ axis, m

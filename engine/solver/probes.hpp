@@ -75,7 +75,7 @@ ProbeRecorder<Dim>::ProbeRecorder(const Scene& scene, const InitialParticles& in
   for (const Probe& probe : probes_) {
     Follower f;
     const int body = probe.bodies.empty() ? 0 : probe.bodies[0];
-    if (probe.kind == Probe::Kind::mean_velocity) {
+    if (probe.kind == Probe::Kind::mean_velocity || probe.kind == Probe::Kind::mean_position) {
       double total = 0;
       for (int i = first_[body]; i < first_[body + 1]; ++i) total += initial.V0[i];
       for (int i = first_[body]; i < first_[body + 1]; ++i) f.at.push_back({i, initial.V0[i] / total});
@@ -192,6 +192,7 @@ double ProbeRecorder<Dim>::value(const State<Dim>& s, const Probe& probe, const 
     case Probe::Kind::displacement:
       return place(s, f.at)[probe.axis] - probe.at[probe.axis];
     case Probe::Kind::position:
+    case Probe::Kind::mean_position:
       return place(s, f.at)[probe.axis];
     case Probe::Kind::distance: {
       const Vec<double, Dim> d = place(s, f.to) - place(s, f.at);
