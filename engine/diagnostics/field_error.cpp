@@ -11,10 +11,10 @@
 namespace taut {
 namespace {
 
-std::vector<const Field*> fields_of(const Measure& measure) {
+std::vector<const Field*> fields_of(const Measure& measure, int dim) {
   std::vector<const Field*> found;
   for (const std::string& key : measure.fields) {
-    found.push_back(find_field(key));
+    found.push_back(find_field(key, dim));
     if (found.back() == nullptr)
       throw SceneError("measure." + measure.name + ".fields", "there is no field '" + key + "'");
   }
@@ -85,7 +85,7 @@ double squared(const Point& a) { return a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
 
 std::optional<FieldError> field_error(const Measure& measure, const Snapshot& now,
                                       const std::vector<Solution>& exact) {
-  const std::vector<const Field*> fields = fields_of(measure);
+  const std::vector<const Field*> fields = fields_of(measure, now.dim);
   std::vector<Site> sites;
   double scale = 0, sum = 0, greatest = 0;  // squares
   for (std::size_t i = 0; i < now.size(); ++i) {
