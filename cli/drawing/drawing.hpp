@@ -19,7 +19,8 @@ struct Drawing {
 };
 
 std::vector<std::string> names_of_fields();
-/// Throws UsageError, with the nearest name, for a field that does not exist.
-const Field& known_field(const std::string& key);
+std::vector<std::string> names_of_fields(int dim);
+/// Throws UsageError, with the nearest name, for a field that does not exist in scenes of `dim` dimensions.
+const Field& known_field(const std::string& key, int dim = 3);
 
 }  // namespace taut::cli

@@ -75,6 +75,9 @@ std::string label(TomlCursor& entry, const std::vector<std::string>& taken);
 /// The names that an expression about a body knows besides the parameters: c0, E, nu, rho, K, G.
 void add_names(Names& names, const Material& material);
 
+/// `axis = [0, 0, 1]`, unless given, of a turn in 3D: of length 1. In 2D there is no such key: it is z.
+Point turning_axis(TomlCursor& cursor, const Scene& scene);
+
 /// The body that `value` names.
 int body_index(TomlCursor& cursor, const TomlValue& value, std::string_view key, const Scene& scene);
 
