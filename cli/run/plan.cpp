@@ -138,6 +138,7 @@ RunPlan make_plan(const RunOptions& options) {
   SceneFile& file = plan.file;
   file = scene_to_run(options);
   file.drawing = with_options(file.drawing, options.drawing);
+  suit(file.drawing, file);
   file.drawing.frames = frame_count(options, file);
   file.history = history_interval(options, file);
   plan.folder = RunFolder(options.out.value_or("out/" + file.scene.name + "-" + file.settings.method));

@@ -49,7 +49,8 @@ void read_measures(TomlCursor& root, Scene& scene);
 void read_references(TomlCursor& root, SceneFile& file);
 /// The paths of tables, as they are seen from `folder`.
 void see_tables_from(const std::filesystem::path& folder, TomlValue& scene);
-void read_drawing(TomlCursor& root, Drawing& drawing);
+/// Of a scene whose bodies are known.
+void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing);
 /// The drawing as a table of its own.
 TomlValue drawing_table(const Drawing& drawing);
 
