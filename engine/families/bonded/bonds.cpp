@@ -59,7 +59,8 @@ class Moments {
     for (std::size_t m = 0; m < powers_.size(); ++m) target_[m] = isotropic<Dim>(powers_[m]);
   }
 
-  /// w_j of the bonds X_j, columns, that starts from `omega`, and whether its moments are right.
+  /// w_j of the bonds X_j, columns, that starts from `omega`, and whether its moments are right. The same where
+  /// they are right to begin with.
   std::pair<Eigen::VectorXd, bool> weights(const Eigen::MatrixXd& X, const Eigen::VectorXd& omega) const {
     Eigen::MatrixXd M(powers_.size(), X.cols());
     for (Eigen::Index b = 0; b < X.cols(); ++b) {
@@ -69,6 +70,7 @@ class Moments {
         for (int k = 0; k < Dim; ++k) M(m, b) *= std::pow(e[k], powers_[m][k]);
       }
     }
+    if (Dim == 3 && (M * omega - target_).cwiseAbs().maxCoeff() < 1e-9) return {omega, true};
     const Eigen::VectorXd w = corrected(M, target_, omega);
     return {w, (M * w - target_).cwiseAbs().maxCoeff() < 1e-9};
   }
@@ -118,15 +120,31 @@ class Maker {
  private:
   /// Of (V_i w_ij + V_j w_ji)/V_i, which is about 2; of w_ij alone at a clamp.
   static constexpr double least_strength = 0.4;
+  /// Of the midpoint rule, and in 3D of the bonds with it; see bonds.hpp.
+  static constexpr double per_end_correction = Dim == 2 ? 24 : 16;
 
   using Place = Eigen::Vector<double, Dim>;
   using Square = Eigen::Matrix<double, Dim, Dim>;
   static Place column(const Point& p) { return Eigen::Map<const Place>(p.data()); }
+  /// X_ij, m; in 3D to 2^-40 of a spacing, so that the bonds of a lattice are the same wherever they are.
+  Place between(int i, int j) const {
+    Place X = column(initial_.x[j]) - column(initial_.x[i]);
+    if constexpr (Dim == 3)
+      for (double& x : X)
+        x = std::ldexp(std::round(std::ldexp(x / scene_.spacing, 40)), -40) * scene_.spacing + 0.0;
+    return X;
+  }
+  /// a_ij over X_ij, of the spacing over r: in 3D of those on the axes of the lattice alone.
+  static double area_share(double per_r) {
+    if constexpr (Dim == 3) return per_r > 0.83 ? 1 : 0;
+    return std::pow(per_r, 8);
+  }
 
   void make_of_lattice() {
     choose_on_lattice();
     set_ends();
     set_gradients();
+    help_who_lack_an_axis();
   }
   void make_of_layout() {
     make_balanced();
@@ -152,6 +170,7 @@ class Maker {
   void set_gradients();
   std::vector<int> with_pair_below(double least) const;
   void straighten(int i);
+  void help_who_lack_an_axis();
   void correct_volumes();
   void cut_at_clamp();
   double share_before_clamp(int i, const Point& X) const;
@@ -223,11 +242,11 @@ void Maker<Dim>::set_ends() {
   out_.begin.push_back(0);
   for (int i = 0; i < initial_.size(); ++i) {
     for (const auto& [j, w] : chosen_[i]) {
-      const Place X = column(initial_.x[j]) - column(initial_.x[i]);
+      const Place X = between(i, j);
       out_.j.push_back(j);
       out_.weight.push_back(w);
       out_.X.push_back(point<Dim>(X));
-      out_.area.push_back(point<Dim>(std::pow(scene_.spacing / X.norm(), 8) * X));
+      out_.area.push_back(point<Dim>(area_share(scene_.spacing / X.norm()) * X));
     }
     out_.begin.push_back(static_cast<int>(out_.j.size()));
   }
@@ -248,6 +267,26 @@ void Maker<Dim>::set_gradients() {
     for (int b = out_.begin[i]; b < out_.begin[i + 1]; ++b)
       out_.gradient[b] = point<Dim>(B * column(out_.area[b]));
   }
+}
+
+/// A particle that has no neighbour on one of the axes, as the tips of round bodies, takes the gradient from
+/// all its bonds, and so do their other ends of them.
+template <int Dim>
+void Maker<Dim>::help_who_lack_an_axis() {
+  bool helped = false;
+  for (int i = 0; i < initial_.size(); ++i) {
+    if (out_.B[i][0][0] > 0) continue;
+    helped = true;
+    for (int b = out_.begin[i]; b < out_.begin[i + 1]; ++b) {
+      const int j = out_.j[b];
+      const int back =
+          static_cast<int>(std::find(out_.j.begin() + out_.begin[j], out_.j.end(), i) - out_.j.begin());
+      const Place a = std::pow(scene_.spacing / column(out_.X[b]).norm(), 8) * column(out_.X[b]);
+      out_.area[b] = point<Dim>(a);
+      out_.area[back] = point<Dim>(-a);
+    }
+  }
+  if (helped) set_gradients();
 }
 
 /// The bodies whose balance has left a pair of particles less than this strength.
@@ -273,14 +312,14 @@ std::vector<int> Maker<Dim>::with_pair_below(double least) const {
 }
 
 /// V_k += Σ_j D_j²/24 S_j · (g_jk − δ_jk Σ_l g_jl): S_j = Σ_i (V_i g_ij − V_j g_ji) is the surface that
-/// belongs to particle j, 0 inside.
+/// belongs to particle j, 0 inside; in 3D with 16 for 24.
 template <int Dim>
 void Maker<Dim>::correct_volumes() {
   const std::vector<Point> S = surface(out_);
   for (int j = 0; j < initial_.size(); ++j) {
     for (int b = out_.begin[j]; b < out_.begin[j + 1]; ++b) {
-      const double change =
-          std::pow(initial_.V0[j], 2.0 / Dim) / 24 * column(S[j]).dot(column(out_.gradient[b]));
+      const double share = std::pow(initial_.V0[j], 2.0 / Dim) / per_end_correction;
+      const double change = share * column(S[j]).dot(column(out_.gradient[b]));
       out_.volume[out_.j[b]] += change;
       out_.volume[j] -= change;
     }
@@ -302,7 +341,9 @@ double Maker<Dim>::share_before_clamp(int i, const Point& X) const {
   return std::min(1.0, std::max(inside, shortest * scene_.spacing / column(X).norm()));
 }
 
-/// Takes away the bonds of held particles and shortens those that lead to them; their a_ij stay as they are.
+/// Takes away the bonds of held particles and shortens those that lead to them. Their a_ij stay as they are in
+/// 2D; in 3D they grow as much, so that F is what it would be had the particle behind the face gone on linearly,
+/// and a uniform stress leaves no force on the particles before it.
 template <int Dim>
 void Maker<Dim>::cut_at_clamp() {
   Bonds cut;
@@ -316,7 +357,7 @@ void Maker<Dim>::cut_at_clamp() {
       cut.j.push_back(out_.j[b]);
       cut.weight.push_back(out_.weight[b]);
       cut.X.push_back(point<Dim>(share * column(out_.X[b])));
-      cut.area.push_back(out_.area[b]);
+      cut.area.push_back(Dim == 2 ? out_.area[b] : point<Dim>(1 / share * column(out_.area[b])));
     }
     cut.begin.push_back(static_cast<int>(cut.j.size()));
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/core/tensor.hpp"
+#include "engine/families/bonded/shared_rows.hpp"
 #include "engine/terms/bond.hpp"
 
 namespace taut::inline TAUT_ISA {
@@ -41,8 +42,11 @@ class CancelledBonds {
 
   static std::vector<Bond> merged(const std::vector<Bond>& bonds);
 
-  std::vector<int> begin_{0};  // [group + 1]
-  std::vector<Four> four_;
+  struct Group {
+    int first, count;  // of its fours
+  };
+  std::vector<Group> groups_;
+  SharedRows<Four> four_;
 };
 
 /// s° of bonds: of the components of e ⊗ e that are kept, what C gives them.
@@ -73,7 +77,8 @@ template <int Dim>
 Sym<Pack, Dim> CancelledBonds<Dim>::slopes(int group, const Sym<Pack, Dim>& C) const {
   Sym<Pack, Dim> S{};
   const Stretch stretch(C);
-  for (int b = begin_[group]; b < begin_[group + 1]; b += at_once) {
+  const auto [first, count] = groups_[group];
+  for (int b = first; b < first + count; b += at_once) {
     Pack slope[at_once];
     for (int n = 0; n < at_once; ++n) slope[n] = stretch.of(four_[b + n]);
     take_cancelled_slopes(slope);
@@ -93,8 +98,8 @@ template <int Dim>
 Pack CancelledBonds<Dim>::energy(int group, const Sym<Pack, Dim>& C) const {
   Pack energy{};
   const Stretch stretch(C);
-  for (int b = begin_[group]; b < begin_[group + 1]; ++b)
-    energy += four_[b].Gw * cancelled_energy(stretch.of(four_[b]));
+  const auto [first, count] = groups_[group];
+  for (int b = first; b < first + count; ++b) energy += four_[b].Gw * cancelled_energy(stretch.of(four_[b]));
   return energy;
 }
 
@@ -117,20 +122,21 @@ auto CancelledBonds<Dim>::merged(const std::vector<Bond>& bonds) -> std::vector<
 
 template <int Dim>
 CancelledBonds<Dim>::CancelledBonds(const std::vector<std::vector<Bond>>& of_particle) {
+  std::vector<Four> fours;
   for (std::size_t first = 0; first < of_particle.size(); first += lanes) {
-    const std::size_t begin = four_.size();
+    fours.clear();
     for (std::size_t lane = 0; lane < lanes && first + lane < of_particle.size(); ++lane) {
       const std::vector<Bond> bonds = merged(of_particle[first + lane]);
-      four_.resize(std::max(four_.size(), begin + bonds.size()));
+      fours.resize(std::max(fours.size(), bonds.size()));
       for (std::size_t b = 0; b < bonds.size(); ++b) {
-        for (int k = 0; k < dyad_size; ++k) four_[begin + b].dyad[k][lane] = bonds[b].dyad.c[k];
-        four_[begin + b].Gw[lane] = bonds[b].Gw;
+        for (int k = 0; k < dyad_size; ++k) fours[b].dyad[k][lane] = bonds[b].dyad.c[k];
+        fours[b].Gw[lane] = bonds[b].Gw;
       }
     }
-    const std::size_t over = (four_.size() - begin) % at_once;
-    if (over > 0) four_.resize(four_.size() + at_once - over);
-    begin_.push_back(static_cast<int>(four_.size()));
+    fours.resize((fours.size() + at_once - 1) / at_once * at_once);
+    groups_.push_back({four_.add(fours), static_cast<int>(fours.size())});
   }
+  four_.close();
 }
 
 }  // namespace taut::inline TAUT_ISA

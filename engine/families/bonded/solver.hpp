@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "engine/families/bonded/bonds.hpp"
 #include "engine/families/bonded/cancelled.hpp"
 #include "engine/families/bonded/recovered_gradient.hpp"
+#include "engine/families/bonded/shared_rows.hpp"
 #include "engine/solver/particle_solver.hpp"
 #include "engine/terms/bond.hpp"
 
@@ -38,6 +40,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     CellGrid<Dim> grid;
     s_.reorder(grid.sort(s_.x, this->support_), threads_now());
     const Bonds bonds = make_bonds(input.scene, this->initial_, c_.h);
+    take_masses(bonds);
     Base::go_to_start();
     pack_bonds(bonds, input.scene);
     // not what a corner takes from a uniform stress, since there the bonds have no choice that is right
@@ -66,6 +69,11 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     Pack k;                          // G (V0_i w_ij + V0_j w_ji)/r0², N/m (per metre depth in 2D)
     Pack per_r0_squared;             // 1/r0², 1/m²
   };
+  struct BondsOf {  // one particle, in packs as in Neighbors
+    int j, packs;   // first of all and their number
+    int spring, scale;
+    int a, a_packs;  // those with an a_ij are the first
+  };
   struct Sites {  // four particles; the filling and what is held has V = 0
     Sym<Pack, Dim> B;
     Pack V;  // m^Dim, with which the energy counts
@@ -82,6 +90,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   PlaceRow place_at_clamp(const Scene& scene, int id, const Point& X) const;
   CancelledBonds<Dim> cancelled(const Bonds& bonds) const;
   void add_site(const Bonds& bonds, int i);
+  void take_masses(const Bonds& bonds);
   double shear_modulus(const Bonds& bonds, int id, int b) const;
   double step_size() const;
   void strain_pass();
@@ -106,11 +115,11 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   double relaxation_ = 0;  // s, of the bonds
   double stiffest_ = 1;    // greatest of all bonds and particles in the last step, over that at rest
   std::vector<Sites> sites_;
-  std::vector<int> begin_, j_;        // bonds in packs, as in Neighbors; from size() on places at a clamp
-  std::vector<Vec<Pack, Dim>> a_ij_;  // times a constant that B takes out again
-  std::vector<Spring> springs_;
-  std::vector<StoredPack>
-      energy_scales_;  // of each bond, as far as it is an energy of this end: G V0_i w_ij, J
+  std::vector<BondsOf> bonds_;
+  std::vector<int> j_;               // from size() on places at a clamp
+  SharedRows<Vec<Pack, Dim>> a_ij_;  // times a constant that B takes out again
+  SharedRows<Spring> springs_;
+  SharedRows<StoredPack> energy_scales_;  // as far as a bond is an energy of this end: G V0_i w_ij, J
   CancelledBonds<Dim> cancelled_;
   std::vector<Mat<Pack, Dim>> F_;  // of each group; 0 where there is no volume
   std::vector<PlaceRow> places_;
@@ -119,6 +128,15 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   RecoveredGradient recovered_;   // once a snapshot has asked for it
   std::vector<V> displacements_;  // of the last snapshot, m
 };
+
+/// In 3D a particle is as heavy as its volume, see bonds.hpp; in 2D as its cell.
+template <const Formulation& M, int Dim>
+void Bonded<M, Dim>::take_masses(const Bonds& bonds) {
+  if (Dim == 2) return;
+  for (int i = 0; i < s_.size(); ++i)
+    if (const int id = s_.id[i]; !this->initial_.held[id])
+      s_.m[i] *= bonds.volume[id] / this->initial_.V0[id];
+}
 
 /// G of a bond, Pa. Halves of two materials stand one behind the other in it, as two springs do: the harmonic
 /// mean. What is held is as stiff as who holds on to it.
@@ -154,41 +172,45 @@ void Bonded<M, Dim>::pack_bonds(const Bonds& bonds, const Scene& scene) {
   };
   places_.resize(n);
   sites_.resize(groups());
-  begin_.push_back(0);
+  std::vector<int> order;  // of the bonds of a particle
+  std::vector<Vec<Pack, Dim>> areas;
+  std::vector<Spring> springs;
+  std::vector<StoredPack> scales;
   for (int i = 0; i < n; ++i) {
-    const int id = s_.id[i], last = bonds.begin[id + 1];
+    const int id = s_.id[i], count = bonds.begin[id + 1] - bonds.begin[id];
     set_row(i);
     add_site(bonds, i);
-    for (int first = bonds.begin[id]; first < last; first += lanes) {
-      Vec<Pack, Dim> area{};
-      Spring four{{}, 1 / least_r2_};  // the filling: λ = 1
-      StoredPack own{};
-      for (int lane = 0; lane < lanes; ++lane) {
-        const int b = first + lane;
-        if (b >= last) {
-          j_.push_back(i);
-          continue;
-        }
-        const int back = seen_from(bonds.j[b], id);
-        j_.push_back(back >= 0 ? where[bonds.j[b]] : static_cast<int>(places_.size()));
-        if (back < 0) places_.push_back(place_at_clamp(scene, id, bonds.X[b]));
-        double r2 = 0;
-        for (int k = 0; k < Dim; ++k) {
-          r2 += bonds.X[b][k] * bonds.X[b][k];
-          area[k][lane] = bonds.area[b][k];
-        }
-        // a place at a clamp has no energy of its own
-        const double G = shear_modulus(bonds, id, b), of_other = back < 0 ? 0 : bonds.weight[back];
-        own.value[lane] = G * initial.V0[id] * bonds.weight[b];
-        four.k[lane] = (own.value[lane] + G * initial.V0[bonds.j[b]] * of_other) / r2;
-        four.per_r0_squared[lane] = 1 / r2;
+    order.resize(count);
+    std::iota(order.begin(), order.end(), bonds.begin[id]);
+    const auto rest =
+        std::stable_partition(order.begin(), order.end(), [&](int b) { return bonds.area[b] != Point{}; });
+    const int packs = (count + lanes - 1) / lanes;
+    const int a_packs = (static_cast<int>(rest - order.begin()) + lanes - 1) / lanes;
+    areas.assign(a_packs, Vec<Pack, Dim>{});
+    springs.assign(packs, Spring{{}, 1 / least_r2_});  // the filling: λ = 1
+    scales.assign(packs, StoredPack{});
+    const int first_j = static_cast<int>(j_.size());
+    for (int k = 0; k < count; ++k) {
+      const int b = order[k], pack = k / lanes, lane = k % lanes;
+      const int back = seen_from(bonds.j[b], id);
+      j_.push_back(back >= 0 ? where[bonds.j[b]] : static_cast<int>(places_.size()));
+      if (back < 0) places_.push_back(place_at_clamp(scene, id, bonds.X[b]));
+      double r2 = 0;
+      for (int d = 0; d < Dim; ++d) {
+        r2 += bonds.X[b][d] * bonds.X[b][d];
+        if (pack < a_packs) areas[pack][d][lane] = bonds.area[b][d];
       }
-      a_ij_.push_back(area);
-      springs_.push_back(four);
-      energy_scales_.push_back(own);
+      // a place at a clamp has no energy of its own
+      const double G = shear_modulus(bonds, id, b), of_other = back < 0 ? 0 : bonds.weight[back];
+      scales[pack].value[lane] = G * initial.V0[id] * bonds.weight[b];
+      springs[pack].k[lane] = (scales[pack].value[lane] + G * initial.V0[bonds.j[b]] * of_other) / r2;
+      springs[pack].per_r0_squared[lane] = 1 / r2;
     }
-    begin_.push_back(static_cast<int>(springs_.size()));
+    j_.resize(first_j + static_cast<std::size_t>(lanes) * packs, i);
+    bonds_.push_back(
+        {first_j, packs, springs_.add(springs), energy_scales_.add(scales), a_ij_.add(areas), a_packs});
   }
+  a_ij_.close(), springs_.close(), energy_scales_.close();
   cancelled_ = cancelled(bonds);
   stress_.resize(std::max<std::size_t>(places_.size(), lanes * groups()));  // past the end: of the filling
   F_.resize(groups());
@@ -265,20 +287,23 @@ auto Bonded<M, Dim>::strained(int i) const -> Strained {
   Mat<Pack, Dim> A{};
   Vec<Pack, Dim> f{};
   Pack energy{}, stiffest{};
-  for (int b = begin_[i]; b < begin_[i + 1]; ++b) {
-    const int* j = &j_[static_cast<std::size_t>(lanes) * b];
-    Pack row[width];  // x_j, v_j
-    gather<width>(places_[0].c, j, row);
+  const BondsOf& own = bonds_[i];
+  const Spring* springs = &springs_[own.spring];
+  const auto add_bond = [&](int b) {  // gives x_j − x_i
+    Pack row[width];                  // x_j, v_j
+    gather<width>(places_[0].c, &j_[own.j + lanes * b], row);
     Vec<Pack, Dim> d, w;
     for (int k = 0; k < Dim; ++k) d[k] = row[k] - x_i[k], w[k] = row[Dim + k] - v_i[k];
-    const Spring& spring = springs_[b];
+    const Spring& spring = springs[b];
     const Pack s = max(dot(d, d), least_r2_) * spring.per_r0_squared;
     const Pack rate = dot(d, w) * spring.per_r0_squared;  // q̇
     stiffest = max(stiffest, bond_stiffness(s));
     f += Pack(spring.k * (bond_slope(s) + relaxation_ * rate)) * d;
-    add_outer(A, filled<Pack>(1), d, a_ij_[b]);
-    if constexpr (WithEnergy) energy += energy_scales_[b].value * bond_energy(s);
-  }
+    if constexpr (WithEnergy) energy += energy_scales_[own.scale + b].value * bond_energy(s);
+    return d;
+  };
+  for (int b = 0; b < own.a_packs; ++b) add_outer(A, filled<Pack>(1), add_bond(b), a_ij_[own.a + b]);
+  for (int b = own.a_packs; b < own.packs; ++b) add_bond(b);
   return {A, f, energy, stiffest};
 }
 inline constexpr TermInfo bonded_damping_info{
@@ -360,11 +385,13 @@ double Bonded<M, Dim>::force_pass(double dt) {
     Pack Q_i[Dim * Dim];
     for (int k = 0; k < Dim * Dim; ++k) Q_i[k] = filled<Pack>(stress_[i].c[k]);
     Vec<Pack, Dim> f{};
-    for (int b = begin_[i]; b < begin_[i + 1]; ++b) {
+    const BondsOf& own = bonds_[i];
+    for (int b = 0; b < own.a_packs; ++b) {
       Pack Q_j[width];
-      gather<width>(stress_[0].c, &j_[static_cast<std::size_t>(lanes) * b], Q_j);
+      const Vec<Pack, Dim>& a_ij = a_ij_[own.a + b];
+      gather<width>(stress_[0].c, &j_[own.j + lanes * b], Q_j);
       for (int a = 0; a < Dim; ++a)
-        for (int k = 0; k < Dim; ++k) f[a] += (Q_i[a * Dim + k] + Q_j[a * Dim + k]) * a_ij_[b][k];
+        for (int k = 0; k < Dim; ++k) f[a] += (Q_i[a * Dim + k] + Q_j[a * Dim + k]) * a_ij[k];
     }
     V force = sum(f);
     force += bond_force_[i];
