@@ -13,10 +13,11 @@ struct FrameView {
   std::span<const double> x;         // position, particle after particle, m
   std::span<const double> diameter;  // m
   std::span<const double> value;     // the coloured field, in `unit`
-  std::string_view field;            // "von Mises stress"
-  std::string_view unit;             // "Pa"
-  std::string_view title;            // "Colliding rubber rings"
-  std::string_view method;           // "enog"
+  std::span<const double> cell;  // the edges of each particle's cell, n × dim vectors, m; none: it is round
+  std::string_view field;        // "von Mises stress"
+  std::string_view unit;         // "Pa"
+  std::string_view title;        // "Colliding rubber rings"
+  std::string_view method;       // "enog"
 };
 
 }  // namespace taut

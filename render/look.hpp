@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "render/camera.hpp"
 #include "render/colormap.hpp"
-#include "render/page/page_layout.hpp"
 
 namespace taut::render {
 
@@ -26,7 +26,8 @@ struct Size {
 /// How pictures look. What is none is open: who knows all that they will show chooses it before the first is
 /// drawn.
 struct Look {
-  std::optional<View> view;            // what is seen
+  std::optional<View> view;            // what is seen; in 3D in the plane of the picture
+  std::optional<Camera> camera;        // of scenes in 3D; in 2D there is none
   std::optional<Range> range;          // of the colours; values beyond it take the colour of the end
   const Colormap* colormap = nullptr;  // nullptr: open
   std::optional<Size> size = Size{};   // each from least_size to greatest_size

@@ -1,9 +1,9 @@
 #include "render/renderer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -13,7 +13,9 @@
 #include "engine/error.hpp"
 #include "render/gl/disc_painter.hpp"
 #include "render/gl/gl_context.hpp"
+#include "render/gl/solid_painter.hpp"
 #include "render/page/annotation.hpp"
+#include "render/solids.hpp"
 
 namespace taut::render {
 namespace {
@@ -34,6 +36,19 @@ void check_view(const View& view) {
   }
 }
 
+void check_camera(const Camera& camera) {
+  for (const auto& [name, way] : {std::pair("direction", camera.from), std::pair("up", camera.up)}) {
+    const double square = dot(way, way);
+    if (!(square > 0) || !std::isfinite(square))
+      throw UsageError(fmt::format("the camera's {} {:g}:{:g}:{:g} has no length, or is not finite", name,
+                                   way[0], way[1], way[2]));
+  }
+  if (!(camera.field_of_view >= 0 && camera.field_of_view <= greatest_field_of_view))
+    throw UsageError(
+        fmt::format("the field of view {:g} is out of bounds; it is from 0 (parallel) to {} degrees",
+                    camera.field_of_view, greatest_field_of_view));
+}
+
 void check_range(const Range& range) {
   if (!(range.low <= range.high) || !std::isfinite(range.high - range.low)) {
     throw UsageError(fmt::format("the range {:g}:{:g} is reversed or not finite; write LO:HI with LO < HI",
@@ -47,6 +62,7 @@ Look checked(const Look& look) {
   check_size(*look.size);
   check_view(*look.view);
   check_range(*look.range);
+  if (look.camera) check_camera(*look.camera);
   if (!look.colormap) throw UsageError("no colour map is given; `taut list colormaps` names them");
   return look;
 }
@@ -64,16 +80,6 @@ std::uint32_t packed(Rgb color) {
   return std::bit_cast<std::uint32_t>(std::array<std::uint8_t, 4>{color[0], color[1], color[2], 255});
 }
 
-/// A gap narrower than a pixel cannot be drawn: it comes out as moiré and washes the colour out. So a disc
-/// grows, by less than 0.7 pixel, until at a diameter of 2 pixels it fills the square about its particle.
-double drawn_radius(double radius) {
-  constexpr double full = 2.0;    // pixels, radius from which the size is kept
-  constexpr double filled = 1.0;  // pixels, radius up to which the square is filled
-  constexpr double rim = 0.25;    // pixels, half the width of the antialiased rim
-  const double small = std::clamp((full - radius) / (full - filled), 0.0, 1.0);
-  return std::lerp(radius, std::numbers::sqrt2 * radius + rim, small);
-}
-
 }  // namespace
 
 struct Renderer::Parts {
@@ -81,14 +87,20 @@ struct Renderer::Parts {
   PageLayout layout;
   Image image;
   GlContext context;
-  std::optional<DiscPainter> painter;
-  std::optional<Annotation> annotation;  // none in pictures too small for text
+  std::optional<Projection> projection;  // in 3D
+  std::optional<DiscPainter> disc_painter;
+  std::optional<SolidPainter> solid_painter;  // made when it is needed: cells are solids in 2D too
+  std::optional<Annotation> annotation;       // none in pictures too small for text
   std::array<std::uint32_t, 256> colors;
   std::uint32_t not_a_number = packed(not_a_number_color);
   std::vector<Dot> discs;
+  Solids solids;
 
   Parts(const Look& look, double until);
+  void check(const FrameView& frame) const;
   void place_discs(const FrameView& frame);
+  void draw_discs(const FrameView& frame);
+  void draw_solids(const FrameView& frame);
   std::uint32_t color_of(double value) const;
 };
 
@@ -96,12 +108,22 @@ Renderer::Parts::Parts(const Look& look, double until)
     : range(widened(*look.range)),
       layout(make_layout(look.size->width, look.size->height, *look.view, !look.bare)),
       image(look.size->width, look.size->height),
-      context(image.width, image.height) {
+      context(image.width, image.height),
+      solids(layout) {
+  if (look.camera) projection.emplace(*look.camera, *look.view);
   const std::array<Rgb, 256> table = look.colormap->table();
   std::ranges::transform(table, colors.begin(), packed);
   if (layout.font > 0) annotation.emplace(image, layout, ColorBar(range.low, range.high, table), until);
   const GlContext::Current current(context, image);
-  painter.emplace(image.width, image.height, layout.plot);
+  disc_painter.emplace(image.width, image.height, layout.plot);
+}
+
+void Renderer::Parts::check(const FrameView& frame) const {
+  const std::size_t dim = projection ? 3 : 2, n = frame.value.size();
+  if (static_cast<std::size_t>(frame.dim) != dim || frame.x.size() != dim * n || frame.diameter.size() != n ||
+      (!frame.cell.empty() && frame.cell.size() != dim * dim * n)) {
+    throw std::logic_error("the arrays of a frame do not have the same number of particles");
+  }
 }
 
 std::uint32_t Renderer::Parts::color_of(double value) const {
@@ -135,17 +157,33 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
+void Renderer::Parts::draw_discs(const FrameView& frame) {
+  place_discs(frame);
+  disc_painter->draw(discs);
+}
+
+void Renderer::Parts::draw_solids(const FrameView& frame) {
+  std::vector<std::uint32_t> color(frame.value.size());
+  std::ranges::transform(frame.value, color.begin(), [this](double value) { return color_of(value); });
+  if (!projection)
+    solids.place_parallelograms(frame, color);
+  else if (frame.cell.empty())
+    solids.place_balls(frame, *projection, color);
+  else
+    solids.place_boxes(frame, *projection, color);
+  if (!solid_painter) solid_painter.emplace(image.width, image.height, layout.plot);
+  solid_painter->draw(solids.balls(), solids.corners(), projection.has_value());
+}
+
 const Image& Renderer::draw(const FrameView& frame) {
-  if (frame.dim == 3) throw UsageError("3D drawing is not available");
-  if (frame.dim != 2 || frame.x.size() != 2 * frame.value.size() ||
-      frame.diameter.size() != frame.value.size()) {
-    throw std::logic_error("the arrays of a frame do not have the same number of particles");
-  }
   Parts& parts = *parts_;
-  parts.place_discs(frame);
+  parts.check(frame);
   {
     const GlContext::Current current(parts.context, parts.image);
-    parts.painter->draw(parts.discs);
+    if (parts.projection || !frame.cell.empty())
+      parts.draw_solids(frame);
+    else
+      parts.draw_discs(frame);
   }
   if (parts.annotation) parts.annotation->draw(frame);
   return parts.image;

@@ -30,6 +30,13 @@ Words probe_names(const SceneFile* scene) {
   return names;
 }
 
+Words body_names(const SceneFile* scene) {
+  Words names;
+  if (!scene) return names;
+  for (const Body& body : scene->scene.bodies) names.push_back(body.name);
+  return names;
+}
+
 Words measure_names(const SceneFile* scene) {
   Words names;
   if (!scene) return names;
@@ -51,6 +58,7 @@ constexpr Placeholder table[] = {
     {"METHOD", method_names, ""},
     {"VERDICT", verdict_names, ""},
     {"PROBE", probe_names, ""},
+    {"BODY", body_names, ""},
     {"MEASURE", measure_names, ""},
     {"PARAMETER", settable_names, ""},
     {"NAME=VALUE", settable_names, ""},

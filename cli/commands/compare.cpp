@@ -55,7 +55,7 @@ std::vector<double> chosen_times(const Options& options, double until) {
   return times;
 }
 
-/// The view that the scenes ask for, if they all ask for the same.
+/// The view that the scenes ask for, if they all ask for the same; there is none in 3D.
 std::optional<render::View> common_view(const std::vector<SavedRun>& runs) {
   const auto& view = runs.front().file.drawing.look.view;
   for (const SavedRun& run : runs)
@@ -75,17 +75,20 @@ Drawing wish(const std::vector<SavedRun>& runs, const Options& options) {
   Drawing drawing = runs.front().file.drawing;
   drawing.look.size.reset();
   drawing.look.view.reset();
-  return with_options(drawing, options);
+  drawing = with_options(drawing, options);
+  suit(drawing, runs.front().file);
+  return drawing;
 }
 
 /// With the range and the view that nobody has chosen, over what the panel shows.
 Drawing fitted_to(const Drawing& wish, const std::vector<SavedRun>& runs, const Cells& cells) {
-  SequenceBounds shown;
+  SequenceBounds shown(wish.look.camera);
   for (const auto& column : cells)
     for (const PanelCell& cell : column)
-      if (cell.particles) shown.add(cell.particles->view());
+      if (cell.particles) cell.staging->extend(shown, *cell.particles);
   Drawing drawing = fitted(wish, shown);
-  if (!wish.look.view) drawing.look.view = within(*drawing.look.view, common_view(runs));
+  if (!wish.look.view && !wish.look.camera && !wish.followed)
+    drawing.look.view = within(*drawing.look.view, common_view(runs));
   return drawing;
 }
 
@@ -121,8 +124,11 @@ int compare_runs(const Options& options, std::ostream& out) {
   const std::vector<double> times = chosen_times(options, until);
   Cells cells;
   for (const SavedRun& run : runs) {
+    Drawing drawing = wished;
+    suit(drawing, run.file);  // a body of this name has another number there
+    const auto staging = std::make_shared<const Staging>(drawing, origins_of(run.file.scene));
     cells.emplace_back();
-    for (const double time : times) cells.back().push_back(cell_at(run, time, until, *wished.field));
+    for (const double time : times) cells.back().push_back(cell_at(run, time, until, *wished.field, staging));
   }
   render::PanelOptions about = panel_options(fitted_to(wished, runs, cells), label_runs(runs));
   about.rows = time_labels(times, until);

@@ -66,14 +66,17 @@ bool draw_all(const SavedRun& run, Frames& frames, Progress& progress) {
 int render(const Options& options, Streams streams) {
   SavedRun run = open_saved_run(options.run);
   run.file.drawing = with_options(run.file.drawing, options);
+  suit(run.file.drawing, run.file);
   const Drawing& drawing = run.file.drawing;
   read_colored(run.particles.front(), *drawing.field,
                run.file.scene.dim);  // fails before anything is removed
+  const Scene& scene = run.file.scene;
+  Origins origins = origins_of(scene);
+  Staging(drawing, origins);  // as does this
   const fs::path folder = prepare(options, run);
   double drawing_time = 0, writing_time = 0;  // nobody asks for them
-  const Scene& scene = run.file.scene;
-  Frames frames(drawing, folder, {scene.title, run.file.settings.method, scene.until}, drawing_time,
-                writing_time);
+  Frames frames(drawing, std::move(origins), folder, {scene.title, run.file.settings.method, scene.until},
+                drawing_time, writing_time);
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
   const bool all = draw_all(run, frames, progress);
   progress.end(std::to_string(frames.written()) + " frames");

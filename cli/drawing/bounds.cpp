@@ -6,6 +6,10 @@
 
 namespace taut::cli {
 
+SequenceBounds::SequenceBounds(const std::optional<render::Camera>& camera) {
+  if (camera) axes_ = axes_of(*camera);
+}
+
 void SequenceBounds::Interval::add(double value, double margin) {
   if (!std::isfinite(value)) return;
   low = std::min(low, value - margin);
@@ -19,8 +23,15 @@ void SequenceBounds::add_values(std::span<const float> values) {
 void SequenceBounds::add_positions(std::span<const float> x, int dim, double diameter) {
   const auto stride = static_cast<std::size_t>(dim);
   for (std::size_t i = 0; i + 1 < x.size(); i += stride) {
-    x_.add(x[i], diameter / 2);
-    y_.add(x[i + 1], diameter / 2);
+    if (!axes_) {
+      x_.add(x[i], diameter / 2);
+      y_.add(x[i + 1], diameter / 2);
+      continue;
+    }
+    const render::Vector at{x[i], x[i + 1], x[i + 2]};
+    x_.add(render::dot(axes_->right, at), diameter / 2);
+    y_.add(render::dot(axes_->up, at), diameter / 2);
+    z_.add(render::dot(axes_->back, at), diameter / 2);
   }
 }
 
@@ -49,6 +60,15 @@ render::View SequenceBounds::view() const {
   return {x_.low - margin, x_.high + margin, y_.low - margin, y_.high + margin};
 }
 
+render::View SequenceBounds::view_about_origin() const {
+  if (x_.low > x_.high) return {-1, 1, -1, 1};
+  const double x = 1.5 * std::max(std::abs(x_.low), std::abs(x_.high));
+  const double y = 1.5 * std::max(std::abs(y_.low), std::abs(y_.high));
+  return {-x, x, -y, y};
+}
+
+double SequenceBounds::front() const { return z_.low > z_.high ? 0 : z_.high; }
+
 Drawing fitted(Drawing drawing, const SequenceBounds& shown) {
   render::Look& look = drawing.look;
   const bool is_signed = drawing.field->is_signed;
@@ -56,7 +76,9 @@ Drawing fitted(Drawing drawing, const SequenceBounds& shown) {
   if (!look.colormap)
     look.colormap = &*std::ranges::find(render::colormaps(), is_signed, &render::Colormap::diverging);
   if (!look.range) look.range = shown.range(is_signed);
-  if (!look.view) look.view = shown.view();
+  if (look.view) return drawing;
+  look.view = drawing.followed ? shown.view_about_origin() : shown.view();
+  if (look.camera) look.camera->front = shown.front();
   return drawing;
 }
 

@@ -10,6 +10,9 @@ namespace taut::cli {
 /// The range of values and the view that hold every frame of a sequence. What is not finite does not count.
 class SequenceBounds {
  public:
+  /// A camera, in 3D, decides which way the view lies.
+  explicit SequenceBounds(const std::optional<render::Camera>& camera = {});
+
   void add_values(std::span<const float> values);
   /// Positions, `dim` coordinates each; particles of diameter `diameter` (m) at most.
   void add_positions(std::span<const float> x, int dim, double diameter);
@@ -20,13 +23,19 @@ class SequenceBounds {
   render::Range range(bool is_signed) const;
   /// With a margin of 5 % of the longer side.
   render::View view() const;
+  /// The same about the origin, where the followed body's centre of mass is, and half as large again: what it
+  /// meets is seen too.
+  render::View view_about_origin() const;
+  /// Height of the nearest particle along the camera's direction, m.
+  double front() const;
 
  private:
   struct Interval {
     double low = 1e300, high = -1e300;
     void add(double value, double margin = 0);
   };
-  Interval values_, x_, y_;
+  Interval values_, x_, y_, z_;  // the last three in the plane of the picture, and towards the camera
+  std::optional<render::CameraAxes> axes_;  // of the camera
 };
 
 /// The drawing with nothing left open: the colour map as it suits the field, range and view over `shown`.

@@ -40,25 +40,30 @@ bool is_frame(const std::filesystem::path& path) {
 }
 
 Drawing fitted(const Drawing& drawing, const Snapshot& snapshot) {
-  SequenceBounds shown;
-  shown.add(view_of(snapshot, evaluate(*drawing.field, snapshot)));
+  const std::vector<double> value = evaluate(*drawing.field, snapshot);
+  const Staging staging(drawing, origins_of(snapshot));
+  SequenceBounds shown(drawing.look.camera);
+  staging.extend(shown, staging(view_of(snapshot, value)));
   return fitted(drawing, shown);
 }
 
 render::Image draw_picture(const Drawing& drawing, const Captions& captions, const Snapshot& snapshot) {
   const std::vector<double> value = evaluate(*drawing.field, snapshot);
+  const Staging staging(drawing, origins_of(snapshot));
+  const StagedParticles staged = staging(view_of(snapshot, value));
   render::Renderer renderer(drawing.look, captions.until);
-  return renderer.draw(with_texts(view_of(snapshot, value), *drawing.field, captions));
+  return renderer.draw(with_texts(staged.view(), *drawing.field, captions));
 }
 
-Frames::Frames(const Drawing& drawing, std::filesystem::path folder, Captions captions, double& drawing_time,
-               double& writing_time)
+Frames::Frames(const Drawing& drawing, Origins origins, std::filesystem::path folder, Captions captions,
+               double& drawing_time, double& writing_time)
     : drawing_(drawing),
+      staging_(drawing, std::move(origins)),
       folder_(std::move(folder)),
       captions_(std::move(captions)),
       drawing_time_(drawing_time),
       writing_time_(writing_time) {
-  if (drawing_.look.range && drawing_.look.view) begin_drawing({});
+  if (drawing_.look.range && drawing_.look.view) begin_drawing(SequenceBounds());
 }
 
 void Frames::begin_drawing(const SequenceBounds& shown) {
@@ -76,28 +81,35 @@ void Frames::add(const Snapshot& snapshot) {
 }
 
 void Frames::add(const FrameView& particles) {
+  StagedParticles staged;
+  {
+    const Timed timed(drawing_time_);
+    staged = staging_(particles);
+  }
   if (renderer_)
-    draw(particles);
+    draw(staged);
   else
-    keep(particles);
+    keep(staged);
 }
 
-void Frames::keep(const FrameView& particles) {
+void Frames::keep(const StagedParticles& particles) {
   const Timed timed(drawing_time_);
   dim_ = particles.dim;
-  diameter_.assign(particles.diameter.begin(), particles.diameter.end());
+  diameter_ = particles.diameter;
   kept_.push_back({particles.time,
                    {particles.x.begin(), particles.x.end()},
                    {particles.value.begin(), particles.value.end()}});
 }
 
+StagedParticles Frames::staged(const Kept& frame) const {
+  return {
+      dim_, frame.time, {frame.x.begin(), frame.x.end()}, diameter_, {frame.value.begin(), frame.value.end()},
+      {}};
+}
+
 SequenceBounds Frames::bounds_of_kept() const {
-  const double diameter = diameter_.empty() ? 0 : std::ranges::max(diameter_);
-  SequenceBounds bounds;
-  for (const Kept& frame : kept_) {
-    bounds.add_values(frame.value);
-    bounds.add_positions(frame.x, dim_, diameter);
-  }
+  SequenceBounds bounds(drawing_.look.camera);
+  for (const Kept& frame : kept_) staging_.extend(bounds, staged(frame));
   return bounds;
 }
 
@@ -106,24 +118,16 @@ bool Frames::draw_kept(const std::function<bool(int)>& go_on) {
   begin_drawing(bounds_of_kept());
   for (const Kept& frame : kept_) {
     if (!go_on(written_)) return false;
-    const std::vector<double> x(frame.x.begin(), frame.x.end());
-    const std::vector<double> value(frame.value.begin(), frame.value.end());
-    FrameView view;
-    view.dim = dim_;
-    view.time = frame.time;
-    view.x = x;
-    view.diameter = diameter_;
-    view.value = value;
-    draw(view);
+    draw(staged(frame));
   }
   return true;
 }
 
-void Frames::draw(const FrameView& particles) {
+void Frames::draw(const StagedParticles& particles) {
   const render::Image* image = nullptr;
   {
     const Timed timed(drawing_time_);
-    image = &renderer_->draw(with_texts(particles, *drawing_.field, captions_));
+    image = &renderer_->draw(with_texts(particles.view(), *drawing_.field, captions_));
   }
   const Timed timed(writing_time_);
   render::write_png(*image, folder_ / frame_name(written_));

@@ -8,6 +8,7 @@
 
 #include "cli/drawing/bounds.hpp"
 #include "cli/drawing/drawing.hpp"
+#include "cli/drawing/staging.hpp"
 #include "engine/frame_view.hpp"
 #include "engine/snapshot.hpp"
 #include "render/renderer.hpp"
@@ -35,12 +36,12 @@ render::Image draw_picture(const Drawing& drawing, const Captions& captions, con
 class Frames {
  public:
   /// Draws nothing, but fails where no picture can be drawn at all.
-  /// The time that it takes is added to `drawing_time` and `writing_time`, s.
-  Frames(const Drawing& drawing, std::filesystem::path folder, Captions captions, double& drawing_time,
-         double& writing_time);
+  /// `origins` are those of the particles that will be added. The time that it takes is added to `drawing_time` and `writing_time`, s.
+  Frames(const Drawing& drawing, Origins origins, std::filesystem::path folder, Captions captions,
+         double& drawing_time, double& writing_time);
 
   void add(const Snapshot& snapshot);
-  /// Particles with the values of the drawing's field; the texts are added here.
+  /// All particles with the values of the drawing's field; the texts are added here.
   void add(const FrameView& particles);
   /// Draws what was kept; asks `go_on` before each frame. False if it was told to stop.
   bool draw_kept(const std::function<bool(int drawn)>& go_on);
@@ -64,12 +65,14 @@ class Frames {
       archive(time, x, value);
     }
   };
-  void keep(const FrameView& particles);
+  void keep(const StagedParticles& particles);
+  StagedParticles staged(const Kept& frame) const;
   SequenceBounds bounds_of_kept() const;
   void begin_drawing(const SequenceBounds& shown);
-  void draw(const FrameView& particles);
+  void draw(const StagedParticles& particles);
 
   Drawing drawing_;
+  Staging staging_;
   std::filesystem::path folder_;
   Captions captions_;
   double &drawing_time_, &writing_time_;  // s

@@ -108,6 +108,85 @@ std::string set_frames(Drawing& drawing, const DrawingValue& value) {
 
 DrawingValue get_frames(const Drawing& drawing) { return Numbers{static_cast<double>(drawing.frames)}; }
 
+std::string number_out_of_bounds(std::string_view key, double value, std::string_view bounds) {
+  return fmt::format("{} = {} must be {}", key, exact(value), bounds);
+}
+
+/// The camera is there as soon as something is said about it.
+render::Camera& camera_of(Drawing& drawing) {
+  auto& camera = drawing.look.camera;
+  return camera ? *camera : camera.emplace();
+}
+
+/// A direction of the camera.
+template <render::Vector render::Camera::*Way>
+std::string set_way(Drawing& drawing, const DrawingValue& value) {
+  const render::Vector by_default = render::Camera{}.*Way;
+  if (is_word(value)) {
+    if (drawing.look.camera) *drawing.look.camera.*Way = by_default;
+    return "";
+  }
+  const Numbers& given = numbers(value);
+  const render::Vector way{given[0], given[1], given[2]};
+  if (way == render::Vector{}) return "a direction cannot be [0, 0, 0]";
+  camera_of(drawing).*Way = way;
+  return "";
+}
+
+template <render::Vector render::Camera::*Way>
+DrawingValue get_way(const Drawing& drawing) {
+  const auto& camera = drawing.look.camera;
+  if (!camera) return left_open();
+  const render::Vector& way = *camera.*Way;
+  return Numbers(way.begin(), way.end());
+}
+
+std::string set_fov(Drawing& drawing, const DrawingValue& value) {
+  if (is_word(value)) {
+    if (drawing.look.camera) drawing.look.camera->field_of_view = 0;
+    return "";
+  }
+  const double angle = numbers(value)[0];
+  if (!(angle >= 0 && angle <= render::greatest_field_of_view))
+    return number_out_of_bounds(
+        "fov", angle, fmt::format("from 0 (parallel) to {} degrees", render::greatest_field_of_view));
+  camera_of(drawing).field_of_view = angle;
+  return "";
+}
+
+DrawingValue get_fov(const Drawing& drawing) {
+  const auto& camera = drawing.look.camera;
+  return camera ? Numbers{camera->field_of_view} : left_open();
+}
+
+constexpr std::array<std::string_view, 3> style_names{"discs", "spheres", "cells"};  // as in Style
+
+std::vector<std::string> names_of_styles() { return {style_names.begin(), style_names.end()}; }
+
+std::string set_style(Drawing& drawing, const DrawingValue& value) {
+  drawing.style.reset();
+  const auto place = std::ranges::find(style_names, word(value));
+  if (place != style_names.end()) drawing.style = static_cast<Style>(place - style_names.begin());
+  return "";
+}
+
+DrawingValue get_style(const Drawing& drawing) {
+  if (!drawing.style) return left_open();
+  return std::string(style_names[static_cast<std::size_t>(*drawing.style)]);
+}
+
+template <std::string Drawing::*Text>
+std::string set_text(Drawing& drawing, const DrawingValue& value) {
+  drawing.*Text = word(value) == nothing ? "" : word(value);
+  return "";
+}
+
+template <std::string Drawing::*Text>
+DrawingValue get_text(const Drawing& drawing) {
+  const std::string& text = drawing.*Text;
+  return text.empty() ? std::string(nothing) : text;
+}
+
 /// None if these are not the numbers that the key takes.
 std::optional<Numbers> typed_numbers(const DrawingKey::Numbers& key, std::string_view text) {
   Numbers values;
@@ -126,6 +205,7 @@ std::optional<Numbers> typed_numbers(const DrawingKey::Numbers& key, std::string
 /// None if it is nothing that the key takes. Throws UsageError for a name that there is not.
 std::optional<DrawingValue> typed_value(const DrawingKey& key, const std::string& text) {
   if (text == automatic && key.placeholder.ends_with("|auto")) return left_open();
+  if (key.of_text) return text;
   if (!key.takes_words()) return typed_numbers(key.numbers, text);
   const std::vector<std::string> names = key.words.names();
   if (std::ranges::find(names, text) == names.end())
@@ -172,6 +252,60 @@ std::span<const DrawingKey> drawing_keys() {
                              .typed = "X_MIN:X_MAX:Y_MIN:Y_MAX in metres (-0.1:0.1:0:0.05), nor 'auto'"},
                  .set = set_view,
                  .get = get_view},
+      DrawingKey{.name = "camera",
+                 .placeholder = "X:Y:Z|auto",
+                 .help = "3D: direction towards the camera; auto: 1:-2:1",
+                 .session_help = "3D: direction towards the camera",
+                 .may_be_open = true,
+                 .numbers = {.count = 3,
+                             .in_file = "[x, y, z]",
+                             .typed = "X:Y:Z, a direction towards the camera (1:-2:1), nor 'auto'"},
+                 .set = set_way<&render::Camera::from>,
+                 .get = get_way<&render::Camera::from>},
+      DrawingKey{.name = "up",
+                 .placeholder = "X:Y:Z|auto",
+                 .help = "3D: direction that points up in the picture; auto: 0:0:1",
+                 .session_help = "3D: direction that points up in the picture",
+                 .may_be_open = true,
+                 .numbers = {.count = 3,
+                             .in_file = "[x, y, z]",
+                             .typed = "X:Y:Z, a direction that points up (0:0:1), nor 'auto'"},
+                 .set = set_way<&render::Camera::up>,
+                 .get = get_way<&render::Camera::up>},
+      DrawingKey{.name = "fov",
+                 .placeholder = "DEGREES|auto",
+                 .help = "3D: field of view of the picture's height; auto: 0, parallel",
+                 .session_help = "3D: field of view, 0: parallel",
+                 .may_be_open = true,
+                 .numbers = {.in_file = "degrees",
+                             .typed = fmt::format("DEGREES from 0 (parallel) to {}, nor 'auto'",
+                                                  render::greatest_field_of_view)},
+                 .set = set_fov,
+                 .get = get_fov},
+      DrawingKey{
+          .name = "style",
+          .placeholder = "STYLE",
+          .help = "discs (2D), spheres (3D) or cells: particles as the pieces of the body that they are",
+          .session_help = "discs (2D), spheres (3D) or cells",
+          .may_be_open = true,
+          .words = {"style", names_of_styles},
+          .set = set_style,
+          .get = get_style},
+      DrawingKey{.name = "cut",
+                 .placeholder = "EXPRESSION|none",
+                 .help = "what is not drawn, such as 'y < 0' for what was there at the start",
+                 .session_help = "what is not drawn: y < 0, as at the start",
+                 .of_text = true,
+                 .set = set_text<&Drawing::cut>,
+                 .get = get_text<&Drawing::cut>},
+      DrawingKey{
+          .name = "follow",
+          .placeholder = "BODY|none",
+          .help = "the body whose centre of mass stays in the middle of the picture; a view is about it",
+          .session_help = "the body that stays in the middle",
+          .of_text = true,
+          .set = set_text<&Drawing::follow>,
+          .get = get_text<&Drawing::follow>},
       DrawingKey{.name = "size",
                  .placeholder = "WIDTHxHEIGHT",
                  .help = "of a frame, in pixels",

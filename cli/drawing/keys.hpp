@@ -13,11 +13,13 @@ namespace taut::cli {
 /// What a key of drawing is given or holds: a word, or numbers.
 using DrawingValue = std::variant<std::string, std::vector<double>>;
 
+/// The word for no text.
+inline constexpr std::string_view nothing = "none";
 /// The word for what is open.
 inline constexpr std::string_view automatic = "auto";
 
 /// Something that says how pictures look: a key of [render] in a scene file, an option of the commands that
-/// draw, a command of a session. It takes words or numbers.
+/// draw, a command of a session. It takes one of some words, numbers, or a text that the scene has to know.
 struct DrawingKey {
   struct Words {
     std::string_view kind;                          // "field"
@@ -38,9 +40,11 @@ struct DrawingKey {
   bool may_be_open = false;            // "auto" in a scene file
   bool of_runs = false;                // how many pictures a run makes, not how each looks
   Words words = {};
+  bool of_text = false;  // free; "none" for nothing
   Numbers numbers = {};
   /// What is wrong with the value, in the words of a scene file; else nothing, and the drawing has it. A word
-  /// is one of the names, or "auto" where that is allowed.
+  /// is one of the names, or "auto" where that is allowed. Whether a text and a camera go with the scene
+  /// `suit` finds out (cli/scene).
   std::string (*set)(Drawing&, const DrawingValue&);
   DrawingValue (*get)(const Drawing&);
 

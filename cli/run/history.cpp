@@ -66,8 +66,9 @@ void History::add(const Simulation& simulation, const Balance& balance, int piec
 
 LineSamplesFile::LineSamplesFile(const std::filesystem::path& path, const Scene& scene,
                                  const std::string& law, AppendFile::Start start)
-    : file_(path, start) {
-  if (start == AppendFile::Start::empty) file_.append("line,t,step,x,y,value,reference");
+    : file_(path, start), dim_(static_cast<std::size_t>(scene.dim)) {
+  if (start == AppendFile::Start::empty)
+    file_.append(dim_ == 3 ? "line,t,step,x,y,z,value,reference" : "line,t,step,x,y,value,reference");
   for (const SampleLine& line : scene.lines) lines_.push_back({line, reference_of(line, scene, law)});
 }
 
@@ -79,9 +80,9 @@ void LineSamplesFile::add(const std::vector<std::vector<LineSample>>& samples) {
 void LineSamplesFile::add(const Known& known, const LineSample& sample) {
   for (int k = 0; k < known.line.points; ++k) {
     const Point at = line_point(known.line, k);
-    std::string row = known.line.name + "," + exact(sample.time) + "," + std::to_string(sample.step) + "," +
-                      exact(at[0]) + "," + exact(at[1]) + "," +
-                      exact(sample.value[static_cast<std::size_t>(k)]) + ",";
+    std::string row = known.line.name + "," + exact(sample.time) + "," + std::to_string(sample.step);
+    for (std::size_t a = 0; a < dim_; ++a) row += "," + exact(at[a]);
+    row += "," + exact(sample.value[static_cast<std::size_t>(k)]) + ",";
     if (known.reference) row += exact(known.reference(at, sample.time));
     file_.append(row);
   }

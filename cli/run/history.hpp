@@ -71,6 +71,7 @@ class LineSamplesFile {
   void add(const Known& known, const LineSample& sample);
 
   AppendFile file_;
+  std::size_t dim_;
   std::vector<Known> lines_;
 };
 

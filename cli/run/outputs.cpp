@@ -134,7 +134,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
         simulation_(simulation),
         result_(result),
         agenda_(plan.frame_times),
-        frames_(*plan.drawing, plan.folder.frames(),
+        frames_(*plan.drawing, origins_of(simulation.snapshot()), plan.folder.frames(),
                 {plan.file.scene.title, result.record.method, result.record.until},
                 result.record.seconds.render, result.record.seconds.write) {}
 

@@ -53,12 +53,12 @@ double history_interval(const RunOptions& options, const SceneFile& file) {
 
 }  // namespace
 
-std::vector<const Field*> particle_fields(const RunOptions& options) {
+std::vector<const Field*> particle_fields(const RunOptions& options, int dim) {
   std::vector<const Field*> chosen;
   if (options.save_particles && options.fields.empty())
-    for (const Field& field : fields()) chosen.push_back(&field);
+    for (const Field& field : fields(dim)) chosen.push_back(&field);
   for (const std::string& key : options.fields)
-    if (const Field& field = known_field(key); std::ranges::find(chosen, &field) == chosen.end())
+    if (const Field& field = known_field(key, dim); std::ranges::find(chosen, &field) == chosen.end())
       chosen.push_back(&field);
   return chosen;
 }
@@ -138,13 +138,15 @@ RunPlan make_plan(const RunOptions& options) {
   SceneFile& file = plan.file;
   file = scene_to_run(options);
   file.drawing = with_options(file.drawing, options.drawing);
+  suit(file.drawing, file);
   file.drawing.frames = frame_count(options, file);
   file.history = history_interval(options, file);
   plan.folder = RunFolder(options.out.value_or("out/" + file.scene.name + "-" + file.settings.method));
   plan.spacing_asked = options.spacing;
   plan.checkpoint_every = options.checkpoint_every;
+  known_field(std::string(file.drawing.field->key), file.scene.dim);
   if (!options.no_render) plan.drawing = file.drawing;
-  plan.particle_fields = particle_fields(options);
+  plan.particle_fields = particle_fields(options, file.scene.dim);
   if (plan.drawing || !plan.particle_fields.empty())
     plan.frame_times = times_in_parts(file.scene.until, file.drawing.frames);
   plan.history_times = times_every(file.scene.until, *file.history);

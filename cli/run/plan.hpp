@@ -44,7 +44,7 @@ SceneFile scene_to_run(const RunOptions& options);
 RunPlan make_plan(const RunOptions& options);
 
 /// The fields that are saved of particles; none: particles are not.
-std::vector<const Field*> particle_fields(const RunOptions& options);
+std::vector<const Field*> particle_fields(const RunOptions& options, int dim);
 
 /// Throws UsageError, with the nearest names, for a verdict that does not exist or cannot be failed on.
 std::optional<Verdict> parse_verdict(const std::optional<std::string>& text);

@@ -61,7 +61,8 @@ std::string what_differs(const RunOptions& given, const RunOptions& stored, cons
   std::error_code error;
   if (given.out && !fs::equivalent(*given.out, plan.folder.path(), error)) return "--out " + *given.out;
   if (given.no_render && plan.drawing) return "--no-render";
-  if (given.save_particles && particle_fields(given) != plan.particle_fields) return "--save-particles";
+  if (given.save_particles && particle_fields(given, plan.file.scene.dim) != plan.particle_fields)
+    return "--save-particles";
   if (given.checkpoint_every && given.checkpoint_every != stored.checkpoint_every)
     return "--checkpoint-every " + exact(*given.checkpoint_every);
   const auto differs = [&](const auto& change) {

@@ -54,19 +54,24 @@ void read_fields_of(TomlCursor& cursor, const Scene& scene, Measure& measure) {
                     " names of fields: the components of a vector");
   for (const TomlValue& item : value.items) {
     measure.fields.push_back(cursor.text_of(item, "fields"));
-    if (!find_field(measure.fields.back()))
-      cursor.fail_unknown(item, "fields", "field", measure.fields.back(), names_of_fields());
+    if (!find_field(measure.fields.back(), scene.dim))
+      cursor.fail_unknown(item, "fields", "field", measure.fields.back(), names_of_fields(scene.dim));
   }
 }
 
 /// Only a displacement has a rigid motion.
-void read_rigid_motion(TomlCursor& cursor, const Scene&, Measure& measure) {
+void read_rigid_motion(TomlCursor& cursor, const Scene& scene, Measure& measure) {
   if (!cursor.find("rigid_motion")) cursor.table().set("rigid_motion", TomlValue(std::string("counts")));
   measure.rigid_motion_free = cursor.choice("rigid_motion", {"counts", "free"}) == "free";
-  if (measure.rigid_motion_free &&
-      measure.fields != std::vector<std::string>{"displacement_x", "displacement_y"})
+  std::vector<std::string> displacement{"displacement_x", "displacement_y"};
+  if (scene.dim == 3) displacement.emplace_back("displacement_z");
+  if (measure.rigid_motion_free && measure.fields != displacement)
     cursor.fail(cursor.need("rigid_motion"), "rigid_motion",
-                "rigid_motion is free in fields = [\"displacement_x\", \"displacement_y\"] only");
+                "rigid_motion is free in fields = [\"" + join(displacement, "\", \"") + "\"] only");
+}
+
+void read_axis(TomlCursor& cursor, const Scene& scene, Measure& measure) {
+  measure.axis = turning_axis(cursor, scene);
 }
 
 void read_threshold(TomlCursor& cursor, const Scene&, Measure& measure) {
@@ -110,9 +115,9 @@ constexpr std::array objects = {
     MeasureKey{"probe", read_probe_of},   MeasureKey{"probes", read_probes_of},
     MeasureKey{"line", read_line_of},     MeasureKey{"body", read_body_of},
     MeasureKey{"fields", read_fields_of}, MeasureKey{"rigid_motion", read_rigid_motion}};
-constexpr std::array numbers = {MeasureKey{"threshold", read_threshold}, MeasureKey{"scale", read_scale},
-                                MeasureKey{"band", read_band}, MeasureKey{"from", read_from},
-                                MeasureKey{"free", read_free}};
+constexpr std::array numbers = {MeasureKey{"axis", read_axis},   MeasureKey{"threshold", read_threshold},
+                                MeasureKey{"scale", read_scale}, MeasureKey{"band", read_band},
+                                MeasureKey{"from", read_from},   MeasureKey{"free", read_free}};
 
 void read_keys(std::span<const MeasureKey> keys, const MeasureKind& kind, TomlCursor& cursor,
                const Scene& scene, Measure& measure) {

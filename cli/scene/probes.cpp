@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
@@ -20,12 +21,18 @@ constexpr std::array probe_kinds{
     ProbeKind{"position", Probe::Kind::position, 1, true, false, true},
     ProbeKind{"distance", Probe::Kind::distance, 1, true, true, false},
     ProbeKind{"mean_velocity", Probe::Kind::mean_velocity, 1, false, false, true},
+    ProbeKind{"mean_position", Probe::Kind::mean_position, 1, false, false, true},
     ProbeKind{"gap", Probe::Kind::gap, 2, false, false, false},
     ProbeKind{"mirror_asymmetry", Probe::Kind::mirror_asymmetry, 2, false, false, true},
+    ProbeKind{"turn", Probe::Kind::turn, 1, true, false, false},
 };
 
-std::vector<int> probe_bodies(TomlCursor& cursor, int number, const Scene& scene) {
-  if (number == 1) return {body_index(cursor, cursor.need("body"), "body", scene)};
+std::vector<int> probe_bodies(TomlCursor& cursor, const ProbeKind& kind, const Scene& scene) {
+  const bool its_own_image = kind.kind == Probe::Kind::mirror_asymmetry && cursor.find("body");
+  if (kind.bodies == 1 || its_own_image) {
+    const int body = body_index(cursor, cursor.need("body"), "body", scene);
+    return std::vector<int>(static_cast<std::size_t>(kind.bodies), body);
+  }
   const TomlValue& pair = cursor.need("bodies");
   if (pair.kind != TomlValue::Kind::array || pair.items.size() != 2)
     cursor.fail(pair, "bodies", "bodies must be an array of two names of bodies");
@@ -35,12 +42,25 @@ std::vector<int> probe_bodies(TomlCursor& cursor, int number, const Scene& scene
   return bodies;
 }
 
+void refuse_point_on_axis(TomlCursor& cursor, const Probe& probe) {
+  const Point &a = probe.turns_about, &x = probe.at;
+  const double along = a[0] * x[0] + a[1] * x[1] + a[2] * x[2];
+  double away = 0, size = 0;  // m², from the axis and from the origin
+  for (std::size_t k = 0; k < 3; ++k) {
+    away += (x[k] - along * a[k]) * (x[k] - along * a[k]);
+    size += x[k] * x[k];
+  }
+  constexpr double round_off = 1e-24;
+  if (!(away > round_off * size))
+    cursor.fail(cursor.need("at"), "at", "at lies on the axis of the turn, about which it has no angle");
+}
+
 Probe read_probe(TomlCursor& cursor, const Scene& scene) {
   Probe probe;
   probe.name = label(cursor, names_of(scene.probes));
   const ProbeKind& kind = probe_kinds[index_of(probe_kinds, cursor.choice("of", names_of(probe_kinds)))];
   probe.kind = kind.kind;
-  probe.bodies = probe_bodies(cursor, kind.bodies, scene);
+  probe.bodies = probe_bodies(cursor, kind, scene);
   const int material = scene.bodies[static_cast<std::size_t>(probe.bodies.front())].material;
   add_names(cursor.names(), scene.materials[static_cast<std::size_t>(material)]);
   if (kind.at) probe.at = cursor.point("at", scene.dim);
@@ -49,6 +69,10 @@ Probe read_probe(TomlCursor& cursor, const Scene& scene) {
     const std::vector<std::string> allowed(axis_names.begin(), axis_names.begin() + scene.dim);
     const auto axis = std::find(allowed.begin(), allowed.end(), cursor.choice("component", allowed));
     probe.axis = static_cast<int>(axis - allowed.begin());
+  }
+  if (kind.kind == Probe::Kind::turn) {
+    probe.turns_about = turning_axis(cursor, scene);
+    refuse_point_on_axis(cursor, probe);
   }
   cursor.finish();
   return probe;
@@ -74,8 +98,8 @@ SampleLine read_line(TomlCursor& cursor, const Scene& scene) {
   line.name = label(cursor, names_of(scene.lines));
   line.body = body_index(cursor, cursor.need("body"), "body", scene);
   line.field = cursor.text("field");
-  if (!find_field(line.field))
-    cursor.fail_unknown(cursor.need("field"), "field", "field", line.field, names_of_fields());
+  if (!find_field(line.field, scene.dim))
+    cursor.fail_unknown(cursor.need("field"), "field", "field", line.field, names_of_fields(scene.dim));
   line.from = cursor.point("from", scene.dim);
   line.to = cursor.point("to", scene.dim);
   cursor.need("points");
@@ -88,6 +112,21 @@ SampleLine read_line(TomlCursor& cursor, const Scene& scene) {
 }
 
 }  // namespace
+
+Point turning_axis(TomlCursor& cursor, const Scene& scene) {
+  if (scene.dim == 2) return {0, 0, 1};
+  if (!cursor.find("axis")) {
+    TomlValue z;
+    z.kind = TomlValue::Kind::array;
+    z.items = {TomlValue(0.0), TomlValue(0.0), TomlValue(1.0)};
+    cursor.table().set("axis", z);
+  }
+  Point axis = cursor.point("axis", scene.dim);
+  const double length = std::hypot(axis[0], axis[1], axis[2]);
+  if (!(length > 0)) cursor.fail(cursor.need("axis"), "axis", "axis = [0, 0, 0] has no direction");
+  for (double& component : axis) component /= length;
+  return axis;
+}
 
 int body_index(TomlCursor& cursor, const TomlValue& value, std::string_view key, const Scene& scene) {
   const std::string name = cursor.text_of(value, key);

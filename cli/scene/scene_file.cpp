@@ -111,7 +111,7 @@ class SceneReading {
     read_lines(root_, file_.scene);
     read_measures(root_, file_.scene);
     read_references(root_, file_);
-    read_drawing(root_, file_.drawing);
+    read_drawing(root_, file_.scene, file_.drawing);
     refuse_unused_parameters(root_, original_, source_);
     collect_places(file_.tree, "", file_.places);
     return std::move(file_);

@@ -56,6 +56,9 @@ SceneFile read_scene(const std::filesystem::path& path, const std::vector<Settin
 std::vector<std::string> names_to_set(const SceneFile& scene);
 /// The texts that a name of these takes: of methods, contact laws, ways of stepping; none: it takes numbers.
 std::vector<std::string> texts_to_set(std::string_view name);
+/// Settles what a drawing of this scene leaves to it: cut, follow, the camera of a scene in 3D. Throws
+/// UsageError for what does not go with the scene.
+void suit(Drawing& drawing, const SceneFile& scene);
 /// `error`, thrown by the engine for this scene, with the file and the place of its key.
 SceneError locate(const SceneFile& scene, const SceneError& error);
 /// The scene as run, in TOML, every default written out, history and drawing as they stand in `scene` now;

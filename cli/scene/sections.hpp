@@ -49,7 +49,8 @@ void read_measures(TomlCursor& root, Scene& scene);
 void read_references(TomlCursor& root, SceneFile& file);
 /// The paths of tables, as they are seen from `folder`.
 void see_tables_from(const std::filesystem::path& folder, TomlValue& scene);
-void read_drawing(TomlCursor& root, Drawing& drawing);
+/// Of a scene whose bodies are known.
+void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing);
 /// The drawing as a table of its own.
 TomlValue drawing_table(const Drawing& drawing);
 
@@ -74,6 +75,9 @@ void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string
 std::string label(TomlCursor& entry, const std::vector<std::string>& taken);
 /// The names that an expression about a body knows besides the parameters: c0, E, nu, rho, K, G.
 void add_names(Names& names, const Material& material);
+
+/// `axis = [0, 0, 1]`, unless given, of a turn in 3D: of length 1. In 2D there is no such key: it is z.
+Point turning_axis(TomlCursor& cursor, const Scene& scene);
 
 /// The body that `value` names.
 int body_index(TomlCursor& cursor, const TomlValue& value, std::string_view key, const Scene& scene);

@@ -36,7 +36,9 @@ Session::Session(const RunOptions& options)
     : options_(options),
       file_(scene_to_run(options)),
       drawing_(with_options(file_.drawing, options.drawing)),
-      simulation_(start(file_)) {}
+      simulation_(start(file_)) {
+  suit(drawing_, file_);
+}
 
 void Session::step(long count, const Interrupts& interrupts) {
   constexpr double later = std::numeric_limits<double>::infinity();
@@ -79,11 +81,22 @@ std::vector<std::string> Session::names_to_change() const {
   return names;
 }
 
-void Session::set_look(const DrawingKey& key, const std::string& text) { set_typed(drawing_, key, text); }
+void Session::set_look(const DrawingKey& key, const std::string& text) {
+  Drawing drawing = drawing_;
+  set_typed(drawing, key, text);
+  suit(drawing, file_);
+  fitted(drawing, simulation_->snapshot());  // a cut may leave nothing
+  if (key.name == "view" || drawing.look.camera != drawing_.look.camera) window_.reset();
+  drawing_ = std::move(drawing);
+}
 
-Drawing Session::drawing() const { return fitted(drawing_, simulation_->snapshot()); }
+Drawing Session::drawing() const {
+  Drawing drawing = fitted(drawing_, simulation_->snapshot());
+  if (window_) drawing.look.view = window_;
+  return drawing;
+}
 
-void Session::see(const render::View& view) { drawing_.look.view = view; }
+void Session::see(const render::View& view) { (drawing_.look.camera ? window_ : drawing_.look.view) = view; }
 
 void Session::pan(double dx, double dy) {
   const render::View now = *drawing().look.view;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,7 @@ class Session {
   RunOptions options_;
   SceneFile file_;
   Drawing drawing_;
+  std::optional<render::View> window_;  // of a scene in 3D, where pan and zoom have been
   std::unique_ptr<Simulation> simulation_;
 };
 

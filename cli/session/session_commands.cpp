@@ -70,6 +70,7 @@ std::string arguments_of(const DrawingKey& key) {
 
 /// A word, or as many numbers as the key takes.
 void set_look(Session& session, const DrawingKey& key, const Words& words) {
+  if (key.of_text && !words.empty()) return session.set_look(key, join(words, " "));
   const bool one_word = words.size() == 1 && (key.takes_words() || words[0] == automatic);
   if (!one_word && (key.takes_words() || words.size() != key.numbers.count)) wrong_words(key.name);
   session.set_look(key, join(words, std::string_view(&key.numbers.between, 1)));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "engine/core/isa.hpp"
 
@@ -62,7 +63,20 @@ T power(const T& a) {
 }
 template <class T>
 T filled(double value) {
-  return T{} + value;
+  if constexpr (std::is_same_v<T, Pack>)
+    return Pack{value, value, value, value};
+  else
+    return value;
+}
+
+/// Of a comparison.
+inline bool any(bool a) { return a; }
+inline bool any(const PackIndex& a) {
+#ifdef __AVX__
+  return __builtin_ia32_movmskpd256((Pack)a) != 0;
+#else
+  return (a[0] | a[1] | a[2] | a[3]) != 0;
+#endif
 }
 
 /// Rows j[0…3] of a table with `Width` doubles a row (a multiple of 4, rows aligned to 32 bytes), transposed:
@@ -83,6 +97,23 @@ inline void gather(const double* table, const int* j, Pack* out) {
     out[k + 1] = __builtin_shuffle(ab_odd, cd_odd, PackIndex{0, 1, 4, 5});
     out[k + 2] = __builtin_shuffle(ab_even, cd_even, PackIndex{2, 3, 6, 7});
     out[k + 3] = __builtin_shuffle(ab_odd, cd_odd, PackIndex{2, 3, 6, 7});
+  }
+}
+
+/// The reverse: row n of the four from `row` on holds in[0][n], in[1][n], …
+template <int Width>
+inline void scatter(const Pack* in, double* row) {
+  static_assert(Width % lanes == 0);
+  for (int k = 0; k < Width; k += lanes) {
+    const Pack ab_even = __builtin_shuffle(in[k], in[k + 1], PackIndex{0, 4, 2, 6});
+    const Pack ab_odd = __builtin_shuffle(in[k], in[k + 1], PackIndex{1, 5, 3, 7});
+    const Pack cd_even = __builtin_shuffle(in[k + 2], in[k + 3], PackIndex{0, 4, 2, 6});
+    const Pack cd_odd = __builtin_shuffle(in[k + 2], in[k + 3], PackIndex{1, 5, 3, 7});
+    Pack* const at = reinterpret_cast<Pack*>(row + k);
+    at[0] = __builtin_shuffle(ab_even, cd_even, PackIndex{0, 1, 4, 5});
+    at[Width / lanes] = __builtin_shuffle(ab_odd, cd_odd, PackIndex{0, 1, 4, 5});
+    at[2 * Width / lanes] = __builtin_shuffle(ab_even, cd_even, PackIndex{2, 3, 6, 7});
+    at[3 * Width / lanes] = __builtin_shuffle(ab_odd, cd_odd, PackIndex{2, 3, 6, 7});
   }
 }
 

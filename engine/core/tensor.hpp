@@ -116,10 +116,15 @@ T trace(const Mat<T, Dim>& A) {
 /// C = Fᵀ F
 template <class T, int Dim>
 Sym<T, Dim> right_cauchy_green(const Mat<T, Dim>& F) {
-  Sym<T, Dim> C{};
+  Sym<T, Dim> C;
+#pragma GCC unroll 3
   for (int a = 0; a < Dim; ++a)
-    for (int b = a; b < Dim; ++b)
-      for (int k = 0; k < Dim; ++k) C(a, b) += F(k, a) * F(k, b);
+#pragma GCC unroll 3
+    for (int b = a; b < Dim; ++b) {
+      C(a, b) = F(0, a) * F(0, b);
+#pragma GCC unroll 3
+      for (int k = 1; k < Dim; ++k) C(a, b) += F(k, a) * F(k, b);
+    }
   return C;
 }
 
@@ -153,26 +158,30 @@ void add_outer(Sym<T, Dim>& A, const T& s, const Vec<T, Dim>& a) {
 /// A · B
 template <class T, int Dim>
 [[gnu::always_inline]] inline Mat<T, Dim> product(const Mat<T, Dim>& A, const Sym<T, Dim>& B) {
-  Mat<T, Dim> C{};
+  Mat<T, Dim> C;
 #pragma GCC unroll 3
   for (int a = 0; a < Dim; ++a)
 #pragma GCC unroll 3
-    for (int b = 0; b < Dim; ++b)
+    for (int b = 0; b < Dim; ++b) {
+      C(a, b) = A(a, 0) * B(0, b);
 #pragma GCC unroll 3
-      for (int k = 0; k < Dim; ++k) C(a, b) += A(a, k) * B(k, b);
+      for (int k = 1; k < Dim; ++k) C(a, b) += A(a, k) * B(k, b);
+    }
   return C;
 }
 
 /// A · B, which is not symmetric unless they commute
 template <class T, int Dim>
 [[gnu::always_inline]] inline Mat<T, Dim> product(const Sym<T, Dim>& A, const Sym<T, Dim>& B) {
-  Mat<T, Dim> C{};
+  Mat<T, Dim> C;
 #pragma GCC unroll 3
   for (int a = 0; a < Dim; ++a)
 #pragma GCC unroll 3
-    for (int b = 0; b < Dim; ++b)
+    for (int b = 0; b < Dim; ++b) {
+      C(a, b) = A(a, 0) * B(0, b);
 #pragma GCC unroll 3
-      for (int k = 0; k < Dim; ++k) C(a, b) += A(a, k) * B(k, b);
+      for (int k = 1; k < Dim; ++k) C(a, b) += A(a, k) * B(k, b);
+    }
   return C;
 }
 
@@ -234,9 +243,10 @@ inline Sym<double, 3> inverse(const Sym<double, 3>& a) {
 /// Lane sums.
 template <int Dim>
 Vec<double, Dim> sum(const Vec<Pack, Dim>& a) {
+  const Pack of_all = sums(a[0], a[1], a[Dim - 2], a[Dim - 1]);
   Vec<double, Dim> r;
-#pragma GCC unroll 3
-  for (int k = 0; k < Dim; ++k) r[k] = sum(a[k]);
+  r[0] = of_all[0], r[1] = of_all[1];
+  if constexpr (Dim == 3) r[2] = of_all[3];
   return r;
 }
 template <int Dim>

@@ -3,16 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Dense>
+
 #include "engine/diagnostics/fields.hpp"
 #include "engine/error.hpp"
 
 namespace taut {
 namespace {
 
-std::vector<const Field*> fields_of(const Measure& measure) {
+std::vector<const Field*> fields_of(const Measure& measure, int dim) {
   std::vector<const Field*> found;
   for (const std::string& key : measure.fields) {
-    found.push_back(find_field(key));
+    found.push_back(find_field(key, dim));
     if (found.back() == nullptr)
       throw SceneError("measure." + measure.name + ".fields", "there is no field '" + key + "'");
   }
@@ -27,7 +29,7 @@ struct Site {
 };
 
 /// Takes the small motion t + ω × X of least Σ m |difference|² off, in 2D.
-void take_rigid_motion_off(std::vector<Site>& sites) {
+void take_plane_motion_off(std::vector<Site>& sites) {
   double mass = 0;
   Point centre{}, mean{};
   for (const Site& site : sites) {
@@ -51,13 +53,39 @@ void take_rigid_motion_off(std::vector<Site>& sites) {
   }
 }
 
+Eigen::Vector3d vector(const Point& p) { return {p[0], p[1], p[2]}; }
+
+/// The same in 3D: ω solves Σ m (r² I − r rᵀ) ω = Σ m r × difference, r from the mass centre.
+void take_space_motion_off(std::vector<Site>& sites) {
+  double mass = 0;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero(), mean = centre, moment = centre;
+  for (const Site& site : sites) {
+    mass += site.mass;
+    centre += site.mass * vector(site.X);
+    mean += site.mass * vector(site.difference);
+  }
+  centre /= mass, mean /= mass;
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  for (const Site& site : sites) {
+    const Eigen::Vector3d r = vector(site.X) - centre;
+    moment += site.mass * r.cross(vector(site.difference));
+    inertia += site.mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
+  }
+  // a body on a line has no turn about it
+  const Eigen::Vector3d omega = inertia.completeOrthogonalDecomposition().solve(moment);
+  for (Site& site : sites) {
+    const Eigen::Vector3d motion = mean + omega.cross(vector(site.X) - centre);
+    for (std::size_t k = 0; k < 3; ++k) site.difference[k] -= motion[static_cast<Eigen::Index>(k)];
+  }
+}
+
 double squared(const Point& a) { return a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; }
 
 }  // namespace
 
 std::optional<FieldError> field_error(const Measure& measure, const Snapshot& now,
                                       const std::vector<Solution>& exact) {
-  const std::vector<const Field*> fields = fields_of(measure);
+  const std::vector<const Field*> fields = fields_of(measure, now.dim);
   std::vector<Site> sites;
   double scale = 0, sum = 0, greatest = 0;  // squares
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -72,7 +100,7 @@ std::optional<FieldError> field_error(const Measure& measure, const Snapshot& no
     sites.push_back(site);
   }
   if (!(scale > 0)) return std::nullopt;
-  if (measure.rigid_motion_free) take_rigid_motion_off(sites);
+  if (measure.rigid_motion_free) now.dim == 3 ? take_space_motion_off(sites) : take_plane_motion_off(sites);
   for (const Site& site : sites) {
     sum += squared(site.difference);
     greatest = std::max(greatest, squared(site.difference));

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <Eigen/Dense>
+
 #include "engine/diagnostics/deviator.hpp"
 
 namespace taut {
@@ -18,6 +20,22 @@ double stress_xx(const Snapshot& now, std::size_t i) { return -now.p[i] + deviat
 double stress_xy(const Snapshot& now, std::size_t i) { return deviator(now, i)[1]; }
 double stress_yy(const Snapshot& now, std::size_t i) {
   return -now.p[i] + deviator(now, i)[now.dim == 3 ? 3 : 2];
+}
+
+double stress_xz(const Snapshot& now, std::size_t i) { return now.deviator(i).xz; }
+double stress_yz(const Snapshot& now, std::size_t i) { return now.deviator(i).yz; }
+double stress_zz(const Snapshot& now, std::size_t i) { return now.stress(i).zz; }
+
+/// The `Rank`-th greatest eigenvalue of the stress; in 2D σ_zz is one of the three. Nothing else than a number
+/// comes of a stress that is none.
+template <int Rank>
+double principal(const Snapshot& now, std::size_t i) {
+  const StressTensor t = now.stress(i);
+  Eigen::Matrix3d sigma;
+  sigma << t.xx, t.xy, t.xz, t.xy, t.yy, t.yz, t.xz, t.yz, t.zz;
+  if (!sigma.allFinite()) return sigma.sum();
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sigma, Eigen::EigenvaluesOnly)
+      .eigenvalues()[3 - Rank];
 }
 
 template <std::size_t Axis>
@@ -54,15 +72,31 @@ constexpr std::array all = {
     Field{"displacement_y", "displacement y", "m", "from the initial position", true, displacement<1>},
     Field{"velocity_x", "velocity x", "m/s", "component of the velocity", true, velocity<0>},
     Field{"velocity_y", "velocity y", "m/s", "component of the velocity", true, velocity<1>},
+    Field{"principal_1", "greatest principal stress", "Pa", "Cauchy stress, positive in tension", true,
+          principal<1>},
+    Field{"principal_2", "middle principal stress", "Pa", "Cauchy stress, positive in tension", true,
+          principal<2>},
+    Field{"principal_3", "least principal stress", "Pa", "Cauchy stress, positive in tension", true,
+          principal<3>},
+    Field{"stress_xz", "stress xz", "Pa", "Cauchy stress, shear; in 3D", true, stress_xz, 3},
+    Field{"stress_yz", "stress yz", "Pa", "Cauchy stress, shear; in 3D", true, stress_yz, 3},
+    Field{"stress_zz", "stress zz", "Pa", "Cauchy stress, positive in tension; in 3D", true, stress_zz, 3},
+    Field{"displacement_z", "displacement z", "m", "from the initial position; in 3D", true, displacement<2>,
+          3},
+    Field{"velocity_z", "velocity z", "m/s", "component of the velocity; in 3D", true, velocity<2>, 3},
 };
 
 }  // namespace
 
-std::span<const Field> fields() { return all; }
+std::span<const Field> fields(int dim) {
+  static_assert(std::ranges::is_sorted(all, {}, &Field::least_dim));
+  return {all.begin(), std::ranges::upper_bound(all, dim, {}, &Field::least_dim)};
+}
 
-const Field* find_field(std::string_view key) {
-  const auto* found = std::ranges::find(all, key, &Field::key);
-  return found == all.end() ? nullptr : found;
+const Field* find_field(std::string_view key, int dim) {
+  const auto known = fields(dim);
+  const auto found = std::ranges::find(known, key, &Field::key);
+  return found == known.end() ? nullptr : &*found;
 }
 
 std::vector<double> evaluate(const Field& field, const Snapshot& snapshot) {

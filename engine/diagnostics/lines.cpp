@@ -10,8 +10,8 @@
 namespace taut {
 namespace {
 
-const Field& field_of(const SampleLine& line) {
-  const Field* field = find_field(line.field);
+const Field& field_of(const SampleLine& line, int dim) {
+  const Field* field = find_field(line.field, dim);
   if (field == nullptr)
     throw SceneError("line." + line.name + ".field", "there is no field '" + line.field + "'");
   return *field;
@@ -29,7 +29,7 @@ Point line_point(const SampleLine& line, int k) {
 LineRecorder::LineRecorder(const Scene& scene, const Snapshot& start, double reach)
     : lines_(scene.lines), reach_(reach), samples_(scene.lines.size()) {
   for (const SampleLine& line : lines_) {
-    field_of(line);
+    field_of(line, start.dim);
     points_.push_back(line.in_space ? Points{} : points_now(line, start));
     for (std::size_t k = 0; k < points_.back().size(); ++k) {
       if (points_.back()[k].empty())
@@ -65,7 +65,7 @@ void LineRecorder::sample(const Snapshot& now) {
     const SampleLine& line = lines_[l];
     while (samples_[l].size() < line.times.size() && line.times[samples_[l].size()] <= now.time) {
       LineSample sample{now.time, now.step, {}};
-      const Field& field = field_of(line);
+      const Field& field = field_of(line, now.dim);
       for (const std::vector<PointWeight>& point : line.in_space ? points_now(line, now) : points_[l]) {
         double value = point.empty() ? std::numeric_limits<double>::quiet_NaN() : 0;
         for (const PointWeight& w : point)

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/Dense>
+
 #include "engine/diagnostics/field_error.hpp"
 #include "engine/diagnostics/spectrum.hpp"
 
@@ -69,25 +71,48 @@ Value path_error(const Source& source) {
   return greatest;
 }
 
-Value turn_until(const std::vector<Curve>& point, double until) {
-  const bool over = std::ranges::all_of(point, [=](const Curve& c) { return c.t.back() >= until; });
-  return over ? Value(turn(point[0], point[1], until)) : std::nullopt;
+/// Two directions across the axis: first, second and axis are right-handed.
+std::pair<Point, Point> directions_across(const Point& axis) {
+  const Eigen::Vector3d a(axis.data());
+  const Eigen::Vector3d first = a.unitOrthogonal(), second = a.cross(first);
+  return {{first[0], first[1], first[2]}, {second[0], second[1], second[2]}};
 }
 
-Value turn_of_point(const Source& source) { return turn_until(source.curve, source.until); }
+std::vector<double> component(const std::vector<Curve>& point, const Point& along) {
+  std::vector<double> y(point[0].size());
+  for (std::size_t k = 0; k < y.size(); ++k)
+    for (std::size_t a = 0; a < point.size(); ++a) y[k] += along[a] * point[a].y[k];
+  return y;
+}
+
+/// In 3D the point is seen along the axis. The curves of a point have the same times.
+Value turn_until(const std::vector<Curve>& point, const Point& axis, double until) {
+  if (!std::ranges::all_of(point, [=](const Curve& c) { return c.t.back() >= until; })) return std::nullopt;
+  if (point.size() < 3) return turn(point[0], point[1], until);
+  const auto [first, second] = directions_across(axis);
+  const std::vector<double> x = component(point, first), y = component(point, second);
+  return turn({point[0].t, x}, {point[0].t, y}, until);
+}
+
+Value turn_of_point(const Source& source) {
+  return turn_until(source.curve, source.measure->axis, source.until);
+}
 
 /// Of an exact solution at the steps of the run.
 Value turn_of_reference(const Source& source) {
   const ReferenceCurves& reference = source.reference;
   if (reference.empty()) return std::nullopt;
-  if (!reference.exact) return turn_until(reference.table, source.until);
+  const Point& axis = source.measure->axis;
+  if (!reference.exact) return turn_until(reference.table, axis, source.until);
   const std::span<const double> t = source.curve[0].t;
-  std::vector<double> x, y;
-  for (const double time : t) {
-    x.push_back(reference.at(0, time));
-    y.push_back(reference.at(1, time));
+  if (t.empty()) return std::nullopt;
+  std::vector<std::vector<double>> x(source.curve.size());
+  std::vector<Curve> point;
+  for (std::size_t a = 0; a < x.size(); ++a) {
+    for (const double time : t) x[a].push_back(reference.at(a, time));
+    point.push_back({t, x[a]});
   }
-  return t.empty() ? std::nullopt : turn_until({Curve{t, x}, Curve{t, y}}, source.until);
+  return turn_until(point, axis, source.until);
 }
 
 /// An extreme at the end may still be ahead. What is no quantity but a fault that grows counts as it is.
@@ -144,7 +169,9 @@ std::optional<LineSquares> line_squares(const Source& source) {
   if (source.reference.empty() || !source.samples) return std::nullopt;
   const SampleLine& line = *source.line;
   if (source.samples->size() < line.times.size() || source.samples->empty()) return std::nullopt;
-  const double apart = std::hypot(line.to[0] - line.from[0], line.to[1] - line.from[1]) / (line.points - 1);
+  const double apart = std::hypot(std::hypot(line.to[0] - line.from[0], line.to[1] - line.from[1]),
+                                  line.to[2] - line.from[2]) /
+                       (line.points - 1);
   LineSquares mean;
   for (const LineSample& sample : *source.samples) {
     for (int k = 0; k < line.points; ++k) {
@@ -282,8 +309,10 @@ const std::vector<MeasureKind> kinds = {
      .value = frequency,
      .reference = as_given},
     {.name = "turn",
-     .help = "angle by which the point turns about the origin, rad, counter-clockwise, whole turns counted",
-     .keys = {"probes"},
+     .help =
+         "angle by which the point turns about the origin, rad, counter-clockwise, whole turns counted; in "
+         "3D about an axis through it, [0, 0, 1] unless given, right-handed",
+     .keys = {"probes", "axis"},
      .table = true,
      .solution = true,
      .value = turn_of_point,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -14,10 +15,6 @@
 namespace taut {
 namespace {
 
-using V = Vec<double, 2>;
-/// Two doubles that any x86-64 works on at once.
-typedef double Pair __attribute__((vector_size(2 * sizeof(double))));
-
 // in spacings
 constexpr double near = 1.5;   // the eight around a particle of a square lattice, the six of a hexagonal one
 constexpr double far = 4;      // at the start: as far as what contact keeps apart is
@@ -26,35 +23,73 @@ constexpr double skin = reach - near;
 
 constexpr double widest_inside = 2 * std::numbers::pi / 3;
 
-V place(const Snapshot& now, int i) {
-  const std::size_t at = 2 * static_cast<std::size_t>(i);
-  return {now.x[at], now.x[at + 1]};
+template <int Dim>
+Vec<double, Dim> place(const Snapshot& now, int i) {
+  Vec<double, Dim> x;
+  std::copy_n(now.x.data() + std::ptrdiff_t{Dim} * i, Dim, &x[0]);
+  return x;
 }
 
-double direction(const Snapshot& now, int from, int to) {
-  const Point a = now.position(static_cast<std::size_t>(from)),
-              b = now.position(static_cast<std::size_t>(to));
-  return std::atan2(b[1] - a[1], b[0] - a[0]);
+/// The directions from a particle to others, and whether they leave a wide gap.
+template <int Dim>
+struct Around;
+
+template <>
+struct Around<2> {
+  std::vector<double> directions;  // rad
+
+  void clear() { directions.clear(); }
+  void add(const Vec<double, 2>& d) { directions.push_back(std::atan2(d[1], d[0])); }
+  bool leaves_gap() { return widest_gap(directions) > widest_inside; }
+};
+
+/// To all places on the surface of a cube of 5 × 5 × 5 from its middle: nothing is farther than 18° from one.
+std::array<Vec<double, 3>, 98> spread_directions() {
+  std::array<Vec<double, 3>, 98> all;
+  std::size_t n = 0;
+  for (int x = -2; x <= 2; ++x)
+    for (int y = -2; y <= 2; ++y)
+      for (int z = -2; z <= 2; ++z)
+        if (const double r = std::hypot(x, y, z); std::max({x * x, y * y, z * z}) == 4)
+          all[n++] = Vec<double, 3>{x / r, y / r, z / r};
+  return all;
 }
 
+template <>
+struct Around<3> {
+  std::bitset<98> has_one;  // of the spread directions, those that have one within half of `widest_inside`
+
+  void clear() { has_one.reset(); }
+  void add(const Vec<double, 3>& d) {
+    static const std::array<Vec<double, 3>, 98> spread = spread_directions();
+    static const double nearest = std::cos(widest_inside / 2);
+    const double least = nearest * std::sqrt(dot(d, d));
+    for (std::size_t k = 0; k < spread.size(); ++k)
+      if (dot(spread[k], d) >= least) has_one.set(k);
+  }
+  bool leaves_gap() const { return !has_one.all(); }
+};
+
+template <int Dim>
 std::vector<int> surface_particles(const Snapshot& start, double radius) {
-  std::vector<std::vector<double>> directions(start.size());
+  std::vector<Around<Dim>> around(start.size());
   for_each_close_pair(start, radius, [&](int i, int j) {
-    directions[static_cast<std::size_t>(i)].push_back(direction(start, i, j));
-    directions[static_cast<std::size_t>(j)].push_back(direction(start, j, i));
+    around[static_cast<std::size_t>(i)].add(place<Dim>(start, j) - place<Dim>(start, i));
+    around[static_cast<std::size_t>(j)].add(place<Dim>(start, i) - place<Dim>(start, j));
   });
   std::vector<int> surface;
-  for (std::size_t i = 0; i < directions.size(); ++i)
-    if (widest_gap(directions[i]) > widest_inside) surface.push_back(static_cast<int>(i));
+  for (std::size_t i = 0; i < around.size(); ++i)
+    if (around[i].leaves_gap()) surface.push_back(static_cast<int>(i));
   return surface;
 }
 
 /// Some of the particles, in cells.
+template <int Dim>
 class Cells {
  public:
   Cells(const Snapshot& now, const std::vector<int>& particles, double radius) : radius_(radius) {
-    std::vector<V> x;
-    for (const int i : particles) x.push_back(place(now, i));
+    std::vector<Vec<double, Dim>> x;
+    for (const int i : particles) x.push_back(place<Dim>(now, i));
     for (const int k : grid_.sort(x, radius)) {
       const auto at = static_cast<std::size_t>(k);
       stored_.push_back({x[at], particles[at]});
@@ -63,40 +98,44 @@ class Cells {
 
   /// Calls visit(j) for every one of them at most `radius` from x, which lies among them.
   template <class Visit>
-  void for_each_around(const V& x, Visit visit) const {
+  void for_each_around(const Vec<double, Dim>& x, Visit visit) const {
     grid_.for_each_row(x, [&](int first, int last) {
       for (int k = first; k < last; ++k) {
         const Stored& other = stored_[static_cast<std::size_t>(k)];
-        if (const V d = other.x - x; dot(d, d) <= radius_ * radius_) visit(other.particle);
+        if (const Vec<double, Dim> d = other.x - x; dot(d, d) <= radius_ * radius_) visit(other.particle);
       }
     });
   }
 
  private:
   struct Stored {
-    V x;
+    Vec<double, Dim> x;
     int particle;
   };
 
   double radius_;  // m
-  CellGrid<2> grid_;
+  CellGrid<Dim> grid_;
   std::vector<Stored> stored_;  // in the order of the cells
 };
 
 /// All in the box of some, widened by a margin.
+template <int Dim>
 std::vector<int> particles_around(const Snapshot& now, const std::vector<int>& some, double margin) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  std::array<double, 2> low{infinite, infinite}, high{-infinite, -infinite};
+  std::array<double, Dim> low, high;
+  low.fill(infinite), high.fill(-infinite);
   for (const int i : some)
-    for (std::size_t k = 0; k < 2; ++k) {
-      const double x = now.x[2 * static_cast<std::size_t>(i) + k];
+    for (std::size_t k = 0; k < Dim; ++k) {
+      const double x = now.x[Dim * static_cast<std::size_t>(i) + k];
       low[k] = std::min(low[k], x - margin), high[k] = std::max(high[k], x + margin);
     }
   std::vector<int> around;
-  for (std::size_t i = 0; i < now.size(); ++i)
-    if (const double x = now.x[2 * i], y = now.x[2 * i + 1];
-        x >= low[0] && x <= high[0] && y >= low[1] && y <= high[1])
-      around.push_back(static_cast<int>(i));
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    bool inside = true;
+    for (std::size_t k = 0; k < Dim; ++k)
+      inside = inside && now.x[Dim * i + k] >= low[k] && now.x[Dim * i + k] <= high[k];
+    if (inside) around.push_back(static_cast<int>(i));
+  }
   return around;
 }
 
@@ -114,80 +153,102 @@ double widest_gap(std::span<double> directions) {
 
 Penetration::Penetration(const Snapshot& start, double spacing)
     : spacing_(spacing), on_surface_(start.size()) {
-  if (start.dim != 2) return;
-  surface_ = surface_particles(start, near * spacing);
+  surface_ = start.dim == 3 ? surface_particles<3>(start, near * spacing)
+                            : surface_particles<2>(start, near * spacing);
   for (const int i : surface_) on_surface_[static_cast<std::size_t>(i)] = true;
 }
 
-int Penetration::operator()(const Snapshot& now) {
+int Penetration::operator()(const Snapshot& now) { return now.dim == 3 ? count<3>(now) : count<2>(now); }
+
+template <int Dim>
+int Penetration::count(const Snapshot& now) {
   if (surface_.empty()) return 0;
-  if (!lists_hold(now)) search(now);
+  if (!lists_hold<Dim>(now)) search<Dim>(now);
+  Around<Dim> around;
   return static_cast<int>(
-      std::ranges::count_if(asked_, [&](const Asked& asked) { return is_inside(now, asked); }));
+      std::ranges::count_if(asked_, [&](const Asked& asked) { return is_inside<Dim>(now, asked, around); }));
 }
 
+template <int Dim>
 bool Penetration::lists_hold(const Snapshot& now) const {
   if (at_search_.empty()) return false;
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  Pair low{infinite, infinite}, high{-infinite, -infinite};
-  for (std::size_t i = 0; i < now.x.size(); i += 2) {
-    Pair x, before;
-    std::memcpy(&x, &now.x[i], sizeof x);
-    std::memcpy(&before, &at_search_[i], sizeof before);
-    const Pair moved = x - before;
-    low = moved < low ? moved : low;
-    high = moved > high ? moved : high;
+  constexpr int lanes = Dim == 2 ? 2 : 1;  // doubles that any x86-64 works on at once
+  typedef double Several __attribute__((vector_size(lanes * sizeof(double))));
+  constexpr int packs = Dim / lanes;
+  Several low[packs], high[packs];
+  for (int a = 0; a < packs; ++a) low[a] = Several{} + infinite, high[a] = Several{} - infinite;
+  for (std::size_t i = 0; i < now.x.size(); i += Dim)
+    for (int a = 0; a < packs; ++a) {
+      Several x, before;
+      std::memcpy(&x, &now.x[i] + a * lanes, sizeof x);
+      std::memcpy(&before, &at_search_[i] + a * lanes, sizeof before);
+      const Several moved = x - before;
+      low[a] = moved < low[a] ? moved : low[a];
+      high[a] = moved > high[a] ? moved : high[a];
+    }
+  double squared = 0;
+  for (int k = 0; k < Dim; ++k) {
+    const double side = high[k / lanes][k % lanes] - low[k / lanes][k % lanes];
+    squared += side * side;
   }
-  const Pair sides = high - low;
-  return std::hypot(sides[0], sides[1]) <= skin * spacing_;
+  return std::sqrt(squared) <= skin * spacing_;
 }
 
+template <int Dim>
 void Penetration::search(const Snapshot& now) {
   at_search_ = now.x;
   asked_.clear();
   near_.clear();
-  const std::vector<int> ask = to_ask(now);
+  const std::vector<int> ask = to_ask<Dim>(now);
   if (ask.empty()) return;
   const double radius = reach * spacing_;
-  const Cells around(now, particles_around(now, ask, radius), radius);
+  const Cells<Dim> around(now, particles_around<Dim>(now, ask, radius), radius);
   for (const int i : ask) {
     const int begin = static_cast<int>(near_.size());
-    around.for_each_around(place(now, i), [&](int j) {
-      if (is_far(now, i, j)) near_.push_back(j);
+    around.for_each_around(place<Dim>(now, i), [&](int j) {
+      if (is_far<Dim>(now, i, j)) near_.push_back(j);
     });
     asked_.push_back({i, begin, static_cast<int>(near_.size())});
   }
 }
 
 /// The particles of a surface that have a far one of a surface in reach.
+template <int Dim>
 std::vector<int> Penetration::to_ask(const Snapshot& now) const {
-  const Cells surface(now, surface_, reach * spacing_);
+  const Cells<Dim> surface(now, surface_, reach * spacing_);
   std::vector<int> ask;
   for (const int i : surface_) {
     bool any = false;
-    surface.for_each_around(place(now, i), [&](int j) { any = any || is_far(now, i, j); });
+    surface.for_each_around(place<Dim>(now, i), [&](int j) { any = any || is_far<Dim>(now, i, j); });
     if (any) ask.push_back(i);
   }
   return ask;
 }
 
+template <int Dim>
 bool Penetration::is_far(const Snapshot& now, int i, int j) const {
   const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
   if (now.body[a] != now.body[b]) return true;
-  const double dx = now.x0[2 * a] - now.x0[2 * b], dy = now.x0[2 * a + 1] - now.x0[2 * b + 1];
-  return dx * dx + dy * dy > far * far * spacing_ * spacing_;
+  double squared = 0;
+  for (std::size_t k = 0; k < Dim; ++k) {
+    const double d = now.x0[Dim * a + k] - now.x0[Dim * b + k];
+    squared += d * d;
+  }
+  return squared > far * far * spacing_ * spacing_;
 }
 
-bool Penetration::is_inside(const Snapshot& now, const Asked& asked) {
-  directions_.clear();
+template <int Dim, class Around>
+bool Penetration::is_inside(const Snapshot& now, const Asked& asked, Around& around) const {
+  around.clear();
   bool at_surface = false;
   for (int k = asked.begin; k < asked.end; ++k) {
     const int j = near_[static_cast<std::size_t>(k)];
     if (squared_distance(now, asked.particle, j) >= near * near * spacing_ * spacing_) continue;
-    directions_.push_back(direction(now, asked.particle, j));
+    around.add(place<Dim>(now, j) - place<Dim>(now, asked.particle));
     at_surface = at_surface || on_surface_[static_cast<std::size_t>(j)];
   }
-  return at_surface && widest_gap(directions_) <= widest_inside;
+  return at_surface && !around.leaves_gap();
 }
 
 }  // namespace taut

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -12,10 +11,11 @@ namespace taut {
 double widest_gap(std::span<double> directions);
 
 /// Finds particles that have gone through a surface: a particle lies inside a far part when the particles of
-/// that part within 1.5 dp leave no gap wider than 2π/3 around it. Far are particles of another body, and
+/// that part within 1.5 dp leave no gap wider than 2π/3 around it; in 3D no empty cone as wide as that: each of
+/// 98 directions spread over the sphere has one of them within π/3. Far are particles of another body, and
 /// those of its own that were more than 4 dp away at the start. A face that touches another one has it on one
 /// side: the gap is near π, dented or interlocked by a row too. Behind two particles of a surface that are
-/// 1 dp apart the gap is 2π/3 at a depth of 0.29 dp.
+/// 1 dp apart the gap is 2π/3 at a depth of 0.29 dp; in 3D behind the middle of four it is at 0.41 dp.
 ///
 /// Only particles of a surface are asked, those that their own neighbours of the start leave such a gap, and
 /// of them only those with a far one of a surface within 1.5 dp: where two parts overlap their outlines
@@ -24,8 +24,6 @@ double widest_gap(std::span<double> directions);
 /// Whom to ask, and about whom, is listed out to 2.5 dp, and again only when two particles can have come 1 dp
 /// nearer: by the diagonal of the box of all displacements since, which a common motion leaves small. In a
 /// body that is strained little nobody is asked. What is found does not depend on when the lists were made.
-///
-/// In two dimensions; in three nothing is found.
 class Penetration {
  public:
   Penetration(const Snapshot& start, double spacing);
@@ -37,11 +35,18 @@ class Penetration {
     int particle, begin, end;  // of `near_`
   };
 
+  template <int Dim>
+  int count(const Snapshot& now);
+  template <int Dim>
   bool lists_hold(const Snapshot& now) const;
+  template <int Dim>
   void search(const Snapshot& now);
+  template <int Dim>
   std::vector<int> to_ask(const Snapshot& now) const;
+  template <int Dim>
   bool is_far(const Snapshot& now, int i, int j) const;
-  bool is_inside(const Snapshot& now, const Asked& asked);
+  template <int Dim, class Around>
+  bool is_inside(const Snapshot& now, const Asked& asked, Around& around) const;
 
   double spacing_;            // m
   std::vector<int> surface_;  // its particles, in rising order
@@ -49,7 +54,6 @@ class Penetration {
   std::vector<double> at_search_;  // Snapshot::x; empty before the first
   std::vector<Asked> asked_;
   std::vector<int> near_;  // far particles that may be near
-  std::vector<double> directions_;
 };
 
 }  // namespace taut

@@ -1,8 +1,10 @@
 #include "engine/diagnostics/step_limits.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <string_view>
 
 #include "engine/families/catalogue.hpp"
@@ -12,60 +14,73 @@
 namespace taut {
 namespace {
 
-/// V B W′ of a method on an unbounded square lattice of spacing 1, as the gradients have it.
-template <const Formulation& M>
+/// V B W′ of a method on an unbounded square or cubic lattice of spacing 1, as the gradients have it.
+template <const Formulation& M, int Dim>
 class Lattice {
  public:
+  using V = std::array<double, Dim>;
+
   Lattice(double h, double normalised) : h_(h) {
     double sum_W = 0, moment = 0;
-    for_each_neighbor([&](double x, double, double r) {
-      sum_W += Kernel<M.kernel>::alpha(2) / (h * h) * Kernel<M.kernel>::w(r / h);
-      if (r > 0) moment -= slope(r) * x * x / r;
+    for_each_neighbor([&](const V& x, double r) {
+      sum_W += Kernel<M.kernel>::alpha(Dim) / std::pow(h, Dim) * Kernel<M.kernel>::w(r / h);
+      if (r > 0) moment -= slope(r) * x[0] * x[0] / r;
     });
     scale_ = M.gradient == GradientCorrection::corrected ? 1 / moment : 1 / (1 + normalised * (sum_W - 1));
   }
 
-  /// |W′| at the four nearest
+  /// |W′| at the nearest
   double nearest() const { return -scale_ * slope(1); }
 
   /// Greatest |κ(q)|
   double greatest_wave_number() const {
-    constexpr int waves = 64;  // along each axis, from 0 to π: the greatest is flat
+    constexpr int waves = Dim == 2 ? 64 : 32;  // along each axis, from 0 to π: the greatest is flat
+    constexpr double step = std::numbers::pi / waves;
     double greatest = 0;
     for (int a = 0; a <= waves; ++a)
       for (int b = 0; b <= a; ++b)
-        greatest =
-            std::max(greatest, wave_number(std::numbers::pi * a / waves, std::numbers::pi * b / waves));
+        if constexpr (Dim == 2)
+          greatest = std::max(greatest, wave_number({step * a, step * b}));
+        else
+          for (int c = 0; c <= b; ++c)
+            greatest = std::max(greatest, wave_number({step * a, step * b, step * c}));
     return greatest;
   }
 
  private:
   double slope(double r) const {
-    return Kernel<M.kernel>::alpha(2) / (h_ * h_ * h_) * Kernel<M.kernel>::dw(r / h_);
+    return Kernel<M.kernel>::alpha(Dim) / std::pow(h_, Dim + 1) * Kernel<M.kernel>::dw(r / h_);
   }
   template <class F>
   void for_each_neighbor(const F& f) const {
     const int reach = static_cast<int>(Kernel<M.kernel>::support * h_);
+    const int high = Dim == 3 ? reach : 0;
     for (int x = -reach; x <= reach; ++x)
       for (int y = -reach; y <= reach; ++y)
-        if (const double r = std::hypot(x, y); r < Kernel<M.kernel>::support * h_) f(x, y, r);
+        for (int z = -high; z <= high; ++z)
+          if (const double r = std::hypot(x, y, z); r < Kernel<M.kernel>::support * h_) {
+            const std::array<double, 3> place{double(x), double(y), double(z)};
+            V v;
+            std::copy_n(place.begin(), Dim, v.begin());
+            f(v, r);
+          }
   }
-  double wave_number(double q_x, double q_y) const {
-    double x_sum = 0, y_sum = 0;
-    for_each_neighbor([&](double x, double y, double r) {
+  double wave_number(const V& q) const {
+    V sum{};
+    for_each_neighbor([&](const V& x, double r) {
       if (r == 0) return;
-      const double k = scale_ * slope(r) * std::sin(q_x * x + q_y * y) / r;
-      x_sum += k * x;
-      y_sum += k * y;
+      const double phase = std::inner_product(q.begin(), q.end(), x.begin(), 0.0);
+      const double k = scale_ * slope(r) * std::sin(phase) / r;
+      for (std::size_t a = 0; a < Dim; ++a) sum[a] += k * x[a];
     });
-    return std::hypot(x_sum, y_sum);
+    return std::sqrt(std::inner_product(sum.begin(), sum.end(), sum.begin(), 0.0));
   }
 
   double h_;  // over the spacing
   double scale_ = 1;
 };
 
-template <const Formulation& M>
+template <const Formulation& M, int Dim>
 std::vector<StepLimit> limits_of(const Scene& scene, const Settings& settings) {
   if constexpr (M.family != Family::tl_displacement) {
     return {};
@@ -74,13 +89,13 @@ std::vector<StepLimit> limits_of(const Scene& scene, const Settings& settings) {
     const double nu = material.poisson_ratio, dp = scene.spacing;
     Constants c;
     c.dp = 1;
-    set_constants(c, M, 2, settings);
-    const Lattice<M> lattice(c.h, c.normalised);
+    set_constants(c, M, Dim, settings);
+    const Lattice<M, Dim> lattice(c.h, c.normalised);
     const double stiffness = material.bulk_modulus() + 4.0 / 3 * material.shear_modulus();
     const double c_p = std::sqrt(stiffness / material.density);
     std::vector<StepLimit> limits{{"sharp limit of an unbounded lattice", "von Neumann",
                                    2 * dp / (c_p * lattice.greatest_wave_number())}};
-    if (M.gradient == GradientCorrection::normalised) {
+    if (Dim == 2 && M.gradient == GradientCorrection::normalised) {
       const double doubled_G = 2 * material.shear_modulus();
       limits.push_back(
           {"sufficient with four neighbours", "[Zhang2020] Eq. 15b",
@@ -93,7 +108,10 @@ std::vector<StepLimit> limits_of(const Scene& scene, const Settings& settings) {
 template <const Formulation&... M>
 std::vector<StepLimit> find_limits(const Scene& scene, const Settings& settings, MethodList<M...>) {
   std::vector<StepLimit> limits;
-  static_cast<void>(((M.name == settings.method && (limits = limits_of<M>(scene, settings), true)) || ...));
+  const auto of = [&]<const Formulation & One>() {
+    return scene.dim == 3 ? limits_of<One, 3>(scene, settings) : limits_of<One, 2>(scene, settings);
+  };
+  static_cast<void>(((M.name == settings.method && (limits = of.template operator()<M>(), true)) || ...));
   return limits;
 }
 

@@ -119,15 +119,19 @@ struct Probe {
     position,       // of material point `at`, component `axis`, m
     distance,       // between material points `at` and `to` of `bodies[0]`, m
     mean_velocity,  // mass-weighted, of `bodies[0]`, component `axis`, m/s
+    mean_position,  // the same of the position, m
     gap,  // least distance of two particles of `bodies[0]` and `bodies[1]` less their mean diameter, m
-    mirror_asymmetry  // greatest |x_a − mirror(x_b)| over particles of two bodies of equal layout, plane ⊥
-                      // axis, m
+    mirror_asymmetry,  // greatest |x_a − mirror(x_b)| over particles of two bodies of equal layout, or of one
+                       // that is its own image, plane ⊥ axis, m
+    turn,  // angle of material point `at` of `bodies[0]` about `turns_about` since the start, whole turns
+           // counted, rad
   };
   std::string name;
   Kind kind{};
   std::vector<int> bodies;
   Point at{}, to{};
   int axis = 0;
+  Point turns_about{0, 0, 1};  // direction of an axis through the origin, of length 1; z in 2D
 };
 
 /// Points of a body, evenly spaced along a straight line, at which a field is sampled.
@@ -156,6 +160,7 @@ struct Measure {
   std::array<double, 2> band{};  // Hz
   double from = 0;               // s
   std::string free;              // the probe that says that the bodies are apart; may be empty
+  Point axis{0, 0, 1};           // of a turn in 3D, of length 1
 };
 
 /// A table of an independent solution: time and a column for each probe of a measure, or the distance from the

@@ -65,7 +65,7 @@ class FaceContacts {
 
   void refuse_thin(const Scene& scene) const;
   void search_others(const WallContacts<Dim>& walls);
-  std::vector<int> nodes_near_others() const;
+  std::vector<char> near_others() const;
   void search_own();
   void watch();
   template <class F>
@@ -160,9 +160,9 @@ bool FaceContacts<Dim>::prepare(const State<Dim>& s, const WallContacts<Dim>& wa
   return others || own;
 }
 
-/// Those in the box of another body, widened by what a search looks at.
+/// Which nodes are in the box of another body, widened by what a search looks at.
 template <int Dim>
-std::vector<int> FaceContacts<Dim>::nodes_near_others() const {
+std::vector<char> FaceContacts<Dim>::near_others() const {
   const std::vector<int>& body = faces_.outline().body;
   const int bodies = 1 + body.back();
   std::vector<V> low(bodies), high(bodies);
@@ -175,27 +175,27 @@ std::vector<int> FaceContacts<Dim>::nodes_near_others() const {
     for (int k = 0; k < Dim; ++k) l[k] = std::min(l[k], x[k]), h[k] = std::max(h[k], x[k]);
   }
   const double margin = (horizon + 2) * dp_;  // 2: a segment has an end within its length
-  std::vector<int> nodes;
-  std::ranges::copy_if(all_nodes_, std::back_inserter(nodes), [&](int n) {
+  std::vector<char> near(all_nodes_.size());
+  for (const int n : all_nodes_) {
     const V& x = faces_.places()[n];
-    for (int b = 0; b < bodies; ++b) {
+    for (int b = 0; b < bodies && !near[n]; ++b) {
       bool in = b != body[n];
       for (int k = 0; k < Dim && in; ++k) in = x[k] > low[b][k] - margin && x[k] < high[b][k] + margin;
-      if (in) return true;
+      near[n] = in;
     }
-    return false;
-  });
-  return nodes;
+  }
+  return near;
 }
 
 /// What is near a wall is listed as far as the search of the others lasts.
 template <int Dim>
 void FaceContacts<Dim>::search_others(const WallContacts<Dim>& walls) {
-  const std::vector<int> nodes = nodes_near_others();
-  std::vector<int> segments;
+  const std::vector<char> near = near_others();
+  std::vector<int> nodes, segments;
+  std::ranges::copy_if(all_nodes_, std::back_inserter(nodes), [&](int n) { return near[n]; });
   std::ranges::copy_if(all_segments_, std::back_inserter(segments), [&](int k) {
     const std::array<int, 2>& end = faces_.segment(k).node;
-    return std::ranges::binary_search(nodes, end[0]) || std::ranges::binary_search(nodes, end[1]);
+    return near[end[0]] || near[end[1]];
   });
   const auto wanted = [&](int n, int k) { return faces_.body_of_segment(k) != faces_.outline().body[n]; };
   const double beyond = find_(faces_, nodes, segments, (reach + skin) * dp_, horizon * dp_, wanted, others_);
@@ -327,6 +327,7 @@ double FaceContacts<Dim>::energy(const State<Dim>& s, const WallContacts<Dim>& w
 
 template <int Dim>
 double FaceContacts<Dim>::gap(const State<Dim>& s, int a, int b) {
+  if (others_.node.empty()) return reach * dp_;
   for (const int n : watched_) faces_.place(s, n);
   double least = reach * dp_;
   for_each_touch(others_, [&](int n, const Foot<Dim>& foot, const auto& touch) {

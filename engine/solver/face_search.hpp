@@ -47,12 +47,13 @@ class FaceSearch {
           const int at = (*order_)[k];
           if (at >= count) continue;
           const V d = x - middles_[at];
-          const double distance = std::sqrt(dot(d, d)) - half;  // no nearer than that
-          if (distance >= beyond || !wanted(node, segments[at])) continue;
+          const double apart2 = dot(d, d);
+          if (apart2 >= (beyond + half) * (beyond + half) || !wanted(node, segments[at])) continue;
+          const double distance = std::sqrt(apart2) - half;  // no nearer than that
           if (distance < listed)
             out.segment.push_back(segments[at]);
           else
-            beyond = distance;
+            beyond = std::min(beyond, distance);
         }
       });
       std::sort(out.segment.begin() + from, out.segment.end());

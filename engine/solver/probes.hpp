@@ -1,6 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "engine/error.hpp"
@@ -38,13 +42,16 @@ class ProbeRecorder {
     std::vector<PointWeight> at,
         to;  // material points, or the particles of a body with their share of its mass
     std::vector<std::pair<int, int>> pairs;  // gap: stored particles of the two bodies within the support
-    double held_value = 0;                   // of what is looked at between rebuilds only, m
+    double held_value = 0;                   // of what is looked at between rebuilds only, m; of a turn, rad
+    std::vector<int> image;                  // [particle of a body] id of the one that is its mirror image
   };
 
   std::vector<PointWeight> point(const InitialParticles& initial, const Probe& probe, const Point& at,
                                  double reach) const;
   void find_close_pairs(const State<Dim>& s, const Probe& probe, Follower& f) const;
-  double mirror_asymmetry(const State<Dim>& s, const Probe& probe) const;
+  static std::vector<int> images(const Scene& scene, const InitialParticles& initial, const Probe& probe);
+  double mirror_asymmetry(const State<Dim>& s, const Probe& probe, const Follower& f) const;
+  double angle(const State<Dim>& s, const Probe& probe, const Follower& f) const;
   double value(const State<Dim>& s, const Probe& probe, const Follower& f, FaceContacts<Dim>* faces) const;
   Vec<double, Dim> place(const State<Dim>& s, const std::vector<PointWeight>& point) const {
     Vec<double, Dim> x{};
@@ -68,11 +75,13 @@ ProbeRecorder<Dim>::ProbeRecorder(const Scene& scene, const InitialParticles& in
   for (const Probe& probe : probes_) {
     Follower f;
     const int body = probe.bodies.empty() ? 0 : probe.bodies[0];
-    if (probe.kind == Probe::Kind::mean_velocity) {
+    if (probe.kind == Probe::Kind::mean_velocity || probe.kind == Probe::Kind::mean_position) {
       double total = 0;
       for (int i = first_[body]; i < first_[body + 1]; ++i) total += initial.V0[i];
       for (int i = first_[body]; i < first_[body + 1]; ++i) f.at.push_back({i, initial.V0[i] / total});
-    } else if (probe.kind != Probe::Kind::gap && probe.kind != Probe::Kind::mirror_asymmetry) {
+    } else if (probe.kind == Probe::Kind::mirror_asymmetry) {
+      f.image = images(scene, initial, probe);
+    } else if (probe.kind != Probe::Kind::gap) {
       f.at = point(initial, probe, probe.at, reach);
       if (probe.kind == Probe::Kind::distance) f.to = point(initial, probe, probe.to, reach);
     }
@@ -99,7 +108,7 @@ void ProbeRecorder<Dim>::rebuilt(const State<Dim>& s, double support) {
   for (std::size_t k = 0; k < probes_.size(); ++k) {
     if (probes_[k].kind == Probe::Kind::gap) find_close_pairs(s, probes_[k], followers_[k]);
     if (probes_[k].kind == Probe::Kind::mirror_asymmetry)
-      followers_[k].held_value = mirror_asymmetry(s, probes_[k]);
+      followers_[k].held_value = mirror_asymmetry(s, probes_[k], followers_[k]);
   }
 }
 
@@ -115,19 +124,65 @@ void ProbeRecorder<Dim>::find_close_pairs(const State<Dim>& s, const Probe& prob
   }
 }
 
+/// Of two bodies the particles follow each other alike; in one the image of each is where the mirror has it.
 template <int Dim>
-double ProbeRecorder<Dim>::mirror_asymmetry(const State<Dim>& s, const Probe& probe) const {
-  const int a = first_[probe.bodies[0]], b = first_[probe.bodies[1]];
-  const int n = first_[probe.bodies[0] + 1] - a;
+std::vector<int> ProbeRecorder<Dim>::images(const Scene& scene, const InitialParticles& initial,
+                                            const Probe& probe) {
+  const int a = probe.bodies[0], b = probe.bodies[1];
+  std::vector<int> images(initial.first[a + 1] - initial.first[a]);
+  std::iota(images.begin(), images.end(), initial.first[b]);
+  if (a != b) return images;
+  using Cell = std::array<long, 3>;
+  // a quarter of a spacing: mirrored places are found in the same cell or, by round-off, in the next one
+  const auto cell = [side = 0.25 * scene.spacing](const Point& x) {
+    return Cell{std::lround(x[0] / side), std::lround(x[1] / side), std::lround(x[2] / side)};
+  };
+  std::map<Cell, int> at;
+  for (const int id : images) at[cell(initial.x[id])] = id;
+  for (int& id : images) {
+    Point mirrored = initial.x[id];
+    mirrored[probe.axis] = 2 * probe.at[probe.axis] - mirrored[probe.axis];
+    Cell near = cell(mirrored);
+    auto found = at.find(near);
+    for (const long step : {-1, 2})
+      if (found == at.end()) near[probe.axis] += step, found = at.find(near);
+    if (found == at.end())
+      throw SceneError("probe." + probe.name,
+                       "the probe '" + probe.name +
+                           "' looks for a mirror image: the particles of its body do not "
+                           "stand like one another's images at the start");
+    id = found->second;
+  }
+  return images;
+}
+
+template <int Dim>
+double ProbeRecorder<Dim>::mirror_asymmetry(const State<Dim>& s, const Probe& probe,
+                                            const Follower& f) const {
+  const int a = first_[probe.bodies[0]];
   double greatest2 = 0;
-  for (int k = 0; k < n; ++k) {
+  for (int k = 0; k < static_cast<int>(f.image.size()); ++k) {
     Vec<double, Dim> d = s.x[where_[a + k]];
-    Vec<double, Dim> image = s.x[where_[b + k]];
+    Vec<double, Dim> image = s.x[where_[f.image[k]]];
     image[probe.axis] = 2 * probe.at[probe.axis] - image[probe.axis];
     d -= image;
     greatest2 = std::max(greatest2, dot(d, d));
   }
   return std::sqrt(greatest2);
+}
+
+/// From where the point is at the start, −π to π, right-handed about the axis.
+template <int Dim>
+double ProbeRecorder<Dim>::angle(const State<Dim>& s, const Probe& probe, const Follower& f) const {
+  const Point& a = probe.turns_about;
+  const Vec<double, Dim> now = place(s, f.at);
+  Point x{};
+  for (int k = 0; k < Dim; ++k) x[k] = now[k];
+  const auto dot3 = [](const Point& u, const Point& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; };
+  const auto& X = probe.at;
+  const Point normal{a[1] * X[2] - a[2] * X[1], a[2] * X[0] - a[0] * X[2],
+                     a[0] * X[1] - a[1] * X[0]};  // a × X
+  return std::atan2(dot3(normal, x), dot3(X, x) - dot3(a, X) * dot3(a, x));
 }
 
 template <int Dim>
@@ -137,6 +192,7 @@ double ProbeRecorder<Dim>::value(const State<Dim>& s, const Probe& probe, const 
     case Probe::Kind::displacement:
       return place(s, f.at)[probe.axis] - probe.at[probe.axis];
     case Probe::Kind::position:
+    case Probe::Kind::mean_position:
       return place(s, f.at)[probe.axis];
     case Probe::Kind::distance: {
       const Vec<double, Dim> d = place(s, f.to) - place(s, f.at);
@@ -158,6 +214,9 @@ double ProbeRecorder<Dim>::value(const State<Dim>& s, const Probe& probe, const 
     }
     case Probe::Kind::mirror_asymmetry:
       return f.held_value;
+    case Probe::Kind::turn:
+      // the whole turns so far are in the value before, which is less than half a turn away
+      return f.held_value + std::remainder(angle(s, probe, f) - f.held_value, 2 * std::numbers::pi);
   }
   return 0;
 }
@@ -167,8 +226,11 @@ void ProbeRecorder<Dim>::record(const State<Dim>& s, double time, FaceContacts<D
   if (probes_.empty()) return;
   series.value.resize(probes_.size());
   series.time.push_back(time);
-  for (std::size_t k = 0; k < probes_.size(); ++k)
-    series.value[k].push_back(value(s, probes_[k], followers_[k], faces));
+  for (std::size_t k = 0; k < probes_.size(); ++k) {
+    const double now = value(s, probes_[k], followers_[k], faces);
+    series.value[k].push_back(now);
+    if (probes_[k].kind == Probe::Kind::turn) followers_[k].held_value = now;
+  }
 }
 
 }  // namespace taut::inline TAUT_ISA

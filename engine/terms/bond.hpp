@@ -140,14 +140,10 @@ struct ClosedNeoHookean {
   };
   template <int Dim>
   static Invariants invariants(const Mat<T, Dim>& F) {
-    T trace_C{};
-    for (int b = 0; b < Dim; ++b) {
-      T square = F(0, b) * F(0, b);
-      for (int a = 1; a < Dim; ++a) square += F(a, b) * F(a, b);
-      trace_C = b == 0 ? square : T(trace_C + square);
-    }
-    const T J = determinant(F), below = 0.25 / (0.75 - min(J, filled<T>(0.5))), one = filled<T>(1);
-    return {0.5 * trace_C, J, J < 0.5 ? 0.25 + 0.25 * below : J, J < 0.5 ? below * below : one};
+    const T t = 0.5 * trace(right_cauchy_green(F)), J = determinant(F), one = filled<T>(1);
+    if (!any(J < 0.5)) return {t, J, J, one};
+    const T below = 0.25 / (0.75 - min(J, filled<T>(0.5)));
+    return {t, J, J < 0.5 ? 0.25 + 0.25 * below : J, J < 0.5 ? below * below : one};
   }
   static T shut(const T& J) { return max(1 - 2 * J, T{}); }
   T wave_modulus() const { return K + 4.0 / 3 * G; }

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <stdexcept>
-#include <string>
 
 #define GL_GLEXT_PROTOTYPES
 #include <GL/glcorearb.h>
+
+#include "render/gl/program.hpp"
 
 namespace taut::render {
 namespace {
@@ -48,31 +48,6 @@ void main() {
   gl_FragDepth = 0.5 * (r / (radius + 1.0)) + (coverage < 1.0 ? 0.5 : 0.0);
 })";
 
-GLuint compile(GLenum kind, const char* source) {
-  const GLuint shader = glCreateShader(kind);
-  glShaderSource(shader, 1, &source, nullptr);
-  glCompileShader(shader);
-  GLint good = 0;
-  glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
-  if (good) return shader;
-  char log[1024] = {};
-  glGetShaderInfoLog(shader, sizeof log, nullptr, log);
-  throw std::runtime_error(std::string("a shader does not compile: ") + log);
-}
-
-GLuint make_program() {
-  const GLuint program = glCreateProgram();
-  const GLuint parts[] = {compile(GL_VERTEX_SHADER, vertex_shader),
-                          compile(GL_FRAGMENT_SHADER, fragment_shader)};
-  for (const GLuint part : parts) glAttachShader(program, part);
-  glLinkProgram(program);
-  GLint good = 0;
-  glGetProgramiv(program, GL_LINK_STATUS, &good);
-  if (!good) throw std::runtime_error("the shaders do not link");
-  for (const GLuint part : parts) glDeleteShader(part);
-  return program;
-}
-
 /// A colour and a depth buffer of the given size, in samples.
 GLuint make_framebuffer(int width, int height) {
   GLuint framebuffer = 0;
@@ -87,10 +62,7 @@ GLuint make_framebuffer(int width, int height) {
     glRenderbufferStorage(GL_RENDERBUFFER, formats[i], width, height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachments[i], GL_RENDERBUFFER, buffers[i]);
   }
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw std::runtime_error("OpenGL gives no buffer of " + std::to_string(width) + "x" +
-                             std::to_string(height));
-  }
+  check_framebuffer(width, height);
   return framebuffer;
 }
 
@@ -102,7 +74,7 @@ DiscPainter::DiscPainter(int image_width, int image_height, const Rect& plot)
       plot_(plot),
       band_height_(std::clamp(samples_per_band / (samples * samples * plot.width), 1, plot.height)) {
   framebuffer_ = make_framebuffer(samples * plot_.width, samples * band_height_);
-  program_ = make_program();
+  program_ = make_program(vertex_shader, fragment_shader);
   band_uniform_ = glGetUniformLocation(program_, "band");
   glGenVertexArrays(1, &vertices_);
   glGenBuffers(1, &buffer_);
@@ -124,19 +96,10 @@ void DiscPainter::draw(std::span<const Dot> discs) {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glDisable(GL_SCISSOR_TEST);
   glClear(GL_COLOR_BUFFER_BIT);
-  upload(discs);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer_);
+  fill_buffer(discs.data(), discs.size_bytes(), capacity_);
   for (int top = 0; top < plot_.height; top += band_height_) {
     draw_band(top, std::min(band_height_, plot_.height - top), static_cast<int>(discs.size()));
-  }
-}
-
-void DiscPainter::upload(std::span<const Dot> discs) {
-  glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-  if (discs.size() > capacity_) {
-    capacity_ = discs.size();
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(discs.size_bytes()), discs.data(), GL_STREAM_DRAW);
-  } else if (!discs.empty()) {
-    glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(discs.size_bytes()), discs.data());
   }
 }
 

@@ -26,7 +26,6 @@ class DiscPainter {
   void draw(std::span<const Dot> discs);
 
  private:
-  void upload(std::span<const Dot> discs);
   void draw_band(int top, int height, int count);
 
   int image_width_, image_height_;
@@ -34,7 +33,7 @@ class DiscPainter {
   int band_height_;  // the plot is drawn in bands, so that large pictures need no large buffer
   std::uint32_t framebuffer_ = 0, program_ = 0, vertices_ = 0, buffer_ = 0;
   int band_uniform_ = -1;
-  std::size_t capacity_ = 0;  // discs that the buffer holds
+  std::size_t capacity_ = 0;  // of the buffer, bytes
 };
 
 }  // namespace taut::render

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/families/bonded/bonds.hpp"
+#include "engine/families/bonded/cancelled.hpp"
 #include "engine/families/bonded/recovered_gradient.hpp"
 #include "engine/solver/particle_solver.hpp"
 #include "engine/terms/bond.hpp"
@@ -65,13 +66,6 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     Pack k;                          // G (V0_i w_ij + V0_j w_ji)/r0², N/m (per metre depth in 2D)
     Pack per_r0_squared;             // 1/r0², 1/m²
   };
-  /// One bond of each of four particles, as far as it is their energy; the filling has Gw = 0. Of e ⊗ e the
-  /// last component is 1 less the others of the diagonal.
-  static constexpr int dyad_size = Sym<Pack, Dim>::size - 1, cancelled_at_once = 4;
-  struct Cancelled {
-    Pack dyad[dyad_size];
-    Pack Gw;  // G V0_i w_ij, of a bond straight on the other side too, J
-  };
   struct Sites {  // four particles; the filling and what is held has V = 0
     Sym<Pack, Dim> B;
     Pack V;  // m^Dim, with which the energy counts
@@ -86,7 +80,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
 
   void pack_bonds(const Bonds& bonds, const Scene& scene);
   PlaceRow place_at_clamp(const Scene& scene, int id, const Point& X) const;
-  void pack_cancelled(const Bonds& bonds);
+  CancelledBonds<Dim> cancelled(const Bonds& bonds) const;
   void add_site(const Bonds& bonds, int i);
   double shear_modulus(const Bonds& bonds, int id, int b) const;
   double step_size() const;
@@ -95,15 +89,14 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   double force_pass(double dt);
   template <bool WithEnergy>
   Strained strained(int i) const;
-  struct AffineStretch;
-  Sym<Pack, Dim> of_bonds(int group) const;
   Pack energy_of_four(int group) const;
   template <bool WithEnergy>
   double strain(int group);
   Mat<Pack, Dim> shown_deformations(int group) const;
   void take_snapshot() override;
   void set_row(int i) {
-    for (int k = 0; k < Dim; ++k) places_[i].c[k] = s_.x[i][k], places_[i].c[Dim + k] = s_.v[i][k];
+    const V x = s_.x[i], v = s_.v[i];
+    for (int k = 0; k < Dim; ++k) places_[i].c[k] = x[k], places_[i].c[Dim + k] = v[k];
   }
   int groups() const { return (s_.size() + lanes - 1) / lanes; }
 
@@ -117,13 +110,12 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   std::vector<Vec<Pack, Dim>> a_ij_;  // times a constant that B takes out again
   std::vector<Spring> springs_;
   std::vector<StoredPack>
-      energy_scales_;                 // of each bond, as far as it is an energy of this end: G V0_i w_ij, J
-  std::vector<int> cancelled_begin_;  // [group + 1]
-  std::vector<Cancelled> cancelled_;
+      energy_scales_;  // of each bond, as far as it is an energy of this end: G V0_i w_ij, J
+  CancelledBonds<Dim> cancelled_;
   std::vector<Mat<Pack, Dim>> F_;  // of each group; 0 where there is no volume
   std::vector<PlaceRow> places_;
   std::vector<StressRow> stress_;
-  std::vector<V> bond_force_;     // N
+  std::vector<V> bond_force_;     // N, with the filling of the last group
   RecoveredGradient recovered_;   // once a snapshot has asked for it
   std::vector<V> displacements_;  // of the last snapshot, m
 };
@@ -197,56 +189,29 @@ void Bonded<M, Dim>::pack_bonds(const Bonds& bonds, const Scene& scene) {
     }
     begin_.push_back(static_cast<int>(springs_.size()));
   }
-  pack_cancelled(bonds);
-  stress_.resize(places_.size());
+  cancelled_ = cancelled(bonds);
+  stress_.resize(std::max<std::size_t>(places_.size(), lanes * groups()));  // past the end: of the filling
   F_.resize(groups());
-  bond_force_.resize(n);
+  bond_force_.resize(lanes * groups());
   this->pairs_ = static_cast<long>(bonds.j.size());
 }
 
-/// Bond after bond, four particles at once. Two that are each other's continuation have one s°.
 template <const Formulation& M, int Dim>
-void Bonded<M, Dim>::pack_cancelled(const Bonds& bonds) {
-  struct One {
-    Sym<double, Dim> dyad;
-    double Gw;
-  };
-  const auto of_particle = [&](int id) {
-    std::vector<One> all;
+CancelledBonds<Dim> Bonded<M, Dim>::cancelled(const Bonds& bonds) const {
+  std::vector<std::vector<typename CancelledBonds<Dim>::Bond>> of_particle(s_.size());
+  for (int i = 0; i < s_.size(); ++i) {
+    const int id = s_.id[i];
     for (int b = bonds.begin[id]; b < bonds.begin[id + 1]; ++b) {
-      One one{{}, shear_modulus(bonds, id, b) * this->initial_.V0[id] * bonds.weight[b]};
       const Point& X = bonds.X[b];
       double r2 = 0;
       for (int k = 0; k < Dim; ++k) r2 += X[k] * X[k];
+      Sym<double, Dim> dyad;
       for (int a = 0; a < Dim; ++a)
-        for (int k = a; k < Dim; ++k) one.dyad(a, k) = X[a] * X[k] / r2;
-      const auto same = std::ranges::find_if(all, [&](const One& other) {
-        double off = 0;
-        for (int k = 0; k <= dyad_size; ++k) off = std::max(off, std::abs(one.dyad.c[k] - other.dyad.c[k]));
-        return off < 1e-12;
-      });
-      if (same == all.end())
-        all.push_back(one);
-      else
-        same->Gw += one.Gw;
+        for (int k = a; k < Dim; ++k) dyad(a, k) = X[a] * X[k] / r2;
+      of_particle[i].push_back({dyad, shear_modulus(bonds, id, b) * this->initial_.V0[id] * bonds.weight[b]});
     }
-    return all;
-  };
-  cancelled_begin_.assign(1, 0);
-  for (int first = 0; first < s_.size(); first += lanes) {
-    const std::size_t begin = cancelled_.size();
-    for (int lane = 0; lane < lanes && first + lane < s_.size(); ++lane) {
-      const std::vector<One> all = of_particle(s_.id[first + lane]);
-      cancelled_.resize(std::max(cancelled_.size(), begin + all.size()));
-      for (std::size_t b = 0; b < all.size(); ++b) {
-        for (int k = 0; k < dyad_size; ++k) cancelled_[begin + b].dyad[k][lane] = all[b].dyad.c[k];
-        cancelled_[begin + b].Gw[lane] = all[b].Gw;
-      }
-    }
-    const std::size_t over = (cancelled_.size() - begin) % cancelled_at_once;
-    if (over > 0) cancelled_.resize(cancelled_.size() + cancelled_at_once - over);
-    cancelled_begin_.push_back(static_cast<int>(cancelled_.size()));
   }
+  return CancelledBonds<Dim>(of_particle);
 }
 
 template <const Formulation& M, int Dim>
@@ -321,55 +286,13 @@ inline constexpr TermInfo bonded_damping_info{
     "families/bonded/solver.hpp:strained",
     "oenog: the damping takes a zigzag away and leaves the first mode alone"};
 
-/// s° of a bond of each of four particles: of the components of e ⊗ e that are kept, what C gives them.
-template <const Formulation& M, int Dim>
-struct Bonded<M, Dim>::AffineStretch {
-  explicit AffineStretch(Sym<Pack, Dim> C) : factor(C) {
-    constexpr int last = Dim - 1;
-    for (int a = 0; a < last; ++a) {
-      factor(a, a) -= C(last, last);
-      for (int k = a + 1; k < Dim; ++k) factor(a, k) += C(a, k);
-    }
-  }
-  [[gnu::always_inline]] Pack of(const Cancelled& bond) const {
-    Pack s = factor.c[dyad_size];
-    for (int k = 0; k < dyad_size; ++k) s += factor.c[k] * bond.dyad[k];
-    return s;
-  }
-  Sym<Pack, Dim> factor;
-};
-
-/// G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e of four particles, J
-template <const Formulation& M, int Dim>
-Sym<Pack, Dim> Bonded<M, Dim>::of_bonds(int group) const {
-  Sym<Pack, Dim> S{};
-  const AffineStretch stretch(right_cauchy_green(F_[group]));
-  for (int b = cancelled_begin_[group]; b < cancelled_begin_[group + 1]; b += cancelled_at_once) {
-    Pack slope[cancelled_at_once];
-    for (int n = 0; n < cancelled_at_once; ++n) slope[n] = stretch.of(cancelled_[b + n]);
-    take_cancelled_slopes(slope);
-    for (int n = 0; n < cancelled_at_once; ++n) {
-      const Cancelled& own = cancelled_[b + n];
-      const Pack pull = own.Gw * slope[n];
-      for (int k = 0; k < dyad_size; ++k) S.c[k] += pull * own.dyad[k];
-      S.c[dyad_size] += pull;
-    }
-  }
-  for (int k = 0; k < Dim - 1; ++k) S(Dim - 1, Dim - 1) -= S(k, k);
-  return S;
-}
-
 /// V_i W(F_i) less what is cancelled of the bonds, of four particles, J
 template <const Formulation& M, int Dim>
 Pack Bonded<M, Dim>::energy_of_four(int group) const {
   const Sites& sites = sites_[group];
   Sym<Pack, Dim> C = right_cauchy_green(F_[group]);
   for (int k = 0; k < Dim; ++k) C(k, k) = sites.V > 0 ? C(k, k) : filled<Pack>(1);
-  Pack energy = sites.V * sites.law.energy(F_[group]);
-  const AffineStretch stretch(C);
-  for (int b = cancelled_begin_[group]; b < cancelled_begin_[group + 1]; ++b)
-    energy -= cancelled_[b].Gw * cancelled_energy(stretch.of(cancelled_[b]));
-  return energy;
+  return sites.V * sites.law.energy(F_[group]) - cancelled_.energy(group, C);
 }
 
 /// F and the bonds' force of four particles, or fewer in the last group, and their energy if asked for. The
@@ -389,7 +312,7 @@ double Bonded<M, Dim>::strain(int group) {
     for (int k = 0; k < Dim; ++k)
       A(a, k) = sums_of([&](const Strained& one) -> const Pack& { return one.A(a, k); });
     const Pack f = sums_of([&](const Strained& one) -> const Pack& { return one.f[a]; });
-    for (int lane = 0; lane < count; ++lane) bond_force_[first + lane][a] = f[lane];
+    for (int lane = 0; lane < lanes; ++lane) bond_force_[first + lane][a] = f[lane];
   }
   const Sites& sites = sites_[group];
   F_[group] = product(A, sites.B);
@@ -416,14 +339,14 @@ void Bonded<M, Dim>::stress_pass() {
     const Sites& sites = sites_[group];
     const Mat<Pack, Dim>& F = F_[group];
     Mat<Pack, Dim> T = sites.V * sites.law.piola(F);
-    const Mat<Pack, Dim> FS = product(F, of_bonds(group));
+    const Mat<Pack, Dim> FS = product(F, cancelled_.slopes(group, right_cauchy_green(F)));
     for (int a = 0; a < Dim; ++a)
       for (int k = 0; k < Dim; ++k) T(a, k) -= FS(a, k);
     const Mat<Pack, Dim> Q = product(T, sites.B);
-    const int first = group * lanes, count = std::min(lanes, s_.size() - first);
-    for (int lane = 0; lane < count; ++lane)
-      for (int a = 0; a < Dim; ++a)
-        for (int k = 0; k < Dim; ++k) stress_[first + lane].c[a * Dim + k] = Q(a, k)[lane];
+    Pack columns[StressRow::width] = {};
+    for (int a = 0; a < Dim; ++a)
+      for (int k = 0; k < Dim; ++k) columns[a * Dim + k] = Q(a, k);
+    scatter<StressRow::width>(columns, stress_[lanes * group].c);
   });
 }
 

@@ -96,6 +96,10 @@ void check_gather() {
     gather<Width>(table, j.data(), out);
     for (int lane = 0; lane < lanes; ++lane)
       for (int k = 0; k < Width; ++k) CHECK(out[k][lane] == table[j[lane] * Width + k]);
+    alignas(sizeof(Pack)) double back[lanes * Width];
+    scatter<Width>(out, back);
+    for (int lane = 0; lane < lanes; ++lane)
+      for (int k = 0; k < Width; ++k) CHECK(back[lane * Width + k] == out[k][lane]);
   }
 }
 
@@ -148,13 +152,16 @@ TEST_SUITE("unit") {
     const Sym<double, 2> s = some_sym<2>(9);
     for (int k = 0; k < 3; ++k) CHECK(sum(spread(v))[k] == 4 * v[k]);
     for (int k = 0; k < 3; ++k) CHECK(sum(spread(s)).c[k] == Approx(4 * s.c[k]));
+    const Vec<Pack, 3> lane_by_lane{Pack{1, 2, 3, 4}, Pack{10, 20, 30, 40}, Pack{100, 200, 300, 400}};
+    for (int k = 0; k < 3; ++k) CHECK(sum(lane_by_lane)[k] == sum(lane_by_lane[k]));
+    CHECK(sum(Vec<Pack, 2>{lane_by_lane[0], lane_by_lane[1]})[1] == 100);
     Mat<Pack, 2> m{};
     add_outer(m, Pack{1, 2, 3, 4}, spread(Vec<double, 2>{1, 2}), spread(Vec<double, 2>{3, 5}));
     CHECK(sum(m)(0, 1) == 10 * 5);
     CHECK(sum(m)(1, 0) == 10 * 6);
   }
 
-  TEST_CASE("pack: gathers and transposes four rows") {
+  TEST_CASE("pack: gathers and transposes four rows, and back") {
     check_gather<4>();
     check_gather<8>();
   }
@@ -169,6 +176,8 @@ TEST_SUITE("unit") {
       CHECK(filled<Pack>(2.5)[lane] == 2.5);
     }
     CHECK(sum(Pack{1, 20, 300, 4000}) == 4321);
+    CHECK(any(a < 0.1));
+    CHECK(!any(a < 0));
   }
 
   TEST_CASE("parallel: every index once, on any number of threads") {

@@ -76,6 +76,26 @@ TEST_SUITE("analytic") {
   }
 }
 
+TEST_SUITE("analytic") {
+  TEST_CASE("critical step in 3D: the sharp limit of the cubic lattice") {
+    Scene cube = square();
+    cube.dim = 3;
+    cube.spacing = 0.1;
+    cube.bodies[0].shapes = {Box{{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}}};
+    const Settings settings = with_method("tl");
+    const auto limits = step_limits(cube, settings);
+    REQUIRE(limits.size() == 1);
+    CHECK(critical(cube, settings) == Approx(limits[0].step).epsilon(0.05));
+    // with the six nearest alone the corrected V W' is 1/2 at each, and the steepest wave (1, 1, 1) π/2: |κ| = √3
+    Settings six = settings;
+    six.constants["h"] = 0.6;
+    const Material& m = cube.materials[0];
+    const double c_p = std::sqrt((m.bulk_modulus() + 4 * m.shear_modulus() / 3) / m.density);
+    CHECK(step_limits(cube, six)[0].step == Approx(2 * cube.spacing / (c_p * std::sqrt(3.0))));
+    CHECK(step_limits(cube, with_h(0.45, 1)).size() == 1);  // [Zhang2020] has four neighbours
+  }
+}
+
 TEST_SUITE("convergence") {
   TEST_CASE("critical step: least between short and long h, normalising helps the short and harms the long") {
     const auto step = [](double h, double normalised) { return critical(square(), with_h(h, normalised)); };

@@ -86,6 +86,34 @@ TEST_SUITE("unit") {
     CHECK(field_error(free, moved, shear())->rms == Approx(left).epsilon(1e-9));
   }
 
+  TEST_CASE("field_error: in 3D the free motion may be about any axis") {
+    // displaced by (0.1 y, 0, 0), by the small motion (0.3, −0.2, 0.1) + (0.2, 0.5, −0.4) × X, and at one by more
+    const auto displaced = [](double moved, Point extra) {
+      Snapshot now = made_snapshot(3, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}, {0.5, 2, 3}});
+      now.time = 0.1;
+      for (std::size_t i = 0; i < now.size(); ++i) {
+        const Point X = now.initial(i);
+        now.x[3 * i] += 0.1 * X[1] + moved * (0.3 + 0.5 * X[2] + 0.4 * X[1]);
+        now.x[3 * i + 1] += moved * (-0.2 - 0.4 * X[0] - 0.2 * X[2]);
+        now.x[3 * i + 2] += moved * (0.1 + 0.2 * X[1] - 0.5 * X[0]);
+      }
+      for (std::size_t k = 0; k < 3; ++k) now.x[3 * 3 + k] += extra[k];
+      return now;
+    };
+    Measure fixed = displacement();
+    fixed.fields.emplace_back("displacement_z");
+    Measure free = fixed;
+    free.rigid_motion_free = true;
+    std::vector<Solution> exact = shear();
+    exact.emplace_back([](const Point&, double) { return 0.0; });
+    CHECK(field_error(fixed, displaced(1, {}), exact)->greatest > 1);
+    CHECK(field_error(free, displaced(1, {}), exact)->greatest < 1e-12);
+    const double left = field_error(free, displaced(0, {0.03, -0.04, 0.05}), exact)->rms;
+    CHECK(left > 0.2 * field_error(fixed, displaced(0, {0.03, -0.04, 0.05}), exact)->rms);
+    CHECK(left < field_error(fixed, displaced(0, {0.03, -0.04, 0.05}), exact)->rms);
+    CHECK(field_error(free, displaced(1, {0.03, -0.04, 0.05}), exact)->rms == Approx(left).epsilon(1e-9));
+  }
+
   TEST_CASE("field_rmse, field_error: of the end of the run, against 0") {
     Scene scene = made_scene(2, 1, {unit_bulk()});
     scene.until = 0.1;

@@ -74,6 +74,43 @@ TEST_SUITE("unit") {
     CHECK(value("stress_xy", now, 1) == 2);
   }
 
+  TEST_CASE("fields: every component of the stress in 3D, and its principal values in any axes") {
+    Snapshot now = made_snapshot(3, {{0, 0, 0}, {1, 0, 0}});
+    now.p = {7, 1};
+    now.s = {1, 2, 3, 4, 5, -5, 0, 2, 2, 0, 2, 0};  // xx, xy, xz, yy, yz, zz; tension along (1, 1, 1)
+    CHECK(value("stress_xx", now) == 1 - 7);
+    CHECK(value("stress_xy", now) == 2);
+    CHECK(value("stress_xz", now) == 3);
+    CHECK(value("stress_yy", now) == 4 - 7);
+    CHECK(value("stress_yz", now) == 5);
+    CHECK(value("stress_zz", now) == -5 - 7);
+    CHECK(value("principal_1", now, 1) == doctest::Approx(4 - 1));
+    CHECK(value("principal_2", now, 1) == doctest::Approx(-2 - 1));
+    CHECK(value("principal_3", now, 1) == doctest::Approx(-2 - 1));
+    now.s[1] = NAN;
+    CHECK(std::isnan(value("principal_2", now)));
+    CHECK(value("principal_1", now, 1) == doctest::Approx(3));
+  }
+
+  TEST_CASE("fields: principal stresses in 2D are those of the plane and σ_zz, the greatest first") {
+    Snapshot now = made_snapshot(2, {{0, 0, 0}});
+    now.p = {1};
+    now.s = {3, 4, -3, 0.5};  // in the plane ±5 about −p
+    CHECK(value("principal_1", now) == doctest::Approx(4));
+    CHECK(value("principal_2", now) == doctest::Approx(-0.5));
+    CHECK(value("principal_3", now) == doctest::Approx(-6));
+  }
+
+  TEST_CASE("fields: what only 3D has is not there in 2D") {
+    CHECK(fields(2).size() + 5 == fields(3).size());
+    for (const char* key : {"velocity_z", "displacement_z", "stress_xz", "stress_yz", "stress_zz"}) {
+      CAPTURE(key);
+      CHECK(find_field(key, 3) != nullptr);
+      CHECK(find_field(key, 2) == nullptr);
+    }
+    CHECK(find_field("principal_3", 2) == find_field("principal_3", 3));
+  }
+
   TEST_CASE("fields: motion") {
     Snapshot now = made_snapshot(3, {{9, 9, 9}, {1, 2, 3}});
     now.x = {9, 9, 9, 3, -1, 9};
@@ -82,9 +119,11 @@ TEST_SUITE("unit") {
     CHECK(value("displacement", now, 1) == doctest::Approx(7));  // (2, −3, 6)
     CHECK(value("displacement_x", now, 1) == 2);
     CHECK(value("displacement_y", now, 1) == -3);
+    CHECK(value("displacement_z", now, 1) == 6);
     CHECK(value("speed", now, 1) == doctest::Approx(3));
     CHECK(value("velocity_x", now, 1) == 1);
     CHECK(value("velocity_y", now, 1) == -2);
+    CHECK(value("velocity_z", now, 1) == 2);
     CHECK(value("density", now, 1) == 7);
     CHECK(value("displacement", now, 0) == 0);
     CHECK(value("speed", now, 0) == 0);
@@ -96,7 +135,7 @@ TEST_SUITE("unit") {
     now.v = {-1, -1};
     now.p = {-1};
     now.s = {-3, -1, -3, 6};
-    for (const Field& field : fields()) {
+    for (const Field& field : fields(2)) {
       CAPTURE(field.key);
       if (field.value(now, 0) < 0) CHECK(field.is_signed);
     }

@@ -155,6 +155,21 @@ TEST_SUITE("unit") {
     CHECK_FALSE(measure(scene, {}, "neo_hookean", {{}}).at(0).value);
   }
 
+  TEST_CASE("line_rmse: the distance along a line in 3D is that in space") {
+    Scene scene;
+    scene.lines = {line_across_plate({1})};
+    scene.lines[0].from = {1, 2, 3};
+    scene.lines[0].to = {4, 6, 15};  // 13 m
+    scene.lines[0].points = 2;
+    Measure of_line;
+    of_line.name = "number";
+    of_line.kind = "line_rmse";
+    of_line.line = "across";
+    scene.measures = {of_line};
+    scene.references["neo_hookean"].table["number"] = {{0, 26}, {{0, 26}}};
+    CHECK(*measure(scene, {}, "neo_hookean", {{{1, 3, {0, 13}}}}).at(0).value == relative(0.0, 1e-12));
+  }
+
   TEST_CASE("line_rmse: over all points and times, the reference at the time of the step") {
     Scene scene;
     scene.lines = {line_across_plate({1, 2})};

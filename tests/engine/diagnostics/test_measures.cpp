@@ -286,6 +286,38 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE("turn: in 3D about the axis of the measure, whatever moves along it") {
+    Scene scene = scene_of("turn");
+    scene.probes.resize(3);
+    scene.probes[2].name = "z";
+    scene.measures[0].probes = {"y", "gap", "z"};
+    scene.until = 3;
+    // about (2, −1, 2)/3, which (1, 2, 0)/√5 and (−4, 2, 5)/√45 complete to right-handed axes
+    const Point axis{2.0 / 3, -1.0 / 3, 2.0 / 3}, first{1 / std::sqrt(5.0), 2 / std::sqrt(5.0), 0},
+        second{-4 / std::sqrt(45.0), 2 / std::sqrt(45.0), 5 / std::sqrt(45.0)};
+    const auto place = [&](double angle, double along, std::size_t k) {
+      return along * axis[k] + 0.7 * (std::cos(angle) * first[k] + std::sin(angle) * second[k]);
+    };
+    scene.measures[0].axis = axis;
+    Series series{unequal_times(3.1, 1e-3), {{}, {}, {}}};
+    for (const double t : series.time)
+      for (std::size_t k = 0; k < 3; ++k) series.value[k].push_back(place(1 + 9 * t, 5 * std::sin(t), k));
+    Reference& reference = scene.references["neo_hookean"];
+    reference.name = "exact";
+    for (std::size_t k = 0; k < 3; ++k)
+      reference.solution["number"].emplace_back([=](const Point&, double t) { return place(-4 * t, t, k); });
+    expect(result(scene, series).value, 27, 1e-6);
+    expect(result(scene, series).reference, -12, 1e-6);
+    reference.solution.clear();
+    ReferenceTable& table = reference.table["number"];
+    table.value.resize(3);
+    for (int row = 0; row <= 3; ++row) {
+      table.t.push_back(row);
+      for (std::size_t k = 0; k < 3; ++k) table.value[k].push_back(place(row * pi / 2, 0, k));
+    }
+    expect(result(scene, series).reference, 1.5 * pi, 1e-9);
+  }
+
   TEST_CASE("minimum and maximum: of the steps, none while still on the way") {
     expect(value("minimum", {0, 1, 2, 3}, {5, 2, 3, 7}), 2);
     expect(value("maximum", {0, 1, 2, 3}, {5, 2, 9, 7}), 9);

@@ -63,6 +63,54 @@ Snapshot hairpin(double r) {
   return now;
 }
 
+/// A block of 9 × 9 × 4 particles whose upper layer is at z = 0, and one of 5 × 5 × 4 above it, 10 dp away.
+Snapshot two_cubes() {
+  std::vector<Point> places;
+  for (int k = 0; k < 4; ++k) add_rows(places, 9, 9, {0, 0, 0});
+  for (int k = 0; k < 4; ++k) add_rows(places, 5, 5, {2 * dp, 2 * dp, 0});
+  for (std::size_t i = 0; i < places.size(); ++i)
+    places[i][2] =
+        i < 4 * 81 ? -dp * static_cast<double>(i / 81) : dp * (10 + static_cast<double>((i - 4 * 81) / 25));
+  Snapshot now = made_snapshot(3, places);
+  for (std::size_t i = 4 * 81; i < now.size(); ++i) now.body[i] = 1;
+  return now;
+}
+
+/// Body 1 as at the start, moved so that its lower layer is at (2 dp + right, 2 dp + right, up).
+void put_cube(Snapshot& now, double right, double up) {
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (now.body[i] == 0) continue;
+    now.x[3 * i] = now.x0[3 * i] + right;
+    now.x[3 * i + 1] = now.x0[3 * i + 1] + right;
+    now.x[3 * i + 2] = now.x0[3 * i + 2] - 10 * dp + up;
+  }
+}
+
+/// About x by `angle`, then about z.
+void turn_all(Snapshot& now, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    double* x = &now.x[3 * i];
+    const double y = c * x[1] - s * x[2], z = s * x[1] + c * x[2];
+    const double first = c * x[0] - s * y;
+    x[1] = s * x[0] + c * y, x[0] = first, x[2] = z;
+  }
+}
+
+/// The hairpin as a sheet, five particles wide.
+Snapshot folded_sheet(double r) {
+  const Snapshot strip = hairpin(r);
+  std::vector<Point> places, initial;
+  for (int k = 0; k < 5; ++k)
+    for (std::size_t i = 0; i < strip.size(); ++i) {
+      places.push_back({strip.x[2 * i], strip.x[2 * i + 1], k * dp});
+      initial.push_back({strip.x0[2 * i], strip.x0[2 * i + 1], k * dp});
+    }
+  Snapshot now = made_snapshot(3, initial);
+  now.x = made_snapshot(3, places).x;
+  return now;
+}
+
 }  // namespace
 
 TEST_SUITE("unit") {
@@ -155,10 +203,51 @@ TEST_SUITE("unit") {
     CHECK(found < 200);
   }
 
-  TEST_CASE("penetration: nothing is found in three dimensions") {
-    Snapshot now = made_snapshot(3, {{0, 0, 0}, {dp, 0, 0}, {0, dp, 0}, {0.3 * dp, 0.3 * dp, 0}});
-    now.body[3] = 1;
-    CHECK(Penetration(now, dp)(now) == 0);
+  TEST_CASE("penetration in 3D: faces that touch or dent each other are no penetration, at any angle") {
+    const Snapshot start = two_cubes();
+    Penetration penetration(start, dp);
+    CHECK(penetration(start) == 0);
+    for (const double turn : {0.0, 0.3, 0.7})
+      for (const double right : {0.0, 0.25 * dp, 0.5 * dp})
+        for (const double up : {dp, 0.7 * dp, 0.3 * dp, 0.0}) {
+          CAPTURE(turn);
+          CAPTURE(right);
+          CAPTURE(up);
+          Snapshot now = start;
+          put_cube(now, right, up);
+          turn_all(now, turn);
+          CHECK(penetration(now) == 0);
+          for (std::size_t i = 0; i < now.size(); ++i) {  // pressed into a bowl of radius 10 dp
+            const Point X = start.initial(i);
+            now.x[3 * i + 2] += ((X[0] - 0.4) * (X[0] - 0.4) + (X[1] - 0.4) * (X[1] - 0.4)) / (20 * dp);
+          }
+          if (turn == 0) CHECK(penetration(now) == 0);
+        }
+  }
+
+  TEST_CASE(
+      "penetration in 3D: a body is in another from a depth of 0.41 spacings behind four of its particles") {
+    const Snapshot start = two_cubes();
+    const auto inside = [&](double right, double up, double turn = 0) {
+      Snapshot now = start;
+      put_cube(now, right, up);
+      turn_all(now, turn);
+      return Penetration(start, dp)(now);
+    };
+    CHECK(inside(0.5 * dp, -0.3 * dp) == 0);
+    CHECK(inside(0.5 * dp, -0.5 * dp) > 0);
+    CHECK(inside(0.5 * dp, -2 * dp) > 0);
+    CHECK(inside(0.1 * dp, -3 * dp) > 0);
+    CHECK(inside(0.1 * dp, -3 * dp, 0.5) > 0);
+    CHECK(inside(30 * dp, -2 * dp) == 0);  // beside it
+  }
+
+  TEST_CASE("penetration in 3D: a sheet folded into itself, and not one folded onto itself") {
+    const Snapshot start = folded_sheet(1e9);  // straight
+    Penetration penetration(start, dp);
+    CHECK(penetration(start) == 0);
+    CHECK(penetration(folded_sheet(2.1 * dp)) == 0);
+    CHECK(penetration(folded_sheet(1.2 * dp)) > 0);
   }
 
   TEST_CASE("judge: the time of the first penetration counts, and a checkpoint keeps it") {

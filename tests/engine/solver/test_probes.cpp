@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/error.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
@@ -33,6 +34,19 @@ Probe at_point(Probe::Kind kind, int body, const Point& at, int axis) {
   probe.at = at;
   probe.axis = axis;
   return probe;
+}
+
+/// A block about the origin with these half sides.
+Scene block(const Point& half) {
+  Scene scene;
+  scene.dim = 3;
+  scene.spacing = 0.001;
+  scene.materials = {ring_rubber()};
+  Body body;
+  body.name = "block";
+  body.shapes = {Box{{-half[0], -half[1], -half[2]}, half}};
+  scene.bodies = {body};
+  return scene;
 }
 
 }  // namespace
@@ -129,5 +143,70 @@ TEST_SUITE("unit") {
     CHECK(make_simulation(scene, with_method("enog"))->series().value[0][0] < 1e-16);
     scene.probes[0].at[0] = 0.0005;
     CHECK(make_simulation(scene, with_method("enog"))->series().value[0][0] == relative(0.001));
+  }
+
+  TEST_CASE("probes: a mass centre goes where its body flies") {
+    const double speed = 3;
+    Scene scene = two_discs(0.01, speed);
+    scene.probes = {at_point(Probe::Kind::mean_position, 1, {}, 0),
+                    at_point(Probe::Kind::mean_position, 1, {}, 1)};
+    const auto simulation = make_simulation(scene, with_method("enog"));
+    make_steps(*simulation, 40);
+    const Series& series = simulation->series();
+    CHECK(series.value[0].back() == relative(0.012 - speed * series.time.back()));
+    CHECK(std::abs(series.value[1].back()) < 1e-15);
+  }
+
+  TEST_CASE("probes: a body that is its own mirror image, and how far it is from it when it is not") {
+    Scene scene = block({0.005, 0.003, 0.002});
+    scene.probes = {make_probe("x", Probe::Kind::mirror_asymmetry, {0, 0}),
+                    make_probe("y", Probe::Kind::mirror_asymmetry, {0, 0})};
+    scene.probes[1].axis = 1;
+    // v_x odd in x and even in y; v_y even in x, with a part that is even in y: off by twice that
+    scene.bodies[0].velocity[0] = [](const Point& x) { return 2 * x[0]; };
+    scene.bodies[0].velocity[1] = [](const Point& x) { return x[1] + 0.001; };
+    const auto simulation = make_simulation(scene, with_method("tl"));
+    make_steps(*simulation, 1);
+    CHECK(simulation->series().value[0][0] < 1e-15);
+    CHECK(simulation->series().value[0][1] < 1e-15);
+    CHECK(simulation->series().value[1][0] < 1e-15);
+    CHECK(simulation->series().value[1][1] == relative(0.002 * simulation->time(), 1e-3));
+    scene.probes[0].at[0] = 0.0007;  // that plane is not one of symmetry
+    CHECK_THROWS_AS(make_simulation(scene, with_method("tl")), SceneError);
+  }
+
+  TEST_CASE("probes: in 3D the turn of a point about any axis, whole turns counted, with its sense") {
+    const Point axis{2.0 / 3, -1.0 / 3, 2.0 / 3}, at{0.004, 0.003, -0.002};
+    for (const double omega : {200.0, -200.0}) {
+      CAPTURE(omega);
+      Scene scene = block({0.005, 0.003, 0.002});
+      for (std::size_t k = 0; k < 3; ++k)
+        scene.bodies[0].velocity[k] = [=](const Point& x) {
+          return omega * (axis[(k + 1) % 3] * x[(k + 2) % 3] - axis[(k + 2) % 3] * x[(k + 1) % 3]);
+        };
+      Probe turn = make_probe("turn", Probe::Kind::turn);
+      turn.at = at;
+      turn.turns_about = axis;
+      scene.probes = {turn, turn};
+      scene.probes[1].turns_about = {0, 0, 1};
+      const auto simulation = make_simulation(scene, with_method("tl"));
+      simulation->advance_to(0.05);  // 1.6 turns; the strain of the turn is 1e-4
+      const Series& series = simulation->series();
+      CHECK(series.value[0].front() == 0);
+      CHECK(series.value[0].back() == relative(omega * series.time.back(), 1e-3));
+      // about z the point goes to and fro: the angle that its place has there, and no whole turn but those it makes
+      CHECK(std::abs(series.value[1].back() - omega * series.time.back()) > 0.1);
+    }
+  }
+
+  TEST_CASE("probes: in 2D a turn is about z") {
+    Scene scene = rotating_plate(0.01);
+    Probe turn = make_probe("turn", Probe::Kind::turn);
+    turn.at = {0.01, 0.005, 0};
+    scene.probes = {turn};
+    const double omega = scene.bodies[0].velocity[1]({1, 0, 0});
+    const auto simulation = make_simulation(scene, with_method("oenog"));
+    simulation->advance_to(7 / omega);
+    CHECK(simulation->series().value[0].back() == relative(omega * simulation->time(), 1e-3));
   }
 }

@@ -1,0 +1,107 @@
+#include "cli/drawing/staging.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "engine/error.hpp"
+#include "engine/scene/initial_particles.hpp"
+
+namespace taut::cli {
+namespace {
+
+Point point(std::span<const double> of, int dim, std::size_t i) {
+  const auto stride = static_cast<std::size_t>(dim);
+  Point x{};
+  for (std::size_t k = 0; k < stride; ++k) x[k] = of[stride * i + k];
+  return x;
+}
+
+}  // namespace
+
+Origins origins_of(const Snapshot& snapshot) {
+  return {snapshot.dim, snapshot.x0, snapshot.m, snapshot.body};
+}
+
+Origins origins_of(const Scene& scene) {
+  const InitialParticles particles = make_initial_particles(scene);
+  Origins origins{scene.dim, {}, {}, particles.body};
+  for (std::size_t i = 0; i < particles.V0.size(); ++i) {
+    const Point& x = particles.x[i];
+    origins.x0.insert(origins.x0.end(), x.begin(), x.begin() + scene.dim);
+    const auto material = static_cast<std::size_t>(particles.material[i]);
+    origins.m.push_back(scene.materials[material].density * particles.V0[i]);
+  }
+  return origins;
+}
+
+FrameView StagedParticles::view() const {
+  FrameView view;
+  view.dim = dim;
+  view.time = time;
+  view.x = x;
+  view.diameter = diameter;
+  view.value = value;
+  view.cell = cell;
+  return view;
+}
+
+Staging::Staging(const Drawing& drawing, Origins origins)
+    : origins_(std::move(origins)), followed_(drawing.followed), shown_(origins_.size()) {
+  std::iota(shown_.begin(), shown_.end(), std::size_t{0});
+  if (!drawing.is_cut) return;
+  std::erase_if(shown_,
+                [&](std::size_t i) { return drawing.is_cut(point(origins_.x0, origins_.dim, i)) != 0; });
+  if (shown_.empty() && origins_.size() > 0)
+    throw UsageError("cut = \"" + drawing.cut +
+                     "\" leaves no particle to draw: it holds at the start of every one; cut away less, or "
+                     "turn it round");
+}
+
+/// The centre of mass of the body that is followed.
+Point Staging::middle(const FrameView& particles) const {
+  Point sum{};
+  double mass = 0;
+  for (std::size_t i = 0; i < origins_.size(); ++i) {
+    if (origins_.body[i] != *followed_) continue;
+    const Point x = point(particles.x, particles.dim, i);
+    for (std::size_t k = 0; k < x.size(); ++k) sum[k] += origins_.m[i] * x[k];
+    mass += origins_.m[i];
+  }
+  for (double& component : sum) component /= mass;
+  return sum;
+}
+
+StagedParticles Staging::operator()(const FrameView& particles) const {
+  if (particles.value.size() != origins_.size())
+    throw UsageError("these are not the particles of the scene: there are " +
+                     std::to_string(particles.value.size()) + " of them, and the scene has " +
+                     std::to_string(origins_.size()));
+  const Point origin = followed_ ? middle(particles) : Point{};
+  StagedParticles staged{particles.dim, particles.time, {}, {}, {}, {}};
+  for (const std::size_t i : shown_) {
+    const Point x = point(particles.x, particles.dim, i);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(particles.dim); ++k)
+      staged.x.push_back(x[k] - origin[k]);
+    staged.diameter.push_back(particles.diameter[i]);
+    staged.value.push_back(particles.value[i]);
+  }
+  return staged;
+}
+
+void Staging::extend(SequenceBounds& bounds, const StagedParticles& staged) const {
+  FrameView view = staged.view();
+  if (!followed_) return bounds.add(view);
+  bounds.add_values(std::vector<float>(view.value.begin(), view.value.end()));
+  std::vector<float> x;
+  double diameter = 0;
+  for (std::size_t k = 0; k < shown_.size(); ++k) {
+    if (origins_.body[shown_[k]] != *followed_) continue;
+    const Point at = point(view.x, view.dim, k);
+    x.insert(x.end(), at.begin(), at.begin() + view.dim);
+    diameter = std::max(diameter, view.diameter[k]);
+  }
+  bounds.add_positions(x, view.dim, diameter);
+}
+
+}  // namespace taut::cli

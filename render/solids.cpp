@@ -1,0 +1,172 @@
+#include "render/solids.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+namespace taut::render {
+namespace {
+
+/// The samples of a row, from and to, that a ball covers; `samples` are as wide as half a pixel, their centres
+/// in the middle of that.
+struct Span {
+  int from, to;  // behind the last
+};
+
+Span span_of(float centre, float half, int width) {
+  return {std::max(static_cast<int>(std::ceil(centre - half - 0.5f)), 0),
+          std::min(static_cast<int>(std::floor(centre + half - 0.5f)) + 1, width)};
+}
+
+/// Calls `visit(first sample, last + 1)` for every row of samples within `radius` of a place, all in samples;
+/// stops where it returns false.
+template <class Visit>
+void for_rows(float x, float y, float radius, int width, int height, const Visit& visit) {
+  const Span rows = span_of(y, radius, height);
+  for (int row = rows.from; row < rows.to; ++row) {
+    const float dy = static_cast<float>(row) + 0.5f - y;
+    const float half = std::sqrt(std::max(radius * radius - dy * dy, 0.0f));
+    const Span span = span_of(x, half, width);
+    const auto offset = static_cast<std::size_t>(row) * static_cast<std::size_t>(width);
+    if (span.from < span.to &&
+        !visit(offset + static_cast<std::size_t>(span.from), offset + static_cast<std::size_t>(span.to)))
+      return;
+  }
+}
+
+std::uint32_t dimmed(std::uint32_t color, float light) {
+  auto bytes = std::bit_cast<std::array<std::uint8_t, 4>>(color);
+  for (int k = 0; k < 3; ++k)
+    bytes[static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(
+        std::lround(light * static_cast<float>(bytes[static_cast<std::size_t>(k)])));
+  return std::bit_cast<std::uint32_t>(bytes);
+}
+
+Vector at(std::span<const double> of, std::size_t i) { return {of[3 * i], of[3 * i + 1], of[3 * i + 2]}; }
+
+Vector sum(const Vector& a, const Vector& b, double times = 1) {
+  return {a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]};
+}
+
+}  // namespace
+
+double drawn_radius(double radius) {
+  constexpr double full = 2.0;    // pixels, radius from which the size is kept
+  constexpr double filled = 1.0;  // pixels, radius up to which the square is filled
+  constexpr double rim = 0.25;    // pixels, half the width of the antialiased rim
+  const double small = std::clamp((full - radius) / (full - filled), 0.0, 1.0);
+  return std::lerp(radius, std::numbers::sqrt2 * radius + rim, small);
+}
+
+// written so that a NaN is left out
+bool Solids::in_picture(double x, double y, double reach) const {
+  return reach > 0 && x > -reach && x < layout_.plot.width + reach && y > -reach &&
+         y < layout_.plot.height + reach;
+}
+
+void Solids::place_balls(const FrameView& frame, const Projection& projection,
+                         std::span<const std::uint32_t> colors) {
+  balls_.clear();
+  corners_.clear();
+  for (std::size_t i = 0; i < frame.value.size(); ++i) {
+    const Projection::Seen seen = projection(at(frame.x, i));
+    const double x = layout_.column(seen.at[0]), y = layout_.row(seen.at[1]);
+    const double size = 0.5 * frame.diameter[i] * seen.scale * layout_.pixels_per_metre;
+    const double radius = drawn_radius(size);
+    if (!(size > 0) || !in_picture(x, y, radius) || !std::isfinite(seen.at[2])) continue;
+    balls_.push_back({static_cast<float>(x), static_cast<float>(y),
+                      static_cast<float>(seen.at[2] * layout_.pixels_per_metre), static_cast<float>(radius),
+                      colors[i]});
+  }
+  drop_hidden();
+}
+
+/// From front to back: a ball is hidden where every sample that it can cover has another before its front.
+void Solids::drop_hidden() {
+  constexpr std::size_t few = 2000;  // are drawn sooner than looked through
+  if (balls_.size() < few) return;
+  std::ranges::sort(balls_, [](const Ball& a, const Ball& b) { return a.z > b.z; });
+  const int width = 2 * layout_.plot.width, height = 2 * layout_.plot.height;
+  nearest_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), -1e30f);
+  constexpr float doubt = 0.1f;  // samples; OpenGL rounds otherwise than this does
+  const auto hidden = [&](const Ball& ball) {
+    const float x = 2 * ball.x, y = 2 * ball.y, radius = 2 * ball.radius;
+    const float front = ball.z + ball.radius;
+    bool all = true;
+    for_rows(x, y, radius + doubt, width, height, [&](std::size_t from, std::size_t to) {
+      for (; from < to && all; ++from) all = nearest_[from] >= front;
+      return all;
+    });
+    if (all) return true;
+    for_rows(x, y, radius - doubt, width, height, [&](std::size_t from, std::size_t to) {
+      for (; from < to; ++from) nearest_[from] = std::max(nearest_[from], ball.z);
+      return true;
+    });
+    return false;
+  };
+  std::erase_if(balls_, hidden);
+}
+
+void Solids::place_boxes(const FrameView& frame, const Projection& projection,
+                         std::span<const std::uint32_t> colors) {
+  balls_.clear();
+  corners_.clear();
+  const double scale = layout_.pixels_per_metre;
+  for (std::size_t i = 0; i < frame.value.size(); ++i) {
+    const Projection::Seen seen = projection(at(frame.x, i));
+    if (!(seen.scale > 0)) continue;
+    const Vector centre{layout_.column(seen.at[0]), layout_.row(seen.at[1]), seen.at[2] * scale};
+    std::array<Vector, 3> half;
+    double reach = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector way = projection.way(at(frame.cell, 3 * i + k), seen);
+      half[k] = {0.5 * scale * way[0], -0.5 * scale * way[1], 0.5 * scale * way[2]};
+      reach += std::hypot(half[k][0], half[k][1], half[k][2]);
+    }
+    if (!in_picture(centre[0], centre[1], reach)) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector &a = half[(k + 1) % 3], &b = half[(k + 2) % 3];
+      Vector normal = cross(a, b);
+      const double length = std::sqrt(dot(normal, normal));
+      if (!(length > 0)) continue;
+      const double side = normal[2] < 0 ? -1 : 1;  // the normal that looks at the camera
+      for (double& component : normal) component *= side / length;
+      // of the two faces the one on the camera's side
+      const double towards = dot(half[k], normal) < 0 ? -1 : 1;
+      add_face(sum(centre, half[k], towards), a, b,
+               dimmed(colors[i], light_on(static_cast<float>(normal[0]), static_cast<float>(normal[1]),
+                                          static_cast<float>(normal[2]))));
+    }
+  }
+}
+
+void Solids::place_parallelograms(const FrameView& frame, std::span<const std::uint32_t> colors) {
+  balls_.clear();
+  corners_.clear();
+  const double scale = layout_.pixels_per_metre;
+  for (std::size_t i = 0; i < frame.value.size(); ++i) {
+    const Vector centre{layout_.column(frame.x[2 * i]), layout_.row(frame.x[2 * i + 1]), 0};
+    std::array<Vector, 2> half;
+    double reach = 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double* way = &frame.cell[4 * i + 2 * k];
+      half[k] = {0.5 * scale * way[0], -0.5 * scale * way[1], 0};
+      reach += std::hypot(half[k][0], half[k][1]);
+    }
+    if (in_picture(centre[0], centre[1], reach)) add_face(centre, half[0], half[1], colors[i]);
+  }
+}
+
+void Solids::add_face(const Vector& centre, const Vector& a, const Vector& b, std::uint32_t color) {
+  const auto corner = [&](double of_a, double of_b) {
+    const Vector place = sum(sum(centre, a, of_a), b, of_b);
+    return Corner{static_cast<float>(place[0]), static_cast<float>(place[1]), static_cast<float>(place[2]),
+                  color};
+  };
+  const std::array<Corner, 4> around{corner(-1, -1), corner(1, -1), corner(-1, 1), corner(1, 1)};
+  for (const std::size_t k : {0u, 1u, 2u, 2u, 1u, 3u}) corners_.push_back(around[k]);
+}
+
+}  // namespace taut::render

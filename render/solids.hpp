@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/frame_view.hpp"
+#include "render/camera.hpp"
+#include "render/gl/solid_painter.hpp"
+#include "render/page/page_layout.hpp"
+
+namespace taut::render {
+
+/// The particles of a frame as they stand in a picture.
+class Solids {
+ public:
+  explicit Solids(const PageLayout& layout) : layout_(layout) {}
+
+  /// Spheres of the particles' size. Those that others hide are left out, which changes no pixel.
+  void place_balls(const FrameView& frame, const Projection& projection,
+                   std::span<const std::uint32_t> colors);
+  /// The faces of their cells that look at the camera, lit.
+  void place_boxes(const FrameView& frame, const Projection& projection,
+                   std::span<const std::uint32_t> colors);
+  /// The cells of a frame in 2D.
+  void place_parallelograms(const FrameView& frame, std::span<const std::uint32_t> colors);
+
+  std::span<const Ball> balls() const { return balls_; }
+  std::span<const Corner> corners() const { return corners_; }
+
+ private:
+  bool in_picture(double x, double y, double reach) const;
+  void drop_hidden();
+  void add_face(const Vector& centre, const Vector& a, const Vector& b, std::uint32_t color);
+
+  PageLayout layout_;
+  std::vector<Ball> balls_;
+  std::vector<Corner> corners_;
+  std::vector<float> nearest_;  // of every sample so far, pixels towards the camera
+};
+
+/// Radius, in pixels, that a round particle is drawn with.
+///
+/// A gap narrower than a pixel cannot be drawn: it comes out as moiré and washes the colour out. So a particle
+/// grows, by less than 0.7 pixel, until at a diameter of 2 pixels it fills the square about it.
+double drawn_radius(double radius);
+
+}  // namespace taut::render
