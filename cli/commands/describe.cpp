@@ -1,3 +1,5 @@
+#include <array>
+#include <cstddef>
 #include <ostream>
 
 #include <CLI/CLI.hpp>
@@ -64,19 +66,35 @@ Rows measure_rows(const Scene& scene) {
   return rows;
 }
 
+/// "x and z"; empty where no component is given.
+std::string axes_of(const std::array<Expression, 3>& components) {
+  std::string axes;
+  for (std::size_t k = 0; k < components.size(); ++k)
+    if (components[k]) axes += (axes.empty() ? "" : " and ") + std::string(1, "xyz"[k]);
+  return axes;
+}
+
+std::string motion_text(const Body& body) {
+  std::string text;
+  const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
+  if (const std::string along = axes_of(body.guided); !along.empty())
+    add("held along " + along + " in part");
+  else if (body.held)
+    add("held in part");
+  if (const std::string along = axes_of(body.displacement); !along.empty())
+    add("displaced along " + along + " at the start");
+  for (const Drive& drive : body.drives) add("driven in part until " + brief(drive.until) + " s");
+  for (const Load& load : body.loads) add("loaded in part: " + std::string(name(load.kind)));
+  return text;
+}
+
 Rows body_rows(const Scene& scene) {
   Rows rows;
   for (const Body& body : scene.bodies) {
     std::string materials = scene.materials[static_cast<std::size_t>(body.material)].name;
     for (const Part& part : body.parts)
       materials += ", " + scene.materials[static_cast<std::size_t>(part.material)].name + " in part";
-    std::string motion = body.held ? "held in part" : "";
-    for (const Drive& drive : body.drives)
-      motion +=
-          (motion.empty() ? "" : ", ") + std::string("driven in part until ") + brief(drive.until) + " s";
-    for (const Load& load : body.loads)
-      motion += (motion.empty() ? "" : ", ") + std::string("loaded in part: ") + std::string(name(load.kind));
-    rows.push_back({body.name, materials, motion});
+    rows.push_back({body.name, materials, motion_text(body)});
   }
   return rows;
 }
@@ -105,10 +123,15 @@ std::string contact_text(const MethodInfo& method) {
 }
 
 Rows wall_rows(const Scene& scene) {
+  const auto in_brackets = [&](const Point& p) {
+    std::string text = "(" + brief(p[0]);
+    for (std::size_t k = 1; k < static_cast<std::size_t>(scene.dim); ++k) text += ", " + brief(p[k]);
+    return text + ")";
+  };
   Rows rows;
   for (const Wall& wall : scene.walls)
-    rows.push_back({wall.name, "through (" + brief(wall.at[0]) + ", " + brief(wall.at[1]) + ") m",
-                    "normal (" + brief(wall.normal[0]) + ", " + brief(wall.normal[1]) + ")"});
+    rows.push_back(
+        {wall.name, "through " + in_brackets(wall.at) + " m", "normal " + in_brackets(wall.normal)});
   return rows;
 }
 

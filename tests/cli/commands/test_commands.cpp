@@ -1,3 +1,4 @@
+#include <fstream>
 #include <set>
 
 #include <doctest/doctest.h>
@@ -149,6 +150,22 @@ TEST_SUITE("cli") {
     for (const std::string part :
          {"Zhang2024", "zeta", "conserves", "2d_deviator", "sph as published; also impulse, penalty"})
       CHECK(contains(method.out, part));
+  }
+
+  TEST_CASE("describe tells what holds and displaces a body in 3D, and where a wall is") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "brick.toml")
+        << "dim = 3\nspacing = 0.1\nuntil = 1\n[material.m]\ndensity = 1\nyoungs_modulus = 1\npoisson_ratio "
+           "= 0\n"
+           "[[body]]\nname = \"brick\"\nmaterial = \"m\"\n"
+           "shape = { type = \"box\", low = [0, 0, 0], high = [1, 1, 1] }\n"
+           "held = [\"x < 0.1\", \"\", \"z < 0.1\"]\ndisplacement = [0, \"0.1*y\", 0]\n"
+           "[[wall]]\nname = \"floor\"\nat = [0, 0, -3]\nnormal = [0, 0, 2]\n";
+    const Outcome scene = call({"describe", (folder / "brick.toml").string()});
+    CHECK(scene.code == 0);
+    for (const std::string part : {"held along x and z in part, displaced along y at the start",
+                                   "through (0, 0, -3) m", "normal (0, 0, 1)"})
+      CHECK(contains(scene.out, part));
   }
 
   TEST_CASE("diff tells alike from different from unreadable by its exit code") {
