@@ -1,6 +1,9 @@
 #include "engine/diagnostics/alternating_part.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include <Eigen/Dense>
 
@@ -66,21 +69,67 @@ Eigen::VectorXd row(const Eigen::MatrixXd& quadratics, double kappa) {
   return kappa / left.norm() * left;
 }
 
+/// Where the particles of `near` are from its first, alike for the same places but for round-off.
+std::vector<int> surroundings(const Snapshot& start, const std::vector<int>& near, double spacing) {
+  constexpr double fine = 1e6;  // parts of a spacing
+  const Point xi = start.position(static_cast<std::size_t>(near[0]));
+  std::vector<int> places;
+  for (const int j : near) {
+    const Point xj = start.position(static_cast<std::size_t>(j));
+    for (std::size_t a = 0; a < 3; ++a)
+      places.push_back(static_cast<int>(std::lround(fine * (xj[a] - xi[a]) / spacing)));
+  }
+  return places;
+}
+
+/// The rows of those who have one. A lattice in 3D has few different ones: their weights would take more room
+/// than all else that is known of a particle.
+class Rows {
+ public:
+  Rows(const Snapshot& start, double spacing) : start_(start), spacing_(spacing), kappa_(scale(start.dim)) {}
+
+  /// `near` begins with the particle itself.
+  void add(std::vector<int>& near) {
+    int first = 0;
+    if (start_.dim == 3) {
+      std::ranges::sort(near.begin() + 1, near.end());
+      const auto [known, is_new] = shared_.try_emplace(surroundings(start_, near, spacing_));
+      if (is_new) known->second = add_weights(near);
+      first = known->second;
+    } else {
+      first = add_weights(near);
+    }
+    if (first < 0) return;
+    part_.j.insert(part_.j.end(), near.begin(), near.end());
+    part_.first_weight.push_back(first);
+    part_.begin.push_back(static_cast<int>(part_.j.size()));
+  }
+
+  AlternatingPart take() { return std::move(part_); }
+
+ private:
+  /// Where they begin; −1 if there are none.
+  int add_weights(const std::vector<int>& near) {
+    const Eigen::VectorXd w = row(quadratics(start_, near, spacing_), kappa_);
+    if (w.size() == 0) return -1;
+    part_.weight.insert(part_.weight.end(), w.begin(), w.end());
+    return static_cast<int>(part_.weight.size()) - static_cast<int>(w.size());
+  }
+
+  const Snapshot& start_;
+  double spacing_, kappa_;
+  AlternatingPart part_{{0}, {}, {}, {}};
+  std::map<std::vector<int>, int> shared_;  // surroundings → first weight
+};
+
 }  // namespace
 
 AlternatingPart alternating_part(const Snapshot& start, double spacing) {
-  AlternatingPart part{{0}, {}, {}};
-  const double kappa = scale(start.dim);
-  const std::vector<std::vector<int>> near = neighborhoods(start, reach * spacing);
-  for (std::size_t i = 0; i < near.size(); ++i) {
-    if (start.held[i] != 0) continue;
-    const Eigen::VectorXd w = row(quadratics(start, near[i], spacing), kappa);
-    if (w.size() == 0) continue;
-    part.j.insert(part.j.end(), near[i].begin(), near[i].end());
-    part.weight.insert(part.weight.end(), w.begin(), w.end());
-    part.begin.push_back(static_cast<int>(part.j.size()));
-  }
-  return part;
+  Rows rows(start, spacing);
+  std::vector<std::vector<int>> near = neighborhoods(start, reach * spacing);
+  for (std::size_t i = 0; i < near.size(); ++i)
+    if (start.held[i] == 0) rows.add(near[i]);
+  return rows.take();
 }
 
 }  // namespace taut

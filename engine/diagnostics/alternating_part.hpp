@@ -22,10 +22,15 @@ namespace taut {
 ///
 /// Held particles, corners and others with too few around them for more than the parabola have no row.
 struct AlternatingPart {
-  std::vector<int> begin;      // [rows + 1] first entry of each row
-  std::vector<int> j;          // particle of each entry
-  std::vector<double> weight;  // w_ij
+  std::vector<int> begin;         // [rows + 1] first entry of each row
+  std::vector<int> j;             // particle of each entry
+  std::vector<int> first_weight;  // of each row; in 3D rows of the same surroundings share theirs
+  std::vector<double> weight;
   int rows() const { return static_cast<int>(begin.size()) - 1; }
+  /// w_ij of the entries of a row
+  const double* weights(int row) const {
+    return &weight[static_cast<std::size_t>(first_weight[static_cast<std::size_t>(row)])];
+  }
 };
 
 AlternatingPart alternating_part(const Snapshot& start, double spacing);

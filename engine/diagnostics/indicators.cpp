@@ -40,10 +40,11 @@ template <int Dim>
 std::array<double, Row<Dim>::width> filtered(const AlternatingPart& part, int row, const double* table) {
   using R = Row<Dim>;
   Pair sum[R::pairs] = {};
-  for (int k = part.begin[row]; k < part.begin[row + 1]; ++k) {
+  const double* weight = part.weights(row);
+  for (int k = part.begin[row]; k < part.begin[row + 1]; ++k, ++weight) {
     Pair q[R::pairs];
     std::memcpy(q, table + std::ptrdiff_t{part.j[k]} * R::width, sizeof q);
-    for (int a = 0; a < R::pairs; ++a) sum[a] += part.weight[k] * q[a];
+    for (int a = 0; a < R::pairs; ++a) sum[a] += *weight * q[a];
   }
   std::array<double, R::width> r;
   std::memcpy(r.data(), sum, sizeof sum);

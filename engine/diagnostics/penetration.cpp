@@ -65,7 +65,7 @@ struct Around<3> {
     static const double nearest = std::cos(widest_inside / 2);
     const double least = nearest * std::sqrt(dot(d, d));
     for (std::size_t k = 0; k < spread.size(); ++k)
-      if (dot(spread[k], d) >= least) has_one.set(k);
+      if (const double along = dot(spread[k], d); along > 0 && along >= least) has_one.set(k);
   }
   bool leaves_gap() const { return !has_one.all(); }
 };

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "cli/scene/shipped.hpp"
 #include "cli/text/format.hpp"
 #include "engine/diagnostics/balance.hpp"
+#include "engine/diagnostics/curve.hpp"
 #include "engine/diagnostics/indicators.hpp"
 #include "engine/diagnostics/measures.hpp"
 #include "engine/diagnostics/verdict.hpp"
@@ -61,7 +63,52 @@ Run run(const std::string& name, const std::string& method, std::vector<Setting>
   return run;
 }
 
-/// A quarter of the published area.
-Run small_plate(const std::string& method) { return run("oscillating-plate-3d", method, {{"side", "0.2"}}); }
-
 }  // namespace
+
+TEST_SUITE("analytic") {
+  TEST_CASE("oscillating plate in 3D: oenog swings as finite elements do with three layers of particles") {
+    const Run plate = run("oscillating-plate-3d", "oenog", {{"side", "0.2"}, {"until", "0.0074"}});
+    CHECK(plate.error("first_peak") < 0.015);  // 0.009
+    CHECK(plate.verdict == Verdict::stable);
+  }
+
+  TEST_CASE("oscillating plate in 3D: tl and enog are soft with three layers, and smooth") {
+    // what a plate of the same amplitude and period as that of finite elements does within the first quarter
+    const double time = 0.0015, period = 0.01367, peak = 2.16e-3;
+    const double should = peak * std::sin(2 * std::numbers::pi * time / period);
+    for (const char* method : {"tl", "enog"}) {
+      CAPTURE(std::string(method));
+      SceneFile file = read_scene(find_scene("oscillating-plate-3d"),
+                                  {{"method", method}, {"side", "0.2"}, {"until", exact(time)}});
+      file.settings.threads = 1;
+      const auto simulation = make_simulation(file.scene, file.settings);
+      simulation->advance_to(time);
+      const Series& series = simulation->series();
+      const double there = value_at({series.time, series.value.at(0)}, time);
+      CHECK(there > 1.01 * should);
+      CHECK(there < 1.06 * should);
+      CHECK(IndicatorGauge(file.scene, simulation->snapshot())(simulation->snapshot())[0].share() < 0.001);
+    }
+  }
+
+  TEST_CASE(
+      "colliding balls: oenog flattens and rebounds as finite elements do, in mirror images to the bit") {
+    const Run balls = run("colliding-balls", "oenog", {{"spacing", "0.0025"}});
+    CHECK(balls.error("rebound_ratio") < 0.02);        // 0.009
+    CHECK(balls.error("least_pole_distance") < 0.01);  // 0.006
+    CHECK(balls.error("touch_time") < 0.01);
+    CHECK(std::abs(*balls.measure.at("separation_time").value - 5.69e-3) < 0.3e-3);
+    CHECK(*balls.measure.at("mirror_asymmetry").value == 0);
+    CHECK(balls.verdict == Verdict::stable);
+    CHECK(balls.pieces == 2);
+  }
+
+  TEST_CASE("ball and plate in 3D: oenog bends the plate as finite elements do, alike on all sides") {
+    const Run ball = run("ball-plate-3d", "oenog", {{"spacing", "0.0066667"}, {"until", "0.0075"}});
+    CHECK(ball.error("deflection") < 0.06);  // 0.049 with three layers
+    CHECK(ball.error("ball_lowest") < 0.06);
+    CHECK(*ball.measure.at("mirror_asymmetry_x").value < 1e-9);
+    CHECK(*ball.measure.at("mirror_asymmetry_z").value < 1e-9);
+    CHECK(ball.verdict == Verdict::stable);
+  }
+}

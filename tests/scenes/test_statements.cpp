@@ -33,7 +33,7 @@ struct Statement {
 constexpr Verdict stable = Verdict::stable, hourglass = Verdict::hourglass, fractured = Verdict::fractured,
                   diverged = Verdict::diverged;
 
-/// What the papers say of the scenes in two dimensions that a verdict can hold against, up to the time at
+/// What the papers say of the scenes that a verdict can hold against, up to the time at
 /// which it shows. A statement that does not hold is here too, with what is seen instead.
 const std::vector<Statement> statements = {
     {"Zhang2024 Fig. 3(a)", "oscillating-plate", "og", {}, 0.05, fractured},
@@ -70,6 +70,12 @@ const std::vector<Statement> statements = {
     {"Zhang2024 Fig. 19(b)", "ball-plate", "enog", {{"v0", "0.06"}}, 0.04, stable},
     // particles and stress stay smooth, as published, but the energy of forces in space-fixed axes doubles
     {"Zhang2024 Fig. 20", "ball-plate", "enog", {{"v0", "0.12"}}, 0.04, stable, diverged},
+
+    // in 3D, coarser than there: three layers of half the length and width, 4 particles across the balls' walls,
+    // 3 across the plate under the ball
+    {"Zhang2024 Fig. 9", "oscillating-plate-3d", "enog", {{"side", "0.2"}}, 0.01, stable},
+    {"Zhang2024 Fig. 16", "colliding-balls", "enog", {{"spacing", "0.0025"}}, 0.007, stable},
+    {"Zhang2024 Fig. 21", "ball-plate-3d", "enog", {{"spacing", "0.0066667"}}, 0.015, stable},
 
     {"Khayyer2024 Fig. 9", "rotating-plate", "d-ulsph-r-tic", {}, 0.15, stable},
     // ε = 0.15 and n = 8 are just enough here, where ∇u is taken in the middle of the step: with ε = 0.12 the
@@ -155,6 +161,9 @@ TEST_SUITE("failure") {
     check("colliding-rings");
   }
   TEST_CASE("what the papers say of ball and plate holds where it is said to") { check("ball-plate"); }
+  TEST_CASE("what the papers say of the scenes in 3D holds where it is said to") {
+    for (const char* scene : {"oscillating-plate-3d", "colliding-balls", "ball-plate-3d"}) check(scene);
+  }
   TEST_CASE("what the papers say of the rotating plate holds where it is said to") {
     check("rotating-plate");
   }

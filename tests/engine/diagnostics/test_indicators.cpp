@@ -2,6 +2,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <set>
 
 #include <doctest/doctest.h>
 
@@ -125,7 +126,8 @@ TEST_SUITE("unit") {
       double checkerboard = 0, squares = 0;
       for (int e = found[0]; e < found[1]; ++e) {
         const auto entry = static_cast<std::size_t>(e);
-        const double w = part.weight[entry];  // one apart in the list is one apart in x: signs by the place
+        // one apart in the list is one apart in x: signs by the place
+        const double w = part.weights(static_cast<int>(found - part.begin.begin()))[e - found[0]];
         checkerboard += (part.j[entry] - middle) % 2 == 0 ? w : -w;
         squares += w * w;
       }
@@ -315,10 +317,13 @@ TEST_SUITE("unit") {
       double sum = 0;
       for (int k = part.begin[row]; k < part.begin[row + 1]; ++k) {
         const int j = part.j[k];
-        sum += part.weight[k] * ((j % n + j / n % n + j / n / n) % 2 == 0 ? 1 : -1);
+        sum += part.weights(row)[k - part.begin[row]] * ((j % n + j / n % n + j / n / n) % 2 == 0 ? 1 : -1);
       }
       CHECK(std::abs(sum) == doctest::Approx(1));
     }
+    // inside, at six faces and twelve edges; three from a face look the same as inside
+    CHECK(std::set<int>(part.first_weight.begin(), part.first_weight.end()).size() < 130);
+    CHECK(part.rows() > 300);
   }
 
   TEST_CASE("indicators: a single row, two particles and one are no reason to fail") {

@@ -166,20 +166,20 @@ TEST_SUITE("unit") {
     scene.bodies[0].velocity[0] = [](const Point& x) { return 2 * x[0]; };
     scene.bodies[0].velocity[1] = [](const Point& x) { return x[1] + 0.001; };
     const auto simulation = make_simulation(scene, with_method("tl"));
-    make_steps(*simulation, 1);
+    make_steps(*simulation, 32);
     CHECK(simulation->series().value[0][0] < 1e-15);
-    CHECK(simulation->series().value[0][1] < 1e-15);
+    CHECK(simulation->series().value[0].back() < 1e-14);
     CHECK(simulation->series().value[1][0] < 1e-15);
-    CHECK(simulation->series().value[1][1] == relative(0.002 * simulation->time(), 1e-3));
+    CHECK(simulation->series().value[1].back() == relative(0.002 * simulation->time(), 1e-6));
     scene.probes[0].at[0] = 0.0007;  // that plane is not one of symmetry
     CHECK_THROWS_AS(make_simulation(scene, with_method("tl")), SceneError);
   }
 
   TEST_CASE("probes: in 3D the turn of a point about any axis, whole turns counted, with its sense") {
-    const Point axis{2.0 / 3, -1.0 / 3, 2.0 / 3}, at{0.004, 0.003, -0.002};
+    const Point axis{2.0 / 3, -1.0 / 3, 2.0 / 3}, at{0.003, 0.004, -0.002};
     for (const double omega : {200.0, -200.0}) {
       CAPTURE(omega);
-      Scene scene = block({0.005, 0.003, 0.002});
+      Scene scene = block({0.004, 0.004, 0.004});  // a cube goes on turning about any axis
       for (std::size_t k = 0; k < 3; ++k)
         scene.bodies[0].velocity[k] = [=](const Point& x) {
           return omega * (axis[(k + 1) % 3] * x[(k + 2) % 3] - axis[(k + 2) % 3] * x[(k + 1) % 3]);
@@ -192,7 +192,7 @@ TEST_SUITE("unit") {
       const auto simulation = make_simulation(scene, with_method("tl"));
       simulation->advance_to(0.05);  // 1.6 turns; the strain of the turn is 1e-4
       const Series& series = simulation->series();
-      CHECK(series.value[0].front() == 0);
+      CHECK(std::abs(series.value[0].front()) < 1e-15);
       CHECK(series.value[0].back() == relative(omega * series.time.back(), 1e-3));
       // about z the point goes to and fro: the angle that its place has there, and no whole turn but those it makes
       CHECK(std::abs(series.value[1].back() - omega * series.time.back()) > 0.1);
