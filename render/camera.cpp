@@ -33,6 +33,13 @@ CameraAxes axes_of(const Camera& camera) {
   return axes;
 }
 
+AxesMarker marker_of(const Camera& camera) {
+  const auto [right, up, back] = axes_of(camera);
+  AxesMarker marker;
+  for (std::size_t axis = 0; axis < 3; ++axis) marker[axis] = {right[axis], up[axis], back[axis]};
+  return marker;
+}
+
 Projection::Projection(const Camera& camera, const View& view)
     : axes_(axes_of(camera)),
       middle_x_(0.5 * (view.x_min + view.x_max)),

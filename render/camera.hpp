@@ -27,6 +27,7 @@ struct CameraAxes {
 };
 
 CameraAxes axes_of(const Camera& camera);
+AxesMarker marker_of(const Camera& camera);
 
 double dot(const Vector& a, const Vector& b);
 Vector cross(const Vector& a, const Vector& b);

@@ -114,6 +114,10 @@ Renderer::Parts::Parts(const Look& look, double until)
   const std::array<Rgb, 256> table = look.colormap->table();
   std::ranges::transform(table, colors.begin(), packed);
   if (layout.font > 0) annotation.emplace(image, layout, ColorBar(range.low, range.high, table), until);
+  if (annotation && look.camera) {
+    annotation->show(marker_of(*look.camera));
+    if (look.camera->field_of_view > 0) annotation->leave_out_scale_bar();
+  }
   const GlContext::Current current(context, image);
   disc_painter.emplace(image.width, image.height, layout.plot);
 }

@@ -50,9 +50,9 @@ Drawing fitted(const Drawing& drawing, const Snapshot& snapshot) {
 render::Image draw_picture(const Drawing& drawing, const Captions& captions, const Snapshot& snapshot) {
   const std::vector<double> value = evaluate(*drawing.field, snapshot);
   const Staging staging(drawing, origins_of(snapshot));
-  const StagedParticles staged = staging(view_of(snapshot, value));
+  const StagedParticles drawn = staging.dressed(staging(view_of(snapshot, value)));
   render::Renderer renderer(drawing.look, captions.until);
-  return renderer.draw(with_texts(staged.view(), *drawing.field, captions));
+  return renderer.draw(with_texts(drawn.view(), *drawing.field, captions));
 }
 
 Frames::Frames(const Drawing& drawing, Origins origins, std::filesystem::path folder, Captions captions,
@@ -127,7 +127,8 @@ void Frames::draw(const StagedParticles& particles) {
   const render::Image* image = nullptr;
   {
     const Timed timed(drawing_time_);
-    image = &renderer_->draw(with_texts(particles.view(), *drawing_.field, captions_));
+    const StagedParticles drawn = staging_.dressed(particles);
+    image = &renderer_->draw(with_texts(drawn.view(), *drawing_.field, captions_));
   }
   const Timed timed(writing_time_);
   render::write_png(*image, folder_ / frame_name(written_));
