@@ -176,7 +176,7 @@ void Renderer::Parts::draw_solids(const FrameView& frame) {
   else
     solids.place_boxes(frame, *projection, color);
   if (!solid_painter) solid_painter.emplace(image.width, image.height, layout.plot);
-  solid_painter->draw(solids.balls(), solids.corners(), projection.has_value());
+  solid_painter->draw(solids.balls(), solids.corners());
 }
 
 const Image& Renderer::draw(const FrameView& frame) {

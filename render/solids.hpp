@@ -18,7 +18,7 @@ class Solids {
   explicit Solids(const PageLayout& layout)
       : layout_(layout), cover_(layout.plot.width, layout.plot.height) {}
 
-  /// Spheres of the particles' size. Those that others hide are left out, which changes no pixel.
+  /// Spheres of the particles' size. Those that others hide are left out.
   void place_balls(const FrameView& frame, const Projection& projection,
                    std::span<const std::uint32_t> colors);
   /// The faces of their cells that look at the camera, lit.

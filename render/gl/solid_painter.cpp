@@ -92,7 +92,7 @@ uniform sampler2D colors, depths;
 uniform ivec2 corner;    // of the picture's part, pixels of framebuffer 0
 uniform ivec2 top_edge;  // last column and row of samples
 uniform float range;     // of depths, pixels
-uniform float reach;     // pixels; 0: plain colours
+uniform float reach;     // of the light about a pixel, pixels
 out vec4 color;
 
 float depth_at(vec2 place) {
@@ -123,7 +123,7 @@ void main() {
     hollow += 0.125 * max(clamp(a, -1.0, 1.0) + clamp(b, -1.0, 1.0), 0.0);
   }
   float light = light_on(normalize(vec3(-slope.x, slope.y, 1.0)), 0.6) * (1.0 - 0.6 * min(1.2 * hollow, 1.0));
-  color = vec4((mean.rgb - blank) * (reach > 0.0 ? light : 1.0) + blank, 1.0);
+  color = vec4((mean.rgb - blank) * light + blank, 1.0);
 })";
 
 GLuint make_texture(GLint format, GLenum kind, GLenum type, GLint filter, int width, int height) {
@@ -201,7 +201,7 @@ SolidPainter::SolidPainter(int image_width, int image_height, const Rect& plot)
   glDepthFunc(GL_LESS);
 }
 
-void SolidPainter::draw(std::span<const Ball> balls, std::span<const Corner> corners, bool lit) {
+void SolidPainter::draw(std::span<const Ball> balls, std::span<const Corner> corners) {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glDisable(GL_SCISSOR_TEST);
   glClearColor(1, 1, 1, 1);
@@ -222,7 +222,7 @@ void SolidPainter::draw(std::span<const Ball> balls, std::span<const Corner> cor
     const int above = std::min(reach_, top), below = std::min(reach_, plot_.height - top - height);
     draw_band(top - above, above + height + below, static_cast<int>(thrice.size()),
               static_cast<int>(corners.size()), extent);
-    resolve(top, height, below, extent, lit);
+    resolve(top, height, below, extent);
   }
 }
 
@@ -245,7 +245,7 @@ void SolidPainter::draw_band(int top, int height, int ball_corners, int corners,
 }
 
 /// The rows from `top` on; the band has `below` more than these at its lower end.
-void SolidPainter::resolve(int top, int height, int below, const Extent& extent, bool lit) {
+void SolidPainter::resolve(int top, int height, int below, const Extent& extent) {
   const int bottom = image_height_ - (plot_.y + top + height);  // row 0 of OpenGL is the bottom one
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, image_width_, image_height_);
@@ -273,7 +273,7 @@ void SolidPainter::resolve(int top, int height, int below, const Extent& extent,
   glUniform2i(glGetUniformLocation(program, "top_edge"), samples * plot_.width - 1,
               samples * (above + height + below) - 1);
   glUniform1f(glGetUniformLocation(program, "range"), extent.range());
-  glUniform1f(glGetUniformLocation(program, "reach"), lit ? static_cast<float>(reach_) : 0);
+  glUniform1f(glGetUniformLocation(program, "reach"), static_cast<float>(reach_));
   glBindVertexArray(no_vertices_);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_SCISSOR_TEST);

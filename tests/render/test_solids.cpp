@@ -115,8 +115,10 @@ TEST_SUITE("image") {
     CHECK(hue_difference(image.at(102, 100), find_colormap("viridis")->at(1)) <= 2);
   }
 
-  TEST_CASE("spheres that others hide are left out, and that changes no pixel") {
-    const Bodies all = lattice(20);
+  TEST_CASE("spheres that others hide are left out, and no pixel shows it") {
+    Bodies all = lattice(20);
+    for (std::size_t i = 0; i < all.diameter.size(); ++i)  // some overlap, and between some there are gaps
+      all.diameter[i] *= 1 + 0.5 * std::sin(7.0 * static_cast<double>(i));
     const View view = unit_view;
     const PageLayout layout = make_layout(400, 300, view, false);
     for (const Camera& camera : {Camera{}, along_y, Camera{.field_of_view = 50, .front = 0.8}}) {
@@ -139,11 +141,14 @@ TEST_SUITE("image") {
       GlContext context(400, 300);
       const auto paint = [&](Image& image, const std::vector<Ball>& balls) {
         const GlContext::Current current(context, image);
-        SolidPainter(400, 300, layout.plot).draw(balls, {}, false);
+        SolidPainter(400, 300, layout.plot).draw(balls, {});
       };
       paint(few, seen);
       paint(many, every);
-      CHECK(few == many);
+      int greatest = 0;  // depths are rounded to another range without those behind
+      for (std::size_t k = 0; k < few.pixels.size(); ++k)
+        greatest = std::max(greatest, std::abs(few.pixels[k] - many.pixels[k]));
+      CHECK(greatest <= 1);
     }
   }
 
@@ -162,12 +167,13 @@ TEST_SUITE("image") {
           box.add_cell({dp, 0, 0}, {0, dp, 0}, {0.25 * dp, 0, dp});
         }
     const Image image = drawn(box, bare(along_y));
+    const Rgb base = find_colormap("viridis")->table()[128];
     int gaps = 0, beyond = 0;
     for (int row = 0; row < 200; ++row) {
       for (int column = 0; column < 200; ++column) {
         const double z = (99.5 - row) / 100, x = (column - 99.5) / 100 - 0.25 * z;
         const double out = std::max(std::abs(x), std::abs(z)) - 0.48;
-        gaps += out < -0.02 && image.at(column, row) == white;
+        gaps += out < -0.02 && hue_difference(image.at(column, row), base) > 3;
         beyond += out > 0.02 && image.at(column, row) != white;
       }
     }
@@ -175,7 +181,7 @@ TEST_SUITE("image") {
     CHECK(beyond == 0);
   }
 
-  TEST_CASE("cells in 2D have the colours of the map, without light") {
+  TEST_CASE("cells in 2D have the colours of the map") {
     Particles one;
     one.add(0, 0, 0.5, 0.25);
     FrameView frame = one.frame();
