@@ -96,7 +96,8 @@ uniform float reach;     // of the light about a pixel, pixels
 out vec4 color;
 
 float depth_at(vec2 place) {
-  return range * texelFetch(depths, clamp(ivec2(2.0 * place), ivec2(0), top_edge), 0).r;
+  float depth = texelFetch(depths, clamp(ivec2(2.0 * place), ivec2(0), top_edge), 0).r;
+  return depth < 1.0 ? range * depth : 1e6;  // nothing is there
 }
 
 void main() {

@@ -34,6 +34,15 @@ TEST_SUITE("unit") {
     check_near(axes_of({.from = {0, 3, 0}, .up = {0, -1, 0}}).up, {1, 0, 0});
   }
 
+  TEST_CASE("a camera that orbits keeps its distance and its up, and comes back") {
+    const Camera camera{.from = {0, -2, 0}};
+    check_near(orbited(camera, 90, 0).from, {2, 0, 0});
+    check_near(orbited(camera, 0, 30).from, {0, -std::sqrt(3.0), 1});
+    check_near(orbited(camera, 90, 30).from, {std::sqrt(3.0), 0, 1});
+    check_near(orbited(orbited(camera, 25, 40), -25, 0).from, orbited(camera, 0, 40).from);
+    CHECK(orbited(camera, 25, 40).up == camera.up);
+  }
+
   TEST_CASE("lengths are true in parallel projection, and in perspective in the front plane alone") {
     const View view{-1, 1, -0.5, 1.5};
     const Camera camera{.from = {0, -1, 0}, .field_of_view = 90, .front = 0.25};
