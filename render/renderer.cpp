@@ -179,6 +179,15 @@ void Renderer::Parts::draw_solids(const FrameView& frame) {
   solid_painter->draw(solids.balls(), solids.corners());
 }
 
+void Renderer::look_from(const Camera& camera, const View& view) {
+  check_camera(camera);
+  Parts& parts = *parts_;
+  parts.layout = make_layout(parts.image.width, parts.image.height, view, parts.layout.font > 0);
+  parts.projection.emplace(camera, view);
+  parts.solids = Solids(parts.layout);
+  if (parts.annotation) parts.annotation->show(marker_of(camera));
+}
+
 const Image& Renderer::draw(const FrameView& frame) {
   Parts& parts = *parts_;
   parts.check(frame);

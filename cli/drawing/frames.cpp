@@ -68,6 +68,11 @@ Frames::Frames(const Drawing& drawing, Origins origins, std::filesystem::path fo
 
 void Frames::begin_drawing(const SequenceBounds& shown) {
   drawing_ = fitted(drawing_, shown);
+  if (drawing_.orbit) {
+    const auto [view, middle] = shown.orbit();
+    drawing_.look.view = view;
+    orbited_ = middle;
+  }
   renderer_.emplace(drawing_.look, captions_.until);
 }
 
@@ -118,9 +123,20 @@ bool Frames::draw_kept(const std::function<bool(int)>& go_on) {
   begin_drawing(bounds_of_kept());
   for (const Kept& frame : kept_) {
     if (!go_on(written_)) return false;
+    if (orbited_) look_from_orbit(written_ / static_cast<double>(kept_.size()));
     draw(staged(frame));
   }
   return true;
+}
+
+/// `share` of a whole turn.
+void Frames::look_from_orbit(double share) {
+  render::Camera camera = orbited(*drawing_.look.camera, 360 * share, 0);
+  const auto [right, up, back] = axes_of(camera);
+  const double x = render::dot(right, *orbited_), y = render::dot(up, *orbited_);
+  render::View view = *drawing_.look.view;  // about the origin
+  camera.front = render::dot(back, *orbited_) + view.x_max;
+  renderer_->look_from(camera, {view.x_min + x, view.x_max + x, view.y_min + y, view.y_max + y});
 }
 
 void Frames::draw(const StagedParticles& particles) {

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -6,6 +8,9 @@
 
 #include <doctest/doctest.h>
 
+#include "cli/drawing/frames.hpp"
+#include "render/image/png.hpp"
+#include "render/page/page_layout.hpp"
 #include "tests/support/program_runner.hpp"
 #include "tests/support/scene_text.hpp"
 
@@ -89,6 +94,34 @@ TEST_SUITE("cli") {
       REQUIRE(run(folder, "c").code == 0);
       CHECK(last_frame(folder, "b") != last_frame(folder, "c"));
     }
+  }
+
+  TEST_CASE("a camera that orbits begins and ends the turn where it stands, and sees all of it") {
+    const TemporaryFolder folder;
+    REQUIRE(run(folder, "a", {"--save-particles", "--frames", "3"}).code == 0);
+    const auto frame = [&](int number) {
+      return taut::render::read_png(folder / ("o/" + frame_name(number)));
+    };
+    REQUIRE(call({"render", folder.str("a"), "--orbit", "--camera", "0:-1:0", "--out", folder.str("o"),
+                  "--quiet"})
+                .code == 0);
+    // four quarters: along y, x, -y, -x; the cubes stand one behind the other, or side by side
+    const auto width = [](const taut::render::Image& image) {
+      const taut::render::PageLayout layout = taut::render::make_layout(image.width, image.height, {});
+      int left = image.width, right = 0;
+      for (int row = 0; row < layout.plot.height; ++row)
+        for (int column = 0; column < layout.plot.width; ++column)
+          if (image.at(column, row) != taut::render::Rgb{255, 255, 255})
+            left = std::min(left, column), right = std::max(right, column);
+      return right - left + 1;
+    };
+    CHECK(width(frame(0)) > 2 * width(frame(1)));
+    CHECK(std::abs(width(frame(2)) - width(frame(0))) <= 3);
+    CHECK(std::abs(width(frame(3)) - width(frame(1))) <= 3);
+    REQUIRE(call(tiny_run(folder, "flat", {"--save-particles"})).code == 0);
+    const Outcome flat = call({"render", folder.str("flat"), "--orbit"});
+    CHECK(flat.code == 2);
+    CHECK(contains(flat.err, "--orbit is for scenes in 3D"));
   }
 
   TEST_CASE("runs in 3D stand side by side in a panel") {
