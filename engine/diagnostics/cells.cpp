@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -31,8 +32,10 @@ Cells::Cells(int dim, std::span<const double> x0, std::span<const double> diamet
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     find_axes(i);
     find_ends(i, diameter[i]);
+    if (dim_ == 3 && cells_[i].inside) continue;
     find_inverse(i);
   }
+  if (dim_ == 3) forget_distant();
 }
 
 Point Cells::initial(std::size_t i, std::size_t j) const {
@@ -141,6 +144,22 @@ void Cells::find_inverse(std::size_t i) {
   moment.diagonal().array() += trace > 0 ? little * trace : 1;
   if (dim_ == 2) moment(2, 2) = 1;
   Eigen::Map<Matrix>(cells_[i].inverse.data()) = moment.inverse();
+}
+
+/// Of those around a cell inside the adjacent ones are enough: they say whether it stays hidden, and what it is
+/// like when it does not.
+void Cells::forget_distant() {
+  std::vector<std::size_t> first{0}, kept;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const auto wanted = [&](std::size_t j) {
+      return !cells_[i].inside || vector(initial(i, j)).norm() < adjacent * cells_[i].spacing;
+    };
+    std::ranges::copy_if(neighbors(i), std::back_inserter(kept), wanted);
+    first.push_back(kept.size());
+  }
+  first_ = std::move(first), neighbor_ = std::move(kept);
+  for (std::size_t i = 0; i < cells_.size(); ++i)
+    if (cells_[i].inside) find_inverse(i);
 }
 
 /// Now less at the start, of the way from i to j.

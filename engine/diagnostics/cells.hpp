@@ -49,6 +49,7 @@ class Cells {
   void find_axes(std::size_t i);
   void find_ends(std::size_t i, double diameter);
   void find_inverse(std::size_t i);
+  void forget_distant();
   Point change(std::size_t i, std::size_t j, std::span<const double> x) const;  // m
   bool is_hidden(std::size_t i, std::span<const double> x) const;
 
