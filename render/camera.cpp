@@ -11,6 +11,15 @@ Vector normalised(const Vector& a) {
   return {a[0] / length, a[1] / length, a[2] / length};
 }
 
+/// `a` turned about `axis`, of length 1, by an angle in degrees (Rodrigues).
+Vector turned(const Vector& a, const Vector& axis, double degrees) {
+  const double angle = degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+  const Vector across = cross(axis, a);
+  Vector result;
+  for (std::size_t k = 0; k < 3; ++k) result[k] = c * a[k] + s * across[k] + (1 - c) * dot(axis, a) * axis[k];
+  return result;
+}
+
 }  // namespace
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -31,6 +40,20 @@ CameraAxes axes_of(const Camera& camera) {
     break;
   }
   return axes;
+}
+
+Camera orbited(const Camera& camera, double right, double upwards) {
+  Camera gone = camera;
+  gone.from = turned(camera.from, normalised(camera.up), right);
+  gone.from = turned(gone.from, axes_of(gone).right, -upwards);
+  return gone;
+}
+
+AxesMarker marker_of(const Camera& camera) {
+  const auto [right, up, back] = axes_of(camera);
+  AxesMarker marker;
+  for (std::size_t axis = 0; axis < 3; ++axis) marker[axis] = {right[axis], up[axis], back[axis]};
+  return marker;
 }
 
 Projection::Projection(const Camera& camera, const View& view)

@@ -27,7 +27,7 @@ struct Size {
 /// drawn.
 struct Look {
   std::optional<View> view;            // what is seen; in 3D in the plane of the picture
-  std::optional<Camera> camera;        // of scenes in 3D; in 2D there is none
+  std::optional<Camera> camera{};      // of scenes in 3D; in 2D there is none
   std::optional<Range> range;          // of the colours; values beyond it take the colour of the end
   const Colormap* colormap = nullptr;  // nullptr: open
   std::optional<Size> size = Size{};   // each from least_size to greatest_size

@@ -6,6 +6,7 @@
 
 #include "engine/error.hpp"
 #include "render/page/annotation.hpp"
+#include "render/page/axes_marker.hpp"
 #include "render/page/canvas.hpp"
 #include "render/page/scales.hpp"
 #include "render/renderer.hpp"
@@ -216,8 +217,12 @@ const Image& Panel::finish() {
   parts.bar.draw(parts.canvas,
                  {right + pixels(margin * em), grid.top, pixels(bar_width * em), grid.grid_height()}, em,
                  parts.options.field, parts.options.unit);
+  const auto& camera = parts.options.look.camera;
   const PageLayout layout = make_layout(grid.cell_width, grid.cell_height, *parts.options.look.view, false);
-  draw_scale_bar(parts.canvas, grid.cell(0, grid.rows - 1), layout.pixels_per_metre, em);
+  if (!camera || camera->field_of_view == 0)
+    draw_scale_bar(parts.canvas, grid.cell(0, grid.rows - 1), layout.pixels_per_metre, em);
+  if (camera)
+    draw_axes_marker(parts.canvas, grid.cell(grid.columns - 1, grid.rows - 1), marker_of(*camera), em);
   parts.canvas.end();
   return parts.image;
 }

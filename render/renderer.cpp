@@ -114,6 +114,10 @@ Renderer::Parts::Parts(const Look& look, double until)
   const std::array<Rgb, 256> table = look.colormap->table();
   std::ranges::transform(table, colors.begin(), packed);
   if (layout.font > 0) annotation.emplace(image, layout, ColorBar(range.low, range.high, table), until);
+  if (annotation && look.camera) {
+    annotation->show(marker_of(*look.camera));
+    if (look.camera->field_of_view > 0) annotation->leave_out_scale_bar();
+  }
   const GlContext::Current current(context, image);
   disc_painter.emplace(image.width, image.height, layout.plot);
 }
@@ -172,7 +176,16 @@ void Renderer::Parts::draw_solids(const FrameView& frame) {
   else
     solids.place_boxes(frame, *projection, color);
   if (!solid_painter) solid_painter.emplace(image.width, image.height, layout.plot);
-  solid_painter->draw(solids.balls(), solids.corners(), projection.has_value());
+  solid_painter->draw(solids.balls(), solids.corners());
+}
+
+void Renderer::look_from(const Camera& camera, const View& view) {
+  check_camera(camera);
+  Parts& parts = *parts_;
+  parts.layout = make_layout(parts.image.width, parts.image.height, view, parts.layout.font > 0);
+  parts.projection.emplace(camera, view);
+  parts.solids = Solids(parts.layout);
+  if (parts.annotation) parts.annotation->show(marker_of(camera));
 }
 
 const Image& Renderer::draw(const FrameView& frame) {

@@ -21,6 +21,9 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
+  /// From now on a scene in 3D is seen from elsewhere; the view is of the size that the look has.
+  void look_from(const Camera& camera, const View& view);
+
   /// Valid until the next call. The same frame gives the same bytes. Particles whose position or size is not
   /// finite are left out.
   const Image& draw(const FrameView& frame);

@@ -5,36 +5,13 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace taut::render {
 namespace {
 
-/// The samples of a row, from and to, that a ball covers; `samples` are as wide as half a pixel, their centres
-/// in the middle of that.
-struct Span {
-  int from, to;  // behind the last
-};
-
-Span span_of(float centre, float half, int width) {
-  return {std::max(static_cast<int>(std::ceil(centre - half - 0.5f)), 0),
-          std::min(static_cast<int>(std::floor(centre + half - 0.5f)) + 1, width)};
-}
-
-/// Calls `visit(first sample, last + 1)` for every row of samples within `radius` of a place, all in samples;
-/// stops where it returns false.
-template <class Visit>
-void for_rows(float x, float y, float radius, int width, int height, const Visit& visit) {
-  const Span rows = span_of(y, radius, height);
-  for (int row = rows.from; row < rows.to; ++row) {
-    const float dy = static_cast<float>(row) + 0.5f - y;
-    const float half = std::sqrt(std::max(radius * radius - dy * dy, 0.0f));
-    const Span span = span_of(x, half, width);
-    const auto offset = static_cast<std::size_t>(row) * static_cast<std::size_t>(width);
-    if (span.from < span.to &&
-        !visit(offset + static_cast<std::size_t>(span.from), offset + static_cast<std::size_t>(span.to)))
-      return;
-  }
-}
+// Cells overlap by this factor: where a body bends, gaps of second order in the spacing would show between them.
+constexpr double overlap = 1.02;
 
 std::uint32_t dimmed(std::uint32_t color, float light) {
   auto bytes = std::bit_cast<std::array<std::uint8_t, 4>>(color);
@@ -87,33 +64,36 @@ void Solids::place_balls(const FrameView& frame, const Projection& projection,
 void Solids::drop_hidden() {
   constexpr std::size_t few = 2000;  // are drawn sooner than looked through
   if (balls_.size() < few) return;
-  std::ranges::sort(balls_, [](const Ball& a, const Ball& b) { return a.z > b.z; });
-  const int width = 2 * layout_.plot.width, height = 2 * layout_.plot.height;
-  nearest_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), -1e30f);
-  constexpr float doubt = 0.1f;  // samples; OpenGL rounds otherwise than this does
-  const auto hidden = [&](const Ball& ball) {
-    const float x = 2 * ball.x, y = 2 * ball.y, radius = 2 * ball.radius;
-    const float front = ball.z + ball.radius;
-    bool all = true;
-    for_rows(x, y, radius + doubt, width, height, [&](std::size_t from, std::size_t to) {
-      for (; from < to && all; ++from) all = nearest_[from] >= front;
-      return all;
-    });
-    if (all) return true;
-    for_rows(x, y, radius - doubt, width, height, [&](std::size_t from, std::size_t to) {
-      for (; from < to; ++from) nearest_[from] = std::max(nearest_[from], ball.z);
-      return true;
-    });
+  sort_roughly();
+  cover_.clear();
+  std::erase_if(balls_, [this](const Ball& ball) {
+    if (cover_.hides(ball)) return true;
+    cover_.add(ball);
     return false;
+  });
+}
+
+/// The nearest first, but for what differs little in depth: the order only has to find most that is hidden.
+void Solids::sort_roughly() {
+  constexpr std::size_t slices = 4096;
+  const auto [far, near] = std::ranges::minmax(balls_, {}, &Ball::z);
+  const float scale = static_cast<float>(slices - 1) / std::max(near.z - far.z, 1e-6f);
+  const auto slice = [&, top = near.z](const Ball& ball) {
+    return static_cast<std::size_t>((top - ball.z) * scale);
   };
-  std::erase_if(balls_, hidden);
+  std::vector<std::size_t> first(slices + 1, 0);
+  for (const Ball& ball : balls_) ++first[slice(ball) + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<Ball> sorted(balls_.size());
+  for (const Ball& ball : balls_) sorted[first[slice(ball)]++] = ball;
+  balls_ = std::move(sorted);
 }
 
 void Solids::place_boxes(const FrameView& frame, const Projection& projection,
                          std::span<const std::uint32_t> colors) {
   balls_.clear();
   corners_.clear();
-  const double scale = layout_.pixels_per_metre;
+  const double scale = layout_.pixels_per_metre, half_scale = 0.5 * overlap * scale;
   for (std::size_t i = 0; i < frame.value.size(); ++i) {
     const Projection::Seen seen = projection(at(frame.x, i));
     if (!(seen.scale > 0)) continue;
@@ -122,7 +102,7 @@ void Solids::place_boxes(const FrameView& frame, const Projection& projection,
     double reach = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector way = projection.way(at(frame.cell, 3 * i + k), seen);
-      half[k] = {0.5 * scale * way[0], -0.5 * scale * way[1], 0.5 * scale * way[2]};
+      half[k] = {half_scale * way[0], -half_scale * way[1], half_scale * way[2]};
       reach += std::hypot(half[k][0], half[k][1], half[k][2]);
     }
     if (!in_picture(centre[0], centre[1], reach)) continue;
@@ -145,14 +125,14 @@ void Solids::place_boxes(const FrameView& frame, const Projection& projection,
 void Solids::place_parallelograms(const FrameView& frame, std::span<const std::uint32_t> colors) {
   balls_.clear();
   corners_.clear();
-  const double scale = layout_.pixels_per_metre;
+  const double half_scale = 0.5 * overlap * layout_.pixels_per_metre;
   for (std::size_t i = 0; i < frame.value.size(); ++i) {
     const Vector centre{layout_.column(frame.x[2 * i]), layout_.row(frame.x[2 * i + 1]), 0};
     std::array<Vector, 2> half;
     double reach = 0;
     for (std::size_t k = 0; k < 2; ++k) {
       const double* way = &frame.cell[4 * i + 2 * k];
-      half[k] = {0.5 * scale * way[0], -0.5 * scale * way[1], 0};
+      half[k] = {half_scale * way[0], -half_scale * way[1], 0};
       reach += std::hypot(half[k][0], half[k][1]);
     }
     if (in_picture(centre[0], centre[1], reach)) add_face(centre, half[0], half[1], colors[i]);

@@ -6,6 +6,7 @@
 
 #include "engine/frame_view.hpp"
 #include "render/camera.hpp"
+#include "render/cover.hpp"
 #include "render/gl/solid_painter.hpp"
 #include "render/page/page_layout.hpp"
 
@@ -14,9 +15,10 @@ namespace taut::render {
 /// The particles of a frame as they stand in a picture.
 class Solids {
  public:
-  explicit Solids(const PageLayout& layout) : layout_(layout) {}
+  explicit Solids(const PageLayout& layout)
+      : layout_(layout), cover_(layout.plot.width, layout.plot.height) {}
 
-  /// Spheres of the particles' size. Those that others hide are left out, which changes no pixel.
+  /// Spheres of the particles' size. Those that others hide are left out.
   void place_balls(const FrameView& frame, const Projection& projection,
                    std::span<const std::uint32_t> colors);
   /// The faces of their cells that look at the camera, lit.
@@ -31,12 +33,13 @@ class Solids {
  private:
   bool in_picture(double x, double y, double reach) const;
   void drop_hidden();
+  void sort_roughly();
   void add_face(const Vector& centre, const Vector& a, const Vector& b, std::uint32_t color);
 
   PageLayout layout_;
   std::vector<Ball> balls_;
   std::vector<Corner> corners_;
-  std::vector<float> nearest_;  // of every sample so far, pixels towards the camera
+  Cover cover_;
 };
 
 /// Radius, in pixels, that a round particle is drawn with.

@@ -95,7 +95,7 @@ Drawing fitted_to(const Drawing& wish, const std::vector<SavedRun>& runs, const 
 void draw(render::Panel& panel, const Cells& cells) {
   for (int column = 0; const auto& pictures : cells) {
     for (int row = 0; const PanelCell& cell : pictures) {
-      if (cell.particles) panel.draw(column, row, cell.particles->view());
+      if (cell.particles) panel.draw(column, row, cell.staging->dressed(*cell.particles).view());
       if (!cell.particles)
         panel.write_middle(column, row, cell.remark);
       else if (!cell.remark.empty())

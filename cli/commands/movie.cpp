@@ -1,4 +1,6 @@
+#include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <ostream>
 
 #include <CLI/CLI.hpp>
@@ -6,6 +8,7 @@
 #include "cli/command_line/command.hpp"
 #include "cli/run/folder.hpp"
 #include "cli/run/frame_folders.hpp"
+#include "cli/run/redraw.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/system/external_program.hpp"
 #include "cli/text/checks.hpp"
@@ -20,6 +23,7 @@ namespace {
 struct Options {
   std::string frames, out;
   double fps = 30;
+  bool orbit = false;
 };
 
 /// The number of frames, from 0 on: ffmpeg stops at a gap without a word.
@@ -35,6 +39,36 @@ int count_frames(const fs::path& folder) {
       throw UsageError(frame_name(whole) + " is missing in " + folder.string() +
                        ", and there are later ones");
   return whole;
+}
+
+/// A folder for frames that nobody keeps.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (fs::temp_directory_path() / "taut-orbit-XXXXXX").string();
+    if (!::mkdtemp(name.data())) throw OutputError(name, "the folder cannot be made");
+    path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// Draws the run once more, from all sides. False if it was interrupted.
+bool draw_orbit(const fs::path& folder, const fs::path& frames, std::ostream& err) {
+  SavedRun run = open_saved_run(folder);
+  run.file.drawing.orbit = true;
+  check_redrawing(run);
+  Progress progress(err, progress_style(err, false));
+  return redraw(run, frames, progress).all;
 }
 
 /// What ffmpeg makes of the frames. Video wants even sides, which a white edge gives it; a GIF wants few
@@ -64,15 +98,19 @@ int encode(const Options& options, const fs::path& folder) {
   return make_file({"ffmpeg", "movies", "ffmpeg"}, arguments_of(options, part), folder, options.out);
 }
 
-int movie(const Options& options, std::ostream& out) {
+int movie(const Options& options, Streams streams) {
   const std::string extension = fs::path(options.out).extension().string();
   if (extension != ".mp4" && extension != ".gif")
     throw UsageError("--out is '" + options.out + "', which ends neither in .mp4 nor in .gif");
-  const fs::path folder = frames_of(options.frames);
+  std::optional<ScratchFolder> orbit;
+  if (options.orbit && !draw_orbit(options.frames, orbit.emplace().path(), streams.err))
+    return exit_interrupted;
+  const fs::path folder = orbit ? orbit->path() : frames_of(options.frames);
   const int count = count_frames(folder);
   const int code = encode(options, folder);
   if (code == exit_fine)
-    out << "movie  " << options.out << " (" << count << " frames, " << brief(count / options.fps) << " s)\n";
+    streams.out << "movie  " << options.out << " (" << count << " frames, " << brief(count / options.fps)
+                << " s)\n";
   return code;
 }
 
@@ -85,7 +123,9 @@ std::function<int(Streams)> declare_movie(CLI::App& app) {
   app.add_option("--fps", options->fps, "frames per second; default: 30")
       ->option_text("N")
       ->check(positive_number);
-  return [options](Streams streams) { return movie(*options, streams.out); };
+  app.add_flag("--orbit", options->orbit,
+               "of a run in 3D with particles: draws it anew, the camera goes once about what it sees");
+  return [options](Streams streams) { return movie(*options, streams); };
 }
 
 }  // namespace taut::cli

@@ -6,10 +6,9 @@
 #include "cli/command_line/command.hpp"
 #include "cli/drawing/frames.hpp"
 #include "cli/drawing/options.hpp"
-#include "cli/run/saved_run.hpp"
+#include "cli/run/redraw.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/system/exit_code.hpp"
-#include "cli/system/interrupts.hpp"
 #include "cli/system/progress.hpp"
 #include "engine/error.hpp"
 
@@ -21,6 +20,7 @@ namespace {
 struct Options : DrawingOptions {
   std::string run;
   std::optional<std::string> out;
+  bool orbit = false;
   bool quiet = false;
 };
 
@@ -47,40 +47,16 @@ fs::path prepare(const Options& options, SavedRun& run) {
   return run.folder.frames();
 }
 
-/// False if it was interrupted.
-bool draw_all(const SavedRun& run, Frames& frames, Progress& progress) {
-  const Interrupts interrupts;
-  const double count = static_cast<double>(run.particles.size());
-  const auto go_on = [&](int drawn) {
-    progress.show(drawn / count, "frame " + std::to_string(drawn + 1));
-    return !interrupts.asked();
-  };
-  progress.begin("drawing " + std::to_string(run.particles.size()) + " frames");
-  for (const ParticleFile& file : run.particles) {
-    if (!go_on(frames.written())) return false;
-    frames.add(read_colored(file, *run.file.drawing.field, run.file.scene.dim).view());
-  }
-  return frames.draw_kept(go_on);
-}
-
 int render(const Options& options, Streams streams) {
   SavedRun run = open_saved_run(options.run);
   run.file.drawing = with_options(run.file.drawing, options);
   suit(run.file.drawing, run.file);
-  const Drawing& drawing = run.file.drawing;
-  read_colored(run.particles.front(), *drawing.field,
-               run.file.scene.dim);  // fails before anything is removed
-  const Scene& scene = run.file.scene;
-  Origins origins = origins_of(scene);
-  Staging(drawing, origins);  // as does this
+  run.file.drawing.orbit = options.orbit;
+  check_redrawing(run);  // before anything is removed
   const fs::path folder = prepare(options, run);
-  double drawing_time = 0, writing_time = 0;  // nobody asks for them
-  Frames frames(drawing, std::move(origins), folder, {scene.title, run.file.settings.method, scene.until},
-                drawing_time, writing_time);
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
-  const bool all = draw_all(run, frames, progress);
-  progress.end(std::to_string(frames.written()) + " frames");
-  streams.out << "frames  " << folder.string() << " (" << frames.written() << ")\n";
+  const auto [frames, all] = redraw(run, folder, progress);
+  streams.out << "frames  " << folder.string() << " (" << frames << ")\n";
   return all ? exit_fine : exit_interrupted;
 }
 
@@ -94,6 +70,7 @@ std::function<int(Streams)> declare_render(CLI::App& app) {
   declare_drawing_options(app, *options);
   app.add_option("--out", options->out, "a folder for the frames; default: those of the run are replaced")
       ->option_text("DIR");
+  app.add_flag("--orbit", options->orbit, "3D: the camera goes once about what it sees");
   app.add_flag("--quiet", options->quiet, "no progress on stderr");
   return [options](Streams streams) { return render(*options, streams); };
 }

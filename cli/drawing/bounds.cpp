@@ -67,6 +67,21 @@ render::View SequenceBounds::view_about_origin() const {
   return {-x, x, -y, y};
 }
 
+SequenceBounds::Orbit SequenceBounds::orbit() const {
+  Orbit orbit{{-1, 1, -1, 1}, {}};
+  if (!axes_ || x_.low > x_.high) return orbit;
+  double square = 0;
+  for (const auto& [interval, axis] :
+       {std::pair(&x_, &axes_->right), std::pair(&y_, &axes_->up), std::pair(&z_, &axes_->back)}) {
+    const double half = (interval->high - interval->low) / 2, centre = interval->low + half;
+    square += half * half;
+    for (std::size_t k = 0; k < 3; ++k) orbit.middle[k] += centre * (*axis)[k];
+  }
+  const double radius = std::sqrt(square);
+  orbit.view = {-radius, radius, -radius, radius};
+  return orbit;
+}
+
 double SequenceBounds::front() const { return z_.low > z_.high ? 0 : z_.high; }
 
 Drawing fitted(Drawing drawing, const SequenceBounds& shown) {

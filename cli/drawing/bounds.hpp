@@ -26,6 +26,13 @@ class SequenceBounds {
   /// The same about the origin, where the followed body's centre of mass is, and half as large again: what it
   /// meets is seen too.
   render::View view_about_origin() const;
+  /// A view about the middle of what is shown that holds it from wherever the camera goes about it, and that
+  /// middle.
+  struct Orbit {
+    render::View view;  // about the origin
+    render::Vector middle;
+  };
+  Orbit orbit() const;
   /// Height of the nearest particle along the camera's direction, m.
   double front() const;
 

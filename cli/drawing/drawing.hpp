@@ -26,6 +26,8 @@ struct Drawing {
   std::string cut{};     // expression: where it is not 0 at the start, particles are not drawn; or empty
   std::string follow{};  // the body whose centre of mass stays in the middle; or empty
 
+  bool orbit = false;  // 3D: the camera goes once about what it sees, from the first frame to the last
+
   // what the scene makes of the last two, see `suit` in cli/scene
   Expression is_cut{};
   std::optional<int> followed{};  // index into Scene::bodies

@@ -50,9 +50,9 @@ Drawing fitted(const Drawing& drawing, const Snapshot& snapshot) {
 render::Image draw_picture(const Drawing& drawing, const Captions& captions, const Snapshot& snapshot) {
   const std::vector<double> value = evaluate(*drawing.field, snapshot);
   const Staging staging(drawing, origins_of(snapshot));
-  const StagedParticles staged = staging(view_of(snapshot, value));
+  const StagedParticles drawn = staging.dressed(staging(view_of(snapshot, value)));
   render::Renderer renderer(drawing.look, captions.until);
-  return renderer.draw(with_texts(staged.view(), *drawing.field, captions));
+  return renderer.draw(with_texts(drawn.view(), *drawing.field, captions));
 }
 
 Frames::Frames(const Drawing& drawing, Origins origins, std::filesystem::path folder, Captions captions,
@@ -68,6 +68,11 @@ Frames::Frames(const Drawing& drawing, Origins origins, std::filesystem::path fo
 
 void Frames::begin_drawing(const SequenceBounds& shown) {
   drawing_ = fitted(drawing_, shown);
+  if (drawing_.orbit) {
+    const auto [view, middle] = shown.orbit();
+    drawing_.look.view = view;
+    orbited_ = middle;
+  }
   renderer_.emplace(drawing_.look, captions_.until);
 }
 
@@ -118,16 +123,28 @@ bool Frames::draw_kept(const std::function<bool(int)>& go_on) {
   begin_drawing(bounds_of_kept());
   for (const Kept& frame : kept_) {
     if (!go_on(written_)) return false;
+    if (orbited_) look_from_orbit(written_ / static_cast<double>(kept_.size()));
     draw(staged(frame));
   }
   return true;
+}
+
+/// `share` of a whole turn.
+void Frames::look_from_orbit(double share) {
+  render::Camera camera = orbited(*drawing_.look.camera, 360 * share, 0);
+  const auto [right, up, back] = axes_of(camera);
+  const double x = render::dot(right, *orbited_), y = render::dot(up, *orbited_);
+  render::View view = *drawing_.look.view;  // about the origin
+  camera.front = render::dot(back, *orbited_) + view.x_max;
+  renderer_->look_from(camera, {view.x_min + x, view.x_max + x, view.y_min + y, view.y_max + y});
 }
 
 void Frames::draw(const StagedParticles& particles) {
   const render::Image* image = nullptr;
   {
     const Timed timed(drawing_time_);
-    image = &renderer_->draw(with_texts(particles.view(), *drawing_.field, captions_));
+    const StagedParticles drawn = staging_.dressed(particles);
+    image = &renderer_->draw(with_texts(drawn.view(), *drawing_.field, captions_));
   }
   const Timed timed(writing_time_);
   render::write_png(*image, folder_ / frame_name(written_));

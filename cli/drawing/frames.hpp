@@ -70,6 +70,7 @@ class Frames {
   SequenceBounds bounds_of_kept() const;
   void begin_drawing(const SequenceBounds& shown);
   void draw(const StagedParticles& particles);
+  void look_from_orbit(double share);
 
   Drawing drawing_;
   Staging staging_;
@@ -79,6 +80,7 @@ class Frames {
   int dim_ = 2;
   std::vector<double> diameter_;  // m
   std::vector<Kept> kept_;
+  std::optional<render::Vector> orbited_;     // the middle of a camera's way about it, m
   std::optional<render::Renderer> renderer_;  // made when the range and the view are known
   int written_ = 0;
 };

@@ -20,16 +20,17 @@ Point point(std::span<const double> of, int dim, std::size_t i) {
 }  // namespace
 
 Origins origins_of(const Snapshot& snapshot) {
-  return {snapshot.dim, snapshot.x0, snapshot.m, snapshot.body};
+  return {snapshot.dim, snapshot.x0, snapshot.m, snapshot.diameter, snapshot.body};
 }
 
 Origins origins_of(const Scene& scene) {
   const InitialParticles particles = make_initial_particles(scene);
-  Origins origins{scene.dim, {}, {}, particles.body};
+  Origins origins{scene.dim, {}, {}, {}, particles.body};
   for (std::size_t i = 0; i < particles.V0.size(); ++i) {
     const Point& x = particles.x[i];
     origins.x0.insert(origins.x0.end(), x.begin(), x.begin() + scene.dim);
     const auto material = static_cast<std::size_t>(particles.material[i]);
+    origins.diameter.push_back(std::pow(particles.V0[i], 1.0 / scene.dim));
     origins.m.push_back(scene.materials[material].density * particles.V0[i]);
   }
   return origins;
@@ -56,6 +57,19 @@ Staging::Staging(const Drawing& drawing, Origins origins)
     throw UsageError("cut = \"" + drawing.cut +
                      "\" leaves no particle to draw: it holds at the start of every one; cut away less, or "
                      "turn it round");
+  if (drawing.style == Style::cells) find_cells();
+}
+
+void Staging::find_cells() {
+  std::vector<double> x0, diameter;
+  std::vector<int> body;
+  for (const std::size_t i : shown_) {
+    const Point x = point(origins_.x0, origins_.dim, i);
+    x0.insert(x0.end(), x.begin(), x.begin() + origins_.dim);
+    diameter.push_back(origins_.diameter[i]);
+    body.push_back(origins_.body[i]);
+  }
+  cells_.emplace(origins_.dim, x0, diameter, body);
 }
 
 /// The centre of mass of the body that is followed.
@@ -87,6 +101,17 @@ StagedParticles Staging::operator()(const FrameView& particles) const {
     staged.value.push_back(particles.value[i]);
   }
   return staged;
+}
+
+StagedParticles Staging::dressed(StagedParticles staged) const {
+  if (!cells_) return staged;
+  CellShapes shapes = cells_->at(staged.x);
+  StagedParticles drawn{staged.dim, staged.time, std::move(shapes.centre), {}, {}, std::move(shapes.edge)};
+  for (const std::size_t k : shapes.particle) {
+    drawn.diameter.push_back(staged.diameter[k]);
+    drawn.value.push_back(staged.value[k]);
+  }
+  return drawn;
 }
 
 void Staging::extend(SequenceBounds& bounds, const StagedParticles& staged) const {

@@ -5,6 +5,7 @@
 
 #include "cli/drawing/bounds.hpp"
 #include "cli/drawing/drawing.hpp"
+#include "engine/diagnostics/cells.hpp"
 #include "engine/frame_view.hpp"
 #include "engine/snapshot.hpp"
 
@@ -13,9 +14,10 @@ namespace taut::cli {
 /// Where the particles of a run come from, in the order of their creation.
 struct Origins {
   int dim = 2;
-  std::vector<double> x0;  // n × dim, m
-  std::vector<double> m;   // mass, kg (per metre depth in 2D)
-  std::vector<int> body;   // index into Scene::bodies
+  std::vector<double> x0;        // n × dim, m
+  std::vector<double> m;         // mass, kg (per metre depth in 2D)
+  std::vector<double> diameter;  // m
+  std::vector<int> body;         // index into Scene::bodies
 
   std::size_t size() const { return m.size(); }
 };
@@ -44,15 +46,19 @@ class Staging {
 
   /// `particles` are all of the run.
   StagedParticles operator()(const FrameView& particles) const;
+  /// The same as they are drawn: in style `cells` as pieces of their bodies, without those that others surround.
+  StagedParticles dressed(StagedParticles staged) const;
   /// What a view that is open has to hold of such particles, and their values.
   void extend(SequenceBounds& bounds, const StagedParticles& staged) const;
 
  private:
+  void find_cells();
   Point middle(const FrameView& particles) const;
 
   Origins origins_;
   std::optional<int> followed_;
   std::vector<std::size_t> shown_;  // numbers of the particles
+  std::optional<Cells> cells_;      // of those, if they are to be drawn
 };
 
 }  // namespace taut::cli

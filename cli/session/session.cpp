@@ -111,6 +111,13 @@ void Session::zoom(double factor) {
   see({x - half_x, x + half_x, y - half_y, y + half_y});
 }
 
+void Session::orbit(double right, double upwards) {
+  if (!drawing_.look.camera)
+    throw UsageError("orbit is for scenes in 3D; view pan and view zoom move what is seen of this one");
+  drawing_.look.camera = orbited(*drawing_.look.camera, right, upwards);
+  window_.reset();
+}
+
 void Session::frame(const std::filesystem::path& file) const { render::write_png(picture(drawing()), file); }
 
 render::Image Session::picture(const Drawing& drawing) const {

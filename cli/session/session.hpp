@@ -41,6 +41,8 @@ class Session {
   void pan(double dx, double dy);
   /// Shows less of it, larger, about its centre; `factor` > 0, below 1: more.
   void zoom(double factor);
+  /// The camera of a scene in 3D goes about what it looks at, degrees.
+  void orbit(double right, double upwards);
   /// How a frame looks now, with what is automatic as it suits this moment.
   Drawing drawing() const;
   /// As a frame of `run` at this time would be.

@@ -92,6 +92,11 @@ void view(Session& session, const Words& words, const Dialogue&) {
     wrong_words("view");
 }
 
+void orbit(Session& session, const Words& words, const Dialogue&) {
+  if (words.empty() || words.size() > 2) wrong_words("orbit");
+  session.orbit(number(words[0]), words.size() == 2 ? number(words[1]) : 0);
+}
+
 std::string ends(double low, double high) { return brief(low) + " to " + brief(high); }
 
 void preview(Session& session, const Words& words, const Dialogue& to) {
@@ -202,7 +207,8 @@ std::vector<SessionCommand> make_commands() {
   views.arguments = "pan DX DY | zoom F | fit | X0 X1 Y0 Y1";
   views.run = view;
   all.insert(all.end(),
-             {{"preview", "", "shows the picture in the terminal", preview},
+             {{"orbit", "RIGHT [UPWARDS]", "3D: the camera goes about what it looks at, degrees", orbit},
+              {"preview", "", "shows the picture in the terminal", preview},
               {"frame", "FILE.png", "draws what `preview` shows into a file, as `taut run` does", frame},
               {"probe", "[PROBE ...]", "the values of probes now", probe},
               {"set", "CONSTANT=VALUE", "cfl, or method.NAME, from the next step on", set},

@@ -21,11 +21,16 @@ constexpr int samples = 2;
 // Bounds the buffers of a band to 16 Mi samples of 8 bytes; a picture of 1920 × 1080 is one band.
 constexpr int samples_per_band = 1 << 24;
 
-// Direction to the light (x right, y down, z to the camera), of length 1, and what remains without it.
-#define TAUT_LIGHT "vec3(-0.32, -0.44, 0.839)"
+// What a surface keeps of its colour: x to the right, y downwards, z towards the camera. What looks at the camera
+// keeps all of it, and what is turned away from the light `ambient` of it.
 constexpr std::array<float, 3> to_light = {-0.32f, -0.44f, 0.839f};
-#define TAUT_AMBIENT "0.62"
-constexpr float ambient = 0.62f;
+constexpr float ambient = 0.72f;  // of a particle; and in the shader of the surface that all of them make
+#define TAUT_LIGHT                                                  \
+  "float light_on(vec3 normal, float ambient) {\n"                  \
+  "  const vec3 to_light = vec3(-0.32, -0.44, 0.839);\n"            \
+  "  float light = max(dot(normal, to_light), 0.0) / to_light.z;\n" \
+  "  return min(ambient + (1.0 - ambient) * light, 1.0);\n"         \
+  "}\n"
 
 // `band`: width of the plot, top and height of the band, pixels; `depth`: greatest z, and 1 / range of z.
 constexpr const char* ball_vertex_shader = R"(#version 330 core
@@ -46,7 +51,7 @@ void main() {
   ball_color = color;
 })";
 
-constexpr const char* ball_fragment_shader = R"(#version 330 core
+constexpr const char* ball_fragment_shader = "#version 330 core\n" TAUT_LIGHT R"(
 flat in vec4 ball_color;
 flat in vec2 ball_depth;
 in vec2 from_centre;
@@ -55,8 +60,7 @@ void main() {
   float r2 = dot(from_centre, from_centre);
   if (r2 > 1.0) discard;
   vec3 normal = vec3(from_centre, sqrt(1.0 - r2));
-  float light = )" TAUT_AMBIENT " + (1.0 - " TAUT_AMBIENT ") * max(dot(normal, " TAUT_LIGHT R"(), 0.0);
-  color = vec4(ball_color.rgb * light, 1.0);
+  color = vec4(ball_color.rgb * light_on(normal, 0.72), 1.0);
   gl_FragDepth = ball_depth.x - ball_depth.y * normal.z;
 })";
 
@@ -81,17 +85,19 @@ constexpr const char* resolve_vertex_shader = R"(#version 330 core
 void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); })";
 
 // Pairs of opposite places about the pixel: on a plane their mean is as deep as it, in a hollow nearer. Half
-// their difference is the slope. What is farther than the pair is wide belongs to something else.
-constexpr const char* resolve_fragment_shader = R"(#version 330 core
+// their difference is the slope. What is much farther than the pair is wide belongs
+// to something else.
+constexpr const char* resolve_fragment_shader = "#version 330 core\n" TAUT_LIGHT R"(
 uniform sampler2D colors, depths;
 uniform ivec2 corner;    // of the picture's part, pixels of framebuffer 0
 uniform ivec2 top_edge;  // last column and row of samples
 uniform float range;     // of depths, pixels
-uniform float reach;     // pixels; 0: plain colours
+uniform float reach;     // of the light about a pixel, pixels
 out vec4 color;
 
 float depth_at(vec2 place) {
-  return range * texelFetch(depths, clamp(ivec2(2.0 * place), ivec2(0), top_edge), 0).r;
+  float depth = texelFetch(depths, clamp(ivec2(2.0 * place), ivec2(0), top_edge), 0).r;
+  return depth < 1.0 ? range * depth : 1e6;  // nothing is there
 }
 
 void main() {
@@ -113,15 +119,12 @@ void main() {
     vec2 way = i < 4 ? directions[i] : between[i - 4];
     float a = (z - depth_at(place + far * way)) / far;
     float b = (z - depth_at(place - far * way)) / far;
-    bool near_a = abs(a) < 1.5, near_b = abs(b) < 1.5;
-    float rise = near_a && near_b ? 0.5 * (a - b) : near_a ? a : near_b ? -b : 0.0;
-    slope += 0.25 * rise * way;
+    float weight_a = clamp(2.0 - abs(a), 0.0, 1.0), weight_b = clamp(2.0 - abs(b), 0.0, 1.0);
+    slope += 0.25 * (weight_a * a - weight_b * b) / max(weight_a + weight_b, 0.1) * way;
     hollow += 0.125 * max(clamp(a, -1.0, 1.0) + clamp(b, -1.0, 1.0), 0.0);
   }
-  vec3 normal = normalize(vec3(-slope.x, slope.y, 1.0));
-  float light = )" TAUT_AMBIENT " + (1.0 - " TAUT_AMBIENT ") * max(dot(normal, " TAUT_LIGHT R"(), 0.0);
-  light = reach > 0.0 ? light * (1.0 - 0.6 * min(1.5 * hollow, 1.0)) / 0.94 : 1.0;
-  color = vec4((mean.rgb - blank) * min(light, 1.0) + blank, 1.0);
+  float light = light_on(normalize(vec3(-slope.x, slope.y, 1.0)), 0.6) * (1.0 - 0.6 * min(1.2 * hollow, 1.0));
+  color = vec4((mean.rgb - blank) * light + blank, 1.0);
 })";
 
 GLuint make_texture(GLint format, GLenum kind, GLenum type, GLint filter, int width, int height) {
@@ -149,7 +152,8 @@ void declare_attributes(int floats, std::size_t stride) {
 }  // namespace
 
 float light_on(float x, float y, float z) {
-  return ambient + (1 - ambient) * std::max(x * to_light[0] + y * to_light[1] + z * to_light[2], 0.0f);
+  const float light = std::max(x * to_light[0] + y * to_light[1] + z * to_light[2], 0.0f) / to_light[2];
+  return std::min(ambient + (1 - ambient) * light, 1.0f);
 }
 
 /// Of all that is drawn, in pixels of the plot and of depth.
@@ -198,7 +202,7 @@ SolidPainter::SolidPainter(int image_width, int image_height, const Rect& plot)
   glDepthFunc(GL_LESS);
 }
 
-void SolidPainter::draw(std::span<const Ball> balls, std::span<const Corner> corners, bool lit) {
+void SolidPainter::draw(std::span<const Ball> balls, std::span<const Corner> corners) {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glDisable(GL_SCISSOR_TEST);
   glClearColor(1, 1, 1, 1);
@@ -219,7 +223,7 @@ void SolidPainter::draw(std::span<const Ball> balls, std::span<const Corner> cor
     const int above = std::min(reach_, top), below = std::min(reach_, plot_.height - top - height);
     draw_band(top - above, above + height + below, static_cast<int>(thrice.size()),
               static_cast<int>(corners.size()), extent);
-    resolve(top, height, below, extent, lit);
+    resolve(top, height, below, extent);
   }
 }
 
@@ -242,7 +246,7 @@ void SolidPainter::draw_band(int top, int height, int ball_corners, int corners,
 }
 
 /// The rows from `top` on; the band has `below` more than these at its lower end.
-void SolidPainter::resolve(int top, int height, int below, const Extent& extent, bool lit) {
+void SolidPainter::resolve(int top, int height, int below, const Extent& extent) {
   const int bottom = image_height_ - (plot_.y + top + height);  // row 0 of OpenGL is the bottom one
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, image_width_, image_height_);
@@ -270,7 +274,7 @@ void SolidPainter::resolve(int top, int height, int below, const Extent& extent,
   glUniform2i(glGetUniformLocation(program, "top_edge"), samples * plot_.width - 1,
               samples * (above + height + below) - 1);
   glUniform1f(glGetUniformLocation(program, "range"), extent.range());
-  glUniform1f(glGetUniformLocation(program, "reach"), lit ? static_cast<float>(reach_) : 0);
+  glUniform1f(glGetUniformLocation(program, "reach"), static_cast<float>(reach_));
   glBindVertexArray(no_vertices_);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_SCISSOR_TEST);

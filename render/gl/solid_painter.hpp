@@ -32,9 +32,8 @@ class SolidPainter {
  public:
   SolidPainter(int image_width, int image_height, const Rect& plot);
 
-  /// Paints framebuffer 0 white, and balls and triangles (three corners each) into the plot. Without `lit`
-  /// they have their plain colours.
-  void draw(std::span<const Ball> balls, std::span<const Corner> corners, bool lit);
+  /// Paints framebuffer 0 white, and balls and triangles (three corners each) into the plot.
+  void draw(std::span<const Ball> balls, std::span<const Corner> corners);
 
  private:
   struct Extent;
@@ -45,7 +44,7 @@ class SolidPainter {
   };
 
   void draw_band(int top, int height, int ball_corners, int corners, const Extent& extent);
-  void resolve(int top, int height, int below, const Extent& extent, bool lit);
+  void resolve(int top, int height, int below, const Extent& extent);
 
   int image_width_, image_height_;
   Rect plot_;

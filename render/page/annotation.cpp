@@ -18,7 +18,8 @@ void Annotation::draw(const FrameView& frame) {
   canvas_.begin();  // OpenGL wrote into it
   draw_header(frame);
   bar_.draw(canvas_, layout_.bar, layout_.font, frame.field, frame.unit);
-  draw_scale_bar(canvas_, layout_.plot, layout_.pixels_per_metre, layout_.font);
+  if (has_scale_bar_) draw_scale_bar(canvas_, layout_.plot, layout_.pixels_per_metre, layout_.font);
+  if (axes_) draw_axes_marker(canvas_, layout_.plot, *axes_, layout_.font);
   canvas_.end();
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "render/image/image.hpp"
 
 namespace taut::render {
@@ -10,6 +12,10 @@ struct View {
   double x_min = 0, x_max = 1, y_min = 0, y_max = 1;
   bool operator==(const View&) const = default;
 };
+
+/// The axes x, y, z of a scene in 3D as they stand in a picture: of length 1, to the right, up and towards who
+/// looks at it.
+using AxesMarker = std::array<std::array<double, 3>, 3>;
 
 /// Where things are in a picture.
 struct PageLayout {

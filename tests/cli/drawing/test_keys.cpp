@@ -18,10 +18,14 @@ namespace {
 Drawing other_drawing() {
   return {.field = find_field("pressure"),
           .look = {.view = render::View{-1, 2, -3, 4},
+                   .camera = render::Camera{.from = {1, 0, 0}, .up = {0, 1, 0}, .field_of_view = 30},
                    .range = render::Range{-5, 6},
                    .colormap = render::find_colormap("plasma"),
                    .size = render::Size{70, 80}},
-          .frames = 9};
+          .frames = 9,
+          .style = Style::cells,
+          .cut = "x > 0",
+          .follow = "ball"};
 }
 
 DrawingOptions typed(const std::string& key, const std::string& text) {
@@ -47,6 +51,10 @@ TEST_SUITE("unit") {
     CHECK(copy.look.range == other.look.range);
     CHECK(copy.look.colormap == other.look.colormap);
     CHECK(copy.look.size == other.look.size);
+    CHECK(copy.look.camera == other.look.camera);
+    CHECK(copy.style == other.style);
+    CHECK(copy.cut == other.cut);
+    CHECK(copy.follow == other.follow);
     CHECK(copy.frames == other.frames);
   }
 
@@ -57,6 +65,12 @@ TEST_SUITE("unit") {
     CHECK_FALSE(drawing.look.view);
     CHECK_FALSE(drawing.look.range);
     CHECK_FALSE(drawing.look.colormap);
+    CHECK_FALSE(drawing.style);
+    CHECK(drawing.look.camera == render::Camera{});
+    for (const std::string_view name : {"cut", "follow"})
+      CHECK(drawing_key(name).set(drawing, std::string(nothing)).empty());
+    CHECK(drawing.cut.empty());
+    CHECK(drawing.follow.empty());
   }
 
   TEST_CASE("keys of drawing: range and colour map go with their field") {
@@ -78,6 +92,10 @@ TEST_SUITE("unit") {
          {std::array{"range", "2:1", "not LOW:HIGH with LOW less than HIGH"},
           std::array{"range", "1:2:3", "not LOW:HIGH"},
           std::array{"view", "0:1:2:2", "not X_MIN:X_MAX:Y_MIN:Y_MAX"},
+          std::array{"camera", "0:0:0", "not X:Y:Z, a direction towards the camera"},
+          std::array{"camera", "1:2", "not X:Y:Z"}, std::array{"up", "1:2:z", "not X:Y:Z"},
+          std::array{"fov", "121", "not DEGREES from 0 (parallel) to 120, nor 'auto'"},
+          std::array{"style", "cell", "unknown style 'cell' (did you mean 'cells'?)"},
           std::array{"size", "100x63.5", "not WIDTHxHEIGHT"}, std::array{"size", "auto", "not WIDTHxHEIGHT"},
           std::array{"color", "presure", "unknown field 'presure' (did you mean 'pressure'?)"},
           std::array{"colormap", "plasm", "unknown colour map 'plasm' (did you mean 'plasma'?)"}}) {
@@ -87,6 +105,23 @@ TEST_SUITE("unit") {
       CHECK_THROWS_WITH_AS(set_typed(drawing, drawing_key(name), text), doctest::Contains(right), UsageError);
       for (const DrawingKey& key : drawing_keys()) CHECK(key.get(drawing) == key.get(other_drawing()));
     }
+  }
+
+  TEST_CASE("in 3D the view lies across the camera's direction, and holds all particles with their size") {
+    const std::vector<double> x{0, 0, 0, 1, 2, 3}, diameter{0.2, 0.2}, value{0, 1};
+    FrameView particles;
+    particles.dim = 3, particles.x = x, particles.diameter = diameter, particles.value = value;
+    Drawing open;
+    open.look.camera = render::Camera{.from = {0, -1, 0}};  // right is x, up is z
+    SequenceBounds shown(open.look.camera);
+    shown.add(particles);
+    const render::Look look = fitted(open, shown).look;
+    const double margin = 0.05 * 3.2;
+    CHECK(look.view->x_min == doctest::Approx(-0.1 - margin));
+    CHECK(look.view->x_max == doctest::Approx(1.1 + margin));
+    CHECK(look.view->y_min == doctest::Approx(-0.1 - margin));
+    CHECK(look.view->y_max == doctest::Approx(3.1 + margin));
+    CHECK(look.camera->front == doctest::Approx(0.1));  // of the first, the second is 2 m behind
   }
 
   TEST_CASE("what a drawing leaves open is fitted to what is shown, and nothing else") {

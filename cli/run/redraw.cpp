@@ -1,0 +1,41 @@
+#include "cli/run/redraw.hpp"
+
+#include "cli/drawing/frames.hpp"
+#include "cli/system/interrupts.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+
+void check_redrawing(const SavedRun& run) {
+  const Drawing& drawing = run.file.drawing;
+  read_colored(run.particles.front(), *drawing.field, run.file.scene.dim);
+  const Staging staging(drawing, origins_of(run.file.scene));
+  if (drawing.orbit && run.file.scene.dim == 2)
+    throw UsageError("--orbit is for scenes in 3D, and this one has dim = 2");
+}
+
+Redrawn redraw(const SavedRun& run, const std::filesystem::path& folder, Progress& progress) {
+  const Scene& scene = run.file.scene;
+  double drawing_time = 0, writing_time = 0;  // nobody asks for them
+  Frames frames(run.file.drawing, origins_of(scene), folder,
+                {scene.title, run.file.settings.method, scene.until}, drawing_time, writing_time);
+  const Interrupts interrupts;
+  const double count = static_cast<double>(run.particles.size());
+  const auto go_on = [&](int drawn) {
+    progress.show(drawn / count, "frame " + std::to_string(drawn + 1));
+    return !interrupts.asked();
+  };
+  const auto draw_all = [&] {
+    for (const ParticleFile& file : run.particles) {
+      if (!go_on(frames.written())) return false;
+      frames.add(read_colored(file, *run.file.drawing.field, scene.dim).view());
+    }
+    return frames.draw_kept(go_on);
+  };
+  progress.begin("drawing " + std::to_string(run.particles.size()) + " frames");
+  const bool all = draw_all();
+  progress.end(std::to_string(frames.written()) + " frames");
+  return {frames.written(), all};
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "render/page/canvas.hpp"
+#include "render/page/page_layout.hpp"
+
+namespace taut::render {
+
+/// Three lines with their letters in the lower right corner of a plot.
+void draw_axes_marker(Canvas& canvas, const Rect& plot, const AxesMarker& axes, double em);
+
+}  // namespace taut::render

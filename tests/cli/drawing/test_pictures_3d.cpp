@@ -1,0 +1,186 @@
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "cli/drawing/frames.hpp"
+#include "render/image/png.hpp"
+#include "render/page/page_layout.hpp"
+#include "tests/support/program_runner.hpp"
+#include "tests/support/scene_text.hpp"
+
+namespace {
+
+using namespace taut;
+using namespace taut::cli;
+using namespace taut::test;
+using Words = std::vector<std::string>;
+
+/// Two small cubes that fly towards each other.
+std::string write_cubes(const TemporaryFolder& folder) {
+  std::ofstream(folder / "cubes.toml") << R"(
+dim = 3
+spacing = 0.002
+until = 0.0005
+method = "tl"
+[material.rubber]
+density = 1000
+youngs_modulus = 1e6
+poisson_ratio = 0.4
+[[body]]
+name = "left"
+shape = { type = "box", low = [-0.011, -0.004, -0.004], high = [-0.003, 0.004, 0.004] }
+material = "rubber"
+velocity = [2, 0, 0]
+[[body]]
+name = "right"
+shape = { type = "box", low = [0.003, -0.004, -0.004], high = [0.011, 0.004, 0.004] }
+material = "rubber"
+velocity = [-2, 0, 0]
+[render]
+color = "speed"
+size = [160, 120]
+frames = 2
+)";
+  return folder.str("cubes.toml");
+}
+
+Outcome run(const TemporaryFolder& folder, const std::string& out, const Words& more = {}) {
+  Words arguments{"run", write_cubes(folder), "--out", folder.str(out), "--threads", "1", "--quiet"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return call(arguments);
+}
+
+std::string last_frame(const TemporaryFolder& folder, const std::string& run) {
+  return text_of(folder / (run + "/frames/frame_00002.png"));
+}
+
+std::string session(const TemporaryFolder& folder, const std::string& script) {
+  std::istringstream input(script);
+  std::streambuf* const before = std::cin.rdbuf(input.rdbuf());
+  std::cin.clear();
+  const Outcome outcome = call({"session", write_cubes(folder), "--threads", "1"});
+  std::cin.rdbuf(before);
+  return outcome.out;
+}
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("a run in 3D is drawn, and drawn again from its particles to the same bytes") {
+    const TemporaryFolder folder;
+    REQUIRE(run(folder, "a", {"--save-particles"}).code == 0);
+    const std::string scene = text_of(folder / "a/scene.toml");
+    for (const char* line : {"camera = [1.0, -2.0, 1.0]", "up = [0.0, 0.0, 1.0]", "view = \"auto\"",
+                             "fov = 0.0", "style = \"auto\"", "cut = \"none\"", "follow = \"none\""})
+      CHECK_MESSAGE(contains(scene, line), line);
+    for (const Words& options :
+         {Words{}, Words{"--cut", "y < 0"}, Words{"--style", "cells"}, Words{"--follow", "left"},
+          Words{"--camera", "1:1:0", "--up", "0:1:0", "--fov", "40"}}) {
+      CAPTURE(options.empty() ? "" : options[0]);
+      REQUIRE(run(folder, "b", options).code == 0);
+      Words again{"render", folder.str("a"), "--quiet"};
+      again.insert(again.end(), options.begin(), options.end());
+      const Outcome outcome = call(again);
+      REQUIRE_MESSAGE(outcome.code == 0, outcome.err);
+      CHECK(last_frame(folder, "a") == last_frame(folder, "b"));
+      std::ofstream(folder / "a/scene.toml", std::ios::binary) << scene;
+      if (options.empty()) continue;
+      REQUIRE(run(folder, "c").code == 0);
+      CHECK(last_frame(folder, "b") != last_frame(folder, "c"));
+    }
+  }
+
+  TEST_CASE("a camera that orbits begins and ends the turn where it stands, and sees all of it") {
+    const TemporaryFolder folder;
+    REQUIRE(run(folder, "a", {"--save-particles", "--frames", "3"}).code == 0);
+    const auto frame = [&](int number) {
+      return taut::render::read_png(folder / ("o/" + frame_name(number)));
+    };
+    REQUIRE(call({"render", folder.str("a"), "--orbit", "--camera", "0:-1:0", "--out", folder.str("o"),
+                  "--quiet"})
+                .code == 0);
+    // four quarters: along y, x, -y, -x; the cubes stand one behind the other, or side by side
+    const auto width = [](const taut::render::Image& image) {
+      const taut::render::PageLayout layout = taut::render::make_layout(image.width, image.height, {});
+      int left = image.width, right = 0;
+      for (int row = 0; row < layout.plot.height; ++row)
+        for (int column = 0; column < layout.plot.width; ++column)
+          if (image.at(column, row) != taut::render::Rgb{255, 255, 255})
+            left = std::min(left, column), right = std::max(right, column);
+      return right - left + 1;
+    };
+    CHECK(width(frame(0)) > 2 * width(frame(1)));
+    CHECK(std::abs(width(frame(2)) - width(frame(0))) <= 3);
+    CHECK(std::abs(width(frame(3)) - width(frame(1))) <= 3);
+    REQUIRE(call(tiny_run(folder, "flat", {"--save-particles"})).code == 0);
+    const Outcome flat = call({"render", folder.str("flat"), "--orbit"});
+    CHECK(flat.code == 2);
+    CHECK(contains(flat.err, "--orbit is for scenes in 3D"));
+  }
+
+  TEST_CASE("runs in 3D stand side by side in a panel") {
+    const TemporaryFolder folder;
+    REQUIRE(run(folder, "a", {"--save-particles", "--no-render"}).code == 0);
+    const auto panel = [&](const Words& options) {
+      Words arguments{"compare",           folder.str("a"), folder.str("a"), "--out",
+                      folder.str("p.png"), "--times",       "0.0005"};
+      arguments.insert(arguments.end(), options.begin(), options.end());
+      const Outcome outcome = call(arguments);
+      REQUIRE_MESSAGE(outcome.code == 0, outcome.err);
+      return text_of(folder / "p.png");
+    };
+    const std::string plain = panel({});
+    CHECK(panel({}) == plain);
+    CHECK(panel({"--cut", "x < 0"}) != plain);
+    CHECK(panel({"--style", "cells"}) != plain);
+    CHECK(panel({"--fov", "60"}) != plain);
+  }
+
+  TEST_CASE("a session in 3D orbits, zooms and cuts, and comes back") {
+    const TemporaryFolder folder;
+    REQUIRE(run(folder, "a").code == 0);
+    const auto frame = [&](const std::string& name) { return "frame " + folder.str(name + ".png") + "\n"; };
+    const std::string answers =
+        session(folder, frame("start") + "orbit 30 10\n" + frame("turned") + "camera auto\nup auto\n" +
+                            frame("back") + "view zoom 2\n" + frame("near") + "view fit\n" + frame("fit") +
+                            "cut y < 0\n" + frame("cut") + "cut none\n" + frame("whole") +
+                            "cut x < 9\nview 0 1 0 1\nstyle discs\ninfo\n");
+    const auto picture = [&](const std::string& name) { return text_of(folder / (name + ".png")); };
+    for (const char* same : {"back", "fit", "whole"}) CHECK_MESSAGE(picture(same) == picture("start"), same);
+    for (const char* other : {"turned", "near", "cut"})
+      CHECK_MESSAGE(picture(other) != picture("start"), other);
+    CHECK(contains(answers, "error: cut = \"x < 9\" leaves no particle"));
+    CHECK(contains(answers, "error: view is for scenes in 2D"));
+    CHECK(contains(answers, "error: style = \"discs\" is for scenes in 2D"));
+    CHECK(contains(answers, "cut=none\n"));
+    CHECK(contains(answers, "camera=1 -2 1\n"));
+  }
+
+  TEST_CASE("pictures: what does not go with the scene is refused, with its place") {
+    check_error("color = \"von_mises\"", "camera = @[1, 1, 1]", {"for scenes in 3D", "dim = 2", "`view`"});
+    check_error("color = \"von_mises\"", "fov = @30", {"for scenes in 3D"});
+    check_error("color = \"von_mises\"", "fov = @130",
+                {"fov = 130 must be from 0 (parallel) to 120 degrees"});
+    check_error("color = \"von_mises\"", "up = @[0, 0, 0]", {"cannot be [0, 0, 0]"});
+    check_error("color = \"von_mises\"", "style = @\"spheres\"", {"for scenes in 3D", "discs or cells"});
+    check_error("color = \"von_mises\"", "style = @\"sphere\"", {"unknown style 'sphere'", "'spheres'"});
+    check_error("color = \"von_mises\"", "follow = @\"rin\"", {"unknown body 'rin'", "'ring'"});
+    check_error("color = \"von_mises\"", "cut = @\"x >\"", {"'x >'"});
+    check_error("color = \"von_mises\"", "cut = @3", {"cut must be a text in quotes"});
+    const TemporaryFolder folder;
+    const Outcome view = run(folder, "a", {"--view", "0:1:0:1"});
+    CHECK(view.code == 2);
+    CHECK(contains(view.err, "view is for scenes in 2D, this one has dim = 3"));
+    const Outcome cut = run(folder, "a", {"--cut", "1"});
+    CHECK(cut.code == 2);
+    CHECK(contains(cut.err, "leaves no particle to draw"));
+    CHECK_FALSE(fs::exists(folder / "a"));
+    CHECK(call(tiny_run(folder, "b", {"--camera", "1:1:1"})).code == 2);
+  }
+}

@@ -1,0 +1,102 @@
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "cli/drawing/staging.hpp"
+#include "engine/error.hpp"
+
+using namespace taut;
+using namespace taut::cli;
+
+namespace {
+
+using Numbers = std::vector<double>;
+
+/// Two bodies of two particles each, the second body of a light and a heavy one.
+Origins two_pairs() {
+  return {.dim = 2,
+          .x0 = {0, 0, 1, 0, 0, 3, 1, 3},
+          .m = {1, 1, 1, 3},
+          .diameter = Numbers(4, 1),
+          .body = {0, 0, 1, 1}};
+}
+
+const Numbers moved{0, 1, 1, 1, 4, 3, 8, 5};  // m
+
+FrameView frame(const Numbers& x, const Origins& origins, const Numbers& value) {
+  FrameView view;
+  view.dim = origins.dim;
+  view.x = x, view.diameter = origins.diameter, view.value = value;
+  return view;
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("a drawing without wishes shows every particle where it is") {
+    const Origins origins = two_pairs();
+    const StagedParticles staged = Staging({}, origins)(frame(moved, origins, {1, 2, 3, 4}));
+    CHECK(staged.x == moved);
+    CHECK(staged.value == Numbers{1, 2, 3, 4});
+    CHECK(staged.diameter == origins.diameter);
+    CHECK(staged.cell.empty());
+  }
+
+  TEST_CASE("a cut goes by where particles were at the start") {
+    Drawing drawing;
+    drawing.is_cut = [](const Point& x) { return static_cast<double>(x[1] > 2); };
+    const Origins origins = two_pairs();
+    Numbers swapped = moved;
+    swapped[1] = 9;  // beyond the plane of the cut by now
+    const StagedParticles staged = Staging(drawing, origins)(frame(swapped, origins, {1, 2, 3, 4}));
+    CHECK(staged.x == Numbers{0, 9, 1, 1});
+    CHECK(staged.value == Numbers{1, 2});
+  }
+
+  TEST_CASE("a cut that leaves nothing is refused") {
+    Drawing drawing;
+    drawing.cut = "1";
+    drawing.is_cut = [](const Point&) { return 1.0; };
+    CHECK_THROWS_WITH_AS(Staging(drawing, two_pairs()), doctest::Contains("cut = \"1\" leaves no particle"),
+                         UsageError);
+  }
+
+  TEST_CASE("a body that is followed has its centre of mass in the origin, and the view is about it") {
+    Drawing drawing;
+    drawing.followed = 1;
+    const Origins origins = two_pairs();
+    const Staging staging(drawing, origins);
+    const StagedParticles staged = staging(frame(moved, origins, {1, 2, 3, 4}));
+    CHECK(staged.x == Numbers{-7, -3.5, -6, -3.5, -3, -1.5, 1, 0.5});  // the centre is at (7, 4.5)
+    SequenceBounds bounds;
+    staging.extend(bounds, staged);
+    const render::View view = *fitted(drawing, bounds).look.view;
+    CHECK(view.x_max == doctest::Approx(1.5 * 3.5));  // 3 m from the centre and half a diameter
+    CHECK(view.x_min == doctest::Approx(-1.5 * 3.5));
+    CHECK(view.y_max == doctest::Approx(1.5 * 2));
+    CHECK(bounds.range(false) == render::Range{1, 4});  // the other body is seen too
+    drawing.cut = "y > 2";  // the body is followed where nothing of it is seen, too
+    drawing.is_cut = [](const Point& x) { return static_cast<double>(x[1] > 2); };
+    CHECK(Staging(drawing, origins)(frame(moved, origins, {1, 2, 3, 4})).x == Numbers{-7, -3.5, -6, -3.5});
+  }
+
+  TEST_CASE("in style cells particles are pieces of their bodies, with their values") {
+    Drawing drawing;
+    drawing.style = Style::cells;
+    Origins origins = two_pairs();
+    const Staging staging(drawing, origins);
+    const StagedParticles drawn = staging.dressed(staging(frame(moved, origins, {1, 2, 3, 4})));
+    CHECK(drawn.x == moved);
+    CHECK(drawn.value == Numbers{1, 2, 3, 4});
+    REQUIRE(drawn.cell.size() == 16);
+    CHECK(drawn.cell[8] == doctest::Approx(4));  // the second body is stretched to (4, 2)
+    CHECK(drawn.cell[9] == doctest::Approx(2));
+  }
+
+  TEST_CASE("particles of another scene are refused") {
+    const Origins origins = two_pairs();
+    Origins more = origins;
+    more.m.push_back(1);
+    CHECK_THROWS_AS(Staging({}, more)(frame(moved, origins, {1, 2, 3, 4})), UsageError);
+  }
+}
