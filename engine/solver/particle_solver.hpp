@@ -15,7 +15,6 @@
 #include "engine/scene/initial_particles.hpp"
 #include "engine/solver/contact.hpp"
 #include "engine/solver/drives.hpp"
-#include "engine/solver/guides.hpp"
 #include "engine/solver/loads.hpp"
 #include "engine/solver/probes.hpp"
 #include "engine/solver/running.hpp"
