@@ -124,7 +124,9 @@ Renderer::Parts::Parts(const Look& look, double until)
 
 void Renderer::Parts::check(const FrameView& frame) const {
   const std::size_t dim = projection ? 3 : 2, n = frame.value.size();
-  if (static_cast<std::size_t>(frame.dim) != dim || frame.x.size() != dim * n || frame.diameter.size() != n ||
+  if (static_cast<std::size_t>(frame.dim) != dim)
+    throw std::logic_error("a scene in 3D is to be drawn without a camera, or one in 2D with one");
+  if (frame.x.size() != dim * n || frame.diameter.size() != n ||
       (!frame.cell.empty() && frame.cell.size() != dim * dim * n)) {
     throw std::logic_error("the arrays of a frame do not have the same number of particles");
   }

@@ -10,8 +10,19 @@
 namespace taut::render {
 namespace {
 
-// Cells overlap by this factor: where a body bends, gaps of second order in the spacing would show between them.
-constexpr double overlap = 1.02;
+Vector sum(const Vector& a, const Vector& b, double times = 1) {
+  return {a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]};
+}
+
+// Cells overlap by this factor, and by this many pixels at least: where a body bends, gaps of second order in the
+// spacing would show between them.
+constexpr double overlap = 1.02, least_overlap = 0.7;
+
+Vector widened(const Vector& half) {
+  const double length = std::sqrt(dot(half, half));
+  if (!(length > 0)) return half;
+  return sum({}, half, std::max(overlap, 1 + 0.5 * least_overlap / length));
+}
 
 std::uint32_t dimmed(std::uint32_t color, float light) {
   auto bytes = std::bit_cast<std::array<std::uint8_t, 4>>(color);
@@ -22,10 +33,6 @@ std::uint32_t dimmed(std::uint32_t color, float light) {
 }
 
 Vector at(std::span<const double> of, std::size_t i) { return {of[3 * i], of[3 * i + 1], of[3 * i + 2]}; }
-
-Vector sum(const Vector& a, const Vector& b, double times = 1) {
-  return {a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]};
-}
 
 }  // namespace
 
@@ -93,7 +100,7 @@ void Solids::place_boxes(const FrameView& frame, const Projection& projection,
                          std::span<const std::uint32_t> colors) {
   balls_.clear();
   corners_.clear();
-  const double scale = layout_.pixels_per_metre, half_scale = 0.5 * overlap * scale;
+  const double scale = layout_.pixels_per_metre, half_scale = 0.5 * scale;
   for (std::size_t i = 0; i < frame.value.size(); ++i) {
     const Projection::Seen seen = projection(at(frame.x, i));
     if (!(seen.scale > 0)) continue;
@@ -102,7 +109,7 @@ void Solids::place_boxes(const FrameView& frame, const Projection& projection,
     double reach = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector way = projection.way(at(frame.cell, 3 * i + k), seen);
-      half[k] = {half_scale * way[0], -half_scale * way[1], half_scale * way[2]};
+      half[k] = widened({half_scale * way[0], -half_scale * way[1], half_scale * way[2]});
       reach += std::hypot(half[k][0], half[k][1], half[k][2]);
     }
     if (!in_picture(centre[0], centre[1], reach)) continue;
@@ -125,14 +132,14 @@ void Solids::place_boxes(const FrameView& frame, const Projection& projection,
 void Solids::place_parallelograms(const FrameView& frame, std::span<const std::uint32_t> colors) {
   balls_.clear();
   corners_.clear();
-  const double half_scale = 0.5 * overlap * layout_.pixels_per_metre;
+  const double half_scale = 0.5 * layout_.pixels_per_metre;
   for (std::size_t i = 0; i < frame.value.size(); ++i) {
     const Vector centre{layout_.column(frame.x[2 * i]), layout_.row(frame.x[2 * i + 1]), 0};
     std::array<Vector, 2> half;
     double reach = 0;
     for (std::size_t k = 0; k < 2; ++k) {
       const double* way = &frame.cell[4 * i + 2 * k];
-      half[k] = {half_scale * way[0], -half_scale * way[1], 0};
+      half[k] = widened({half_scale * way[0], -half_scale * way[1], 0});
       reach += std::hypot(half[k][0], half[k][1]);
     }
     if (in_picture(centre[0], centre[1], reach)) add_face(centre, half[0], half[1], colors[i]);

@@ -6,6 +6,7 @@
 #include "cli/command_line/command.hpp"
 #include "cli/drawing/bounds.hpp"
 #include "cli/drawing/options.hpp"
+#include "cli/drawing/staging.hpp"
 #include "cli/run/labels.hpp"
 #include "cli/run/panel_cells.hpp"
 #include "cli/run/saved_run.hpp"
@@ -27,7 +28,11 @@ struct Options : DrawingOptions {
   std::vector<double> times;  // s
 };
 
-using Cells = std::vector<std::vector<PanelCell>>;  // [run][time]
+/// What a run has to show, picture below picture.
+struct Column {
+  Staging staging;
+  std::vector<PanelCell> cells;
+};
 
 std::vector<SavedRun> open_runs(const std::vector<std::string>& folders) {
   std::vector<SavedRun> runs;
@@ -81,21 +86,22 @@ Drawing wish(const std::vector<SavedRun>& runs, const Options& options) {
 }
 
 /// With the range and the view that nobody has chosen, over what the panel shows.
-Drawing fitted_to(const Drawing& wish, const std::vector<SavedRun>& runs, const Cells& cells) {
+Drawing fitted_to(const Drawing& wish, const std::vector<SavedRun>& runs,
+                  const std::vector<Column>& columns) {
   SequenceBounds shown(wish.look.camera);
-  for (const auto& column : cells)
-    for (const PanelCell& cell : column)
-      if (cell.particles) cell.staging->extend(shown, *cell.particles);
+  for (const auto& [staging, cells] : columns)
+    for (const PanelCell& cell : cells)
+      if (cell.particles) staging.extend(shown, staging(cell.particles->view()));
   Drawing drawing = fitted(wish, shown);
   if (!wish.look.view && !wish.look.camera && !wish.followed)
     drawing.look.view = within(*drawing.look.view, common_view(runs));
   return drawing;
 }
 
-void draw(render::Panel& panel, const Cells& cells) {
-  for (int column = 0; const auto& pictures : cells) {
-    for (int row = 0; const PanelCell& cell : pictures) {
-      if (cell.particles) panel.draw(column, row, cell.staging->dressed(*cell.particles).view());
+void draw(render::Panel& panel, const std::vector<Column>& columns) {
+  for (int column = 0; const auto& [staging, cells] : columns) {
+    for (int row = 0; const PanelCell& cell : cells) {
+      if (cell.particles) panel.draw(column, row, staging.dressed(staging(cell.particles->view())).view());
       if (!cell.particles)
         panel.write_middle(column, row, cell.remark);
       else if (!cell.remark.empty())
@@ -122,18 +128,17 @@ int compare_runs(const Options& options, std::ostream& out) {
   const Drawing wished = wish(runs, options);
   const double until = longest(runs);
   const std::vector<double> times = chosen_times(options, until);
-  Cells cells;
+  std::vector<Column> columns;
   for (const SavedRun& run : runs) {
     Drawing drawing = wished;
     suit(drawing, run.file);  // a body of this name has another number there
-    const auto staging = std::make_shared<const Staging>(drawing, origins_of(run.file.scene));
-    cells.emplace_back();
-    for (const double time : times) cells.back().push_back(cell_at(run, time, until, *wished.field, staging));
+    columns.push_back({Staging(drawing, origins_of(run.file.scene)), {}});
+    for (const double time : times) columns.back().cells.push_back(cell_at(run, time, until, *wished.field));
   }
-  render::PanelOptions about = panel_options(fitted_to(wished, runs, cells), label_runs(runs));
+  render::PanelOptions about = panel_options(fitted_to(wished, runs, columns), label_runs(runs));
   about.rows = time_labels(times, until);
   render::Panel panel(about);
-  draw(panel, cells);
+  draw(panel, columns);
   const render::Image& image = panel.finish();
   render::write_png(image, options.out);
   out << "panel  " << options.out << " (" << image.width << "x" << image.height << ")\n";

@@ -50,9 +50,9 @@ FrameView StagedParticles::view() const {
 Staging::Staging(const Drawing& drawing, Origins origins)
     : origins_(std::move(origins)), followed_(drawing.followed), shown_(origins_.size()) {
   std::iota(shown_.begin(), shown_.end(), std::size_t{0});
-  if (!drawing.is_cut) return;
-  std::erase_if(shown_,
-                [&](std::size_t i) { return drawing.is_cut(point(origins_.x0, origins_.dim, i)) != 0; });
+  if (drawing.is_cut)
+    std::erase_if(shown_,
+                  [&](std::size_t i) { return drawing.is_cut(point(origins_.x0, origins_.dim, i)) != 0; });
   if (shown_.empty() && origins_.size() > 0)
     throw UsageError("cut = \"" + drawing.cut +
                      "\" leaves no particle to draw: it holds at the start of every one; cut away less, or "

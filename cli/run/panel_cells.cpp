@@ -19,18 +19,14 @@ std::string ending(const SavedRun& run, double until) {
 
 }  // namespace
 
-PanelCell cell_at(const SavedRun& run, double time, double until, const Field& field,
-                  std::shared_ptr<const Staging> staging) {
+PanelCell cell_at(const SavedRun& run, double time, double until, const Field& field) {
   const auto distance = [time](const ParticleFile& file) { return std::abs(file.time() - time); };
   const auto nearest = std::ranges::min_element(run.particles, {}, distance);
   const double interval = run.file.scene.until / run.file.drawing.frames;
-  if (time > run.particles.back().time() + 0.75 * interval)
-    return {std::nullopt, ending(run, until), nullptr};
+  if (time > run.particles.back().time() + 0.75 * interval) return {std::nullopt, ending(run, until)};
   constexpr double noticeable = 0.002;  // of the whole time
-  const ColoredParticles particles = read_colored(*nearest, field, run.file.scene.dim);
-  return {(*staging)(particles.view()),
-          distance(*nearest) > noticeable * until ? render::format_time(nearest->time(), until) : "",
-          staging};
+  return {read_colored(*nearest, field, run.file.scene.dim),
+          distance(*nearest) > noticeable * until ? render::format_time(nearest->time(), until) : ""};
 }
 
 }  // namespace taut::cli

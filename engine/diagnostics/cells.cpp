@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <iterator>
 #include <utility>
 
@@ -77,58 +78,66 @@ void Cells::find_neighbors(std::span<const int> body, std::span<const double> di
   }
 }
 
-/// The way to the nearest neighbour, then to the one most across, and what is at right angles to both.
+/// In 3D the way to the nearest neighbour, then to the one most across, and what is at right angles to both. In 2D
+/// the cross that the ways to the adjacent neighbours agree on best: layers of a ring stand staggered.
 void Cells::find_axes(std::size_t i) {
   std::array<Vector, 3> axes{Vector::UnitX(), Vector::UnitY(), Vector::UnitZ()};
-  const auto all = neighbors(i);
-  const auto way = [&](std::size_t j) { return vector(initial(i, j)); };
-  if (!all.empty()) {
-    axes[0] =
-        way(*std::ranges::min_element(all, {}, [&](std::size_t j) { return way(j).norm(); })).normalized();
-    Vector across = Vector::Zero();
-    double best = 1;
-    for (const std::size_t j : all) {
-      const Vector X = way(j);
-      const double along = std::abs(X.normalized().dot(axes[0]));
-      if (X.norm() < adjacent * cells_[i].spacing && along < best - 1e-9) best = along, across = X;
-    }
-    if (dim_ == 2)
-      axes[1] = {-axes[0][1], axes[0][0], 0};
-    else if (best < straight)
-      axes[1] = (across - across.dot(axes[0]) * axes[0]).normalized();
-    else
-      axes[1] = axes[0].unitOrthogonal();
+  Vector across = Vector::Zero();
+  double least = 1e300, best = 1;
+  std::complex<double> four_fold = 0;
+  const auto each_adjacent = [&](const auto& visit) {
+    for (const std::size_t j : neighbors(i))
+      if (const Vector X = vector(initial(i, j)); X.norm() < adjacent * cells_[i].spacing) visit(X);
+  };
+  each_adjacent([&](const Vector& X) {
+    four_fold += std::polar(1.0, 4 * std::atan2(X[1], X[0]));
+    if (X.norm() < least) least = X.norm(), axes[0] = X.normalized();
+  });
+  each_adjacent([&](const Vector& X) {
+    const double along = std::abs(X.normalized().dot(axes[0]));
+    if (along < best - 1e-9) best = along, across = X;
+  });
+  if (dim_ == 2) {
+    const double angle = std::arg(four_fold) / 4;
+    axes[0] = {std::cos(angle), std::sin(angle), 0};
+    axes[1] = {-std::sin(angle), std::cos(angle), 0};
+  } else if (least < 1e300) {
+    axes[1] = best < straight ? Vector((across - across.dot(axes[0]) * axes[0]).normalized())
+                              : axes[0].unitOrthogonal();
     axes[2] = axes[0].cross(axes[1]);
   }
   for (std::size_t k = 0; k < 3; ++k) cells_[i].sides[k].axis = point(axes[k]);
 }
 
+/// A side is half-way to the neighbour in its direction.
 void Cells::find_ends(std::size_t i, double diameter) {
   Cell& cell = cells_[i];
-  std::array<std::array<bool, 2>, 3> covered{};
+  constexpr double open = 1e300;
+  std::array<std::array<double, 2>, 3> half;  // to the side in and against each axis, m
+  for (auto& ends : half) ends = {open, open};
   for (const std::size_t j : neighbors(i)) {
     const Vector X = vector(initial(i, j));
     if (X.norm() > adjacent * cell.spacing) continue;
     for (std::size_t k = 0; k < dim_; ++k) {
-      const double along = X.normalized().dot(vector(cell.sides[k].axis));
-      if (std::abs(along) > straight) covered[k][along > 0] = true;
+      const double along = X.dot(vector(cell.sides[k].axis));
+      double& end = half[k][along > 0];
+      if (std::abs(along) > straight * X.norm()) end = std::min(end, 0.5 * std::abs(along));
     }
   }
+  const auto one_open = [&](std::size_t k) { return (half[k][0] < open) != (half[k][1] < open); };
   // each side without a neighbour halves the cell of a particle that stands on the boundary
   double share = 1;
   for (std::size_t k = 0; k < dim_; ++k)
-    if (covered[k][0] != covered[k][1]) share *= 0.5;
+    if (one_open(k)) share *= 0.5;
   const double volume = std::pow(diameter / cell.spacing, static_cast<double>(dim_));
   const bool on_boundary = share < 1 && std::abs(volume - share) < 0.25 * share;
-  const double half = 0.5 * (on_boundary ? cell.spacing : diameter);
   cell.inside = true;
   for (std::size_t k = 0; k < dim_; ++k) {
-    const auto end = [&](bool there) {
-      return on_boundary && !there && covered[k][0] != covered[k][1] ? 0 : half;
-    };
-    cell.sides[k].low = -end(covered[k][0]);
-    cell.sides[k].high = end(covered[k][1]);
-    cell.inside = cell.inside && covered[k][0] && covered[k][1];
+    const double inner = std::min(half[k][0], half[k][1]);
+    const double outer = on_boundary && one_open(k) ? 0 : inner < open ? inner : 0.5 * diameter;
+    cell.sides[k].low = -(half[k][0] < open ? half[k][0] : outer);
+    cell.sides[k].high = half[k][1] < open ? half[k][1] : outer;
+    cell.inside = cell.inside && half[k][0] < open && half[k][1] < open;
   }
 }
 

@@ -291,11 +291,23 @@ TEST_SUITE("unit") {
     refused([](Look& with) { with.range.reset(); });
   }
 
-  TEST_CASE("three dimensions are refused") {
-    Renderer renderer(look(64, 64, unit_view));
+  TEST_CASE("particles in 3D need a camera, those in 2D have none, and a camera is in its bounds") {
+    Look with = look(64, 64, unit_view);
     FrameView frame;
     frame.dim = 3;
-    CHECK_THROWS_WITH_AS(renderer.draw(frame), "3D drawing is not available", UsageError);
+    CHECK_THROWS_WITH_AS(Renderer(with).draw(frame), doctest::Contains("without a camera"), std::logic_error);
+    with.camera.emplace();
+    CHECK_NOTHROW(Renderer(with).draw(frame));
+    frame.dim = 2;
+    CHECK_THROWS_AS(Renderer(with).draw(frame), std::logic_error);
+    const auto refused = [&](const Camera& camera) {
+      with.camera = camera;
+      CHECK_THROWS_AS(Renderer{with}, UsageError);
+    };
+    refused({.from = {0, 0, 0}});
+    refused({.from = {1, 0, 0}, .up = {0, NAN, 0}});
+    refused({.field_of_view = -1});
+    refused({.field_of_view = 121});
   }
 
   TEST_CASE("arrays that do not match are a bug") {

@@ -116,6 +116,27 @@ TEST_SUITE("unit") {
     CHECK(cells.at(apart).particle.size() == outside + 2 * (n - 2) * (n - 2));
   }
 
+  TEST_CASE("cells: layers of a ring have sides along and across them, as wide as they stand apart") {
+    Lattice ring;
+    const double dr = 0.1;
+    const int layers = 3, count = 58;
+    for (int layer = 0; layer < layers; ++layer)
+      for (int k = 0; k < count; ++k) {
+        const double r = 1 + dr * layer, angle = 2 * M_PI * k / count;
+        ring.x.push_back(r * std::cos(angle)), ring.x.push_back(r * std::sin(angle));
+        ring.diameter.push_back(std::sqrt(2 * M_PI * r / count * dr)), ring.body.push_back(0);
+      }
+    const CellShapes shapes = ring.cells(2).at(ring.x);
+    for (std::size_t i = 0; i < shapes.particle.size(); ++i) {
+      const double x = ring.x[2 * i], y = ring.x[2 * i + 1], r = std::hypot(x, y);
+      const double* e = &shapes.edge[4 * i];
+      const double along = std::max(std::abs(e[1] * x - e[0] * y), std::abs(e[3] * x - e[2] * y)) / r;
+      const double across = std::max(std::abs(e[0] * x + e[1] * y), std::abs(e[2] * x + e[3] * y)) / r;
+      CHECK(across == doctest::Approx(dr).epsilon(0.01));
+      CHECK(along == doctest::Approx(ring.diameter[i] * ring.diameter[i] / dr).epsilon(0.01));
+    }
+  }
+
   TEST_CASE("cells: bodies keep to themselves") {
     Lattice two = block(2, 4, 0.1);
     const Lattice one = two;
