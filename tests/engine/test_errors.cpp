@@ -165,10 +165,12 @@ TEST_SUITE("unit") {
     CHECK(contains(error, "one material"));
   }
 
-  TEST_CASE("scene: three dimensions are refused") {
+  TEST_CASE("scene: three dimensions are refused by a method that has no form in them") {
     Scene scene = small_collision();
     scene.dim = 3;
-    CHECK(contains(message<SceneError>(scene, with_method("enog")), "dim = 2"));
+    const std::string error = message<SceneError>(scene, with_method("ccb"));
+    CHECK(contains(error, "method 'ccb' runs scenes of 2 dimensions only"));
+    CHECK(contains(error, "oenog"));
   }
 
   TEST_CASE("divergence: a step far too large is an error with step, time and particle") {
