@@ -26,14 +26,12 @@ double stress_xz(const Snapshot& now, std::size_t i) { return now.deviator(i).xz
 double stress_yz(const Snapshot& now, std::size_t i) { return now.deviator(i).yz; }
 double stress_zz(const Snapshot& now, std::size_t i) { return now.stress(i).zz; }
 
-/// The `Rank`-th greatest eigenvalue of the stress; in 2D σ_zz is one of the three. Nothing else than a number
-/// comes of a stress that is none.
+/// The `Rank`-th greatest eigenvalue of the stress; in 2D σ_zz is one of the three.
 template <int Rank>
 double principal(const Snapshot& now, std::size_t i) {
   const StressTensor t = now.stress(i);
   Eigen::Matrix3d sigma;
   sigma << t.xx, t.xy, t.xz, t.xy, t.yy, t.yz, t.xz, t.yz, t.zz;
-  if (!sigma.allFinite()) return sigma.sum();
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sigma, Eigen::EigenvaluesOnly)
       .eigenvalues()[3 - Rank];
 }

@@ -74,7 +74,7 @@ TEST_SUITE("analytic") {
 
   TEST_CASE("oscillating plate in 3D: tl and enog are soft with three layers, and smooth") {
     // what a plate of the same amplitude and period as that of finite elements does within the first quarter
-    const double time = 0.0015, period = 0.01367, peak = 2.16e-3;
+    const double time = 0.003, period = 0.01367, peak = 2.16e-3;
     const double should = peak * std::sin(2 * std::numbers::pi * time / period);
     for (const char* method : {"tl", "enog"}) {
       CAPTURE(std::string(method));
@@ -85,8 +85,8 @@ TEST_SUITE("analytic") {
       simulation->advance_to(time);
       const Series& series = simulation->series();
       const double there = value_at({series.time, series.value.at(0)}, time);
-      CHECK(there > 1.01 * should);
-      CHECK(there < 1.06 * should);
+      CHECK(there > 1.11 * should);
+      CHECK(there < 1.17 * should);
       CHECK(IndicatorGauge(file.scene, simulation->snapshot())(simulation->snapshot())[0].share() < 0.001);
     }
   }
