@@ -50,7 +50,7 @@ TEST_SUITE("cli") {
     const std::map<Words, Words> cases{
         {{"comp"}, {"compare", "completion"}},
         {{"--v"}, {"--version"}},
-        {{"run", "coll"}, {"colliding-rings"}},
+        {{"run", "coll"}, {"colliding-balls", "colliding-rings"}},
         {{"run", "coll", "--meth"}, {"--method"}},
         {{"run", "coll", "--method", "oe"}, {"oenog"}},
         {{"run", "coll", "--method=oe"}, {"--method=oenog"}},
@@ -115,7 +115,7 @@ TEST_SUITE("cli") {
     write_tiny_scene(folder);
     fs::create_directory(folder / "dune");
     CHECK(offered_by_bash(folder, "taut sn") == Words{"snapshot"});
-    CHECK(offered_by_bash(folder, "taut run coll") == Words{"colliding-rings"});
+    CHECK(offered_by_bash(folder, "taut run colliding-r") == Words{"colliding-rings"});
     CHECK(offered_by_bash(folder, "taut run d") == Words{"discs.toml", "dune"});
     CHECK(offered_by_bash(folder, "taut run discs.toml --out d") == Words{"dune"});
     CHECK(offered_by_bash(folder, "taut run discs.toml --out=d") == Words{"dune"});

@@ -28,7 +28,9 @@ std::string scene_with(const MeasureKind& kind, const std::string& more = "") {
       "\n[[line]]\nname = \"middle\"\nbody = \"block\"\nfield = \"pressure\"\nfrom = [0, 0.5]\n"
       "to = [2, 0.5]\npoints = 3\ntimes = [1]\n[[measure]]\nname = \"m\"\nof = \"" +
       std::string(kind.name) + "\"\n";
-  for (const std::string_view key : kind.keys) measure += std::string(key) + " = " + values.at(key) + "\n";
+  for (const std::string_view key : kind.keys)
+    if (key != "axis")  // of 3D
+      measure += std::string(key) + " = " + values.at(key) + "\n";
   return small_scene + measure + more;
 }
 
