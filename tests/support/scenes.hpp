@@ -154,4 +154,49 @@ inline Scene rotating_plate(double speed) {
   return scene;
 }
 
+/// In 3D a block that turns and a ball that hits it off its centre, both shaken.
+inline Scene small_solid_collision() {
+  const double dp = 0.001, c0 = ring_rubber().sound_speed();
+  Scene scene;
+  scene.name = "small-solid-collision";
+  scene.dim = 3;
+  scene.spacing = dp;
+  scene.materials = {ring_rubber()};
+  Body block, ball;
+  block.name = "block";
+  block.shapes = {Box{{-0.0041, -0.002, -0.002}, {-0.0001, 0.002, 0.002}}};
+  block.velocity[0] = [=](const Point& x) { return c0 * (0.1 + 0.02 * shake(x, 5 * dp)); };
+  block.velocity[1] = [=](const Point& x) { return c0 * (10 * x[2] + 0.02 * shake(x, 7 * dp)); };
+  block.velocity[2] = [=](const Point& x) { return c0 * (-10 * x[1] + 0.02 * shake(x, 6 * dp)); };
+  ball.name = "ball";
+  ball.shapes = {Disc{{0.0032, 0.0009, -0.0006}, 0.0026}};
+  ball.velocity[0] = [=](const Point& x) { return c0 * (-0.12 + 0.02 * shake(x, 6 * dp)); };
+  ball.velocity[1] = [=](const Point& x) { return c0 * (0.03 + 20 * x[2]); };
+  ball.velocity[2] = constant(-0.02 * c0);
+  scene.bodies = {block, ball};
+  return scene;
+}
+
+/// In 3D a clamped block, shaken, and a ball that hits it where it is held: half on the clamp, half beside it.
+inline Scene small_clamped_block() {
+  const double dp = 0.001, c0 = ring_rubber().sound_speed(), L = 0.006, H = 0.003;
+  Scene scene;
+  scene.name = "small-clamped-block";
+  scene.dim = 3;
+  scene.spacing = dp;
+  scene.materials = {ring_rubber()};
+  Body block, ball;
+  block.name = "block";
+  block.shapes = {Box{{-3 * dp, -H / 2, -H / 2}, {L, H / 2, H / 2}}};
+  block.held = [](const Point& x) { return x[0] < 0 ? 1.0 : 0.0; };
+  block.velocity[0] = [=](const Point& x) { return c0 * 0.02 * shake(x, 5 * dp); };
+  block.velocity[1] = [=](const Point& x) { return c0 * (0.1 * x[0] / L + 0.02 * shake(x, 7 * dp)); };
+  block.velocity[2] = [=](const Point& x) { return c0 * 0.1 * x[0] * x[1] / (L * H); };
+  ball.name = "ball";
+  ball.shapes = {Disc{{0.0003, 0.0042, 0.0002}, 0.0021}};
+  ball.velocity[1] = constant(-0.15 * c0);
+  scene.bodies = {block, ball};
+  return scene;
+}
+
 }  // namespace taut::test

@@ -10,10 +10,11 @@
 
 namespace taut::test {
 
-/// A number and its slopes in the four components of F, by the rules of differentiation.
+/// A number and its slopes in the components of F, by the rules of differentiation.
+template <int Components>
 struct Dual {
   double value = 0;
-  std::array<double, 4> slope{};
+  std::array<double, Components> slope{};
 
   Dual() = default;
   Dual(double v) : value(v) {}  // NOLINT: a constant
@@ -24,7 +25,7 @@ struct Dual {
   }
   Dual combined(double v, double of_this, const Dual& b, double of_b) const {
     Dual r(v);
-    for (int k = 0; k < 4; ++k) r.slope[k] = of_this * slope[k] + of_b * b.slope[k];
+    for (int k = 0; k < Components; ++k) r.slope[k] = of_this * slope[k] + of_b * b.slope[k];
     return r;
   }
   Dual operator+(const Dual& b) const { return combined(value + b.value, 1, b, 1); }
@@ -37,27 +38,38 @@ struct Dual {
     return combined(std::pow(value, power), power * std::pow(value, power - 1), {}, 0);
   }
 };
-inline Dual operator*(double a, const Dual& b) { return Dual(a) * b; }
-inline Dual operator/(double a, const Dual& b) { return Dual(a) / b; }
+template <int Components>
+Dual<Components> operator*(double a, const Dual<Components>& b) {
+  return Dual<Components>(a) * b;
+}
+template <int Components>
+Dual<Components> operator/(double a, const Dual<Components>& b) {
+  return Dual<Components>(a) / b;
+}
 
 /// oenog written down as its formulas stand, particle by particle in the order of creation, from the bonds'
-/// one-sided weights and gradients; one body. Shares with the solver what make_bonds gives and nothing else.
-class NaiveOenog {
+/// one-sided weights and gradients. Shares with the solver what make_bonds gives and nothing else. In 2D one
+/// body; in 3D several of one material, which a penalty keeps apart, and masses are those of the volumes.
+template <int Dim>
+class NaiveOenogIn {
  public:
-  using Places = std::vector<std::array<double, 2>>;
+  using Place = std::array<double, Dim>;
+  using Places = std::vector<Place>;
 
-  NaiveOenog(const Scene& scene, double h_over_dp)
-      : NaiveOenog(scene, make_initial_particles(scene), h_over_dp) {}
-  NaiveOenog(const Scene& scene, const InitialParticles& initial, double h_over_dp)
+  NaiveOenogIn(const Scene& scene, double h_over_dp)
+      : NaiveOenogIn(scene, make_initial_particles(scene), h_over_dp) {}
+  NaiveOenogIn(const Scene& scene, const InitialParticles& initial, double h_over_dp)
       : scene_(scene), initial_(initial), bonds_(make_bonds(scene, initial_, h_over_dp * scene.spacing)) {
     for (int i = 0; i < initial_.size(); ++i) {
-      x.push_back({initial_.x[i][0], initial_.x[i][1]});
-      v.push_back({initial_.v[i][0], initial_.v[i][1]});
+      x.emplace_back(), v.emplace_back();
+      for (int k = 0; k < Dim; ++k) x[i][k] = initial_.x[i][k], v[i][k] = initial_.v[i][k];
     }
   }
 
   int size() const { return initial_.size(); }
   bool held(int i) const { return initial_.held[i]; }
+  const Bonds& bonds() const { return bonds_; }
+  double contacts = 0;  // pairs of two bodies that pressed on each other, over all steps
 
   /// E = Σ [V W(F) + V0 G Σ w (φ(λ) − φ(λ°))], G of a bond between two materials being their harmonic mean;
   /// λ° within ½ and 2
@@ -79,22 +91,22 @@ class NaiveOenog {
     for (int i = 0; i < size(); ++i) {
       if (held(i)) continue;
       const auto F = duals(gradient(at, i));
-      Dual left = bonds_.volume[i] * W(i, F);
+      Number left = bonds_.volume[i] * W(i, F);
       for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
-        const Dual s = affine(b, F);
+        const Number s = affine(b, F);
         left = left - strength(i, b) / 24 * (2.0 * s * s - 3.0 * s + 1 / s);
       }
       for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
         const auto d = way(at, i, b);
-        const double r = std::hypot(d[0], d[1]), r0 = std::hypot(bonds_.X[b][0], bonds_.X[b][1]);
+        const double r = length(d), r0 = rest(b);
         const double pull = strength(i, b) * dphi(r / r0) / r0;
         const Point& g = bonds_.gradient[b];
         const auto& T = left.slope;
-        const double on_i[2] = {pull * d[0] / r + T[0] * g[0] + T[1] * g[1],
-                                pull * d[1] / r + T[2] * g[0] + T[3] * g[1]};
-        for (int k = 0; k < 2; ++k) {
-          f[i][k] += on_i[k];
-          f[bonds_.j[b]][k] -= on_i[k];  // on a held particle: not used
+        for (int k = 0; k < Dim; ++k) {
+          double on_i = pull * d[k] / r;
+          for (int l = 0; l < Dim; ++l) on_i += T[Dim * k + l] * g[l];
+          f[i][k] += on_i;
+          f[bonds_.j[b]][k] -= on_i;  // on a held particle: not used
         }
       }
     }
@@ -112,14 +124,30 @@ class NaiveOenog {
       for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1] && !held(i); ++b) {
         const int j = bonds_.j[b];
         const auto d = way(x, i, b);
-        const double r0 = std::hypot(bonds_.X[b][0], bonds_.X[b][1]);
-        const double vx = (held(j) ? 0 : v[j][0]) - v[i][0], vy = (held(j) ? 0 : v[j][1]) - v[i][1];
-        const double rate = (d[0] * vx + d[1] * vy) / (r0 * r0);
+        const double r0 = rest(b);
+        double rate = 0;
+        for (int a = 0; a < Dim; ++a) rate += d[a] * ((held(j) ? 0 : v[j][a]) - v[i][a]) / (r0 * r0);
         const double k = strength(i, b) / (r0 * r0);
-        for (int a = 0; a < 2; ++a) {
+        for (int a = 0; a < Dim; ++a) {
           f[i][a] += k * tau * rate * d[a];
           f[j][a] -= k * tau * rate * d[a];
         }
+      }
+    }
+    return f;
+  }
+
+  /// [TranDuc2023] Eq. 2.13 between bodies, in 3D, with the material's own stiffness
+  Places push() {
+    Places f(x.size());
+    for (int i = 0; i < size(); ++i) {
+      for (int j = 0; j < size() && Dim == 3; ++j) {
+        Place d;
+        for (int k = 0; k < Dim; ++k) d[k] = x[i][k] - x[j][k];
+        const double r = length(d);
+        if (initial_.body[i] == initial_.body[j] || r >= scene_.spacing) continue;
+        ++contacts;
+        for (int k = 0; k < Dim; ++k) f[i][k] += K(i) * scene_.spacing * (scene_.spacing - r) * d[k] / r;
       }
     }
     return f;
@@ -129,12 +157,12 @@ class NaiveOenog {
     double c = 0, fastest = 0;
     for (int i = 0; i < size(); ++i) {
       c = std::max(c, std::sqrt((K(i) + 4.0 / 3 * G(i)) / material(i).density));
-      fastest = std::max(fastest, std::hypot(v[i][0], v[i][1]));
+      fastest = std::max(fastest, length(v[i]));
     }
     const double dt = cfl * scene_.spacing / (c + fastest) * std::min(1.0, std::sqrt(1.5 / stiffest_));
     for (int i = 0; i < size(); ++i)
-      for (int k = 0; k < 2; ++k) x[i][k] += dt / 2 * v[i][k];
-    const Places f = force(x), dashpots = drag(damping);
+      for (int k = 0; k < Dim; ++k) x[i][k] += dt / 2 * v[i][k];
+    const Places f = force(x), dashpots = drag(damping), others = push();
     stiffest_ = 0;
     for (int i = 0; i < size(); ++i)
       for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
@@ -143,9 +171,9 @@ class NaiveOenog {
       }
     for (int i = 0; i < size(); ++i) {
       if (held(i)) continue;
-      const double m = material(i).density * initial_.V0[i];
-      for (int k = 0; k < 2; ++k) {
-        v[i][k] += dt * (f[i][k] + dashpots[i][k]) / m;
+      const double m = material(i).density * (Dim == 2 ? initial_.V0[i] : bonds_.volume[i]);
+      for (int k = 0; k < Dim; ++k) {
+        v[i][k] += dt * (f[i][k] + dashpots[i][k] + others[i][k]) / m;
         x[i][k] += dt / 2 * v[i][k];
       }
     }
@@ -168,48 +196,70 @@ class NaiveOenog {
   double strength(int i, int b) const {  // J
     return initial_.V0[i] * modulus(i, b) * bonds_.weight[b];
   }
-  using Duals = std::array<Dual, 4>;
-  static Duals duals(const std::array<double, 4>& components) {
+  static constexpr int components = Dim * Dim;  // of F, row by row
+  using Number = Dual<components>;
+  using Duals = std::array<Number, components>;
+  static Duals duals(const std::array<double, components>& F_now) {
     Duals F;
-    for (int k = 0; k < 4; ++k) F[k] = Dual::variable(components[k], k);
+    for (int k = 0; k < components; ++k) F[k] = Number::variable(F_now[k], k);
     return F;
   }
   /// s° of a bond, with its slopes in F
-  Dual affine(int b, const Duals& F) const {
+  Number affine(int b, const Duals& F) const {
     const Point& X = bonds_.X[b];
-    const Dual x = F[0] * X[0] + F[1] * X[1], y = F[2] * X[0] + F[3] * X[1];
-    return (x * x + y * y) / Dual(X[0] * X[0] + X[1] * X[1]);
+    Number squared;
+    for (int a = 0; a < Dim; ++a) {
+      Number x_a;
+      for (int k = 0; k < Dim; ++k) x_a = x_a + F[Dim * a + k] * X[k];
+      squared = squared + x_a * x_a;
+    }
+    return squared / Number(rest(b) * rest(b));
   }
   /// The neo-Hookean energy with its slopes in F; J ≥ ½
-  Dual W(int i, const Duals& F) const {
-    const Dual J = F[0] * F[3] - F[1] * F[2];
-    const Dual C = F[0] * F[0] + F[1] * F[1] + F[2] * F[2] + F[3] * F[3];
-    return G(i) / 2 * (J.to(-2.0 / 3) * (C + 1) - 3) + K(i) / 2 * (J - 1) * (J - 1);
+  Number W(int i, const Duals& F) const {
+    Number J, C = 3 - Dim;
+    if constexpr (Dim == 2)
+      J = F[0] * F[3] - F[1] * F[2];
+    else
+      for (int k = 0; k < 3; ++k)
+        J = J + F[k] * (F[3 + (k + 1) % 3] * F[6 + (k + 2) % 3] - F[3 + (k + 2) % 3] * F[6 + (k + 1) % 3]);
+    for (const Number& component : F) C = C + component * component;
+    return G(i) / 2 * (J.to(-2.0 / 3) * C - 3) + K(i) / 2 * (J - 1) * (J - 1);
   }
 
   /// x_j − x_i, or to the place at the clamp's face, which stands still
-  std::array<double, 2> way(const Places& at, int i, int b) const {
+  Place way(const Places& at, int i, int b) const {
     const int j = bonds_.j[b];
-    if (!held(j)) return {at[j][0] - at[i][0], at[j][1] - at[i][1]};
-    return {initial_.x[i][0] + bonds_.X[b][0] - at[i][0], initial_.x[i][1] + bonds_.X[b][1] - at[i][1]};
+    Place d;
+    for (int k = 0; k < Dim; ++k) d[k] = (held(j) ? initial_.x[i][k] + bonds_.X[b][k] : at[j][k]) - at[i][k];
+    return d;
   }
-  double stretch(const Places& at, int i, int b) const {
-    const auto d = way(at, i, b);
-    return std::hypot(d[0], d[1]) / std::hypot(bonds_.X[b][0], bonds_.X[b][1]);
+  static double length(const Place& d) {
+    double squared = 0;
+    for (const double component : d) squared += component * component;
+    return std::sqrt(squared);
   }
-  std::array<double, 4> gradient(const Places& at, int i) const {
-    std::array<double, 4> F{};
+  double rest(int b) const {
+    Place X;
+    for (int k = 0; k < Dim; ++k) X[k] = bonds_.X[b][k];
+    return length(X);
+  }
+  double stretch(const Places& at, int i, int b) const { return length(way(at, i, b)) / rest(b); }
+  std::array<double, components> gradient(const Places& at, int i) const {
+    std::array<double, components> F{};
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
       const auto d = way(at, i, b);
-      for (int a = 0; a < 2; ++a)
-        for (int k = 0; k < 2; ++k) F[2 * a + k] += d[a] * bonds_.gradient[b][k];
+      for (int a = 0; a < Dim; ++a)
+        for (int k = 0; k < Dim; ++k) F[Dim * a + k] += d[a] * bonds_.gradient[b][k];
     }
     return F;
   }
+
   const Scene& scene_;
   InitialParticles initial_;
   Bonds bonds_;
   double stiffest_ = 1;  // greatest φ″ in the last step
 };
+using NaiveOenog = NaiveOenogIn<2>;
 
 }  // namespace taut::test

@@ -6,7 +6,9 @@
 #include <numbers>
 #include <vector>
 
-/// The methods of [Zhang2024] in two dimensions, written a second time, straight from the paper: every
+#include <Eigen/Dense>
+
+/// The methods of [Zhang2024] in two and three dimensions, written a second time, straight from the paper: every
 /// particle against every other, no lists, no lanes, nothing of the engine. Slow, and meant to be read beside
 /// the paper.
 ///
@@ -20,36 +22,50 @@
 ///   - between two bodies no shear stress acts, and e_ij and ∂W/∂r are those of the middle of each step,
 ///   while
 ///     which pairs there are and their W/W(dp) are those of the advection step;
+///   - in 3D Eq. 8 takes a third of the trace, and Gray's stress the principal axes of all three;
 ///   - held particles do not move; their density changes only in the methods that compute with a stress.
 namespace taut::test::naive {
 
-using Vector = std::array<double, 2>;
-using Matrix = std::array<std::array<double, 2>, 2>;
+template <int Dim>
+using Vector = std::array<double, Dim>;
+template <int Dim>
+using Matrix = std::array<std::array<double, Dim>, Dim>;
+
+template <int Dim>
+double dot(const Vector<Dim>& a, const Vector<Dim>& b) {
+  double sum = 0;
+  for (int k = 0; k < Dim; ++k) sum += a[k] * b[k];
+  return sum;
+}
 
 enum class Method { og, oas, enog, enog_nonconservative };
 
 constexpr double h_over_dp = 1.3, cfl_acoustic = 0.4, cfl_advection = 0.2;  // §5, §6
-constexpr double zeta = 0.7 * 2 + 2.1;                                      // §6
 constexpr double epsilon = 0.3, exponent = 4;                               // of the artificial stress
 
+template <int Dim>
 struct Particle {
-  Vector x{}, v{};
+  Vector<Dim> x{}, v{};
   double m = 0, rho = 0, drho = 0, p = 0;
   int body = 0;
   bool held = false;
-  Matrix s{}, ds{};              // shear stress and its rate: computed with, or only shown
-  Vector a_shear{}, da_shear{};  // shear acceleration and its rate
-  Vector x_shown{};              // where x stood when a stress that is only shown was last advanced
+  Matrix<Dim> s{}, ds{};              // shear stress and its rate: computed with, or only shown
+  Vector<Dim> a_shear{}, da_shear{};  // shear acceleration and its rate
+  Vector<Dim> x_shown{};              // where x stood when a stress that is only shown was last advanced
 };
 
+template <int Dim>
 struct PairGeometry {
   bool neighbors = false;
-  Vector e{};  // from j to i
+  Vector<Dim> e{};  // from j to i
   double r = 0, dW = 0, closeness = 0;
 };
 
+template <int Dim>
 class Run {
  public:
+  using Particle = naive::Particle<Dim>;
+
   Run(Method method, bool dual, double dp, double rho0, double c0, double G)
       : method_(method), dual_(dual), dp_(dp), h_(h_over_dp * dp), rho0_(rho0), c0_(c0), G_(G) {}
 
@@ -62,7 +78,7 @@ class Run {
     for (Particle& a : particles) {
       a.rho = rho0_;
       a.x_shown = a.x;
-      speed_ = std::max(speed_, std::hypot(a.v[0], a.v[1]));
+      speed_ = std::max(speed_, length(a.v));
     }
     greatest_speed_ = speed_;
     rebuild();
@@ -77,7 +93,7 @@ class Run {
     }
     const double dt = cfl_acoustic * h_ / (c0_ + speed_);
     for (Particle& a : particles) {  // Eq. 23
-      for (int k = 0; k < 2; ++k) a.x[k] += 0.5 * dt * a.v[k];
+      for (int k = 0; k < Dim; ++k) a.x[k] += 0.5 * dt * a.v[k];
       advance_half(a, dt);
       a.p = c0_ * c0_ * (a.rho - rho0_);  // Eq. 4
     }
@@ -87,11 +103,11 @@ class Run {
     speed_ = 0;
     for (std::size_t i = 0; i < particles.size(); ++i) {  // Eq. 24, and the positions of Eq. 25
       Particle& a = particles[i];
-      for (int k = 0; k < 2; ++k) {
+      for (int k = 0; k < Dim; ++k) {
         if (!a.held) a.v[k] += dt * acceleration[i][k];
         a.x[k] += 0.5 * dt * a.v[k];
       }
-      speed_ = std::max(speed_, std::hypot(a.v[0], a.v[1]));
+      speed_ = std::max(speed_, length(a.v));
     }
     find_rates(V);
     for (Particle& a : particles) advance_half(a, dt);  // Eq. 25
@@ -107,18 +123,27 @@ class Run {
   }
 
  private:
+  using Vector = naive::Vector<Dim>;
+  using Matrix = naive::Matrix<Dim>;
+  using PairGeometry = naive::PairGeometry<Dim>;
+  static constexpr double zeta = 0.7 * Dim + 2.1;  // §6
+  static double length(const Vector& a) { return std::sqrt(dot<Dim>(a, a)); }
+
   bool nested() const { return method_ == Method::og || method_ == Method::oas; }
   const PairGeometry& pair(std::size_t i, std::size_t j) const { return pairs_[i * particles.size() + j]; }
   bool same_body(std::size_t i, std::size_t j) const { return particles[i].body == particles[j].body; }
 
-  /// Wendland's C2 kernel in two dimensions.
+  /// Wendland's C2 kernel.
+  double norm() const {
+    return Dim == 2 ? 7 / (4 * std::numbers::pi * h_ * h_) : 21 / (16 * std::numbers::pi * h_ * h_ * h_);
+  }
   double W(double r) const {
     const double q = r / h_;
-    return q < 2 ? 7 / (4 * std::numbers::pi * h_ * h_) * std::pow(1 - q / 2, 4) * (1 + 2 * q) : 0;
+    return q < 2 ? norm() * std::pow(1 - q / 2, 4) * (1 + 2 * q) : 0;
   }
   double W_slope(double r) const {
     const double q = r / h_;
-    return q < 2 ? -35 / (4 * std::numbers::pi * h_ * h_ * h_) * q * std::pow(1 - q / 2, 3) : 0;
+    return q < 2 ? -5 * norm() / h_ * q * std::pow(1 - q / 2, 3) : 0;
   }
 
   std::vector<double> volumes() const {
@@ -129,9 +154,10 @@ class Run {
 
   void set_geometry(std::size_t i, std::size_t j) {
     PairGeometry& g = pairs_[i * particles.size() + j];
-    const Vector d = {particles[i].x[0] - particles[j].x[0], particles[i].x[1] - particles[j].x[1]};
-    g.r = std::sqrt(d[0] * d[0] + d[1] * d[1]);
-    g.e = {d[0] / g.r, d[1] / g.r};
+    Vector d;
+    for (int k = 0; k < Dim; ++k) d[k] = particles[i].x[k] - particles[j].x[k];
+    g.r = length(d);
+    for (int k = 0; k < Dim; ++k) g.e[k] = d[k] / g.r;
     g.dW = W_slope(g.r);
   }
 
@@ -163,30 +189,31 @@ class Run {
 
   void advance_half(Particle& a, double dt) const {
     a.rho += 0.5 * dt * a.drho;
-    for (int k = 0; k < 2; ++k) {
+    for (int k = 0; k < Dim; ++k) {
       a.a_shear[k] += 0.5 * dt * a.da_shear[k];
-      for (int l = 0; l < 2; ++l) a.s[k][l] += 0.5 * dt * a.ds[k][l];
+      for (int l = 0; l < Dim; ++l) a.s[k][l] += 0.5 * dt * a.ds[k][l];
     }
   }
 
   /// R = −ε σ⁺/ρ² through the principal axes of σ.
   Matrix artificial_stress(const Particle& a) const {
-    const double xx = a.s[0][0] - a.p, yy = a.s[1][1] - a.p, xy = a.s[0][1];
-    const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
+    Eigen::Matrix<double, Dim, Dim> sigma;
+    for (int k = 0; k < Dim; ++k)
+      for (int l = 0; l < Dim; ++l) sigma(k, l) = a.s[k][l] - (k == l ? a.p : 0);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Dim, Dim>> principal(sigma);
     Matrix R{};
-    for (const double axis : {angle, angle + 0.5 * std::numbers::pi}) {
-      const Vector n = {std::cos(axis), std::sin(axis)};
-      const double stress = xx * n[0] * n[0] + 2 * xy * n[0] * n[1] + yy * n[1] * n[1];
-      for (int k = 0; k < 2; ++k)
-        for (int l = 0; l < 2; ++l)
-          R[k][l] -= epsilon * std::max(stress, 0.0) / (a.rho * a.rho) * n[k] * n[l];
+    for (int axis = 0; axis < Dim; ++axis) {
+      const auto n = principal.eigenvectors().col(axis);
+      const double tension = std::max(principal.eigenvalues()[axis], 0.0);
+      for (int k = 0; k < Dim; ++k)
+        for (int l = 0; l < Dim; ++l) R[k][l] -= epsilon * tension / (a.rho * a.rho) * n[k] * n[l];
     }
     return R;
   }
 
   /// Eq. 12, with the linearised P*; for `og` its dissipation is limited.
   double riemann_pressure(const Particle& a, const Particle& b, const Vector& e) const {
-    const double U_L = -(a.v[0] * e[0] + a.v[1] * e[1]), U_R = -(b.v[0] * e[0] + b.v[1] * e[1]);
+    const double U_L = -dot<Dim>(a.v, e), U_R = -dot<Dim>(b.v, e);
     const double limited = std::min(3 * std::max(U_L - U_R, 0.0) / c0_, 1.0);
     const double beta = method_ == Method::og ? limited : 1;
     return 0.5 * (a.p + b.p) + 0.5 * beta * rho0_ * c0_ * (U_L - U_R);
@@ -194,6 +221,8 @@ class Run {
 
   std::vector<Vector> accelerations(const std::vector<double>& V) const {
     std::vector<Vector> acceleration(particles.size(), Vector{});
+    std::vector<Matrix> R;
+    for (const Particle& a : particles) R.push_back(artificial_stress(a));
     for (std::size_t i = 0; i < particles.size(); ++i) {
       const Particle& a = particles[i];
       for (std::size_t j = 0; j < particles.size(); ++j) {
@@ -201,18 +230,17 @@ class Run {
         if (!g.neighbors) continue;
         const Particle& b = particles[j];
         const double P = riemann_pressure(a, b, g.e);
-        const Matrix R_i = artificial_stress(a), R_j = artificial_stress(b);
-        for (int k = 0; k < 2; ++k) {
+        for (int k = 0; k < Dim; ++k) {
           acceleration[i][k] -= 2 * b.m * P / (a.rho * b.rho) * g.dW * g.e[k];  // Eq. 12
-          for (int l = 0; l < 2; ++l) {
+          for (int l = 0; l < Dim; ++l) {
             if (nested() && same_body(i, j))
               acceleration[i][k] += V[j] / a.rho * (a.s[k][l] + b.s[k][l]) * g.dW * g.e[l];  // Eq. 13
             if (method_ == Method::oas)
-              acceleration[i][k] += b.m * (R_i[k][l] + R_j[k][l]) * g.closeness * g.dW * g.e[l];
+              acceleration[i][k] += b.m * (R[i][k][l] + R[j][k][l]) * g.closeness * g.dW * g.e[l];
           }
         }
       }
-      for (int k = 0; k < 2; ++k) acceleration[i][k] += a.a_shear[k];
+      for (int k = 0; k < Dim; ++k) acceleration[i][k] += a.a_shear[k];
     }
     return acceleration;
   }
@@ -227,31 +255,33 @@ class Run {
       for (std::size_t j = 0; j < particles.size(); ++j) {
         const PairGeometry& g = pair(i, j);
         if (!g.neighbors) continue;
-        const Vector v_ij = {a.v[0] - particles[j].v[0], a.v[1] - particles[j].v[1]};
-        const double along = v_ij[0] * g.e[0] + v_ij[1] * g.e[1];
+        Vector v_ij;
+        for (int k = 0; k < Dim; ++k) v_ij[k] = a.v[k] - particles[j].v[k];
+        const double along = dot<Dim>(v_ij, g.e);
         const double diffusion = pressure_diffusion * (a.p - particles[j].p) / (rho0_ * c0_);
         divergence -= V[j] * (along + diffusion) * g.dW;  // Eq. 11: U* + v_i·e_ij = ½ (along + diffusion)
         if (!same_body(i, j)) continue;
-        for (int k = 0; k < 2; ++k) {
-          for (int l = 0; l < 2; ++l) gradient[k][l] -= v_ij[k] * g.dW * g.e[l] * V[j];  // Eq. 14
-          const bool plain = method_ == Method::enog_nonconservative;                    // Eq. 18, Eq. 19
+        for (int k = 0; k < Dim; ++k) {
+          for (int l = 0; l < Dim; ++l) gradient[k][l] -= v_ij[k] * g.dW * g.e[l] * V[j];  // Eq. 14
+          const bool plain = method_ == Method::enog_nonconservative;                      // Eq. 18, Eq. 19
           laplacian[k] += 2 * (plain ? v_ij[k] : zeta * along * g.e[k]) / g.r * g.dW * V[j];
         }
       }
       a.drho = a.held && !nested() ? 0 : -a.rho * divergence;  // Eq. 1
       if (nested()) a.ds = stress_rate(gradient, a.s);
-      for (int k = 0; k < 2 && !nested(); ++k) a.da_shear[k] = G_ / a.rho * laplacian[k];  // Eq. 20
+      for (int k = 0; k < Dim && !nested(); ++k) a.da_shear[k] = G_ / a.rho * laplacian[k];  // Eq. 20
     }
   }
 
   /// Eq. 7 and 8 with the rotation terms of Jaumann.
   Matrix stress_rate(const Matrix& L, const Matrix& s) const {
     Matrix rate{};
-    const double divergence = L[0][0] + L[1][1];
-    for (int k = 0; k < 2; ++k) {
-      for (int l = 0; l < 2; ++l) {
-        rate[k][l] = 2 * G_ * (0.5 * (L[k][l] + L[l][k]) - (k == l ? divergence / 2 : 0));
-        for (int n = 0; n < 2; ++n)
+    double divergence = 0;
+    for (int k = 0; k < Dim; ++k) divergence += L[k][k];
+    for (int k = 0; k < Dim; ++k) {
+      for (int l = 0; l < Dim; ++l) {
+        rate[k][l] = 2 * G_ * (0.5 * (L[k][l] + L[l][k]) - (k == l ? divergence / Dim : 0));
+        for (int n = 0; n < Dim; ++n)
           rate[k][l] += 0.5 * (L[k][n] - L[n][k]) * s[n][l] - s[k][n] * 0.5 * (L[n][l] - L[l][n]);
       }
     }
@@ -263,30 +293,32 @@ class Run {
     if (nested()) return;
     const std::vector<double> V = volumes();
     std::vector<Vector> way;
-    for (const Particle& a : particles) way.push_back({a.x[0] - a.x_shown[0], a.x[1] - a.x_shown[1]});
+    for (const Particle& a : particles) {
+      way.emplace_back();
+      for (int k = 0; k < Dim; ++k) way.back()[k] = a.x[k] - a.x_shown[k];
+    }
     for (std::size_t i = 0; i < particles.size(); ++i) {
-      Matrix gradient{}, moment{};
+      Matrix gradient{};
+      Eigen::Matrix<double, Dim, Dim> moment = Eigen::Matrix<double, Dim, Dim>::Zero();
       for (std::size_t j = 0; j < particles.size(); ++j) {
         const PairGeometry& g = pair(i, j);
         if (!g.neighbors || !same_body(i, j)) continue;
-        for (int k = 0; k < 2; ++k) {
-          for (int l = 0; l < 2; ++l) {
+        for (int k = 0; k < Dim; ++k) {
+          for (int l = 0; l < Dim; ++l) {
             gradient[k][l] -= (way[i][k] - way[j][k]) * g.dW * g.e[l] * V[j];
-            moment[k][l] -= g.r * g.e[k] * g.dW * g.e[l] * V[j];
+            moment(k, l) -= g.r * g.e[k] * g.dW * g.e[l] * V[j];
           }
         }
       }
-      const double det = moment[0][0] * moment[1][1] - moment[0][1] * moment[1][0];
-      const Matrix B = {
-          {{moment[1][1] / det, -moment[0][1] / det}, {-moment[1][0] / det, moment[0][0] / det}}};
+      const Eigen::Matrix<double, Dim, Dim> B = moment.inverse();
       Matrix corrected{};
-      for (int k = 0; k < 2; ++k)
-        for (int l = 0; l < 2; ++l)
-          for (int n = 0; n < 2; ++n) corrected[k][l] += gradient[k][n] * B[n][l];
+      for (int k = 0; k < Dim; ++k)
+        for (int l = 0; l < Dim; ++l)
+          for (int n = 0; n < Dim; ++n) corrected[k][l] += gradient[k][n] * B(n, l);
       Particle& a = particles[i];
       const Matrix change = stress_rate(corrected, a.s);
-      for (int k = 0; k < 2; ++k)
-        for (int l = 0; l < 2; ++l) a.s[k][l] += change[k][l];
+      for (int k = 0; k < Dim; ++k)
+        for (int l = 0; l < Dim; ++l) a.s[k][l] += change[k][l];
       a.x_shown = a.x;
     }
   }

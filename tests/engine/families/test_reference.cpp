@@ -29,13 +29,13 @@ const std::pair<std::string, Method> named_methods[] = {
     {"enog-nonconservative", Method::enog_nonconservative},
 };
 
-naive::Run naive_run(const Scene& scene, Method method, Stepping stepping, double pressure_diffusion = 0) {
+naive::Run<2> naive_run(const Scene& scene, Method method, Stepping stepping, double pressure_diffusion = 0) {
   const Material& material = scene.materials[0];
-  naive::Run run(method, stepping == Stepping::dual, scene.spacing, material.density, material.sound_speed(),
-                 material.shear_modulus());
+  naive::Run<2> run(method, stepping == Stepping::dual, scene.spacing, material.density,
+                    material.sound_speed(), material.shear_modulus());
   const InitialParticles initial = make_initial_particles(scene);
   for (int i = 0; i < initial.size(); ++i) {
-    naive::Particle a;
+    naive::Run<2>::Particle a;
     for (int k = 0; k < 2; ++k) a.x[k] = initial.x[i][k], a.v[k] = initial.v[i][k];
     a.m = material.density * initial.V0[i];
     a.body = initial.body[i];
@@ -76,10 +76,10 @@ void check_field(const std::string& field, const std::vector<double>& engine,
   CHECK(difference <= agreement * greatest);
 }
 
-void check_agreement(const Snapshot& engine, const naive::Run& run, double c0) {
+void check_agreement(const Snapshot& engine, const naive::Run<2>& run, double c0) {
   std::vector<double> x, v, rho, p, s;
   double fastest = 0, greatest_stress = 0;
-  for (const naive::Particle& a : run.particles) {
+  for (const naive::Run<2>::Particle& a : run.particles) {
     x.insert(x.end(), a.x.begin(), a.x.end());
     v.insert(v.end(), a.v.begin(), a.v.end());
     rho.push_back(a.rho);
@@ -101,7 +101,7 @@ void check_agreement(const Snapshot& engine, const naive::Run& run, double c0) {
 void check_all_methods(const Scene& scene, Stepping stepping) {
   for (const auto& [name, method] : named_methods) {
     CAPTURE(name);
-    const naive::Run run = naive_run(scene, method, stepping);
+    const naive::Run<2> run = naive_run(scene, method, stepping);
     CHECK(run.contacts > 100);
     if (stepping == Stepping::single)
       CHECK(run.rebuilds == steps);
@@ -129,8 +129,8 @@ TEST_SUITE("reference") {
   TEST_CASE("naive: with the full U*, that diffuses pressure") {
     const Scene scene = small_collision();
     const double c0 = scene.materials[0].sound_speed();
-    const naive::Run without = naive_run(scene, Method::enog, Stepping::dual);
-    const naive::Run run = naive_run(scene, Method::enog, Stepping::dual, 1);
+    const naive::Run<2> without = naive_run(scene, Method::enog, Stepping::dual);
+    const naive::Run<2> run = naive_run(scene, Method::enog, Stepping::dual, 1);
     CHECK(std::abs(run.particles[0].p - without.particles[0].p) > 1e-3 * std::abs(run.particles[0].p));
     check_agreement(engine_run(scene, "enog", Stepping::dual, 1), run, c0);
   }

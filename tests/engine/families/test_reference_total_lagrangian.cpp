@@ -36,21 +36,21 @@ double constant_of(const MethodInfo& method, std::string_view name) {
   return 0;
 }
 
-naive_reference::Run naive_run(const Scene& scene, const Case& test) {
+naive_reference::Run<2> naive_run(const Scene& scene, const Case& test) {
   const MethodInfo& info = *find_method(test.name);
   const Material& material = scene.materials[0];
-  naive_reference::Run run{test.method,
-                           scene.spacing,
-                           constant_of(info, "h") * scene.spacing,
-                           info.cfl,
-                           material.density,
-                           material.bulk_modulus(),
-                           material.shear_modulus(),
-                           constant_of(info, "contact_stiffness"),
-                           {}};
+  naive_reference::Run<2> run{test.method,
+                              scene.spacing,
+                              constant_of(info, "h") * scene.spacing,
+                              info.cfl,
+                              material.density,
+                              material.bulk_modulus(),
+                              material.shear_modulus(),
+                              constant_of(info, "contact_stiffness"),
+                              {}};
   const InitialParticles initial = make_initial_particles(scene);
   for (int i = 0; i < initial.size(); ++i) {
-    naive_reference::Particle a;
+    naive_reference::Particle<2> a;
     for (int k = 0; k < 2; ++k) a.X[k] = a.x[k] = initial.x[i][k], a.v[k] = initial.v[i][k];
     a.V = initial.V0[i];
     a.m = material.density * a.V;
@@ -80,7 +80,7 @@ void check_field(const std::string& field, const std::vector<double>& engine,
 void check_method(const Scene& scene, const Case& test) {
   CAPTURE(test.name);
   CAPTURE(test.law);
-  const naive_reference::Run run = naive_run(scene, test);
+  const naive_reference::Run<2> run = naive_run(scene, test);
   Settings settings = with_method(test.name);
   settings.law = test.law;
   const Snapshot now = state_after(steps, scene, settings);
@@ -89,15 +89,14 @@ void check_method(const Scene& scene, const Case& test) {
   std::vector<double> x, v, rho, sigma, engine_sigma;
   double most_strained = 0;
   for (std::size_t n = 0; n < run.particles.size(); ++n) {
-    const naive_reference::Particle& a = run.particles[n];
+    const naive_reference::Particle<2>& a = run.particles[n];
     x.insert(x.end(), a.x.begin(), a.x.end());
     v.insert(v.end(), a.v.begin(), a.v.end());
-    const double J = naive_reference::det(a.F);
+    const double J = a.F.determinant();
     most_strained = std::max(most_strained, std::abs(J - 1));
     rho.push_back(run.rho0 / J);
     for (int p = 0; p < 2; ++p)
-      for (int q = p; q < 2; ++q)
-        sigma.push_back(run.linear() ? a.P[p][q] : (a.P[p][0] * a.F[q][0] + a.P[p][1] * a.F[q][1]) / J);
+      for (int q = p; q < 2; ++q) sigma.push_back(run.linear() ? a.P(p, q) : a.P.row(p).dot(a.F.row(q)) / J);
     engine_sigma.push_back(now.s[4 * n] - now.p[n]);
     engine_sigma.push_back(now.s[4 * n + 1]);
     engine_sigma.push_back(now.s[4 * n + 2] - now.p[n]);

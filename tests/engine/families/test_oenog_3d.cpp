@@ -1,0 +1,467 @@
+// oenog in 3D: its bonds, its energy, and what follows from there being one.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <numbers>
+#include <random>
+#include <set>
+#include <vector>
+
+#include <Eigen/Dense>
+#include <doctest/doctest.h>
+
+#include "engine/diagnostics/balance.hpp"
+#include "engine/diagnostics/verdict.hpp"
+#include "engine/families/bonded/bonds.hpp"
+#include "engine/families/bonded/shared_rows.hpp"
+#include "engine/methods/oenog.hpp"
+#include "tests/engine/families/naive_oenog.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/runs.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace taut;
+using namespace taut::test;
+
+namespace {
+
+using Naive = NaiveOenogIn<3>;
+using Square = Eigen::Matrix3d;
+
+constexpr double dp = 0.001;
+constexpr double h_over_dp = 0.9;  // the default in 3D
+
+Scene alone(const Shape& shape) {
+  Scene scene = small_solid_collision();
+  scene.bodies.pop_back();
+  scene.bodies[0].shapes = {shape};
+  scene.bodies[0].velocity = {};
+  return scene;
+}
+Scene block(int x, int y, int z) { return alone(Box{{0, 0, 0}, {x * dp, y * dp, z * dp}}); }
+/// Held for X < 0, three particles deep.
+Scene clamped_block(int x, int y, int z) {
+  Scene scene = alone(Box{{-3 * dp, 0, 0}, {x * dp, y * dp, z * dp}});
+  scene.bodies[0].held = [](const Point& X) { return X[0] < 0 ? 1.0 : 0.0; };
+  return scene;
+}
+Scene ball() { return alone(Disc{{}, 0.0047}); }
+
+/// F X of every particle.
+Naive::Places deformed(const InitialParticles& initial, const Square& F) {
+  Naive::Places at;
+  for (const Point& X : initial.x) {
+    const Eigen::Vector3d x = F * Eigen::Vector3d(X[0], X[1], X[2]);
+    at.push_back({x[0], x[1], x[2]});
+  }
+  return at;
+}
+
+Square random_matrix(std::mt19937& random) {
+  return Square::NullaryExpr(
+      [&](Eigen::Index, Eigen::Index) { return 2 * std::generate_canonical<double, 53>(random) - 1; });
+}
+Square random_rotation(std::mt19937& random) {
+  const Square M = random_matrix(random);
+  return Eigen::Quaterniond(Eigen::Vector4d(M(0, 0), M(0, 1), M(0, 2), M(1, 1)).normalized())
+      .toRotationMatrix();
+}
+
+/// The greatest force on a particle where `counts`, over G ε dp, of homogeneous strains of the size ε in random
+/// directions.
+template <class Counts>
+double unbalanced(const Scene& scene, const Counts& counts) {
+  const double G = scene.materials[0].shear_modulus();
+  const InitialParticles initial = make_initial_particles(scene);
+  const Naive naive(scene, h_over_dp);
+  std::mt19937 random(3);
+  double greatest = 0;
+  int counted = 0;
+  for (const double size : {1e-3, 0.1}) {
+    const auto force = naive.force(deformed(initial, Square::Identity() + size * random_matrix(random)));
+    for (int i = 0; i < naive.size(); ++i) {
+      if (!counts(initial.x[i])) continue;
+      ++counted;
+      for (const double f : force[i]) greatest = std::max(greatest, std::abs(f) / (G * size * dp * dp));
+    }
+  }
+  CHECK(counted > 0);
+  return greatest;
+}
+
+double sum(const std::vector<double>& values) {
+  double total = 0;
+  for (const double value : values) total += value;
+  return total;
+}
+
+/// After its first steps; the scene must outlive it.
+Naive strained(const Scene& scene, int steps) {
+  Naive naive(scene, h_over_dp);
+  for (int k = 0; k < steps; ++k) naive.step(oenog.cfl, 0);
+  return naive;
+}
+
+Scene shaken_block() {
+  Scene scene = small_solid_collision();
+  scene.bodies.pop_back();
+  return scene;
+}
+
+/// Two blocks that meet off their centres.
+Scene two_blocks() {
+  const double c0 = ring_rubber().sound_speed();
+  Scene scene = small_solid_collision();
+  scene.name = "two-blocks";
+  scene.bodies[1].shapes = {Box{{0.0004, -0.0009, -0.0017}, {0.0044, 0.0031, 0.0013}}};
+  scene.bodies[1].velocity[2] = [=](const Point& x) { return c0 * (-0.02 + 0.02 * shake(x, 5 * dp)); };
+  return scene;
+}
+
+Settings with_damping(double damping) {
+  Settings settings = with_method("oenog");
+  settings.constants["damping"] = damping;
+  return settings;
+}
+
+/// A beam of square section that is held at one end, `across` particles thick, without its initial velocity.
+Scene square_cantilever(int across) {
+  const double L = 0.2, H = 0.02;
+  Scene scene;
+  scene.name = "square-cantilever";
+  scene.dim = 3;
+  scene.spacing = H / across;
+  scene.materials = {plate_elastic()};
+  Body beam;
+  beam.name = "beam";
+  beam.shapes = {Box{{-3 * scene.spacing, -H / 2, -H / 2}, {L, H / 2, H / 2}}};
+  beam.held = [](const Point& x) { return x[0] < 0 ? 1.0 : 0.0; };
+  scene.bodies = {beam};
+  scene.probes = {make_probe("tip", Probe::Kind::displacement)};
+  scene.probes[0].at = {L, 0, 0};
+  scene.probes[0].axis = 1;
+  Measure period;
+  period.kind = "period";
+  period.probes = {"tip"};
+  scene.measures = {period};
+  return scene;
+}
+/// As oscillating_plate.
+Scene bending_cantilever(int across) {
+  Scene scene = square_cantilever(across);
+  scene.bodies[0].velocity[1] = oscillating_plate(0.001, across).bodies[0].velocity[1];
+  return scene;
+}
+/// Turned about its axis, by a quarter of a sine.
+Scene twisting_cantilever(int across) {
+  Scene scene = square_cantilever(across);
+  const auto rate = [](const Point& x) { return 5 * std::sin(std::numbers::pi * x[0] / 0.4); };  // rad/s
+  scene.bodies[0].velocity[1] = [=](const Point& x) { return -rate(x) * x[2]; };
+  scene.bodies[0].velocity[2] = [=](const Point& x) { return rate(x) * x[1]; };
+  scene.probes[0].at[1] = 0.01 - scene.spacing / 2;
+  scene.probes[0].axis = 2;
+  return scene;
+}
+
+/// Of the undamped period from that of finite elements, s.
+double error_of_period(const Scene& scene, double reference) {
+  const auto simulation = make_simulation(scene, with_damping(0));
+  simulation->advance_to(1.15 * reference);
+  const auto result = measure(scene, simulation->series(), "neo_hookean");
+  REQUIRE(result[0].value);
+  return *result[0].value / reference - 1;
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("bonds: in 3D a particle inside has 26, whose moments are isotropic, and the gradient of six") {
+    const Scene scene = block(5, 5, 5);
+    const Bonds bonds = make_bonds(scene, make_initial_particles(scene), h_over_dp * dp);
+    const int middle = 62;
+    REQUIRE(bonds.begin[middle + 1] - bonds.begin[middle] == 26);
+    double moment[3][3] = {};  // of e_a² e_b²
+    double odd = 0;            // of e_x³ e_y
+    int of_axes = 0;
+    std::map<double, int> weights;  // to 2^-36
+    const auto known = [](double w) { return std::abs(w - 2.0 / 3) < 1e-10 ? 2.0 / 3 : w; };
+    for (int b = bonds.begin[middle]; b < bonds.begin[middle + 1]; ++b) {
+      const Eigen::Vector3d e = Eigen::Vector3d(bonds.X[b].data()).normalized();
+      for (int a = 0; a < 3; ++a)
+        for (int k = 0; k < 3; ++k) moment[a][k] += bonds.weight[b] * e[a] * e[a] * e[k] * e[k];
+      odd += bonds.weight[b] * e[0] * e[0] * e[0] * e[1];
+      of_axes += bonds.gradient[b] != Point{};
+      ++weights[known(bonds.weight[b])];
+    }
+    for (int a = 0; a < 3; ++a)
+      for (int k = 0; k < 3; ++k) CHECK(moment[a][k] == relative(a == k ? 3 : 1, 1e-9));
+    CHECK(std::abs(odd) < 1e-9);
+    CHECK(of_axes == 6);
+    CHECK(weights[2.0 / 3] == 18);  // along axes and across faces
+    CHECK(weights[3.0 / 8] == 8);   // across the cube
+  }
+
+  TEST_CASE("bonds: in 3D the gradient of a linear field is exact, at surfaces, tips and clamps too") {
+    for (const Scene& scene : {ball(), clamped_block(4, 3, 3)}) {
+      const InitialParticles initial = make_initial_particles(scene);
+      const Bonds bonds = make_bonds(scene, initial, h_over_dp * dp);
+      for (int i = 0; i < initial.size(); ++i) {
+        if (initial.held[i]) continue;
+        Square one = Square::Zero();
+        for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b)
+          one += Eigen::Vector3d(bonds.X[b].data()) * Eigen::RowVector3d(bonds.gradient[b].data());
+        CHECK((one - Square::Identity()).cwiseAbs().maxCoeff() < 1e-12);
+      }
+    }
+  }
+
+  TEST_CASE("bonds: in 3D volumes and masses add up to the body, and a mass is that of its volume") {
+    for (const Scene& scene : {block(5, 4, 3), ball()}) {
+      const InitialParticles initial = make_initial_particles(scene);
+      const Bonds bonds = make_bonds(scene, initial, h_over_dp * dp);
+      const Snapshot start = make_simulation(scene, with_method("oenog"))->snapshot();
+      const double density = scene.materials[0].density;
+      CHECK(sum(bonds.volume) == relative(sum(initial.V0), 1e-13));
+      CHECK(sum(start.m) == relative(density * sum(initial.V0), 1e-13));
+      for (int i = 0; i < initial.size(); ++i)
+        CHECK(start.m[i] == relative(density * bonds.volume[i], 1e-14));
+    }
+    // a face gives its outermost layer dp²/16 of its area as a first moment
+    const Scene scene = block(9, 9, 9);
+    const InitialParticles initial = make_initial_particles(scene);
+    const Bonds bonds = make_bonds(scene, initial, h_over_dp * dp);
+    double moment = 0;  // of the column through the middle, about it
+    for (int i = 0; i < initial.size(); ++i) {
+      const Point& x = initial.x[i];
+      if (std::abs(x[0] - 4.5 * dp) < 0.1 * dp && std::abs(x[1] - 4.5 * dp) < 0.1 * dp)
+        moment += (bonds.volume[i] - initial.V0[i]) * std::abs(x[2] - 4.5 * dp);
+    }
+    CHECK(moment == relative(2 * dp * dp * dp * dp / 16, 1e-9));
+  }
+
+  TEST_CASE("shared rows: two that are equal to the last bit are one") {
+    SharedRows<double> rows;
+    const int first = rows.add({1, 2, 3}), other = rows.add({1, 2, std::nextafter(3, 4)});
+    CHECK(other != first);
+    CHECK(rows.add({1, 2, 3}) == first);
+    CHECK(rows.add({1, 2}) != first);
+    CHECK(rows[first + 2] == 3);
+    CHECK(rows[other + 2] > 3);
+  }
+
+  TEST_CASE("shared rows: particles of a cube are of as many kinds as there are places by its faces") {
+    // three places along each axis: beside either face and all between
+    const Scene scene = block(12, 12, 12);
+    const Bonds bonds = make_bonds(scene, make_initial_particles(scene), h_over_dp * dp);
+    SharedRows<double> rows;
+    std::set<int> areas, weights;
+    for (std::size_t i = 0; i < bonds.volume.size(); ++i) {
+      std::vector<double> area, weight;
+      for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) {
+        area.insert(area.end(), bonds.area[b].begin(), bonds.area[b].end());
+        weight.insert(weight.end(), bonds.X[b].begin(), bonds.X[b].end());
+        weight.push_back(bonds.weight[b]);
+      }
+      areas.insert(rows.add(area)), weights.insert(rows.add(weight));
+    }
+    CHECK(areas.size() == 27);
+    CHECK(weights.size() == 27);
+  }
+}
+
+TEST_SUITE("analytic") {
+  TEST_CASE("oenog: in 3D a homogeneous strain leaves no force inside a lattice and a ball cut from it") {
+    // the volumes near a face make four rows the surface's share
+    const auto deep = [](const Point& X) {
+      return std::ranges::all_of(X, [](double x) { return std::abs(x - 5 * dp) < 0.6 * dp; });
+    };
+    CHECK(unbalanced(block(10, 10, 10), deep) < 1e-10);
+    const auto deep_in_ball = [](const Point& X) { return std::hypot(X[0], X[1], X[2]) < 1.8 * dp; };
+    CHECK(unbalanced(alone(Disc{{}, 0.0072}), deep_in_ball) < 1e-10);
+  }
+
+  TEST_CASE("oenog: in 3D a uniform strain leaves no force in front of a clamp") {
+    const Scene scene = clamped_block(7, 10, 10);
+    const auto before = [](const Point& X) {
+      return X[0] > 0 && X[0] < 2 * dp && std::abs(X[1] - 5 * dp) < 0.6 * dp &&
+             std::abs(X[2] - 5 * dp) < 0.6 * dp;
+    };
+    const double G = scene.materials[0].shear_modulus();
+    const InitialParticles initial = make_initial_particles(scene);
+    const Naive naive(scene, h_over_dp);
+    double greatest = 0;
+    for (int along = 0; along < 3; ++along) {
+      constexpr double size = 0.05;  // of strains that leave the held face where it is
+      Square F = Square::Identity();
+      F(along, 0) += size;
+      const auto force = naive.force(deformed(initial, F));
+      for (int i = 0; i < naive.size(); ++i)
+        for (int k = 0; k < 3 && before(initial.x[i]); ++k)
+          greatest = std::max(greatest, std::abs(force[i][k]) / (G * size * dp * dp));
+    }
+    CHECK(greatest < 1e-10);
+  }
+
+  TEST_CASE("oenog: in 3D the energy of a homogeneous strain is the neo-Hookean one of the body") {
+    const Scene scene = ball();
+    const InitialParticles initial = make_initial_particles(scene);
+    const Material& material = scene.materials[0];
+    const Naive naive(scene, h_over_dp);
+    std::mt19937 random(5);
+    for (int k = 0; k < 5; ++k) {
+      const Square F = Square::Identity() + 0.2 * random_matrix(random);
+      const double J = F.determinant();
+      const double W = material.shear_modulus() / 2 * (std::pow(J, -2.0 / 3) * F.squaredNorm() - 3) +
+                       material.bulk_modulus() / 2 * (J - 1) * (J - 1);
+      CHECK(std::abs(naive.energy(deformed(initial, F)) / (W * sum(initial.V0)) - 1) < 1e-12);
+    }
+  }
+}
+
+TEST_SUITE("reference") {
+  TEST_CASE("oenog: in 3D the forces are minus the slopes of the energy") {
+    Scene scene = small_clamped_block();
+    scene.bodies.pop_back();
+    const Naive naive = strained(scene, 15);
+    const auto force = naive.force(naive.x);
+    double greatest = 0, difference = 0;
+    for (int i = 0; i < naive.size(); i += 2) {
+      for (int k = 0; k < 3 && !naive.held(i); ++k) {
+        const double step = 1e-5 * dp;
+        auto there = naive.x;
+        there[i][k] += step;
+        const double above = naive.energy(there);
+        there[i][k] -= 2 * step;
+        const double slope = (above - naive.energy(there)) / (2 * step);
+        difference = std::max(difference, std::abs(slope + force[i][k]));
+        greatest = std::max(greatest, std::abs(slope));
+      }
+    }
+    CHECK(greatest > 0);
+    CHECK(difference < 1e-6 * greatest);
+  }
+}
+
+TEST_SUITE("term") {
+  TEST_CASE("oenog: in 3D a strained body that is turned keeps its energy, and its forces turn with it") {
+    const Scene scene = shaken_block();
+    const Naive naive = strained(scene, 30);
+    const double energy = naive.energy(naive.x);
+    REQUIRE(energy > 0);
+    std::mt19937 random(11);
+    for (int k = 0; k < 3; ++k) {
+      const Square R = random_rotation(random);
+      const auto turned = [&](Naive::Places a) {
+        for (auto& p : a) {
+          const Eigen::Vector3d x = R * Eigen::Vector3d(p.data());
+          p = {x[0], x[1], x[2]};
+        }
+        return a;
+      };
+      CHECK(naive.energy(turned(naive.x)) == relative(energy, 1e-10));
+      const auto after = naive.force(turned(naive.x)), before = turned(naive.force(naive.x));
+      double difference = 0, greatest = 0;
+      for (int i = 0; i < naive.size(); ++i)
+        for (int a = 0; a < 3; ++a) {
+          difference = std::max(difference, std::abs(after[i][a] - before[i][a]));
+          greatest = std::max(greatest, std::abs(after[i][a]));
+        }
+      CHECK(difference < 1e-10 * greatest);
+    }
+  }
+}
+
+TEST_SUITE("conservation") {
+  TEST_CASE(
+      "oenog: in 3D two blocks that collide keep their momenta, damped or not, and undamped the energy") {
+    const Scene scene = two_blocks();
+    for (const double damping : {0.01, 0.0}) {
+      CAPTURE(damping);
+      const auto simulation = make_simulation(scene, with_damping(damping));
+      const Snapshot first = simulation->snapshot();
+      const Balance start = balance(first, scene);
+      double most_strained = 0;
+      for (int k = 0; k < 20; ++k) {
+        make_steps(*simulation, 20);
+        const Balance now = balance(simulation->snapshot(), scene);
+        most_strained = std::max(most_strained, now.strain);
+        for (std::size_t a = 0; a < 3; ++a) {
+          CHECK(std::abs(now.linear_momentum[a] - start.linear_momentum[a]) < 1e-12 * now.momentum_scale);
+          CHECK(std::abs(now.angular_momentum[a] - start.angular_momentum[a]) < 1e-12 * now.angular_scale);
+        }
+        if (damping == 0) CHECK(now.kinetic + now.strain == relative(start.kinetic, 3e-3));
+      }
+      CHECK(most_strained > 0.1 * start.kinetic);
+      const Balance end = balance(simulation->snapshot(), scene);
+      if (damping > 0) CHECK(end.kinetic + end.strain < 0.99 * start.kinetic);
+      CHECK(simulation->snapshot().v[0] < 0.5 * first.v[0]);  // they met
+    }
+  }
+}
+
+TEST_SUITE("determinism") {
+  TEST_CASE("oenog: in 3D 1, 2 and 3 threads give the same bytes, and a saved run goes on to them") {
+    const Scene scene = two_blocks();
+    const auto same = [](const std::vector<double>& a, const std::vector<double>& b) {
+      return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+    };
+    Settings settings = with_method("oenog");
+    const Snapshot one = state_after(60, scene, settings);
+    const auto same_as_one = [&](const Snapshot& now) {
+      return now.time == one.time && same(now.x, one.x) && same(now.v, one.v) && same(now.s, one.s) &&
+             same(now.strain_energy, one.strain_energy);
+    };
+    for (const int threads : {2, 3}) {
+      settings.threads = threads;
+      CHECK(same_as_one(state_after(60, scene, settings)));
+    }
+    settings.threads = 1;
+    const auto before = make_simulation(scene, settings), after = make_simulation(scene, settings);
+    make_steps(*before, 37);
+    after->load(before->save());
+    CHECK(after->steps() == 37);
+    make_steps(*after, 23);
+    CHECK(same_as_one(after->snapshot()));
+    CHECK_FALSE(same_as_one(before->snapshot()));
+  }
+}
+
+TEST_SUITE("convergence") {
+  TEST_CASE("oenog: in 3D a square cantilever bends and twists with the periods of finite elements") {
+    constexpr double bending = 0.27691, torsion = 0.032507;  // s
+    const auto near = [](double error, double bound) { CHECK(std::abs(error) < bound); };
+    near(error_of_period(bending_cantilever(3), bending), 0.03);
+    near(error_of_period(bending_cantilever(5), bending), 0.01);
+    near(error_of_period(twisting_cantilever(3), torsion), 0.09);
+    near(error_of_period(twisting_cantilever(5), torsion), 0.02);
+  }
+}
+
+TEST_SUITE("failure") {
+  TEST_CASE("oenog: in 3D a cube that meets a wall at 0.9 sound speeds stays whole and finite") {
+    Scene scene = block(8, 8, 8);
+    const double speed = 0.9 * scene.materials[0].sound_speed();
+    scene.bodies[0].velocity[0] = constant(-speed);
+    Wall wall;
+    wall.name = "wall";
+    wall.at = {-0.0005, 0, 0};
+    wall.normal = {1, 0, 0};
+    scene.walls = {wall};
+    const auto simulation = make_simulation(scene, with_method("oenog"));
+    Judge judge(scene, simulation->snapshot(), simulation->support());
+    double most_strained = 0, start = balance(simulation->snapshot(), scene).kinetic;
+    for (int k = 0; k < 30; ++k) {
+      make_steps(*simulation, 20);
+      const Balance now = balance(simulation->snapshot(), scene);
+      most_strained = std::max(most_strained, now.strain);
+      judge.observe(simulation->snapshot(), now);
+    }
+    CHECK(judge.verdict() == Verdict::stable);
+    CHECK(judge.pieces() == 1);
+    CHECK(most_strained > 0.3 * start);
+    CHECK(balance(simulation->snapshot(), scene).linear_momentum[0] > 0);  // it came back
+  }
+}
