@@ -24,7 +24,7 @@ std::string spacing_text(double spacing) {
 /// Of the settings of a method only those that are not its own default.
 void add_settings(std::vector<Remark>& remarks, const SceneFile& file) {
   const MethodInfo& method = *find_method(file.settings.method);
-  for (const MethodConstant& constant : method.constants) {
+  for (const MethodConstant& constant : method_constants(method.formulation, file.scene.dim)) {
     const auto given = file.settings.constants.find(std::string(constant.name));
     if (given != file.settings.constants.end() && given->second != constant.value)
       remarks.push_back({given->first, given->first + " = " + brief(given->second)});

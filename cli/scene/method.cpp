@@ -76,13 +76,13 @@ void check_constants(TomlCursor& section, const MethodInfo& method) {
   }
 }
 
-/// Every constant of the method: as changed, else as in the file, else the published default.
-void read_constants(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method,
+/// Every constant of the method: as changed, else as in the file, else the default in the scene's dimension.
+void read_constants(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, int dim,
                     const Changes& changes, Settings& settings) {
   TomlCursor section = root.section("method_constants", "[method_constants]");
   check_constants(section, of_file);
   if (&of_file != &method) section.table().entries.clear();
-  for (const MethodConstant& constant : method.constants) {
+  for (const MethodConstant& constant : method_constants(method.formulation, dim)) {
     const std::string name(constant.name);
     double value = section.number(name, constant.value);
     if (const auto change = changes.constants.find(name); change != changes.constants.end()) {
@@ -153,7 +153,7 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   if (changes.cfl) cfl = changed_positive("cfl", *changes.cfl, root.names());
   root.table().set("cfl", TomlValue(cfl));
   file.settings.cfl = cfl;
-  read_constants(root, of_file, method, changes, file.settings);
+  read_constants(root, of_file, method, file.scene.dim, changes, file.settings);
 }
 
 }  // namespace taut::cli

@@ -203,6 +203,17 @@ TEST_SUITE("cli") {
                 "rotate = { @axis = [0, 0, 1], angle = 3 }\nvelocity = [\"v0\", 0]", {"unknown key 'axis'"});
   }
 
+  TEST_CASE("scene: in 3D the constants of a method are the defaults of 3D") {
+    const auto constant = [](const std::string& text, const char* method, const char* name) {
+      return read_text(text, {{.name = "method", .value = method}}).settings.constants.at(name);
+    };
+    const std::string solid = solid_scene(brick);
+    CHECK(constant(solid, "oenog", "h") == 0.9);
+    CHECK(constant(solid, "enog", "zeta") == relative(0.7 * 3 + 2.1));
+    CHECK(constant(small_scene, "oenog", "h") == 0.8);
+    CHECK(constant(small_scene, "enog", "zeta") == relative(0.7 * 2 + 2.1));
+  }
+
   TEST_CASE("scene: a layout that the engine refuses is refused at its key") {
     const auto refused = [](const std::string& keys, const char* part) {
       const SceneFile file = read_text(solid_scene(brick, keys));
