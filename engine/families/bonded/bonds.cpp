@@ -110,8 +110,8 @@ class Maker {
       make_of_layout();
     else
       make_of_lattice();
-    out_.volume = initial_.V0;
-    correct_volumes();
+    out_.mass = Dim == 2 ? initial_.V0 : with_end_correction(24);
+    out_.volume = with_end_correction(Dim == 2 ? 24 : 15);
     cut_at_clamp();
     set_gradients();
     return std::move(out_);
@@ -120,8 +120,6 @@ class Maker {
  private:
   /// Of (V_i w_ij + V_j w_ji)/V_i, which is about 2; of w_ij alone at a clamp.
   static constexpr double least_strength = 0.4;
-  /// Of the midpoint rule, and in 3D of the bonds with it; see bonds.hpp.
-  static constexpr double per_end_correction = Dim == 2 ? 24 : 16;
 
   using Place = Eigen::Vector<double, Dim>;
   using Square = Eigen::Matrix<double, Dim, Dim>;
@@ -171,7 +169,7 @@ class Maker {
   std::vector<int> with_pair_below(double least) const;
   void straighten(int i);
   void help_who_lack_an_axis();
-  void correct_volumes();
+  std::vector<double> with_end_correction(double divisor) const;
   void cut_at_clamp();
   double share_before_clamp(int i, const Point& X) const;
 
@@ -311,19 +309,21 @@ std::vector<int> Maker<Dim>::with_pair_below(double least) const {
   return bodies;
 }
 
-/// V_k += Σ_j D_j²/24 S_j · (g_jk − δ_jk Σ_l g_jl): S_j = Σ_i (V_i g_ij − V_j g_ji) is the surface that
-/// belongs to particle j, 0 inside; in 3D with 16 for 24.
+/// V_k += Σ_j D_j²/divisor S_j · (g_jk − δ_jk Σ_l g_jl): S_j = Σ_i (V_i g_ij − V_j g_ji) is the surface that
+/// belongs to particle j, 0 inside.
 template <int Dim>
-void Maker<Dim>::correct_volumes() {
-  const std::vector<Point> S = surface(out_);
+std::vector<double> Maker<Dim>::with_end_correction(double divisor) const {
+  const std::vector<Point> S = surface(out_, initial_.V0);
+  std::vector<double> V = initial_.V0;
   for (int j = 0; j < initial_.size(); ++j) {
     for (int b = out_.begin[j]; b < out_.begin[j + 1]; ++b) {
-      const double share = std::pow(initial_.V0[j], 2.0 / Dim) / per_end_correction;
+      const double share = std::pow(initial_.V0[j], 2.0 / Dim) / divisor;
       const double change = share * column(S[j]).dot(column(out_.gradient[b]));
-      out_.volume[out_.j[b]] += change;
-      out_.volume[j] -= change;
+      V[out_.j[b]] += change;
+      V[j] -= change;
     }
   }
+  return V;
 }
 
 /// Share of the way X from free particle i that lies before the held region.
@@ -349,6 +349,7 @@ void Maker<Dim>::cut_at_clamp() {
   Bonds cut;
   cut.begin.push_back(0);
   cut.volume = std::move(out_.volume);
+  cut.mass = std::move(out_.mass);
   for (int i = 0; i < initial_.size(); ++i) {
     for (int b = out_.begin[i]; b < out_.begin[i + 1] && !initial_.held[i]; ++b) {
       const bool to_clamp = initial_.held[out_.j[b]];
@@ -385,13 +386,13 @@ void Maker<Dim>::straighten(int i) {
 
 }  // namespace
 
-std::vector<Point> surface(const Bonds& bonds) {
-  std::vector<Point> S(bonds.volume.size());
+std::vector<Point> surface(const Bonds& bonds, const std::vector<double>& V) {
+  std::vector<Point> S(V.size());
   for (std::size_t i = 0; i < S.size(); ++i) {
     for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) {
       for (std::size_t k = 0; k < 3; ++k) {
-        S[static_cast<std::size_t>(bonds.j[b])][k] += bonds.volume[i] * bonds.gradient[b][k];
-        S[i][k] -= bonds.volume[i] * bonds.gradient[b][k];
+        S[static_cast<std::size_t>(bonds.j[b])][k] += V[i] * bonds.gradient[b][k];
+        S[i][k] -= V[i] * bonds.gradient[b][k];
       }
     }
   }

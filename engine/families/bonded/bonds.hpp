@@ -20,6 +20,7 @@ struct Bonds {
   // of each particle
   std::vector<std::array<Point, 3>> B;  // (Σ_j a_ij ⊗ X_ij)⁻¹, symmetric; 0 where the bonds lie on a line
   std::vector<double> volume;           // V, m^dim, with which its energy counts
+  std::vector<double> mass;             // over the density, m^dim
 };
 
 /// Bonds that sample the strain around a particle evenly in all directions, as near as a layout lets them,
@@ -52,16 +53,17 @@ struct Bonds {
 /// surface. The volumes contain this end correction, with g_ij for the derivative: about 1.05, 0.94 and 1.01
 /// of V0 in the outermost rows. It brings bending, where the outermost particles count most, from an error of
 /// the period of 0.57 % at ten particles across to 0.18 %. Masses stay as they are.
-/// In 3D it is dp²/16: in a strain that is not homogeneous the bonds store a little less than what is cancelled
+/// In 3D it is dp²/15: in a strain that is not homogeneous the bonds store a little less than what is cancelled
 /// of them, and for a linear strain that is a surface term as well. An endless square bar of five particles
-/// across, bent and twisted, is then off by −0.9 and +1.0 % in its stiffness (ν = 0.4), with 1/24 by −2.4 and
-/// −0.5 %; of eight by −0.2 and −0.1 %. There masses are those of the volumes: with equal ones a section's moment
-/// of inertia is short by 1/n², and twisting 2 % fast at five particles across.
+/// across, bent and twisted, is then off by −0.7 and +1.3 % in its stiffness (ν = 0.4), with 1/24 by −2.4 and
+/// −0.5 %; of eight by −0.1 and +0.1 %. Masses have the end correction of the midpoint rule there: with equal ones a
+/// section's moment of inertia is short by 1/n², and twisting 2 % fast at five particles across.
 Bonds make_bonds(const Scene& scene, const InitialParticles& initial, double h);
 
 /// The surface that belongs to each particle, S_j = Σ_i (V_i g_ij − V_j g_ji), against which a uniform stress
-/// pushes; 0 inside a lattice.
-std::vector<Point> surface(const Bonds& bonds);
+/// pushes; 0 inside a lattice. Of volumes V, m^dim; of those of the bonds.
+std::vector<Point> surface(const Bonds& bonds, const std::vector<double>& V);
+inline std::vector<Point> surface(const Bonds& bonds) { return surface(bonds, bonds.volume); }
 
 inline constexpr double least_bond_reach = 2, wide_bond_reach = 2.625;  // in h
 inline constexpr double greatest_bond_reach = 3;                        // in h

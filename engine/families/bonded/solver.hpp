@@ -129,13 +129,12 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   std::vector<V> displacements_;  // of the last snapshot, m
 };
 
-/// In 3D a particle is as heavy as its volume, see bonds.hpp; in 2D as its cell.
+/// In 2D a particle is as heavy as its cell; in 3D see bonds.hpp.
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::take_masses(const Bonds& bonds) {
   if (Dim == 2) return;
   for (int i = 0; i < s_.size(); ++i)
-    if (const int id = s_.id[i]; !this->initial_.held[id])
-      s_.m[i] *= bonds.volume[id] / this->initial_.V0[id];
+    if (const int id = s_.id[i]; !this->initial_.held[id]) s_.m[i] *= bonds.mass[id] / this->initial_.V0[id];
 }
 
 /// G of a bond, Pa. Halves of two materials stand one behind the other in it, as two springs do: the harmonic

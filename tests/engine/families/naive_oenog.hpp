@@ -49,7 +49,7 @@ Dual<Components> operator/(double a, const Dual<Components>& b) {
 
 /// oenog written down as its formulas stand, particle by particle in the order of creation, from the bonds'
 /// one-sided weights and gradients. Shares with the solver what make_bonds gives and nothing else. In 2D one
-/// body; in 3D several of one material, which a penalty keeps apart, and masses are those of the volumes.
+/// body; in 3D several of one material, which a penalty keeps apart, and masses have an end correction.
 template <int Dim>
 class NaiveOenogIn {
  public:
@@ -171,7 +171,7 @@ class NaiveOenogIn {
       }
     for (int i = 0; i < size(); ++i) {
       if (held(i)) continue;
-      const double m = material(i).density * (Dim == 2 ? initial_.V0[i] : bonds_.volume[i]);
+      const double m = material(i).density * bonds_.mass[i];
       for (int k = 0; k < Dim; ++k) {
         v[i][k] += dt * (f[i][k] + dashpots[i][k] + others[i][k]) / m;
         x[i][k] += dt / 2 * v[i][k];

@@ -244,7 +244,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("bonds: in 3D volumes and masses add up to the body, and a mass is that of its volume") {
+  TEST_CASE("bonds: in 3D volumes and masses add up to the body, with first moments of the faces") {
     for (const Scene& scene : {block(5, 4, 3), ball()}) {
       const InitialParticles initial = make_initial_particles(scene);
       const Bonds bonds = make_bonds(scene, initial, h_over_dp * dp);
@@ -252,20 +252,21 @@ TEST_SUITE("unit") {
       const double density = scene.materials[0].density;
       CHECK(sum(bonds.volume) == relative(sum(initial.V0), 1e-13));
       CHECK(sum(start.m) == relative(density * sum(initial.V0), 1e-13));
-      for (int i = 0; i < initial.size(); ++i)
-        CHECK(start.m[i] == relative(density * bonds.volume[i], 1e-14));
+      for (int i = 0; i < initial.size(); ++i) CHECK(start.m[i] == relative(density * bonds.mass[i], 1e-14));
     }
-    // a face gives its outermost layer dp²/16 of its area as a first moment
+    // the more at a face and the less below it has a first moment of dp²/15 of the face, in masses of dp²/24
     const Scene scene = block(9, 9, 9);
     const InitialParticles initial = make_initial_particles(scene);
     const Bonds bonds = make_bonds(scene, initial, h_over_dp * dp);
-    double moment = 0;  // of the column through the middle, about it
+    double moment = 0, of_mass = 0;  // of the column through the middle, about it
     for (int i = 0; i < initial.size(); ++i) {
       const Point& x = initial.x[i];
-      if (std::abs(x[0] - 4.5 * dp) < 0.1 * dp && std::abs(x[1] - 4.5 * dp) < 0.1 * dp)
-        moment += (bonds.volume[i] - initial.V0[i]) * std::abs(x[2] - 4.5 * dp);
+      if (std::abs(x[0] - 4.5 * dp) > 0.1 * dp || std::abs(x[1] - 4.5 * dp) > 0.1 * dp) continue;
+      moment += (bonds.volume[i] - initial.V0[i]) * std::abs(x[2] - 4.5 * dp);
+      of_mass += (bonds.mass[i] - initial.V0[i]) * std::abs(x[2] - 4.5 * dp);
     }
-    CHECK(moment == relative(2 * dp * dp * dp * dp / 16, 1e-9));
+    CHECK(moment == relative(2 * dp * dp * dp * dp / 15, 1e-9));
+    CHECK(of_mass == relative(2 * dp * dp * dp * dp / 24, 1e-9));
   }
 
   TEST_CASE("shared rows: two that are equal to the last bit are one") {

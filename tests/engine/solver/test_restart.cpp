@@ -25,6 +25,7 @@ void add_probes(Scene& scene) {
   scene.probes = {make_probe("speed", Probe::Kind::mean_velocity),
                   make_probe("gap", Probe::Kind::gap, {0, 1}),
                   make_probe("asymmetry", Probe::Kind::mirror_asymmetry, {0, 0})};
+  scene.probes.back().axis = 1;
 }
 
 /// Two bodies that hit each other; in the second scene one is held, loaded, and driven
