@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include "cli/scene/shipped.hpp"
 #include "engine/error.hpp"
 #include "engine/scene/initial_particles.hpp"
 #include "tests/support/relative.hpp"
@@ -212,6 +213,24 @@ TEST_SUITE("cli") {
     CHECK(constant(solid, "enog", "zeta") == relative(0.7 * 3 + 2.1));
     CHECK(constant(small_scene, "oenog", "h") == 0.8);
     CHECK(constant(small_scene, "enog", "zeta") == relative(0.7 * 2 + 2.1));
+  }
+
+  TEST_CASE(
+      "scene: the plate in 3D has the references of its modes, and on the published ring those of the "
+      "paper") {
+    const auto period = [](const char* method, const char* m, const char* n, const char* ring) {
+      const SceneFile file =
+          read_scene(find_scene("oscillating-plate-3d"), {{.name = "method", .value = method},
+                                                          {.name = "m", .value = m},
+                                                          {.name = "n", .value = n},
+                                                          {.name = "ring", .value = ring}});
+      return file.scene.references.at("neo_hookean").value.at("period");
+    };
+    CHECK(period("oenog", "1", "1", "0") == 0.0517);
+    CHECK(period("oenog", "2", "1", "0") == 0.02141);
+    CHECK(period("enog", "1", "1", "1") == 0.0572);
+    CHECK(period("enog", "2", "2", "1") == 0.0148);
+    CHECK(period("oenog", "1", "1", "1") == 0.0524);
   }
 
   TEST_CASE("scene: a layout that the engine refuses is refused at its key") {
