@@ -14,13 +14,13 @@ namespace taut {
 namespace {
 
 /// Throws UsageError for a constant that the method does not have, or that is out of its bounds.
-void check_constants(const MethodInfo& method, const Settings& settings) {
+void check_constants(const MethodInfo& method, const Settings& settings, int dim) {
+  const std::vector<MethodConstant> constants = method_constants(method.formulation, dim);
   for (const auto& [name, value] : settings.constants) {
-    const auto constant = std::ranges::find(method.constants, name, &MethodConstant::name);
-    if (constant == method.constants.end()) {
+    const auto constant = std::ranges::find(constants, name, &MethodConstant::name);
+    if (constant == constants.end()) {
       std::string known;
-      for (const MethodConstant& c : method.constants)
-        known += (known.empty() ? "" : ", ") + std::string(c.name);
+      for (const MethodConstant& c : constants) known += (known.empty() ? "" : ", ") + std::string(c.name);
       throw UsageError("method '" + std::string(method.name) + "' has no constant '" + name + "'; it has " +
                        known);
     }
@@ -107,7 +107,7 @@ void check_walls(const Scene& scene, const InitialParticles& initial) {
 
 Constants constants_of(const std::vector<Elasticity>& materials, int first, const Scene& scene,
                        const Settings& settings, const MethodInfo& method) {
-  check_constants(method, settings);
+  check_constants(method, settings, scene.dim);
   Constants c{materials[first]};
   for (const Elasticity& material : materials) c.c0 = std::max(c.c0, material.c0);
   c.dp = scene.spacing;

@@ -165,6 +165,15 @@ TEST_SUITE("unit") {
     CHECK(contains(error, "one material"));
   }
 
+  TEST_CASE("settings: constants have the bounds of the scene's dimension") {
+    Settings settings = with_method("oenog");
+    settings.constants = {{"h", 1.2}};
+    Scene scene = small_collision();
+    CHECK_NOTHROW(make_simulation(scene, settings));
+    scene.dim = 3;
+    CHECK(contains(message<UsageError>(scene, settings), "allowed is 0.87 to 0.99"));
+  }
+
   TEST_CASE("scene: three dimensions are refused by a method that has no form in them") {
     Scene scene = small_collision();
     scene.dim = 3;
