@@ -36,6 +36,10 @@ T dot(const Vec<T, Dim>& a, const Vec<T, Dim>& b) {
   return s;
 }
 
+inline Vec<double, 3> cross(const Vec<double, 3>& a, const Vec<double, 3>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 /// A full tensor, row by row: A(a, b).
 template <class T, int Dim>
 struct Mat {
@@ -223,6 +227,22 @@ T determinant(const Mat<T, 3>& A) {
   return A(0, 0) * (A(1, 1) * A(2, 2) - A(1, 2) * A(2, 1)) +
          A(0, 1) * (A(1, 2) * A(2, 0) - A(1, 0) * A(2, 2)) +
          A(0, 2) * (A(1, 0) * A(2, 1) - A(1, 1) * A(2, 0));
+}
+
+/// The tensor cross product A ⨯ B, [A ⨯ B]_iI = ε_ijk ε_IJK A_jJ B_kK, symmetric in both: cof F = ½ F ⨯ F.
+/// [Lee2016] below Eq. 1
+inline Mat<double, 3> tensor_cross(const Mat<double, 3>& A, const Mat<double, 3>& B) {
+  Mat<double, 3> C;
+#pragma GCC unroll 3
+  for (int a = 0; a < 3; ++a) {
+    const int a1 = (a + 1) % 3, a2 = (a + 2) % 3;
+#pragma GCC unroll 3
+    for (int b = 0; b < 3; ++b) {
+      const int b1 = (b + 1) % 3, b2 = (b + 2) % 3;
+      C(a, b) = A(a1, b1) * B(a2, b2) - A(a1, b2) * B(a2, b1) + A(a2, b2) * B(a1, b1) - A(a2, b1) * B(a1, b2);
+    }
+  }
+  return C;
 }
 
 /// Inverse of a symmetric tensor; 0 where it has none, as for a particle without neighbours.

@@ -25,6 +25,25 @@ struct NeoHookean {
     const double inv_j = root * root * root;
     return combination(shear, F, K * (J - 1) - shear * square(F) * inv_j / 3, cofactor(F));
   }
+  Mat<double, 3> piola(const Mat<double, 3>& F, const Mat<double, 3>& H, double J) const {  // TEMP
+    const double root = inverse_cube_root(determinant(F)), shear = G * root * root;
+    const double inv_j = root * root * root;
+    return combination(shear, F, K * (J - 1) - shear * square(F) * inv_j / 3, H);
+  }
+  static double greatest_stretch(const Mat<double, 3>& A) {  // TEMP
+    const Sym<double, 3> C = right_cauchy_green(A);
+    const double q = trace(C) / 3;
+    const double off = C(0, 1) * C(0, 1) + C(0, 2) * C(0, 2) + C(1, 2) * C(1, 2);
+    const double p2 = (C(0, 0) - q) * (C(0, 0) - q) + (C(1, 1) - q) * (C(1, 1) - q) +
+                      (C(2, 2) - q) * (C(2, 2) - q) + 2 * off;
+    return std::sqrt(q + 2 * std::sqrt(p2 / 6));  // at most
+  }
+  double stiffness_bound(const Mat<double, 3>& F, double) const {  // TEMP
+    const double J = determinant(F), root = inverse_cube_root(J);
+    const double sF = greatest_stretch(F), sH = greatest_stretch(cofactor(F));
+    return G * root * root + (10.0 / 18 * G * std::pow(J, -8.0 / 3) * square(F) + K) * sH * sH +
+           2.0 / 3 * G * std::pow(J, -5.0 / 3) * (sF * sH - J);
+  }
   template <int Dim>
   double energy(const Mat<double, Dim>& F, double J) const {
     const double root = inverse_cube_root(determinant(F));

@@ -17,6 +17,6 @@ struct MethodList {
 };
 using Methods = MethodList<og, oas, enog, enog_nonconservative, oenog, ulsph_av_as_uncorrected, ulsph_av_as,
                            d_ulsph_av_as, d_ulsph_av_tic, d_ulsph_r_as, ulsph_r_tic, d_ulsph_r_tic, ccb,
-                           ccbwat, icb, tl, pf, pf_jst, pfj_jst, tl_small_strain>;
+                           ccbwat, icb, tl, pf, pf_jst, pfj_jst, pfhj_jst, tl_small_strain>;
 
 }  // namespace taut

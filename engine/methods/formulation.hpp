@@ -61,6 +61,7 @@ enum class Unknowns : std::uint8_t {
   velocity,  // the deformation gradient comes from the positions
   v_F,       // it is an unknown of its own: {p, F}, [Lee2016] §3.3.2
   v_F_J,     // and so is the volume ratio: {p, F, J}
+  v_F_H_J,   // and the cofactor of the deformation gradient: {p, F, H, J}
 };
 
 /// How gradients on initial pairs are made right; solver/initial_pairs.hpp.
@@ -112,17 +113,18 @@ constexpr bool carries_stress(const Formulation& m) {
 /// [Zhang2024] does not say.
 constexpr bool strains_what_is_held(const Formulation& m) { return carries_stress(m); }
 
+/// Its volume ratio J has an equation of its own.
+constexpr bool follows_volume_ratio(const Formulation& m) {
+  return m.unknowns == Unknowns::v_F_J || m.unknowns == Unknowns::v_F_H_J;
+}
+
 /// The neighbours of a particle inside its body are those of the start.
 constexpr bool keeps_neighbors(const Formulation& m) {
   return m.family == Family::bonded || m.family == Family::tl_displacement || m.family == Family::tl_mixed;
 }
 
 /// Of the scenes that it can run.
-constexpr int greatest_dim(const Formulation& m) {
-  return m.family == Family::ul_split || m.family == Family::bonded || m.family == Family::tl_displacement
-             ? 3
-             : 2;
-}
+constexpr int greatest_dim(const Formulation& m) { return m.family == Family::ul_cauchy ? 2 : 3; }
 
 /// The method M with another law. Not one of the named methods, but a setting of theirs.
 template <const Formulation& M, Law law>
@@ -151,9 +153,9 @@ constexpr bool consistent(const Formulation& m) {
   const bool second_order = m.density_diffusion || m.viscosity == Viscosity::riemann || m.tensile_control;
   return of_its_family(m) && (!m.artificial_stress || carries_stress(m)) &&  // what it would be taken from
          m.artificial_stress == (m.epsilon > 0) && (m.corrected || !second_order) &&
-         (!m.tensile_control || m.artificial_stress) &&                   // which the surface keeps
-         (m.pair_stress == PairStress::product || !m.corrected) &&        // no paper has both
-         (m.unknowns != Unknowns::v_F_J || m.law == Law::neo_hookean) &&  // the other laws take J from F
+         (!m.tensile_control || m.artificial_stress) &&              // which the surface keeps
+         (m.pair_stress == PairStress::product || !m.corrected) &&   // no paper has both
+         (!follows_volume_ratio(m) || m.law == Law::neo_hookean) &&  // the other laws take J from F
          m.h_over_dp > 0 && m.cfl > 0 && m.cfl_advection > 0 && !m.name.empty();
 }
 

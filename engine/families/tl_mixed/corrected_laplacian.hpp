@@ -10,7 +10,9 @@ namespace taut::inline TAUT_ISA {
 /// L[f]_i = Σ_j w_ij (f_j − f_i) on the pairs of the start, with
 ///   w_ij = V_j (ΔW + α_i·r_ij + β_i r_ij²),   r_ij = X_i − X_j,            [Lee2016] Eq. A.1, A.2
 /// and α, β such that L of a linear field is 0 and that of |X − X_i|² is 2 Dim (A.3–A.5, printed for 3D).
-/// ΔW = W″ + (Dim − 1) W′/r. The w_ij are stored times `scale`, m².
+/// ΔW = W″ + (Dim − 1) W′/r. The w_ij are stored times `scale`, m². Where the neighbours cannot tell |X − X_i|²
+/// from a linear field, as those at the corner of a cube of particles (all within dp along each axis) cannot,
+/// β is 0 and the second condition is left out.
 /// Not symmetric: Σ V_i L[f]_i ≠ 0.
 template <class K, int Dim>
 std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
@@ -41,7 +43,12 @@ std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
         for (int b = 0; b < N; ++b) A[a][b] += V[pairs.j[p]] * r[a] * r[b];
       }
     }
+    const double squares = A[Dim][Dim];
     for (int k = 0; k < N; ++k) {  // A is positive definite: no pivots
+      if (k == Dim && A[Dim][Dim] < 1e-9 * squares) {
+        A[Dim][Dim] = 1, A[Dim][N] = 0;
+        break;
+      }
       for (int row = 0; row < N; ++row) {
         if (row == k) continue;
         const double factor = A[row][k] / A[k][k];

@@ -1,28 +1,31 @@
 #include "engine/families/tl_mixed/describe.hpp"
 
 #include "engine/families/tl_mixed/solver.hpp"
+#include "engine/methods/lee2016.hpp"
 
 namespace taut::tl_mixed {
 
 std::vector<TermInfo> terms(const Formulation& m) {
   std::vector<TermInfo> t{deformation_rate_info};
-  if (m.unknowns == Unknowns::v_F_J) t.push_back(volume_ratio_info);
+  if (follows_volume_ratio(m)) t.push_back(volume_ratio_info);
+  if (m.unknowns == Unknowns::v_F_H_J) t.push_back(cofactor_info);
   t.insert(t.end(), {law_row(m.law).term, internal_force_info});
   if (m.jst) t.push_back(corrected_laplacian_info);
   t.insert(t.end(), {projection_info, contact_info(m.contact), tl_mixed_time_info});
   return t;
 }
 
-std::vector<MethodConstant> constants(const Formulation& m, int) {
+std::vector<MethodConstant> constants(const Formulation& m, int dim) {
   using C = Constants;
   std::vector<MethodConstant> c{smoothing_length(m, 0.8)};
+  if (dim == 3) c.front().value = lee2016_h_over_dp_3d;
   if (m.jst) {
     c.push_back({"eps_v2", &C::eps_v2, 0.0, 0.0, 1.0, "ε₂ of the momentum, for shocks"});
     c.push_back({"eps_v4", &C::eps_v4, 0.125, 0.0, 1.0, "ε₄ of the momentum, against zigzags"});
     c.push_back({"adjoint", &C::adjoint, 1.0, 0.0, 1.0,
                  "1: biharmonic term L*[L[U]], damps all; 0: L[L[U]] as printed"});
   }
-  if (m.jst && m.unknowns == Unknowns::v_F_J) {
+  if (m.jst && follows_volume_ratio(m)) {
     c.push_back({"eps_J2", &C::eps_J2, 0.0, 0.0, 1.0, "ε₂ of the volume ratio"});
     c.push_back(
         {"eps_J4", &C::eps_J4, 1.0 / 256, 0.0, 1.0,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <type_traits>
 #include <vector>
 
 #include "engine/families/tl_mixed/corrected_laplacian.hpp"
@@ -8,9 +10,10 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// Mixed total-Lagrangian methods: momentum, deformation gradient and, where the method says so, volume ratio
-/// as unknowns of equations of their own, with Jameson–Schmidt–Turkel dissipation. [Lee2016] Algorithm 1,
-/// without H (linear in F in plane strain). The momentum goes as the velocity p/ρ0.
+/// Mixed total-Lagrangian methods: momentum, deformation gradient F and, where the method says so, volume
+/// ratio J and cofactor H of F as unknowns of equations of their own, with Jameson–Schmidt–Turkel dissipation.
+/// [Lee2016] Algorithm 1. The momentum goes as the velocity p/ρ0. In plane strain H is linear in F, and its
+/// equation says nothing that that of F does not: there {p, F, H, J} runs as {p, F, J}.
 ///
 /// Differs from the paper in the biharmonic term, L*[L[U]] with the adjoint of L in place of L[L[U]] (Eq.
 /// 37b). L is not symmetric at a surface, where its square may feed what it is to damp: with it `pfj-jst`
@@ -40,17 +43,35 @@ class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
   using typename Base::Mat;
   using typename Base::V;
 
-  static constexpr bool has_J = M.unknowns == Unknowns::v_F_J;
+  static constexpr bool has_J = follows_volume_ratio(M);
+  static constexpr bool has_H = M.unknowns == Unknowns::v_F_H_J && Dim == 3;
+  struct None {};
 
   /// Unknowns of a particle, or their rates.
   struct Unknown {
     V x, v;  // m, m/s
     Mat F;
     double J;  // where it is one
+    [[no_unique_address]] std::conditional_t<has_H, Mat, None> H{};
   };
 
-  double volume_ratio(const Unknown& u) const { return has_J ? u.J : determinant(u.F); }
+  static double volume_ratio(const Unknown& u) { return has_J ? u.J : determinant(u.F); }
+  static Mat cofactors(const Unknown& u) {
+    if constexpr (has_H)
+      return u.H;
+    else
+      return cofactor(u.F);
+  }
+  Mat piola(int i, const Unknown& u) const {
+    if constexpr (has_H)
+      return this->law(i).piola(u.F, u.H, u.J);
+    else
+      return this->law(i).piola(u.F, volume_ratio(u));
+  }
+  /// `u` + Δt `rate`
+  static void add(Unknown& u, double dt, const Unknown& rate);
 
+  double step_size() const;
   void set_start_gradients();
   void find_rates(const std::vector<V>& Z, double dt);
   void set_rows(const std::vector<V>& Z);
@@ -84,7 +105,10 @@ TlMixed<M, Dim>::TlMixed(const SolverInput& input)
   static_assert(Dim + has_J <= lanes);
   Mat one{};
   for (int k = 0; k < Dim; ++k) one(k, k) = 1;
-  for (int i = 0; i < s_.size(); ++i) now_.push_back({s_.x[i], s_.v[i], one, 1});
+  for (int i = 0; i < s_.size(); ++i) {
+    now_.push_back({s_.x[i], s_.v[i], one, 1});
+    if constexpr (has_H) now_[i].H = one;
+  }
   if (!initial_.start.empty()) set_start_gradients();
   start_ = now_;
   rate_of_start_ = rate_;
@@ -101,7 +125,7 @@ TlMixed<M, Dim>::TlMixed(const SolverInput& input)
 }
 
 /// Of bodies that start displaced: F is what the kernel sees of their places, as its rate is what it sees of
-/// their velocities, and J its determinant.
+/// their velocities, J its determinant and H its cofactor.
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::set_start_gradients() {
   for (int i = 0; i < s_.size(); ++i) velocity_[i] = in_rows(s_.x[i] - X_[i]);
@@ -109,13 +133,31 @@ void TlMixed<M, Dim>::set_start_gradients() {
     const Mat grad_u = product(matrix(initial_pairs_.difference_sum(velocity_, i)), initial_pairs_.B[i]);
     now_[i].F = combination(1.0, now_[i].F, 1.0, grad_u);
     if constexpr (has_J) now_[i].J = determinant(now_[i].F);
+    if constexpr (has_H) now_[i].H = cofactor(now_[i].F);
+  }
+}
+
+/// In 3D α_CFL h/c_p with the fastest wave through the strained bodies, seen from their start: waves along a
+/// direction that is pressed together cross more of the initial spacings.       [Lee2016] Eq. 44, Alg. 1, step 2
+/// Differs from the paper, which has dp for h: at 0.3 dp/c_p zigzags at free faces grow where particles are in the
+/// middle of cells (limit 0.25; 0.39 on the boundary); and in the plane, where the greatest speed stands for how
+/// fast bodies are strained.
+template <const Formulation& M, int Dim>
+double TlMixed<M, Dim>::step_size() const {
+  if constexpr (Dim == 2) {
+    return Base::step_size();
+  } else {
+    const double stiffest = parallel_max(s_.size(), threads_now(), [&](int i) {
+      return this->law(i).stiffness_bound(now_[i].F, volume_ratio(now_[i]));
+    });
+    return this->fixed_or(c_.cfl * c_.h / std::sqrt(stiffest / c_.rho0));
   }
 }
 
 /// U* = U + Δt U̇(U), U** = U* + Δt U̇(U*), then the mean of U and U**.               [Lee2016] Eq. 43
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::step() {
-  const double dt = Base::step_size();
+  const double dt = step_size();
   if (contact_.prepare(s_, vmax_ * dt)) this->show_contacts_to_probes();
   start_ = now_;
   for (int i = 0; i < s_.size(); ++i) Z_[i] = now_[i].x;
@@ -164,7 +206,7 @@ void TlMixed<M, Dim>::set_rows(const std::vector<V>& Z) {
     s_.x[i] = Z[i];
     s_.v[i] = u.v;
     velocity_[i] = in_rows(u.v);
-    stress_[i] = tile(product(this->law(i).piola(u.F, volume_ratio(u)), V0_[i] * initial_pairs_.B[i]));
+    stress_[i] = tile(product(piola(i, u), V0_[i] * initial_pairs_.B[i]));
     if constexpr (M.jst) {
       for (int k = 0; k < Dim; ++k) smoothed_[i].value[k] = u.v[k];
       smoothed_[i].value[Dim] = u.J;
@@ -172,13 +214,14 @@ void TlMixed<M, Dim>::set_rows(const std::vector<V>& Z) {
   });
 }
 
-/// dF/dt, dJ/dt, internal force and L[U].
+/// dF/dt, dJ/dt, dH/dt, internal force and L[U].
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::gather_pass() {
   parallel_for(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
     const Mat grad_v = product(matrix(initial_pairs_.difference_sum(velocity_, i)), initial_pairs_.B[i]);
     rate_[i].F = grad_v;
-    if constexpr (has_J) rate_[i].J = contraction(cofactor(now_[i].F), grad_v);
+    if constexpr (has_J) rate_[i].J = contraction(cofactors(now_[i]), grad_v);
+    if constexpr (has_H) rate_[i].H = tensor_cross(now_[i].F, grad_v);
     a_[i] = (1 / s_.m[i]) * initial_pairs_.pair_sum(stress_, i);
     if constexpr (M.jst) once_[i].value = laplacian_sum(initial_pairs_, laplacian_, smoothed_, i);
   });
@@ -186,6 +229,9 @@ void TlMixed<M, Dim>::gather_pass() {
 inline constexpr TermInfo volume_ratio_info{
     "volume ratio", "dJ/dt = H : Σ_j (v_j − v_i) ⊗ k_ij B_i, H = cof F", "[Lee2016] Eq. 33c",
     "families/tl_mixed/solver.hpp:gather_pass", "mixed: a ring and a disc that collide"};
+inline constexpr TermInfo cofactor_info{"cofactor", "dH/dt = F ⨯ Σ_j (v_j − v_i) ⊗ k_ij B_i; H = cof F in 2D",
+                                        "[Lee2016] Eq. 33b", "families/tl_mixed/solver.hpp:gather_pass",
+                                        "mixed: in 3D a block and a ball that collide"};
 
 /// D(U) = c_p dp ε₂ L[U] − c_p dp³ ε₄ L*[L[U]] of the velocity and of J.                [Lee2016] Eq. 35–38
 template <const Formulation& M, int Dim>
@@ -213,17 +259,22 @@ void TlMixed<M, Dim>::project(const std::vector<V>& Z) {
   }
 }
 
+template <const Formulation& M, int Dim>
+void TlMixed<M, Dim>::add(Unknown& u, double dt, const Unknown& rate) {
+  u.x += dt * rate.x;
+  u.v += dt * rate.v;
+  u.F = combination(1.0, u.F, dt, rate.F);
+  if constexpr (has_J) u.J += dt * rate.J;
+  if constexpr (has_H) u.H = combination(1.0, u.H, dt, rate.H);
+}
+
 /// The first stage. Driven particles have the velocity of the end of the step.
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::predict(double dt) {
   const bool driven = drives_.active();
   parallel_for(s_.size(), threads_now(), [&](int i) {
     Unknown& u = now_[i];
-    const Unknown& r = rate_[i];
-    u.x += dt * r.x;
-    u.v += dt * r.v;
-    u.F = combination(1.0, u.F, dt, r.F);
-    if constexpr (has_J) u.J += dt * r.J;
+    add(u, dt, rate_[i]);
     if (driven && drives_.moves(s_.id[i]))
       u.v = drives_.velocity(s_.id[i]);
     else
@@ -243,6 +294,7 @@ double TlMixed<M, Dim>::correct(double dt) {
     u.v += (0.5 * dt) * (r.v + q.v);
     u.F = combination(1.0, u.F, 0.5 * dt, combination(1.0, r.F, 1.0, q.F));
     if constexpr (has_J) u.J += 0.5 * dt * (r.J + q.J);
+    if constexpr (has_H) u.H = combination(1.0, u.H, 0.5 * dt, combination(1.0, r.H, 1.0, q.H));
     if (driven && drives_.moves(s_.id[i])) {
       drives_.replace(s_, i, u.v);
     } else {
