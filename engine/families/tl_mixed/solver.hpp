@@ -229,9 +229,10 @@ void TlMixed<M, Dim>::gather_pass() {
 inline constexpr TermInfo volume_ratio_info{
     "volume ratio", "dJ/dt = H : Σ_j (v_j − v_i) ⊗ k_ij B_i, H = cof F", "[Lee2016] Eq. 33c",
     "families/tl_mixed/solver.hpp:gather_pass", "mixed: a ring and a disc that collide"};
-inline constexpr TermInfo cofactor_info{"cofactor", "dH/dt = F ⨯ Σ_j (v_j − v_i) ⊗ k_ij B_i; H = cof F in 2D",
-                                        "[Lee2016] Eq. 33b", "families/tl_mixed/solver.hpp:gather_pass",
-                                        "mixed: in 3D a block and a ball that collide"};
+inline constexpr TermInfo cofactor_info{
+    "cofactor", "dH/dt = F ⨯ Σ_j (v_j − v_i) ⊗ k_ij B_i; H = cof F in 2D", "[Lee2016] Eq. 33b",
+    "families/tl_mixed/solver.hpp:gather_pass",
+    "mixed: in 3D a block and a ball that collide, and a clamped block hit on its clamp"};
 
 /// D(U) = c_p dp ε₂ L[U] − c_p dp³ ε₄ L*[L[U]] of the velocity and of J.                [Lee2016] Eq. 35–38
 template <const Formulation& M, int Dim>

@@ -1,7 +1,7 @@
 #pragma once
 
 // The mixed methods of [Lee2016] written down from the paper, by pairs and without any thought of speed: Eq.
-// 29c (internal force), 33a, 33c (F and J), 35–38 with A.1–A.5 (dissipation), 43 (time), 45–51 (projections,
+// 29c (internal force), 33a–c (F, H and J), 35–38 with A.1–A.5 (dissipation), 43 (time), 45–51 (projections,
 // from the full system of Eq. 48), 8–12 (stress); the penalty contact of [TranDuc2023] Eq. 2.13. Everything
 // goes with the momentum p per volume of the start.
 
@@ -15,12 +15,28 @@
 
 namespace taut::test::naive_lee {
 
-using Vector = Eigen::Vector2d;
-using Matrix = Eigen::Matrix2d;
+template <int Dim>
+using Vec = Eigen::Matrix<double, Dim, 1>;
+template <int Dim>
+using Mat = Eigen::Matrix<double, Dim, Dim>;
 
+/// [A ⨯ B]_iI = ε_ijk ε_IJK A_jJ B_kK
+inline Mat<3> tensor_cross(const Mat<3>& A, const Mat<3>& B) {
+  const auto epsilon = [](int i, int j, int k) { return (i - j) * (j - k) * (k - i) / 2; };
+  Mat<3> C = Mat<3>::Zero();
+  for (int n = 0; n < 729; ++n) {
+    const int i = n % 3, j = n / 3 % 3, k = n / 9 % 3, I = n / 27 % 3, J = n / 81 % 3, K = n / 243;
+    C(i, I) += epsilon(i, j, k) * epsilon(I, J, K) * A(j, J) * B(k, K);
+  }
+  return C;
+}
+
+template <int Dim>
 struct Particle {
+  using Vector = Vec<Dim>;
+  using Matrix = Mat<Dim>;
   Vector X = Vector::Zero(), x = X, p = X;
-  Matrix F = Matrix::Identity();
+  Matrix F = Matrix::Identity(), H = F;
   double J = 1, V = 0;
   int body = 0;
   bool held = false;
@@ -29,28 +45,37 @@ struct Particle {
   double beta = 0;
 };
 
-struct Rates {
-  Vector x, p;
-  Matrix F;
-  double J;
-};
-
+template <int Dim>
 struct Run {
-  bool jst, with_J;
+  using Vector = Vec<Dim>;
+  using Matrix = Mat<Dim>;
+  using Field = Vec<Dim + 1>;  // of p and J
+  using Particle = naive_lee::Particle<Dim>;
+
+  struct Rates {
+    Vector x, p;
+    Matrix F, H;
+    double J;
+  };
+
+  bool jst, with_J, with_H;
   double dp, h, cfl, rho0, K, G, contact_stiffness;
   double eps_p2, eps_p4, eps_J2, eps_J4;
   bool projection, adjoint;
   std::vector<Particle> particles;
+  double dt = 0;  // s, of every step where cfl is 0
   double time = 0;
-  long contacts = 0;
+  long contacts = 0, corners = 0;
 
   double wave_speed() const { return std::sqrt((K + 4 * G / 3) / rho0); }
 
   bool near(const Particle& a, const Particle& b) const {
     return &a != &b && a.body == b.body && (a.X - b.X).norm() < 2 * h;
   }
-  /// Wendland C2 and its derivatives by r, α = 7/(4π h²).
-  double alpha_h() const { return 7 / (4 * std::numbers::pi * h * h); }
+  /// Wendland C2 and its derivatives by r, α = 7/(4π h²) or 21/(16π h³).
+  double alpha_h() const {
+    return Dim == 2 ? 7 / (4 * std::numbers::pi * h * h) : 21 / (16 * std::numbers::pi * h * h * h);
+  }
   double dW(double r) const {
     const double q = r / h;
     return alpha_h() / h * -5 * q * std::pow(1 - q / 2, 3);
@@ -66,7 +91,7 @@ struct Run {
   }
   double plain_laplacian(const Particle& a, const Particle& b) const {
     const double r = (a.X - b.X).norm();
-    return ddW(r) + dW(r) / r;
+    return ddW(r) + (Dim - 1) * dW(r) / r;
   }
   double laplacian(const Particle& a, const Particle& b) const {  // Eq. A.2
     const Vector r = a.X - b.X;
@@ -76,54 +101,68 @@ struct Run {
   void start() {
     for (Particle& a : particles) {
       Matrix M = Matrix::Zero();
-      Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
-      Eigen::Vector3d right(0, 0, 4);
+      Mat<Dim + 1> A = Mat<Dim + 1>::Zero();
+      Field right = Field::Zero();
+      right[Dim] = 2 * Dim;
       for (const Particle& b : particles) {
         if (!near(a, b)) continue;
         const Vector r = a.X - b.X;
         M += b.V * dW(r.norm()) / r.norm() * r * (b.X - a.X).transpose();
-        const Eigen::Vector3d basis(r[0] / dp, r[1] / dp, r.squaredNorm() / (dp * dp));
+        Field basis;
+        basis << r / dp, r.squaredNorm() / (dp * dp);
         A += b.V * basis * basis.transpose();
         right -= b.V * plain_laplacian(a, b) * dp * dp * basis;
       }
       a.L = M.inverse();
-      const Eigen::Vector3d solution = A.fullPivLu().solve(right) / (dp * dp);
-      a.alpha = solution.head<2>() / dp;
-      a.beta = solution[2] / (dp * dp);
+      Eigen::FullPivLU<Mat<Dim + 1>> lu(A);
+      lu.setThreshold(1e-10);
+      Field solution = lu.solve(right);
+      if (!lu.isInvertible()) {  // at the corner of a cube
+        solution.setZero();
+        solution.template head<Dim>() =
+            A.template topLeftCorner<Dim, Dim>().llt().solve(right.template head<Dim>());
+        ++corners;
+      }
+      a.alpha = solution.template head<Dim>() / (dp * dp * dp);
+      a.beta = solution[Dim] / (dp * dp * dp * dp);
     }
   }
 
+  Matrix cofactor(const Particle& a) const {
+    return with_H ? a.H : Matrix(a.F.determinant() * a.F.inverse().transpose());
+  }
   Matrix stress(const Particle& a) const {
     const double j = a.F.determinant(), J = with_J ? a.J : j, zeta = G / 2;  // the paper has J for j too
-    const Matrix H = a.F.determinant() * a.F.inverse().transpose();
-    const double FF = a.F.squaredNorm() + 1;
+    const Matrix H = cofactor(a);
+    const double FF = a.F.squaredNorm() + (3 - Dim);
     const double Sigma_J = -2.0 / 3 * zeta * std::pow(j, -5.0 / 3) * FF + K * (J - 1);
     return 2 * zeta * std::pow(j, -2.0 / 3) * a.F + Sigma_J * H;
   }
 
-  /// ε₂ c h_min L[U] − ε₄ c h_min³ L[L[U]] of (p_x, p_y, J).
-  std::vector<Eigen::Vector3d> dissipation() const {
-    const auto L = [&](const std::vector<Eigen::Vector3d>& U) {
-      std::vector<Eigen::Vector3d> out(U.size(), Eigen::Vector3d::Zero());
+  /// ε₂ c h_min L[U] − ε₄ c h_min³ L[L[U]] of (p, J).
+  std::vector<Field> dissipation() const {
+    const auto L = [&](const std::vector<Field>& U) {
+      std::vector<Field> out(U.size(), Field::Zero());
       for (std::size_t a = 0; a < U.size(); ++a)
         for (std::size_t b = 0; b < U.size(); ++b)
           if (near(particles[a], particles[b]))
             out[a] += particles[b].V * (U[b] - U[a]) * laplacian(particles[a], particles[b]);
       return out;
     };
-    std::vector<Eigen::Vector3d> U;
-    for (const Particle& a : particles) U.emplace_back(a.p[0], a.p[1], a.J);
-    const std::vector<Eigen::Vector3d> once = L(U), twice = adjoint ? adjoint_of_L(once) : L(once);
-    std::vector<Eigen::Vector3d> D;
-    const Eigen::Vector3d e2(eps_p2, eps_p2, eps_J2), e4(eps_p4, eps_p4, eps_J4);
+    std::vector<Field> U;
+    for (const Particle& a : particles) U.push_back((Field() << a.p, a.J).finished());
+    const std::vector<Field> once = L(U), twice = adjoint ? adjoint_of_L(once) : L(once);
+    std::vector<Field> D;
+    Field e2 = Field::Constant(eps_p2), e4 = Field::Constant(eps_p4);
+    e2[Dim] = eps_J2, e4[Dim] = eps_J4;
     for (std::size_t a = 0; a < U.size(); ++a)
       D.push_back(wave_speed() * (dp * e2.cwiseProduct(once[a]) - dp * dp * dp * e4.cwiseProduct(twice[a])));
     return D;
   }
 
   /// Of the matrix of L with respect to Σ V; not in the paper, which has L.
-  std::vector<Eigen::Vector3d> adjoint_of_L(const std::vector<Eigen::Vector3d>& g) const {
-    std::vector<Eigen::Vector3d> out(g.size(), Eigen::Vector3d::Zero());
+  std::vector<Field> adjoint_of_L(const std::vector<Field>& g) const {
+    std::vector<Field> out(g.size(), Field::Zero());
     for (std::size_t a = 0; a < g.size(); ++a)
       for (std::size_t b = 0; b < g.size(); ++b)
         if (near(particles[a], particles[b]))
@@ -132,21 +171,32 @@ struct Run {
     return out;
   }
 
-  /// Eq. 47, 48 in the plane, for one body: unknowns λ_ang and λ_lin.
+  /// Z ↦ λ × Z for each component of λ_ang, of which there is one in the plane.
+  static Eigen::Matrix<double, Dim, Dim == 2 ? 1 : 3> turns(const Vector& z) {
+    Eigen::Matrix<double, Dim, Dim == 2 ? 1 : 3> columns;
+    if constexpr (Dim == 2)
+      columns << -z[1], z[0];
+    else
+      columns << 0, z[2], -z[1], -z[2], 0, z[0], z[1], -z[0], 0;
+    return columns;
+  }
+
+  /// Eq. 47, 48 for one body: unknowns λ_ang and λ_lin.
   void project(std::vector<Vector>& T, const std::vector<Vector>& Z, int body) const {
-    Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d right = Eigen::Vector3d::Zero();
-    const auto column = [](const Vector& z) { return Vector(-z[1], z[0]); };  // e_z × Z
+    constexpr int unknowns = Dim + (Dim == 2 ? 1 : 3);
+    Mat<unknowns> A = Mat<unknowns>::Zero();
+    Vec<unknowns> right = Vec<unknowns>::Zero();
     for (std::size_t a = 0; a < T.size(); ++a) {
       if (particles[a].body != body) continue;
-      Eigen::Matrix<double, 2, 3> C;
-      C << column(Z[a]), Matrix::Identity();
+      Eigen::Matrix<double, Dim, unknowns> C;
+      C << turns(Z[a]), Matrix::Identity();
       A += particles[a].V * C.transpose() * C;
       right -= particles[a].V * C.transpose() * T[a];
     }
-    const Eigen::Vector3d lambda = A.fullPivLu().solve(right);
+    const Vec<unknowns> lambda = A.fullPivLu().solve(right);
     for (std::size_t a = 0; a < T.size(); ++a)
-      if (particles[a].body == body) T[a] += lambda[0] * column(Z[a]) + lambda.tail<2>();
+      if (particles[a].body == body)
+        T[a] += turns(Z[a]) * lambda.template head<unknowns - Dim>() + lambda.template tail<Dim>();
   }
 
   std::vector<Rates> rates(const std::vector<Vector>& Z) {
@@ -162,12 +212,12 @@ struct Run {
         T[k] += b.V * (stress(b) * gradient(b, a) - stress(a) * gradient(a, b));
         grad += b.V / rho0 * (b.p - a.p) * gradient(a, b).transpose();
       }
-      out[k] = {a.p / rho0, Vector::Zero(), grad,
-                (a.F.determinant() * a.F.inverse().transpose()).cwiseProduct(grad).sum()};
+      out[k] = {a.p / rho0, Vector::Zero(), grad, Matrix::Zero(), cofactor(a).cwiseProduct(grad).sum()};
+      if constexpr (Dim == 3) out[k].H = tensor_cross(a.F, grad);
     }
     if (jst) {
-      const std::vector<Eigen::Vector3d> D = dissipation();
-      for (std::size_t k = 0; k < n; ++k) Dp[k] = D[k].head<2>(), DJ[k] = D[k][2];
+      const std::vector<Field> D = dissipation();
+      for (std::size_t k = 0; k < n; ++k) Dp[k] = D[k].template head<Dim>(), DJ[k] = D[k][Dim];
     }
     for (int body = 0; projection && body < 2; ++body) {
       project(T, Z, body);
@@ -186,7 +236,7 @@ struct Run {
         const Vector d = Z[k] - Z[l];
         if (a.body == b.body || d.norm() >= dp) continue;
         ++contacts;
-        E += contact_stiffness * K / 2 * (dp - d.norm()) * d.normalized() / a.V;
+        E += contact_stiffness * K / 2 * std::pow(dp, Dim - 2) * (dp - d.norm()) * d.normalized() / a.V;
       }
       if (!a.held) out[k].p = E - T[k] + Dp[k];
       out[k].J += DJ[k];
@@ -197,7 +247,7 @@ struct Run {
   void step() {
     double fastest = 0;
     for (const Particle& a : particles) fastest = std::max(fastest, a.p.norm() / rho0);
-    const double dt = cfl * h / (wave_speed() + fastest);
+    if (cfl > 0) dt = cfl * h / (wave_speed() + fastest);
     const std::vector<Particle> start = particles;
     std::vector<Vector> Z;
     for (const Particle& a : particles) Z.push_back(a.x);
@@ -207,6 +257,7 @@ struct Run {
         particles[k].x += dt * r[k].x;
         particles[k].p += dt * r[k].p;
         particles[k].F += dt * r[k].F;
+        particles[k].H += dt * r[k].H;
         particles[k].J += dt * r[k].J;
       }
     };
@@ -219,6 +270,7 @@ struct Run {
       a.x = 0.5 * (start[k].x + a.x);
       a.p = 0.5 * (start[k].p + a.p);
       a.F = 0.5 * (start[k].F + a.F);
+      a.H = 0.5 * (start[k].H + a.H);
       a.J = 0.5 * (start[k].J + a.J);
     }
     time += dt;

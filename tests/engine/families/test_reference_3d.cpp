@@ -10,6 +10,7 @@
 
 #include "engine/methods/oenog.hpp"
 #include "engine/scene/initial_particles.hpp"
+#include "tests/engine/families/naive_lee2016.hpp"
 #include "tests/engine/families/naive_oenog.hpp"
 #include "tests/engine/families/naive_total_lagrangian.hpp"
 #include "tests/engine/families/naive_zhang2024.hpp"
@@ -144,6 +145,65 @@ void check_total_lagrangian(const Scene& scene, const std::string& name, naive_r
   check_field("stress", engine_sigma, sigma);
 }
 
+/// Every dissipation acts, at a step of its own.
+void check_mixed(const Scene& scene, const std::string& name, double projection) {
+  CAPTURE(name);
+  const Material& material = scene.materials[0];
+  constexpr double h_over_dp = 0.87;  // the default in 3D
+  const bool jst = name != "pf", with_J = name.starts_with("pfj") || name == "pfhj-jst";
+  naive_lee::Run<3> run{.jst = jst,
+                        .with_J = with_J,
+                        .with_H = name == "pfhj-jst",
+                        .dp = scene.spacing,
+                        .h = h_over_dp * scene.spacing,
+                        .cfl = 0,
+                        .rho0 = material.density,
+                        .K = material.bulk_modulus(),
+                        .G = material.shear_modulus(),
+                        .contact_stiffness = 2,
+                        .eps_p2 = 0.03,
+                        .eps_p4 = 0.1,
+                        .eps_J2 = 0.02,
+                        .eps_J4 = 0.01,
+                        .projection = projection != 0,
+                        .adjoint = true};
+  run.dt = 0.15 * scene.spacing / run.wave_speed();
+  const InitialParticles initial = make_initial_particles(scene);
+  for (int i = 0; i < initial.size(); ++i) {
+    naive_lee::Particle<3> a;
+    for (int k = 0; k < 3; ++k) a.X[k] = a.x[k] = initial.x[i][k], a.p[k] = run.rho0 * initial.v[i][k];
+    a.V = initial.V0[i];
+    a.body = initial.body[i];
+    a.held = initial.held[i];
+    run.particles.push_back(a);
+  }
+  run.start();
+  for (int k = 0; k < steps; ++k) run.step();
+  CHECK(run.contacts > 20);
+  CHECK(run.corners == 8);
+
+  Settings settings = with_method(name);
+  settings.step = run.dt;
+  settings.constants = {{"projection", projection}};
+  if (jst) settings.constants.insert({{"eps_v2", run.eps_p2}, {"eps_v4", run.eps_p4}});
+  if (with_J) settings.constants.insert({{"eps_J2", run.eps_J2}, {"eps_J4", run.eps_J4}});
+  const Snapshot now = state_after(steps, scene, settings);
+  std::vector<double> x, v, rho;
+  double drift_J = 0, drift_H = 0;
+  for (const naive_lee::Particle<3>& a : run.particles) {
+    x.insert(x.end(), a.x.begin(), a.x.end());
+    for (int k = 0; k < 3; ++k) v.push_back(a.p[k] / run.rho0);
+    const double j = a.F.determinant();
+    drift_J = std::max(drift_J, std::abs(a.J - j));
+    drift_H = std::max(drift_H, (a.H - j * a.F.inverse().transpose()).norm());
+    rho.push_back(run.rho0 / (with_J ? a.J : j));
+  }
+  CHECK((drift_J > 1e-5 && drift_H > 1e-6));  // so that they are no other names of those of F
+  check_field("x", now.x, x);
+  check_field("v", now.v, v);
+  check_field("rho", now.rho, rho);
+}
+
 void check_oenog(const Scene& scene, bool meets) {
   CAPTURE(scene.name);
   constexpr double damping = 0.01, h_over_dp = 0.9;  // the defaults in 3D
@@ -189,6 +249,12 @@ TEST_SUITE("reference") {
       CAPTURE(scene.name);
       check_total_lagrangian(scene, "tl", naive_reference::Method::tl);
       check_total_lagrangian(scene, "icb", naive_reference::Method::icb);
+    }
+  }
+  TEST_CASE("mixed: in 3D a block and a ball that collide, and a clamped block hit on its clamp") {
+    for (const std::string name : {"pf", "pf-jst", "pfj-jst", "pfhj-jst"}) {
+      check_mixed(small_solid_collision(), name, 1);
+      check_mixed(small_clamped_block(), name, 0);
     }
   }
   TEST_CASE("oenog: in 3D 40 steps are those of the formulas, with a collision, a clamp and two materials") {

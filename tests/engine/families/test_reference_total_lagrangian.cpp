@@ -117,34 +117,35 @@ const Case cases[] = {{"tl", Method::tl},
                       {"tl", Method::tl_st_venant_kirchhoff, "st-venant-kirchhoff"},
                       {"tl", Method::tl_linear, "linear"}};
 
-naive_lee::Run naive_mixed_run(const Scene& scene, const std::string& name, const Settings& settings) {
+naive_lee::Run<2> naive_mixed_run(const Scene& scene, const std::string& name, const Settings& settings) {
   const MethodInfo& info = *find_method(name);
   const Material& material = scene.materials[0];
   const auto constant = [&](const char* key) {
     const auto set = settings.constants.find(key);
     return set == settings.constants.end() ? constant_of(info, key) : set->second;
   };
-  naive_lee::Run run{name != "pf",
-                     name == "pfj-jst",
-                     scene.spacing,
-                     constant("h") * scene.spacing,
-                     info.cfl,
-                     material.density,
-                     material.bulk_modulus(),
-                     material.shear_modulus(),
-                     constant("contact_stiffness"),
-                     constant("eps_v2"),
-                     constant("eps_v4"),
-                     constant("eps_J2"),
-                     constant("eps_J4"),
-                     constant("projection") != 0,
-                     constant("adjoint") != 0,
-                     {}};
+  naive_lee::Run<2> run{name != "pf",
+                        name == "pfj-jst",
+                        false,
+                        scene.spacing,
+                        constant("h") * scene.spacing,
+                        info.cfl,
+                        material.density,
+                        material.bulk_modulus(),
+                        material.shear_modulus(),
+                        constant("contact_stiffness"),
+                        constant("eps_v2"),
+                        constant("eps_v4"),
+                        constant("eps_J2"),
+                        constant("eps_J4"),
+                        constant("projection") != 0,
+                        constant("adjoint") != 0,
+                        {}};
   const InitialParticles initial = make_initial_particles(scene);
   for (int i = 0; i < initial.size(); ++i) {
-    naive_lee::Particle a;
+    naive_lee::Particle<2> a;
     a.X = a.x = {initial.x[i][0], initial.x[i][1]};
-    a.p = material.density * naive_lee::Vector(initial.v[i][0], initial.v[i][1]);
+    a.p = material.density * naive_lee::Vec<2>(initial.v[i][0], initial.v[i][1]);
     a.V = initial.V0[i];
     a.body = initial.body[i];
     a.held = initial.held[i];
@@ -157,20 +158,20 @@ naive_lee::Run naive_mixed_run(const Scene& scene, const std::string& name, cons
 
 void check_mixed(const Scene& scene, const std::string& name, const Settings& settings) {
   CAPTURE(name);
-  const naive_lee::Run run = naive_mixed_run(scene, name, settings);
+  const naive_lee::Run<2> run = naive_mixed_run(scene, name, settings);
   const Snapshot now = state_after(mixed_steps, scene, settings);
   CHECK(run.contacts > 100);
   CHECK(now.time == relative(run.time, 1e-12));
   std::vector<double> x, v, rho, sigma, engine_sigma;
   double drifted = 0;
   for (std::size_t n = 0; n < run.particles.size(); ++n) {
-    const naive_lee::Particle& a = run.particles[n];
+    const naive_lee::Particle<2>& a = run.particles[n];
     x.insert(x.end(), a.x.begin(), a.x.end());
     for (int k = 0; k < 2; ++k) v.push_back(a.p[k] / run.rho0);
     const double J = run.with_J ? a.J : a.F.determinant();
     drifted = std::max(drifted, std::abs(J - a.F.determinant()));
     rho.push_back(run.rho0 / J);
-    const naive_lee::Matrix s = run.stress(a) * a.F.transpose() / a.F.determinant();
+    const naive_lee::Mat<2> s = run.stress(a) * a.F.transpose() / a.F.determinant();
     sigma.insert(sigma.end(), {s(0, 0), s(0, 1), s(1, 1)});
     engine_sigma.insert(engine_sigma.end(),
                         {now.s[4 * n] - now.p[n], now.s[4 * n + 1], now.s[4 * n + 2] - now.p[n]});
