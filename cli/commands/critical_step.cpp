@@ -93,6 +93,7 @@ nlohmann::ordered_json result_json(const SceneFile& file, const CriticalStep& fo
 
 int find(const Options& options, Streams streams) {
   const SceneFile file = scene_to_run(options);
+  tell(file, streams.err);
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
   const CriticalStep found = search(file, options, progress);
   if (options.json)

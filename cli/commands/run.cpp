@@ -58,6 +58,7 @@ int run(const Options& options, Streams streams) {
   const Stopwatch setup;
   const std::optional<Verdict> fail_on = parse_verdict(options.fail_on);
   const RunPlan plan = planned(options, streams.err);
+  tell(plan.file, streams.err);
   const Interrupts interrupts;
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
   const RunResult result = run_scene(plan, interrupts, progress, setup.seconds());

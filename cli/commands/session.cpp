@@ -54,6 +54,7 @@ void greet(const Session& session, std::ostream& out) {
 
 int converse(const Options& options, Streams streams) {
   Session session(options);
+  tell(session.file(), streams.err);
   LineInput input([&](const auto& words) { return session_choices(session, words); });
   const bool typed = input.is_typed();
   Progress progress(streams.err, progress_style(streams.err, !typed));

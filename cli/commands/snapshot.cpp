@@ -88,6 +88,7 @@ int snapshot(Options options, Streams streams) {
   const Stopwatch setup;
   if (!options.out) options.out = "out/snapshot-" + plain_path(options.baseline).filename().string();
   const RunPlan plan = make_plan(options);
+  tell(plan.file, streams.err);
   check_baseline(options, plan.folder.path());
   const Interrupts interrupts;
   Progress progress(streams.err, progress_style(streams.err, options.quiet));

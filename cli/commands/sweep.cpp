@@ -117,6 +117,7 @@ class ResultsWriter {
 };
 
 int execute(SweepPlan& plan, const SweepOptions& o, Streams streams) {
+  for (const std::string& remark : plan.remarks) streams.err << "taut: " << remark << '\n';
   const std::optional<Verdict> fail_on = parse_verdict(o.fail_on);
   const SweepLock lock(plan.folder, o.index ? plan.runs[static_cast<std::size_t>(*o.index)].folder : "");
   const Interrupts interrupts;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 
 #include <CLI/CLI.hpp>
 
@@ -131,6 +132,10 @@ SceneFile scene_to_run(const RunOptions& options) {
   SceneFile file = read_scene(find_scene(options.scene), options.settings);
   file.settings.threads = options.threads;
   return file;
+}
+
+void tell(const SceneFile& file, std::ostream& err) {
+  if (!file.remark.empty()) err << "taut: " << file.remark << '\n';
 }
 
 RunPlan make_plan(const RunOptions& options) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,6 +40,9 @@ void declare_particle_options(CLI::App& app, RunOptions& options);
 
 /// The scene with what the options change about what is simulated. Throws UsageError and SceneError.
 SceneFile scene_to_run(const RunOptions& options);
+
+/// The remark of a scene's reading, where there is one.
+void tell(const SceneFile& file, std::ostream& err);
 
 /// Reads and checks all there is to check, without touching the run folder. Throws UsageError and SceneError.
 RunPlan make_plan(const RunOptions& options);

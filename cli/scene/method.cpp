@@ -96,28 +96,47 @@ void read_constants(TomlCursor& root, const MethodInfo& of_file, const MethodInf
   }
 }
 
-/// The law of elasticity of a method that leaves it open. That of a file belongs to the method of the file.
+std::vector<std::string> names_of_elastic_laws() {
+  std::vector<std::string> names;
+  for (const LawRow& law : laws())
+    if (!law.choice.empty()) names.emplace_back(law.choice);
+  return names;
+}
+
+/// As in the file, whose method must take it; empty where it says nothing.
+std::string law_of_file(TomlCursor& root, const MethodInfo& of_file) {
+  const TomlValue* given = root.find("law");
+  if (!given) return "";
+  const std::string law = root.choice("law", names_of_elastic_laws());
+  if (const std::string reason = reason_against_law(of_file, law); !reason.empty())
+    root.fail(*given, "law", reason);
+  return law;
+}
+
+/// The law of elasticity of a method that leaves it open: as changed, else as in the file, else the method's first.
+/// That of a file holds for every method that takes it; another one runs with its own, and `remark` says so.
 void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, const Changes& changes,
-              Settings& settings) {
-  if (const TomlValue* given = root.find("law"); given && of_file.laws.empty())
-    root.fail(*given, "law", "the law of the method '" + std::string(of_file.name) + "' cannot be chosen");
-  if (!of_file.laws.empty()) {
-    root.text("law", of_file.laws.front().name);
-    settings.law = root.choice("law", names_of(of_file.laws));
+              Settings& settings, std::string& remark) {
+  settings.law = law_of_file(root, of_file);
+  if (changes.law) {
+    const std::vector<std::string> known = names_of_elastic_laws();
+    if (std::ranges::find(known, *changes.law) == known.end())
+      throw UsageError(unknown_name("law", *changes.law, known));
+    settings.law = *changes.law;
+    if (const std::string reason = reason_against_law(method, settings.law); !reason.empty())
+      throw UsageError(reason);
   }
-  if (method.laws.empty()) {
+  if (!settings.law.empty() && !reason_against_law(method, settings.law).empty()) {
+    const std::string own = method.laws.empty() ? "a law of its own" : std::string(method.laws.front().name);
+    remark = "the method '" + std::string(method.name) + "' does not take the law of the scene, '" +
+             settings.law + "': it runs with " + own;
     settings.law.clear();
-    std::erase_if(root.table().entries, [](const TomlEntry& entry) { return entry.key == "law"; });
-    if (changes.law)
-      throw UsageError("the law of the method '" + std::string(method.name) + "' cannot be chosen");
-    return;
   }
-  if (&method != &of_file) settings.law = method.laws.front().name;
-  if (changes.law) settings.law = *changes.law;
-  const std::vector<std::string> known = names_of(method.laws);
-  if (std::ranges::find(known, settings.law) == known.end())
-    throw UsageError(unknown_name("law", settings.law, known));
-  root.table().set("law", TomlValue(settings.law));
+  if (settings.law.empty() && !method.laws.empty()) settings.law = method.laws.front().name;
+  if (settings.law.empty())
+    std::erase_if(root.table().entries, [](const TomlEntry& entry) { return entry.key == "law"; });
+  else
+    root.table().set("law", TomlValue(settings.law));
 }
 
 }  // namespace
@@ -125,6 +144,7 @@ void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& met
 std::vector<std::string> texts_to_set(std::string_view name) {
   if (name == "method") return names_of(methods());
   if (name == "stepping") return stepping_names;
+  if (name == "law") return names_of_elastic_laws();
   return name == "contact" ? names_of_laws() : std::vector<std::string>();
 }
 
@@ -146,7 +166,7 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   const double touching = law == ContactLaw::surface ? 0 : law == ContactLaw::sph ? 0.9 : 0.1;
   root.names()["touching"] = touching * root.names().at("dp");
 
-  read_law(root, of_file, method, changes, file.settings);
+  read_law(root, of_file, method, changes, file.settings, file.remark);
   // constants and CFL number of a file belong to the method of the file; another one takes its own
   double cfl = root.find("cfl") ? root.positive("cfl") : of_file.cfl;
   if (&method != &of_file) cfl = method.cfl;

@@ -12,7 +12,13 @@
 namespace taut::cli {
 namespace {
 
-const std::vector<std::string> laws = {"2d_deviator", "neo_hookean", "st_venant_kirchhoff", "linear_elastic"};
+/// The materials that there may be references for.
+std::vector<std::string> material_laws() {
+  std::vector<std::string> names{"2d_deviator"};
+  for (const LawRow& law : laws())
+    if (!law.choice.empty()) names.emplace_back(law.material_law);
+  return names;
+}
 
 bool alike(double a, double b) {
   constexpr double tolerance = 1e-9;  // relative
@@ -217,7 +223,7 @@ void read_references(TomlCursor& root, SceneFile& file) {
   std::map<std::string, int> taken;  // precedence of each law's reference
   for (TomlValue& value : root.list("reference")) {
     TomlCursor cursor = root.enter(value, "reference", "a reference");
-    const std::string law = cursor.choice("law", laws);
+    const std::string law = cursor.choice("law", material_laws());
     read_names(cursor);
     const Reference reference{.name = cursor.text("name"),
                               .value = read_values(cursor, file.scene),

@@ -162,7 +162,8 @@ SweepPlan plan_sweep(const SweepRequest& request) {
                  .folder = request.folder,
                  .swept = {},
                  .runs = {},
-                 .pictures = request.pictures};
+                 .pictures = request.pictures,
+                 .remarks = {}};
   std::set<std::pair<std::string, ContactLaw>> combinations;
   for (const GridRow& row : request.rows) {
     SweepRun run;
@@ -175,6 +176,7 @@ SweepPlan plan_sweep(const SweepRequest& request) {
       const SceneFile& file = planned.file;
       // whether a method can run the scene at all takes particles to tell
       if (combinations.emplace(file.settings.method, file.scene.contact).second) check_particles(file);
+      if (!file.remark.empty()) plan.remarks.insert(file.remark);
       run.scene = planned.scene_text();
       run.last_frame = run.options.no_render ? -1 : file.drawing.frames;
       run.work = work_of(file);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,7 @@ struct SweepPlan {
   std::vector<Swept> swept;
   std::vector<SweepRun> runs;  // in the order of the grid
   StudyPictures pictures;
+  std::set<std::string> remarks;  // of the readings of its scenes
 };
 
 /// What is asked for: `base` is common to all runs; settings that stand in a file know their place.

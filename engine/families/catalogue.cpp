@@ -42,7 +42,8 @@ std::vector<LawChoice> laws(const Formulation& m) {
   if (!m.free_law) return {};
   std::vector<LawChoice> all;
   for (const LawRow& row : Laws::rows)
-    if (!row.choice.empty()) all.push_back({row.choice, row.material_law, row.law});
+    if (!row.choice.empty() && (!follows_volume_ratio(m) || takes_volume_ratio(row.law)))
+      all.push_back({row.choice, row.material_law, row.law});
   std::ranges::stable_partition(all, [&](const LawChoice& choice) { return choice.law == m.law; });
   return all;
 }
@@ -74,13 +75,9 @@ auto table(MethodList<M...>) {
 /// The settings' law among those of the method; its first where they have none. Throws UsageError if it is
 /// none of them.
 const LawChoice& chosen_law(const MethodInfo& method, const Settings& settings) {
-  std::string known;
-  for (const LawChoice& choice : method.laws) {
+  for (const LawChoice& choice : method.laws)
     if (settings.law.empty() || choice.name == settings.law) return choice;
-    known += (known.empty() ? "" : ", ") + std::string(choice.name);
-  }
-  throw UsageError("method '" + std::string(method.name) + "' has no law '" + settings.law + "'; " +
-                   (known.empty() ? "its own cannot be changed" : "it has: " + known));
+  throw UsageError(reason_against_law(method, settings.law));
 }
 
 }  // namespace
@@ -123,6 +120,22 @@ const LawRow* law_row(const MethodInfo& method, const Settings& settings) {
   const Law law =
       method.laws.empty() && settings.law.empty() ? method.formulation.law : chosen_law(method, settings).law;
   return law == Law::none ? nullptr : &law_row(law);
+}
+
+std::string reason_against_law(const MethodInfo& method, std::string_view law) {
+  std::string known;
+  for (const LawChoice& choice : method.laws) {
+    if (choice.name == law) return "";
+    known += (known.empty() ? "" : ", ") + std::string(choice.name);
+  }
+  if (known.empty()) return fmt::format("the law of the method '{}' cannot be chosen", method.name);
+  if (std::ranges::find(Laws::rows, law, &LawRow::choice) == Laws::rows.end())
+    return fmt::format("method '{}' has no law '{}'; it has: {}", method.name, law, known);
+  return fmt::format(
+      "method '{}' cannot run with the law '{}', which is of the deformation gradient alone: its volume "
+      "ratio is an "
+      "unknown of its own; it can with: {}",
+      method.name, law, known);
 }
 
 std::span<const LawRow> laws() { return Laws::rows; }

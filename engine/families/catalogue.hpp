@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -51,6 +52,8 @@ std::span<const LawRow> laws();
 /// The one that the method runs with; nullptr for a method without one. Throws UsageError for a law that the
 /// method does not have.
 const LawRow* law_row(const MethodInfo& method, const Settings& settings);
+/// Why the method cannot run with the law of this name (LawRow::choice); empty where it can.
+std::string reason_against_law(const MethodInfo& method, std::string_view law);
 /// The reference to compare a run with these settings with. Throws UsageError for a law that the method does
 /// not have.
 std::string_view material_law(const MethodInfo& method, const Settings& settings, int dim = 2);

@@ -10,8 +10,12 @@
 ///   P = piola(F, J)       first Piola–Kirchhoff stress, N per m² of the initial configuration
 ///   ψ = energy(F, J)      J per m³ of the same, 0 at rest
 ///   σ = cauchy(F, J)      stress in the deformed body, Pa
+///   stiffness_bound(F, J) ρ0 c² of the fastest wave, at most, with c per initial length, Pa; stiffness.hpp
 /// and a specialisation of LawOf that derives from it and has its `row`. J is det F, or, where a method follows J by an equation of its own
-/// ([Lee2016] Eq. 33c), that J.
+/// ([Lee2016] Eq. 33c), that J. A law that takes_volume_ratio has
+///   P = piola(F, H, J)    with H for cof F, which may be an unknown too ([Lee2016] Eq. 12)
+///   slopes(F, H, j), shear_energy(F, H, j) of its part of the shear, with j for det F
+/// too.
 namespace taut::inline TAUT_ISA {
 
 /// Cauchy stress with the component normal to the plane, which is not part of it in 2D.
@@ -46,6 +50,14 @@ Mat<double, Dim> combination(double s, const Mat<double, Dim>& A, double t, cons
   for (int a = 0; a < Dim; ++a)
     for (int b = 0; b < Dim; ++b) C(a, b) = s * A(a, b) + t * B(a, b);
   return C;
+}
+
+/// H ⨯ F, by which a slope along H adds to P; in plane strain with F_zz = 1 and H_zz = det F.
+inline Mat<double, 3> stress_of_cofactor(const Mat<double, 3>& F, const Mat<double, 3>& H) {
+  return tensor_cross(H, F);
+}
+inline Mat<double, 2> stress_of_cofactor(const Mat<double, 2>& F, const Mat<double, 2>& H) {
+  return combination(1.0, cofactor(H), determinant(F), cofactor(F));
 }
 
 /// Green–Lagrange strain E = ½ (Fᵀ F − I)

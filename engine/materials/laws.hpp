@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <variant>
 
 #include "engine/materials/linear_elastic.hpp"
+#include "engine/materials/mooney_rivlin.hpp"
 #include "engine/materials/neo_hookean.hpp"
 #include "engine/materials/rotated_piola.hpp"
 #include "engine/materials/st_venant_kirchhoff.hpp"
@@ -15,11 +17,21 @@ namespace taut::inline TAUT_ISA {
 template <Law... L>
 struct LawList {
   static constexpr std::array rows{LawOf<L>::row...};
+  using One = std::variant<LawOf<L>...>;  // of the laws
 };
 
 /// Every law, in the order in which they are offered. A law is an enumerator of Law, a header beside this one
 /// and its name here.
-using Laws = LawList<Law::neo_hookean, Law::st_venant_kirchhoff, Law::linear_elastic, Law::rotated_piola>;
+using Laws = LawList<Law::neo_hookean, Law::mooney_rivlin, Law::st_venant_kirchhoff, Law::linear_elastic,
+                     Law::rotated_piola>;
+
+template <Law L>
+concept TakesVolumeRatio = requires(LawOf<L> law, Mat<double, 3> F) {
+  law.piola(F, F, 1.0);
+};
+static_assert([]<Law... L>(LawList<L...>) {
+  return ((TakesVolumeRatio<L> == takes_volume_ratio(L)) && ...);
+}(Laws{}));
 
 constexpr const LawRow& law_row(Law law) { return *std::ranges::find(Laws::rows, law, &LawRow::law); }
 

@@ -33,6 +33,10 @@ struct LinearElastic {
   Cauchy<Dim> cauchy(const Mat<double, Dim>& F, double) const {
     return {hooke(strain(F), K, G), beside_plane<Dim>((K - 2.0 / 3 * G) * trace(strain(F)))};
   }
+  template <int Dim>
+  double stiffness_bound(const Mat<double, Dim>&, double) const {
+    return K + 4.0 / 3 * G;
+  }
 };
 template <>
 struct LawOf<Law::linear_elastic> : LinearElastic {

@@ -2,6 +2,7 @@
 
 #include "engine/core/cube_root.hpp"
 #include "engine/materials/law.hpp"
+#include "engine/materials/stiffness.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -19,40 +20,51 @@ struct NeoHookean {
   static double square(const Mat<double, Dim>& F) {
     return contraction(F, F) + (3 - Dim);
   }
+  /// Σ_F/F, Σ_H/H and Σ_j of the part of the shear, Pa
+  struct Slopes {
+    double F, H, j;
+  };
+  template <int Dim>
+  Slopes slopes(const Mat<double, Dim>& F, const Mat<double, Dim>&, double j) const {
+    const double root = inverse_cube_root(j), shear = G * root * root;
+    const double inv_j = root * root * root;
+    return {shear, 0, -(shear * square(F) * inv_j / 3)};
+  }
+  template <int Dim>
+  double shear_energy(const Mat<double, Dim>& F, const Mat<double, Dim>&, double j) const {
+    const double root = inverse_cube_root(j);
+    return 0.5 * G * (root * root * square(F) - 3);
+  }
+  /// With a cofactor H that may be an unknown of its own.
+  template <int Dim>
+  Mat<double, Dim> piola(const Mat<double, Dim>& F, const Mat<double, Dim>& H, double J) const {
+    const Slopes by = slopes(F, H, determinant(F));
+    return combination(by.F, F, K * (J - 1) + by.j, H);
+  }
   template <int Dim>
   Mat<double, Dim> piola(const Mat<double, Dim>& F, double J) const {
-    const double root = inverse_cube_root(determinant(F)), shear = G * root * root;
-    const double inv_j = root * root * root;
-    return combination(shear, F, K * (J - 1) - shear * square(F) * inv_j / 3, cofactor(F));
-  }
-  Mat<double, 3> piola(const Mat<double, 3>& F, const Mat<double, 3>& H, double J) const {  // TEMP
-    const double root = inverse_cube_root(determinant(F)), shear = G * root * root;
-    const double inv_j = root * root * root;
-    return combination(shear, F, K * (J - 1) - shear * square(F) * inv_j / 3, H);
-  }
-  static double greatest_stretch(const Mat<double, 3>& A) {  // TEMP
-    const Sym<double, 3> C = right_cauchy_green(A);
-    const double q = trace(C) / 3;
-    const double off = C(0, 1) * C(0, 1) + C(0, 2) * C(0, 2) + C(1, 2) * C(1, 2);
-    const double p2 = (C(0, 0) - q) * (C(0, 0) - q) + (C(1, 1) - q) * (C(1, 1) - q) +
-                      (C(2, 2) - q) * (C(2, 2) - q) + 2 * off;
-    return std::sqrt(q + 2 * std::sqrt(p2 / 6));  // at most
-  }
-  double stiffness_bound(const Mat<double, 3>& F, double) const {  // TEMP
-    const double J = determinant(F), root = inverse_cube_root(J);
-    const double sF = greatest_stretch(F), sH = greatest_stretch(cofactor(F));
-    return G * root * root + (10.0 / 18 * G * std::pow(J, -8.0 / 3) * square(F) + K) * sH * sH +
-           2.0 / 3 * G * std::pow(J, -5.0 / 3) * (sF * sH - J);
+    return piola(F, cofactor(F), J);
   }
   template <int Dim>
   double energy(const Mat<double, Dim>& F, double J) const {
-    const double root = inverse_cube_root(determinant(F));
-    return 0.5 * G * (root * root * square(F) - 3) + 0.5 * K * (J - 1) * (J - 1);
+    return shear_energy(F, F, determinant(F)) + 0.5 * K * (J - 1) * (J - 1);
   }
   template <int Dim>
   Cauchy<Dim> cauchy(const Mat<double, Dim>& F, double J) const {
     const double j = determinant(F), root = inverse_cube_root(j), shear = G * root * root / j;
     return {push_forward(piola(F, J), F, j), beside_plane<Dim>(K * (J - 1) + shear * (1 - square(F) / 3))};
+  }
+  /// From Q = s I − ⅔ s/j (f⊗b + b⊗f) + (⁵⁄₉ s F:F/j² + K) b⊗b, s = G j^(−2/3), f = F n, b = H n.
+  template <int Dim>
+  double stiffness_bound(const Mat<double, Dim>& F, double) const {
+    const PrincipalStretches l = principal_stretches(F);
+    const double j = l[0] * l[1] * l[2], root = inverse_cube_root(j), shear = G * root * root;
+    const double of_volume = 5.0 / 9 * shear * square(F) + K * j * j;
+    return greatest_stiffness<Dim>(
+        [&](int k) { return of_volume / (l[k] * l[k]) - shear / 3; }, [&](int, int) { return shear; },
+        [&](int k, int m) {
+          return (of_volume - 2.0 / 3 * shear * (l[k] * l[k] + l[m] * l[m])) / (l[k] * l[m]);
+        });
   }
 };
 template <>

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "engine/materials/law.hpp"
+#include "engine/materials/stiffness.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -76,6 +77,20 @@ struct RotatedPiola {
   Cauchy<Dim> cauchy(const Mat<double, Dim>& F, double J) const {
     return {push_forward(piola(F, J), F, J),
             beside_plane<Dim>((K - 2.0 / 3 * G) * trace(green_strain(F)) / J)};
+  }
+  /// Of the symmetric part of the acoustic tensor, which is not symmetric here; no wave is faster. With
+  /// t_k = 2G E_k + (K − 2G/3) tr E, the principal stresses, and R that of a polar decomposition.
+  template <int Dim>
+  double stiffness_bound(const Mat<double, Dim>& F, double) const {
+    const PrincipalStretches l = principal_stretches(F);
+    const double lambda = K - 2.0 / 3 * G, sum = lambda * trace(green_strain(F));
+    const auto turning = [&](int k, int m) {  // (t_k + t_m)/2(λ_k + λ_m)
+      return (sum + 0.5 * G * (l[k] * l[k] + l[m] * l[m] - 2)) / (l[k] + l[m]);
+    };
+    return greatest_stiffness<Dim>(
+        [&](int k) { return (lambda + 2 * G) * l[k]; },
+        [&](int k, int m) { return 0.5 * G * (l[k] + l[m]) + turning(k, m); },
+        [&](int k, int m) { return 0.5 * (lambda + G) * (l[k] + l[m]) - turning(k, m); });
   }
 };
 template <>

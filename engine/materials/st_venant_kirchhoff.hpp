@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/materials/law.hpp"
+#include "engine/materials/stiffness.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -21,6 +22,16 @@ struct StVenantKirchhoff {
   Cauchy<Dim> cauchy(const Mat<double, Dim>& F, double J) const {
     return {push_forward(piola(F, J), F, J),
             beside_plane<Dim>((K - 2.0 / 3 * G) * trace(green_strain(F)) / J)};
+  }
+  /// From Q = (n·S n) I + (K + G/3) f⊗f + G F Fᵀ, f = F n.
+  template <int Dim>
+  double stiffness_bound(const Mat<double, Dim>& F, double) const {
+    const PrincipalStretches l = principal_stretches(F);
+    const double sum = (K - 2.0 / 3 * G) * trace(green_strain(F));
+    const auto S = [&](int k) { return sum + G * (l[k] * l[k] - 1); };
+    return greatest_stiffness<Dim>([&](int k) { return S(k) + (K + 4.0 / 3 * G) * l[k] * l[k]; },
+                                   [&](int k, int m) { return S(m) + G * l[k] * l[k]; },
+                                   [&](int k, int m) { return (K + G / 3) * l[k] * l[m]; });
   }
 };
 template <>

@@ -54,7 +54,18 @@ enum class Viscosity : std::uint8_t {
   riemann,     // from a Riemann problem of second order, [Khayyer2024] Eq. 39–45
 };
 /// What gives the stress for the deformation gradient; engine/materials/.
-enum class Law : std::uint8_t { none, neo_hookean, st_venant_kirchhoff, linear_elastic, rotated_piola };
+enum class Law : std::uint8_t {
+  none,
+  neo_hookean,
+  mooney_rivlin,
+  st_venant_kirchhoff,
+  linear_elastic,
+  rotated_piola,
+  any,  // one that is known at run time only; no method's own
+};
+
+/// Volume ratio and cofactor of F may be unknowns of their own; the other laws take them from F.
+constexpr bool takes_volume_ratio(Law law) { return law == Law::neo_hookean || law == Law::mooney_rivlin; }
 
 /// What a method on the initial configuration integrates in time, with the positions.
 enum class Unknowns : std::uint8_t {
@@ -126,24 +137,24 @@ constexpr bool keeps_neighbors(const Formulation& m) {
 /// Of the scenes that it can run.
 constexpr int greatest_dim(const Formulation& m) { return m.family == Family::ul_cauchy ? 2 : 3; }
 
-/// The method M with another law. Not one of the named methods, but a setting of theirs.
-template <const Formulation& M, Law law>
-inline constexpr Formulation with_law = [] {
+/// The method M with a law that is known at run time only. Not one of the named methods, but a setting of theirs.
+template <const Formulation& M>
+inline constexpr Formulation with_any_law = [] {
   Formulation changed = M;
-  changed.law = law;
+  changed.law = Law::any;
   return changed;
 }();
 
 /// What only the methods of one family have belongs to it.
 constexpr bool of_its_family(const Formulation& m) {
   const bool split = m.family == Family::ul_split, cauchy = m.family == Family::ul_cauchy;
-  const bool mixed = m.family == Family::tl_mixed, has_law = mixed || m.family == Family::tl_displacement;
+  const bool mixed = m.family == Family::tl_mixed, has_law = keeps_neighbors(m);
   const bool cauchy_switches = m.pair_stress != PairStress::product ||
                                m.continuity != Continuity::velocity_gradient ||
                                m.viscosity != Viscosity::none || m.corrected || m.transport_velocity ||
                                m.density_diffusion || m.tensile_control;
   return split == (m.shear != Shear::none) && (cauchy || !cauchy_switches) &&
-         has_law == (m.law != Law::none) &&  // others have a stress rate or an energy of bonds
+         has_law == (m.law != Law::none) &&  // others have a stress rate
          mixed == (m.unknowns != Unknowns::velocity) && (mixed || !m.jst) && (has_law || !m.free_law);
 }
 
@@ -153,10 +164,10 @@ constexpr bool consistent(const Formulation& m) {
   const bool second_order = m.density_diffusion || m.viscosity == Viscosity::riemann || m.tensile_control;
   return of_its_family(m) && (!m.artificial_stress || carries_stress(m)) &&  // what it would be taken from
          m.artificial_stress == (m.epsilon > 0) && (m.corrected || !second_order) &&
-         (!m.tensile_control || m.artificial_stress) &&              // which the surface keeps
-         (m.pair_stress == PairStress::product || !m.corrected) &&   // no paper has both
-         (!follows_volume_ratio(m) || m.law == Law::neo_hookean) &&  // the other laws take J from F
-         m.h_over_dp > 0 && m.cfl > 0 && m.cfl_advection > 0 && !m.name.empty();
+         (!m.tensile_control || m.artificial_stress) &&             // which the surface keeps
+         (m.pair_stress == PairStress::product || !m.corrected) &&  // no paper has both
+         (!follows_volume_ratio(m) || takes_volume_ratio(m.law)) && m.h_over_dp > 0 && m.cfl > 0 &&
+         m.cfl_advection > 0 && !m.name.empty();
 }
 
 }  // namespace taut

@@ -16,6 +16,7 @@ inline constexpr double lee2016_h_over_dp_3d = 0.87;
 constexpr Formulation lee2016(Formulation m) {
   m.deviator = Deviator::plane_strain;
   m.law = Law::neo_hookean;
+  m.free_law = true;
   m.several_materials =
       m.family != Family::tl_mixed;  // the momentum of two materials is not smooth where they meet
   m.contact = ContactLaw::penalty;
@@ -34,7 +35,6 @@ inline constexpr Formulation tl = lee2016({
                "zigzags cost nothing",
     .conserves = "linear momentum, angular momentum, energy",
     .family = Family::tl_displacement,
-    .free_law = true,
 });
 inline constexpr Formulation pf = lee2016({
     .name = "pf",

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "engine/materials/laws.hpp"
+#include "engine/materials/any_law.hpp"
 #include "engine/solver/initial_pairs.hpp"
 #include "engine/solver/particle_solver.hpp"
 
@@ -72,7 +72,7 @@ InitialPairSolver<Solver, M, Dim>::InitialPairSolver(const SolverInput& input)
     loads_.act_on_faces(input.scene, initial_, FaceRule::uniform, surface(), this->support_);
   this->pairs_ = static_cast<long>(initial_pairs_.j.size());
   for (const Elasticity& e : input.materials) {
-    laws_.push_back(law_of<M.law>(e));
+    laws_.push_back(law_of<M.law>(input.law, e));
     c_p_ = std::max(c_p_, compression_wave_speed(e));
   }
   this->go_to_start();
@@ -118,29 +118,13 @@ void InitialPairSolver<Solver, M, Dim>::store(int i, const Mat& F, double J) {
   this->snapshot_.strain_energy[s_.id[i]] = V0_[i] * law(i).energy(F, J);
 }
 
-template <template <const Formulation&, int> class Solver, const Formulation& M, int Dim, Law... law>
-std::unique_ptr<Simulation> make_with_one_of(const SolverInput& input, LawList<law...>) {
-  std::unique_ptr<Simulation> simulation;
-  const auto made = [&]<Law L>() {
-    if constexpr (LawOf<L>::row.choice.empty()) {
-      return false;
-    } else {
-      if (input.law != L) return false;
-      simulation = std::make_unique<Solver<with_law<M, L>, Dim>>(input);
-      return true;
-    }
-  };
-  static_cast<void>((made.template operator()<law>() || ...));
-  return simulation;
-}
-
-/// The solver of a method, with the law that the input asks for where the method leaves it free.
+/// The solver of a method, with its own law or, where it leaves that free, one that is known at run time only. It
+/// is not made for each law: that would cost as much to build again for every one of them.
 template <template <const Formulation&, int> class Solver, const Formulation& M, int Dim>
 std::unique_ptr<Simulation> make_with_law(const SolverInput& input) {
   if constexpr (M.free_law)
-    return make_with_one_of<Solver, M, Dim>(input, Laws{});
-  else
-    return std::make_unique<Solver<M, Dim>>(input);
+    if (input.law != M.law) return std::make_unique<Solver<with_any_law<M>, Dim>>(input);
+  return std::make_unique<Solver<M, Dim>>(input);
 }
 
 /// The constant h of these methods.

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "engine/core/cube_root.hpp"
+#include "engine/materials/law.hpp"
+#include "engine/materials/stiffness.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// Nearly incompressible Mooney–Rivlin, [Lee2016] Eq. 8–12:
+///   ψ = ζ (j^(−2/3) F:F − 3) + ξ (j^(−2) (H:H)^(3/2) − 3√3) + K/2 (J − 1)²,   H = cof F, j = det F,
+///   P = Σ_F + Σ_H ⨯ F + (Σ_j + K (J − 1)) H,   Σ_F = 2ζ j^(−2/3) F,   Σ_H = 3ξ j^(−2) |H| H,
+///   Σ_j = −⅔ζ j^(−5/3) F:F − 2ξ j^(−3) |H|³.
+/// Small strains see 2ζ + 3√3 ξ = G alone; which share of G is that of ξ, the changes of areas, is a number of the
+/// material: 0 is the neo-Hookean law, 1 that of [Lee2016] §8.7. In plane strain F_zz = 1 and H_zz = det F.
+/// The constants −3ζ − 3√3 ξ, by which a body at rest has no energy, are not in the paper. Differs from it where J
+/// is followed by an equation of its own: the part of the shear has j = det F, as in NeoHookean.
+struct MooneyRivlin {
+  double K, G;            // Pa
+  double cofactor_share;  // 3√3 ξ/G
+
+  /// Σ_F/F, Σ_H/H and Σ_j of the part of the shear, Pa
+  struct Slopes {
+    double F, H, j;
+  };
+  template <int Dim>
+  Slopes slopes(const Mat<double, Dim>& F, const Mat<double, Dim>& H, double j) const {
+    const double root = inverse_cube_root(j), inv_j = root * root * root;
+    const double of_F = 2 * zeta() * root * root,
+                 of_H = 3 * xi() * inv_j * inv_j * std::sqrt(square_of_H(F, H));
+    return {of_F, of_H, (-1.0 / 3 * of_F * square(F) - 2.0 / 3 * of_H * square_of_H(F, H)) * inv_j};
+  }
+  template <int Dim>
+  double shear_energy(const Mat<double, Dim>& F, const Mat<double, Dim>& H, double j) const {
+    const double root = inverse_cube_root(j), inv_j = root * root * root, HH = square_of_H(F, H);
+    return zeta() * (root * root * square(F) - 3) +
+           xi() * (inv_j * inv_j * HH * std::sqrt(HH) - 3 * std::numbers::sqrt3);
+  }
+
+  /// With a cofactor H that may be an unknown of its own; H_zz is det F all the same.
+  template <int Dim>
+  Mat<double, Dim> piola(const Mat<double, Dim>& F, const Mat<double, Dim>& H, double J) const {
+    const Slopes by = slopes(F, H, determinant(F));
+    return combination(1.0, combination(by.F, F, by.j + K * (J - 1), H), by.H, stress_of_cofactor(F, H));
+  }
+  template <int Dim>
+  Mat<double, Dim> piola(const Mat<double, Dim>& F, double J) const {
+    return piola(F, cofactor(F), J);
+  }
+  template <int Dim>
+  double energy(const Mat<double, Dim>& F, double J) const {
+    return shear_energy(F, cofactor(F), determinant(F)) + 0.5 * K * (J - 1) * (J - 1);
+  }
+  template <int Dim>
+  Cauchy<Dim> cauchy(const Mat<double, Dim>& F, double J) const {
+    const double j = determinant(F);
+    const Slopes by = slopes(F, cofactor(F), j);
+    const double zz = (by.F + by.H * contraction(F, F)) / j + by.j + K * (J - 1);
+    return {push_forward(piola(F, J), F, j), beside_plane<Dim>(zz)};
+  }
+  /// From the acoustic tensor
+  ///   Q = (2ζ j^(−2/3)) I − ⁴⁄₃ζ j^(−5/3) (f⊗b + b⊗f) + (¹⁰⁄₉ζ j^(−8/3) F:F + K) b⊗b
+  ///     + 3ξ j^(−2) |H| ((F:F − f·f) I − F Fᵀ + f⊗f + 2 w⊗w − g⊗g),   f = F n, b = H n, g = (H⨯F) n/|H|,
+  /// w = |H| b/j − g: in principal axes f_k = λ_k n_k, b_k = H_k n_k, w_k = H_k³/(j |H|) n_k, H_k = j/λ_k.
+  template <int Dim>
+  double stiffness_bound(const Mat<double, Dim>& F, double) const {
+    const PrincipalStretches l = principal_stretches(F);
+    const double j = l[0] * l[1] * l[2], root = inverse_cube_root(j), FF = square(F);
+    const std::array<double, 3> H{l[1] * l[2], l[0] * l[2], l[0] * l[1]};
+    const double HH = H[0] * H[0] + H[1] * H[1] + H[2] * H[2], size = std::sqrt(HH);
+    const double of_F = 2 * zeta() * root * root, of_H = 3 * xi() * size / (j * j);
+    const double of_volume = 5.0 / 9 * of_F * FF + K * j * j;
+    std::array<double, 3> w, g;
+    for (int k = 0; k < 3; ++k) {
+      w[k] = H[k] * H[k] * H[k] / (j * size);
+      g[k] = l[k] * (FF - l[k] * l[k]) / size;
+    }
+    return greatest_stiffness<Dim>(
+        [&](int k) {
+          return of_volume / (l[k] * l[k]) - of_F / 3 +
+                 of_H * (FF - l[k] * l[k] + 2 * w[k] * w[k] - g[k] * g[k]);
+        },
+        [&](int k, int m) { return of_F + of_H * (FF - l[k] * l[k] - l[m] * l[m]); },
+        [&](int k, int m) {
+          return (of_volume - 2.0 / 3 * of_F * (l[k] * l[k] + l[m] * l[m])) / (l[k] * l[m]) +
+                 of_H * (l[k] * l[m] + 2 * w[k] * w[m] - g[k] * g[m]);
+        });
+  }
+
+ private:
+  double zeta() const { return 0.5 * (1 - cofactor_share) * G; }
+  double xi() const { return cofactor_share * G / (3 * std::numbers::sqrt3); }
+  template <int Dim>
+  static double square(const Mat<double, Dim>& F) {  // F:F
+    return contraction(F, F) + (3 - Dim);
+  }
+  template <int Dim>
+  static double square_of_H(const Mat<double, Dim>& F, const Mat<double, Dim>& H) {  // H:H
+    const double zz = Dim == 2 ? determinant(F) : 0;
+    return contraction(H, H) + zz * zz;
+  }
+};
+template <>
+struct LawOf<Law::mooney_rivlin> : MooneyRivlin {
+  static constexpr LawParameter share[] = {
+      {"cofactor_share", 1.0, 0.0, 1.0,
+       "the share of the shear modulus that is of changes of areas, 3√3 ξ/G; 0 is neo-Hookean"}};
+  static constexpr LawRow row{
+      .law = Law::mooney_rivlin,
+      .choice = "mooney-rivlin",
+      .material_law = "mooney_rivlin",
+      .term = {"stress",
+               "P = 2ζ j^(−2/3) F + 3ξ j^(−2) |H| H ⨯ F + (K (J − 1) + Σ_j) H, H = cof F, j = det F",
+               "[Lee2016] Eq. 8–12", "materials/mooney_rivlin.hpp:piola",
+               "laws: no stress at rest, Hooke's law for small strains"},
+      .parameters = share,
+  };
+};
+
+}  // namespace taut::inline TAUT_ISA

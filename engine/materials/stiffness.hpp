@@ -1,0 +1,64 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/core/tensor.hpp"
+
+/// How stiff a strained body is to waves, for the `stiffness_bound` of the laws, and what that needs of F.
+namespace taut::inline TAUT_ISA {
+
+inline double greatest_eigenvalue(const Sym<double, 2>& A) {
+  const double half = 0.5 * (A(0, 0) - A(1, 1));
+  return 0.5 * (A(0, 0) + A(1, 1)) + std::sqrt(half * half + A(0, 1) * A(0, 1));
+}
+
+/// q + 2p c, where c = cos(θ/3) ≥ ½ solves 4c³ − 3c = cos θ = det(A − q I)/(2p³). Newton's rounds, which come from
+/// above, start within 1e-3 of it.
+inline double greatest_eigenvalue(const Sym<double, 3>& A) {
+  const double q = trace(A) / 3;
+  const double x = A(0, 0) - q, y = A(1, 1) - q, z = A(2, 2) - q;
+  const double xy = A(0, 1), xz = A(0, 2), yz = A(1, 2);
+  const double p2 = (x * x + y * y + z * z + 2 * (xy * xy + xz * xz + yz * yz)) / 6, p = std::sqrt(p2);
+  const double det = x * (y * z - yz * yz) - xy * (xy * z - yz * xz) + xz * (xy * yz - y * xz);
+  const double cosine = p > 0 ? std::clamp(det / (2 * p * p2), -1.0, 1.0) : 1;
+  const double s = std::sqrt(0.5 * (1 + cosine));  // cos(θ/2)
+  double c = 0.5 + s * (0.57735 - 0.07735 * s);
+  for (int round = 0; round < 2; ++round)
+    c -= (c * (4 * c * c - 3) - cosine) / std::max(12 * c * c - 3, 1e-9);
+  return q + 2 * p * c;
+}
+
+/// Of a particle, the greatest first; in 2D of plane strain, and the last is that normal to the plane, 1.
+using PrincipalStretches = std::array<double, 3>;
+
+inline PrincipalStretches principal_stretches(const Mat<double, 2>& F) {
+  const double greatest = std::sqrt(greatest_eigenvalue(right_cauchy_green(F)));
+  return {greatest, std::abs(determinant(F)) / greatest, 1};
+}
+inline PrincipalStretches principal_stretches(const Mat<double, 3>& F) {
+  const double greatest = std::sqrt(greatest_eigenvalue(right_cauchy_green(F)));
+  const double area = std::sqrt(greatest_eigenvalue(right_cauchy_green(cofactor(F))));  // of the two greatest
+  return {greatest, area / greatest, std::abs(determinant(F)) / area};
+}
+
+/// A bound of m·Q m over all unit vectors m, n, with Q the acoustic tensor of waves along n. In principal axes of an
+/// isotropic law
+///   m·Q m = Σ_k along_k m_k² n_k² + Σ_{k≠l} across_kl m_k² n_l² + 2 Σ_{k<l} coupling_kl m_k n_k m_l n_l.
+/// The weights m_k² n_l² add up to 1, and with m_k n_k m_l n_l = (m_k n_l)(m_l n_k) the last sums share two of them
+/// for each pair of axes: it is at most the greatest of all `along` and of the eigenvalues of
+/// ((across_kl, coupling_kl), (coupling_kl, across_lk)). Waves along an axis reach `along` and `across`.
+template <int Dim, class Along, class Across, class Coupling>
+double greatest_stiffness(const Along& along, const Across& across, const Coupling& coupling) {
+  double greatest = 0;
+  for (int k = 0; k < Dim; ++k) {
+    greatest = std::max(greatest, along(k));
+    for (int l = 0; l < k; ++l)
+      greatest =
+          std::max(greatest, greatest_eigenvalue(Sym<double, 2>{across(k, l), coupling(k, l), across(l, k)}));
+  }
+  return greatest;
+}
+
+}  // namespace taut::inline TAUT_ISA
