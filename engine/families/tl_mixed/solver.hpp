@@ -4,11 +4,16 @@
 #include <type_traits>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "engine/families/tl_mixed/corrected_laplacian.hpp"
 #include "engine/families/tl_mixed/momentum_projection.hpp"
 #include "engine/solver/initial_pair_solver.hpp"
 
 namespace taut::inline TAUT_ISA {
+
+/// Beyond this multiple of c_p in the strained body the steps shrink without end: the run has diverged.
+inline constexpr double greatest_wave_ratio = 100;
 
 /// Mixed total-Lagrangian methods: momentum, deformation gradient F and, where the method says so, volume
 /// ratio J and cofactor H of F as unknowns of equations of their own, with Jameson–Schmidt–Turkel dissipation.
@@ -72,6 +77,7 @@ class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
   static void add(Unknown& u, double dt, const Unknown& rate);
 
   double step_size() const;
+  [[noreturn]] void crushed() const;
   void set_start_gradients();
   void find_rates(const std::vector<V>& Z, double dt);
   void set_rows(const std::vector<V>& Z);
@@ -150,8 +156,25 @@ double TlMixed<M, Dim>::step_size() const {
     const double stiffest = parallel_max(s_.size(), threads_now(), [&](int i) {
       return this->law(i).stiffness_bound(now_[i].F, volume_ratio(now_[i]));
     });
-    return this->fixed_or(c_.cfl * c_.h / std::sqrt(stiffest / c_.rho0));
+    const double fastest = std::sqrt(stiffest / c_.rho0);
+    if (!(fastest <= greatest_wave_ratio * Base::wave_speed())) crushed();
+    return this->fixed_or(c_.cfl * c_.h / fastest);
   }
+}
+
+/// Names the first particle in the order of creation in which waves are too fast.
+template <const Formulation& M, int Dim>
+void TlMixed<M, Dim>::crushed() const {
+  const double limit = greatest_wave_ratio * Base::wave_speed();
+  int culprit = s_.size();  // id
+  for (int i = 0; i < s_.size(); ++i)
+    if (!(this->law(i).stiffness_bound(now_[i].F, volume_ratio(now_[i])) <= c_.rho0 * limit * limit))
+      culprit = std::min(culprit, s_.id[i]);
+  throw NumericalError(
+      this->step_, this->time_, culprit, "deformation",
+      fmt::format("particle {} is crushed or turned inside out: waves in it are more than {:g} "
+                  "times as fast as at the start, or its deformation is not a number",
+                  culprit, greatest_wave_ratio));
 }
 
 /// U* = U + Δt U̇(U), U** = U* + Δt U̇(U*), then the mean of U and U**.               [Lee2016] Eq. 43
