@@ -102,6 +102,7 @@ std::vector<InitialSite> sites_on_boundary(const Box& box, int dim, double dp) {
           const bool on_face = at[a] == 0 || at[a] == last[a];
           site.x[a] = at[a] == last[a] ? box.high[a] : box.low[a] + static_cast<double>(at[a]) * pitch[a];
           site.V0 *= on_face ? 0.5 * pitch[a] : pitch[a];
+          if (on_face) site.inside *= 0.5;
         }
         sites.push_back(site);
       }
@@ -188,6 +189,7 @@ void append(InitialParticles& layout, const Scene& scene, int b) {
     layout.turned.push_back(site.turned < 0 ? layout.size() : first + site.turned);
     layout.x.push_back(site.x);
     layout.V0.push_back(site.V0);
+    layout.inside.push_back(site.inside);
     layout.body.push_back(b);
     const int part = last_that_holds(body.parts, site.x);
     layout.material.push_back(part < 0 ? body.material : body.parts[part].material);

@@ -12,6 +12,7 @@ struct InitialParticles {
   std::vector<Point> x, v;            // in the reference configuration, m; m/s
   std::vector<Point> start;           // where each starts, m; empty where that is x for all
   std::vector<double> V0;             // m^dim
+  std::vector<double> inside;         // the part of its cell that V0 is: less than 1 for one on a face
   std::vector<int> body;              // index into Scene::bodies
   std::vector<int> material;          // index into Scene::materials
   std::vector<int> drive;             // index into the body's drives, or -1

@@ -47,6 +47,7 @@ using Chain = std::vector<Point>;
 struct InitialSite {
   Point x{};
   double V0 = 0;
+  double inside = 1;  // the part of its cell that is inside the body
   int turned = -1;  // the site that this one comes to when all are turned onto each other, -1: they cannot be
 };
 

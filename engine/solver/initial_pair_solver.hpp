@@ -60,12 +60,14 @@ InitialPairSolver<Solver, M, Dim>::InitialPairSolver(const SolverInput& input)
     : Base(input, Kernel<M.kernel>::support * input.constants.h) {
   s_.reorder(order_in_space(s_.x, initial_.first, this->support_), threads_now());
   X_ = s_.x;
+  std::vector<double> cells;  // m^Dim
   for (const int id : s_.id) {
     V0_.push_back(initial_.V0[id]);
+    cells.push_back(initial_.V0[id] / initial_.inside[id]);
     material_.push_back(initial_.material[id]);
   }
   initial_pairs_ =
-      make_initial_pairs<Kernel<M.kernel>>(X_, V0_, initial_.first, c_.h, M.gradient, c_.normalised);
+      make_initial_pairs<Kernel<M.kernel>>(X_, cells, initial_.first, c_.h, M.gradient, c_.normalised);
   check_pairs(input.scene);
   // normalised gradients keep the loads of their paper: they say less than all of a uniform field
   if constexpr (M.gradient == GradientCorrection::corrected)

@@ -20,6 +20,10 @@ namespace taut::inline TAUT_ISA {
 /// Each of the two gathers one tensor of a neighbour, and the same vector belongs to both. With a symmetric
 /// B the force is that of [Lee2016] Eq. 29c and of [TranDuc2023] §2.3, (R_j σ_j N_j + R_i σ_i N_i) ∇W: the
 /// derivative of Σ V_i ψ(F_i) by the positions; equal and opposite for each pair to the last bit.
+/// In k_ij a particle on a face counts as a whole cell, though its volume in V P B is the part inside the body:
+/// then differences are central from the first layer inside on, a uniform stress pushes at the faces alone, and
+/// both are of second order (summation by parts; with the parts in k_ij too the reaction of a clamp or a roller
+/// would sit in three layers, −5/6, −1/3, +1/6, and stresses converge with order ½).
 template <int Dim>
 struct InitialPairs {
   std::vector<int> begin, j;        // those of i are begin[i] … begin[i + 1] − 1
@@ -91,7 +95,7 @@ Sym<double, Dim> gradient_correction(GradientCorrection gradient, const Mat<doub
   return B;
 }
 
-/// The pairs of particles stored in `order_in_space`, of places X and volumes V, m^Dim.
+/// The pairs of particles stored in `order_in_space`, of places X and cells V, m^Dim.
 template <class K, int Dim>
 InitialPairs<Dim> make_initial_pairs(const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,
                                      const std::vector<int>& first, double h, GradientCorrection gradient,
