@@ -100,6 +100,13 @@ void read_from(TomlCursor& cursor, const Scene&, Measure& measure) {
     cursor.fail(cursor.need("from"), "from", "from = " + exact(measure.from) + " s must be at least 0");
 }
 
+void read_time(TomlCursor& cursor, const Scene&, Measure& measure) {
+  const TomlValue& given = cursor.need("time");
+  measure.time = cursor.number("time", measure.time);
+  if (!(measure.time >= 0))
+    cursor.fail(given, "time", "time = " + exact(measure.time) + " s must be at least 0");
+}
+
 void read_free(TomlCursor& cursor, const Scene& scene, Measure& measure) {
   if (!cursor.text("free", "").empty())
     measure.free = known_probe(cursor, cursor.need("free"), "free", scene);
@@ -117,7 +124,8 @@ constexpr std::array objects = {
     MeasureKey{"fields", read_fields_of}, MeasureKey{"rigid_motion", read_rigid_motion}};
 constexpr std::array numbers = {MeasureKey{"axis", read_axis},   MeasureKey{"threshold", read_threshold},
                                 MeasureKey{"scale", read_scale}, MeasureKey{"band", read_band},
-                                MeasureKey{"from", read_from},   MeasureKey{"free", read_free}};
+                                MeasureKey{"from", read_from},   MeasureKey{"time", read_time},
+                                MeasureKey{"free", read_free}};
 
 void read_keys(std::span<const MeasureKey> keys, const MeasureKind& kind, TomlCursor& cursor,
                const Scene& scene, Measure& measure) {

@@ -19,9 +19,11 @@ struct ProbeKind {
 constexpr std::array probe_kinds{
     ProbeKind{"displacement", Probe::Kind::displacement, 1, true, false, true},
     ProbeKind{"position", Probe::Kind::position, 1, true, false, true},
+    ProbeKind{"velocity", Probe::Kind::velocity, 1, true, false, true},
     ProbeKind{"distance", Probe::Kind::distance, 1, true, true, false},
     ProbeKind{"mean_velocity", Probe::Kind::mean_velocity, 1, false, false, true},
     ProbeKind{"mean_position", Probe::Kind::mean_position, 1, false, false, true},
+    ProbeKind{"greatest_position", Probe::Kind::greatest_position, 1, false, false, true},
     ProbeKind{"gap", Probe::Kind::gap, 2, false, false, false},
     ProbeKind{"mirror_asymmetry", Probe::Kind::mirror_asymmetry, 2, false, false, true},
     ProbeKind{"turn", Probe::Kind::turn, 1, true, false, false},

@@ -115,6 +115,17 @@ Value turn_of_reference(const Source& source) {
   return turn_until(point, axis, source.until);
 }
 
+Value value_then(const Source& source) {
+  const Curve& curve = source.curve.front();
+  const double time = source.measure->time;
+  return curve.t.back() < time ? std::nullopt : Value(value_at(curve, time));
+}
+
+/// A number, or a solution at the time of the measure.
+Value given_then(const Source& source) {
+  return source.reference.exact ? source.reference.at(0, source.measure->time) : source.reference_value;
+}
+
 /// An extreme at the end may still be ahead. What is no quantity but a fault that grows counts as it is.
 Value extreme(const Source& source, double value) {
   return source.turns && source.curve[0].y.back() == value ? std::nullopt : Value(value);
@@ -265,6 +276,13 @@ const std::vector<MeasureKind> kinds = {
      .solution = true,
      .value = rmse,
      .reference = zero},
+    {.name = "value",
+     .help = "of the series at the time `time`, s",
+     .keys = {"probe", "time"},
+     .number = true,
+     .solution = true,
+     .value = value_then,
+     .reference = given_then},
     {.name = "minimum",
      .help = "least value; none while the series ends at it",
      .keys = {"probe"},

@@ -117,9 +117,11 @@ struct Probe {
   enum class Kind {
     displacement,   // of material point `at` of `bodies[0]`, component `axis`, m
     position,       // of material point `at`, component `axis`, m
+    velocity,       // of material point `at`, component `axis`, m/s
     distance,       // between material points `at` and `to` of `bodies[0]`, m
     mean_velocity,  // mass-weighted, of `bodies[0]`, component `axis`, m/s
     mean_position,  // the same of the position, m
+    greatest_position,  // of any particle of `bodies[0]`, component `axis`, m
     gap,  // least distance of two particles of `bodies[0]` and `bodies[1]` less their mean diameter, m
     mirror_asymmetry,  // greatest |x_a − mirror(x_b)| over particles of two bodies of equal layout, or of one
                        // that is its own image, plane ⊥ axis, m
@@ -159,6 +161,7 @@ struct Measure {
   double scale = 1;
   std::array<double, 2> band{};  // Hz
   double from = 0;               // s
+  double time = 0;               // s
   std::string free;              // the probe that says that the bodies are apart; may be empty
   Point axis{0, 0, 1};           // of a turn in 3D, of length 1
 };

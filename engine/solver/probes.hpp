@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <numeric>
@@ -49,6 +50,10 @@ class ProbeRecorder {
   std::vector<PointWeight> point(const InitialParticles& initial, const Probe& probe, const Point& at,
                                  double reach) const;
   void find_close_pairs(const State<Dim>& s, const Probe& probe, Follower& f) const;
+  static bool of_whole_body(Probe::Kind kind) {
+    return kind == Probe::Kind::mean_velocity || kind == Probe::Kind::mean_position ||
+           kind == Probe::Kind::greatest_position;
+  }
   static std::vector<int> images(const Scene& scene, const InitialParticles& initial, const Probe& probe);
   double mirror_asymmetry(const State<Dim>& s, const Probe& probe, const Follower& f) const;
   double angle(const State<Dim>& s, const Probe& probe, const Follower& f) const;
@@ -75,7 +80,7 @@ ProbeRecorder<Dim>::ProbeRecorder(const Scene& scene, const InitialParticles& in
   for (const Probe& probe : probes_) {
     Follower f;
     const int body = probe.bodies.empty() ? 0 : probe.bodies[0];
-    if (probe.kind == Probe::Kind::mean_velocity || probe.kind == Probe::Kind::mean_position) {
+    if (of_whole_body(probe.kind)) {
       double total = 0;
       for (int i = first_[body]; i < first_[body + 1]; ++i) total += initial.V0[i];
       for (int i = first_[body]; i < first_[body + 1]; ++i) f.at.push_back({i, initial.V0[i] / total});
@@ -198,10 +203,16 @@ double ProbeRecorder<Dim>::value(const State<Dim>& s, const Probe& probe, const 
       const Vec<double, Dim> d = place(s, f.to) - place(s, f.at);
       return std::sqrt(dot(d, d));
     }
+    case Probe::Kind::velocity:
     case Probe::Kind::mean_velocity: {
       double v = 0;
       for (const PointWeight& w : f.at) v += w.weight * s.v[where_[w.particle]][probe.axis];
       return v;
+    }
+    case Probe::Kind::greatest_position: {
+      double greatest = -std::numeric_limits<double>::infinity();
+      for (const PointWeight& w : f.at) greatest = std::max(greatest, s.x[where_[w.particle]][probe.axis]);
+      return greatest;
     }
     case Probe::Kind::gap: {
       if (faces) return faces->gap(s, probe.bodies[0], probe.bodies[1]);

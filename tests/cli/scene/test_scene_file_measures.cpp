@@ -19,7 +19,7 @@ const std::map<std::string_view, std::string> values = {
     {"fields", "[\"speed\"]"}, {"rigid_motion", "\"counts\""},
     {"threshold", "3"},        {"scale", "4"},
     {"band", "[5, 6]"},        {"from", "7"},
-    {"free", "\"tip\""},
+    {"free", "\"tip\""},      {"time", "0.5"},
 };
 
 /// The small scene with one more measure of a kind that says all it can say.
@@ -54,6 +54,7 @@ TEST_SUITE("cli") {
       CHECK(m.scale == (takes(kind, "scale") ? 4 : 1));
       CHECK(m.band == (takes(kind, "band") ? std::array{5.0, 6.0} : std::array{0.0, 0.0}));
       CHECK(m.from == (takes(kind, "from") ? 7 : 0));
+      CHECK(m.time == (takes(kind, "time") ? 0.5 : 0));
       CHECK(m.free == (takes(kind, "free") ? "tip" : ""));
       for (const auto& [key, value] : values) {
         CAPTURE(key);

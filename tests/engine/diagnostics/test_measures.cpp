@@ -361,6 +361,17 @@ TEST_SUITE("unit") {
     CHECK_FALSE(result(scene, Series{t, {speed, {1, 0.1, 1}}}).value);
   }
 
+  TEST_CASE("value: of the series at a time, none before it, and of a solution at the same time") {
+    Scene scene = scene_of("value");
+    scene.until = 4;
+    scene.measures[0].time = 1.5;
+    expect(result(scene, Series{{0, 1, 2, 4}, {{0, 3, 4, 9}}}).value, 3.5);
+    CHECK_FALSE(result(scene, Series{{0, 1, 1.4}, {{0, 3, 4}}}).value);
+    scene.references["neo_hookean"].name = "exact";
+    scene.references["neo_hookean"].solution["number"] = {[](const Point&, double t) { return -2 * t; }};
+    expect(result(scene, Series{{0, 1, 2}, {{0, 3, 4}}}).reference, -3);
+  }
+
   TEST_CASE("at_rest: the value at the end, none before it nor while the series still moves") {
     const auto damped = [](double rate) {
       return sampled(unequal_times(1, 1e-3), [=](double t) { return -3 * (1 - std::exp(-rate * t)); });

@@ -157,6 +157,25 @@ TEST_SUITE("unit") {
     CHECK(std::abs(series.value[1].back()) < 1e-15);
   }
 
+  TEST_CASE("probes: velocity of a material point, and how far a body reaches") {
+    const double rate = 50;  // 1/s
+    Scene scene = block({0.005, 0.003, 0.002});
+    scene.bodies[0].on_boundary = true;
+    scene.bodies[0].velocity[1] = [=](const Point& x) { return rate * x[1] - 0.5; };
+    scene.probes = {at_point(Probe::Kind::velocity, 0, {0.001, 0.003, 0}, 1),
+                    at_point(Probe::Kind::velocity, 0, {0.0014, -0.0013, 0.0002}, 1),
+                    at_point(Probe::Kind::greatest_position, 0, {}, 1),
+                    at_point(Probe::Kind::greatest_position, 0, {}, 0)};
+    const auto simulation = make_simulation(scene, with_method("tl"));
+    const Series& series = simulation->series();
+    CHECK(series.value[0][0] == relative(rate * 0.003 - 0.5));
+    CHECK(series.value[1][0] == relative(-rate * 0.0013 - 0.5));
+    CHECK(series.value[2][0] == relative(0.003));
+    CHECK(series.value[3][0] == relative(0.005));
+    make_steps(*simulation, 3);
+    CHECK(series.value[2].back() < 0.003);
+  }
+
   TEST_CASE("probes: a body that is its own mirror image, and how far it is from it when it is not") {
     Scene scene = block({0.005, 0.003, 0.002});
     scene.probes = {make_probe("x", Probe::Kind::mirror_asymmetry, {0, 0}),
