@@ -30,7 +30,7 @@ LineRecorder::LineRecorder(const Scene& scene, const Snapshot& start, double rea
     : lines_(scene.lines), reach_(reach), samples_(scene.lines.size()) {
   for (const SampleLine& line : lines_) {
     field_of(line, start.dim);
-    points_.push_back(line.in_space ? Points{} : points_now(line, start));
+    points_.push_back(line.in_space ? Points{} : points_of(line, start, &scene));
     for (std::size_t k = 0; k < points_.back().size(); ++k) {
       if (points_.back()[k].empty())
         throw SceneError("line." + line.name, "point " + std::to_string(k + 1) + " of the line '" +
@@ -40,15 +40,17 @@ LineRecorder::LineRecorder(const Scene& scene, const Snapshot& start, double rea
   }
 }
 
-LineRecorder::Points LineRecorder::points_now(const SampleLine& line, const Snapshot& now) const {
+LineRecorder::Points LineRecorder::points_of(const SampleLine& line, const Snapshot& now,
+                                             const Scene* scene) const {
   std::vector<Point> x(now.size());
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] = line.in_space ? now.position(i) : now.initial(i);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = scene ? now.initial(i) : now.position(i);
   const auto [first, last] = std::ranges::equal_range(now.body, line.body);
   const int begin = static_cast<int>(first - now.body.begin());
   const int end = static_cast<int>(last - now.body.begin());
   Points points;
   for (int k = 0; k < line.points; ++k)
-    points.push_back(material_point(x, begin, end, line_point(line, k), reach_, now.dim));
+    points.push_back(scene ? material_point(x, begin, end, line_point(line, k), reach_, *scene, line.body)
+                           : material_point(x, begin, end, line_point(line, k), reach_, now.dim));
   return points;
 }
 
@@ -66,7 +68,7 @@ void LineRecorder::sample(const Snapshot& now) {
     while (samples_[l].size() < line.times.size() && line.times[samples_[l].size()] <= now.time) {
       LineSample sample{now.time, now.step, {}};
       const Field& field = field_of(line, now.dim);
-      for (const std::vector<PointWeight>& point : line.in_space ? points_now(line, now) : points_[l]) {
+      for (const std::vector<PointWeight>& point : line.in_space ? points_of(line, now, nullptr) : points_[l]) {
         double value = point.empty() ? std::numeric_limits<double>::quiet_NaN() : 0;
         for (const PointWeight& w : point)
           value += w.weight * field.value(now, static_cast<std::size_t>(w.particle));

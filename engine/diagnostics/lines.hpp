@@ -46,7 +46,8 @@ class LineRecorder {
 
  private:
   using Points = std::vector<std::vector<PointWeight>>;
-  Points points_now(const SampleLine& line, const Snapshot& now) const;
+  /// In the layout of the scene, or where particles are now.
+  Points points_of(const SampleLine& line, const Snapshot& now, const Scene* scene) const;
 
   std::vector<SampleLine> lines_;
   double reach_;                // m

@@ -1,7 +1,9 @@
 #include "engine/scene/material_point.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <variant>
 
 namespace taut {
 namespace {
@@ -23,6 +25,35 @@ bool solve(Equations& A, std::size_t n) {
     }
   }
   return true;
+}
+
+/// Distances of particles on a box's faces, m.
+Point pitch_on_boundary(const Box& box, double dp, int dim) {
+  Point pitch{};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k) {
+    const double side = box.high[k] - box.low[k];
+    pitch[k] = side / std::max(1.0, std::round(side / dp));
+  }
+  return pitch;
+}
+
+/// Products of hats; empty where the particles are no lattice of this pitch around the point.
+std::vector<PointWeight> point_in_cell(const std::vector<Point>& x, int begin, int end, const Point& at,
+                                       const Point& pitch, int dim) {
+  constexpr double round_off = 1e-9;
+  std::vector<PointWeight> point;
+  double sum = 0;
+  for (int i = begin; i < end; ++i) {
+    double weight = 1;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
+      weight *= std::max(0.0, 1 - std::abs(x[static_cast<std::size_t>(i)][k] - at[k]) / pitch[k]);
+    if (weight < round_off) continue;
+    point.push_back({i, weight});
+    sum += weight;
+  }
+  if (!(std::abs(sum - 1) < 1e-6)) return {};
+  for (PointWeight& w : point) w.weight /= sum;
+  return point;
 }
 
 }  // namespace
@@ -55,6 +86,17 @@ std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, 
     point[p].weight *= shape;
   }
   return point;
+}
+
+std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
+                                        double reach, const Scene& scene, int body) {
+  const Body& of = scene.bodies[static_cast<std::size_t>(body)];
+  if (of.on_boundary) {
+    const Point pitch = pitch_on_boundary(std::get<Box>(of.shapes.front()), scene.spacing, scene.dim);
+    std::vector<PointWeight> point = point_in_cell(x, begin, end, at, pitch, scene.dim);
+    if (!point.empty()) return point;
+  }
+  return material_point(x, begin, end, at, reach, scene.dim);
 }
 
 }  // namespace taut

@@ -20,4 +20,10 @@ struct PointWeight {
 std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
                                         double reach, int dim);
 
+/// The same of a point of this body. Where its particles stand on its faces (Body::on_boundary) the point is
+/// in a cell between some of them and counts these only, linearly along each edge: on a particle it is that
+/// particle, so that what is held there is seen to be.
+std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
+                                        double reach, const Scene& scene, int body);
+
 }  // namespace taut

@@ -47,8 +47,8 @@ class ProbeRecorder {
     std::vector<int> image;                  // [particle of a body] id of the one that is its mirror image
   };
 
-  std::vector<PointWeight> point(const InitialParticles& initial, const Probe& probe, const Point& at,
-                                 double reach) const;
+  std::vector<PointWeight> point(const Scene& scene, const InitialParticles& initial, const Probe& probe,
+                                 const Point& at, double reach) const;
   void find_close_pairs(const State<Dim>& s, const Probe& probe, Follower& f) const;
   static bool of_whole_body(Probe::Kind kind) {
     return kind == Probe::Kind::mean_velocity || kind == Probe::Kind::mean_position ||
@@ -87,18 +87,19 @@ ProbeRecorder<Dim>::ProbeRecorder(const Scene& scene, const InitialParticles& in
     } else if (probe.kind == Probe::Kind::mirror_asymmetry) {
       f.image = images(scene, initial, probe);
     } else if (probe.kind != Probe::Kind::gap) {
-      f.at = point(initial, probe, probe.at, reach);
-      if (probe.kind == Probe::Kind::distance) f.to = point(initial, probe, probe.to, reach);
+      f.at = point(scene, initial, probe, probe.at, reach);
+      if (probe.kind == Probe::Kind::distance) f.to = point(scene, initial, probe, probe.to, reach);
     }
     followers_.push_back(std::move(f));
   }
 }
 
 template <int Dim>
-auto ProbeRecorder<Dim>::point(const InitialParticles& initial, const Probe& probe, const Point& at,
-                               double reach) const -> std::vector<PointWeight> {
+auto ProbeRecorder<Dim>::point(const Scene& scene, const InitialParticles& initial, const Probe& probe,
+                               const Point& at, double reach) const -> std::vector<PointWeight> {
   const int body = probe.bodies[0];
-  std::vector<PointWeight> point = material_point(initial.x, first_[body], first_[body + 1], at, reach, Dim);
+  std::vector<PointWeight> point =
+      material_point(initial.x, first_[body], first_[body + 1], at, reach, scene, body);
   if (point.empty())
     throw SceneError("probe." + probe.name,
                      "the probe '" + probe.name + "' has too few particles of its body around its point");

@@ -55,4 +55,25 @@ TEST_SUITE("analytic") {
     }
     CHECK(material_point(x, 10, 15, {0, 0, 0}, 2.6 * dp, 2).empty());  // a line
   }
+
+  TEST_CASE("material point: on a body's boundary it is the particle there, or between those of its cell") {
+    Scene scene;
+    scene.spacing = 0.99 * dp;  // the lattice fits the body, not the spacing
+    scene.bodies.resize(1);
+    scene.bodies[0].shapes = {Box{{-2 * dp, -2 * dp, 0}, {2 * dp, 2 * dp, 0}}};
+    scene.bodies[0].on_boundary = true;
+    const std::vector<Point> x = lattice();
+    const auto point = [&](const Point& at) { return material_point(x, 0, 25, at, 2.6 * dp, scene, 0); };
+    const auto corner = point({2 * dp, -2 * dp, 0});
+    REQUIRE(corner.size() == 1);
+    CHECK(corner[0].particle == 4);
+    CHECK(corner[0].weight == 1);
+    const auto inside = point({0.7 * dp, 2 * dp, 0});
+    REQUIRE(inside.size() == 2);
+    CHECK(inside[0].particle == 22);
+    CHECK(inside[0].weight == Approx(0.3).epsilon(1e-12));
+    CHECK(inside[1].weight == Approx(0.7).epsilon(1e-12));
+    // beyond the face, and where no lattice stands along the axes, all around count as elsewhere
+    CHECK(point({2.5 * dp, 0, 0}).size() == material_point(x, 0, 25, {2.5 * dp, 0, 0}, 2.6 * dp, 2).size());
+  }
 }
