@@ -15,6 +15,9 @@
 #     khayyer-10  artificial stress and tensile control at three spacings; SPACING is the coarsest
 #     khayyer-12  path of the corner; a history of it in place of a panel
 #     khayyer-13  tensile control without and with artificial stress at the surface
+#     lee-4       cable in 3D, pf without dissipation, pf-jst with none, 1/32 and 1/8 of the harmonic one; pressure
+#     lee-11      tensile cube, tl, pf without dissipation and the three methods with
+#     lee-13      coining, pf without dissipation and the three methods with
 #
 # FOLDER takes the runs and the panel FIGURE.png (default: out/FIGURE); SPACING is that of the particles in m (default:
 # as published). A run of Zhang's takes seconds, one of Khayyer's finest a minute. taut is found as build/taut, or where
@@ -89,6 +92,19 @@ case $figure in
     field=pressure every=0.01 until=0.15
     for share in 0 1; do run surface-$share rotating-plate d-ulsph-r-tic --set method.surface_artificial_stress=$share; done
     panel 0.09,0.15 ;;
+  lee-4)
+    field=pressure every=0.001 until=0.0061
+    run pf cable-3d pf
+    for eps in 0 0.03125 0.125; do run eps-$eps cable-3d pf-jst --set method.eps_v2=$eps; done
+    panel 0.006 ;;
+  lee-11)
+    field=pressure every=1e-5 until=0.00212
+    for method in tl pf pf-jst pfj-jst pfhj-jst; do run $method tensile-cube $method; done
+    panel 0.00058,0.0017,0.0021 ;;
+  lee-13)
+    field=pressure every=1e-5 until=5.4e-4
+    for method in pf pf-jst pfj-jst pfhj-jst; do run $method coining $method; done
+    panel 0.00022,0.00054 ;;
   *)
     echo "$0: there is no figure '$figure'; the head of this script lists them" >&2
     exit 2 ;;
