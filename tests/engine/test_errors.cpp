@@ -134,7 +134,8 @@ TEST_SUITE("unit") {
       }
       return "nothing was thrown";
     };
-    CHECK(message("tl", "hooke").find("it has: neo-hookean, mooney-rivlin, st-venant-kirchhoff, linear") != std::string::npos);
+    CHECK(message("tl", "hooke").find("it has: neo-hookean, mooney-rivlin, st-venant-kirchhoff, linear") !=
+          std::string::npos);
     CHECK(message("icb", "linear").find("cannot be chosen") != std::string::npos);
     const std::string refusal = message("pfj-jst", "linear");
     CHECK(refusal.find("its volume ratio is an unknown of its own") != std::string::npos);
