@@ -14,37 +14,37 @@ class AnyLaw {
   AnyLaw() = default;
   AnyLaw(Law law, const Elasticity& e) { take(law, e, Laws{}); }
 
+  /// `ask`(law) of the law that it is.
+  template <class Ask>
+  auto visit(const Ask& ask) const {
+    return std::visit(
+        [&](const auto& law) __attribute__((noinline)) { return ask(law); }, law_);
+  }
   template <int Dim>
   Mat<double, Dim> piola(const Mat<double, Dim>& F, double J) const {
-    return std::visit(
-        [&](const auto& law) __attribute__((noinline)) { return law.piola(F, J); }, law_);
+    return visit([&](const auto& law) { return law.piola(F, J); });
   }
   /// Of a law that takes_volume_ratio.
   template <int Dim>
   Mat<double, Dim> piola(const Mat<double, Dim>& F, const Mat<double, Dim>& H, double J) const {
-    return std::visit(
-        [&](const auto& law) __attribute__((noinline)) {
-          if constexpr (requires { law.piola(F, H, J); })
-            return law.piola(F, H, J);
-          else
-            return law.piola(F, J);
-        },
-        law_);
+    return visit([&](const auto& law) {
+      if constexpr (requires { law.piola(F, H, J); })
+        return law.piola(F, H, J);
+      else
+        return law.piola(F, J);
+    });
   }
   template <int Dim>
   double energy(const Mat<double, Dim>& F, double J) const {
-    return std::visit(
-        [&](const auto& law) __attribute__((noinline)) { return law.energy(F, J); }, law_);
+    return visit([&](const auto& law) { return law.energy(F, J); });
   }
   template <int Dim>
   Cauchy<Dim> cauchy(const Mat<double, Dim>& F, double J) const {
-    return std::visit(
-        [&](const auto& law) __attribute__((noinline)) { return law.cauchy(F, J); }, law_);
+    return visit([&](const auto& law) { return law.cauchy(F, J); });
   }
   template <int Dim>
   double stiffness_bound(const Mat<double, Dim>& F, double J) const {
-    return std::visit(
-        [&](const auto& law) __attribute__((noinline)) { return law.stiffness_bound(F, J); }, law_);
+    return visit([&](const auto& law) { return law.stiffness_bound(F, J); });
   }
 
  private:

@@ -38,9 +38,12 @@ inline PrincipalStretches principal_stretches(const Mat<double, 2>& F) {
   return {greatest, std::abs(determinant(F)) / greatest, 1};
 }
 inline PrincipalStretches principal_stretches(const Mat<double, 3>& F) {
-  const double greatest = std::sqrt(greatest_eigenvalue(right_cauchy_green(F)));
-  const double area = std::sqrt(greatest_eigenvalue(right_cauchy_green(cofactor(F))));  // of the two greatest
-  return {greatest, area / greatest, std::abs(determinant(F)) / area};
+  const Sym<double, 3> C = right_cauchy_green(F);
+  const double greatest = greatest_eigenvalue(C), J = determinant(F);
+  const double half = 0.5 * (trace(C) - greatest),
+               product = J * J / greatest;  // of the squares of the others
+  const double second = half + std::sqrt(std::max(half * half - product, 0.0));
+  return {std::sqrt(greatest), std::sqrt(second), std::sqrt(product / second)};
 }
 
 /// A bound of m·Q m over all unit vectors m, n, with Q the acoustic tensor of waves along n. In principal axes of an

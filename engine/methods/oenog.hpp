@@ -13,6 +13,7 @@ inline constexpr Formulation oenog{
     .conserves = "linear momentum, angular momentum",
     .family = Family::bonded,
     .law = Law::neo_hookean,
+    .free_law = true,
     .deviator = Deviator::plane_strain,
     .contact = ContactLaw::surface,
     .contact_stiffness = 2,  // (K + 4G/3)/2 per spacing, see terms/surface_contact.hpp

@@ -27,7 +27,9 @@
 /// Law. Under a linear displacement each s is its s°: what the bonds store is cancelled bond by bond, on any
 /// layout, at faces and in corners, for any law W, in 2D and 3D, and the energy is just W,
 ///   W = G/2 (J^(−2/3) tr C − 3) + K/2 (J − 1)²,
-/// the neo-Hookean one, in 2D of plane strain. Of any other displacement the bonds keep what F_i does not see.
+/// the neo-Hookean one, in 2D of plane strain, unless the scene asks for another one (families/bonded/closed_law.hpp).
+/// Under the linear law, which takes turns for strains, W is not objective, and the angular momentum is not kept.
+/// Of any other displacement the bonds keep what F_i does not see.
 /// φ_c is φ, continued linearly in s outside [¼, 4]: −φ alone has no least value for a body pressed flat or
 /// drawn out without end. Below J = ½ the term in G of W is taken at c = ¼ + 1/(12 − 16 J), which goes on
 /// from J with its slope and stays above ¼, and W has (K + 4G/3)(1 − 2J)³ more: particles that are pressed

@@ -134,8 +134,12 @@ TEST_SUITE("unit") {
       }
       return "nothing was thrown";
     };
-    CHECK(message("tl", "hooke").find("neo-hookean, st-venant-kirchhoff, linear") != std::string::npos);
-    CHECK(message("icb", "linear").find("its own cannot be changed") != std::string::npos);
+    CHECK(message("tl", "hooke").find("it has: neo-hookean, mooney-rivlin, st-venant-kirchhoff, linear") !=
+          std::string::npos);
+    CHECK(message("icb", "linear").find("cannot be chosen") != std::string::npos);
+    const std::string refusal = message("pfj-jst", "linear");
+    CHECK(refusal.find("its volume ratio is an unknown of its own") != std::string::npos);
+    CHECK(refusal.find("it can with: neo-hookean, mooney-rivlin") != std::string::npos);
     Settings settings = with_method("tl");
     CHECK(material_law(*find_method("tl"), settings) == "neo_hookean");
     settings.law = "linear";

@@ -7,8 +7,10 @@
 
 #include "engine/families/bonded/bonds.hpp"
 #include "engine/families/bonded/cancelled.hpp"
+#include "engine/families/bonded/closed_law.hpp"
 #include "engine/families/bonded/recovered_gradient.hpp"
 #include "engine/families/bonded/shared_rows.hpp"
+#include "engine/families/bonded/shown_stress.hpp"
 #include "engine/solver/particle_solver.hpp"
 #include "engine/terms/bond.hpp"
 
@@ -41,6 +43,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     s_.reorder(grid.sort(s_.x, this->support_), threads_now());
     const Bonds bonds = make_bonds(input.scene, this->initial_, c_.h);
     take_masses(bonds);
+    if (input.law != M.law) take_law(input.law);
     Base::go_to_start();
     pack_bonds(bonds, input.scene);
     // not what a corner takes from a uniform stress, since there the bonds have no choice that is right
@@ -91,10 +94,13 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   CancelledBonds<Dim> cancelled(const Bonds& bonds) const;
   void add_site(const Bonds& bonds, int i);
   void take_masses(const Bonds& bonds);
+  void take_law(Law law);
   double shear_modulus(const Bonds& bonds, int id, int b) const;
   double step_size() const;
   void strain_pass();
   void stress_pass();
+  template <class Piola>
+  void stress_pass_with(const Piola& piola);
   double force_pass(double dt);
   template <bool WithEnergy>
   Strained strained(int i) const;
@@ -102,6 +108,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   template <bool WithEnergy>
   double strain(int group);
   Mat<Pack, Dim> shown_deformations(int group) const;
+  void show(int group, const Mat<Pack, Dim>& F);
   void take_snapshot() override;
   void set_row(int i) {
     const V x = s_.x[i], v = s_.v[i];
@@ -115,6 +122,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   double relaxation_ = 0;  // s, of the bonds
   double stiffest_ = 1;    // greatest of all bonds and particles in the last step, over that at rest
   std::vector<Sites> sites_;
+  std::vector<ClosedLaws> other_laws_;  // of each group, where they are not the neo-Hookean one
   std::vector<BondsOf> bonds_;
   std::vector<int> j_;               // from size() on places at a clamp
   SharedRows<Vec<Pack, Dim>> a_ij_;  // times a constant that B takes out again
@@ -135,6 +143,14 @@ void Bonded<M, Dim>::take_masses(const Bonds& bonds) {
   if (Dim == 2) return;
   for (int i = 0; i < s_.size(); ++i)
     if (const int id = s_.id[i]; !this->initial_.held[id]) s_.m[i] *= bonds.mass[id] / this->initial_.V0[id];
+}
+
+/// In the place of the law that is inlined.
+template <const Formulation& M, int Dim>
+void Bonded<M, Dim>::take_law(Law law) {
+  other_laws_.resize(groups());
+  for (int i = 0; i < s_.size(); ++i)
+    other_laws_[i / lanes][i % lanes] = AnyLaw(law, materials_[this->initial_.material[s_.id[i]]]);
 }
 
 /// G of a bond, Pa. Halves of two materials stand one behind the other in it, as two springs do: the harmonic
@@ -316,7 +332,8 @@ Pack Bonded<M, Dim>::energy_of_four(int group) const {
   const Sites& sites = sites_[group];
   Sym<Pack, Dim> C = right_cauchy_green(F_[group]);
   for (int k = 0; k < Dim; ++k) C(k, k) = sites.V > 0 ? C(k, k) : filled<Pack>(1);
-  return sites.V * sites.law.energy(F_[group]) - cancelled_.energy(group, C);
+  const Pack W = other_laws_.empty() ? sites.law.energy(F_[group]) : other_laws_[group].energy(F_[group]);
+  return sites.V * W - cancelled_.energy(group, C);
 }
 
 /// F and the bonds' force of four particles, or fewer in the last group, and their energy if asked for. The
@@ -359,10 +376,20 @@ void Bonded<M, Dim>::strain_pass() {
 
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::stress_pass() {
+  if (other_laws_.empty())
+    stress_pass_with([&](int group) { return sites_[group].law.piola(F_[group]); });
+  else
+    stress_pass_with([&](int group) { return other_laws_[group].piola(F_[group]); });
+}
+
+/// `piola`(group): P of four particles.
+template <const Formulation& M, int Dim>
+template <class Piola>
+void Bonded<M, Dim>::stress_pass_with(const Piola& piola) {
   parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
     const Sites& sites = sites_[group];
     const Mat<Pack, Dim>& F = F_[group];
-    Mat<Pack, Dim> T = sites.V * sites.law.piola(F);
+    Mat<Pack, Dim> T = sites.V * piola(group);
     const Mat<Pack, Dim> FS = product(F, cancelled_.slopes(group, right_cauchy_green(F)));
     for (int a = 0; a < Dim; ++a)
       for (int k = 0; k < Dim; ++k) T(a, k) -= FS(a, k);
@@ -421,9 +448,21 @@ Mat<Pack, Dim> Bonded<M, Dim>::shown_deformations(int group) const {
   return F;
 }
 
-/// The stress shown is the neo-Hookean one of the recovered F, below J = ½ too: p = −K (J − 1) and
-/// s = G J^(−5/3) dev(F Fᵀ) with (F Fᵀ)_zz = 1 in 2D and J no less than 0.05; none of a held particle, which is
-/// rigid.
+/// The stress shown is that of the recovered F; none of a held particle, which is rigid.
+template <const Formulation& M, int Dim>
+void Bonded<M, Dim>::show(int group, const Mat<Pack, Dim>& F) {
+  const int first = group * lanes, count = std::min(lanes, s_.size() - first);
+  const auto four = shown_neo_hookean(sites_[group].law.K, sites_[group].law.G, F);
+  for (int lane = 0; lane < count; ++lane) {
+    const Elasticity& material = materials_[this->initial_.material[s_.id[first + lane]]];
+    ShownStress<double, Dim> one{four.J[lane], four.p[lane], {}, four.s_zz[lane]};
+    for (int k = 0; k < Sym<double, Dim>::size; ++k) one.s.c[k] = four.s.c[k][lane];
+    if (!other_laws_.empty())
+      one = shown_stress(other_laws_[group][lane], material.K, ClosedLaws::lane_of(F, lane));
+    Base::store(first + lane, material.rho0 / one.J, one.p, one.s, one.s_zz);
+  }
+}
+
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::take_snapshot() {
   Base::begin_snapshot();
@@ -439,21 +478,7 @@ void Bonded<M, Dim>::take_snapshot() {
     const Sites& sites = sites_[group];
     Mat<Pack, Dim> F = shown_deformations(group);
     for (int k = 0; k < Dim; ++k) F(k, k) = sites.V > 0 ? F(k, k) : filled<Pack>(1);
-    const Pack J = determinant(F), p = -sites.law.K * (J - 1);
-    const Pack root = inverse_cube_root(max(J, filled<Pack>(0.05)));
-    Sym<Pack, Dim> b{};
-    for (int a = 0; a < Dim; ++a)
-      for (int k = a; k < Dim; ++k)
-        for (int l = 0; l < Dim; ++l) b(a, k) += F(a, l) * F(k, l);
-    const Pack mean = (trace(b) + (3 - Dim)) / 3, shear = sites.law.G * power<5>(root);
-    for (int k = 0; k < Dim; ++k) b(k, k) -= mean;
-    const int first = group * lanes, count = std::min(lanes, s_.size() - first);
-    for (int lane = 0; lane < count; ++lane) {
-      const double rho0 = materials_[this->initial_.material[s_.id[first + lane]]].rho0;
-      Sym<double, Dim> s;
-      for (int k = 0; k < Sym<double, Dim>::size; ++k) s.c[k] = shear[lane] * b.c[k][lane];
-      Base::store(first + lane, rho0 / J[lane], p[lane], s, shear[lane] * (1 - mean[lane]));
-    }
+    show(group, F);
   });
 }
 

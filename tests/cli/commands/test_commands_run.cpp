@@ -199,6 +199,30 @@ TEST_SUITE("cli") {
     CHECK(record["spacing"].get<double>() == doctest::Approx(0.002));
   }
 
+  TEST_CASE(
+      "a law of the scene that the method given does not take is named on stderr, and the run goes on") {
+    const TemporaryFolder folder;
+    const auto run_with = [&](const std::string& method) {
+      std::vector<std::string> arguments = tiny_run(folder, method, {"--no-render", "--method", method});
+      const std::string scene = text_of(folder / "discs.toml");
+      std::ofstream(folder / "discs.toml") << "method = \"tl\"\nlaw = \"mooney-rivlin\"\n" << scene;
+      return call(arguments);
+    };
+    const Outcome oenog = run_with("oenog");
+    CHECK(oenog.code == 0);
+    CHECK(oenog.err.empty());
+    CHECK(json_of(folder / "oenog/run.json")["material_law"] == "mooney_rivlin");
+    const Outcome enog = run_with("enog");
+    CHECK(enog.code == 0);
+    CHECK(enog.err ==
+          "taut: the method 'enog' does not take the law of the scene, 'mooney-rivlin': it runs with a law "
+          "of its "
+          "own\n");
+    CHECK(json_of(folder / "enog/run.json")["material_law"] == "2d_deviator");
+    CHECK(call(tiny_run(folder, "none", {"--no-render", "--method", "enog", "--set", "law=linear"})).code ==
+          2);
+  }
+
   TEST_CASE("progress goes to stderr in lines and is silent when asked to be") {
     const TemporaryFolder folder;
     std::vector<std::string> arguments = tiny_run(folder, "out", {"--no-render"});

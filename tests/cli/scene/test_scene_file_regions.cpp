@@ -201,16 +201,30 @@ TEST_SUITE("cli") {
     const SceneFile file = read_text(with_law("tl", "\nlaw = \"linear\""));
     CHECK(file.settings.law == "linear");
     CHECK(read_text(resolved_text(file, scratch_folder())).settings.law == "linear");
-    const auto changed = [&](const char* law, const char* method) {
+    const auto read_changed = [&](const char* law, const char* method) {
       std::vector<Setting> settings;
       if (law) settings.push_back({"law", law});
       if (method) settings.push_back({"method", method});
-      return read_text(resolved_text(file, scratch_folder()), settings).settings.law;
+      return read_text(resolved_text(file, scratch_folder()), settings);
+    };
+    const auto changed = [&](const char* law, const char* method) {
+      return read_changed(law, method).settings.law;
     };
     CHECK(changed("st-venant-kirchhoff", nullptr) == "st-venant-kirchhoff");
-    CHECK(changed(nullptr, "icb").empty());  // the law belongs to the method of the file
     CHECK_THROWS_AS(changed("linaer", nullptr), UsageError);
     CHECK_THROWS_AS(changed("linear", "icb"), UsageError);
+    CHECK_THROWS_AS(changed("linear", "pfj-jst"), UsageError);
+    // that of the file holds for every method that takes it, and the others say what they run with
+    CHECK(file.remark.empty());
+    CHECK(changed(nullptr, "oenog") == "linear");
+    CHECK(read_changed(nullptr, "oenog").remark.empty());
+    CHECK(changed(nullptr, "pfj-jst") == "neo-hookean");
+    CHECK(read_changed(nullptr, "pfj-jst").remark ==
+          "the method 'pfj-jst' does not take the law of the scene, 'linear': it runs with neo-hookean");
+    CHECK(changed("mooney-rivlin", "pfj-jst") == "mooney-rivlin");
+    CHECK(read_changed("mooney-rivlin", "pfj-jst").remark.empty());
+    CHECK(changed(nullptr, "icb").empty());
+    CHECK(read_changed(nullptr, "icb").remark.find("it runs with a law of its own") != std::string::npos);
     check_error("until = 2", "until = 2\nmethod = \"tl\"\nlaw = @\"linaer\"",
                 {"unknown law 'linaer'", "did you mean 'linear'"});
     check_error("until = 2", "until = 2\nmethod = \"icb\"\nlaw = @\"linear\"", {"cannot be chosen"});

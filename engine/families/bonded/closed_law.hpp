@@ -1,0 +1,86 @@
+#pragma once
+
+#include "engine/core/tensor.hpp"
+#include "engine/materials/any_law.hpp"
+#include "engine/terms/bond.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// Any law with the continuation below J = ½ that the neo-Hookean one has in ClosedNeoHookean: with c for det F in
+/// its part of the shear, and (K + 4G/3)(1 − 2J)³ more. A law of F alone has the latter only.
+struct Closing {
+  double J, c, per_J;  // det F; what stands for it, and its slope
+  double shut;         // 1 − 2J, or 0
+
+  explicit Closing(double det) : J(det), c(det), per_J(1), shut(0) {
+    if (!(J < 0.5)) return;
+    const double below = 0.25 / (0.75 - J);
+    c = 0.25 + 0.25 * below, per_J = below * below, shut = 1 - 2 * J;
+  }
+};
+
+template <class L, int Dim>
+double closed_energy(const L& law, const Mat<double, Dim>& F) {
+  const Closing at(determinant(F));
+  const double closing = (law.K + 4.0 / 3 * law.G) * power<3>(at.shut);
+  if constexpr (requires { law.shear_energy(F, F, at.c); })
+    return law.shear_energy(F, cofactor(F), at.c) + 0.5 * law.K * power<2>(at.J - 1) + closing;
+  else
+    return law.energy(F, at.J) + closing;
+}
+
+/// ∂closed_energy/∂F
+template <class L, int Dim>
+Mat<double, Dim> closed_piola(const L& law, const Mat<double, Dim>& F) {
+  const Closing at(determinant(F));
+  const Mat<double, Dim> H = cofactor(F);
+  const double closing = -6 * (law.K + 4.0 / 3 * law.G) * power<2>(at.shut);
+  if constexpr (requires { law.slopes(F, H, at.c); }) {
+    const auto by = law.slopes(F, H, at.c);
+    const double of_J = law.K * (at.J - 1) + by.j * at.per_J + closing;
+    return combination(1.0, combination(by.F, F, of_J, H), by.H, stress_of_cofactor(F, H));
+  } else {
+    return combination(1.0, law.piola(F, at.J), closing, H);
+  }
+}
+
+/// The laws of four particles, asked one after the other.
+class ClosedLaws {
+ public:
+  AnyLaw& operator[](int lane) { return laws_[lane]; }
+  const AnyLaw& operator[](int lane) const { return laws_[lane]; }
+
+  template <int Dim>
+  Pack energy(const Mat<Pack, Dim>& F) const {  // Pa
+    Pack energy;
+    for (int lane = 0; lane < lanes; ++lane) {
+      const Mat<double, Dim> one = lane_of(F, lane);
+      energy[lane] = laws_[lane].visit([&](const auto& law) { return closed_energy(law, one); });
+    }
+    return energy;
+  }
+  template <int Dim>
+  Mat<Pack, Dim> piola(const Mat<Pack, Dim>& F) const {  // Pa
+    Mat<Pack, Dim> P;
+    for (int lane = 0; lane < lanes; ++lane) {
+      const Mat<double, Dim> one = lane_of(F, lane);
+      const Mat<double, Dim> own = laws_[lane].visit([&](const auto& law) { return closed_piola(law, one); });
+      for (int a = 0; a < Dim; ++a)
+        for (int k = 0; k < Dim; ++k) P(a, k)[lane] = own(a, k);
+    }
+    return P;
+  }
+
+  template <int Dim>
+  static Mat<double, Dim> lane_of(const Mat<Pack, Dim>& F, int lane) {
+    Mat<double, Dim> one;
+    for (int a = 0; a < Dim; ++a)
+      for (int k = 0; k < Dim; ++k) one(a, k) = F(a, k)[lane];
+    return one;
+  }
+
+ private:
+  AnyLaw laws_[lanes];
+};
+
+}  // namespace taut::inline TAUT_ISA
