@@ -47,8 +47,8 @@ using Chain = std::vector<Point>;
 struct InitialSite {
   Point x{};
   double V0 = 0;
-  double inside = 1;  // the part of its cell that is inside the body
   int turned = -1;  // the site that this one comes to when all are turned onto each other, -1: they cannot be
+  double inside = 1;  // the part of its cell that is inside the body
 };
 
 /// How a round body is laid. Methods that keep the neighbours of the start take the layers that fit its faces
