@@ -166,7 +166,8 @@ void check_mixed(const Scene& scene, const std::string& name, double projection)
                         .eps_J2 = 0.02,
                         .eps_J4 = 0.01,
                         .projection = projection != 0,
-                        .adjoint = true};
+                        .adjoint = true,
+                        .particles = {}};
   run.dt = 0.15 * scene.spacing / run.wave_speed();
   const InitialParticles initial = make_initial_particles(scene);
   for (int i = 0; i < initial.size(); ++i) {
