@@ -25,10 +25,10 @@ inline constexpr double greatest_wave_ratio = 100;
 /// 37b). L is not symmetric at a surface, where its square may feed what it is to damp: with it `pfj-jst`
 /// loses the bending column at Poisson's ratio 0.499 for ε of J from 1/32 on, at any time step. The adjoint
 /// takes from every field (−Σ V |L[U]|²) and is the same inside. The constant `adjoint` = 0 gives the printed
-/// form. Boundary conditions are set on the held particles only (its step 8; step 9 "is usually
-/// disregarded") unless `boundary_projection` is 1. Forces of contact, which it has not, act outside the projection and are taken at its Z,
-/// about which central forces have no moment; so do loads. Of the dissipation and the internal force the sum
-/// is projected, which is the same as each of them (Eq. 49).
+/// form. Boundary conditions are set on the particles themselves (its step 8), and where the kernel looks (step
+/// 9, "usually disregarded") with `boundary_projection` = 1. Forces of contact, which it has not, act outside
+/// the projection and are taken at its Z, about which central forces have no moment; so do loads. Of the
+/// dissipation and the internal force the sum is projected, which is the same as each of them (Eq. 49).
 template <const Formulation& M, int Dim>
 class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
  public:
@@ -311,7 +311,8 @@ void TlMixed<M, Dim>::predict(double dt) {
   });
 }
 
-/// Of each body that is held, guided or driven somewhere.                    [Lee2016] Algorithm 1, step 9
+/// Of each body that is held, guided or driven somewhere. What it adds to the energy is not counted as work.
+///                                                                               [Lee2016] Algorithm 1, step 9
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::project_on_boundary() {
   if (c_.boundary_projection == 0) return;
