@@ -91,7 +91,7 @@ const std::vector<std::string> with_jst = {"pf-jst", "pfj-jst", "pfhj-jst"};
 
 TEST_SUITE("failure") {
   // §8.1, Fig. 3, 4
-  TEST_CASE("cable in 3D: waves come when they should; what harmonic dissipation takes are the overshoots") {
+  TEST_CASE("cable in 3D: waves come when they should, and what harmonic dissipation takes are the overshoots") {
     const double displacement = 2.5e-3, speed = 5;  // m, m/s
     double before = speed;
     for (const std::string eps : {"0", "0.03125", "0.125"}) {
