@@ -68,11 +68,12 @@ class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
     else
       return cofactor(u.F);
   }
-  Mat piola(int i, const Unknown& u) const {
+  template <class L>
+  static Mat piola(const L& law, const Unknown& u) {
     if constexpr (has_H)
-      return this->law(i).piola(u.F, u.H, u.J);
+      return law.piola(u.F, u.H, u.J);
     else
-      return this->law(i).piola(u.F, volume_ratio(u));
+      return law.piola(u.F, volume_ratio(u));
   }
   /// `u` + Δt `rate`
   static void add(Unknown& u, double dt, const Unknown& rate);
@@ -156,8 +157,9 @@ double TlMixed<M, Dim>::step_size() const {
   if constexpr (Dim == 2) {
     return Base::step_size();
   } else {
-    const double stiffest = parallel_max(s_.size(), threads_now(), [&](int i) {
-      return this->law(i).stiffness_bound(now_[i].F, volume_ratio(now_[i]));
+    const double stiffest = this->with_laws([&](const auto& law) {
+      return parallel_max(s_.size(), threads_now(),
+                          [&](int i) { return law(i).stiffness_bound(now_[i].F, volume_ratio(now_[i])); });
     });
     const double fastest = std::sqrt(stiffest / c_.rho0);
     if (!(fastest <= greatest_wave_ratio * Base::wave_speed())) crushed();
@@ -229,16 +231,18 @@ void TlMixed<M, Dim>::find_rates(const std::vector<V>& Z, double dt) {
 
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::set_rows(const std::vector<V>& Z) {
-  parallel_for(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
-    const Unknown& u = now_[i];
-    s_.x[i] = Z[i];
-    s_.v[i] = u.v;
-    velocity_[i] = in_rows(u.v);
-    stress_[i] = tile(product(piola(i, u), V0_[i] * initial_pairs_.B[i]));
-    if constexpr (M.jst) {
-      for (int k = 0; k < Dim; ++k) smoothed_[i].value[k] = u.v[k];
-      smoothed_[i].value[Dim] = u.J;
-    }
+  this->with_laws([&](const auto& law) {
+    parallel_for(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
+      const Unknown& u = now_[i];
+      s_.x[i] = Z[i];
+      s_.v[i] = u.v;
+      velocity_[i] = in_rows(u.v);
+      stress_[i] = tile(product(piola(law(i), u), V0_[i] * initial_pairs_.B[i]));
+      if constexpr (M.jst) {
+        for (int k = 0; k < Dim; ++k) smoothed_[i].value[k] = u.v[k];
+        smoothed_[i].value[Dim] = u.J;
+      }
+    });
   });
 }
 
