@@ -172,9 +172,11 @@ template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::crushed() const {
   const double limit = greatest_wave_ratio * Base::wave_speed();
   int culprit = s_.size();  // id
-  for (int i = 0; i < s_.size(); ++i)
-    if (!(this->law(i).stiffness_bound(now_[i].F, volume_ratio(now_[i])) <= c_.rho0 * limit * limit))
-      culprit = std::min(culprit, s_.id[i]);
+  this->with_laws([&](const auto& law) {
+    for (int i = 0; i < s_.size(); ++i)
+      if (!(law(i).stiffness_bound(now_[i].F, volume_ratio(now_[i])) <= c_.rho0 * limit * limit))
+        culprit = std::min(culprit, s_.id[i]);
+  });
   throw NumericalError(
       this->step_, this->time_, culprit, "deformation",
       fmt::format("particle {} is crushed or turned inside out: waves in it are more than {:g} "
