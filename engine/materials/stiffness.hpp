@@ -57,8 +57,8 @@ template <int Dim, class Along, class Across, class Coupling>
 double greatest_stiffness(const Along& along, const Across& across, const Coupling& coupling) {
   double greatest = 0;
   const auto take = [&](double stiffness) {
-    greatest = stiffness <= greatest ? greatest : stiffness;
-  };  // NaN too
+    if (!(stiffness <= greatest || greatest != greatest)) greatest = stiffness;  // NaN comes in and stays
+  };
   for (int k = 0; k < Dim; ++k) {
     take(along(k));
     for (int l = 0; l < k; ++l)
