@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/shipped.hpp"
+#include "engine/diagnostics/alternating_part.hpp"
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/conservation.hpp"
 #include "engine/diagnostics/indicators.hpp"
@@ -28,7 +28,7 @@ namespace {
 struct Run {
   std::map<std::string, MeasureResult> measure;
   Verdict verdict = Verdict::stable;
-  double zigzag = 0, checkerboard = 0;  // greatest, of the places and of the pressure
+  double zigzag = 0, noise = 0;  // greatest, of the places and of the pressure
   Conservation kept;
   double gain = 0;    // greatest energy above what was given, over what was given
   double volume = 1;  // that is farthest from the one at the start, over it
@@ -41,13 +41,41 @@ struct Run {
   double off(const std::string& name) const { return value(name) - *measure.at(name).reference; }
 };
 
+/// The share of the pressure that alternates from particle to particle, over those that start beyond x, m: the
+/// greatest part over the greatest whole, as an indicator counts it.
+class PressureNoise {
+ public:
+  PressureNoise(const Snapshot& start, double spacing, double beyond)
+      : part_(alternating_part(start, spacing)), beyond_(beyond) {}
+  void look(const Snapshot& now) {
+    double alternating = 0, whole = 0;
+    for (int row = 0; row < part_.rows(); ++row) {
+      const int first = part_.begin[row], last = part_.begin[row + 1];
+      const auto own = static_cast<std::size_t>(part_.j[first]);
+      if (now.initial(own)[0] < beyond_) continue;
+      double r = 0;
+      for (int k = first; k < last; ++k)
+        r += part_.weights(row)[k - first] * now.p[static_cast<std::size_t>(part_.j[k])];
+      alternating += r * r, whole += now.p[own] * now.p[own];
+    }
+    alternating_ = std::max(alternating_, alternating), whole_ = std::max(whole_, whole);
+  }
+  double share() const { return std::sqrt(alternating_ / whole_); }
+
+ private:
+  AlternatingPart part_;
+  double beyond_;
+  double alternating_ = 0, whole_ = 0;
+};
+
 double volume(const Snapshot& now) {
   double sum = 0;
   for (std::size_t i = 0; i < now.size(); ++i) sum += now.m[i] / now.rho[i];
   return sum;
 }
 
-Run run(const std::string& name, const std::string& method, std::vector<Setting> settings = {}) {
+Run run(const std::string& name, const std::string& method, std::vector<Setting> settings = {},
+        double beyond = -1) {
   settings.push_back({"method", method});
   SceneFile file = read_scene(find_scene(name), settings);
   file.settings.threads = 1;
@@ -57,7 +85,8 @@ Run run(const std::string& name, const std::string& method, std::vector<Setting>
   IndicatorGauge gauge(file.scene, now);
   ConservationWatch watch(file.scene, now);
   LineRecorder lines(file.scene, now, simulation->support());
-  std::array<IndicatorRecord, indicators.size()> record;
+  IndicatorRecord zigzag;
+  PressureNoise noise(now, file.scene.spacing, beyond);
   const Balance start = balance(now, file.scene);
   const double start_volume = volume(now);
   Run run;
@@ -67,7 +96,8 @@ Run run(const std::string& name, const std::string& method, std::vector<Setting>
     lines.sample(simulation->snapshot());
     const Balance sums = balance(simulation->snapshot(), file.scene);
     const Readings readings = gauge(simulation->snapshot());
-    for (std::size_t i = 0; i < record.size(); ++i) record[i].take(readings[i], simulation->time());
+    zigzag.take(readings[0], simulation->time());
+    noise.look(simulation->snapshot());
     judge.observe(simulation->snapshot(), sums, readings);
     watch.follow(sums);
     const double given = start.kinetic + start.strain + sums.work;
@@ -76,7 +106,7 @@ Run run(const std::string& name, const std::string& method, std::vector<Setting>
     if (std::abs(share - 1) > std::abs(run.volume - 1)) run.volume = share;
   }
   run.verdict = judge.verdict();
-  run.zigzag = record[0].greatest(), run.checkerboard = record[1].greatest();
+  run.zigzag = zigzag.greatest(), run.noise = noise.share();
   run.kept = watch.so_far();
   const std::string_view law = material_law(*find_method(method), file.settings, 3);
   for (const MeasureResult& result :
@@ -116,7 +146,7 @@ TEST_SUITE("failure") {
       CHECK(*cube.kept.linear_momentum < 1e-12);
       CHECK(*cube.kept.angular_momentum < 1e-12);
       CHECK(cube.verdict == Verdict::stable);
-      CHECK(cube.checkerboard < 0.06);
+      CHECK(cube.noise < 0.06);
       CHECK(cube.gain < 1e-9);
     }
     const Run free = run("spinning-cube", "pf-jst", {{"method.projection", "0"}});
@@ -142,17 +172,18 @@ TEST_SUITE("failure") {
       const Run cube = run("tensile-cube", method);
       CHECK(cube.verdict == Verdict::hourglass);
       CHECK(cube.zigzag > 2 * first.zigzag);
-      CHECK(cube.checkerboard > 2 * first.checkerboard);
+      CHECK(cube.noise > 2 * first.noise);
     }
   }
 
-  // §8.5, Fig. 13, 14
+  // §8.5, Fig. 13, 14. At the edge of the punch, which sticks, particles part with every method.
   TEST_CASE("coining: the pressure of pf checkers, that of the dissipated methods does not") {
-    const Run rough = run("coining", "pf");
+    const double beyond = 0.015;  // half a punch away from its edge, m
+    const Run rough = run("coining", "pf", {}, beyond);
     for (const std::string& method : with_jst) {
       CAPTURE(method);
-      const Run block = run("coining", method);
-      CHECK(block.checkerboard < 0.5 * rough.checkerboard);
+      const Run block = run("coining", method, {}, beyond);
+      CHECK(block.noise < 0.2 * rough.noise);
       CHECK(std::abs(block.off("bulge")) < 0.1 * 1.95e-3);
       CHECK(std::abs(block.off("highest_point")) < 0.1 * 3.3e-3);
       CHECK(std::abs(block.volume - 1) < 0.02);
