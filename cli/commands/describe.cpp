@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <ostream>
@@ -167,6 +168,16 @@ void describe_scene(const std::string& name, std::ostream& out) {
   print_table(out, "Measures, of kinds that `taut list measures` explains", measure_rows(scene), 1);
 }
 
+/// Default and bounds, and those in 3D where they are others.
+Rows::value_type constant_row(const MethodConstant& c, const std::vector<MethodConstant>& in_3d) {
+  std::string value = brief(c.value), range = bounds(c.low, c.high);
+  const auto other = std::ranges::find(in_3d, c.name, &MethodConstant::name);
+  if (other != in_3d.end() && other->value != c.value) value += "; in 3D " + brief(other->value);
+  if (other != in_3d.end() && (other->low != c.low || other->high != c.high))
+    range += "; in 3D " + bounds(other->low, other->high);
+  return {std::string(c.name), value, range, std::string(c.help)};
+}
+
 void describe_method(const MethodInfo& method, std::ostream& out) {
   Rows terms, equations{{"equation", "function, below engine/", "test"}};
   Rows constants{{"name", "default", "bounds", "meaning"}};
@@ -174,8 +185,9 @@ void describe_method(const MethodInfo& method, std::ostream& out) {
     terms.push_back({std::string(t.what), std::string(t.formula), std::string(t.source)});
     equations.push_back({std::string(t.source), std::string(t.function), std::string(t.test)});
   }
-  for (const MethodConstant& c : method.constants)
-    constants.push_back({std::string(c.name), brief(c.value), bounds(c.low, c.high), std::string(c.help)});
+  std::vector<MethodConstant> in_3d;
+  if (greatest_dim(method.formulation) == 3) in_3d = method_constants(method.formulation, 3);
+  for (const MethodConstant& c : method.constants) constants.push_back(constant_row(c, in_3d));
   out << method.name << ": " << method.summary << '\n'
       << in_columns({{"paper", std::string(method.paper)},
                      {"material law", laws_text(method)},

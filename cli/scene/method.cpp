@@ -61,18 +61,19 @@ const MethodInfo& changed_method(const std::string& name) {
 }
 
 /// Checks the file's constants against the method of the file.
-void check_constants(TomlCursor& section, const MethodInfo& method) {
+void check_constants(TomlCursor& section, const MethodInfo& method, int dim) {
+  const std::vector<MethodConstant> constants = method_constants(method.formulation, dim);
   for (TomlEntry& entry : section.table().entries) {
-    const std::size_t i = index_of(method.constants, entry.key);
-    if (i == method.constants.size())
+    const std::size_t i = index_of(constants, entry.key);
+    if (i == constants.size())
       section.fail(entry.place, entry.key,
                    "the method '" + std::string(method.name) + "' has no constant '" + entry.key + "'" +
-                       did_you_mean(entry.key, names_of(method.constants)) +
-                       "; it has: " + (method.constants.empty() ? "none" : join(names_of(method.constants))));
+                       did_you_mean(entry.key, names_of(constants)) +
+                       "; it has: " + (constants.empty() ? "none" : join(names_of(constants))));
     const double value = section.number(entry.key);
-    if (!within_bounds(method.constants[i], value))
+    if (!within_bounds(constants[i], value))
       section.fail(entry.value, entry.key,
-                   entry.key + " = " + exact(value) + " is out of bounds" + bounds_text(method.constants[i]));
+                   entry.key + " = " + exact(value) + " is out of bounds" + bounds_text(constants[i]));
   }
 }
 
@@ -80,7 +81,7 @@ void check_constants(TomlCursor& section, const MethodInfo& method) {
 void read_constants(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, int dim,
                     const Changes& changes, Settings& settings) {
   TomlCursor section = root.section("method_constants", "[method_constants]");
-  check_constants(section, of_file);
+  check_constants(section, of_file, dim);
   if (&of_file != &method) section.table().entries.clear();
   for (const MethodConstant& constant : method_constants(method.formulation, dim)) {
     const std::string name(constant.name);

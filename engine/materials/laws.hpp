@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "engine/materials/linear_elastic.hpp"
 #include "engine/materials/mooney_rivlin.hpp"
@@ -17,7 +18,7 @@ namespace taut::inline TAUT_ISA {
 template <Law... L>
 struct LawList {
   static constexpr std::array rows{LawOf<L>::row...};
-  using One = std::variant<LawOf<L>...>;  // of the laws
+  using Each = std::variant<std::vector<LawOf<L>>...>;  // one of them, of several materials
 };
 
 /// Every law, in the order in which they are offered. A law is an enumerator of Law, a header beside this one

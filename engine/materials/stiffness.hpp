@@ -51,15 +51,18 @@ inline PrincipalStretches principal_stretches(const Mat<double, 3>& F) {
 ///   m·Q m = Σ_k along_k m_k² n_k² + Σ_{k≠l} across_kl m_k² n_l² + 2 Σ_{k<l} coupling_kl m_k n_k m_l n_l.
 /// The weights m_k² n_l² add up to 1, and with m_k n_k m_l n_l = (m_k n_l)(m_l n_k) the last sums share two of them
 /// for each pair of axes: it is at most the greatest of all `along` and of the eigenvalues of
-/// ((across_kl, coupling_kl), (coupling_kl, across_lk)). Waves along an axis reach `along` and `across`.
+/// ((across_kl, coupling_kl), (coupling_kl, across_lk)). Waves along an axis reach `along` and `across`. Of a strain that
+/// is not a number neither is the bound; it is infinite or not a number where det F = 0.
 template <int Dim, class Along, class Across, class Coupling>
 double greatest_stiffness(const Along& along, const Across& across, const Coupling& coupling) {
   double greatest = 0;
+  const auto take = [&](double stiffness) {
+    if (!(stiffness <= greatest || greatest != greatest)) greatest = stiffness;  // NaN comes in and stays
+  };
   for (int k = 0; k < Dim; ++k) {
-    greatest = std::max(greatest, along(k));
+    take(along(k));
     for (int l = 0; l < k; ++l)
-      greatest =
-          std::max(greatest, greatest_eigenvalue(Sym<double, 2>{across(k, l), coupling(k, l), across(l, k)}));
+      take(greatest_eigenvalue(Sym<double, 2>{across(k, l), coupling(k, l), across(l, k)}));
   }
   return greatest;
 }

@@ -46,6 +46,7 @@ struct Constants : Elasticity {
   double eps_J2 = 0, eps_J4 = 0;               // the same of the volume ratio
   double adjoint = 0;                          // 1: biharmonic term by the adjoint, 0: as printed
   double projection = 0;                       // 1: on what conserves momenta
+  double boundary_projection = 0;              // 1: prescribed where the kernel looks, too
   double cfl = 0, cfl_advection = 0;
   double step = 0;  // s, of every step; 0: by cfl
 };

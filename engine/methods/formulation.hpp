@@ -61,7 +61,6 @@ enum class Law : std::uint8_t {
   st_venant_kirchhoff,
   linear_elastic,
   rotated_piola,
-  any,  // one that is known at run time only; no method's own
 };
 
 /// Volume ratio and cofactor of F may be unknowns of their own; the other laws take them from F.
@@ -136,14 +135,6 @@ constexpr bool keeps_neighbors(const Formulation& m) {
 
 /// Of the scenes that it can run.
 constexpr int greatest_dim(const Formulation& m) { return m.family == Family::ul_cauchy ? 2 : 3; }
-
-/// The method M with a law that is known at run time only. Not one of the named methods, but a setting of theirs.
-template <const Formulation& M>
-inline constexpr Formulation with_any_law = [] {
-  Formulation changed = M;
-  changed.law = Law::any;
-  return changed;
-}();
 
 /// What only the methods of one family have belongs to it.
 constexpr bool of_its_family(const Formulation& m) {

@@ -115,12 +115,12 @@ Body before_reflection(Body body, int dim);
 /// A quantity followed at every step.
 struct Probe {
   enum class Kind {
-    displacement,   // of material point `at` of `bodies[0]`, component `axis`, m
-    position,       // of material point `at`, component `axis`, m
-    velocity,       // of material point `at`, component `axis`, m/s
-    distance,       // between material points `at` and `to` of `bodies[0]`, m
-    mean_velocity,  // mass-weighted, of `bodies[0]`, component `axis`, m/s
-    mean_position,  // the same of the position, m
+    displacement,       // of material point `at` of `bodies[0]`, component `axis`, m
+    position,           // of material point `at`, component `axis`, m
+    velocity,           // of material point `at`, component `axis`, m/s
+    distance,           // between material points `at` and `to` of `bodies[0]`, m
+    mean_velocity,      // mass-weighted, of `bodies[0]`, component `axis`, m/s
+    mean_position,      // the same of the position, m
     greatest_position,  // of any particle of `bodies[0]`, component `axis`, m
     gap,  // least distance of two particles of `bodies[0]` and `bodies[1]` less their mean diameter, m
     mirror_asymmetry,  // greatest |x_a − mirror(x_b)| over particles of two bodies of equal layout, or of one

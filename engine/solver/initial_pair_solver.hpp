@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "engine/materials/any_law.hpp"
+#include "engine/materials/chosen_laws.hpp"
 #include "engine/solver/initial_pairs.hpp"
 #include "engine/solver/particle_solver.hpp"
 
@@ -33,7 +33,12 @@ class InitialPairSolver : public ParticleSolver<Solver, Dim> {
   double step_size() const { return this->fixed_or(c_.cfl * c_.h / (c_p_ + vmax_)); }
   double wave_speed() const { return c_p_; }  // c_p, the greatest of all materials, m/s
 
-  const LawOf<M.law>& law(int i) const { return laws_[material_[i]]; }
+  /// `pass`(law) with the law of each particle, law(i): the pass is compiled for each law that there may be.
+  template <class Pass>
+  auto with_laws(const Pass& pass) const {
+    return laws_.visit(
+        [&](const auto& laws) { return pass([&](int i) -> const auto& { return laws[material_[i]]; }); });
+  }
 
   void begin_snapshot() {
     Base::begin_snapshot();
@@ -51,13 +56,13 @@ class InitialPairSolver : public ParticleSolver<Solver, Dim> {
   std::vector<Point> surface() const;
 
   std::vector<int> material_;
-  std::vector<LawOf<M.law>> laws_;  // by material
-  double c_p_ = 0;                  // m/s
+  ChosenLaws<M> laws_;
+  double c_p_ = 0;  // m/s
 };
 
 template <class Solver, const Formulation& M, int Dim>
 InitialPairSolver<Solver, M, Dim>::InitialPairSolver(const SolverInput& input)
-    : Base(input, Kernel<M.kernel>::support * input.constants.h) {
+    : Base(input, Kernel<M.kernel>::support * input.constants.h), laws_(input.law, input.materials) {
   s_.reorder(order_in_space(s_.x, initial_.first, this->support_), threads_now());
   X_ = s_.x;
   std::vector<double> cells;  // m^Dim
@@ -73,10 +78,7 @@ InitialPairSolver<Solver, M, Dim>::InitialPairSolver(const SolverInput& input)
   if constexpr (M.gradient == GradientCorrection::corrected)
     loads_.act_on_faces(input.scene, initial_, FaceRule::uniform, surface(), this->support_);
   this->pairs_ = static_cast<long>(initial_pairs_.j.size());
-  for (const Elasticity& e : input.materials) {
-    laws_.push_back(law_of<M.law>(input.law, e));
-    c_p_ = std::max(c_p_, compression_wave_speed(e));
-  }
+  for (const Elasticity& e : input.materials) c_p_ = std::max(c_p_, compression_wave_speed(e));
   this->go_to_start();
   contact_.search(s_);
   this->show_contacts_to_probes();
@@ -112,21 +114,13 @@ std::vector<Point> InitialPairSolver<Solver, M, Dim>::surface() const {
 
 template <class Solver, const Formulation& M, int Dim>
 void InitialPairSolver<Solver, M, Dim>::store(int i, const Mat& F, double J) {
-  const auto [sigma, zz] = law(i).cauchy(F, J);
+  const auto [sigma, zz] = with_laws([&](const auto& law) { return law(i).cauchy(F, J); });
   const double p = -(trace(sigma) + zz) / 3;
   Sym<double, Dim> s = sigma;
   for (int k = 0; k < Dim; ++k) s(k, k) += p;
   Base::store(i, s_.m[i] / (V0_[i] * J), p, s, zz + p);
-  this->snapshot_.strain_energy[s_.id[i]] = V0_[i] * law(i).energy(F, J);
-}
-
-/// The solver of a method, with its own law or, where it leaves that free, one that is known at run time only. It
-/// is not made for each law: that would cost as much to build again for every one of them.
-template <template <const Formulation&, int> class Solver, const Formulation& M, int Dim>
-std::unique_ptr<Simulation> make_with_law(const SolverInput& input) {
-  if constexpr (M.free_law)
-    if (input.law != M.law) return std::make_unique<Solver<with_any_law<M>, Dim>>(input);
-  return std::make_unique<Solver<M, Dim>>(input);
+  this->snapshot_.strain_energy[s_.id[i]] =
+      V0_[i] * with_laws([&](const auto& law) { return law(i).energy(F, J); });
 }
 
 /// The constant h of these methods.

@@ -45,9 +45,10 @@ run() {
   runs="$runs $folder/$name"
 }
 
+# panel TIMES [WIDTHxHEIGHT]
 panel() {
   # shellcheck disable=SC2086  # a list of folders without blanks of their own
-  "$taut" compare $runs --times "$1" --color $field --out "$folder/$figure.png"
+  "$taut" compare $runs --times "$1" --color $field ${2:+--size "$2"} --out "$folder/$figure.png"
 }
 
 field=von_mises
@@ -102,15 +103,15 @@ case $figure in
     field=pressure every=0.001 until=0.0061
     run pf cable-3d pf
     for eps in 0 0.03125 0.125; do run eps-$eps cable-3d pf-jst --set method.eps_v2=$eps; done
-    panel 0.006 ;;
+    panel 0.006 1300x180 ;;
   lee-11)
     field=pressure every=1e-5 until=0.00212
     for method in tl pf pf-jst pfj-jst pfhj-jst; do run $method tensile-cube $method; done
-    panel 0.00058,0.0017,0.0021 ;;
+    panel 0.00058,0.0017,0.0021 900x560 ;;
   lee-13)
     field=pressure every=1e-5 until=5.4e-4
     for method in pf pf-jst pfj-jst pfhj-jst; do run $method coining $method; done
-    panel 0.00022,0.00054 ;;
+    panel 0.00022,0.00054 1300x400 ;;
   lee-16)
     field=pressure every=3e-4 until=0.0135
     run tl punch tl

@@ -99,12 +99,12 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("constants: what is set is used") {
-    Scene scene = small_collision();
     for (const MethodInfo& method : methods()) {
       const Settings plain = with_method(std::string(method.name));
       for (const MethodConstant& constant : method.constants) {
         CAPTURE(std::string(method.name));
         CAPTURE(std::string(constant.name));
+        Scene scene = constant.name == "boundary_projection" ? small_clamped_plate() : small_collision();
         scene.contact = constant.name == "contact_stiffness" ? ContactLaw::penalty : ContactLaw::published;
         const int steps = constant.name == "contact_stiffness" ? 40 : 20;  // until the bodies touch
         const Snapshot usual = state_after(steps, scene, plain);

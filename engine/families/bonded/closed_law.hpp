@@ -1,7 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include "engine/core/tensor.hpp"
-#include "engine/materials/any_law.hpp"
+#include "engine/materials/chosen_laws.hpp"
 #include "engine/terms/bond.hpp"
 
 namespace taut::inline TAUT_ISA {
@@ -44,43 +46,31 @@ Mat<double, Dim> closed_piola(const L& law, const Mat<double, Dim>& F) {
   }
 }
 
-/// The laws of four particles, asked one after the other.
-class ClosedLaws {
- public:
-  AnyLaw& operator[](int lane) { return laws_[lane]; }
-  const AnyLaw& operator[](int lane) const { return laws_[lane]; }
+template <int Dim>
+Mat<double, Dim> lane_of(const Mat<Pack, Dim>& F, int lane) {
+  Mat<double, Dim> one;
+  for (int a = 0; a < Dim; ++a)
+    for (int k = 0; k < Dim; ++k) one(a, k) = F(a, k)[lane];
+  return one;
+}
 
-  template <int Dim>
-  Pack energy(const Mat<Pack, Dim>& F) const {  // Pa
-    Pack energy;
-    for (int lane = 0; lane < lanes; ++lane) {
-      const Mat<double, Dim> one = lane_of(F, lane);
-      energy[lane] = laws_[lane].visit([&](const auto& law) { return closed_energy(law, one); });
-    }
-    return energy;
-  }
-  template <int Dim>
-  Mat<Pack, Dim> piola(const Mat<Pack, Dim>& F) const {  // Pa
-    Mat<Pack, Dim> P;
-    for (int lane = 0; lane < lanes; ++lane) {
-      const Mat<double, Dim> one = lane_of(F, lane);
-      const Mat<double, Dim> own = laws_[lane].visit([&](const auto& law) { return closed_piola(law, one); });
-      for (int a = 0; a < Dim; ++a)
-        for (int k = 0; k < Dim; ++k) P(a, k)[lane] = own(a, k);
-    }
-    return P;
-  }
-
-  template <int Dim>
-  static Mat<double, Dim> lane_of(const Mat<Pack, Dim>& F, int lane) {
-    Mat<double, Dim> one;
+/// Of four particles, with their materials, one after the other.
+template <class L, int Dim>
+Pack closed_energy(const std::vector<L>& laws, const int* material, const Mat<Pack, Dim>& F) {
+  Pack energy;
+  for (int lane = 0; lane < lanes; ++lane)
+    energy[lane] = closed_energy(laws[material[lane]], lane_of(F, lane));
+  return energy;
+}
+template <class L, int Dim>
+Mat<Pack, Dim> closed_piola(const std::vector<L>& laws, const int* material, const Mat<Pack, Dim>& F) {
+  Mat<Pack, Dim> P;
+  for (int lane = 0; lane < lanes; ++lane) {
+    const Mat<double, Dim> own = closed_piola(laws[material[lane]], lane_of(F, lane));
     for (int a = 0; a < Dim; ++a)
-      for (int k = 0; k < Dim; ++k) one(a, k) = F(a, k)[lane];
-    return one;
+      for (int k = 0; k < Dim; ++k) P(a, k)[lane] = own(a, k);
   }
-
- private:
-  AnyLaw laws_[lanes];
-};
+  return P;
+}
 
 }  // namespace taut::inline TAUT_ISA

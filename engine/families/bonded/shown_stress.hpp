@@ -2,7 +2,7 @@
 
 #include "engine/core/cube_root.hpp"
 #include "engine/core/tensor.hpp"
-#include "engine/materials/any_law.hpp"
+#include "engine/materials/law.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -28,10 +28,10 @@ ShownStress<Pack, Dim> shown_neo_hookean(const Pack& K, const Pack& G, const Mat
 }
 
 /// Of another law; a pressure −K (J − 1) alone where J is below 0.05.
-template <int Dim>
-ShownStress<double, Dim> shown_stress(const AnyLaw& law, double K, const Mat<double, Dim>& F) {
+template <class L, int Dim>
+ShownStress<double, Dim> shown_stress(const L& law, const Mat<double, Dim>& F) {
   const double J = determinant(F);
-  if (!(J >= 0.05)) return {J, -K * (J - 1), {}, 0};
+  if (!(J >= 0.05)) return {J, -law.K * (J - 1), {}, 0};
   auto [sigma, zz] = law.cauchy(F, J);
   const double p = -(trace(sigma) + zz) / 3;
   for (int k = 0; k < Dim; ++k) sigma(k, k) += p;

@@ -32,6 +32,8 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   explicit Bonded(const SolverInput& input)
       : Base(input, greatest_bond_reach * input.constants.h),
         materials_(input.materials),
+        own_law_(input.law == M.law),
+        laws_(input.law, input.materials),
         least_r2_(filled<Pack>(1e-4 * c_.dp * c_.dp)) {
     double shear_speed = 0;
     for (const int used : this->initial_.material) {
@@ -43,9 +45,10 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     s_.reorder(grid.sort(s_.x, this->support_), threads_now());
     const Bonds bonds = make_bonds(input.scene, this->initial_, c_.h);
     take_masses(bonds);
-    if (input.law != M.law) take_law(input.law);
     Base::go_to_start();
     pack_bonds(bonds, input.scene);
+    for (const int id : s_.id) material_.push_back(this->initial_.material[id]);
+    material_.resize(lanes * groups());
     // not what a corner takes from a uniform stress, since there the bonds have no choice that is right
     this->loads_.act_on_faces(input.scene, this->initial_, FaceRule::by_column, surface(bonds),
                               this->support_);
@@ -94,7 +97,6 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   CancelledBonds<Dim> cancelled(const Bonds& bonds) const;
   void add_site(const Bonds& bonds, int i);
   void take_masses(const Bonds& bonds);
-  void take_law(Law law);
   double shear_modulus(const Bonds& bonds, int id, int b) const;
   double step_size() const;
   void strain_pass();
@@ -123,12 +125,14 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   int groups() const { return (s_.size() + lanes - 1) / lanes; }
 
   std::vector<Elasticity> materials_;
+  bool own_law_;  // that of Sites
+  ChosenLaws<M> laws_;
+  std::vector<int> material_;  // with the filling of the last group
   Pack least_r2_;          // m²: bonds shorter than a hundredth of a spacing are taken for that long
   double wave_speed_ = 0;  // m/s, of compression in the stiffest material
   double relaxation_ = 0;  // s, of the bonds
   double stiffest_ = 1;    // greatest of all bonds and particles in the last step, over that at rest
   std::vector<Sites> sites_;
-  std::vector<ClosedLaws> other_laws_;  // of each group, where they are not the neo-Hookean one
   std::vector<BondsOf> bonds_;
   std::vector<int> j_;               // from size() on places at a clamp
   SharedRows<Vec<Pack, Dim>> a_ij_;  // times a constant that B takes out again
@@ -149,14 +153,6 @@ void Bonded<M, Dim>::take_masses(const Bonds& bonds) {
   if (Dim == 2) return;
   for (int i = 0; i < s_.size(); ++i)
     if (const int id = s_.id[i]; !this->initial_.held[id]) s_.m[i] *= bonds.mass[id] / this->initial_.V0[id];
-}
-
-/// In the place of the law that is inlined.
-template <const Formulation& M, int Dim>
-void Bonded<M, Dim>::take_law(Law law) {
-  other_laws_.resize(groups());
-  for (int i = 0; i < s_.size(); ++i)
-    other_laws_[i / lanes][i % lanes] = AnyLaw(law, materials_[this->initial_.material[s_.id[i]]]);
 }
 
 /// G of a bond, Pa. Halves of two materials stand one behind the other in it, as two springs do: the harmonic
@@ -338,7 +334,9 @@ Pack Bonded<M, Dim>::energy_of_four(int group) const {
   const Sites& sites = sites_[group];
   Sym<Pack, Dim> C = right_cauchy_green(F_[group]);
   for (int k = 0; k < Dim; ++k) C(k, k) = sites.V > 0 ? C(k, k) : filled<Pack>(1);
-  const Pack W = other_laws_.empty() ? sites.law.energy(F_[group]) : other_laws_[group].energy(F_[group]);
+  const Pack W = own_law_ ? sites.law.energy(F_[group]) : laws_.visit([&](const auto& laws) {
+    return closed_energy(laws, &material_[lanes * group], F_[group]);
+  });
   return sites.V * W - cancelled_.energy(group, C);
 }
 
@@ -382,10 +380,10 @@ void Bonded<M, Dim>::strain_pass() {
 
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::stress_pass() {
-  if (other_laws_.empty())
-    stress_pass_with([&](int group) { return sites_[group].law.piola(F_[group]); });
-  else
-    stress_pass_with([&](int group) { return other_laws_[group].piola(F_[group]); });
+  if (own_law_) return stress_pass_with([&](int group) { return sites_[group].law.piola(F_[group]); });
+  laws_.visit([&](const auto& laws) {
+    stress_pass_with([&](int group) { return closed_piola(laws, &material_[lanes * group], F_[group]); });
+  });
 }
 
 /// `piola`(group): P of four particles.
@@ -462,12 +460,13 @@ void Bonded<M, Dim>::show(int group, const Mat<Pack, Dim>& F) {
   const int first = group * lanes, count = std::min(lanes, s_.size() - first);
   const auto four = shown_neo_hookean(sites_[group].law.K, sites_[group].law.G, F);
   for (int lane = 0; lane < count; ++lane) {
-    const Elasticity& material = materials_[this->initial_.material[s_.id[first + lane]]];
+    const double rho0 = materials_[material_[first + lane]].rho0;
     ShownStress<double, Dim> one{four.J[lane], four.p[lane], {}, four.s_zz[lane]};
     for (int k = 0; k < Sym<double, Dim>::size; ++k) one.s.c[k] = four.s.c[k][lane];
-    if (!other_laws_.empty())
-      one = shown_stress(other_laws_[group][lane], material.K, ClosedLaws::lane_of(F, lane));
-    Base::store(first + lane, material.rho0 / one.J, one.p, one.s, one.s_zz);
+    if (!own_law_)
+      one = laws_.visit(
+          [&](const auto& laws) { return shown_stress(laws[material_[first + lane]], lane_of(F, lane)); });
+    Base::store(first + lane, rho0 / one.J, one.p, one.s, one.s_zz);
   }
 }
 

@@ -9,7 +9,7 @@ template <>
 struct SolverOf<Family::tl_displacement> {
   template <const Formulation& M, int Dim>
   static std::unique_ptr<Simulation> make(const SolverInput& input) {
-    return make_with_law<TlDisplacement, M, Dim>(input);
+    return std::make_unique<TlDisplacement<M, Dim>>(input);
   }
 };
 template std::unique_ptr<Simulation> make_solver_of<Family::tl_displacement>(const SolverInput&);

@@ -57,11 +57,13 @@ inline constexpr TermInfo tl_displacement_time_info{
 /// F = I + ∇u and P(F) of every particle.
 template <const Formulation& M, int Dim>
 void TlDisplacement<M, Dim>::deformation_pass() {
-  parallel_for(s_.size(), threads_now(), [&](int i) {
-    Mat F = product(matrix(initial_pairs_.difference_sum(displacement_, i)), initial_pairs_.B[i]);
-    for (int k = 0; k < Dim; ++k) F(k, k) += 1;
-    F_[i] = F;
-    stress_[i] = tile(product(this->law(i).piola(F, determinant(F)), V0_[i] * initial_pairs_.B[i]));
+  this->with_laws([&](const auto& law) {
+    parallel_for(s_.size(), threads_now(), [&](int i) {
+      Mat F = product(matrix(initial_pairs_.difference_sum(displacement_, i)), initial_pairs_.B[i]);
+      for (int k = 0; k < Dim; ++k) F(k, k) += 1;
+      F_[i] = F;
+      stress_[i] = tile(product(law(i).piola(F, determinant(F)), V0_[i] * initial_pairs_.B[i]));
+    });
   });
 }
 

@@ -11,7 +11,7 @@ std::vector<TermInfo> terms(const Formulation& m) {
   if (m.unknowns == Unknowns::v_F_H_J) t.push_back(cofactor_info);
   t.insert(t.end(), {law_row(m.law).term, internal_force_info});
   if (m.jst) t.push_back(corrected_laplacian_info);
-  t.insert(t.end(), {projection_info, contact_info(m.contact), tl_mixed_time_info});
+  t.insert(t.end(), {projection_info, boundary_projection_info, contact_info(m.contact), tl_mixed_time_info});
   return t;
 }
 
@@ -33,6 +33,9 @@ std::vector<MethodConstant> constants(const Formulation& m, int dim) {
   }
   c.push_back({"projection", &C::projection, 1.0, 0.0, 1.0,
                "1: forces projected on what keeps both momenta, 0: not"});
+  c.push_back(
+      {"boundary_projection", &C::boundary_projection, 0.0, 0.0, 1.0,
+       "1: velocities around held, guided and driven particles are made to fit where the kernel looks"});
   return c;
 }
 

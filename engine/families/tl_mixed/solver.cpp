@@ -9,7 +9,7 @@ template <>
 struct SolverOf<Family::tl_mixed> {
   template <const Formulation& M, int Dim>
   static std::unique_ptr<Simulation> make(const SolverInput& input) {
-    return make_with_law<TlMixed, M, Dim>(input);
+    return std::make_unique<TlMixed<M, Dim>>(input);
   }
 };
 template std::unique_ptr<Simulation> make_solver_of<Family::tl_mixed>(const SolverInput&);

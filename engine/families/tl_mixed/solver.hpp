@@ -8,6 +8,7 @@
 
 #include "engine/families/tl_mixed/corrected_laplacian.hpp"
 #include "engine/families/tl_mixed/momentum_projection.hpp"
+#include "engine/families/tl_mixed/prescribed_boundary.hpp"
 #include "engine/solver/initial_pair_solver.hpp"
 
 namespace taut::inline TAUT_ISA {
@@ -24,10 +25,10 @@ inline constexpr double greatest_wave_ratio = 100;
 /// 37b). L is not symmetric at a surface, where its square may feed what it is to damp: with it `pfj-jst`
 /// loses the bending column at Poisson's ratio 0.499 for ε of J from 1/32 on, at any time step. The adjoint
 /// takes from every field (−Σ V |L[U]|²) and is the same inside. The constant `adjoint` = 0 gives the printed
-/// form. Boundary conditions are set on the held particles only (its step 8; step 9 "is usually
-/// disregarded"). Forces of contact, which it has not, act outside the projection and are taken at its Z,
-/// about which central forces have no moment; so do loads. Of the dissipation and the internal force the sum
-/// is projected, which is the same as each of them (Eq. 49).
+/// form. Boundary conditions are set on the particles themselves (its step 8), and where the kernel looks (step
+/// 9, "usually disregarded") with `boundary_projection` = 1. Forces of contact, which it has not, act outside
+/// the projection and are taken at its Z, about which central forces have no moment; so do loads. Of the
+/// dissipation and the internal force the sum is projected, which is the same as each of them (Eq. 49).
 template <const Formulation& M, int Dim>
 class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
  public:
@@ -67,11 +68,12 @@ class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
     else
       return cofactor(u.F);
   }
-  Mat piola(int i, const Unknown& u) const {
+  template <class L>
+  static Mat piola(const L& law, const Unknown& u) {
     if constexpr (has_H)
-      return this->law(i).piola(u.F, u.H, u.J);
+      return law.piola(u.F, u.H, u.J);
     else
-      return this->law(i).piola(u.F, volume_ratio(u));
+      return law.piola(u.F, volume_ratio(u));
   }
   /// `u` + Δt `rate`
   static void add(Unknown& u, double dt, const Unknown& rate);
@@ -84,6 +86,7 @@ class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
   void gather_pass();
   void dissipation_pass();
   void project(const std::vector<V>& Z);
+  void project_on_boundary();
   void predict(double dt);
   double correct(double dt);
   void take_snapshot() override;
@@ -94,9 +97,10 @@ class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
   std::vector<V> Z_;                   // x at the end of the step, m
   std::vector<double> dissipation_J_;  // 1/s
 
-  std::vector<Tile<Dim>> velocity_;          // in rows
-  std::vector<Tile<Dim>> stress_;            // V P B
-  std::vector<double> laplacian_, outer_;    // w_ij dp²; what L[U] of a neighbour counts in the second
+  std::vector<Tile<Dim>> velocity_;        // in rows
+  std::vector<Tile<Dim>> stress_;          // V P B
+  std::vector<double> laplacian_, outer_;  // w_ij dp²; what L[U] of a neighbour counts in the second
+  PrescribedBoundary<Kernel<M.kernel>, Dim> boundary_;
   std::vector<StoredPack> smoothed_, once_;  // (v, J) and dp² L of it
 };
 
@@ -153,8 +157,9 @@ double TlMixed<M, Dim>::step_size() const {
   if constexpr (Dim == 2) {
     return Base::step_size();
   } else {
-    const double stiffest = parallel_max(s_.size(), threads_now(), [&](int i) {
-      return this->law(i).stiffness_bound(now_[i].F, volume_ratio(now_[i]));
+    const double stiffest = this->with_laws([&](const auto& law) {
+      return parallel_max(s_.size(), threads_now(),
+                          [&](int i) { return law(i).stiffness_bound(now_[i].F, volume_ratio(now_[i])); });
     });
     const double fastest = std::sqrt(stiffest / c_.rho0);
     if (!(fastest <= greatest_wave_ratio * Base::wave_speed())) crushed();
@@ -167,9 +172,11 @@ template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::crushed() const {
   const double limit = greatest_wave_ratio * Base::wave_speed();
   int culprit = s_.size();  // id
-  for (int i = 0; i < s_.size(); ++i)
-    if (!(this->law(i).stiffness_bound(now_[i].F, volume_ratio(now_[i])) <= c_.rho0 * limit * limit))
-      culprit = std::min(culprit, s_.id[i]);
+  this->with_laws([&](const auto& law) {
+    for (int i = 0; i < s_.size(); ++i)
+      if (!(law(i).stiffness_bound(now_[i].F, volume_ratio(now_[i])) <= c_.rho0 * limit * limit))
+        culprit = std::min(culprit, s_.id[i]);
+  });
   throw NumericalError(
       this->step_, this->time_, culprit, "deformation",
       fmt::format("particle {} is crushed or turned inside out: waves in it are more than {:g} "
@@ -188,10 +195,12 @@ void TlMixed<M, Dim>::step() {
   find_rates(Z_, dt);
   rate_of_start_ = rate_;
   predict(dt);
+  project_on_boundary();
   // both momenta are kept by stages that sum to zero about x at the start and at the end of the step
   for (int i = 0; i < s_.size(); ++i) Z_[i] = start_[i].x + (0.5 * dt) * (start_[i].v + now_[i].v);
   find_rates(Z_, dt);
   Base::set_greatest_speed(correct(dt));
+  project_on_boundary();
   Base::stop_approach(0.5 * dt, [&](int i, const V& change) {
     now_[i].v = s_.v[i];
     now_[i].x += (0.5 * dt) * change;
@@ -224,16 +233,18 @@ void TlMixed<M, Dim>::find_rates(const std::vector<V>& Z, double dt) {
 
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::set_rows(const std::vector<V>& Z) {
-  parallel_for(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
-    const Unknown& u = now_[i];
-    s_.x[i] = Z[i];
-    s_.v[i] = u.v;
-    velocity_[i] = in_rows(u.v);
-    stress_[i] = tile(product(piola(i, u), V0_[i] * initial_pairs_.B[i]));
-    if constexpr (M.jst) {
-      for (int k = 0; k < Dim; ++k) smoothed_[i].value[k] = u.v[k];
-      smoothed_[i].value[Dim] = u.J;
-    }
+  this->with_laws([&](const auto& law) {
+    parallel_for(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
+      const Unknown& u = now_[i];
+      s_.x[i] = Z[i];
+      s_.v[i] = u.v;
+      velocity_[i] = in_rows(u.v);
+      stress_[i] = tile(product(piola(law(i), u), V0_[i] * initial_pairs_.B[i]));
+      if constexpr (M.jst) {
+        for (int k = 0; k < Dim; ++k) smoothed_[i].value[k] = u.v[k];
+        smoothed_[i].value[Dim] = u.J;
+      }
+    });
   });
 }
 
@@ -304,6 +315,25 @@ void TlMixed<M, Dim>::predict(double dt) {
     else
       guides_.hold(s_.id[i], u.v);
   });
+}
+
+/// Of each body that is held, guided or driven somewhere. What it adds to the energy is not counted as work.
+///                                                                               [Lee2016] Algorithm 1, step 9
+template <const Formulation& M, int Dim>
+void TlMixed<M, Dim>::project_on_boundary() {
+  if (c_.boundary_projection == 0) return;
+  std::vector<unsigned char> axes(s_.size());
+  for (int i = 0; i < s_.size(); ++i) {
+    const int id = s_.id[i];
+    if (initial_.held[id] || drives_.moves(id))
+      axes[i] = (1 << Dim) - 1;
+    else if (guides_.active())
+      axes[i] = initial_.guided[id];
+  }
+  boundary_.prescribe(std::move(axes), initial_pairs_, X_, V0_, s_.m, initial_.first, c_.h);
+  const auto given = [&](int i) { return drives_.moves(s_.id[i]) ? drives_.velocity(s_.id[i]) : V{}; };
+  boundary_.project([&](int i) -> V& { return now_[i].v; }, given, [&](int i) -> V& { return now_[i].x; });
+  for (int i = 0; i < s_.size(); ++i) s_.v[i] = now_[i].v;
 }
 
 /// The mean of start and second stage, U + Δt/2 (U̇ + U̇*). The greatest v², m²/s².

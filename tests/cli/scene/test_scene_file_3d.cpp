@@ -212,6 +212,12 @@ TEST_SUITE("cli") {
     CHECK(constant(solid, "oenog", "h") == 0.9);
     CHECK(constant(solid, "enog", "zeta") == relative(0.7 * 3 + 2.1));
     CHECK(constant(small_scene, "oenog", "h") == 0.8);
+    const std::string oenog = "method = \"oenog\"\nmethod_constants = { h = ";
+    std::string inside = solid_scene(brick), outside = inside;
+    inside.insert(0, oenog + "0.95 }\n");
+    outside.insert(0, oenog + "@0.8 }\n");
+    CHECK(constant(inside, "oenog", "h") == 0.95);
+    check_solid_error(outside, {"h = 0.8 is out of bounds", "0.87 to 0.99"});
     CHECK(constant(small_scene, "enog", "zeta") == relative(0.7 * 2 + 2.1));
   }
 

@@ -19,7 +19,7 @@ const std::map<std::string_view, std::string> values = {
     {"fields", "[\"speed\"]"}, {"rigid_motion", "\"counts\""},
     {"threshold", "3"},        {"scale", "4"},
     {"band", "[5, 6]"},        {"from", "7"},
-    {"free", "\"tip\""},      {"time", "0.5"},
+    {"free", "\"tip\""},       {"time", "0.5"},
 };
 
 /// The small scene with one more measure of a kind that says all it can say.

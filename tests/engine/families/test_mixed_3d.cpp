@@ -59,12 +59,13 @@ struct Cube {
       sum += laplacian[p] * (std::cos(dot(k, X[pairs.j[p]] - X[i])) - 1);
     return sum;
   }
-  /// The same of ∂/∂x and sin: dp ∂̂(k).
+  /// The same of the gradient and sin: dp |∇̂(k)|.
   double gradient_symbol(int i, const V3& k) const {
     V3 sum{};
     for (int p = pairs.begin[i]; p < pairs.begin[i + 1]; ++p)
       sum += std::sin(dot(k, X[pairs.j[p]] - X[i])) * pairs.k[p];
-    return (pairs.B[i] * sum)[0];
+    const V3 gradient = pairs.B[i] * sum;
+    return std::sqrt(dot(gradient, gradient));
   }
 };
 
@@ -138,7 +139,7 @@ TEST_SUITE("analytic") {
           const double decay = L * L / 8;  // ε₄ = 1/8, c/dp
           steepest = std::max(steepest, along);
           if (a == n) slowest = std::min(slowest, decay);
-          shortest = std::min(shortest, greatest_step(decay, std::abs(along)));
+          shortest = std::min(shortest, greatest_step(decay, along));
         }
       }
     }
@@ -234,8 +235,7 @@ TEST_SUITE("stability") {
     const double along = (energy(lambda + d) - 2 * energy(lambda) + energy(lambda - d)) / (d * d);
     const double expected = step_of(1) * std::sqrt(stiffness / along);
     CHECK(expected < 0.75 * step_of(1));
-    CHECK(step_of(lambda) <= expected);
-    CHECK(step_of(lambda) > 0.8 * expected);
+    CHECK(step_of(lambda) == relative(expected, 1e-5));  // none is faster than those along x
   }
 }
 

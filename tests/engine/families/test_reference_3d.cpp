@@ -166,8 +166,9 @@ void check_mixed(const Scene& scene, const std::string& name, double projection)
                         .eps_J2 = 0.02,
                         .eps_J4 = 0.01,
                         .projection = projection != 0,
-                        .adjoint = true};
-  run.dt = 0.15 * scene.spacing / run.wave_speed();
+                        .adjoint = true,
+                        .particles = {}};
+  run.dt = 0.2 * scene.spacing / run.wave_speed();
   const InitialParticles initial = make_initial_particles(scene);
   for (int i = 0; i < initial.size(); ++i) {
     naive_lee::Particle<3> a;
@@ -198,7 +199,9 @@ void check_mixed(const Scene& scene, const std::string& name, double projection)
     drift_H = std::max(drift_H, (a.H - j * a.F.inverse().transpose()).norm());
     rho.push_back(run.rho0 / (with_J ? a.J : j));
   }
-  CHECK((drift_J > 1e-5 && drift_H > 1e-6));  // so that they are no other names of those of F
+  // so that they are no other names of those of F
+  CHECK((!with_J || drift_J > 1e-4));
+  CHECK(drift_H > 1e-6);
   check_field("x", now.x, x);
   check_field("v", now.v, v);
   check_field("rho", now.rho, rho);

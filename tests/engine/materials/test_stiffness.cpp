@@ -181,5 +181,7 @@ TEST_SUITE("term") {
       CHECK(now_all > 2 * before_all);
       before = now, before_all = now_all;
     }
+    CHECK_FALSE(neo.stiffness_bound(diagonal(std::nan(""), 1, 1), 1) < 1e300);
+    CHECK_FALSE(neo.stiffness_bound(diagonal(0, 1, 1), 0) < 1e300);
   }
 }
