@@ -10,13 +10,13 @@ namespace {
 
 /// The extremum of the parabola through samples k − 1, k and k + 1, which are unequally spaced; k's value if
 /// they lie on a line.
-double vertex(const Curve& c, std::size_t k) {
+std::pair<double, double> vertex(const Curve& c, std::size_t k) {
   const double before = (c.y[k] - c.y[k - 1]) / (c.t[k] - c.t[k - 1]);
   const double after = (c.y[k + 1] - c.y[k]) / (c.t[k + 1] - c.t[k]);
   const double curvature = (after - before) / (c.t[k + 1] - c.t[k - 1]);  // half the second derivative
-  if (curvature == 0) return c.y[k];
+  if (curvature == 0) return {c.t[k], c.y[k]};
   const double slope = before + curvature * (c.t[k] - c.t[k - 1]);
-  return c.y[k] - slope * slope / (4 * curvature);
+  return {c.t[k] - slope / (2 * curvature), c.y[k] - slope * slope / (4 * curvature)};
 }
 
 }  // namespace
@@ -52,7 +52,8 @@ std::vector<HalfCycle> half_cycles(const Curve& curve) {
     if (top == 0) {
       top = k;
     } else if (std::signbit(y) != std::signbit(curve.y[top])) {
-      found.push_back({crossing_time(curve, k, 0), vertex(curve, top)});
+      const auto [time, peak] = vertex(curve, top);
+      found.push_back({.end = crossing_time(curve, k, 0), .peak = peak, .peak_at = time});
       top = k;
     } else if (std::abs(y) > std::abs(curve.y[top])) {
       top = k;

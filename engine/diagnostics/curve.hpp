@@ -24,8 +24,9 @@ double crossing_time(const Curve& curve, std::size_t k, double level);
 
 /// What lies between two crossings of zero.
 struct HalfCycle {
-  double end;   // time of the second
-  double peak;  // value farthest from zero, at the vertex of a parabola through three samples
+  double end;      // time of the second
+  double peak;     // value farthest from zero, at the vertex of a parabola through three samples
+  double peak_at;  // its time
 };
 
 /// Every half cycle that has ended, of a curve that starts at 0; the first one begins at the start.

@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include "engine/diagnostics/field_error.hpp"
+#include "engine/diagnostics/lattice_volume.hpp"
 #include "engine/diagnostics/spectrum.hpp"
 
 namespace taut {
@@ -34,6 +35,11 @@ Value period(const Source& source) {
 Value first_peak(const Source& source) {
   const std::vector<HalfCycle> cycles = half_cycles(source.curve.front());
   return cycles.empty() ? std::nullopt : Value(cycles.front().peak);
+}
+
+Value peak_time(const Source& source) {
+  const std::vector<HalfCycle> cycles = half_cycles(source.curve.front());
+  return cycles.empty() ? std::nullopt : Value(cycles.front().peak_at);
 }
 
 Value decay(const Source& source) {
@@ -239,6 +245,13 @@ Value greatest_field_error(const Source& source) {
   return error ? Value(error->greatest) : std::nullopt;
 }
 
+Value volume_change(const Source& source) {
+  if (!source.now || source.now->time < source.until) return std::nullopt;
+  const double before = lattice_volume(*source.now, source.measure->body, source.now->x0);
+  if (!(before > 0)) return std::nullopt;
+  return lattice_volume(*source.now, source.measure->body, source.now->x) / before - 1;
+}
+
 /// Of a measure that is a difference from its reference: it is its own error.
 Value zero(const Source& source) { return source.reference.empty() ? std::nullopt : Value(0); }
 
@@ -259,6 +272,12 @@ const std::vector<MeasureKind> kinds = {
      .keys = {"probe"},
      .number = true,
      .value = first_peak,
+     .reference = as_given},
+    {.name = "peak_time",
+     .help = "time of the first peak",
+     .keys = {"probe"},
+     .number = true,
+     .value = peak_time,
      .reference = as_given},
     {.name = "decay",
      .help =
@@ -368,6 +387,14 @@ const std::vector<MeasureKind> kinds = {
      .solution = true,
      .value = greatest_field_error,
      .reference = zero},
+    {.name = "volume_change",
+     .help =
+         "of the body at the end, over its volume at the start: of the cells between its particles, which "
+         "stand on a lattice along the axes; none of another body",
+     .keys = {"body"},
+     .number = true,
+     .value = volume_change,
+     .reference = as_given},
 };
 
 }  // namespace

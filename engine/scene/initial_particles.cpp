@@ -84,12 +84,17 @@ std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
   return sites;
 }
 
+/// The number of cells of a box along an axis.
+long cells_along(const Box& box, int axis, double dp) {
+  return std::max(1L, std::lround((box.high[axis] - box.low[axis]) / dp));
+}
+
 /// Particles from face to face, each with the part of its cell that is inside.
 std::vector<InitialSite> sites_on_boundary(const Box& box, int dim, double dp) {
   long last[3] = {0, 0, 0};
   double pitch[3] = {1, 1, 1};
   for (int k = 0; k < dim; ++k) {
-    last[k] = std::max(1L, std::lround((box.high[k] - box.low[k]) / dp));
+    last[k] = cells_along(box, k, dp);
     pitch[k] = (box.high[k] - box.low[k]) / static_cast<double>(last[k]);
   }
   std::vector<InitialSite> sites;
@@ -161,12 +166,60 @@ void refuse_empty(const std::vector<Region>& regions, const std::vector<InitialS
   }
 }
 
+/// What the particles along an axis of n cells count, in cells. An end that is not `free` may be a plane of symmetry,
+/// behind which the body goes on.
+std::vector<double> shares_along(long n, const bool (&free)[2]) {
+  std::vector<double> share(static_cast<std::size_t>(n) + 1, 1.0);
+  share.front() = share.back() = 0.5;
+  const double across = static_cast<double>(free[0] && free[1] ? n : 2 * n);
+  const double inwards = across > 1 ? across / (12 * (across - 1)) : 0;
+  if (free[0]) share[0] -= inwards, share[1] += inwards;
+  if (free[1]) share[share.size() - 1] -= inwards, share[share.size() - 2] += inwards;
+  return share;
+}
+
 /// Bit k: a particle of the body that starts at x does not move along axis k.
 unsigned char guide_at(const Body& body, const Point& x) {
   unsigned guide = 0;
   for (unsigned k = 0; k < body.guided.size(); ++k)
     if (value_of(body.guided[k], x) != 0) guide |= 1u << k;
   return static_cast<unsigned char>(guide);
+}
+
+/// Are the particles of the face of a box on which `on_face` is, but for held ones at its rim, guided along its normal
+/// or along all other axes?
+template <class OnFace>
+bool may_mirror(const InitialParticles& layout, int first, int axis, int dim, const OnFace& on_face) {
+  const unsigned normal = 1u << axis, others = ((1u << dim) - 1) & ~normal;
+  bool guided = false;
+  for (int i = first; i < layout.size(); ++i) {
+    if (!on_face(i - first) || layout.held[i]) continue;
+    const unsigned guide = layout.guided[i];
+    if ((guide & normal) == 0 && (guide & others) != others) return false;
+    guided = true;
+  }
+  return guided;
+}
+
+/// Volumes of a box whose particles stand on its faces, in the order of sites_on_boundary; see make_initial_particles.
+void weigh_box(InitialParticles& layout, const Body& body, int first, int dim, double dp) {
+  const Box& box = std::get<Box>(body.shapes.front());
+  long stride = 1;  // from a particle to the next along the axis
+  for (int axis = 0; axis < dim; ++axis) {
+    const long n = cells_along(box, axis, dp);
+    const auto number = [=](long i) { return i / stride % (n + 1); };
+    bool free[2];
+    for (const long end : {0L, 1L})
+      free[end] = body.rotation ||
+                  !may_mirror(layout, first, axis, dim, [&](long i) { return number(i) == end * n; });
+    const std::vector<double> share = shares_along(n, free);
+    for (int i = first; i < layout.size(); ++i) {
+      const long k = number(i - first);
+      const double change = share[static_cast<std::size_t>(k)] / (k == 0 || k == n ? 0.5 : 1);
+      layout.V0[i] *= change, layout.inside[i] *= change;
+    }
+    stride *= n + 1;
+  }
 }
 
 void append(InitialParticles& layout, const Scene& scene, int b) {
@@ -207,6 +260,7 @@ void append(InitialParticles& layout, const Scene& scene, int b) {
     layout.v.push_back(v);
   }
   layout.first.push_back(layout.size());
+  if (body.on_boundary) weigh_box(layout, body, first, scene.dim, scene.spacing);
 }
 
 /// Particles of two bodies closer than half a spacing are an overlap: contact could not part them.

@@ -18,6 +18,12 @@
 #     lee-4       cable in 3D, pf without dissipation, pf-jst with none, 1/32 and 1/8 of the harmonic one; pressure
 #     lee-11      tensile cube, tl, pf without dissipation and the three methods with
 #     lee-13      coining, pf without dissipation and the three methods with
+#     lee-16      punch, ν = 0.499, tl, pf-jst, pfj-jst, pfhj-jst, and oenog
+#     lee-18      punch cube, tl, pf, pf-jst, and oenog
+#     lee-19      punch cube of Mooney–Rivlin rubber, ν = 0.495, pfj-jst, pfhj-jst
+#     lee-23      bending column, ν = 0.499, three particles across, pf-jst, pfj-jst, and oenog
+#     lee-25      twisting column with 4, 5, 6 and 7 particles across, pf-jst
+#     lee-28      twisting column, ν = 0.499, pf-jst, pfj-jst, and oenog
 #
 # FOLDER takes the runs and the panel FIGURE.png (default: out/FIGURE); SPACING is that of the particles in m (default:
 # as published). A run of Zhang's takes seconds, one of Khayyer's finest a minute. taut is found as build/taut, or where
@@ -106,6 +112,42 @@ case $figure in
     field=pressure every=1e-5 until=5.4e-4
     for method in pf pf-jst pfj-jst pfhj-jst; do run $method coining $method; done
     panel 0.00022,0.00054 1300x400 ;;
+  lee-16)
+    field=pressure every=3e-4 until=0.0135
+    run tl punch tl
+    run pf-jst punch pf-jst
+    for method in pfj-jst pfhj-jst; do run $method punch $method --set method.eps_J4=0.125; done
+    run oenog punch oenog
+    panel 0.0051,0.012,0.0132 ;;
+  lee-18)
+    field=pressure every=3e-4 until=0.0363
+    for method in tl pf pf-jst oenog; do run $method punch-cube $method; done
+    panel 0.0081,0.0213,0.036 ;;
+  lee-19)
+    field=pressure every=1e-4 until=0.0314
+    for method in pfj-jst pfhj-jst; do
+      run $method punch-cube $method --set law=mooney-rivlin --set poisson_ratio=0.495 --set method.eps_J4=0.125
+    done
+    panel 0.0083,0.0191,0.0313 ;;
+  lee-23)
+    field=pressure every=0.1 until=1.5 spacing=${spacing:-0.5}
+    run pf-jst bending-column-3d pf-jst --set poisson_ratio=0.499
+    run pfj-jst bending-column-3d pfj-jst --set poisson_ratio=0.499 --set method.eps_J4=0.125
+    run oenog bending-column-3d oenog --set poisson_ratio=0.499
+    panel 0.5,1,1.5 ;;
+  lee-25)
+    field=pressure every=0.1 until=0.1
+    for across in 4 5 6 7; do
+      spacing=$(awk "BEGIN { print 1 / ($across - 1) }")
+      run across-$across twisting-column pf-jst
+    done
+    panel 0.1 ;;
+  lee-28)
+    field=pressure every=0.05 until=0.25 spacing=${spacing:-0.25}
+    run pf-jst twisting-column pf-jst --set poisson_ratio=0.499
+    run pfj-jst twisting-column pfj-jst --set poisson_ratio=0.499 --set method.eps_J4=0.125
+    run oenog twisting-column oenog --set poisson_ratio=0.499
+    panel 0.1,0.25 ;;
   *)
     echo "$0: there is no figure '$figure'; the head of this script lists them" >&2
     exit 2 ;;

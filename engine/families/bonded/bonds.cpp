@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -110,8 +111,8 @@ class Maker {
       make_of_layout();
     else
       make_of_lattice();
-    out_.mass = Dim == 2 ? initial_.V0 : with_end_correction(24);
-    out_.volume = with_end_correction(Dim == 2 ? 24 : 15);
+    out_.mass = Dim == 2 ? initial_.V0 : with_end_correction({.cells = 24, .on_faces = none});
+    out_.volume = with_end_correction({.cells = Dim == 2 ? 24 : 15, .on_faces = -25});
     cut_at_clamp();
     set_gradients();
     return std::move(out_);
@@ -120,6 +121,12 @@ class Maker {
  private:
   /// Of (V_i w_ij + V_j w_ji)/V_i, which is about 2; of w_ij alone at a clamp.
   static constexpr double least_strength = 0.4;
+
+  /// dp² is divided by: of particles in the middle of cells, and of those that stand on faces.
+  struct EndCorrection {
+    double cells, on_faces;
+  };
+  static constexpr double none = std::numeric_limits<double>::infinity();
 
   using Place = Eigen::Vector<double, Dim>;
   using Square = Eigen::Matrix<double, Dim, Dim>;
@@ -169,7 +176,9 @@ class Maker {
   std::vector<int> with_pair_below(double least) const;
   void straighten(int i);
   void help_who_lack_an_axis();
-  std::vector<double> with_end_correction(double divisor) const;
+  std::vector<double> with_end_correction(const EndCorrection& correction) const;
+  bool on_faces(int i) const { return scene_.bodies[initial_.body[i]].on_boundary; }
+  bool deforms(int i) const { return !initial_.held[i] || (Dim == 3 && on_faces(i)); }
   void cut_at_clamp();
   double share_before_clamp(int i, const Point& X) const;
 
@@ -309,15 +318,16 @@ std::vector<int> Maker<Dim>::with_pair_below(double least) const {
   return bodies;
 }
 
-/// V_k += Σ_j D_j²/divisor S_j · (g_jk − δ_jk Σ_l g_jl): S_j = Σ_i (V_i g_ij − V_j g_ji) is the surface that
-/// belongs to particle j, 0 inside.
+/// V_k += Σ_j D_j²/divisor S_j · (g_jk − δ_jk Σ_l g_jl): S_j = Σ_i (V_i g_ij − V_j g_ji) is the surface that belongs to
+/// particle j, 0 inside; D³ is its volume, or where it stands on a face that of a whole cell.
 template <int Dim>
-std::vector<double> Maker<Dim>::with_end_correction(double divisor) const {
+std::vector<double> Maker<Dim>::with_end_correction(const EndCorrection& correction) const {
   const std::vector<Point> S = surface(out_, initial_.V0);
   std::vector<double> V = initial_.V0;
   for (int j = 0; j < initial_.size(); ++j) {
+    const double share = Dim == 3 && on_faces(j) ? scene_.spacing * scene_.spacing / correction.on_faces
+                                                 : std::pow(initial_.V0[j], 2.0 / Dim) / correction.cells;
     for (int b = out_.begin[j]; b < out_.begin[j + 1]; ++b) {
-      const double share = std::pow(initial_.V0[j], 2.0 / Dim) / divisor;
       const double change = share * column(S[j]).dot(column(out_.gradient[b]));
       V[out_.j[b]] += change;
       V[j] -= change;
@@ -343,7 +353,8 @@ double Maker<Dim>::share_before_clamp(int i, const Point& X) const {
 
 /// Takes away the bonds of held particles and shortens those that lead to them. Their a_ij stay as they are in
 /// 2D; in 3D they grow as much, so that F is what it would be had the particle behind the face gone on linearly,
-/// and a uniform stress leaves no force on the particles before it.
+/// and a uniform stress leaves no force on the particles before it. Particles that stand on the face of a clamp
+/// keep theirs: the half of their cell before it is strained like any other.
 template <int Dim>
 void Maker<Dim>::cut_at_clamp() {
   Bonds cut;
@@ -351,8 +362,8 @@ void Maker<Dim>::cut_at_clamp() {
   cut.volume = std::move(out_.volume);
   cut.mass = std::move(out_.mass);
   for (int i = 0; i < initial_.size(); ++i) {
-    for (int b = out_.begin[i]; b < out_.begin[i + 1] && !initial_.held[i]; ++b) {
-      const bool to_clamp = initial_.held[out_.j[b]];
+    for (int b = out_.begin[i]; b < out_.begin[i + 1] && deforms(i); ++b) {
+      const bool to_clamp = !deforms(out_.j[b]);
       if (to_clamp && out_.weight[b] == 0) continue;
       const double share = to_clamp ? share_before_clamp(i, out_.X[b]) : 1;
       cut.j.push_back(out_.j[b]);

@@ -110,6 +110,12 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   template <bool WithEnergy>
   double strain(int group);
   Mat<Pack, Dim> shown_deformations(int group) const;
+  static void keep_volume(Mat<Pack, Dim>& F, const Mat<Pack, Dim>& own) {
+    const Pack least = filled<Pack>(0.05);  // what is crushed or inside out has none to keep
+    const Pack ratio = max(determinant(own), least) / max(determinant(F), least);
+    const Pack root = inverse_cube_root(ratio);
+    F = (ratio * root * root) * F;
+  }
   void show(int group, const Mat<Pack, Dim>& F);
   void take_snapshot() override;
   void set_row(int i) {
@@ -446,7 +452,9 @@ Mat<Pack, Dim> Bonded<M, Dim>::shown_deformations(int group) const {
   return F;
 }
 
-/// The stress shown is that of the recovered F; none of a held particle, which is rigid.
+/// The stress shown is that of the recovered F; none of a held particle, which is rigid. In 3D F is scaled to the volume
+/// of the method's own: near incompressibility the volume of the recovered one, which no force keeps, is off by more
+/// than the one that the pressure comes from.
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::show(int group, const Mat<Pack, Dim>& F) {
   const int first = group * lanes, count = std::min(lanes, s_.size() - first);
@@ -476,6 +484,7 @@ void Bonded<M, Dim>::take_snapshot() {
     strain<true>(group);
     const Sites& sites = sites_[group];
     Mat<Pack, Dim> F = shown_deformations(group);
+    if constexpr (Dim == 3) keep_volume(F, F_[group]);
     for (int k = 0; k < Dim; ++k) F(k, k) = sites.V > 0 ? F(k, k) : filled<Pack>(1);
     show(group, F);
   });

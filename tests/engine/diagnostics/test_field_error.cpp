@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/field_error.hpp"
+#include "engine/diagnostics/lattice_volume.hpp"
 #include "engine/diagnostics/measures.hpp"
 #include "engine/error.hpp"
 #include "tests/support/made_snapshot.hpp"
@@ -134,5 +135,36 @@ TEST_SUITE("unit") {
     CHECK_FALSE(measure(scene, {}, "neo_hookean", {}, &now)[0].value);
     CHECK_FALSE(measure(scene, {}, "neo_hookean")[1].value);
     CHECK_FALSE(measure(scene, {}, "2d_deviator", {}, &now)[0].value);
+  }
+
+  TEST_CASE("volume_change: of the cells between the particles, exact for trilinear maps") {
+    for (const int dim : {2, 3}) {
+      CAPTURE(dim);
+      std::vector<Point> places{{9, 0.5, 0}};  // of another body
+      for (int k = 0; k <= (dim == 3 ? 2 : 0); ++k)
+        for (int j = 0; j <= 1; ++j)
+          for (int i = 0; i <= 3; ++i) places.push_back({0.5 * i, 0.25 * j, 0.125 * k});
+      Snapshot now = made_snapshot(dim, places);
+      now.body[0] = 1;
+      now.diameter.assign(now.size(), 0.2);
+      CHECK(lattice_volume(now, 0, now.x0) == Approx(dim == 3 ? 1.5 * 0.25 * 0.25 : 1.5 * 0.25));
+      CHECK(lattice_volume(now, 1, now.x0) == 0);
+      const auto d = static_cast<std::size_t>(dim);
+      for (std::size_t i = 0; i < now.size(); ++i) {
+        const Point X = now.initial(i);
+        now.x[d * i] = 1.1 * X[0] + 3 * X[1] * (1 + X[2]);
+        now.x[d * i + 1] = X[1] * (2 + X[0]);  // ∂/∂X = 2 + X, 2.75 in the mean; less 0 of the shear
+      }
+      // det = 1.1 (2 + X) − 3 Y (1 + Z), whose means are 1.1 · 2.75, 3 · 0.125 and 1.125
+      const double mean = 1.1 * 2.75 - 3 * 0.125 * (dim == 3 ? 1.125 : 1);
+      Scene scene = made_scene(dim, 0.5, {unit_bulk(), unit_bulk()});
+      Measure measured;
+      measured.name = measured.kind = "volume_change";
+      scene.measures = {measured};
+      scene.until = 0;
+      CHECK(*measure(scene, {}, "neo_hookean", {}, &now)[0].value == Approx(mean - 1));
+      scene.until = 1;
+      CHECK_FALSE(measure(scene, {}, "neo_hookean", {}, &now)[0].value);
+    }
   }
 }

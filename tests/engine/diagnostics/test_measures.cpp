@@ -117,6 +117,13 @@ TEST_SUITE("unit") {
     expect(value("first_peak", {0, 1, 2, 3, 4}, {0, 2, 2, 0, -1}), 2.25);
   }
 
+  TEST_CASE("peak_time: exact for a parabola with unequal steps, none until the half cycle is over") {
+    const auto throw_up = [](double t) { return 3 * t * (1 - t); };
+    expect(value("peak_time", sampled({0, 0.1, 0.25, 0.4, 0.58, 0.9, 1.2}, throw_up)), 0.5);
+    expect(value("peak_time", {0, 1, 2, 3, 4}, {0, -2, -2, 0, 1}), 1.5);
+    CHECK_FALSE(value("peak_time", sampled({0, 0.1, 0.25, 0.4, 0.58, 0.9}, throw_up)));
+  }
+
   TEST_CASE("decay: the loss per period of a damped wave, from the peaks of the first one's side") {
     for (const double loss : {0.2, 0.0, -0.1}) {
       for (const double sign : {1.0, -1.0}) {

@@ -48,6 +48,13 @@ Scene clamped_block(int x, int y, int z) {
   scene.bodies[0].held = [](const Point& X) { return X[0] < 0 ? 1.0 : 0.0; };
   return scene;
 }
+/// Particles stand on its faces, of which x = 0 is held.
+Scene block_on_faces(int x, int y, int z) {
+  Scene scene = block(x, y, z);
+  scene.bodies[0].on_boundary = true;
+  scene.bodies[0].held = [](const Point& X) { return X[0] <= 0 ? 1.0 : 0.0; };
+  return scene;
+}
 /// One particle stands on the middle of a block, without neighbours on two of the axes.
 Scene block_with_tip() {
   Scene scene = block(3, 3, 3);
@@ -231,11 +238,11 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("bonds: in 3D the gradient of a linear field is exact, at surfaces, tips and clamps too") {
-    for (const Scene& scene : {ball(), block_with_tip(), clamped_block(4, 3, 3)}) {
+    for (const Scene& scene : {ball(), block_with_tip(), clamped_block(4, 3, 3), block_on_faces(4, 3, 3)}) {
       const InitialParticles initial = make_initial_particles(scene);
       const Bonds bonds = make_bonds(scene, initial, h_over_dp * dp);
       for (int i = 0; i < initial.size(); ++i) {
-        if (initial.held[i]) continue;
+        if (initial.held[i] && !scene.bodies[0].on_boundary) continue;  // has no bonds
         Square one = Square::Zero();
         for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b)
           one += Eigen::Vector3d(bonds.X[b].data()) * Eigen::RowVector3d(bonds.gradient[b].data());
@@ -245,7 +252,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("bonds: in 3D volumes and masses add up to the body, with first moments of the faces") {
-    for (const Scene& scene : {block(5, 4, 3), ball()}) {
+    for (const Scene& scene : {block(5, 4, 3), ball(), block_on_faces(5, 4, 3)}) {
       const InitialParticles initial = make_initial_particles(scene);
       const Bonds bonds = make_bonds(scene, initial, h_over_dp * dp);
       const Snapshot start = make_simulation(scene, with_method("oenog"))->snapshot();
@@ -254,19 +261,26 @@ TEST_SUITE("unit") {
       CHECK(sum(start.m) == relative(density * sum(initial.V0), 1e-13));
       for (int i = 0; i < initial.size(); ++i) CHECK(start.m[i] == relative(density * bonds.mass[i], 1e-14));
     }
-    // the more at a face and the less below it has a first moment of dp²/15 of the face, in masses of dp²/24
-    const Scene scene = block(9, 9, 9);
-    const InitialParticles initial = make_initial_particles(scene);
-    const Bonds bonds = make_bonds(scene, initial, h_over_dp * dp);
-    double moment = 0, of_mass = 0;  // of the column through the middle, about it
-    for (int i = 0; i < initial.size(); ++i) {
-      const Point& x = initial.x[i];
-      if (std::abs(x[0] - 4.5 * dp) > 0.1 * dp || std::abs(x[1] - 4.5 * dp) > 0.1 * dp) continue;
-      moment += (bonds.volume[i] - initial.V0[i]) * std::abs(x[2] - 4.5 * dp);
-      of_mass += (bonds.mass[i] - initial.V0[i]) * std::abs(x[2] - 4.5 * dp);
+    // the more at a face and the less below it has a first moment of dp²/15 of the face, in masses of dp²/24; where
+    // particles stand on the face the layout has it for both, and volumes have dp²/25 less
+    for (const bool on_faces : {false, true}) {
+      CAPTURE(on_faces);
+      const int n = on_faces ? 8 : 9;
+      const Scene scene = on_faces ? block_on_faces(n, n, n) : block(n, n, n);
+      const InitialParticles initial = make_initial_particles(scene);
+      const Bonds bonds = make_bonds(scene, initial, h_over_dp * dp);
+      const double middle = 0.5 * n * dp;
+      double moment = 0, of_mass = 0;  // of the column through the middle, about it
+      for (int i = 0; i < initial.size(); ++i) {
+        const Point& x = initial.x[i];
+        if (std::abs(x[0] - middle) > 0.1 * dp || std::abs(x[1] - middle) > 0.1 * dp) continue;
+        moment += (bonds.volume[i] - initial.V0[i]) * std::abs(x[2] - middle);
+        of_mass += (bonds.mass[i] - initial.V0[i]) * std::abs(x[2] - middle);
+      }
+      const double face = 2 * dp * dp * dp * dp;
+      CHECK(moment == relative(face * (on_faces ? -1.0 / 25 : 1.0 / 15), 1e-9));
+      CHECK(std::abs(of_mass - (on_faces ? 0 : face / 24)) < 1e-9 * face);
     }
-    CHECK(moment == relative(2 * dp * dp * dp * dp / 15, 1e-9));
-    CHECK(of_mass == relative(2 * dp * dp * dp * dp / 24, 1e-9));
   }
 
   TEST_CASE("shared rows: two that are equal to the last bit are one") {

@@ -132,9 +132,14 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("layout: particles on the faces of a box have halves, quarters and eighths of a cell") {
+  TEST_CASE(
+      "layout: particles on the faces of a box between rollers have halves, quarters and eighths of a cell") {
     Scene scene = one_body(3, 0.5, {Box{{0, 0, 0}, {3, 2, 1}}});
     scene.bodies[0].on_boundary = true;
+    for (std::size_t k = 0; k < 3; ++k)
+      scene.bodies[0].guided[k] = [=](const Point& x) {
+        return x[k] == 0 || x[k] == 3.0 - static_cast<double>(k) ? 1.0 : 0.0;
+      };
     const InitialParticles layout = make_initial_particles(scene);
     CHECK(layout.size() == 7 * 5 * 3);
     CHECK(volume(layout) == relative(6));
@@ -149,6 +154,43 @@ TEST_SUITE("unit") {
     CHECK(volume(make_initial_particles(flat)) == relative(6));
     flat.bodies[0].loads = {{constant(1), Load::Kind::traction, {constant(1)}, {}}};
     CHECK(holds(error_of(flat), "give the force of the face as 'force'"));
+  }
+
+  TEST_CASE("layout: with particles on its faces a box has its own volume, centre and moments of inertia") {
+    for (const int cells : {1, 2, 3, 4, 7}) {
+      CAPTURE(cells);
+      const double side[3] = {1.0 * cells, 3, 2}, volume = side[0] * 6;
+      // of which rollers guide none, the face x = 0, or that and, by the other two axes, the face opposite
+      for (const int planes : {0, 1, 2}) {
+        CAPTURE(planes);
+        Scene scene = one_body(3, 1, {Box{{0, 0, 0}, {side[0], side[1], side[2]}}});
+        Body& body = scene.bodies[0];
+        body.on_boundary = true;
+        body.guided[0] = [=](const Point& x) { return planes > 0 && x[0] == 0 ? 1.0 : 0.0; };
+        for (const std::size_t k : {1, 2})
+          body.guided[k] = [=](const Point& x) { return planes > 1 && x[0] == side[0] ? 1.0 : 0.0; };
+        const InitialParticles layout = make_initial_particles(scene);
+        double total = 0, first[3] = {}, second[3][3] = {};
+        for (int i = 0; i < layout.size(); ++i) {
+          total += layout.V0[i];
+          CHECK(layout.V0[i] == relative(layout.inside[i]));
+          for (int a = 0; a < 3; ++a) first[a] += layout.V0[i] * layout.x[i][a];
+          for (int a = 0; a < 3; ++a)
+            for (int b = 0; b < 3; ++b) second[a][b] += layout.V0[i] * layout.x[i][a] * layout.x[i][b];
+        }
+        CHECK(total == relative(volume));
+        // across planes of symmetry the rule is for the body and its image
+        for (int a = planes > 0 ? 1 : 0; a < 3; ++a) {
+          CHECK(first[a] == relative(volume * side[a] / 2));
+          for (int b = planes > 0 ? 1 : 0; b < 3; ++b) {
+            if (a == b && a == 0 && cells == 1) continue;  // two points cannot
+            CHECK(second[a][b] == relative(volume * side[a] * side[b] / (a == b ? 3 : 4)));
+          }
+        }
+        if (planes == 1) CHECK(second[0][0] == relative(volume * side[0] * side[0] / 3));
+        if (planes == 2) CHECK(layout.V0[0] == relative(0.5 * (1 - 1.0 / 4) / 2 / 3));
+      }
+    }
   }
 
   TEST_CASE("layout: displaced bodies start elsewhere and keep their reference configuration") {
