@@ -118,36 +118,36 @@ case $figure in
     run pf-jst punch pf-jst
     for method in pfj-jst pfhj-jst; do run $method punch $method --set method.eps_J4=0.125; done
     run oenog punch oenog
-    panel 0.0051,0.012,0.0132 ;;
+    panel 0.0051,0.0132 1300x460 ;;
   lee-18)
     field=pressure every=3e-4 until=0.0363
     for method in tl pf pf-jst oenog; do run $method punch-cube $method; done
-    panel 0.0081,0.0213,0.036 ;;
+    panel 0.0081,0.0213,0.036 900x760 ;;
   lee-19)
     field=pressure every=1e-4 until=0.0314
     for method in pfj-jst pfhj-jst; do
       run $method punch-cube $method --set law=mooney-rivlin --set poisson_ratio=0.495 --set method.eps_J4=0.125
     done
-    panel 0.0083,0.0191,0.0313 ;;
+    panel 0.0083,0.0191,0.0313 560x800 ;;
   lee-23)
-    field=pressure every=0.1 until=1.5 spacing=${spacing:-0.5}
-    run pf-jst bending-column-3d pf-jst --set poisson_ratio=0.499
-    run pfj-jst bending-column-3d pfj-jst --set poisson_ratio=0.499 --set method.eps_J4=0.125
+    field=pressure every=0.1 until=1.5 spacing=${spacing:-0.5}   # at the usual step a section of two cells breathes ever more
+    run pf-jst bending-column-3d pf-jst --set poisson_ratio=0.499 --set cfl=0.1
+    run pfj-jst bending-column-3d pfj-jst --set poisson_ratio=0.499 --set cfl=0.1 --set method.eps_J4=0.125
     run oenog bending-column-3d oenog --set poisson_ratio=0.499
-    panel 0.5,1,1.5 ;;
+    panel 0.5,1,1.5 760x800 ;;
   lee-25)
     field=pressure every=0.1 until=0.1
     for across in 4 5 6 7; do
       spacing=$(awk "BEGIN { print 1 / ($across - 1) }")
       run across-$across twisting-column pf-jst
     done
-    panel 0.1 ;;
+    panel 0.1 800x460 ;;
   lee-28)
     field=pressure every=0.05 until=0.25 spacing=${spacing:-0.25}
     run pf-jst twisting-column pf-jst --set poisson_ratio=0.499
     run pfj-jst twisting-column pfj-jst --set poisson_ratio=0.499 --set method.eps_J4=0.125
     run oenog twisting-column oenog --set poisson_ratio=0.499
-    panel 0.1,0.25 ;;
+    panel 0.1,0.25 560x860 ;;
   *)
     echo "$0: there is no figure '$figure'; the head of this script lists them" >&2
     exit 2 ;;

@@ -13,6 +13,7 @@
 #include "engine/diagnostics/indicators.hpp"
 #include "engine/diagnostics/measures.hpp"
 #include "engine/diagnostics/verdict.hpp"
+#include "engine/error.hpp"
 #include "engine/families/catalogue.hpp"
 #include "engine/simulation.hpp"
 
@@ -53,8 +54,14 @@ Run run(const std::string& name, const std::string& method, std::vector<Setting>
   const Balance start = balance(simulation->snapshot(), file.scene);
   Run run;
   constexpr int looks = 40;
+  bool lost = false;
   for (int k = 1; k <= looks && judge.verdict() != Verdict::diverged; ++k) {
-    simulation->advance_to(file.scene.until * k / looks);
+    try {
+      simulation->advance_to(file.scene.until * k / looks);
+    } catch (const NumericalError&) {
+      lost = true;
+      break;
+    }
     const Snapshot& now = simulation->snapshot();
     const Balance sums = balance(now, file.scene);
     const Readings readings = gauge(now);
@@ -63,7 +70,7 @@ Run run(const std::string& name, const std::string& method, std::vector<Setting>
     const double given = start.kinetic + start.strain + sums.work;
     run.gain = std::max(run.gain, (sums.kinetic + sums.strain) / given - 1);
   }
-  run.verdict = judge.verdict();
+  run.verdict = lost ? Verdict::diverged : judge.verdict();
   run.checkerboard = record.greatest();
   run.end = simulation->snapshot();
   const std::string_view law = material_law(*find_method(method), file.settings, 3);
@@ -90,22 +97,17 @@ std::vector<Setting> with(std::vector<Setting> settings, const Setting& more) {
 
 TEST_SUITE("analytic") {
   // §8.8, Fig. 22
-  TEST_CASE("bending column in 3D: the JST methods and oenog swing as finite elements do") {
-    for (const std::string method : {"pf-jst", "pfj-jst"}) {
-      CAPTURE(method);
-      const Run column = run("bending-column-3d", method);
-      CHECK(column.error("first_peak") < 0.03);
-      CHECK(column.error("peak_time") < 0.02);
-      // the place at 1.5 s, over how far it is from the one at the start
-      const double off = std::hypot(column.off("top_x_1500ms"), column.off("top_y_1500ms"));
-      CHECK(off < 0.05 * std::hypot(2.689, 0.759));
-      CHECK(column.verdict == Verdict::stable);
-      CHECK(column.gain < 1e-9);
+  TEST_CASE("bending column in 3D: pf-jst and oenog swing as finite elements do") {
+    const Run column = run("bending-column-3d", "pf-jst");
+    // the place at 1.5 s, over how far it is from the one at the start
+    const double off = std::hypot(column.off("top_x_1500ms"), column.off("top_y_1500ms"));
+    CHECK(off < 0.05 * std::hypot(2.689, 0.759));
+    CHECK(column.gain < 1e-9);
+    for (const Run& of_a_method : {column, run("bending-column-3d", "oenog", {{"until", "0.95"}})}) {
+      CHECK(of_a_method.error("first_peak") < 0.03);
+      CHECK(of_a_method.error("peak_time") < 0.02);
+      CHECK(of_a_method.verdict == Verdict::stable);
     }
-    const Run column = run("bending-column-3d", "oenog", {{"until", "0.95"}});
-    CHECK(column.error("first_peak") < 0.03);
-    CHECK(column.error("peak_time") < 0.02);
-    CHECK(column.verdict == Verdict::stable);
   }
 
   // §8.9, Fig. 25, 26
