@@ -125,13 +125,9 @@ void Cells::find_ends(std::size_t i, double diameter) {
     }
   }
   const auto one_open = [&](std::size_t k) { return (half[k][0] < open) != (half[k][1] < open); };
-  // each side without a neighbour halves the cell of a particle that stands on the boundary
-  double share = 1;
-  for (std::size_t k = 0; k < dim_; ++k)
-    if (one_open(k)) share *= 0.5;
-  const double volume = std::pow(diameter / cell.spacing, static_cast<double>(dim_));
-  // a corner of a coarse box has half of its eighth, see InitialParticles; in the middle of cells all have whole ones
-  const bool on_boundary = share < 1 && volume < 1.5 * share;
+  // the outermost particles have whole cells around them, or, on the boundary, at most about half of one
+  const double part = std::pow(diameter / cell.spacing, static_cast<double>(dim_));
+  const bool on_boundary = part < 0.75;
   cell.inside = true;
   for (std::size_t k = 0; k < dim_; ++k) {
     const double inner = std::min(half[k][0], half[k][1]);

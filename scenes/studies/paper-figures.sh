@@ -100,7 +100,7 @@ case $figure in
     for share in 0 1; do run surface-$share rotating-plate d-ulsph-r-tic --set method.surface_artificial_stress=$share; done
     panel 0.09,0.15 ;;
   lee-4)
-    field=pressure every=0.001 until=0.0061
+    field=pressure every=0.001 until=0.006
     run pf cable-3d pf
     for eps in 0 0.03125 0.125; do run eps-$eps cable-3d pf-jst --set method.eps_v2=$eps; done
     panel 0.006 1300x180 ;;

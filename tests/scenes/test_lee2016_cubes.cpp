@@ -121,14 +121,15 @@ const std::vector<std::string> with_jst = {"pf-jst", "pfj-jst", "pfhj-jst"};
 
 TEST_SUITE("failure") {
   // §8.1, Fig. 3, 4
-  TEST_CASE("cable in 3D: waves come when they should, and what harmonic dissipation takes are the overshoots") {
+  TEST_CASE(
+      "cable in 3D: waves come when they should, and what harmonic dissipation takes are the overshoots") {
     const double displacement = 2.5e-3, speed = 5;  // m, m/s
     double before = speed;
     for (const std::string eps : {"0", "0.03125", "0.125"}) {
       CAPTURE(eps);
-      const Run cable = run("cable-3d", "pf-jst", {{"method.eps_v2", eps}});
-      // the strongest smears fronts over a tenth of the bar: 6.1 %
-      CHECK(cable.value("end_rmse") < (eps == "0.125" ? 0.065 : 0.05) * displacement);
+      // to the free end and half-way back
+      const Run cable = run("cable-3d", "pf-jst", {{"method.eps_v2", eps}, {"until", "0.004"}});
+      CHECK(cable.value("end_rmse") < 0.05 * displacement);
       const double beyond = std::max(cable.value("overshoot"), -cable.value("undershoot")) - speed;
       CHECK(beyond < 0.6 * before);
       before = beyond;
@@ -154,12 +155,15 @@ TEST_SUITE("failure") {
     CHECK(*free.kept.angular_momentum > 1e-6);
   }
 
-  // Waves of ten particles a length run slow: the corner of pf-jst is off by 2.5 % of the side after one turn and by
-  // 6.5 % after three. Exact moments of inertia of the particles do not change that.
+  // Waves of ten particles a length run slow. Of the side, the corner of pf-jst is off by 2.5 % after one turn and by 6.5 %
+  // after three, whatever weights the particles on faces have; that of oenog by 1.3 and 4.0 %.
   TEST_CASE("spinning cube: the corner goes as that of finite elements, ten particles along a side") {
-    const Setting spacing{"spacing", "1/9"};
-    CHECK(run("spinning-cube", "pf-jst", {spacing, {"until", "0.05"}}).value("corner_error") < 0.03);
-    CHECK(run("spinning-cube", "oenog", {spacing}).value("corner_error") < 0.03);
+    for (const std::string method : {"pf-jst", "oenog"}) {
+      CAPTURE(method);
+      CHECK(run("spinning-cube", method, {{"spacing", "1/9"}, {"until", "0.05"}}).value("corner_error") <
+            0.03);
+    }
+    CHECK(run("spinning-cube", "oenog", {{"spacing", "1/9"}}).value("corner_error") < 0.05);
   }
 
   // §8.4, Fig. 9 to 11
@@ -172,7 +176,7 @@ TEST_SUITE("failure") {
       CHECK(cube.verdict == Verdict::stable);
       CHECK(std::abs(cube.off("top_580us")) < 0.05 * height);
       CHECK(std::abs(cube.off("top_1700us")) < 0.05 * height);
-      CHECK(std::abs(cube.off("top_2100us")) < 0.11 * height);  // 10 %, and 4 % at 20³: it comes back early
+      CHECK(std::abs(cube.off("top_2100us")) < 0.11 * height);  // 9 %, and 4 % at 20³: it comes back early
       CHECK(cube.value("foot_rmse") == 0);
       for (const char* top : {"top_580us", "top_1700us", "top_2100us"})
         CHECK(std::abs(cube.value(top) - first.value(top)) < 0.005 * height);

@@ -128,10 +128,10 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   bool own_law_;  // that of Sites
   ChosenLaws<M> laws_;
   std::vector<int> material_;  // with the filling of the last group
-  Pack least_r2_;          // m²: bonds shorter than a hundredth of a spacing are taken for that long
-  double wave_speed_ = 0;  // m/s, of compression in the stiffest material
-  double relaxation_ = 0;  // s, of the bonds
-  double stiffest_ = 1;    // greatest of all bonds and particles in the last step, over that at rest
+  Pack least_r2_;              // m²: bonds shorter than a hundredth of a spacing are taken for that long
+  double wave_speed_ = 0;      // m/s, of compression in the stiffest material
+  double relaxation_ = 0;      // s, of the bonds
+  double stiffest_ = 1;        // greatest of all bonds and particles in the last step, over that at rest
   std::vector<Sites> sites_;
   std::vector<BondsOf> bonds_;
   std::vector<int> j_;               // from size() on places at a clamp

@@ -133,8 +133,8 @@ TEST_SUITE("cli") {
         CHECK(names.contains(measure.kind));
       }
     const std::string text = call({"list", "measures"}).out;
-    CHECK(contains(text, "final_ratio  probe, threshold, scale, free  number"));
-    CHECK(contains(text, "path_error   probes, scale                  table or solution"));
+    CHECK(contains(text, "final_ratio    probe, threshold, scale, free  number"));
+    CHECK(contains(text, "path_error     probes, scale                  table or solution"));
     CHECK(contains(call({"describe", "oscillating-plate"}).out, "  period      period"));
   }
 

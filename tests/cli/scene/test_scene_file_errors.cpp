@@ -199,9 +199,8 @@ TEST_SUITE("cli") {
                 "[[measure]]\nname = \"peak\"\nof = \"turn\"\n@probe",
                 {"'probes' is missing", "there is 'probe'"});
     check_error("values = { peak = 3 }", "solutions = { @peak = \"t\" }",
-                {"takes no solution; only one of rmse, path_error, turn, line_rmse, line_error, at_rest, "
-                 "field_rmse or "
-                 "field_error"});
+                {"takes no solution; only one of rmse, value, path_error, turn, line_rmse, line_error, "
+                 "at_rest, field_rmse or field_error"});
     check_error("values = { peak = 3 }", "let = { @t = 1 }", {"the name 't' has a meaning already"});
     check_error("values = { peak = 3 }", "let = { @v0 = 1 }", {"'v0' stands for a parameter already"});
     check_error("values = { peak = 3 }", "let = { a = \"@q + 1\" }", {"unknown name 'q'"});

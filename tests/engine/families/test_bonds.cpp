@@ -12,6 +12,7 @@
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/verdict.hpp"
 #include "engine/families/bonded/bonds.hpp"
+#include "engine/families/bonded/shared_rows.hpp"
 #include "engine/materials/neo_hookean.hpp"
 #include "engine/methods/oenog.hpp"
 #include "engine/terms/bond.hpp"
@@ -141,6 +142,16 @@ double total_energy(const Simulation& simulation, const Scene& scene) {
 }  // namespace
 
 TEST_SUITE("unit") {
+  TEST_CASE("shared rows: two that are equal to the last bit are one") {
+    SharedRows<double> rows;
+    const int first = rows.add({1, 2, 3}), other = rows.add({1, 2, std::nextafter(3, 4)});
+    CHECK(other != first);
+    CHECK(rows.add({1, 2, 3}) == first);
+    CHECK(rows.add({1, 2}) != first);
+    CHECK(rows[first + 2] == 3);
+    CHECK(rows[other + 2] > 3);
+  }
+
   TEST_CASE(
       "bonds: moments are isotropic on a lattice and nearly so on a ring, and no pair is without bond") {
     const Scene lattice = alone(Box{{0, 0, 0}, {0.016, 0.012, 0}}, 0.001);

@@ -283,16 +283,6 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("shared rows: two that are equal to the last bit are one") {
-    SharedRows<double> rows;
-    const int first = rows.add({1, 2, 3}), other = rows.add({1, 2, std::nextafter(3, 4)});
-    CHECK(other != first);
-    CHECK(rows.add({1, 2, 3}) == first);
-    CHECK(rows.add({1, 2}) != first);
-    CHECK(rows[first + 2] == 3);
-    CHECK(rows[other + 2] > 3);
-  }
-
   TEST_CASE("shared rows: particles of a cube are of as many kinds as there are places by its faces") {
     // three places along each axis: beside either face and all between
     const Scene scene = block(12, 12, 12);
