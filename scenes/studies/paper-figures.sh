@@ -122,7 +122,7 @@ case $figure in
   lee-18)
     field=pressure every=3e-4 until=0.0363
     for method in tl pf pf-jst oenog; do run $method punch-cube $method; done
-    panel 0.0081,0.0213,0.036 600x500 ;;
+    panel 0.0081,0.0213,0.036 580x480 ;;
   lee-19)
     field=pressure every=1e-4 until=0.0314
     for method in pfj-jst pfhj-jst; do
