@@ -16,6 +16,7 @@
 #     khayyer-12  path of the corner; a history of it in place of a panel
 #     khayyer-13  tensile control without and with artificial stress at the surface
 #     lee-4       cable in 3D, pf without dissipation, pf-jst with none, 1/32 and 1/8 of the harmonic one; pressure
+#     lee-9       tensile cube, pf-jst with and without the exact boundary projection
 #     lee-11      tensile cube, tl, pf without dissipation and the three methods with
 #     lee-13      coining, pf without dissipation and the three methods with
 #     lee-16      punch, ν = 0.499, tl, pf-jst, pfj-jst, pfhj-jst, and oenog
@@ -104,6 +105,11 @@ case $figure in
     run pf cable-3d pf
     for eps in 0 0.03125 0.125; do run eps-$eps cable-3d pf-jst --set method.eps_v2=$eps; done
     panel 0.006 1300x180 ;;
+  lee-9)
+    field=pressure every=1e-5 until=0.00212
+    run projected tensile-cube pf-jst --set method.boundary_projection=1
+    run plain tensile-cube pf-jst
+    panel 0.00058,0.0017,0.0021 460x560 ;;
   lee-11)
     field=pressure every=1e-5 until=0.00212
     for method in tl pf pf-jst pfj-jst pfhj-jst; do run $method tensile-cube $method; done

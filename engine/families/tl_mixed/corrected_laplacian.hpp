@@ -107,4 +107,27 @@ Pack laplacian_sum(const InitialPairs<Dim>& pairs, const std::vector<double>& w,
   return sum;
 }
 
+/// The greatest rate at which dp⁴ L*[L[U]] answers any field U, over its size, from below but for a per cent or two:
+/// 100 rounds of power iteration. 40 inside a cubic lattice with 26 neighbours, 75 at the edges of three layers of
+/// particles in the middle of cells. The same for any number of threads.
+template <int Dim>
+double greatest_answer(const InitialPairs<Dim>& pairs, const std::vector<double>& w,
+                       const std::vector<double>& outer, int threads) {
+  const int n = pairs.size();
+  std::vector<StoredPack> U(n), once(n), twice(n);
+  for (int i = 0; i < n; ++i) U[i].value = Pack{std::sin(1.0 + 7.3 * i), std::cos(1.9 * i * i)};
+  double greatest = 0;
+  for (int round = 0; round < 100; ++round) {
+    parallel_for(n, threads, [&](int i) TAUT_FLATTEN { once[i].value = laplacian_sum(pairs, w, U, i); });
+    parallel_for(n, threads,
+                 [&](int i) TAUT_FLATTEN { twice[i].value = weighted_sum(pairs, outer, w, once, i); });
+    Pack before{}, after{};
+    for (int i = 0; i < n; ++i) before += U[i].value * U[i].value, after += twice[i].value * twice[i].value;
+    greatest = std::sqrt(std::max(after[0] / before[0], after[1] / before[1]));
+    const Pack size = root(after) + Pack{0, 0, 1, 1};
+    for (int i = 0; i < n; ++i) U[i].value = twice[i].value / size;
+  }
+  return greatest;
+}
+
 }  // namespace taut::inline TAUT_ISA

@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Dense>
 #include <doctest/doctest.h>
 
+#include "engine/diagnostics/balance.hpp"
 #include "engine/families/tl_mixed/corrected_laplacian.hpp"
 #include "engine/families/tl_mixed/momentum_projection.hpp"
 #include "engine/methods/lee2016.hpp"
@@ -169,6 +171,22 @@ TEST_SUITE("analytic") {
     CHECK(corners == 8);
   }
 
+  TEST_CASE("JST: the greatest answer of the biharmonic term is the greatest eigenvalue of its matrix") {
+    const Cube cube(4, lee2016_h_over_dp_3d);
+    const int n = cube.pairs.size();
+    Eigen::MatrixXd L = Eigen::MatrixXd::Zero(n, n);
+    for (int i = 0; i < n; ++i)
+      for (int p = cube.pairs.begin[i]; p < cube.pairs.begin[i + 1]; ++p)
+        L(i, cube.pairs.j[p]) += cube.laplacian[p], L(i, i) -= cube.laplacian[p];
+    const double greatest =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(L.transpose() * L).eigenvalues()[n - 1];
+    const std::vector<double> adjoint = adjoint_weights(cube.pairs, cube.laplacian, cube.V);
+    CHECK(greatest > 40);
+    CHECK(greatest_answer(cube.pairs, cube.laplacian, adjoint, 1) == relative(greatest, 0.01));
+    CHECK(greatest_answer(cube.pairs, cube.laplacian, adjoint, 1) ==
+          greatest_answer(cube.pairs, cube.laplacian, adjoint, 3));
+  }
+
   TEST_CASE("projection: in 3D the nearest accelerations without force and torque") {
     const Cube cube(4, 0.87);
     std::vector<V3> a, Z;
@@ -236,6 +254,22 @@ TEST_SUITE("stability") {
     const double expected = step_of(1) * std::sqrt(stiffness / along);
     CHECK(expected < 0.75 * step_of(1));
     CHECK(step_of(lambda) == relative(expected, 1e-5));  // none is faster than those along x
+  }
+}
+
+TEST_SUITE("stability") {
+  TEST_CASE("mixed: in 3D plates of two and three layers in the middle of cells last") {
+    for (const double layers : {2, 3}) {
+      CAPTURE(layers);
+      Scene scene = pressed_block(1);
+      const double dp = scene.spacing, c0 = scene.materials[0].sound_speed();
+      scene.bodies[0].shapes = {Box{{0, 0, 0}, {12 * dp, 12 * dp, layers * dp}}};
+      for (int k = 0; k < 3; ++k)
+        scene.bodies[0].velocity[k] = [=](const Point& x) { return 1e-4 * c0 * shake(x, (5 + k) * dp); };
+      const Balance before = balance(state_after(0, scene, with_method("pf-jst")), scene);
+      const Balance after = balance(state_after(300, scene, with_method("pf-jst")), scene);
+      CHECK(after.kinetic + after.strain < before.kinetic);
+    }
   }
 }
 
