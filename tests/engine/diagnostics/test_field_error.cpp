@@ -152,11 +152,11 @@ TEST_SUITE("unit") {
       const auto d = static_cast<std::size_t>(dim);
       for (std::size_t i = 0; i < now.size(); ++i) {
         const Point X = now.initial(i);
-        now.x[d * i] = 1.1 * X[0] + 3 * X[1] * (1 + X[2]);
-        now.x[d * i + 1] = X[1] * (2 + X[0]);  // ∂/∂X = 2 + X, 2.75 in the mean; less 0 of the shear
+        now.x[d * i] = 1.1 * X[0] * (1 + X[2]) + 3 * X[1];
+        now.x[d * i + 1] = X[1] * (dim == 2 ? 2 + X[0] : 2 * (1 + X[2]));
       }
-      // det = 1.1 (2 + X) − 3 Y (1 + Z), whose means are 1.1 · 2.75, 3 · 0.125 and 1.125
-      const double mean = 1.1 * 2.75 - 3 * 0.125 * (dim == 3 ? 1.125 : 1);
+      // the means of det = 1.1 (2 + X) − 3 Y and of 2.2 (1 + Z)²
+      const double mean = dim == 2 ? 1.1 * 2.75 - 3 * 0.125 : 2.2 * (std::pow(1.25, 3) - 1) / 0.75;
       Scene scene = made_scene(dim, 0.5, {unit_bulk(), unit_bulk()});
       Measure measured;
       measured.name = measured.kind = "volume_change";
