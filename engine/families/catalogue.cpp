@@ -39,11 +39,9 @@ std::vector<ContactLaw> contact_laws(const Formulation& m) {
 
 /// Its own, and the others that can be chosen.
 std::vector<LawChoice> laws(const Formulation& m) {
-  if (!m.free_law) return {};
   std::vector<LawChoice> all;
   for (const LawRow& row : Laws::rows)
-    if (!row.choice.empty() && (!follows_volume_ratio(m) || takes_volume_ratio(row.law)))
-      all.push_back({row.choice, row.material_law, row.law});
+    if (may_be_given(m, row)) all.push_back({row.choice, row.material_law, row.law});
   std::ranges::stable_partition(all, [&](const LawChoice& choice) { return choice.law == m.law; });
   return all;
 }
@@ -133,8 +131,7 @@ std::string reason_against_law(const MethodInfo& method, std::string_view law) {
     return fmt::format("method '{}' has no law '{}'; it has: {}", method.name, law, known);
   return fmt::format(
       "method '{}' cannot run with the law '{}', which is of the deformation gradient alone: its volume "
-      "ratio is an "
-      "unknown of its own; it can with: {}",
+      "ratio is an unknown of its own; it can with: {}",
       method.name, law, known);
 }
 

@@ -10,8 +10,7 @@ namespace taut::inline TAUT_ISA {
 
 /// Method M can run with the law.
 template <const Formulation& M, Law L>
-constexpr bool may_run_with = L == M.law || (M.free_law && !LawOf<L>::row.choice.empty() &&
-                                             (!follows_volume_ratio(M) || takes_volume_ratio(L)));
+constexpr bool may_run_with = L == M.law || may_be_given(M, LawOf<L>::row);
 
 /// The laws of the materials of a run: one law, which is known at run time only, with the numbers of each. A pass over
 /// particles asks which it is once, and is compiled with each law that the method may run with: a call for each particle

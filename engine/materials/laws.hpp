@@ -34,6 +34,11 @@ static_assert([]<Law... L>(LawList<L...>) {
   return ((TakesVolumeRatio<L> == takes_volume_ratio(L)) && ...);
 }(Laws{}));
 
+/// May the method be given the law in place of its own?
+constexpr bool may_be_given(const Formulation& m, const LawRow& row) {
+  return m.free_law && !row.choice.empty() && (!follows_volume_ratio(m) || takes_volume_ratio(row.law));
+}
+
 constexpr const LawRow& law_row(Law law) { return *std::ranges::find(Laws::rows, law, &LawRow::law); }
 
 /// The law with the numbers of a material.

@@ -16,10 +16,8 @@ inline Mat<double, 3> turned_by(const Vec<double, 3>& omega, double angle, const
   for (int a = 0; a < 3; ++a) {
     const Vec<double, 3> column{R(0, a), R(1, a), R(2, a)};
     const double along = (1 - c) * dot(n, column);
-    for (int k = 0; k < 3; ++k) {
-      const double across = n[(k + 1) % 3] * column[(k + 2) % 3] - n[(k + 2) % 3] * column[(k + 1) % 3];
-      result(k, a) = c * column[k] + s * across + along * n[k];
-    }
+    const Vec<double, 3> across = cross(n, column);
+    for (int k = 0; k < 3; ++k) result(k, a) = c * column[k] + s * across[k] + along * n[k];
   }
   return result;
 }

@@ -84,17 +84,12 @@ std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
   return sites;
 }
 
-/// The number of cells of a box along an axis.
-long cells_along(const Box& box, int axis, double dp) {
-  return std::max(1L, std::lround((box.high[axis] - box.low[axis]) / dp));
-}
-
 /// Particles from face to face, each with the part of its cell that is inside.
 std::vector<InitialSite> sites_on_boundary(const Box& box, int dim, double dp) {
   long last[3] = {0, 0, 0};
   double pitch[3] = {1, 1, 1};
   for (int k = 0; k < dim; ++k) {
-    last[k] = cells_along(box, k, dp);
+    last[k] = box.cells(k, dp);
     pitch[k] = (box.high[k] - box.low[k]) / static_cast<double>(last[k]);
   }
   std::vector<InitialSite> sites;
@@ -206,7 +201,7 @@ void weigh_box(InitialParticles& layout, const Body& body, int first, int dim, d
   const Box& box = std::get<Box>(body.shapes.front());
   long stride = 1;  // from a particle to the next along the axis
   for (int axis = 0; axis < dim; ++axis) {
-    const long n = cells_along(box, axis, dp);
+    const long n = box.cells(axis, dp);
     const auto number = [=](long i) { return i / stride % (n + 1); };
     bool free[2];
     for (const long end : {0L, 1L})

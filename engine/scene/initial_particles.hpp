@@ -12,7 +12,7 @@ struct InitialParticles {
   std::vector<Point> x, v;            // in the reference configuration, m; m/s
   std::vector<Point> start;           // where each starts, m; empty where that is x for all
   std::vector<double> V0;             // m^dim
-  std::vector<double> inside;         // the part of its cell that V0 is: less than 1 for one on a face
+  std::vector<double> inside;         // V0 over its cell: less than 1 on a face, a little more behind a free one
   std::vector<int> body;              // index into Scene::bodies
   std::vector<int> material;          // index into Scene::materials
   std::vector<int> drive;             // index into the body's drives, or -1
@@ -33,8 +33,10 @@ inline constexpr double greatest_particle_number = 20e6;
 /// whose particles stand on its faces with a lattice whose outermost particles have parts of a cell: along an axis
 /// of n cells ½ − δ, 1 + δ, 1 … of one, δ = n/(12 (n − 1)), which integrates polynomials of degree 2 exactly
 /// (Simpson's rule for n = 2 and 3, Gregory's for many). So mass, moments of inertia and the resistance to bending
-/// are the body's; with halves all would be too great by 2/n². A face that slides along itself or is held in all but its
-/// normal may be a plane of symmetry: there it is the half cell, as it must be in a body and its image. Then they are reflected, rotated, and displaced to where they start. Throws SceneError: no particles, too many, bodies that overlap.
+/// are the body's; with halves all would be too great by 2/n². A face that slides along itself or is held in all
+/// but its normal may be a plane of symmetry: there it is the half cell, as it must be in a body and its image.
+/// Then they are reflected, rotated, and displaced to where they start. Throws SceneError: no particles, too many,
+/// bodies that overlap.
 InitialParticles make_initial_particles(const Scene& scene);
 
 }  // namespace taut

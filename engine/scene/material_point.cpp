@@ -30,10 +30,8 @@ bool solve(Equations& A, std::size_t n) {
 /// Distances of particles on a box's faces, m.
 Point pitch_on_boundary(const Box& box, double dp, int dim) {
   Point pitch{};
-  for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k) {
-    const double side = box.high[k] - box.low[k];
-    pitch[k] = side / std::max(1.0, std::round(side / dp));
-  }
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
+    pitch[k] = (box.high[k] - box.low[k]) / static_cast<double>(box.cells(k, dp));
   return pitch;
 }
 

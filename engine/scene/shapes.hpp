@@ -65,6 +65,11 @@ std::string_view name(RoundLayout);
 struct Box {
   Point low{}, high{};
 
+  /// Along an axis, about dp wide, where particles stand on the faces.
+  long cells(std::size_t axis, double dp) const {
+    return std::max(1L, std::lround((high[axis] - low[axis]) / dp));
+  }
+
   Bounds bounds() const { return {low, high}; }
   bool holds(const Point& x, int dim, double tolerance) const {
     for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)

@@ -107,12 +107,11 @@ Pack laplacian_sum(const InitialPairs<Dim>& pairs, const std::vector<double>& w,
   return sum;
 }
 
-/// The greatest rate at which dp⁴ L*[L[U]] answers any field U, over its size, from below but for a per cent or two:
-/// 100 rounds of power iteration. 40 inside a cubic lattice with 26 neighbours, 75 at the edges of three layers of
+/// The spectral radius of dp⁴ L*[L[·]], from below but for a per cent or two: 100 rounds of power iteration. 40 inside a cubic lattice with 26 neighbours, 75 at the edges of three layers of
 /// particles in the middle of cells. The same for any number of threads.
 template <int Dim>
-double greatest_answer(const InitialPairs<Dim>& pairs, const std::vector<double>& w,
-                       const std::vector<double>& outer, int threads) {
+double biharmonic_spectral_radius(const InitialPairs<Dim>& pairs, const std::vector<double>& w,
+                                  const std::vector<double>& outer, int threads) {
   const int n = pairs.size();
   std::vector<StoredPack> U(n), once(n), twice(n);
   for (int i = 0; i < n; ++i) U[i].value = Pack{std::sin(1.0 + 7.3 * i), std::cos(1.9 * i * i)};

@@ -155,7 +155,7 @@ void TlMixed<M, Dim>::set_start_gradients() {
 /// that it damps. The paper's step is below it but at the edges of bodies of few layers.
 template <const Formulation& M, int Dim>
 double TlMixed<M, Dim>::greatest_step_of_dissipation() const {
-  const double square = greatest_answer(initial_pairs_, laplacian_, outer_, threads_now()),
+  const double square = biharmonic_spectral_radius(initial_pairs_, laplacian_, outer_, threads_now()),
                once = std::sqrt(square);
   const double rate = std::max(c_.eps_v2 * once + c_.eps_v4 * square, c_.eps_J2 * once + c_.eps_J4 * square);
   return 0.9 * 2 * c_.dp / (Base::wave_speed() * rate);

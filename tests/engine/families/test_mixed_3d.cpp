@@ -171,7 +171,7 @@ TEST_SUITE("analytic") {
     CHECK(corners == 8);
   }
 
-  TEST_CASE("JST: the greatest answer of the biharmonic term is the greatest eigenvalue of its matrix") {
+  TEST_CASE("JST: the spectral radius of the biharmonic term is the greatest eigenvalue of its matrix") {
     const Cube cube(4, lee2016_h_over_dp_3d);
     const int n = cube.pairs.size();
     Eigen::MatrixXd L = Eigen::MatrixXd::Zero(n, n);
@@ -182,9 +182,9 @@ TEST_SUITE("analytic") {
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(L.transpose() * L).eigenvalues()[n - 1];
     const std::vector<double> adjoint = adjoint_weights(cube.pairs, cube.laplacian, cube.V);
     CHECK(greatest > 40);
-    CHECK(greatest_answer(cube.pairs, cube.laplacian, adjoint, 1) == relative(greatest, 0.01));
-    CHECK(greatest_answer(cube.pairs, cube.laplacian, adjoint, 1) ==
-          greatest_answer(cube.pairs, cube.laplacian, adjoint, 3));
+    CHECK(biharmonic_spectral_radius(cube.pairs, cube.laplacian, adjoint, 1) == relative(greatest, 0.01));
+    CHECK(biharmonic_spectral_radius(cube.pairs, cube.laplacian, adjoint, 1) ==
+          biharmonic_spectral_radius(cube.pairs, cube.laplacian, adjoint, 3));
   }
 
   TEST_CASE("projection: in 3D the nearest accelerations without force and torque") {
