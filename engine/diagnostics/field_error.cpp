@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 
+#include "engine/core/least_squares.hpp"
 #include "engine/diagnostics/fields.hpp"
 #include "engine/error.hpp"
 
@@ -72,7 +73,7 @@ void take_space_motion_off(std::vector<Site>& sites) {
     inertia += site.mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
   }
   // a body on a line has no turn about it
-  const Eigen::Vector3d omega = inertia.completeOrthogonalDecomposition().solve(moment);
+  const Eigen::Vector3d omega = least_squares(inertia, moment);
   for (Site& site : sites) {
     const Eigen::Vector3d motion = mean + omega.cross(vector(site.X) - centre);
     for (std::size_t k = 0; k < 3; ++k) site.difference[k] -= motion[static_cast<Eigen::Index>(k)];

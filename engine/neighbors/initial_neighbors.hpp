@@ -1,13 +1,25 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "engine/scene/initial_particles.hpp"
 
 namespace taut {
 
-/// The other particles of its own body nearer than `reach`, m, to each particle at the start: by id, in the
-/// order of their ids.
-std::vector<std::vector<int>> initial_neighbors(const InitialParticles& initial, double reach);
+/// Lists of others of each particle, by id and in the order of their ids.
+struct NeighborLists {
+  std::vector<std::size_t> begin;  // [n + 1]
+  std::vector<int> j;
+
+  bool empty() const { return begin.empty(); }
+  std::span<const int> operator[](int i) const { return {j.data() + begin[i], begin[i + 1] - begin[i]}; }
+  /// Where in j the list of i has `other`, which must be there.
+  std::size_t find(int i, int other) const;
+};
+
+/// The other particles of its own body nearer than `reach`, m, to each particle at the start.
+NeighborLists initial_neighbors(const InitialParticles& initial, double reach, int threads = 1);
 
 }  // namespace taut

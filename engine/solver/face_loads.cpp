@@ -4,8 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 
 namespace taut {
 namespace {
@@ -28,7 +29,7 @@ Point point(const Place& v) {
 }
 
 /// The direction in which the layer is thin, away from the rest of the body; 0 where there is none.
-Place outwards(int i, const InitialParticles& initial, const std::vector<int>& near,
+Place outwards(int i, const InitialParticles& initial, std::span<const int> near,
                const std::vector<int>& layer, double spacing) {
   constexpr double thin = 0.1;  // mean square across the layer over that along it
   Eigen::Matrix<double, Dim, Dim> spread = Eigen::Matrix<double, Dim, Dim>::Zero();
@@ -50,7 +51,7 @@ Place outwards(int i, const InitialParticles& initial, const std::vector<int>& n
 
 /// How much longer the face is than the layer below it, from the chords to those beside i in the layer.
 double stretch(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
-               const std::vector<int>& near, double spacing) {
+               std::span<const int> near, double spacing) {
   double inside = 0, outside = 0;
   for (const int j : near) {
     const auto found = std::ranges::lower_bound(layer.id, j);
@@ -74,7 +75,7 @@ struct Column {
 
 /// The particle farthest below i, by `near`, and how far, m.
 std::pair<int, double> deepest(int i, const Place& n, const InitialParticles& initial,
-                               const std::vector<std::vector<int>>& near, double spacing) {
+                               const NeighborLists& near, double spacing) {
   std::pair<int, double> known{i, 0};
   for (const int j : near[i]) {
     const Place d = place(initial.x[i]) - place(initial.x[j]);
@@ -85,8 +86,8 @@ std::pair<int, double> deepest(int i, const Place& n, const InitialParticles& in
 }
 
 /// Faces are felt as far as `near` goes, so that two of them meet where they are less than twice that apart.
-Column column(int i, const Place& n, const InitialParticles& initial,
-              const std::vector<std::vector<int>>& near, double spacing) {
+Column column(int i, const Place& n, const InitialParticles& initial, const NeighborLists& near,
+              double spacing) {
   double depth = 0, enough = std::numeric_limits<double>::infinity();
   while (depth < enough) {
     const auto [j, step] = deepest(i, n, initial, near, spacing);
@@ -105,8 +106,8 @@ struct Below {
 };
 
 /// Of each free particle below the layer the nearest of the layer that stands above it.
-std::map<int, Below> below(const FaceLayer& layer, const InitialParticles& initial,
-                           const std::vector<std::vector<int>>& near, double spacing) {
+std::map<int, Below> below(const FaceLayer& layer, const InitialParticles& initial, const NeighborLists& near,
+                           double spacing) {
   std::map<int, Below> all;
   for (std::size_t k = 0; k < layer.id.size(); ++k) {
     const int i = layer.id[k];
@@ -123,8 +124,8 @@ std::map<int, Below> below(const FaceLayer& layer, const InitialParticles& initi
 
 }  // namespace
 
-FaceLayer face_layer(const Load& load, const InitialParticles& initial,
-                     const std::vector<std::vector<int>>& near, std::vector<int> id, double spacing) {
+FaceLayer face_layer(const Load& load, const InitialParticles& initial, const NeighborLists& near,
+                     std::vector<int> id, double spacing) {
   FaceLayer layer{.id = std::move(id), .normal = {}, .traction = {}, .area = {}};
   std::ranges::sort(layer.id);
   for (const int i : layer.id) {
@@ -145,8 +146,8 @@ FaceLayer face_layer(const Load& load, const InitialParticles& initial,
 }
 
 std::vector<FaceShare> face_shares(FaceRule rule, const FaceLayer& layer, const InitialParticles& initial,
-                                   const std::vector<std::vector<int>>& near,
-                                   const std::vector<Point>& surface, double spacing) {
+                                   const NeighborLists& near, const std::vector<Point>& surface,
+                                   double spacing) {
   std::vector<Column> columns;
   for (std::size_t k = 0; k < layer.id.size(); ++k)
     columns.push_back(column(layer.id[k], place(layer.normal[k]), initial, near, spacing));

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/neighbors/initial_neighbors.hpp"
 #include "engine/scene/initial_particles.hpp"
 
 namespace taut {
@@ -26,8 +27,8 @@ struct FaceLayer {
 
 /// Of the particles `id` of the load's region; empty where they are no layer, of which each particle has others
 /// on a line through it, or on a plane, and the rest of the body on one side.
-FaceLayer face_layer(const Load& load, const InitialParticles& initial,
-                     const std::vector<std::vector<int>>& near, std::vector<int> id, double spacing);
+FaceLayer face_layer(const Load& load, const InitialParticles& initial, const NeighborLists& near,
+                     std::vector<int> id, double spacing);
 
 /// A share of a load, N.
 using FaceShare = std::pair<int, Point>;
@@ -48,7 +49,7 @@ using FaceShare = std::pair<int, Point>;
 /// uniform stress stays at rest, and force and moment are those of the face.
 enum class FaceRule : std::uint8_t { uniform, by_column };
 std::vector<FaceShare> face_shares(FaceRule rule, const FaceLayer& layer, const InitialParticles& initial,
-                                   const std::vector<std::vector<int>>& near,
-                                   const std::vector<Point>& surface, double spacing);
+                                   const NeighborLists& near, const std::vector<Point>& surface,
+                                   double spacing);
 
 }  // namespace taut

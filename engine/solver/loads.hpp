@@ -116,7 +116,7 @@ template <int Dim>
 void Loads<Dim>::act_on_faces(const Scene& scene, const InitialParticles& initial, FaceRule rule,
                               const std::vector<Point>& surface, double reach) {
   if constexpr (Dim == 3) return;  // a layer of particles carries what acts on its face
-  std::vector<std::vector<int>> near;
+  NeighborLists near;
   auto region = regions_.begin();
   for (const Body& body : scene.bodies) {
     for (const Load& load : body.loads) {

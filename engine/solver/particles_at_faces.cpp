@@ -14,7 +14,7 @@ std::vector<int> without_all_nearest(const InitialParticles& initial, double spa
   const auto near = initial_neighbors(initial, reach * spacing);
   std::vector<int> ids;
   for (int i = 0; i < initial.size(); ++i)
-    if (near[static_cast<std::size_t>(i)].size() < all) ids.push_back(i);
+    if (near[i].size() < all) ids.push_back(i);
   return ids;
 }
 

@@ -9,6 +9,8 @@
 #include <Eigen/Sparse>
 #include <Eigen/SparseCholesky>
 
+#include "engine/core/parallel.hpp"
+
 namespace taut {
 namespace {
 
@@ -58,8 +60,12 @@ using Entries = std::vector<Eigen::Triplet<double>>;
 /// The bonds of one body, those that a turn maps onto each other as one unknown.
 class Sector {
  public:
-  Sector(const InitialParticles& initial, Bonds& bonds, int body)
-      : initial_(initial), bonds_(bonds), first_(initial.first[body]), last_(initial.first[body + 1]) {
+  Sector(const InitialParticles& initial, Bonds& bonds, int body, int threads)
+      : initial_(initial),
+        bonds_(bonds),
+        threads_(threads),
+        first_(initial.first[body]),
+        last_(initial.first[body + 1]) {
     find_reverse();
     find_classes();
     find_inside();
@@ -110,6 +116,7 @@ class Sector {
 
   const InitialParticles& initial_;
   Bonds& bonds_;
+  int threads_;
   int first_, last_;                  // particles of the body
   std::vector<int> turned_;           // InitialParticles::turned, or each itself
   std::vector<int> reverse_, class_;  // [bond − begin()]
@@ -120,8 +127,9 @@ class Sector {
 
 void Sector::find_reverse() {
   reverse_.resize(end() - begin());
-  for (int i = first_; i < last_; ++i)
-    for_each_bond(i, [&](int b) { reverse_[b - begin()] = find(bonds_.j[b], i); });
+  parallel_for(last_ - first_, threads_, [&](int k) {
+    for_each_bond(first_ + k, [&](int b) { reverse_[b - begin()] = find(bonds_.j[b], first_ + k); });
+  });
 }
 
 void Sector::find_classes() {
@@ -166,7 +174,8 @@ bool Sector::at_surface(int i) const {
 
 void Sector::find_inside() {
   std::vector<unsigned char> surface(last_ - first_);
-  for (int i = first_; i < last_; ++i) surface[i - first_] = initial_.held[i] || at_surface(i);
+  parallel_for(last_ - first_, threads_,
+               [&](int k) { surface[k] = initial_.held[first_ + k] || at_surface(first_ + k); });
   inside_.assign(last_ - first_, 1);
   for (int i = first_; i < last_; ++i) {
     if (surface[i - first_]) inside_[i - first_] = 0;
@@ -320,14 +329,14 @@ void Sector::balance_weights() {
 
 }  // namespace
 
-void balance_areas(const InitialParticles& initial, Bonds& bonds) {
+void balance_areas(const InitialParticles& initial, Bonds& bonds, int threads) {
   for (std::size_t body = 0; body + 1 < initial.first.size(); ++body)
-    Sector(initial, bonds, static_cast<int>(body)).balance_areas();
+    Sector(initial, bonds, static_cast<int>(body), threads).balance_areas();
 }
 
-void balance_weights(const InitialParticles& initial, Bonds& bonds) {
+void balance_weights(const InitialParticles& initial, Bonds& bonds, int threads) {
   for (std::size_t body = 0; body + 1 < initial.first.size(); ++body)
-    Sector(initial, bonds, static_cast<int>(body)).balance_weights();
+    Sector(initial, bonds, static_cast<int>(body), threads).balance_weights();
 }
 
 }  // namespace taut

@@ -21,7 +21,7 @@ namespace taut {
 ///
 /// That is the force of first order in H. Of the second order a rest is left where a bond has no counterpart
 /// on the other side; on an aligned ring it falls with dp².
-void balance_areas(const InitialParticles& initial, Bonds& bonds);
-void balance_weights(const InitialParticles& initial, Bonds& bonds);
+void balance_areas(const InitialParticles& initial, Bonds& bonds, int threads = 1);
+void balance_weights(const InitialParticles& initial, Bonds& bonds, int threads = 1);
 
 }  // namespace taut

@@ -4,81 +4,95 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <utility>
+#include <numeric>
+#include <span>
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
+#include "engine/core/least_squares.hpp"
+#include "engine/core/parallel.hpp"
 #include "engine/families/bonded/balance.hpp"
 #include "engine/neighbors/initial_neighbors.hpp"
 
 namespace taut {
 namespace {
 
-/// One product e_a e_b e_c e_d of four components of a unit vector, by the power of each component.
-template <int Dim>
-using Powers = std::array<int, Dim>;
-
-template <int Dim>
-std::vector<Powers<Dim>> fourth_moments() {
-  std::vector<Powers<Dim>> all;
-  const auto fill = [&](auto& self, Powers<Dim> powers, int axis, int left) -> void {
-    powers[axis] = left;
-    if (axis == Dim - 1) return all.push_back(powers);
-    for (; powers[axis] >= 0; --powers[axis]) self(self, powers, axis + 1, left - powers[axis]);
-  };
-  fill(fill, Powers<Dim>{}, 0, 4);
-  return all;
-}
-
-/// δ_ab δ_cd + δ_ac δ_bd + δ_ad δ_bc: 3 for e_x⁴, 1 for e_x² e_y², 0 with an odd power.
-template <int Dim>
-double isotropic(const Powers<Dim>& powers) {
-  double value = 1;
-  for (int p : powers) value *= p % 2 == 1 ? 0 : (p == 4 ? 3 : 1);
-  return value;
-}
-
-/// w = ω ∘ (1 + Mᵀ α) with M w = target, the smallest such change of ω. Weights that come out negative are
-/// set to 0 and the others solved for again.
-Eigen::VectorXd corrected(const Eigen::MatrixXd& M, const Eigen::VectorXd& target, Eigen::VectorXd omega) {
-  for (Eigen::Index round = 0; round <= omega.size(); ++round) {
-    const Eigen::MatrixXd A = M * omega.asDiagonal() * M.transpose();
-    const Eigen::VectorXd alpha = A.completeOrthogonalDecomposition().solve(target - M * omega);
-    const Eigen::VectorXd w = omega + omega.asDiagonal() * (M.transpose() * alpha);
-    if (w.size() == 0 || w.minCoeff() >= 0) return w;
-    omega = (w.array() < 0).select(0.0, omega);
-  }
-  return omega;
-}
-
-/// The moments of bonds in the directions e, a column for each.
+/// The products e_a e_b e_c e_d of the components of unit vectors: of bonds, and what they should add up to.
 template <int Dim>
 class Moments {
  public:
-  Moments() : powers_(fourth_moments<Dim>()), target_(powers_.size()) {
-    for (std::size_t m = 0; m < powers_.size(); ++m) target_[m] = isotropic<Dim>(powers_[m]);
+  Moments() {
+    std::array<int, Dim> powers{};
+    fill(powers, 0, 4);
+    for (int m = 0; m < count; ++m) target_[m] = isotropic(powers_[m]);
   }
 
-  /// w_j of the bonds X_j, columns, that starts from `omega`, and whether its moments are right. The same where
-  /// they are right to begin with.
-  std::pair<Eigen::VectorXd, bool> weights(const Eigen::MatrixXd& X, const Eigen::VectorXd& omega) const {
-    Eigen::MatrixXd M(powers_.size(), X.cols());
-    for (Eigen::Index b = 0; b < X.cols(); ++b) {
-      const Eigen::VectorXd e = X.col(b).normalized();
-      for (std::size_t m = 0; m < powers_.size(); ++m) {
-        M(m, b) = 1;
-        for (int k = 0; k < Dim; ++k) M(m, b) *= std::pow(e[k], powers_[m][k]);
-      }
-    }
-    if (Dim == 3 && (M * omega - target_).cwiseAbs().maxCoeff() < 1e-9) return {omega, true};
-    const Eigen::VectorXd w = corrected(M, target_, omega);
-    return {w, (M * w - target_).cwiseAbs().maxCoeff() < 1e-9};
+  /// Makes of the weights w of the bonds X those of right moments that are nearest to them, and says whether there are any
+  /// that are not negative. The same where they are right to begin with.
+  bool make_right(const std::vector<Eigen::Vector<double, Dim>>& X, std::vector<double>& w) const {
+    std::vector<Vector> M(X.size());
+    for (std::size_t b = 0; b < X.size(); ++b) M[b] = of(X[b].normalized());
+    if (Dim == 3 && right(M, w)) return true;
+    correct(M, w);
+    return right(M, w);
   }
 
  private:
-  std::vector<Powers<Dim>> powers_;
-  Eigen::VectorXd target_;
+  static constexpr int count = Dim == 2 ? 5 : 15;
+  using Vector = Eigen::Vector<double, count>;
+
+  void fill(std::array<int, Dim>& powers, int axis, int left) {
+    powers[axis] = left;
+    if (axis == Dim - 1) return powers_.push_back(powers);
+    for (; powers[axis] >= 0; --powers[axis]) fill(powers, axis + 1, left - powers[axis]);
+  }
+  /// δ_ab δ_cd + δ_ac δ_bd + δ_ad δ_bc: 3 for e_x⁴, 1 for e_x² e_y², 0 with an odd power.
+  static double isotropic(const std::array<int, Dim>& powers) {
+    double value = 1;
+    for (int p : powers) value *= p % 2 == 1 ? 0 : (p == 4 ? 3 : 1);
+    return value;
+  }
+  Vector of(const Eigen::Vector<double, Dim>& e) const {
+    std::array<std::array<double, 5>, Dim> power;
+    for (int k = 0; k < Dim; ++k)
+      power[k] = {1, e[k], e[k] * e[k], e[k] * e[k] * e[k], e[k] * e[k] * e[k] * e[k]};
+    Vector moments;
+    for (int m = 0; m < count; ++m) {
+      moments[m] = 1;
+      for (int k = 0; k < Dim; ++k) moments[m] *= power[k][powers_[m][k]];
+    }
+    return moments;
+  }
+  Vector missing(const std::vector<Vector>& M, const std::vector<double>& w) const {
+    Vector sum = target_;
+    for (std::size_t b = 0; b < M.size(); ++b) sum -= w[b] * M[b];
+    return sum;
+  }
+  bool right(const std::vector<Vector>& M, const std::vector<double>& w) const {
+    return missing(M, w).cwiseAbs().maxCoeff() < 1e-9;
+  }
+  /// w = ω ∘ (1 + Mᵀ α) with M w = target, the smallest such change of ω. Weights that come out negative are
+  /// set to 0 and the others solved for again.
+  void correct(const std::vector<Vector>& M, std::vector<double>& omega) const {
+    std::vector<double> w(omega.size());
+    for (std::size_t round = 0; round <= omega.size(); ++round) {
+      Eigen::Matrix<double, count, count> A = Eigen::Matrix<double, count, count>::Zero();
+      for (std::size_t b = 0; b < M.size(); ++b)
+        for (int k = 0; k < count; ++k) A.col(k) += omega[b] * M[b][k] * M[b];
+      const Vector alpha = least_squares(A, missing(M, omega));
+      bool negative = false;
+      for (std::size_t b = 0; b < M.size(); ++b) {
+        w[b] = omega[b] + omega[b] * M[b].dot(alpha);
+        negative = negative || w[b] < 0;
+      }
+      if (!negative) return omega.swap(w);
+      for (std::size_t b = 0; b < M.size(); ++b)
+        if (w[b] < 0) omega[b] = 0;
+    }
+  }
+
+  std::vector<std::array<int, Dim>> powers_;
+  Vector target_;
 };
 
 template <int Dim>
@@ -103,8 +117,13 @@ double lattice_weight(double r) {
 template <int Dim>
 class Maker {
  public:
-  Maker(const Scene& scene, const InitialParticles& initial, double h)
-      : scene_(scene), initial_(initial), h_(h), least_reach_(initial.first.size() - 1, least_bond_reach) {}
+  Maker(const Scene& scene, const InitialParticles& initial, double h, int threads)
+      : scene_(scene),
+        initial_(initial),
+        h_(h),
+        threads_(threads),
+        least_reach_(initial.first.size() - 1, least_bond_reach),
+        near_(initial_neighbors(initial, (Dim == 2 ? greatest_bond_reach : least_bond_reach) * h, threads)) {}
 
   Bonds make() {
     if constexpr (Dim == 2)
@@ -127,6 +146,7 @@ class Maker {
     double cells, on_faces;
   };
   static constexpr double none = std::numeric_limits<double>::infinity();
+  static constexpr double not_asked = -1;
 
   using Place = Eigen::Vector<double, Dim>;
   using Square = Eigen::Matrix<double, Dim, Dim>;
@@ -142,7 +162,8 @@ class Maker {
   /// a_ij over X_ij, of the spacing over r: in 3D of those on the axes of the lattice alone.
   static double area_share(double per_r) {
     if constexpr (Dim == 3) return per_r > 0.83 ? 1 : 0;
-    return std::pow(per_r, 8);
+    const double squared = per_r * per_r, to_4 = squared * squared;
+    return to_4 * to_4;
   }
 
   void make_of_lattice() {
@@ -164,10 +185,10 @@ class Maker {
     choose();
     set_ends();
     set_gradients();
-    balance_areas(initial_, out_);
+    balance_areas(initial_, out_, threads_);
     set_gradients();
     unbalanced_ = out_.weight;
-    balance_weights(initial_, out_);
+    balance_weights(initial_, out_, threads_);
   }
   void choose();
   void choose_on_lattice();
@@ -185,9 +206,11 @@ class Maker {
   const Scene& scene_;
   const InitialParticles& initial_;
   double h_;
-  std::vector<double> least_reach_;            // [body] of the bonds, in h
-  std::vector<std::map<int, double>> chosen_;  // [id] w_ij by j
-  std::vector<double> unbalanced_;             // weights before they were balanced
+  int threads_;
+  std::vector<double> least_reach_;  // [body] of the bonds, in h
+  NeighborLists near_;               // by id
+  std::vector<double> asked_;        // [pair of near_] w_ij
+  std::vector<double> unbalanced_;   // weights before they were balanced
   Bonds out_;
 };
 
@@ -195,29 +218,29 @@ class Maker {
 template <int Dim>
 void Maker<Dim>::choose() {
   const Moments<Dim> moments;
-  chosen_.assign(initial_.size(), {});
-  const auto near = initial_neighbors(initial_, greatest_bond_reach * h_);
-  for (int i = 0; i < initial_.size(); ++i) {
-    const Place x_i = column(initial_.x[i]);
+  asked_.assign(near_.j.size(), not_asked);
+  parallel_for(initial_.size(), threads_, [&](int i) {
+    const std::span<const int> near = near_[i];
+    std::vector<Place> X;
+    std::vector<double> w;
+    std::vector<std::size_t> pairs;
     const double least = least_reach_[initial_.body[i]];
     for (double reach = least; reach <= greatest_bond_reach; reach += 0.125) {
-      std::vector<int> others;
-      for (int j : near[i])
-        if ((column(initial_.x[j]) - x_i).norm() < reach * h_ * (1 - 1e-9)) others.push_back(j);
-      Eigen::MatrixXd X(Dim, others.size());
-      Eigen::VectorXd omega(others.size());
-      for (std::size_t b = 0; b < others.size(); ++b) {
-        X.col(b) = column(initial_.x[others[b]]) - x_i;
-        omega[b] = initial_.V0[others[b]] / std::pow(X.col(b).norm(), Dim);
+      X.clear(), w.clear(), pairs.clear();
+      for (std::size_t k = 0; k < near.size(); ++k) {
+        const Place one = column(initial_.x[near[k]]) - column(initial_.x[i]);
+        if (!(one.norm() < reach * h_ * (1 - 1e-9))) continue;
+        X.push_back(one);
+        w.push_back(initial_.V0[near[k]] / (Dim == 2 ? one.squaredNorm() : one.squaredNorm() * one.norm()));
+        pairs.push_back(near_.begin[i] + k);
       }
-      const auto [w, right] = moments.weights(X, omega);
+      const bool right = moments.make_right(X, w);
       if (!right && reach > least) continue;  // the first choice stands if none is right
-      chosen_[i].clear();
-      for (std::size_t b = 0; b < others.size(); ++b)
-        chosen_[i][others[b]] = rounded(w[static_cast<Eigen::Index>(b)]);
+      std::fill_n(asked_.begin() + near_.begin[i], near.size(), not_asked);
+      for (std::size_t b = 0; b < pairs.size(); ++b) asked_[pairs[b]] = rounded(w[b]);
       if (right) break;
     }
-  }
+  });
 }
 
 /// The 26 nearest of a cubic lattice. A particle that has them all asks for right moments, which it finds as
@@ -226,54 +249,70 @@ template <int Dim>
 void Maker<Dim>::choose_on_lattice() {
   constexpr std::size_t whole = 26;
   const Moments<Dim> moments;
-  chosen_.assign(initial_.size(), {});
-  const auto near = initial_neighbors(initial_, least_bond_reach * h_);
-  for (int i = 0; i < initial_.size(); ++i) {
-    Eigen::MatrixXd X(Dim, near[i].size());
-    Eigen::VectorXd w(near[i].size());
-    for (std::size_t b = 0; b < near[i].size(); ++b) {
-      X.col(b) = column(initial_.x[near[i][b]]) - column(initial_.x[i]);
-      w[b] = lattice_weight(X.col(b).norm() / scene_.spacing);
+  asked_.resize(near_.j.size());
+  parallel_for(initial_.size(), threads_, [&](int i) {
+    std::vector<Place> X;
+    std::vector<double> w;
+    for (const int j : near_[i]) {
+      X.push_back(column(initial_.x[j]) - column(initial_.x[i]));
+      w.push_back(lattice_weight(X.back().norm() / scene_.spacing));
     }
-    if (near[i].size() == whole) w = moments.weights(X, w).first;
-    for (std::size_t b = 0; b < near[i].size(); ++b) chosen_[i][near[i][b]] = rounded(w[b]);
-  }
+    if (X.size() == whole) moments.make_right(X, w);
+    for (std::size_t b = 0; b < w.size(); ++b) asked_[near_.begin[i] + b] = rounded(w[b]);
+  });
 }
 
 /// Every bond that one of its two ends asked for, with the particles for its ends.
 template <int Dim>
 void Maker<Dim>::set_ends() {
-  for (int i = 0; i < initial_.size(); ++i)
-    for (const auto& [j, w] : chosen_[i]) chosen_[j].try_emplace(i, 0.0);
+  const auto asked = [&](std::size_t pair, std::size_t back) {
+    return asked_[pair] != not_asked || asked_[back] != not_asked;
+  };
+  const int n = initial_.size();
+  std::vector<std::size_t> back(near_.j.size());
   out_ = {};
-  out_.begin.push_back(0);
-  for (int i = 0; i < initial_.size(); ++i) {
-    for (const auto& [j, w] : chosen_[i]) {
-      const Place X = between(i, j);
-      out_.j.push_back(j);
-      out_.weight.push_back(w);
-      out_.X.push_back(point<Dim>(X));
-      out_.area.push_back(point<Dim>(area_share(scene_.spacing / X.norm()) * X));
+  out_.begin.assign(n + 1, 0);
+  parallel_for(n, threads_, [&](int i) {
+    for (std::size_t pair = near_.begin[i]; pair < near_.begin[i + 1]; ++pair) {
+      back[pair] = near_.find(near_.j[pair], i);
+      out_.begin[i + 1] += asked(pair, back[pair]);
     }
-    out_.begin.push_back(static_cast<int>(out_.j.size()));
-  }
+  });
+  std::partial_sum(out_.begin.begin(), out_.begin.end(), out_.begin.begin());
+  out_.j.resize(out_.begin[n]);
+  out_.weight.resize(out_.j.size());
+  out_.X.resize(out_.j.size());
+  out_.area.resize(out_.j.size());
+  parallel_for(n, threads_, [&](int i) {
+    int b = out_.begin[i];
+    for (std::size_t pair = near_.begin[i]; pair < near_.begin[i + 1]; ++pair) {
+      if (!asked(pair, back[pair])) continue;
+      const int j = near_.j[pair];
+      const Place X = between(i, j);
+      out_.j[b] = j;
+      out_.weight[b] = asked_[pair] == not_asked ? 0 : asked_[pair];
+      out_.X[b] = point<Dim>(X);
+      out_.area[b] = point<Dim>(area_share(scene_.spacing / X.norm()) * X);
+      ++b;
+    }
+  });
 }
 
 template <int Dim>
 void Maker<Dim>::set_gradients() {
   out_.gradient.assign(out_.j.size(), Point{});
   out_.B.assign(initial_.size(), {});
-  for (int i = 0; i < initial_.size(); ++i) {
+  parallel_for(initial_.size(), threads_, [&](int i) {
     Square A = Square::Zero();
     for (int b = out_.begin[i]; b < out_.begin[i + 1]; ++b)
       A += column(out_.area[b]) * column(out_.X[b]).transpose();
     const double scale = std::pow(A.trace() / Dim, Dim);
-    if (!(A.determinant() > 1e-6 * scale)) continue;
+    if (!(A.determinant() > 1e-6 * scale)) return;
     const Square B = A.inverse();
     for (int k = 0; k < Dim; ++k) out_.B[i][k] = point<Dim>(B.col(k));
     for (int b = out_.begin[i]; b < out_.begin[i + 1]; ++b)
       out_.gradient[b] = point<Dim>(B * column(out_.area[b]));
-  }
+  });
 }
 
 /// A particle that has no neighbour on one of the axes, as the tips of round bodies, takes the gradient from
@@ -357,6 +396,9 @@ double Maker<Dim>::share_before_clamp(int i, const Point& X) const {
 /// keep theirs: the half of their cell before it is strained like any other.
 template <int Dim>
 void Maker<Dim>::cut_at_clamp() {
+  bool all_deform = true;
+  for (int i = 0; i < initial_.size() && all_deform; ++i) all_deform = deforms(i);
+  if (all_deform) return;
   Bonds cut;
   cut.begin.push_back(0);
   cut.volume = std::move(out_.volume);
@@ -410,8 +452,9 @@ std::vector<Point> surface(const Bonds& bonds, const std::vector<double>& V) {
   return S;
 }
 
-Bonds make_bonds(const Scene& scene, const InitialParticles& initial, double h) {
-  return scene.dim == 3 ? Maker<3>(scene, initial, h).make() : Maker<2>(scene, initial, h).make();
+Bonds make_bonds(const Scene& scene, const InitialParticles& initial, double h, int threads) {
+  return scene.dim == 3 ? Maker<3>(scene, initial, h, threads).make()
+                        : Maker<2>(scene, initial, h, threads).make();
 }
 
 }  // namespace taut

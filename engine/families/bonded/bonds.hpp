@@ -61,7 +61,7 @@ struct Bonds {
 /// Where particles stand on the faces (Body::on_boundary, 3D) the layout has an end correction already; volumes have
 /// −dp²/25 more, with which the square cantilever of six cells across bends in the right time and twists 0.3 % fast. What
 /// is held there keeps its bonds and its energy: the half cells before the clamp are part of the body.
-Bonds make_bonds(const Scene& scene, const InitialParticles& initial, double h);
+Bonds make_bonds(const Scene& scene, const InitialParticles& initial, double h, int threads = 1);
 
 /// The surface that belongs to each particle, S_j = Σ_i (V_i g_ij − V_j g_ji), against which a uniform stress
 /// pushes; 0 inside a lattice. Of volumes V, m^dim; of those of the bonds.

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include <Eigen/Dense>
 
+#include "engine/core/parallel.hpp"
 #include "engine/neighbors/initial_neighbors.hpp"
 
 namespace taut {
@@ -27,8 +30,7 @@ constexpr int quadratic = Dim + Dim*(Dim + 1) / 2;
 
 /// Those of `near` that are of the same kind as i.
 template <int Dim>
-Neighborhood<Dim> alike(const InitialParticles& initial, int i, const std::vector<int>& near,
-                        double spacing) {
+Neighborhood<Dim> alike(const InitialParticles& initial, int i, std::span<const int> near, double spacing) {
   Neighborhood<Dim> some;
   for (const int j : near) {
     if (initial.material[j] != initial.material[i] || initial.held[j] != initial.held[i]) continue;
@@ -76,8 +78,13 @@ Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, in
   const Eigen::MatrixXd A = (P * root.asDiagonal()).transpose();
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A);
   if (qr.rank() < terms) return {};
-  const Eigen::MatrixXd inverse = qr.solve(Eigen::MatrixXd(root.asDiagonal()));
-  const Eigen::Matrix<double, Dim, Eigen::Dynamic> g = inverse.template topRows<Dim>();
+  // the first rows of A⁺ = P R⁻¹ Qᵀ, as columns: A is A = Q R Pᵀ
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(n, Dim);
+  rows.topRows(terms) = qr.colsPermutation().transpose() * Eigen::MatrixXd::Identity(terms, Dim);
+  qr.matrixR().topLeftCorner(terms, terms).template triangularView<Eigen::Upper>().transpose().solveInPlace(
+      rows.topRows(terms));
+  rows.applyOnTheLeft(qr.householderQ());
+  const Eigen::Matrix<double, Dim, Eigen::Dynamic> g = (root.asDiagonal() * rows).transpose();
   for (int a = 0; a < Dim; ++a)
     if (!(g.row(a).cwiseAbs().sum() + std::abs(g.row(a).sum()) <= greatest_cost)) return {};
   return g;
@@ -97,22 +104,27 @@ std::pair<Neighborhood<Dim>, Eigen::Matrix<double, Dim, Eigen::Dynamic>> row(con
 
 template <int Dim>
 RecoveredGradient recovered(const InitialParticles& initial, const std::vector<int>& id, double spacing,
-                            double reach) {
-  RecoveredGradient out;
+                            double reach, int threads) {
+  const int n = static_cast<int>(id.size());
   std::vector<int> where(id.size());
-  for (std::size_t k = 0; k < id.size(); ++k) where[id[k]] = static_cast<int>(k);
-  const auto near = initial_neighbors(initial, std::max(1.001 * reach, greatest_reach * spacing));
+  for (int k = 0; k < n; ++k) where[id[k]] = k;
+  const NeighborLists near =
+      initial_neighbors(initial, std::max(1.001 * reach, greatest_reach * spacing), threads);
+  using Gradient = std::pair<Neighborhood<Dim>, Eigen::Matrix<double, Dim, Eigen::Dynamic>>;
+  std::vector<Gradient> rows(id.size());
+  parallel_for(n, threads, [&](int k) {
+    const Neighborhood<Dim> kin = alike<Dim>(initial, id[k], near[id[k]], spacing);
+    if (!initial.held[id[k]] && !symmetric(within(kin, (1 + 1e-9) * reach / spacing)))
+      rows[k] = row<Dim>(kin);
+  });
+  RecoveredGradient out;
   out.begin.push_back(0);
-  for (const int i : id) {
-    const Neighborhood<Dim> kin = alike<Dim>(initial, i, near[i], spacing);
-    if (!initial.held[i] && !symmetric(within(kin, (1 + 1e-9) * reach / spacing))) {
-      const auto& [some, g] = row<Dim>(kin);
-      for (std::size_t b = 0; b < some.size(); ++b) {
-        Point g_j{};
-        for (int a = 0; a < Dim; ++a) g_j[a] = g(a, b) / spacing;
-        out.j.push_back(where[some[b].id]);
-        out.g.push_back(g_j);
-      }
+  for (const auto& [some, g] : rows) {
+    for (std::size_t b = 0; b < some.size(); ++b) {
+      Point g_j{};
+      for (int a = 0; a < Dim; ++a) g_j[a] = g(a, b) / spacing;
+      out.j.push_back(where[some[b].id]);
+      out.g.push_back(g_j);
     }
     out.begin.push_back(static_cast<int>(out.j.size()));
   }
@@ -122,9 +134,9 @@ RecoveredGradient recovered(const InitialParticles& initial, const std::vector<i
 }  // namespace
 
 RecoveredGradient recovered_gradient(const InitialParticles& initial, const std::vector<int>& id,
-                                     double spacing, double reach) {
-  return initial.dim == 3 ? recovered<3>(initial, id, spacing, reach)
-                          : recovered<2>(initial, id, spacing, reach);
+                                     double spacing, double reach, int threads) {
+  return initial.dim == 3 ? recovered<3>(initial, id, spacing, reach, threads)
+                          : recovered<2>(initial, id, spacing, reach, threads);
 }
 
 }  // namespace taut

@@ -29,6 +29,6 @@ struct RecoveredGradient {
 /// row an error of ε in each place may cost a strain of 8 ε/dp at most, and three points on a line cost 4.
 /// Where a body is too thin for that, the fit is linear, and where for that too, there is none.
 RecoveredGradient recovered_gradient(const InitialParticles& initial, const std::vector<int>& id,
-                                     double spacing, double reach);
+                                     double spacing, double reach, int threads = 1);
 
 }  // namespace taut

@@ -43,7 +43,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     relaxation_ = c_.damping * c_.dp / shear_speed;
     CellGrid<Dim> grid;
     s_.reorder(grid.sort(s_.x, this->support_), threads_now());
-    const Bonds bonds = make_bonds(input.scene, this->initial_, c_.h);
+    const Bonds bonds = make_bonds(input.scene, this->initial_, c_.h, input.threads);
     take_masses(bonds);
     Base::go_to_start();
     pack_bonds(bonds, input.scene);
@@ -473,7 +473,8 @@ void Bonded<M, Dim>::show(int group, const Mat<Pack, Dim>& F) {
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::take_snapshot() {
   Base::begin_snapshot();
-  if (recovered_.empty()) recovered_ = recovered_gradient(this->initial_, s_.id, c_.dp, this->support_);
+  if (recovered_.empty()) recovered_ = 
+        recovered_gradient(this->initial_, s_.id, c_.dp, this->support_, threads_now());
   this->snapshot_.strain_energy.resize(s_.size());
   displacements_.resize(s_.size());
   parallel_for(s_.size(), threads_now(), [&](int i) {
