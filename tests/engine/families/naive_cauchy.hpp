@@ -7,9 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/neighbor_sweep.hpp"
+
 /// The methods of [Khayyer2024] and [TranDuc2023] §2.2 in two dimensions, written a second time, straight
-/// from the papers: every particle against every other, no lists, no lanes, nothing of the engine. Slow, and
-/// meant to be read beside the paper. As in [Khayyer2024], r_ij = r_j − r_i and u_ij = u_j − u_i, and ∇ is
+/// from the papers: pair by pair, no lanes, nothing of the engine. Slow, and meant to be read beside the paper. As in [Khayyer2024], r_ij = r_j − r_i and u_ij = u_j − u_i, and ∇ is
 /// ∇_i w.
 ///
 /// Where the papers are silent or contradict themselves, this takes the same side as the engine says it does:
@@ -107,6 +108,7 @@ class Run {
 
   void step() {
     const double dt = is_.cfl() * h_ / c0_;  // Eq. 26
+    find_others();
     const std::vector<Vector> a = accelerations();
     const std::vector<double> D = density_diffusion();
     const std::vector<double> rho = densities();  // volumes stay those of the start
@@ -129,7 +131,13 @@ class Run {
 
  private:
   std::size_t n() const { return particles.size(); }
-  bool near(std::size_t i, std::size_t j) const { return i != j && particles[i].body == particles[j].body; }
+  bool near(std::size_t i, std::size_t j) const { return particles[i].body == particles[j].body; }
+  /// Beyond the support, since the positions of a step differ.
+  void find_others() {
+    std::vector<Vector> r;
+    for (const Particle& a : particles) r.push_back(a.r);
+    others_ = neighbors_within(2.5 * h_, r);
+  }
 
   /// Eq. 11, 12, or the fifth power of a sinc, [TranDuc2023] §2.1.
   double w(double r) const {
@@ -161,7 +169,7 @@ class Run {
   Matrix correction(std::size_t i, const std::vector<Vector>& r) const {
     if (!is_.corrected) return identity;
     Matrix M{};
-    for (std::size_t j = 0; j < n(); ++j)
+    for (const std::size_t j : others_[i])
       if (near(i, j)) M = M + particles[j].V() * outer(r[j] - r[i], gradient(r[j] - r[i]));
     return inverse(M);
   }
@@ -191,13 +199,13 @@ class Run {
     std::vector<bool> surface, inner;
     for (std::size_t i = 0; i < n(); ++i) {
       double C = w(0) * particles[i].V();
-      for (std::size_t j = 0; j < n(); ++j)
+      for (const std::size_t j : others_[i])
         if (near(i, j)) C += w(std::hypot(r_ij(i, j)[0], r_ij(i, j)[1])) * particles[j].V();
       surface.push_back(C < 0.9);
     }
     for (std::size_t i = 0; i < n(); ++i) {
       bool in = !surface[i];
-      for (std::size_t j = 0; j < n(); ++j)
+      for (const std::size_t j : others_[i])
         if (near(i, j) && surface[j] && std::hypot(r_ij(i, j)[0], r_ij(i, j)[1]) < 1.2 * d0_) in = false;
       inner.push_back(in);
       ++(in ? counts.inner : counts.outer);
@@ -224,7 +232,7 @@ class Run {
     for (const Particle& a : particles) R.push_back(tensile(a));
     std::vector<Vector> acceleration(n(), Vector{});
     for (std::size_t i = 0; i < n(); ++i) {
-      for (std::size_t j = 0; j < n(); ++j) {
+      for (const std::size_t j : others_[i]) {
         if (!near(i, j)) continue;
         const Particle &a = particles[i], &b = particles[j];
         const Vector dw = gradient(r_ij(i, j));
@@ -249,7 +257,7 @@ class Run {
   std::vector<Matrix> plain_velocity_gradients(const std::vector<Matrix>& L) const {
     std::vector<Matrix> grad(n(), Matrix{});
     for (std::size_t i = 0; i < n(); ++i)
-      for (std::size_t j = 0; j < n(); ++j)
+      for (const std::size_t j : others_[i])
         if (near(i, j))
           grad[i] = grad[i] +
                     particles[j].V() * outer(particles[j].u - particles[i].u, L[i] * gradient(r_ij(i, j)));
@@ -276,12 +284,12 @@ class Run {
       return near(i, j) && particles[i].of_material == particles[j].of_material;
     };
     for (std::size_t i = 0; i < n(); ++i)
-      for (std::size_t j = 0; j < n(); ++j)
+      for (const std::size_t j : others_[i])
         if (same(i, j))
           grad_rho[i] = grad_rho[i] + (particles[j].rho - particles[i].rho) * particles[j].V() *
                                           (L[i] * gradient(r_ij(i, j)));
     for (std::size_t i = 0; i < n(); ++i) {
-      for (std::size_t j = 0; j < n(); ++j) {
+      for (const std::size_t j : others_[i]) {
         if (!same(i, j)) continue;
         const Vector r = r_ij(i, j);
         const double psi = 2 * (particles[j].rho - particles[i].rho) - dot(grad_rho[i] + grad_rho[j], r);
@@ -298,7 +306,7 @@ class Run {
     for (std::size_t i = 0; i < n(); ++i) {
       const Particle& a = particles[i];
       u.push_back(a.u);
-      for (std::size_t j = 0; j < n(); ++j) {
+      for (const std::size_t j : others_[i]) {
         if (!near(i, j) || a.held) continue;
         const Particle& b = particles[j];
         u[i] = u[i] + is_.xsph() * 2 * b.m / (b.rho + a.rho) * w(std::hypot(r_ij(i, j)[0], r_ij(i, j)[1])) *
@@ -313,7 +321,7 @@ class Run {
     std::vector<Matrix> grad(n(), Matrix{});
     for (std::size_t i = 0; i < n(); ++i) {
       const Matrix L = correction(i, r);
-      for (std::size_t j = 0; j < n(); ++j)
+      for (const std::size_t j : others_[i])
         if (near(i, j)) grad[i] = grad[i] + particles[j].V() * outer(u[j] - u[i], L * gradient(r[j] - r[i]));
     }
     return grad;
@@ -327,7 +335,7 @@ class Run {
       double sum = -particles[i].rho * (grad_u[i][0][0] + grad_u[i][1][1]);
       if (is_.tranduc) {
         sum = 0;
-        for (std::size_t j = 0; j < n(); ++j)
+        for (const std::size_t j : others_[i])
           if (near(i, j)) sum += particles[j].m * dot(u[i] - u[j], gradient(r[j] - r[i]));
       }
       rate.push_back(sum);
@@ -347,7 +355,8 @@ class Run {
   /// f(b, b.r − a.r, distance) for each particle of another body within one spacing.
   template <class F>
   void for_each_touch(const Particle& a, const F& f) {
-    for (const Particle& b : particles) {
+    for (const std::size_t j : others_[static_cast<std::size_t>(&a - particles.data())]) {
+      const Particle& b = particles[j];
       const Vector r = b.r - a.r;
       const double distance = std::hypot(r[0], r[1]);
       if (a.body == b.body || distance >= d0_) continue;
@@ -383,6 +392,7 @@ class Run {
 
   Method is_;
   double d0_, h_, c0_;
+  std::vector<std::vector<std::size_t>> others_;  // of each particle, of all bodies
 };
 
 }  // namespace taut::test::naive_cauchy

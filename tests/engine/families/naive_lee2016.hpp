@@ -13,6 +13,8 @@
 
 #include <Eigen/Dense>
 
+#include "tests/support/neighbor_sweep.hpp"
+
 namespace taut::test::naive_lee {
 
 template <int Dim>
@@ -67,6 +69,8 @@ struct Run {
   double time = 0;
   long contacts = 0, corners = 0;
 
+  std::vector<std::vector<std::size_t>> lists = {};  // of the others within 2h at the start
+
   double wave_speed() const { return std::sqrt((K + 4 * G / 3) / rho0); }
 
   bool near(const Particle& a, const Particle& b) const {
@@ -99,12 +103,17 @@ struct Run {
   }
 
   void start() {
-    for (Particle& a : particles) {
+    std::vector<Vector> X;
+    for (const Particle& a : particles) X.push_back(a.X);
+    lists = neighbors_within(2 * h, X);
+    for (std::size_t k = 0; k < particles.size(); ++k) {
+      Particle& a = particles[k];
       Matrix M = Matrix::Zero();
       Mat<Dim + 1> A = Mat<Dim + 1>::Zero();
       Field right = Field::Zero();
       right[Dim] = 2 * Dim;
-      for (const Particle& b : particles) {
+      for (const std::size_t l : lists[k]) {
+        const Particle& b = particles[l];
         if (!near(a, b)) continue;
         const Vector r = a.X - b.X;
         M += b.V * dW(r.norm()) / r.norm() * r * (b.X - a.X).transpose();
@@ -144,7 +153,7 @@ struct Run {
     const auto L = [&](const std::vector<Field>& U) {
       std::vector<Field> out(U.size(), Field::Zero());
       for (std::size_t a = 0; a < U.size(); ++a)
-        for (std::size_t b = 0; b < U.size(); ++b)
+        for (const std::size_t b : lists[a])
           if (near(particles[a], particles[b]))
             out[a] += particles[b].V * (U[b] - U[a]) * laplacian(particles[a], particles[b]);
       return out;
@@ -164,7 +173,7 @@ struct Run {
   std::vector<Field> adjoint_of_L(const std::vector<Field>& g) const {
     std::vector<Field> out(g.size(), Field::Zero());
     for (std::size_t a = 0; a < g.size(); ++a)
-      for (std::size_t b = 0; b < g.size(); ++b)
+      for (const std::size_t b : lists[a])
         if (near(particles[a], particles[b]))
           out[a] += particles[b].V * (laplacian(particles[b], particles[a]) * g[b] -
                                       laplacian(particles[a], particles[b]) * g[a]);
@@ -207,7 +216,8 @@ struct Run {
     for (std::size_t k = 0; k < n; ++k) {
       const Particle& a = particles[k];
       Matrix grad = Matrix::Zero();
-      for (const Particle& b : particles) {
+      for (const std::size_t l : lists[k]) {
+        const Particle& b = particles[l];
         if (!near(a, b)) continue;
         T[k] += b.V * (stress(b) * gradient(b, a) - stress(a) * gradient(a, b));
         grad += b.V / rho0 * (b.p - a.p) * gradient(a, b).transpose();
@@ -228,10 +238,11 @@ struct Run {
       for (std::size_t k = 0; k < n; ++k)
         if (particles[k].body == body) DJ[k] -= sum / volume;
     }
+    const auto touching = neighbors_within(dp, Z);
     for (std::size_t k = 0; k < n; ++k) {
       const Particle& a = particles[k];
       Vector E = Vector::Zero();
-      for (std::size_t l = 0; l < n; ++l) {
+      for (const std::size_t l : touching[k]) {
         const Particle& b = particles[l];
         const Vector d = Z[k] - Z[l];
         if (a.body == b.body || d.norm() >= dp) continue;

@@ -16,6 +16,8 @@
 
 #include <Eigen/Dense>
 
+#include "tests/support/neighbor_sweep.hpp"
+
 namespace taut::test::naive_reference {
 
 enum class Method { tl, icb, small_strain, tl_st_venant_kirchhoff, tl_linear };
@@ -48,6 +50,7 @@ struct Run {
   std::vector<Particle> particles;
   double time = 0;
   long contacts = 0;  // pairs of two bodies that pressed on each other, over all steps
+  std::vector<std::vector<std::size_t>> near = {}, touching = {};  // of each particle, at the start and now
 
   // kernels of the methods: Wendland C2 (tl), sinc⁵ (icb), Gauss cut off at 3 h (small strain)
   double support() const { return (1 - 1e-9) * (small() ? 3 * h : 2 * h); }
@@ -101,11 +104,24 @@ struct Run {
     return true;
   }
 
+  template <class Position>
+  std::vector<std::vector<std::size_t>> within(double reach, const Position& position) const {
+    std::vector<Vector> places;
+    for (const Particle& i : particles) places.push_back(i.*position);
+    return neighbors_within(reach, places);
+  }
+  const std::vector<std::size_t>& of(const std::vector<std::vector<std::size_t>>& lists,
+                                     const Particle& i) const {
+    return lists[static_cast<std::size_t>(&i - particles.data())];
+  }
+
   void start() {
+    near = within(support(), &Particle::X);
     for (Particle& i : particles) {
       Matrix A = Matrix::Zero();
       i.s = i.V * W(0);
-      for (const Particle& j : particles) {
+      for (const std::size_t n : of(near, i)) {
+        const Particle& j = particles[n];
         Vector g;
         if (!gradient(i, j, g)) continue;
         i.s += j.V * W((i.X - j.X).norm());
@@ -152,7 +168,8 @@ struct Run {
     for (Particle& i : particles) {
       i.F.setZero();
       if (small()) i.F.setIdentity();
-      for (const Particle& j : particles) {
+      for (const std::size_t n : of(near, i)) {
+        const Particle& j = particles[n];
         Vector g;
         if (!gradient(i, j, g)) continue;
         const Vector Ng = i.N * g;
@@ -167,8 +184,12 @@ struct Run {
 
   Vector force(const Particle& i) {
     Vector f = Vector::Zero();
-    for (const Particle& j : particles) {
+    for (const std::size_t n : of(near, i)) {
+      const Particle& j = particles[n];
       if (Vector g; gradient(i, j, g)) f += i.V * j.V * (i.P * (i.N * g) + j.P * (j.N * g));
+    }
+    for (const std::size_t n : of(touching, i)) {
+      const Particle& j = particles[n];
       const Vector d = i.x - j.x;
       const double r = d.norm();
       if (i.body == j.body || r >= dp) continue;
@@ -187,6 +208,7 @@ struct Run {
     const double dt = cfl * h / (std::sqrt((K + 4 * G / 3) / rho0) + fastest);
     for (Particle& i : particles) i.x += dt / 2 * i.v;
     deform();
+    touching = within(dp, &Particle::x);
     std::vector<Vector> f;
     for (const Particle& i : particles) f.push_back(force(i));
     for (std::size_t n = 0; n < particles.size(); ++n) {

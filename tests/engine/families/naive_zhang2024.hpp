@@ -8,9 +8,10 @@
 
 #include <Eigen/Dense>
 
-/// The methods of [Zhang2024] in two and three dimensions, written a second time, straight from the paper: every
-/// particle against every other, no lists, no lanes, nothing of the engine. Slow, and meant to be read beside
-/// the paper.
+#include "tests/support/neighbor_sweep.hpp"
+
+/// The methods of [Zhang2024] in two and three dimensions, written a second time, straight from the paper: pair by
+/// pair, no lanes, nothing of the engine. Slow, and meant to be read beside the paper.
 ///
 /// Where the paper is silent or contradicts itself, this takes the same side as the engine says it does:
 ///   - Eq. 7 with the rotation terms of Jaumann; Eq. 14 and 27 with the sign that makes ∇v right;
@@ -56,7 +57,7 @@ struct Particle {
 
 template <int Dim>
 struct PairGeometry {
-  bool neighbors = false;
+  std::size_t j = 0;
   Vector<Dim> e{};  // from j to i
   double r = 0, dW = 0, closeness = 0;
 };
@@ -130,7 +131,6 @@ class Run {
   static double length(const Vector& a) { return std::sqrt(dot<Dim>(a, a)); }
 
   bool nested() const { return method_ == Method::og || method_ == Method::oas; }
-  const PairGeometry& pair(std::size_t i, std::size_t j) const { return pairs_[i * particles.size() + j]; }
   bool same_body(std::size_t i, std::size_t j) const { return particles[i].body == particles[j].body; }
 
   /// Wendland's C2 kernel.
@@ -152,10 +152,9 @@ class Run {
     return V;
   }
 
-  void set_geometry(std::size_t i, std::size_t j) {
-    PairGeometry& g = pairs_[i * particles.size() + j];
+  void set_geometry(std::size_t i, PairGeometry& g) const {
     Vector d;
-    for (int k = 0; k < Dim; ++k) d[k] = particles[i].x[k] - particles[j].x[k];
+    for (int k = 0; k < Dim; ++k) d[k] = particles[i].x[k] - particles[g.j].x[k];
     g.r = length(d);
     for (int k = 0; k < Dim; ++k) g.e[k] = d[k] / g.r;
     g.dW = W_slope(g.r);
@@ -163,13 +162,15 @@ class Run {
 
   /// The configuration of an advection step.
   void rebuild() {
-    pairs_.assign(particles.size() * particles.size(), {});
+    std::vector<Vector> x;
+    for (const Particle& a : particles) x.push_back(a.x);
+    const auto near = neighbors_within(2 * h_, x);
+    pairs_.assign(particles.size(), {});
     for (std::size_t i = 0; i < particles.size(); ++i) {
-      for (std::size_t j = 0; j < particles.size(); ++j) {
-        if (i == j) continue;
-        set_geometry(i, j);
-        PairGeometry& g = pairs_[i * particles.size() + j];
-        g.neighbors = g.r < 2 * h_;
+      for (const std::size_t j : near[i]) {
+        PairGeometry& g = pairs_[i].emplace_back();
+        g.j = j;
+        set_geometry(i, g);
         g.closeness = std::pow(W(g.r) / W(dp_), exponent);
       }
     }
@@ -179,9 +180,9 @@ class Run {
 
   void refresh_contacts() {
     for (std::size_t i = 0; i < particles.size(); ++i) {
-      for (std::size_t j = 0; j < particles.size(); ++j) {
-        if (same_body(i, j) || !pair(i, j).neighbors) continue;
-        set_geometry(i, j);
+      for (PairGeometry& g : pairs_[i]) {
+        if (same_body(i, g.j)) continue;
+        set_geometry(i, g);
         ++contacts;
       }
     }
@@ -225,9 +226,8 @@ class Run {
     for (const Particle& a : particles) R.push_back(artificial_stress(a));
     for (std::size_t i = 0; i < particles.size(); ++i) {
       const Particle& a = particles[i];
-      for (std::size_t j = 0; j < particles.size(); ++j) {
-        const PairGeometry& g = pair(i, j);
-        if (!g.neighbors) continue;
+      for (const PairGeometry& g : pairs_[i]) {
+        const std::size_t j = g.j;
         const Particle& b = particles[j];
         const double P = riemann_pressure(a, b, g.e);
         for (int k = 0; k < Dim; ++k) {
@@ -252,9 +252,8 @@ class Run {
       double divergence = 0;
       Matrix gradient{};
       Vector laplacian{};
-      for (std::size_t j = 0; j < particles.size(); ++j) {
-        const PairGeometry& g = pair(i, j);
-        if (!g.neighbors) continue;
+      for (const PairGeometry& g : pairs_[i]) {
+        const std::size_t j = g.j;
         Vector v_ij;
         for (int k = 0; k < Dim; ++k) v_ij[k] = a.v[k] - particles[j].v[k];
         const double along = dot<Dim>(v_ij, g.e);
@@ -300,9 +299,9 @@ class Run {
     for (std::size_t i = 0; i < particles.size(); ++i) {
       Matrix gradient{};
       Eigen::Matrix<double, Dim, Dim> moment = Eigen::Matrix<double, Dim, Dim>::Zero();
-      for (std::size_t j = 0; j < particles.size(); ++j) {
-        const PairGeometry& g = pair(i, j);
-        if (!g.neighbors || !same_body(i, j)) continue;
+      for (const PairGeometry& g : pairs_[i]) {
+        const std::size_t j = g.j;
+        if (!same_body(i, j)) continue;
         for (int k = 0; k < Dim; ++k) {
           for (int l = 0; l < Dim; ++l) {
             gradient[k][l] -= (way[i][k] - way[j][k]) * g.dW * g.e[l] * V[j];
@@ -326,7 +325,7 @@ class Run {
   Method method_;
   bool dual_;
   double dp_, h_, rho0_, c0_, G_;
-  std::vector<PairGeometry> pairs_;
+  std::vector<std::vector<PairGeometry>> pairs_;
   double speed_ = 0, greatest_speed_ = 0, way_ = 0;
 };
 
