@@ -4,8 +4,9 @@
 
 namespace taut {
 
-Eigen::VectorXd least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
-  return A.completeOrthogonalDecomposition().solve(b);
+LeastSquares least_squares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition(A);
+  return {decomposition.solve(B), decomposition.rank()};
 }
 
 }  // namespace taut

@@ -4,8 +4,12 @@
 
 namespace taut {
 
-/// x of least |x| of those with the least |A x − b|; for small dense systems of any rank. Compiled once: the
-/// decomposition takes a compiler longer than the files that ask for it.
-Eigen::VectorXd least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
+/// A⁺ B, whose columns x are those of least |x| among those of least |A x − b|, and the rank of A; for small dense
+/// systems. Compiled once: the decomposition takes a compiler longer than the files that ask for it.
+struct LeastSquares {
+  Eigen::MatrixXd x;
+  Eigen::Index rank;
+};
+LeastSquares least_squares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
 }  // namespace taut

@@ -5,8 +5,9 @@
 #include <map>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
+#include "engine/core/least_squares.hpp"
 #include "engine/neighbors/close_pairs.hpp"
 
 namespace taut {
@@ -60,11 +61,9 @@ Eigen::MatrixXd quadratics(const Snapshot& start, const std::vector<int>& near, 
 
 /// κ (I − P) e_i / |(I − P) e_i|; empty where the quadratics leave too little.
 Eigen::VectorXd row(const Eigen::MatrixXd& quadratics, double kappa) {
-  // a thin body leaves some monomials without effect: P needs those that are independent only
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(quadratics);
-  const Eigen::MatrixXd Q = qr.householderQ() * Eigen::MatrixXd::Identity(quadratics.rows(), qr.rank());
-  Eigen::VectorXd left = -Q * Q.row(0).transpose();
-  left[0] += 1;
+  // a thin body leaves some monomials without effect: the rank may be less than their number
+  const Eigen::VectorXd e_i = Eigen::VectorXd::Unit(quadratics.rows(), 0);
+  const Eigen::VectorXd left = e_i - quadratics * least_squares(quadratics, e_i).x;
   if (left[0] < least_left) return {};  // also the square of its norm, since I − P is a projection
   return kappa / left.norm() * left;
 }

@@ -73,7 +73,7 @@ void take_space_motion_off(std::vector<Site>& sites) {
     inertia += site.mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
   }
   // a body on a line has no turn about it
-  const Eigen::Vector3d omega = least_squares(inertia, moment);
+  const Eigen::Vector3d omega = least_squares(inertia, moment).x;
   for (Site& site : sites) {
     const Eigen::Vector3d motion = mean + omega.cross(vector(site.X) - centre);
     for (std::size_t k = 0; k < 3; ++k) site.difference[k] -= motion[static_cast<Eigen::Index>(k)];

@@ -79,7 +79,7 @@ class Moments {
       Eigen::Matrix<double, count, count> A = Eigen::Matrix<double, count, count>::Zero();
       for (std::size_t b = 0; b < M.size(); ++b)
         for (int k = 0; k < count; ++k) A.col(k) += omega[b] * M[b][k] * M[b];
-      const Vector alpha = least_squares(A, missing(M, omega));
+      const Vector alpha = least_squares(A, missing(M, omega)).x;
       bool negative = false;
       for (std::size_t b = 0; b < M.size(); ++b) {
         w[b] = omega[b] + omega[b] * M[b].dot(alpha);

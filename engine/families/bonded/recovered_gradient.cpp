@@ -5,8 +5,9 @@
 #include <span>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
+#include "engine/core/least_squares.hpp"
 #include "engine/core/parallel.hpp"
 #include "engine/neighbors/initial_neighbors.hpp"
 
@@ -44,6 +45,7 @@ Neighborhood<Dim> alike(const InitialParticles& initial, int i, std::span<const 
 template <int Dim>
 Neighborhood<Dim> within(const Neighborhood<Dim>& near, double reach) {
   Neighborhood<Dim> some;
+  some.reserve(near.size());
   std::ranges::copy_if(near, std::back_inserter(some),
                        [=](const Neighbor<Dim>& one) { return one.X.squaredNorm() < reach * reach; });
   return some;
@@ -65,41 +67,43 @@ template <int Dim>
 Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, int terms) {
   const auto n = static_cast<Eigen::Index>(near.size());
   if (n < terms) return {};
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, quadratic<Dim>> P(terms, n);
-  Eigen::VectorXd root(n);  // of the weight
+  Eigen::MatrixXd P(terms, n);  // times the root of the weight
   for (Eigen::Index b = 0; b < n; ++b) {
     const auto& X = near[b].X;
-    root[b] = 1 / X.squaredNorm();
     int term = 0;
     for (int a = 0; a < Dim; ++a) P(term++, b) = X[a];
     for (int a = 0; a < Dim && term < terms; ++a)
       for (int c = a; c < Dim; ++c) P(term++, b) = X[a] * X[c];
+    P.col(b) /= X.squaredNorm();
   }
-  const Eigen::MatrixXd A = (P * root.asDiagonal()).transpose();
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A);
-  if (qr.rank() < terms) return {};
-  // the first rows of A⁺ = P R⁻¹ Qᵀ, as columns: A is A = Q R Pᵀ
-  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(n, Dim);
-  rows.topRows(terms) = qr.colsPermutation().transpose() * Eigen::MatrixXd::Identity(terms, Dim);
-  qr.matrixR().topLeftCorner(terms, terms).template triangularView<Eigen::Upper>().transpose().solveInPlace(
-      rows.topRows(terms));
-  rows.applyOnTheLeft(qr.householderQ());
-  const Eigen::Matrix<double, Dim, Eigen::Dynamic> g = (root.asDiagonal() * rows).transpose();
+  // the first rows of the pseudo-inverse of Pᵀ
+  const auto [rows, rank] = least_squares(P, Eigen::MatrixXd::Identity(terms, Dim));
+  if (rank < terms) return {};
+  Eigen::Matrix<double, Dim, Eigen::Dynamic> g = rows.transpose();
+  for (Eigen::Index b = 0; b < n; ++b) g.col(b) /= near[b].X.squaredNorm();
   for (int a = 0; a < Dim; ++a)
     if (!(g.row(a).cwiseAbs().sum() + std::abs(g.row(a).sum()) <= greatest_cost)) return {};
   return g;
 }
 
-/// The neighbours of a row and what they count, in 1/dp.
+/// The neighbours of a row and what they count, if there are any.
 template <int Dim>
-std::pair<Neighborhood<Dim>, Eigen::Matrix<double, Dim, Eigen::Dynamic>> row(const Neighborhood<Dim>& near) {
+void add_row(const Neighborhood<Dim>& near, const std::vector<int>& where, double spacing,
+             RecoveredGradient& out) {
   for (const int terms : {quadratic<Dim>, linear<Dim>}) {
     for (double reach = least_reach; reach <= greatest_reach; reach += growth) {
-      Neighborhood<Dim> some = within(near, reach);
-      if (auto g = fit<Dim>(some, terms); g.size() > 0) return {std::move(some), std::move(g)};
+      const Neighborhood<Dim> some = within(near, reach);
+      const auto g = fit<Dim>(some, terms);
+      if (g.size() == 0) continue;
+      for (std::size_t b = 0; b < some.size(); ++b) {
+        Point g_j{};
+        for (int a = 0; a < Dim; ++a) g_j[a] = g(a, b) / spacing;
+        out.j.push_back(where[some[b].id]);
+        out.g.push_back(g_j);
+      }
+      return;
     }
   }
-  return {};
 }
 
 template <int Dim>
@@ -110,23 +114,24 @@ RecoveredGradient recovered(const InitialParticles& initial, const std::vector<i
   for (int k = 0; k < n; ++k) where[id[k]] = k;
   const NeighborLists near =
       initial_neighbors(initial, std::max(1.001 * reach, greatest_reach * spacing), threads);
-  using Gradient = std::pair<Neighborhood<Dim>, Eigen::Matrix<double, Dim, Eigen::Dynamic>>;
-  std::vector<Gradient> rows(id.size());
-  parallel_for(n, threads, [&](int k) {
-    const Neighborhood<Dim> kin = alike<Dim>(initial, id[k], near[id[k]], spacing);
-    if (!initial.held[id[k]] && !symmetric(within(kin, (1 + 1e-9) * reach / spacing)))
-      rows[k] = row<Dim>(kin);
+  // chunk by chunk, so that threads make rows of their own and their order is that of the particles
+  constexpr int chunk = 1024;
+  std::vector<RecoveredGradient> parts((id.size() + chunk - 1) / chunk);
+  parallel_for(static_cast<int>(parts.size()), threads, [&](int part) {
+    for (int k = chunk * part; k < std::min(n, chunk * (part + 1)); ++k) {
+      const Neighborhood<Dim> kin = alike<Dim>(initial, id[k], near[id[k]], spacing);
+      if (!initial.held[id[k]] && !symmetric(within(kin, (1 + 1e-9) * reach / spacing)))
+        add_row(kin, where, spacing, parts[part]);
+      parts[part].begin.push_back(static_cast<int>(parts[part].j.size()));
+    }
   });
   RecoveredGradient out;
   out.begin.push_back(0);
-  for (const auto& [some, g] : rows) {
-    for (std::size_t b = 0; b < some.size(); ++b) {
-      Point g_j{};
-      for (int a = 0; a < Dim; ++a) g_j[a] = g(a, b) / spacing;
-      out.j.push_back(where[some[b].id]);
-      out.g.push_back(g_j);
-    }
-    out.begin.push_back(static_cast<int>(out.j.size()));
+  for (const RecoveredGradient& part : parts) {
+    const int before = static_cast<int>(out.j.size());
+    for (const int end : part.begin) out.begin.push_back(before + end);
+    out.j.insert(out.j.end(), part.j.begin(), part.j.end());
+    out.g.insert(out.g.end(), part.g.begin(), part.g.end());
   }
   return out;
 }

@@ -108,7 +108,7 @@ void BoundaryProjection::operator()(std::vector<Point>& v, std::vector<Point> Z)
     right -= C.transpose() * solved[k].col(0);
   }
   // where all that could move is prescribed, there is no momentum to keep: the least δ then
-  const Eigen::Matrix<double, 6, 1> delta = least_squares(S, right);
+  const Eigen::Matrix<double, 6, 1> delta = least_squares(S, right).x;
   for (std::size_t a = 0; a < v.size(); ++a) {
     const Eigen::Vector3d rigid = delta.head<3>() + turns(vector(Z[a])) * delta.tail<3>();
     for (std::size_t k = 0; k < 3; ++k) v[a][k] += rigid[static_cast<Eigen::Index>(k)];
