@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <span>
 #include <utility>
 
 #include <Eigen/Core>
@@ -29,26 +31,39 @@ bool alike(const Snapshot& now, std::size_t i, std::size_t j) {
   return now.material[i] == now.material[j] && now.held[i] == now.held[j];
 }
 
-/// Each particle, followed by those alike in reach.
-std::vector<std::vector<int>> neighborhoods(const Snapshot& start, double radius) {
-  std::vector<std::vector<int>> near(start.size());
-  for (std::size_t i = 0; i < near.size(); ++i) near[i] = {static_cast<int>(i)};
+/// Of each particle those alike in reach, itself first.
+struct Neighborhoods {
+  std::vector<std::size_t> begin;  // [n + 1]
+  std::vector<int> all;
+
+  std::span<int> operator[](std::size_t i) { return {&all[begin[i]], begin[i + 1] - begin[i]}; }
+};
+
+Neighborhoods neighborhoods(const Snapshot& start, double radius) {
+  std::vector<std::pair<int, int>> pairs;
+  Neighborhoods near;
+  near.begin.assign(start.size() + 1, 1);
+  near.begin[0] = 0;
   for_each_close_pair(start, radius, [&](int i, int j) {
-    const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-    if (!alike(start, a, b)) return;
-    near[a].push_back(j);
-    near[b].push_back(i);
+    if (!alike(start, static_cast<std::size_t>(i), static_cast<std::size_t>(j))) return;
+    pairs.emplace_back(i, j);
+    ++near.begin[i + 1], ++near.begin[j + 1];
   });
+  std::partial_sum(near.begin.begin(), near.begin.end(), near.begin.begin());
+  near.all.resize(near.begin.back());
+  std::vector<std::size_t> end(near.begin.begin(), near.begin.end() - 1);
+  for (std::size_t i = 0; i < start.size(); ++i) near.all[end[i]++] = static_cast<int>(i);
+  for (const auto& [i, j] : pairs) near.all[end[i]++] = j, near.all[end[j]++] = i;
   return near;
 }
 
 /// Every monomial up to the second degree at every particle of `near`, about its first, in units of dp.
-Eigen::MatrixXd quadratics(const Snapshot& start, const std::vector<int>& near, double spacing) {
+Eigen::MatrixXd quadratics(const Snapshot& start, std::span<const int> near, double spacing) {
   const int dim = start.dim;
   const Point xi = start.position(static_cast<std::size_t>(near[0]));
   Eigen::MatrixXd M(near.size(), (dim + 1) * (dim + 2) / 2);
   for (Eigen::Index k = 0; k < M.rows(); ++k) {
-    const Point xj = start.position(static_cast<std::size_t>(near[static_cast<std::size_t>(k)]));
+    const Point xj = start.position(static_cast<std::size_t>(near[k]));
     Eigen::Index column = 0;
     M(k, column++) = 1;
     for (std::size_t a = 0; a < static_cast<std::size_t>(dim); ++a)
@@ -69,7 +84,7 @@ Eigen::VectorXd row(const Eigen::MatrixXd& quadratics, double kappa) {
 }
 
 /// Where the particles of `near` are from its first, alike for the same places but for round-off.
-std::vector<int> surroundings(const Snapshot& start, const std::vector<int>& near, double spacing) {
+std::vector<int> surroundings(const Snapshot& start, std::span<const int> near, double spacing) {
   constexpr double fine = 1e6;  // parts of a spacing
   const Point xi = start.position(static_cast<std::size_t>(near[0]));
   std::vector<int> places;
@@ -88,7 +103,7 @@ class Rows {
   Rows(const Snapshot& start, double spacing) : start_(start), spacing_(spacing), kappa_(scale(start.dim)) {}
 
   /// `near` begins with the particle itself.
-  void add(std::vector<int>& near) {
+  void add(std::span<int> near) {
     int first = 0;
     if (start_.dim == 3) {
       std::ranges::sort(near.begin() + 1, near.end());
@@ -108,7 +123,7 @@ class Rows {
 
  private:
   /// Where they begin; −1 if there are none.
-  int add_weights(const std::vector<int>& near) {
+  int add_weights(std::span<const int> near) {
     const Eigen::VectorXd w = row(quadratics(start_, near, spacing_), kappa_);
     if (w.size() == 0) return -1;
     part_.weight.insert(part_.weight.end(), w.begin(), w.end());
@@ -125,8 +140,8 @@ class Rows {
 
 AlternatingPart alternating_part(const Snapshot& start, double spacing) {
   Rows rows(start, spacing);
-  std::vector<std::vector<int>> near = neighborhoods(start, reach * spacing);
-  for (std::size_t i = 0; i < near.size(); ++i)
+  Neighborhoods near = neighborhoods(start, reach * spacing);
+  for (std::size_t i = 0; i < start.size(); ++i)
     if (start.held[i] == 0) rows.add(near[i]);
   return rows.take();
 }

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <compare>
 #include <vector>
 
+#include "engine/neighbors/neighbors.hpp"
 #include "engine/snapshot.hpp"
 
 namespace taut {
@@ -19,44 +16,26 @@ inline double squared_distance(const Snapshot& now, int i, int j) {
   return squared;
 }
 
-/// A particle by its body and its cell z, y, x; sorted, three cells abreast in x follow one another.
-struct Place {
-  std::array<long, 4> cell{};
-  int particle = 0;
-  auto operator<=>(const Place&) const = default;
-};
-
-inline std::vector<Place> sorted_places(const Snapshot& now, double width) {
-  std::vector<Place> places(now.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    places[i] = {{now.body[i], 0, 0, 0}, static_cast<int>(i)};
-    for (int a = 0; a < now.dim; ++a) {
-      const double x = now.x[i * static_cast<std::size_t>(now.dim) + static_cast<std::size_t>(a)];
-      places[i].cell[static_cast<std::size_t>(3 - a)] = std::lround(std::floor(x / width));
-    }
-  }
-  std::ranges::sort(places);
-  return places;
-}
-
 /// Calls visit(i, j), i < j, for every two particles of one body at most `reach` apart.
-template <class Visit>
-void for_each_close_pair(const Snapshot& now, double reach, Visit visit) {
-  const std::vector<Place> places = sorted_places(now, reach);
-  const int layers = now.dim == 3 ? 1 : 0;
-  for (const auto& [cell, i] : places) {
-    for (int dz = -layers; dz <= layers; ++dz) {
-      for (int dy = -1; dy <= 1; ++dy) {
-        const Place first = {{cell[0], cell[1] + dz, cell[2] + dy, cell[3] - 1}, 0};
-        const std::array<long, 4> last = {cell[0], cell[1] + dz, cell[2] + dy, cell[3] + 1};
-        auto place = std::ranges::lower_bound(places, first);
-        for (; place != places.end() && place->cell <= last; ++place) {
-          const int j = place->particle;
-          if (i < j && squared_distance(now, i, j) <= reach * reach) visit(i, j);
-        }
+template <int Dim, class Visit>
+void for_each_close_pair_in(const Snapshot& now, double reach, const Visit& visit) {
+  std::vector<Vec<double, Dim>> x(now.size());
+  for (std::size_t i = 0; i < x.size(); ++i)
+    for (std::size_t k = 0; k < Dim; ++k) x[i][static_cast<int>(k)] = now.x[Dim * i + k];
+  CellGrid<Dim> grid;
+  const std::vector<int> order = grid.sort(x, reach);
+  for (const int i : order) {
+    grid.for_each_row(x[i], [&](int first, int last) {
+      for (int place = first; place < last; ++place) {
+        const int j = order[place];
+        if (i < j && now.body[i] == now.body[j] && squared_distance(now, i, j) <= reach * reach) visit(i, j);
       }
-    }
+    });
   }
+}
+template <class Visit>
+void for_each_close_pair(const Snapshot& now, double reach, const Visit& visit) {
+  now.dim == 3 ? for_each_close_pair_in<3>(now, reach, visit) : for_each_close_pair_in<2>(now, reach, visit);
 }
 
 }  // namespace taut
