@@ -1,22 +1,22 @@
 #pragma once
 
-#include <cmath>
+#include "engine/core/pack.hpp"
 
-namespace taut {
+namespace taut::inline TAUT_ISA {
 
-/// Adds many numbers with the error of one addition (Neumaier 1974), so that a momentum that is conserved to
-/// round-off can be seen to be.
-class CompensatedSum {
+/// Adds many numbers with the error of one addition, so that a momentum that is conserved to round-off can be
+/// seen to be: what each addition loses (Knuth 1969) is added up too. Four sums at once, one a lane.
+class CompensatedSums {
  public:
-  void operator+=(double term) {
-    const double next = sum_ + term;
-    lost_ += std::abs(sum_) >= std::abs(term) ? (sum_ - next) + term : (term - next) + sum_;
+  void operator+=(const Pack& term) {
+    const Pack next = sum_ + term, taken = next - sum_;
+    lost_ += (sum_ - (next - taken)) + (term - taken);
     sum_ = next;
   }
-  double value() const { return sum_ + lost_; }
+  Pack value() const { return sum_ + lost_; }
 
  private:
-  double sum_ = 0, lost_ = 0;
+  Pack sum_{}, lost_{};
 };
 
-}  // namespace taut
+}  // namespace taut::inline TAUT_ISA

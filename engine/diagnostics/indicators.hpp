@@ -69,11 +69,8 @@ class IndicatorGauge {
   Readings operator()(const Snapshot& now);
 
  private:
-  template <int Dim>
-  Readings read(const Snapshot& now);
-
   AlternatingPart part_;
-  std::vector<double> table_;  // the fields, a row per particle
+  std::vector<double> table_;  // room to work in
   double spacing_ = 0;         // m
   double least_stress_ = 0;    // Pa
 };

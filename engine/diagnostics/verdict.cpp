@@ -74,11 +74,21 @@ void Judge::observe(const Snapshot& now, const Balance& balance, const Readings&
 Verdict Judge::verdict() const { return since_.empty() ? Verdict::stable : since_.rbegin()->first; }
 
 bool Judge::update_broken(const Snapshot& now) {
+  return now.dim == 3 ? update_broken_in<3>(now) : update_broken_in<2>(now);
+}
+
+template <int Dim>
+bool Judge::update_broken_in(const Snapshot& now) {
+  const double* const x = now.x.data();
+  const double longest2 = longest_ * longest_;
   bool changed = false;
-  for (std::size_t b = 0; b < bonds_.size(); ++b) {
-    const bool broken = squared_distance(now, bonds_[b].i, bonds_[b].j) > longest_ * longest_;
-    changed |= broken != bonds_[b].broken;
-    bonds_[b].broken = broken;
+  for (Bond& bond : bonds_) {
+    const double *a = x + std::ptrdiff_t{Dim} * bond.i, *b = x + std::ptrdiff_t{Dim} * bond.j;
+    double squared = 0;
+    for (int k = 0; k < Dim; ++k) squared += (a[k] - b[k]) * (a[k] - b[k]);
+    if ((squared > longest2) == bond.broken) continue;
+    bond.broken = !bond.broken;
+    changed = true;
   }
   return changed;
 }

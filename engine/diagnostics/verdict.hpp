@@ -74,6 +74,8 @@ class Judge {
   };
   /// True if a bond broke or healed since.
   bool update_broken(const Snapshot& now);
+  template <int Dim>
+  bool update_broken_in(const Snapshot& now);
   int count_pieces() const;
   bool has_crack() const;
   bool bypassed(int bond, std::vector<int>& seen) const;

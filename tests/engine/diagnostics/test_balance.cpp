@@ -1,8 +1,11 @@
 #include <cmath>
+#include <cstring>
+#include <vector>
 
 #include <doctest/doctest.h>
 
-#include "engine/diagnostics/balance.hpp"
+#include "engine/core/machine.hpp"
+#include "engine/diagnostics/particle_loops.hpp"
 #include "engine/simulation.hpp"
 #include "tests/support/made_snapshot.hpp"
 
@@ -107,6 +110,32 @@ TEST_SUITE("unit") {
     now.v = {1, 0, 1e20, 0, 1, 0, -1e20, 0};
     CHECK(balance(now, scene).linear_momentum[0] == 2);
   }
+
+#if defined(__x86_64__)
+  TEST_CASE("particle loops: the instruction set does not matter") {
+    if (!has_x86_64_v3()) return;
+    for (const int dim : {2, 3}) {
+      CAPTURE(dim);
+      std::vector<Point> places;
+      for (int c = 0; c < 343; ++c)
+        places.push_back({0.1 * (c % 7), 0.1 * (c / 7 % 7), dim == 3 ? 0.1 * (c / 49) : 0});
+      Snapshot now = made_snapshot(dim, places);
+      const AlternatingPart part = alternating_part(now, 0.1);
+      for (std::vector<double>* field : {&now.x, &now.v, &now.p, &now.s})
+        for (std::size_t k = 0; k < field->size(); ++k)
+          (*field)[k] += std::sin(1.0 + 3.0 * static_cast<double>(k));
+      std::vector<double> room;
+      const AlternatingSums any = baseline::alternating_sums(part, now, 0.1, room);
+      const AlternatingSums best = x86_64_v3::alternating_sums(part, now, 0.1, room);
+      CHECK(any.part.von_mises > 0);
+      CHECK(std::memcmp(&any, &best, sizeof any) == 0);
+      const Balance a = baseline::sums_of(now, two_materials(dim)),
+                    b = x86_64_v3::sums_of(now, two_materials(dim));
+      CHECK(a.strain > 0);
+      CHECK(std::memcmp(&a, &b, sizeof a) == 0);
+    }
+  }
+#endif
 
   TEST_CASE("balance: other units of length, time and mass rescale every sum") {
     const double length = 3, time = 0.25, mass = 7;

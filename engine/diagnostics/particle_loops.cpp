@@ -1,0 +1,143 @@
+#include "engine/diagnostics/particle_loops.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "engine/core/pack.hpp"
+#include "engine/diagnostics/compensated_sum.hpp"
+#include "engine/diagnostics/deviator.hpp"
+
+namespace taut::inline TAUT_ISA {
+namespace {
+
+/// A row of the table, in whole packs: x, p, s, and zeros.
+template <int Dim>
+struct Fields {
+  static constexpr int p = Dim, s = Dim + 1, stored = Dim == 3 ? 6 : 4;
+  static constexpr int packs = (s + stored + lanes - 1) / lanes, width = packs * lanes;
+  Pack of[packs];
+
+  double operator[](int k) const { return of[k / lanes][k % lanes]; }
+};
+
+/// The fields of all particles, in `room`; in 2D a row is one line of the cache.
+template <int Dim>
+const Fields<Dim>* table_of(const Snapshot& now, std::vector<double>& room) {
+  using F = Fields<Dim>;
+  constexpr std::size_t line = 64 / sizeof(double);
+  room.resize(now.size() * F::width + line);
+  double* const first =
+      room.data() + (line - reinterpret_cast<std::uintptr_t>(room.data()) / 8 % line) % line;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    double* row = first + i * F::width;
+    std::copy_n(&now.x[i * Dim], Dim, row);
+    row[F::p] = now.p[i];
+    std::copy_n(&now.s[i * F::stored], F::stored, row + F::s);
+  }
+  return reinterpret_cast<const Fields<Dim>*>(first);
+}
+
+/// Σ_j w_ij q_j of a row of the weights, for all fields.
+template <int Dim>
+Fields<Dim> filtered(const AlternatingPart& part, int row, const Fields<Dim>* table) {
+  Fields<Dim> sum{};
+  const double* weight = part.weights(row);
+  for (int k = part.begin[row]; k < part.begin[row + 1]; ++k, ++weight) {
+    const Pack w = filled<Pack>(*weight);
+    const Fields<Dim>& q = table[part.j[k]];
+    for (int a = 0; a < Fields<Dim>::packs; ++a) sum.of[a] += w * q.of[a];
+  }
+  return sum;
+}
+
+template <int Dim>
+void add_squares(Fields<Dim>& sum, const Fields<Dim>& q) {
+  for (int a = 0; a < Fields<Dim>::packs; ++a) sum.of[a] += q.of[a] * q.of[a];
+}
+
+/// From the sums of the squares of all fields, 3/2 s:s for the last.
+template <int Dim>
+SquareSums by_kind(double x, const Fields<Dim>& squares) {
+  using F = Fields<Dim>;
+  const auto s = [&](int k) { return squares[F::s + k]; };
+  if constexpr (Dim == 3)  // xx, xy, xz, yy, yz, zz
+    return {x, squares[F::p], 1.5 * (s(0) + s(3) + s(5) + 2 * (s(1) + s(2) + s(4)))};
+  else  // xx, xy, yy, zz
+    return {x, squares[F::p], 1.5 * (s(0) + s(2) + s(3) + 2 * s(1))};
+}
+
+template <int Dim>
+AlternatingSums alternating_sums_in(const AlternatingPart& part, const Snapshot& now, double spacing,
+                                    std::vector<double>& room) {
+  const Fields<Dim>* const table = table_of<Dim>(now, room);
+  Fields<Dim> parts{}, wholes{};
+  double x = 0;
+  for (int row = 0; row < part.rows(); ++row) {
+    const Fields<Dim> r = filtered<Dim>(part, row, table);
+    double x2 = 0;
+    for (int k = 0; k < Dim; ++k) x2 += r[k] * r[k];
+    x += std::min(x2, spacing * spacing);
+    add_squares(parts, r);
+    add_squares(wholes, table[part.j[part.begin[row]]]);
+  }
+  return {by_kind(x, parts), by_kind(0, wholes)};
+}
+
+/// What the strain energy p²/2K + s:s/4G is divided by.
+struct Stiffness {
+  double twice_K, four_G;  // Pa
+};
+
+std::vector<Stiffness> stiffnesses(const Scene& scene) {
+  std::vector<Stiffness> all;
+  for (const Material& material : scene.materials)
+    all.push_back({2 * material.bulk_modulus(), 4 * material.shear_modulus()});
+  return all;
+}
+
+template <int Dim>
+Balance sums_in(const Snapshot& now, const Scene& scene) {
+  const std::vector<Stiffness> stiffness = stiffnesses(scene);
+  CompensatedSums energies, linear, angular;  // in 2D the angular momentum is the last of `linear`
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const double *x = &now.x[i * Dim], *v = &now.v[i * Dim], m = now.m[i];
+    double x2 = 0, v2 = 0;
+    for (int k = 0; k < Dim; ++k) x2 += x[k] * x[k], v2 += v[k] * v[k];
+    double strain = 0;
+    if (!now.strain_energy.empty()) {
+      strain = now.strain_energy[i];
+    } else {
+      const auto [twice_K, four_G] = stiffness.at(static_cast<std::size_t>(now.material[i]));
+      const double s2 = contracted<Dim>(&now.s[i * Fields<Dim>::stored]);
+      strain = m / now.rho[i] * (now.p[i] * now.p[i] / twice_K + s2 / four_G);
+    }
+    const double speed = std::sqrt(v2);
+    energies += Pack{0.5 * m * v2, strain, m * speed, m * std::sqrt(x2) * speed};
+    const auto spin = [&](int a, int b) { return m * (x[a] * v[b] - x[b] * v[a]); };
+    if constexpr (Dim == 3) {
+      linear += Pack{m * v[0], m * v[1], m * v[2]};
+      angular += Pack{spin(1, 2), spin(2, 0), spin(0, 1)};
+    } else {
+      linear += Pack{m * v[0], m * v[1], 0, spin(0, 1)};
+    }
+  }
+  energies += Pack{0, now.contact_energy};
+  const Pack e = energies.value(), p = linear.value(), L = angular.value();
+  return {e[0],     e[1],       {p[0], p[1], p[2]}, {L[0], L[1], Dim == 3 ? L[2] : p[3]}, e[2], e[3],
+          now.work, now.damped, now.of_walls};
+}
+
+}  // namespace
+
+AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing,
+                                 std::vector<double>& table) {
+  return now.dim == 3 ? alternating_sums_in<3>(part, now, spacing, table)
+                      : alternating_sums_in<2>(part, now, spacing, table);
+}
+
+Balance sums_of(const Snapshot& now, const Scene& scene) {
+  return now.dim == 3 ? sums_in<3>(now, scene) : sums_in<2>(now, scene);
+}
+
+}  // namespace taut::inline TAUT_ISA
