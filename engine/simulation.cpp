@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include "engine/core/machine.hpp"
 #include "engine/error.hpp"
 #include "engine/families/catalogue.hpp"
 #include "engine/families/make_solver.hpp"
@@ -117,12 +118,10 @@ Constants constants_of(const std::vector<Elasticity>& materials, int first, cons
   return c;
 }
 
-bool has_x86_64_v3() {
-#if defined(__x86_64__)
-  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-#else
-  return false;
-#endif
+/// Where nobody says how many: those of the machine, or as many as have enough to do.
+int useful_threads(int particles) {
+  constexpr int least_particles = 300;  // of each thread
+  return std::clamp(particles / least_particles, 1, omp_get_max_threads());
 }
 
 }  // namespace
@@ -138,7 +137,7 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Settings& 
   check_displacements(scene, *method);
   const LawRow* law = law_row(*method, settings);
   const std::vector<Elasticity> materials = elasticities(scene, law);
-  const int threads = settings.threads > 0 ? settings.threads : omp_get_max_threads();
+  const int threads = settings.threads > 0 ? settings.threads : useful_threads(initial.size());
   const SolverInput input{method->formulation,
                           scene,
                           initial,

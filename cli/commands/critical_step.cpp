@@ -121,7 +121,7 @@ std::function<int(Streams)> declare_critical_step(CLI::App& app) {
                      brief(options->tolerance))
       ->option_text("X")
       ->check(positive_number);
-  app.add_option("--threads", options->threads, "default: all cores")
+  app.add_option("--threads", options->threads, "default: all cores, fewer in small scenes")
       ->option_text("N")
       ->check(positive_whole_number);
   app.add_flag("--json", options->json, "as JSON, for scripts");

@@ -34,7 +34,7 @@ void declare_options(CLI::App& app, Options& o) {
                  "yet, to the "
                  "same bytes as without a stop; other options given with it must say the same as the folder")
       ->option_text("DIR");
-  app.add_option("--threads", o.threads, "default: all cores")
+  app.add_option("--threads", o.threads, "default: all cores, fewer in small scenes")
       ->option_text("N")
       ->check(positive_whole_number);
   app.add_flag("--no-render", o.no_render, "no frames");

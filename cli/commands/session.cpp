@@ -80,7 +80,7 @@ std::function<int(Streams)> declare_session(CLI::App& app) {
       ->required();
   declare_setting_options(app, *options);
   declare_drawing_options(app, options->drawing);
-  app.add_option("--threads", options->threads, "default: all cores")
+  app.add_option("--threads", options->threads, "default: all cores, fewer in small scenes")
       ->option_text("N")
       ->check(positive_whole_number);
   app.add_flag("--strict", options->strict,

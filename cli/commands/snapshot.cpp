@@ -37,7 +37,7 @@ void declare_options(CLI::App& app, Options& o) {
   declare_setting_options(app, o);
   app.add_option("--out", o.out, "the run folder; default: out/snapshot-BASELINE")->option_text("DIR");
   declare_output_options(app, o);
-  app.add_option("--threads", o.threads, "default: all cores")
+  app.add_option("--threads", o.threads, "default: all cores, fewer in small scenes")
       ->option_text("N")
       ->check(positive_whole_number);
   app.add_flag("--quiet", o.quiet, "no progress on stderr");

@@ -1,35 +1,58 @@
 #pragma once
 
+#include <algorithm>
+#include <atomic>
 #include <vector>
 
-#include <omp.h>
-
 #include "engine/core/isa.hpp"
+#include "engine/core/team.hpp"
 
 namespace taut::inline TAUT_ISA {
 
-/// f(i) for i = 0 … n−1 on `threads` threads, static chunks.
+/// In how many parts a loop is handed out: several a thread, so that one that is held up does not hold up all, and
+/// none that is not worth the handing over.
+inline int chunks_of(int n, int threads) {
+  constexpr int of_each = 4, least = 32;
+  return threads == 1 ? 1 : std::clamp(n / least, 1, std::min(of_each * threads, Team::most_chunks));
+}
+
+/// f(chunk, first, last) for chunks_of(n, threads) stretches of 0 … n−1, on `threads` threads.
+template <class F>
+void parallel_chunks(int n, int threads, const F& f) {
+  struct Loop {
+    const F& f;
+    int n, chunks;
+    void chunk(int c) const { f(c, begin(c), begin(c + 1)); }
+    int begin(int c) const { return static_cast<int>(static_cast<long>(n) * c / chunks); }
+  };
+  const Loop loop{f, n, chunks_of(n, threads)};
+  if (loop.chunks == 1) return loop.chunk(0);
+  Team::own().run(
+      threads, loop.chunks, [](const void* of, int c) noexcept { static_cast<const Loop*>(of)->chunk(c); },
+      &loop);
+}
+
+/// f(i) for i = 0 … n−1 on `threads` threads.
 template <class F>
 void parallel_for(int n, int threads, const F& f) {
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (int i = 0; i < n; ++i) f(i);
+  parallel_chunks(n, threads, [&](int, int first, int last) {
+    for (int i = first; i < last; ++i) f(i);
+  });
 }
+
+/// The greater of two numbers, or NaN if one is.
+inline double greater(double a, double b) { return b <= a || a != a ? a : b; }
 
 /// Greatest f(i), or NaN if any is NaN. The same for any number of threads.
 template <class F>
 double parallel_max(int n, int threads, const F& f) {
-  double result = 0;
-#pragma omp parallel num_threads(threads)
-  {
+  std::atomic<double> result = 0;
+  parallel_chunks(n, threads, [&](int, int first, int last) {
     double mine = 0;
-#pragma omp for schedule(static) nowait
-    for (int i = 0; i < n; ++i) {
-      const double value = f(i);
-      if (!(value <= mine || mine != mine)) mine = value;  // NaN comes in and stays
+    for (int i = first; i < last; ++i) mine = greater(mine, f(i));
+    for (double others = result; !result.compare_exchange_weak(others, greater(others, mine));) {
     }
-#pragma omp critical(taut_parallel_max)
-    if (!(mine <= result || result != result)) result = mine;
-  }
+  });
   return result;
 }
 

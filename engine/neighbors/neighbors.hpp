@@ -113,25 +113,18 @@ class NeighborSearch {
     out.begin.resize(n + 1);
     out.begin[0] = 0;
     count_.resize(n);
-    found_.resize(threads);
-#pragma omp parallel num_threads(threads)
-    {
-      const int thread = omp_get_thread_num(), of = omp_get_num_threads();
-      const int first = static_cast<int>(static_cast<long>(n) * thread / of);
-      const int last = static_cast<int>(static_cast<long>(n) * (thread + 1) / of);
-      std::vector<int>& found = found_[thread];
-      find(grid, x, support, first, last, wanted, found);
-#pragma omp barrier
-#pragma omp single
-      {
-        out.pairs = 0;
-        for (int i = 0; i < n; ++i) {
-          out.begin[i + 1] = out.begin[i] + (count_[i] + lanes - 1) / lanes;
-          out.pairs += count_[i];
-        }
-        out.j.resize(static_cast<std::size_t>(lanes) * out.begin[n]);
-      }
-      const int* from = found.data();
+    found_.resize(chunks_of(n, threads));
+    parallel_chunks(n, threads, [&](int chunk, int first, int last) {
+      find(grid, x, support, first, last, wanted, found_[chunk]);
+    });
+    out.pairs = 0;
+    for (int i = 0; i < n; ++i) {
+      out.begin[i + 1] = out.begin[i] + (count_[i] + lanes - 1) / lanes;
+      out.pairs += count_[i];
+    }
+    out.j.resize(static_cast<std::size_t>(lanes) * out.begin[n]);
+    parallel_chunks(n, threads, [&](int chunk, int first, int last) {
+      const int* from = found_[chunk].data();
       for (int i = first; i < last; ++i) {
         int* to = out.j.data() + static_cast<std::size_t>(lanes) * out.begin[i];
         int* const end = out.j.data() + static_cast<std::size_t>(lanes) * out.begin[i + 1];
@@ -139,7 +132,7 @@ class NeighborSearch {
         std::fill(to, end, i);
         from += count_[i];
       }
-    }
+    });
   }
 
  private:
@@ -165,7 +158,7 @@ class NeighborSearch {
   }
 
   std::vector<int> count_;
-  std::vector<std::vector<int>> found_;  // per thread
+  std::vector<std::vector<int>> found_;  // [chunk]
 };
 
 }  // namespace taut::inline TAUT_ISA

@@ -53,7 +53,7 @@ TEST_SUITE("determinism") {
   TEST_CASE("threads: 1, 2 and 3 give the same bytes") {
     for_each_run([](const Scene& scene, const std::string& method) {
       Settings settings = with_method(method);
-      // one thread takes the first 16 steps, all of them the next 16; more threads than cores are slow
+      // one thread takes the first 16 steps, then all take at least one; more threads than cores are slow
       const int few = 32;
       const Snapshot one = state_after(few, scene, settings);
       for (const int threads : {2, 3}) {
@@ -62,6 +62,14 @@ TEST_SUITE("determinism") {
         CHECK(same_bytes(state_after(few, scene, settings), one));
       }
     });
+  }
+
+  TEST_CASE("threads: where nobody says how many, each has something to do") {
+    Settings settings = with_method("tl");
+    settings.threads = 0;
+    const auto simulation = make_simulation(small_collision(), settings);
+    CHECK(simulation->snapshot().size() < 600);
+    CHECK(simulation->threads() == 1);
   }
 
   TEST_CASE("runs: two of the same give the same bytes, and something moved") {

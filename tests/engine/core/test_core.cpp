@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <set>
+#include <thread>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -19,6 +21,13 @@ namespace {
 
 /// Values without a pattern, all different.
 double scramble(int k) { return std::sin(1.0 + 2.7 * k) + 0.1 * k; }
+
+/// Steps until the team is tried next, while one thread takes 1 ms for each.
+int steps_alone(TeamSize& team) {
+  int steps = 0;
+  for (; team.threads() == 1; ++steps) team.step_took(1e-3);
+  return steps;
+}
 
 template <int Dim>
 Sym<double, Dim> some_sym(int seed) {
@@ -181,12 +190,37 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("parallel: every index once, on any number of threads") {
-    for (const int threads : {1, 2, 3}) {
-      for (const int n : {0, 1, 2, 100}) {
-        std::vector<int> visits(n, 0);
-        parallel_for(n, threads, [&](int i) { ++visits[i]; });
-        for (const int count : visits) CHECK(count == 1);
+    for (int again = 0; again < 50; ++again) {  // a helper that comes late must leave the next loop alone
+      for (const int threads : {1, 2, 3, 8}) {
+        for (const int n : {0, 1, 2, 100, 1000}) {
+          std::vector<int> visits(n, 0);
+          parallel_for(n, threads, [&](int i) { ++visits[i]; });
+          CHECK(std::ranges::count(visits, 1) == n);
+        }
       }
+    }
+  }
+
+  TEST_CASE("parallel: a loop within a loop") {
+    std::vector<std::atomic<int>> visits(100);
+    parallel_for(100, 2, [&](int) { parallel_for(100, 2, [&](int k) { ++visits[k]; }); });
+    for (const std::atomic<int>& count : visits) CHECK(count == 100);
+  }
+
+  TEST_CASE("parallel: a helper that is held up keeps nobody from all other chunks") {
+    const std::thread::id owner = std::this_thread::get_id();
+    const int n = 1000;
+    for (int again = 0; again < 50; ++again) {
+      std::atomic<int> left = chunks_of(n, 2);
+      REQUIRE(left == 8);
+      std::atomic<bool> held_up = false;
+      parallel_chunks(n, 2, [&](int, int, int) {
+        --left;
+        if (std::this_thread::get_id() == owner || held_up.exchange(true)) return;
+        while (left > 0)
+          std::this_thread::yield();  // for ever, if the others of its chunks were to wait for it
+      });
+      CHECK(left == 0);
     }
   }
 
@@ -203,15 +237,51 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("team: one thread takes the first block of steps, all take the second") {
+  TEST_CASE(
+      "team: one thread takes the first block of steps, all take the next as long as they are not slower") {
     for (const int most : {1, 3}) {
       TeamSize team(most);
-      team.resume();
-      for (int step = 0; step < 32; ++step) {
+      for (int step = 0; step < 1600; ++step) {
         CAPTURE(step);
         CHECK(team.threads() == (step < 16 ? 1 : most));
-        team.step_done();
+        team.step_took(step < 16 ? 1e-3 : 0.99e-3);
       }
+    }
+  }
+
+  TEST_CASE("team: a trial ends in the step that makes it slower, and costs a fiftieth of the time") {
+    TeamSize team(2);
+    CHECK(steps_alone(team) == 16);
+    team.step_took(10e-3);
+    CHECK(team.threads() == 2);
+    team.step_took(10e-3);  // 20 ms for 2 steps, where one thread takes 16 for 16
+    CHECK(team.threads() == 1);
+    const int steps = steps_alone(team);
+    CHECK(steps >= 50 * 18 - 16);
+    CHECK(steps <= 50 * 18 + 16);
+  }
+
+  TEST_CASE("team: it is tried more and more seldom where it never helps") {
+    TeamSize team(2);
+    int before = steps_alone(team);
+    for (int trial = 0; trial < 5; ++trial) {
+      for (int k = 0; k < 16; ++k) team.step_took(1.001e-3);
+      const int steps = steps_alone(team);
+      CHECK(steps == 2 * before);
+      before = steps;
+    }
+  }
+
+  TEST_CASE("team: one thread is timed again after a hundred blocks, and blocks of long steps are short") {
+    for (const double step : {1e-3, 1.0}) {
+      const int block = step < 0.1 / 4 ? 16 : 4;
+      TeamSize team(2);
+      for (int k = 0; k < block; ++k) team.step_took(step);
+      for (int k = 0; k < 100 * block; ++k) {
+        CHECK(team.threads() == 2);
+        team.step_took(0.6 * step);
+      }
+      CHECK(team.threads() == 1);
     }
   }
 }
