@@ -7,12 +7,18 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// Four doubles that are worked on at once: four neighbours of one particle. A vector type of the compiler,
+/// Four doubles that are worked on at once: four neighbours of one particle, or one of each of four. A vector type of the compiler,
 /// so that arithmetic, comparison and `mask ? a : b` read as for a double, and a term written for T serves
 /// both. Without AVX it is two SSE2 halves with the same results to the last bit.
 inline constexpr int lanes = 4;
 typedef double Pack __attribute__((vector_size(lanes * sizeof(double))));
 typedef long long PackIndex __attribute__((vector_size(lanes * sizeof(long long))));
+
+/// Four doubles that stand one behind the other, on any boundary.
+inline Pack load(const double* from) {
+  typedef double Unaligned __attribute__((vector_size(lanes * sizeof(double)), aligned(sizeof(double))));
+  return *reinterpret_cast<const Unaligned*>(from);
+}
 
 /// A Pack in a std::vector. Vectors of the bare type would be one type for all builds of the solver, and the
 /// linker would let the one without AVX, for which a Pack is less aligned, make room for the others.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/core/tensor.hpp"
-#include "engine/families/bonded/shared_rows.hpp"
+#include "engine/core/shared_rows.hpp"
 #include "engine/terms/bond.hpp"
 
 namespace taut::inline TAUT_ISA {

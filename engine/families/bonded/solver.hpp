@@ -9,7 +9,7 @@
 #include "engine/families/bonded/cancelled.hpp"
 #include "engine/families/bonded/closed_law.hpp"
 #include "engine/families/bonded/recovered_gradient.hpp"
-#include "engine/families/bonded/shared_rows.hpp"
+#include "engine/core/shared_rows.hpp"
 #include "engine/families/bonded/shown_stress.hpp"
 #include "engine/solver/particle_solver.hpp"
 #include "engine/terms/bond.hpp"

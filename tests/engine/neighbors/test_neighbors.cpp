@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <random>
 #include <sys/resource.h>
@@ -7,6 +9,7 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/neighbors/lane_neighbors.hpp"
 #include "engine/neighbors/neighbors.hpp"
 
 using namespace taut;
@@ -210,5 +213,44 @@ TEST_SUITE("neighbors") {
     const Found<2> found(random_points<2>(500, 1, 21));
     CHECK_FALSE(std::ranges::is_sorted(found.order));
     CHECK(std::ranges::is_sorted(Found<2>(found.x).order));
+  }
+
+  TEST_CASE("neighbors: slots of lanes gather each neighbour of each particle once, in order") {
+    // a ring of 30 on two layers, stored layer by layer, then a random crowd
+    const int around = 30;
+    Points<2> x;
+    for (int k = 0; k < 2 * around; ++k) {
+      const double angle = 2 * std::numbers::pi * (k % around) / around, r = k < around ? 0.5 : 0.6;
+      x.push_back({r * std::cos(angle), r * std::sin(angle)});
+    }
+    for (const auto& p : random_points<2>(35, 0.7, 11)) x.push_back({p[0] + 10, p[1]});
+    const int n = static_cast<int>(x.size());
+    Columns<2> columns;
+    columns.resize(n);
+    for (int i = 0; i < n; ++i)
+      for (int k = 0; k < 2; ++k) columns[k][i] = x[i][k];
+    int slots = 0, in_line = 0;
+    for (int first = 0; first < n; first += lanes) {
+      std::array<std::vector<int>, lanes> neighbors;
+      for (int lane = 0; lane < lanes && first + lane < n; ++lane)
+        neighbors[lane] = brute_force(x, first + lane, support);
+      const LaneSlots found = lane_slots(first, neighbors, columns.size());
+      REQUIRE(found.slots.size() == found.taken.size());
+      int next[lanes] = {};
+      for (std::size_t b = 0; b < found.slots.size(); ++b) {
+        Pack place[2];
+        gather(columns, first, found.slots[b], place);
+        for (int lane = 0; lane < lanes; ++lane) {
+          if (found.taken[b][lane] < 0) continue;
+          CHECK(found.taken[b][lane] == next[lane]++);
+          const int j = neighbors[lane][found.taken[b][lane]];
+          CHECK(place[0][lane] == x[j][0]);
+          CHECK(place[1][lane] == x[j][1]);
+        }
+        if (first + lanes <= 2 * around) ++slots, in_line += found.slots[b].in_line;
+      }
+      for (int lane = 0; lane < lanes; ++lane) CHECK(next[lane] == std::ssize(neighbors[lane]));
+    }
+    CHECK(in_line > 0.8 * slots);  // of the ring: but for where it closes
   }
 }
