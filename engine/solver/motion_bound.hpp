@@ -12,8 +12,8 @@ namespace taut::inline TAUT_ISA {
 
 /// Decides when points of one and the same body have to be searched again: `holds` while none of them can
 /// have come nearer to another by more than what was free at the last search. The bound is twice the way of
-/// the fastest particle; where that is used up, twice the greatest way of a point beside the mean of its
-/// body's, which tells flight from folding.
+/// the fastest particle; where that is used up, twice the greatest way of a point beside that of its body as a
+/// rigid one, which tells flight, and in 2D spinning, from folding.
 template <int Dim>
 class MotionBound {
  public:
@@ -40,11 +40,24 @@ class MotionBound {
     gone_ = 0;
     const std::size_t n = x.size();
     for (std::size_t first = 0, last; first < n; first = last) {
-      V mean{};
-      for (last = first; last < n && body[last] == body[first]; ++last) mean += x[last] - from_[last];
-      mean = (1 / static_cast<double>(last - first)) * mean;
+      V middle{}, from{};
+      for (last = first; last < n && body[last] == body[first]; ++last)
+        middle += x[last], from += from_[last];
+      const double share = 1 / static_cast<double>(last - first);
+      middle = share * middle, from = share * from;
+      V turn{};  // its cosine and sine, times a length
+      if constexpr (Dim == 2) {
+        for (std::size_t k = first; k < last; ++k) {
+          const V a = from_[k] - from, b = x[k] - middle;
+          turn += V{dot(a, b), a[0] * b[1] - a[1] * b[0]};
+        }
+      }
+      const double length = std::sqrt(dot(turn, turn));
       for (std::size_t k = first; k < last; ++k) {
-        const V d = x[k] - from_[k] - mean;
+        V a = from_[k] - from;
+        if (Dim == 2 && length > 0)
+          a = (1 / length) * V{turn[0] * a[0] - turn[1] * a[1], turn[1] * a[0] + turn[0] * a[1]};
+        const V d = x[k] - middle - a;
         gone_ = std::max(gone_, dot(d, d));
       }
     }
