@@ -27,4 +27,32 @@ class Columns {
   std::vector<double> all_;
 };
 
+/// Four vectors that stand one behind the other, x0 y0 x1 …, from the four x, the four y, …
+inline void interleave(const Pack (&columns)[2], Pack (&rows)[2]) {
+  const auto& [x, y] = columns;
+  rows[0] = __builtin_shuffle(x, y, PackIndex{0, 4, 1, 5});
+  rows[1] = __builtin_shuffle(x, y, PackIndex{2, 6, 3, 7});
+}
+inline void interleave(const Pack (&columns)[3], Pack (&rows)[3]) {
+  const auto& [x, y, z] = columns;
+  const Pack x0y0x1 = __builtin_shuffle(x, y, PackIndex{0, 4, 1, 5});
+  const Pack x2y2y1 = __builtin_shuffle(x, y, PackIndex{2, 6, 5, 5});
+  const Pack x3y3 = __builtin_shuffle(x, y, PackIndex{3, 7, 3, 7});
+  rows[0] = __builtin_shuffle(x0y0x1, z, PackIndex{0, 1, 4, 2});
+  rows[1] = __builtin_shuffle(x2y2y1, z, PackIndex{2, 5, 0, 1});
+  rows[2] = __builtin_shuffle(x3y3, z, PackIndex{6, 0, 1, 7});
+}
+/// The reverse.
+inline void separate(const Pack (&rows)[2], Pack (&columns)[2]) {
+  const auto& [a, b] = rows;
+  columns[0] = __builtin_shuffle(a, b, PackIndex{0, 2, 4, 6});
+  columns[1] = __builtin_shuffle(a, b, PackIndex{1, 3, 5, 7});
+}
+inline void separate(const Pack (&rows)[3], Pack (&columns)[3]) {
+  const auto& [a, b, c] = rows;
+  columns[0] = __builtin_shuffle(__builtin_shuffle(a, b, PackIndex{0, 3, 6, 6}), c, PackIndex{0, 1, 2, 5});
+  columns[1] = __builtin_shuffle(__builtin_shuffle(a, b, PackIndex{1, 4, 7, 7}), c, PackIndex{0, 1, 2, 6});
+  columns[2] = __builtin_shuffle(__builtin_shuffle(a, b, PackIndex{2, 5, 5, 5}), c, PackIndex{0, 1, 4, 7});
+}
+
 }  // namespace taut::inline TAUT_ISA

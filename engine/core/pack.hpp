@@ -15,10 +15,15 @@ typedef double Pack __attribute__((vector_size(lanes * sizeof(double))));
 typedef long long PackIndex __attribute__((vector_size(lanes * sizeof(long long))));
 
 /// Four doubles that stand one behind the other, on any boundary.
-inline Pack load(const double* from) {
-  typedef double Unaligned __attribute__((vector_size(lanes * sizeof(double)), aligned(sizeof(double))));
-  return *reinterpret_cast<const Unaligned*>(from);
+typedef double UnalignedPack __attribute__((vector_size(lanes * sizeof(double)), aligned(sizeof(double))));
+inline Pack load(const double* from) { return *reinterpret_cast<const UnalignedPack*>(from); }
+/// The first `count` of them, and 0.
+inline Pack load(const double* from, int count) {
+  Pack a{};
+  for (int lane = 0; lane < lanes && lane < count; ++lane) a[lane] = from[lane];
+  return a;
 }
+inline void store(const Pack& a, double* to) { *reinterpret_cast<UnalignedPack*>(to) = a; }
 
 /// A Pack in a std::vector. Vectors of the bare type would be one type for all builds of the solver, and the
 /// linker would let the one without AVX, for which a Pack is less aligned, make room for the others.
@@ -61,6 +66,16 @@ T max(const T& a, const T& b) {
 inline Pack min(const Pack& a, const Pack& b) { return __builtin_ia32_minpd256(a, b); }
 inline Pack max(const Pack& a, const Pack& b) { return __builtin_ia32_maxpd256(a, b); }
 #endif
+/// The greater, NaN if any of the two is.
+inline Pack max_or_nan(const Pack& a, const Pack& b) { return (b <= a) | (a != a) ? a : b; }
+/// NaN if any is.
+inline double greatest(const Pack& a) {
+  double most = a[0];
+  for (int lane = 1; lane < lanes; ++lane)
+    if (!(a[lane] <= most || most != most)) most = a[lane];
+  return most;
+}
+
 template <int N, class T>
 T power(const T& a) {
   T r = a;

@@ -12,8 +12,8 @@ namespace taut::inline TAUT_ISA {
 
 /// Decides when points of one and the same body have to be searched again: `holds` while none of them can
 /// have come nearer to another by more than what was free at the last search. The bound is twice the way of
-/// the fastest particle; where that is used up, twice the greatest way of a point beside that of its body as a
-/// rigid one, which tells flight, and in 2D spinning, from folding.
+/// the fastest particle; where that is used up, twice the greatest way of a point beside that of its body as
+/// a rigid one, which tells flight, and in 2D spinning, from folding.
 template <int Dim>
 class MotionBound {
  public:

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "engine/core/archive.hpp"
+#include "engine/core/columns.hpp"
 #include "engine/core/team_size.hpp"
 #include "engine/error.hpp"
 #include "engine/methods/constants.hpp"
@@ -96,6 +97,45 @@ class SolverParts : public Simulation {
       V v = s.v[i];
       v += (dt_ * s.mobile[i] / s.m[i]) * force;
       return take(i, v);
+    }
+
+    /// Adds the forces of contact to those of four particles from `first` on; at the end there may be fewer.
+    [[gnu::always_inline]] void add_contact(int first, Vec<Pack, Dim>& force) const {
+      if (!contact_) return;
+      const double* const of_contact = &solver_.contact_.force(first)[0];
+      Pack rows[Dim], columns[Dim];
+      for (int k = 0, left = Dim * (solver_.s_.size() - first); k < Dim; ++k, left -= lanes)
+        rows[k] =
+            left >= lanes ? taut::load(of_contact + lanes * k) : taut::load(of_contact + lanes * k, left);
+      separate(rows, columns);
+      for (int k = 0; k < Dim; ++k) force[k] += columns[k];
+    }
+    /// Four particles at once, by the change of v that all forces make together; x follows the new v for
+    /// `after`, s. Gives v² of each, m²/s². At the end there may be fewer.
+    [[gnu::always_inline]] Pack by_changes(int first, const Pack (&change)[Dim], double after) const {
+      State<Dim>& s = solver_.s_;
+      Pack rows[Dim], columns[Dim], v2{};
+      if (outside_ || first + lanes > s.size()) {
+        for (int lane = 0; lane < lanes && first + lane < s.size(); ++lane) {
+          V v = s.v[first + lane];
+          for (int k = 0; k < Dim; ++k) v[k] += change[k][lane];
+          s.x[first + lane] += after * take(first + lane, v);
+          v2[lane] = dot(s.v[first + lane], s.v[first + lane]);
+        }
+        return v2;
+      }
+      interleave(change, rows);
+#pragma GCC unroll 3
+      for (int k = 0; k < Dim; ++k) {
+        double* const v = s.v[first].c + lanes * k;
+        double* const x = s.x[first].c + lanes * k;
+        rows[k] += taut::load(v);
+        taut::store(rows[k], v);
+        taut::store(taut::load(x) + after * rows[k], x);
+      }
+      separate(rows, columns);
+      for (const Pack& v : columns) v2 += v * v;
+      return v2;
     }
 
    private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "engine/core/cube_root.hpp"
@@ -58,25 +59,27 @@ inline constexpr TermInfo bond_energy_info{
     "energy", "E = Σ_i [ V_i W(F_i) + G V0_i Σ_j w_ij (φ(s_ij) − φ_c(s°_ij)) ]", "ours",
     "terms/bond.hpp:bond_energy", "bond: a linear displacement has the neo-Hookean energy and stress"};
 
+/// 3 φ′(λ)/λ of s = λ² and 1/(2s)
+template <class T>
+T three_bond_slopes(const T& s, const T& half_inverse) {
+  return s - 0.75 - half_inverse * half_inverse;
+}
 /// φ′(λ)/λ of s = λ²: times k (x_j − x_i) with k = G (V0_i w_ij + V0_j w_ji)/r0² it is the force on i.
 template <class T>
-T bond_slope(const T& s, const T& inverse) {
-  return (1.0 / 12) * (4 * s - 3 - inverse * inverse);
-}
-template <class T>
 T bond_slope(const T& s) {
-  return bond_slope(s, T(1 / s));
+  return (1.0 / 3) * three_bond_slopes(s, T(0.5 / s));
 }
 inline constexpr TermInfo bond_force_info{
     "bond force", "f_i = Σ_j k_ij φ′(λ_ij)/λ_ij (x_j − x_i), φ = (2λ⁴ − 3λ² + λ⁻²)/24",
     "ours, from [Zhang2024] Eq. 20", "terms/bond.hpp:bond_slope",
     "bond: the slopes are those of the energies, and rise"};
 
-/// φ″(λ) of s = λ²: 1 at rest. What a bond resists its own stretch with.
+/// φ″(λ) of s = λ²: 1 at rest. What a bond resists its own stretch with. Its ¼ less than s + 1/(4s²).
+inline constexpr double bond_stiffness_offset = -0.25;
 template <class T>
 T bond_stiffness(const T& s) {
-  const T inverse = 1 / s;
-  return s - 0.25 + 0.25 * inverse * inverse;
+  const T half_inverse = 0.5 / s;
+  return s + half_inverse * half_inverse + bond_stiffness_offset;
 }
 
 /// φ_c and its φ′/λ, what is cancelled of a bond whose s is that of F alone: as above for s in [¼, 4]
@@ -93,14 +96,14 @@ template <class T>
 T cancelled_slope(const T& s) {
   return bond_slope(within_cancelled(s));
 }
-/// cancelled_slope of four s in their place, by one division
+/// cancelled_slope of two s, each times three of a factor; one division takes as long as all else that is done
+/// of a bond.
 template <class T>
-[[gnu::always_inline]] inline void take_cancelled_slopes(T (&s)[4]) {
-  for (T& one : s) one = within_cancelled(one);
-  const T first = s[0] * s[1], second = s[2] * s[3], inverse = 1 / (first * second);
-  const T of_first = inverse * second, of_second = inverse * first;
-  const T of_each[4] = {of_first * s[1], of_first * s[0], of_second * s[3], of_second * s[2]};
-  for (int k = 0; k < 4; ++k) s[k] = bond_slope(s[k], of_each[k]);
+[[gnu::always_inline]] inline std::array<T, 2> cancelled_pulls(const T& s, const T& t, const T& third_of_s,
+                                                               const T& third_of_t) {
+  const T a = within_cancelled(s), b = within_cancelled(t), half_inverse = 0.5 / (a * b);
+  return {third_of_s * three_bond_slopes(a, T(half_inverse * b)),
+          third_of_t * three_bond_slopes(b, T(half_inverse * a))};
 }
 inline constexpr TermInfo cancelled_info{
     "cancelled",
@@ -121,31 +124,40 @@ struct ClosedNeoHookean {
 
   template <int Dim>
   T energy(const Mat<T, Dim>& F) const {  // Pa
-    const auto [t, J, c, per_J] = invariants(F);
-    const T root = inverse_cube_root(c);
-    return 0.5 * G * (root * root * (2 * t + (3 - Dim)) - 3) + 0.5 * K * (J - 1) * (J - 1) +
+    const T t = half_trace(F), J = determinant(F), cube_root = root(J);
+    return 0.5 * G * (cube_root * cube_root * (2 * t + (3 - Dim)) - 3) + 0.5 * K * (J - 1) * (J - 1) +
            wave_modulus() * power<3>(shut(J));
   }
+  /// ∂energy/∂F, Pa. `cube_root`: root(det F), which may be known already
   template <int Dim>
-  Mat<T, Dim> piola(const Mat<T, Dim>& F) const {  // ∂energy/∂F, Pa
-    const auto [t, J, c, per_J] = invariants(F);
-    const T root = inverse_cube_root(c), shear = G * root * root;
-    const T of_c = (-1.0 / 3) * shear * power<3>(root) * (2 * t + (3 - Dim));  // 1/c = root³
-    const T of_J = K * (J - 1) - 6 * wave_modulus() * power<2>(shut(J)) + of_c * per_J;
+  Mat<T, Dim> piola(const Mat<T, Dim>& F, const T& cube_root) const {
+    const T t = half_trace(F), J = determinant(F), shear = G * cube_root * cube_root;
+    const T of_c = (-1.0 / 3) * shear * power<3>(cube_root) * (2 * t + (3 - Dim));  // 1/c = cube_root³
+    const T of_J = K * (J - 1) - 6 * wave_modulus() * power<2>(shut(J)) + of_c * in_place_of(J).slope;
     return shear * F + of_J * cofactor(F);
   }
+  template <int Dim>
+  Mat<T, Dim> piola(const Mat<T, Dim>& F) const {
+    return piola(F, root(determinant(F)));
+  }
+  /// c^(−1/3)
+  static T root(const T& J) { return inverse_cube_root(in_place_of(J).c); }
 
  private:
-  struct Invariants {
-    T t, J;      // ½ tr C, in 2D in the plane; det F
-    T c, per_J;  // what stands for J, dc/dJ
+  struct Closed {
+    T c, slope;  // dc/dJ
   };
-  template <int Dim>
-  static Invariants invariants(const Mat<T, Dim>& F) {
-    const T t = 0.5 * trace(right_cauchy_green(F)), J = determinant(F), one = filled<T>(1);
-    if (!any(J < 0.5)) return {t, J, J, one};
+  /// What stands for J.
+  static Closed in_place_of(const T& J) {
+    const T one = filled<T>(1);
+    if (!any(J < 0.5)) return {J, one};
     const T below = 0.25 / (0.75 - min(J, filled<T>(0.5)));
-    return {t, J, J < 0.5 ? 0.25 + 0.25 * below : J, J < 0.5 ? below * below : one};
+    return {J < 0.5 ? 0.25 + 0.25 * below : J, J < 0.5 ? below * below : one};
+  }
+  /// ½ tr C, in 2D in the plane
+  template <int Dim>
+  static T half_trace(const Mat<T, Dim>& F) {
+    return 0.5 * trace(right_cauchy_green(F));
   }
   static T shut(const T& J) { return max(1 - 2 * J, T{}); }
   T wave_modulus() const { return K + 4.0 / 3 * G; }

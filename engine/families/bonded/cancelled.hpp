@@ -4,8 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/core/tensor.hpp"
 #include "engine/core/shared_rows.hpp"
+#include "engine/core/tensor.hpp"
+#include "engine/families/bonded/cancelled_on_lattice.hpp"
 #include "engine/terms/bond.hpp"
 
 namespace taut::inline TAUT_ISA {
@@ -31,22 +32,23 @@ class CancelledBonds {
   Pack energy(int group, const Sym<Pack, Dim>& C) const;
 
  private:
-  static constexpr int dyad_size = Sym<Pack, Dim>::size - 1, at_once = 4;
-  /// One bond of each of four particles; the filling has Gw = 0. Of e ⊗ e the last component is 1 less the
-  /// others of the diagonal.
-  struct Four {
-    Pack dyad[dyad_size];
-    Pack Gw;
+  static constexpr int dyad_size = Sym<Pack, Dim>::size - 1;
+  /// Of one bond of each of four particles e ⊗ e, but for the last component: 1 less the others of the diagonal.
+  struct Dyad {
+    Pack c[dyad_size];
   };
   class Stretch;
 
   static std::vector<Bond> merged(const std::vector<Bond>& bonds);
 
   struct Group {
-    int first, count;  // of its fours
+    int dyad, third, count;  // where its bonds begin; they are filled up to pairs with what has no strength
+    int on_lattice;          // −1 if they are not
   };
   std::vector<Group> groups_;
-  SharedRows<Four> four_;
+  SharedRows<Dyad> dyads_;
+  SharedRows<StoredPack> thirds_;  // ⅓ G V0_i w_ij, J
+  SharedRows<CancelledOnLattice<Dim>> on_lattice_;
 };
 
 /// s° of bonds: of the components of e ⊗ e that are kept, what C gives them.
@@ -62,10 +64,10 @@ class CancelledBonds<Dim>::Stretch {
       for (int k = a + 1; k < Dim; ++k) factor_(a, k) += C(a, k);
     }
   }
-  [[gnu::always_inline]] Pack of(const Four& bond) const {
+  [[gnu::always_inline]] Pack of(const Dyad& dyad) const {
     Pack s = factor_.c[dyad_size];
 #pragma GCC unroll 5
-    for (int k = 0; k < dyad_size; ++k) s += factor_.c[k] * bond.dyad[k];
+    for (int k = 0; k < dyad_size; ++k) s += factor_.c[k] * dyad.c[k];
     return s;
   }
 
@@ -75,20 +77,22 @@ class CancelledBonds<Dim>::Stretch {
 
 template <int Dim>
 Sym<Pack, Dim> CancelledBonds<Dim>::slopes(int group, const Sym<Pack, Dim>& C) const {
+  const Group& own = groups_[group];
+  if (own.on_lattice >= 0) return on_lattice_[own.on_lattice].slopes(C);
   Sym<Pack, Dim> S{};
   const Stretch stretch(C);
-  const auto [first, count] = groups_[group];
-  for (int b = first; b < first + count; b += at_once) {
-    Pack slope[at_once];
-    for (int n = 0; n < at_once; ++n) slope[n] = stretch.of(four_[b + n]);
-    take_cancelled_slopes(slope);
-    for (int n = 0; n < at_once; ++n) {
-      const Four& bond = four_[b + n];
-      const Pack pull = bond.Gw * slope[n];
+  const Dyad* const dyads = &dyads_[own.dyad];
+  const StoredPack* const thirds = &thirds_[own.third];
+  const auto add = [&](const Dyad& dyad, const Pack& pull) {
 #pragma GCC unroll 5
-      for (int k = 0; k < dyad_size; ++k) S.c[k] += pull * bond.dyad[k];
-      S.c[dyad_size] += pull;
-    }
+    for (int k = 0; k < dyad_size; ++k) S.c[k] += pull * dyad.c[k];
+    S.c[dyad_size] += pull;
+  };
+  for (int b = 0; b < own.count; b += 2) {
+    const auto [p, q] =
+        cancelled_pulls(stretch.of(dyads[b]), stretch.of(dyads[b + 1]), thirds[b].value, thirds[b + 1].value);
+    add(dyads[b], p);
+    add(dyads[b + 1], q);
   }
   for (int k = 0; k < Dim - 1; ++k) S(Dim - 1, Dim - 1) -= S(k, k);
   return S;
@@ -98,9 +102,10 @@ template <int Dim>
 Pack CancelledBonds<Dim>::energy(int group, const Sym<Pack, Dim>& C) const {
   Pack energy{};
   const Stretch stretch(C);
-  const auto [first, count] = groups_[group];
-  for (int b = first; b < first + count; ++b) energy += four_[b].Gw * cancelled_energy(stretch.of(four_[b]));
-  return energy;
+  const Group& own = groups_[group];
+  for (int b = 0; b < own.count; ++b)
+    energy += thirds_[own.third + b].value * cancelled_energy(stretch.of(dyads_[own.dyad + b]));
+  return 3 * energy;
 }
 
 template <int Dim>
@@ -122,21 +127,26 @@ auto CancelledBonds<Dim>::merged(const std::vector<Bond>& bonds) -> std::vector<
 
 template <int Dim>
 CancelledBonds<Dim>::CancelledBonds(const std::vector<std::vector<Bond>>& of_particle) {
-  std::vector<Four> fours;
+  std::vector<Dyad> dyads;
+  std::vector<StoredPack> thirds;
   for (std::size_t first = 0; first < of_particle.size(); first += lanes) {
-    fours.clear();
+    dyads.clear(), thirds.clear();
+    CancelledOnLattice<Dim> on_lattice{};
+    bool fits = true;
     for (std::size_t lane = 0; lane < lanes && first + lane < of_particle.size(); ++lane) {
       const std::vector<Bond> bonds = merged(of_particle[first + lane]);
-      fours.resize(std::max(fours.size(), bonds.size()));
+      const std::size_t count = std::max(dyads.size(), (bonds.size() + 1) / 2 * 2);
+      dyads.resize(count), thirds.resize(count);
       for (std::size_t b = 0; b < bonds.size(); ++b) {
-        for (int k = 0; k < dyad_size; ++k) fours[b].dyad[k][lane] = bonds[b].dyad.c[k];
-        fours[b].Gw[lane] = bonds[b].Gw;
+        for (int k = 0; k < dyad_size; ++k) dyads[b].c[k][lane] = bonds[b].dyad.c[k];
+        thirds[b].value[lane] = bonds[b].Gw / 3;
+        fits = fits && on_lattice.add(static_cast<int>(lane), bonds[b].dyad, bonds[b].Gw);
       }
     }
-    fours.resize((fours.size() + at_once - 1) / at_once * at_once);
-    groups_.push_back({four_.add(fours), static_cast<int>(fours.size())});
+    groups_.push_back({dyads_.add(dyads), thirds_.add(thirds), static_cast<int>(dyads.size()),
+                       fits ? on_lattice_.add({on_lattice}) : -1});
   }
-  four_.close();
+  dyads_.close(), thirds_.close(), on_lattice_.close();
 }
 
 }  // namespace taut::inline TAUT_ISA

@@ -5,11 +5,12 @@
 #include <numeric>
 #include <vector>
 
+#include "engine/core/shared_rows.hpp"
 #include "engine/families/bonded/bonds.hpp"
 #include "engine/families/bonded/cancelled.hpp"
 #include "engine/families/bonded/closed_law.hpp"
+#include "engine/families/bonded/packed_bonds.hpp"
 #include "engine/families/bonded/recovered_gradient.hpp"
-#include "engine/core/shared_rows.hpp"
 #include "engine/families/bonded/shown_stress.hpp"
 #include "engine/solver/particle_solver.hpp"
 #include "engine/terms/bond.hpp"
@@ -19,13 +20,11 @@ namespace taut::inline TAUT_ISA {
 /// Bodies held together by bonds (terms/bond.hpp), which touch by a contact law. Position Verlet, so that
 /// without damping the energy has no drift.
 ///
-/// Three passes a step. The strain pass visits x_j and v_j and gives F_i and the bonds' force; the stress
-/// pass takes four particles at once and no neighbour, cancels their bonds and gives Q_i = T_i B_i, from which
-/// the force pass makes that of all stresses: with g_ij = B_i a_ij and a_ij = −a_ji it is
+/// Two passes a step over groups of four particles, one a lane. The stress pass visits x_j and v_j and gives
+/// F_i, the bonds' force and Q_i = T_i B_i, from which the force pass makes that of all stresses: with
+/// g_ij = B_i a_ij and a_ij = −a_ji it is
 ///   Σ_j (T_i g_ij − T_j g_ji) = Σ_j (Q_i + Q_j) a_ij,
-/// so that the passes over neighbours share one vector a bond, and each visits one short row a neighbour.
-/// F goes from the first to the second through memory: in one loop the bonds of the next particles do not
-/// fill the time that the law's long chain of operations takes.
+/// so that the passes share one vector a bond, and each visits a few columns of its neighbours.
 template <const Formulation& M, int Dim>
 class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
  public:
@@ -40,15 +39,16 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
       wave_speed_ = std::max(wave_speed_, compression_wave_speed(materials_[used]));
       shear_speed = std::max(shear_speed, std::sqrt(materials_[used].G / materials_[used].rho0));
     }
-    relaxation_ = c_.damping * c_.dp / shear_speed;
-    CellGrid<Dim> grid;
-    s_.reorder(grid.sort(s_.x, this->support_), threads_now());
+    ahead_ = 3 * c_.damping * c_.dp / shear_speed;
     const Bonds bonds = make_bonds(input.scene, this->initial_, c_.h, input.threads);
     take_masses(bonds);
     Base::go_to_start();
-    pack_bonds(bonds, input.scene);
+    bonds_ = PackedBonds<Dim>(bonds, input.scene, this->initial_, materials_, s_.id);
+    cancelled_ = cancelled(bonds);
+    add_sites(bonds);
+    make_columns();
     for (const int id : s_.id) material_.push_back(this->initial_.material[id]);
-    material_.resize(lanes * groups());
+    material_.resize(lanes * group_count());
     // not what a corner takes from a uniform stress, since there the bonds have no choice that is right
     this->loads_.act_on_faces(input.scene, this->initial_, FaceRule::by_column, surface(bonds),
                               this->support_);
@@ -69,47 +69,36 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   using Base::c_, Base::s_, Base::contact_, Base::threads_now, Base::vmax_;
   using typename Base::V;
 
-  using PlaceRow = Row<2 * Dim>;     // x, v
-  using StressRow = Row<Dim * Dim>;  // Q, row by row
-  struct Spring {                    // four bonds; the filling has k = 0
-    Pack k;                          // G (V0_i w_ij + V0_j w_ji)/r0², N/m (per metre depth in 2D)
-    Pack per_r0_squared;             // 1/r0², 1/m²
-  };
-  struct BondsOf {  // one particle, in packs as in Neighbors
-    int j, packs;   // first of all and their number
-    int spring, scale;
-    int a, a_packs;  // those with an a_ij are the first
-  };
   struct Sites {  // four particles; the filling and what is held has V = 0
-    Sym<Pack, Dim> B;
-    Pack V;  // m^Dim, with which the energy counts
+    Pack V;       // m^Dim, with which the energy counts
     ClosedNeoHookean<Pack> law;
   };
-  struct Strained {    // of one particle, to be summed over the lanes
-    Mat<Pack, Dim> A;  // (x_j − x_i) ⊗ a_ij: F = A B
-    Vec<Pack, Dim> f;  // of the bonds, N
-    Pack energy;       // of the bonds, J
-    Pack stiffest;     // φ″ of a bond
+  struct Group {  // where to find its
+    int sites, B;
+  };
+  struct Strained {        // of four particles
+    Mat<Pack, Dim> F;      // 0 where there is no volume
+    Vec<Pack, Dim> force;  // of the bonds, N
+    Pack energy;           // of the bonds, J; if asked for
+    Pack stiffest;         // of bonds and particles, over that at rest
+    Pack root;             // of the law, if it is the own one
   };
 
-  void pack_bonds(const Bonds& bonds, const Scene& scene);
-  PlaceRow place_at_clamp(const Scene& scene, int id, const Point& X) const;
   CancelledBonds<Dim> cancelled(const Bonds& bonds) const;
-  void add_site(const Bonds& bonds, int i);
+  void add_sites(const Bonds& bonds);
+  void make_columns();
   void take_masses(const Bonds& bonds);
-  double shear_modulus(const Bonds& bonds, int id, int b) const;
   double step_size() const;
-  void strain_pass();
+  void half_drift(double dt);
   void stress_pass();
-  template <class Piola>
-  void stress_pass_with(const Piola& piola);
+  Vec<Pack, Dim> force(int group) const;
   double force_pass(double dt);
   template <bool WithEnergy>
-  Strained strained(int i) const;
-  Pack energy_of_four(int group) const;
-  template <bool WithEnergy>
-  double strain(int group);
-  Mat<Pack, Dim> shown_deformations(int group) const;
+  void strain(int group, Strained& out) const;
+  void set_stress(int group, const Strained& now);
+  [[gnu::noinline]] Mat<Pack, Dim> piola_of_chosen_law(int group, const Mat<Pack, Dim>& F) const;
+  Pack energy_of_four(int group, const Mat<Pack, Dim>& F) const;
+  Mat<Pack, Dim> shown_deformations(int group, Mat<Pack, Dim> F) const;
   static void keep_volume(Mat<Pack, Dim>& F, const Mat<Pack, Dim>& own) {
     const Pack least = filled<Pack>(0.05);  // what is crushed or inside out has none to keep
     const Pack ratio = max(determinant(own), least) / max(determinant(F), least);
@@ -118,11 +107,15 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   }
   void show(int group, const Mat<Pack, Dim>& F);
   void take_snapshot() override;
-  void set_row(int i) {
+  const Sites& sites(int group) const { return sites_[groups_[group].sites]; }
+  const Sym<Pack, Dim>& B(int group) const { return B_[groups_[group].B]; }
+  void set_place(int i) {
     const V x = s_.x[i], v = s_.v[i];
-    for (int k = 0; k < Dim; ++k) places_[i].c[k] = x[k], places_[i].c[Dim + k] = v[k];
+    for (int k = 0; k < Dim; ++k) places_[k][i] = x[k], places_[Dim + k][i] = x[k] + ahead_ * v[k];
   }
-  int groups() const { return (s_.size() + lanes - 1) / lanes; }
+  static constexpr int block = 8;  // groups
+  int block_count() const { return (group_count() + block - 1) / block; }
+  int group_count() const { return (s_.size() + lanes - 1) / lanes; }
 
   std::vector<Elasticity> materials_;
   bool own_law_;  // that of Sites
@@ -130,21 +123,19 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   std::vector<int> material_;  // with the filling of the last group
   Pack least_r2_;              // m²: bonds shorter than a hundredth of a spacing are taken for that long
   double wave_speed_ = 0;      // m/s, of compression in the stiffest material
-  double relaxation_ = 0;      // s, of the bonds
+  double ahead_ = 0;           // s, 3 τ of the bonds
   double stiffest_ = 1;        // greatest of all bonds and particles in the last step, over that at rest
-  std::vector<Sites> sites_;
-  std::vector<BondsOf> bonds_;
-  std::vector<int> j_;               // from size() on places at a clamp
-  SharedRows<Vec<Pack, Dim>> a_ij_;  // times a constant that B takes out again
-  SharedRows<Spring> springs_;
-  SharedRows<StoredPack> energy_scales_;  // as far as a bond is an energy of this end: G V0_i w_ij, J
+  SharedRows<Sites> sites_;
+  SharedRows<Sym<Pack, Dim>> B_;
+  std::vector<Group> groups_;
+  PackedBonds<Dim> bonds_;
   CancelledBonds<Dim> cancelled_;
-  std::vector<Mat<Pack, Dim>> F_;  // of each group; 0 where there is no volume
-  std::vector<PlaceRow> places_;
-  std::vector<StressRow> stress_;
-  std::vector<V> bond_force_;     // N, with the filling of the last group
-  RecoveredGradient recovered_;   // once a snapshot has asked for it
-  std::vector<V> displacements_;  // of the last snapshot, m
+  Columns<2 * Dim> places_;                 // x, x + 3 τ v
+  Columns<Dim * Dim> Q_;                    // row by row
+  Columns<1> mobility_;                     // 1/m of what may move, 1/kg
+  std::vector<Vec<Pack, Dim>> bond_force_;  // N, of each group
+  RecoveredGradient recovered_;             // once a snapshot has asked for it
+  std::vector<V> displacements_;            // of the last snapshot, m
 };
 
 /// In 2D a particle is as heavy as its cell; in 3D see bonds.hpp.
@@ -153,86 +144,6 @@ void Bonded<M, Dim>::take_masses(const Bonds& bonds) {
   if (Dim == 2) return;
   for (int i = 0; i < s_.size(); ++i)
     if (const int id = s_.id[i]; !this->initial_.held[id]) s_.m[i] *= bonds.mass[id] / this->initial_.V0[id];
-}
-
-/// G of a bond, Pa. Halves of two materials stand one behind the other in it, as two springs do: the harmonic
-/// mean. What is held is as stiff as who holds on to it.
-template <const Formulation& M, int Dim>
-double Bonded<M, Dim>::shear_modulus(const Bonds& bonds, int id, int b) const {
-  const std::vector<int>& material = this->initial_.material;
-  const int other = this->initial_.held[bonds.j[b]] ? id : bonds.j[b];
-  const double G_i = materials_[material[id]].G, G_j = materials_[material[other]].G;
-  return 2 * G_i * G_j / (G_i + G_j);
-}
-
-/// The row of the place that the bond X of a particle leads to.
-template <const Formulation& M, int Dim>
-auto Bonded<M, Dim>::place_at_clamp(const Scene& scene, int id, const Point& X) const -> PlaceRow {
-  Point x = this->initial_.x[id];
-  for (int k = 0; k < Dim; ++k) x[k] += X[k];
-  x = displaced(scene.bodies[this->initial_.body[id]], x);
-  PlaceRow row;
-  for (int k = 0; k < Dim; ++k) row.c[k] = x[k];
-  return row;
-}
-
-template <const Formulation& M, int Dim>
-void Bonded<M, Dim>::pack_bonds(const Bonds& bonds, const Scene& scene) {
-  const InitialParticles& initial = this->initial_;
-  const int n = s_.size();
-  std::vector<int> where(n);
-  for (int i = 0; i < n; ++i) where[s_.id[i]] = i;
-  const auto seen_from = [&](int id, int other) {
-    const int* last = bonds.j.data() + bonds.begin[id + 1];
-    const int* found = std::find(bonds.j.data() + bonds.begin[id], last, other);
-    return found == last ? -1 : static_cast<int>(found - bonds.j.data());
-  };
-  places_.resize(n);
-  sites_.resize(groups());
-  std::vector<int> order;  // of the bonds of a particle
-  std::vector<Vec<Pack, Dim>> areas;
-  std::vector<Spring> springs;
-  std::vector<StoredPack> scales;
-  for (int i = 0; i < n; ++i) {
-    const int id = s_.id[i], count = bonds.begin[id + 1] - bonds.begin[id];
-    set_row(i);
-    add_site(bonds, i);
-    order.resize(count);
-    std::iota(order.begin(), order.end(), bonds.begin[id]);
-    const auto rest =
-        std::stable_partition(order.begin(), order.end(), [&](int b) { return bonds.area[b] != Point{}; });
-    const int packs = (count + lanes - 1) / lanes;
-    const int a_packs = (static_cast<int>(rest - order.begin()) + lanes - 1) / lanes;
-    areas.assign(a_packs, Vec<Pack, Dim>{});
-    springs.assign(packs, Spring{{}, 1 / least_r2_});  // the filling: λ = 1
-    scales.assign(packs, StoredPack{});
-    const int first_j = static_cast<int>(j_.size());
-    for (int k = 0; k < count; ++k) {
-      const int b = order[k], pack = k / lanes, lane = k % lanes;
-      const int back = seen_from(bonds.j[b], id);
-      j_.push_back(back >= 0 ? where[bonds.j[b]] : static_cast<int>(places_.size()));
-      if (back < 0) places_.push_back(place_at_clamp(scene, id, bonds.X[b]));
-      double r2 = 0;
-      for (int d = 0; d < Dim; ++d) {
-        r2 += bonds.X[b][d] * bonds.X[b][d];
-        if (pack < a_packs) areas[pack][d][lane] = bonds.area[b][d];
-      }
-      // a place at a clamp has no energy of its own
-      const double G = shear_modulus(bonds, id, b), of_other = back < 0 ? 0 : bonds.weight[back];
-      scales[pack].value[lane] = G * initial.V0[id] * bonds.weight[b];
-      springs[pack].k[lane] = (scales[pack].value[lane] + G * initial.V0[bonds.j[b]] * of_other) / r2;
-      springs[pack].per_r0_squared[lane] = 1 / r2;
-    }
-    j_.resize(first_j + static_cast<std::size_t>(lanes) * packs, i);
-    bonds_.push_back(
-        {first_j, packs, springs_.add(springs), energy_scales_.add(scales), a_ij_.add(areas), a_packs});
-  }
-  a_ij_.close(), springs_.close(), energy_scales_.close();
-  cancelled_ = cancelled(bonds);
-  stress_.resize(std::max<std::size_t>(places_.size(), lanes * groups()));  // past the end: of the filling
-  F_.resize(groups());
-  bond_force_.resize(lanes * groups());
-  this->pairs_ = static_cast<long>(bonds.j.size());
 }
 
 template <const Formulation& M, int Dim>
@@ -247,21 +158,43 @@ CancelledBonds<Dim> Bonded<M, Dim>::cancelled(const Bonds& bonds) const {
       Sym<double, Dim> dyad;
       for (int a = 0; a < Dim; ++a)
         for (int k = a; k < Dim; ++k) dyad(a, k) = X[a] * X[k] / r2;
-      of_particle[i].push_back({dyad, shear_modulus(bonds, id, b) * this->initial_.V0[id] * bonds.weight[b]});
+      const double G = shear_modulus(bonds, this->initial_, materials_, id, b);
+      of_particle[i].push_back({dyad, G * this->initial_.V0[id] * bonds.weight[b]});
     }
   }
   return CancelledBonds<Dim>(of_particle);
 }
 
 template <const Formulation& M, int Dim>
-void Bonded<M, Dim>::add_site(const Bonds& bonds, int i) {
-  Sites& four = sites_[i / lanes];
-  const int lane = i % lanes, id = s_.id[i];
-  const Elasticity& material = materials_[this->initial_.material[id]];
-  four.law.K[lane] = material.K, four.law.G[lane] = material.G;
-  for (int a = 0; a < Dim; ++a)
-    for (int k = a; k < Dim; ++k) four.B(a, k)[lane] = bonds.B[id][a][k];
-  if (four.B(0, 0)[lane] > 0) four.V[lane] = bonds.volume[id];
+void Bonded<M, Dim>::add_sites(const Bonds& bonds) {
+  for (int group = 0; group < group_count(); ++group) {
+    Sites four{};
+    Sym<Pack, Dim> B{};
+    for (int lane = 0; lane < lanes && lanes * group + lane < s_.size(); ++lane) {
+      const int id = s_.id[lanes * group + lane];
+      const Elasticity& material = materials_[this->initial_.material[id]];
+      four.law.K[lane] = material.K, four.law.G[lane] = material.G;
+      for (int a = 0; a < Dim; ++a)
+        for (int k = a; k < Dim; ++k) B(a, k)[lane] = bonds.B[id][a][k];
+      if (B(0, 0)[lane] > 0) four.V[lane] = bonds.volume[id];
+    }
+    groups_.push_back({sites_.add({four}), B_.add({B})});
+  }
+  sites_.close(), B_.close();
+}
+
+/// Past the particles stand the places at a clamp, which have no stress.
+template <const Formulation& M, int Dim>
+void Bonded<M, Dim>::make_columns() {
+  const std::vector<V>& clamped = bonds_.places_at_clamp();
+  const int first = lanes * group_count(), clamps = static_cast<int>(clamped.size());
+  places_.resize(first + clamps);
+  Q_.resize(first + clamps);
+  mobility_.resize(s_.size());
+  for (int i = 0; i < s_.size(); ++i) set_place(i), mobility_[0][i] = s_.mobile[i] / s_.m[i];
+  for (int i = 0; i < clamps; ++i)
+    for (int k = 0; k < Dim; ++k) places_[k][first + i] = places_[Dim + k][first + i] = clamped[i][k];
+  bond_force_.resize(group_count());
 }
 
 /// s. [Zhang2024] Eq. 22 with the speed of compression waves, for any ν, and with dp, on which the limit
@@ -279,12 +212,8 @@ template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::step() {
   const double dt = step_size();
   if (contact_.prepare(s_, vmax_ * dt)) Base::show_contacts_to_probes();
-  parallel_for(s_.size(), threads_now(), [&](int i) {
-    s_.x[i] += (0.5 * dt) * s_.v[i];
-    set_row(i);
-  });
+  half_drift(dt);
   contact_.evaluate(s_, dt);
-  strain_pass();
   stress_pass();
   Base::set_greatest_speed(force_pass(dt));
   Base::stop_approach(0.5 * dt, [&](int i, const V& change) { s_.x[i] += (0.5 * dt) * change; });
@@ -294,147 +223,180 @@ inline constexpr TermInfo bonded_time_info{
     "time", "position Verlet, one step", "[Zhang2024] Eq. 22–25", "families/bonded/solver.hpp:step",
     "oenog: 40 steps are those of the formulas, with a clamp, two materials and on a ring"};
 
-/// Σ_j (x_j − x_i) ⊗ a_ij, and of the bonds the force Σ_j k (φ′(λ)/λ + τ q̇) (x_j − x_i) and, if asked for,
-/// the energy.
+/// The first half of x, into the columns too.
+template <const Formulation& M, int Dim>
+void Bonded<M, Dim>::half_drift(double dt) {
+  parallel_for(group_count(), threads_now(), [&](int group) {
+    const int first = lanes * group;
+    if (first + lanes > s_.size()) {
+      for (int i = first; i < s_.size(); ++i) s_.x[i] += (0.5 * dt) * s_.v[i], set_place(i);
+      return;
+    }
+    Pack x_rows[Dim], v_rows[Dim], x[Dim], v[Dim];
+#pragma GCC unroll 3
+    for (int k = 0; k < Dim; ++k) {
+      double* const at = s_.x[first].c + lanes * k;
+      v_rows[k] = load(s_.v[first].c + lanes * k);
+      x_rows[k] = load(at) + (0.5 * dt) * v_rows[k];
+      store(x_rows[k], at);
+    }
+    separate(x_rows, x);
+    separate(v_rows, v);
+#pragma GCC unroll 3
+    for (int k = 0; k < Dim; ++k) {
+      store(x[k], places_[k] + first);
+      store(x[k] + ahead_ * v[k], places_[Dim + k] + first);
+    }
+  });
+}
+
+/// F = Σ_j (x_j − x_i) ⊗ a_ij B, and of the bonds the force Σ_j k (φ′(λ)/λ + τ q̇) (x_j − x_i) and, if asked
+/// for, the energy. With d = x_j − x_i and the same of places ahead, x + 3 τ v, d·ahead/r0² is s + 3 τ q̇, which in
+/// the place of s in 3 φ′/λ = s − ¾ − 1/(4s²) makes it 3 (φ′/λ + τ q̇).
 template <const Formulation& M, int Dim>
 template <bool WithEnergy>
-auto Bonded<M, Dim>::strained(int i) const -> Strained {
-  constexpr int width = PlaceRow::width;
-  const Vec<Pack, Dim> x_i = spread(s_.x[i]), v_i = spread(s_.v[i]);
+void Bonded<M, Dim>::strain(int group, Strained& out) const {
+  const int first = group * lanes;
+  Vec<Pack, Dim> x_i, ahead_i;
+  for (int k = 0; k < Dim; ++k)
+    x_i[k] = load(places_[k] + first), ahead_i[k] = load(places_[Dim + k] + first);
   Mat<Pack, Dim> A{};
   Vec<Pack, Dim> f{};
   Pack energy{}, stiffest{};
-  const BondsOf& own = bonds_[i];
-  const Spring* springs = &springs_[own.spring];
+  const auto& own = bonds_.of(group);
+  const auto* slots = bonds_.slots(own);
+  const auto* springs = bonds_.springs(own);
   const auto add_bond = [&](int b) {  // gives x_j − x_i
-    Pack row[width];                  // x_j, v_j
-    gather<width>(places_[0].c, &j_[own.j + lanes * b], row);
-    Vec<Pack, Dim> d, w;
-    for (int k = 0; k < Dim; ++k) d[k] = row[k] - x_i[k], w[k] = row[Dim + k] - v_i[k];
-    const Spring& spring = springs[b];
-    const Pack s = max(dot(d, d), least_r2_) * spring.per_r0_squared;
-    const Pack rate = dot(d, w) * spring.per_r0_squared;  // q̇
-    stiffest = max(stiffest, bond_stiffness(s));
-    f += Pack(spring.k * (bond_slope(s) + relaxation_ * rate)) * d;
-    if constexpr (WithEnergy) energy += energy_scales_[own.scale + b].value * bond_energy(s);
+    Pack place[2 * Dim];              // of j
+    gather(places_, first, slots[b], place);
+    Vec<Pack, Dim> d, ahead;
+    for (int k = 0; k < Dim; ++k) d[k] = place[k] - x_i[k], ahead[k] = place[Dim + k] - ahead_i[k];
+    const auto& spring = springs[b];
+    const Pack r2 = max(dot(d, d), least_r2_), half_inverse = spring.half_r0_squared / r2;
+    stiffest = max(stiffest, Pack(r2 * spring.per_r0_squared + half_inverse * half_inverse));
+    const Pack s_ahead = dot(d, ahead) * spring.per_r0_squared;  // s + 3 τ q̇
+    const Pack pull = spring.third_of_k * three_bond_slopes(s_ahead, half_inverse);
+    for (int k = 0; k < Dim; ++k) f[k] += pull * d[k];
+    if constexpr (WithEnergy) {
+      const Pack s = r2 * spring.per_r0_squared, scale = bonds_.energy_scales(own)[b].value;
+      energy += scale * bond_energy(s > 0 ? s : filled<Pack>(1));
+    }
     return d;
   };
-  for (int b = 0; b < own.a_packs; ++b) add_outer(A, filled<Pack>(1), add_bond(b), a_ij_[own.a + b]);
-  for (int b = own.a_packs; b < own.packs; ++b) add_bond(b);
-  return {A, f, energy, stiffest};
+  for (int b = 0; b < own.a_count; ++b) add_outer(A, filled<Pack>(1), add_bond(b), bonds_.a_ij(own)[b]);
+  for (int b = own.a_count; b < own.count; ++b) add_bond(b);
+  const Mat<Pack, Dim> F = product(A, B(group));
+  for (int a = 0; a < Dim; ++a) {
+    out.force[a] = f[a];
+    for (int k = 0; k < Dim; ++k) out.F(a, k) = F(a, k);
+  }
+  if constexpr (WithEnergy) out.energy = energy;
+  const Pack closing = sites(group).V > 0 ? closing_stiffness(determinant(F)) : Pack{};
+  out.stiffest = max(Pack(stiffest + bond_stiffness_offset), closing);
 }
 inline constexpr TermInfo bonded_damping_info{
     "damping", "f_i = Σ_j k_ij τ q̇_ij (x_j − x_i), q = ½ (λ² − 1), τ = damping dp √(ρ0/G)", "ours",
-    "families/bonded/solver.hpp:strained",
+    "families/bonded/solver.hpp:strain",
     "oenog: the damping takes a zigzag away and leaves the first mode alone"};
 
 /// V_i W(F_i) less what is cancelled of the bonds, of four particles, J
 template <const Formulation& M, int Dim>
-Pack Bonded<M, Dim>::energy_of_four(int group) const {
-  const Sites& sites = sites_[group];
-  Sym<Pack, Dim> C = right_cauchy_green(F_[group]);
-  for (int k = 0; k < Dim; ++k) C(k, k) = sites.V > 0 ? C(k, k) : filled<Pack>(1);
-  const Pack W = own_law_ ? sites.law.energy(F_[group]) : laws_.visit([&](const auto& laws) {
-    return closed_energy(laws, &material_[lanes * group], F_[group]);
+Pack Bonded<M, Dim>::energy_of_four(int group, const Mat<Pack, Dim>& F) const {
+  const Sites& own = sites(group);
+  Sym<Pack, Dim> C = right_cauchy_green(F);
+  for (int k = 0; k < Dim; ++k) C(k, k) = own.V > 0 ? C(k, k) : filled<Pack>(1);
+  const Pack W = own_law_ ? own.law.energy(F) : laws_.visit([&](const auto& laws) {
+    return closed_energy(laws, &material_[lanes * group], F);
   });
-  return sites.V * W - cancelled_.energy(group, C);
+  return own.V * W - cancelled_.energy(group, C);
 }
 
-/// F and the bonds' force of four particles, or fewer in the last group, and their energy if asked for. The
-/// greatest stiffness, over that of a bond at rest.
+/// P of four particles, one after the other.
 template <const Formulation& M, int Dim>
-template <bool WithEnergy>
-double Bonded<M, Dim>::strain(int group) {
-  const int first = group * lanes, count = std::min(lanes, s_.size() - first);
-  Strained of[lanes];
-  for (int lane = 0; lane < lanes; ++lane)  // past the end: the last particle again
-    of[lane] = strained<WithEnergy>(std::min(first + lane, s_.size() - 1));
-  const auto sums_of = [&](const auto& entry) {
-    return sums(entry(of[0]), entry(of[1]), entry(of[2]), entry(of[3]));
-  };
-  Mat<Pack, Dim> A;
-  for (int a = 0; a < Dim; ++a) {
-    for (int k = 0; k < Dim; ++k)
-      A(a, k) = sums_of([&](const Strained& one) -> const Pack& { return one.A(a, k); });
-    const Pack f = sums_of([&](const Strained& one) -> const Pack& { return one.f[a]; });
-    for (int lane = 0; lane < lanes; ++lane) bond_force_[first + lane][a] = f[lane];
-  }
-  const Sites& sites = sites_[group];
-  F_[group] = product(A, sites.B);
-  if constexpr (WithEnergy) {
-    std::vector<double>& energies = this->snapshot_.strain_energy;
-    const Pack energy =
-        sums_of([](const Strained& one) -> const Pack& { return one.energy; }) + energy_of_four(group);
-    for (int lane = 0; lane < count; ++lane) energies[s_.id[first + lane]] = energy[lane];
-  }
-  Pack stiffest = max(max(of[0].stiffest, of[1].stiffest), max(of[2].stiffest, of[3].stiffest));
-  stiffest = max(stiffest, sites.V > 0 ? closing_stiffness(determinant(F_[group])) : Pack{});
-  return max(max(stiffest[0], stiffest[1]), max(stiffest[2], stiffest[3]));
+Mat<Pack, Dim> Bonded<M, Dim>::piola_of_chosen_law(int group, const Mat<Pack, Dim>& F) const {
+  return laws_.visit([&](const auto& laws) { return closed_piola(laws, &material_[lanes * group], F); });
 }
 
+/// Q = T B
 template <const Formulation& M, int Dim>
-void Bonded<M, Dim>::strain_pass() {
-  stiffest_ =
-      parallel_max(groups(), threads_now(), [&](int group) TAUT_FLATTEN { return strain<false>(group); });
+void Bonded<M, Dim>::set_stress(int group, const Strained& now) {
+  const Sites& own = sites(group);
+  const Mat<Pack, Dim>& F = now.F;
+  const Mat<Pack, Dim> P = own_law_ ? own.law.piola(F, now.root) : piola_of_chosen_law(group, F);
+  const Mat<Pack, Dim> FS = product(F, cancelled_.slopes(group, right_cauchy_green(F)));
+  Mat<Pack, Dim> T;
+  for (int a = 0; a < Dim; ++a)
+    for (int k = 0; k < Dim; ++k) T(a, k) = own.V * P(a, k) - FS(a, k);
+  const Mat<Pack, Dim> Q = product(T, B(group));
+  for (int a = 0; a < Dim; ++a)
+    for (int k = 0; k < Dim; ++k) store(Q(a, k), Q_[a * Dim + k] + lanes * group);
 }
 
+/// Block by block: while the long chain of operations that a root takes, or the law, is under way for one group,
+/// those of others are begun, but not if all their bonds come in between.
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::stress_pass() {
-  if (own_law_) return stress_pass_with([&](int group) { return sites_[group].law.piola(F_[group]); });
-  laws_.visit([&](const auto& laws) {
-    stress_pass_with([&](int group) { return closed_piola(laws, &material_[lanes * group], F_[group]); });
+  stiffest_ = parallel_max(block_count(), threads_now(), [&](int n) TAUT_FLATTEN {
+    const int first = block * n, count = std::min(block, group_count() - first);
+    Strained of[block];
+    Pack stiffest{};
+    for (int k = 0; k < count; ++k) {
+      strain<false>(first + k, of[k]);
+      for (int a = 0; a < Dim; ++a) bond_force_[first + k][a] = of[k].force[a];
+      stiffest = max(stiffest, of[k].stiffest);
+    }
+    for (int k = 0; own_law_ && k < count; ++k)
+      of[k].root = ClosedNeoHookean<Pack>::root(determinant(of[k].F));
+    for (int k = 0; k < count; ++k) set_stress(first + k, of[k]);
+    return greatest(stiffest);
   });
 }
 
-/// `piola`(group): P of four particles.
+/// f_i = that of the bonds + Σ_j (Q_i + Q_j) a_ij, of four particles.
 template <const Formulation& M, int Dim>
-template <class Piola>
-void Bonded<M, Dim>::stress_pass_with(const Piola& piola) {
-  parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
-    const Sites& sites = sites_[group];
-    const Mat<Pack, Dim>& F = F_[group];
-    Mat<Pack, Dim> T = sites.V * piola(group);
-    const Mat<Pack, Dim> FS = product(F, cancelled_.slopes(group, right_cauchy_green(F)));
-    for (int a = 0; a < Dim; ++a)
-      for (int k = 0; k < Dim; ++k) T(a, k) -= FS(a, k);
-    const Mat<Pack, Dim> Q = product(T, sites.B);
-    Pack columns[StressRow::width] = {};
-    for (int a = 0; a < Dim; ++a)
-      for (int k = 0; k < Dim; ++k) columns[a * Dim + k] = Q(a, k);
-    scatter<StressRow::width>(columns, stress_[lanes * group].c);
-  });
+Vec<Pack, Dim> Bonded<M, Dim>::force(int group) const {
+  const int first = lanes * group;
+  Pack Q_i[Dim * Dim];
+  for (int k = 0; k < Dim * Dim; ++k) Q_i[k] = load(Q_[k] + first);
+  Vec<Pack, Dim> f;
+  for (int k = 0; k < Dim; ++k) f[k] = bond_force_[group][k];
+  const auto& own = bonds_.of(group);
+  const auto* slots = bonds_.slots(own);
+  for (int b = 0; b < own.a_count; ++b) {
+    Pack Q_j[Dim * Dim];
+    gather(Q_, first, slots[b], Q_j);
+    const Vec<Pack, Dim>& a_ij = bonds_.a_ij(own)[b];
+    for (int a = 0; a < Dim; ++a) {
+      Pack of_bond = (Q_i[a * Dim] + Q_j[a * Dim]) * a_ij[0];
+      for (int k = 1; k < Dim; ++k) of_bond += (Q_i[a * Dim + k] + Q_j[a * Dim + k]) * a_ij[k];
+      f[a] += of_bond;
+    }
+  }
+  return f;
 }
 
-/// f_i = that of the bonds + Σ_j (Q_i + Q_j) a_ij + contact; then v and the second half of x. The greatest
-/// v², m²/s².
+/// v by all forces, and the second half of x. The greatest v², m²/s².
 template <const Formulation& M, int Dim>
 double Bonded<M, Dim>::force_pass(double dt) {
-  constexpr int width = StressRow::width;
   const typename Base::Kick kick(*this, dt, this->time_ + dt);
-  return parallel_max(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
-    Pack Q_i[Dim * Dim];
-    for (int k = 0; k < Dim * Dim; ++k) Q_i[k] = filled<Pack>(stress_[i].c[k]);
-    Vec<Pack, Dim> f{};
-    const BondsOf& own = bonds_[i];
-    for (int b = 0; b < own.a_packs; ++b) {
-      Pack Q_j[width];
-      const Vec<Pack, Dim>& a_ij = a_ij_[own.a + b];
-      gather<width>(stress_[0].c, &j_[own.j + lanes * b], Q_j);
-      for (int a = 0; a < Dim; ++a)
-        for (int k = 0; k < Dim; ++k) f[a] += (Q_i[a * Dim + k] + Q_j[a * Dim + k]) * a_ij[k];
+  return parallel_max(block_count(), threads_now(), [&](int n) TAUT_FLATTEN {
+    Pack fastest{};
+    for (int group = block * n; group < std::min(block * (n + 1), group_count()); ++group) {
+      const int first = lanes * group;
+      Vec<Pack, Dim> f = force(group);
+      kick.add_contact(first, f);
+      const Pack mobility = dt * load(mobility_[0] + first);
+      Pack change[Dim];
+      for (int k = 0; k < Dim; ++k) change[k] = mobility * f[k];
+      fastest = max_or_nan(fastest, kick.by_changes(first, change, 0.5 * dt));
     }
-    V force = sum(f);
-    force += bond_force_[i];
-    const V v = kick.by_force(i, force);
-    s_.x[i] += (0.5 * dt) * v;
-    return dot(v, v);
+    return greatest(fastest);
   });
 }
 
 /// Four F with those of the recovered gradient, where there are any.
 template <const Formulation& M, int Dim>
-Mat<Pack, Dim> Bonded<M, Dim>::shown_deformations(int group) const {
-  Mat<Pack, Dim> F = F_[group];
+Mat<Pack, Dim> Bonded<M, Dim>::shown_deformations(int group, Mat<Pack, Dim> F) const {
   const int first = group * lanes, count = std::min(lanes, s_.size() - first);
   for (int lane = 0; lane < count; ++lane) {
     const int i = first + lane, begin = recovered_.begin[i], end = recovered_.begin[i + 1];
@@ -458,7 +420,7 @@ Mat<Pack, Dim> Bonded<M, Dim>::shown_deformations(int group) const {
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::show(int group, const Mat<Pack, Dim>& F) {
   const int first = group * lanes, count = std::min(lanes, s_.size() - first);
-  const auto four = shown_neo_hookean(sites_[group].law.K, sites_[group].law.G, F);
+  const auto four = shown_neo_hookean(sites(group).law.K, sites(group).law.G, F);
   for (int lane = 0; lane < count; ++lane) {
     const double rho0 = materials_[material_[first + lane]].rho0;
     ShownStress<double, Dim> one{four.J[lane], four.p[lane], {}, four.s_zz[lane]};
@@ -473,20 +435,23 @@ void Bonded<M, Dim>::show(int group, const Mat<Pack, Dim>& F) {
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::take_snapshot() {
   Base::begin_snapshot();
-  if (recovered_.empty()) recovered_ = 
-        recovered_gradient(this->initial_, s_.id, c_.dp, this->support_, threads_now());
+  if (recovered_.empty())
+    recovered_ = recovered_gradient(this->initial_, s_.id, c_.dp, this->support_, threads_now());
   this->snapshot_.strain_energy.resize(s_.size());
   displacements_.resize(s_.size());
   parallel_for(s_.size(), threads_now(), [&](int i) {
-    set_row(i);
+    set_place(i);
     for (int k = 0; k < Dim; ++k) displacements_[i][k] = s_.x[i][k] - this->initial_.x[s_.id[i]][k];
   });
-  parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
-    strain<true>(group);
-    const Sites& sites = sites_[group];
-    Mat<Pack, Dim> F = shown_deformations(group);
-    if constexpr (Dim == 3) keep_volume(F, F_[group]);
-    for (int k = 0; k < Dim; ++k) F(k, k) = sites.V > 0 ? F(k, k) : filled<Pack>(1);
+  parallel_for(group_count(), threads_now(), [&](int group) TAUT_FLATTEN {
+    Strained now;
+    strain<true>(group, now);
+    const Pack energy = now.energy + energy_of_four(group, now.F);
+    for (int i = lanes * group, lane = 0; lane < lanes && i < s_.size(); ++i, ++lane)
+      this->snapshot_.strain_energy[s_.id[i]] = energy[lane];
+    Mat<Pack, Dim> F = shown_deformations(group, now.F);
+    if constexpr (Dim == 3) keep_volume(F, now.F);
+    for (int k = 0; k < Dim; ++k) F(k, k) = sites(group).V > 0 ? F(k, k) : filled<Pack>(1);
     show(group, F);
   });
 }

@@ -9,10 +9,10 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/core/shared_rows.hpp"
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/verdict.hpp"
 #include "engine/families/bonded/bonds.hpp"
-#include "engine/core/shared_rows.hpp"
 #include "engine/materials/neo_hookean.hpp"
 #include "engine/methods/oenog.hpp"
 #include "engine/terms/bond.hpp"
@@ -349,10 +349,9 @@ TEST_SUITE("term") {
       CHECK(cancelled_energy(s) == bond_energy(s));
       CHECK(cancelled_slope(s) == bond_slope(s));
     }
-    double four[4] = {0.1, 0.8, 1.3, 9.0};
-    take_cancelled_slopes(four);
-    for (const auto& [k, s] : {std::pair{0, 0.1}, {1, 0.8}, {2, 1.3}, {3, 9.0}})
-      CHECK(four[k] == Approx(cancelled_slope(s)).epsilon(1e-14));
+    const auto [p, q] = cancelled_pulls(0.1, 1.3, 2.0 / 3, 5.0 / 3);
+    CHECK(p == Approx(2 * cancelled_slope(0.1)).epsilon(1e-14));
+    CHECK(q == Approx(5 * cancelled_slope(1.3)).epsilon(1e-14));
     for (const double s : {0.01, 0.1, 0.24, 4.5, 30.0}) {
       const double step = 1e-6, edge = s < 1 ? 0.25 : 4;
       // dφ/ds = φ′/(2 λ)

@@ -2,11 +2,14 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
+#include <vector>
 
 #include <doctest/doctest.h>
 
 #include "engine/core/tensor.hpp"
 #include "engine/diagnostics/balance.hpp"
+#include "engine/families/bonded/cancelled.hpp"
 #include "engine/methods/oenog.hpp"
 #include "tests/engine/families/naive_oenog.hpp"
 #include "tests/support/relative.hpp"
@@ -33,6 +36,48 @@ Scene ring_alone() {
   Scene scene = small_collision();
   scene.bodies.pop_back();
   return scene;
+}
+
+/// Of particles of a lattice whose cells are longer than wide, each with bonds and strengths of its own; then of one
+/// with a bond in another direction.
+template <int Dim>
+void check_cancelled() {
+  using Cancelled = CancelledBonds<Dim>;
+  std::mt19937 random(5);
+  const auto number = [&] { return std::generate_canonical<double, 53>(random); };
+  const double pitch[3] = {1, 1.3, 0.8};
+  const auto bond = [&](const double(&X)[3]) {
+    double r2 = 0;
+    for (int k = 0; k < Dim; ++k) r2 += X[k] * X[k];
+    typename Cancelled::Bond one{{}, 0.2 + number()};
+    for (int a = 0; a < Dim; ++a)
+      for (int k = a; k < Dim; ++k) one.dyad(a, k) = X[a] * X[k] / r2;
+    return one;
+  };
+  std::vector<std::vector<typename Cancelled::Bond>> of_particle(lanes);
+  for (auto& bonds : of_particle)
+    for (int n = 0; n < (Dim == 2 ? 9 : 27); ++n)
+      if (const double X[3] = {(n % 3 - 1) * pitch[0], (n / 3 % 3 - 1) * pitch[1], (n / 9 - 1) * pitch[2]};
+          n != (Dim == 2 ? 4 : 13) && number() < 0.8)
+        bonds.push_back(bond(X));
+  for (const bool on_lattice : {true, false}) {
+    if (!on_lattice) of_particle[2].push_back(bond({0.3, 0.7, 0.2}));
+    Sym<Pack, Dim> C;
+    for (Pack& c : C.c) c = Pack{number(), number(), number(), number()} - 0.5;
+    for (int k = 0; k < Dim; ++k) C(k, k) += 1.5;
+    const Sym<Pack, Dim> S = Cancelled(of_particle).slopes(0, C);
+    for (int lane = 0; lane < lanes; ++lane) {
+      Sym<double, Dim> expected{};
+      for (const auto& [dyad, Gw] : of_particle[lane]) {
+        double s = 0;
+        for (int a = 0; a < Dim; ++a)
+          for (int k = 0; k < Dim; ++k) s += dyad(a, k) * C(a, k)[lane];
+        expected += (Gw * cancelled_slope(s)) * dyad;
+      }
+      for (int k = 0; k < expected.size; ++k)
+        CHECK(S.c[k][lane] == doctest::Approx(expected.c[k]).epsilon(1e-12));
+    }
+  }
 }
 
 }  // namespace
@@ -84,6 +129,11 @@ TEST_SUITE("reference") {
 }
 
 TEST_SUITE("term") {
+  TEST_CASE("bond: what is cancelled of four particles is the sum of each, on a lattice and off it") {
+    check_cancelled<2>();
+    check_cancelled<3>();
+  }
+
   TEST_CASE("oenog: a strained body that is turned keeps its energy, and its forces turn with it") {
     const Scene scene = ring_alone();
     NaiveOenog naive(scene, oenog.h_over_dp);

@@ -1,0 +1,156 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "engine/core/shared_rows.hpp"
+#include "engine/core/tensor.hpp"
+#include "engine/families/bonded/bonds.hpp"
+#include "engine/methods/constants.hpp"
+#include "engine/neighbors/lane_neighbors.hpp"
+#include "engine/scene/initial_particles.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// G of a bond, Pa. Halves of two materials stand one behind the other in it, as two springs do: the harmonic
+/// mean. What is held is as stiff as who holds on to it.
+inline double shear_modulus(const Bonds& bonds, const InitialParticles& initial,
+                            const std::vector<Elasticity>& materials, int id, int b) {
+  const int other = initial.held[bonds.j[b]] ? id : bonds.j[b];
+  const double G_i = materials[initial.material[id]].G, G_j = materials[initial.material[other]].G;
+  return 2 * G_i * G_j / (G_i + G_j);
+}
+
+/// The bonds of groups of four particles that are stored one behind the other, with the constants of each. A
+/// particle sums over its bonds in the order in which their other ends are stored, those with an a_ij first.
+template <int Dim>
+class PackedBonds {
+ public:
+  /// One bond of each of four particles; the filling has 0.
+  struct Spring {
+    Pack third_of_k;       // ⅓ G (V0_i w_ij + V0_j w_ji)/r0², N/m (per metre depth in 2D)
+    Pack per_r0_squared;   // 1/r0², 1/m²
+    Pack half_r0_squared;  // ½ r0², m²
+  };
+  /// Where its bonds begin.
+  struct Group {
+    int slot, count, spring, scale;
+    int a, a_count;  // those with an a_ij are the first
+  };
+
+  PackedBonds() = default;
+  /// Of particles stored in the order of `ids`.
+  PackedBonds(const Bonds& bonds, const Scene& scene, const InitialParticles& initial,
+              const std::vector<Elasticity>& materials, const std::vector<int>& ids);
+
+  const Group& of(int group) const { return groups_[group]; }
+  const LaneSlot* slots(const Group& own) const { return &slots_[own.slot]; }
+  const Spring* springs(const Group& own) const { return &springs_[own.spring]; }
+  const Vec<Pack, Dim>* a_ij(const Group& own) const { return &a_ij_[own.a]; }
+  /// As far as a bond is an energy of this end: G V0_i w_ij, J
+  const StoredPack* energy_scales(const Group& own) const { return &energy_scales_[own.scale]; }
+  /// Where bonds enter a clamp: they lead to what is stored from a whole number of groups on.
+  const std::vector<Vec<double, Dim>>& places_at_clamp() const { return places_at_clamp_; }
+
+ private:
+  struct Bond {
+    int j;  // where its other end is stored
+    double k, r2, scale;
+    Point a;
+  };
+  using Four = std::array<std::vector<Bond>, lanes>;
+
+  void add(int first, const Four& with_area, const Four& others, int size);
+
+  std::vector<Group> groups_;
+  SharedRows<LaneSlot> slots_;
+  SharedRows<Spring> springs_;
+  SharedRows<Vec<Pack, Dim>> a_ij_;  // times a constant that B takes out again
+  SharedRows<StoredPack> energy_scales_;
+  std::vector<Vec<double, Dim>> places_at_clamp_;
+};
+
+template <int Dim>
+PackedBonds<Dim>::PackedBonds(const Bonds& bonds, const Scene& scene, const InitialParticles& initial,
+                              const std::vector<Elasticity>& materials, const std::vector<int>& ids) {
+  const int n = static_cast<int>(ids.size()), size = (n + lanes - 1) / lanes * lanes;
+  std::vector<int> where(ids.size());
+  for (int i = 0; i < n; ++i) where[ids[i]] = i;
+  const auto seen_from = [&](int id, int other) {
+    const int* last = bonds.j.data() + bonds.begin[id + 1];
+    const int* found = std::find(bonds.j.data() + bonds.begin[id], last, other);
+    return found == last ? -1 : static_cast<int>(found - bonds.j.data());
+  };
+  const auto place_at_clamp = [&](int id, const Point& X) {
+    Point x = initial.x[id];
+    for (int k = 0; k < Dim; ++k) x[k] += X[k];
+    x = displaced(scene.bodies[initial.body[id]], x);
+    Vec<double, Dim> place;
+    for (int k = 0; k < Dim; ++k) place[k] = x[k];
+    return place;
+  };
+  for (int first = 0; first < n; first += lanes) {
+    Four with_area, others;
+    for (int lane = 0; lane < lanes && first + lane < n; ++lane) {
+      const int id = ids[first + lane];
+      for (int b = bonds.begin[id]; b < bonds.begin[id + 1]; ++b) {
+        Bond bond{where[bonds.j[b]], 0, 0, 0, bonds.area[b]};
+        for (int d = 0; d < Dim; ++d) bond.r2 += bonds.X[b][d] * bonds.X[b][d];
+        const int back = seen_from(bonds.j[b], id);
+        if (back < 0) {
+          bond.j = size + static_cast<int>(places_at_clamp_.size());
+          places_at_clamp_.push_back(place_at_clamp(id, bonds.X[b]));
+        }
+        // a place at a clamp has no energy of its own
+        const double G = shear_modulus(bonds, initial, materials, id, b),
+                     w_ji = back < 0 ? 0 : bonds.weight[back];
+        bond.scale = G * initial.V0[id] * bonds.weight[b];
+        bond.k = (bond.scale + G * initial.V0[bonds.j[b]] * w_ji) / bond.r2;  // the same bits from both ends
+        (bonds.area[b] != Point{} ? with_area : others)[lane].push_back(bond);
+      }
+      std::ranges::sort(with_area[lane], {}, &Bond::j);
+      std::ranges::sort(others[lane], {}, &Bond::j);
+    }
+    add(first, with_area, others, size);
+  }
+  slots_.close(), springs_.close(), a_ij_.close(), energy_scales_.close();
+}
+
+template <int Dim>
+void PackedBonds<Dim>::add(int first, const Four& with_area, const Four& others, int size) {
+  std::vector<LaneSlot> slots;
+  std::vector<Spring> springs;
+  std::vector<StoredPack> scales;
+  std::vector<Vec<Pack, Dim>> areas;
+  const auto append = [&](const Four& bonds) {
+    std::array<std::vector<int>, lanes> neighbors;
+    for (int lane = 0; lane < lanes; ++lane)
+      for (const Bond& bond : bonds[lane]) neighbors[lane].push_back(bond.j);
+    const LaneSlots found = lane_slots(first, neighbors, size);
+    for (std::size_t b = 0; b < found.slots.size(); ++b) {
+      slots.push_back(found.slots[b]);
+      Spring& spring = springs.emplace_back();
+      Pack& scale = scales.emplace_back().value;
+      Vec<Pack, Dim>& area = areas.emplace_back();
+      for (int lane = 0; lane < lanes; ++lane) {
+        if (found.taken[b][lane] < 0) continue;
+        const Bond& bond = bonds[lane][found.taken[b][lane]];
+        spring.third_of_k[lane] = bond.k / 3;
+        spring.per_r0_squared[lane] = 1 / bond.r2;
+        spring.half_r0_squared[lane] = 0.5 * bond.r2;
+        scale[lane] = bond.scale;
+        for (int k = 0; k < Dim; ++k) area[k][lane] = bond.a[k];
+      }
+    }
+  };
+  append(with_area);
+  const int a_count = static_cast<int>(slots.size());
+  append(others);
+  areas.resize(a_count);
+  groups_.push_back({slots_.add(slots), static_cast<int>(slots.size()), springs_.add(springs),
+                     energy_scales_.add(scales), a_ij_.add(areas), a_count});
+}
+
+}  // namespace taut::inline TAUT_ISA
