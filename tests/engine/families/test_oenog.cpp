@@ -1,8 +1,12 @@
 // oenog against its formulas written down plainly, and what an energy of the positions promises.
 
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <numeric>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -10,6 +14,7 @@
 #include "engine/core/tensor.hpp"
 #include "engine/diagnostics/balance.hpp"
 #include "engine/families/bonded/cancelled.hpp"
+#include "engine/families/bonded/packed_bonds.hpp"
 #include "engine/methods/oenog.hpp"
 #include "tests/engine/families/naive_oenog.hpp"
 #include "tests/support/relative.hpp"
@@ -158,6 +163,38 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("conservation") {
+  TEST_CASE("oenog: both ends of a bond have its strength to the last bit, and opposite areas") {
+    for (const Scene& scene : {clamped_plate_of_two_materials(), ring_alone()}) {
+      CAPTURE(scene.name);
+      const InitialParticles initial = make_initial_particles(scene);
+      std::vector<int> ids(initial.size());
+      std::iota(ids.begin(), ids.end(), 0);
+      std::vector<Elasticity> materials(scene.materials.size());
+      for (std::size_t k = 0; k < materials.size(); ++k) materials[k].G = scene.materials[k].shear_modulus();
+      const Bonds bonds = make_bonds(scene, initial, oenog.h_over_dp * scene.spacing, /*threads*/ 1);
+      const PackedBonds<2> packed(bonds, scene, initial, materials, ids);
+      std::map<std::pair<int, int>, std::array<double, 3>> seen;  // strength and area
+      for (int first = 0; first < initial.size(); first += lanes) {
+        const auto& own = packed.of(first / lanes);
+        for (int b = 0; b < own.a_count; ++b)
+          for (int lane = 0; lane < lanes; ++lane)
+            if (const double k = packed.springs(own)[b].third_of_k[lane]; k != 0)
+              seen[{first + lane, first + packed.slots(own)[b].step[lane]}] = {
+                  k, packed.a_ij(own)[b][0][lane], packed.a_ij(own)[b][1][lane]};
+      }
+      int both = 0;
+      for (const auto& [ends, own] : seen) {
+        const auto other = seen.find({ends.second, ends.first});
+        if (other == seen.end()) continue;  // a place at the clamp
+        ++both;
+        CHECK(own[0] == other->second[0]);
+        CHECK(own[1] == -other->second[1]);
+        CHECK(own[2] == -other->second[2]);
+      }
+      CHECK(both > 6 * initial.size() / 2);
+    }
+  }
+
   TEST_CASE("oenog: a body of two materials keeps its momenta and its energy") {
     Scene scene = rotating_plate(0.2);
     scene.materials.push_back({"soft", /*ρ0*/ 900, /*E*/ 4e6, /*ν*/ 0.3});
