@@ -1,6 +1,8 @@
 #pragma once
 
-#include <string>
+#include <cstring>
+#include <functional>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -15,10 +17,19 @@ class SharedRows {
  public:
   /// Where it begins.
   int add(const std::vector<T>& row) {
-    const std::string bytes(reinterpret_cast<const char*>(row.data()), row.size() * sizeof(T));
-    const auto [known, is_new] = begin_.try_emplace(bytes, static_cast<int>(all_.size()));
-    if (is_new) all_.insert(all_.end(), row.begin(), row.end());
-    return known->second;
+    const std::string_view bytes(reinterpret_cast<const char*>(row.data()), row.size() * sizeof(T));
+    const std::size_t hash = std::hash<std::string_view>()(bytes);
+    const auto [from, to] = begin_.equal_range(hash);
+    for (auto known = from; known != to; ++known) {
+      const T* other = all_.data() + known->second;
+      if (row.size() <= all_.size() - static_cast<std::size_t>(known->second) &&
+          std::memcmp(other, row.data(), bytes.size()) == 0)
+        return known->second;
+    }
+    const int begin = static_cast<int>(all_.size());
+    begin_.emplace(hash, begin);
+    all_.insert(all_.end(), row.begin(), row.end());
+    return begin;
   }
   const T& operator[](int k) const { return all_[k]; }
   /// Nothing will be added any more.
@@ -26,7 +37,7 @@ class SharedRows {
 
  private:
   std::vector<T> all_;
-  std::unordered_map<std::string, int> begin_;  // of bytes
+  std::unordered_multimap<std::size_t, int> begin_;  // by the hash of their bytes
 };
 
 }  // namespace taut::inline TAUT_ISA

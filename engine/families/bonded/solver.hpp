@@ -436,7 +436,7 @@ template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::take_snapshot() {
   Base::begin_snapshot();
   if (recovered_.empty())
-    recovered_ = recovered_gradient(this->initial_, s_.id, c_.dp, this->support_, threads_now());
+    recovered_ = recovered_gradient(this->initial_, s_.id, c_.dp, this->support_, this->threads_);
   this->snapshot_.strain_energy.resize(s_.size());
   displacements_.resize(s_.size());
   parallel_for(s_.size(), threads_now(), [&](int i) {
