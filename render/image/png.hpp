@@ -6,7 +6,10 @@
 
 namespace taut::render {
 
-/// Writes an RGB file of 8 bits per channel. The file appears whole or not at all; OutputError if it cannot.
+/// The bytes of an RGB file of 8 bits per channel.
+std::vector<std::uint8_t> encode_png(const Image& image);
+
+/// Writes such a file. The file appears whole or not at all; OutputError if it cannot.
 void write_png(const Image& image, const std::filesystem::path& path);
 
 /// Reads any PNG of at most 16384 × 16384 as RGB; transparency is dropped. UsageError if it is missing,
