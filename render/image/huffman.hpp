@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,19 +11,28 @@ namespace taut::render {
 class BitWriter {
  public:
   explicit BitWriter(std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
+  ~BitWriter() { bytes_.resize(size_); }
   BitWriter(const BitWriter&) = delete;
   BitWriter& operator=(const BitWriter&) = delete;
 
   /// At most 32.
   void put(std::uint32_t bits, int count) {
     waiting_ |= std::uint64_t{bits} << count_;
-    for (count_ += count; count_ >= 8; count_ -= 8, waiting_ >>= 8)
-      bytes_.push_back(static_cast<std::uint8_t>(waiting_));
+    count_ += count;
+    if (count_ >= 32) pass_on(4);
   }
-  void fill_byte() { put(0, -count_ & 7); }
+  /// The last byte is filled with 0.
+  void end() { pass_on((count_ + 7) / 8); }
 
  private:
-  std::vector<std::uint8_t>& bytes_;
+  void pass_on(int bytes) {
+    if (bytes_.size() < size_ + 8) bytes_.resize(2 * size_ + 4096);
+    for (int k = 0; k < bytes; ++k, waiting_ >>= 8) bytes_[size_++] = static_cast<std::uint8_t>(waiting_);
+    count_ = std::max(count_ - 8 * bytes, 0);
+  }
+
+  std::vector<std::uint8_t>& bytes_;  // longer than what is in them while this lives
+  std::size_t size_ = bytes_.size();
   std::uint64_t waiting_ = 0;
   int count_ = 0;  // of the bits that are waiting
 };

@@ -94,7 +94,7 @@ void Blocks::end(bool is_last) {
     out_.put(static_cast<std::uint32_t>(distance - of_distance.base), of_distance.bits);
   }
   symbols.put(out_, end_of_block);
-  if (is_last) out_.fill_byte();
+  if (is_last) out_.end();
   tokens_.clear();
   symbols_.fill(0);
   distances_.fill(0);
@@ -158,10 +158,12 @@ class Search {
   Search(const Image& image, Blocks& blocks)
       : image_(image),
         blocks_(blocks),
-        width_(static_cast<std::size_t>(image.width)),
-        stride_(3 * width_ + 1) {}
+        width_(image.width),
+        stride_(3 * static_cast<std::size_t>(width_) + 1) {
+    recent_.fill(none);
+  }
 
-  void add_row(std::size_t row);
+  void add_row(int row);
   /// The row above once more, where that is not too far away.
   void repeat_row() { blocks_.copy(stride_, stride_); }
   bool can_repeat_row() const { return stride_ <= window; }
@@ -169,79 +171,98 @@ class Search {
  private:
   static constexpr std::size_t recent_colors = 4096;
   static constexpr std::size_t far =
-      8192;  // bytes: a copy of one pixel from beyond costs more than its bytes
+      8192;                          // bytes: a copy of one pixel from beyond costs more than its bytes
+  static constexpr int enough = 16;  // pixels: nothing longer is looked for
+  static constexpr std::uint32_t none = 0xffffffff;
 
-  std::uint32_t pixel(std::size_t at) const {
-    std::uint32_t color = 0;
-    std::memcpy(&color, &image_.pixels[4 * at], 3);
-    return color;
-  }
-  std::size_t byte_of(std::size_t at) const { return at / width_ * stride_ + 1 + at % width_ * 3; }
-  std::size_t alike(std::size_t a, std::size_t b, std::size_t most) const;
-  std::uint32_t& recent(std::uint32_t color) { return recent_[color * 2654435761u >> 20]; }
+  struct Copy {
+    int pixels = 0;
+    std::size_t distance = 0;
+  };
+  Copy recent(std::uint32_t color, int row, int column) const;
+  static std::size_t slot(std::uint32_t color) { return color * 2654435761u >> 20; }
 
   const Image& image_;
   Blocks& blocks_;
-  std::size_t width_, stride_;                         // pixels, bytes
-  std::array<std::uint32_t, recent_colors> recent_{};  // the last pixel of a colour, + 1; 0: none
+  int width_;
+  std::size_t stride_;                               // bytes
+  std::array<std::uint32_t, recent_colors> recent_;  // the last place of a colour, row << 16 | column
 };
 
-/// How many pixels from `a` on are those from `b` on.
-std::size_t Search::alike(std::size_t a, std::size_t b, std::size_t most) const {
-  constexpr std::size_t at_once = 4;
-  const std::uint8_t *p = &image_.pixels[4 * a], *q = &image_.pixels[4 * b];
-  std::size_t count = 0;
+/// Red in the highest byte but one.
+std::uint32_t color_at(const std::uint8_t* pixel) {
+  std::uint32_t color;
+  std::memcpy(&color, pixel, 4);
+  return color & 0xffffff;
+}
+
+/// How many pixels from `p` on are those from `q` on.
+int alike(const std::uint8_t* p, const std::uint8_t* q, int most) {
+  constexpr int at_once = 4;
+  int count = 0;
   while (count + at_once <= most && std::memcmp(p + 4 * count, q + 4 * count, 4 * at_once) == 0)
     count += at_once;
-  while (count < most && std::memcmp(p + 4 * count, q + 4 * count, 3) == 0) ++count;
+  while (count < most && color_at(p + 4 * count) == color_at(q + 4 * count)) ++count;
   return count;
 }
 
-void Search::add_row(std::size_t row) {
+/// What can be copied from where this colour was seen last.
+Search::Copy Search::recent(std::uint32_t color, int row, int column) const {
+  const std::uint32_t place = recent_[slot(color)];
+  if (place == none) return {};
+  const int from_row = static_cast<int>(place >> 16), from_column = static_cast<int>(place & 0xffff);
+  const auto back =
+      static_cast<std::size_t>((row - from_row) * static_cast<int>(stride_) + 3 * (column - from_column));
+  if (back > window) return {};
+  const int pixels =
+      alike(&image_.pixels[image_.offset(column, row)], &image_.pixels[image_.offset(from_column, from_row)],
+            width_ - std::max(column, from_column));
+  return {pixels > 1 || back < far ? pixels : 0, back};
+}
+
+void Search::add_row(int row) {
   blocks_.byte(0);  // no filter
-  const std::size_t end = (row + 1) * width_;
-  for (std::size_t at = row * width_; at < end;) {
-    const std::size_t left = end - at;
-    std::size_t length = 0, distance = 0;
-    const auto try_from = [&](std::size_t from, std::size_t most) {
-      const std::size_t count = alike(at, from, most), back = byte_of(at) - byte_of(from);
-      if (count > length && back <= window && (count > 1 || back < far)) length = count, distance = back;
-    };
-    if (at > row * width_) try_from(at - 1, left);
-    if (row > 0) try_from(at - width_, left);
-    const std::uint32_t color = pixel(at), last = recent(color);
-    if (length == 0 && last > 0) try_from(last - 1, std::min(left, width_ - (last - 1) % width_));
-    recent(color) = static_cast<std::uint32_t>(at + 1);
-    if (length > 0) {
-      blocks_.copy(3 * length, distance);
-      at += length;
+  for (int column = 0; column < width_;) {
+    const std::uint8_t* here = &image_.pixels[image_.offset(column, row)];
+    const std::uint32_t color = color_at(here);
+    Copy copy;
+    if (column > 0 && color == color_at(here - 4)) copy = {alike(here, here - 4, width_ - column), 3};
+    if (row > 0 && copy.pixels < enough && color == color_at(here - 4 * width_))
+      if (const int pixels = alike(here, here - 4 * width_, width_ - column); pixels > copy.pixels)
+        copy = {pixels, stride_ <= window ? stride_ : 0};
+    if (copy.distance == 0) copy = recent(color, row, column);
+    recent_[slot(color)] = static_cast<std::uint32_t>(row << 16 | column);
+    if (copy.pixels > 0) {
+      blocks_.copy(3 * static_cast<std::size_t>(copy.pixels), copy.distance);
     } else {
       for (const int shift : {16, 8, 0}) blocks_.byte(static_cast<std::uint8_t>(color >> shift));
-      ++at;
     }
+    column += std::max(copy.pixels, 1);
   }
 }
 
 }  // namespace
 
 std::vector<std::uint8_t> deflate_pixels(const Image& image) {
-  const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
   std::vector<std::uint8_t> bytes{0x78, 0x01};  // deflate with a window of 32 KiB, fast [RFC 1950 §2.2]
-  Blocks blocks(bytes);
-  Search search(image, blocks);
+  const auto width = static_cast<std::size_t>(image.width);
   Checksum checksum;
-  for (std::size_t row = 0; row < height; ++row) {
-    const std::uint8_t* pixels = &image.pixels[4 * row * width];
-    if (row > 0 && search.can_repeat_row() && std::memcmp(pixels, pixels - 4 * width, 4 * width) == 0) {
-      search.repeat_row();
-      checksum.repeat_row(width);
-    } else {
-      search.add_row(row);
-      checksum.add_row(pixels, width);
+  {
+    Blocks blocks(bytes);
+    Search search(image, blocks);
+    for (int row = 0; row < image.height; ++row) {
+      const std::uint8_t* pixels = &image.pixels[image.offset(0, row)];
+      if (row > 0 && search.can_repeat_row() && std::memcmp(pixels, pixels - 4 * width, 4 * width) == 0) {
+        search.repeat_row();
+        checksum.repeat_row(width);
+      } else {
+        search.add_row(row);
+        checksum.add_row(pixels, width);
+      }
+      blocks.end_if_long();
     }
-    blocks.end_if_long();
+    blocks.end(true);
   }
-  blocks.end(true);
   for (const int shift : {24, 16, 8, 0})
     bytes.push_back(static_cast<std::uint8_t>(checksum.value() >> shift));
   return bytes;

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -108,8 +107,9 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
   return file;
 }
 
-void write_png(const Image& image, const std::filesystem::path& path) {
-  const std::vector<std::uint8_t> bytes = encode_png(image);
+void write_png(const Image& image, const std::filesystem::path& path) { write_png(encode_png(image), path); }
+
+void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
   // In the same folder, so that the rename stays within one file system and is atomic.
   std::filesystem::path part = path;
   part += ".part" + std::to_string(getpid());
