@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "engine/error.hpp"
-#include "render/gl/disc_painter.hpp"
+#include "render/disc_painter.hpp"
 #include "render/gl/gl_context.hpp"
 #include "render/gl/solid_painter.hpp"
 #include "render/page/annotation.hpp"
@@ -86,10 +86,10 @@ struct Renderer::Parts {
   Range range;
   PageLayout layout;
   Image image;
-  GlContext context;
-  std::optional<Projection> projection;  // in 3D
-  std::optional<DiscPainter> disc_painter;
-  std::optional<SolidPainter> solid_painter;  // made when it is needed: cells are solids in 2D too
+  std::optional<Projection> projection;       // in 3D
+  std::optional<DiscPainter> disc_painter;    // while the image holds discs and nothing else in the plot
+  std::optional<GlContext> context;           // these two are made when they are needed: cells are solids in
+  std::optional<SolidPainter> solid_painter;  // 2D too
   std::optional<Annotation> annotation;       // none in pictures too small for text
   std::array<std::uint32_t, 256> colors;
   std::uint32_t not_a_number = packed(not_a_number_color);
@@ -108,7 +108,6 @@ Renderer::Parts::Parts(const Look& look, double until)
     : range(widened(*look.range)),
       layout(make_layout(look.size->width, look.size->height, *look.view, !look.bare)),
       image(look.size->width, look.size->height),
-      context(image.width, image.height),
       solids(layout) {
   if (look.camera) projection.emplace(*look.camera, *look.view);
   const std::array<Rgb, 256> table = look.colormap->table();
@@ -118,8 +117,6 @@ Renderer::Parts::Parts(const Look& look, double until)
     annotation->show(marker_of(*look.camera));
     if (look.camera->field_of_view > 0) annotation->leave_out_scale_bar();
   }
-  const GlContext::Current current(context, image);
-  disc_painter.emplace(image.width, image.height, layout.plot);
 }
 
 void Renderer::Parts::check(const FrameView& frame) const {
@@ -163,9 +160,17 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
+/// Over the page of the frame before, where that was one of discs too.
 void Renderer::Parts::draw_discs(const FrameView& frame) {
+  const bool page_stands = disc_painter && (!annotation || annotation->stands_for(frame));
+  if (!page_stands) {
+    std::ranges::fill(image.pixels, std::uint8_t{255});
+    disc_painter.emplace(layout.plot);
+  }
   place_discs(frame);
-  disc_painter->draw(discs);
+  disc_painter->draw(image, discs);
+  if (!annotation) return;
+  page_stands ? annotation->draw_header_again(frame) : annotation->draw(frame);
 }
 
 void Renderer::Parts::draw_solids(const FrameView& frame) {
@@ -177,8 +182,14 @@ void Renderer::Parts::draw_solids(const FrameView& frame) {
     solids.place_balls(frame, *projection, color);
   else
     solids.place_boxes(frame, *projection, color);
-  if (!solid_painter) solid_painter.emplace(image.width, image.height, layout.plot);
-  solid_painter->draw(solids.balls(), solids.corners());
+  disc_painter.reset();
+  if (!context) context.emplace(image.width, image.height);
+  {
+    const GlContext::Current current(*context, image);
+    if (!solid_painter) solid_painter.emplace(image.width, image.height, layout.plot);
+    solid_painter->draw(solids.balls(), solids.corners());
+  }
+  if (annotation) annotation->draw(frame);
 }
 
 void Renderer::look_from(const Camera& camera, const View& view) {
@@ -193,14 +204,10 @@ void Renderer::look_from(const Camera& camera, const View& view) {
 const Image& Renderer::draw(const FrameView& frame) {
   Parts& parts = *parts_;
   parts.check(frame);
-  {
-    const GlContext::Current current(parts.context, parts.image);
-    if (parts.projection || !frame.cell.empty())
-      parts.draw_solids(frame);
-    else
-      parts.draw_discs(frame);
-  }
-  if (parts.annotation) parts.annotation->draw(frame);
+  if (parts.projection || !frame.cell.empty())
+    parts.draw_solids(frame);
+  else
+    parts.draw_discs(frame);
   return parts.image;
 }
 

@@ -68,7 +68,7 @@ bool draw_orbit(const fs::path& folder, const fs::path& frames, std::ostream& er
   run.file.drawing.orbit = true;
   check_redrawing(run);
   Progress progress(err, progress_style(err, false));
-  return redraw(run, frames, progress).all;
+  return redraw(run, frames, 0, progress).all;
 }
 
 /// What ffmpeg makes of the frames. Video wants even sides, which a white edge gives it; a GIF wants few

@@ -10,6 +10,7 @@
 #include "cli/system/atomic_file.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/system/progress.hpp"
+#include "cli/text/checks.hpp"
 #include "engine/error.hpp"
 
 namespace fs = std::filesystem;
@@ -21,6 +22,7 @@ struct Options : DrawingOptions {
   std::string run;
   std::optional<std::string> out;
   bool orbit = false;
+  int threads = 0;  // 0: as many as there are cores
   bool quiet = false;
 };
 
@@ -55,7 +57,7 @@ int render(const Options& options, Streams streams) {
   check_redrawing(run);  // before anything is removed
   const fs::path folder = prepare(options, run);
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
-  const auto [frames, all] = redraw(run, folder, progress);
+  const auto [frames, all] = redraw(run, folder, options.threads, progress);
   streams.out << "frames  " << folder.string() << " (" << frames << ")\n";
   return all ? exit_fine : exit_interrupted;
 }
@@ -71,6 +73,9 @@ std::function<int(Streams)> declare_render(CLI::App& app) {
   app.add_option("--out", options->out, "a folder for the frames; default: those of the run are replaced")
       ->option_text("DIR");
   app.add_flag("--orbit", options->orbit, "3D: the camera goes once about what it sees");
+  app.add_option("--threads", options->threads, "frames that are drawn at once; default: all cores")
+      ->option_text("N")
+      ->check(positive_whole_number);
   app.add_flag("--quiet", options->quiet, "no progress on stderr");
   return [options](Streams streams) { return render(*options, streams); };
 }

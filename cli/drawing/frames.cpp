@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "cli/system/stopwatch.hpp"
 #include "cli/text/format.hpp"
 #include "render/image/png.hpp"
 
@@ -27,6 +26,15 @@ FrameView with_texts(FrameView view, const Field& field, const Captions& caption
   view.title = captions.title;
   view.method = captions.method;
   return view;
+}
+
+/// As many threads as there are, as far as their pictures have room. A picture of discs takes 4 bytes a pixel, one of
+/// what stands in space four samples of 8 bytes more, and again as much in OpenGL.
+int pictures_at_once(const Drawing& drawing, int threads) {
+  constexpr double bytes_of_pixel = 70;
+  const render::Size size = drawing.look.size.value_or(render::Size{});
+  const double bytes = bytes_of_pixel * size.width * size.height;
+  return std::clamp(static_cast<int>(Frames::memory_of_pictures / bytes), 1, std::max(threads, 1));
 }
 
 }  // namespace
@@ -56,13 +64,15 @@ render::Image draw_picture(const Drawing& drawing, const Captions& captions, con
 }
 
 Frames::Frames(const Drawing& drawing, Origins origins, std::filesystem::path folder, Captions captions,
-               double& drawing_time, double& writing_time)
+               int threads, Seconds& seconds)
     : drawing_(drawing),
       staging_(drawing, std::move(origins)),
       folder_(std::move(folder)),
       captions_(std::move(captions)),
-      drawing_time_(drawing_time),
-      writing_time_(writing_time) {
+      seconds_(seconds),
+      renderers_(static_cast<std::size_t>(pictures_at_once(drawing_, threads))),
+      // one thread is that of the caller
+      work_(renderers_.size() > 1 ? static_cast<int>(renderers_.size()) : 0) {
   if (drawing_.look.range && drawing_.look.view) begin_drawing(SequenceBounds());
 }
 
@@ -73,13 +83,13 @@ void Frames::begin_drawing(const SequenceBounds& shown) {
     drawing_.look.view = view;
     orbited_ = middle;
   }
-  renderer_.emplace(drawing_.look, captions_.until);
+  renderers_.front().emplace(drawing_.look, captions_.until);
 }
 
 void Frames::add(const Snapshot& snapshot) {
   std::vector<double> value;
   {
-    const Timed timed(drawing_time_);
+    const Timed timed(seconds_.render);
     value = evaluate(*drawing_.field, snapshot);
   }
   add(view_of(snapshot, value));
@@ -88,17 +98,17 @@ void Frames::add(const Snapshot& snapshot) {
 void Frames::add(const FrameView& particles) {
   StagedParticles staged;
   {
-    const Timed timed(drawing_time_);
+    const Timed timed(seconds_.render);
     staged = staging_(particles);
   }
-  if (renderer_)
-    draw(staged);
+  if (renderers_.front())
+    draw(std::move(staged));
   else
     keep(staged);
 }
 
 void Frames::keep(const StagedParticles& particles) {
-  const Timed timed(drawing_time_);
+  const Timed timed(seconds_.render);
   dim_ = particles.dim;
   diameter_ = particles.diameter;
   kept_.push_back({particles.time,
@@ -121,33 +131,64 @@ SequenceBounds Frames::bounds_of_kept() const {
 bool Frames::draw_kept(const std::function<bool(int)>& go_on) {
   if (kept_.empty()) return true;
   begin_drawing(bounds_of_kept());
-  for (const Kept& frame : kept_) {
-    if (!go_on(written_)) return false;
-    if (orbited_) look_from_orbit(written_ / static_cast<double>(kept_.size()));
-    draw(staged(frame));
+  bool going = true;
+  for (std::size_t k = 0; k < kept_.size() && (going = go_on(drawn_)); ++k)
+    draw(staged(kept_[k]),
+         orbited_ ? std::optional(on_orbit(static_cast<double>(k) / static_cast<double>(kept_.size())))
+                  : std::nullopt);
+  finish();
+  return going;
+}
+
+void Frames::finish() {
+  const auto settle = [this] {
+    seconds_.render += drawing_time_.exchange(0);
+    seconds_.write += writing_time_.exchange(0);
+  };
+  try {
+    work_.finish();
+  } catch (...) {
+    settle();
+    throw;
   }
-  return true;
+  settle();
 }
 
 /// `share` of a whole turn.
-void Frames::look_from_orbit(double share) {
+Frames::Standpoint Frames::on_orbit(double share) const {
   render::Camera camera = orbited(*drawing_.look.camera, 360 * share, 0);
   const auto [right, up, back] = axes_of(camera);
   const double x = render::dot(right, *orbited_), y = render::dot(up, *orbited_);
-  render::View view = *drawing_.look.view;  // about the origin
+  const render::View view = *drawing_.look.view;  // about the origin
   camera.front = render::dot(back, *orbited_) + view.x_max;
-  renderer_->look_from(camera, {view.x_min + x, view.x_max + x, view.y_min + y, view.y_max + y});
+  return {camera, {view.x_min + x, view.x_max + x, view.y_min + y, view.y_max + y}};
 }
 
-void Frames::draw(const StagedParticles& particles) {
-  const render::Image* image = nullptr;
-  {
-    const Timed timed(drawing_time_);
-    const StagedParticles drawn = staging_.dressed(particles);
-    image = &renderer_->draw(with_texts(drawn.view(), *drawing_.field, captions_));
-  }
-  const Timed timed(writing_time_);
-  render::write_png(*image, folder_ / frame_name(written_));
+void Frames::draw(StagedParticles particles, std::optional<Standpoint> from) {
+  work_.add([this, number = drawn_++, from, particles = std::move(particles)](int worker) {
+    return [this, number, picture = draw_picture(worker, particles, from)] { write(picture, number); };
+  });
+}
+
+std::vector<std::uint8_t> Frames::draw_picture(int worker, const StagedParticles& particles,
+                                               const std::optional<Standpoint>& from) {
+  const Stopwatch watch;
+  std::optional<render::Renderer>& renderer = renderers_[static_cast<std::size_t>(worker)];
+  if (!renderer) renderer.emplace(drawing_.look, captions_.until);
+  if (from) renderer->look_from(from->camera, from->view);
+  const StagedParticles drawn = staging_.dressed(particles);
+  const render::Image& image = renderer->draw(with_texts(drawn.view(), *drawing_.field, captions_));
+  drawing_time_ += watch.seconds();
+  const Stopwatch encoding;
+  std::vector<std::uint8_t> picture = render::encode_png(image);
+  writing_time_ += encoding.seconds();
+  return picture;
+}
+
+void Frames::write(const std::vector<std::uint8_t>& picture, int number) {
+  const Stopwatch watch;
+  render::write_png(picture, folder_ / frame_name(number));
+  writing_time_ += watch.seconds();
   ++written_;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -9,6 +10,8 @@
 #include "cli/drawing/bounds.hpp"
 #include "cli/drawing/drawing.hpp"
 #include "cli/drawing/staging.hpp"
+#include "cli/system/ordered_work.hpp"
+#include "cli/system/stopwatch.hpp"
 #include "engine/frame_view.hpp"
 #include "engine/snapshot.hpp"
 #include "render/renderer.hpp"
@@ -33,25 +36,38 @@ render::Image draw_picture(const Drawing& drawing, const Captions& captions, con
 
 /// Draws the frames of a run: each at once when the range and the view are known beforehand; otherwise what a
 /// frame shows is kept in memory, and all are drawn at the end over the range and view of the whole sequence.
+///
+/// With several threads frames are drawn and written beside the caller, which waits only while as many of them
+/// are under way as OrderedWork has room for. Files are the same, and a frame is there only when all before it are.
+/// Each thread has a picture of its own; there are no more than `memory_of_pictures` has room for.
 class Frames {
  public:
+  static constexpr double memory_of_pictures = 1e9;  // bytes, with all that belongs to a picture
+
   /// Draws nothing, but fails where no picture can be drawn at all.
-  /// `origins` are those of the particles that will be added. The time that it takes is added to `drawing_time` and `writing_time`, s.
+  /// `origins` are those of the particles that will be added. The time that it takes is added to `seconds`, by
+  /// all threads together, whenever `finish` is called.
   Frames(const Drawing& drawing, Origins origins, std::filesystem::path folder, Captions captions,
-         double& drawing_time, double& writing_time);
+         int threads, Seconds& seconds);
 
   void add(const Snapshot& snapshot);
   /// All particles with the values of the drawing's field; the texts are added here.
   void add(const FrameView& particles);
   /// Draws what was kept; asks `go_on` before each frame. False if it was told to stop.
   bool draw_kept(const std::function<bool(int drawn)>& go_on);
+  /// Waits for the frames that are under way. It throws what went wrong with them, as all that adds frames does.
+  void finish();
 
   int kept() const { return static_cast<int>(kept_.size()); }
+  /// Grows while frames are under way.
   int written() const { return written_; }
 
+  /// After `finish`.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(dim_, diameter_, kept_, written_);
+    int written = written_;
+    archive(dim_, diameter_, kept_, written);
+    written_ = drawn_ = written;
   }
 
  private:
@@ -65,24 +81,36 @@ class Frames {
       archive(time, x, value);
     }
   };
+  /// Where a camera stands that goes about a scene.
+  struct Standpoint {
+    render::Camera camera;
+    render::View view;
+  };
   void keep(const StagedParticles& particles);
   StagedParticles staged(const Kept& frame) const;
   SequenceBounds bounds_of_kept() const;
   void begin_drawing(const SequenceBounds& shown);
-  void draw(const StagedParticles& particles);
-  void look_from_orbit(double share);
+  void draw(StagedParticles particles, std::optional<Standpoint> from = {});
+  std::vector<std::uint8_t> draw_picture(int worker, const StagedParticles& particles,
+                                         const std::optional<Standpoint>& from);
+  void write(const std::vector<std::uint8_t>& picture, int number);
+  Standpoint on_orbit(double share) const;
 
   Drawing drawing_;
   Staging staging_;
   std::filesystem::path folder_;
   Captions captions_;
-  double &drawing_time_, &writing_time_;  // s
+  Seconds& seconds_;
   int dim_ = 2;
   std::vector<double> diameter_;  // m
   std::vector<Kept> kept_;
-  std::optional<render::Vector> orbited_;     // the middle of a camera's way about it, m
-  std::optional<render::Renderer> renderer_;  // made when the range and the view are known
-  int written_ = 0;
+  std::optional<render::Vector> orbited_;  // the middle of a camera's way about it, m
+  int drawn_ = 0;                          // or being drawn
+  std::atomic<int> written_ = 0;
+  std::atomic<double> drawing_time_ = 0, writing_time_ = 0;  // s, not added to `seconds_` yet
+  /// Of each thread, from when the range and the view are known and it has something to draw.
+  std::vector<std::optional<render::Renderer>> renderers_;
+  OrderedWork work_;  // the last member: its threads use all others
 };
 
 }  // namespace taut::cli

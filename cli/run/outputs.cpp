@@ -135,8 +135,8 @@ class FramesOutput final : public OutputOf<FramesOutput> {
         result_(result),
         agenda_(plan.frame_times),
         frames_(*plan.drawing, origins_of(simulation.snapshot()), plan.folder.frames(),
-                {plan.file.scene.title, result.record.method, result.record.until},
-                result.record.seconds.render, result.record.seconds.write) {}
+                {plan.file.scene.title, result.record.method, result.record.until}, simulation.threads(),
+                result.record.seconds) {}
 
   double next() const override { return agenda_.next(); }
 
@@ -145,9 +145,11 @@ class FramesOutput final : public OutputOf<FramesOutput> {
     for (int due = agenda_.reached(simulation_.time()); due > 0; --due) frames_.add(simulation_.snapshot());
   }
 
+  void settle() override { frames_.finish(); }
   void tell() override { result_.frames = frames_.written(); }
 
   bool complete(const Interrupts& interrupts, Progress& progress) override {
+    frames_.finish();
     const int count = frames_.kept();
     if (count == 0) return true;
     // what there is of an interrupted run is drawn all the same

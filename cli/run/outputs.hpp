@@ -25,12 +25,14 @@ class RunOutput {
   virtual bool shows_the_end() const { return false; }
   /// Shows the state at hand, the first one past `next`. What it finds out goes into the run's result.
   virtual void take() = 0;
+  /// Waits for what it does beside the run.
+  virtual void settle() {}
   /// Brings the result up to date, before run.json is written.
   virtual void tell() {}
   /// Does what was put off until the run has ended. False if it was interrupted.
   virtual bool complete(const Interrupts&, Progress&) { return true; }
 
-  /// All that changes as the run goes by. Loading takes back what the folder holds from after the saving.
+  /// All that changes as the run goes by, when it is settled. Loading takes back what the folder holds from after the saving.
   virtual void save(Saver& saver) = 0;
   virtual void load(Loader& loader) = 0;
 };

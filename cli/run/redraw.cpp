@@ -1,5 +1,7 @@
 #include "cli/run/redraw.hpp"
 
+#include <thread>
+
 #include "cli/drawing/frames.hpp"
 #include "cli/system/interrupts.hpp"
 #include "engine/error.hpp"
@@ -14,26 +16,28 @@ void check_redrawing(const SavedRun& run) {
     throw UsageError("--orbit is for scenes in 3D, and this one has dim = 2");
 }
 
-Redrawn redraw(const SavedRun& run, const std::filesystem::path& folder, Progress& progress) {
+Redrawn redraw(const SavedRun& run, const std::filesystem::path& folder, int threads, Progress& progress) {
   const Scene& scene = run.file.scene;
-  double drawing_time = 0, writing_time = 0;  // nobody asks for them
+  Seconds seconds;  // nobody asks for them
+  if (threads == 0) threads = static_cast<int>(std::thread::hardware_concurrency());
   Frames frames(run.file.drawing, origins_of(scene), folder,
-                {scene.title, run.file.settings.method, scene.until}, drawing_time, writing_time);
+                {scene.title, run.file.settings.method, scene.until}, threads, seconds);
   const Interrupts interrupts;
   const double count = static_cast<double>(run.particles.size());
   const auto go_on = [&](int drawn) {
     progress.show(drawn / count, "frame " + std::to_string(drawn + 1));
     return !interrupts.asked();
   };
-  const auto draw_all = [&] {
+  const auto add_all = [&] {
     for (const ParticleFile& file : run.particles) {
       if (!go_on(frames.written())) return false;
       frames.add(read_colored(file, *run.file.drawing.field, scene.dim).view());
     }
-    return frames.draw_kept(go_on);
+    return true;
   };
   progress.begin("drawing " + std::to_string(run.particles.size()) + " frames");
-  const bool all = draw_all();
+  const bool all = add_all() && frames.draw_kept(go_on);
+  frames.finish();
   progress.end(std::to_string(frames.written()) + " frames");
   return {frames.written(), all};
 }

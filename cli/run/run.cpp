@@ -122,6 +122,7 @@ void Run::open_files(AppendFile::Start start) {
 
 void Run::save_checkpoint() {
   if (!plan_.checkpoint_every) return;
+  for (const auto& output : outputs_) output->settle();
   const Timed timed(record_.seconds.write);
   Saver saver;
   std::string simulation = simulation_->save();

@@ -1,6 +1,7 @@
 #include "render/gl/gl_context.hpp"
 
 #include <cstdlib>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 
@@ -19,8 +20,11 @@ struct GlContext::Handle {
 
 GlContext::GlContext(int width, int height)
     : handle_(std::make_unique<Handle>()), width_(width), height_(height) {
-  // The two small shaders compile in no time; a cache in the user's home is not worth its files and its
-  // warnings where the home cannot be written.
+  // The environment belongs to all threads.
+  static std::mutex one_at_a_time;
+  const std::scoped_lock lock(one_at_a_time);
+  // The small shaders compile in no time; a cache in the user's home is not worth its files and its warnings where
+  // the home cannot be written.
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   const int attributes[] = {OSMESA_FORMAT,
                             OSMESA_BGRA,

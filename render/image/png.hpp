@@ -1,12 +1,19 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <span>
+#include <vector>
 
 #include "render/image/image.hpp"
 
 namespace taut::render {
 
-/// Writes an RGB file of 8 bits per channel. The file appears whole or not at all; OutputError if it cannot.
+/// The bytes of an RGB file of 8 bits per channel.
+std::vector<std::uint8_t> encode_png(const Image& image);
+
+/// Writes such bytes to a file. The file appears whole or not at all; OutputError if it cannot.
+void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
 void write_png(const Image& image, const std::filesystem::path& path);
 
 /// Reads any PNG of at most 16384 × 16384 as RGB; transparency is dropped. UsageError if it is missing,

@@ -1,5 +1,6 @@
 #include "render/page/annotation.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace taut::render {
@@ -8,6 +9,7 @@ namespace {
 // Lengths in em.
 constexpr double title_size = 1.3;
 constexpr double baseline_of_header = 1.8;
+constexpr double end_of_header = 2.4;  // below the title's letters and above the number at the bar's end
 
 }  // namespace
 
@@ -20,6 +22,15 @@ void Annotation::draw(const FrameView& frame) {
   bar_.draw(canvas_, layout_.bar, layout_.font, frame.field, frame.unit);
   if (has_scale_bar_) draw_scale_bar(canvas_, layout_.plot, layout_.pixels_per_metre, layout_.font);
   if (axes_) draw_axes_marker(canvas_, layout_.plot, *axes_, layout_.font);
+  canvas_.end();
+  field_ = frame.field, unit_ = frame.unit;
+}
+
+void Annotation::draw_header_again(const FrameView& frame) {
+  canvas_.begin();
+  canvas_.gray(1);
+  canvas_.fill(0, 0, layout_.right + layout_.font, std::floor(end_of_header * layout_.font));
+  draw_header(frame);
   canvas_.end();
 }
 

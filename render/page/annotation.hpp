@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "engine/frame_view.hpp"
 #include "render/page/axes_marker.hpp"
@@ -23,6 +24,10 @@ class Annotation {
   void leave_out_scale_bar() { has_scale_bar_ = false; }
 
   void draw(const FrameView& frame);
+  /// Whether what was drawn last would be the same for this frame, but for the header.
+  bool stands_for(const FrameView& frame) const { return frame.field == field_ && frame.unit == unit_; }
+  /// Title, method and time, in place of those that were drawn last.
+  void draw_header_again(const FrameView& frame);
 
  private:
   void draw_header(const FrameView& frame);
@@ -33,6 +38,7 @@ class Annotation {
   ColorBar bar_;
   std::optional<AxesMarker> axes_;
   bool has_scale_bar_ = true;
+  std::string field_, unit_;  // of the bar that was drawn last
 };
 
 /// A title in bold, what qualifies it in gray behind, no wider than `room` together.

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -7,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/error.hpp"
+#include "render/image/huffman.hpp"
 #include "render/image/png.hpp"
 #include "tests/support/synthetic.hpp"
 
@@ -79,6 +81,54 @@ TEST_SUITE("unit") {
       CHECK(read_png(folder / "a.png") == image);
     }
     CHECK(folder.files() == 1);
+  }
+
+  TEST_CASE("any picture is read back as it was written") {
+    const TemporaryFolder folder;
+    const auto comes_back = [&](const Image& image) {
+      write_png(image, folder / "a.png");
+      const Image read = read_png(folder / "a.png");
+      bool same = read.width == image.width && read.height == image.height;
+      for (int row = 0; same && row < image.height; ++row)
+        for (int column = 0; column < image.width; ++column)
+          same = same && read.at(column, row) == image.at(column, row);
+      return same;
+    };
+    CHECK(comes_back(Image(1, 1)));
+    CHECK(comes_back(noise(300, 200)));  // more than one block of bytes
+    CHECK(comes_back(noise(1, 3000)));
+    CHECK(comes_back(Image(12000, 3)));  // a row is longer than a copy may reach back
+    CHECK(comes_back(gradient(12000, 3)));
+    CHECK(comes_back(Image(700, 9000)));  // rows that repeat fill more than one block
+  }
+
+  TEST_CASE("a code is complete, no longer than allowed, and short for what is frequent") {
+    std::vector<std::uint32_t> counts{1, 1};  // each as frequent as the two before: the longest code there is
+    while (counts.size() < 40) counts.push_back(counts.end()[-1] + counts.end()[-2]);
+    counts.push_back(0);
+    for (const int longest : {7, 15}) {
+      const HuffmanCode code(counts, longest);
+      double room = 0;
+      for (std::size_t s = 0; s + 1 < counts.size(); ++s) {
+        CHECK(code.lengths()[s] > 0);
+        CHECK(code.lengths()[s] <= longest);
+        if (s > 0) CHECK(code.lengths()[s] <= code.lengths()[s - 1]);
+        room += std::pow(0.5, code.lengths()[s]);
+      }
+      CHECK(room == 1);
+      CHECK(code.lengths().back() == 0);
+    }
+    const std::vector<std::uint32_t> alone{0, 5};
+    CHECK(HuffmanCode(alone, 15).lengths()[1] == 1);
+  }
+
+  TEST_CASE("flat colours make small files") {
+    CHECK(encode_png(Image(1280, 720)).size() < 18000);
+    Image discs(1280, 720);
+    for (int row = 0; row < 720; ++row)
+      for (int column = 0; column < 1280; ++column)
+        if (std::hypot(row % 16 - 8, column % 16 - 8) < 7) discs.set(column, row, {30, 60, 90});
+    CHECK(encode_png(discs).size() < 110000);
   }
 
   TEST_CASE("the file is RGB of 8 bits, and the same each time") {

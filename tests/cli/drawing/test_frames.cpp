@@ -1,0 +1,149 @@
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "cli/drawing/frames.hpp"
+#include "engine/error.hpp"
+#include "render/image/png.hpp"
+#include "tests/support/synthetic.hpp"
+
+using namespace taut;
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int count = 20;  // frames: more than are under way at once
+
+/// The rings, that are at another place and of another colour in every frame.
+struct Sequence {
+  render::Look look;
+  Particles particles = two_rings();
+  Origins origins;
+
+  Sequence() {
+    look.size = render::Size{320, 180};
+    look.colormap = render::find_colormap("viridis");
+    look.range = render::Range{0, 1};
+    look.view = rings_view;
+    const std::size_t n = particles.value.size();
+    origins = {2, particles.x, std::vector<double>(n, 1), particles.diameter, std::vector<int>(n, 0)};
+  }
+  Drawing drawing() const {
+    Drawing drawing;
+    drawing.look = look;
+    return drawing;
+  }
+  void add_next(Frames& frames) {
+    for (double& x : particles.x) x += 0.0005;
+    for (double& value : particles.value) value = 0.9 * value;
+    frames.add(particles.frame());
+  }
+};
+
+/// All files in a folder, one behind the other.
+std::string all_bytes(const fs::path& folder, int most = count) {
+  std::string bytes;
+  for (int k = 0; k < most; ++k) bytes += frame_name(k) + bytes_of(folder / frame_name(k));
+  return bytes;
+}
+
+int files_in(const fs::path& folder) {
+  return static_cast<int>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+}  // namespace
+
+TEST_SUITE("image") {
+  TEST_CASE("frames are the same bytes for any number of threads, kept or drawn at once") {
+    for (const bool kept : {false, true}) {
+      std::string first;
+      for (const int threads : {1, 2, 3, 8}) {
+        const TemporaryFolder folder;
+        const fs::path out = folder / ".";
+        Sequence sequence;
+        if (kept) sequence.look.range.reset();
+        Seconds seconds;
+        Frames frames(sequence.drawing(), sequence.origins, out, {"rings", "enog", 1}, threads, seconds);
+        for (int k = 0; k < count; ++k) sequence.add_next(frames);
+        CHECK(frames.draw_kept([](int) { return true; }));
+        frames.finish();
+        CHECK(frames.written() == count);
+        CHECK(files_in(out) == count);
+        CHECK(seconds.render > 0);
+        CHECK(seconds.write > 0);
+        const std::string bytes = all_bytes(out);
+        if (first.empty()) first = bytes;
+        CHECK(bytes == first);
+      }
+    }
+  }
+
+  TEST_CASE("a frame is there only when all before it are, whenever one looks") {
+    const TemporaryFolder folder;
+    const fs::path out = folder / ".";
+    Sequence sequence;
+    Seconds seconds;
+    Frames frames(sequence.drawing(), sequence.origins, out, {}, 3, seconds);
+    for (int k = 0; k < count; ++k) {
+      sequence.add_next(frames);
+      const int written = frames.written();
+      for (int j = 0; j < written; ++j) CHECK(fs::exists(out / frame_name(j)));
+    }
+    frames.finish();
+    CHECK(frames.written() == count);
+  }
+
+  TEST_CASE("one who is told to stop has whole frames from the first on") {
+    for (const int threads : {1, 3}) {
+      const TemporaryFolder folder;
+      const fs::path out = folder / ".";
+      Sequence sequence;
+      sequence.look.range.reset();
+      Seconds seconds;
+      Frames frames(sequence.drawing(), sequence.origins, out, {}, threads, seconds);
+      for (int k = 0; k < count; ++k) sequence.add_next(frames);
+      CHECK_FALSE(frames.draw_kept([](int drawn) { return drawn < 7; }));
+      CHECK(frames.written() == 7);
+      CHECK(files_in(out) == 7);
+    }
+  }
+
+  TEST_CASE("a frame that cannot be written is an error, and those before it stay") {
+    for (const int threads : {1, 2, 3}) {
+      const TemporaryFolder folder;
+      const fs::path out = folder / ".";
+      fs::create_directories(out / frame_name(5) / "something");
+      Sequence sequence;
+      Seconds seconds;
+      Frames frames(sequence.drawing(), sequence.origins, out, {}, threads, seconds);
+      const auto draw_all = [&] {
+        for (int k = 0; k < count; ++k) sequence.add_next(frames);
+        frames.finish();
+      };
+      CHECK_THROWS_AS(draw_all(), OutputError);
+      CHECK(frames.written() == 5);
+      CHECK(files_in(out) == 6);
+      CHECK_NOTHROW(render::read_png(out / frame_name(4)));
+    }
+  }
+
+  TEST_CASE("pictures so large that few have room are drawn by few threads, to the same bytes") {
+    std::string first;
+    for (const int threads : {1, 8}) {
+      const TemporaryFolder folder;
+      const fs::path out = folder / ".";
+      Sequence sequence;
+      sequence.look.size = render::Size{4000, 3000};
+      Seconds seconds;
+      Frames frames(sequence.drawing(), sequence.origins, out, {}, threads, seconds);
+      for (int k = 0; k < 3; ++k) sequence.add_next(frames);
+      frames.finish();
+      const std::string bytes = all_bytes(out, 3);
+      if (first.empty()) first = bytes;
+      CHECK(bytes == first);
+    }
+  }
+}
