@@ -1,8 +1,19 @@
-// Speed of every method on the colliding rings: particle-steps per second, and nanoseconds per directed
-// neighbour pair and step, all passes and rebuilds together.
-//   taut_bench --benchmark_filter=enog --benchmark_repetitions=5
+// Speed of every method, in 2D on the colliding rings, in 3D on the oscillating plate with three layers:
+//   enog/2d/threads:1         particle-steps per second, and seconds per directed pair of neighbours and step,
+//                             all passes and rebuilds together
+//   enog/2d/to_transcription  how many times as fast as the transcription of its paper on the same particles,
+//                             both on one thread, turn by turn, the best of each
+// The transcriptions (tests/engine/families/naive_*.hpp) are what one would write first: pair by pair with
+// lists of neighbours in std::vector, small matrices, every kernel and stress evaluated where the paper has it,
+// at -O2. That of oenog takes its forces worked out, not from dual numbers.
 
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <limits>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include <benchmark/benchmark.h>
 
@@ -10,56 +21,173 @@
 #include "cli/scene/shipped.hpp"
 #include "engine/families/catalogue.hpp"
 #include "engine/simulation.hpp"
+#include "tests/bench/benchmarks.hpp"
+#include "tests/engine/families/naive_oenog.hpp"
+#include "tests/engine/families/naive_runs.hpp"
 
+namespace taut::bench {
 namespace {
 
-using namespace taut;
 using namespace taut::cli;
+using namespace taut::test;
 
-void run_method(benchmark::State& state, const std::string& method, Stepping stepping) {
-  const SceneFile file = read_scene(find_scene("colliding-rings"), {{"method", method}});
-  Settings settings = file.settings;
-  settings.threads = static_cast<int>(state.range(0));
-  settings.stepping = stepping;
-  constexpr double first_contact = 0.0007, slice = 0.0001;  // s; a slice is about 24 steps
-  std::unique_ptr<Simulation> simulation;
+/// The stretch of a scene's motion that is measured, in slices.
+struct Motion {
+  const char* scene;
+  double from, slice;  // s
+  int slices;
+  int transcribed;  // steps of the transcription that are timed together
+};
+// before fragments of a torn ring differ; about 24 steps a slice, and one to three rebuilds
+constexpr Motion rings{"colliding-rings", 7e-4, 1e-4, 7, 10};
+constexpr Motion plate{"oscillating-plate-3d", 0, 3e-5, 20, 1};
+const Motion& motion_of(int dim) { return dim == 2 ? rings : plate; }
+
+struct Subject {
+  std::string method;
+  int dim;
+};
+
+SceneFile scene_of(const Subject& subject) {
+  return read_scene(find_scene(motion_of(subject.dim).scene), {{"method", subject.method}});
+}
+
+/// A simulation that goes through its stretch again and again.
+class Stretch {
+ public:
+  Stretch(const Subject& subject, int threads) : motion_(motion_of(subject.dim)) {
+    const SceneFile file = scene_of(subject);
+    Settings settings = file.settings;
+    settings.threads = threads;
+    simulation_ = make_simulation(file.scene, settings);
+    simulation_->advance_to(motion_.from);
+    start_ = simulation_->save();
+    particles_ = static_cast<double>(simulation_->snapshot().size());
+  }
+  double particles() const { return particles_; }
+  long pairs() const { return simulation_->pairs(); }
+
+  bool over() const { return done_ == motion_.slices; }
+  void go_back() { simulation_->load(start_), done_ = 0; }
+  /// The steps of the next slice.
+  long advance() {
+    const long before = simulation_->steps();
+    simulation_->advance_to(motion_.from + ++done_ * motion_.slice);
+    return simulation_->steps() - before;
+  }
+
+ private:
+  const Motion& motion_;
+  std::unique_ptr<Simulation> simulation_;
+  std::string start_;
+  double particles_ = 0;
+  int done_ = 0;
+};
+
+benchmark::Counter rate(double amount) { return {amount, benchmark::Counter::kIsRate}; }
+
+void run_method(benchmark::State& state, const Subject& subject) {
+  Stretch stretch(subject, static_cast<int>(state.range(0)));
   long steps = 0, pair_steps = 0;
   for (auto _ : state) {
-    if (!simulation || simulation->time() > 2 * first_contact) {
-      state.PauseTiming();  // always the same stretch of the motion: before fragments of a torn ring differ
-      simulation = make_simulation(file.scene, settings);
-      simulation->advance_to(first_contact);
+    if (stretch.over()) {
+      state.PauseTiming();
+      stretch.go_back();
       state.ResumeTiming();
     }
-    const long before = simulation->steps();
-    simulation->advance_to(simulation->time() + slice);
-    steps += simulation->steps() - before;
-    pair_steps += (simulation->steps() - before) * simulation->pairs();
+    const long made = stretch.advance();
+    steps += made;
+    pair_steps += made * stretch.pairs();
   }
-  const auto particles = static_cast<double>(simulation->snapshot().size());
-  state.counters["particle_steps/s"] =
-      benchmark::Counter(particles * static_cast<double>(steps), benchmark::Counter::kIsRate);
+  state.counters["particle_steps/s"] = rate(stretch.particles() * static_cast<double>(steps));
   state.counters["s/pair"] = benchmark::Counter(static_cast<double>(pair_steps),
                                                 benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
+using Step = std::function<void()>;
+
+template <class Run>
+Step steps_of(Run made) {
+  const auto run = std::make_shared<Run>(after_steps(std::move(made), 0));
+  return [run] { run->step(); };
+}
+
+/// One step of the method's transcription, which refers to `scene`.
+template <int Dim>
+Step transcription(const Scene& scene, const Settings& settings) {
+  const MethodInfo& method = *find_method(settings.method);
+  switch (method.formulation.family) {
+    case Family::ul_split:
+      return steps_of(naive_split<Dim>(scene, settings));
+    case Family::ul_cauchy:
+      if constexpr (Dim == 2) return steps_of(naive_current(scene, settings));
+      break;
+    case Family::tl_displacement:
+      return steps_of(naive_total_lagrangian<Dim>(scene, settings));
+    case Family::tl_mixed:
+      return steps_of(naive_mixed<Dim>(scene, settings));
+    case Family::bonded: {
+      const auto run = std::make_shared<NaiveOenogIn<Dim>>(scene, constant_of(settings, Dim, "h"));
+      run->by_hand = true;
+      const double damping = constant_of(settings, Dim, "damping");
+      return [run, damping, cfl = method.cfl] { run->step(cfl, damping); };
+    }
+  }
+  return {};
+}
+
+template <class Work>
+double seconds(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void compare_with_transcription(benchmark::State& state, const Subject& subject) {
+  const SceneFile file = scene_of(subject);
+  const Step step = subject.dim == 2 ? transcription<2>(file.scene, file.settings)
+                                     : transcription<3>(file.scene, file.settings);
+  Stretch stretch(subject, 1);
+  double engine = std::numeric_limits<double>::max(), paper = engine;  // s per step, the best
+  for (auto _ : state) {
+    const int steps = motion_of(subject.dim).transcribed;
+    paper = std::min(paper, seconds([&] {
+                              for (int k = 0; k < steps; ++k) step();
+                            }) / steps);
+    state.PauseTiming();
+    for (stretch.go_back(); !stretch.over();) {
+      long made = 0;
+      const double took = seconds([&] { made = stretch.advance(); });
+      engine = std::min(engine, took / static_cast<double>(made));
+    }
+    state.ResumeTiming();
+  }
+  state.counters["particle_steps/s"] = stretch.particles() / engine;
+  state.counters["to_transcription"] = paper / engine;
+}
+
 }  // namespace
 
-int main(int argc, char** argv) {
-  for (const MethodInfo& method : methods()) {
-    for (const auto& [name, stepping] :
-         {std::pair{"dual", Stepping::dual}, std::pair{"single", Stepping::single}}) {
-      const std::string method_name(method.name);
-      benchmark::RegisterBenchmark((method_name + "/" + name).c_str(), run_method, method_name, stepping)
+void register_methods() {
+  for (const int dim : {2, 3}) {
+    for (const MethodInfo& method : methods()) {
+      if (dim > greatest_dim(method.formulation)) continue;
+      const Subject subject{std::string(method.name), dim};
+      const std::string name = subject.method + "/" + std::to_string(dim) + "d";
+      benchmark::RegisterBenchmark(name.c_str(), run_method, subject)
           ->ArgName("threads")
           ->Arg(1)
           ->Arg(2)
           ->UseRealTime()
           ->Unit(benchmark::kMillisecond);
+      if (dim == 2 || subject.method != "tl-small-strain")  // in 3D it has no transcription
+        benchmark::RegisterBenchmark((name + "/to_transcription").c_str(), compare_with_transcription,
+                                     subject)
+            ->Iterations(dim == 2 ? 5 : 3)
+            ->UseRealTime()
+            ->Unit(benchmark::kMillisecond);
     }
   }
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
 }
+
+}  // namespace taut::bench

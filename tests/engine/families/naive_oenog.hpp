@@ -7,6 +7,7 @@
 
 #include "engine/families/bonded/bonds.hpp"
 #include "engine/scene/initial_particles.hpp"
+#include "tests/support/neighbor_sweep.hpp"
 
 namespace taut::test {
 
@@ -96,19 +97,28 @@ class NaiveOenogIn {
         const Number s = affine(b, F);
         left = left - strength(i, b) / 24 * (2.0 * s * s - 3.0 * s + 1 / s);
       }
+      pull(at, i, left.slope, f);
+    }
+    return f;
+  }
+
+  /// The same with the slopes worked out: what one would compute with.
+  Places force_by_hand(const Places& at) const {
+    Places f(at.size());
+    for (int i = 0; i < size(); ++i) {
+      if (held(i)) continue;
+      const Square F = gradient(at, i);
+      Square T = neo_hookean(i, F);
+      for (double& component : T) component *= bonds_.volume[i];
       for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
-        const auto d = way(at, i, b);
-        const double r = length(d), r0 = rest(b);
-        const double pull = strength(i, b) * dphi(r / r0) / r0;
-        const Point& g = bonds_.gradient[b];
-        const auto& T = left.slope;
-        for (int k = 0; k < Dim; ++k) {
-          double on_i = pull * d[k] / r;
-          for (int l = 0; l < Dim; ++l) on_i += T[Dim * k + l] * g[l];
-          f[i][k] += on_i;
-          f[bonds_.j[b]][k] -= on_i;  // on a held particle: not used
-        }
+        const Point& X = bonds_.X[b];
+        Place x{};  // F X
+        for (int k = 0; k < components; ++k) x[k / Dim] += F[k] * X[k % Dim];
+        const double r0 = rest(b), s = squared(x) / (r0 * r0);
+        const double slope = strength(i, b) / 24 * (4 * s - 3 - 1 / (s * s));  // of φ(λ°) in s = λ°²
+        for (int k = 0; k < components; ++k) T[k] -= slope * 2 / (r0 * r0) * x[k / Dim] * X[k % Dim];
       }
+      pull(at, i, T, f);
     }
     return f;
   }
@@ -140,8 +150,9 @@ class NaiveOenogIn {
   /// [TranDuc2023] Eq. 2.13 between bodies, in 3D, with the material's own stiffness
   Places push() {
     Places f(x.size());
-    for (int i = 0; i < size(); ++i) {
-      for (int j = 0; j < size() && Dim == 3; ++j) {
+    const auto near = neighbors_within(scene_.spacing, x);
+    for (int i = 0; i < size() && Dim == 3; ++i) {
+      for (const std::size_t j : near[i]) {
         Place d;
         for (int k = 0; k < Dim; ++k) d[k] = x[i][k] - x[j][k];
         const double r = length(d);
@@ -162,7 +173,7 @@ class NaiveOenogIn {
     const double dt = cfl * scene_.spacing / (c + fastest) * std::min(1.0, std::sqrt(1.5 / stiffest_));
     for (int i = 0; i < size(); ++i)
       for (int k = 0; k < Dim; ++k) x[i][k] += dt / 2 * v[i][k];
-    const Places f = force(x), dashpots = drag(damping), others = push();
+    const Places f = by_hand ? force_by_hand(x) : force(x), dashpots = drag(damping), others = push();
     stiffest_ = 0;
     for (int i = 0; i < size(); ++i)
       for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
@@ -179,7 +190,8 @@ class NaiveOenogIn {
     }
   }
 
-  Places x, v;  // m, m/s
+  Places x, v;           // m, m/s
+  bool by_hand = false;  // the forces of a step are those of force_by_hand
 
  private:
   const Material& material(int i) const { return scene_.materials[initial_.material[i]]; }
@@ -197,9 +209,10 @@ class NaiveOenogIn {
     return initial_.V0[i] * modulus(i, b) * bonds_.weight[b];
   }
   static constexpr int components = Dim * Dim;  // of F, row by row
+  using Square = std::array<double, components>;
   using Number = Dual<components>;
   using Duals = std::array<Number, components>;
-  static Duals duals(const std::array<double, components>& F_now) {
+  static Duals duals(const Square& F_now) {
     Duals F;
     for (int k = 0; k < components; ++k) F[k] = Number::variable(F_now[k], k);
     return F;
@@ -227,6 +240,39 @@ class NaiveOenogIn {
     return G(i) / 2 * (J.to(-2.0 / 3) * C - 3) + K(i) / 2 * (J - 1) * (J - 1);
   }
 
+  /// ∂W/∂F = G J^(−2/3) (F − C/3 F⁻ᵀ) + K (J − 1) J F⁻ᵀ, C = tr FᵀF
+  Square neo_hookean(int i, const Square& F) const {
+    Square H;  // J F⁻ᵀ
+    double J = 0, C = 3 - Dim;
+    if constexpr (Dim == 2)
+      H = {F[3], -F[2], -F[1], F[0]};
+    else
+      for (int k = 0; k < 9; ++k) {
+        const int a = (k / 3 + 1) % 3 * 3, b = (k / 3 + 2) % 3 * 3, c = (k + 1) % 3, d = (k + 2) % 3;
+        H[k] = F[a + c] * F[b + d] - F[a + d] * F[b + c];
+      }
+    for (int k = 0; k < components; ++k) J += F[k] * H[k] / Dim, C += F[k] * F[k];
+    const double shear = G(i) * std::pow(J, -2.0 / 3);
+    Square P;
+    for (int k = 0; k < components; ++k) P[k] = shear * (F[k] - C / 3 * H[k] / J) + K(i) * (J - 1) * H[k];
+    return P;
+  }
+
+  /// Adds the forces of i's bonds to f, T being the slope of what its energy takes from F.
+  void pull(const Places& at, int i, const Square& T, Places& f) const {
+    for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
+      const auto d = way(at, i, b);
+      const double r = length(d), r0 = rest(b);
+      const double along = strength(i, b) * dphi(r / r0) / r0;
+      for (int k = 0; k < Dim; ++k) {
+        double on_i = along * d[k] / r;
+        for (int l = 0; l < Dim; ++l) on_i += T[Dim * k + l] * bonds_.gradient[b][l];
+        f[i][k] += on_i;
+        f[bonds_.j[b]][k] -= on_i;  // on a held particle: not used
+      }
+    }
+  }
+
   /// x_j − x_i, or to the place at the clamp's face, which stands still
   Place way(const Places& at, int i, int b) const {
     const int j = bonds_.j[b];
@@ -234,19 +280,20 @@ class NaiveOenogIn {
     for (int k = 0; k < Dim; ++k) d[k] = (held(j) ? initial_.x[i][k] + bonds_.X[b][k] : at[j][k]) - at[i][k];
     return d;
   }
-  static double length(const Place& d) {
-    double squared = 0;
-    for (const double component : d) squared += component * component;
-    return std::sqrt(squared);
+  static double squared(const Place& d) {
+    double sum = 0;
+    for (const double component : d) sum += component * component;
+    return sum;
   }
+  static double length(const Place& d) { return std::sqrt(squared(d)); }
   double rest(int b) const {
     Place X;
     for (int k = 0; k < Dim; ++k) X[k] = bonds_.X[b][k];
     return length(X);
   }
   double stretch(const Places& at, int i, int b) const { return length(way(at, i, b)) / rest(b); }
-  std::array<double, components> gradient(const Places& at, int i) const {
-    std::array<double, components> F{};
+  Square gradient(const Places& at, int i) const {
+    Square F{};
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
       const auto d = way(at, i, b);
       for (int a = 0; a < Dim; ++a)

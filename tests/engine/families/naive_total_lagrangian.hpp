@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -21,6 +22,13 @@
 namespace taut::test::naive_reference {
 
 enum class Method { tl, icb, small_strain, tl_st_venant_kirchhoff, tl_linear };
+/// With tl's law where it is not the published one.
+inline Method method_named(const std::string& name, const std::string& law) {
+  if (name == "icb") return Method::icb;
+  if (name == "tl-small-strain") return Method::small_strain;
+  if (law == "st-venant-kirchhoff") return Method::tl_st_venant_kirchhoff;
+  return law == "linear" ? Method::tl_linear : Method::tl;
+}
 
 template <int Dim>
 using Vector = Eigen::Vector<double, Dim>;

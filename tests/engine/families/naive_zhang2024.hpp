@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -40,6 +41,11 @@ double dot(const Vector<Dim>& a, const Vector<Dim>& b) {
 }
 
 enum class Method { og, oas, enog, enog_nonconservative };
+inline Method method_named(const std::string& name) {
+  if (name == "og") return Method::og;
+  if (name == "oas") return Method::oas;
+  return name == "enog" ? Method::enog : Method::enog_nonconservative;
+}
 
 constexpr double h_over_dp = 1.3, cfl_acoustic = 0.4, cfl_advection = 0.2;  // §5, §6
 constexpr double epsilon = 0.3, exponent = 4;                               // of the artificial stress

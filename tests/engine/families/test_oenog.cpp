@@ -17,6 +17,7 @@
 #include "engine/families/bonded/packed_bonds.hpp"
 #include "engine/methods/oenog.hpp"
 #include "tests/engine/families/naive_oenog.hpp"
+#include "tests/support/agreement.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
@@ -130,6 +131,7 @@ TEST_SUITE("reference") {
     }
     CHECK(greatest > 0);
     CHECK(difference < 1e-6 * greatest);
+    check_field("force by hand", flat(naive.force_by_hand(naive.x)), flat(force));
   }
 }
 

@@ -1,79 +1,27 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
 
-#include "engine/scene/initial_particles.hpp"
-#include "engine/simulation.hpp"
-#include "tests/engine/families/naive_zhang2024.hpp"
+#include "tests/engine/families/naive_runs.hpp"
+#include "tests/support/agreement.hpp"
 #include "tests/support/relative.hpp"
+#include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
 using namespace taut;
 using namespace taut::test;
-using naive::Method;
 
 namespace {
 
 constexpr int steps = 48;
-constexpr double agreement = 1e-10;  // of the greatest magnitude of each field
 
-const std::pair<std::string, Method> named_methods[] = {
-    {"og", Method::og},
-    {"oas", Method::oas},
-    {"enog", Method::enog},
-    {"enog-nonconservative", Method::enog_nonconservative},
-};
-
-naive::Run<2> naive_run(const Scene& scene, Method method, Stepping stepping, double pressure_diffusion = 0) {
-  const Material& material = scene.materials[0];
-  naive::Run<2> run(method, stepping == Stepping::dual, scene.spacing, material.density,
-                    material.sound_speed(), material.shear_modulus());
-  const InitialParticles initial = make_initial_particles(scene);
-  for (int i = 0; i < initial.size(); ++i) {
-    naive::Run<2>::Particle a;
-    for (int k = 0; k < 2; ++k) a.x[k] = initial.x[i][k], a.v[k] = initial.v[i][k];
-    a.m = material.density * initial.V0[i];
-    a.body = initial.body[i];
-    a.held = initial.held[i];
-    run.particles.push_back(a);
-  }
-  run.pressure_diffusion = pressure_diffusion;
-  run.start();
-  for (int k = 0; k < steps; ++k) run.step();
+naive::Run<2> naive_run(const Scene& scene, const Settings& settings) {
+  naive::Run<2> run = after_steps(naive_split<2>(scene, settings), steps);
   run.finish();
   return run;
-}
-
-/// The engine's state after the same number of steps.
-Snapshot engine_run(const Scene& scene, const std::string& method, Stepping stepping,
-                    double pressure_diffusion = 0) {
-  Settings settings;
-  settings.method = method;
-  settings.stepping = stepping;
-  settings.threads = 1;
-  settings.constants["pressure_diffusion"] = pressure_diffusion;
-  const auto simulation = make_simulation(scene, settings);
-  while (simulation->steps() < steps)
-    simulation->advance_to(std::nextafter(simulation->time(), std::numeric_limits<double>::max()));
-  return simulation->snapshot();
-}
-
-void check_field(const std::string& field, const std::vector<double>& engine,
-                 const std::vector<double>& expected) {
-  CAPTURE(field);
-  REQUIRE(engine.size() == expected.size());
-  double greatest = 0, difference = 0;
-  for (std::size_t k = 0; k < engine.size(); ++k) {
-    greatest = std::max(greatest, std::abs(expected[k]));
-    difference = std::max(difference, std::abs(engine[k] - expected[k]));
-  }
-  CHECK(greatest > 0);
-  CHECK(difference <= agreement * greatest);
 }
 
 void check_agreement(const Snapshot& engine, const naive::Run<2>& run, double c0) {
@@ -99,15 +47,16 @@ void check_agreement(const Snapshot& engine, const naive::Run<2>& run, double c0
 }
 
 void check_all_methods(const Scene& scene, Stepping stepping) {
-  for (const auto& [name, method] : named_methods) {
+  for (const std::string name : {"og", "oas", "enog", "enog-nonconservative"}) {
     CAPTURE(name);
-    const naive::Run<2> run = naive_run(scene, method, stepping);
+    const Settings settings = with_method(name, stepping);
+    const naive::Run<2> run = naive_run(scene, settings);
     CHECK(run.contacts > 100);
     if (stepping == Stepping::single)
       CHECK(run.rebuilds == steps);
     else
       CHECK((run.rebuilds > 4 && run.rebuilds < steps / 2));
-    check_agreement(engine_run(scene, name, stepping), run, scene.materials[0].sound_speed());
+    check_agreement(state_after(steps, scene, settings), run, scene.materials[0].sound_speed());
   }
 }
 
@@ -129,9 +78,11 @@ TEST_SUITE("reference") {
   TEST_CASE("naive: with the full U*, that diffuses pressure") {
     const Scene scene = small_collision();
     const double c0 = scene.materials[0].sound_speed();
-    const naive::Run<2> without = naive_run(scene, Method::enog, Stepping::dual);
-    const naive::Run<2> run = naive_run(scene, Method::enog, Stepping::dual, 1);
+    Settings settings = with_method("enog");
+    const naive::Run<2> without = naive_run(scene, settings);
+    settings.constants["pressure_diffusion"] = 1;
+    const naive::Run<2> run = naive_run(scene, settings);
     CHECK(std::abs(run.particles[0].p - without.particles[0].p) > 1e-3 * std::abs(run.particles[0].p));
-    check_agreement(engine_run(scene, "enog", Stepping::dual, 1), run, c0);
+    check_agreement(state_after(steps, scene, settings), run, c0);
   }
 }

@@ -3,17 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
 
 #include "engine/methods/oenog.hpp"
-#include "engine/scene/initial_particles.hpp"
-#include "tests/engine/families/naive_lee2016.hpp"
 #include "tests/engine/families/naive_oenog.hpp"
-#include "tests/engine/families/naive_total_lagrangian.hpp"
-#include "tests/engine/families/naive_zhang2024.hpp"
+#include "tests/engine/families/naive_runs.hpp"
+#include "tests/support/agreement.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
@@ -24,37 +21,10 @@ using namespace taut::test;
 namespace {
 
 constexpr int steps = 40;
-constexpr double agreement = 1e-10;  // of the greatest magnitude of each field
 
-void check_field(const std::string& field, const std::vector<double>& engine,
-                 const std::vector<double>& expected) {
-  CAPTURE(field);
-  REQUIRE(engine.size() == expected.size());
-  double greatest = 0, difference = 0;
-  for (std::size_t k = 0; k < engine.size(); ++k) {
-    greatest = std::max(greatest, std::abs(expected[k]));
-    difference = std::max(difference, std::abs(engine[k] - expected[k]));
-  }
-  CHECK(greatest > 0);
-  CHECK(difference <= agreement * greatest);
-}
-
-void check_ulsph(const Scene& scene, const std::string& name, naive::Method method, Stepping stepping) {
+void check_ulsph(const Scene& scene, const std::string& name, Stepping stepping) {
   CAPTURE(name);
-  const Material& material = scene.materials[0];
-  naive::Run<3> run(method, stepping == Stepping::dual, scene.spacing, material.density,
-                    material.sound_speed(), material.shear_modulus());
-  const InitialParticles initial = make_initial_particles(scene);
-  for (int i = 0; i < initial.size(); ++i) {
-    naive::Run<3>::Particle a;
-    a.x = initial.x[i], a.v = initial.v[i];
-    a.m = material.density * initial.V0[i];
-    a.body = initial.body[i];
-    a.held = initial.held[i];
-    run.particles.push_back(a);
-  }
-  run.start();
-  for (int k = 0; k < steps; ++k) run.step();
+  naive::Run<3> run = after_steps(naive_split<3>(scene, with_method(name, stepping)), steps);
   run.finish();
   CHECK(run.contacts > 100);
   if (stepping == Stepping::single)
@@ -84,37 +54,13 @@ void check_ulsph(const Scene& scene, const std::string& name, naive::Method meth
 }
 
 void check_ulsph_methods(const Scene& scene, Stepping stepping) {
-  check_ulsph(scene, "og", naive::Method::og, stepping);
-  check_ulsph(scene, "oas", naive::Method::oas, stepping);
-  check_ulsph(scene, "enog", naive::Method::enog, stepping);
-  check_ulsph(scene, "enog-nonconservative", naive::Method::enog_nonconservative, stepping);
+  for (const std::string name : {"og", "oas", "enog", "enog-nonconservative"})
+    check_ulsph(scene, name, stepping);
 }
 
-void check_total_lagrangian(const Scene& scene, const std::string& name, naive_reference::Method method) {
+void check_total_lagrangian(const Scene& scene, const std::string& name) {
   CAPTURE(name);
-  const MethodInfo& info = *find_method(name);
-  const Material& material = scene.materials[0];
-  naive_reference::Run<3> run{method,
-                              scene.spacing,
-                              info.formulation.h_over_dp * scene.spacing,
-                              info.cfl,
-                              material.density,
-                              material.bulk_modulus(),
-                              material.shear_modulus(),
-                              info.formulation.contact_stiffness,
-                              {}};
-  const InitialParticles initial = make_initial_particles(scene);
-  for (int i = 0; i < initial.size(); ++i) {
-    naive_reference::Particle<3> a;
-    for (int k = 0; k < 3; ++k) a.X[k] = a.x[k] = initial.x[i][k], a.v[k] = initial.v[i][k];
-    a.V = initial.V0[i];
-    a.m = material.density * a.V;
-    a.body = initial.body[i];
-    a.held = initial.held[i];
-    run.particles.push_back(a);
-  }
-  run.start();
-  for (int k = 0; k < steps; ++k) run.step();
+  naive_reference::Run<3> run = after_steps(naive_total_lagrangian<3>(scene, with_method(name)), steps);
   run.deform();
   CHECK(run.contacts > 20);
 
@@ -135,7 +81,7 @@ void check_total_lagrangian(const Scene& scene, const std::string& name, naive_r
                  {cauchy(0, 0), cauchy(0, 1), cauchy(0, 2), cauchy(1, 1), cauchy(1, 2), cauchy(2, 2)});
     const StressTensor t = now.stress(n), s = now.deviator(n);
     engine_sigma.insert(engine_sigma.end(), {t.xx, t.xy, t.xz, t.yy, t.yz, t.zz});
-    CHECK(std::abs(s.xx + s.yy + s.zz) < 1e-9 * material.youngs_modulus);
+    CHECK(std::abs(s.xx + s.yy + s.zz) < 1e-9 * scene.materials[0].youngs_modulus);
   }
   CHECK(most_strained > 0.01);
   CHECK(most_turned > 0.01);
@@ -149,45 +95,17 @@ void check_total_lagrangian(const Scene& scene, const std::string& name, naive_r
 void check_mixed(const Scene& scene, const std::string& name, double projection) {
   CAPTURE(name);
   const Material& material = scene.materials[0];
-  constexpr double h_over_dp = 0.87;  // the default in 3D
-  const bool jst = name != "pf", with_J = name.starts_with("pfj") || name == "pfhj-jst";
-  naive_lee::Run<3> run{.jst = jst,
-                        .with_J = with_J,
-                        .with_H = name == "pfhj-jst",
-                        .dp = scene.spacing,
-                        .h = h_over_dp * scene.spacing,
-                        .cfl = 0,
-                        .rho0 = material.density,
-                        .K = material.bulk_modulus(),
-                        .G = material.shear_modulus(),
-                        .contact_stiffness = 2,
-                        .eps_p2 = 0.03,
-                        .eps_p4 = 0.1,
-                        .eps_J2 = 0.02,
-                        .eps_J4 = 0.01,
-                        .projection = projection != 0,
-                        .adjoint = true,
-                        .particles = {}};
-  run.dt = 0.2 * scene.spacing / run.wave_speed();
-  const InitialParticles initial = make_initial_particles(scene);
-  for (int i = 0; i < initial.size(); ++i) {
-    naive_lee::Particle<3> a;
-    for (int k = 0; k < 3; ++k) a.X[k] = a.x[k] = initial.x[i][k], a.p[k] = run.rho0 * initial.v[i][k];
-    a.V = initial.V0[i];
-    a.body = initial.body[i];
-    a.held = initial.held[i];
-    run.particles.push_back(a);
-  }
-  run.start();
-  for (int k = 0; k < steps; ++k) run.step();
+  Settings settings = with_method(name);
+  settings.step = 0.2 * scene.spacing /
+                  std::sqrt((material.bulk_modulus() + 4 * material.shear_modulus() / 3) / material.density);
+  settings.constants = {{"projection", projection}};
+  if (name != "pf") settings.constants.insert({{"eps_v2", 0.03}, {"eps_v4", 0.1}});
+  if (name == "pfj-jst" || name == "pfhj-jst")
+    settings.constants.insert({{"eps_J2", 0.02}, {"eps_J4", 0.01}});
+  const naive_lee::Run<3> run = after_steps(naive_mixed<3>(scene, settings), steps);
   CHECK(run.contacts > 20);
   CHECK(run.corners == 8);
 
-  Settings settings = with_method(name);
-  settings.step = run.dt;
-  settings.constants = {{"projection", projection}};
-  if (jst) settings.constants.insert({{"eps_v2", run.eps_p2}, {"eps_v4", run.eps_p4}});
-  if (with_J) settings.constants.insert({{"eps_J2", run.eps_J2}, {"eps_J4", run.eps_J4}});
   const Snapshot now = state_after(steps, scene, settings);
   std::vector<double> x, v, rho;
   double drift_J = 0, drift_H = 0;
@@ -197,10 +115,10 @@ void check_mixed(const Scene& scene, const std::string& name, double projection)
     const double j = a.F.determinant();
     drift_J = std::max(drift_J, std::abs(a.J - j));
     drift_H = std::max(drift_H, (a.H - j * a.F.inverse().transpose()).norm());
-    rho.push_back(run.rho0 / (with_J ? a.J : j));
+    rho.push_back(run.rho0 / (run.with_J ? a.J : j));
   }
   // so that they are no other names of those of F
-  CHECK((!with_J || drift_J > 1e-4));
+  CHECK((!run.with_J || drift_J > 1e-4));
   CHECK(drift_H > 1e-6);
   check_field("x", now.x, x);
   check_field("v", now.v, v);
@@ -214,16 +132,12 @@ void check_oenog(const Scene& scene, bool meets) {
   for (int k = 0; k < steps; ++k) naive.step(oenog.cfl, damping);
   CHECK((naive.contacts > 20) == meets);
   const Snapshot now = state_after(steps, scene, with_method("oenog"));
-  std::vector<double> x, v;
   double strain = 0, moved = 0;
-  for (int i = 0; i < naive.size(); ++i) {
-    x.insert(x.end(), naive.x[i].begin(), naive.x[i].end());
-    v.insert(v.end(), naive.v[i].begin(), naive.v[i].end());
-    for (int k = 0; k < 3; ++k) moved = std::max(moved, std::abs(now.x[3 * i + k] - now.x0[3 * i + k]));
-  }
+  for (std::size_t k = 0; k < now.x.size(); ++k) moved = std::max(moved, std::abs(now.x[k] - now.x0[k]));
   for (const double e : now.strain_energy) strain += e;
-  check_field("x", now.x, x);
-  check_field("v", now.v, v);
+  check_field("x", now.x, flat(naive.x));
+  check_field("v", now.v, flat(naive.v));
+  check_field("force by hand", flat(naive.force_by_hand(naive.x)), flat(naive.force(naive.x)));
   CHECK(moved > 0.3 * scene.spacing);
   CHECK(strain == relative(naive.energy(naive.x), 1e-9));
 }
@@ -250,8 +164,8 @@ TEST_SUITE("reference") {
   TEST_CASE("total Lagrangian: in 3D a block and a ball that collide, and a clamped block hit on its clamp") {
     for (const Scene& scene : {small_solid_collision(), small_clamped_block()}) {
       CAPTURE(scene.name);
-      check_total_lagrangian(scene, "tl", naive_reference::Method::tl);
-      check_total_lagrangian(scene, "icb", naive_reference::Method::icb);
+      check_total_lagrangian(scene, "tl");
+      check_total_lagrangian(scene, "icb");
     }
   }
   TEST_CASE("mixed: in 3D a block and a ball that collide, and a clamped block hit on its clamp") {

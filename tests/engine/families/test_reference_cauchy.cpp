@@ -6,8 +6,8 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/scene/initial_particles.hpp"
-#include "tests/engine/families/naive_cauchy.hpp"
+#include "tests/engine/families/naive_runs.hpp"
+#include "tests/support/agreement.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
@@ -16,8 +16,6 @@ using namespace taut;
 using namespace taut::test;
 
 namespace {
-
-constexpr double agreement = 1e-10;  // of the greatest magnitude of each field
 
 const char* const ladder[] = {"ulsph-av-as-uncorrected",
                               "ulsph-av-as",
@@ -41,43 +39,6 @@ Scene two_materials() {
   scene.bodies[0].parts = {{1, [](const Point& x) { return x[1] > 0 && x[0] > 0.004 ? 1.0 : 0.0; }}};
   scene.bodies[1].shapes = {Disc{{0.0003, 0.0068, 0}, 0.003}};
   return scene;
-}
-
-naive_cauchy::Run naive_run(const Scene& scene, const std::string& method, int steps,
-                            double riemann_factor = 1, double geometry = 0.5) {
-  double c0 = 0;
-  for (const Material& material : scene.materials) c0 = std::max(c0, material.sound_speed());
-  naive_cauchy::Run run(naive_cauchy::method_named(method), scene.spacing, c0);
-  run.riemann_factor = riemann_factor;
-  run.geometry = geometry;
-  const InitialParticles initial = make_initial_particles(scene);
-  for (int i = 0; i < initial.size(); ++i) {
-    const Material& material = scene.materials[initial.material[i]];
-    naive_cauchy::Particle a;
-    for (int k = 0; k < 2; ++k) a.r[k] = initial.x[i][k], a.u[k] = initial.v[i][k];
-    a.material = {material.density, material.bulk_modulus(), material.shear_modulus()};
-    a.m = material.density * initial.V0[i];
-    a.rho = material.density;
-    a.body = initial.body[i];
-    a.of_material = initial.material[i];
-    a.held = initial.held[i];
-    run.particles.push_back(a);
-  }
-  for (int k = 0; k < steps; ++k) run.step();
-  return run;
-}
-
-void check_field(const std::string& field, const std::vector<double>& engine,
-                 const std::vector<double>& expected) {
-  CAPTURE(field);
-  REQUIRE(engine.size() == expected.size());
-  double greatest = 0, difference = 0;
-  for (std::size_t k = 0; k < engine.size(); ++k) {
-    greatest = std::max(greatest, std::abs(expected[k]));
-    difference = std::max(difference, std::abs(engine[k] - expected[k]));
-  }
-  CHECK(greatest > 0);
-  CHECK(difference <= agreement * greatest);
 }
 
 void check_agreement(const Snapshot& engine, const naive_cauchy::Run& run) {
@@ -111,9 +72,10 @@ void check_active(const naive_cauchy::Counts& counts, const std::string& name) {
 
 void check_method(const Scene& scene, const std::string& method, int steps) {
   CAPTURE(method);
-  const naive_cauchy::Run run = naive_run(scene, method, steps);
+  const Settings settings = with_method(method);
+  const naive_cauchy::Run run = after_steps(naive_current(scene, settings), steps);
   check_active(run.counts, method);
-  check_agreement(state_after(steps, scene, with_method(method)), run);
+  check_agreement(state_after(steps, scene, settings), run);
 }
 
 }  // namespace
@@ -133,7 +95,7 @@ TEST_SUITE("reference") {
     Settings settings = with_method("d-ulsph-r-tic");
     settings.constants["riemann_factor"] = 2;
     const Snapshot engine = state_after(16, scene, settings);
-    check_agreement(engine, naive_run(scene, "d-ulsph-r-tic", 16, 2));
+    check_agreement(engine, after_steps(naive_current(scene, settings), 16));
     CHECK(engine.v != state_after(16, scene, with_method("d-ulsph-r-tic")).v);
   }
   TEST_CASE("naive: the velocity gradient where the step starts, as printed") {
@@ -141,7 +103,7 @@ TEST_SUITE("reference") {
     Settings settings = with_method("d-ulsph-r-tic");
     settings.constants["geometry"] = 0;
     const Snapshot engine = state_after(16, scene, settings);
-    check_agreement(engine, naive_run(scene, "d-ulsph-r-tic", 16, 1, 0));
+    check_agreement(engine, after_steps(naive_current(scene, settings), 16));
     CHECK(engine.v != state_after(16, scene, with_method("d-ulsph-r-tic")).v);
   }
 }

@@ -1,0 +1,8 @@
+#pragma once
+
+namespace taut::bench {
+
+void register_methods();
+void register_program();
+
+}  // namespace taut::bench

@@ -1,0 +1,14 @@
+//   taut_bench --benchmark_filter=enog/2d --benchmark_repetitions=5
+
+#include <benchmark/benchmark.h>
+
+#include "tests/bench/benchmarks.hpp"
+
+int main(int argc, char** argv) {
+  taut::bench::register_methods();
+  taut::bench::register_program();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

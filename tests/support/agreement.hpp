@@ -1,0 +1,34 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+namespace taut::test {
+
+/// The engine's values are those expected, within 1e-10 of the greatest magnitude of the field.
+inline void check_field(const std::string& field, const std::vector<double>& engine,
+                        const std::vector<double>& expected) {
+  CAPTURE(field);
+  REQUIRE(engine.size() == expected.size());
+  double greatest = 0, difference = 0;
+  for (std::size_t k = 0; k < engine.size(); ++k) {
+    greatest = std::max(greatest, std::abs(expected[k]));
+    difference = std::max(difference, std::abs(engine[k] - expected[k]));
+  }
+  CHECK(greatest > 0);
+  CHECK(difference <= 1e-10 * greatest);
+}
+
+/// The components of places one after the other.
+template <class Places>
+std::vector<double> flat(const Places& places) {
+  std::vector<double> all;
+  for (const auto& place : places) all.insert(all.end(), place.begin(), place.end());
+  return all;
+}
+
+}  // namespace taut::test
