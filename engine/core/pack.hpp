@@ -25,11 +25,6 @@ inline Pack load(const double* from, int count) {
 }
 inline void store(const Pack& a, double* to) { *reinterpret_cast<UnalignedPack*>(to) = a; }
 
-inline void store(double* to, const Pack& a) {
-  typedef double Unaligned __attribute__((vector_size(lanes * sizeof(double)), aligned(sizeof(double))));
-  *reinterpret_cast<Unaligned*>(to) = a;
-}
-
 /// A Pack in a std::vector. Vectors of the bare type would be one type for all builds of the solver, and the
 /// linker would let the one without AVX, for which a Pack is less aligned, make room for the others.
 struct StoredPack {
@@ -93,14 +88,6 @@ T filled(double value) {
     return Pack{value, value, value, value};
   else
     return value;
-}
-
-/// Of all lanes, or NaN if one is.
-inline double greatest(const Pack& a) {
-  double result = a[0];
-  for (int lane = 1; lane < lanes; ++lane)
-    if (!(a[lane] <= result || result != result)) result = a[lane];
-  return result;
 }
 
 /// Of a comparison.
