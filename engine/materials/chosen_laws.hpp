@@ -12,8 +12,8 @@ namespace taut::inline TAUT_ISA {
 template <const Formulation& M, Law L>
 constexpr bool may_run_with = L == M.law || may_be_given(M, LawOf<L>::row);
 
-/// The law of each of four particles, of which two may be of different materials.
-template <class L>
+/// The law of each of four particles, of which two may be of different materials where there are `several`.
+template <class L, bool several = true>
 class LawsOfFour {
  public:
   /// `materials`: of all particles, four at a time.
@@ -24,9 +24,10 @@ class LawsOfFour {
   template <class F>
   [[gnu::always_inline]] auto operator()(int group, const F& f) const {
     const int* const of = &materials_[static_cast<std::size_t>(lanes) * group];
-    if (of[0] == of[1] && of[0] == of[2] && of[0] == of[3]) [[likely]]
-      return f(laws_[of[0]]);
-    return mixed(of, f);
+    if constexpr (several)
+      if (of[0] != of[1] || of[0] != of[2] || of[0] != of[3]) [[unlikely]]
+        return mixed(of, f);
+    return f(laws_[of[0]]);
   }
 
  private:

@@ -36,7 +36,9 @@ class InitialPairSolver : public ParticleSolver<Solver, Dim> {
   /// `pass`(laws) with the laws of four particles at a time: the pass is compiled for each law that there may be.
   template <class Pass>
   auto with_laws(const Pass& pass) const {
-    return laws_.visit([&](const auto& laws) { return pass(LawsOfFour(laws, material_)); });
+    return laws_.visit([&]<class L>(const std::vector<L>& laws) {
+      return pass(LawsOfFour<L, M.several_materials>(laws, material_));
+    });
   }
   int groups() const { return (s_.size() + lanes - 1) / lanes; }
   /// `f`(i) of the particles of a group, which are fewer in the last one.
