@@ -1,8 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
-#include "engine/core/pack.hpp"
+#include "engine/core/tensor.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -53,6 +54,62 @@ inline void separate(const Pack (&rows)[3], Pack (&columns)[3]) {
   columns[0] = __builtin_shuffle(__builtin_shuffle(a, b, PackIndex{0, 3, 6, 6}), c, PackIndex{0, 1, 2, 5});
   columns[1] = __builtin_shuffle(__builtin_shuffle(a, b, PackIndex{1, 4, 7, 7}), c, PackIndex{0, 1, 2, 6});
   columns[2] = __builtin_shuffle(__builtin_shuffle(a, b, PackIndex{2, 5, 5, 5}), c, PackIndex{0, 1, 4, 7});
+}
+
+/// The first Dim columns of the four particles from `first` on.
+template <int Dim, int N>
+Vec<Pack, Dim> vector_at(const Columns<N>& columns, int first) {
+  Vec<Pack, Dim> v;
+  for (int k = 0; k < Dim; ++k) v[k] = load(columns[k] + first);
+  return v;
+}
+template <int N>
+void put(const Vec<Pack, N>& v, Columns<N>& columns, int first) {
+#pragma GCC unroll 4
+  for (int k = 0; k < N; ++k) store(v[k], columns[k] + first);
+}
+/// A tensor of each of the four, row by row.
+template <int Dim>
+void put(const Mat<Pack, Dim>& A, Columns<Dim * Dim>& columns, int first) {
+#pragma GCC unroll 3
+  for (int a = 0; a < Dim; ++a)
+#pragma GCC unroll 3
+    for (int b = 0; b < Dim; ++b) store(A(a, b), columns[a * Dim + b] + first);
+}
+
+/// The vectors of four particles that are stored one behind the other, or of the first `count` of them.
+template <int Dim>
+Vec<Pack, Dim> four_of(const Vec<double, Dim>* rows, int count) {
+  Vec<Pack, Dim> v{};
+  if (count < lanes) [[unlikely]] {
+    for (int lane = 0; lane < count; ++lane)
+      for (int k = 0; k < Dim; ++k) v[k][lane] = rows[lane][k];
+  } else if constexpr (Dim == 2) {
+    const Pack a = load(rows[0].c), b = load(rows[2].c);
+    v[0] = __builtin_shuffle(a, b, PackIndex{0, 2, 4, 6});
+    v[1] = __builtin_shuffle(a, b, PackIndex{1, 3, 5, 7});
+  } else {
+    for (int k = 0; k < Dim; ++k) v[k] = Pack{rows[0][k], rows[1][k], rows[2][k], rows[3][k]};
+  }
+  return v;
+}
+template <int Dim>
+void put_four(const Vec<Pack, Dim>& v, Vec<double, Dim>* rows, int count) {
+  if (Dim == 2 && count >= lanes) [[likely]] {
+    store(__builtin_shuffle(v[0], v[1], PackIndex{0, 4, 1, 5}), rows[0].c);
+    store(__builtin_shuffle(v[0], v[1], PackIndex{2, 6, 3, 7}), rows[2].c);
+  } else {
+    for (int lane = 0; lane < std::min(count, lanes); ++lane) rows[lane] = lane_of(v, lane);
+  }
+}
+/// The same of what stands from `first` on.
+template <int Dim>
+Vec<Pack, Dim> four_of(const std::vector<Vec<double, Dim>>& rows, int first) {
+  return four_of(&rows[first], static_cast<int>(rows.size()) - first);
+}
+template <int Dim>
+void put_four(const Vec<Pack, Dim>& v, std::vector<Vec<double, Dim>>& rows, int first) {
+  put_four(v, &rows[first], static_cast<int>(rows.size()) - first);
 }
 
 }  // namespace taut::inline TAUT_ISA

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "engine/core/pack.hpp"
 
@@ -23,16 +24,18 @@ inline double inverse_cube_root(double x) {
   }
   return std::copysign(y, x);
 }
-/// The same of four positive numbers, but for the last bit: a third of the upper half of the bits is enough.
+/// The same of four numbers, but for the last bit: a third of the upper half of the bits is enough.
 inline Pack inverse_cube_root(const Pack& x) {
   constexpr long long guess = 0x553ef0ff289dd796, third = 0x55555556;
-  const PackIndex upper = ((PackIndex)x >> 32) * third >> 32;
+  constexpr long long sign = std::numeric_limits<long long>::min();
+  const Pack a = (Pack)((PackIndex)x & ~sign);
+  const PackIndex upper = ((PackIndex)a >> 32) * third >> 32;
   Pack y = (Pack)(guess - (upper << 32));
   for (int round = 0; round < 2; ++round) {
-    const Pack r = 1 - x * y * y * y;
+    const Pack r = 1 - a * y * y * y;
     y += y * r * (1.0 / 3 + r * (2.0 / 9 + r * (14.0 / 81)));
   }
-  return y;
+  return (Pack)((PackIndex)y | ((PackIndex)x & sign));
 }
 
 }  // namespace taut::inline TAUT_ISA

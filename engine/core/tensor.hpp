@@ -36,7 +36,8 @@ T dot(const Vec<T, Dim>& a, const Vec<T, Dim>& b) {
   return s;
 }
 
-inline Vec<double, 3> cross(const Vec<double, 3>& a, const Vec<double, 3>& b) {
+template <class T>
+Vec<T, 3> cross(const Vec<T, 3>& a, const Vec<T, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
@@ -231,8 +232,9 @@ T determinant(const Mat<T, 3>& A) {
 
 /// The tensor cross product A ⨯ B, [A ⨯ B]_iI = ε_ijk ε_IJK A_jJ B_kK, symmetric in both: cof F = ½ F ⨯ F.
 /// [Lee2016] below Eq. 1
-inline Mat<double, 3> tensor_cross(const Mat<double, 3>& A, const Mat<double, 3>& B) {
-  Mat<double, 3> C;
+template <class T>
+Mat<T, 3> tensor_cross(const Mat<T, 3>& A, const Mat<T, 3>& B) {
+  Mat<T, 3> C;
 #pragma GCC unroll 3
   for (int a = 0; a < 3; ++a) {
     const int a1 = (a + 1) % 3, a2 = (a + 2) % 3;
@@ -283,6 +285,35 @@ Sym<double, Dim> sum(const Sym<Pack, Dim>& a) {
   Sym<double, Dim> r;
   for (int k = 0; k < Sym<double, Dim>::size; ++k) r.c[k] = sum(a.c[k]);
   return r;
+}
+
+template <int Dim>
+Vec<double, Dim> lane_of(const Vec<Pack, Dim>& a, int lane) {
+  Vec<double, Dim> one;
+  for (int k = 0; k < Dim; ++k) one[k] = a[k][lane];
+  return one;
+}
+template <int Dim>
+void set_lane(Vec<Pack, Dim>& a, int lane, const Vec<double, Dim>& one) {
+  for (int k = 0; k < Dim; ++k) a[k][lane] = one[k];
+}
+template <int Dim>
+Mat<double, Dim> lane_of(const Mat<Pack, Dim>& A, int lane) {
+  Mat<double, Dim> one;
+  for (int k = 0; k < Dim; ++k)
+    for (int l = 0; l < Dim; ++l) one(k, l) = A(k, l)[lane];
+  return one;
+}
+template <int Dim>
+void set_lane(Mat<Pack, Dim>& A, int lane, const Mat<double, Dim>& one) {
+  for (int k = 0; k < Dim; ++k)
+    for (int l = 0; l < Dim; ++l) A(k, l)[lane] = one(k, l);
+}
+/// Takes one lane from `other`.
+inline void take_lane(Pack& a, int lane, const Pack& other) { a[lane] = other[lane]; }
+template <int Dim>
+void take_lane(Mat<Pack, Dim>& A, int lane, const Mat<Pack, Dim>& other) {
+  set_lane(A, lane, lane_of(other, lane));
 }
 
 /// The same value in each lane.

@@ -12,6 +12,36 @@ namespace taut::inline TAUT_ISA {
 template <const Formulation& M, Law L>
 constexpr bool may_run_with = L == M.law || may_be_given(M, LawOf<L>::row);
 
+/// The law of each of four particles, of which two may be of different materials where there are `several`.
+template <class L, bool several = true>
+class LawsOfFour {
+ public:
+  /// `materials`: of all particles, four at a time.
+  LawsOfFour(const std::vector<L>& laws, const std::vector<int>& materials)
+      : laws_(laws), materials_(materials) {}
+
+  /// `f`(law), a Pack or a tensor of packs of the four of a group.
+  template <class F>
+  [[gnu::always_inline]] auto operator()(int group, const F& f) const {
+    const int* const of = &materials_[static_cast<std::size_t>(lanes) * group];
+    if constexpr (several)
+      if (of[0] != of[1] || of[0] != of[2] || of[0] != of[3]) [[unlikely]]
+        return mixed(of, f);
+    return f(laws_[of[0]]);
+  }
+
+ private:
+  template <class F>
+  [[gnu::noinline]] auto mixed(const int* of, const F& f) const {
+    auto all = f(laws_[of[0]]);
+    for (int lane = 1; lane < lanes; ++lane) take_lane(all, lane, f(laws_[of[lane]]));
+    return all;
+  }
+
+  const std::vector<L>& laws_;
+  const std::vector<int>& materials_;
+};
+
 /// The laws of the materials of a run: one law, which is known at run time only, with the numbers of each. A pass over
 /// particles asks which it is once, and is compiled with each law that the method may run with: a call for each particle
 /// makes a step of `tl` with the linear law 1.4 times as long, and the whole solver for each law takes too long to build.

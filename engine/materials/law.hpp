@@ -35,38 +35,40 @@ template <Law law>
 struct LawOf;
 
 /// A : B
-template <int Dim>
-double contraction(const Mat<double, Dim>& A, const Mat<double, Dim>& B) {
-  double s = 0;
+template <class T, int Dim>
+T contraction(const Mat<T, Dim>& A, const Mat<T, Dim>& B) {
+  T s{};
   for (int a = 0; a < Dim; ++a)
     for (int b = 0; b < Dim; ++b) s += A(a, b) * B(a, b);
   return s;
 }
 
 /// s A + t B
-template <int Dim>
-Mat<double, Dim> combination(double s, const Mat<double, Dim>& A, double t, const Mat<double, Dim>& B) {
-  Mat<double, Dim> C;
+template <class S, class R, class T, int Dim>
+Mat<T, Dim> combination(const S& s, const Mat<T, Dim>& A, const R& t, const Mat<T, Dim>& B) {
+  Mat<T, Dim> C;
   for (int a = 0; a < Dim; ++a)
     for (int b = 0; b < Dim; ++b) C(a, b) = s * A(a, b) + t * B(a, b);
   return C;
 }
 
 /// H ⨯ F, by which a slope along H adds to P; in plane strain with F_zz = 1 and H_zz = det F.
-inline Mat<double, 3> stress_of_cofactor(const Mat<double, 3>& F, const Mat<double, 3>& H) {
+template <class T>
+Mat<T, 3> stress_of_cofactor(const Mat<T, 3>& F, const Mat<T, 3>& H) {
   return tensor_cross(H, F);
 }
-inline Mat<double, 2> stress_of_cofactor(const Mat<double, 2>& F, const Mat<double, 2>& H) {
+template <class T>
+Mat<T, 2> stress_of_cofactor(const Mat<T, 2>& F, const Mat<T, 2>& H) {
   return combination(1.0, cofactor(H), determinant(F), cofactor(F));
 }
 
 /// Green–Lagrange strain E = ½ (Fᵀ F − I)
-template <int Dim>
-Sym<double, Dim> green_strain(const Mat<double, Dim>& F) {
-  Sym<double, Dim> E;
+template <class T, int Dim>
+Sym<T, Dim> green_strain(const Mat<T, Dim>& F) {
+  Sym<T, Dim> E;
   for (int a = 0; a < Dim; ++a) {
     for (int b = a; b < Dim; ++b) {
-      double c = 0;
+      T c{};
       for (int k = 0; k < Dim; ++k) c += F(k, a) * F(k, b);
       E(a, b) = 0.5 * (c - (a == b ? 1 : 0));
     }
@@ -75,10 +77,10 @@ Sym<double, Dim> green_strain(const Mat<double, Dim>& F) {
 }
 
 /// Hooke's law, 2G ε + (K − 2G/3) tr ε I, Pa; ε has no component normal to the plane.
-template <int Dim>
-Sym<double, Dim> hooke(const Sym<double, Dim>& strain, double K, double G) {
-  Sym<double, Dim> stress = (2 * G) * strain;
-  const double volumetric = (K - 2.0 / 3 * G) * trace(strain);
+template <class T, int Dim>
+Sym<T, Dim> hooke(const Sym<T, Dim>& strain, double K, double G) {
+  Sym<T, Dim> stress = filled<T>(2 * G) * strain;
+  const T volumetric = (K - 2.0 / 3 * G) * trace(strain);
   for (int k = 0; k < Dim; ++k) stress(k, k) += volumetric;
   return stress;
 }

@@ -10,20 +10,16 @@ namespace taut::inline TAUT_ISA {
 struct LinearElastic {
   double K, G;  // Pa
 
-  template <int Dim>
-  static Sym<double, Dim> strain(const Mat<double, Dim>& F) {
-    Sym<double, Dim> e;
+  template <class T, int Dim>
+  static Sym<T, Dim> strain(const Mat<T, Dim>& F) {
+    Sym<T, Dim> e;
     for (int a = 0; a < Dim; ++a)
       for (int b = a; b < Dim; ++b) e(a, b) = 0.5 * (F(a, b) + F(b, a)) - (a == b ? 1 : 0);
     return e;
   }
-  template <int Dim>
-  Mat<double, Dim> piola(const Mat<double, Dim>& F, double) const {
-    const Sym<double, Dim> sigma = hooke(strain(F), K, G);
-    Mat<double, Dim> P;
-    for (int a = 0; a < Dim; ++a)
-      for (int b = 0; b < Dim; ++b) P(a, b) = sigma(a, b);
-    return P;
+  template <class T, int Dim>
+  Mat<T, Dim> piola(const Mat<T, Dim>& F, const T&) const {
+    return full(hooke(strain(F), K, G));
   }
   template <int Dim>
   double energy(const Mat<double, Dim>& F, double) const {
@@ -33,9 +29,9 @@ struct LinearElastic {
   Cauchy<Dim> cauchy(const Mat<double, Dim>& F, double) const {
     return {hooke(strain(F), K, G), beside_plane<Dim>((K - 2.0 / 3 * G) * trace(strain(F)))};
   }
-  template <int Dim>
-  double stiffness_bound(const Mat<double, Dim>&, double) const {
-    return K + 4.0 / 3 * G;
+  template <class T, int Dim>
+  T stiffness_bound(const Mat<T, Dim>&, const T&) const {
+    return filled<T>(K + 4.0 / 3 * G);
   }
 };
 template <>

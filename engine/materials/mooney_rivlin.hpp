@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -23,14 +22,15 @@ struct MooneyRivlin {
   double cofactor_share;  // 3√3 ξ/G
 
   /// Σ_F/F, Σ_H/H and Σ_j of the part of the shear, Pa
+  template <class T>
   struct Slopes {
-    double F, H, j;
+    T F, H, j;
   };
-  template <int Dim>
-  Slopes slopes(const Mat<double, Dim>& F, const Mat<double, Dim>& H, double j) const {
-    const double root = inverse_cube_root(j), inv_j = root * root * root;
-    const double of_F = 2 * zeta() * root * root,
-                 of_H = 3 * xi() * inv_j * inv_j * std::sqrt(square_of_H(F, H));
+  template <class T, int Dim>
+  Slopes<T> slopes(const Mat<T, Dim>& F, const Mat<T, Dim>& H, const T& j) const {
+    const T cube_root = inverse_cube_root(j), inv_j = cube_root * cube_root * cube_root;
+    const T of_F = 2 * zeta() * cube_root * cube_root,
+            of_H = 3 * xi() * inv_j * inv_j * root(square_of_H(F, H));
     return {of_F, of_H, (-1.0 / 3 * of_F * square(F) - 2.0 / 3 * of_H * square_of_H(F, H)) * inv_j};
   }
   template <int Dim>
@@ -41,13 +41,13 @@ struct MooneyRivlin {
   }
 
   /// With a cofactor H that may be an unknown of its own; H_zz is det F all the same.
-  template <int Dim>
-  Mat<double, Dim> piola(const Mat<double, Dim>& F, const Mat<double, Dim>& H, double J) const {
-    const Slopes by = slopes(F, H, determinant(F));
+  template <class T, int Dim>
+  Mat<T, Dim> piola(const Mat<T, Dim>& F, const Mat<T, Dim>& H, const T& J) const {
+    const Slopes<T> by = slopes(F, H, determinant(F));
     return combination(1.0, combination(by.F, F, by.j + K * (J - 1), H), by.H, stress_of_cofactor(F, H));
   }
-  template <int Dim>
-  Mat<double, Dim> piola(const Mat<double, Dim>& F, double J) const {
+  template <class T, int Dim>
+  Mat<T, Dim> piola(const Mat<T, Dim>& F, const T& J) const {
     return piola(F, cofactor(F), J);
   }
   template <int Dim>
@@ -65,26 +65,26 @@ struct MooneyRivlin {
   ///   Q = (2ζ j^(−2/3)) I − ⁴⁄₃ζ j^(−5/3) (f⊗b + b⊗f) + (¹⁰⁄₉ζ j^(−8/3) F:F + K) b⊗b
   ///     + 3ξ j^(−2) |H| ((F:F − f·f) I − F Fᵀ + f⊗f + 2 w⊗w − g⊗g),   f = F n, b = H n, g = (H⨯F) n/|H|,
   /// w = |H| b/j − g: in principal axes f_k = λ_k n_k, b_k = H_k n_k, w_k = H_k³/(j |H|) n_k, H_k = j/λ_k.
-  template <int Dim>
-  double stiffness_bound(const Mat<double, Dim>& F, double) const {
-    const PrincipalStretches l = principal_stretches(F);
-    const double j = l[0] * l[1] * l[2], root = inverse_cube_root(j), FF = square(F);
-    const std::array<double, 3> H{l[1] * l[2], l[0] * l[2], l[0] * l[1]};
-    const double HH = H[0] * H[0] + H[1] * H[1] + H[2] * H[2], size = std::sqrt(HH);
-    const double of_F = 2 * zeta() * root * root, of_H = 3 * xi() * size / (j * j);
-    const double of_volume = 5.0 / 9 * of_F * FF + K * j * j;
-    std::array<double, 3> w, g;
+  template <class T, int Dim>
+  T stiffness_bound(const Mat<T, Dim>& F, const T&) const {
+    const PrincipalStretches<T> l = principal_stretches(F);
+    const T j = l[0] * l[1] * l[2], cube_root = inverse_cube_root(j), FF = square(F);
+    const Vec<T, 3> H{l[1] * l[2], l[0] * l[2], l[0] * l[1]};
+    const T HH = dot(H, H), size = root(HH);
+    const T of_F = 2 * zeta() * cube_root * cube_root, of_H = 3 * xi() * size / (j * j);
+    const T of_volume = 5.0 / 9 * of_F * FF + K * j * j;
+    Vec<T, 3> w, g;
     for (int k = 0; k < 3; ++k) {
       w[k] = H[k] * H[k] * H[k] / (j * size);
       g[k] = l[k] * (FF - l[k] * l[k]) / size;
     }
     return greatest_stiffness<Dim>(
-        [&](int k) {
+        [&](int k) -> T {
           return of_volume / (l[k] * l[k]) - of_F / 3 +
                  of_H * (FF - l[k] * l[k] + 2 * w[k] * w[k] - g[k] * g[k]);
         },
-        [&](int k, int m) { return of_F + of_H * (FF - l[k] * l[k] - l[m] * l[m]); },
-        [&](int k, int m) {
+        [&](int k, int m) -> T { return of_F + of_H * (FF - l[k] * l[k] - l[m] * l[m]); },
+        [&](int k, int m) -> T {
           return (of_volume - 2.0 / 3 * of_F * (l[k] * l[k] + l[m] * l[m])) / (l[k] * l[m]) +
                  of_H * (l[k] * l[m] + 2 * w[k] * w[m] - g[k] * g[m]);
         });
@@ -93,13 +93,13 @@ struct MooneyRivlin {
  private:
   double zeta() const { return 0.5 * (1 - cofactor_share) * G; }
   double xi() const { return cofactor_share * G / (3 * std::numbers::sqrt3); }
-  template <int Dim>
-  static double square(const Mat<double, Dim>& F) {  // F:F
+  template <class T, int Dim>
+  static T square(const Mat<T, Dim>& F) {  // F:F
     return contraction(F, F) + (3 - Dim);
   }
-  template <int Dim>
-  static double square_of_H(const Mat<double, Dim>& F, const Mat<double, Dim>& H) {  // H:H
-    const double zz = Dim == 2 ? determinant(F) : 0;
+  template <class T, int Dim>
+  static T square_of_H(const Mat<T, Dim>& F, const Mat<T, Dim>& H) {  // H:H
+    const T zz = Dim == 2 ? determinant(F) : T{};
     return contraction(H, H) + zz * zz;
   }
 };

@@ -16,19 +16,20 @@ namespace taut::inline TAUT_ISA {
 struct NeoHookean {
   double K, G;  // Pa
 
-  template <int Dim>
-  static double square(const Mat<double, Dim>& F) {
+  template <class T, int Dim>
+  static T square(const Mat<T, Dim>& F) {
     return contraction(F, F) + (3 - Dim);
   }
   /// Σ_F/F, Σ_H/H and Σ_j of the part of the shear, Pa
+  template <class T>
   struct Slopes {
-    double F, H, j;
+    T F, H, j;
   };
-  template <int Dim>
-  Slopes slopes(const Mat<double, Dim>& F, const Mat<double, Dim>&, double j) const {
-    const double root = inverse_cube_root(j), shear = G * root * root;
-    const double inv_j = root * root * root;
-    return {shear, 0, -(shear * square(F) * inv_j / 3)};
+  template <class T, int Dim>
+  Slopes<T> slopes(const Mat<T, Dim>& F, const Mat<T, Dim>&, const T& j) const {
+    const T root = inverse_cube_root(j), shear = G * root * root;
+    const T inv_j = root * root * root;
+    return {shear, T{}, -(shear * square(F) * inv_j / 3)};
   }
   template <int Dim>
   double shear_energy(const Mat<double, Dim>& F, const Mat<double, Dim>&, double j) const {
@@ -36,13 +37,13 @@ struct NeoHookean {
     return 0.5 * G * (root * root * square(F) - 3);
   }
   /// With a cofactor H that may be an unknown of its own.
-  template <int Dim>
-  Mat<double, Dim> piola(const Mat<double, Dim>& F, const Mat<double, Dim>& H, double J) const {
-    const Slopes by = slopes(F, H, determinant(F));
+  template <class T, int Dim>
+  Mat<T, Dim> piola(const Mat<T, Dim>& F, const Mat<T, Dim>& H, const T& J) const {
+    const Slopes<T> by = slopes(F, H, determinant(F));
     return combination(by.F, F, K * (J - 1) + by.j, H);
   }
-  template <int Dim>
-  Mat<double, Dim> piola(const Mat<double, Dim>& F, double J) const {
+  template <class T, int Dim>
+  Mat<T, Dim> piola(const Mat<T, Dim>& F, const T& J) const {
     return piola(F, cofactor(F), J);
   }
   template <int Dim>
@@ -55,14 +56,14 @@ struct NeoHookean {
     return {push_forward(piola(F, J), F, j), beside_plane<Dim>(K * (J - 1) + shear * (1 - square(F) / 3))};
   }
   /// From Q = s I − ⅔ s/j (f⊗b + b⊗f) + (⁵⁄₉ s F:F/j² + K) b⊗b, s = G j^(−2/3), f = F n, b = H n.
-  template <int Dim>
-  double stiffness_bound(const Mat<double, Dim>& F, double) const {
-    const PrincipalStretches l = principal_stretches(F);
-    const double j = l[0] * l[1] * l[2], root = inverse_cube_root(j), shear = G * root * root;
-    const double of_volume = 5.0 / 9 * shear * square(F) + K * j * j;
+  template <class T, int Dim>
+  T stiffness_bound(const Mat<T, Dim>& F, const T&) const {
+    const PrincipalStretches<T> l = principal_stretches(F);
+    const T j = l[0] * l[1] * l[2], root = inverse_cube_root(j), shear = G * root * root;
+    const T of_volume = 5.0 / 9 * shear * square(F) + K * j * j;
     return greatest_stiffness<Dim>(
-        [&](int k) { return of_volume / (l[k] * l[k]) - shear / 3; }, [&](int, int) { return shear; },
-        [&](int k, int m) {
+        [&](int k) -> T { return of_volume / (l[k] * l[k]) - shear / 3; }, [&](int, int) { return shear; },
+        [&](int k, int m) -> T {
           return (of_volume - 2.0 / 3 * shear * (l[k] * l[k] + l[m] * l[m])) / (l[k] * l[m]);
         });
   }

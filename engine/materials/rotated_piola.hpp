@@ -24,11 +24,13 @@ inline Mat<double, 3> turned_by(const Vec<double, 3>& omega, double angle, const
 
 /// The rotation nearest to F: that of its polar decomposition F = R U where det F > 0. In the plane it is
 /// known in closed form, R ∝ F + cof F. Differs from [TranDuc2023] §2.3, which iterates towards the same R.
-inline Mat<double, 2> nearest_rotation(const Mat<double, 2>& F) {
-  const double c = F(0, 0) + F(1, 1), s = F(1, 0) - F(0, 1);
-  const double length = std::sqrt(c * c + s * s);  // the sum of the principal stretches
-  if (!(length > std::numeric_limits<double>::min())) return {{{1, 0}, {0, 1}}};  // a reflection has none
-  return {{{c / length, -s / length}, {s / length, c / length}}};
+template <class T>
+Mat<T, 2> nearest_rotation(const Mat<T, 2>& F) {
+  const T c = F(0, 0) + F(1, 1), s = F(1, 0) - F(0, 1);
+  const T length = root(T(c * c + s * s));                          // the sum of the principal stretches
+  const auto turned = length > std::numeric_limits<double>::min();  // a reflection has no rotation
+  const T cosine = turned ? T(c / length) : filled<T>(1), sine = turned ? T(s / length) : T{};
+  return {{{cosine, -sine}, {sine, cosine}}};
 }
 
 /// In 3D by Müller's iteration, from R = I: turned by the torque of the columns of F upon those of R,
@@ -55,6 +57,12 @@ inline Mat<double, 3> nearest_rotation(const Mat<double, 3>& F) {
   return R;
 }
 
+inline Mat<Pack, 3> nearest_rotation(const Mat<Pack, 3>& F) {
+  Mat<Pack, 3> R;
+  for (int lane = 0; lane < lanes; ++lane) set_lane(R, lane, nearest_rotation(lane_of(F, lane)));
+  return R;
+}
+
 /// The stress of `icb`: Hooke's law between the second Piola–Kirchhoff stress and the Green–Lagrange strain,
 ///   σ⁰ = 2G dev E + K tr E I,  turned by the rotation R of F:  P = R σ⁰.             [TranDuc2023] §2.3
 /// With F in the place of R it would be St Venant–Kirchhoff's. The difference is of the order of the strain;
@@ -63,8 +71,8 @@ inline Mat<double, 3> nearest_rotation(const Mat<double, 3>& F) {
 struct RotatedPiola {
   double K, G;  // Pa
 
-  template <int Dim>
-  Mat<double, Dim> piola(const Mat<double, Dim>& F, double) const {
+  template <class T, int Dim>
+  Mat<T, Dim> piola(const Mat<T, Dim>& F, const T&) const {
     return product(nearest_rotation(F), hooke(green_strain(F), K, G));
   }
   template <int Dim>
@@ -78,17 +86,18 @@ struct RotatedPiola {
   }
   /// Of the symmetric part of the acoustic tensor, which is not symmetric here; no wave is faster. With
   /// t_k = 2G E_k + (K − 2G/3) tr E, the principal stresses, and R that of a polar decomposition.
-  template <int Dim>
-  double stiffness_bound(const Mat<double, Dim>& F, double) const {
-    const PrincipalStretches l = principal_stretches(F);
-    const double lambda = K - 2.0 / 3 * G, sum = lambda * trace(green_strain(F));
-    const auto turning = [&](int k, int m) {  // (t_k + t_m)/2(λ_k + λ_m)
+  template <class T, int Dim>
+  T stiffness_bound(const Mat<T, Dim>& F, const T&) const {
+    const PrincipalStretches<T> l = principal_stretches(F);
+    const double lambda = K - 2.0 / 3 * G;
+    const T sum = lambda * trace(green_strain(F));
+    const auto turning = [&](int k, int m) -> T {  // (t_k + t_m)/2(λ_k + λ_m)
       return (sum + 0.5 * G * (l[k] * l[k] + l[m] * l[m] - 2)) / (l[k] + l[m]);
     };
     return greatest_stiffness<Dim>(
-        [&](int k) { return (lambda + 2 * G) * l[k]; },
-        [&](int k, int m) { return 0.5 * G * (l[k] + l[m]) + turning(k, m); },
-        [&](int k, int m) { return 0.5 * (lambda + G) * (l[k] + l[m]) - turning(k, m); });
+        [&](int k) -> T { return (lambda + 2 * G) * l[k]; },
+        [&](int k, int m) -> T { return 0.5 * G * (l[k] + l[m]) + turning(k, m); },
+        [&](int k, int m) -> T { return 0.5 * (lambda + G) * (l[k] + l[m]) - turning(k, m); });
   }
 };
 template <>

@@ -10,8 +10,8 @@ namespace taut::inline TAUT_ISA {
 struct StVenantKirchhoff {
   double K, G;  // Pa
 
-  template <int Dim>
-  Mat<double, Dim> piola(const Mat<double, Dim>& F, double) const {
+  template <class T, int Dim>
+  Mat<T, Dim> piola(const Mat<T, Dim>& F, const T&) const {
     return product(F, hooke(green_strain(F), K, G));
   }
   template <int Dim>
@@ -24,14 +24,14 @@ struct StVenantKirchhoff {
             beside_plane<Dim>((K - 2.0 / 3 * G) * trace(green_strain(F)) / J)};
   }
   /// From Q = (n·S n) I + (K + G/3) f⊗f + G F Fᵀ, f = F n.
-  template <int Dim>
-  double stiffness_bound(const Mat<double, Dim>& F, double) const {
-    const PrincipalStretches l = principal_stretches(F);
-    const double sum = (K - 2.0 / 3 * G) * trace(green_strain(F));
-    const auto S = [&](int k) { return sum + G * (l[k] * l[k] - 1); };
-    return greatest_stiffness<Dim>([&](int k) { return S(k) + (K + 4.0 / 3 * G) * l[k] * l[k]; },
-                                   [&](int k, int m) { return S(m) + G * l[k] * l[k]; },
-                                   [&](int k, int m) { return (K + G / 3) * l[k] * l[m]; });
+  template <class T, int Dim>
+  T stiffness_bound(const Mat<T, Dim>& F, const T&) const {
+    const PrincipalStretches<T> l = principal_stretches(F);
+    const T sum = (K - 2.0 / 3 * G) * trace(green_strain(F));
+    const auto S = [&](int k) -> T { return sum + G * (l[k] * l[k] - 1); };
+    return greatest_stiffness<Dim>([&](int k) -> T { return S(k) + (K + 4.0 / 3 * G) * l[k] * l[k]; },
+                                   [&](int k, int m) -> T { return S(m) + G * l[k] * l[k]; },
+                                   [&](int k, int m) -> T { return (K + G / 3) * l[k] * l[m]; });
   }
 };
 template <>

@@ -1,49 +1,49 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "engine/core/tensor.hpp"
 
 /// How stiff a strained body is to waves, for the `stiffness_bound` of the laws, and what that needs of F.
 namespace taut::inline TAUT_ISA {
 
-inline double greatest_eigenvalue(const Sym<double, 2>& A) {
-  const double half = 0.5 * (A(0, 0) - A(1, 1));
-  return 0.5 * (A(0, 0) + A(1, 1)) + std::sqrt(half * half + A(0, 1) * A(0, 1));
+template <class T>
+T greatest_eigenvalue(const Sym<T, 2>& A) {
+  const T half = 0.5 * (A(0, 0) - A(1, 1));
+  return 0.5 * (A(0, 0) + A(1, 1)) + root(T(half * half + A(0, 1) * A(0, 1)));
 }
 
 /// q + 2p c, where c = cos(θ/3) ≥ ½ solves 4c³ − 3c = cos θ = det(A − q I)/(2p³). Newton's rounds, which come from
 /// above, start within 1e-3 of it.
-inline double greatest_eigenvalue(const Sym<double, 3>& A) {
-  const double q = trace(A) / 3;
-  const double x = A(0, 0) - q, y = A(1, 1) - q, z = A(2, 2) - q;
-  const double xy = A(0, 1), xz = A(0, 2), yz = A(1, 2);
-  const double p2 = (x * x + y * y + z * z + 2 * (xy * xy + xz * xz + yz * yz)) / 6, p = std::sqrt(p2);
-  const double det = x * (y * z - yz * yz) - xy * (xy * z - yz * xz) + xz * (xy * yz - y * xz);
-  const double cosine = p > 0 ? std::clamp(det / (2 * p * p2), -1.0, 1.0) : 1;
-  const double s = std::sqrt(0.5 * (1 + cosine));  // cos(θ/2)
-  double c = 0.5 + s * (0.57735 - 0.07735 * s);
+template <class T>
+T greatest_eigenvalue(const Sym<T, 3>& A) {
+  const T one = filled<T>(1), q = trace(A) / 3;
+  const T x = A(0, 0) - q, y = A(1, 1) - q, z = A(2, 2) - q;
+  const T xy = A(0, 1), xz = A(0, 2), yz = A(1, 2);
+  const T p2 = (x * x + y * y + z * z + 2 * (xy * xy + xz * xz + yz * yz)) / 6, p = root(p2);
+  const T det = x * (y * z - yz * yz) - xy * (xy * z - yz * xz) + xz * (xy * yz - y * xz);
+  const T cosine = p > 0 ? min(max(T(det / (2 * p * p2)), T(-one)), one) : one;
+  const T s = root(T(0.5 * (1 + cosine)));  // cos(θ/2)
+  T c = 0.5 + s * (0.57735 - 0.07735 * s);
   for (int round = 0; round < 2; ++round)
-    c -= (c * (4 * c * c - 3) - cosine) / std::max(12 * c * c - 3, 1e-9);
+    c -= (c * (4 * c * c - 3) - cosine) / max(T(12 * c * c - 3), filled<T>(1e-9));
   return q + 2 * p * c;
 }
 
 /// Of a particle, the greatest first; in 2D of plane strain, and the last is that normal to the plane, 1.
-using PrincipalStretches = std::array<double, 3>;
+template <class T>
+using PrincipalStretches = Vec<T, 3>;
 
-inline PrincipalStretches principal_stretches(const Mat<double, 2>& F) {
-  const double greatest = std::sqrt(greatest_eigenvalue(right_cauchy_green(F)));
-  return {greatest, std::abs(determinant(F)) / greatest, 1};
+template <class T>
+PrincipalStretches<T> principal_stretches(const Mat<T, 2>& F) {
+  const T greatest = root(greatest_eigenvalue(right_cauchy_green(F))), J = determinant(F);
+  return {greatest, max(J, T(-J)) / greatest, filled<T>(1)};
 }
-inline PrincipalStretches principal_stretches(const Mat<double, 3>& F) {
-  const Sym<double, 3> C = right_cauchy_green(F);
-  const double greatest = greatest_eigenvalue(C), J = determinant(F);
-  const double half = 0.5 * (trace(C) - greatest),
-               product = J * J / greatest;  // of the squares of the others
-  const double second = half + std::sqrt(std::max(half * half - product, 0.0));
-  return {std::sqrt(greatest), std::sqrt(second), std::sqrt(product / second)};
+template <class T>
+PrincipalStretches<T> principal_stretches(const Mat<T, 3>& F) {
+  const Sym<T, 3> C = right_cauchy_green(F);
+  const T greatest = greatest_eigenvalue(C), J = determinant(F);
+  const T half = 0.5 * (trace(C) - greatest), product = J * J / greatest;  // of the squares of the others
+  const T second = half + root(max(T(half * half - product), T{}));
+  return {root(greatest), root(second), root(T(product / second))};
 }
 
 /// A bound of m·Q m over all unit vectors m, n, with Q the acoustic tensor of waves along n. In principal axes of an
@@ -54,15 +54,16 @@ inline PrincipalStretches principal_stretches(const Mat<double, 3>& F) {
 /// ((across_kl, coupling_kl), (coupling_kl, across_lk)). Waves along an axis reach `along` and `across`. Of a strain that
 /// is not a number neither is the bound; it is infinite or not a number where det F = 0.
 template <int Dim, class Along, class Across, class Coupling>
-double greatest_stiffness(const Along& along, const Across& across, const Coupling& coupling) {
-  double greatest = 0;
-  const auto take = [&](double stiffness) {
-    if (!(stiffness <= greatest || greatest != greatest)) greatest = stiffness;  // NaN comes in and stays
+auto greatest_stiffness(const Along& along, const Across& across, const Coupling& coupling) {
+  using T = decltype(along(0));
+  T greatest{};
+  const auto take = [&](const T& stiffness) {  // NaN comes in and stays
+    greatest = (stiffness <= greatest) | (greatest != greatest) ? greatest : stiffness;
   };
   for (int k = 0; k < Dim; ++k) {
     take(along(k));
     for (int l = 0; l < k; ++l)
-      take(greatest_eigenvalue(Sym<double, 2>{across(k, l), coupling(k, l), across(l, k)}));
+      take(greatest_eigenvalue(Sym<T, 2>{across(k, l), coupling(k, l), across(l, k)}));
   }
   return greatest;
 }

@@ -1,15 +1,18 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include "engine/core/tile.hpp"
+#include "engine/core/columns.hpp"
+#include "engine/core/shared_rows.hpp"
 #include "engine/error.hpp"
 #include "engine/kernels/kernel.hpp"
 #include "engine/methods/formulation.hpp"
-#include "engine/neighbors/neighbors.hpp"
-#include "engine/scene/initial_particles.hpp"
+#include "engine/neighbors/initial_neighbors.hpp"
+#include "engine/neighbors/lane_neighbors.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -26,26 +29,82 @@ namespace taut::inline TAUT_ISA {
 /// would sit in three layers, −5/6, −1/3, +1/6, and stresses converge with order ½).
 template <int Dim>
 struct InitialPairs {
-  std::vector<int> begin, j;        // those of i are begin[i] … begin[i + 1] − 1
+  std::vector<int> begin, j;        // those of i are begin[i] … begin[i + 1] − 1, j ascends
   std::vector<Vec<double, Dim>> k;  // m^(Dim − 1)
   std::vector<Sym<double, Dim>> B;  // of each particle, 1/m^Dim
 
   int size() const { return static_cast<int>(B.size()); }
+};
 
-  /// Σ_j (f_j − f_i) ⊗ k_ij of a vector field whose rows are in_rows(f).
-  Tile<Dim> difference_sum(const std::vector<Tile<Dim>>& rows, int i) const {
-    const Tile<Dim> own = rows[i];
-    Tile<Dim> sum{};
-    for (int b = begin[i], end = begin[i + 1]; b < end; ++b) sum += (rows[j[b]] - own) * in_columns(k[b]);
+/// The pairs as the passes go through them, four particles at a time, with `Width` constants of each pair, of
+/// which the first Dim are those of k_ij: 0 where a lane has no neighbour. Inside a lattice, where groups have the
+/// same neighbourhood, they share their constants.
+template <int Dim, int Width = Dim>
+class PairLanes {
+ public:
+  struct Constants {
+    Pack c[Width];
+  };
+
+  PairLanes() = default;
+  /// `constants(p)` are those of pair p, an array.
+  template <class Of>
+  PairLanes(const InitialPairs<Dim>& pairs, const Of& constants);
+
+  /// `f`(slot, constants) of each neighbour of the four particles.
+  template <class F>
+  [[gnu::always_inline]] void for_each(int group, const F& f) const {
+    const Group& own = groups_[group];
+    const LaneSlot* const slots = &slots_[own.slots];
+    const Constants* const constants = &constants_[own.constants];
+    for (int b = 0; b < own.size; ++b) f(slots[b], constants[b]);
+  }
+
+  /// Σ_j (f_j − f_i) ⊗ k_ij of the vector field that is the first columns.
+  template <int N>
+  Mat<Pack, Dim> difference_sum(const Columns<N>& f, int group) const {
+    const int first = lanes * group;
+    const Vec<Pack, N> own = vector_at<N>(f, first);
+    Mat<Pack, Dim> sum{};
+    for_each(group, [&](const LaneSlot& slot, const Constants& of_pair) {
+      Vec<Pack, N> d;
+      gather(f, first, slot, d.c);
+      d -= own;
+      add_dyad(sum, d, of_pair);
+    });
     return sum;
   }
   /// Σ_j (A_i + A_j) k_ij
-  Vec<double, Dim> pair_sum(const std::vector<Tile<Dim>>& A, int i) const {
-    const Tile<Dim> own = A[i];
-    Tile<Dim> sum{};
-    for (int b = begin[i], end = begin[i + 1]; b < end; ++b) sum += (A[j[b]] + own) * in_columns(k[b]);
-    return sum_of_columns(sum);
+  Vec<Pack, Dim> pair_sum(const Columns<Dim * Dim>& A, int group) const {
+    const int first = lanes * group;
+    Vec<Pack, Dim> sum{};
+    for_each(group, [&](const LaneSlot& slot, const Constants& of_pair) {
+      Pack of_j[Dim * Dim];
+      gather(A, first, slot, of_j);
+#pragma GCC unroll 3
+      for (int a = 0; a < Dim; ++a)
+#pragma GCC unroll 3
+        for (int b = 0; b < Dim; ++b)
+          sum[a] += (load(A[a * Dim + b] + first) + of_j[a * Dim + b]) * of_pair.c[b];
+    });
+    return sum;
   }
+  /// sum += d ⊗ k_ij of the first Dim of d.
+  template <int N>
+  static void add_dyad(Mat<Pack, Dim>& sum, const Vec<Pack, N>& d, const Constants& of_pair) {
+#pragma GCC unroll 3
+    for (int a = 0; a < Dim; ++a)
+#pragma GCC unroll 3
+      for (int b = 0; b < Dim; ++b) sum(a, b) += d[a] * of_pair.c[b];
+  }
+
+ private:
+  struct Group {
+    int slots, constants, size;
+  };
+  std::vector<Group> groups_;
+  SharedRows<LaneSlot> slots_;
+  SharedRows<Constants> constants_;
 };
 inline constexpr TermInfo deformation_info{
     "deformation", "F = I + Σ_j (u_j − u_i) ⊗ k_ij B_i, k_ij = V_i V_j ∇W of the start", "[Lee2016] Eq. 34",
@@ -59,20 +118,6 @@ inline constexpr TermInfo internal_force_info{
     "internal force", "f_i = Σ_j (V_i P_i B_i + V_j P_j B_j) k_ij", "[Lee2016] Eq. 29c",
     "solver/initial_pairs.hpp:pair_sum",
     "pairs of the start: the force is minus the derivative of the energy"};
-
-/// The particles of each body in the order of their cells, body after body: what stands at order[i] comes to
-/// i.
-template <int Dim>
-std::vector<int> order_in_space(const std::vector<Vec<double, Dim>>& x, const std::vector<int>& first,
-                                double cell) {
-  std::vector<int> order;
-  for (std::size_t b = 0; b + 1 < first.size(); ++b) {
-    CellGrid<Dim> grid;
-    const std::vector<Vec<double, Dim>> body(x.begin() + first[b], x.begin() + first[b + 1]);
-    for (const int i : grid.sort(body, cell)) order.push_back(first[b] + i);
-  }
-  return order;
-}
 
 /// How gradients of what particles carry are made right, B above.
 /// - corrected: B_i = [Σ_j (X_j − X_i) ⊗ k_ij]⁻¹, exact for linear fields. [Lee2016] Eq. 21, [TranDuc2023]
@@ -95,44 +140,68 @@ Sym<double, Dim> gradient_correction(GradientCorrection gradient, const Mat<doub
   return B;
 }
 
-/// The pairs of particles stored in `order_in_space`, of places X and cells V, m^Dim.
+/// X_i − X_j to within 2⁻⁴³ h: the same of all particles inside a lattice, whatever the rounding of their places.
+template <int Dim>
+Vec<double, Dim> difference_on_grid(const Vec<double, Dim>& X_i, const Vec<double, Dim>& X_j, double h) {
+  const double pitch = std::ldexp(1.0, std::ilogb(h) - 42);
+  Vec<double, Dim> d = X_i - X_j;
+  for (int k = 0; k < Dim; ++k) d[k] = std::nearbyint(d[k] / pitch) * pitch;
+  return d;
+}
+
+/// How far a pair is apart at most, m. A lattice may have neighbours at the very end of the support, where a kernel need
+/// not be 0: they do not count, whatever the rounding of their places says.
+template <class K>
+double reach_of_pairs(double h) {
+  return (1 - 1e-9) * K::support * h;
+}
+
+/// The pairs of particles at X with cells V, m^Dim, and those of their bodies that are `near`, within reach_of_pairs.
 template <class K, int Dim>
-InitialPairs<Dim> make_initial_pairs(const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,
-                                     const std::vector<int>& first, double h, GradientCorrection gradient,
+InitialPairs<Dim> make_initial_pairs(const NeighborLists& near, const std::vector<Vec<double, Dim>>& X,
+                                     const std::vector<double>& V, double h, GradientCorrection gradient,
                                      double share = 1) {
   InitialPairs<Dim> pairs;
   pairs.begin.push_back(0);
   const double scale_W = K::alpha(Dim) / std::pow(h, Dim), scale_dW = scale_W / h;
-  // a lattice may have neighbours at the very end of the support, where a kernel need not be 0: they do not
-  // count, whatever the rounding of their places says
-  const double reach = (1 - 1e-9) * K::support * h;
-  for (std::size_t body = 0; body + 1 < first.size(); ++body) {
-    const int start = first[body];
-    const std::vector<Vec<double, Dim>> x(X.begin() + start, X.begin() + first[body + 1]);
-    CellGrid<Dim> grid;
-    grid.sort(x, K::support * h);  // the cells that the particles were sorted by
-    Neighbors found;
-    NeighborSearch<Dim>()(grid, x, reach, 1, found);
-    for (int i = 0; i < static_cast<int>(x.size()); ++i) {
-      const double V_i = V[start + i];
-      double sum_W = V_i * scale_W * K::w(0.0);
-      Mat<double, Dim> moment{};
-      for (int p = lanes * found.begin[i]; p < lanes * found.begin[i + 1]; ++p) {
-        const int j = found.j[p];
-        if (j == i) continue;  // the filling
-        const Vec<double, Dim> d = x[i] - x[j];
-        const double r = std::sqrt(dot(d, d)), V_j = V[start + j];
-        const Vec<double, Dim> k = (V_i * V_j * scale_dW * K::dw(r / h) / r) * d;
-        sum_W += V_j * scale_W * K::w(r / h);
-        add_outer(moment, -1.0, d, k);
-        pairs.j.push_back(start + j);
-        pairs.k.push_back(k);
-      }
-      pairs.begin.push_back(static_cast<int>(pairs.j.size()));
-      pairs.B.push_back(gradient_correction(gradient, moment, V_i, 1 + share * (sum_W - 1)));
+  for (int i = 0; i < static_cast<int>(X.size()); ++i) {
+    double sum_W = V[i] * scale_W * K::w(0.0);
+    Mat<double, Dim> moment{};
+    for (const int j : near[i]) {
+      const Vec<double, Dim> d = difference_on_grid(X[i], X[j], h);
+      const double r = std::sqrt(dot(d, d));
+      const Vec<double, Dim> k = (V[i] * V[j] * scale_dW * K::dw(r / h) / r) * d;
+      sum_W += V[j] * scale_W * K::w(r / h);
+      add_outer(moment, 1.0, X[j] - X[i], k);  // linear fields are exact of the places as they are
+      pairs.j.push_back(j);
+      pairs.k.push_back(k);
     }
+    pairs.begin.push_back(static_cast<int>(pairs.j.size()));
+    pairs.B.push_back(gradient_correction(gradient, moment, V[i], 1 + share * (sum_W - 1)));
   }
   return pairs;
+}
+
+template <int Dim, int Width>
+template <class Of>
+PairLanes<Dim, Width>::PairLanes(const InitialPairs<Dim>& pairs, const Of& constants) {
+  const int n = pairs.size(), padded = (n + lanes - 1) / lanes * lanes;
+  for (int first = 0; first < n; first += lanes) {
+    std::array<std::vector<int>, lanes> neighbors;
+    for (int i = first; i < std::min(first + lanes, n); ++i)
+      neighbors[i - first].assign(pairs.j.begin() + pairs.begin[i], pairs.j.begin() + pairs.begin[i + 1]);
+    const LaneSlots slots = lane_slots(first, neighbors, padded);
+    std::vector<Constants> row(slots.slots.size(), Constants{});
+    for (std::size_t b = 0; b < row.size(); ++b) {
+      for (int lane = 0; lane < lanes; ++lane) {
+        if (slots.taken[b][lane] < 0) continue;
+        const auto of_pair = constants(pairs.begin[first + lane] + slots.taken[b][lane]);
+        for (int c = 0; c < Width; ++c) row[b].c[c][lane] = of_pair[c];
+      }
+    }
+    groups_.push_back({slots_.add(slots.slots), constants_.add(row), static_cast<int>(row.size())});
+  }
+  slots_.close(), constants_.close();
 }
 
 }  // namespace taut::inline TAUT_ISA

@@ -137,6 +137,21 @@ class SolverParts : public Simulation {
       for (const Pack& v : columns) v2 += v * v;
       return v2;
     }
+    /// The four particles from `first` on, or as many as there are, with `mobility` = mobile/m, 1/kg.
+    [[gnu::always_inline]] Vec<Pack, Dim> by_forces(int first, const Pack& mobility,
+                                                    Vec<Pack, Dim> force) const {
+      State<Dim>& s = solver_.s_;
+      if (contact_) force += four_of(&solver_.contact_.force(first), s.size() - first);
+      Vec<Pack, Dim> v = four_of(s.v, first);
+      v += (dt_ * mobility) * force;
+      for (int lane = 0; outside_ && lane < std::min(lanes, s.size() - first); ++lane) {
+        V own = lane_of(v, lane);
+        solver_.act_from_outside(first + lane, dt_, own);
+        set_lane(v, lane, own);
+      }
+      put_four(v, s.v, first);
+      return v;
+    }
 
    private:
     [[gnu::always_inline]] const V& take(int i, V v) const {

@@ -46,14 +46,6 @@ Mat<double, Dim> closed_piola(const L& law, const Mat<double, Dim>& F) {
   }
 }
 
-template <int Dim>
-Mat<double, Dim> lane_of(const Mat<Pack, Dim>& F, int lane) {
-  Mat<double, Dim> one;
-  for (int a = 0; a < Dim; ++a)
-    for (int k = 0; k < Dim; ++k) one(a, k) = F(a, k)[lane];
-  return one;
-}
-
 /// Of four particles, with their materials, one after the other.
 template <class L, int Dim>
 Pack closed_energy(const std::vector<L>& laws, const int* material, const Mat<Pack, Dim>& F) {

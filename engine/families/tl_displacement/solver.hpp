@@ -14,7 +14,10 @@ template <const Formulation& M, int Dim>
 class TlDisplacement final : public InitialPairSolver<TlDisplacement<M, Dim>, M, Dim> {
  public:
   explicit TlDisplacement(const SolverInput& input)
-      : Base(input), displacement_(s_.size()), stress_(s_.size()), F_(s_.size()) {
+      : Base(input), pair_lanes_(initial_pairs_, [&](int p) { return initial_pairs_.k[p]; }) {
+    initial_pairs_ = {};
+    displacement_.resize(s_.size());
+    stress_.resize(s_.size());
     this->record();
   }
 
@@ -22,30 +25,28 @@ class TlDisplacement final : public InitialPairSolver<TlDisplacement<M, Dim>, M,
 
  private:
   using Base = InitialPairSolver<TlDisplacement<M, Dim>, M, Dim>;
-  using Base::c_, Base::s_, Base::contact_, Base::threads_now, Base::vmax_, Base::initial_pairs_, Base::V0_,
-      Base::X_;
-  using typename Base::Mat;
+  using Base::c_, Base::s_, Base::contact_, Base::threads_now, Base::vmax_, Base::initial_pairs_,
+      Base::groups, Base::X_;
   using typename Base::V;
 
-  void deformation_pass();
+  void drift(double dt);
+  Mat<Pack, Dim> deformation(int group) const;
+  void stress_pass();
   double force_pass(double dt);
   void take_snapshot() override;
 
-  std::vector<Tile<Dim>> displacement_;  // u = x − X, in rows
-  std::vector<Tile<Dim>> stress_;        // V P B
-  std::vector<Mat> F_;
+  PairLanes<Dim> pair_lanes_;
+  Columns<Dim> displacement_;  // u = x − X, m
+  Columns<Dim * Dim> stress_;  // V P B, row by row, N/m^(Dim − 1)
 };
 
 template <const Formulation& M, int Dim>
 void TlDisplacement<M, Dim>::step() {
   const double dt = Base::step_size();
   if (contact_.prepare(s_, vmax_ * dt)) this->show_contacts_to_probes();
-  parallel_for(s_.size(), threads_now(), [&](int i) {
-    s_.x[i] += (0.5 * dt) * s_.v[i];
-    displacement_[i] = in_rows(s_.x[i] - X_[i]);
-  });
+  drift(0.5 * dt);
   contact_.evaluate(s_, dt);
-  deformation_pass();
+  stress_pass();
   Base::set_greatest_speed(force_pass(dt));
   Base::stop_approach(0.5 * dt, [&](int i, const V& change) { s_.x[i] += (0.5 * dt) * change; });
   Base::finish_step(dt);
@@ -54,15 +55,34 @@ inline constexpr TermInfo tl_displacement_time_info{
     "time", "position Verlet, one step", "[Zhang2020] Eq. 10, 11", "families/tl_displacement/solver.hpp:step",
     "total Lagrangian: a ring and a disc that collide"};
 
-/// F = I + ∇u and P(F) of every particle.
+/// x moves on, and u with it.
 template <const Formulation& M, int Dim>
-void TlDisplacement<M, Dim>::deformation_pass() {
-  this->with_laws([&](const auto& law) {
-    parallel_for(s_.size(), threads_now(), [&](int i) {
-      Mat F = product(matrix(initial_pairs_.difference_sum(displacement_, i)), initial_pairs_.B[i]);
-      for (int k = 0; k < Dim; ++k) F(k, k) += 1;
-      F_[i] = F;
-      stress_[i] = tile(product(law(i).piola(F, determinant(F)), V0_[i] * initial_pairs_.B[i]));
+void TlDisplacement<M, Dim>::drift(double dt) {
+  parallel_for(groups(), threads_now(), [&](int group) {
+    const int first = lanes * group;
+    const Vec<Pack, Dim> x = four_of(s_.x, first) + filled<Pack>(dt) * four_of(s_.v, first);
+    put_four(x, s_.x, first);
+    put(x - four_of(X_, first), displacement_, first);
+  });
+}
+
+/// F = I + ∇u
+template <const Formulation& M, int Dim>
+Mat<Pack, Dim> TlDisplacement<M, Dim>::deformation(int group) const {
+  Mat<Pack, Dim> F = product(pair_lanes_.difference_sum(displacement_, group), this->sites_[group].B);
+  for (int k = 0; k < Dim; ++k) F(k, k) += 1;
+  return F;
+}
+
+/// V P(F) B of every particle.
+template <const Formulation& M, int Dim>
+void TlDisplacement<M, Dim>::stress_pass() {
+  this->with_laws([&](const auto& laws) {
+    parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+      const Mat<Pack, Dim> F = deformation(group);
+      const Mat<Pack, Dim> P = laws(group, [&](const auto& law) { return law.piola(F, determinant(F)); });
+      const auto& site = this->sites_[group];
+      put(product(P, site.V0 * site.B), stress_, lanes * group);
     });
   });
 }
@@ -71,19 +91,27 @@ void TlDisplacement<M, Dim>::deformation_pass() {
 template <const Formulation& M, int Dim>
 double TlDisplacement<M, Dim>::force_pass(double dt) {
   const typename Base::Kick kick(*this, dt, this->time_ + dt);
-  return parallel_max(s_.size(), threads_now(), [&](int i) {
-    const V v = kick.by_force(i, initial_pairs_.pair_sum(stress_, i));
-    s_.x[i] += (0.5 * dt) * v;
-    return dot(v, v);
+  return parallel_max(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+    const int first = lanes * group;
+    const auto& site = this->sites_[group];
+    const Vec<Pack, Dim> v =
+        kick.by_forces(first, site.mobile * site.per_m, pair_lanes_.pair_sum(stress_, group));
+    put_four(four_of(s_.x, first) + filled<Pack>(0.5 * dt) * v, s_.x, first);
+    return greatest(dot(v, v));
   });
 }
 
 template <const Formulation& M, int Dim>
 void TlDisplacement<M, Dim>::take_snapshot() {
-  parallel_for(s_.size(), threads_now(), [&](int i) { displacement_[i] = in_rows(s_.x[i] - X_[i]); });
-  deformation_pass();
+  drift(0);
   Base::begin_snapshot();
-  parallel_for(s_.size(), threads_now(), [&](int i) { Base::store(i, F_[i], determinant(F_[i])); });
+  parallel_for(groups(), threads_now(), [&](int group) {
+    const Mat<Pack, Dim> F = deformation(group);
+    Base::each_of(group, [&](int i) {
+      const Mat<double, Dim> own = lane_of(F, i % lanes);
+      Base::store(i, own, determinant(own));
+    });
+  });
 }
 
 }  // namespace taut::inline TAUT_ISA

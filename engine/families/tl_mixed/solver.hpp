@@ -39,102 +39,100 @@ class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
   template <class Archive>
   void serialize(Archive& archive) {
     Base::serialize(archive);
-    archive(now_);
+    archive(strain_);
   }
 
  private:
   using Base = InitialPairSolver<TlMixed<M, Dim>, M, Dim>;
   using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::guides_, Base::loads_, Base::threads_now,
       Base::vmax_;
-  using Base::initial_, Base::initial_pairs_, Base::V0_, Base::X_;
-  using typename Base::Mat;
+  using Base::groups, Base::initial_, Base::initial_pairs_, Base::sites_, Base::V0_, Base::X_;
+  using Mat = taut::Mat<Pack, Dim>;
   using typename Base::V;
 
   static constexpr bool has_J = follows_volume_ratio(M);
   static constexpr bool has_H = M.unknowns == Unknowns::v_F_H_J && Dim == 3;
+  static constexpr int fields = Dim + has_J;  // that the dissipation acts on
   struct None {};
 
-  /// Unknowns of a particle, or their rates.
-  struct Unknown {
-    V x, v;  // m, m/s
+  /// Unknowns of four particles beside places and velocities, which are in the state.
+  struct Strain {
     Mat F;
-    double J;  // where it is one
+    Pack J;  // where it is one
     [[no_unique_address]] std::conditional_t<has_H, Mat, None> H{};
   };
 
-  static double volume_ratio(const Unknown& u) { return has_J ? u.J : determinant(u.F); }
-  static Mat cofactors(const Unknown& u) {
+  static Pack volume_ratio(const Strain& u) { return has_J ? u.J : determinant(u.F); }
+  static Mat cofactors(const Strain& u) {
     if constexpr (has_H)
       return u.H;
     else
       return cofactor(u.F);
   }
   template <class L>
-  static Mat piola(const L& law, const Unknown& u) {
+  static Pack stiffness(const L& law, const Strain& u) {
+    return law.stiffness_bound(u.F, volume_ratio(u));
+  }
+  template <class L>
+  static Mat piola(const L& law, const Strain& u) {
     if constexpr (has_H)
       return law.piola(u.F, u.H, u.J);
     else
       return law.piola(u.F, volume_ratio(u));
   }
-  /// `u` + Δt `rate`
-  static void add(Unknown& u, double dt, const Unknown& rate);
 
   double greatest_step_of_dissipation() const;
   double step_size() const;
   [[noreturn]] void crushed() const;
   void set_start_gradients();
-  void find_rates(const std::vector<V>& Z, double dt);
-  void set_rows(const std::vector<V>& Z);
+  void find_rates(double dt);
+  void set_columns();
   void gather_pass();
   void dissipation_pass();
-  void project(const std::vector<V>& Z);
-  void project_on_boundary();
+  void project();
+  void project_on_boundary(double ahead);
+  Vec<Pack, Dim> acceleration(int group) const;
   void predict(double dt);
   double correct(double dt);
+  void hold(int i, double dt, Vec<Pack, Dim>& of_four);
   void take_snapshot() override;
 
-  std::vector<Unknown> now_, start_;  // at the stage and at the start of the step
-  std::vector<Unknown> rate_, rate_of_start_;
-  std::vector<V> a_;                   // of internal force and dissipation, m/s²
-  std::vector<V> Z_;                   // x at the end of the step, m
-  std::vector<double> dissipation_J_;  // 1/s
-
-  std::vector<Tile<Dim>> velocity_;                                     // in rows
-  std::vector<Tile<Dim>> stress_;                                       // V P B
+  PairLanes<Dim, M.jst ? Dim + 2 : Dim> pair_lanes_;  // k_ij; for the dissipation w_ij dp² and that of L*
+  Columns<fields> flow_;                              // v, m/s, and J
+  Columns<Dim * Dim> stress_;                         // V P B, row by row
+  Columns<fields> once_;                              // dp² L of (v, J)
+  std::vector<Strain> strain_, start_;                // at the stage and at the start of the step
+  std::vector<Strain> rate_;                          // at the stage
+  std::vector<V> v_start_;                            // m/s
+  Columns<Dim> a_, a_start_;                          // without contact and loads; of all at the start, m/s²
+  Columns<1> dissipation_J_;                          // 1/s
   double dissipation_limit_ = std::numeric_limits<double>::infinity();  // s, of the step
-  std::vector<double> laplacian_, outer_;  // w_ij dp²; what L[U] of a neighbour counts in the second
   PrescribedBoundary<Kernel<M.kernel>, Dim> boundary_;
-  std::vector<StoredPack> smoothed_, once_;  // (v, J) and dp² L of it
 };
 
 template <const Formulation& M, int Dim>
-TlMixed<M, Dim>::TlMixed(const SolverInput& input)
-    : Base(input),
-      rate_(s_.size()),
-      a_(s_.size()),
-      dissipation_J_(s_.size()),
-      velocity_(s_.size()),
-      stress_(s_.size()) {
-  static_assert(Dim + has_J <= lanes);
-  Mat one{};
-  for (int k = 0; k < Dim; ++k) one(k, k) = 1;
-  for (int i = 0; i < s_.size(); ++i) {
-    now_.push_back({s_.x[i], s_.v[i], one, 1});
-    if constexpr (has_H) now_[i].H = one;
-  }
-  if (!initial_.start.empty()) set_start_gradients();
-  start_ = now_;
-  rate_of_start_ = rate_;
-  Z_ = s_.x;
+TlMixed<M, Dim>::TlMixed(const SolverInput& input) : Base(input), v_start_(s_.size()) {
   if constexpr (M.jst) {
-    laplacian_ = corrected_laplacian<Kernel<M.kernel>>(initial_pairs_, X_, V0_, c_.h, c_.dp * c_.dp);
-    outer_ = adjoint_weights(initial_pairs_, laplacian_, V0_);
-    for (std::size_t p = 0; p < outer_.size(); ++p)
-      outer_[p] = c_.adjoint * outer_[p] + (1 - c_.adjoint) * laplacian_[p];
-    smoothed_.resize(s_.size());
+    const std::vector<double> w =
+        corrected_laplacian<Kernel<M.kernel>>(initial_pairs_, X_, V0_, c_.h, c_.dp * c_.dp);
+    pair_lanes_ = with_laplacian(initial_pairs_, w, V0_, c_.adjoint);
     once_.resize(s_.size());
     dissipation_limit_ = greatest_step_of_dissipation();
+  } else {
+    pair_lanes_ = {initial_pairs_, [&](int p) { return initial_pairs_.k[p]; }};
   }
+  initial_pairs_.k = {};
+  flow_.resize(s_.size());
+  stress_.resize(s_.size());
+  a_.resize(s_.size() + lanes), a_start_.resize(s_.size());  // packs of a body may begin anywhere
+  dissipation_J_.resize(s_.size() + lanes);
+  Mat one{};
+  for (int k = 0; k < Dim; ++k) one(k, k) = filled<Pack>(1);
+  strain_.assign(groups(), Strain{one, filled<Pack>(1)});
+  if constexpr (has_H)
+    for (Strain& u : strain_) u.H = one;
+  if (!initial_.start.empty()) set_start_gradients();
+  start_ = rate_ = strain_;
   this->record();
 }
 
@@ -142,12 +140,13 @@ TlMixed<M, Dim>::TlMixed(const SolverInput& input)
 /// their velocities, J its determinant and H its cofactor.
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::set_start_gradients() {
-  for (int i = 0; i < s_.size(); ++i) velocity_[i] = in_rows(s_.x[i] - X_[i]);
-  for (int i = 0; i < s_.size(); ++i) {
-    const Mat grad_u = product(matrix(initial_pairs_.difference_sum(velocity_, i)), initial_pairs_.B[i]);
-    now_[i].F = combination(1.0, now_[i].F, 1.0, grad_u);
-    if constexpr (has_J) now_[i].J = determinant(now_[i].F);
-    if constexpr (has_H) now_[i].H = cofactor(now_[i].F);
+  for (int i = 0; i < s_.size(); ++i)
+    for (int k = 0; k < Dim; ++k) flow_[k][i] = s_.x[i][k] - X_[i][k];
+  for (int group = 0; group < groups(); ++group) {
+    Strain& u = strain_[group];
+    u.F += product(pair_lanes_.difference_sum(flow_, group), sites_[group].B);
+    if constexpr (has_J) u.J = determinant(u.F);
+    if constexpr (has_H) u.H = cofactor(u.F);
   }
 }
 
@@ -155,7 +154,7 @@ void TlMixed<M, Dim>::set_start_gradients() {
 /// that it damps. The paper's step is below it but at the edges of bodies of few layers.
 template <const Formulation& M, int Dim>
 double TlMixed<M, Dim>::greatest_step_of_dissipation() const {
-  const double square = biharmonic_spectral_radius(initial_pairs_, laplacian_, outer_, threads_now()),
+  const double square = biharmonic_spectral_radius(pair_lanes_, s_.size(), threads_now()),
                once = std::sqrt(square);
   const double rate = std::max(c_.eps_v2 * once + c_.eps_v4 * square, c_.eps_J2 * once + c_.eps_J4 * square);
   return 0.9 * 2 * c_.dp / (Base::wave_speed() * rate);
@@ -171,9 +170,10 @@ double TlMixed<M, Dim>::step_size() const {
   if constexpr (Dim == 2) {
     return this->fixed_or(std::min(Base::step_size(), dissipation_limit_));
   } else {
-    const double stiffest = this->with_laws([&](const auto& law) {
-      return parallel_max(s_.size(), threads_now(),
-                          [&](int i) { return law(i).stiffness_bound(now_[i].F, volume_ratio(now_[i])); });
+    const double stiffest = this->with_laws([&](const auto& laws) {
+      return parallel_max(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+        return greatest(laws(group, [&](const auto& law) { return stiffness(law, strain_[group]); }));
+      });
     });
     const double fastest = std::sqrt(stiffest / c_.rho0);
     if (!(fastest <= greatest_wave_ratio * Base::wave_speed())) crushed();
@@ -186,10 +186,13 @@ template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::crushed() const {
   const double limit = greatest_wave_ratio * Base::wave_speed();
   int culprit = s_.size();  // id
-  this->with_laws([&](const auto& law) {
-    for (int i = 0; i < s_.size(); ++i)
-      if (!(law(i).stiffness_bound(now_[i].F, volume_ratio(now_[i])) <= c_.rho0 * limit * limit))
-        culprit = std::min(culprit, s_.id[i]);
+  this->with_laws([&](const auto& laws) {
+    for (int group = 0; group < groups(); ++group) {
+      const Pack bound = laws(group, [&](const auto& law) { return stiffness(law, strain_[group]); });
+      Base::each_of(group, [&](int i) {
+        if (!(bound[i % lanes] <= c_.rho0 * limit * limit)) culprit = std::min(culprit, s_.id[i]);
+      });
+    }
   });
   throw NumericalError(
       this->step_, this->time_, culprit, "deformation",
@@ -203,61 +206,42 @@ template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::step() {
   const double dt = step_size();
   if (contact_.prepare(s_, vmax_ * dt)) this->show_contacts_to_probes();
-  start_ = now_;
-  for (int i = 0; i < s_.size(); ++i) Z_[i] = now_[i].x;
   Base::set_outside(dt, this->time_ + dt);
-  find_rates(Z_, dt);
-  rate_of_start_ = rate_;
+  find_rates(dt);
   predict(dt);
-  project_on_boundary();
+  project_on_boundary(dt);
   // both momenta are kept by stages that sum to zero about x at the start and at the end of the step
-  for (int i = 0; i < s_.size(); ++i) Z_[i] = start_[i].x + (0.5 * dt) * (start_[i].v + now_[i].v);
-  find_rates(Z_, dt);
+  parallel_for(s_.size(), threads_now(), [&](int i) { s_.x[i] += (0.5 * dt) * (v_start_[i] + s_.v[i]); });
+  find_rates(dt);
   Base::set_greatest_speed(correct(dt));
-  project_on_boundary();
-  Base::stop_approach(0.5 * dt, [&](int i, const V& change) {
-    now_[i].v = s_.v[i];
-    now_[i].x += (0.5 * dt) * change;
-    s_.x[i] = now_[i].x;
-  });
+  project_on_boundary(0);
+  Base::stop_approach(0.5 * dt, [&](int i, const V& change) { s_.x[i] += (0.5 * dt) * change; });
   Base::finish_step(dt);
 }
 inline constexpr TermInfo tl_mixed_time_info{"time", "TVD Runge–Kutta, two stages", "[Lee2016] Eq. 43",
                                              "families/tl_mixed/solver.hpp:step",
                                              "mixed: a ring and a disc that collide"};
 
-/// The right-hand sides at the present unknowns.                             [Lee2016] Algorithm 1, steps 4–8
+/// The right-hand sides at the present unknowns, but for contact and loads.  [Lee2016] Algorithm 1, steps 4–8
 template <const Formulation& M, int Dim>
-void TlMixed<M, Dim>::find_rates(const std::vector<V>& Z, double dt) {
-  set_rows(Z);
+void TlMixed<M, Dim>::find_rates(double dt) {
+  set_columns();
   contact_.evaluate(s_, 0.5 * dt);  // the two stages share the step
   gather_pass();
   if constexpr (M.jst) dissipation_pass();
-  if (c_.projection != 0) project(Z);
-  const bool contact = contact_.acting(), loaded = loads_.active();
-  parallel_for(s_.size(), threads_now(), [&](int i) {
-    V a = a_[i];
-    if (contact) a += (1 / s_.m[i]) * contact_.force(i);
-    if (loaded) a += loads_.acceleration(s_, i);
-    rate_[i].x = now_[i].v;
-    rate_[i].v = s_.mobile[i] * a;
-    if constexpr (has_J) rate_[i].J += dissipation_J_[i];
-  });
+  if (c_.projection != 0) project();
 }
 
 template <const Formulation& M, int Dim>
-void TlMixed<M, Dim>::set_rows(const std::vector<V>& Z) {
-  this->with_laws([&](const auto& law) {
-    parallel_for(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
-      const Unknown& u = now_[i];
-      s_.x[i] = Z[i];
-      s_.v[i] = u.v;
-      velocity_[i] = in_rows(u.v);
-      stress_[i] = tile(product(piola(law(i), u), V0_[i] * initial_pairs_.B[i]));
-      if constexpr (M.jst) {
-        for (int k = 0; k < Dim; ++k) smoothed_[i].value[k] = u.v[k];
-        smoothed_[i].value[Dim] = u.J;
-      }
+void TlMixed<M, Dim>::set_columns() {
+  this->with_laws([&](const auto& laws) {
+    parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+      const Strain& u = strain_[group];
+      const Vec<Pack, Dim> v = four_of(s_.v, lanes * group);
+      for (int k = 0; k < Dim; ++k) store(v[k], flow_[k] + lanes * group);
+      if constexpr (has_J) store(u.J, flow_[Dim] + lanes * group);
+      const Mat P = laws(group, [&](const auto& law) { return piola(law, u); });
+      put(product(P, sites_[group].V0 * sites_[group].B), stress_, lanes * group);
     });
   });
 }
@@ -265,13 +249,21 @@ void TlMixed<M, Dim>::set_rows(const std::vector<V>& Z) {
 /// dF/dt, dJ/dt, dH/dt, internal force and L[U].
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::gather_pass() {
-  parallel_for(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
-    const Mat grad_v = product(matrix(initial_pairs_.difference_sum(velocity_, i)), initial_pairs_.B[i]);
-    rate_[i].F = grad_v;
-    if constexpr (has_J) rate_[i].J = contraction(cofactors(now_[i]), grad_v);
-    if constexpr (has_H) rate_[i].H = tensor_cross(now_[i].F, grad_v);
-    a_[i] = (1 / s_.m[i]) * initial_pairs_.pair_sum(stress_, i);
-    if constexpr (M.jst) once_[i].value = laplacian_sum(initial_pairs_, laplacian_, smoothed_, i);
+  parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+    Mat sum;
+    if constexpr (M.jst) {
+      const auto both = differences_and_laplacian(pair_lanes_, flow_, group);
+      sum = both.differences;
+      put(both.laplacian, once_, lanes * group);
+    } else {
+      sum = pair_lanes_.difference_sum(flow_, group);
+    }
+    const Mat grad_v = product(sum, sites_[group].B);
+    const Strain& u = strain_[group];
+    rate_[group].F = grad_v;
+    if constexpr (has_J) rate_[group].J = contraction(cofactors(u), grad_v);
+    if constexpr (has_H) rate_[group].H = tensor_cross(u.F, grad_v);
+    put(sites_[group].per_m * pair_lanes_.pair_sum(stress_, group), a_, lanes * group);
   });
 }
 inline constexpr TermInfo volume_ratio_info{
@@ -286,55 +278,70 @@ inline constexpr TermInfo cofactor_info{
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::dissipation_pass() {
   const double rate = Base::wave_speed() / c_.dp;
-  parallel_for(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
-    const Pack twice = weighted_sum(initial_pairs_, outer_, laplacian_, once_, i);
-    for (int k = 0; k < Dim; ++k) a_[i][k] += rate * (c_.eps_v2 * once_[i].value[k] - c_.eps_v4 * twice[k]);
-    dissipation_J_[i] = rate * (c_.eps_J2 * once_[i].value[Dim] - c_.eps_J4 * twice[Dim]);
+  parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+    const Vec<Pack, fields> once = vector_at<fields>(once_, lanes * group),
+                            twice = second_laplacian(pair_lanes_, once_, group);
+    Vec<Pack, Dim> a = vector_at<Dim>(a_, lanes * group);
+    for (int k = 0; k < Dim; ++k) a[k] += rate * (c_.eps_v2 * once[k] - c_.eps_v4 * twice[k]);
+    put(a, a_, lanes * group);
+    if constexpr (has_J)
+      store(rate * (c_.eps_J2 * once[Dim] - c_.eps_J4 * twice[Dim]), dissipation_J_[0] + lanes * group);
   });
 }
 
 /// Of each body: the sum of the accelerations and of their moments about Z comes to 0 (Eq. 45–49), and that
 /// of the dissipation of J (Eq. 51).
 template <const Formulation& M, int Dim>
-void TlMixed<M, Dim>::project(const std::vector<V>& Z) {
+void TlMixed<M, Dim>::project() {
   for (std::size_t body = 0; body + 1 < initial_.first.size(); ++body) {
     const int first = initial_.first[body], last = initial_.first[body + 1];
-    project_on_momenta(a_, Z, V0_, first, last, c_.projection);
-    if constexpr (has_J) {
-      double sum = 0, volume = 0;
-      for (int i = first; i < last; ++i) sum += V0_[i] * dissipation_J_[i], volume += V0_[i];
-      for (int i = first; i < last; ++i) dissipation_J_[i] -= c_.projection * sum / volume;
-    }
+    project_on_momenta(a_, s_.x, V0_, first, last, c_.projection);
+    if constexpr (has_J) subtract_mean(dissipation_J_, V0_, first, last, c_.projection);
   }
 }
 
+/// dv/dt
 template <const Formulation& M, int Dim>
-void TlMixed<M, Dim>::add(Unknown& u, double dt, const Unknown& rate) {
-  u.x += dt * rate.x;
-  u.v += dt * rate.v;
-  u.F = combination(1.0, u.F, dt, rate.F);
-  if constexpr (has_J) u.J += dt * rate.J;
-  if constexpr (has_H) u.H = combination(1.0, u.H, dt, rate.H);
+Vec<Pack, Dim> TlMixed<M, Dim>::acceleration(int group) const {
+  const int first = lanes * group;
+  Vec<Pack, Dim> a = vector_at<Dim>(a_, first);
+  if (contact_.acting()) a += sites_[group].per_m * four_of(&contact_.force(first), s_.size() - first);
+  if (loads_.active())
+    Base::each_of(group,
+                  [&](int i) { set_lane(a, i % lanes, lane_of(a, i % lanes) + loads_.acceleration(s_, i)); });
+  return sites_[group].mobile * a;
 }
 
 /// The first stage. Driven particles have the velocity of the end of the step.
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::predict(double dt) {
-  const bool driven = drives_.active();
-  parallel_for(s_.size(), threads_now(), [&](int i) {
-    Unknown& u = now_[i];
-    add(u, dt, rate_[i]);
-    if (driven && drives_.moves(s_.id[i]))
-      u.v = drives_.velocity(s_.id[i]);
-    else
-      guides_.hold(s_.id[i], u.v);
+  const bool steered = drives_.active() || guides_.active();
+  parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+    const int first = lanes * group;
+    Strain& u = strain_[group];
+    const Strain& rate = rate_[group];
+    start_[group] = u;
+    u.F = combination(1.0, u.F, dt, rate.F);
+    if constexpr (has_J) u.J += dt * (rate.J + load(dissipation_J_[0] + first));
+    if constexpr (has_H) u.H = combination(1.0, u.H, dt, rate.H);
+    const Vec<Pack, Dim> a = acceleration(group), v = four_of(s_.v, first);
+    put(a, a_start_, first);
+    put_four(v, v_start_, first);
+    put_four(v + filled<Pack>(dt) * a, s_.v, first);
+    if (steered)
+      Base::each_of(group, [&](int i) {
+        if (drives_.moves(s_.id[i]))
+          s_.v[i] = drives_.velocity(s_.id[i]);
+        else
+          guides_.hold(s_.id[i], s_.v[i]);
+      });
   });
 }
 
 /// Of each body that is held, guided or driven somewhere. What it adds to the energy is not counted as work.
 ///                                                                               [Lee2016] Algorithm 1, step 9
 template <const Formulation& M, int Dim>
-void TlMixed<M, Dim>::project_on_boundary() {
+void TlMixed<M, Dim>::project_on_boundary(double ahead) {
   if (c_.boundary_projection == 0) return;
   std::vector<unsigned char> axes(s_.size());
   for (int i = 0; i < s_.size(); ++i) {
@@ -346,40 +353,55 @@ void TlMixed<M, Dim>::project_on_boundary() {
   }
   boundary_.prescribe(std::move(axes), initial_pairs_, X_, V0_, s_.m, initial_.first, c_.h);
   const auto given = [&](int i) { return drives_.moves(s_.id[i]) ? drives_.velocity(s_.id[i]) : V{}; };
-  boundary_.project([&](int i) -> V& { return now_[i].v; }, given, [&](int i) -> V& { return now_[i].x; });
-  for (int i = 0; i < s_.size(); ++i) s_.v[i] = now_[i].v;
+  boundary_.project([&](int i) -> V& { return s_.v[i]; }, given,
+                    [&](int i) { return s_.x[i] + ahead * v_start_[i]; });
 }
 
-/// The mean of start and second stage, U + Δt/2 (U̇ + U̇*). The greatest v², m²/s².
+/// The mean of start and second stage, ½ (U + U* + Δt U̇(U*)). The greatest v², m²/s².
 template <const Formulation& M, int Dim>
 double TlMixed<M, Dim>::correct(double dt) {
-  const bool driven = drives_.active(), loaded = loads_.active();
-  return parallel_max(s_.size(), threads_now(), [&](int i) {
-    const Unknown &r = rate_of_start_[i], &q = rate_[i];
-    Unknown u = start_[i];
-    s_.v[i] = u.v;
-    u.x += (0.5 * dt) * (r.x + q.x);
-    u.v += (0.5 * dt) * (r.v + q.v);
-    u.F = combination(1.0, u.F, 0.5 * dt, combination(1.0, r.F, 1.0, q.F));
-    if constexpr (has_J) u.J += 0.5 * dt * (r.J + q.J);
-    if constexpr (has_H) u.H = combination(1.0, u.H, 0.5 * dt, combination(1.0, r.H, 1.0, q.H));
-    if (driven && drives_.moves(s_.id[i])) {
-      drives_.replace(s_, i, u.v);
-    } else {
-      guides_.hold(s_.id[i], u.v);
-      if (loaded) loads_.count(s_, i, dt, 0.5 * (s_.v[i] + u.v));
-    }
-    now_[i] = u;
-    s_.x[i] = u.x;
-    s_.v[i] = u.v;
-    return dot(u.v, u.v);
+  const bool outside = drives_.active() || guides_.active() || loads_.active();
+  return parallel_max(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+    const int first = lanes * group;
+    Strain& u = strain_[group];
+    const Strain &start = start_[group], &rate = rate_[group];
+    const auto mean = [&](const Mat& U, const Mat& U_star, const Mat& U_rate) {
+      return combination(0.5, U + U_star, 0.5 * dt, U_rate);
+    };
+    u.F = mean(start.F, u.F, rate.F);
+    if constexpr (has_J) u.J = 0.5 * (start.J + u.J + dt * (rate.J + load(dissipation_J_[0] + first)));
+    if constexpr (has_H) u.H = mean(start.H, u.H, rate.H);
+    const Vec<Pack, Dim> a = vector_at<Dim>(a_start_, first) + acceleration(group);
+    Vec<Pack, Dim> v = four_of(v_start_, first) + filled<Pack>(0.5 * dt) * a;
+    if (outside) Base::each_of(group, [&](int i) { hold(i, dt, v); });
+    put_four(v, s_.v, first);
+    return greatest(dot(v, v));
   });
+}
+
+/// What drives and guides make of the velocity that particle i would have at the end of the step, and what they and
+/// loads do for it.
+template <const Formulation& M, int Dim>
+void TlMixed<M, Dim>::hold(int i, double dt, Vec<Pack, Dim>& of_four) {
+  V v = lane_of(of_four, i % lanes);
+  s_.v[i] = v_start_[i];
+  if (drives_.moves(s_.id[i])) {
+    drives_.replace(s_, i, v);
+  } else {
+    guides_.hold(s_.id[i], v);
+    if (loads_.active()) loads_.count(s_, i, dt, 0.5 * (s_.v[i] + v));
+  }
+  set_lane(of_four, i % lanes, v);
 }
 
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::take_snapshot() {
   Base::begin_snapshot();
-  parallel_for(s_.size(), threads_now(), [&](int i) { Base::store(i, now_[i].F, volume_ratio(now_[i])); });
+  parallel_for(groups(), threads_now(), [&](int group) {
+    const Strain& u = strain_[group];
+    const Pack J = volume_ratio(u);
+    Base::each_of(group, [&](int i) { Base::store(i, lane_of(u.F, i % lanes), J[i % lanes]); });
+  });
 }
 
 }  // namespace taut::inline TAUT_ISA

@@ -120,8 +120,10 @@ TEST_SUITE("unit") {
       CHECK(inverse_cube_root(x) * std::cbrt(x) == doctest::Approx(1).epsilon(1e-15));
       CHECK(inverse_cube_root(-x) == -inverse_cube_root(x));
     }
-    for (double x = 1e-290; x < 1e290; x *= 1.37)
+    for (double x = 1e-290; x < 1e290; x *= 1.37) {
       CHECK(inverse_cube_root(filled<Pack>(x))[2] * std::cbrt(x) == doctest::Approx(1).epsilon(1e-15));
+      CHECK(inverse_cube_root(filled<Pack>(-x))[1] == -inverse_cube_root(filled<Pack>(x))[1]);
+    }
     CHECK(inverse_cube_root(1) == 1);
     CHECK(std::isnan(inverse_cube_root(std::nan(""))));
   }

@@ -33,32 +33,46 @@ struct Cloud {
   std::vector<double> V;
   std::vector<int> first;
   double dp;
+  InitialParticles initial;
 
   Cloud() {
     const Scene scene = small_collision();
-    const InitialParticles initial = make_initial_particles(scene);
+    initial = make_initial_particles(scene);
     dp = scene.spacing;
     first = initial.first;
-    std::vector<V2> x;
-    for (const Point& p : initial.x) x.push_back({p[0], p[1]});
-    for (const int i : order_in_space(x, first, Wendland::support * 1.05 * dp)) {
-      X.push_back(x[i]);
-      V.push_back(initial.V0[i]);
-    }
+    V = initial.V0;
+    for (const Point& p : initial.x) X.push_back({p[0], p[1]});
   }
   InitialPairs<2> pairs(GradientCorrection gradient = GradientCorrection::corrected) const {
-    return make_initial_pairs<Wendland>(X, V, first, 1.05 * dp, gradient);
+    const double h = 1.05 * dp;
+    return make_initial_pairs<Wendland>(initial_neighbors(initial, reach_of_pairs<Wendland>(h)), X, V, h,
+                                        gradient);
   }
 };
 
+PairLanes<2> four_at_a_time(const InitialPairs<2>& pairs) {
+  return {pairs, [&](int p) { return pairs.k[p]; }};
+}
+
 /// ∇u of every particle.
 std::vector<M2> gradients(const InitialPairs<2>& pairs, const std::vector<V2>& u) {
-  std::vector<Tile<2>> rows;
-  for (const V2& one : u) rows.push_back(in_rows(one));
+  const PairLanes<2> of_four = four_at_a_time(pairs);
+  Columns<2> columns;
+  columns.resize(pairs.size());
+  for (int i = 0; i < pairs.size(); ++i) columns[0][i] = u[i][0], columns[1][i] = u[i][1];
   std::vector<M2> all;
   for (int i = 0; i < pairs.size(); ++i)
-    all.push_back(product(matrix(pairs.difference_sum(rows, i)), pairs.B[i]));
+    all.push_back(product(lane_of(of_four.difference_sum(columns, i / lanes), i % lanes), pairs.B[i]));
   return all;
+}
+
+void project_all(std::vector<V2>& a, const std::vector<V2>& Z, const std::vector<double>& V, int first,
+                 int last) {
+  Columns<2> columns;
+  columns.resize(static_cast<int>(a.size()) + lanes);
+  for (std::size_t i = 0; i < a.size(); ++i) columns[0][i] = a[i][0], columns[1][i] = a[i][1];
+  project_on_momenta(columns, Z, V, first, last);
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] = {columns[0][i], columns[1][i]};
 }
 
 /// Greatest stress of a cloud that is turned as a whole, Pa.
@@ -141,13 +155,17 @@ TEST_SUITE("term") {
       for (int i = 0; i < pairs.size(); ++i) sum += cloud.V[i] * law.energy(F[i], determinant(F[i]));
       return sum;
     };
-    std::vector<Tile<2>> stress;
+    Columns<4> stress;
+    stress.resize(pairs.size());
     const std::vector<M2> F = F_of(u);
-    for (int i = 0; i < pairs.size(); ++i)
-      stress.push_back(tile(product(law.piola(F[i], determinant(F[i])), cloud.V[i] * pairs.B[i])));
+    for (int i = 0; i < pairs.size(); ++i) {
+      const M2 VPB = product(law.piola(F[i], determinant(F[i])), cloud.V[i] * pairs.B[i]);
+      for (int k = 0; k < 4; ++k) stress[k][i] = VPB(k / 2, k % 2);
+    }
+    const PairLanes<2> of_four = four_at_a_time(pairs);
     const double step = 1e-4 * cloud.dp;
     for (const int i : {0, 7, pairs.size() / 2, pairs.size() - 1}) {
-      const V2 force = pairs.pair_sum(stress, i);
+      const V2 force = lane_of(of_four.pair_sum(stress, i / lanes), i % lanes);
       for (int a = 0; a < 2; ++a) {
         std::vector<V2> up = u, down = u;
         up[i][a] += step, down[i][a] -= step;
@@ -163,13 +181,16 @@ TEST_SUITE("term") {
     const InitialPairs<2> pairs = cloud.pairs();
     const std::vector<double> w =
         corrected_laplacian<Wendland>(pairs, cloud.X, cloud.V, 1.05 * cloud.dp, cloud.dp * cloud.dp);
+    const LaplacianLanes<2> of_four = with_laplacian(pairs, w, cloud.V, 1);
+    Columns<4> U;
+    U.resize(pairs.size());
     for (int i = 0; i < pairs.size(); ++i) {
-      std::vector<StoredPack> U;
-      for (const V2& X : cloud.X) {
-        const double x = (X[0] - cloud.X[i][0]) / cloud.dp, y = (X[1] - cloud.X[i][1]) / cloud.dp;
-        U.push_back({Pack{1, 3 + x, y - 2 * x, x * x + y * y}});
+      for (int j = 0; j < pairs.size(); ++j) {
+        const double x = (cloud.X[j][0] - cloud.X[i][0]) / cloud.dp,
+                     y = (cloud.X[j][1] - cloud.X[i][1]) / cloud.dp;
+        U[0][j] = 1, U[1][j] = 3 + x, U[2][j] = y - 2 * x, U[3][j] = x * x + y * y;
       }
-      const Pack L = laplacian_sum(pairs, w, U, i);
+      const Vec<double, 4> L = lane_of(differences_and_laplacian(of_four, U, i / lanes).laplacian, i % lanes);
       CHECK(L[0] == 0);
       CHECK(std::abs(L[1]) < 1e-10);
       CHECK(std::abs(L[2]) < 1e-10);
@@ -184,7 +205,7 @@ TEST_SUITE("term") {
     for (const V2& X : cloud.X)
       a.push_back({std::sin(900 * X[0]) + 1, std::cos(700 * X[0] * X[1]) + 40 * X[0]});
     const std::vector<V2> before = a;
-    project_on_momenta(a, cloud.X, cloud.V, first, last);
+    project_all(a, cloud.X, cloud.V, first, last);
     CHECK((a[0][0] == before[0][0] && a[0][1] == before[0][1]));  // of the other body
     V2 force{}, change{};
     double torque = 0, torque_before = 0, along = 0, size = 0;

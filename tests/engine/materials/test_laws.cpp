@@ -94,10 +94,33 @@ Mat<double, Dim> slope_of_energy(const L& law, const Mat<double, Dim>& F) {
   return slope(F, [&](const Mat<double, Dim>& at) { return law.energy(at, determinant(at)); });
 }
 
+/// Four particles of two materials: each has the stress and the stiffness of its own law.
+template <int Dim, class L>
+void check_four(const L& law, const L& other) {
+  std::vector<Mat<double, Dim>> F = strained<Dim>();
+  Mat<double, Dim> turned_inside_out = identity<Dim>();
+  turned_inside_out(0, 0) = -0.9;
+  F.insert(F.begin(), turned_inside_out);
+  Mat<Pack, Dim> four;
+  for (int lane = 0; lane < lanes; ++lane) set_lane(four, lane, F[lane]);
+  const std::vector<L> both{law, other};
+  const std::vector<int> materials{0, 1, 1, 0};
+  const LawsOfFour laws(both, materials);
+  const Pack J = determinant(four);
+  const Mat<Pack, Dim> P = laws(0, [&](const L& own) { return own.piola(four, J); });
+  const Pack bound = laws(0, [&](const L& own) { return own.stiffness_bound(four, J); });
+  for (int lane = 0; lane < lanes; ++lane) {
+    const L& own = both[materials[lane]];
+    const Mat<double, Dim> expected = own.piola(F[lane], determinant(F[lane]));
+    CHECK(greatest(minus(lane_of(P, lane), expected)) <= 1e-14 * greatest(expected));
+    CHECK(bound[lane] == relative(own.stiffness_bound(F[lane], determinant(F[lane])), 1e-14));
+  }
+}
+
 template <int Dim, class L>
 void check_rest(const L& law) {
   const auto one = identity<Dim>();
-  CHECK(greatest(law.piola(one, 1)) < 1e-9 * K);
+  CHECK(greatest(law.piola(one, 1.0)) < 1e-9 * K);
   CHECK(std::abs(law.energy(one, 1)) < 1e-9 * K);
   CHECK(std::abs(law.cauchy(one, 1).zz) < 1e-9 * K);
 }
@@ -306,6 +329,18 @@ TEST_SUITE("term") {
     CHECK_FALSE(may_run_with<pfj_jst, Law::linear_elastic>);
     CHECK_FALSE(may_run_with<tl, Law::rotated_piola>);
     CHECK_FALSE(may_run_with<icb, Law::linear_elastic>);
+  }
+
+  TEST_CASE("laws: of four particles at a time, of two materials, each lane is what one particle has") {
+    const auto check = []<class L>(const L& law, const L& other) {
+      check_four<2>(law, other);
+      check_four<3>(law, other);
+    };
+    check(LawOf<Law::neo_hookean>{{K, G}}, LawOf<Law::neo_hookean>{{2 * K, 3 * G}});
+    check(LawOf<Law::mooney_rivlin>{{K, G, 0.4}}, LawOf<Law::mooney_rivlin>{{2 * K, 3 * G, 0.7}});
+    check(LawOf<Law::st_venant_kirchhoff>{{K, G}}, LawOf<Law::st_venant_kirchhoff>{{2 * K, 3 * G}});
+    check(LawOf<Law::linear_elastic>{{K, G}}, LawOf<Law::linear_elastic>{{2 * K, 3 * G}});
+    check(LawOf<Law::rotated_piola>{{K, G}}, LawOf<Law::rotated_piola>{{2 * K, 3 * G}});
   }
 
   TEST_CASE("laws: the neo-Hookean stress is that of the Cauchy form −K (J − 1), G J^(−5/3) dev(F Fᵀ)") {

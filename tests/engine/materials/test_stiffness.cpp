@@ -158,7 +158,7 @@ TEST_SUITE("term") {
       CHECK(Q[0] == relative(1, 1e-8));
       CHECK(Q[1] == relative(1, 1e-8));
       CHECK(Q[2] == relative(K + 4.0 / 3, 1e-8));
-      CHECK(law.stiffness_bound(rest, 1) == relative(K + 4.0 / 3, 1e-12));
+      CHECK(law.stiffness_bound(rest, 1.0) == relative(K + 4.0 / 3, 1e-12));
     };
     check(LawOf<Law::neo_hookean>{{K, 1}});
     for (const double share : {0.0, 0.4, 1.0}) check(LawOf<Law::mooney_rivlin>{{K, 1, share}});
@@ -169,7 +169,7 @@ TEST_SUITE("term") {
 
   TEST_CASE("stiffness: waves of the polyconvex laws get faster without end as a body is pressed flat") {
     const auto speed = [](const auto& law, const Mat<double, 3>& F) {  // over that at rest
-      return std::sqrt(law.stiffness_bound(F, determinant(F)) / law.stiffness_bound(diagonal(1, 1, 1), 1));
+      return std::sqrt(law.stiffness_bound(F, determinant(F)) / law.stiffness_bound(diagonal(1, 1, 1), 1.0));
     };
     const LawOf<Law::neo_hookean> neo{{9.67, 1}};
     CHECK(speed(neo, diagonal(0.46, 1, 2.17)) == relative(2.35, 0.01));
@@ -181,7 +181,7 @@ TEST_SUITE("term") {
       CHECK(now_all > 2 * before_all);
       before = now, before_all = now_all;
     }
-    CHECK_FALSE(neo.stiffness_bound(diagonal(std::nan(""), 1, 1), 1) < 1e300);
-    CHECK_FALSE(neo.stiffness_bound(diagonal(0, 1, 1), 0) < 1e300);
+    CHECK_FALSE(neo.stiffness_bound(diagonal(std::nan(""), 1, 1), 1.0) < 1e300);
+    CHECK_FALSE(neo.stiffness_bound(diagonal(0, 1, 1), 0.0) < 1e300);
   }
 }
