@@ -8,7 +8,6 @@
 #include <doctest/doctest.h>
 
 #include "engine/error.hpp"
-#include "render/image/huffman.hpp"
 #include "render/image/png.hpp"
 #include "tests/support/synthetic.hpp"
 
@@ -100,26 +99,6 @@ TEST_SUITE("unit") {
     CHECK(comes_back(Image(12000, 3)));  // a row is longer than a copy may reach back
     CHECK(comes_back(gradient(12000, 3)));
     CHECK(comes_back(Image(700, 9000)));  // rows that repeat fill more than one block
-  }
-
-  TEST_CASE("a code is complete, no longer than allowed, and short for what is frequent") {
-    std::vector<std::uint32_t> counts{1, 1};  // each as frequent as the two before: the longest code there is
-    while (counts.size() < 40) counts.push_back(counts.end()[-1] + counts.end()[-2]);
-    counts.push_back(0);
-    for (const int longest : {7, 15}) {
-      const HuffmanCode code(counts, longest);
-      double room = 0;
-      for (std::size_t s = 0; s + 1 < counts.size(); ++s) {
-        CHECK(code.lengths()[s] > 0);
-        CHECK(code.lengths()[s] <= longest);
-        if (s > 0) CHECK(code.lengths()[s] <= code.lengths()[s - 1]);
-        room += std::pow(0.5, code.lengths()[s]);
-      }
-      CHECK(room == 1);
-      CHECK(code.lengths().back() == 0);
-    }
-    const std::vector<std::uint32_t> alone{0, 5};
-    CHECK(HuffmanCode(alone, 15).lengths()[1] == 1);
   }
 
   TEST_CASE("flat colours make small files") {
