@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstring>
 #include <type_traits>
 
 #include "engine/core/isa.hpp"
@@ -82,6 +83,23 @@ T power(const T& a) {
   for (int k = 1; k < N; ++k) r *= a;
   return r;
 }
+/// aⁿ, a ≥ 0, n ≥ 0, without a call, which would put all that a loop holds in registers into memory: the whole
+/// part of n by squares, the rest by roots.
+inline Pack power(const Pack& a, double n) {
+  if (n == 4) return (a * a) * (a * a);
+  const auto whole = static_cast<unsigned>(n);
+  Pack result = Pack{1, 1, 1, 1}, square = a, part = a;
+  for (unsigned bits = whole; bits != 0; bits >>= 1) {
+    if (bits & 1) result *= square;
+    square *= square;
+  }
+  for (double rest = n - whole; rest > 0; rest -= rest >= 1) {
+    part = root(part);
+    rest *= 2;
+    if (rest >= 1) result *= part;
+  }
+  return result;
+}
 template <class T>
 T filled(double value) {
   if constexpr (std::is_same_v<T, Pack>)
@@ -90,35 +108,60 @@ T filled(double value) {
     return value;
 }
 
-/// Of a comparison.
-inline bool any(bool a) { return a; }
-inline bool any(const PackIndex& a) {
+/// Of a comparison: bit l is that of lane l.
+inline unsigned lanes_where(const PackIndex& a) {
 #ifdef __AVX__
-  return __builtin_ia32_movmskpd256((Pack)a) != 0;
+  return static_cast<unsigned>(__builtin_ia32_movmskpd256((Pack)a));
 #else
-  return (a[0] | a[1] | a[2] | a[3]) != 0;
+  return static_cast<unsigned>((a[0] & 1) | (a[1] & 2) | (a[2] & 4) | (a[3] & 8));
+#endif
+}
+inline bool any(bool a) { return a; }
+inline bool any(const PackIndex& a) { return lanes_where(a) != 0; }
+
+/// Two doubles at `a` and two at `b`, side by side.
+inline Pack halves(const double* a, const double* b) {
+  typedef double Half __attribute__((vector_size(2 * sizeof(double))));
+  const Half &low = *reinterpret_cast<const Half*>(a), &high = *reinterpret_cast<const Half*>(b);
+#ifdef __AVX__
+  return __builtin_ia32_vinsertf128_pd256(__builtin_ia32_pd256_pd(low), high, 1);  // comes with its load
+#else
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3);
 #endif
 }
 
-/// Rows j[0…3] of a table with `Width` doubles a row (a multiple of 4, rows aligned to 32 bytes), transposed:
-/// out[k] holds column k of the four rows. With `Stride` > Width only the first columns of a wider table.
-template <int Width, int Stride = Width>
-inline void gather(const double* table, const int* j, Pack* out) {
-  static_assert(Width % lanes == 0 && Stride % lanes == 0);
-  for (int k = 0; k < Width; k += lanes) {
-    const Pack a = *reinterpret_cast<const Pack*>(table + std::ptrdiff_t{j[0]} * Stride + k);
-    const Pack b = *reinterpret_cast<const Pack*>(table + std::ptrdiff_t{j[1]} * Stride + k);
-    const Pack c = *reinterpret_cast<const Pack*>(table + std::ptrdiff_t{j[2]} * Stride + k);
-    const Pack d = *reinterpret_cast<const Pack*>(table + std::ptrdiff_t{j[3]} * Stride + k);
-    const Pack ab_even = __builtin_shuffle(a, b, PackIndex{0, 4, 2, 6});
-    const Pack ab_odd = __builtin_shuffle(a, b, PackIndex{1, 5, 3, 7});
-    const Pack cd_even = __builtin_shuffle(c, d, PackIndex{0, 4, 2, 6});
-    const Pack cd_odd = __builtin_shuffle(c, d, PackIndex{1, 5, 3, 7});
-    out[k] = __builtin_shuffle(ab_even, cd_even, PackIndex{0, 1, 4, 5});
-    out[k + 1] = __builtin_shuffle(ab_odd, cd_odd, PackIndex{0, 1, 4, 5});
-    out[k + 2] = __builtin_shuffle(ab_even, cd_even, PackIndex{2, 3, 6, 7});
-    out[k + 3] = __builtin_shuffle(ab_odd, cd_odd, PackIndex{2, 3, 6, 7});
+/// Four doubles from `a` on, which need not be aligned.
+inline Pack loaded(const double* a) {
+  Pack pack;
+  std::memcpy(&pack, a, sizeof(pack));
+  return pack;
+}
+
+/// Four rows of a table with an even number of doubles a row, aligned to 16 bytes, of which columns are wanted
+/// as packs. Two neighbouring columns cost little more than one.
+struct RowsOfFour {
+  const double* at[lanes];
+
+  /// Rows j[0…3] of one with `stride` doubles a row.
+  [[gnu::always_inline]] RowsOfFour(const double* table, std::ptrdiff_t stride, const int* j)
+      : at{table + j[0] * stride, table + j[1] * stride, table + j[2] * stride, table + j[3] * stride} {}
+
+  [[gnu::always_inline]] Pack column(int k) const {
+    const int even = k / 2 * 2;
+    const Pack ac = halves(at[0] + even, at[2] + even), bd = halves(at[1] + even, at[3] + even);
+    return k == even ? __builtin_shuffle(ac, bd, PackIndex{0, 4, 2, 6})
+                     : __builtin_shuffle(ac, bd, PackIndex{1, 5, 3, 7});
   }
+};
+
+/// The first `Columns` of rows j[0…3] of a table with `Stride` doubles a row, transposed: out[k] holds column k
+/// of the four rows.
+template <int Columns, int Stride = Columns>
+[[gnu::always_inline]] inline void gather(const double* table, const int* j, Pack* out) {
+  static_assert(Stride % 2 == 0);
+  const RowsOfFour rows(table, Stride, j);
+#pragma GCC unroll 16
+  for (int k = 0; k < Columns; ++k) out[k] = rows.column(k);
 }
 
 /// The reverse: row n of the four from `row` on holds in[0][n], in[1][n], …

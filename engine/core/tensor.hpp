@@ -63,11 +63,13 @@ struct Mat {
     return a;
   }
   friend Vec<T, Dim> operator*(const Mat& a, const Vec<T, Dim>& v) {
-    Vec<T, Dim> r{};
+    Vec<T, Dim> r;
 #pragma GCC unroll 3
-    for (int k = 0; k < Dim; ++k)
+    for (int k = 0; k < Dim; ++k) {
+      r[k] = a(k, 0) * v[0];
 #pragma GCC unroll 3
-      for (int l = 0; l < Dim; ++l) r[k] += a(k, l) * v[l];
+      for (int l = 1; l < Dim; ++l) r[k] += a(k, l) * v[l];
+    }
     return r;
   }
 };
@@ -95,11 +97,13 @@ struct Sym {
     return a;
   }
   friend Vec<T, Dim> operator*(const Sym& a, const Vec<T, Dim>& v) {
-    Vec<T, Dim> r{};
+    Vec<T, Dim> r;
 #pragma GCC unroll 3
-    for (int k = 0; k < Dim; ++k)
+    for (int k = 0; k < Dim; ++k) {
+      r[k] = a(k, 0) * v[0];
 #pragma GCC unroll 3
-      for (int l = 0; l < Dim; ++l) r[k] += a(k, l) * v[l];
+      for (int l = 1; l < Dim; ++l) r[k] += a(k, l) * v[l];
+    }
     return r;
   }
 };
@@ -271,19 +275,31 @@ Vec<double, Dim> sum(const Vec<Pack, Dim>& a) {
   if constexpr (Dim == 3) r[2] = of_all[3];
   return r;
 }
+/// Of `n` packs.
+template <int n>
+void sums(const Pack* a, double* r) {
+  constexpr int fours = n / lanes * lanes;
+  for (int k = 0; k < fours; k += lanes) {
+    const Pack of_four = sums(a[k], a[k + 1], a[k + 2], a[k + 3]);
+    for (int l = 0; l < lanes; ++l) r[k + l] = of_four[l];
+  }
+  if constexpr (n - fours > 1) {
+    const Pack rest = sums(a[fours], a[fours + 1], a[n - 1], a[n - 1]);
+    for (int l = 0; l < n - fours; ++l) r[fours + l] = rest[l];
+  } else if constexpr (n > fours) {
+    r[fours] = sum(a[fours]);
+  }
+}
 template <int Dim>
 Mat<double, Dim> sum(const Mat<Pack, Dim>& a) {
   Mat<double, Dim> r;
-#pragma GCC unroll 3
-  for (int k = 0; k < Dim; ++k)
-#pragma GCC unroll 3
-    for (int l = 0; l < Dim; ++l) r(k, l) = sum(a(k, l));
+  sums<Dim * Dim>(a.c[0], r.c[0]);
   return r;
 }
 template <int Dim>
 Sym<double, Dim> sum(const Sym<Pack, Dim>& a) {
   Sym<double, Dim> r;
-  for (int k = 0; k < Sym<double, Dim>::size; ++k) r.c[k] = sum(a.c[k]);
+  sums<Sym<double, Dim>::size>(a.c, r.c);
   return r;
 }
 

@@ -9,7 +9,8 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// W(r) = α/h^Dim w(q), ∂W/∂r = α/h^(Dim+1) w′(q), q = r/h; both are 0 from q = `support` on.
+/// W(r) = α/h^Dim w(q), ∂W/∂r = α/h^(Dim+1) w′(q), q = r/h; both are 0 from q = `support` on. With w′/q, which
+/// is finite, ∇_i W = α/h^(Dim+2) w′/q (x_i − x_j) takes no quotient and no unit vector.
 /// A kernel is one specialisation and one enumerator; the tests run over `all_kernels`.
 template <KernelName Name>
 struct Kernel;
@@ -35,6 +36,12 @@ struct Kernel<KernelName::wendland_c2> {
   static T dw(const T& q) {
     const T u = max(1 - 0.5 * q, T{});
     return -5 * q * u * u * u;
+  }
+  /// w′/q
+  template <class T>
+  static T dw_per_q(const T& q) {
+    const T u = max(1 - 0.5 * q, T{});
+    return -5 * (u * u * u);
   }
   /// w″ = 5 (1 − q/2)² (2q − 1)
   template <class T>
@@ -63,6 +70,11 @@ struct Kernel<KernelName::sinc> {
   static T dw(const T& q) {
     const T u = scale * q * q;
     return q < support ? T(10 * scale * q * power<4>(sinc(u)) * slope(u)) : T{};
+  }
+  template <class T>
+  static T dw_per_q(const T& q) {
+    const T u = scale * q * q;
+    return q < support ? T(10 * scale * power<4>(sinc(u)) * slope(u)) : T{};
   }
 
  private:
@@ -108,6 +120,10 @@ struct Kernel<KernelName::gauss> {
   template <class T>
   static T dw(const T& q) {
     return -2 * q * w(q);
+  }
+  template <class T>
+  static T dw_per_q(const T& q) {
+    return -2 * w(q);
   }
 
  private:

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <vector>
 
 #include "engine/core/parallel.hpp"
@@ -113,6 +116,10 @@ class NeighborSearch {
     out.begin.resize(n + 1);
     out.begin[0] = 0;
     count_.resize(n);
+    for (auto& along : x_) along.resize(n + lanes);
+    parallel_for(n, threads, [&](int i) {
+      for (int k = 0; k < Dim; ++k) x_[k][i] = x[i][k];
+    });
     found_.resize(chunks_of(n, threads));
     parallel_chunks(n, threads, [&](int chunk, int first, int last) {
       find(grid, x, support, first, last, wanted, found_[chunk]);
@@ -124,39 +131,56 @@ class NeighborSearch {
     }
     out.j.resize(static_cast<std::size_t>(lanes) * out.begin[n]);
     parallel_chunks(n, threads, [&](int chunk, int first, int last) {
-      const int* from = found_[chunk].data();
-      for (int i = first; i < last; ++i) {
-        int* to = out.j.data() + static_cast<std::size_t>(lanes) * out.begin[i];
-        int* const end = out.j.data() + static_cast<std::size_t>(lanes) * out.begin[i + 1];
-        to = std::copy(from, from + count_[i], to);
-        std::fill(to, end, i);
-        from += count_[i];
-      }
+      const std::ptrdiff_t from = out.begin[first], to = out.begin[last];
+      std::copy_n(found_[chunk].data(), lanes * (to - from), out.j.data() + lanes * from);
     });
   }
 
  private:
+  typedef int Indices __attribute__((vector_size(lanes * sizeof(int))));
+
+  /// Looks at four candidates at once. `found`: the neighbours of first … last − 1, of each filled up to whole
+  /// packs.
   template <class Wanted>
   void find(const CellGrid<Dim>& grid, const std::vector<Vec<double, Dim>>& x, double support, int first,
             int last, const Wanted& wanted, std::vector<int>& found) {
-    const double support2 = support * support;
     std::size_t size = 0;
     for (int i = first; i < last; ++i) {
-      const Vec<double, Dim> x_i = x[i];
       const std::size_t before = size;
-      grid.for_each_row(x_i, [&](int begin, int end) {
-        if (found.size() < size + (end - begin)) found.resize(2 * (size + (end - begin)));
-        int* const list = found.data();
-        for (int j = begin; j < end; ++j) {
-          const Vec<double, Dim> d = x_i - x[j];
-          list[size] = j;
-          size += (dot(d, d) < support2) & (j != i) & wanted(i, j);
+      grid.for_each_row(x[i], [&](int begin, int end) {
+        if (found.size() < size + (end - begin) + 2 * lanes)
+          found.resize(2 * (size + (end - begin) + 2 * lanes));
+        int* to = found.data() + size;
+        for (int j = begin; j < end; j += lanes) {
+          unsigned near = lanes_where(squared_distances(x[i], j) < support * support);
+          near &= ~(static_cast<unsigned>(i - j) < lanes ? 1U << (i - j) : 0);
+          near &= (1U << std::min(end - j, lanes)) - 1;
+          const Indices hits = j + packed[near];
+          std::memcpy(to, &hits, sizeof(hits));
+          to += std::popcount(near);
         }
+        size = to - found.data();
       });
+      int* const list = found.data();
+      const auto unwanted = [&](int j) { return !wanted(i, j); };
+      size = std::remove_if(list + before, list + size, unwanted) - list;
       count_[i] = static_cast<int>(size - before);
+      while (size % lanes != 0) list[size++] = i;
     }
   }
 
+  Pack squared_distances(const Vec<double, Dim>& x_i, int j) const {
+    Vec<Pack, Dim> d;
+    for (int k = 0; k < Dim; ++k) d[k] = x_i[k] - loaded(&x_[k][j]);
+    return dot(d, d);
+  }
+
+  /// The lanes whose bits are set in the number, one after the other.
+  static constexpr Indices packed[] = {{},     {0},       {1},       {0, 1},      {2},    {0, 2},
+                                       {1, 2}, {0, 1, 2}, {3},       {0, 3},      {1, 3}, {0, 1, 3},
+                                       {2, 3}, {0, 2, 3}, {1, 2, 3}, {0, 1, 2, 3}};
+
+  std::array<std::vector<double>, Dim> x_;  // each coordinate for itself, m
   std::vector<int> count_;
   std::vector<std::vector<int>> found_;  // [chunk]
 };

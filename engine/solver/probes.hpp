@@ -68,14 +68,13 @@ class ProbeRecorder {
   std::vector<Follower> followers_;
   std::vector<int> where_;        // [id] place in the solver's order
   std::vector<int> first_;        // first particle of each body
-  std::vector<int> body_;         // [id]
   std::vector<double> diameter_;  // [id] m
   double support_ = 0;
 };
 
 template <int Dim>
 ProbeRecorder<Dim>::ProbeRecorder(const Scene& scene, const InitialParticles& initial, double reach)
-    : probes_(scene.probes), first_(initial.first), body_(initial.body) {
+    : probes_(scene.probes), first_(initial.first) {
   for (double V0 : initial.V0) diameter_.push_back(std::pow(V0, 1.0 / Dim));
   for (const Probe& probe : probes_) {
     Follower f;
@@ -125,7 +124,7 @@ void ProbeRecorder<Dim>::find_close_pairs(const State<Dim>& s, const Probe& prob
     const int i = where_[id];
     for (int p = lanes * s.neighbors.begin[i]; p < lanes * s.neighbors.begin[i + 1]; ++p) {
       const int j = s.neighbors.j[p];
-      if (body_[s.id[j]] == probe.bodies[1]) f.pairs.emplace_back(i, j);
+      if (s.body[j] == probe.bodies[1]) f.pairs.emplace_back(i, j);
     }
   }
 }

@@ -10,10 +10,13 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// A particle's row of `Width` doubles, filled up to whole packs, as the passes gather it.
+/// A particle's row of `Width` doubles, filled up to whole packs, as the passes gather it. Rows that fill whole
+/// lines of the cache begin with one.
+constexpr int row_width(int columns) { return (columns + lanes - 1) / lanes * lanes; }
+constexpr std::size_t row_alignment(int columns) { return row_width(columns) % (2 * lanes) == 0 ? 64 : 32; }
 template <int Width>
-struct alignas(lanes * sizeof(double)) Row {
-  static constexpr int width = (Width + lanes - 1) / lanes * lanes;
+struct alignas(row_alignment(Width)) Row {
+  static constexpr int width = row_width(Width);
   double c[width] = {};
 };
 
@@ -44,8 +47,8 @@ struct TensorRow : Row<Sym<double, Dim>::size + 1> {
 
 template <int Dim>
 Flow<Dim, Pack> gather_flow(const std::vector<FlowRow<Dim>>& rows, const int* j) {
-  Pack column[FlowRow<Dim>::width];
-  gather<FlowRow<Dim>::width>(rows[0].c, j, column);
+  Pack column[Dim + 2];
+  gather<Dim + 2, FlowRow<Dim>::width>(rows[0].c, j, column);
   Flow<Dim, Pack> f;
   for (int k = 0; k < Dim; ++k) f.v[k] = column[k];
   f.p = column[Dim];
@@ -83,18 +86,6 @@ Tensor<Dim> spread_tensor(const TensorRow<Dim>& row) {
   return t;
 }
 
-/// Geometry of four pairs (i, j), held between rebuilds. The filling has dW = 0.
-template <int Dim>
-struct PairGeometry {
-  Vec<Pack, Dim> e;  // unit vector from j to i
-  Pack dW;           // ∂W/∂r, 1/m^(Dim+1), ≤ 0
-  Pack inv_r;        // 1/r, 1/m; 0 for a pair of two bodies, between which no shear acts, and no dW
-                     // either unless they act on each other as one body
-
-  /// ∂W/∂r of pairs within a body, 0 for the others.
-  Pack dW_inside() const { return inv_r > 0 ? dW : Pack{}; }
-};
-
 /// The particles in the order of their cells, and what a method integrates for each. Arrays that a method
 /// does not use stay empty.
 template <int Dim>
@@ -122,9 +113,16 @@ struct State {
 
   // of the last rebuild
   Neighbors neighbors;
-  std::vector<PairGeometry<Dim>> pairs;       // one for each pack of neighbours
+  std::vector<int> meets;                     // 1: not all neighbours of i are of its own body
   std::vector<std::pair<int, int>> contacts;  // (i, pack) of pairs between bodies, if they act as in one
-  std::vector<StoredPack> closeness;          // (W/W(dp))ⁿ, where the method has artificial stress
+
+  // Geometry of the pairs of each pack, held till the next rebuild; 0 in the filling. Gradients are opposite in
+  // (i, j) and (j, i) to the last bit.
+  std::vector<Vec<Pack, Dim>> gradients;   // ∇_i W = ∂W/∂r e_ij, 1/m^(Dim+1)
+  std::vector<StoredPack> inverse_slopes;  // 1/(∂W/∂r)
+  std::vector<StoredPack>
+      inverse_distances;              // (1/r)/(∂W/∂r); 0 for pairs of two bodies: no shear between them
+  std::vector<StoredPack> closeness;  // (W/W(dp))ⁿ, where the method has artificial stress
 
   int size() const { return static_cast<int>(x.size()); }
 
@@ -132,7 +130,7 @@ struct State {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(x, v, m, mobile, rho, drho, a_shear, da_shear, s, ds, x_recovered, id, body, material);
-    archive(neighbors, pairs, contacts, closeness);
+    archive(neighbors, meets, contacts, gradients, inverse_slopes, inverse_distances, closeness);
   }
 
   /// Stores the particles in another order: what stood at order[i] comes to i.

@@ -7,14 +7,13 @@ namespace taut::inline TAUT_ISA {
 
 /// Π = α h c̄/ρ̄ (u·r)/(r² + (0.1 h)²) where the pair closes, 0 where it opens. [Khayyer2024] Eq. 16
 /// Σ m_j Π ∇_i W is an acceleration (Eq. 15). ≤ 0, and ∇_i W points to j: closing particles repel each other.
-/// u·r = −r · closing speed; m⁵/(kg s²).
+/// `approach` = −u·r, the closing speed times r, m²/s; the result in m⁵/(kg s²).
 /// Differs from [TranDuc2023] §2.2, which prints no 1/ρ̄, so that its units are wrong, and no value of the
 /// small number in the denominator.
 template <class T>
-T artificial_viscosity(const T& closing_speed, const T& r, const T& c_mean, const T& rho_mean, double alpha,
+T artificial_viscosity(const T& approach, const T& r2, const T& c_mean, const T& rho_mean, double alpha,
                        double h) {
-  const T closing = max(closing_speed, T{});
-  return -alpha * h * c_mean * closing * r / (rho_mean * (r * r + 0.01 * h * h));
+  return -alpha * h * c_mean * max(approach, T{}) / (rho_mean * (r2 + 0.01 * h * h));
 }
 inline constexpr TermInfo artificial_viscosity_info{
     "artificial viscosity", "dv/dt = Σ m_j Π ∇W, Π = α h c̄/ρ̄ u·r/(r² + 0.01 h²) where it closes",

@@ -24,8 +24,9 @@ struct Dissipation {
 /// tears only at 0.1 s instead of 0.02 s. So `og` is limited and the others are not.
 template <class T>
 T riemann_pressure(const T& p_i, const T& p_j, const T& closing_speed, const Dissipation& d) {
-  const T beta = min(max(d.slope * closing_speed, filled<T>(d.least)), filled<T>(1));
-  return 0.5 * (p_i + p_j + d.rho0_c0 * beta * closing_speed);
+  T impedance = filled<T>(d.rho0_c0);
+  if (d.least < 1) impedance *= min(max(d.slope * closing_speed, filled<T>(d.least)), filled<T>(1));
+  return 0.5 * (p_i + p_j + impedance * closing_speed);
 }
 inline constexpr TermInfo riemann_pressure_info{"pressure force", "dv/dt = −2 Σ m_j P*/(ρ_i ρ_j) ∇W",
                                                 "[Zhang2024] Eq. 12", "terms/riemann.hpp:riemann_pressure",

@@ -23,7 +23,7 @@ inline constexpr TermInfo nested_shear_info{"shear force", "dv/dt = Σ m_j (s_i 
 template <class T, int Dim>
 Vec<T, Dim> laplacian_term(const Vec<T, Dim>& v_ij, const T& V_j, const T& dW, const T& inv_r,
                            const Vec<T, Dim>& e_ij) {
-  return T(2 * V_j * dW * inv_r * dot(e_ij, v_ij)) * e_ij;
+  return T(2 * (V_j * dW * dot(v_ij, e_ij)) * inv_r) * e_ij;
 }
 inline constexpr TermInfo laplacian_info{
     "shear force", "dv/dt = ∫ 2ζ G/ρ Σ V_j (e·v_ij)/r ∇W dt", "[Zhang2024] Eq. 20",

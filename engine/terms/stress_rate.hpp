@@ -26,6 +26,15 @@ Sym<double, Dim> jaumann_rate(const Mat<double, Dim>& L, const Sym<double, Dim>&
   }
   return rate;
 }
+/// The same in the plane, where all rotations are about one axis.
+template <Deviator deviator>
+Sym<double, 2> jaumann_rate(const Mat<double, 2>& L, const Sym<double, 2>& s, double G) {
+  constexpr double n = deviator == Deviator::in_plane ? 2 : 3;
+  const double mean = (L(0, 0) + L(1, 1)) / n, spin = L(0, 1) - L(1, 0);  // 2 ω_01
+  const double turned = spin * s(0, 1);
+  return {2 * G * (L(0, 0) - mean) + turned, G * (L(0, 1) + L(1, 0)) + 0.5 * spin * (s(1, 1) - s(0, 0)),
+          2 * G * (L(1, 1) - mean) - turned};
+}
 inline constexpr TermInfo jaumann_rate_info{"stress rate", "ds/dt = 2G (D − tr D/d I) + ω s − s ω",
                                             "[Zhang2024] Eq. 7", "terms/stress_rate.hpp:jaumann_rate",
                                             "stress rate: by hand for stretch and shear, for both deviators"};

@@ -64,40 +64,42 @@ template <const Formulation& M, int Dim>
 struct StressRow {
   static constexpr bool riemann = M.viscosity == Viscosity::riemann;
   static constexpr int S = Sym<double, Dim>::size;
-  static constexpr int v_at = 0, rho_at = Dim, V_at = Dim + 1, T_at = Dim + 2, R_at = T_at + Dim * Dim;
-  static constexpr int D_at = R_at + (M.artificial_stress ? Dim * Dim : 0);
+  static constexpr int v_at = 0, rho_at = Dim, V_at = Dim + 1, T_at = Dim + 2, D_at = T_at + Dim * Dim;
   static constexpr int root_rho_at = D_at + (riemann ? S : 0);
   static constexpr int wave_at = root_rho_at + (riemann ? 1 : 0);  // c, or c ρ √ρ
   static constexpr int grad_rho_at = wave_at + (M.viscosity == Viscosity::none ? 0 : 1);
   static constexpr int surface_at = grad_rho_at + (M.density_diffusion ? Dim : 0);
   static constexpr int columns = surface_at + (M.tensile_control ? 1 : 0);
-  static constexpr int width = (columns + lanes - 1) / lanes * lanes;
-  alignas(lanes * sizeof(double)) double c[width] = {};
+  static constexpr int width = row_width(columns);
+  alignas(row_alignment(columns)) double c[width] = {};
 
-  /// The columns of four rows.
-  struct Values {
-    Pack column[width];
+  /// The columns of four rows, where `Columns` has them.
+  template <class Columns>
+  struct Values : Columns {
+    using Columns::column;
 
     Vec<Pack, Dim> v() const { return vector(v_at); }
-    Pack rho() const { return column[rho_at]; }
-    Pack V() const { return column[V_at]; }
+    Pack rho() const { return column(rho_at); }
+    Pack V() const { return column(V_at); }
+    /// By which a neighbour counts: V or m.
+    Pack weight() const { return M.pair_stress == PairStress::squares ? Pack(rho() * V()) : V(); }
     Mat<Pack, Dim> T() const { return matrix(T_at); }  // σ·L, σ or σ/ρ²
-    Mat<Pack, Dim> R() const { return matrix(R_at); }  // the same of −σ⁺
     Sym<Pack, Dim> D() const {                         // symmetric part of ∇u
       Sym<Pack, Dim> D;
 #pragma GCC unroll 6
-      for (int k = 0; k < S; ++k) D.c[k] = column[D_at + k];
+      for (int k = 0; k < S; ++k) D.c[k] = column(D_at + k);
       return D;
     }
-    Pack root_rho() const { return column[root_rho_at]; }
-    Pack impedance() const { return column[wave_at]; }
-    Pack c() const { return column[wave_at]; }
+    Pack root_rho() const { return column(root_rho_at); }
+    Pack impedance() const { return column(wave_at); }
+    Pack c() const { return column(wave_at); }
     Vec<Pack, Dim> grad_rho() const { return vector(grad_rho_at); }
-    Pack surface() const { return column[surface_at]; }  // 1 or 0
+    Pack surface() const { return column(surface_at); }  // 1 or 0
 
     Vec<Pack, Dim> vector(int at) const {
       Vec<Pack, Dim> a;
-      for (int k = 0; k < Dim; ++k) a[k] = column[at + k];
+#pragma GCC unroll 3
+      for (int k = 0; k < Dim; ++k) a[k] = column(at + k);
       return a;
     }
     Mat<Pack, Dim> matrix(int at) const {
@@ -105,28 +107,24 @@ struct StressRow {
 #pragma GCC unroll 3
       for (int k = 0; k < Dim; ++k)
 #pragma GCC unroll 3
-        for (int l = 0; l < Dim; ++l) A(k, l) = column[at + k * Dim + l];
+        for (int l = 0; l < Dim; ++l) A(k, l) = column(at + k * Dim + l);
       return A;
     }
   };
+  struct SpreadRow {
+    Pack spread[width];
+    Pack column(int k) const { return spread[k]; }
+  };
 
-  static Values gather(const std::vector<StressRow>& rows, const int* j) {
-    Values v;
-    taut::gather<width>(rows[0].c, j, v.column);
+  /// Of neighbours: each column is fetched where it is used, since all of them do not fit the registers.
+  [[gnu::always_inline]] static Values<RowsOfFour> gather(const std::vector<StressRow>& rows, const int* j) {
+    return {RowsOfFour(rows[0].c, width, j)};
+  }
+  static Values<SpreadRow> spread(const StressRow& row) {
+    Values<SpreadRow> v;
+    for (int k = 0; k < width; ++k) v.spread[k] = filled<Pack>(row.c[k]);
     return v;
   }
-  static Values spread(const StressRow& row) {
-    Values v;
-    for (int k = 0; k < width; ++k) v.column[k] = filled<Pack>(row.c[k]);
-    return v;
-  }
-  static Mat<double, Dim> R(const StressRow& row) {
-    Mat<double, Dim> A;
-    for (int k = 0; k < Dim; ++k)
-      for (int l = 0; l < Dim; ++l) A(k, l) = row.c[R_at + k * Dim + l];
-    return A;
-  }
-
   void put(int at, double value) { c[at] = value; }
   void put(int at, const Vec<double, Dim>& a) {
     for (int k = 0; k < Dim; ++k) c[at + k] = a[k];
@@ -140,12 +138,31 @@ struct StressRow {
   }
 };
 
-/// Geometry of four pairs (i, j) at the start of the step. The filling has dW = 0.
+/// −σ⁺ in the form of StressRow::T: for itself, since not every particle asks for it.
+template <int Dim>
+struct RepulsionRow : Row<Dim * Dim> {
+  void set(const Mat<double, Dim>& A) {
+    for (int k = 0; k < Dim * Dim; ++k) this->c[k] = A(k / Dim, k % Dim);
+  }
+  Mat<double, Dim> get() const {
+    Mat<double, Dim> A;
+    for (int k = 0; k < Dim * Dim; ++k) A(k / Dim, k % Dim) = this->c[k];
+    return A;
+  }
+  static Mat<Pack, Dim> gather(const std::vector<RepulsionRow>& rows, const int* j) {
+    Mat<Pack, Dim> A;
+    taut::gather<Dim * Dim, RepulsionRow::width>(rows[0].c, j, A.c[0]);
+    return A;
+  }
+};
+
+/// Geometry of four pairs (i, j) at the start of the step, held for the passes that follow. The filling has
+/// w′/q = 0 and an r beyond the support. x_i − x_j is opposite in (i, j) and (j, i) to the last bit.
 template <int Dim>
 struct CauchyPair {
-  Vec<Pack, Dim> e;  // unit vector from j to i
+  Vec<Pack, Dim> d;  // x_i − x_j, m
   Pack r;            // m
-  Pack dW;           // ∂W/∂r, 1/m^(Dim+1), ≤ 0
+  Pack dw_per_q;     // w′(q)/q of kernels/kernel.hpp
 };
 
 /// What the gradient pass finds for a particle.
@@ -166,9 +183,10 @@ struct CauchyFields {
   std::vector<MotionRow<Dim>> moved;        // with the new velocity
   std::vector<MotionRow<Dim>> transported;  // with û
   std::vector<StressRow<M, Dim>> stress;
-  Neighbors near;  // those that act as particles of one body
+  std::vector<RepulsionRow<Dim>> repulsion;  // where the method has artificial stress
+  Neighbors near;                            // those that act as particles of one body
   std::vector<CauchyPair<Dim>> pairs;
-  std::vector<StoredPack> W;
+  std::vector<StoredPack> w;                //  w(q) of kernels/kernel.hpp
   std::vector<StoredPack> of_one_material;  // 1 or 0; empty where all are
 
   int size() const { return static_cast<int>(motion.size()); }
@@ -181,6 +199,7 @@ struct CauchyFields {
     moved.resize(n);
     transported.resize(n);
     stress.resize(n);
+    if constexpr (M.artificial_stress) repulsion.resize(n);
   }
   /// What lasts from one step to the next.
   template <class Archive>
@@ -190,7 +209,7 @@ struct CauchyFields {
   }
   void resize_pairs() {
     pairs.resize(near.begin.back());
-    if constexpr (needs_kernel(M)) W.resize(near.begin.back());
+    if constexpr (needs_kernel(M)) w.resize(near.begin.back());
   }
 };
 

@@ -108,7 +108,7 @@ void UlCauchy<M, Dim>::set_stress(int i, const Gradients<Dim>& g) {
       return full(scale * stress);
   };
   row.put(Row::T_at, acting(sigma));
-  if constexpr (M.artificial_stress) row.put(Row::R_at, acting(-1.0 * positive_part(sigma)));
+  if constexpr (M.artificial_stress) f_.repulsion[i].set(acting(-1.0 * positive_part(sigma)));
   if constexpr (M.viscosity == Viscosity::artificial) row.put(Row::wave_at, c0);
   if constexpr (M.viscosity == Viscosity::riemann) {
     row.put(Row::D_at, g.D);

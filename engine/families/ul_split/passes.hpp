@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/core/parallel.hpp"
 #include "engine/methods/formulation.hpp"
@@ -17,57 +16,78 @@
 /// Every loop over neighbours. All of them gather over i, so that no result depends on the number of threads.
 namespace taut::inline TAUT_ISA {
 
-/// e_ij, r_ij and ∂W/∂r of pack `b` of the pairs of i, from the positions.
-template <const Formulation& M, int Dim>
-PairGeometry<Dim> pair_geometry(const State<Dim>& s, const Constants& c, int i, int b) {
-  using K = Kernel<M.kernel>;
-  const double far = 2 * K::support * c.h;
-  const int* j = s.neighbors.pack(b);
-  Vec<Pack, Dim> d;
-  for (int k = 0; k < Dim; ++k)
-    d[k] = s.x[i][k] - Pack{s.x[j[0]][k], s.x[j[1]][k], s.x[j[2]][k], s.x[j[3]][k]};
-  const Pack r2 = dot(d, d);
-  const Pack r =
-      root(r2 == 0 ? filled<Pack>(far * far) : r2);  // the filling and coincident particles: no force
-  PairGeometry<Dim> pair;
-  pair.inv_r = 1 / r;
-  pair.e = pair.inv_r * d;
-  pair.dW = K::alpha(Dim) / power<Dim + 1>(c.h) * K::dw(Pack(r / c.h));
-  for (int lane = 0; lane < lanes; ++lane) {
-    if (s.body[j[lane]] == s.body[i]) continue;
-    pair.inv_r[lane] = 0;
-    if (!s.sph_contact) pair.dW[lane] = 0;
-  }
-  return pair;
-}
+/// Geometry of four pairs as State holds it.
+template <int Dim>
+struct PairGeometry {
+  Vec<Pack, Dim> gradient;
+  Pack inverse_slope, inverse_distance;
+};
 
-/// (W/W(dp))ⁿ of pack `b` of the pairs of i.
+/// Works it out.
 template <const Formulation& M, int Dim>
-Pack pair_closeness(const State<Dim>& s, const Constants& c, int i, int b) {
-  using K = Kernel<M.kernel>;
-  const int* j = s.neighbors.pack(b);
-  Pack closeness;
-  for (int lane = 0; lane < lanes; ++lane) {
-    const Vec<double, Dim> d = s.x[i] - s.x[j[lane]];
-    closeness[lane] = std::pow(K::w(std::sqrt(dot(d, d)) / c.h) / K::w(c.dp / c.h), c.exponent);
+class PairKernel {
+ public:
+  explicit PairKernel(const Constants& c)
+      : per_h_(1 / c.h),
+        alpha_(K::alpha(Dim) / power<Dim + 1>(c.h)),
+        per_w_dp_(1 / K::w(c.dp / c.h)),
+        exponent_(c.exponent) {}
+
+  /// With x_i − x_j = d. Coincident particles have no force on each other, as the filling.
+  PairGeometry<Dim> geometry(const Vec<Pack, Dim>& d) const {
+    const Pack r = root(dot(d, d));
+    const Pack dW = alpha_ * K::dw(Pack(per_h_ * r));
+    const PackIndex acting = dW < 0;
+    const Pack inverse = 1 / (acting ? Pack(r * dW) : filled<Pack>(1));  // one division for both
+    const Pack inv_r = inverse * dW, inv_dW = inverse * r, none{};
+    return {(acting ? Pack(dW * inv_r) : none) * d, acting ? inv_dW : none, acting ? inverse : none};
   }
-  return closeness;
-}
+  /// (W/W(dp))ⁿ
+  Pack closeness(const Vec<Pack, Dim>& d) const {
+    return power(Pack(per_w_dp_ * K::w(Pack(per_h_ * root(dot(d, d))))), exponent_);
+  }
+
+ private:
+  using K = Kernel<M.kernel>;
+  double per_h_, alpha_, per_w_dp_, exponent_;
+};
 
 /// The geometry of every pair, and the list of packs that hold pairs of two bodies which act as one.
 template <const Formulation& M, int Dim>
 void geometry_pass(State<Dim>& s, const Constants& c, int threads) {
-  s.pairs.resize(s.neighbors.begin.back());
-  if constexpr (M.artificial_stress) s.closeness.resize(s.pairs.size());
-  parallel_for(s.size(), threads, [&](int i) {
+  const std::size_t packs = s.neighbors.begin.back();
+  s.meets.resize(s.size());
+  s.gradients.resize(packs);
+  s.inverse_slopes.resize(packs);
+  s.inverse_distances.resize(packs);
+  if constexpr (M.artificial_stress) s.closeness.resize(packs);
+  // places and bodies, in rows that stand ready to be gathered
+  parallel_for(s.size(), threads, [&](int i) { s.flow[i].set(s.x[i], s.body[i], 0); });
+  parallel_for(s.size(), threads, [&, kernel = PairKernel<M, Dim>(c)](int i) TAUT_FLATTEN {
+    const Flow<Dim, Pack> here = spread_flow(s.flow[i]);
+    PackIndex outside{};
     for (int b = s.neighbors.begin[i]; b < s.neighbors.begin[i + 1]; ++b) {
-      s.pairs[b] = pair_geometry<M>(s, c, i, b);
-      if constexpr (M.artificial_stress) s.closeness[b].value = pair_closeness<M>(s, c, i, b);
+      const Flow<Dim, Pack> there = gather_flow(s.flow, s.neighbors.pack(b));
+      const PackIndex inside = here.p == there.p;
+      outside |= ~inside;
+      const Vec<Pack, Dim> d = here.v - there.v;
+      PairGeometry<Dim> pair = kernel.geometry(d);
+      pair.inverse_distance = inside ? pair.inverse_distance : Pack{};
+      if (!s.sph_contact) {
+        for (int k = 0; k < Dim; ++k) pair.gradient[k] = inside ? pair.gradient[k] : Pack{};
+        pair.inverse_slope = inside ? pair.inverse_slope : Pack{};
+      }
+      s.gradients[b] = pair.gradient;
+      s.inverse_slopes[b].value = pair.inverse_slope;
+      s.inverse_distances[b].value = pair.inverse_distance;
+      if constexpr (M.artificial_stress) s.closeness[b].value = kernel.closeness(d);
     }
+    s.meets[i] = any(outside);
   });
   s.contacts.clear();
   if (!s.sph_contact) return;
   for (int i = 0; i < s.size(); ++i) {
+    if (!s.meets[i]) continue;
     const auto other_body = [&](int j) { return s.body[j] != s.body[i]; };
     for (int b = s.neighbors.begin[i]; b < s.neighbors.begin[i + 1]; ++b)
       if (std::any_of(s.neighbors.pack(b), s.neighbors.pack(b) + lanes, other_body))
@@ -80,14 +100,34 @@ void geometry_pass(State<Dim>& s, const Constants& c, int threads) {
 /// Differs from [Zhang2024] §5, which holds all pairs between advection steps.
 template <const Formulation& M, int Dim>
 void contact_geometry_pass(State<Dim>& s, const Constants& c) {
+  const PairKernel<M, Dim> kernel(c);
   for (const auto& [i, b] : s.contacts) {
-    const PairGeometry<Dim> now = pair_geometry<M>(s, c, i, b);
-    PairGeometry<Dim>& pair = s.pairs[b];
-    const auto inside = pair.inv_r > 0;
-    for (int k = 0; k < Dim; ++k) pair.e[k] = inside ? pair.e[k] : now.e[k];
-    pair.dW = inside ? pair.dW : now.dW;
+    const int* j = s.neighbors.pack(b);
+    Vec<Pack, Dim> d, &gradient = s.gradients[b];
+    PackIndex inside;
+    for (int lane = 0; lane < lanes; ++lane) {
+      for (int k = 0; k < Dim; ++k) d[k][lane] = s.x[i][k] - s.x[j[lane]][k];
+      inside[lane] = s.body[j[lane]] == s.body[i] ? -1 : 0;
+    }
+    const PairGeometry<Dim> now = kernel.geometry(d);
+    for (int k = 0; k < Dim; ++k) gradient[k] = inside ? gradient[k] : now.gradient[k];
+    StoredPack& inverse_slope = s.inverse_slopes[b];
+    inverse_slope.value = inside ? inverse_slope.value : now.inverse_slope;
   }
 }
+
+/// ∇_i W of pairs within a body, 0 for the others.
+template <int Dim>
+Vec<Pack, Dim> gradient_inside(const State<Dim>& s, int i, int b) {
+  Vec<Pack, Dim> g = s.gradients[b];
+  if (s.meets[i])
+    for (int k = 0; k < Dim; ++k) g[k] = s.inverse_distances[b].value < 0 ? g[k] : Pack{};
+  return g;
+}
+
+/// For ∂W/∂r in the terms, which are written in ∂W/∂r and e_ij: the passes hand them the product of the two,
+/// ∇_i W, in place of e_ij.
+inline constexpr Pack one = {1, 1, 1, 1};
 
 /// dv/dt of every particle: pressure from the Riemann problem of each pair, and shear.
 /// `use(i, a)` receives each acceleration, m/s².
@@ -103,16 +143,16 @@ double momentum_pass(State<Dim>& s, const Constants& c, int threads, const Use& 
     [[maybe_unused]] Vec<Pack, Dim> repulsion{};
     for (int b = s.neighbors.begin[i]; b < s.neighbors.begin[i + 1]; ++b) {
       const int* j = s.neighbors.pack(b);
-      const PairGeometry<Dim>& g = s.pairs[b];
+      const Vec<Pack, Dim>& grad_W = s.gradients[b];
       const Flow<Dim, Pack> f_j = gather_flow(s.flow, j);
-      const Pack closing_speed = -dot(f_i.v - f_j.v, g.e);
+      const Pack closing_speed = s.inverse_slopes[b].value * dot(f_j.v - f_i.v, grad_W);
       const Pack p = riemann_pressure(f_i.p, f_j.p, closing_speed, dissipation);
-      force -= Pack(2 * f_j.V * p * g.dW) * g.e;  // −2 Σ m_j P*/ρ_j ∇W, [Zhang2024] Eq. 12
+      force -= Pack(2 * f_j.V * p) * grad_W;  // −2 Σ m_j P*/ρ_j ∇W, [Zhang2024] Eq. 12
       if constexpr (carries_stress(M))
-        force += nested_shear_term(s_i.s, gather_tensor(s.stress, j).s, f_j.V, g.dW_inside(), g.e);
+        force += nested_shear_term(s_i.s, gather_tensor(s.stress, j).s, f_j.V, one, gradient_inside(s, i, b));
       if constexpr (M.artificial_stress) {
         const Tensor<Dim> R_j = gather_tensor(s.repulsion, j);
-        repulsion += artificial_stress_term(R_i.s, R_j.s, R_j.a, s.closeness[b].value, g.dW, g.e);
+        repulsion += artificial_stress_term(R_i.s, R_j.s, R_j.a, s.closeness[b].value, one, grad_W);
       }
     }
     const double inv_rho = s.flow[i].c[Dim + 1] / s.m[i];
@@ -133,19 +173,22 @@ void rate_pass(State<Dim>& s, const Constants& c, int threads, const Use& use) {
     [[maybe_unused]] Mat<Pack, Dim> L{};
     [[maybe_unused]] Vec<Pack, Dim> laplacian{};
     for (int b = s.neighbors.begin[i]; b < s.neighbors.begin[i + 1]; ++b) {
-      const int* j = s.neighbors.pack(b);
-      const PairGeometry<Dim>& g = s.pairs[b];
-      const Flow<Dim, Pack> f_j = gather_flow(s.flow_new, j);
+      const Vec<Pack, Dim>& grad_W = s.gradients[b];
+      const Flow<Dim, Pack> f_j = gather_flow(s.flow_new, s.neighbors.pack(b));
       const Vec<Pack, Dim> v_ij = f_i.v - f_j.v;
-      compression += compression_term(f_j.V, g.dW, Pack(-dot(v_ij, g.e)));
-      if constexpr (pressure_diffusion)
-        compression += pressure_diffusion_term(f_j.V, g.dW, f_i.p, f_j.p, c.pressure_diffusion, c.rho0, c.c0);
+      compression += compression_term(f_j.V, one, Pack(-dot(v_ij, grad_W)));
+      if constexpr (pressure_diffusion) {
+        const Pack slope = -root(dot(grad_W, grad_W));
+        compression +=
+            pressure_diffusion_term(f_j.V, slope, f_i.p, f_j.p, c.pressure_diffusion, c.rho0, c.c0);
+      }
       if constexpr (M.shear == Shear::nested_stress)
-        add_velocity_gradient(L, f_j.V, g.dW_inside(), v_ij, g.e);
+        add_velocity_gradient(L, f_j.V, one, v_ij, gradient_inside(s, i, b));
       if constexpr (M.shear == Shear::laplacian_velocity)
-        laplacian += laplacian_term(v_ij, f_j.V, g.dW, g.inv_r, g.e);
+        laplacian += laplacian_term(v_ij, f_j.V, one, s.inverse_distances[b].value, grad_W);
       if constexpr (M.shear == Shear::laplacian_velocity_nonconservative)
-        laplacian += laplacian_term_nonconservative(v_ij, f_j.V, g.dW, g.inv_r);
+        laplacian +=
+            laplacian_term_nonconservative(v_ij, f_j.V, dot(grad_W, grad_W), s.inverse_distances[b].value);
     }
     s.drho[i] = s.rho[i] * sum(compression);
     if constexpr (!strains_what_is_held(M)) s.drho[i] *= s.mobile[i];
@@ -166,19 +209,20 @@ void rate_pass(State<Dim>& s, const Constants& c, int threads, const Use& use) {
 /// 26, 27 The geometry of the pairs is held meanwhile, so that this is the integral over all steps since.
 template <const Formulation& M, int Dim, class Use>
 void stress_recovery_pass(const State<Dim>& s, const Constants& c, int threads, const Use& use) {
-  parallel_for(s.size(), threads, [&](int i) {
+  parallel_for(s.size(), threads, [&](int i) TAUT_FLATTEN {
     const Flow<Dim, Pack> f_i = spread_flow(s.flow_new[i]);
     Mat<Pack, Dim> gradient{};
     Sym<Pack, Dim> moment{};
     for (int b = s.neighbors.begin[i]; b < s.neighbors.begin[i + 1]; ++b) {
-      const int* j = s.neighbors.pack(b);
-      const PairGeometry<Dim>& g = s.pairs[b];
-      const Flow<Dim, Pack> f_j = gather_flow(s.flow_new, j);
-      const Pack dW = g.dW_inside();
-      add_velocity_gradient(gradient, f_j.V, dW, f_i.v - f_j.v, g.e);
-      add_gradient_moment(moment, f_j.V, dW, Pack(1 / max(g.inv_r, filled<Pack>(1e-300))), g.e);
+      const Flow<Dim, Pack> f_j = gather_flow(s.flow_new, s.neighbors.pack(b));
+      const Vec<Pack, Dim> grad_W = gradient_inside(s, i, b);
+      const Pack inv_dW = s.inverse_slopes[b].value, inv_r_dW = s.inverse_distances[b].value;
+      const Pack r_over_dW = inv_r_dW < 0 ? Pack(inv_dW * inv_dW / inv_r_dW) : Pack{};  // r/(∂W/∂r)
+      add_velocity_gradient(gradient, f_j.V, one, f_i.v - f_j.v, grad_W);
+      add_gradient_moment(moment, f_j.V, one, r_over_dW, grad_W);
     }
-    const Mat<double, Dim> dL = product(sum(gradient), gradient_correction(sum(moment)));
+    const Sym<double, Dim> correction = gradient_correction(sum(moment));
+    const Mat<double, Dim> dL = product(sum(gradient), correction);
     Sym<double, Dim> stress = s.s[i];
     use(i, stress += jaumann_rate<M.deviator>(dL, stress, c.G));
   });

@@ -68,6 +68,7 @@ TEST_SUITE("unit") {
         CAPTURE(q);
         const double difference = (K::w(q + step) - K::w(q - step)) / (2 * step);
         CHECK(K::dw(q) == Approx(difference).epsilon(1e-7).scale(1));
+        CHECK(q * K::dw_per_q(q) == Approx(K::dw(q)).epsilon(1e-14));
       }
     });
   }

@@ -121,12 +121,13 @@ TEST_SUITE("term") {
   TEST_CASE("artificial viscosity: slows what closes by Eq. 16, leaves what opens") {
     const double r = 0.8, c = 3, rho = 2, alpha = 1.5, length = 0.9, closing = 0.7;
     const double expected = -alpha * length * c / rho * (closing * r) / (r * r + 0.01 * length * length);
-    CHECK(artificial_viscosity(closing, r, c, rho, alpha, length) == Approx(expected));
-    CHECK(artificial_viscosity(-closing, r, c, rho, alpha, length) == 0);
+    CHECK(artificial_viscosity(closing * r, r * r, c, rho, alpha, length) == Approx(expected));
+    CHECK(artificial_viscosity(-closing * r, r * r, c, rho, alpha, length) == 0);
     check_opposite([](const PairedParticle& i, const PairedParticle& j) {
       const Seen g(i, j);
       REQUIRE(g.closing_speed > 0);
-      const double Pi = artificial_viscosity(g.closing_speed, g.r, 3.0, 0.5 * (i.rho() + j.rho()), 1.0, 1.0);
+      const double approach = g.closing_speed * g.r, rho = 0.5 * (i.rho() + j.rho());
+      const double Pi = artificial_viscosity(approach, g.r * g.r, 3.0, rho, 1.0, 1.0);
       return (i.m * j.m * Pi * dW) * g.e;
     });
   }
