@@ -126,8 +126,8 @@ TEST_SUITE("term") {
     check_opposite([](const PairedParticle& i, const PairedParticle& j) {
       const Seen g(i, j);
       REQUIRE(g.closing_speed > 0);
-      const double approach = g.closing_speed * g.r, rho = 0.5 * (i.rho() + j.rho());
-      const double Pi = artificial_viscosity(approach, g.r * g.r, 3.0, rho, 1.0, 1.0);
+      const double approach = g.closing_speed * g.r, mean = 0.5 * (i.rho() + j.rho());
+      const double Pi = artificial_viscosity(approach, g.r * g.r, 3.0, mean, 1.0, 1.0);
       return (i.m * j.m * Pi * dW) * g.e;
     });
   }
