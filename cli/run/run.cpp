@@ -224,11 +224,15 @@ void Run::save(RunRecord::Status status) {
 
 /// When some output could not be written, run.json can often still say so.
 void Run::save_what_can_be_saved() {
-  try {
-    save(RunRecord::Status::failed);
-  } catch (const OutputError&) {
-    // the first failure is the one to report
-  }
+  // the first failure is the one to report
+  const auto tried = [](const auto& work) {
+    try {
+      work();
+    } catch (const OutputError&) {
+    }
+  };
+  for (const auto& output : outputs_) tried([&] { output->settle(); });  // a file in the making takes room
+  tried([&] { save(RunRecord::Status::failed); });
 }
 
 std::string Run::state_line() const {
