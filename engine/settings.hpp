@@ -19,7 +19,7 @@ struct Settings {
   Stepping stepping = Stepping::dual;
   double cfl = 0;   // acoustic step over h/(c0 + |v|max) (oenog: dp/(c_p + |v|max)); 0 = the method's default
   double step = 0;  // s, of every step; 0 = by cfl
-  int threads = 0;  // 0 = all cores
+  int threads = 0;  // 0 = all cores, fewer in small scenes
   InstructionSet instruction_set = InstructionSet::best;
 };
 

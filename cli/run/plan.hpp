@@ -23,7 +23,7 @@ struct RunOptions {
   std::optional<double> every, history;
   std::optional<int> frames;
   DrawingOptions drawing;
-  int threads = 0;                         // 0 = all cores
+  int threads = 0;                         // 0 = all cores, fewer in small scenes
   std::optional<double> checkpoint_every;  // s
   bool no_render = false;
   bool save_particles = false;

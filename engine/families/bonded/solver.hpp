@@ -41,6 +41,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     }
     ahead_ = 3 * c_.damping * c_.dp / shear_speed;
     const Bonds bonds = make_bonds(input.scene, this->initial_, c_.h, input.threads);
+    this->pairs_ = static_cast<long>(bonds.j.size());
     take_masses(bonds);
     Base::go_to_start();
     bonds_ = PackedBonds<Dim>(bonds, input.scene, this->initial_, materials_, s_.id);

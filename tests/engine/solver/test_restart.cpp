@@ -64,6 +64,7 @@ void check_same(const Simulation& a, const Simulation& b) {
   for (const auto member : {&Snapshot::x0, &Snapshot::x, &Snapshot::v, &Snapshot::m, &Snapshot::rho,
                             &Snapshot::p, &Snapshot::s, &Snapshot::strain_energy, &Snapshot::diameter})
     CHECK(same_bytes(x.*member, y.*member));
+  CHECK(a.pairs() > 0);
   CHECK(a.pairs() == b.pairs());
   CHECK(same_bytes(a.series().time, b.series().time));
   REQUIRE(a.series().value.size() == b.series().value.size());
