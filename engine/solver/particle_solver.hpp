@@ -91,14 +91,6 @@ class SolverParts : public Simulation {
       v += (dt_ * s.mobile[i]) * a;
       return take(i, v);
     }
-    [[gnu::always_inline]] const V& by_force(int i, V force) const {
-      State<Dim>& s = solver_.s_;
-      if (contact_) force += solver_.contact_.force(i);
-      V v = s.v[i];
-      v += (dt_ * s.mobile[i] / s.m[i]) * force;
-      return take(i, v);
-    }
-
     /// Adds the forces of contact to those of four particles from `first` on; at the end there may be fewer.
     [[gnu::always_inline]] void add_contact(int first, Vec<Pack, Dim>& force) const {
       if (!contact_) return;
