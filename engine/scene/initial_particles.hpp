@@ -9,13 +9,13 @@ namespace taut {
 /// The particles of a scene at t = 0, body after body.
 struct InitialParticles {
   int dim = 2;
-  std::vector<Point> x, v;            // in the reference configuration, m; m/s
-  std::vector<Point> start;           // where each starts, m; empty where that is x for all
-  std::vector<double> V0;             // m^dim
-  std::vector<double> inside;         // V0 over its cell: less than 1 on a face, a little more behind a free one
-  std::vector<int> body;              // index into Scene::bodies
-  std::vector<int> material;          // index into Scene::materials
-  std::vector<int> drive;             // index into the body's drives, or -1
+  std::vector<Point> x, v;     // in the reference configuration, m; m/s
+  std::vector<Point> start;    // where each starts, m; empty where that is x for all
+  std::vector<double> V0;      // m^dim
+  std::vector<double> inside;  // V0 over its cell: less than 1 on a face, a little more behind a free one
+  std::vector<int> body;       // index into Scene::bodies
+  std::vector<int> material;   // index into Scene::materials
+  std::vector<int> drive;      // index into the body's drives, or -1
   std::vector<unsigned char> held;    // 1: stays where it is
   std::vector<unsigned char> guided;  // bit k: does not move along axis k; empty where all are free or held
   std::vector<int> turned;            // where a turn of the body that maps its layout onto itself takes each:

@@ -4,7 +4,6 @@
 #include <Eigen/SparseCholesky>
 
 #include "engine/core/least_squares.hpp"
-
 #include "engine/error.hpp"
 
 namespace taut {

@@ -13,10 +13,10 @@
 #include <Eigen/Dense>
 #include <doctest/doctest.h>
 
+#include "engine/core/shared_rows.hpp"
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/verdict.hpp"
 #include "engine/families/bonded/bonds.hpp"
-#include "engine/core/shared_rows.hpp"
 #include "engine/methods/oenog.hpp"
 #include "tests/engine/families/naive_oenog.hpp"
 #include "tests/support/relative.hpp"
