@@ -110,17 +110,22 @@ std::vector<std::string> column_names(TomlCursor& entry, const Measure& measure)
 /// scene.toml of a run.
 std::filesystem::path find_table(const std::filesystem::path& folder, const std::string& file) {
   std::error_code error;
-  for (const std::filesystem::path& beside : {folder, scenes_folder()})
-    if (std::filesystem::is_regular_file(beside / file, error))
-      return std::filesystem::weakly_canonical(beside / file, error);
+  if (std::filesystem::is_regular_file(folder / file, error))
+    return std::filesystem::weakly_canonical(folder / file, error);
+  for (const std::filesystem::path& scenes : scene_folders())
+    if (std::filesystem::is_regular_file(scenes / file, error))
+      return std::filesystem::weakly_canonical(scenes / file, error);
   return (folder / file).lexically_normal();
 }
 
 /// With what comes with taut without the folder that it lies in: a run is the same wherever that is.
 std::string known_as(const std::filesystem::path& table) {
   std::error_code error;
-  const auto inside = table.lexically_relative(std::filesystem::weakly_canonical(scenes_folder(), error));
-  return inside.empty() || *inside.begin() == ".." ? table.string() : inside.string();
+  for (const std::filesystem::path& scenes : scene_folders()) {
+    const auto inside = table.lexically_relative(std::filesystem::weakly_canonical(scenes, error));
+    if (!inside.empty() && *inside.begin() != "..") return inside.string();
+  }
+  return table.string();
 }
 
 ReferenceTable read_one_table(TomlCursor entry, const Measure& measure, const std::filesystem::path& folder) {

@@ -1,6 +1,9 @@
 #include "cli/scene/shipped.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <set>
+#include <string_view>
 
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
@@ -11,23 +14,82 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-fs::path studies_folder() { return scenes_folder() / "studies"; }
+constexpr const char* gallery = "gallery/";
+constexpr const char* studies = "studies/";
 
-/// Of the .toml files of a folder, sorted.
-std::vector<std::string> names_in_folder(const fs::path& folder) {
-  std::vector<std::string> names;
+bool is_folder(const fs::path& path) {
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  std::ranges::sort(names);
+  return fs::is_directory(path, error);
+}
+
+/// Those of TAUT_SCENES.
+std::vector<fs::path> folders_of_user() {
+  std::vector<fs::path> folders;
+  const char* given = std::getenv("TAUT_SCENES");
+  std::string_view rest = given ? given : "";
+  while (!rest.empty()) {
+    const std::string_view folder = rest.substr(0, rest.find(':'));
+    rest.remove_prefix(std::min(folder.size() + 1, rest.size()));
+    if (folder.empty()) continue;
+    if (!is_folder(folder))
+      throw UsageError("TAUT_SCENES names the folder '" + std::string(folder) + "', which is not there");
+    folders.emplace_back(fs::absolute(folder));
+  }
+  return folders;
+}
+
+/// A build has a link to its scenes beside the program; what is installed may be moved as a whole. Without /proc the
+/// program does not know where it is.
+std::vector<fs::path> places_of_shipped() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (error) return {TAUT_INSTALLED_SCENES};
+  return {program.parent_path() / "scenes", program.parent_path().parent_path() / "share/taut/scenes"};
+}
+
+/// Of the .toml files of a folder below those of scenes.
+std::set<std::string> names_below(const std::string& folder) {
+  std::set<std::string> names;
+  for (const fs::path& scenes : scene_folders()) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(scenes / folder, error))
+      if (entry.path().extension() == ".toml") names.insert(entry.path().stem().string());
+  }
   return names;
+}
+
+void refuse_no_folder() {
+  if (!scene_folders().empty()) return;
+  std::string message = "the scenes that come with taut are not there; looked for them in";
+  for (const fs::path& place : places_of_shipped()) message += "\n  " + place.string();
+  throw UsageError(message + "\nThe environment variable TAUT_SCENES may name the folder that holds them");
+}
+
+/// The file of one of these names, which is there.
+fs::path file_of(const std::string& name) {
+  std::error_code error;
+  for (const fs::path& scenes : scene_folders())
+    if (fs::path file = scenes / (name + ".toml"); fs::exists(file, error)) return file;
+  throw UsageError("'" + name + "' has just been removed");
 }
 
 }  // namespace
 
-fs::path scenes_folder() { return TAUT_SCENES_FOLDER; }
+std::vector<fs::path> scene_folders() {
+  std::vector<fs::path> folders = folders_of_user();
+  const std::vector<fs::path> places = places_of_shipped();
+  const auto shipped = std::ranges::find_if(places, is_folder);
+  if (shipped != places.end()) folders.push_back(*shipped);
+  return folders;
+}
 
-std::vector<std::string> scene_names() { return names_in_folder(scenes_folder()); }
+std::vector<std::string> scene_names() {
+  refuse_no_folder();
+  const std::set<std::string> first = names_below("");
+  std::vector<std::string> names(first.begin(), first.end());
+  for (const std::string& name : names_below(gallery)) names.push_back(gallery + name);
+  return names;
+}
 
 fs::path find_scene(const std::string& scene) {
   // a run's folder often has the name of its scene: a folder is no scene while there is one of that name
@@ -35,19 +97,23 @@ fs::path find_scene(const std::string& scene) {
   const bool exists = fs::exists(scene, error);
   if (exists && !fs::is_directory(scene, error)) return scene;
   const std::vector<std::string> names = scene_names();
-  if (std::ranges::find(names, scene) != names.end()) return scenes_folder() / (scene + ".toml");
+  if (std::ranges::find(names, scene) != names.end()) return file_of(scene);
   if (exists) return scene;
   throw UsageError("there is no scene file '" + scene + "' and no scene of that name" +
                    did_you_mean(scene, names) + "; scenes: " + join(names));
 }
 
-std::vector<std::string> study_names() { return names_in_folder(studies_folder()); }
+std::vector<std::string> study_names() {
+  refuse_no_folder();
+  const std::set<std::string> names = names_below(studies);
+  return {names.begin(), names.end()};
+}
 
 fs::path find_sweep(const std::string& sweep) {
   std::error_code error;
   if (fs::is_regular_file(sweep, error)) return sweep;
   const std::vector<std::string> names = study_names();
-  if (std::ranges::find(names, sweep) != names.end()) return studies_folder() / (sweep + ".toml");
+  if (std::ranges::find(names, sweep) != names.end()) return file_of(studies + sweep);
   throw UsageError("there is no sweep file '" + sweep + "' and no study of that name" +
                    did_you_mean(sweep, names) + "; studies: " + join(names) +
                    ". For a sweep of a scene add --grid NAME=VALUES");

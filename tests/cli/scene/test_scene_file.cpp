@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 
 #include <doctest/doctest.h>
@@ -141,9 +144,31 @@ TEST_SUITE("unit") {
          {"ball-plate", "colliding-rings", "composite-rings", "composite-rings-density", "elastic-cable",
           "elastic-rings", "heterogeneous-cable", "oscillating-plate", "rotating-plate", "tran-duc-rings"})
       CHECK(std::ranges::count(names, name) == 1);
-    CHECK(find_scene("ball-plate") == scenes_folder() / "ball-plate.toml");
+    CHECK(find_scene("ball-plate") == scene_folders().front() / "ball-plate.toml");
     const std::string path = write_scene(small_scene).string();
     CHECK(find_scene(path) == path);
+  }
+
+  TEST_CASE("folders of TAUT_SCENES add scenes and come first") {
+    const std::filesystem::path folder = scratch_folder() / "scenes of mine";
+    std::filesystem::create_directories(folder / "studies");
+    const auto among = [](const std::vector<std::string>& names, const char* name) {
+      return std::ranges::count(names, name) == 1;
+    };
+    for (const char* name : {"mine", "ball-plate"})
+      std::ofstream(folder / (name + std::string(".toml"))) << small_scene;
+    std::ofstream(folder / "studies/my-study.toml") << "scene = \"mine\"\n";
+    setenv("TAUT_SCENES", (":" + folder.string() + ":").c_str(), 1);
+    CHECK(among(scene_names(), "mine"));
+    CHECK(among(scene_names(), "ball-plate"));
+    CHECK(among(scene_names(), "colliding-rings"));
+    CHECK(find_scene("mine") == folder / "mine.toml");
+    CHECK(find_scene("ball-plate") == folder / "ball-plate.toml");
+    CHECK(find_sweep("my-study") == folder / "studies/my-study.toml");
+    setenv("TAUT_SCENES", (folder / "not there").c_str(), 1);
+    CHECK_THROWS_WITH_AS(scene_names(), doctest::Contains("not there', which is not there"), UsageError);
+    unsetenv("TAUT_SCENES");
+    CHECK(!among(scene_names(), "mine"));
   }
 
   TEST_CASE("an error of the engine gets the place of its key") {

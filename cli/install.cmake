@@ -1,0 +1,43 @@
+# cmake --install BUILD [--prefix DIR], and a Debian package by `cpack` in the build folder. What is installed may be
+# moved as a whole: the program finds its scenes from where it lies itself (scene/shipped.hpp).
+
+# A program that was just built finds those of its source, which can be edited.
+foreach(folder ${PROJECT_BINARY_DIR} ${PROJECT_BINARY_DIR}/tests)
+  file(RELATIVE_PATH scenes ${folder} ${PROJECT_SOURCE_DIR}/scenes)
+  file(MAKE_DIRECTORY ${folder})
+  file(CREATE_LINK ${scenes} ${folder}/scenes SYMBOLIC)
+endforeach()
+
+install(TARGETS taut RUNTIME)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/taut/scenes USE_SOURCE_PERMISSIONS
+  PATTERN pictures EXCLUDE PATTERN *.md EXCLUDE)
+foreach(room . engine render cli scenes scenes/studies)
+  file(GLOB texts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${room}/*.md)
+  install(FILES ${texts} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${room})
+endforeach()
+
+# What the program says of itself: completion, and where help2man is installed a manual page for each command.
+set(words ${CMAKE_CURRENT_BINARY_DIR}/words)
+add_custom_command(OUTPUT ${words}/done
+  COMMAND ${CMAKE_CURRENT_LIST_DIR}/words $<TARGET_FILE:taut> ${words}
+  DEPENDS taut ${CMAKE_CURRENT_LIST_DIR}/words
+  COMMENT "Completion and manual pages")
+add_custom_target(taut_words ALL DEPENDS ${words}/done)
+install(FILES ${words}/taut.bash RENAME taut DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${words}/taut.zsh RENAME _taut DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(DIRECTORY ${words}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "the authors of taut <taut@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "SPH formulations for elastic solids, run, drawn and judged")
+set(CPACK_PACKAGE_DESCRIPTION
+  "Runs the same scene with every published formulation of smoothed particle\nhydrodynamics for elastic solids, \
+draws the particles off screen, and says how\naccurate, how fast and how stable each formulation was.")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # from the program itself
+set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-dejavu-core)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS gnuplot-nox)  # chart, map, plot
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS ffmpeg)         # movie
+include(CPack)
