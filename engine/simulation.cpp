@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include "engine/core/machine.hpp"
 #include "engine/error.hpp"
@@ -118,10 +117,10 @@ Constants constants_of(const std::vector<Elasticity>& materials, int first, cons
   return c;
 }
 
-/// Where nobody says how many: those of the machine, or as many as have enough to do.
+/// Where nobody says how many: those that there are, or as many as have enough to do.
 int useful_threads(int particles) {
   constexpr int least_particles = 300;  // of each thread
-  return std::clamp(particles / least_particles, 1, omp_get_max_threads());
+  return std::clamp(particles / least_particles, 1, cores());
 }
 
 }  // namespace

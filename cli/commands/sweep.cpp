@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <ostream>
-#include <thread>
 
 #include <CLI/CLI.hpp>
 
@@ -14,6 +13,7 @@
 #include "cli/system/atomic_file.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/text/format.hpp"
+#include "engine/core/machine.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {
@@ -57,9 +57,7 @@ int emit(const SweepOptions& o, const CLI::App& app, const SweepPlan& plan, std:
   return exit_fine;
 }
 
-int default_jobs(int threads) {
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / threads);
-}
+int default_jobs(int threads) { return std::max(1, cores() / threads); }
 
 std::vector<SweepRun*> what_to_run(SweepPlan& plan, const SweepOptions& o) {
   std::vector<SweepRun*> runs;

@@ -1,9 +1,8 @@
 #include "cli/run/redraw.hpp"
 
-#include <thread>
-
 #include "cli/drawing/frames.hpp"
 #include "cli/system/interrupts.hpp"
+#include "engine/core/machine.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {
@@ -19,7 +18,7 @@ void check_redrawing(const SavedRun& run) {
 Redrawn redraw(const SavedRun& run, const std::filesystem::path& folder, int threads, Progress& progress) {
   const Scene& scene = run.file.scene;
   Seconds seconds;  // nobody asks for them
-  if (threads == 0) threads = static_cast<int>(std::thread::hardware_concurrency());
+  if (threads == 0) threads = cores();
   Frames frames(run.file.drawing, origins_of(scene), folder,
                 {scene.title, run.file.settings.method, scene.until}, threads, seconds);
   const Interrupts interrupts;

@@ -1,6 +1,22 @@
 #pragma once
 
+#include <algorithm>
+#include <thread>
+
+#if defined(__linux__)
+#include <sched.h>
+#endif
+
 namespace taut {
+
+/// Cores that this process may use; a batch system may have given it fewer than there are.
+inline int cores() {
+#if defined(__linux__)
+  cpu_set_t mine;
+  if (sched_getaffinity(0, sizeof mine, &mine) == 0) return CPU_COUNT(&mine);
+#endif
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 /// Whether this machine takes what is compiled for x86-64-v3.
 inline bool has_x86_64_v3() {

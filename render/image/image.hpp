@@ -15,7 +15,7 @@ struct Rect {
 using Rgb = std::array<std::uint8_t, 3>;
 
 /// A picture, row after row from the top. A pixel is four bytes B, G, R, 255: OSMesa draws into it, Cairo
-/// draws over it and libpng reads it without a copy.
+/// draws over it.
 struct Image {
   int width = 0;
   int height = 0;
