@@ -312,6 +312,7 @@ std::span<const DrawingKey> drawing_keys() {
                  .numbers = {.count = 2,
                              .whole = true,
                              .between = 'x',
+                             .in_file = "[width, height]",
                              .typed = fmt::format("WIDTHxHEIGHT (1280x720), each from {} to {} pixels",
                                                   render::least_size, render::greatest_size)},
                  .set = set_size,
@@ -320,7 +321,7 @@ std::span<const DrawingKey> drawing_keys() {
                  .placeholder = "N",
                  .help = "frames after the one at t = 0, evenly spaced",
                  .of_runs = true,
-                 .numbers = {.whole = true},
+                 .numbers = {.whole = true, .in_file = "whole number"},
                  .set = set_frames,
                  .get = get_frames},
   };

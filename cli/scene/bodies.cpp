@@ -60,7 +60,7 @@ void read_on_boundary(TomlCursor& cursor, Body& body) {
 void read_rotation(TomlCursor& cursor, int dim, Body& body) {
   TomlValue* value = cursor.find("rotate");
   if (!value) return;
-  TomlCursor entry = cursor.enter(*value, "rotate", "the rotation of " + cursor.what());
+  TomlCursor entry = cursor.enter(*value, "rotate", "the rotation of " + cursor.what(), keys_of("rotate"));
   Rotation rotation;
   if (dim == 3) {
     rotation.axis = entry.point("axis", dim);
@@ -105,7 +105,8 @@ std::vector<TomlCursor> tables(TomlCursor& body, std::string_view key, const std
     body.fail(value, key,
               std::string(key) + " must be an array of tables: " + std::string(key) + " = [{ ... }]");
   std::vector<TomlCursor> cursors;
-  for (TomlValue& item : value.items) cursors.push_back(body.enter(item, key, what + " of " + body.what()));
+  for (TomlValue& item : value.items)
+    cursors.push_back(body.enter(item, key, what + " of " + body.what(), keys_of(key)));
   return cursors;
 }
 
@@ -248,7 +249,7 @@ void read_bodies(TomlCursor& root, bool keeps_neighbors, Scene& scene) {
   for (TomlValue& value : root.list("body")) {
     const TomlEntry* name = value.find("name");
     const std::string known_as = name ? name->value.text : std::to_string(scene.bodies.size() + 1);
-    TomlCursor cursor = root.enter(value, "body." + known_as, "body '" + known_as + "'");
+    TomlCursor cursor = root.enter(value, "body." + known_as, "body '" + known_as + "'", keys_of("body"));
     scene.bodies.push_back(read_body(cursor, scene, keeps_neighbors));
   }
   if (scene.bodies.empty())

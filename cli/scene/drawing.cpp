@@ -104,7 +104,7 @@ void suit(Drawing& drawing, const SceneFile& file) {
 }
 
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing) {
-  TomlCursor render = root.section("render", "[render]");
+  TomlCursor render = root.section("render", "[render]", keys_of("render"));
   // names first: in this order missing keys are added, and errors list what is known
   for (const bool words : {true, false})
     for (const DrawingKey& key : drawing_keys())

@@ -65,11 +65,12 @@ void add_names(Names& names, const Material& material) {
 }
 
 void read_materials(TomlCursor& root, Scene& scene) {
-  TomlCursor materials = root.enter(root.need("material"), "material", "[material]");
+  TomlCursor materials = root.enter(root.need("material"), "material", "[material]", named_by_user);
   for (TomlEntry& entry : materials.table().entries) {
     materials.find(entry.key);
-    scene.materials.push_back(
-        read_material(materials.enter(entry.value, entry.key, "material '" + entry.key + "'"), entry.key));
+    TomlCursor cursor =
+        materials.enter(entry.value, entry.key, "material '" + entry.key + "'", keys_of("material"));
+    scene.materials.push_back(read_material(std::move(cursor), entry.key));
   }
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <stdexcept>
 
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
@@ -113,19 +114,35 @@ void read_free(TomlCursor& cursor, const Scene& scene, Measure& measure) {
 }
 
 /// A key that kinds of measures take.
-struct MeasureKey {
-  std::string_view name;
+struct MeasureKey : KeyInfo {
   void (*read)(TomlCursor&, const Scene&, Measure&);
 };
 /// What a measure is made from: these say which material its numbers know.
 constexpr std::array objects = {
-    MeasureKey{"probe", read_probe_of},   MeasureKey{"probes", read_probes_of},
-    MeasureKey{"line", read_line_of},     MeasureKey{"body", read_body_of},
-    MeasureKey{"fields", read_fields_of}, MeasureKey{"rigid_motion", read_rigid_motion}};
-constexpr std::array numbers = {MeasureKey{"axis", read_axis},   MeasureKey{"threshold", read_threshold},
-                                MeasureKey{"scale", read_scale}, MeasureKey{"band", read_band},
-                                MeasureKey{"from", read_from},   MeasureKey{"time", read_time},
-                                MeasureKey{"free", read_free}};
+    MeasureKey{{"probe", "name of a probe", "", "the series"}, read_probe_of},
+    MeasureKey{{"probes", "[PROBE, PROBE]", "", "those of x and y of a point, in 3D of z too"},
+               read_probes_of},
+    MeasureKey{{"line", "name of a line", "", "the field along it"}, read_line_of},
+    MeasureKey{{"body", "name of a body", "", "that it looks at"}, read_body_of},
+    MeasureKey{{"fields", "[FIELD, ...]", "", "the components of what is compared"}, read_fields_of},
+    MeasureKey{{"rigid_motion", "counts or free", "counts",
+                "free: for displacements of a body whose loads leave a small rigid motion open"},
+               read_rigid_motion},
+};
+constexpr std::array numbers = {
+    MeasureKey{{"axis", "[x, y, z]", "[0, 0, 1]", "of the turn, through the origin; 3D"}, read_axis},
+    MeasureKey{{"threshold", "number", "0", "in the unit of the series"}, read_threshold},
+    MeasureKey{{"scale", "number", "1",
+                "what the result is divided by; in rmse the range of the reference makes it a share of that "
+                "range, with unit \"1\""},
+               read_scale},
+    MeasureKey{{"band", "[low, high], Hz", "", "where the frequency is looked for"}, read_band},
+    MeasureKey{{"from", "number, s", "0", "the series counts from then on"}, read_from},
+    MeasureKey{{"time", "number, s", "", "when"}, read_time},
+    MeasureKey{
+        {"free", "name of a probe", "none", "says, by being above the threshold, that bodies are apart"},
+        read_free},
+};
 
 void read_keys(std::span<const MeasureKey> keys, const MeasureKind& kind, TomlCursor& cursor,
                const Scene& scene, Measure& measure) {
@@ -149,6 +166,7 @@ Measure read_measure(TomlCursor& cursor, const Scene& scene) {
   measure.name = label(cursor, names_of(scene.measures));
   measure.kind = cursor.choice("of", names_of(measure_kinds()));
   const MeasureKind& kind = *find_measure_kind(measure.kind);
+  for (const std::string_view taken : kind.keys) cursor.also_takes(measure_key(taken));
   read_keys(objects, kind, cursor, scene, measure);
   measure.unit = cursor.text("unit", "");
   const int material = measured_body(measure, scene).material;
@@ -159,6 +177,14 @@ Measure read_measure(TomlCursor& cursor, const Scene& scene) {
 }
 
 }  // namespace
+
+const KeyInfo& measure_key(std::string_view name) {
+  const auto* key = std::ranges::find(objects, name, &MeasureKey::name);
+  if (key != objects.end()) return *key;
+  key = std::ranges::find(numbers, name, &MeasureKey::name);
+  if (key == numbers.end()) throw std::logic_error("no measure takes the key '" + std::string(name) + "'");
+  return *key;
+}
 
 void read_measures(TomlCursor& root, Scene& scene) {
   read_each(root, "measure",

@@ -80,7 +80,7 @@ void check_constants(TomlCursor& section, const MethodInfo& method, int dim) {
 /// Every constant of the method: as changed, else as in the file, else the default in the scene's dimension.
 void read_constants(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, int dim,
                     const Changes& changes, Settings& settings) {
-  TomlCursor section = root.section("method_constants", "[method_constants]");
+  TomlCursor section = root.section("method_constants", "[method_constants]", named_by_user);
   check_constants(section, of_file, dim);
   if (&of_file != &method) section.table().entries.clear();
   for (const MethodConstant& constant : method_constants(method.formulation, dim)) {

@@ -170,14 +170,15 @@ std::set<std::string> names_that_need_dp(TomlCursor& root, const Changes& change
 
 void read_parameters(TomlCursor& root, const Changes& changes, std::optional<double> dp, SceneFile& file) {
   const std::set<std::string> left_out = dp ? std::set<std::string>{} : names_that_need_dp(root, changes);
-  TomlCursor parameters = root.section("parameters", "[parameters]");
+  TomlCursor parameters = root.section("parameters", "[parameters]", named_by_user);
   Names names, defaults;
   if (dp) names["dp"] = defaults["dp"] = *dp;
   for (TomlEntry& entry : parameters.table().entries) {
     parameters.find(entry.key);
     check_new_name(parameters, entry, "parameter");
     if (left_out.contains(entry.key)) continue;
-    TomlCursor cursor = parameters.enter(entry.value, entry.key, "parameter '" + entry.key + "'");
+    TomlCursor cursor =
+        parameters.enter(entry.value, entry.key, "parameter '" + entry.key + "'", keys_of("parameters"));
     const Parameter parameter = read_parameter(cursor, entry.key, changes, names, defaults);
     names[entry.key] = parameter.value;
     defaults[entry.key] = parameter.default_value;

@@ -9,31 +9,42 @@
 namespace taut::cli {
 namespace {
 
-/// What a probe of a kind has to say.
-struct ProbeKind {
-  std::string_view name;
-  Probe::Kind kind;
-  int bodies;
-  bool at, to, axis;
+namespace key {
+constexpr KeyInfo body{"body", "name of a body", "", "that it looks at"};
+constexpr KeyInfo bodies{"bodies", "[BODY, BODY]", "", "the two that it looks at"};
+constexpr KeyInfo images{"bodies", "[BODY, BODY]", "`body`", "two that should be images of each other"};
+constexpr KeyInfo own_image{"body", "name of a body", "`bodies`", "one that should be its own image"};
+constexpr KeyInfo at{"at", "[x, y], m", "", "the material point, where it is at the start"};
+constexpr KeyInfo to{"to", "[x, y], m", "", "the other material point"};
+constexpr KeyInfo component{"component", "x, y or z", "", "the axis along which it is seen"};
+constexpr KeyInfo axis{"axis", "[x, y, z]", "[0, 0, 1]", "of the turn, through the origin; in 3D"};
+}  // namespace key
+
+/// Rows of one line each are easier to compare.
+// clang-format off
+const std::vector<ProbeKind> kinds{
+    {"displacement", Probe::Kind::displacement, "m", "of a material point", {key::body, key::at, key::component}},
+    {"position", Probe::Kind::position, "m", "of a material point", {key::body, key::at, key::component}},
+    {"velocity", Probe::Kind::velocity, "m/s", "of a material point", {key::body, key::at, key::component}},
+    {"distance", Probe::Kind::distance, "m", "between two material points", {key::body, key::at, key::to}},
+    {"mean_velocity", Probe::Kind::mean_velocity, "m/s", "of the mass centre", {key::body, key::component}},
+    {"mean_position", Probe::Kind::mean_position, "m", "of the mass centre", {key::body, key::component}},
+    {"greatest_position", Probe::Kind::greatest_position, "m", "of any of its particles",
+     {key::body, key::component}},
+    {"gap", Probe::Kind::gap, "m", "least distance of the surfaces of two bodies", {key::bodies}},
+    {"mirror_asymmetry", Probe::Kind::mirror_asymmetry, "m",
+     "greatest deviation of a body from the mirror image of the other one, or of itself",
+     {key::images, key::own_image, key::component}},
+    {"turn", Probe::Kind::turn, "rad", "angle of a material point about the axis since the start, whole turns "
+     "counted", {key::body, key::at, key::axis}},
 };
-constexpr std::array probe_kinds{
-    ProbeKind{"displacement", Probe::Kind::displacement, 1, true, false, true},
-    ProbeKind{"position", Probe::Kind::position, 1, true, false, true},
-    ProbeKind{"velocity", Probe::Kind::velocity, 1, true, false, true},
-    ProbeKind{"distance", Probe::Kind::distance, 1, true, true, false},
-    ProbeKind{"mean_velocity", Probe::Kind::mean_velocity, 1, false, false, true},
-    ProbeKind{"mean_position", Probe::Kind::mean_position, 1, false, false, true},
-    ProbeKind{"greatest_position", Probe::Kind::greatest_position, 1, false, false, true},
-    ProbeKind{"gap", Probe::Kind::gap, 2, false, false, false},
-    ProbeKind{"mirror_asymmetry", Probe::Kind::mirror_asymmetry, 2, false, false, true},
-    ProbeKind{"turn", Probe::Kind::turn, 1, true, false, false},
-};
+// clang-format on
 
 std::vector<int> probe_bodies(TomlCursor& cursor, const ProbeKind& kind, const Scene& scene) {
-  const bool its_own_image = kind.kind == Probe::Kind::mirror_asymmetry && cursor.find("body");
-  if (kind.bodies == 1 || its_own_image) {
+  const bool two = kind.takes("bodies");
+  if (!two || (kind.takes("body") && cursor.find("body"))) {
     const int body = body_index(cursor, cursor.need("body"), "body", scene);
-    return std::vector<int>(static_cast<std::size_t>(kind.bodies), body);
+    return std::vector<int>(two ? 2 : 1, body);
   }
   const TomlValue& pair = cursor.need("bodies");
   if (pair.kind != TomlValue::Kind::array || pair.items.size() != 2)
@@ -60,19 +71,20 @@ void refuse_point_on_axis(TomlCursor& cursor, const Probe& probe) {
 Probe read_probe(TomlCursor& cursor, const Scene& scene) {
   Probe probe;
   probe.name = label(cursor, names_of(scene.probes));
-  const ProbeKind& kind = probe_kinds[index_of(probe_kinds, cursor.choice("of", names_of(probe_kinds)))];
+  const ProbeKind& kind = kinds[index_of(kinds, cursor.choice("of", names_of(kinds)))];
+  cursor.also_takes(kind.keys);
   probe.kind = kind.kind;
   probe.bodies = probe_bodies(cursor, kind, scene);
   const int material = scene.bodies[static_cast<std::size_t>(probe.bodies.front())].material;
   add_names(cursor.names(), scene.materials[static_cast<std::size_t>(material)]);
-  if (kind.at) probe.at = cursor.point("at", scene.dim);
-  if (kind.to) probe.to = cursor.point("to", scene.dim);
-  if (kind.axis) {
+  if (kind.takes("at")) probe.at = cursor.point("at", scene.dim);
+  if (kind.takes("to")) probe.to = cursor.point("to", scene.dim);
+  if (kind.takes("component")) {
     const std::vector<std::string> allowed(axis_names.begin(), axis_names.begin() + scene.dim);
     const auto axis = std::find(allowed.begin(), allowed.end(), cursor.choice("component", allowed));
     probe.axis = static_cast<int>(axis - allowed.begin());
   }
-  if (kind.kind == Probe::Kind::turn) {
+  if (kind.takes("axis")) {
     probe.turns_about = turning_axis(cursor, scene);
     refuse_point_on_axis(cursor, probe);
   }
@@ -114,6 +126,12 @@ SampleLine read_line(TomlCursor& cursor, const Scene& scene) {
 }
 
 }  // namespace
+
+bool ProbeKind::takes(std::string_view key) const {
+  return std::ranges::find(keys, key, &KeyInfo::name) != keys.end();
+}
+
+std::span<const ProbeKind> probe_kinds() { return kinds; }
 
 Point turning_axis(TomlCursor& cursor, const Scene& scene) {
   if (scene.dim == 2) return {0, 0, 1};

@@ -32,7 +32,7 @@ bool holds(TomlCursor& reference, const std::vector<Parameter>& parameters) {
   if (reference.find("values") || reference.find("tables"))
     for (const Parameter& parameter : parameters) wanted[parameter.name] = parameter.default_value;
   if (TomlValue* value = reference.find("when")) {
-    TomlCursor when = reference.enter(*value, "when", "'when' of " + reference.what());
+    TomlCursor when = reference.enter(*value, "when", "'when' of " + reference.what(), named_by_user);
     for (const TomlEntry& entry : when.table().entries) {
       if (index_of(parameters, entry.key) == parameters.size())
         when.fail_unknown(entry.value, entry.key, "parameter", entry.key, names_of(parameters));
@@ -49,7 +49,7 @@ bool holds(TomlCursor& reference, const std::vector<Parameter>& parameters) {
 void read_names(TomlCursor& reference) {
   TomlValue* table = reference.find("let");
   if (!table) return;
-  TomlCursor cursor = reference.enter(*table, "let", "'let' of " + reference.what());
+  TomlCursor cursor = reference.enter(*table, "let", "'let' of " + reference.what(), named_by_user);
   for (const TomlEntry& entry : cursor.table().entries) {
     check_new_name(cursor, entry, "number");
     if (cursor.names().contains(entry.key))
@@ -72,7 +72,7 @@ std::map<std::string, double> read_values(TomlCursor& reference, const Scene& sc
   std::map<std::string, double> values;
   TomlValue* table = reference.find("values");
   if (!table) return values;
-  TomlCursor cursor = reference.enter(*table, "values", "'values' of " + reference.what());
+  TomlCursor cursor = reference.enter(*table, "values", "'values' of " + reference.what(), named_by_user);
   for (const TomlEntry& entry : cursor.table().entries) {
     known_measure(cursor, entry, scene);
     values[entry.key] = cursor.number(entry.key);
@@ -145,11 +145,11 @@ std::map<std::string, ReferenceTable> read_tables(TomlCursor& reference, const S
   TomlValue* table = reference.find("tables");
   if (!table) return tables;
   const std::filesystem::path folder = std::filesystem::absolute(file.path).parent_path();
-  TomlCursor cursor = reference.enter(*table, "tables", "'tables' of " + reference.what());
+  TomlCursor cursor = reference.enter(*table, "tables", "'tables' of " + reference.what(), named_by_user);
   for (TomlEntry& entry : cursor.table().entries) {
     const Measure& measure = measure_taking(&MeasureKind::table, "table", cursor, entry, file.scene);
-    tables[entry.key] =
-        read_one_table(cursor.enter(entry.value, entry.key, "table '" + entry.key + "'"), measure, folder);
+    TomlCursor one = cursor.enter(entry.value, entry.key, "table '" + entry.key + "'", keys_of("tables"));
+    tables[entry.key] = read_one_table(std::move(one), measure, folder);
   }
   return tables;
 }
@@ -160,7 +160,8 @@ std::map<std::string, std::vector<Solution>> read_solutions(TomlCursor& referenc
   std::map<std::string, std::vector<Solution>> solutions;
   TomlValue* table = reference.find("solutions");
   if (!table) return solutions;
-  TomlCursor cursor = reference.enter(*table, "solutions", "'solutions' of " + reference.what());
+  TomlCursor cursor =
+      reference.enter(*table, "solutions", "'solutions' of " + reference.what(), named_by_user);
   for (const TomlEntry& entry : cursor.table().entries) {
     const Measure& measure = measure_taking(&MeasureKind::solution, "solution", cursor, entry, scene);
     const std::size_t number = std::max({std::size_t{1}, measure.probes.size(), measure.fields.size()});
@@ -227,7 +228,7 @@ void see_tables_from(const std::filesystem::path& folder, TomlValue& scene) {
 void read_references(TomlCursor& root, SceneFile& file) {
   std::map<std::string, int> taken;  // precedence of each law's reference
   for (TomlValue& value : root.list("reference")) {
-    TomlCursor cursor = root.enter(value, "reference", "a reference");
+    TomlCursor cursor = root.enter(value, "reference", "a reference", keys_of("reference"));
     const std::string law = cursor.choice("law", material_laws());
     read_names(cursor);
     const Reference reference{.name = cursor.text("name"),

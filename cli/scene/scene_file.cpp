@@ -24,21 +24,11 @@ void collect_places(const TomlValue& value, const std::string& path,
   }
 }
 
-/// First of all: a misspelt table would else be reported as missing.
-void refuse_unknown_keys(TomlCursor& root) {
-  for (const char* key :
-       {"name",       "title",    "source",  "dim",   "spacing", "until",   "history",   "method",
-        "stepping",   "cfl",      "contact", "law",   "gravity", "damping", "wall",      "method_constants",
-        "parameters", "material", "body",    "probe", "line",    "measure", "reference", "render"})
-    root.find(key);
-  root.finish();
-}
-
 /// The spacing that was asked for, before it is fitted to the first body.
 double asked_spacing(TomlValue tree, const Changes& changes, TomlSource& source) {
   SceneFile file;
-  TomlCursor root(tree, "", "the scene", {}, source);
-  refuse_unknown_keys(root);
+  TomlCursor root(tree, "", "the scene", keys_of("scene"), {}, source);
+  root.refuse_unknown_keys();  // first of all: a misspelt table would else be reported as missing
   read_parameters(root, changes, {}, file);
   const TomlValue& spacing = root.need("spacing");
   const std::set<std::string> unknown_yet = names_that_need_dp(root, changes);
@@ -89,7 +79,9 @@ class SceneReading {
  public:
   SceneReading(double dp, const std::filesystem::path& path, const TomlValue& original,
                const Changes& changes, TomlSource& source)
-      : original_(original), source_(source), root_(start(path, original), "", "the scene", {}, source) {
+      : original_(original),
+        source_(source),
+        root_(start(path, original), "", "the scene", keys_of("scene"), {}, source) {
     read_head(root_, file_);
     read_parameters(root_, changes, dp, file_);
     read_settings(root_, changes, file_);

@@ -5,11 +5,13 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "cli/scene/expression.hpp"
+#include "cli/scene/key_info.hpp"
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/toml_cursor.hpp"
 #include "engine/scene/scene.hpp"
@@ -66,6 +68,17 @@ inline const std::vector<std::string> axis_names = {"x", "y", "z"};
 /// How the round shapes of a body are laid where the file does not say: for a method that keeps the neighbours of
 /// the start, for one that searches for them; none are laid of what is cut out.
 enum class Layers : std::uint8_t { that_fit_faces, evenly_spaced, none };
+/// A shape as scene files of one dimension name it.
+struct ShapeKind {
+  std::string_view name;
+  int dim;
+  std::string_view help;
+  std::span<const KeyInfo> keys;  // beside `type`
+  std::string_view otherwise;     // what comes nearest in the other dimension
+  Shape (*read)(TomlCursor&, int dim, Layers);
+};
+std::span<const ShapeKind> shape_kinds();
+
 /// The shapes of `key`: one table, or an array of tables.
 std::vector<Shape> read_shapes(TomlCursor& body, std::string_view key, int dim, Layers layers);
 
@@ -79,17 +92,31 @@ void add_names(Names& names, const Material& material);
 /// `axis = [0, 0, 1]`, unless given, of a turn in 3D: of length 1. In 2D there is no such key: it is z.
 Point turning_axis(TomlCursor& cursor, const Scene& scene);
 
+/// A kind of probe.
+struct ProbeKind {
+  std::string_view name;
+  Probe::Kind kind;
+  std::string_view unit, help;
+  std::vector<KeyInfo> keys;  // beside `name` and `of`
+
+  bool takes(std::string_view key) const;
+};
+std::span<const ProbeKind> probe_kinds();
+
+/// A key that kinds of measures take.
+const KeyInfo& measure_key(std::string_view name);
+
 /// The body that `value` names.
 int body_index(TomlCursor& cursor, const TomlValue& value, std::string_view key, const Scene& scene);
 
-/// The tables of [[key]], each with a cursor that knows its name.
+/// The tables of [[key]], each with a cursor that knows its name and its keys.
 template <class Read>
 void read_each(TomlCursor& root, const std::string& key, const Read& read) {
   int number = 0;
   for (TomlValue& value : root.list(key)) {
     const TomlEntry* name = value.find("name");
     const std::string known_as = name ? name->value.text : std::to_string(++number);
-    TomlCursor cursor = root.enter(value, key + "." + known_as, key + " '" + known_as + "'");
+    TomlCursor cursor = root.enter(value, key + "." + known_as, key + " '" + known_as + "'", keys_of(key));
     read(cursor);
   }
 }

@@ -68,52 +68,86 @@ Shape read_cylinder(TomlCursor& shape, int dim, Layers) {
   return cylinder;
 }
 
-/// A shape as scene files of one dimension name it.
-struct ShapeKind {
-  std::string_view name;
-  int dim;
-  std::string_view otherwise;  // what comes nearest in the other dimension
-  Shape (*read)(TomlCursor&, int dim, Layers);
+constexpr KeyInfo corner_keys[] = {
+    {"low", "[x, y], m", "", "the corner of least coordinates"},
+    {"high", "[x, y], m", "", "the corner of greatest coordinates"},
 };
-constexpr std::array shape_kinds = {
-    ShapeKind{"rectangle", 2, "box", read_box},
-    ShapeKind{"disc", 2, "ball", read_disc},
-    ShapeKind{"ring", 2, "shell", read_ring},
-    ShapeKind{"box", 3, "rectangle", read_box},
-    ShapeKind{"ball", 3, "disc", read_disc},
-    ShapeKind{"shell", 3, "ring", read_ring},
-    ShapeKind{"cylinder", 3, "disc or rectangle", read_cylinder},
+constexpr KeyInfo ball_keys[] = {
+    {"centre", "[x, y], m", "", "its middle"},
+    {"radius", "number, m", "", "to its face"},
+};
+constexpr KeyInfo disc_keys[] = {
+    ball_keys[0],
+    ball_keys[1],
+    {"layout", "spaced or lattice", "by the method",
+     "of particles: a centre and layers of 6, 12, 18 …, or cut from a square lattice"},
+};
+constexpr KeyInfo shell_keys[] = {
+    {"centre", "[x, y], m", "", "its middle"},
+    {"inner", "number, m", "", "radius of the hole"},
+    {"outer", "number, m", "", "radius"},
+};
+constexpr KeyInfo ring_keys[] = {
+    shell_keys[0],
+    shell_keys[1],
+    shell_keys[2],
+    {"layout", "aligned, spaced or lattice", "by the method",
+     "of particles: layers with the same number of particles on each, about a spacing apart on each, or cut "
+     "from a square lattice; layers have the exact mass"},
+};
+constexpr KeyInfo cylinder_keys[] = {
+    {"from", "[x, y, z], m", "", "middle of one end"},
+    {"to", "[x, y, z], m", "", "middle of the other"},
+    {"radius", "number, m", "", "of its outer face"},
+    {"inner", "number, m", "none", "radius of the hole of a hollow one"},
+};
+
+/// Every shape as scene files of one dimension name it.
+constexpr std::array kinds = {
+    ShapeKind{"rectangle", 2, "along the axes, on a square lattice", corner_keys, "box", read_box},
+    ShapeKind{"disc", 2, "a full circle", disc_keys, "ball", read_disc},
+    ShapeKind{"ring", 2, "a circle with a round hole in its middle", ring_keys, "shell", read_ring},
+    ShapeKind{"box", 3, "along the axes, on a cubic lattice", corner_keys, "rectangle", read_box},
+    ShapeKind{"ball", 3, "a full sphere, cut from a cubic lattice", ball_keys, "disc", read_disc},
+    ShapeKind{"shell", 3, "a hollow ball, cut from a cubic lattice", shell_keys, "ring", read_ring},
+    ShapeKind{"cylinder", 3, "full or hollow, cut from a cubic lattice; lay it along an axis and `rotate` it",
+              cylinder_keys, "disc or rectangle", read_cylinder},
 };
 
 std::vector<std::string> names_of_shapes(int dim) {
   std::vector<std::string> names;
-  for (const ShapeKind& kind : shape_kinds)
+  for (const ShapeKind& kind : kinds)
     if (kind.dim == dim) names.emplace_back(kind.name);
   return names;
 }
 
 Shape read_shape(TomlCursor shape, int dim, Layers layers) {
   const std::string given = shape.text("type");
-  const std::size_t k = index_of(shape_kinds, given);
-  if (k < shape_kinds.size() && shape_kinds[k].dim != dim)
+  const std::size_t k = index_of(kinds, given);
+  if (k < kinds.size() && kinds[k].dim != dim)
     shape.fail(shape.need("type"), "type",
-               given + " is a shape of " + std::to_string(shape_kinds[k].dim) +
+               given + " is a shape of " + std::to_string(kinds[k].dim) +
                    " dimensions and the scene has dim = " + std::to_string(dim) + "; take " +
-                   std::string(shape_kinds[k].otherwise));
-  const std::string type = shape.choice("type", names_of_shapes(dim));
-  const Shape result = shape_kinds[index_of(shape_kinds, type)].read(shape, dim, layers);
+                   std::string(kinds[k].otherwise));
+  const ShapeKind& kind = kinds[index_of(kinds, shape.choice("type", names_of_shapes(dim)))];
+  shape.also_takes(kind.keys);
+  const Shape result = kind.read(shape, dim, layers);
   shape.finish();
   return result;
 }
 
 }  // namespace
 
+std::span<const ShapeKind> shape_kinds() { return kinds; }
+
 std::vector<Shape> read_shapes(TomlCursor& body, std::string_view key, int dim, Layers layers) {
   TomlValue& value = body.need(key);
   const std::string what = "the " + std::string(key) + " of " + body.what();
-  if (value.kind != TomlValue::Kind::array) return {read_shape(body.enter(value, key, what), dim, layers)};
+  if (value.kind != TomlValue::Kind::array)
+    return {read_shape(body.enter(value, key, what, keys_of("shape")), dim, layers)};
   std::vector<Shape> shapes;
-  for (TomlValue& item : value.items) shapes.push_back(read_shape(body.enter(item, key, what), dim, layers));
+  for (TomlValue& item : value.items)
+    shapes.push_back(read_shape(body.enter(item, key, what, keys_of("shape")), dim, layers));
   if (shapes.empty())
     body.fail(value, key, what + " is empty: it needs at least one " + join_with_or(names_of_shapes(dim)));
   return shapes;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "cli/text/format.hpp"
@@ -36,15 +37,26 @@ bool is_identifier(std::string_view name) {
          std::all_of(name.begin(), name.end(), fits);
 }
 
-TomlCursor::TomlCursor(TomlValue& table, std::string path, std::string what, Names names, TomlSource& source)
+TomlCursor::TomlCursor(TomlValue& table, std::string path, std::string what, std::span<const KeyInfo> keys,
+                       Names names, TomlSource& source)
     : table_(table),
       path_(std::move(path)),
       what_(std::move(what)),
       names_(std::move(names)),
-      source_(source) {}
+      source_(source) {
+  also_takes(keys);
+}
+
+void TomlCursor::also_takes(std::span<const KeyInfo> keys) {
+  for (const KeyInfo& key : keys) keys_.emplace_back(key.name);
+}
+
+bool TomlCursor::may_have(std::string_view key) const {
+  return std::ranges::any_of(keys_, [=](const std::string& k) { return k == key || k == any_name; });
+}
 
 TomlValue* TomlCursor::find(std::string_view key) {
-  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
+  if (!may_have(key)) throw std::logic_error("the table of keys of " + what_ + " lacks " + quote(key));
   TomlEntry* entry = table_.find(key);
   if (!entry) return nullptr;
   entry->known = true;
@@ -56,7 +68,7 @@ TomlValue& TomlCursor::need(std::string_view key) {
   // a misspelt key is the likeliest reason
   std::vector<std::string> others;
   for (const TomlEntry& entry : table_.entries)
-    if (!entry.known) others.push_back(entry.key);
+    if (!may_have(entry.key)) others.push_back(entry.key);
   const std::vector<std::string> near = nearest(key, others);
   const FilePlace place = near.empty() ? table_.place : table_.find(near.front())->place;
   fail(place, key,
@@ -201,19 +213,20 @@ std::string TomlCursor::text_of(const TomlValue& value, std::string_view key) {
   return value.text;
 }
 
-TomlCursor TomlCursor::enter(TomlValue& value, std::string_view key, std::string what) {
+TomlCursor TomlCursor::enter(TomlValue& value, std::string_view key, std::string what,
+                             std::span<const KeyInfo> keys) {
   if (value.kind != Kind::table)
     fail(value, key, what + " must be a table, this is " + std::string(value.kind_name()));
-  return {value, full_path(key), std::move(what), names_, source_};
+  return {value, full_path(key), std::move(what), keys, names_, source_};
 }
 
-TomlCursor TomlCursor::section(std::string_view key, std::string what) {
+TomlCursor TomlCursor::section(std::string_view key, std::string what, std::span<const KeyInfo> keys) {
   if (!find(key)) {
     TomlValue empty;
     empty.section = true;
     table_.set(key, std::move(empty));
   }
-  return enter(*find(key), key, std::move(what));
+  return enter(*find(key), key, std::move(what), keys);
 }
 
 std::span<TomlValue> TomlCursor::list(std::string_view key) {
@@ -246,12 +259,19 @@ void TomlCursor::fail_expression(const TomlValue& value, std::string_view key,
   fail(place, key, std::string(key) + ": " + error.what());
 }
 
+void TomlCursor::refuse_unknown_keys() const {
+  for (const TomlEntry& entry : table_.entries)
+    if (!may_have(entry.key))
+      fail(entry.place, entry.key,
+           "unknown key " + quote(entry.key) + " in " + what_ + did_you_mean(entry.key, keys_) +
+               "; known here: " + join(keys_));
+}
+
 void TomlCursor::finish() const {
+  refuse_unknown_keys();
   for (const TomlEntry& entry : table_.entries)
     if (!entry.known)
-      fail(entry.place, entry.key,
-           "unknown key " + quote(entry.key) + " in " + what_ + did_you_mean(entry.key, known_) +
-               "; known here: " + join(known_));
+      fail(entry.place, entry.key, quote(entry.key) + " has no effect in " + what_ + ": remove it");
 }
 
 void TomlCursor::note_names(const std::string& text) { source_.used.merge(names_in(text)); }

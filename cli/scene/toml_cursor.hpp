@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/scene/expression.hpp"
+#include "cli/scene/key_info.hpp"
 #include "cli/scene/toml_tree.hpp"
 
 namespace taut::cli {
@@ -19,19 +20,25 @@ struct TomlSource {
   std::set<std::string> used;  // names that some expression has asked for
 };
 
-/// Typed access to one table of a scene file. It remembers which keys were asked for, so that `finish` finds
-/// the ones that nobody reads, and writes defaults into the table, so that the table ends up complete. Every
-/// error is a SceneError with the place of the value.
+/// Typed access to one table of a scene file. It knows the keys that the table may have; to ask for another one
+/// is an error of the reader. It remembers which were asked for, so that `finish` finds the ones that nobody
+/// reads, and writes defaults into the table, so that the table ends up complete. Every error of the file is a
+/// SceneError with the place of the value.
 class TomlCursor {
  public:
   /// `path` is the dotted path ("body.left") and `what` the table's name in messages ("body 'left'").
-  TomlCursor(TomlValue& table, std::string path, std::string what, Names names, TomlSource& source);
+  TomlCursor(TomlValue& table, std::string path, std::string what, std::span<const KeyInfo> keys, Names names,
+             TomlSource& source);
 
   TomlValue& table() { return table_; }
   const std::string& path() const { return path_; }
   const std::string& what() const { return what_; }
   Names& names() { return names_; }
   TomlSource& source() { return source_; }
+
+  /// More keys that the table may have: those of its kind.
+  void also_takes(std::span<const KeyInfo> keys);
+  void also_takes(const KeyInfo& key) { also_takes({&key, 1}); }
 
   /// nullptr if it is missing; from now on the key is known.
   TomlValue* find(std::string_view key);
@@ -61,10 +68,10 @@ class TomlCursor {
   Solution solution(const TomlValue& value, std::string_view key);
   std::string text_of(const TomlValue& value, std::string_view key);
 
-  /// A cursor on the table `value`, with the same names.
-  TomlCursor enter(TomlValue& value, std::string_view key, std::string what);
+  /// A cursor on the table `value` with such keys, with the same names.
+  TomlCursor enter(TomlValue& value, std::string_view key, std::string what, std::span<const KeyInfo> keys);
   /// The table `key`, written with its defaults if it is missing.
-  TomlCursor section(std::string_view key, std::string what);
+  TomlCursor section(std::string_view key, std::string what, std::span<const KeyInfo> keys);
   /// The tables of [[key]], none if it is missing.
   std::span<TomlValue> list(std::string_view key);
 
@@ -73,7 +80,9 @@ class TomlCursor {
   /// The error for a name that is not among `known`.
   [[noreturn]] void fail_unknown(const TomlValue& value, std::string_view key, std::string_view kind,
                                  std::string_view given, const std::vector<std::string>& known) const;
-  /// Throws for the first key that nobody has asked for.
+  /// Throws for the first key that the table may not have.
+  void refuse_unknown_keys() const;
+  /// The same, and for the first one that nobody has asked for.
   void finish() const;
 
  private:
@@ -85,12 +94,13 @@ class TomlCursor {
                                                const Compile& compile, const Show& show);
   void note_names(const std::string& text);
   std::string full_path(std::string_view key) const;
+  bool may_have(std::string_view key) const;
 
   TomlValue& table_;
   std::string path_, what_;
   Names names_;
   TomlSource& source_;
-  std::vector<std::string> known_;
+  std::vector<std::string> keys_;
 };
 
 /// Letters, digits and '_', not starting with a digit: what an expression can name.

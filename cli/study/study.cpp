@@ -51,17 +51,17 @@ void print_files(const char* kind, const PlotFiles& files, const std::string& re
 StudyPictures read_pictures(TomlCursor& root) {
   StudyPictures pictures;
   if (TomlValue* chart = root.find("chart")) {
-    TomlCursor section = root.enter(*chart, "chart", "[chart]");
+    TomlCursor section = root.enter(*chart, "chart", "[chart]", keys_of("chart"));
     pictures.charts = read_charts(section);
   }
   if (TomlValue* map = root.find("map")) {
-    TomlCursor section = root.enter(*map, "map", "[map]");
+    TomlCursor section = root.enter(*map, "map", "[map]", keys_of("map"));
     const TomlValue* parameter = section.find("parameter");
     pictures.map = {{section.text("parameter", "")}, parameter ? parameter->place : map->place};
     section.finish();
   }
   if (TomlValue* history = root.find("history")) {
-    TomlCursor section = root.enter(*history, "history", "[history]");
+    TomlCursor section = root.enter(*history, "history", "[history]", keys_of("history"));
     for (const TomlEntry& entry : history->entries)
       pictures.history.push_back({entry.key, section.text_of(entry.value, entry.key), entry.place});
     if (pictures.history.empty())

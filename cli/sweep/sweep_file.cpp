@@ -105,14 +105,14 @@ std::vector<GridRow> read_rows(TomlCursor& root) {
   if (!grid && listed.empty())
     root.fail(root.table().place, "", "the sweep needs a [grid], or a [[row]] for each run");
   if (grid) {
-    TomlCursor cursor = root.enter(*grid, "grid", "[grid]");
+    TomlCursor cursor = root.enter(*grid, "grid", "[grid]", keys_of("grid"));
     const std::vector<Axis> axes = SettingsReader(cursor).axes();
     if (axes.empty()) root.fail(*grid, "grid", "[grid] is empty; it needs a line NAME = VALUES");
     rows = all_combinations(axes);
   }
   std::set<std::string> seen;
   for (TomlValue& row : listed) {
-    TomlCursor cursor = root.enter(row, "row", "[[row]]");
+    TomlCursor cursor = root.enter(row, "row", "[[row]]", keys_of("row"));
     rows.push_back(SettingsReader(cursor).settings());
     if (!seen.insert(folder_name(rows.back())).second)
       root.fail(row, "row", "the run " + text_of(rows.back()) + " is there twice");
@@ -131,17 +131,16 @@ SweepFile read_sweep(const fs::path& path) {
   TomlSource source;
   source.file = path.string();
   TomlValue tree = parse_toml(file_text(path), source.file);
-  TomlCursor root(tree, "", "the sweep", {}, source);
-  for (const char* key : {"title", "scene", "set", "grid", "row", "chart", "map", "history"}) root.find(key);
+  TomlCursor root(tree, "", "the sweep", keys_of("sweep"), {}, source);
   if (tree.find("body") && !tree.find("grid") && !tree.find("row"))
     throw UsageError("'" + path.string() + "' is a scene; to sweep it add --grid NAME=VALUES");
-  root.finish();
+  root.refuse_unknown_keys();
   SweepFile file;
   file.path = path;
   file.title = root.text("title", path.stem().string());
   file.scene = find_scene_of(root, path);
   if (TomlValue* set = root.find("set")) {
-    TomlCursor cursor = root.enter(*set, "set", "'set'");
+    TomlCursor cursor = root.enter(*set, "set", "'set'", keys_of("set"));
     file.set = SettingsReader(cursor).settings();
   }
   file.pictures = read_pictures(root);

@@ -2,6 +2,7 @@
 
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/shipped.hpp"
+#include "cli/scene/toml_cursor.hpp"
 #include "engine/scene/initial_particles.hpp"
 #include "tests/support/scene_text.hpp"
 
@@ -73,6 +74,23 @@ TEST_SUITE("cli") {
                 {"unknown key 'frame'", "'frames'"});
     check_error("[[body]]\nname = \"ring\"\nshape", "@[[body]]\nname = \"ring\"\nform",
                 {"'shape' is missing in body 'ring'"});
+  }
+
+  TEST_CASE("scene: a key that is known and has no effect here") {
+    check_error("material = \"rubber\"\nvelocity",
+                "material = \"rubber\"\nwithout = { type = \"disc\", centre = [0, 0], radius = 0.1, "
+                "@layout = \"lattice\" }\nvelocity",
+                {"'layout' has no effect in the without of body"});
+  }
+
+  TEST_CASE("a reader that asks for a key which the table of its section lacks is wrong itself") {
+    constexpr KeyInfo keys[] = {{"low", "number", "", ""}};
+    TomlSource source;
+    TomlValue table = parse_toml("low = 1", "a file");
+    TomlCursor cursor(table, "", "the table", keys, {}, source);
+    CHECK(cursor.number("low") == 1);
+    CHECK_THROWS_AS(cursor.find("high"), std::logic_error);
+    CHECK_THROWS_AS(keys_of("no such section"), std::logic_error);
   }
 
   TEST_CASE("scene: wrong types") {

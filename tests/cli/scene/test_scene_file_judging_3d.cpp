@@ -72,7 +72,7 @@ TEST_SUITE("cli") {
     const std::string turn = "of = \"turn\"\nbody = \"block\"\nat = [2, 0.5]";
     const std::string old_probe = "of = \"displacement\"\nbody = \"block\"\nat = [2, 0.5]\ncomponent = \"y\"";
     CHECK(read_text(replaced(small_scene, old_probe, turn)).scene.probes[0].turns_about == Point{0, 0, 1});
-    check_error(old_probe, turn + "\n@axis = [0, 0, 1]", {"unknown key 'axis'"});
+    check_error(old_probe, turn + "\n@axis = [0, 0, 1]", {"'axis' has no effect"});
   }
 
   TEST_CASE("scene in 3D: the measure turn takes three probes and an axis") {
