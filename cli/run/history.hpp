@@ -23,6 +23,8 @@ class History {
   History(const std::filesystem::path& path, const Scene& scene,
           AppendFile::Start start = AppendFile::Start::empty);
 
+  /// The step that the last row shows; −1: there is none.
+  long last_step() const { return last_step_; }
   /// A row for the state at hand, unless the last row shows this very step.
   void add(const Simulation& simulation, const Balance& balance, int pieces, const Readings& readings);
 

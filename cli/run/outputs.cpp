@@ -37,7 +37,8 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
 
   void open(AppendFile::Start start) override { history_.emplace(path_, scene_, start); }
   double next() const override { return agenda_.next(); }
-  bool shows_the_end() const override { return true; }
+  bool is_at_its_time() const override { return false; }
+  bool lacks_the_end() const override { return history_->last_step() != simulation_.steps(); }
 
   void take() override {
     const Timed timed(result_.record.seconds.write);
@@ -88,10 +89,11 @@ LineRecorder start_lines(const SceneFile& file, const Simulation& simulation) tr
 /// The measures, and lines.csv of a scene with lines, which are measured too.
 class MeasuresOutput final : public OutputOf<MeasuresOutput> {
  public:
-  MeasuresOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)
+  MeasuresOutput(const RunPlan& plan, const Simulation& simulation, LastStep& last_step, RunResult& result)
       : scene_(plan.file.scene),
         path_(plan.folder.lines()),
         simulation_(simulation),
+        last_step_(last_step),
         result_(result),
         lines_(start_lines(plan.file, simulation)) {}
 
@@ -102,7 +104,7 @@ class MeasuresOutput final : public OutputOf<MeasuresOutput> {
 
   void take() override {
     const Timed timed(result_.record.seconds.write);
-    lines_.sample(simulation_.snapshot());
+    while (lines_.next() <= simulation_.time()) lines_.sample(last_step_.at(lines_.next()));
     if (file_) file_->add(lines_.samples());
   }
 
@@ -121,6 +123,7 @@ class MeasuresOutput final : public OutputOf<MeasuresOutput> {
   const Scene& scene_;
   std::filesystem::path path_;
   const Simulation& simulation_;
+  LastStep& last_step_;
   RunResult& result_;
   LineRecorder lines_;
   std::optional<LineSamplesFile> file_;
@@ -129,9 +132,10 @@ class MeasuresOutput final : public OutputOf<MeasuresOutput> {
 /// The pictures.
 class FramesOutput final : public OutputOf<FramesOutput> {
  public:
-  FramesOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)
+  FramesOutput(const RunPlan& plan, const Simulation& simulation, LastStep& last_step, RunResult& result)
       : folder_(plan.folder),
         simulation_(simulation),
+        last_step_(last_step),
         result_(result),
         agenda_(plan.frame_times),
         frames_(*plan.drawing, origins_of(simulation.snapshot()), plan.folder.frames(),
@@ -141,8 +145,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
   double next() const override { return agenda_.next(); }
 
   void take() override {
-    // several frames may show one step, where they are asked for closer together than the steps are
-    for (int due = agenda_.reached(simulation_.time()); due > 0; --due) frames_.add(simulation_.snapshot());
+    for (const double due : agenda_.reached(simulation_.time())) frames_.add(last_step_.at(due));
   }
 
   void settle() override { frames_.finish(); }
@@ -172,6 +175,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
  private:
   const RunFolder& folder_;
   const Simulation& simulation_;
+  LastStep& last_step_;
   RunResult& result_;
   Agenda agenda_;
   Frames frames_;
@@ -180,15 +184,16 @@ class FramesOutput final : public OutputOf<FramesOutput> {
 /// particles/, at the times of the frames.
 class ParticlesOutput final : public OutputOf<ParticlesOutput> {
  public:
-  ParticlesOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)
+  ParticlesOutput(const RunPlan& plan, const Simulation& simulation, LastStep& last_step, RunResult& result)
       : folder_(plan.folder),
         simulation_(simulation),
+        last_step_(last_step),
         agenda_(plan.frame_times),
         series_(plan.particle_fields, plan.folder, result.record.seconds) {}
 
   double next() const override { return agenda_.next(); }
   void take() override {
-    for (int due = agenda_.reached(simulation_.time()); due > 0; --due) series_.add(simulation_.snapshot());
+    for (const double due : agenda_.reached(simulation_.time())) series_.add(last_step_.at(due));
   }
   void tell() override { series_.save_index(); }
 
@@ -201,21 +206,29 @@ class ParticlesOutput final : public OutputOf<ParticlesOutput> {
  private:
   const RunFolder& folder_;
   const Simulation& simulation_;
+  LastStep& last_step_;
   Agenda agenda_;
   ParticleSeries series_;
 };
 
 }  // namespace
 
+const Snapshot& LastStep::at(double t) {
+  const Snapshot& now = simulation_.snapshot();
+  if (t == now.time) return now;
+  if (shown_.time != t || shown_.step != now.step) shown_ = blend(before_, now, t);
+  return shown_;
+}
+
 std::vector<std::unique_ptr<RunOutput>> make_outputs(const RunPlan& plan, const Simulation& simulation,
-                                                     RunResult& result) {
+                                                     LastStep& last_step, RunResult& result) {
   std::vector<std::unique_ptr<RunOutput>> all;
   // history.csv comes first: what has diverged is not shown
   all.push_back(std::make_unique<HistoryOutput>(plan, simulation, result));
-  all.push_back(std::make_unique<MeasuresOutput>(plan, simulation, result));
-  if (plan.drawing) all.push_back(std::make_unique<FramesOutput>(plan, simulation, result));
+  all.push_back(std::make_unique<MeasuresOutput>(plan, simulation, last_step, result));
+  if (plan.drawing) all.push_back(std::make_unique<FramesOutput>(plan, simulation, last_step, result));
   if (!plan.particle_fields.empty())
-    all.push_back(std::make_unique<ParticlesOutput>(plan, simulation, result));
+    all.push_back(std::make_unique<ParticlesOutput>(plan, simulation, last_step, result));
   return all;
 }
 

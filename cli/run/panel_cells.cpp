@@ -24,9 +24,9 @@ PanelCell cell_at(const SavedRun& run, double time, double until, const Field& f
   const auto nearest = std::ranges::min_element(run.particles, {}, distance);
   const double interval = run.file.scene.until / run.file.drawing.frames;
   if (time > run.particles.back().time() + 0.75 * interval) return {std::nullopt, ending(run, until)};
-  constexpr double noticeable = 0.002;  // of the whole time
+  const std::string shown = render::format_time(nearest->time(), until);
   return {read_colored(*nearest, field, run.file.scene.dim),
-          distance(*nearest) > noticeable * until ? render::format_time(nearest->time(), until) : ""};
+          shown == render::format_time(time, until) ? "" : shown};
 }
 
 }  // namespace taut::cli

@@ -42,8 +42,10 @@ class Run {
   void simulate();
   void step_through();
   double next_output() const;
+  double next_between_steps() const;
   void show_what_is_due(bool at_end);
   void advance(double target);
+  void step_to(double target);
   bool complete();
   RunRecord::Status how_it_ended() const;
   void save(RunRecord::Status status);
@@ -56,6 +58,7 @@ class Run {
   Progress& progress_;
   RunResult result_;
   RunRecord& record_ = result_.record;
+  LastStep last_step_;
   std::vector<std::unique_ptr<RunOutput>> outputs_;
   Pace pace_;
   Stopwatch since_saved_;
@@ -69,7 +72,8 @@ Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Inte
       interrupts_(interrupts),
       progress_(progress),
       result_{std::move(record), 0, ""},
-      outputs_(make_outputs(plan, *simulation_, result_)),
+      last_step_(*simulation_),
+      outputs_(make_outputs(plan, *simulation_, last_step_, result_)),
       pace_(record_.until) {}
 
 RunResult Run::execute() {
@@ -165,13 +169,16 @@ void Run::step_through() {
   if (!plan_.state)
     for (const auto& output : outputs_) output->take();
   for (bool going = result_.failure.empty(); going;) {
-    advance(std::min(next_output(), record_.until));
-    going = record_.reached < record_.until && !interrupts_.asked();
-    // before the row of history.csv at the end, which is one more than a run that goes on has
-    if (interrupts_.asked()) save_checkpoint();
-    show_what_is_due(!going);
-    going = going && result_.failure.empty();
+    advance(std::min({next_output(), next_checkpoint_, record_.until}));
+    const bool stopped = interrupts_.asked();
+    show_what_is_due(false);
+    // what is due takes the step before, which no checkpoint holds; and the row of history.csv at the end is one
+    // more than a run that goes on has
+    const bool well = result_.failure.empty();
+    if (well && (stopped || record_.reached >= next_checkpoint_)) save_checkpoint();
+    going = well && !stopped && record_.reached < record_.until;
   }
+  show_what_is_due(true);
   progress_.end(state_line());
 }
 
@@ -181,10 +188,19 @@ double Run::next_output() const {
   return next;
 }
 
+/// The first time that is shown itself, s.
+double Run::next_between_steps() const {
+  double next = std::numeric_limits<double>::infinity();
+  for (const auto& output : outputs_)
+    if (output->is_at_its_time()) next = std::min(next, output->next());
+  return next;
+}
+
+/// What has diverged is not shown.
 void Run::show_what_is_due(bool at_end) {
   for (const auto& output : outputs_) {
-    if (output->next() <= record_.reached || (at_end && output->shows_the_end())) output->take();
     if (!result_.failure.empty()) return;
+    if (output->next() <= record_.reached || (at_end && output->lacks_the_end())) output->take();
   }
 }
 
@@ -193,15 +209,28 @@ void Run::advance(double target) {
   while (record_.reached < target && !interrupts_.asked()) {
     const Stopwatch watch;
     const double from = record_.reached;
-    simulation_->advance_to(std::min({target, from + pace_.slice(), next_checkpoint_}));
-    record_.seconds.solve += watch.seconds();
+    step_to(std::min(target, from + pace_.slice()));
     record_.reached = simulation_->time();
     record_.steps = simulation_->steps();
     pace_.took(record_.reached - from, watch.seconds());
     progress_.show(record_.reached / record_.until, state_line());
-    if (record_.reached >= next_checkpoint_) save_checkpoint();
     if (since_saved_.seconds() > record_interval) save(RunRecord::Status::running);
   }
+}
+
+/// Keeps what stands before a step in which something is due.
+void Run::step_to(double target) {
+  const auto advance = [&](double short_of) {
+    const Timed timed(record_.seconds.solve);
+    simulation_->advance(target, short_of);
+  };
+  advance(next_between_steps());
+  if (simulation_->time() >= target) return;
+  {
+    const Timed timed(record_.seconds.write);
+    last_step_.begin();
+  }
+  advance(std::numeric_limits<double>::infinity());
 }
 
 RunRecord::Status Run::how_it_ended() const {

@@ -25,10 +25,10 @@ double Agenda::next() const {
   return done_ < times_.size() ? times_[done_] : std::numeric_limits<double>::infinity();
 }
 
-int Agenda::reached(double now) {
-  int count = 0;
-  for (; done_ < times_.size() && times_[done_] <= now; ++done_) ++count;
-  return count;
+std::span<const double> Agenda::reached(double now) {
+  const std::size_t first = done_;
+  while (done_ < times_.size() && times_[done_] <= now) ++done_;
+  return std::span(times_).subspan(first, done_ - first);
 }
 
 }  // namespace taut::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 namespace taut::cli {
@@ -17,8 +18,8 @@ class Agenda {
 
   /// The next time not reached yet; infinity when there is none.
   double next() const;
-  /// How many times have been reached by `now` since the last call.
-  int reached(double now);
+  /// The times that have been reached by `now` since the last call.
+  std::span<const double> reached(double now);
 
   template <class Archive>
   void serialize(Archive& archive) {

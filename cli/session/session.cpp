@@ -10,6 +10,7 @@
 #include "cli/system/stopwatch.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
+#include "engine/snapshot_blend.hpp"
 #include "render/image/png.hpp"
 
 namespace taut::cli {
@@ -42,18 +43,26 @@ Session::Session(const RunOptions& options)
 
 void Session::step(long count, const Interrupts& interrupts) {
   constexpr double later = std::numeric_limits<double>::infinity();
+  between_.reset();
   for (long k = 0; k < count && !interrupts.asked(); ++k)
     simulation_->advance_to(std::nextafter(simulation_->time(), later));
 }
 
 void Session::run_until(double t, const Interrupts& interrupts, Progress& progress) {
+  if (simulation_->time() >= t) return;
   Pace pace(t);
   const double start = simulation_->time();
+  between_.reset();
   progress.begin("to " + brief(t) + " s");
   while (simulation_->time() < t && !interrupts.asked()) {
     const Stopwatch watch;
-    const double from = simulation_->time();
-    simulation_->advance_to(std::min(t, from + pace.slice()));
+    const double from = simulation_->time(), to = std::min(t, from + pace.slice());
+    simulation_->advance(to, t);
+    if (simulation_->time() < to) {  // the next step ends at or past t
+      const Snapshot before = simulation_->snapshot();
+      simulation_->advance_to(to);
+      between_ = blend(before, simulation_->snapshot(), t);
+    }
     pace.took(simulation_->time() - from, watch.seconds());
     progress.show((simulation_->time() - start) / (t - start), "t = " + brief(simulation_->time()) + " s");
   }
@@ -85,13 +94,13 @@ void Session::set_look(const DrawingKey& key, const std::string& text) {
   Drawing drawing = drawing_;
   set_typed(drawing, key, text);
   suit(drawing, file_);
-  fitted(drawing, simulation_->snapshot());  // a cut may leave nothing
+  fitted(drawing, shown());  // a cut may leave nothing
   if (key.name == "view" || drawing.look.camera != drawing_.look.camera) window_.reset();
   drawing_ = std::move(drawing);
 }
 
 Drawing Session::drawing() const {
-  Drawing drawing = fitted(drawing_, simulation_->snapshot());
+  Drawing drawing = fitted(drawing_, shown());
   if (window_) drawing.look.view = window_;
   return drawing;
 }
@@ -122,7 +131,7 @@ void Session::frame(const std::filesystem::path& file) const { render::write_png
 
 render::Image Session::picture(const Drawing& drawing) const {
   const Captions captions{file_.scene.title, file_.settings.method, file_.scene.until};
-  return draw_picture(drawing, captions, simulation_->snapshot());
+  return draw_picture(drawing, captions, shown());
 }
 
 void Session::save(const std::filesystem::path& file) const {
@@ -143,6 +152,7 @@ void Session::load(const std::filesystem::path& path) {
   std::unique_ptr<Simulation> simulation = start(file_);
   simulation->load(checkpoint.state);
   simulation_ = std::move(simulation);
+  between_.reset();
 }
 
 }  // namespace taut::cli

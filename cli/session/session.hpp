@@ -27,7 +27,11 @@ class Session {
 
   /// Both stop early when interrupted. NumericalError where the simulation diverges.
   void step(long count, const Interrupts& interrupts);
+  /// To the first step at or past `t`; what is shown then is of `t` itself.
   void run_until(double t, const Interrupts& interrupts, Progress& progress);
+
+  /// The particles as pictures show them.
+  const Snapshot& shown() const { return between_ ? *between_ : simulation_->snapshot(); }
 
   /// What may change while a simulation runs: the step size (cfl) and the method's constants
   /// that no geometry of the start was made from.
@@ -62,6 +66,7 @@ class Session {
   Drawing drawing_;
   std::optional<render::View> window_;  // of a scene in 3D, where pan and zoom have been
   std::unique_ptr<Simulation> simulation_;
+  std::optional<Snapshot> between_;  // of a time in the last step, where it was asked for
 };
 
 }  // namespace taut::cli

@@ -109,7 +109,7 @@ void preview(Session& session, const Words& words, const Dialogue& to) {
   // texts in a picture of characters could not be read
   if (look.bare)
     to.out << drawing.field->name << ' ' << ends(look.range->low, look.range->high) << ' '
-           << drawing.field->unit << ", t = " << brief(session.simulation().time()) << " s, x "
+           << drawing.field->unit << ", t = " << brief(session.shown().time) << " s, x "
            << ends(look.view->x_min, look.view->x_max) << " m, y " << ends(look.view->y_min, look.view->y_max)
            << " m\n";
 }
@@ -199,7 +199,8 @@ SessionCommand command_of(const DrawingKey& key) {
 std::vector<SessionCommand> make_commands() {
   std::vector<SessionCommand> all{
       {"step", "[N]", "N steps, or one", step},
-      {"run", "until T", "to the first step at or past T seconds; Ctrl-C stops it", run},
+      {"run", "until T", "to the first step at or past T seconds, pictures show T itself; Ctrl-C stops it",
+       run},
   };
   for (const DrawingKey& key : drawing_keys())
     if (!key.session_help.empty()) all.push_back(command_of(key));

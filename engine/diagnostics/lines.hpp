@@ -11,8 +11,8 @@ namespace taut {
 
 /// A line's field at one time.
 struct LineSample {
-  double time = 0;  // of the step that it shows, s
-  long step = 0;
+  double time = 0;            // s
+  long step = 0;              // that ends at this time, or is the first to end after it
   std::vector<double> value;  // at the line's points, in the field's unit; no number outside of the body
 
   template <class Archive>
@@ -24,8 +24,7 @@ struct LineSample {
 /// A point of a line, at t = 0 where it is a material one, from the first one at `from` to the last one at `to`.
 Point line_point(const SampleLine& line, int k);
 
-/// Samples the lines of a scene. The steps of the run do not depend on it: a sample shows the first step at
-/// or past its time.
+/// Samples the lines of a scene.
 class LineRecorder {
  public:
   /// `start` is the state at t = 0 and `reach` the radius within which particles count, m. Throws SceneError
@@ -34,7 +33,7 @@ class LineRecorder {
 
   /// The next time that is not sampled yet, s; infinity when there is none.
   double next() const;
-  /// Takes what is due.
+  /// Takes what is due by the time of `now`, as it is then.
   void sample(const Snapshot& now);
   /// [line][sample], in the order of their times.
   const std::vector<std::vector<LineSample>>& samples() const { return samples_; }

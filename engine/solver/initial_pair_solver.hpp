@@ -19,6 +19,11 @@ namespace taut::inline TAUT_ISA {
 /// (Body::on_boundary): the outermost stand half a spacing inside the face.
 template <class Solver, const Formulation& M, int Dim>
 class InitialPairSolver : public ParticleSolver<Solver, Dim> {
+ public:
+  /// CFL h/(c_p + |v|max) with the fastest wave, c_p = √((K + 4G/3)/ρ0), s. [Lee2016] Eq. 44 has the spacing
+  /// for h and waits for the wave in the strained body; |v|max stands for how fast it is being strained.
+  double step_size() const { return this->fixed_or(c_.cfl * c_.h / (c_p_ + vmax_)); }
+
  protected:
   using Base = ParticleSolver<Solver, Dim>;
   using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::loads_, Base::initial_, Base::threads_now,
@@ -28,9 +33,6 @@ class InitialPairSolver : public ParticleSolver<Solver, Dim> {
 
   explicit InitialPairSolver(const SolverInput& input);
 
-  /// CFL h/(c_p + |v|max) with the fastest wave, c_p = √((K + 4G/3)/ρ0), s. [Lee2016] Eq. 44 has the spacing
-  /// for h and waits for the wave in the strained body; |v|max stands for how fast it is being strained.
-  double step_size() const { return this->fixed_or(c_.cfl * c_.h / (c_p_ + vmax_)); }
   double wave_speed() const { return c_p_; }  // c_p, the greatest of all materials, m/s
 
   /// `pass`(laws) with the laws of four particles at a time: the pass is compiled for each law that there may be.

@@ -204,20 +204,24 @@ class SolverParts : public Simulation {
   [[noreturn]] void fail() const;
 };
 
-/// A solver, which has `step`, `take_snapshot` and, where its steps depend on more than SolverParts, a
-/// `serialize` that begins with that of its base. Its constructor ends with `record`.
+/// A solver, which has `step`, by the time that `step_size` gives, `take_snapshot` and, where its steps depend
+/// on more than SolverParts, a `serialize` that begins with that of its base. Its constructor ends with `record`.
 template <class Solver, int Dim>
 class ParticleSolver : public SolverParts<Dim> {
  public:
-  void advance_to(double t) final {
+  void advance(double t, double short_of) final {
+    const bool outdated = this->outdated_;
+    const long first = this->step_;
     this->outdated_ = this->snapshot_.m.empty();  // a run that breaks off keeps the last one
     this->team_.resume();
     while (this->time_ < t) {
-      solver().step();
+      const double dt = solver().step_size();
+      if (this->time_ + dt >= short_of) break;
+      solver().step(dt);
       record();
       this->team_.step_done();
     }
-    this->outdated_ = true;
+    this->outdated_ = outdated || this->step_ > first;
   }
 
   std::string save() final {

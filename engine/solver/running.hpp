@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,7 +27,10 @@ class Simulation {
 
   /// Steps until the first step at or past time `t` (never cut short: output does not alter a run). Throws
   /// NumericalError when a value is no longer finite; `snapshot` is the last one taken before, then.
-  virtual void advance_to(double t) = 0;
+  void advance_to(double t) { advance(t, std::numeric_limits<double>::infinity()); }
+  /// The same, but makes no step that ends at or past `short_of`: the state at hand is then the last one
+  /// before that time, or `t` is reached.
+  virtual void advance(double t, double short_of) = 0;
 
   /// All that its next steps depend on, and the series so far, as bytes for `load`.
   virtual std::string save() = 0;

@@ -8,6 +8,7 @@
 
 #include "engine/families/catalogue.hpp"
 #include "engine/simulation.hpp"
+#include "engine/snapshot_blend.hpp"
 
 namespace taut::test {
 
@@ -29,6 +30,14 @@ inline Settings with_method(const std::string& method, Stepping stepping = Stepp
 inline void make_steps(Simulation& simulation, long steps) {
   const long end = simulation.steps() + steps;
   while (simulation.steps() < end) simulation.advance_to(std::nextafter(simulation.time(), 1.0));
+}
+
+/// At the time `t` ahead, between two steps; the simulation has made the second one.
+inline Snapshot state_at(double t, Simulation& simulation) {
+  simulation.advance(t, t);
+  const Snapshot before = simulation.snapshot();
+  simulation.advance_to(t);
+  return blend(before, simulation.snapshot(), t);
 }
 
 /// The state after `steps` steps.

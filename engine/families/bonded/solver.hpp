@@ -58,7 +58,8 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     Base::record();
   }
 
-  void step();
+  double step_size() const;
+  void step(double dt);
   template <class Archive>
   void serialize(Archive& archive) {
     Base::serialize(archive);
@@ -89,7 +90,6 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   void add_sites(const Bonds& bonds);
   void make_columns();
   void take_masses(const Bonds& bonds);
-  double step_size() const;
   void half_drift(double dt);
   void stress_pass();
   Vec<Pack, Dim> force(int group) const;
@@ -210,8 +210,7 @@ double Bonded<M, Dim>::step_size() const {
 }
 
 template <const Formulation& M, int Dim>
-void Bonded<M, Dim>::step() {
-  const double dt = step_size();
+void Bonded<M, Dim>::step(double dt) {
   if (contact_.prepare(s_, vmax_ * dt)) Base::show_contacts_to_probes();
   half_drift(dt);
   contact_.evaluate(s_, dt);

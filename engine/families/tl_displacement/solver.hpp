@@ -21,7 +21,7 @@ class TlDisplacement final : public InitialPairSolver<TlDisplacement<M, Dim>, M,
     this->record();
   }
 
-  void step();
+  void step(double dt);
 
  private:
   using Base = InitialPairSolver<TlDisplacement<M, Dim>, M, Dim>;
@@ -41,8 +41,7 @@ class TlDisplacement final : public InitialPairSolver<TlDisplacement<M, Dim>, M,
 };
 
 template <const Formulation& M, int Dim>
-void TlDisplacement<M, Dim>::step() {
-  const double dt = Base::step_size();
+void TlDisplacement<M, Dim>::step(double dt) {
   if (contact_.prepare(s_, vmax_ * dt)) this->show_contacts_to_probes();
   drift(0.5 * dt);
   contact_.evaluate(s_, dt);

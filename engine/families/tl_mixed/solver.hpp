@@ -35,7 +35,8 @@ class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
  public:
   explicit TlMixed(const SolverInput& input);
 
-  void step();
+  double step_size() const;
+  void step(double dt);
   template <class Archive>
   void serialize(Archive& archive) {
     Base::serialize(archive);
@@ -82,7 +83,6 @@ class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
   }
 
   double greatest_step_of_dissipation() const;
-  double step_size() const;
   [[noreturn]] void crushed() const;
   void set_start_gradients();
   void find_rates(double dt);
@@ -203,8 +203,7 @@ void TlMixed<M, Dim>::crushed() const {
 
 /// U* = U + Δt U̇(U), U** = U* + Δt U̇(U*), then the mean of U and U**.               [Lee2016] Eq. 43
 template <const Formulation& M, int Dim>
-void TlMixed<M, Dim>::step() {
-  const double dt = step_size();
+void TlMixed<M, Dim>::step(double dt) {
   if (contact_.prepare(s_, vmax_ * dt)) this->show_contacts_to_probes();
   Base::set_outside(dt, this->time_ + dt);
   find_rates(dt);

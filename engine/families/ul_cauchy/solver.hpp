@@ -31,7 +31,8 @@ class UlCauchy final : public ParticleSolver<UlCauchy<M, Dim>, Dim> {
     Base::record();
   }
 
-  void step();
+  double step_size() const { return Base::fixed_or(c_.cfl * c_.h / c_.c0); }  // s, [Khayyer2024] Eq. 26
+  void step(double dt);
   template <class Archive>
   void serialize(Archive& archive) {
     Base::serialize(archive);
@@ -73,9 +74,8 @@ class UlCauchy final : public ParticleSolver<UlCauchy<M, Dim>, Dim> {
 /// without limit that way. ∇u is taken in the middle of the step (`geometry` = ½): at its start, as printed,
 /// a body that turns with ω swells by (ω dt)²/2 a step and has no strain of it.
 template <const Formulation& M, int Dim>
-void UlCauchy<M, Dim>::step() {
+void UlCauchy<M, Dim>::step(double dt) {
   if (2 * way_ > skin * c_.dp) rebuild();
-  const double dt = Base::fixed_or(c_.cfl * c_.h / c_.c0);  // Eq. 26
   if (contact_.prepare(s_, vmax_ * dt)) show_neighbors_to_probes();
   contact_.evaluate(s_, dt);
   gradient_pass(f_, c_, threads_now(), [&](int i, const Gradients<Dim>& g) { set_stress(i, g); });

@@ -20,7 +20,7 @@ class UlSplit final : public ParticleSolver<UlSplit<M, Dim>, Dim> {
     Base::record();
   }
 
-  void step();
+  void step(double dt);
   template <class Archive>
   void serialize(Archive& archive) {
     Base::serialize(archive);
@@ -53,11 +53,10 @@ class UlSplit final : public ParticleSolver<UlSplit<M, Dim>, Dim> {
 
 /// One acoustic step, [Zhang2024] Eq. 22–25.
 template <const Formulation& M, int Dim>
-void UlSplit<M, Dim>::step() {
+void UlSplit<M, Dim>::step(double dt) {
   // Eq. 21 as a distance, and with the greatest speed so far: a body that speeds up within an advection step
   // is rebuilt in time, and one at the turning point of its swing is not left with pairs from long ago.
   if (stepping_ == Stepping::single ? this->step_ > 0 : advected_ >= c_.cfl_advection * c_.h) rebuild();
-  const double dt = Base::step_size();
   contact_.prepare(s_, vmax_ * dt);
   half_drift(0.5 * dt);
   contact_geometry_pass<M>(s_, c_);

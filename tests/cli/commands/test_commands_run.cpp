@@ -159,6 +159,34 @@ TEST_SUITE("cli") {
     }
   }
 
+  TEST_CASE("frames of runs with other steps have the same texts, and look alike if it is a rounding") {
+    const TemporaryFolder folder;
+    const auto run = [&](const std::string& name, const std::string& cfl) {
+      REQUIRE(call(tiny_run(folder, name, {"--size", "320x240", "--set", cfl})).code == 0);
+      return json_of(folder / (name + "/run.json"))["steps"].get<int>();
+    };
+    const int steps = run("one", "cfl=0.2");
+    CHECK(run("rounded", "cfl=0.2*(1+1e-12)") == steps);
+    CHECK(run("other", "cfl=0.19") > steps);
+    const auto picture = [&](const std::string& name, int k) {
+      return render::read_png(folder / (name + "/frames/frame_0000" + std::to_string(k) + ".png"));
+    };
+    const int header = 27;  // rows: 3 em of 9 pixels, above the particles
+    for (int k = 0; k <= 4; ++k) {
+      CAPTURE(k);
+      const render::Image one = picture("one", k), rounded = picture("rounded", k),
+                          other = picture("other", k);
+      const auto texts = [&](const render::Image& image) {
+        const auto bytes = 4 * static_cast<std::size_t>(image.width * header);
+        return std::vector(image.pixels.begin(), image.pixels.begin() + static_cast<std::ptrdiff_t>(bytes));
+      };
+      CHECK(texts(rounded) == texts(one));
+      CHECK(texts(other) == texts(one));
+      CHECK((k > 0) == (texts(one) != texts(picture("one", 0))));  // the time is among them
+    }
+    CHECK(call({"diff", folder.str("one/frames"), folder.str("rounded/frames")}).code == 0);
+  }
+
   TEST_CASE("an older run in the folder is replaced and nothing else there is touched") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "out", {"--frames", "9"})).code == 0);

@@ -152,13 +152,37 @@ TEST_SUITE("cli") {
     for (int k = 0; k <= 4; ++k) {
       const std::string name = "particles_0000" + std::to_string(k) + ".vtp";
       const ParticleFile file(folder / ("out/particles/" + name));
-      CHECK(file.time() >= 0.0005 * k);
-      CHECK(file.time() < 0.0005 * k + 0.0001);
+      CHECK(file.time() == 0.002 * k / 4);
       CHECK(contains(index, "timestep=\"" + exact(file.time()) + "\" part=\"0\" file=\"" + name + "\""));
       CHECK(static_cast<long>(file.fields().size()) == static_cast<long>(fields(2).size()));
     }
+    CHECK(json_of(folder / "out/run.json")["reached"].get<double>() > 0.002);  // a whole step past the end
     REQUIRE(call(tiny_run(folder, "out", {"--no-render"})).code == 0);
     CHECK_FALSE(fs::exists(folder / "out/particles"));  // those of the older run
+  }
+
+  TEST_CASE("particles that are saved more often than there are steps are each at a time of their own") {
+    const TemporaryFolder folder;
+    const std::vector<std::string> all{"--save-particles", "--no-render", "--fields", "speed",
+                                       "--until",          "1e-4"};
+    const auto run = [&](const std::string& name, int frames) {
+      std::vector<std::string> more = all;
+      more.insert(more.end(), {"--frames", std::to_string(frames)});
+      REQUIRE(call(tiny_run(folder, name, more)).code == 0);
+      return text_of(folder / (name + "/history.csv"));
+    };
+    CHECK(run("often", 100) == run("seldom", 1));
+    CHECK(json_of(folder / "often/run.json")["steps"].get<int>() < 50);
+    const auto leftmost = [&](const ParticleFile& file) {  // flies on undisturbed at 2 m/s
+      return std::ranges::min(file.positions(2));
+    };
+    const auto saved = [&](int k) {
+      return ParticleFile(folder / ("often/particles/" + numbered("particles", k, "vtp")));
+    };
+    for (int k = 0; k <= 100; ++k) {
+      CHECK(saved(k).time() == 1e-4 * k / 100);
+      CHECK(leftmost(saved(k)) - leftmost(saved(0)) == doctest::Approx(2e-6 * k).epsilon(1e-9));
+    }
   }
 
   TEST_CASE("saving particles does not alter a run, and only the fields asked for are saved") {

@@ -57,7 +57,7 @@ TEST_SUITE("unit") {
     CHECK(line_point(scene.lines[0], 3)[1] == relative((0.0037 - 0.01) / 2));
   }
 
-  TEST_CASE("lines: a sample shows the first step at or past its time, and no step is altered") {
+  TEST_CASE("lines: a sample shows its time, between the steps, and no step is altered") {
     Scene scene = rotating_plate(0.01);
     const auto plain = make_simulation(scene, with_method("oenog"));
     make_steps(*plain, 20);
@@ -66,20 +66,24 @@ TEST_SUITE("unit") {
     scene.lines[1].name = "again";
     const auto simulation = make_simulation(scene, with_method("oenog"));
     LineRecorder lines(scene, simulation->snapshot(), simulation->support());
-    for (lines.sample(simulation->snapshot()); std::isfinite(lines.next());
-         lines.sample(simulation->snapshot()))
-      simulation->advance_to(lines.next());
+    for (lines.sample(simulation->snapshot()); std::isfinite(lines.next());)
+      lines.sample(state_at(lines.next(), *simulation));
     CHECK(simulation->steps() == plain->steps());
     CHECK(simulation->snapshot().x == plain->snapshot().x);
     CHECK(simulation->snapshot().v == plain->snapshot().v);
     const std::vector<LineSample>& samples = lines.samples().at(0);
     REQUIRE(samples.size() == 4);
     CHECK(samples[0].step == 0);
-    CHECK(samples[1].time >= late);
+    CHECK(samples[1].time == late);
     CHECK(samples[1].step > 0);
     CHECK(samples[1].step < samples[3].step);
     CHECK(samples[2].step == samples[1].step);
     CHECK(samples[3].step == 20);
+    CHECK(samples[3].time == later);
+    LineRecorder at_step(scene, make_simulation(scene, with_method("oenog"))->snapshot(),
+                         simulation->support());
+    at_step.sample(plain->snapshot());
+    CHECK(at_step.samples().at(0).at(0).value == samples[3].value);
     CHECK(lines.samples().at(1).at(0).step == 20);
   }
 

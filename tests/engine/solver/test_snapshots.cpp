@@ -1,6 +1,9 @@
-// Snapshots: made when asked for, without a trace in the run; where they store the components of a stress.
+// Snapshots: made when asked for, without a trace in the run; between two steps; where they store the components of a
+// stress.
 
+#include <cmath>
 #include <cstring>
+#include <functional>
 #include <string>
 
 #include <doctest/doctest.h>
@@ -14,13 +17,94 @@ using namespace taut::test;
 
 namespace {
 
+using doctest::Approx;
+
 bool same(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+/// One particle on a path, with the velocity that it had `lag` s ago.
+struct Path {
+  std::function<Point(double)> x, v;
+  double lag = 0;
+
+  Snapshot at(double t) const {
+    Snapshot now;
+    now.resize(2, 1);
+    now.time = t;
+    now.m = {3};
+    for (const std::size_t k : {0, 1}) now.x[k] = x(t)[k], now.v[k] = v(t - lag)[k];
+    return now;
+  }
+  /// At a fifth of a step of `dt` that begins at 0.4: how far it is from where it should be, and its velocity.
+  std::pair<double, double> errors(double dt) const {
+    const double t = 0.4 + 0.2 * dt;
+    const Snapshot shown = blend(at(0.4), at(0.4 + dt), t), exact = at(t);
+    return {std::hypot(shown.x[0] - exact.x[0], shown.x[1] - exact.x[1]),
+            std::hypot(shown.v[0] - exact.v[0], shown.v[1] - exact.v[1])};
+  }
+};
+
+double greatest(const std::vector<double>& values) {
+  double most = 0;
+  for (const double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
+
+/// How far a field of one state is from that of another, over its greatest value.
+double difference(const Snapshot& a, const Snapshot& b, std::vector<double> Snapshot::*field) {
+  std::vector<double> d = a.*field;
+  for (std::size_t k = 0; k < d.size(); ++k) d[k] -= (b.*field)[k];
+  return greatest(d) / greatest(a.*field);
 }
 
 }  // namespace
 
 TEST_SUITE("determinism") {
+  TEST_CASE("snapshots: to stop before a time leaves out one step, whatever the method, and alters none") {
+    for (const Scene& scene : {small_collision(), small_clamped_plate()}) {
+      for (const MethodInfo& method : methods()) {
+        CAPTURE(scene.name);
+        CAPTURE(std::string(method.name));
+        const auto straight = make_simulation(scene, with_method(std::string(method.name)));
+        make_steps(*straight, 30);
+        const auto shown = make_simulation(scene, with_method(std::string(method.name)));
+        for (int k = 1; k <= 7; ++k) {
+          const double t = straight->time() * k / 7;  // the last one is that of a step
+          shown->advance(t, t);
+          CHECK(shown->time() < t);
+          const long steps = shown->steps();
+          shown->advance_to(t);
+          CHECK(shown->time() >= t);
+          CHECK(shown->steps() == steps + 1);
+        }
+        CHECK(shown->save() == straight->save());
+      }
+    }
+  }
+
+  TEST_CASE(
+      "snapshots: two runs whose steps differ by a rounding look alike at a time, whatever the method") {
+    const Scene scene = small_collision();
+    for (const MethodInfo& method : methods()) {
+      CAPTURE(std::string(method.name));
+      Settings settings = with_method(std::string(method.name));
+      const auto first = make_simulation(scene, settings);
+      make_steps(*first, 1);
+      settings.step = first->time();
+      const auto exact = make_simulation(scene, settings);
+      make_steps(*exact, 12);
+      settings.step *= 1 - 1e-12;  // falls short of it by a rounding
+      const auto shorter = make_simulation(scene, settings);
+      const Snapshot shown = state_at(exact->time(), *shorter);
+      CHECK(shown.time == exact->time());
+      CHECK(shown.step == exact->steps() + 1);
+      for (const auto field : {&Snapshot::x, &Snapshot::v, &Snapshot::rho, &Snapshot::p, &Snapshot::s})
+        CHECK(difference(exact->snapshot(), shown, field) < 1e-8);
+      CHECK(difference(exact->snapshot(), shorter->snapshot(), &Snapshot::p) > 1e-4);  // a step is more
+    }
+  }
+
   TEST_CASE("snapshots: to take some on the way changes nothing at the end") {
     for (const Scene& scene : {small_collision(), small_clamped_plate()}) {
       for (const MethodInfo& method : methods()) {
@@ -45,7 +129,78 @@ TEST_SUITE("determinism") {
   }
 }
 
+TEST_SUITE("convergence") {
+  TEST_CASE("blend: free flight is exact, a turn of the third order in the step, wherever v stands") {
+    const Path flight{[](double t) {
+                        return Point{1 + 2 * t, 5 - 4.905 * t * t, 0};
+                      },
+                      [](double t) {
+                        return Point{2, -9.81 * t, 0};
+                      }};
+    CHECK(flight.errors(0.1).first < 1e-15);
+    CHECK(flight.errors(0.1).second < 1e-14);
+    for (const double lag : {0.0, 0.5}) {  // of a step: velocities in its middle
+      CAPTURE(lag);
+      const auto turn = [&](double dt) {
+        return Path{[](double t) {
+                      return Point{std::cos(t), std::sin(t), 0};
+                    },
+                    [](double t) {
+                      return Point{-std::sin(t), std::cos(t), 0};
+                    },
+                    lag * dt}
+            .errors(dt);
+      };
+      const auto [x, v] = turn(0.02);
+      const auto [finer_x, finer_v] = turn(0.01);
+      CHECK(x / finer_x == Approx(8).epsilon(0.02));
+      CHECK(v / finer_v == Approx(4).epsilon(0.02));
+      // θ (1 − θ) (1 − 2θ)/12 dt³ at θ = 0.2; and what the acceleration of half a step before adds
+      CHECK(x == Approx((0.096 / 12 + lag * 0.16 / 2) * 8e-6).epsilon(0.02));
+    }
+  }
+
+  TEST_CASE("blend: a turn keeps its angular momentum but for a share of the square of the angle") {
+    const Path turn{[](double t) {
+                      return Point{std::cos(t), std::sin(t), 0};
+                    },
+                    [](double t) {
+                      return Point{-std::sin(t), std::cos(t), 0};
+                    }};
+    constexpr double angle = 0.1;
+    for (const double share : {0.2, 0.5, 0.9}) {
+      const Snapshot now = blend(turn.at(0), turn.at(angle), share * angle);
+      const double L = now.x[0] * now.v[1] - now.x[1] * now.v[0];
+      CHECK(1 - L == Approx(0.5 * share * (1 - share) * angle * angle).epsilon(0.02));  // that of v
+    }
+  }
+}
+
 TEST_SUITE("unit") {
+  TEST_CASE("blend: what goes on from step to step is linear, the rest is that of the step that ends") {
+    Snapshot before;
+    before.resize(2, 1);
+    before.time = 1, before.step = 6;
+    before.rho = {1000}, before.p = {8}, before.s = {1, 2, 3, 4}, before.strain_energy = {2};
+    before.contact_energy = 4, before.work = 6, before.damped = 8;
+    before.of_walls = {{1, 0, 0}, {0, 0, 2}};
+    Snapshot after = before;
+    after.time = 3, after.step = 7;
+    after.rho = {1400}, after.p = {0}, after.s = {5, 2, 3, 0}, after.strain_energy = {6};
+    after.contact_energy = 0, after.work = 7, after.damped = 10;
+    after.of_walls = {{5, 0, 0}, {0, 0, 0}};
+    after.body = {3}, after.held = {1};
+    const Snapshot now = blend(before, after, 1.5);
+    CHECK((now.time == 1.5 && now.step == 7));
+    CHECK((now.rho[0] == 1100 && now.p[0] == 6 && now.strain_energy[0] == 3));
+    CHECK(now.s == std::vector<double>{2, 2, 3, 3});
+    CHECK((now.contact_energy == 3 && now.work == 6.25 && now.damped == 8.5));
+    CHECK((now.of_walls.linear[0] == 2 && now.of_walls.angular[2] == 1.5));
+    CHECK((now.body[0] == 3 && now.held[0] == 1));
+    CHECK(same(blend(before, after, 3).s, after.s));
+    CHECK(same(blend(before, after, 1).s, before.s));
+  }
+
   TEST_CASE("snapshots: a run that breaks off keeps the last one") {
     const auto simulation = make_simulation(small_collision(), with_method("enog"));
     make_steps(*simulation, 1);
