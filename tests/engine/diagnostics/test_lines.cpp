@@ -174,7 +174,7 @@ TEST_SUITE("unit") {
     CHECK(*measure(scene, {}, "neo_hookean", {{{1, 3, {0, 13}}}}).at(0).value == 0);
   }
 
-  TEST_CASE("line_rmse: over all points and times, the reference at the time of the step") {
+  TEST_CASE("line_rmse: over all points and times, the reference at the time of the sample") {
     Scene scene;
     scene.lines = {line_across_plate({1, 2})};
     scene.lines[0].points = 2;
