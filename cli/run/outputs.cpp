@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 #include <type_traits>
 
 #include "cli/drawing/frames.hpp"
@@ -9,6 +10,7 @@
 #include "cli/run/particle_file.hpp"
 #include "cli/run/report.hpp"
 #include "cli/run/schedule.hpp"
+#include "cli/text/format.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {
@@ -216,6 +218,8 @@ class ParticlesOutput final : public OutputOf<ParticlesOutput> {
 const Snapshot& LastStep::at(double t) {
   const Snapshot& now = simulation_.snapshot();
   if (t == now.time) return now;
+  if (before_.size() == 0 || before_.step + 1 != now.step)
+    throw std::logic_error("nothing was kept of the step that passes t = " + exact(t) + " s");
   if (shown_.time != t || shown_.step != now.step) shown_ = blend(before_, now, t);
   return shown_;
 }

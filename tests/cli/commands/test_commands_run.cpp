@@ -168,14 +168,14 @@ TEST_SUITE("cli") {
     CHECK(run("rounded", "cfl=0.2*(1+1e-12)") == steps);
     CHECK(run("other", "cfl=0.19") > steps);
     const auto picture = [&](const std::string& name, int k) {
-      return render::read_png(folder / (name + "/frames/frame_0000" + std::to_string(k) + ".png"));
+      return taut::render::read_png(folder / (name + "/frames/frame_0000" + std::to_string(k) + ".png"));
     };
     const int header = 27;  // rows: 3 em of 9 pixels, above the particles
     for (int k = 0; k <= 4; ++k) {
       CAPTURE(k);
-      const render::Image one = picture("one", k), rounded = picture("rounded", k),
-                          other = picture("other", k);
-      const auto texts = [&](const render::Image& image) {
+      const taut::render::Image one = picture("one", k), rounded = picture("rounded", k),
+                                other = picture("other", k);
+      const auto texts = [&](const taut::render::Image& image) {
         const auto bytes = 4 * static_cast<std::size_t>(image.width * header);
         return std::vector(image.pixels.begin(), image.pixels.begin() + static_cast<std::ptrdiff_t>(bytes));
       };

@@ -150,6 +150,19 @@ TEST_SUITE("restart") {
     check_same_run(folder / "straight", folder / "out");
   }
 
+  TEST_CASE("what lies between two steps comes to the same bytes wherever the checkpoint is") {
+    const TemporaryFolder folder;
+    // more than one a step, and a checkpoint at each step
+    const Arguments all{"--until",          "0.01",     "--frames", "1500",
+                        "--save-particles", "--fields", "speed",    "--no-render"};
+    REQUIRE(call(tiny_run(folder, "straight", all)).code == 0);
+    const auto some = fs::file_size(folder / "straight/history.csv") / 3;
+    const Arguments often{"--checkpoint-every", "1e-9"};
+    REQUIRE(run_and_kill(tiny_run(folder, "out", all + often), folder / "out/history.csv", some));
+    REQUIRE(call(resume(folder, "out")).code == 0);
+    check_same_run(folder / "straight", folder / "out");
+  }
+
   TEST_CASE("checkpoints do not alter a run, and go when it is finished or has diverged") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "without", {"--until", "0.01"})).code == 0);
