@@ -40,26 +40,68 @@ double crossing_time(const Curve& curve, std::size_t k, double level) {
   return std::lerp(curve.t[k - 1], curve.t[k], std::clamp(share, 0.0, 1.0));
 }
 
-std::vector<HalfCycle> half_cycles(const Curve& curve) {
+std::vector<HalfCycle> half_cycles(const Curve& curve, double level) {
   constexpr double round_off = 1e-9;  // of the greatest value so far: counts as 0
+  constexpr double least =
+      1.0 / 20;  // of the peak before: less is no half cycle, nor a start away from the level
   std::vector<HalfCycle> found;
-  double greatest = 0;
-  std::size_t top = 0;                              // of the half cycle in progress; 0 before the first
-  for (std::size_t k = 1; k < curve.size(); ++k) {  // the start is 0, whatever its round-off
-    const double y = curve.y[k];
+  const auto deviation = [&](std::size_t k) { return curve.y[k] - level; };
+  double greatest = 0, begin = curve.t.empty() ? 0 : curve.t.front();
+  std::size_t top = 0, over = 0;  // of the half cycle in progress and of one that may have begun; 0 before
+  std::size_t crossed = 0;        // the first sample of that
+  const auto end_half_cycle = [&] {
+    const auto [time, peak] = vertex(curve, top);
+    const double end = crossing_time(curve, crossed, level);
+    if (!found.empty() || begin > curve.t.front() ||
+        std::abs(deviation(0)) <= least * std::abs(deviation(top)))
+      found.push_back({.begin = begin, .end = end, .peak = peak - level, .peak_at = time});
+    begin = end;
+    top = over;
+    over = 0;
+  };
+  for (std::size_t k = 1; k < curve.size(); ++k) {  // a start at the level is there, whatever its round-off
+    const double y = deviation(k);
     greatest = std::max(greatest, std::abs(y));
     if (std::abs(y) <= round_off * greatest) continue;
     if (top == 0) {
       top = k;
-    } else if (std::signbit(y) != std::signbit(curve.y[top])) {
-      const auto [time, peak] = vertex(curve, top);
-      found.push_back({.end = crossing_time(curve, k, 0), .peak = peak, .peak_at = time});
-      top = k;
-    } else if (std::abs(y) > std::abs(curve.y[top])) {
-      top = k;
+    } else if (std::signbit(y) != std::signbit(deviation(top))) {
+      if (over == 0) crossed = over = k;
+      if (std::abs(y) > std::abs(deviation(over))) over = k;
+      if (std::abs(y) > least * std::abs(deviation(top))) end_half_cycle();
+    } else {
+      over = 0;
+      if (std::abs(y) > std::abs(deviation(top))) top = k;
     }
   }
+  if (over != 0) end_half_cycle();  // it has not come back
   return found;
+}
+
+std::optional<double> mean_of_periods(const Curve& curve) {
+  if (curve.size() < 2) return std::nullopt;
+  const auto [low, high] = std::ranges::minmax(curve.y);
+  const auto mean = [&](double begin, double end) { return integral(curve, begin, end) / (end - begin); };
+  double level = mean(curve.t.front(), curve.t.back());
+  constexpr int most = 50;
+  for (int pass = 0; pass < most; ++pass) {
+    const std::vector<HalfCycle> cycles = half_cycles(curve, level);
+    if (cycles.size() < 2) return std::nullopt;
+    const std::size_t whole = cycles.size() / 2 * 2;
+    const double next = mean(cycles.front().begin, cycles[whole - 1].end);
+    const bool same = std::abs(next - level) <= 1e-9 * (high - low);
+    level = next;
+    if (same) break;
+  }
+  return level;
+}
+
+double integral(const Curve& curve, double begin, double end) {
+  const std::vector<double> times = joint_times(std::span(&curve, 1), begin, end);
+  double sum = 0;
+  for (std::size_t k = 1; k < times.size(); ++k)
+    sum += 0.5 * (times[k] - times[k - 1]) * (value_at(curve, times[k - 1]) + value_at(curve, times[k]));
+  return sum;
 }
 
 std::vector<double> joint_times(std::span<const Curve> curves, double begin, double end) {

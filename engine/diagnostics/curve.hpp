@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,15 +23,24 @@ double value_at(const Curve& curve, double time);
 /// When the curve passes `level` between the samples before `k` and `k`.
 double crossing_time(const Curve& curve, std::size_t k, double level);
 
-/// What lies between two crossings of zero.
+/// What lies between two crossings of a level.
 struct HalfCycle {
-  double end;      // time of the second
-  double peak;     // value farthest from zero, at the vertex of a parabola through three samples
-  double peak_at;  // its time
+  double begin, end;  // times of both
+  double peak;        // greatest deviation from the level, at the vertex of a parabola through three samples
+  double peak_at;     // its time
 };
 
-/// Every half cycle that has ended, of a curve that starts at 0; the first one begins at the start.
-std::vector<HalfCycle> half_cycles(const Curve& curve);
+/// Every half cycle that has ended. The first one begins at the start of a curve that starts at the level, else at
+/// the first crossing. Where a curve comes back after less than a twentieth of the peak before, it has not crossed:
+/// it has noise, or touches the level from one side.
+std::vector<HalfCycle> half_cycles(const Curve& curve, double level = 0);
+
+/// The level about which a curve swings: its mean over whole periods, from one crossing of that level to another in
+/// the same direction, so that a last cycle that is cut short does not count. None if there is no whole period.
+std::optional<double> mean_of_periods(const Curve& curve);
+
+/// ∫ y dt, exact; begin < end lie within the curve.
+double integral(const Curve& curve, double begin, double end);
 
 /// Begin, end and the samples of all curves in between: each curve is straight from one to the next.
 std::vector<double> joint_times(std::span<const Curve> curves, double begin, double end);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <Eigen/Dense>
+#include <fmt/format.h>
 
 #include "engine/diagnostics/field_error.hpp"
 #include "engine/diagnostics/lattice_volume.hpp"
@@ -14,7 +15,17 @@ namespace taut {
 namespace {
 
 using Source = MeasureSource;
-using Value = std::optional<double>;
+using Value = std::optional<double>;  // of a reference
+
+/// Written like a value.
+template <class... Args>
+Measured none(fmt::format_string<Args...> why, Args&&... args) {
+  return Measured(fmt::format(why, std::forward<Args>(args)...));
+}
+Measured too_short(double wanted, double reached) {
+  return none("the run ends at {:g} s, before {:g} s", reached, wanted);
+}
+constexpr const char* no_reference = "there is no reference to compare with";
 
 /// The time that a run and the reference's curves both cover, up to the end of the run; nothing while the run
 /// goes on within it.
@@ -27,32 +38,71 @@ std::optional<std::pair<double, double>> common_time(const Source& source) {
   return end > begin ? std::optional(std::pair(begin, end)) : std::nullopt;
 }
 
-Value period(const Source& source) {
-  const std::vector<HalfCycle> cycles = half_cycles(source.curve.front());
-  return cycles.size() < 2 ? std::nullopt : Value(cycles[1].end);
+/// Why there is no time that a run and its reference both cover.
+Measured without_common_time(const Source& source) {
+  if (source.reference.empty()) return none(no_reference);
+  const double end = std::min(source.until, source.reference.end()), reached = source.curve.front().t.back();
+  return reached < end ? too_short(end, reached) : none("the run and its reference have no time in common");
 }
 
-Value first_peak(const Source& source) {
-  const std::vector<HalfCycle> cycles = half_cycles(source.curve.front());
-  return cycles.empty() ? std::nullopt : Value(cycles.front().peak);
+/// What `number` makes of the half cycles about the level of the measure, if there are as many as it needs.
+template <class Number>
+Measured of_half_cycles(const Source& source, std::size_t needed, const Number& number) {
+  const Curve& curve = source.curve.front();
+  Value level = source.measure->about;
+  if (source.measure->about_mean) level = mean_of_periods(curve);
+  if (!level)
+    return none("no whole cycle about its mean until {:g} s: a longer run may have one", curve.t.back());
+  const std::vector<HalfCycle> cycles = half_cycles(curve, *level);
+  if (cycles.size() >= needed) return number(cycles);
+  if (cycles.empty() && !source.measure->about_mean)
+    return none(
+        "stays on one side of {:g} until {:g} s: where it swings about another level, about = \"mean\"",
+        *level, curve.t.back());
+  return none("has {} of {} half cycles about {:g} until {:g} s: a longer run may have them", cycles.size(),
+              needed, *level, curve.t.back());
 }
 
-Value peak_time(const Source& source) {
-  const std::vector<HalfCycle> cycles = half_cycles(source.curve.front());
-  return cycles.empty() ? std::nullopt : Value(cycles.front().peak_at);
+Measured period(const Source& source) {
+  return of_half_cycles(source, 2, [](const auto& cycles) { return cycles[1].end - cycles[0].begin; });
 }
 
-Value decay(const Source& source) {
-  const std::vector<HalfCycle> cycles = half_cycles(source.curve.front());
-  if (cycles.size() < 3) return std::nullopt;
+Measured first_peak(const Source& source) {
+  return of_half_cycles(source, 1, [](const auto& cycles) { return cycles[0].peak; });
+}
+
+Measured peak_time(const Source& source) {
+  return of_half_cycles(source, 1, [](const auto& cycles) { return cycles[0].peak_at; });
+}
+
+double decay_of(const std::vector<HalfCycle>& cycles) {
   const std::size_t periods = (cycles.size() - 1) / 2;  // between the first and the last peak of its side
   const double kept = cycles[2 * periods].peak / cycles.front().peak;
   return 1 - std::pow(kept, 1 / static_cast<double>(periods));
 }
 
-Value rmse(const Source& source) {
+Measured decay(const Source& source) { return of_half_cycles(source, 3, decay_of); }
+
+/// Begin and end of what is summed over.
+std::pair<double, double> span_of(const Source& source) {
+  return {source.measure->from, source.measure->until.value_or(source.until)};
+}
+
+Measured time_integral(const Source& source) {
+  const auto [begin, end] = span_of(source);
+  const Curve& curve = source.curve.front();
+  return curve.t.back() < end ? too_short(end, curve.t.back()) : Measured(integral(curve, begin, end));
+}
+
+Measured time_mean(const Source& source) {
+  const auto [begin, end] = span_of(source);
+  const Measured sum = time_integral(source);
+  return sum.value ? Measured(*sum.value / (end - begin)) : sum;
+}
+
+Measured rmse(const Source& source) {
   const auto time = common_time(source);
-  if (!time) return std::nullopt;
+  if (!time) return without_common_time(source);
   const auto& [begin, end] = *time;
   const ReferenceCurves& reference = source.reference;
   const auto exact = [&](double t) { return reference.at(0, t); };
@@ -62,9 +112,9 @@ Value rmse(const Source& source) {
 }
 
 /// Seen at the rows of a table, since a path that bends is not straight between them, or at the steps.
-Value path_error(const Source& source) {
+Measured path_error(const Source& source) {
   const auto time = common_time(source);
-  if (!time) return std::nullopt;
+  if (!time) return without_common_time(source);
   const ReferenceCurves& reference = source.reference;
   Value greatest;
   for (const double t : reference.exact ? source.curve[0].t : reference.table[0].t) {
@@ -74,7 +124,7 @@ Value path_error(const Source& source) {
       squared += std::pow(value_at(source.curve[k], t) - reference.at(k, t), 2);
     greatest = std::max(greatest.value_or(0), std::sqrt(squared) / source.measure->scale);
   }
-  return greatest;
+  return greatest ? Measured(*greatest) : none("no time of the reference lies within the run");
 }
 
 /// Two directions across the axis: first, second and axis are right-handed.
@@ -100,8 +150,9 @@ Value turn_until(const std::vector<Curve>& point, const Point& axis, double unti
   return turn({point[0].t, x}, {point[0].t, y}, until);
 }
 
-Value turn_of_point(const Source& source) {
-  return turn_until(source.curve, source.measure->axis, source.until);
+Measured turn_of_point(const Source& source) {
+  const Value angle = turn_until(source.curve, source.measure->axis, source.until);
+  return angle ? Measured(*angle) : too_short(source.until, source.curve.front().t.back());
 }
 
 /// Of an exact solution at the steps of the run.
@@ -121,10 +172,10 @@ Value turn_of_reference(const Source& source) {
   return turn_until(point, axis, source.until);
 }
 
-Value value_then(const Source& source) {
+Measured value_then(const Source& source) {
   const Curve& curve = source.curve.front();
   const double time = source.measure->time;
-  return curve.t.back() < time ? std::nullopt : Value(value_at(curve, time));
+  return curve.t.back() < time ? too_short(time, curve.t.back()) : Measured(value_at(curve, time));
 }
 
 /// A number, or a solution at the time of the measure.
@@ -133,46 +184,55 @@ Value given_then(const Source& source) {
 }
 
 /// An extreme at the end may still be ahead. What is no quantity but a fault that grows counts as it is.
-Value extreme(const Source& source, double value) {
-  return source.turns && source.curve[0].y.back() == value ? std::nullopt : Value(value);
+Measured extreme(const Source& source, double value) {
+  if (source.turns && source.curve[0].y.back() == value)
+    return none("the series ends at it, at {:g} s: it may go on", source.curve[0].t.back());
+  return value;
 }
 
-Value minimum(const Source& source) { return extreme(source, std::ranges::min(source.curve[0].y)); }
-Value maximum(const Source& source) { return extreme(source, std::ranges::max(source.curve[0].y)); }
+Measured minimum(const Source& source) { return extreme(source, std::ranges::min(source.curve[0].y)); }
+Measured maximum(const Source& source) { return extreme(source, std::ranges::max(source.curve[0].y)); }
 
-Value first_below(const Source& source) {
+Measured first_below(const Source& source) {
   const Curve& curve = source.curve.front();
   const double threshold = source.measure->threshold;
   const auto found = std::ranges::find_if(curve.y, [=](double y) { return y <= threshold; });
-  if (found == curve.y.end()) return std::nullopt;
+  if (found == curve.y.end()) return none("is above {:g} until {:g} s", threshold, curve.t.back());
   const auto k = static_cast<std::size_t>(found - curve.y.begin());
   return k == 0 ? curve.t.front() : crossing_time(curve, k, threshold);
 }
 
-Value last_below(const Source& source) {
+Measured last_below(const Source& source) {
   const Curve& curve = source.curve.front();
   const double threshold = source.measure->threshold;
   std::size_t above = curve.size();  // the first sample of the last stretch above
   while (above > 0 && curve.y[above - 1] > threshold) --above;
-  if (above == 0 || above == curve.size()) return std::nullopt;
+  if (above == 0) return none("was never at {:g} or below", threshold);
+  if (above == curve.size()) return none("is at {:g} or below at the end, {:g} s", threshold, curve.t.back());
   return crossing_time(curve, above, threshold);
 }
 
 /// None while the bodies are in touch, if they never were, and while the ratio is negative: bodies that part
 /// for a moment go on as before.
-Value final_ratio(const Source& source) {
+Measured final_ratio(const Source& source) {
   const double ratio = source.curve[0].y.back() / source.measure->scale;
   if (!source.free) return ratio;
   const auto& gap = source.free->y;
   const double threshold = source.measure->threshold;
   const bool touched = std::ranges::any_of(gap, [&](double y) { return y <= threshold; });
-  return !touched || gap.back() <= threshold || ratio < 0 ? std::nullopt : Value(ratio);
+  if (!touched) return none("the bodies have not met until {:g} s", source.free->t.back());
+  if (gap.back() <= threshold)
+    return none("the bodies are in touch at the end, {:g} s", source.free->t.back());
+  if (ratio < 0) return none("the bodies go on as before at the end, {:g} s", source.free->t.back());
+  return ratio;
 }
 
-Value frequency(const Source& source) {
+Measured frequency(const Source& source) {
   const Curve& curve = source.curve.front();
-  if (curve.t.back() < source.until) return std::nullopt;
-  return peak_frequency(curve, source.measure->from, source.until, source.measure->band);
+  if (curve.t.back() < source.until) return too_short(source.until, curve.t.back());
+  const std::array<double, 2>& band = source.measure->band;
+  const Value peak = peak_frequency(curve, source.measure->from, source.until, band);
+  return peak ? Measured(*peak) : none("the spectrum has no peak between {:g} and {:g} Hz", band[0], band[1]);
 }
 
 /// Of a line's difference from its reference, and of the reference.
@@ -205,20 +265,27 @@ std::optional<LineSquares> line_squares(const Source& source) {
   return LineSquares{std::sqrt(mean.difference / number), std::sqrt(mean.reference / number)};
 }
 
-Value line_rmse(const Source& source) {
-  const auto mean = line_squares(source);
-  return mean ? Value(mean->difference) : std::nullopt;
+Measured without_line(const Source& source) {
+  if (source.reference.empty()) return none(no_reference);
+  return none("the line was not sampled at all of its times, or a point of it has left the body");
 }
 
-Value line_error(const Source& source) {
+Measured line_rmse(const Source& source) {
   const auto mean = line_squares(source);
-  return mean && mean->reference > 0 ? Value(mean->difference / mean->reference) : std::nullopt;
+  return mean ? Measured(mean->difference) : without_line(source);
 }
 
-Value at_rest(const Source& source) {
+Measured line_error(const Source& source) {
+  const auto mean = line_squares(source);
+  if (!mean) return without_line(source);
+  return mean->reference > 0 ? Measured(mean->difference / mean->reference)
+                             : none("the reference is 0 everywhere");
+}
+
+Measured at_rest(const Source& source) {
   constexpr double last = 0.1, still = 1e-3;  // of the run, of the greatest size of the series
   const Curve& curve = source.curve.front();
-  if (curve.t.back() < source.until) return std::nullopt;
+  if (curve.t.back() < source.until) return too_short(source.until, curve.t.back());
   double size = 0, low = curve.y.back(), high = low;
   for (std::size_t k = 0; k < curve.size(); ++k) {
     size = std::max(size, std::abs(curve.y[k]));
@@ -226,7 +293,10 @@ Value at_rest(const Source& source) {
     low = std::min(low, curve.y[k]);
     high = std::max(high, curve.y[k]);
   }
-  return high - low <= still * size ? Value(curve.y.back()) : std::nullopt;
+  if (high - low <= still * size) return curve.y.back();
+  return none(
+      "it moves by {:g} of its greatest size in the last tenth of the run: a longer one may come to rest",
+      (high - low) / size);
 }
 
 /// Particles that are not held, in their places at the start; none before the end of the run.
@@ -235,20 +305,26 @@ std::optional<FieldError> error_at_end(const Source& source) {
   return field_error(*source.measure, *source.now, *source.reference.exact);
 }
 
-Value field_rmse(const Source& source) {
-  const auto error = error_at_end(source);
-  return error ? Value(error->rms) : std::nullopt;
+Measured without_end(const Source& source) {
+  if (!source.now) return none("only the whole run knows it");
+  if (source.now->time < source.until) return too_short(source.until, source.now->time);
+  return none(no_reference);
 }
 
-Value greatest_field_error(const Source& source) {
+Measured field_rmse(const Source& source) {
   const auto error = error_at_end(source);
-  return error ? Value(error->greatest) : std::nullopt;
+  return error ? Measured(error->rms) : without_end(source);
 }
 
-Value volume_change(const Source& source) {
-  if (!source.now || source.now->time < source.until) return std::nullopt;
+Measured greatest_field_error(const Source& source) {
+  const auto error = error_at_end(source);
+  return error ? Measured(error->greatest) : without_end(source);
+}
+
+Measured volume_change(const Source& source) {
+  if (!source.now || source.now->time < source.until) return without_end(source);
   const double before = lattice_volume(*source.now, source.measure->body, source.now->x0);
-  if (!(before > 0)) return std::nullopt;
+  if (!(before > 0)) return none("the body is no lattice along the axes");
   return lattice_volume(*source.now, source.measure->body, source.now->x) / before - 1;
 }
 
@@ -262,29 +338,46 @@ Value as_given(const Source& source) {
 
 const std::vector<MeasureKind> kinds = {
     {.name = "period",
-     .help = "time of the second zero crossing of a series that starts at 0",
-     .keys = {"probe"},
+     .help = "time of the first whole cycle about the level `about` (0, a number, or \"mean\": over whole "
+             "periods): "
+             "between crossings in the same direction, of which a start at the level is one",
+     .keys = {"probe", "about"},
      .number = true,
      .value = period,
      .reference = as_given},
     {.name = "first_peak",
-     .help = "first extremum of a series that starts at 0, with its sign, once the half cycle is over",
-     .keys = {"probe"},
+     .help = "greatest deviation from the level `about` in the first half cycle about it, with its sign, "
+             "once the "
+             "half cycle is over",
+     .keys = {"probe", "about"},
      .number = true,
      .value = first_peak,
      .reference = as_given},
     {.name = "peak_time",
      .help = "time of the first peak",
-     .keys = {"probe"},
+     .keys = {"probe", "about"},
      .number = true,
      .value = peak_time,
      .reference = as_given},
     {.name = "decay",
      .help =
-         "loss of amplitude per period: 1 − (A_n/A_1)^(1/(n−1)) of the n ≥ 2 peaks on the first one's side",
-     .keys = {"probe"},
+         "loss of amplitude per period: 1 − (A_n/A_1)^(1/(n−1)) of the n ≥ 2 peaks on the first one's side "
+         "of the level `about`",
+     .keys = {"probe", "about"},
      .number = true,
      .value = decay,
+     .reference = as_given},
+    {.name = "mean",
+     .help = "1/T ∫ series dt over the time T from `from` (0) to `until` (the end of the run)",
+     .keys = {"probe", "from", "until"},
+     .number = true,
+     .value = time_mean,
+     .reference = as_given},
+    {.name = "integral",
+     .help = "∫ series dt from `from` (0) to `until` (the end of the run); of a force its impulse",
+     .keys = {"probe", "from", "until"},
+     .number = true,
+     .value = time_integral,
      .reference = as_given},
     {.name = "rmse",
      .help =

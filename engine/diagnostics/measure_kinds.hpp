@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/diagnostics/curve.hpp"
@@ -41,17 +42,27 @@ struct MeasureSource {
   bool turns = true;                                 // an extreme at the end is not the last word
 };
 
+/// The number of a measure, or why there is none.
+struct Measured {
+  std::optional<double> value;
+  std::string why;
+
+  Measured(double number) : value(number) {}
+  explicit Measured(std::string reason) : why(std::move(reason)) {}
+};
+
 /// A kind of measure. A new one is a function and a row in measure_kinds.cpp.
 struct MeasureKind {
-  using Value = std::optional<double> (*)(const MeasureSource&);
+  using Value = Measured (*)(const MeasureSource&);
+  using Reference = std::optional<double> (*)(const MeasureSource&);
 
   std::string_view name, help;
   /// Of a scene file, beside `name`, `of` and `unit`, first what it is made from. `probes` stands for one
   /// probe for each axis.
   std::vector<std::string_view> keys;
   bool number = false, table = false, solution = false;  // what a reference has for it
-  Value value;                                           // none: the run was too short
-  Value reference;  // what it is compared with; asked where a reference is there
+  Value value;
+  Reference reference;  // what it is compared with; asked where a reference is there
 };
 
 /// Every kind, in the order in which they are listed.

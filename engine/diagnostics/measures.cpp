@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "engine/diagnostics/measure_kinds.hpp"
@@ -90,7 +91,10 @@ std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std
     source.now = now;
     if (reference) add_reference(source, *reference);
     const auto no_sample = [](const Curve& curve) { return curve.size() == 0; };
-    if (std::ranges::none_of(source.curve, no_sample)) result.value = kind.value(source);
+    const bool seen = std::ranges::none_of(source.curve, no_sample);
+    const Measured found = seen ? kind.value(source) : Measured("the series has no finite value");
+    result.value = found.value;
+    result.why = found.why;
     if (reference) result.reference = kind.reference(source);
     if (result.reference) result.reference_name = reference->name;
     result.error = error_of(result.value, result.reference);

@@ -14,11 +14,12 @@ namespace taut {
 
 struct MeasureResult {
   std::string name, unit;
-  std::optional<double> value;      // none: the run was too short, or there is nothing to compare with
+  std::optional<double> value;      // none: `why` says why
   std::optional<double> reference;  // none: no reference for these parameters and this material; 0 of what is
                                     // a difference from it
   std::string reference_name;       // empty without reference
   std::optional<double> error;      // |value − reference| / |reference|; where the reference is 0, |value|
+  std::string why;                  // there is no value; else empty
 };
 
 /// Every measure of the scene (diagnostics/measure_kinds.hpp) from the series and the samples of `lines`

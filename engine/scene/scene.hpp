@@ -112,7 +112,11 @@ struct Body {
 /// The body with its shapes where they are laid before they are reflected: those about c stand about −c.
 Body before_reflection(Body body, int dim);
 
-/// A quantity followed at every step.
+/// What of a Cauchy stress is looked at, Pa: a component, positive in tension, or an invariant.
+enum class StressPart : std::uint8_t { xx, yy, zz, xy, xz, yz, von_mises, pressure };
+
+/// A quantity followed at every step. Forces are means over the step before, 0 at the start, and in 2D per metre
+/// of depth.
 struct Probe {
   enum class Kind {
     displacement,       // of material point `at` of `bodies[0]`, component `axis`, m
@@ -125,8 +129,13 @@ struct Probe {
     gap,  // least distance of two particles of `bodies[0]` and `bodies[1]` less their mean diameter, m
     mirror_asymmetry,  // greatest |x_a − mirror(x_b)| over particles of two bodies of equal layout, or of one
                        // that is its own image, plane ⊥ axis, m
-    turn,  // angle of material point `at` of `bodies[0]` about `turns_about` since the start, whole turns
-           // counted, rad
+    turn,      // angle of material point `at` of `bodies[0]` about `turns_about` since the start, whole turns
+               // counted, rad
+    stress,    // at material point `at` of `bodies[0]`, as the method shows it: `part`, Pa
+    reaction,  // on the particles of `bodies[0]` that are held, guided or driven, of what does it, component
+               // `axis`, N
+    contact_force,  // on `bodies[0]`, of `bodies[1]` or else of `wall`, component `axis`, N
+    expression,     // `value` of the probes before it
   };
   std::string name;
   Kind kind{};
@@ -134,6 +143,11 @@ struct Probe {
   Point at{}, to{};
   int axis = 0;
   Point turns_about{0, 0, 1};  // direction of an axis through the origin, of length 1; z in 2D
+  StressPart part{};
+  Expression where;  // of a reaction: particles where it is not 0; empty = all
+  int wall = -1;     // index into Scene::walls
+  /// Of the values that the probes before this one have at a time, s.
+  std::function<double(const std::vector<double>&, double)> value;
 };
 
 /// Points of a body, evenly spaced along a straight line, at which a field is sampled.
@@ -160,7 +174,10 @@ struct Measure {
   double threshold = 0;
   double scale = 1;
   std::array<double, 2> band{};  // Hz
+  double about = 0;              // the level of a swing, the probe's unit
+  bool about_mean = false;       // that level is the mean over whole periods
   double from = 0;               // s
+  std::optional<double> until;   // s; none = the end of the run
   double time = 0;               // s
   std::string free;              // the probe that says that the bodies are apart; may be empty
   Point axis{0, 0, 1};           // of a turn in 3D, of length 1

@@ -32,7 +32,11 @@ class Contact {
         active_(between_bodies_ || input.meets_itself || !input.scene.walls.empty()),
         walls_(input.scene),
         pairs_(input),
-        faces_(input) {}
+        faces_(input) {
+    for (const Probe& probe : input.scene.probes)
+      if (probe.kind == Probe::Kind::contact_force)
+        asked_.push_back({probe.bodies[0], probe.wall < 0 ? probe.bodies[1] : -1, probe.wall, {}});
+  }
 
   /// Particles of two bodies act on each other here, not as those of one.
   bool between_bodies() const { return between_bodies_; }
@@ -43,6 +47,7 @@ class Contact {
   /// did.
   bool prepare(const State<Dim>& s, double way) {
     if (!active_) return false;
+    for (Asked& asked : asked_) asked.impulse = V{};
     const bool again = by_faces_ ? faces_.prepare(s, walls_, way) : pairs_.prepare(s, walls_, way);
     if (again) force_.assign(s.size(), V{});
     return again;
@@ -58,6 +63,7 @@ class Contact {
   void evaluate(const State<Dim>& s, double dt) {
     if (!active_) return;
     by_faces_ ? faces_.evaluate(s, dt, walls_, force_) : pairs_.evaluate(s, dt, walls_, force_);
+    for (Asked& asked : asked_) asked.impulse += dt * force_now(s, asked);
   }
 
   /// On particle i, N (per metre depth in 2D), as last evaluated.
@@ -70,7 +76,20 @@ class Contact {
   template <class InverseMass, class Change>
   void stop_approach(const State<Dim>& s, double gone, const InverseMass& inverse_mass,
                      const Change& change) {
-    if (active_ && pairs_.impulses()) pairs_.stop_approach(s, gone, walls_, inverse_mass, change);
+    if (!active_ || !pairs_.impulses()) return;
+    pairs_.stop_approach(s, gone, walls_, inverse_mass, change);
+    for (Asked& asked : asked_)
+      if (asked.wall >= 0 || between_bodies_)
+        asked.impulse += pairs_.given(asked.body, asked.other, asked.wall);
+  }
+
+  /// What a body got from another one, or from a wall where that is not below 0, in the last step, N s (per metre
+  /// depth in 2D), if a probe asks for it.
+  V impulse(int body, int other, int wall) const {
+    for (const Asked& asked : asked_)
+      if (asked.body == body && asked.wall == wall && (wall >= 0 || asked.other == other))
+        return asked.impulse;
+    return {};
   }
 
   /// What walls have given to the bodies so far.
@@ -93,13 +112,27 @@ class Contact {
   }
 
  private:
+  struct Asked {
+    int body, other, wall;
+    V impulse;  // N s
+  };
+  V force_now(const State<Dim>& s, const Asked& asked) {
+    if (asked.wall >= 0)
+      return by_faces_ ? faces_.of_wall(s, asked.body, asked.wall, walls_)
+                       : pairs_.of_wall(s, asked.body, asked.wall, walls_);
+    if (!between_bodies_) return {};
+    return by_faces_ ? faces_.between(s, asked.body, asked.other)
+                     : pairs_.between(s, asked.body, asked.other);
+  }
+
   const std::vector<int>& touching() const { return by_faces_ ? faces_.touching() : pairs_.touching(); }
 
   bool by_faces_, between_bodies_, active_;
   WallContacts<Dim> walls_;
   PairContacts<Dim> pairs_;
   FaceContacts<Dim> faces_;
-  std::vector<V> force_;  // N
+  std::vector<V> force_;      // N
+  std::vector<Asked> asked_;  // by probes
 };
 
 /// Of a law of contact between bodies that is not `sph`.

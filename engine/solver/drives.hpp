@@ -26,6 +26,14 @@ class Guides {
       if (along_[id] >> k & 1) v[k] = 0;
   }
 
+  /// Of `force` what they may be the reason for.
+  Vec<double, Dim> along(int id, const Vec<double, Dim>& force) const {
+    Vec<double, Dim> kept{};
+    for (int k = 0; k < Dim && active(); ++k)
+      if (along_[id] >> k & 1) kept[k] = force[k];
+    return kept;
+  }
+
  private:
   std::vector<unsigned char> along_;  // [id] bit k: axis k
 };

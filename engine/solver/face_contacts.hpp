@@ -47,6 +47,10 @@ class FaceContacts {
   void evaluate(const State<Dim>& s, double dt, WallContacts<Dim>& walls, std::vector<V>& force);
   double energy(const State<Dim>& s, const WallContacts<Dim>& walls);  // J (per metre depth in 2D)
 
+  /// On body `a` of body `b` or of a wall, N (per metre depth in 2D), at the positions that `s` has now.
+  V between(const State<Dim>& s, int a, int b);
+  V of_wall(const State<Dim>& s, int a, int wall, const WallContacts<Dim>& walls);
+
   /// Least signed distance of a node of one of two bodies from a face of the other, m, below 0 where they
   /// overlap; at least `reach` where they are further apart.
   double gap(const State<Dim>& s, int a, int b);
@@ -323,6 +327,30 @@ double FaceContacts<Dim>::energy(const State<Dim>& s, const WallContacts<Dim>& w
     sum += surface_energy(depth, area, k);  // both passes, half of them of the image
   });
   return sum;
+}
+
+template <int Dim>
+auto FaceContacts<Dim>::between(const State<Dim>& s, int a, int b) -> V {
+  for (const int n : watched_) faces_.place(s, n);
+  V sum{};
+  for_each_touch(others_, [&](int n, const Foot<Dim>& foot, const auto& touch) {
+    if (touch.depth <= 0 || touch.depth >= reach * dp_) return;
+    const int own = faces_.outline().body[n], other = faces_.body_of_segment(foot.segment);
+    const V f = surface_force(touch.depth, foot.area, stiffness(n, foot.segment)) * touch.out;
+    if (own == a && other == b) sum += f;
+    if (own == b && other == a) sum -= f;
+  });
+  return sum;
+}
+
+template <int Dim>
+auto FaceContacts<Dim>::of_wall(const State<Dim>& s, int a, int wall, const WallContacts<Dim>& walls) -> V {
+  for (const int n : watched_) faces_.place(s, n);
+  double sum = 0;
+  for_each_wall(walls, [&](int n, int met, double depth, double area, double k) {
+    if (met == wall && faces_.outline().body[n] == a) sum += 2 * surface_force(depth, area, k);
+  });
+  return sum * walls.normal(wall);
 }
 
 template <int Dim>

@@ -24,6 +24,11 @@ class InitialPairSolver : public ParticleSolver<Solver, Dim> {
   /// for h and waits for the wave in the strained body; |v|max stands for how fast it is being strained.
   double step_size() const { return this->fixed_or(c_.cfl * c_.h / (c_p_ + vmax_)); }
 
+  void begin_snapshot() {
+    Base::begin_snapshot();
+    this->snapshot_.strain_energy.resize(s_.size());
+  }
+
  protected:
   using Base = ParticleSolver<Solver, Dim>;
   using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::loads_, Base::initial_, Base::threads_now,
@@ -50,10 +55,6 @@ class InitialPairSolver : public ParticleSolver<Solver, Dim> {
     for (int i = first; i < last; ++i) f(i);
   }
 
-  void begin_snapshot() {
-    Base::begin_snapshot();
-    this->snapshot_.strain_energy.resize(s_.size());
-  }
   /// A particle with the deformation F and the volume ratio J that its stress comes from.
   void store(int i, const Mat& F, double J);
 

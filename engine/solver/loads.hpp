@@ -65,6 +65,9 @@ class Loads {
       for (const auto& [id, share] : region.shares) force_[id] += region.now * share;
   }
 
+  /// On particle i, m/s²: of gravity alone where it is held or driven, which does not feel loads.
+  V pull(const State<Dim>& s, int i, bool free) const { return free && active_ ? push(s, i) : g_; }
+
   /// What they add to the acceleration of particle i at its present velocity, m/s².
   V acceleration(const State<Dim>& s, int i) const { return push(s, i) - damping_ * s.v[i]; }
 

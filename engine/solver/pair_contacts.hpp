@@ -42,6 +42,10 @@ class PairContacts {
         stiffness_(input.constants.contact_stiffness),
         pairs_(reach * dp_, skin * dp_),
         own_(input, dp_) {
+    const auto by_contact = [](const Probe& probe) { return probe.kind == Probe::Kind::contact_force; };
+    const std::size_t bodies = input.scene.bodies.size();
+    if (impulses() && std::ranges::any_of(input.scene.probes, by_contact))
+      given_.assign(bodies, std::vector<V>(bodies + input.scene.walls.size()));
     for (const int material : input.initial.material) K_.push_back(input.materials[material].K);
   }
 
@@ -78,8 +82,8 @@ class PairContacts {
       for_each_touch(s, i, 0,
                      [&](int j, const V& d, double r) { force[i] += (push(r, modulus(s, i, j)) / r) * d; });
     }
-    walls.for_each_touch(s, dp_, 0, [&](int i, const V& x, const V& normal, double r) {
-      const V f = push(r, modulus(s, i, i)) * normal;
+    walls.for_each_touch(s, dp_, 0, [&](int i, int wall, const V& x, double r) {
+      const V f = push(r, modulus(s, i, i)) * walls.normal(wall);
       force[i] += f;
       walls.book(x, (dt * s.mobile[i]) * f);
     });
@@ -90,16 +94,21 @@ class PairContacts {
   void stop_approach(const State<Dim>& s, double gone, WallContacts<Dim>& walls,
                      const InverseMass& inverse_mass, const Change& change) {
     impulse_.resize(s.size());
+    for (std::vector<V>& given : given_) std::ranges::fill(given, V{});
     for (const int i : touching_) {
       impulse_[i] = V{};
       for_each_touch(s, i, gone, [&](int j, const V& d, double r) {
         const double closing_speed = -dot(s.v[i] - s.v[j], d) / r;
-        impulse_[i] += (stopping_impulse(closing_speed, inverse_mass(i), inverse_mass(j)) / r) * d;
+        const V impulse = (stopping_impulse(closing_speed, inverse_mass(i), inverse_mass(j)) / r) * d;
+        impulse_[i] += impulse;
+        note(s.body[i], s.body[j], impulse);
       });
     }
-    walls.for_each_touch(s, dp_, gone, [&](int i, const V& x, const V& normal, double) {
+    walls.for_each_touch(s, dp_, gone, [&](int i, int wall, const V& x, double) {
+      const V& normal = walls.normal(wall);
       const V impulse = stopping_impulse(-dot(s.v[i], normal), inverse_mass(i), 0) * normal;
       impulse_[i] += impulse;
+      note(s.body[i], bodies() + wall, impulse);
       walls.book(x, impulse);
     });
     for (const int i : touching_) change(i, impulse_[i]);
@@ -110,10 +119,37 @@ class PairContacts {
     if (impulses()) return twice;
     for (const int i : touching_)
       for_each_touch(s, i, 0, [&](int j, const V&, double r) { twice += stored(r, modulus(s, i, j)); });
-    walls.for_each_touch(s, dp_, 0, [&](int i, const V&, const V&, double r) {
+    walls.for_each_touch(s, dp_, 0, [&](int i, int, const V&, double r) {
       twice += s.mobile[i] * stored(r, modulus(s, i, i));
     });
     return 0.5 * twice;
+  }
+
+  /// On body `a` of body `b`, N (per metre depth in 2D), at the positions that `s` has now.
+  V between(const State<Dim>& s, int a, int b) const {
+    V sum{};
+    if (impulses()) return sum;
+    for (const int i : touching_) {
+      if (s.body[i] != a) continue;
+      for_each_touch(s, i, 0, [&](int j, const V& d, double r) {
+        if (s.body[j] == b) sum += (push(r, modulus(s, i, j)) / r) * d;
+      });
+    }
+    return sum;
+  }
+  /// The same of a wall.
+  V of_wall(const State<Dim>& s, int a, int wall, const WallContacts<Dim>& walls) const {
+    double sum = 0;
+    if (impulses()) return {};
+    walls.for_each_touch(s, dp_, 0, [&](int i, int met, const V&, double r) {
+      if (met == wall && s.body[i] == a) sum += push(r, modulus(s, i, i));
+    });
+    return sum * walls.normal(wall);
+  }
+
+  /// What `body` was given in the last step of impulses by `other`, or by a wall where that is not below 0, N s.
+  const V& given(int body, int other, int wall) const {
+    return given_[body][wall < 0 ? other : bodies() + wall];
   }
 
   /// The pairs of two bodies in the form in which probes look for neighbours.
@@ -167,6 +203,11 @@ class PairContacts {
     return contact_modulus(K_[s.id[i]], K_[s.id[j]], stiffness_);
   }
 
+  int bodies() const { return static_cast<int>(given_.size()); }
+  void note(int body, int other, const V& impulse) {
+    if (!given_.empty()) given_[body][other] += impulse;
+  }
+
   /// f(j, x_ij, r) for each particle that i touches, as it was `gone` seconds ago.
   template <class F>
   void for_each_touch(const State<Dim>& s, int i, double gone, const F& f) const {
@@ -191,7 +232,9 @@ class PairContacts {
   OwnPairs<Dim> own_;
   std::vector<int> touching_;
   std::vector<V> impulse_;  // N s
-  double travelled_ = 0;    // by the fastest particle since the last search, m
+  std::vector<std::vector<V>>
+      given_;             // [body][body, then wall] N s in the last step; empty where no probe asks
+  double travelled_ = 0;  // by the fastest particle since the last search, m
 };
 
 }  // namespace taut::inline TAUT_ISA

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -18,6 +20,7 @@
 #include "engine/solver/drives.hpp"
 #include "engine/solver/loads.hpp"
 #include "engine/solver/probes.hpp"
+#include "engine/solver/reactions.hpp"
 #include "engine/solver/running.hpp"
 #include "engine/solver/solver_input.hpp"
 #include "engine/solver/state.hpp"
@@ -29,7 +32,7 @@ inline constexpr double greatest_mach_number = 10;
 
 /// What every solver has, whatever it does in a step: particles, what acts on them from outside, probes.
 template <int Dim>
-class SolverParts : public Simulation {
+class SolverParts : public Simulation, protected ProbeSource<Dim> {
  protected:
   using V = Vec<double, Dim>;
 
@@ -63,6 +66,7 @@ class SolverParts : public Simulation {
   void set_outside(double dt, double t) {
     drives_.set_time(t);
     loads_.set_time(t - 0.5 * dt);
+    if (reactions_.active()) reactions_.begin(s_.v, dt);
   }
   /// What loads, gravity, damping, guides and drives make of `v`, the new velocity of particle i without them.
   void act_from_outside(int i, double dt, V& v) {
@@ -79,7 +83,7 @@ class SolverParts : public Simulation {
    public:
     /// `t` is where in time the new velocities stand.
     Kick(SolverParts& solver, double dt, double t)
-        : solver_(solver), dt_(dt), contact_(solver.contact_.acting()) {
+        : solver_(solver), dt_(dt), contact_(solver.contact_.acting()), watched_(solver.reactions_.active()) {
       solver.set_outside(dt, t);
       outside_ = solver.drives_.active() || solver.loads_.active() || solver.guides_.active();
     }
@@ -87,6 +91,7 @@ class SolverParts : public Simulation {
     [[gnu::always_inline]] const V& by_acceleration(int i, V a) const {
       State<Dim>& s = solver_.s_;
       if (contact_) a += (1 / s.m[i]) * solver_.contact_.force(i);
+      if (watched_) solver_.reactions_.add(i, (dt_ * s.m[i]) * a);
       V v = s.v[i];
       v += (dt_ * s.mobile[i]) * a;
       return take(i, v);
@@ -101,6 +106,10 @@ class SolverParts : public Simulation {
             left >= lanes ? taut::load(of_contact + lanes * k) : taut::load(of_contact + lanes * k, left);
       separate(rows, columns);
       for (int k = 0; k < Dim; ++k) force[k] += columns[k];
+    }
+    /// All that acts on four particles from `first` on, for the probes of reactions.
+    [[gnu::always_inline]] void watch(int first, const Vec<Pack, Dim>& force) const {
+      if (watched_) note(first, force);
     }
     /// Four particles at once, by the change of v that all forces make together; x follows the new v for
     /// `after`, s. Gives v² of each, m²/s². At the end there may be fewer.
@@ -134,6 +143,7 @@ class SolverParts : public Simulation {
                                                     Vec<Pack, Dim> force) const {
       State<Dim>& s = solver_.s_;
       if (contact_) force += four_of(&solver_.contact_.force(first), s.size() - first);
+      watch(first, force);
       Vec<Pack, Dim> v = four_of(s.v, first);
       v += (dt_ * mobility) * force;
       for (int lane = 0; outside_ && lane < std::min(lanes, s.size() - first); ++lane) {
@@ -146,6 +156,10 @@ class SolverParts : public Simulation {
     }
 
    private:
+    [[gnu::noinline]] void note(int first, Vec<Pack, Dim> force) const {
+      for (int lane = 0; lane < std::min(lanes, solver_.s_.size() - first); ++lane)
+        solver_.reactions_.add(first + lane, dt_ * lane_of(force, lane));
+    }
     [[gnu::always_inline]] const V& take(int i, V v) const {
       if (outside_) solver_.act_from_outside(i, dt_, v);
       return solver_.s_.v[i] = v;
@@ -153,7 +167,7 @@ class SolverParts : public Simulation {
 
     SolverParts& solver_;
     double dt_;  // s
-    bool contact_, outside_;
+    bool contact_, watched_, outside_;
   };
 
   /// The new velocities of particles that meet those of other bodies, under the impulse law: each is changed
@@ -163,6 +177,7 @@ class SolverParts : public Simulation {
   void stop_approach(double gone, const Follow& follow) {
     const auto inverse_mass = [&](int i) { return drives_.moves(s_.id[i]) ? 0 : s_.mobile[i] / s_.m[i]; };
     contact_.stop_approach(s_, gone, inverse_mass, [&](int i, const V& impulse) {
+      if (reactions_.active()) reactions_.add(i, impulse);
       V v = s_.v[i];
       v += (s_.mobile[i] / s_.m[i]) * impulse;
       if (!drives_.moves(s_.id[i])) guides_.hold(s_.id[i], v);
@@ -177,6 +192,12 @@ class SolverParts : public Simulation {
   void show_contacts_to_probes() {
     s_.neighbors = contact_.neighbors(s_.size());
     recorder_.rebuilt(s_, Contact<Dim>::reach * c_.dp);
+  }
+
+  FaceContacts<Dim>* faces() final { return contact_.faces(); }
+  V reaction(int i) final;
+  V contact_force(const Probe& probe, double dt) override {
+    return (1 / dt) * contact_.impulse(probe.bodies[0], probe.wall < 0 ? probe.bodies[1] : -1, probe.wall);
   }
 
   template <class Archive>
@@ -196,6 +217,7 @@ class SolverParts : public Simulation {
   Drives<Dim> drives_;
   Guides<Dim> guides_;
   Loads<Dim> loads_;
+  Reactions<Dim> reactions_;
   ProbeRecorder<Dim> recorder_;
   TeamSize team_;
   double vmax_ = 0;  // m/s
@@ -204,8 +226,9 @@ class SolverParts : public Simulation {
   [[noreturn]] void fail() const;
 };
 
-/// A solver, which has `step`, by the time that `step_size` gives, `take_snapshot` and, where its steps depend
-/// on more than SolverParts, a `serialize` that begins with that of its base. Its constructor ends with `record`.
+/// A solver, which has `step`, by the time that `step_size` gives; for a snapshot `prepare_to_show`, for all particles,
+/// and `show`, for those of a group of four, which may be asked for at any time between two steps; and, where its steps
+/// depend on more than SolverParts, a `serialize` that begins with that of its base. Its constructor ends with `record`.
 template <class Solver, int Dim>
 class ParticleSolver : public SolverParts<Dim> {
  public:
@@ -240,10 +263,31 @@ class ParticleSolver : public SolverParts<Dim> {
   using SolverParts<Dim>::SolverParts;
 
   /// The probes as they are now.
-  void record() { this->recorder_.record(this->s_, this->time_, this->contact_.faces(), this->series_); }
+  void record() {
+    if (this->recorder_.size() > 0) this->recorder_.record(this->s_, this->time_, *this, this->series_);
+  }
 
  private:
   Solver& solver() { return static_cast<Solver&>(*this); }
+  int groups() const { return (this->s_.size() + lanes - 1) / lanes; }
+
+  void take_snapshot() final {
+    solver().begin_snapshot();
+    solver().prepare_to_show();
+    parallel_for(groups(), this->threads_now(), [&](int group) TAUT_FLATTEN { solver().show(group); });
+  }
+  const Snapshot& shown(const std::vector<int>& stored) final {
+    std::swap(this->snapshot_, seen_);
+    if (this->snapshot_.m.empty()) solver().begin_snapshot();
+    solver().prepare_to_show();
+    std::set<int> groups;
+    for (const int i : stored) groups.insert(i / lanes);
+    for (const int group : groups) solver().show(group);
+    std::swap(this->snapshot_, seen_);
+    return seen_;
+  }
+
+  Snapshot seen_;  // of what probes look at only
 };
 
 template <int Dim>
@@ -254,6 +298,7 @@ SolverParts<Dim>::SolverParts(const SolverInput& input, double support)
       drives_(input.scene, input.initial),
       guides_(input.initial),
       loads_(input.scene, input.initial),
+      reactions_(input.scene),
       recorder_(input.scene, input.initial, support),
       team_(input.threads) {
   threads_ = input.threads;
@@ -275,6 +320,15 @@ SolverParts<Dim>::SolverParts(const SolverInput& input, double support)
   s_.body = initial_.body;
   s_.material = initial_.material;
   s_.sph_contact = input.contact == ContactLaw::sph && initial_.first.size() > 2;
+}
+
+/// Weight is carried by what holds a particle, loads are not.
+template <int Dim>
+auto SolverParts<Dim>::reaction(int i) -> V {
+  const int id = s_.id[i];
+  const bool free = s_.mobile[i] != 0 && !drives_.moves(id);
+  const V all = reactions_.missing(s_, i) - s_.m[i] * loads_.pull(s_, i, free);
+  return free ? guides_.along(id, all) : all;
 }
 
 /// Names the first particle in the order of creation that went wrong.

@@ -11,11 +11,26 @@
 #include "engine/error.hpp"
 #include "engine/scene/initial_particles.hpp"
 #include "engine/scene/material_point.hpp"
+#include "engine/snapshot.hpp"
 #include "engine/solver/face_contacts.hpp"
 #include "engine/solver/running.hpp"
 #include "engine/solver/state.hpp"
 
 namespace taut::inline TAUT_ISA {
+
+/// What probes ask of the solver that has them.
+template <int Dim>
+class ProbeSource {
+ public:
+  using V = Vec<double, Dim>;
+
+  virtual ~ProbeSource() = default;
+  virtual FaceContacts<Dim>* faces() = 0;  // that measure gaps, if there are any
+  virtual V reaction(int i) = 0;           // on stored particle i, of what holds it over the last step, N
+  virtual V contact_force(const Probe& probe, double dt) = 0;  // over the last step, of `dt`, N
+  /// With the stresses of these stored particles as they are now.
+  virtual const Snapshot& shown(const std::vector<int>& stored) = 0;
+};
 
 /// Follows a scene's probes at every step.
 template <int Dim>
@@ -26,8 +41,8 @@ class ProbeRecorder {
 
   /// Where each particle is stored now; refreshes what is only looked at between rebuilds.
   void rebuilt(const State<Dim>& s, double support);
-  /// Appends a row to `series`. `faces` measure gaps, if there are any.
-  void record(const State<Dim>& s, double time, FaceContacts<Dim>* faces, Series& series);
+  /// Appends a row to `series`.
+  void record(const State<Dim>& s, double time, ProbeSource<Dim>& source, Series& series);
 
   std::size_t size() const { return probes_.size(); }
 
@@ -41,7 +56,7 @@ class ProbeRecorder {
  private:
   struct Follower {
     std::vector<PointWeight> at,
-        to;  // material points, or the particles of a body with their share of its mass
+        to;  // material points, or the particles of a body with their share of its mass, or those that are held
     std::vector<std::pair<int, int>> pairs;  // gap: stored particles of the two bodies within the support
     double held_value = 0;                   // of what is looked at between rebuilds only, m; of a turn, rad
     std::vector<int> image;                  // [particle of a body] id of the one that is its mirror image
@@ -49,15 +64,31 @@ class ProbeRecorder {
 
   std::vector<PointWeight> point(const Scene& scene, const InitialParticles& initial, const Probe& probe,
                                  const Point& at, double reach) const;
+  std::vector<PointWeight> point_of_stress(const Scene& scene, const InitialParticles& initial,
+                                           const Probe& probe, double reach) const;
+  std::vector<PointWeight> held_particles(const InitialParticles& initial, const Probe& probe) const;
   void find_close_pairs(const State<Dim>& s, const Probe& probe, Follower& f) const;
   static bool of_whole_body(Probe::Kind kind) {
     return kind == Probe::Kind::mean_velocity || kind == Probe::Kind::mean_position ||
            kind == Probe::Kind::greatest_position;
   }
+  static bool of_a_point(Probe::Kind kind) {
+    return kind == Probe::Kind::displacement || kind == Probe::Kind::position ||
+           kind == Probe::Kind::velocity || kind == Probe::Kind::distance || kind == Probe::Kind::turn;
+  }
   static std::vector<int> images(const Scene& scene, const InitialParticles& initial, const Probe& probe);
   double mirror_asymmetry(const State<Dim>& s, const Probe& probe, const Follower& f) const;
   double angle(const State<Dim>& s, const Probe& probe, const Follower& f) const;
-  double value(const State<Dim>& s, const Probe& probe, const Follower& f, FaceContacts<Dim>* faces) const;
+  double stress(const Snapshot& shown, const Probe& probe, const Follower& f) const;
+  double force(const Probe& probe, const Follower& f, double dt, ProbeSource<Dim>& source) const;
+  double value(const State<Dim>& s, const Probe& probe, const Follower& f, ProbeSource<Dim>& source) const;
+  static bool is_force(Probe::Kind kind) {
+    return kind == Probe::Kind::reaction || kind == Probe::Kind::contact_force;
+  }
+  std::vector<int> stored(std::vector<int> ids) const {
+    for (int& id : ids) id = where_[id];
+    return ids;
+  }
   Vec<double, Dim> place(const State<Dim>& s, const std::vector<PointWeight>& point) const {
     Vec<double, Dim> x{};
     for (const PointWeight& w : point) x += w.weight * s.x[where_[w.particle]];
@@ -70,6 +101,7 @@ class ProbeRecorder {
   std::vector<int> first_;        // first particle of each body
   std::vector<double> diameter_;  // [id] m
   double support_ = 0;
+  std::vector<int> stressed_;  // [id] of the particles whose stress is looked at
 };
 
 template <int Dim>
@@ -85,7 +117,12 @@ ProbeRecorder<Dim>::ProbeRecorder(const Scene& scene, const InitialParticles& in
       for (int i = first_[body]; i < first_[body + 1]; ++i) f.at.push_back({i, initial.V0[i] / total});
     } else if (probe.kind == Probe::Kind::mirror_asymmetry) {
       f.image = images(scene, initial, probe);
-    } else if (probe.kind != Probe::Kind::gap) {
+    } else if (probe.kind == Probe::Kind::stress) {
+      f.at = point_of_stress(scene, initial, probe, reach);
+      for (const PointWeight& w : f.at) stressed_.push_back(w.particle);
+    } else if (probe.kind == Probe::Kind::reaction) {
+      f.at = held_particles(initial, probe);
+    } else if (of_a_point(probe.kind)) {
       f.at = point(scene, initial, probe, probe.at, reach);
       if (probe.kind == Probe::Kind::distance) f.to = point(scene, initial, probe, probe.to, reach);
     }
@@ -103,6 +140,45 @@ auto ProbeRecorder<Dim>::point(const Scene& scene, const InitialParticles& initi
     throw SceneError("probe." + probe.name,
                      "the probe '" + probe.name + "' has too few particles of its body around its point");
   return point;
+}
+
+/// What is held has no stress of its own in most methods: where there is some around the point, the stress of the
+/// free particles goes on linearly.
+template <int Dim>
+auto ProbeRecorder<Dim>::point_of_stress(const Scene& scene, const InitialParticles& initial,
+                                         const Probe& probe, double reach) const -> std::vector<PointWeight> {
+  std::vector<PointWeight> all = point(scene, initial, probe, probe.at, reach);
+  if (std::ranges::none_of(all, [&](const PointWeight& w) { return initial.held[w.particle]; })) return all;
+  std::vector<int> free;
+  std::vector<Point> x;
+  for (int id = first_[probe.bodies[0]]; id < first_[probe.bodies[0] + 1]; ++id) {
+    if (initial.held[id]) continue;
+    free.push_back(id);
+    x.push_back(initial.x[id]);
+  }
+  std::vector<PointWeight> near =
+      material_point(x, 0, static_cast<int>(x.size()), probe.at, reach, scene.dim);
+  if (near.empty())
+    throw SceneError("probe." + probe.name, "the probe '" + probe.name +
+                                                "' has too few particles that are not held around its point");
+  for (PointWeight& w : near) w.particle = free[w.particle];
+  return near;
+}
+
+template <int Dim>
+auto ProbeRecorder<Dim>::held_particles(const InitialParticles& initial, const Probe& probe) const
+    -> std::vector<PointWeight> {
+  std::vector<PointWeight> found;
+  for (int id = first_[probe.bodies[0]]; id < first_[probe.bodies[0] + 1]; ++id) {
+    const bool guided = !initial.guided.empty() && (initial.guided[id] >> probe.axis & 1);
+    if (!initial.held[id] && initial.drive[id] < 0 && !guided) continue;
+    if (!probe.where || probe.where(initial.x[id]) != 0) found.push_back({id, 1});
+  }
+  if (found.empty())
+    throw SceneError("probe." + probe.name, "the probe '" + probe.name + "' finds nothing that is held" +
+                                                (probe.where ? " where it looks" : " in its body") +
+                                                " along its component, nor driven: there is no reaction");
+  return found;
 }
 
 template <int Dim>
@@ -191,8 +267,51 @@ double ProbeRecorder<Dim>::angle(const State<Dim>& s, const Probe& probe, const 
 }
 
 template <int Dim>
+double ProbeRecorder<Dim>::stress(const Snapshot& shown, const Probe& probe, const Follower& f) const {
+  StressTensor sum;
+  for (const PointWeight& w : f.at) {
+    const StressTensor one = shown.stress(w.particle);
+    for (const auto part : {&StressTensor::xx, &StressTensor::yy, &StressTensor::zz, &StressTensor::xy,
+                            &StressTensor::xz, &StressTensor::yz})
+      sum.*part += w.weight * one.*part;
+  }
+  const double p = -(sum.xx + sum.yy + sum.zz) / 3;
+  const auto squared = [](double a) { return a * a; };
+  switch (probe.part) {
+    case StressPart::xx:
+      return sum.xx;
+    case StressPart::yy:
+      return sum.yy;
+    case StressPart::zz:
+      return sum.zz;
+    case StressPart::xy:
+      return sum.xy;
+    case StressPart::xz:
+      return sum.xz;
+    case StressPart::yz:
+      return sum.yz;
+    case StressPart::pressure:
+      return p;
+    case StressPart::von_mises:
+      return std::sqrt(1.5 * (squared(sum.xx + p) + squared(sum.yy + p) + squared(sum.zz + p)) +
+                       3 * (squared(sum.xy) + squared(sum.xz) + squared(sum.yz)));
+  }
+  return 0;
+}
+
+/// Of a reaction or a contact over the last step, of `dt`; 0 at the start.
+template <int Dim>
+double ProbeRecorder<Dim>::force(const Probe& probe, const Follower& f, double dt,
+                                 ProbeSource<Dim>& source) const {
+  if (probe.kind == Probe::Kind::contact_force) return source.contact_force(probe, dt)[probe.axis];
+  double sum = 0;
+  for (const PointWeight& w : f.at) sum += source.reaction(where_[w.particle])[probe.axis];
+  return sum;
+}
+
+template <int Dim>
 double ProbeRecorder<Dim>::value(const State<Dim>& s, const Probe& probe, const Follower& f,
-                                 FaceContacts<Dim>* faces) const {
+                                 ProbeSource<Dim>& source) const {
   switch (probe.kind) {
     case Probe::Kind::displacement:
       return place(s, f.at)[probe.axis] - probe.at[probe.axis];
@@ -215,7 +334,8 @@ double ProbeRecorder<Dim>::value(const State<Dim>& s, const Probe& probe, const 
       return greatest;
     }
     case Probe::Kind::gap: {
-      if (faces) return faces->gap(s, probe.bodies[0], probe.bodies[1]);
+      if (FaceContacts<Dim>* const faces = source.faces())
+        return faces->gap(s, probe.bodies[0], probe.bodies[1]);
       double least = support_ - diameter_[first_[probe.bodies[0]]];  // at least this: nothing is in reach
       for (const auto& [i, j] : f.pairs) {
         const Vec<double, Dim> d = s.x[i] - s.x[j];
@@ -228,24 +348,36 @@ double ProbeRecorder<Dim>::value(const State<Dim>& s, const Probe& probe, const 
     case Probe::Kind::turn:
       // the whole turns so far are in the value before, which is less than half a turn away
       return f.held_value + std::remainder(angle(s, probe, f) - f.held_value, 2 * std::numbers::pi);
+    default:  // what `record` knows more for
+      return 0;
   }
-  return 0;
 }
 
 template <int Dim>
-void ProbeRecorder<Dim>::record(const State<Dim>& s, double time, FaceContacts<Dim>* faces, Series& series) {
-  if (probes_.empty()) return;
+void ProbeRecorder<Dim>::record(const State<Dim>& s, double time, ProbeSource<Dim>& source, Series& series) {
+  const double dt = series.time.empty() ? 0 : time - series.time.back();
   series.value.resize(probes_.size());
   series.time.push_back(time);
   // a body that meets nothing may never be searched anew
   constexpr std::size_t now_and_then = 32;
   const bool look = series.time.size() % now_and_then == 1;
+  const Snapshot* shown = stressed_.empty() ? nullptr : &source.shown(stored(stressed_));
+  std::vector<double> row;
   for (std::size_t k = 0; k < probes_.size(); ++k) {
     const Probe& probe = probes_[k];
     if (look && probe.kind == Probe::Kind::mirror_asymmetry && probe.bodies[0] == probe.bodies[1])
       followers_[k].held_value = mirror_asymmetry(s, probe, followers_[k]);
-    const double now = value(s, probes_[k], followers_[k], faces);
+    double now = 0;
+    if (probe.kind == Probe::Kind::stress)
+      now = stress(*shown, probe, followers_[k]);
+    else if (probe.kind == Probe::Kind::expression)
+      now = probe.value(row, time);
+    else if (!is_force(probe.kind))
+      now = value(s, probe, followers_[k], source);
+    else if (dt > 0)
+      now = force(probe, followers_[k], dt, source);
     series.value[k].push_back(now);
+    row.push_back(now);
     if (probes_[k].kind == Probe::Kind::turn) followers_[k].held_value = now;
   }
 }

@@ -43,14 +43,14 @@ class WallContacts {
   /// (particle, wall), by particle.
   const std::vector<std::pair<int, int>>& near() const { return near_; }
 
-  /// f(i, x, normal, r) for each of them less than `reach` from its image as it was `gone` seconds ago: its
+  /// f(i, wall, x, r) for each of them less than `reach` from its image as it was `gone` seconds ago: its
   /// place x then, and the distance r, below 0 inside the wall.
   template <class F>
   void for_each_touch(const State<Dim>& s, double reach, double gone, const F& f) const {
     for (const auto& [i, w] : near_) {
       const V x = s.x[i] - gone * s.v[i];
       const double r = distance_from_image(planes_[w], x);
-      if (r < reach) f(i, x, planes_[w].normal, r);
+      if (r < reach) f(i, w, x, r);
     }
   }
 

@@ -53,6 +53,8 @@ class PackedBonds {
   const StoredPack* energy_scales(const Group& own) const { return &energy_scales_[own.scale]; }
   /// Where bonds enter a clamp: they lead to what is stored from a whole number of groups on.
   const std::vector<Vec<double, Dim>>& places_at_clamp() const { return places_at_clamp_; }
+  /// Where the held particle behind one of them is stored.
+  int held_behind(int place) const { return held_behind_[place]; }
 
  private:
   struct Bond {
@@ -70,6 +72,7 @@ class PackedBonds {
   SharedRows<Vec<Pack, Dim>> a_ij_;  // times a constant that B takes out again
   SharedRows<StoredPack> energy_scales_;
   std::vector<Vec<double, Dim>> places_at_clamp_;
+  std::vector<int> held_behind_;
 };
 
 template <int Dim>
@@ -100,6 +103,7 @@ PackedBonds<Dim>::PackedBonds(const Bonds& bonds, const Scene& scene, const Init
         for (int d = 0; d < Dim; ++d) bond.r2 += bonds.X[b][d] * bonds.X[b][d];
         const int back = seen_from(bonds.j[b], id);
         if (back < 0) {
+          held_behind_.push_back(bond.j);
           bond.j = size + static_cast<int>(places_at_clamp_.size());
           places_at_clamp_.push_back(place_at_clamp(id, bonds.X[b]));
         }

@@ -60,6 +60,8 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
 
   double step_size() const;
   void step(double dt);
+  void prepare_to_show();
+  void show(int group);
   template <class Archive>
   void serialize(Archive& archive) {
     Base::serialize(archive);
@@ -106,8 +108,8 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     const Pack root = inverse_cube_root(ratio);
     F = (ratio * root * root) * F;
   }
-  void show(int group, const Mat<Pack, Dim>& F);
-  void take_snapshot() override;
+  void show_stress(int group, const Mat<Pack, Dim>& F);
+  [[gnu::noinline]] void watch_clamps(double dt);
   const Sites& sites(int group) const { return sites_[groups_[group].sites]; }
   const Sym<Pack, Dim>& B(int group) const { return B_[groups_[group].B]; }
   void set_place(int i) {
@@ -216,6 +218,7 @@ void Bonded<M, Dim>::step(double dt) {
   contact_.evaluate(s_, dt);
   stress_pass();
   Base::set_greatest_speed(force_pass(dt));
+  if (this->reactions_.active()) watch_clamps(dt);
   Base::stop_approach(0.5 * dt, [&](int i, const V& change) { s_.x[i] += (0.5 * dt) * change; });
   Base::finish_step(dt);
 }
@@ -385,6 +388,7 @@ double Bonded<M, Dim>::force_pass(double dt) {
       const int first = lanes * group;
       Vec<Pack, Dim> f = force(group);
       kick.add_contact(first, f);
+      kick.watch(first, f);
       const Pack mobility = dt * load(mobility_[0] + first);
       Pack change[Dim];
       for (int k = 0; k < Dim; ++k) change[k] = mobility * f[k];
@@ -392,6 +396,35 @@ double Bonded<M, Dim>::force_pass(double dt) {
     }
     return greatest(fastest);
   });
+}
+
+/// For the probes of reactions: what a bond into a clamp pulls at a free particle it pulls at the held one, too.
+template <const Formulation& M, int Dim>
+void Bonded<M, Dim>::watch_clamps(double dt) {
+  const int clamps = lanes * group_count();  // where the places at clamps begin
+  for (int group = 0; group < group_count(); ++group) {
+    const int first = lanes * group;
+    const auto& own = bonds_.of(group);
+    for (int b = 0; b < own.count; ++b) {
+      const LaneSlot& slot = bonds_.slots(own)[b];
+      const auto& spring = bonds_.springs(own)[b];
+      for (int lane = 0; lane < lanes; ++lane) {
+        const int i = first + lane, j = first + slot.step[lane];
+        if (i >= s_.size() || j < clamps) continue;
+        V d, ahead, pull{};
+        for (int k = 0; k < Dim; ++k) {
+          d[k] = places_[k][j] - places_[k][i], ahead[k] = places_[Dim + k][j] - places_[Dim + k][i];
+          for (int l = 0; l < Dim && b < own.a_count; ++l)
+            pull[k] += Q_[k * Dim + l][i] * bonds_.a_ij(own)[b][l][lane];
+        }
+        const double r2 = std::max(dot(d, d), least_r2_[0]);
+        pull += (spring.third_of_k[lane] * three_bond_slopes(dot(d, ahead) * spring.per_r0_squared[lane],
+                                                             spring.half_r0_squared[lane] / r2)) *
+                d;
+        this->reactions_.add(bonds_.held_behind(j - clamps), -dt * pull);
+      }
+    }
+  }
 }
 
 /// Four F with those of the recovered gradient, where there are any.
@@ -418,7 +451,7 @@ Mat<Pack, Dim> Bonded<M, Dim>::shown_deformations(int group, Mat<Pack, Dim> F) c
 /// of the method's own: near incompressibility the volume of the recovered one, which no force keeps, is off by more
 /// than the one that the pressure comes from.
 template <const Formulation& M, int Dim>
-void Bonded<M, Dim>::show(int group, const Mat<Pack, Dim>& F) {
+void Bonded<M, Dim>::show_stress(int group, const Mat<Pack, Dim>& F) {
   const int first = group * lanes, count = std::min(lanes, s_.size() - first);
   const auto four = shown_neo_hookean(sites(group).law.K, sites(group).law.G, F);
   for (int lane = 0; lane < count; ++lane) {
@@ -433,8 +466,7 @@ void Bonded<M, Dim>::show(int group, const Mat<Pack, Dim>& F) {
 }
 
 template <const Formulation& M, int Dim>
-void Bonded<M, Dim>::take_snapshot() {
-  Base::begin_snapshot();
+void Bonded<M, Dim>::prepare_to_show() {
   if (recovered_.empty())
     recovered_ = recovered_gradient(this->initial_, s_.id, c_.dp, this->support_, this->threads_);
   this->snapshot_.strain_energy.resize(s_.size());
@@ -443,17 +475,19 @@ void Bonded<M, Dim>::take_snapshot() {
     set_place(i);
     for (int k = 0; k < Dim; ++k) displacements_[i][k] = s_.x[i][k] - this->initial_.x[s_.id[i]][k];
   });
-  parallel_for(group_count(), threads_now(), [&](int group) TAUT_FLATTEN {
-    Strained now;
-    strain<true>(group, now);
-    const Pack energy = now.energy + energy_of_four(group, now.F);
-    for (int i = lanes * group, lane = 0; lane < lanes && i < s_.size(); ++i, ++lane)
-      this->snapshot_.strain_energy[s_.id[i]] = energy[lane];
-    Mat<Pack, Dim> F = shown_deformations(group, now.F);
-    if constexpr (Dim == 3) keep_volume(F, now.F);
-    for (int k = 0; k < Dim; ++k) F(k, k) = sites(group).V > 0 ? F(k, k) : filled<Pack>(1);
-    show(group, F);
-  });
+}
+
+template <const Formulation& M, int Dim>
+void Bonded<M, Dim>::show(int group) {
+  Strained now;
+  strain<true>(group, now);
+  const Pack energy = now.energy + energy_of_four(group, now.F);
+  for (int i = lanes * group, lane = 0; lane < lanes && i < s_.size(); ++i, ++lane)
+    this->snapshot_.strain_energy[s_.id[i]] = energy[lane];
+  Mat<Pack, Dim> F = shown_deformations(group, now.F);
+  if constexpr (Dim == 3) keep_volume(F, now.F);
+  for (int k = 0; k < Dim; ++k) F(k, k) = sites(group).V > 0 ? F(k, k) : filled<Pack>(1);
+  show_stress(group, F);
 }
 
 }  // namespace taut::inline TAUT_ISA

@@ -22,6 +22,8 @@ class TlDisplacement final : public InitialPairSolver<TlDisplacement<M, Dim>, M,
   }
 
   void step(double dt);
+  void prepare_to_show() { drift(0); }
+  void show(int group);
 
  private:
   using Base = InitialPairSolver<TlDisplacement<M, Dim>, M, Dim>;
@@ -33,7 +35,6 @@ class TlDisplacement final : public InitialPairSolver<TlDisplacement<M, Dim>, M,
   Mat<Pack, Dim> deformation(int group) const;
   void stress_pass();
   double force_pass(double dt);
-  void take_snapshot() override;
 
   PairLanes<Dim> pair_lanes_;
   Columns<Dim> displacement_;  // u = x − X, m
@@ -101,15 +102,11 @@ double TlDisplacement<M, Dim>::force_pass(double dt) {
 }
 
 template <const Formulation& M, int Dim>
-void TlDisplacement<M, Dim>::take_snapshot() {
-  drift(0);
-  Base::begin_snapshot();
-  parallel_for(groups(), threads_now(), [&](int group) {
-    const Mat<Pack, Dim> F = deformation(group);
-    Base::each_of(group, [&](int i) {
-      const Mat<double, Dim> own = lane_of(F, i % lanes);
-      Base::store(i, own, determinant(own));
-    });
+void TlDisplacement<M, Dim>::show(int group) {
+  const Mat<Pack, Dim> F = deformation(group);
+  Base::each_of(group, [&](int i) {
+    const Mat<double, Dim> own = lane_of(F, i % lanes);
+    Base::store(i, own, determinant(own));
   });
 }
 

@@ -37,6 +37,8 @@ class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
 
   double step_size() const;
   void step(double dt);
+  void prepare_to_show() {}
+  void show(int group);
   template <class Archive>
   void serialize(Archive& archive) {
     Base::serialize(archive);
@@ -45,8 +47,8 @@ class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
 
  private:
   using Base = InitialPairSolver<TlMixed<M, Dim>, M, Dim>;
-  using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::guides_, Base::loads_, Base::threads_now,
-      Base::vmax_;
+  using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::guides_, Base::loads_, Base::reactions_,
+      Base::threads_now, Base::vmax_;
   using Base::groups, Base::initial_, Base::initial_pairs_, Base::sites_, Base::V0_, Base::X_;
   using Mat = taut::Mat<Pack, Dim>;
   using typename Base::V;
@@ -91,11 +93,11 @@ class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
   void dissipation_pass();
   void project();
   void project_on_boundary(double ahead);
-  Vec<Pack, Dim> acceleration(int group) const;
+  Vec<Pack, Dim> acceleration(int group);
+  [[gnu::noinline]] void watch(int group, Vec<Pack, Dim> a);
   void predict(double dt);
   double correct(double dt);
   void hold(int i, double dt, Vec<Pack, Dim>& of_four);
-  void take_snapshot() override;
 
   PairLanes<Dim, M.jst ? Dim + 2 : Dim> pair_lanes_;  // k_ij; for the dissipation w_ij dp² and that of L*
   Columns<fields> flow_;                              // v, m/s, and J
@@ -133,6 +135,10 @@ TlMixed<M, Dim>::TlMixed(const SolverInput& input) : Base(input), v_start_(s_.si
     for (Strain& u : strain_) u.H = one;
   if (!initial_.start.empty()) set_start_gradients();
   start_ = rate_ = strain_;
+  if (c_.boundary_projection != 0 && reactions_.active())
+    throw SceneError("probe",
+                     "with boundary_projection = 1 what is held acts on all around it, and no probe of "
+                     "kind 'reaction' can tell how much; run with method.boundary_projection=0");
   this->record();
 }
 
@@ -299,12 +305,20 @@ void TlMixed<M, Dim>::project() {
   }
 }
 
+/// For the probes of reactions: the two stages share the step.
+template <const Formulation& M, int Dim>
+void TlMixed<M, Dim>::watch(int group, Vec<Pack, Dim> a) {
+  Base::each_of(group,
+                [&](int i) { reactions_.add(i, (0.5 * reactions_.dt() * s_.m[i]) * lane_of(a, i % lanes)); });
+}
+
 /// dv/dt
 template <const Formulation& M, int Dim>
-Vec<Pack, Dim> TlMixed<M, Dim>::acceleration(int group) const {
+Vec<Pack, Dim> TlMixed<M, Dim>::acceleration(int group) {
   const int first = lanes * group;
   Vec<Pack, Dim> a = vector_at<Dim>(a_, first);
   if (contact_.acting()) a += sites_[group].per_m * four_of(&contact_.force(first), s_.size() - first);
+  if (reactions_.active()) watch(group, a);
   if (loads_.active())
     Base::each_of(group,
                   [&](int i) { set_lane(a, i % lanes, lane_of(a, i % lanes) + loads_.acceleration(s_, i)); });
@@ -394,13 +408,10 @@ void TlMixed<M, Dim>::hold(int i, double dt, Vec<Pack, Dim>& of_four) {
 }
 
 template <const Formulation& M, int Dim>
-void TlMixed<M, Dim>::take_snapshot() {
-  Base::begin_snapshot();
-  parallel_for(groups(), threads_now(), [&](int group) {
-    const Strain& u = strain_[group];
-    const Pack J = volume_ratio(u);
-    Base::each_of(group, [&](int i) { Base::store(i, lane_of(u.F, i % lanes), J[i % lanes]); });
-  });
+void TlMixed<M, Dim>::show(int group) {
+  const Strain& u = strain_[group];
+  const Pack J = volume_ratio(u);
+  Base::each_of(group, [&](int i) { Base::store(i, lane_of(u.F, i % lanes), J[i % lanes]); });
 }
 
 }  // namespace taut::inline TAUT_ISA

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/families/ul_cauchy/passes.hpp"
@@ -26,6 +27,7 @@ class UlCauchy final : public ParticleSolver<UlCauchy<M, Dim>, Dim> {
       s_.s.push_back({});
       if (s_.material[i] != s_.material[0]) several_materials_ = true;
     }
+    if (s_.sph_contact) refuse_contact_forces(input.scene);
     f_.resize_particles(s_.size());
     rebuild();
     Base::record();
@@ -33,6 +35,8 @@ class UlCauchy final : public ParticleSolver<UlCauchy<M, Dim>, Dim> {
 
   double step_size() const { return Base::fixed_or(c_.cfl * c_.h / c_.c0); }  // s, [Khayyer2024] Eq. 26
   void step(double dt);
+  void prepare_to_show() {}
+  void show(int group);
   template <class Archive>
   void serialize(Archive& archive) {
     Base::serialize(archive);
@@ -50,6 +54,7 @@ class UlCauchy final : public ParticleSolver<UlCauchy<M, Dim>, Dim> {
   static constexpr double skin = 0.25;
 
   const Elasticity& material(int i) const { return materials_[s_.material[i]]; }
+  static void refuse_contact_forces(const Scene& scene);
   void rebuild();
   void show_neighbors_to_probes();
   void mark_materials();
@@ -58,7 +63,6 @@ class UlCauchy final : public ParticleSolver<UlCauchy<M, Dim>, Dim> {
   void accelerate(double dt);
   void transport(double dt);
   void advance(double dt);
-  void take_snapshot() override;
 
   std::vector<Elasticity> materials_;
   bool several_materials_ = false;
@@ -68,6 +72,18 @@ class UlCauchy final : public ParticleSolver<UlCauchy<M, Dim>, Dim> {
   std::vector<V> drift_;  // of each body when neighbours were last searched, m/s
   double way_ = 0;        // against it since, of the particle that goes farthest, m
 };
+
+/// Bodies that act on each other as one do so by all of their stress, in the sums over all neighbours.
+template <const Formulation& M, int Dim>
+void UlCauchy<M, Dim>::refuse_contact_forces(const Scene& scene) {
+  for (const Probe& probe : scene.probes)
+    if (probe.kind == Probe::Kind::contact_force && probe.wall < 0)
+      throw SceneError("probe." + probe.name,
+                       "the probe '" + probe.name +
+                           "' has no force to measure: with contact = \"sph\" the method '" +
+                           std::string(M.name) +
+                           "' takes two bodies that touch for one; take another law, such as \"penalty\"");
+}
 
 /// One step of the symplectic Euler scheme.
 /// Differs from [Khayyer2024] Eq. 22–25, where all rates are those of the old state: an elastic wave grows
@@ -221,12 +237,11 @@ void UlCauchy<M, Dim>::set_motion() {
 }
 
 template <const Formulation& M, int Dim>
-void UlCauchy<M, Dim>::take_snapshot() {
-  Base::begin_snapshot();
-  parallel_for(s_.size(), threads_now(), [&](int i) {
+void UlCauchy<M, Dim>::show(int group) {
+  for (int i = lanes * group; i < std::min(lanes * (group + 1), s_.size()); ++i) {
     const double p = pressure(s_.rho[i], material(i).rho0, material(i).c0);
     Base::store(i, s_.rho[i], p, s_.s[i], -trace(s_.s[i]));
-  });
+  }
 }
 
 }  // namespace taut::inline TAUT_ISA

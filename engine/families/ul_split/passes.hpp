@@ -163,6 +163,31 @@ double momentum_pass(State<Dim>& s, const Constants& c, int threads, const Use& 
   });
 }
 
+/// On body `a` of body `b`, which act on each other as one: what momentum_pass last had of their pairs, N (per metre
+/// depth in 2D). Shear acts within a body only.
+template <const Formulation& M, int Dim>
+Vec<double, Dim> force_between(const State<Dim>& s, const Constants& c, int a, int b) {
+  const Dissipation dissipation{c.rho0 * c.c0, c.riemann_limiter / c.c0, c.beta_least};
+  Vec<double, Dim> total{};
+  for (const auto& [i, pack] : s.contacts) {
+    if (s.body[i] != a) continue;
+    const int* j = s.neighbors.pack(pack);
+    Vec<Pack, Dim> grad_W = s.gradients[pack];
+    for (int lane = 0; lane < lanes; ++lane)
+      for (int k = 0; k < Dim && s.body[j[lane]] != b; ++k) grad_W[k][lane] = 0;
+    const Flow<Dim, Pack> f_i = spread_flow(s.flow[i]), f_j = gather_flow(s.flow, j);
+    const Pack closing_speed = s.inverse_slopes[pack].value * dot(f_j.v - f_i.v, grad_W);
+    const Pack p = riemann_pressure(f_i.p, f_j.p, closing_speed, dissipation);
+    total -= sum(Pack(2 * f_i.V * f_j.V * p) * grad_W);
+    if constexpr (M.artificial_stress) {
+      const Tensor<Dim> R_i = spread_tensor(s.repulsion[i]), R_j = gather_tensor(s.repulsion, j);
+      total +=
+          s.m[i] * sum(artificial_stress_term(R_i.s, R_j.s, R_j.a, s.closeness[pack].value, one, grad_W));
+    }
+  }
+  return total;
+}
+
 /// The rates that follow from the new velocities: of density, and of the stress or the shear acceleration.
 /// `use(i)` is called when those of particle i are there.
 template <const Formulation& M, int Dim, bool pressure_diffusion, class Use>
@@ -207,25 +232,28 @@ void rate_pass(State<Dim>& s, const Constants& c, int threads, const Use& use) {
 /// Brings the stress up to date that a method does not compute with, from the displacement d in `flow_new`
 /// since it was last done: s += 2G dev ε(d) + rotation, with the corrected gradient.  [Zhang2024] Eq. 6–8,
 /// 26, 27 The geometry of the pairs is held meanwhile, so that this is the integral over all steps since.
+template <const Formulation& M, int Dim>
+Sym<double, Dim> recovered_stress(const State<Dim>& s, const Constants& c, int i) {
+  const Flow<Dim, Pack> f_i = spread_flow(s.flow_new[i]);
+  Mat<Pack, Dim> gradient{};
+  Sym<Pack, Dim> moment{};
+  for (int b = s.neighbors.begin[i]; b < s.neighbors.begin[i + 1]; ++b) {
+    const Flow<Dim, Pack> f_j = gather_flow(s.flow_new, s.neighbors.pack(b));
+    const Vec<Pack, Dim> grad_W = gradient_inside(s, i, b);
+    const Pack inv_dW = s.inverse_slopes[b].value, inv_r_dW = s.inverse_distances[b].value;
+    const Pack r_over_dW = inv_r_dW < 0 ? Pack(inv_dW * inv_dW / inv_r_dW) : Pack{};  // r/(∂W/∂r)
+    add_velocity_gradient(gradient, f_j.V, one, f_i.v - f_j.v, grad_W);
+    add_gradient_moment(moment, f_j.V, one, r_over_dW, grad_W);
+  }
+  const Sym<double, Dim> correction = gradient_correction(sum(moment));
+  const Mat<double, Dim> dL = product(sum(gradient), correction);
+  Sym<double, Dim> stress = s.s[i];
+  return stress += jaumann_rate<M.deviator>(dL, stress, c.G);
+}
+/// `use(i, s)` receives that of each particle.
 template <const Formulation& M, int Dim, class Use>
 void stress_recovery_pass(const State<Dim>& s, const Constants& c, int threads, const Use& use) {
-  parallel_for(s.size(), threads, [&](int i) TAUT_FLATTEN {
-    const Flow<Dim, Pack> f_i = spread_flow(s.flow_new[i]);
-    Mat<Pack, Dim> gradient{};
-    Sym<Pack, Dim> moment{};
-    for (int b = s.neighbors.begin[i]; b < s.neighbors.begin[i + 1]; ++b) {
-      const Flow<Dim, Pack> f_j = gather_flow(s.flow_new, s.neighbors.pack(b));
-      const Vec<Pack, Dim> grad_W = gradient_inside(s, i, b);
-      const Pack inv_dW = s.inverse_slopes[b].value, inv_r_dW = s.inverse_distances[b].value;
-      const Pack r_over_dW = inv_r_dW < 0 ? Pack(inv_dW * inv_dW / inv_r_dW) : Pack{};  // r/(∂W/∂r)
-      add_velocity_gradient(gradient, f_j.V, one, f_i.v - f_j.v, grad_W);
-      add_gradient_moment(moment, f_j.V, one, r_over_dW, grad_W);
-    }
-    const Sym<double, Dim> correction = gradient_correction(sum(moment));
-    const Mat<double, Dim> dL = product(sum(gradient), correction);
-    Sym<double, Dim> stress = s.s[i];
-    use(i, stress += jaumann_rate<M.deviator>(dL, stress, c.G));
-  });
+  parallel_for(s.size(), threads, [&](int i) TAUT_FLATTEN { use(i, recovered_stress<M>(s, c, i)); });
 }
 
 }  // namespace taut::inline TAUT_ISA

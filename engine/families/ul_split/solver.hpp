@@ -21,6 +21,8 @@ class UlSplit final : public ParticleSolver<UlSplit<M, Dim>, Dim> {
   }
 
   void step(double dt);
+  void prepare_to_show();
+  void show(int group);
   template <class Archive>
   void serialize(Archive& archive) {
     Base::serialize(archive);
@@ -42,7 +44,7 @@ class UlSplit final : public ParticleSolver<UlSplit<M, Dim>, Dim> {
   template <bool pressure_diffusion>
   void rates(double dt);
   void set_recovery_displacements();
-  void take_snapshot() override;
+  V contact_force(const Probe& probe, double dt) override;
 
   Stepping stepping_;
   CellGrid<Dim> grid_;
@@ -187,18 +189,25 @@ void UlSplit<M, Dim>::set_recovery_displacements() {
 }
 
 template <const Formulation& M, int Dim>
-void UlSplit<M, Dim>::take_snapshot() {
-  Base::begin_snapshot();
-  const auto store = [&](int i, const Sym<double, Dim>& s) {
+void UlSplit<M, Dim>::prepare_to_show() {
+  if constexpr (!nested) set_recovery_displacements();
+}
+
+template <const Formulation& M, int Dim>
+void UlSplit<M, Dim>::show(int group) {
+  for (int i = lanes * group; i < std::min(lanes * (group + 1), s_.size()); ++i) {
+    Sym<double, Dim> s = s_.s[i];
+    if constexpr (!nested) s = recovered_stress<M>(s_, c_, i);
     Base::store(i, s_.rho[i], pressure(s_.rho[i], c_.rho0, c_.c0), s,
                 M.deviator == Deviator::plane_strain ? -trace(s) : 0);
-  };
-  if constexpr (nested) {
-    parallel_for(s_.size(), threads_now(), [&](int i) { store(i, s_.s[i]); });
-  } else {
-    set_recovery_displacements();
-    stress_recovery_pass<M>(s_, c_, threads_now(), store);
   }
+}
+
+/// Bodies that act on each other as one do so by pressure, and by artificial stress.
+template <const Formulation& M, int Dim>
+auto UlSplit<M, Dim>::contact_force(const Probe& probe, double dt) -> V {
+  if (probe.wall >= 0 || !s_.sph_contact) return Base::contact_force(probe, dt);
+  return force_between<M>(s_, c_, probe.bodies[0], probe.bodies[1]);
 }
 
 }  // namespace taut::inline TAUT_ISA
