@@ -79,6 +79,7 @@ Json measures(const RunRecord& record) {
     one["reference"] = number(m.reference);
     one["reference_name"] = m.reference_name.empty() ? Json(nullptr) : Json(m.reference_name);
     one["error"] = number(m.error);
+    if (!m.why.empty()) one["why"] = m.why;
   }
   return all;
 }

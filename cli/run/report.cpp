@@ -50,9 +50,12 @@ std::string measures_table(const std::vector<MeasureResult>& measures) {
   if (measures.empty()) return "";
   std::vector<std::vector<std::string>> rows{{"measure", "value", "reference", "error", ""}};
   for (const MeasureResult& m : measures)
-    rows.push_back({m.name, m.value ? with_unit(m.value, m.unit) : "run too short",
-                    with_unit(m.reference, m.unit), error(m), m.reference_name});
-  return in_columns(rows) + "\n";
+    rows.push_back({m.name, m.value ? with_unit(m.value, m.unit) : "none", with_unit(m.reference, m.unit),
+                    error(m), m.reference_name});
+  std::string text = in_columns(rows);
+  for (const MeasureResult& m : measures)
+    if (!m.value) text += m.name + " has no value: " + m.why + "\n";
+  return text + "\n";
 }
 
 double speed(const Snapshot& now, std::size_t particle) {

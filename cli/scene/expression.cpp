@@ -114,6 +114,26 @@ std::function<double(double)> compile_of_time(const std::string& text, const Nam
   };
 }
 
+std::function<double(const std::vector<double>&, double)> compile_of_values(
+    const std::string& text, Names names, const std::vector<std::string>& values) {
+  const auto of_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  const auto is_variable = [&](const std::string& name) {
+    return std::ranges::all_of(name, of_name) && !std::isdigit(static_cast<unsigned char>(name.front())) &&
+           name != "pi" && name != "t";
+  };
+  for (const std::string& name : values)
+    if (is_variable(name)) names[name] = 0;
+  const std::shared_ptr<Formula> formula(parse(text, names, {"t"}));
+  std::vector<std::pair<std::size_t, double*>> places;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (is_variable(values[k])) places.emplace_back(k, &formula->names[values[k]]);
+  return [formula, places](const std::vector<double>& now, double t) {
+    for (const auto& [k, place] : places) *place = now[k];
+    formula->variables[0] = t;
+    return formula->parser.Eval();
+  };
+}
+
 std::set<std::string> names_in(const std::string& text) {
   std::set<std::string> names;
   try {

@@ -35,6 +35,10 @@ std::function<double(double)> compile_of_time(const std::string& text, const Nam
 /// The same as a function of the position and the time.
 Solution compile_in_time(const std::string& text, const Names& names);
 
+/// The same as a function of values with these names, as far as they are names of variables, and of the time.
+std::function<double(const std::vector<double>&, double)> compile_of_values(
+    const std::string& text, Names names, const std::vector<std::string>& values);
+
 /// The names that occur in `text`, known or not, without functions; empty where it cannot be read.
 std::set<std::string> names_in(const std::string& text);
 

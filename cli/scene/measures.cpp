@@ -101,6 +101,23 @@ void read_from(TomlCursor& cursor, const Scene&, Measure& measure) {
     cursor.fail(cursor.need("from"), "from", "from = " + exact(measure.from) + " s must be at least 0");
 }
 
+/// Without it up to the end of the run, however long that is.
+void read_until(TomlCursor& cursor, const Scene&, Measure& measure) {
+  const TomlValue* given = cursor.find("until");
+  if (given == nullptr) return;
+  measure.until = cursor.number("until");
+  if (!(*measure.until > measure.from))
+    cursor.fail(*given, "until",
+                "until = " + exact(*measure.until) + " s must be after from = " + exact(measure.from) + " s");
+}
+
+/// A number or "mean".
+void read_about(TomlCursor& cursor, const Scene&, Measure& measure) {
+  const TomlValue* given = cursor.find("about");
+  measure.about_mean = given != nullptr && given->kind == TomlValue::Kind::text && given->text == "mean";
+  if (!measure.about_mean) measure.about = cursor.number("about", measure.about);
+}
+
 void read_time(TomlCursor& cursor, const Scene&, Measure& measure) {
   const TomlValue& given = cursor.need("time");
   measure.time = cursor.number("time", measure.time);
@@ -138,6 +155,10 @@ constexpr std::array numbers = {
                read_scale},
     MeasureKey{{"band", "[low, high], Hz", "", "where the frequency is looked for"}, read_band},
     MeasureKey{{"from", "number, s", "0", "the series counts from then on"}, read_from},
+    MeasureKey{{"until", "number, s", "the end of the run", "the series counts up to then"}, read_until},
+    MeasureKey{{"about", "number, or mean", "0",
+                "the level that it swings about, in the unit of the series; mean: that over whole periods"},
+               read_about},
     MeasureKey{{"time", "number, s", "", "when"}, read_time},
     MeasureKey{
         {"free", "name of a probe", "none", "says, by being above the threshold, that bodies are apart"},
@@ -194,6 +215,10 @@ void read_measures(TomlCursor& root, Scene& scene) {
     used.insert(measure.free);
     used.insert(measure.probes.begin(), measure.probes.end());
   }
+  for (TomlValue& value : root.list("probe"))
+    if (const TomlEntry* of_others = value.find("value");
+        of_others != nullptr && of_others->value.kind == TomlValue::Kind::text)
+      used.merge(names_in(of_others->value.text));
   for (TomlValue& value : root.list("probe")) {
     const TomlEntry& name = *value.find("name");
     if (!used.contains(name.value.text))

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
@@ -17,6 +19,14 @@ constexpr KeyInfo own_image{"body", "name of a body", "`bodies`", "one that shou
 constexpr KeyInfo at{"at", "[x, y], m", "", "the material point, where it is at the start"};
 constexpr KeyInfo to{"to", "[x, y], m", "", "the other material point"};
 constexpr KeyInfo component{"component", "x, y or z", "", "the axis along which it is seen"};
+constexpr KeyInfo part{"component", "xx, yy, zz, xy, von_mises or pressure; in 3D xz, yz", "",
+                       "of the stress"};
+constexpr KeyInfo held_where{"where", "expression of the place", "wherever it is held",
+                             "the region that counts"};
+constexpr KeyInfo met{"bodies", "[BODY, BODY]", "`body` and `wall`", "the force of the second on the first"};
+constexpr KeyInfo met_body{"body", "name of a body", "`bodies`", "the force of the wall on it"};
+constexpr KeyInfo wall{"wall", "name of a wall", "`bodies`", "that acts on `body`"};
+constexpr KeyInfo value{"value", "expression", "", "of t and the probes before it, such as \"2*gap + tip\""};
 constexpr KeyInfo axis{"axis", "[x, y, z]", "[0, 0, 1]", "of the turn, through the origin; in 3D"};
 }  // namespace key
 
@@ -37,6 +47,14 @@ const std::vector<ProbeKind> kinds{
      {key::images, key::own_image, key::component}},
     {"turn", Probe::Kind::turn, "rad", "angle of a material point about the axis since the start, whole turns "
      "counted", {key::body, key::at, key::axis}},
+    {"stress", Probe::Kind::stress, "Pa", "Cauchy stress at a material point, as fields show it, positive in tension; "
+     "pressure in compression", {key::body, key::at, key::part}},
+    {"reaction", Probe::Kind::reaction, "N, in 2D N/m", "force of what holds, guides or drives particles on them: with "
+     "the contact and the weight all that changes the momentum of the body, without loads", {key::body,
+     key::held_where, key::component}},
+    {"contact_force", Probe::Kind::contact_force, "N, in 2D N/m", "force of another body, or of a wall, on a body",
+     {key::met, key::met_body, key::wall, key::component}},
+    {"expression", Probe::Kind::expression, "of `value`", "of other probes", {key::value}},
 };
 // clang-format on
 
@@ -68,22 +86,72 @@ void refuse_point_on_axis(TomlCursor& cursor, const Probe& probe) {
     cursor.fail(cursor.need("at"), "at", "at lies on the axis of the turn, about which it has no angle");
 }
 
+/// The part of a stress that `component` names.
+StressPart stress_part(TomlCursor& cursor, int dim) {
+  constexpr std::array parts = {std::pair{"xx", StressPart::xx},
+                                std::pair{"yy", StressPart::yy},
+                                std::pair{"zz", StressPart::zz},
+                                std::pair{"xy", StressPart::xy},
+                                std::pair{"von_mises", StressPart::von_mises},
+                                std::pair{"pressure", StressPart::pressure},
+                                std::pair{"xz", StressPart::xz},
+                                std::pair{"yz", StressPart::yz}};
+  constexpr std::size_t in_2d = 6;
+  std::vector<std::string> allowed;
+  for (std::size_t k = 0; k < (dim == 2 ? in_2d : parts.size()); ++k) allowed.emplace_back(parts[k].first);
+  const std::string given = cursor.choice("component", allowed);
+  return std::ranges::find(parts, given, [](const auto& part) { return std::string(part.first); })->second;
+}
+
+int wall_index(TomlCursor& cursor, const Scene& scene) {
+  const std::string name = cursor.text("wall");
+  const std::size_t wall = index_of(scene.walls, name);
+  if (wall == scene.walls.size())
+    cursor.fail_unknown(cursor.need("wall"), "wall", "wall", name, names_of(scene.walls));
+  return static_cast<int>(wall);
+}
+
+/// Its body, which says which material its numbers know, is that of the first probe in it.
+void read_probes_in(TomlCursor& cursor, const Scene& scene, Probe& probe) {
+  const TomlValue& value = cursor.need("value");
+  const std::set<std::string> used = names_in(value.kind == TomlValue::Kind::text ? value.text : "0");
+  for (const Probe& other : scene.probes)
+    if (probe.bodies.empty() && used.contains(other.name)) probe.bodies = other.bodies;
+  if (probe.bodies.empty()) probe.bodies = {0};
+  const int material = scene.bodies[static_cast<std::size_t>(probe.bodies.front())].material;
+  add_names(cursor.names(), scene.materials[static_cast<std::size_t>(material)]);
+  probe.value = cursor.function_of_probes(value, "value", names_of(scene.probes));
+}
+
+int axis_of_component(TomlCursor& cursor, const Scene& scene) {
+  const std::vector<std::string> allowed(axis_names.begin(), axis_names.begin() + scene.dim);
+  const auto axis = std::find(allowed.begin(), allowed.end(), cursor.choice("component", allowed));
+  return static_cast<int>(axis - allowed.begin());
+}
+
 Probe read_probe(TomlCursor& cursor, const Scene& scene) {
   Probe probe;
   probe.name = label(cursor, names_of(scene.probes));
   const ProbeKind& kind = kinds[index_of(kinds, cursor.choice("of", names_of(kinds)))];
   cursor.also_takes(kind.keys);
   probe.kind = kind.kind;
+  if (kind.kind == Probe::Kind::expression) {
+    read_probes_in(cursor, scene, probe);
+    cursor.finish();
+    return probe;
+  }
   probe.bodies = probe_bodies(cursor, kind, scene);
   const int material = scene.bodies[static_cast<std::size_t>(probe.bodies.front())].material;
   add_names(cursor.names(), scene.materials[static_cast<std::size_t>(material)]);
   if (kind.takes("at")) probe.at = cursor.point("at", scene.dim);
   if (kind.takes("to")) probe.to = cursor.point("to", scene.dim);
-  if (kind.takes("component")) {
-    const std::vector<std::string> allowed(axis_names.begin(), axis_names.begin() + scene.dim);
-    const auto axis = std::find(allowed.begin(), allowed.end(), cursor.choice("component", allowed));
-    probe.axis = static_cast<int>(axis - allowed.begin());
-  }
+  if (kind.kind == Probe::Kind::stress)
+    probe.part = stress_part(cursor, scene.dim);
+  else if (kind.takes("component"))
+    probe.axis = axis_of_component(cursor, scene);
+  if (kind.takes("wall") && cursor.find("body")) probe.wall = wall_index(cursor, scene);
+  if (kind.takes("where") && cursor.find("where"))
+    probe.where = cursor.function_of(cursor.need("where"), "where");
   if (kind.takes("axis")) {
     probe.turns_about = turning_axis(cursor, scene);
     refuse_point_on_axis(cursor, probe);

@@ -206,6 +206,20 @@ Solution TomlCursor::solution(const TomlValue& value, std::string_view key) {
   return solution ? solution : [](const Point&, double) { return 0.0; };
 }
 
+std::function<double(const std::vector<double>&, double)> TomlCursor::function_of_probes(
+    const TomlValue& value, std::string_view key, const std::vector<std::string>& probes) {
+  const std::string text = value.kind == Kind::text ? value.text : exact(value_of(value, key));
+  for (const std::string& probe : probes)
+    if (names_.contains(probe) && names_in(text).contains(probe))
+      fail(value, key, "'" + probe + "' is the name of a probe and of a number; give the probe another name");
+  try {
+    note_names(text);
+    return compile_of_values(text, names_, probes);
+  } catch (const ExpressionError& error) {
+    fail_expression(value, key, error);
+  }
+}
+
 std::string TomlCursor::text_of(const TomlValue& value, std::string_view key) {
   if (value.kind != Kind::text)
     fail(value, key,

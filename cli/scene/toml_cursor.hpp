@@ -66,6 +66,9 @@ class TomlCursor {
   std::function<double(double)> function_of_time(const TomlValue& value, std::string_view key);
   /// The same, of the position and the time.
   Solution solution(const TomlValue& value, std::string_view key);
+  /// A function of values of those of these names that are names of variables too, and of the time t.
+  std::function<double(const std::vector<double>&, double)> function_of_probes(
+      const TomlValue& value, std::string_view key, const std::vector<std::string>& probes);
   std::string text_of(const TomlValue& value, std::string_view key);
 
   /// A cursor on the table `value` with such keys, with the same names.

@@ -26,7 +26,6 @@ Measured too_short(double wanted, double reached) {
   return none("the run ends at {:g} s, before {:g} s", reached, wanted);
 }
 constexpr const char* no_reference = "there is no reference to compare with";
-
 /// The time that a run and the reference's curves both cover, up to the end of the run; nothing while the run
 /// goes on within it.
 std::optional<std::pair<double, double>> common_time(const Source& source) {
@@ -56,9 +55,8 @@ Measured of_half_cycles(const Source& source, std::size_t needed, const Number& 
   const std::vector<HalfCycle> cycles = half_cycles(curve, *level);
   if (cycles.size() >= needed) return number(cycles);
   if (cycles.empty() && !source.measure->about_mean)
-    return none(
-        "stays on one side of {:g} until {:g} s: where it swings about another level, about = \"mean\"",
-        *level, curve.t.back());
+    return none("stays on one side of {:g} until {:g} s: if it swings about another level, about = \"mean\"",
+                *level, curve.t.back());
   return none("has {} of {} half cycles about {:g} until {:g} s: a longer run may have them", cycles.size(),
               needed, *level, curve.t.back());
 }
@@ -67,12 +65,11 @@ Measured period(const Source& source) {
   return of_half_cycles(source, 2, [](const auto& cycles) { return cycles[1].end - cycles[0].begin; });
 }
 
-Measured first_peak(const Source& source) {
-  return of_half_cycles(source, 1, [](const auto& cycles) { return cycles[0].peak; });
+Measured first_peak(const Source& s) {
+  return of_half_cycles(s, 1, [](const auto& cycles) { return cycles[0].peak; });
 }
-
-Measured peak_time(const Source& source) {
-  return of_half_cycles(source, 1, [](const auto& cycles) { return cycles[0].peak_at; });
+Measured peak_time(const Source& s) {
+  return of_half_cycles(s, 1, [](const auto& cycles) { return cycles[0].peak_at; });
 }
 
 double decay_of(const std::vector<HalfCycle>& cycles) {
@@ -91,6 +88,8 @@ std::pair<double, double> span_of(const Source& source) {
 Measured time_integral(const Source& source) {
   const auto [begin, end] = span_of(source);
   const Curve& curve = source.curve.front();
+  if (!(begin < end))
+    return none("its beginning, {:g} s, is not before the end of the run, {:g} s", begin, end);
   return curve.t.back() < end ? too_short(end, curve.t.back()) : Measured(integral(curve, begin, end));
 }
 
@@ -266,8 +265,8 @@ std::optional<LineSquares> line_squares(const Source& source) {
 }
 
 Measured without_line(const Source& source) {
-  if (source.reference.empty()) return none(no_reference);
-  return none("the line was not sampled at all of its times, or a point of it has left the body");
+  return source.reference.empty() ? none(no_reference)
+                                  : none("the line lacks samples, or a point of it has left the body");
 }
 
 Measured line_rmse(const Source& source) {
@@ -339,8 +338,7 @@ Value as_given(const Source& source) {
 const std::vector<MeasureKind> kinds = {
     {.name = "period",
      .help = "time of the first whole cycle about the level `about` (0, a number, or \"mean\": over whole "
-             "periods): "
-             "between crossings in the same direction, of which a start at the level is one",
+             "periods): between crossings in the same direction, of which a start at the level is one",
      .keys = {"probe", "about"},
      .number = true,
      .value = period,

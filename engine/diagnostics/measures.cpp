@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/error.hpp"
 
@@ -95,6 +97,9 @@ std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std
     const Measured found = seen ? kind.value(source) : Measured("the series has no finite value");
     result.value = found.value;
     result.why = found.why;
+    for (std::size_t k = 0; k < source.curve.size() && seen && !found.value; ++k)
+      if (const std::size_t kept = source.curve[k].size(); kept < series.time.size())
+        result.why = fmt::format("{} is not finite from {:g} s on", each.probes[k], series.time[kept]);
     if (reference) result.reference = kind.reference(source);
     if (result.reference) result.reference_name = reference->name;
     result.error = error_of(result.value, result.reference);

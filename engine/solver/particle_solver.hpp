@@ -20,7 +20,6 @@
 #include "engine/solver/drives.hpp"
 #include "engine/solver/loads.hpp"
 #include "engine/solver/probes.hpp"
-#include "engine/solver/reactions.hpp"
 #include "engine/solver/running.hpp"
 #include "engine/solver/solver_input.hpp"
 #include "engine/solver/state.hpp"

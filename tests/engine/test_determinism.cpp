@@ -27,10 +27,16 @@ bool same_bytes(const Snapshot& a, const Snapshot& b) {
          same(a.diameter, b.diameter) && same(a.body, b.body) && same(a.held, b.held);
 }
 
-/// The two small scenes, with a probe each.
+/// The two small scenes, with probes: some look at forces within a step.
 std::vector<Scene> probed_scenes() {
   std::vector<Scene> scenes = {small_collision(), small_clamped_plate()};
-  for (Scene& scene : scenes) scene.probes = {make_probe("speed", Probe::Kind::mean_velocity)};
+  for (Scene& scene : scenes) {
+    Probe stress = make_probe("stress", Probe::Kind::stress);
+    stress.at = scene.bodies[0].held ? Point{0.008, 0, 0} : Point{-0.0141, 0, 0};
+    scene.probes = {make_probe("speed", Probe::Kind::mean_velocity),
+                    make_probe("push", Probe::Kind::contact_force, {0, 1}), stress};
+    if (scene.bodies[0].held) scene.probes.push_back(make_probe("clamp", Probe::Kind::reaction));
+  }
   return scenes;
 }
 
@@ -55,11 +61,17 @@ TEST_SUITE("determinism") {
       Settings settings = with_method(method);
       // one thread takes the first 16 steps, then all take at least one; more threads than cores are slow
       const int few = 32;
-      const Snapshot one = state_after(few, scene, settings);
+      const auto alone = make_simulation(scene, settings);
+      make_steps(*alone, few);
+      const Snapshot one = alone->snapshot();
       for (const int threads : {2, 3}) {
         settings.threads = threads;
         CHECK(make_simulation(scene, settings)->threads() == threads);
-        CHECK(same_bytes(state_after(few, scene, settings), one));
+        const auto simulation = make_simulation(scene, settings);
+        make_steps(*simulation, few);
+        CHECK(same_bytes(simulation->snapshot(), one));
+        for (std::size_t k = 0; k < scene.probes.size(); ++k)
+          CHECK(same(simulation->series().value[k], alone->series().value[k]));
       }
     });
   }

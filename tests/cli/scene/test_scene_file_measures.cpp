@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -14,12 +17,20 @@ using namespace taut::test;
 namespace {
 
 const std::map<std::string_view, std::string> values = {
-    {"probe", "\"tip\""},      {"probes", "[\"tip\", \"tip\"]"},
-    {"line", "\"middle\""},    {"body", "\"ring\""},
-    {"fields", "[\"speed\"]"}, {"rigid_motion", "\"counts\""},
-    {"threshold", "3"},        {"scale", "4"},
-    {"band", "[5, 6]"},        {"from", "7"},
-    {"free", "\"tip\""},       {"time", "0.5"},
+    {"probe", "\"tip\""},
+    {"probes", "[\"tip\", \"tip\"]"},
+    {"line", "\"middle\""},
+    {"body", "\"ring\""},
+    {"fields", "[\"speed\"]"},
+    {"rigid_motion", "\"counts\""},
+    {"threshold", "3"},
+    {"scale", "4"},
+    {"band", "[5, 6]"},
+    {"from", "7"},
+    {"free", "\"tip\""},
+    {"time", "0.5"},
+    {"about", "2"},
+    {"until", "9"},
 };
 
 /// The small scene with one more measure of a kind that says all it can say.
@@ -56,6 +67,8 @@ TEST_SUITE("cli") {
       CHECK(m.from == (takes(kind, "from") ? 7 : 0));
       CHECK(m.time == (takes(kind, "time") ? 0.5 : 0));
       CHECK(m.free == (takes(kind, "free") ? "tip" : ""));
+      CHECK(m.about == (takes(kind, "about") ? 2 : 0));
+      CHECK(m.until == (takes(kind, "until") ? std::optional(9.0) : std::nullopt));
       for (const auto& [key, value] : values) {
         CAPTURE(key);
         if (!takes(kind, key))
@@ -63,5 +76,74 @@ TEST_SUITE("cli") {
                                doctest::Contains("unknown key"), SceneError);
       }
     }
+  }
+
+  TEST_CASE("scene: a measure about the mean, and one whose time ends before it begins") {
+    const std::string swing = "[[measure]]\nname = \"T\"\nof = \"period\"\nprobe = \"tip\"\n";
+    CHECK(read_text(small_scene + swing + "about = \"mean\"\n").scene.measures.at(1).about_mean);
+    CHECK(read_text(small_scene + swing + "about = \"2*dp\"\n").scene.measures.at(1).about == 0.2);
+    const std::string middle = "of = \"mean\"\nprobe = \"tip\"\nfrom = 1\nuntil = ";
+    CHECK(read_text(replaced(small_scene, "of = \"maximum\"\nprobe = \"tip\"\n", middle + "1.5\n"))
+              .scene.measures.at(0)
+              .until == 1.5);
+    check_error("of = \"maximum\"\nprobe = \"tip\"\n", middle + "@1\n",
+                {"until = 1 s must be after from = 1 s"});
+    check_error("of = \"maximum\"", "of = \"period\"\nabout = @\"maen\"", {"unknown name 'maen'"});
+  }
+
+  TEST_CASE("scene: probes of stress, reaction, contact force, and of other probes") {
+    const std::string old_probe = "[[probe]]\nname = \"tip\"\n",
+                      wall = "[[wall]]\nname = \"floor\"\nat = [0, -3]\nnormal = [0, 1]\n";
+    const auto with = [&](const std::string& probe) {
+      return read_text(
+                 replaced(small_scene, old_probe, wall + "[[probe]]\nname = \"new\"\n" + probe + old_probe) +
+                 "[[measure]]\nname = \"n\"\nof = \"mean\"\nprobe = \"new\"\n")
+          .scene.probes.front();
+    };
+    const Probe stress =
+        with("of = \"stress\"\nbody = \"block\"\nat = [1, 0.5]\ncomponent = \"von_mises\"\n");
+    CHECK(stress.kind == Probe::Kind::stress);
+    CHECK(stress.part == StressPart::von_mises);
+    CHECK(stress.at == Point{1, 0.5, 0});
+    const Probe held = with("of = \"reaction\"\nbody = \"ring\"\nwhere = \"x < 4\"\ncomponent = \"y\"\n");
+    CHECK(held.kind == Probe::Kind::reaction);
+    CHECK(held.bodies == std::vector{1});
+    CHECK(held.axis == 1);
+    CHECK(held.where({3, 0, 0}) == 1);
+    CHECK(held.where({5, 0, 0}) == 0);
+    const Probe pair = with("of = \"contact_force\"\nbodies = [\"ring\", \"block\"]\ncomponent = \"x\"\n");
+    CHECK(pair.bodies == std::vector{1, 0});
+    CHECK(pair.wall == -1);
+    const Probe of_wall =
+        with("of = \"contact_force\"\nbody = \"ring\"\nwall = \"floor\"\ncomponent = \"x\"\n");
+    CHECK(of_wall.bodies.front() == 1);
+    CHECK(of_wall.wall == 0);
+    CHECK_THROWS_WITH_AS(
+        with("of = \"contact_force\"\nbody = \"ring\"\nwall = \"flor\"\ncomponent = \"x\"\n"),
+        doctest::Contains("unknown wall 'flor'"), SceneError);
+    CHECK_THROWS_WITH_AS(with("of = \"stress\"\nbody = \"block\"\nat = [1, 0.5]\ncomponent = \"xz\"\n"),
+                         doctest::Contains("von_mises"), SceneError);
+  }
+
+  TEST_CASE("scene: an expression of probes knows those before it, t and the numbers of the scene") {
+    const auto with = [](const std::string& value, const std::string& name = "sum") {
+      return replaced(small_scene, "[[measure]]\nname = \"peak\"\nof = \"maximum\"\nprobe = \"tip\"",
+                      "[[probe]]\nname = \"" + name + "\"\nof = \"expression\"\nvalue = " + value +
+                          "\n[[measure]]\nname = \"peak\"\nof = \"maximum\"\nprobe = \"" + name + "\"");
+    };
+    const Probe sum = read_text(with("\"2*tip + v0*t + dp\"")).scene.probes.at(1);
+    CHECK(sum.kind == Probe::Kind::expression);
+    CHECK(sum.bodies == std::vector{0});
+    CHECK(sum.value({10, 0}, 3) == doctest::Approx(20 + 0.06 * 3 + 0.1));
+    CHECK(read_text(with("\"tip\"", "later-one")).scene.probes.size() == 2);  // no name of a variable
+    const auto refused = [&](const std::string& text, const char* message) {
+      CHECK_THROWS_WITH_AS(read_text(text), doctest::Contains(message), SceneError);
+    };
+    refused(with("\"2*tp\""), "unknown name 'tp'");
+    refused(with("\"2*sum\""), "unknown name 'sum'");  // of itself
+    refused(with("\"2*tip +\""), "is not an expression");
+    refused(with("\"3*t\""), "the probe 'tip' is unused");
+    refused(replaced(with("\"tip\""), "v0 = {", "tip = { value = 1 }\nv0 = {"),
+            "name of a probe and of a number");
   }
 }

@@ -92,4 +92,102 @@ TEST_SUITE("unit") {
     CHECK_FALSE(value("decay", sampled(unequal_times(1.49, 1e-3), wave)));
     CHECK(value("decay", sampled(unequal_times(1.51, 1e-3), wave)));
   }
+
+  TEST_CASE(
+      "period: a swing to one side has none about 0, and says so; about its mean it has the right one") {
+    const double T = 0.254, loss = 0.4;
+    // damped, with another mode that makes it pass 0 by less than a twentieth, and a last cycle that is cut short
+    const auto swing = [=](double t) {
+      return -0.03 * (1 - std::exp(-loss * t / T) * std::cos(2 * pi * t / T)) + 2e-4 * std::sin(40 * t / T);
+    };
+    for (const double cycles : {1.3, 1.6, 2.4, 3.7, 5.1}) {
+      CAPTURE(cycles);
+      const Series series = sampled(unequal_times(cycles * T, 1e-4), swing);
+      Scene scene = scene_of("period");
+      const MeasureResult none = result(scene, series);
+      CHECK_FALSE(none.value);
+      CHECK(none.why.find("stays on one side of 0") == 0);
+      CHECK(none.why.find("about = \"mean\"") != std::string::npos);
+      scene.measures[0].about_mean = true;
+      expect(result(scene, series).value, T, 0.01);
+      CHECK(result(scene, series).why.empty());
+      scene.measures[0].about_mean = false;
+      scene.measures[0].about = -0.03;
+      expect(result(scene, series).value, T, 0.01);
+    }
+  }
+
+  TEST_CASE("period: too short for a whole cycle about the mean there is none, with the reason") {
+    Scene scene = scene_of("period");
+    scene.measures[0].about_mean = true;
+    const auto swing = [](double t) { return 1 - std::cos(2 * pi * t); };
+    const MeasureResult none = result(scene, sampled(unequal_times(0.9, 1e-3), swing));
+    CHECK_FALSE(none.value);
+    CHECK(none.why.find("no whole cycle about its mean until 0.9") == 0);
+    CHECK_FALSE(result(scene, sampled({0, 1, 2, 3}, [](double) { return 5; })).value);
+    CHECK_FALSE(result(scene, sampled({0, 1, 2, 3}, [](double t) { return t; })).value);
+    CHECK(result(scene, Series{{}, {{}, {}}}).why == "the series has no finite value");
+  }
+
+  TEST_CASE("period: noise of a fiftieth about the level is no crossing") {
+    Scene scene = scene_of("period");
+    scene.measures[0].about_mean = true;
+    unsigned state = 1;
+    const auto noise = [&] {  // −1 to 1, linear congruential
+      state = 1664525 * state + 1013904223;
+      return state / 2147483648.0 - 1;
+    };
+    const auto swing = [&](double t) { return 0.2 - std::cos(2 * pi * t) + 0.02 * noise(); };
+    expect(result(scene, sampled(unequal_times(4.8, 1e-3), swing)).value, 1, 0.01);
+  }
+
+  TEST_CASE("mean of whole periods: of a cut sine its level to rounding, of any phase") {
+    for (const double phase : {0.0, 0.4, 1.0, 2.5, 4.0}) {
+      for (const double end : {1.9, 2.3, 3.45}) {
+        const Series series =
+            sampled(unequal_times(end, 1e-4), [=](double t) { return 3 + 2 * std::sin(2 * pi * t + phase); });
+        const auto mean = mean_of_periods({series.time, series.value[0]});
+        REQUIRE(mean);
+        CHECK(std::abs(*mean - 3) < 1e-5);
+      }
+    }
+  }
+
+  TEST_CASE("first_peak, peak_time, decay: about a level, from the first crossing on") {
+    Scene scene = scene_of("first_peak");
+    const auto swing = [](double t) { return 5 - 2 * std::pow(0.8, t) * std::cos(2 * pi * t); };
+    const Series series = sampled(unequal_times(4.3, 1e-4), swing);
+    scene.measures[0].about = 5;
+    // 2π tan(2πt) = −ln 0.8 … of the top after t = ¼
+    const double top = 0.5 + std::atan(std::log(0.8) / (2 * pi)) / (2 * pi);
+    expect(result(scene, series).value, swing(top) - 5, 1e-6);
+    scene.measures[0].kind = "peak_time";
+    expect(result(scene, series).value, top, 1e-4);
+    scene.measures[0].kind = "decay";
+    expect(result(scene, series).value, 0.2, 1e-4);
+    scene.measures[0].about = 0;
+    CHECK(result(scene, series).why.find("stays on one side of 0") == 0);
+  }
+
+  TEST_CASE("mean, integral: over time and not over steps, within their bounds, with the reason of none") {
+    Scene scene = scene_of("mean");
+    const Series series{{0, 0.1, 0.5, 0.9, 1.2}, {{1, 1.1, 1.5, 1.9, 2.2}}};  // 1 + t
+    expect(result(scene, series).value, 1.5);
+    scene.measures[0].from = 0.2;
+    scene.measures[0].until = 0.7;
+    expect(result(scene, series).value, 1.45);
+    scene.measures[0].kind = "integral";
+    expect(result(scene, series).value, 0.725);
+    scene.measures[0].until = 1.3;
+    CHECK_FALSE(result(scene, series).value);
+    CHECK(result(scene, series).why == "the run ends at 1.2 s, before 1.3 s");
+    scene.measures[0].until = {};
+    scene.measures[0].from = 1;
+    CHECK(result(scene, series).why.find("its beginning, 1 s, is not before") == 0);
+  }
+
+  TEST_CASE("why: a series that is not finite from some time on says so") {
+    const Series broken{{0, 1, 2, 3}, {{0, 1, std::nan(""), 1}}};
+    CHECK(result(scene_of("period"), broken).why == "y is not finite from 2 s on");
+  }
 }

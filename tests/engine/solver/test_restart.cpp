@@ -26,6 +26,12 @@ void add_probes(Scene& scene) {
                   make_probe("gap", Probe::Kind::gap, {0, 1}),
                   make_probe("asymmetry", Probe::Kind::mirror_asymmetry, {0, 0})};
   scene.probes.back().axis = 1;
+  scene.probes.push_back(make_probe("push", Probe::Kind::contact_force, {0, 1}));
+  Probe stress = make_probe("stress", Probe::Kind::stress);
+  stress.at = scene.bodies[0].held ? Point{0.008, 0, 0} : Point{-0.0141, 0, 0};
+  stress.part = StressPart::xx;
+  scene.probes.push_back(stress);
+  if (scene.bodies[0].held) scene.probes.push_back(make_probe("clamp", Probe::Kind::reaction));
 }
 
 /// Two bodies that hit each other; in the second scene one is held, loaded, and driven
