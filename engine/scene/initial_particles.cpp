@@ -1,45 +1,47 @@
 #include "engine/scene/initial_particles.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <unordered_map>
+#include <span>
 #include <variant>
 
 #include <fmt/format.h>
 
 #include "engine/error.hpp"
+#include "engine/scene/overlap.hpp"
+#include "engine/scene/shape_members.hpp"
 
 namespace taut {
 namespace {
 
 constexpr double edge_tolerance = 1e-6;  // of dp: a particle this close to an edge counts as inside
+/// Of a lattice, that are looked at for one body.
+constexpr double greatest_place_number = 1e9;
 
 /// About how many particles the shapes will hold; shapes of a union are counted each.
 double expected_number(const Body& body, int dim, double dp) {
   double volume = 0;
-  for (const Shape& shape : body.shapes)
-    volume += std::visit([&](const auto& s) { return s.measure(dim); }, shape);
+  for (const Shape& shape : body.shapes) volume += measure_of(shape, dim);
   return volume / std::pow(dp, dim);
 }
 
 /// Of the first of the shapes that hold x, or their number.
 std::size_t first_that_holds(const std::vector<Shape>& shapes, const Point& x, int dim, double tolerance) {
-  const auto inside = [&](const auto& shape) { return shape.holds(x, dim, tolerance); };
-  const auto found = std::ranges::find_if(shapes, [&](const Shape& s) { return std::visit(inside, s); });
+  const auto found =
+      std::ranges::find_if(shapes, [&](const Shape& s) { return holds(s, x, dim, tolerance); });
   return static_cast<std::size_t>(found - shapes.begin());
 }
 
-Bounds bounds_of(const Shape& shape) {
-  return std::visit([](const auto& s) { return s.bounds(); }, shape);
-}
-
-Bounds bounds_of(const Body& body) {
-  Bounds all = bounds_of(body.shapes.front());
-  for (const Shape& shape : body.shapes) {
-    const Bounds b = bounds_of(shape);
-    for (std::size_t k = 0; k < all.low.size(); ++k)
-      all.low[k] = std::min(all.low[k], b.low[k]), all.high[k] = std::max(all.high[k], b.high[k]);
-  }
+/// Around all shapes, along the lattice of the first.
+Bounds lattice_bounds_of(const Body& body) {
+  const Shape& first = body.shapes.front();
+  Bounds all = lattice_bounds_of(first);
+  for (const Shape& shape : std::span(body.shapes).subspan(1))
+    all = joined(
+        all, std::holds_alternative<AnyShape>(first)
+                 ? bounds_of_placed(bounds_of(shape), [&](const Point& x) { return to_lattice(first, x); })
+                 : bounds_of(shape));
   return all;
 }
 
@@ -52,25 +54,62 @@ void refuse_idle_cuts(const Body& body, const std::vector<long>& cut) {
                                                              ", or all are in one before it");
 }
 
-/// Square lattice of pitch dp over the union of the shapes, half a pitch off the anchor of the first, less what
-/// is cut out.
-std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
-  const Point anchor = std::visit([](const auto& s) { return s.anchor(); }, body.shapes.front());
-  const Bounds all = bounds_of(body);
-  long from[3] = {0, 0, 0}, to[3] = {0, 0, 0};
-  for (int k = 0; k < dim; ++k) {
-    from[k] = static_cast<long>(std::floor((all.low[k] - anchor[k]) / dp)) - 1;
-    to[k] = static_cast<long>(std::ceil((all.high[k] - anchor[k]) / dp)) + 1;
+/// The places of a lattice around a body, before the first shape turns them.
+struct LatticeRows {
+  Point anchor{};
+  std::array<double, 3> pitch{};
+  std::array<long, 3> from{}, to{};
+  std::size_t along = 0;  // of a hexagonal one: the axis of its rows
+  double staggered = 0;   // by which its rows are off to one side and the other, pitches
+
+  Point at(long i, long j, long k, int dim) const {
+    const std::array<long, 3> n{i, j, k};
+    Point x{};
+    for (std::size_t a = 0; a < static_cast<std::size_t>(dim); ++a)
+      x[a] = anchor[a] + (static_cast<double>(n[a]) + 0.5) * pitch[a];
+    if (staggered > 0) x[along] += (n[1 - along] % 2 == 0 ? staggered : -staggered) * pitch[along];
+    return x;
   }
+};
+
+LatticeRows rows_of(const Body& body, int dim, double dp) {
+  LatticeRows rows{.anchor = anchor_of(body.shapes.front())};
+  rows.pitch = {dp, dp, dp};
+  const Bounds all = lattice_bounds_of(body);
+  if (body.lattice == Lattice::hexagonal) {
+    const Bounds first = lattice_bounds_of(body.shapes.front());
+    rows.along = first.high[0] - first.low[0] >= first.high[1] - first.low[1] ? 0 : 1;
+    rows.staggered = 0.25;
+    rows.pitch[rows.along] = dp / hexagonal_row;
+    rows.pitch[1 - rows.along] = dp * hexagonal_row;
+  }
+  double places = 1;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k) {
+    const double low = std::floor((all.low[k] - rows.anchor[k]) / rows.pitch[k]) - 1;
+    const double high = std::ceil((all.high[k] - rows.anchor[k]) / rows.pitch[k]) + 1;
+    places *= high - low + 1;
+    if (!(places <= greatest_place_number))
+      throw SceneError(
+          "body." + body.name,
+          fmt::format("the box around body '{}' has more than {:g} places of the lattice; choose a "
+                      "greater spacing, or make what is far apart bodies of their own",
+                      body.name, greatest_place_number));
+    rows.from[k] = static_cast<long>(low);
+    rows.to[k] = static_cast<long>(high);
+  }
+  return rows;
+}
+
+/// The lattice over the union of the shapes, half a pitch off the anchor of the first, less what is cut out.
+std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
+  const LatticeRows rows = rows_of(body, dim, dp);
   std::vector<InitialSite> sites;
   std::vector<long> cut(body.without.size());
   const double V0 = std::pow(dp, dim), edge = edge_tolerance * dp;
-  for (long k = from[2]; k <= to[2]; ++k) {
-    for (long j = from[1]; j <= to[1]; ++j) {
-      for (long i = from[0]; i <= to[0]; ++i) {
-        Point x{anchor[0] + (static_cast<double>(i) + 0.5) * dp,
-                anchor[1] + (static_cast<double>(j) + 0.5) * dp, 0};
-        if (dim == 3) x[2] = anchor[2] + (static_cast<double>(k) + 0.5) * dp;
+  for (long k = rows.from[2]; k <= rows.to[2]; ++k) {
+    for (long j = rows.from[1]; j <= rows.to[1]; ++j) {
+      for (long i = rows.from[0]; i <= rows.to[0]; ++i) {
+        const Point x = from_lattice(body.shapes.front(), rows.at(i, j, k, dim));
         if (first_that_holds(body.shapes, x, dim, edge) == body.shapes.size()) continue;
         const std::size_t out = first_that_holds(body.without, x, dim, -edge);
         if (out == body.without.size())
@@ -113,15 +152,9 @@ std::vector<InitialSite> sites_on_boundary(const Box& box, int dim, double dp) {
 
 /// The particles that a body of one shape lays itself; none where the lattice fills it.
 std::vector<InitialSite> own_sites(const Body& body, int dim, double dp) {
-  const auto lay = [&](const auto& shape) -> std::vector<InitialSite> {
-    if constexpr (requires { shape.sites(dim, dp); })
-      return shape.sites(dim, dp);
-    else
-      return {};
-  };
   if (body.shapes.size() != 1 || !body.without.empty()) return {};
   if (body.on_boundary) return sites_on_boundary(std::get<Box>(body.shapes.front()), dim, dp);
-  return std::visit(lay, body.shapes.front());
+  return sites_of(body.shapes.front(), dim, dp);
 }
 
 /// A reflected layout about c is one about −c with the sign of its coordinates changed: the image of a round
@@ -159,6 +192,23 @@ void refuse_empty(const std::vector<Region>& regions, const std::vector<InitialS
                                                             "' is in region " + std::to_string(k + 1) +
                                                             ": its 'where' is 0 at all of them");
   }
+}
+
+/// The same of `held`, whole or of one component.
+void refuse_idle_hold(const Body& body, const std::vector<InitialSite>& sites) {
+  const auto is_idle = [&](const Expression& where) {
+    return where && std::ranges::none_of(sites, [&](const InitialSite& site) { return where(site.x) != 0; });
+  };
+  const auto refuse = [&](const std::string& what) {
+    throw SceneError("body." + body.name + ".held",
+                     what + ": no particle of body '" + body.name +
+                         "' is held: it is 0 at all of them; leave it out, or 0, to hold none");
+  };
+  for (std::size_t k = 0; k < body.guided.size(); ++k)
+    if (is_idle(body.guided[k])) refuse(fmt::format("held[{}]", k));
+  const bool by_component =
+      std::ranges::any_of(body.guided, [](const Expression& e) { return e != nullptr; });
+  if (!by_component && is_idle(body.held)) refuse("held");
 }
 
 /// What the particles along an axis of n cells count, in cells. An end that is not `free` may be a plane of symmetry,
@@ -224,6 +274,7 @@ void append(InitialParticles& layout, const Scene& scene, int b) {
     throw SceneError("body." + body.name, "body '" + body.name +
                                               "' holds no particle: its shapes are smaller than the spacing; "
                                               "choose a smaller spacing");
+  refuse_idle_hold(body, sites);
   refuse_empty(body.parts, sites, body, "parts");
   refuse_empty(body.drives, sites, body, "driven");
   refuse_empty(body.loads, sites, body, "loaded");
@@ -256,44 +307,6 @@ void append(InitialParticles& layout, const Scene& scene, int b) {
   }
   layout.first.push_back(layout.size());
   if (body.on_boundary) weigh_box(layout, body, first, scene.dim, scene.spacing);
-}
-
-/// Particles of two bodies closer than half a spacing are an overlap: contact could not part them.
-void refuse_overlap(const InitialParticles& layout, const Scene& scene) {
-  if (scene.bodies.size() < 2) return;
-  const double reach = 0.5 * scene.spacing;
-  const auto cell = [&](double x) { return static_cast<long>(std::floor(x / reach)); };
-  const auto key = [](long i, long j, long k) {
-    return static_cast<std::size_t>(i) * 73856093u ^ static_cast<std::size_t>(j) * 19349663u ^
-           static_cast<std::size_t>(k) * 83492791u;
-  };
-  std::unordered_multimap<std::size_t, int> grid;
-  for (int i = 0; i < layout.size(); ++i) {
-    const Point& x = layout.at_start(i);
-    const long c[3] = {cell(x[0]), cell(x[1]), cell(x[2])};
-    const long depth = scene.dim == 3 ? 1 : 0;
-    for (long dz = -depth; dz <= depth; ++dz) {
-      for (long dy = -1; dy <= 1; ++dy) {
-        for (long dx = -1; dx <= 1; ++dx) {
-          const auto [begin, end] = grid.equal_range(key(c[0] + dx, c[1] + dy, c[2] + dz));
-          for (auto it = begin; it != end; ++it) {
-            const int j = it->second;
-            if (layout.body[i] == layout.body[j]) continue;
-            double r2 = 0;
-            const Point& y = layout.at_start(j);
-            for (int k = 0; k < 3; ++k) r2 += (x[k] - y[k]) * (x[k] - y[k]);
-            if (r2 >= reach * reach) continue;
-            const std::string &a = scene.bodies[layout.body[i]].name, &b = scene.bodies[layout.body[j]].name;
-            throw SceneError("body." + a,
-                             fmt::format("bodies '{}' and '{}' overlap: two of their particles are {:g} "
-                                         "spacings apart, at least 0.5 are needed; move one of them",
-                                         a, b, std::sqrt(r2) / scene.spacing));
-          }
-        }
-      }
-    }
-    grid.emplace(key(c[0], c[1], c[2]), i);
-  }
 }
 
 }  // namespace

@@ -6,6 +6,9 @@
 #include <utility>
 #include <variant>
 
+#include "engine/scene/other_shapes.hpp"
+#include "engine/scene/shape_members.hpp"
+
 namespace taut {
 namespace {
 
@@ -68,10 +71,6 @@ std::vector<PointWeight> shares_of(const Cells& cells, const InitialParticles& i
   return best;
 }
 
-bool holds(const Shape& shape, const Point& x, int dim, double tolerance) {
-  return std::visit([&](const auto& s) { return s.holds(x, dim, tolerance); }, shape);
-}
-
 bool any_holds(const std::vector<Shape>& shapes, const Point& x, double tolerance) {
   return std::ranges::any_of(shapes, [&](const Shape& shape) { return holds(shape, x, 2, tolerance); });
 }
@@ -97,6 +96,22 @@ bool is_face(const Body& body, bool cut, std::size_t own, const Point& a, const 
   return !any_holds(body.without, behind, 0) && !covered(body.shapes, own, before, middle, dp);
 }
 
+bool has_other_shapes(const Body& body) {
+  const auto is_other = [](const Shape& shape) { return std::holds_alternative<AnyShape>(shape); };
+  return std::ranges::any_of(body.shapes, is_other) || std::ranges::any_of(body.without, is_other);
+}
+
+/// Of a body with shapes whose sides are no multiples of the spacing: its faces meet where its shapes cross.
+std::vector<Chain> whole_outline(const Body& body, int dim, double dp) {
+  const auto one = [](const std::vector<Shape>& shapes) {
+    return shapes.size() == 1 ? shapes.front() : Shape(AnyShape::of(Combined{Combination::together, shapes}));
+  };
+  Shape whole = one(body.shapes);
+  if (!body.without.empty())
+    whole = AnyShape::of(Combined{Combination::difference, {whole, one(body.without)}});
+  return outline_of(whole, dim, dp);
+}
+
 class Maker {
  public:
   Maker(const Scene& scene, const InitialParticles& initial) : scene_(scene), initial_(initial) {}
@@ -112,9 +127,15 @@ class Maker {
   void add(int b) {
     const Body body = before_reflection(scene_.bodies[at(b)], scene_.dim);
     const Cells cells(initial_, b, greatest_reach * scene_.spacing);
+    if (has_other_shapes(body)) {
+      const auto all_are = [](const Point&, const Point&) { return true; };
+      for (const Chain& chain : whole_outline(body, scene_.dim, scene_.spacing))
+        add(b, chain, cells, all_are);
+      return;
+    }
     const auto add_all = [&](const std::vector<Shape>& shapes, bool cut) {
       for (std::size_t own = 0; own < shapes.size(); ++own) {
-        for (Chain& chain : chains_of(shapes[own])) {
+        for (Chain& chain : outline_of(shapes[own], scene_.dim, scene_.spacing)) {
           if (cut) std::ranges::reverse(chain);
           add(b, chain, cells, [&](const Point& from, const Point& to) {
             return is_face(body, cut, own, from, to, scene_.spacing);
@@ -124,16 +145,6 @@ class Maker {
     };
     add_all(body.shapes, false);
     add_all(body.without, true);
-  }
-
-  std::vector<Chain> chains_of(const Shape& shape) const {
-    const auto lay = [&](const auto& s) -> std::vector<Chain> {
-      if constexpr (requires { s.outline(2, 0.0); })
-        return s.outline(scene_.dim, scene_.spacing);
-      else
-        return {};
-    };
-    return std::visit(lay, shape);
   }
 
   template <class IsFace>

@@ -6,7 +6,8 @@
 #include <cstddef>
 #include <numbers>
 #include <utility>
-#include <variant>
+
+#include "engine/scene/shape_members.hpp"
 
 namespace taut {
 namespace {
@@ -39,12 +40,24 @@ Point rotated(const Rotation& rotation, const Point& x) {
 }
 
 Body before_reflection(Body body, int dim) {
-  const Point middle = std::visit([](const auto& s) { return s.middle(); }, body.shapes.front());
+  const Point middle = middle_of(body.shapes.front());
   for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
     if (body.mirror[k])
       for (std::vector<Shape>* shapes : {&body.shapes, &body.without})
-        for (Shape& shape : *shapes) std::visit([&](auto& s) { s.shift(k, -2 * middle[k]); }, shape);
+        for (Shape& shape : *shapes) shift(shape, k, -2 * middle[k]);
   return body;
+}
+
+bool holds(const Body& body, const Point& x, int dim, double tolerance) {
+  Point y = x;
+  if (body.rotation) y = rotated({body.rotation->axis, body.rotation->about, -body.rotation->angle}, y);
+  const Point middle = middle_of(body.shapes.front());
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
+    if (body.mirror[k]) y[k] = 2 * middle[k] - y[k];
+  const auto any_holds = [&](const std::vector<Shape>& shapes, double by) {
+    return std::ranges::any_of(shapes, [&](const Shape& shape) { return holds(shape, y, dim, by); });
+  };
+  return any_holds(body.shapes, tolerance) && !any_holds(body.without, -tolerance);
 }
 
 double Material::sound_speed() const { return std::sqrt(bulk_modulus() / density); }
@@ -82,14 +95,21 @@ std::string_view name(Load::Kind kind) {
   return names[static_cast<int>(kind)];
 }
 
+std::string_view name(Lattice lattice) {
+  constexpr std::string_view names[] = {"square", "hexagonal"};
+  return names[static_cast<int>(lattice)];
+}
+
 std::string_view name(ContactLaw law) {
   constexpr std::string_view names[] = {"published", "sph", "impulse", "penalty", "lennard-jones", "surface"};
   return names[static_cast<int>(law)];
 }
 
 double fitted_spacing(const Body& first, int dim, double spacing) {
-  const double extent = std::visit([&](const auto& s) { return s.thinnest(dim); }, first.shapes.front());
-  const double fitted = extent / std::max(1.0, std::round(extent / spacing));
+  const double extent = thinnest_of(first.shapes.front(), dim);
+  if (!(extent > 0)) return spacing;
+  const double row = first.lattice == Lattice::hexagonal ? hexagonal_row : 1;
+  const double fitted = extent / (std::max(1.0, std::round(extent / (spacing * row))) * row);
   return std::abs(fitted - spacing) <= 1e-9 * spacing ? spacing : fitted;  // 0.04 − 0.03 is not quite 0.01
 }
 

@@ -83,6 +83,15 @@ struct Wall {
   Point normal{};  // of length 1, to the side of the bodies
 };
 
+/// How a body is filled that does not lay its own particles; each has dp² of the area (dp³) in both.
+enum class Lattice : std::uint8_t {
+  square,     // in 3D cubic
+  hexagonal,  // 2D: of equilateral triangles, rows along the longer side of the first shape
+};
+std::string_view name(Lattice lattice);
+/// Rows of a hexagonal lattice are this many spacings apart, √(√3/2); particles in a row 1 over it.
+inline constexpr double hexagonal_row = 0.93060485910209959893;
+
 /// A turn by `angle`, in degrees by the right-hand rule.
 struct Rotation {
   Point axis{0, 0, 1};  // of length 1; in 2D z
@@ -94,8 +103,9 @@ Point rotated(const Rotation& rotation, const Point& x);
 
 struct Body {
   std::string name;
-  std::vector<Shape> shapes;           // their union; the first one anchors the lattice
-  std::vector<Shape> without;          // cut out of it
+  std::vector<Shape> shapes;   // their union; the first one anchors the lattice
+  std::vector<Shape> without;  // cut out of it
+  Lattice lattice = Lattice::square;
   bool on_boundary = false;            // of one box: the outermost particles stand on its faces
   int material = 0;                    // index into Scene::materials
   std::vector<Part> parts;             // of other materials; of several that hold the last counts
@@ -108,6 +118,9 @@ struct Body {
   std::optional<Rotation> rotation;        // of the layout, after that
   std::array<Expression, 3> displacement;  // from the reference configuration to the start, m; empty = 0
 };
+
+/// The place x lies in the body as it is laid, or at most `tolerance` outside; the displacement does not count.
+bool holds(const Body& body, const Point& x, int dim, double tolerance);
 
 /// The body with its shapes where they are laid before they are reflected: those about c stand about −c.
 Body before_reflection(Body body, int dim);
@@ -234,7 +247,7 @@ bool has_gravity(const Scene& scene);
 bool has_loads(const Scene& scene);
 
 /// The spacing nearest to `spacing` that divides the thinnest extent of the first body's first shape into
-/// whole particles.
+/// whole particles, or rows of a hexagonal lattice; itself where the shape has no such extent.
 double fitted_spacing(const Body& first, int dim, double spacing);
 
 }  // namespace taut

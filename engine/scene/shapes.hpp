@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <numbers>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -13,15 +15,18 @@
 
 namespace taut {
 
-// What a shape says of itself; a new one is a struct with these members, and its name in `Shape`:
+// What a shape says of itself; a new one is a struct with these members, which `AnyShape` holds:
 //
 //   bounds()                  the least box around it
 //   holds(x, dim, tolerance)  x lies inside, or at most `tolerance` outside
 //   measure(dim)              area or volume, m^dim
-//   thinnest(dim)             the extent that the spacing divides into whole particles, m
+//   thinnest(dim)             the extent that the spacing divides into whole particles, m; 0: none
 //   middle()                  what it is reflected about
 //   anchor()                  a corner of the lattice of a body that it is the first shape of
 //   shift(axis, by)           moves it
+//   from_lattice(x), to_lattice(x), lattice_bounds()
+//                             of one that turns that lattice: where a place of it is, the way back, and the box
+//                             around the shape that lies along it; `anchor` is of the lattice then
 //   sites(dim, dp)            of one that lays its own particles where it is a whole body: these; none where
 //                             the lattice does it
 //   outline(dim, dp)          its faces: closed chains of points exactly on them, about dp apart, with the solid
@@ -179,6 +184,95 @@ struct Cylinder {
   bool operator==(const Cylinder&) const = default;
 };
 
-using Shape = std::variant<Box, Disc, Ring, Cylinder>;
+/// Any other shape, of a type that only those who make it know. It never changes: copies share it.
+class AnyShape {
+ public:
+  template <class S>
+  static AnyShape of(S shape) {
+    return AnyShape(std::make_shared<const Held<S>>(std::move(shape)));
+  }
+
+  Bounds bounds() const { return held_->bounds(); }
+  bool holds(const Point& x, int dim, double tolerance) const { return held_->holds(x, dim, tolerance); }
+  double measure(int dim) const { return held_->measure(dim); }
+  double thinnest(int dim) const { return held_->thinnest(dim); }
+  Point middle() const { return held_->middle(); }
+  Point anchor() const { return held_->anchor(); }
+  void shift(std::size_t axis, double by) { held_ = held_->shifted(axis, by); }
+  std::vector<InitialSite> sites(int dim, double dp) const { return held_->sites(dim, dp); }
+  std::vector<Chain> outline(int dim, double dp) const { return held_->outline(dim, dp); }
+  Point from_lattice(const Point& x) const { return held_->from_lattice(x); }
+  Point to_lattice(const Point& x) const { return held_->to_lattice(x); }
+  Bounds lattice_bounds() const { return held_->lattice_bounds(); }
+
+  /// nullptr if it is of another type.
+  template <class S>
+  const S* as() const {
+    const auto* held = dynamic_cast<const Held<S>*>(held_.get());
+    return held ? &held->shape : nullptr;
+  }
+  bool operator==(const AnyShape&) const = default;
+
+ private:
+  struct Members {
+    virtual ~Members() = default;
+    virtual Bounds bounds() const = 0;
+    virtual bool holds(const Point& x, int dim, double tolerance) const = 0;
+    virtual double measure(int dim) const = 0;
+    virtual double thinnest(int dim) const = 0;
+    virtual Point middle() const = 0;
+    virtual Point anchor() const = 0;
+    virtual std::shared_ptr<const Members> shifted(std::size_t axis, double by) const = 0;
+    virtual std::vector<InitialSite> sites(int dim, double dp) const = 0;
+    virtual std::vector<Chain> outline(int dim, double dp) const = 0;
+    virtual Point from_lattice(const Point& x) const = 0;
+    virtual Point to_lattice(const Point& x) const = 0;
+    virtual Bounds lattice_bounds() const = 0;
+  };
+
+  template <class S>
+  struct Held final : Members {
+    explicit Held(S of) : shape(std::move(of)) {}
+
+    Bounds bounds() const override { return shape.bounds(); }
+    bool holds(const Point& x, int dim, double tolerance) const override {
+      return shape.holds(x, dim, tolerance);
+    }
+    double measure(int dim) const override { return shape.measure(dim); }
+    double thinnest(int dim) const override { return shape.thinnest(dim); }
+    Point middle() const override { return shape.middle(); }
+    Point anchor() const override { return shape.anchor(); }
+    std::shared_ptr<const Members> shifted(std::size_t axis, double by) const override {
+      S moved = shape;
+      moved.shift(axis, by);
+      return std::make_shared<const Held>(std::move(moved));
+    }
+    std::vector<InitialSite> sites([[maybe_unused]] int dim, [[maybe_unused]] double dp) const override {
+      if constexpr (requires { shape.sites(dim, dp); }) return shape.sites(dim, dp);
+      return {};
+    }
+    std::vector<Chain> outline(int dim, double dp) const override { return shape.outline(dim, dp); }
+    Point from_lattice(const Point& x) const override {
+      if constexpr (requires { shape.from_lattice(x); }) return shape.from_lattice(x);
+      return x;
+    }
+    Point to_lattice(const Point& x) const override {
+      if constexpr (requires { shape.to_lattice(x); }) return shape.to_lattice(x);
+      return x;
+    }
+    Bounds lattice_bounds() const override {
+      if constexpr (requires { shape.lattice_bounds(); }) return shape.lattice_bounds();
+      return shape.bounds();
+    }
+
+    S shape;
+  };
+
+  explicit AnyShape(std::shared_ptr<const Members> held) : held_(std::move(held)) {}
+
+  std::shared_ptr<const Members> held_;
+};
+
+using Shape = std::variant<Box, Disc, Ring, Cylinder, AnyShape>;
 
 }  // namespace taut
