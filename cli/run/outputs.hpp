@@ -41,8 +41,8 @@ class RunOutput {
   virtual bool is_at_its_time() const { return true; }
   /// Whether it is to show the state at hand too if the run ends with it, whatever its time.
   virtual bool lacks_the_end() const { return false; }
-  /// Shows what is due, now that the first step at or past `next` is done. What it finds out goes into the run's
-  /// result.
+  /// Shows what is due, now that the first step at or past `next` is done. What it finds out goes into the
+  /// run's result.
   virtual void take() = 0;
   /// Waits for what it does beside the run.
   virtual void settle() {}

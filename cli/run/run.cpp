@@ -172,8 +172,8 @@ void Run::step_through() {
     advance(std::min({next_output(), next_checkpoint_, record_.until}));
     const bool stopped = interrupts_.asked();
     show_what_is_due(false);
-    // what is due takes the step before, which no checkpoint holds; and the row of history.csv at the end is one
-    // more than a run that goes on has
+    // what is due takes the state before the step, which no checkpoint holds; and the row of history.csv at
+    // the end is one more than a run that goes on has
     const bool well = result_.failure.empty();
     if (well && (stopped || record_.reached >= next_checkpoint_)) save_checkpoint();
     going = well && !stopped && record_.reached < record_.until;

@@ -1,5 +1,5 @@
-// Snapshots: made when asked for, without a trace in the run; between two steps; where they store the components of a
-// stress.
+// Snapshots: made when asked for, without a trace in the run; between two steps; where they store the
+// components of a stress.
 
 #include <cmath>
 #include <cstring>
@@ -35,7 +35,7 @@ struct Path {
     for (const std::size_t k : {0, 1}) now.x[k] = x(t)[k], now.v[k] = v(t - lag)[k];
     return now;
   }
-  /// At a fifth of a step of `dt` that begins at 0.4: how far it is from where it should be, and its velocity.
+  /// At a fifth of a step of `dt` that begins at 0.4: how far it is from where it should be, and v too.
   std::pair<double, double> errors(double dt) const {
     const double t = 0.4 + 0.2 * dt;
     const Snapshot shown = blend(at(0.4), at(0.4 + dt), t), exact = at(t);
