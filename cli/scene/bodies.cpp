@@ -6,6 +6,7 @@
 
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
+#include "engine/scene/shape_members.hpp"
 
 namespace taut::cli {
 namespace {
@@ -53,28 +54,21 @@ void read_on_boundary(TomlCursor& cursor, Body& body) {
     cursor.fail(
         cursor.need("on_boundary"), "on_boundary",
         "on_boundary = true is for a body of one rectangle or box: particles on other faces would have no "
-        "lattice");
+        "lattice. One that is turned has the key 'rotate' of the body");
 }
 
-/// In 2D without an axis. About the middle of the first shape unless it says otherwise.
-void read_rotation(TomlCursor& cursor, int dim, Body& body) {
-  TomlValue* value = cursor.find("rotate");
-  if (!value) return;
-  TomlCursor entry = cursor.enter(*value, "rotate", "the rotation of " + cursor.what(), keys_of("rotate"));
-  Rotation rotation;
-  if (dim == 3) {
-    rotation.axis = entry.point("axis", dim);
-    const double length = std::hypot(rotation.axis[0], rotation.axis[1], rotation.axis[2]);
-    if (!(length > 0))
-      entry.fail(entry.need("axis"), "axis", "the axis has no length; it points along it, e.g. [0, 0, 1]");
-    for (double& component : rotation.axis) component /= length;
-  }
-  rotation.angle = entry.number("angle");
-  rotation.about = entry.find("about")
-                       ? entry.point("about", dim)
-                       : std::visit([](const auto& s) { return s.middle(); }, body.shapes.front());
-  entry.finish();
-  body.rotation = rotation;
+/// What the lattice may be; a disc or a ring in layers has none.
+void read_lattice(TomlCursor& cursor, int dim, Body& body) {
+  if (!cursor.find("lattice")) cursor.table().set("lattice", TomlValue(std::string(name(Lattice::square))));
+  const std::string hexagonal(name(Lattice::hexagonal));
+  if (cursor.choice("lattice", {std::string(name(Lattice::square)), hexagonal}) != hexagonal) return;
+  body.lattice = Lattice::hexagonal;
+  const TomlValue& value = cursor.need("lattice");
+  if (dim == 3)
+    cursor.fail(value, "lattice", "lattice = \"hexagonal\" is for dim = 2; in 3D bodies are cubic lattices");
+  if (body.on_boundary)
+    cursor.fail(value, "lattice",
+                "on_boundary = true puts particles on a square lattice; leave one of them out");
 }
 
 /// One expression for all components, or one for each, of which an empty text leaves its component free.
@@ -185,16 +179,31 @@ void read_mirror(TomlCursor& cursor, int dim, Body& body) {
   std::for_each(value.items.begin(), value.items.end(), add);
 }
 
-Body read_body(TomlCursor& cursor, const Scene& scene, bool keeps_neighbors) {
+/// The layers of discs and rings that a body asks for: a hexagonal lattice is cut, not laid in layers.
+Layers layers_of(TomlCursor& cursor, bool keeps_neighbors) {
+  const TomlValue* lattice = cursor.find("lattice");
+  if (lattice && lattice->text == name(Lattice::hexagonal)) return Layers::of_lattice;
+  return keeps_neighbors ? Layers::that_fit_faces : Layers::evenly_spaced;
+}
+
+Body read_body(TomlCursor& cursor, const SceneFile& file, bool keeps_neighbors) {
+  const Scene& scene = file.scene;
   Body body;
   body.name = label(cursor, names_of(scene.bodies));
   body.material = read_material_of(cursor, scene);
   add_names(cursor.names(), scene.materials[static_cast<std::size_t>(body.material)]);
-  body.shapes = read_shapes(cursor, "shape", scene.dim,
-                            keeps_neighbors ? Layers::that_fit_faces : Layers::evenly_spaced);
-  if (cursor.find("without")) body.without = read_shapes(cursor, "without", scene.dim, Layers::none);
+  ShapeSetting setting{.dim = scene.dim,
+                       .dp = scene.spacing,
+                       .folder = std::filesystem::absolute(file.path).parent_path(),
+                       .layers = layers_of(cursor, keeps_neighbors),
+                       .alone = cursor.find("without") == nullptr};
+  body.shapes = read_shapes(cursor, "shape", setting);
+  setting.alone = false;
+  setting.layers = Layers::none;
+  if (cursor.find("without")) body.without = read_shapes(cursor, "without", setting);
   read_on_boundary(cursor, body);
-  read_rotation(cursor, scene.dim, body);
+  read_lattice(cursor, scene.dim, body);
+  body.rotation = read_rotation(cursor, scene.dim, middle_of(body.shapes.front()));
   read_velocity(cursor, scene.dim, body);
   read_held(cursor, scene.dim, body);
   read_displacement(cursor, scene.dim, body);
@@ -245,12 +254,13 @@ void read_outside(TomlCursor& root, Scene& scene) {
               "damping = " + exact(scene.damping) + " must not be negative, 1/s");
 }
 
-void read_bodies(TomlCursor& root, bool keeps_neighbors, Scene& scene) {
+void read_bodies(TomlCursor& root, bool keeps_neighbors, SceneFile& file) {
+  Scene& scene = file.scene;
   for (TomlValue& value : root.list("body")) {
     const TomlEntry* name = value.find("name");
     const std::string known_as = name ? name->value.text : std::to_string(scene.bodies.size() + 1);
     TomlCursor cursor = root.enter(value, "body." + known_as, "body '" + known_as + "'", keys_of("body"));
-    scene.bodies.push_back(read_body(cursor, scene, keeps_neighbors));
+    scene.bodies.push_back(read_body(cursor, file, keeps_neighbors));
   }
   if (scene.bodies.empty())
     root.fail(FilePlace{1, 1}, "body",

@@ -65,8 +65,11 @@ constexpr KeyInfo body_keys[] = {
     {"on_boundary", "true or false", "false",
      "of one rectangle or box: particles stand on its faces, one more along a side than there are cells, and "
      "have a half, a quarter or an eighth of a cell there; else in the middle of cells"},
-    {"rotate", "{ angle, about, axis }", "none",
-     "the layout is turned; all other keys mean the places after it"},
+    {"lattice", "square or hexagonal", "square",
+     "of what is cut from a lattice; hexagonal (2D): rows along the longer side of the first shape, particles 1.075 dp "
+     "apart, so that each has dp² of the area as on the square one"},
+    {"rotate", "degrees or { angle, about, axis }", "none",
+     "the layout is turned; all other keys mean the places after it; the number in 2D only"},
     {"velocity", "[x, y] of the place, m/s", "0", "at the start"},
     {"held", "expression of the place", "none",
      "particles where it is not 0 stay where they are; or one for each component, [\"x < dp\", \"\"]: that "
@@ -110,6 +113,8 @@ constexpr KeyInfo loaded_keys[] = {
 
 constexpr KeyInfo shape_keys[] = {
     {"type", "SHAPE", "", "`taut list shapes`; the other keys are those of the shape"},
+    {"rotate", "degrees or { angle, about, axis }", "none",
+     "it is turned about its middle, and with it the lattice of a body whose first shape it is; the number in 2D only"},
 };
 
 constexpr KeyInfo wall_keys[] = {

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
 
 #include "cli/scene/sections.hpp"
+#include "cli/scene/shipped.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
 
@@ -59,10 +61,60 @@ std::size_t column_of(const Rows& rows, const std::vector<std::string>& head, co
             "; there are: " + join(head));
 }
 
+/// A file lies beside the scene. That of a scene that comes with taut is found from everywhere, for the scene.toml
+/// of a run.
+std::filesystem::path find_file(const std::filesystem::path& folder, const std::string& file) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(folder / file, error))
+    return std::filesystem::weakly_canonical(folder / file, error);
+  for (const std::filesystem::path& scenes : scene_folders())
+    if (std::filesystem::is_regular_file(scenes / file, error))
+      return std::filesystem::weakly_canonical(scenes / file, error);
+  return (folder / file).lexically_normal();
+}
+
+/// With what comes with taut without the folder that it lies in: a run is the same wherever that is.
+std::string known_as(const std::filesystem::path& file) {
+  std::error_code error;
+  for (const std::filesystem::path& scenes : scene_folders()) {
+    const auto inside = file.lexically_relative(std::filesystem::weakly_canonical(scenes, error));
+    if (!inside.empty() && *inside.begin() != "..") return inside.string();
+  }
+  return file.string();
+}
+
+/// The paths of the tables `{ file = ... }` in `value` and all that is in it.
+void see_files_of(TomlValue& value, const std::filesystem::path& folder) {
+  for (TomlValue& item : value.items) see_files_of(item, folder);
+  for (TomlEntry& entry : value.entries) {
+    see_files_of(entry.value, folder);
+    const std::filesystem::path file = entry.value.text;
+    std::error_code error;
+    if (entry.key == "file" && file.is_absolute())
+      entry.value.text = std::filesystem::relative(file, folder, error).string();
+  }
+}
+
 }  // namespace
 
-std::string file_text(const std::filesystem::path& path) {
-  constexpr std::size_t most_bytes = 4 << 20;
+std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path& folder,
+                                 std::string_view what) {
+  const std::filesystem::path path = find_file(folder, table.text("file"));
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+    table.fail(table.need("file"), "file",
+               "there is no " + std::string(what) + " '" + path.string() +
+                   "'; the path starts at the scene's folder");
+  table.table().set("file", TomlValue(known_as(path)));
+  return path;
+}
+
+void see_files_from(const std::filesystem::path& folder, TomlValue& scene) {
+  for (const std::string_view key : {"reference", "body"})
+    if (TomlEntry* section = scene.find(key)) see_files_of(section->value, folder);
+}
+
+std::string file_text(const std::filesystem::path& path, std::size_t most_bytes) {
   const auto fail = [&](const std::string& message) { throw SceneError(path.string(), 0, 0, "", message); };
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
@@ -70,11 +122,14 @@ std::string file_text(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(status)) fail("this is a folder, not a scene file");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) fail("the file cannot be read; check its permissions");
-  std::string text(most_bytes + 1, '\0');
+  const std::uintmax_t size = std::filesystem::file_size(path, error);  // of a pipe there is none
+  std::string text(std::min<std::uintmax_t>(error ? most_bytes : size, most_bytes) + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (stream.bad()) fail("the file cannot be read");
   text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > most_bytes) fail("the file is larger than 4 MiB: this is not a scene file or table");
+  if (text.size() > most_bytes)
+    fail("the file is larger than " + std::to_string(most_bytes >> 20) +
+         " MiB: this is not a scene file or table");
   return text;
 }
 
@@ -95,6 +150,30 @@ ReferenceTable read_table(const std::filesystem::path& path, const std::string& 
       rows.fail(lead + " must grow from row to row");
   }
   if (table.t.size() < 2) rows.fail("the table needs at least two rows");
+  return table;
+}
+
+ColumnTable read_columns(const std::filesystem::path& path, const std::vector<std::string>& needed,
+                         const std::vector<std::string>& optional) {
+  constexpr std::size_t most_bytes = 256 << 20;
+  Rows rows{.file = path.string(), .text = file_text(path, most_bytes)};
+  const auto head = rows.read();
+  if (!head) rows.fail("the table is empty; it needs a head with " + join(needed));
+  ColumnTable table;
+  std::vector<std::size_t> places;
+  for (const std::string& name : needed) places.push_back(column_of(rows, *head, name));
+  for (const std::string& name : optional)
+    places.push_back(static_cast<std::size_t>(std::ranges::find(*head, name) - head->begin()));
+  for (std::size_t k = 0; k < head->size(); ++k)
+    if (std::ranges::count(places, k) == 0)
+      rows.fail("unknown column '" + (*head)[k] + "'; known here: " + join(needed) + ", " + join(optional));
+  table.columns.resize(places.size());
+  while (const auto row = rows.read()) {
+    table.lines.push_back(rows.line);
+    for (std::size_t k = 0; k < places.size(); ++k)
+      if (places[k] < head->size()) table.columns[k].push_back(rows.number(*row, places[k]));
+  }
+  if (table.lines.empty()) rows.fail("the table has no rows");
   return table;
 }
 

@@ -4,7 +4,6 @@
 #include <span>
 
 #include "cli/scene/sections.hpp"
-#include "cli/scene/shipped.hpp"
 #include "cli/text/format.hpp"
 #include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/families/catalogue.hpp"
@@ -106,37 +105,10 @@ std::vector<std::string> column_names(TomlCursor& entry, const Measure& measure)
   return names;
 }
 
-/// A table lies beside the scene. That of a scene that comes with taut is found from everywhere, for the
-/// scene.toml of a run.
-std::filesystem::path find_table(const std::filesystem::path& folder, const std::string& file) {
-  std::error_code error;
-  if (std::filesystem::is_regular_file(folder / file, error))
-    return std::filesystem::weakly_canonical(folder / file, error);
-  for (const std::filesystem::path& scenes : scene_folders())
-    if (std::filesystem::is_regular_file(scenes / file, error))
-      return std::filesystem::weakly_canonical(scenes / file, error);
-  return (folder / file).lexically_normal();
-}
-
-/// With what comes with taut without the folder that it lies in: a run is the same wherever that is.
-std::string known_as(const std::filesystem::path& table) {
-  std::error_code error;
-  for (const std::filesystem::path& scenes : scene_folders()) {
-    const auto inside = table.lexically_relative(std::filesystem::weakly_canonical(scenes, error));
-    if (!inside.empty() && *inside.begin() != "..") return inside.string();
-  }
-  return table.string();
-}
-
 ReferenceTable read_one_table(TomlCursor entry, const Measure& measure, const std::filesystem::path& folder) {
-  const std::filesystem::path path = find_table(folder, entry.text("file"));
   const std::vector<std::string> columns = column_names(entry, measure);
+  const std::filesystem::path path = named_file(entry, folder, "table");
   entry.finish();
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-    entry.fail(entry.need("file"), "file",
-               "there is no table '" + path.string() + "'; the path starts at the scene's folder");
-  entry.table().set("file", TomlValue(known_as(path)));
   return read_table(path, measure.line.empty() ? "t" : "s", columns);
 }
 
@@ -209,21 +181,6 @@ void refuse_second_curve(TomlCursor& cursor, const TomlValue& value, const Refer
 }
 
 }  // namespace
-
-void see_tables_from(const std::filesystem::path& folder, TomlValue& scene) {
-  TomlEntry* references = scene.find("reference");
-  if (!references) return;
-  for (TomlValue& reference : references->value.items) {
-    TomlEntry* tables = reference.find("tables");
-    if (!tables) continue;
-    for (TomlEntry& table : tables->value.entries) {
-      const std::filesystem::path file = table.value.find("file")->value.text;
-      std::error_code error;
-      if (file.is_absolute())
-        table.value.set("file", TomlValue(std::filesystem::relative(file, folder, error).string()));
-    }
-  }
-}
 
 void read_references(TomlCursor& root, SceneFile& file) {
   std::map<std::string, int> taken;  // precedence of each law's reference

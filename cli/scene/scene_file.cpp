@@ -88,7 +88,7 @@ class SceneReading {
     read_times(root_, changes, dp, file_);
     read_outside(root_, file_.scene);
     read_materials(root_, file_.scene);
-    read_bodies(root_, keeps_neighbors(find_method(file_.settings.method)->formulation), file_.scene);
+    read_bodies(root_, keeps_neighbors(find_method(file_.settings.method)->formulation), file_);
   }
 
   double fitted() const {
@@ -157,7 +157,7 @@ std::string resolved_text(const SceneFile& scene, const std::filesystem::path& f
   TomlValue tree = scene.tree;
   if (scene.history) tree.set("history", TomlValue(*scene.history));
   tree.set("render", drawing_table(scene.drawing));
-  see_tables_from(folder, tree);
+  see_files_from(folder, tree);
   return print_toml(tree);
 }
 

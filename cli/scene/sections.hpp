@@ -43,14 +43,18 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file);
 /// Gravity and damping.
 void read_outside(TomlCursor& root, Scene& scene);
 void read_materials(TomlCursor& root, Scene& scene);
-void read_bodies(TomlCursor& root, bool keeps_neighbors, Scene& scene);
+void read_bodies(TomlCursor& root, bool keeps_neighbors, SceneFile& file);
 void read_walls(TomlCursor& root, Scene& scene);
 void read_probes(TomlCursor& root, Scene& scene);
 void read_lines(TomlCursor& root, Scene& scene);
 void read_measures(TomlCursor& root, Scene& scene);
 void read_references(TomlCursor& root, SceneFile& file);
-/// The paths of tables, as they are seen from `folder`.
-void see_tables_from(const std::filesystem::path& folder, TomlValue& scene);
+/// The paths of tables and of what shapes are read from, as they are seen from `folder`.
+void see_files_from(const std::filesystem::path& folder, TomlValue& scene);
+/// The file that the key `file` names, from `folder` or from what comes with taut, and in the table from then on so that
+/// it is found; `what` it is, for a message.
+std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path& folder,
+                                 std::string_view what);
 /// Of a scene whose bodies are known.
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing);
 /// The drawing as a table of its own.
@@ -60,27 +64,47 @@ TomlValue drawing_table(const Drawing& drawing);
 /// place in that file.
 ReferenceTable read_table(const std::filesystem::path& path, const std::string& lead,
                           const std::vector<std::string>& columns);
-/// The whole file; throws SceneError if it is not there, cannot be read or is larger than 4 MiB.
-std::string file_text(const std::filesystem::path& path);
+/// The columns that a CSV file must have, then those that it may have, empty where it has not; and the line of each row.
+struct ColumnTable {
+  std::vector<std::vector<double>> columns;
+  std::vector<int> lines;
+
+  std::size_t rows() const { return lines.size(); }
+};
+ColumnTable read_columns(const std::filesystem::path& path, const std::vector<std::string>& needed,
+                         const std::vector<std::string>& optional);
+/// The whole file; throws SceneError if it is not there, cannot be read or is larger than `most_bytes`.
+std::string file_text(const std::filesystem::path& path, std::size_t most_bytes = 4 << 20);
 
 inline const std::vector<std::string> axis_names = {"x", "y", "z"};
 
 /// How the round shapes of a body are laid where the file does not say: for a method that keeps the neighbours of
-/// the start, for one that searches for them; none are laid of what is cut out.
-enum class Layers : std::uint8_t { that_fit_faces, evenly_spaced, none };
-/// A shape as scene files of one dimension name it.
+/// the start, for one that searches for them; of a body that asks for a lattice; none are laid of what is cut out.
+enum class Layers : std::uint8_t { that_fit_faces, evenly_spaced, of_lattice, none };
+/// What a shape is read with.
+struct ShapeSetting {
+  int dim = 2;
+  double dp = 0;                 // m
+  std::filesystem::path folder;  // of the scene file
+  Layers layers{};
+  bool alone = false;  // a body by itself
+};
+/// A shape as scene files name it.
 struct ShapeKind {
   std::string_view name;
-  int dim;
+  int dim;  // 0: either
   std::string_view help;
-  std::span<const KeyInfo> keys;  // beside `type`
+  std::span<const KeyInfo> keys;  // beside those of every shape
   std::string_view otherwise;     // what comes nearest in the other dimension
-  Shape (*read)(TomlCursor&, int dim, Layers);
+  Shape (*read)(TomlCursor&, const ShapeSetting&);
 };
 std::span<const ShapeKind> shape_kinds();
 
 /// The shapes of `key`: one table, or an array of tables.
-std::vector<Shape> read_shapes(TomlCursor& body, std::string_view key, int dim, Layers layers);
+std::vector<Shape> read_shapes(TomlCursor& body, std::string_view key, const ShapeSetting& setting);
+/// The key `rotate` of a body or a shape: in 2D degrees, or a table with them and the point that it turns about; about
+/// `middle` unless it says otherwise. None if it is not there.
+std::optional<Rotation> read_rotation(TomlCursor& cursor, int dim, const Point& middle);
 
 /// Throws SceneError for a key that cannot be a name in expressions, or is one already.
 void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string_view kind);

@@ -1,24 +1,25 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
-#include "cli/scene/sections.hpp"
+#include "cli/scene/shape_readers.hpp"
 #include "cli/text/format.hpp"
+#include "engine/scene/other_shapes.hpp"
+#include "engine/scene/shape_members.hpp"
 
 namespace taut::cli {
 namespace {
 
-Shape read_box(TomlCursor& shape, int dim, Layers) {
-  const Box box{shape.point("low", dim), shape.point("high", dim)};
-  for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
-    if (!(box.low[k] < box.high[k]))
-      shape.fail(shape.need("low"), "low",
-                 "low." + axis_names[k] + " = " + exact(box.low[k]) + " must be less than high." +
-                     axis_names[k] + " = " + exact(box.high[k]));
-  return box;
+Shape read_box(TomlCursor& shape, const ShapeSetting& setting) {
+  return read_low_and_high(shape, setting.dim);
 }
 
-/// The key `layout`, one of `allowed`, or `otherwise` where it is not there.
-RoundLayout read_layout(TomlCursor& shape, const std::vector<RoundLayout>& allowed, RoundLayout otherwise) {
+/// The key `layout`, one of `allowed`, or `otherwise` where it is not there. Of a body that asks for a lattice it is
+/// that.
+RoundLayout read_layout(TomlCursor& shape, std::vector<RoundLayout> allowed, RoundLayout otherwise,
+                        Layers layers) {
+  if (layers == Layers::of_lattice) allowed = {RoundLayout::lattice}, otherwise = RoundLayout::lattice;
   std::vector<std::string> names;
   for (const RoundLayout layout : allowed) names.emplace_back(name(layout));
   if (!shape.find("layout")) shape.table().set("layout", TomlValue(std::string(name(otherwise))));
@@ -27,7 +28,9 @@ RoundLayout read_layout(TomlCursor& shape, const std::vector<RoundLayout>& allow
 }
 
 /// Aligned only where particles on the inner face are at least a third as far apart as on the outer one.
-Shape read_ring(TomlCursor& shape, int dim, Layers layers) {
+Shape read_ring(TomlCursor& shape, const ShapeSetting& setting) {
+  const int dim = setting.dim;
+  const Layers layers = setting.layers;
   Ring ring{shape.point("centre", dim), shape.positive("inner"), shape.positive("outer"),
             RoundLayout::lattice};
   if (!(ring.inner < ring.outer))
@@ -35,9 +38,9 @@ Shape read_ring(TomlCursor& shape, int dim, Layers layers) {
                "inner = " + exact(ring.inner) + " must be less than outer = " + exact(ring.outer));
   if (dim == 3 || layers == Layers::none) return ring;
   const bool thin = 3 * ring.inner >= ring.outer;
-  ring.layout =
-      read_layout(shape, {RoundLayout::aligned, RoundLayout::spaced, RoundLayout::lattice},
-                  layers == Layers::that_fit_faces && thin ? RoundLayout::aligned : RoundLayout::spaced);
+  ring.layout = read_layout(
+      shape, {RoundLayout::aligned, RoundLayout::spaced, RoundLayout::lattice},
+      layers == Layers::that_fit_faces && thin ? RoundLayout::aligned : RoundLayout::spaced, layers);
   if (ring.layout == RoundLayout::aligned && !thin)
     shape.fail(
         shape.need("layout"), "layout",
@@ -46,17 +49,21 @@ Shape read_ring(TomlCursor& shape, int dim, Layers layers) {
   return ring;
 }
 
-Shape read_disc(TomlCursor& shape, int dim, Layers layers) {
+Shape read_disc(TomlCursor& shape, const ShapeSetting& setting) {
+  const int dim = setting.dim;
+  const Layers layers = setting.layers;
   Disc disc{shape.point("centre", dim), shape.positive("radius")};
   if (dim == 2 && layers != Layers::none)
-    disc.layout = read_layout(shape, {RoundLayout::spaced, RoundLayout::lattice},
-                              layers == Layers::that_fit_faces ? RoundLayout::spaced : RoundLayout::lattice);
+    disc.layout =
+        read_layout(shape, {RoundLayout::spaced, RoundLayout::lattice},
+                    layers == Layers::that_fit_faces ? RoundLayout::spaced : RoundLayout::lattice, layers);
   return disc;
 }
 
 /// `inner` only where it is hollow.
-Shape read_cylinder(TomlCursor& shape, int dim, Layers) {
-  Cylinder cylinder{shape.point("from", dim), shape.point("to", dim), shape.positive("radius")};
+Shape read_cylinder(TomlCursor& shape, const ShapeSetting& setting) {
+  Cylinder cylinder{shape.point("from", setting.dim), shape.point("to", setting.dim),
+                    shape.positive("radius")};
   if (!(cylinder.length() > 0))
     shape.fail(shape.need("to"), "to",
                "from and to are the same point: they are the middles of the two ends");
@@ -66,6 +73,29 @@ Shape read_cylinder(TomlCursor& shape, int dim, Layers) {
     shape.fail(shape.need("inner"), "inner",
                "inner = " + exact(cylinder.inner) + " must be less than radius = " + exact(cylinder.radius));
   return cylinder;
+}
+
+std::vector<Shape> read_list(TomlCursor& owner, std::string_view key, const std::string& what,
+                             const ShapeSetting& setting);
+
+/// What `shapes` make together.
+Shape read_combined(TomlCursor& shape, ShapeSetting setting, Combination how) {
+  setting.alone = false;
+  setting.layers = Layers::none;
+  Combined combined{how, read_list(shape, "shapes", "the shapes of " + shape.what(), setting)};
+  if (combined.shapes.size() < 2)
+    shape.fail(shape.need("shapes"), "shapes", "shapes must be an array of at least two shapes");
+  return AnyShape::of(std::move(combined));
+}
+
+Shape read_union(TomlCursor& shape, const ShapeSetting& setting) {
+  return read_combined(shape, setting, Combination::together);
+}
+Shape read_intersection(TomlCursor& shape, const ShapeSetting& setting) {
+  return read_combined(shape, setting, Combination::common);
+}
+Shape read_difference(TomlCursor& shape, const ShapeSetting& setting) {
+  return read_combined(shape, setting, Combination::difference);
 }
 
 constexpr KeyInfo corner_keys[] = {
@@ -95,6 +125,47 @@ constexpr KeyInfo ring_keys[] = {
      "of particles: layers with the same number of particles on each, about a spacing apart on each, or cut "
      "from a square lattice; layers have the exact mass"},
 };
+constexpr KeyInfo ellipse_keys[] = {
+    {"centre", "[x, y], m", "", "its middle"},
+    {"semi_axes", "[a, b], m", "", "along x and y; `rotate` turns them"},
+};
+constexpr KeyInfo polygon_keys[] = {
+    {"points", "[[x, y], ...], m", "or contours", "of one closed contour, at least three"},
+    {"contours", "[[[x, y], ...], ...], m", "or points",
+     "several closed contours that do not cross: inside is what an odd number of them goes around"},
+    {"centre", "[x, y], m", "none",
+     "points are from it; it is what the shape is turned and reflected about, and the lattice lies "
+     "symmetrically "
+     "about it"},
+};
+constexpr KeyInfo file_key = {"file", "path", "", "seen from the scene's folder"};
+constexpr KeyInfo height_key = {"height", "number, m", "or width", "of all of it"};
+constexpr KeyInfo width_key = {"width", "number, m", "or height", "of all of it"};
+constexpr KeyInfo middle_key = {"centre", "[x, y], m", "or low",
+                                "where its middle is; the lattice lies symmetrically about it"};
+constexpr KeyInfo low_key = {"low", "[x, y], m", "or centre", "where its lower left corner is"};
+constexpr KeyInfo svg_keys[] = {file_key, height_key, width_key, middle_key, low_key};
+constexpr KeyInfo mask_keys[] = {
+    file_key,
+    height_key,
+    width_key,
+    middle_key,
+    low_key,
+    {"threshold", "number", "0.5", "darkness from 0 to 1 at which the face is"},
+    {"inside", "dark or light", "dark", "which side of it is solid; what is transparent is white"},
+};
+constexpr KeyInfo expression_keys[] = {
+    {"inside", "expression of the place", "", "inside where it is not 0: \"x^2 + y^2 < r^2\""},
+    {"low", "[x, y], m", "", "the corner of least coordinates of the box that it is looked for in"},
+    {"high", "[x, y], m", "", "the corner of greatest coordinates"},
+};
+constexpr KeyInfo particles_keys[] = {
+    {"file", "path", "",
+     "CSV with columns x, y (z in 3D) and, if it has them, volume (m², m³; else dp², dp³)"},
+};
+constexpr KeyInfo combined_keys[] = {
+    {"shapes", "[SHAPE, ...]", "", "two or more, of any kind but particles; the first one's lattice"},
+};
 constexpr KeyInfo cylinder_keys[] = {
     {"from", "[x, y, z], m", "", "middle of one end"},
     {"to", "[x, y, z], m", "", "middle of the other"},
@@ -102,55 +173,111 @@ constexpr KeyInfo cylinder_keys[] = {
     {"inner", "number, m", "none", "radius of the hole of a hollow one"},
 };
 
-/// Every shape as scene files of one dimension name it.
+/// Every shape that scene files name.
 constexpr std::array kinds = {
     ShapeKind{"rectangle", 2, "along the axes, on a square lattice", corner_keys, "box", read_box},
     ShapeKind{"disc", 2, "a full circle", disc_keys, "ball", read_disc},
     ShapeKind{"ring", 2, "a circle with a round hole in its middle", ring_keys, "shell", read_ring},
+    ShapeKind{"ellipse", 2, "cut from a lattice", ellipse_keys, "ellipsoid", read_ellipse},
+    ShapeKind{"polygon", 2, "with straight sides and any holes, cut from a lattice", polygon_keys, "box",
+              read_polygon},
+    ShapeKind{"svg", 2, "what an SVG file paints, by its fill rules, y up, cut from a lattice", svg_keys,
+              "particles", read_svg},
+    ShapeKind{"mask", 2, "what is dark, or light, in a PNG picture, cut from a lattice", mask_keys,
+              "particles", read_mask_file},
     ShapeKind{"box", 3, "along the axes, on a cubic lattice", corner_keys, "rectangle", read_box},
     ShapeKind{"ball", 3, "a full sphere, cut from a cubic lattice", ball_keys, "disc", read_disc},
     ShapeKind{"shell", 3, "a hollow ball, cut from a cubic lattice", shell_keys, "ring", read_ring},
     ShapeKind{"cylinder", 3, "full or hollow, cut from a cubic lattice; lay it along an axis and `rotate` it",
               cylinder_keys, "disc or rectangle", read_cylinder},
+    ShapeKind{"ellipsoid", 3, "cut from a cubic lattice", ellipse_keys, "ellipse", read_ellipse},
+    ShapeKind{"expression", 0, "where an expression holds, cut from a lattice", expression_keys, "",
+              read_expression},
+    ShapeKind{"particles", 0, "given one by one: a body of their own", particles_keys, "", read_particles},
+    ShapeKind{"union", 0, "what is in any of several shapes", combined_keys, "", read_union},
+    ShapeKind{"intersection", 0, "what is in all of several shapes", combined_keys, "", read_intersection},
+    ShapeKind{"difference", 0, "what is in the first of several shapes and in no other", combined_keys, "",
+              read_difference},
 };
 
 std::vector<std::string> names_of_shapes(int dim) {
   std::vector<std::string> names;
   for (const ShapeKind& kind : kinds)
-    if (kind.dim == dim) names.emplace_back(kind.name);
+    if (kind.dim == dim || kind.dim == 0) names.emplace_back(kind.name);
   return names;
 }
 
-Shape read_shape(TomlCursor shape, int dim, Layers layers) {
+Shape read_shape(TomlCursor shape, const ShapeSetting& setting) {
   const std::string given = shape.text("type");
   const std::size_t k = index_of(kinds, given);
-  if (k < kinds.size() && kinds[k].dim != dim)
+  if (k < kinds.size() && kinds[k].dim != setting.dim && kinds[k].dim != 0)
     shape.fail(shape.need("type"), "type",
                given + " is a shape of " + std::to_string(kinds[k].dim) +
-                   " dimensions and the scene has dim = " + std::to_string(dim) + "; take " +
+                   " dimensions and the scene has dim = " + std::to_string(setting.dim) + "; take " +
                    std::string(kinds[k].otherwise));
-  const ShapeKind& kind = kinds[index_of(kinds, shape.choice("type", names_of_shapes(dim)))];
+  const ShapeKind& kind = kinds[index_of(kinds, shape.choice("type", names_of_shapes(setting.dim)))];
   shape.also_takes(kind.keys);
-  const Shape result = kind.read(shape, dim, layers);
+  Shape result = kind.read(shape, setting);
+  if (const auto rotation = read_rotation(shape, setting.dim, middle_of(result)))
+    result = AnyShape::of(Turned{std::move(result), *rotation});
   shape.finish();
   return result;
+}
+
+std::vector<Shape> read_list(TomlCursor& owner, std::string_view key, const std::string& what,
+                             const ShapeSetting& setting) {
+  TomlValue& value = owner.need(key);
+  if (value.kind != TomlValue::Kind::array)
+    return {read_shape(owner.enter(value, key, what, keys_of("shape")), setting)};
+  ShapeSetting of_each = setting;
+  of_each.alone = setting.alone && value.items.size() == 1;
+  std::vector<Shape> shapes;
+  for (TomlValue& item : value.items)
+    shapes.push_back(read_shape(owner.enter(item, key, what, keys_of("shape")), of_each));
+  if (shapes.empty())
+    owner.fail(value, key,
+               what + " is empty: it needs at least one " + join_with_or(names_of_shapes(setting.dim)));
+  return shapes;
 }
 
 }  // namespace
 
 std::span<const ShapeKind> shape_kinds() { return kinds; }
 
-std::vector<Shape> read_shapes(TomlCursor& body, std::string_view key, int dim, Layers layers) {
-  TomlValue& value = body.need(key);
-  const std::string what = "the " + std::string(key) + " of " + body.what();
-  if (value.kind != TomlValue::Kind::array)
-    return {read_shape(body.enter(value, key, what, keys_of("shape")), dim, layers)};
-  std::vector<Shape> shapes;
-  for (TomlValue& item : value.items)
-    shapes.push_back(read_shape(body.enter(item, key, what, keys_of("shape")), dim, layers));
-  if (shapes.empty())
-    body.fail(value, key, what + " is empty: it needs at least one " + join_with_or(names_of_shapes(dim)));
-  return shapes;
+Box read_low_and_high(TomlCursor& shape, int dim) {
+  const Box box{shape.point("low", dim), shape.point("high", dim)};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
+    if (!(box.low[k] < box.high[k]))
+      shape.fail(shape.need("low"), "low",
+                 "low." + axis_names[k] + " = " + exact(box.low[k]) + " must be less than high." +
+                     axis_names[k] + " = " + exact(box.high[k]));
+  return box;
+}
+
+std::optional<Rotation> read_rotation(TomlCursor& cursor, int dim, const Point& middle) {
+  TomlValue* value = cursor.find("rotate");
+  if (!value) return {};
+  Rotation rotation{.about = middle};
+  if (dim == 2 && value->kind != TomlValue::Kind::table) {
+    rotation.angle = cursor.number("rotate");
+    return rotation;
+  }
+  TomlCursor entry = cursor.enter(*value, "rotate", "the rotation of " + cursor.what(), keys_of("rotate"));
+  if (dim == 3) {
+    rotation.axis = entry.point("axis", dim);
+    const double length = std::hypot(rotation.axis[0], rotation.axis[1], rotation.axis[2]);
+    if (!(length > 0))
+      entry.fail(entry.need("axis"), "axis", "the axis has no length; it points along it, e.g. [0, 0, 1]");
+    for (double& component : rotation.axis) component /= length;
+  }
+  rotation.angle = entry.number("angle");
+  if (entry.find("about")) rotation.about = entry.point("about", dim);
+  entry.finish();
+  return rotation;
+}
+
+std::vector<Shape> read_shapes(TomlCursor& body, std::string_view key, const ShapeSetting& setting) {
+  return read_list(body, key, "the " + std::string(key) + " of " + body.what(), setting);
 }
 
 }  // namespace taut::cli

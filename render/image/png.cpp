@@ -56,17 +56,17 @@ struct Reader : Complaint {
   Reader& operator=(const Reader&) = delete;
 };
 
-void read_header(Reader& reader, std::FILE* file) {
+void read_header(Reader& reader, std::FILE* file, Alpha alpha) {
   png_init_io(reader.png, file);
   png_set_user_limits(reader.png, greatest_side, greatest_side);
   png_read_info(reader.png, reader.info);
-  // whatever the file holds becomes B, G, R, 255
+  // whatever the file holds becomes B, G, R, 255 or how opaque it is
   png_set_expand(reader.png);
   png_set_scale_16(reader.png);
-  png_set_strip_alpha(reader.png);
+  if (alpha == Alpha::dropped) png_set_strip_alpha(reader.png);
   png_set_gray_to_rgb(reader.png);
   png_set_bgr(reader.png);
-  png_set_filler(reader.png, 255, PNG_FILLER_AFTER);
+  png_set_add_alpha(reader.png, 255, PNG_FILLER_AFTER);
   png_set_interlace_handling(reader.png);
   png_read_update_info(reader.png, reader.info);
 }
@@ -156,7 +156,7 @@ void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path&
   fail_to_write(path, std::strerror(reason));
 }
 
-Image read_png(const std::filesystem::path& path) {
+Image read_png(const std::filesystem::path& path, Alpha alpha) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
   if (!file) fail_to_read(path, std::strerror(errno));
   png_byte signature[8] = {};
@@ -168,7 +168,8 @@ Image read_png(const std::filesystem::path& path) {
   Reader reader;
   if (!reader.info) fail_to_read(path, "out of memory");
   png_set_sig_bytes(reader.png, sizeof signature);
-  if (!completes(reader.png, [&] { read_header(reader, file.get()); })) fail_to_read(path, reader.message);
+  if (!completes(reader.png, [&] { read_header(reader, file.get(), alpha); }))
+    fail_to_read(path, reader.message);
 
   Image image(static_cast<int>(png_get_image_width(reader.png, reader.info)),
               static_cast<int>(png_get_image_height(reader.png, reader.info)));

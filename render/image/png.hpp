@@ -16,8 +16,10 @@ std::vector<std::uint8_t> encode_png(const Image& image);
 void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
 void write_png(const Image& image, const std::filesystem::path& path);
 
-/// Reads any PNG of at most 16384 × 16384 as RGB; transparency is dropped. UsageError if it is missing,
-/// broken or not a PNG.
-Image read_png(const std::filesystem::path& path);
+/// Whether the fourth byte of a pixel is how opaque it is, or 255.
+enum class Alpha : std::uint8_t { dropped, kept };
+
+/// Reads any PNG of at most 16384 × 16384 as RGB. UsageError if it is missing, broken or not a PNG.
+Image read_png(const std::filesystem::path& path, Alpha alpha = Alpha::dropped);
 
 }  // namespace taut::render

@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "cli/outlines/mask.hpp"
+#include "cli/scene/shape_readers.hpp"
+#include "cli/text/format.hpp"
+#include "engine/error.hpp"
+#include "engine/scene/other_shapes.hpp"
+
+namespace taut::cli {
+namespace {
+
+struct Frame {
+  double pixel = 0;             // m
+  std::optional<Point> centre;  // of the whole, m
+  Point low{};                  // its lower left corner, m
+};
+
+/// Length of a side of `columns` × `rows` pixels by `height` or `width`, and where it lies.
+double read_size(TomlCursor& shape, double rows, double columns) {
+  const TomlValue *height = shape.find("height"), *width = shape.find("width");
+  if (height && width)
+    shape.fail(*width, "width", "width stands beside height; the file says how wide it is then");
+  if (!height && !width) shape.need("height");
+  return height ? shape.positive("height") / rows : shape.positive("width") / columns;
+}
+
+void read_where(TomlCursor& shape, Frame& frame) {
+  const TomlValue *low = shape.find("low"), *centre = shape.find("centre");
+  if (low && centre) shape.fail(*low, "low", "low stands beside centre; take one of them");
+  if (!low && !centre) shape.need("centre");
+  if (centre)
+    frame.centre = shape.point("centre", 2);
+  else
+    frame.low = shape.point("low", 2);
+}
+
+/// A polygon of what the mask shows, with its points from the middle of the whole where it has a centre.
+Shape polygon_of(TomlCursor& shape, const Mask& mask, double threshold, const Frame& frame) {
+  constexpr std::size_t most_points = 1000000;
+  std::vector<Chain> contours = faces_of(mask, threshold);
+  const TomlValue& file = shape.need("file");
+  if (contours.empty())
+    shape.fail(file, "file", "nothing of the picture is inside; look at 'threshold' and 'inside'");
+  std::size_t points = 0;
+  for (Chain& contour : contours) {
+    points += contour.size();
+    for (Point& x : contour) {
+      const Point half{0.5 * mask.columns, 0.5 * mask.rows, 0};
+      for (std::size_t k = 0; k < 2; ++k)
+        x[k] = frame.centre ? (x[k] - half[k]) * frame.pixel : frame.low[k] + x[k] * frame.pixel;
+    }
+  }
+  if (points > most_points)
+    shape.fail(file, "file",
+               fmt::format("the outline has {} points, more than {}: the picture is too noisy", points,
+                           most_points));
+  return AnyShape::of(Polygon(std::move(contours), frame.centre));
+}
+
+/// What a reader of files throws is of the key `file`.
+template <class Read>
+auto with_place(TomlCursor& shape, const Read& read) {
+  try {
+    return read();
+  } catch (const UsageError& error) {
+    shape.fail(shape.need("file"), "file", error.what());
+  }
+}
+
+/// Refuses particles at one place, of which no method could make anything.
+void refuse_twins(const std::vector<Point>& places, const std::filesystem::path& file) {
+  std::vector<std::size_t> order(places.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::ranges::sort(order, {}, [&](std::size_t i) { return places[i]; });
+  for (std::size_t k = 1; k < order.size(); ++k)
+    if (places[order[k]] == places[order[k - 1]])
+      throw SceneError(file.string(), 0, 0, "",
+                       fmt::format("particles {} and {} are at the same place, ({:g}, {:g}, {:g}) m",
+                                   std::min(order[k], order[k - 1]) + 1, std::max(order[k], order[k - 1]) + 1,
+                                   places[order[k]][0], places[order[k]][1], places[order[k]][2]));
+}
+
+}  // namespace
+
+Shape read_svg(TomlCursor& shape, const ShapeSetting& setting) {
+  constexpr double finely = 16;  // pixels on a spacing
+  constexpr int fewest = 64, first_look = 1024;
+  constexpr std::uintmax_t most_bytes = 4 << 20;
+  const std::filesystem::path file = named_file(shape, setting.folder, "file");
+  std::error_code error;
+  if (std::filesystem::file_size(file, error) > most_bytes)
+    shape.fail(shape.need("file"), "file", "the SVG file is larger than 4 MiB: this is no outline");
+  Frame frame;
+  read_where(shape, frame);
+  const auto painted = [&](int rows) { return with_place(shape, [&] { return paint_svg(file, rows); }); };
+  Mask mask;
+  double height = 0;
+  if (shape.find("height")) {
+    height = read_size(shape, 1, 1);
+  } else {
+    mask = painted(first_look);
+    height = read_size(shape, 1, static_cast<double>(mask.columns) / mask.rows);
+  }
+  const double rows = std::ceil(finely * height / setting.dp);
+  mask = painted(static_cast<int>(std::clamp<double>(rows, fewest, greatest_mask_side)));
+  frame.pixel = read_size(shape, mask.rows, mask.columns);
+  return polygon_of(shape, mask, 0.5, frame);
+}
+
+Shape read_mask_file(TomlCursor& shape, const ShapeSetting& setting) {
+  const std::filesystem::path file = named_file(shape, setting.folder, "file");
+  Frame frame;
+  read_where(shape, frame);
+  const double threshold = shape.number("threshold", 0.5);
+  if (!(threshold > 0 && threshold < 1))
+    shape.fail(shape.need("threshold"), "threshold",
+               "threshold = " + exact(threshold) + " must lie between 0, white, and 1, black");
+  if (!shape.find("inside")) shape.table().set("inside", TomlValue(std::string("dark")));
+  const bool light = shape.choice("inside", {"dark", "light"}) == "light";
+  Mask mask = with_place(shape, [&] { return read_mask(file, MaskOf::darkness); });
+  if (light)
+    for (float& solid : mask.solid) solid = 1 - solid;
+  frame.pixel = read_size(shape, mask.rows, mask.columns);
+  return polygon_of(shape, mask, light ? 1 - threshold : threshold, frame);
+}
+
+Shape read_particles(TomlCursor& shape, const ShapeSetting& setting) {
+  const std::filesystem::path file = named_file(shape, setting.folder, "file");
+  if (!setting.alone)
+    shape.fail(
+        shape.need("type"), "type",
+        "given particles are a body of their own: they stand in no union, and nothing is cut out of them");
+  const std::vector<std::string> axes(axis_names.begin(), axis_names.begin() + setting.dim);
+  const ColumnTable table = read_columns(file, axes, {"volume"});
+  std::vector<Point> places(table.rows());
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t k = 0; k < axes.size(); ++k) places[i][k] = table.columns[k][i];
+  std::vector<double> volumes = table.columns.back();
+  volumes.resize(places.size(), std::pow(setting.dp, setting.dim));
+  for (std::size_t i = 0; i < volumes.size(); ++i)
+    if (!(volumes[i] > 0))
+      throw SceneError(file.string(), table.lines[i], 1, "",
+                       "volume = " + exact(volumes[i]) + " must be greater than 0");
+  refuse_twins(places, file);
+  return AnyShape::of(GivenParticles(std::move(places), std::move(volumes), setting.dim));
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,109 @@
+#include "cli/scene/shape_readers.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "cli/text/format.hpp"
+#include "engine/scene/other_shapes.hpp"
+
+namespace taut::cli {
+namespace {
+
+using Kind = TomlValue::Kind;
+
+constexpr std::size_t most_points = 10000;  // of a polygon
+
+std::string place_text(const Point& x) { return fmt::format("({:.6g}, {:.6g}) m", x[0], x[1]); }
+
+bool is_list(const TomlValue& value) { return value.kind == Kind::array; }
+
+Point read_corner(TomlCursor& shape, const TomlValue& value, std::string_view key) {
+  if (!is_list(value) || value.items.size() != 2)
+    shape.fail(value, key,
+               "a point must be an array of two numbers, [x, y] in m, this is " +
+                   std::string(is_list(value) ? "one of " + std::to_string(value.items.size())
+                                              : std::string(value.kind_name())));
+  return {shape.value_of(value.items[0], key), shape.value_of(value.items[1], key), 0};
+}
+
+/// Points that follow each other at the same place are one.
+Chain read_contour(TomlCursor& shape, const TomlValue& value, std::string_view key) {
+  if (!is_list(value)) shape.fail(value, key, "a contour must be an array of points, [[x, y], ...]");
+  Chain contour;
+  for (const TomlValue& item : value.items) {
+    const Point x = read_corner(shape, item, key);
+    if (contour.empty() || x != contour.back()) contour.push_back(x);
+  }
+  if (contour.size() > 1 && contour.back() == contour.front()) contour.pop_back();
+  if (contour.size() < 3)
+    shape.fail(
+        value, key,
+        fmt::format("a contour needs at least three points, this has {}; the last is joined to the first",
+                    contour.size()));
+  return contour;
+}
+
+std::vector<Chain> read_contours(TomlCursor& shape) {
+  const TomlValue *points = shape.find("points"), *contours = shape.find("contours");
+  if (points && contours)
+    shape.fail(*contours, "contours", "contours stands beside points; a polygon takes one of them");
+  if (!contours) return {read_contour(shape, shape.need("points"), "points")};
+  if (!is_list(*contours) || contours->items.empty())
+    shape.fail(*contours, "contours", "contours must be an array of contours, each an array of points");
+  std::vector<Chain> result;
+  for (const TomlValue& item : contours->items) result.push_back(read_contour(shape, item, "contours"));
+  return result;
+}
+
+}  // namespace
+
+Point positive_point(TomlCursor& shape, std::string_view key, int dim) {
+  const Point point = shape.point(key, dim);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
+    if (!(point[k] > 0))
+      shape.fail(shape.need(key), key,
+                 fmt::format("{}[{}] = {} must be greater than 0", key, k, exact(point[k])));
+  return point;
+}
+
+Shape read_polygon(TomlCursor& shape, const ShapeSetting&) {
+  const std::vector<Chain> contours = read_contours(shape);
+  const std::string_view key = shape.find("points") ? "points" : "contours";
+  const TomlValue& value = shape.need(key);
+  std::size_t points = 0;
+  for (const Chain& contour : contours) points += contour.size();
+  if (points > most_points)
+    shape.fail(value, key,
+               fmt::format("{} points are more than a polygon may have, {}: take a mask or an svg", points,
+                           most_points));
+  std::optional<Point> centre;
+  if (shape.find("centre")) centre = shape.point("centre", 2);
+  if (const auto place = crossing(contours)) {
+    const Point from = centre.value_or(Point{});
+    shape.fail(value, key,
+               "two sides of the polygon cross, or lie on each other, at " +
+                   place_text({(*place)[0] + from[0], (*place)[1] + from[1], 0}) +
+                   "; the contours of a polygon do not cross themselves or each other");
+  }
+  Polygon polygon(contours, centre);
+  if (!(polygon.measure(2) > 0))
+    shape.fail(value, key, "the polygon encloses no area: its points lie on a line");
+  return AnyShape::of(std::move(polygon));
+}
+
+Shape read_ellipse(TomlCursor& shape, const ShapeSetting& setting) {
+  return AnyShape::of(
+      Ellipse{shape.point("centre", setting.dim), positive_point(shape, "semi_axes", setting.dim)});
+}
+
+Shape read_expression(TomlCursor& shape, const ShapeSetting& setting) {
+  Implicit result;
+  result.within = read_low_and_high(shape, setting.dim);
+  const TomlValue& inside = shape.need("inside");
+  result.inside = shape.function_of(inside, "inside");
+  if (!result.inside) shape.fail(inside, "inside", "inside is 0: the shape would hold nothing");
+  return AnyShape::of(std::move(result));
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,234 @@
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <numeric>
+
+#include <doctest/doctest.h>
+
+#include "cli/outlines/mask.hpp"
+#include "cli/scene/scene_file.hpp"
+#include "engine/scene/initial_particles.hpp"
+#include "render/image/png.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/scene_text.hpp"
+
+using namespace taut;
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+constexpr std::string_view block = R"({ type = "rectangle", low = [0, 0], high = [2, 1] })";
+
+/// The scene whose only body has this shape; it lies in a scratch folder, and so do the files it names.
+std::string scene_text(const std::string& shape, const std::string& keys = "", int dim = 2) {
+  return "dim = " + std::to_string(dim) + R"(
+spacing = 0.05
+until = 1
+[parameters]
+r = { value = 0.8 }
+[material.rubber]
+density = 1200
+youngs_modulus = 1e7
+poisson_ratio = 0.4
+[[body]]
+name = "body"
+velocity = ["r", )" +
+         (dim == 3 ? "0, " : "") + "0]\nmaterial = \"rubber\"\nshape = " + shape + "\n" + keys + "\n";
+}
+
+InitialParticles laid(const std::string& text) {
+  const SceneFile file = read_text(text);
+  const InitialParticles layout = make_initial_particles(file.scene);
+  // what the run folder holds says the same
+  const SceneFile again = read_text(resolved_text(file, scratch_folder()));
+  CHECK(make_initial_particles(again.scene).x == layout.x);
+  CHECK(make_initial_particles(again.scene).V0 == layout.V0);
+  return layout;
+}
+
+double volume(const InitialParticles& layout) {
+  return std::accumulate(layout.V0.begin(), layout.V0.end(), 0.0);
+}
+
+void write_file(const std::string& name, std::string_view text) {
+  std::ofstream(scratch_folder() / name, std::ios::binary) << text;
+}
+
+void check_shape_error(const std::string& shape, std::initializer_list<const char*> parts) {
+  check_error(block, shape, parts);
+}
+
+std::string error_in_file(const std::string& text, int line) {
+  try {
+    read_text(text);
+  } catch (const SceneError& error) {
+    CHECK(error.line == line);
+    return error.what();
+  }
+  FAIL("no error");
+  return "";
+}
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("shapes: each is read, laid and says the same in the resolved text") {
+    const double pi = std::numbers::pi;
+    CHECK(volume(laid(
+              scene_text(R"({ type = "ellipse", centre = [0, 0], semi_axes = [2, "r"], rotate = 30 })"))) ==
+          relative(pi * 1.6, 0.01));
+    CHECK(
+        volume(laid(scene_text(
+            R"({ type = "polygon", contours = [[[0, 0], [4, 0], [4, 2], [0, 2]], [["r", 0.5], [2, 0.5], [2, 1.5], ["r", 1.5]]] })"))) ==
+        relative(8 - 1.2, 1e-9));
+    CHECK(volume(laid(scene_text(
+              R"({ type = "expression", inside = "x^2 + y^2 < r^2", low = [-1, -1], high = [1, 1] })"))) ==
+          relative(pi * 0.64, 0.01));
+    CHECK(
+        volume(laid(scene_text(
+            R"({ type = "difference", shapes = [{ type = "union", shapes = [{ type = "rectangle", low = [0, 0], high = [2, 1] }, { type = "rectangle", low = [1, 0], high = [3, 2] }] }, { type = "intersection", shapes = [{ type = "disc", centre = [2, 1], radius = 0.5 }, { type = "rectangle", low = [2, 0], high = [3, 2] }] }] })"))) ==
+        relative(5 - pi / 8, 0.01));
+    CHECK(
+        volume(laid(scene_text(
+            R"({ type = "ellipsoid", centre = [0, 0, 0], semi_axes = [1, "r", 0.5], rotate = { axis = [1, 1, 0], angle = 20 } })",
+            "", 3))) == relative(4 * pi / 3 * 0.4, 0.02));
+  }
+
+  TEST_CASE("shapes: rotate takes a number in 2D, of a shape as of a body") {
+    const std::string box = R"({ type = "rectangle", low = [0, 0], high = [2, 1])";
+    const InitialParticles turned = laid(scene_text(box + ", rotate = 30 }"));
+    CHECK(turned.x == laid(scene_text(box + "}", "rotate = 30")).x);
+    CHECK(turned.x == laid(scene_text(box + ", rotate = { angle = 30, about = [1, 0.5] } }")).x);
+    CHECK(laid(scene_text(box + ", rotate = { angle = 30, about = [0, 0] } }")).x ==
+          laid(scene_text(box + "}", "rotate = { angle = 30, about = [0, 0] }")).x);
+    check_error("name = \"block\"\nshape = " + std::string(block),
+                "name = \"block\"\nrotate = @true\nshape = " + std::string(block),
+                {"rotate must be a number"});
+  }
+
+  TEST_CASE("shapes: a body on a hexagonal lattice") {
+    const InitialParticles layout =
+        laid(scene_text(R"({ type = "disc", centre = [0, 0], radius = 2 })", "lattice = \"hexagonal\""));
+    CHECK(volume(layout) == relative(4 * std::numbers::pi, 0.01));
+    check_error("name = \"block\"", "name = \"block\"\nlattice = @\"cubic\"", {"square", "hexagonal"});
+    check_error("name = \"block\"", "name = \"block\"\non_boundary = true\nlattice = @\"hexagonal\"",
+                {"on_boundary"});
+    check_error("name = \"ring\"\nshape = { type = \"ring\",",
+                "name = \"ring\"\nlattice = \"hexagonal\"\nshape = { layout = @\"spaced\", type = \"ring\",",
+                {"unknown layout 'spaced'", "lattice"});
+  }
+
+  TEST_CASE("shapes: polygons that are none are refused where they stand") {
+    check_shape_error(R"({ type = "polygon", points = @[[0, 0], [1, 0], [0, 0]] })",
+                      {"at least three points, this has 2"});
+    check_shape_error(R"({ type = "polygon", points = @[] })", {"at least three points"});
+    check_shape_error(R"({ type = "polygon", contours = @[] })", {"array of contours"});
+    check_shape_error(R"({ type = "polygon", points = [[0, 0], @[1], [0, 1]] })", {"[x, y]", "one of 1"});
+    check_shape_error(R"({ type = "polygon", points = [[0, 0], [@"0/0", 0], [0, 1]] })", {"finite"});
+    check_shape_error(R"({ type = "polygon", points = @[[0, 0], [2, 2], [2, 0], [0, 2]] })",
+                      {"cross", "at (1, 1) m"});
+    check_shape_error(R"({ type = "polygon", points = @[[0, 0], [1, 1], [2, 2]] })", {"lie on"});
+    check_shape_error(R"({ type = "polygon", points = [[0, 0], [1, 0], [0, 1]], contours = @[] })",
+                      {"beside points"});
+    check_shape_error(R"({ type = "ellipse", centre = [0, 0], semi_axes = @[1, 0] })",
+                      {"semi_axes[1]", "greater than 0"});
+    check_shape_error(R"({ type = @"ellipsoid", centre = [0, 0], semi_axes = [1, 1] })", {"take ellipse"});
+    check_shape_error(R"({ type = "expression", inside = @0, low = [0, 0], high = [1, 1] })",
+                      {"hold nothing"});
+    check_shape_error(R"({ type = "expression", inside = "x < @q", low = [0, 0], high = [1, 1] })",
+                      {"unknown name 'q'"});
+    check_shape_error(R"({ type = "union", shapes = @[{ type = "disc", centre = [0, 0], radius = 1 }] })",
+                      {"at least two"});
+    check_shape_error(
+        R"({ type = "difference", shapes = [{ type = "disc", centre = [0, 0], radius = 1 }, { type = "disc", centre = [0, 0], radius = @0 }] })",
+        {"greater than 0"});
+  }
+
+  TEST_CASE("shapes: particles from a table") {
+    write_file("given.csv", "# three\nx, y, volume\n0, 0, 0.1\n1, 0, 0.2\n0, 1, 0.3\n");
+    const InitialParticles layout = laid(scene_text(R"({ type = "particles", file = "given.csv" })"));
+    CHECK(layout.x == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    CHECK(layout.V0 == std::vector<double>{0.1, 0.2, 0.3});
+    write_file("plain.csv", "z,y,x\n0,1,2\n0,1,3\n");
+    CHECK(laid(scene_text(R"({ type = "particles", file = "plain.csv" })", "", 3)).V0[1] ==
+          relative(1.25e-4));
+    check_shape_error(R"({ type = "particles", file = @"absent.csv" })",
+                      {"there is no file", "absent.csv", "scene's folder"});
+    check_shape_error(
+        R"([{ type = @"particles", file = "given.csv" }, { type = "disc", centre = [0, 0], radius = 1 }])",
+        {"of their own"});
+    const std::string bad = scene_text(R"({ type = "particles", file = "bad.csv" })");
+    const auto error_of = [&](std::string_view table, int line) {
+      write_file("bad.csv", table);
+      return error_in_file(bad, line);
+    };
+    CHECK(error_of("x,y\n0,0\n0,nan\n", 3).find("finite") != std::string::npos);
+    CHECK(error_of("x,y,volume\n0,0,1\n0,1,-1\n", 3).find("greater than 0") != std::string::npos);
+    CHECK(error_of("x,y\n0,0\n1,1\n0,0\n", 0).find("particles 1 and 3") != std::string::npos);
+    CHECK(error_of("x,y,mass\n0,0,1\n", 1).find("unknown column 'mass'") != std::string::npos);
+    CHECK(error_of("x\n0\n", 1).find("no column 'y'") != std::string::npos);
+    CHECK(error_of("x,y\n", 1).find("no rows") != std::string::npos);
+    CHECK(error_of("", 0).find("empty") != std::string::npos);
+  }
+
+  TEST_CASE("shapes: a mask is what is dark in a picture, or light") {
+    render::Image image(40, 20);
+    for (int row = 0; row < 20; ++row)
+      for (int column = 0; column < 10; ++column) image.set(column, row, {20, 20, 20});
+    render::write_png(image, scratch_folder() / "mask.png");
+    const InitialParticles dark =
+        laid(scene_text(R"({ type = "mask", file = "mask.png", height = 2, low = [0, 0] })"));
+    CHECK(volume(dark) == relative(2.0, 0.03));
+    CHECK(std::ranges::max(dark.x)[0] < 1.03);
+    const InitialParticles light = laid(
+        scene_text(R"({ type = "mask", file = "mask.png", width = 4, centre = [0, 0], inside = "light" })"));
+    CHECK(volume(light) == relative(6.0, 0.03));
+    CHECK(std::ranges::min(light.x)[0] > -1.03);
+    check_shape_error(R"({ type = "mask", file = @"mask.png", height = 2, low = [0, 0], threshold = 0.97 })",
+                      {"nothing of the picture is inside"});
+    check_shape_error(R"({ type = "mask", file = "mask.png", height = 2, low = [0, 0], threshold = @1 })",
+                      {"between 0"});
+    check_shape_error(R"({ type = "mask", file = "mask.png", height = @-1, low = [0, 0] })",
+                      {"greater than 0"});
+    check_shape_error(R"({ type = "mask", file = "mask.png", height = 1, low = @[0, 0], centre = [0, 0] })",
+                      {"beside centre"});
+    check_shape_error(R"(@{ type = "mask", file = "mask.png", height = 1 })", {"'centre' is missing"});
+    write_file("text.png", "no picture");
+    check_shape_error(R"({ type = "mask", file = @"text.png", height = 1, low = [0, 0] })", {"not a PNG"});
+    render::write_png(render::Image(4097, 1), scratch_folder() / "large.png");
+    check_shape_error(R"({ type = "mask", file = @"large.png", height = 1, low = [0, 0] })",
+                      {"4097", "4096"});
+  }
+
+  TEST_CASE("shapes: an SVG file is filled as it is painted, by its rules") {
+    const auto file = [](const std::string& rule) {
+      write_file(
+          "ring.svg",
+          R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300"><path fill="gold" fill-rule=")" +
+              rule + R"(" d="M50 50 H250 V150 H50 Z M100 75 H200 V125 H100 Z"/></svg>)");
+      return scene_text(R"({ type = "svg", file = "ring.svg", height = 2, low = [1, 1] })");
+    };
+    const InitialParticles whole = laid(file("nonzero"));
+    CHECK(volume(whole) == relative(8.0, 0.01));
+    CHECK(std::ranges::min(whole.x)[0] == relative(1.025, 0.01));
+    CHECK(volume(laid(file("evenodd"))) == relative(6.0, 0.01));
+    // y is up: what is below in the file is below
+    write_file(
+        "up.svg",
+        R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10"><path d="M0 0 L10 10 H0 Z"/></svg>)");
+    const InitialParticles corner =
+        laid(scene_text(R"({ type = "svg", file = "up.svg", width = 4, centre = [0, 0] })"));
+    CHECK(volume(corner) == relative(8.0, 0.02));
+    CHECK(std::ranges::count_if(corner.x, [](const Point& x) { return x[1] > -x[0] + 0.1; }) == 0);
+    write_file("empty.svg", R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10"/>)");
+    check_shape_error(R"({ type = "svg", file = @"empty.svg", height = 1, low = [0, 0] })",
+                      {"paints nothing"});
+    write_file("broken.svg", "<svg");
+    check_shape_error(R"({ type = "svg", file = @"broken.svg", height = 1, low = [0, 0] })",
+                      {"is no SVG file"});
+    write_file("huge.svg", std::string((4 << 20) + 1, ' '));
+    check_shape_error(R"({ type = "svg", file = @"huge.svg", height = 1, low = [0, 0] })",
+                      {"larger than 4 MiB"});
+  }
+}
