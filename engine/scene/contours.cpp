@@ -225,6 +225,15 @@ std::vector<Chain> combined(Combination how, const std::vector<std::vector<Chain
   Paths paths;
   for (std::size_t k = 0; k < solids.size(); ++k)
     paths = k == 0 ? paths_of(solids[k]) : with(type, paths, paths_of(solids[k]));
+  // faces of curves that lie on each other are chords of different points: what is left between them is closed, and
+  // what stands out is cut
+  constexpr double thin = 0.01;  // of dp
+  for (const double by : {thin, -2 * thin, thin}) {
+    constexpr double sharpest = 10;  // corners reach out by this many times `by`
+    ClipperOffset offset(sharpest);
+    offset.AddPaths(paths, jtMiter, etClosedPolygon);
+    offset.Execute(paths, by * dp / unit);
+  }
   std::vector<Chain> chains;
   for (const Path& path : paths) {
     Chain chain;

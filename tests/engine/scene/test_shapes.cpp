@@ -46,7 +46,7 @@ void check_converges(const Shape& shape, double exact, double dp, int dim = 2) {
     if (part == 1) first = error;
     last = error;
     CAPTURE(part);
-    CHECK(error < 0.05 * part);
+    CHECK(error < 0.08 * part);
   }
   CHECK(last < std::max(0.5 * first, 0.003));
 }
@@ -223,7 +223,9 @@ TEST_SUITE("unit") {
       int near = 0;
       for (int j = 0; j < layout.size(); ++j) {
         const double r = distance_between(layout.x[i], layout.x[j], 2);
-        if (j != i && r < 1.5 * pitch) CHECK(r == relative(pitch, 1e-9)), ++near;
+        if (j == i || r > 1.5 * pitch) continue;
+        CHECK(r == relative(pitch, 1e-9));
+        ++near;
       }
       CHECK(near == 6);
     }
@@ -258,11 +260,12 @@ TEST_SUITE("unit") {
     CHECK(has(deep, ") m: "));
     // inside, its particles in the middles of the other's cells: 0.71 spacings from the nearest
     scene.bodies[1].shapes = {Box{{0.0055, 0.0055, 0}, {0.0105, 0.0105, 0}}};
-    CHECK(has(overlap_of(scene), "overlap at (0.006, 0.006) m: there a particle of 'body' lies in 'other'"));
+    CHECK(
+        has(overlap_of(scene), "overlap at (0.0065, 0.0065) m: there a particle of 'body' lies in 'other'"));
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {0.02, 0.02, 0.02}}};
     scene.dim = 3;
     scene.bodies[1].shapes = {Box{{0.0055, 0.0055, 0.0055}, {0.0105, 0.0105, 0.0105}}};
-    CHECK(has(overlap_of(scene), "(0.006, 0.006, 0.006) m"));
+    CHECK(has(overlap_of(scene), "(0.0065, 0.0065, 0.0065) m"));
   }
 
   TEST_CASE("shapes: what holds no particle is refused") {
