@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/diagnostics/curve.hpp"
 #include "tests/support/measured.hpp"
 
 using namespace taut;
