@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace taut::render {
 namespace {
@@ -25,6 +26,12 @@ constexpr std::uint32_t coolwarm[] = {0x3b4cc0, 0x4e68d7, 0x6282ea, 0x779af7, 0x
 constexpr std::uint32_t rainbow[] = {0x0000ff, 0x00ffff, 0x00ff00, 0xffff00, 0xff0000};
 // stops short of white, which is the background
 constexpr std::uint32_t gray[] = {0x101010, 0xe0e0e0};
+
+// Okabe & Ito 2002, "Color Universal Design": told apart by people with all kinds of colour vision. Their black gives
+// way to gray, which shows on black too, and the strong ones come first.
+constexpr std::uint32_t categories[] = {0x0072b2, 0xe69f00, 0x009e73, 0xd55e00,
+                                        0x56b4e9, 0xcc79a7, 0xf0e442, 0x999999};
+constexpr double darker = 0.6;  // of the second round
 
 constexpr Colormap maps[] = {
     {"viridis", "perceptually uniform, blue to yellow", false, viridis},
@@ -55,6 +62,15 @@ std::array<Rgb, 256> Colormap::table() const {
   std::array<Rgb, 256> colors;
   for (std::size_t i = 0; i < colors.size(); ++i) colors[i] = at(static_cast<double>(i) / 255.0);
   return colors;
+}
+
+Rgb category_color(std::size_t k) {
+  const std::uint32_t color = categories[k % std::size(categories)];
+  const double light = k / std::size(categories) % 2 == 0 ? 1 : darker;
+  const auto part = [&](int shift) {
+    return static_cast<std::uint8_t>(std::lround(light * channel(color, shift)));
+  };
+  return {part(16), part(8), part(0)};
 }
 
 std::span<const Colormap> colormaps() { return maps; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -12,7 +13,6 @@ constexpr int samples = 2;      // each pixel is the mean of 2 × 2 samples
 constexpr int band_height = 8;  // pixels
 constexpr int tile_width = 16;  // pixels
 constexpr int lanes = 4;        // samples that are painted at once: as many as any x86-64 takes
-constexpr std::uint32_t white = 0xffffffff;
 
 using Floats = float __attribute__((vector_size(4 * lanes)));
 using Ints = std::int32_t __attribute__((vector_size(4 * lanes)));
@@ -83,6 +83,10 @@ Span span_of(float centre, float half, int most) {
   return {bound(centre - half + 0.5f), bound(centre + half + 0.5f)};
 }
 
+std::uint32_t packed(Rgb color) {
+  return std::bit_cast<std::uint32_t>(std::array<std::uint8_t, 4>{color[0], color[1], color[2], 255});
+}
+
 std::uint32_t with_blue_first(std::uint32_t color) {
   return (color & 0xff00ff00) | (color & 0xff) << 16 | (color >> 16 & 0xff);
 }
@@ -95,8 +99,9 @@ struct DiscPainter::Bands {
   int first, last;
 };
 
-DiscPainter::DiscPainter(const Rect& plot)
+DiscPainter::DiscPainter(const Rect& plot, Rgb background)
     : plot_(plot),
+      background_(with_blue_first(packed(background))),
       bands_(parts(plot.height, band_height)),
       tiles_(parts(plot.width, tile_width)),
       stride_(static_cast<std::size_t>(tiles_) * tile_width * samples),
@@ -143,7 +148,7 @@ void DiscPainter::clear_touched() {
   for (int tile = 0; tile < tiles_; ++tile) {
     if (!touched_[static_cast<std::size_t>(tile)]) continue;
     for (int row = 0; row < samples * band_height; ++row) {
-      std::fill_n(&color_[sample(tile * width, row)], width, white);
+      std::fill_n(&color_[sample(tile * width, row)], width, background_);
       std::fill_n(&depth_[sample(tile * width, row)], width, 1.0f);
     }
   }
@@ -164,12 +169,12 @@ void DiscPainter::draw_disc(const Dot& disc, int band) {
   }
 }
 
-/// The means of the samples of a tile that discs reach into, white of any other.
+/// The means of the samples of a tile that discs reach into, the background of any other.
 void DiscPainter::resolve_tile(Image& image, int band, int tile) const {
   const int left = tile * tile_width, top = band * band_height;
   const auto bytes = static_cast<std::size_t>(std::min(tile_width, plot_.width - left)) * 4;
   std::array<std::uint32_t, tile_width> pixels;
-  pixels.fill(white);
+  pixels.fill(background_);
   for (int row = 0; row < std::min(band_height, plot_.height - top); ++row) {
     if (touched_[static_cast<std::size_t>(tile)]) {
       const std::uint32_t* above = &color_[sample(samples * left, samples * row)];

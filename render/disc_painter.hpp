@@ -24,8 +24,8 @@ struct Dot {
 /// no disc touches costs nothing.
 class DiscPainter {
  public:
-  /// Of one plot of one image, that is white at first and that nothing else draws into.
-  explicit DiscPainter(const Rect& plot);
+  /// Of one plot of one image, that is of the background's colour at first and that nothing else draws into.
+  explicit DiscPainter(const Rect& plot, Rgb background = white);
 
   /// Paints the discs into the plot, in place of those before.
   void draw(Image& image, std::span<const Dot> discs);
@@ -43,6 +43,7 @@ class DiscPainter {
   std::size_t sample(int column, int row) const { return static_cast<std::size_t>(row) * stride_ + column; }
 
   Rect plot_;
+  std::uint32_t background_;             // bytes B, G, R, 255 in memory
   int bands_, tiles_;                    // of the plot, downwards and to the right
   std::size_t stride_;                   // from one row of samples to the next
   std::vector<std::uint32_t> end_;       // of each band's discs in `sorted_`, behind the 0 where all begin
@@ -50,7 +51,7 @@ class DiscPainter {
   std::vector<std::uint32_t> color_;     // of a band's samples; bytes B, G, R, 255 in memory
   std::vector<float> depth_;             // of those: what is nearest to a centre is in front, 0 to 1
   std::vector<std::uint8_t> touched_;    // of each tile of the band: a disc reaches into it
-  std::vector<std::uint8_t> was_drawn_;  // of each tile of the plot: it is not white
+  std::vector<std::uint8_t> was_drawn_;  // of each tile of the plot: it is not empty
 };
 
 }  // namespace taut::render

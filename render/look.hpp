@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "render/camera.hpp"
 #include "render/colormap.hpp"
@@ -10,6 +12,10 @@ namespace taut::render {
 /// Of the width and the height of a picture, pixels.
 inline constexpr int least_size = 64;
 inline constexpr int greatest_size = 8192;
+
+/// Of a particle as drawn, of its diameter.
+inline constexpr double least_glyph = 0.05;
+inline constexpr double greatest_glyph = 20;
 
 /// Values of a field, in its unit.
 struct Range {
@@ -32,6 +38,11 @@ struct Look {
   const Colormap* colormap = nullptr;  // nullptr: open
   std::optional<Size> size = Size{};   // each from least_size to greatest_size
   bool bare = false;                   // particles only, over the whole picture
+  double glyph = 1;                    // a particle's diameter as drawn, of its own
+  Rgb background = white;              // texts and lines stand out from it
+  /// Names of what the values count, from 0: each has a colour of its own, and a legend stands in place of the
+  /// bar. Then range and colour map do not matter, and may be open.
+  std::vector<std::string> categories{};
 };
 
 }  // namespace taut::render

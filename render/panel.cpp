@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "engine/error.hpp"
+#include "render/coloring.hpp"
 #include "render/page/annotation.hpp"
 #include "render/page/axes_marker.hpp"
 #include "render/page/canvas.hpp"
@@ -20,9 +21,8 @@ constexpr double title_height = 2.6;
 constexpr double heading_height = 1.75;
 constexpr double note_height = 1.3;
 constexpr double row_label = 1.7;
-constexpr double gap = 0.7;  // between pictures, and between them and the bar
-constexpr double bar_width = 1.15;
-constexpr double bar_texts = 4.9;
+constexpr double gap = 0.7;          // between pictures, and between them and the bar
+constexpr double key_margin = 0.55;  // right of the colour bar or the legend
 constexpr double footer = 2.3;
 constexpr double least_bar = 13;  // height that the bar's label needs
 constexpr double note_size = 0.94;
@@ -51,18 +51,23 @@ struct Grid {
   int grid_height() const { return rows * cell_height + (rows - 1) * gap_size; }
 };
 
+/// Without the room for texts about the pictures where the look is bare.
 Grid empty_grid(const PanelOptions& options, double em) {
   Grid grid;
   grid.em = em;
   grid.columns = static_cast<int>(options.columns.size());
   grid.rows = static_cast<int>(options.rows.size());
+  grid.gap_size = pixels(gap * em);
+  if (options.look.bare) {
+    grid.left = grid.top = grid.right = grid.bottom = grid.gap_size;
+    return grid;
+  }
   const bool notes = std::ranges::any_of(options.columns, [](const Heading& h) { return !h.note.empty(); });
   const bool title = !options.title.empty() || !options.note.empty();
   grid.left = pixels((margin + row_label) * em);
   grid.top = pixels((0.4 + (title ? title_height : 0) + heading_height + (notes ? note_height : 0)) * em);
-  grid.right = pixels((margin + bar_width + bar_texts + 0.4) * em);
+  grid.right = pixels((margin + Coloring(options.look).key().width() + key_margin + 0.15) * em);
   grid.bottom = pixels(footer * em);
-  grid.gap_size = pixels(gap * em);
   return grid;
 }
 
@@ -117,15 +122,20 @@ struct Panel::Parts {
   Image image;
   Canvas canvas;
   Renderer renderer;
-  ColorBar bar;
+  Coloring coloring;
+  ColorKey key;
+  Clipped clipped;  // in any of the pictures
 
   explicit Parts(const PanelOptions& options_)
       : options(options_),
         grid(options.look.size ? fitted_grid(options) : own_grid(options)),
         image(empty_image(options, grid)),
-        canvas(image),
+        canvas(image, options.look.background),
         renderer(look_of_cells(options.look, grid)),
-        bar(options.look.range->low, options.look.range->high, options.look.colormap->table()) {}
+        coloring(options.look),
+        key(coloring.key()) {
+    image.fill(options.look.background);
+  }
   void draw_frames();
   void draw_headings();
   void draw_row_labels();
@@ -178,6 +188,8 @@ Panel::Panel(const PanelOptions& options) : parts_(std::make_unique<Parts>(optio
 Panel::~Panel() = default;
 
 void Panel::draw(int column, int row, const FrameView& particles) {
+  const Clipped here = parts_->coloring.clipped(particles.value);
+  parts_->clipped.below |= here.below, parts_->clipped.above |= here.above;
   copy_into(parts_->image, parts_->grid.cell(column, row), parts_->renderer.draw(particles));
 }
 
@@ -208,15 +220,19 @@ const Image& Panel::finish() {
   const Grid& grid = parts.grid;
   const double em = grid.em;
   parts.canvas.begin();
-  const int right = grid.left + grid.grid_width();
+  parts.draw_frames();
+  if (parts.options.look.bare) {
+    parts.canvas.end();
+    return parts.image;
+  }
   draw_title(parts.canvas, parts.options.title, parts.options.note, grid.left, 2.1 * em,
              parts.image.width - grid.left - margin * em, em);
-  parts.draw_frames();
   parts.draw_headings();
   parts.draw_row_labels();
-  parts.bar.draw(parts.canvas,
-                 {right + pixels(margin * em), grid.top, pixels(bar_width * em), grid.grid_height()}, em,
-                 parts.options.field, parts.options.unit);
+  const Rect key{grid.left + grid.grid_width() + pixels(margin * em), grid.top,
+                 pixels(parts.key.width() * em), grid.grid_height()};
+  parts.key.draw(parts.canvas, key, em, parts.options.field, parts.options.unit);
+  parts.key.draw_ends(parts.canvas, key, em, parts.clipped);
   const auto& camera = parts.options.look.camera;
   const PageLayout layout = make_layout(grid.cell_width, grid.cell_height, *parts.options.look.view, false);
   if (!camera || camera->field_of_view == 0)

@@ -1,8 +1,6 @@
 #include "render/renderer.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -11,10 +9,10 @@
 #include <fmt/format.h>
 
 #include "engine/error.hpp"
+#include "render/coloring.hpp"
 #include "render/disc_painter.hpp"
 #include "render/gl/gl_context.hpp"
 #include "render/gl/solid_painter.hpp"
-#include "render/page/annotation.hpp"
 #include "render/solids.hpp"
 
 namespace taut::render {
@@ -49,6 +47,12 @@ void check_camera(const Camera& camera) {
                     camera.field_of_view, greatest_field_of_view));
 }
 
+void check_glyph(double glyph) {
+  if (!(glyph >= least_glyph && glyph <= greatest_glyph))
+    throw UsageError(fmt::format("the glyph size {:g} is out of bounds; it is from {} to {} diameters", glyph,
+                                 least_glyph, greatest_glyph));
+}
+
 void check_range(const Range& range) {
   if (!(range.low <= range.high) || !std::isfinite(range.high - range.low)) {
     throw UsageError(fmt::format("the range {:g}:{:g} is reversed or not finite; write LO:HI with LO < HI",
@@ -57,33 +61,22 @@ void check_range(const Range& range) {
 }
 
 Look checked(const Look& look) {
-  if (!look.size || !look.view || !look.range)
+  const bool counts = !look.categories.empty();
+  if (!look.size || !look.view || (!look.range && !counts))
     throw std::logic_error("something is to be drawn before its size, view and range are chosen");
   check_size(*look.size);
   check_view(*look.view);
-  check_range(*look.range);
+  check_glyph(look.glyph);
+  if (!counts) check_range(*look.range);
   if (look.camera) check_camera(*look.camera);
-  if (!look.colormap) throw UsageError("no colour map is given; `taut list colormaps` names them");
+  if (!counts && !look.colormap) throw UsageError("no colour map is given; `taut list colormaps` names them");
   return look;
-}
-
-/// A constant field has the middle colour, on a bar that is wide enough for ticks.
-Range widened(const Range& range) {
-  const double magnitude = std::max(std::abs(range.low), std::abs(range.high));
-  if (range.high - range.low > 1e-9 * magnitude && range.high != range.low) return range;
-  const double half = magnitude > 0 ? 0.05 * magnitude : 0.5;
-  const double middle = 0.5 * (range.low + range.high);
-  return {middle - half, middle + half};
-}
-
-std::uint32_t packed(Rgb color) {
-  return std::bit_cast<std::uint32_t>(std::array<std::uint8_t, 4>{color[0], color[1], color[2], 255});
 }
 
 }  // namespace
 
 struct Renderer::Parts {
-  Range range;
+  Coloring coloring;
   PageLayout layout;
   Image image;
   std::optional<Projection> projection;       // in 3D
@@ -91,8 +84,8 @@ struct Renderer::Parts {
   std::optional<GlContext> context;           // these two are made when they are needed: cells are solids in
   std::optional<SolidPainter> solid_painter;  // 2D too
   std::optional<Annotation> annotation;       // none in pictures too small for text
-  std::array<std::uint32_t, 256> colors;
-  std::uint32_t not_a_number = packed(not_a_number_color);
+  Rgb background;
+  double glyph;
   std::vector<Dot> discs;
   Solids solids;
 
@@ -101,18 +94,18 @@ struct Renderer::Parts {
   void place_discs(const FrameView& frame);
   void draw_discs(const FrameView& frame);
   void draw_solids(const FrameView& frame);
-  std::uint32_t color_of(double value) const;
 };
 
 Renderer::Parts::Parts(const Look& look, double until)
-    : range(widened(*look.range)),
-      layout(make_layout(look.size->width, look.size->height, *look.view, !look.bare)),
+    : coloring(look),
+      layout(
+          make_layout(look.size->width, look.size->height, *look.view, !look.bare, coloring.key().width())),
       image(look.size->width, look.size->height),
-      solids(layout) {
+      background(look.background),
+      glyph(look.glyph),
+      solids(layout, glyph) {
   if (look.camera) projection.emplace(*look.camera, *look.view);
-  const std::array<Rgb, 256> table = look.colormap->table();
-  std::ranges::transform(table, colors.begin(), packed);
-  if (layout.font > 0) annotation.emplace(image, layout, ColorBar(range.low, range.high, table), until);
+  if (layout.font > 0) annotation.emplace(image, layout, coloring.key(), until, background);
   if (annotation && look.camera) {
     annotation->show(marker_of(*look.camera));
     if (look.camera->field_of_view > 0) annotation->leave_out_scale_bar();
@@ -129,12 +122,6 @@ void Renderer::Parts::check(const FrameView& frame) const {
   }
 }
 
-std::uint32_t Renderer::Parts::color_of(double value) const {
-  if (std::isnan(value)) return not_a_number;
-  const double t = (value - range.low) / (range.high - range.low);
-  return colors[static_cast<std::size_t>(std::lround(255 * std::clamp(t, 0.0, 1.0)))];
-}
-
 void Renderer::Parts::place_discs(const FrameView& frame) {
   const double width = layout.plot.width;
   const double height = layout.plot.height;
@@ -144,14 +131,14 @@ void Renderer::Parts::place_discs(const FrameView& frame) {
     // doubles up to here: single precision would not tell the particles of a view far from the origin apart
     const double x = layout.column(frame.x[2 * i]);
     const double y = layout.row(frame.x[2 * i + 1]);
-    const double size = 0.5 * frame.diameter[i] * layout.pixels_per_metre;
+    const double size = 0.5 * glyph * frame.diameter[i] * layout.pixels_per_metre;
     const double radius = drawn_radius(size);
     const double reach = radius + 1;  // with the antialiased rim
     // written so that a NaN is left out
     const bool seen = size > 0 && x > -reach && x < width + reach && y > -reach && y < height + reach;
     if (!seen) continue;
     discs.push_back(
-        {static_cast<float>(x), static_cast<float>(y), static_cast<float>(radius), color_of(frame.value[i])});
+        {static_cast<float>(x), static_cast<float>(y), static_cast<float>(radius), coloring(frame.value[i])});
   }
 }
 
@@ -164,18 +151,19 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 void Renderer::Parts::draw_discs(const FrameView& frame) {
   const bool page_stands = disc_painter && (!annotation || annotation->stands_for(frame));
   if (!page_stands) {
-    std::ranges::fill(image.pixels, std::uint8_t{255});
-    disc_painter.emplace(layout.plot);
+    image.fill(background);
+    disc_painter.emplace(layout.plot, background);
   }
   place_discs(frame);
   disc_painter->draw(image, discs);
   if (!annotation) return;
-  page_stands ? annotation->draw_header_again(frame) : annotation->draw(frame);
+  page_stands ? annotation->draw_again(frame, coloring.clipped(frame.value))
+              : annotation->draw(frame, coloring.clipped(frame.value));
 }
 
 void Renderer::Parts::draw_solids(const FrameView& frame) {
   std::vector<std::uint32_t> color(frame.value.size());
-  std::ranges::transform(frame.value, color.begin(), [this](double value) { return color_of(value); });
+  std::ranges::transform(frame.value, color.begin(), [this](double value) { return coloring(value); });
   if (!projection)
     solids.place_parallelograms(frame, color);
   else if (frame.cell.empty())
@@ -186,18 +174,19 @@ void Renderer::Parts::draw_solids(const FrameView& frame) {
   if (!context) context.emplace(image.width, image.height);
   {
     const GlContext::Current current(*context, image);
-    if (!solid_painter) solid_painter.emplace(image.width, image.height, layout.plot);
+    if (!solid_painter) solid_painter.emplace(image.width, image.height, layout.plot, background);
     solid_painter->draw(solids.balls(), solids.corners());
   }
-  if (annotation) annotation->draw(frame);
+  if (annotation) annotation->draw(frame, coloring.clipped(frame.value));
 }
 
 void Renderer::look_from(const Camera& camera, const View& view) {
   check_camera(camera);
   Parts& parts = *parts_;
-  parts.layout = make_layout(parts.image.width, parts.image.height, view, parts.layout.font > 0);
+  parts.layout = make_layout(parts.image.width, parts.image.height, view, parts.layout.font > 0,
+                             parts.coloring.key().width());
   parts.projection.emplace(camera, view);
-  parts.solids = Solids(parts.layout);
+  parts.solids = Solids(parts.layout, parts.glyph);
   if (parts.annotation) parts.annotation->show(marker_of(camera));
 }
 

@@ -57,7 +57,7 @@ void Solids::place_balls(const FrameView& frame, const Projection& projection,
   for (std::size_t i = 0; i < frame.value.size(); ++i) {
     const Projection::Seen seen = projection(at(frame.x, i));
     const double x = layout_.column(seen.at[0]), y = layout_.row(seen.at[1]);
-    const double size = 0.5 * frame.diameter[i] * seen.scale * layout_.pixels_per_metre;
+    const double size = 0.5 * glyph_ * frame.diameter[i] * seen.scale * layout_.pixels_per_metre;
     const double radius = drawn_radius(size);
     if (!(size > 0) || !in_picture(x, y, radius) || !std::isfinite(seen.at[2])) continue;
     balls_.push_back({static_cast<float>(x), static_cast<float>(y),

@@ -15,8 +15,9 @@ namespace taut::render {
 /// The particles of a frame as they stand in a picture.
 class Solids {
  public:
-  explicit Solids(const PageLayout& layout)
-      : layout_(layout), cover_(layout.plot.width, layout.plot.height) {}
+  /// Round particles are `glyph` times as large as they are.
+  explicit Solids(const PageLayout& layout, double glyph = 1)
+      : layout_(layout), glyph_(glyph), cover_(layout.plot.width, layout.plot.height) {}
 
   /// Spheres of the particles' size. Those that others hide are left out.
   void place_balls(const FrameView& frame, const Projection& projection,
@@ -37,6 +38,7 @@ class Solids {
   void add_face(const Vector& centre, const Vector& a, const Vector& b, std::uint32_t color);
 
   PageLayout layout_;
+  double glyph_;
   std::vector<Ball> balls_;
   std::vector<Corner> corners_;
   Cover cover_;

@@ -117,8 +117,9 @@ render::PanelOptions panel_options(const Drawing& drawing, RunLabels labels) {
   panel.look = drawing.look;
   panel.title = std::move(labels.title);
   panel.note = std::move(labels.note);
-  panel.field = drawing.field->name;
-  panel.unit = drawing.field->unit;
+  const ColorMeaning colors = meaning(drawing);
+  panel.field = colors.name;
+  panel.unit = colors.unit;
   panel.columns = std::move(labels.columns);
   return panel;
 }
@@ -132,8 +133,10 @@ int compare_runs(const Options& options, std::ostream& out) {
   for (const SavedRun& run : runs) {
     Drawing drawing = wished;
     suit(drawing, run.file);  // a body of this name has another number there
-    columns.push_back({Staging(drawing, origins_of(run.file.scene)), {}});
-    for (const double time : times) columns.back().cells.push_back(cell_at(run, time, until, *wished.field));
+    const Origins origins = origins_of(run.file.scene);
+    columns.push_back({Staging(drawing, origins), {}});
+    for (const double time : times)
+      columns.back().cells.push_back(cell_at(run, time, until, drawing, origins));
   }
   render::PanelOptions about = panel_options(fitted_to(wished, runs, columns), label_runs(runs));
   about.rows = time_labels(times, until);

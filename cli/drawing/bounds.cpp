@@ -5,6 +5,22 @@
 #include <vector>
 
 namespace taut::cli {
+namespace {
+
+constexpr double outside = 0.01;       // of the values, that a range may clip at each end
+constexpr double not_far = 0.25;       // of the width between these two places
+constexpr std::size_t most = 1 << 22;  // values that are looked at; of more each second, each fourth, …
+
+/// The ends that clip so many of the values.
+render::Range ends_of(std::vector<float> values) {
+  const auto place = static_cast<std::ptrdiff_t>(outside * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), values.begin() + place, values.end());
+  const double low = values[static_cast<std::size_t>(place)];
+  std::nth_element(values.begin(), values.end() - 1 - place, values.end());
+  return {low, *(values.end() - 1 - place)};
+}
+
+}  // namespace
 
 SequenceBounds::SequenceBounds(const std::optional<render::Camera>& camera) {
   if (camera) axes_ = axes_of(*camera);
@@ -17,7 +33,15 @@ void SequenceBounds::Interval::add(double value, double margin) {
 }
 
 void SequenceBounds::add_values(std::span<const float> values) {
-  for (const float value : values) values_.add(value);
+  for (const float value : values) {
+    if (!std::isfinite(value)) continue;
+    values_.add(value);
+    if (seen_++ % stride_ == 0) sample_.push_back(value);
+    if (sample_.size() < most) continue;
+    for (std::size_t k = 0; k < most / 2; ++k) sample_[k] = sample_[2 * k];
+    sample_.resize(most / 2);
+    stride_ *= 2;
+  }
 }
 
 void SequenceBounds::add_positions(std::span<const float> x, int dim, double diameter) {
@@ -42,12 +66,22 @@ void SequenceBounds::add(const FrameView& particles) {
                 std::ranges::max(particles.diameter));
 }
 
-render::Range SequenceBounds::range(bool is_signed) const {
-  double low = values_.low, high = values_.high;
-  if (low > high) low = high = 0;  // no finite value at all
-  if (is_signed) {
-    high = std::max(std::abs(low), std::abs(high));
-    low = -high;
+render::Range SequenceBounds::range(std::optional<double> middle) const {
+  double low = 0, high = 0;
+  if (!sample_.empty()) {
+    const render::Range all = ends_of(sample_);
+    low = all.low, high = all.high;
+    std::vector<float> moved = sample_;
+    std::erase(moved, 0.0f);
+    if (const render::Range some = moved.empty() ? all : ends_of(std::move(moved)); true)
+      low = std::min(low, some.low), high = std::max(high, some.high);
+    const double room = not_far * (high - low);
+    if (values_.low > low - room) low = values_.low;
+    if (values_.high < high + room) high = values_.high;
+  }
+  if (middle) {
+    const double half = std::max(std::abs(low - *middle), std::abs(high - *middle));
+    low = *middle - half, high = *middle + half;
   }
   // a field that is the same everywhere still needs a scale to be drawn on
   if (high <= low) high = low + (low != 0 ? std::abs(low) : 1.0);
@@ -86,11 +120,14 @@ double SequenceBounds::front() const { return z_.low > z_.high ? 0 : z_.high; }
 
 Drawing fitted(Drawing drawing, const SequenceBounds& shown) {
   render::Look& look = drawing.look;
-  const bool is_signed = drawing.field->is_signed;
-  // the first map of the table that suits the field
-  if (!look.colormap)
-    look.colormap = &*std::ranges::find(render::colormaps(), is_signed, &render::Colormap::diverging);
-  if (!look.range) look.range = shown.range(is_signed);
+  if (look.categories.empty()) {
+    const std::optional<double> middle = meaning(drawing).middle;
+    // the first map of the table that suits what the colours stand for
+    if (!look.colormap)
+      look.colormap =
+          &*std::ranges::find(render::colormaps(), middle.has_value(), &render::Colormap::diverging);
+    if (!look.range) look.range = shown.range(middle);
+  }
   if (look.view) return drawing;
   look.view = drawing.followed ? shown.view_about_origin() : shown.view();
   if (look.camera) look.camera->front = shown.front();

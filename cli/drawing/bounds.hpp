@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "cli/drawing/drawing.hpp"
 #include "engine/frame_view.hpp"
@@ -19,8 +22,10 @@ class SequenceBounds {
   /// Both, in the single precision that kept frames have.
   void add(const FrameView& particles);
 
-  /// Never empty; about zero when `is_signed`.
-  render::Range range(bool is_signed) const;
+  /// At most a hundredth of the values lies below it, and a hundredth above: of those that are not 0, as they are
+  /// where nothing has happened yet. An end that is not far beyond takes all. Never empty; as far to both sides
+  /// of `middle`, where there is one.
+  render::Range range(std::optional<double> middle) const;
   /// With a margin of 5 % of the longer side.
   render::View view() const;
   /// The same about the origin, where the followed body's centre of mass is, and half as large again: what it
@@ -42,6 +47,8 @@ class SequenceBounds {
     void add(double value, double margin = 0);
   };
   Interval values_, x_, y_, z_;  // the last three in the plane of the picture, and towards the camera
+  std::vector<float> sample_;    // each `stride_`-th of the values
+  std::size_t stride_ = 1, seen_ = 0;
   std::optional<render::CameraAxes> axes_;  // of the camera
 };
 

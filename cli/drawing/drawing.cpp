@@ -5,6 +5,38 @@
 
 namespace taut::cli {
 
+std::vector<double> ColorFormula::values(std::span<const std::vector<double>> of_fields, int dim,
+                                         std::span<const double> x, std::span<const double> x0,
+                                         double time) const {
+  const auto d = static_cast<std::size_t>(dim);
+  const std::size_t n = fields.size();
+  std::vector<double> arguments(n + places.size()), all(x.size() / d);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t k = 0; k < n; ++k) arguments[k] = of_fields[k][i];
+    for (std::size_t k = 0; k < d; ++k) {
+      arguments[n + k] = x[d * i + k];
+      arguments[n + 3 + k] = x0[d * i + k];
+    }
+    all[i] = function(arguments, time);
+  }
+  return all;
+}
+
+/// The unit of a formula nobody knows; it lies about 0 where the map that was chosen for it does.
+ColorMeaning meaning(const Drawing& drawing) {
+  const Field& field = *drawing.field;
+  const render::Colormap* map = drawing.look.colormap;
+  if (!drawing.formula.empty())
+    return {drawing.formula, "", map && map->diverging ? std::optional(0.0) : std::nullopt};
+  return {field.name, field.unit, field.is_signed ? std::optional(field.middle) : std::nullopt};
+}
+
+std::vector<double> color_values(const Drawing& drawing, const Snapshot& now) {
+  if (drawing.formula.empty()) return evaluate(*drawing.field, now);
+  const ColorFormula& formula = drawing.of_formula;
+  return formula.values(evaluate(formula.fields, now), now.dim, now.x, now.x0, now.time);
+}
+
 std::vector<std::string> names_of_fields() { return names_of_fields(3); }
 
 std::vector<std::string> names_of_fields(int dim) {

@@ -20,9 +20,10 @@ FrameView view_of(const Snapshot& snapshot, std::span<const double> value) {
 }
 
 /// With what stands beside the particles; refers to it.
-FrameView with_texts(FrameView view, const Field& field, const Captions& captions) {
-  view.field = field.name;
-  view.unit = field.unit;
+FrameView with_texts(FrameView view, const Drawing& drawing, const Captions& captions) {
+  const ColorMeaning colors = meaning(drawing);
+  view.field = colors.name;
+  view.unit = colors.unit;
   view.title = captions.title;
   view.method = captions.method;
   return view;
@@ -48,7 +49,7 @@ bool is_frame(const std::filesystem::path& path) {
 }
 
 Drawing fitted(const Drawing& drawing, const Snapshot& snapshot) {
-  const std::vector<double> value = evaluate(*drawing.field, snapshot);
+  const std::vector<double> value = color_values(drawing, snapshot);
   const Staging staging(drawing, origins_of(snapshot));
   SequenceBounds shown(drawing.look.camera);
   staging.extend(shown, staging(view_of(snapshot, value)));
@@ -56,11 +57,11 @@ Drawing fitted(const Drawing& drawing, const Snapshot& snapshot) {
 }
 
 render::Image draw_picture(const Drawing& drawing, const Captions& captions, const Snapshot& snapshot) {
-  const std::vector<double> value = evaluate(*drawing.field, snapshot);
+  const std::vector<double> value = color_values(drawing, snapshot);
   const Staging staging(drawing, origins_of(snapshot));
   const StagedParticles drawn = staging.dressed(staging(view_of(snapshot, value)));
   render::Renderer renderer(drawing.look, captions.until);
-  return renderer.draw(with_texts(drawn.view(), *drawing.field, captions));
+  return renderer.draw(with_texts(drawn.view(), drawing, captions));
 }
 
 Frames::Frames(const Drawing& drawing, Origins origins, std::filesystem::path folder, Captions captions,
@@ -73,7 +74,8 @@ Frames::Frames(const Drawing& drawing, Origins origins, std::filesystem::path fo
       renderers_(static_cast<std::size_t>(pictures_at_once(drawing_, threads))),
       // one thread is that of the caller
       work_(renderers_.size() > 1 ? static_cast<int>(renderers_.size()) : 0) {
-  if (drawing_.look.range && drawing_.look.view) begin_drawing(SequenceBounds());
+  const render::Look& look = drawing_.look;
+  if ((look.range || !look.categories.empty()) && look.view) begin_drawing(SequenceBounds());
 }
 
 void Frames::begin_drawing(const SequenceBounds& shown) {
@@ -90,7 +92,7 @@ void Frames::add(const Snapshot& snapshot) {
   std::vector<double> value;
   {
     const Timed timed(seconds_.render);
-    value = evaluate(*drawing_.field, snapshot);
+    value = color_values(drawing_, snapshot);
   }
   add(view_of(snapshot, value));
 }
@@ -177,7 +179,7 @@ std::vector<std::uint8_t> Frames::draw_picture(int worker, const StagedParticles
   if (!renderer) renderer.emplace(drawing_.look, captions_.until);
   if (from) renderer->look_from(from->camera, from->view);
   const StagedParticles drawn = staging_.dressed(particles);
-  const render::Image& image = renderer->draw(with_texts(drawn.view(), *drawing_.field, captions_));
+  const render::Image& image = renderer->draw(with_texts(drawn.view(), drawing_, captions_));
   drawing_time_ += watch.seconds();
   const Stopwatch encoding;
   std::vector<std::uint8_t> picture = render::encode_png(image);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -21,21 +22,33 @@ const std::string& word(const DrawingValue& value) { return std::get<std::string
 const Numbers& numbers(const DrawingValue& value) { return std::get<Numbers>(value); }
 DrawingValue left_open() { return std::string(automatic); }
 
+std::string number_out_of_bounds(std::string_view key, double value, std::string_view bounds) {
+  return fmt::format("{} = {} must be {}", key, exact(value), bounds);
+}
+
 bool is_whole_within(double value, int low, int high) {
   return value == std::floor(value) && value >= low && value <= high;
 }
 
+DrawingValue get_color(const Drawing& drawing) {
+  return drawing.formula.empty() ? std::string(drawing.field->key) : "=" + drawing.formula;
+}
+
 /// A range and a colour map belong to the field that they were chosen for: another does without them.
 std::string set_color(Drawing& drawing, const DrawingValue& value) {
-  const Field& field = known_field(word(value));
-  if (&field == drawing.field) return "";
-  drawing.field = &field;
+  const std::string& text = word(value);
+  if (DrawingValue(text) == get_color(drawing)) return "";
+  if (text.starts_with('=')) {
+    if (text.size() == 1) return "color = \"=\" needs an expression behind the sign, such as \"=speed^2/2\"";
+    drawing.formula = text.substr(1);
+  } else {
+    drawing.field = &known_field(text);
+    drawing.formula.clear();
+  }
   drawing.look.range.reset();
   drawing.look.colormap = nullptr;
   return "";
 }
-
-DrawingValue get_color(const Drawing& drawing) { return std::string(drawing.field->key); }
 
 std::string set_range(Drawing& drawing, const DrawingValue& value) {
   drawing.look.range.reset();
@@ -93,6 +106,58 @@ std::string set_size(Drawing& drawing, const DrawingValue& value) {
   return "";
 }
 
+std::string set_glyph(Drawing& drawing, const DrawingValue& value) {
+  using render::least_glyph, render::greatest_glyph;
+  const double times = numbers(value)[0];
+  if (!(times >= least_glyph && times <= greatest_glyph))
+    return number_out_of_bounds("glyph", times,
+                                fmt::format("from {} to {} diameters", least_glyph, greatest_glyph));
+  drawing.look.glyph = times;
+  return "";
+}
+
+DrawingValue get_glyph(const Drawing& drawing) { return Numbers{drawing.look.glyph}; }
+
+struct NamedColor {
+  std::string_view name;
+  render::Rgb color;
+};
+constexpr std::array<NamedColor, 2> named_colors{{{"white", {255, 255, 255}}, {"black", {0, 0, 0}}}};
+constexpr std::string_view right_colors = "white, black or #rrggbb (six hexadecimal digits)";
+
+std::string set_background(Drawing& drawing, const DrawingValue& value) {
+  const std::string& text = word(value);
+  const auto* named = std::ranges::find(named_colors, text, &NamedColor::name);
+  if (named != named_colors.end()) return drawing.look.background = named->color, "";
+  unsigned code = 0;
+  const char* const end = text.data() + text.size();
+  if (text.size() != 7 || text[0] != '#' || std::from_chars(text.data() + 1, end, code, 16).ptr != end)
+    return fmt::format("background = \"{}\" must be {}", text, right_colors);
+  const auto part = [code](unsigned shift) { return static_cast<std::uint8_t>(code >> shift & 255); };
+  drawing.look.background = {part(16), part(8), part(0)};
+  return "";
+}
+
+DrawingValue get_background(const Drawing& drawing) {
+  const auto& [red, green, blue] = drawing.look.background;
+  const auto* named = std::ranges::find(named_colors, drawing.look.background, &NamedColor::color);
+  if (named != named_colors.end()) return std::string(named->name);
+  return fmt::format("#{:02x}{:02x}{:02x}", red, green, blue);
+}
+
+constexpr std::string_view all_texts = "all";
+
+std::vector<std::string> names_of_texts() { return {std::string(all_texts), std::string(nothing)}; }
+
+std::string set_texts(Drawing& drawing, const DrawingValue& value) {
+  drawing.look.bare = word(value) == nothing;
+  return "";
+}
+
+DrawingValue get_texts(const Drawing& drawing) {
+  return std::string(drawing.look.bare ? nothing : all_texts);
+}
+
 DrawingValue get_size(const Drawing& drawing) {
   const render::Size size = drawing.look.size.value();
   return Numbers{static_cast<double>(size.width), static_cast<double>(size.height)};
@@ -107,10 +172,6 @@ std::string set_frames(Drawing& drawing, const DrawingValue& value) {
 }
 
 DrawingValue get_frames(const Drawing& drawing) { return Numbers{static_cast<double>(drawing.frames)}; }
-
-std::string number_out_of_bounds(std::string_view key, double value, std::string_view bounds) {
-  return fmt::format("{} = {} must be {}", key, exact(value), bounds);
-}
 
 /// The camera is there as soon as something is said about it.
 render::Camera& camera_of(Drawing& drawing) {
@@ -208,7 +269,7 @@ std::optional<DrawingValue> typed_value(const DrawingKey& key, const std::string
   if (key.of_text) return text;
   if (!key.takes_words()) return typed_numbers(key.numbers, text);
   const std::vector<std::string> names = key.words.names();
-  if (std::ranges::find(names, text) == names.end())
+  if (std::ranges::find(names, text) == names.end() && !key.words.has_formula(text))
     throw UsageError(unknown_name(key.words.kind, text, names));
   return text;
 }
@@ -217,16 +278,18 @@ std::optional<DrawingValue> typed_value(const DrawingKey& key, const std::string
 
 std::span<const DrawingKey> drawing_keys() {
   static const std::array table{
-      DrawingKey{.name = "color",
-                 .placeholder = "FIELD",
-                 .help = "the field to colour by (`taut list fields`)",
-                 .session_help = "the field to colour by (`taut list fields`)",
-                 .words = {"field", names_of_fields},
-                 .set = set_color,
-                 .get = get_color},
+      DrawingKey{
+          .name = "color",
+          .placeholder = "FIELD|=EXPRESSION",
+          .help = "the field to colour by (`taut list fields`), or an expression of fields, '=speed^2/2'",
+          .session_help = "the field to colour by (`taut list fields`), or = and an expression of them",
+          .words = {"field", names_of_fields, true},
+          .numbers = {.typed = "a field, or = and an expression"},
+          .set = set_color,
+          .get = get_color},
       DrawingKey{.name = "range",
                  .placeholder = "LOW:HIGH|auto",
-                 .help = "of the colours, in the field's unit; auto: over the whole sequence",
+                 .help = "of the colours, in the field's unit; auto: of the whole sequence, without outliers",
                  .session_help = "of the colours, in the field's unit; auto: of the moment",
                  .may_be_open = true,
                  .numbers = {.count = 2,
@@ -306,6 +369,30 @@ std::span<const DrawingKey> drawing_keys() {
           .of_text = true,
           .set = set_text<&Drawing::follow>,
           .get = get_text<&Drawing::follow>},
+      DrawingKey{.name = "glyph",
+                 .placeholder = "TIMES",
+                 .help = "how large round particles are drawn, of the spacing that they stand for",
+                 .session_help = "how large round particles are drawn, of the spacing",
+                 .numbers = {.in_file = "number",
+                             .typed = fmt::format("a number from {} to {}", render::least_glyph,
+                                                  render::greatest_glyph)},
+                 .set = set_glyph,
+                 .get = get_glyph},
+      DrawingKey{.name = "background",
+                 .placeholder = "COLOR",
+                 .help = "white, black or #rrggbb; texts stand out from it",
+                 .session_help = "white, black or #rrggbb",
+                 .of_text = true,
+                 .numbers = {.typed = std::string(right_colors)},
+                 .set = set_background,
+                 .get = get_background},
+      DrawingKey{.name = "text",
+                 .placeholder = "all|none",
+                 .help = "all, or none: only the particles, over the whole picture",
+                 .session_help = "all, or none: only the particles",
+                 .words = {"text", names_of_texts},
+                 .set = set_texts,
+                 .get = get_texts},
       DrawingKey{.name = "size",
                  .placeholder = "WIDTHxHEIGHT",
                  .help = "of a frame, in pixels",

@@ -24,6 +24,9 @@ struct DrawingKey {
   struct Words {
     std::string_view kind;                          // "field"
     std::vector<std::string> (*names)() = nullptr;  // all but "auto"
+    bool or_formula = false;                        // or "=" and an expression
+
+    bool has_formula(const std::string& word) const { return or_formula && word.starts_with('='); }
   };
   struct Numbers {
     std::size_t count = 1;

@@ -19,14 +19,14 @@ std::string ending(const SavedRun& run, double until) {
 
 }  // namespace
 
-PanelCell cell_at(const SavedRun& run, double time, double until, const Field& field) {
+PanelCell cell_at(const SavedRun& run, double time, double until, const Drawing& drawing,
+                  const Origins& origins) {
   const auto distance = [time](const ParticleFile& file) { return std::abs(file.time() - time); };
   const auto nearest = std::ranges::min_element(run.particles, {}, distance);
   const double interval = run.file.scene.until / run.file.drawing.frames;
   if (time > run.particles.back().time() + 0.75 * interval) return {std::nullopt, ending(run, until)};
   const std::string shown = render::format_time(nearest->time(), until);
-  return {read_colored(*nearest, field, run.file.scene.dim),
-          shown == render::format_time(time, until) ? "" : shown};
+  return {read_colored(*nearest, drawing, origins), shown == render::format_time(time, until) ? "" : shown};
 }
 
 }  // namespace taut::cli

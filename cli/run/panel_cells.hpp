@@ -15,6 +15,7 @@ struct PanelCell {
 
 /// The saved particles nearest to `time` (s), with a remark where they are of another time than that. `until`
 /// (s) gives the unit of all times of the panel.
-PanelCell cell_at(const SavedRun& run, double time, double until, const Field& field);
+PanelCell cell_at(const SavedRun& run, double time, double until, const Drawing& drawing,
+                  const Origins& origins);
 
 }  // namespace taut::cli

@@ -17,6 +17,8 @@ namespace {
 // names of arrays that are no fields; keys of fields are in lower case with '_'
 constexpr std::string_view points_name = "Points";
 constexpr std::string_view diameter_name = "diameter";
+constexpr std::string_view velocity_name = "velocity";
+constexpr std::string_view held_name = "held";
 constexpr std::string_view time_name = "TimeValue";  // as ParaView has it
 constexpr std::string_view data_begin = "<AppendedData encoding=\"raw\">\n_";
 
@@ -47,12 +49,28 @@ class Writer {
   std::string xml_, data_;
 };
 
-std::vector<double> with_three_components(const Snapshot& now) {
-  std::vector<double> points(3 * now.size());
-  const auto dim = static_cast<std::size_t>(now.dim);
-  for (std::size_t i = 0; i < now.size(); ++i)
-    for (std::size_t k = 0; k < dim; ++k) points[3 * i + k] = now.x[dim * i + k];
-  return points;
+/// Of vectors with `dim`.
+std::vector<double> with_three_components(const std::vector<double>& vectors, int dim) {
+  const auto d = static_cast<std::size_t>(dim);
+  std::vector<double> three(3 * (vectors.size() / d));
+  for (std::size_t i = 0; i < vectors.size(); ++i) three[3 * (i / d) + i % d] = vectors[i];
+  return three;
+}
+
+/// What belongs to every particle, whatever fields are asked for.
+void write_point_data(Writer& file, const Snapshot& now, std::span<const Field* const> fields) {
+  std::vector<const Field*> measured(fields.begin(), fields.end());
+  std::erase_if(measured, [](const Field* field) { return field->counts != Counted::nothing; });
+  file.line("<PointData" + (measured.empty() ? "" : attribute("Scalars", measured.front()->key)) +
+            attribute("Vectors", velocity_name) + ">");
+  const std::vector<std::vector<double>> values = evaluate(measured, now);
+  for (std::size_t k = 0; k < values.size(); ++k) file.array(measured[k]->key, "Float64", values[k]);
+  file.array(diameter_name, "Float64", now.diameter);
+  file.array(velocity_name, "Float64", with_three_components(now.v, now.dim), 3);
+  file.array("body", "Int32", now.body);
+  file.array("material", "Int32", now.material);
+  file.array(held_name, "UInt8", now.held);
+  file.line("</PointData>");
 }
 
 /// ParaView shows, picks and cuts by cells: each particle is one.
@@ -110,11 +128,9 @@ std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* 
   file.line("<DataArray type=\"Float64\"" + attribute("Name", time_name) + " NumberOfTuples=\"1\" " +
             "format=\"ascii\">" + exact(snapshot.time) + "</DataArray>\n</FieldData>");
   file.line("<Piece" + attribute("NumberOfPoints", count) + attribute("NumberOfVerts", count) + ">");
-  file.line("<PointData" + (fields.empty() ? "" : attribute("Scalars", fields.front()->key)) + ">");
-  for (const Field* field : fields) file.array(field->key, "Float64", evaluate(*field, snapshot));
-  file.array(diameter_name, "Float64", snapshot.diameter);
-  file.line("</PointData>\n<Points>");
-  file.array(points_name, "Float64", with_three_components(snapshot), 3);
+  write_point_data(file, snapshot, fields);
+  file.line("<Points>");
+  file.array(points_name, "Float64", with_three_components(snapshot.x, snapshot.dim), 3);
   file.line("</Points>");
   write_vertices(file, snapshot.size());
   file.line("</Piece>\n</PolyData>");
@@ -131,12 +147,14 @@ void ParticleFile::read_header() {
   std::optional<std::size_t> size;
   for (const std::string_view tag : tags_of(header)) {
     if (tag.starts_with("<Piece")) size = number<std::size_t>(value_of(tag, "NumberOfPoints"));
+    if (tag.starts_with("<Verts")) break;  // no more of the particles
     if (!tag.starts_with("<DataArray")) continue;
     const std::string_view name = value_of(tag, "Name").value_or("");
     if (name == time_name) time = number<double>(tag.substr(tag.find('>') + 1));
-    if (value_of(tag, "type") != "Float64") continue;
-    if (const auto offset = number<std::uint64_t>(value_of(tag, "offset")))
-      arrays_.push_back({std::string(name), header.size() + *offset});
+    const auto type = value_of(tag, "type");
+    const auto components = number<std::size_t>(value_of(tag, "NumberOfComponents"));
+    if (const auto offset = number<std::uint64_t>(value_of(tag, "offset")); offset && type && components)
+      arrays_.push_back({std::string(name), std::string(*type), *components, header.size() + *offset});
   }
   if (!time || !size || !find(std::string(points_name)) || !find(std::string(diameter_name)))
     fail("is no particle file of taut");
@@ -149,33 +167,43 @@ const ParticleFile::Array* ParticleFile::find(const std::string& name) const {
   return found == arrays_.end() ? nullptr : &*found;
 }
 
-std::vector<double> ParticleFile::read(const Array& array, std::size_t components) const {
+std::vector<double> ParticleFile::read(const Array& array) const {
+  if (array.type == "Float64") return read_as<double>(array);
+  if (array.type == "Int32") return read_as<std::int32_t>(array);
+  if (array.type == "UInt8") return read_as<std::uint8_t>(array);
+  fail("has " + array.name + " as " + array.type + ", which taut does not write");
+}
+
+template <class Number>
+std::vector<double> ParticleFile::read_as(const Array& array) const {
   std::ifstream file(path_, std::ios::binary | std::ios::ate);
   const auto length =
       static_cast<std::uint64_t>(std::max<std::streamoff>(file ? std::streamoff(file.tellg()) : 0, 0));
   // zlib packs a thousandfold at most; a broken number must not ask for all of the memory
-  if (array.offset >= length || size_ > 1024 * length) fail("is cut short or broken");
-  std::string packed(std::min<std::uint64_t>(length - array.offset, 64 + 16 * (components * size_ + 4096)),
+  if (array.offset >= length || array.components > 9 || size_ > 1024 * length) fail("is cut short or broken");
+  const std::size_t count = array.components * size_;
+  std::string packed(std::min<std::uint64_t>(length - array.offset, 64 + 2 * sizeof(Number) * (count + 4096)),
                      '\0');
   file.seekg(static_cast<std::streamoff>(array.offset));
   file.read(packed.data(), static_cast<std::streamsize>(packed.size()));
-  std::vector<double> values(components * size_);
-  if (!file || !from_zlib_blocks(packed, std::as_writable_bytes(std::span(values))))
+  std::vector<Number> numbers(count);
+  if (!file || !from_zlib_blocks(packed, std::as_writable_bytes(std::span(numbers))))
     fail("is cut short or broken");
-  return values;
+  return {numbers.begin(), numbers.end()};
 }
 
 std::vector<std::string> ParticleFile::fields() const {
   std::vector<std::string> names;
   for (const Array& array : arrays_)
-    if (array.name != points_name && array.name != diameter_name) names.push_back(array.name);
+    if (array.components == 1 && array.name != diameter_name && array.name != held_name)
+      names.push_back(array.name);
   return names;
 }
 
 bool ParticleFile::has(const std::string& field) const { return std::ranges::count(fields(), field) > 0; }
 
 std::vector<double> ParticleFile::positions(int dim) const {
-  const std::vector<double> points = read(*find(std::string(points_name)), 3);
+  const std::vector<double> points = read(*find(std::string(points_name)));
   const auto stride = static_cast<std::size_t>(dim);
   std::vector<double> x(stride * size_);
   for (std::size_t i = 0; i < size_; ++i)
@@ -183,11 +211,11 @@ std::vector<double> ParticleFile::positions(int dim) const {
   return x;
 }
 
-std::vector<double> ParticleFile::diameter() const { return read(*find(std::string(diameter_name)), 1); }
+std::vector<double> ParticleFile::diameter() const { return read(*find(std::string(diameter_name))); }
 
 std::vector<double> ParticleFile::field(const std::string& key) const {
   if (!has(key)) fail("does not hold the field " + key + "; it holds " + join(fields()));
-  return read(*find(key), 1);
+  return read(*find(key));
 }
 
 void ParticleFile::fail(const std::string& reason) const { throw UsageError(path_.string() + " " + reason); }

@@ -13,7 +13,8 @@
 namespace taut::cli {
 
 /// The particles of one time as a VTK PolyData file (.vtp) that ParaView opens: positions (z = 0 in 2D), a
-/// vertex each, the time, their diameter and `fields` by key, all in double precision and compressed.
+/// vertex each, the time, `fields` by key, diameter, velocity (a vector), body and material (numbers from 0) and
+/// whether each is held, compressed; what is measured is in double precision.
 std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* const> fields);
 
 /// Reads back what `particle_file_text` has written; an array is read when it is asked for.
@@ -24,7 +25,7 @@ class ParticleFile {
 
   double time() const { return time_; }       // s
   std::size_t size() const { return size_; }  // particles
-  std::vector<std::string> fields() const;    // keys, in the order of the file
+  std::vector<std::string> fields() const;    // keys, in the order of the file, of one number each
   bool has(const std::string& field) const;
   std::vector<double> positions(int dim) const;  // n × dim, m
   std::vector<double> diameter() const;          // m
@@ -33,12 +34,15 @@ class ParticleFile {
 
  private:
   struct Array {
-    std::string name;
+    std::string name, type;
+    std::size_t components = 1;
     std::uint64_t offset = 0;  // from the beginning of the file
   };
   void read_header();
   const Array* find(const std::string& name) const;
-  std::vector<double> read(const Array& array, std::size_t components) const;
+  std::vector<double> read(const Array& array) const;
+  template <class Number>
+  std::vector<double> read_as(const Array& array) const;
   [[noreturn]] void fail(const std::string& reason) const;
 
   std::filesystem::path path_;

@@ -149,7 +149,6 @@ RunPlan make_plan(const RunOptions& options) {
   plan.folder = RunFolder(options.out.value_or("out/" + file.scene.name + "-" + file.settings.method));
   plan.spacing_asked = options.spacing;
   plan.checkpoint_every = options.checkpoint_every;
-  known_field(std::string(file.drawing.field->key), file.scene.dim);
   if (!options.no_render) plan.drawing = file.drawing;
   plan.particle_fields = particle_fields(options, file.scene.dim);
   if (plan.drawing || !plan.particle_fields.empty())

@@ -9,8 +9,9 @@ namespace taut::cli {
 
 void check_redrawing(const SavedRun& run) {
   const Drawing& drawing = run.file.drawing;
-  read_colored(run.particles.front(), *drawing.field, run.file.scene.dim);
-  const Staging staging(drawing, origins_of(run.file.scene));
+  const Origins origins = origins_of(run.file.scene);
+  read_colored(run.particles.front(), drawing, origins);
+  const Staging staging(drawing, origins);
   if (drawing.orbit && run.file.scene.dim == 2)
     throw UsageError("--orbit is for scenes in 3D, and this one has dim = 2");
 }
@@ -19,8 +20,9 @@ Redrawn redraw(const SavedRun& run, const std::filesystem::path& folder, int thr
   const Scene& scene = run.file.scene;
   Seconds seconds;  // nobody asks for them
   if (threads == 0) threads = cores();
-  Frames frames(run.file.drawing, origins_of(scene), folder,
-                {scene.title, run.file.settings.method, scene.until}, threads, seconds);
+  const Origins origins = origins_of(scene);
+  Frames frames(run.file.drawing, origins, folder, {scene.title, run.file.settings.method, scene.until},
+                threads, seconds);
   const Interrupts interrupts;
   const double count = static_cast<double>(run.particles.size());
   const auto go_on = [&](int drawn) {
@@ -30,7 +32,7 @@ Redrawn redraw(const SavedRun& run, const std::filesystem::path& folder, int thr
   const auto add_all = [&] {
     for (const ParticleFile& file : run.particles) {
       if (!go_on(frames.written())) return false;
-      frames.add(read_colored(file, *run.file.drawing.field, scene.dim).view());
+      frames.add(read_colored(file, run.file.drawing, origins).view());
     }
     return true;
   };

@@ -1,6 +1,7 @@
 #include "cli/run/saved_run.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "engine/error.hpp"
 
@@ -37,8 +38,22 @@ FrameView ColoredParticles::view() const {
   return frame;
 }
 
-ColoredParticles read_colored(const ParticleFile& file, const Field& field, int dim) {
-  return {dim, file.time(), file.positions(dim), file.diameter(), file.field(std::string(field.key))};
+ColoredParticles read_colored(const ParticleFile& file, const Drawing& drawing, const Origins& origins) {
+  const auto values_of = [&file](const Field* field) { return file.field(std::string(field->key)); };
+  ColoredParticles read{origins.dim, file.time(), file.positions(origins.dim), file.diameter(), {}};
+  if (drawing.formula.empty()) {
+    read.value = values_of(drawing.field);
+    return read;
+  }
+  if (file.size() != origins.size())
+    throw UsageError("the particles of the file are not those of the scene: there are " +
+                     std::to_string(file.size()) + " of them, and the scene has " +
+                     std::to_string(origins.size()));
+  const ColorFormula& formula = drawing.of_formula;
+  std::vector<std::vector<double>> values;
+  std::ranges::transform(formula.fields, std::back_inserter(values), values_of);
+  read.value = formula.values(values, read.dim, read.x, origins.x0, read.time);
+  return read;
 }
 
 }  // namespace taut::cli

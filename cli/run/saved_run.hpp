@@ -3,10 +3,11 @@
 #include <filesystem>
 #include <vector>
 
+#include "cli/drawing/drawing.hpp"
+#include "cli/drawing/staging.hpp"
 #include "cli/run/folder.hpp"
 #include "cli/run/particle_file.hpp"
 #include "cli/scene/scene_file.hpp"
-#include "engine/diagnostics/fields.hpp"
 #include "engine/frame_view.hpp"
 
 namespace taut::cli {
@@ -30,7 +31,7 @@ struct ColoredParticles {
   FrameView view() const;
 };
 
-/// UsageError if the field was not saved.
-ColoredParticles read_colored(const ParticleFile& file, const Field& field, int dim);
+/// As the drawing colours them; `origins` are those of the run. UsageError if a field was not saved.
+ColoredParticles read_colored(const ParticleFile& file, const Drawing& drawing, const Origins& origins);
 
 }  // namespace taut::cli

@@ -39,7 +39,7 @@ DrawingValue given(TomlCursor& render, const DrawingKey& key) {
 void check_name(TomlCursor& render, const DrawingKey& key, const std::string& name) {
   std::vector<std::string> known = key.words.names();
   if (key.may_be_open) known.emplace(known.begin(), automatic);
-  if (std::ranges::find(known, name) == known.end())
+  if (std::ranges::find(known, name) == known.end() && !key.words.has_formula(name))
     render.fail_unknown(render.need(key.name), key.name, key.words.kind, name, known);
 }
 
@@ -59,6 +59,8 @@ struct Mismatch {
 
 std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
   const bool flat = scene.dim == 2;
+  if (drawing.formula.empty() && drawing.field->least_dim > scene.dim)
+    return Mismatch{{"color"}, unknown_name("field", drawing.field->key, names_of_fields(scene.dim))};
   if (flat && drawing.look.camera)
     return Mismatch{
         {"camera", "up", "fov"},
@@ -74,6 +76,16 @@ std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
         {"style"},
         flat ? "style = \"spheres\" is for scenes in 3D, this one has dim = 2: take discs or cells"
              : "style = \"discs\" is for scenes in 2D, this one has dim = 3: take spheres or cells"};
+  if (drawing.style == Style::cells && drawing.look.glyph != 1)
+    return Mismatch{{"glyph"},
+                    "glyph is for round particles, and style = \"cells\" fills the bodies: leave one out"};
+  if (drawing.formula.empty() && drawing.field->counts != Counted::nothing &&
+      (drawing.look.range || drawing.look.colormap))
+    return Mismatch{
+        {"range", "colormap"},
+        fmt::format("range and colormap are for numbers, and color = \"{}\" has a colour for each: "
+                    "leave them out",
+                    drawing.field->key)};
   const std::vector<std::string> bodies = names_of(scene.bodies);
   if (!drawing.follow.empty() && std::ranges::find(bodies, drawing.follow) == bodies.end())
     return Mismatch{{"follow"}, unknown_name("body", drawing.follow, bodies)};
@@ -82,9 +94,41 @@ std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
 
 /// What the scene settles; there is no mismatch.
 void settle(Drawing& drawing, const Scene& scene) {
+  drawing.look.categories.clear();
+  const Counted counted = drawing.formula.empty() ? drawing.field->counts : Counted::nothing;
+  if (counted == Counted::bodies) drawing.look.categories = names_of(scene.bodies);
+  if (counted == Counted::materials) drawing.look.categories = names_of(scene.materials);
   if (scene.dim == 3 && !drawing.look.camera) drawing.look.camera.emplace();
   drawing.followed.reset();
   if (!drawing.follow.empty()) drawing.followed = static_cast<int>(index_of(scene.bodies, drawing.follow));
+}
+
+/// With the names of a scene of `dim` dimensions. Throws ExpressionError.
+ColorFormula color_formula(const std::string& text, int dim, const Names& names) {
+  const auto& others = ColorFormula::places;
+  std::vector<std::string> all = names_of_fields(dim);
+  all.insert(all.end(), others.begin(), others.end());
+  compile_of_values(text, names, all);  // says what is known, if something is not
+  ColorFormula formula;
+  std::vector<std::string> needed;
+  for (const std::string& name : names_in(text)) {
+    const Field* field = find_field(name, dim);
+    if (!field) continue;
+    formula.fields.push_back(field);
+    needed.push_back(name);
+  }
+  needed.insert(needed.end(), others.begin(), others.end());
+  formula.function = compile_of_values(text, names, needed);
+  return formula;
+}
+
+void read_formula(TomlCursor& render, const Scene& scene, Drawing& drawing) {
+  try {
+    drawing.of_formula = color_formula(drawing.formula, scene.dim, render.names());
+    render.note_names(drawing.formula);
+  } catch (const ExpressionError& error) {
+    render.fail(render.need("color"), "color", error.what());
+  }
 }
 
 }  // namespace
@@ -93,14 +137,19 @@ void suit(Drawing& drawing, const SceneFile& file) {
   if (const auto wrong = mismatch(drawing, file.scene)) throw UsageError(wrong->what);
   settle(drawing, file.scene);
   drawing.is_cut = {};
-  if (drawing.cut.empty()) return;
+  drawing.of_formula = {};
   Names names{{"dp", file.scene.spacing}};
   for (const Parameter& parameter : file.parameters) names.emplace(parameter.name, parameter.value);
-  try {
-    drawing.is_cut = compile(drawing.cut, names);
-  } catch (const ExpressionError& error) {
-    throw UsageError("cut: " + std::string(error.what()));
-  }
+  const auto with_key = [](std::string_view key, const auto& read) {
+    try {
+      read();
+    } catch (const ExpressionError& error) {
+      throw UsageError(fmt::format("{}: {}", key, error.what()));
+    }
+  };
+  if (!drawing.cut.empty()) with_key("cut", [&] { drawing.is_cut = compile(drawing.cut, names); });
+  if (!drawing.formula.empty())
+    with_key("color", [&] { drawing.of_formula = color_formula(drawing.formula, file.scene.dim, names); });
 }
 
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing) {
@@ -118,6 +167,7 @@ void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing) {
   }
   settle(drawing, scene);
   if (!drawing.cut.empty()) drawing.is_cut = render.function_of(render.need("cut"), "cut");
+  if (!drawing.formula.empty()) read_formula(render, scene, drawing);
   render.finish();
 }
 

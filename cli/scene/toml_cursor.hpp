@@ -83,6 +83,8 @@ class TomlCursor {
   /// The error for a name that is not among `known`.
   [[noreturn]] void fail_unknown(const TomlValue& value, std::string_view key, std::string_view kind,
                                  std::string_view given, const std::vector<std::string>& known) const;
+  /// The names of an expression are in use.
+  void note_names(const std::string& text);
   /// Throws for the first key that the table may not have.
   void refuse_unknown_keys() const;
   /// The same, and for the first one that nobody has asked for.
@@ -95,7 +97,6 @@ class TomlCursor {
   template <class... Arguments, class Compile, class Show>
   std::function<double(Arguments...)> function(const TomlValue& value, std::string_view key,
                                                const Compile& compile, const Show& show);
-  void note_names(const std::string& text);
   std::string full_path(std::string_view key) const;
   bool may_have(std::string_view key) const;
 

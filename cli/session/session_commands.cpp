@@ -70,7 +70,8 @@ std::string arguments_of(const DrawingKey& key) {
 
 /// A word, or as many numbers as the key takes.
 void set_look(Session& session, const DrawingKey& key, const Words& words) {
-  if (key.of_text && !words.empty()) return session.set_look(key, join(words, " "));
+  if (!words.empty() && (key.of_text || key.words.has_formula(words[0])))
+    return session.set_look(key, join(words, " "));
   const bool one_word = words.size() == 1 && (key.takes_words() || words[0] == automatic);
   if (!one_word && (key.takes_words() || words.size() != key.numbers.count)) wrong_words(key.name);
   session.set_look(key, join(words, std::string_view(&key.numbers.between, 1)));
@@ -107,9 +108,10 @@ void preview(Session& session, const Words& words, const Dialogue& to) {
   terminal.suit(look);
   to.out << terminal.text_of(session.picture(drawing));
   // texts in a picture of characters could not be read
+  const ColorMeaning colors = meaning(drawing);
   if (look.bare)
-    to.out << drawing.field->name << ' ' << ends(look.range->low, look.range->high) << ' '
-           << drawing.field->unit << ", t = " << brief(session.shown().time) << " s, x "
+    to.out << colors.name << ' ' << (look.range ? ends(look.range->low, look.range->high) : "by colour")
+           << ' ' << colors.unit << ", t = " << brief(session.shown().time) << " s, x "
            << ends(look.view->x_min, look.view->x_max) << " m, y " << ends(look.view->y_min, look.view->y_max)
            << " m\n";
 }

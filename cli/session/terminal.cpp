@@ -106,7 +106,7 @@ void Terminal::suit(render::Look& look) const {
   const Geometry& size = screen_->size;
   const auto within = [](int side) { return std::clamp(side, render::least_size, render::greatest_size); };
   look.size = {within(size.columns * size.cell_width), within(size.rows * size.cell_height)};
-  look.bare = !screen_->of_pixels;
+  look.bare = look.bare || !screen_->of_pixels;
 }
 
 std::string Terminal::text_of(const render::Image& image) const {

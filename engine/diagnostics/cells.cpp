@@ -7,9 +7,8 @@
 #include <utility>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
-#include "engine/neighbors/neighbors.hpp"
+#include "engine/neighbors/affine_fit.hpp"
 
 namespace taut {
 namespace {
@@ -17,7 +16,6 @@ namespace {
 using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
 
-constexpr double reach = 1.6;      // of neighbours, spacings
 constexpr double adjacent = 1.35;  // of those that share a side
 constexpr double torn = 1.5;       // stretch beyond which a neighbour covers no more
 constexpr double straight = 0.8;   // cosine of the angle within which a neighbour is in the way of a side
@@ -29,7 +27,9 @@ Point point(const Vector& a) { return {a[0], a[1], a[2]}; }
 
 Cells::Cells(int dim, std::span<const double> x0, std::span<const double> diameter, std::span<const int> body)
     : dim_(static_cast<std::size_t>(dim)), x0_(x0.begin(), x0.end()), cells_(diameter.size()) {
-  find_neighbors(body, diameter);
+  FirstNeighbors around = first_neighbors({dim, x0, diameter, body});
+  first_ = std::move(around.first), neighbor_ = std::move(around.neighbor);
+  for (std::size_t i = 0; i < cells_.size(); ++i) cells_[i].spacing = around.spacing[i];
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     find_axes(i);
     find_ends(i, diameter[i]);
@@ -47,35 +47,6 @@ Point Cells::initial(std::size_t i, std::size_t j) const {
 
 std::span<const std::size_t> Cells::neighbors(std::size_t i) const {
   return std::span(neighbor_).subspan(first_[i], first_[i + 1] - first_[i]);
-}
-
-void Cells::find_neighbors(std::span<const int> body, std::span<const double> diameter) {
-  const std::size_t n = cells_.size();
-  first_.assign(n + 1, 0);
-  if (n == 0) return;
-  const double widest = reach * std::ranges::max(diameter);
-  std::vector<Vec<double, 3>> places;
-  for (std::size_t i = 0; i < n; ++i)
-    places.push_back({{x0_[dim_ * i], x0_[dim_ * i + 1], dim_ == 3 ? x0_[dim_ * i + 2] : 0.0}});
-  CellGrid<3> grid;
-  const std::vector<int> order = grid.sort(places, widest);
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto begin = static_cast<std::ptrdiff_t>(neighbor_.size());
-    double nearest = 1e300;
-    grid.for_each_row(places[i], [&](int from, int to) {
-      for (int k = from; k < to; ++k) {
-        const auto j = static_cast<std::size_t>(order[static_cast<std::size_t>(k)]);
-        const double distance = vector(initial(i, j)).norm();
-        if (j == i || body[j] != body[i] || distance > widest) continue;
-        neighbor_.push_back(j);
-        nearest = std::min(nearest, distance);
-      }
-    });
-    const auto far = [&](std::size_t j) { return vector(initial(i, j)).norm() > reach * nearest; };
-    neighbor_.erase(std::remove_if(neighbor_.begin() + begin, neighbor_.end(), far), neighbor_.end());
-    cells_[i].spacing = nearest;
-    first_[i + 1] = neighbor_.size();
-  }
 }
 
 /// In 3D the way to the nearest neighbour, then to the one most across, and what is at right angles to both. In 2D
@@ -144,12 +115,9 @@ void Cells::find_inverse(std::size_t i) {
     const Vector X = vector(initial(i, j));
     moment += X * X.transpose();
   }
-  const double trace = moment.trace();
-  // across a body that is one particle thick nothing is known: it keeps its direction
-  constexpr double little = 1e-9;
-  moment.diagonal().array() += trace > 0 ? little * trace : 1;
-  if (dim_ == 2) moment(2, 2) = 1;
-  Eigen::Map<Matrix>(cells_[i].inverse.data()) = moment.inverse();
+  LinearMap symmetric;
+  Eigen::Map<Matrix>(symmetric.data()) = moment;
+  cells_[i].inverse = inverse_moment(symmetric, static_cast<int>(dim_));
 }
 
 /// Of those around a cell inside the adjacent ones are enough: they say whether it stays hidden, and what it is

@@ -45,7 +45,6 @@ class Cells {
 
   Point initial(std::size_t i, std::size_t j) const;  // X_j − X_i, m
   std::span<const std::size_t> neighbors(std::size_t i) const;
-  void find_neighbors(std::span<const int> body, std::span<const double> diameter);
   void find_axes(std::size_t i);
   void find_ends(std::size_t i, double diameter);
   void find_inverse(std::size_t i);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Dense>
 
@@ -57,6 +58,45 @@ double distance_moved(const Snapshot& now, std::size_t i) {
 
 double density(const Snapshot& now, std::size_t i) { return now.rho[i]; }
 
+double body(const Snapshot& now, std::size_t i) { return now.body[i]; }
+double material(const Snapshot& now, std::size_t i) { return now.material[i]; }
+
+Eigen::Matrix3d matrix(const LinearMap& map) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(map.data());
+}
+
+double volume_ratio(const LinearMap& F) { return matrix(F).determinant(); }
+
+/// Hencky's strain in the axes of space, e = ½ ln(F Fᵀ): those of the Cauchy stress. Its trace is ln J.
+Eigen::Matrix3d logarithmic_strain(const LinearMap& map) {
+  const Eigen::Matrix3d F = matrix(map);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> stretch(F * F.transpose());
+  const Eigen::Matrix3d& axes = stretch.eigenvectors();
+  return axes * (0.5 * stretch.eigenvalues().array().log()).matrix().asDiagonal() * axes.transpose();
+}
+
+template <int A, int B>
+double strain(const LinearMap& F) {
+  return logarithmic_strain(F)(A, B);
+}
+
+/// The strain of a bar in tension that keeps its volume.
+double equivalent_strain(const LinearMap& F) {
+  const Eigen::Matrix3d e = logarithmic_strain(F);
+  return std::sqrt(2.0 / 3.0) * (e - e.trace() / 3 * Eigen::Matrix3d::Identity()).norm();
+}
+
+/// A field of the affine map of a particle's neighbours.
+constexpr Field of_map(std::string_view key, std::string_view name, std::string_view help, bool is_signed,
+                       double (*value)(const LinearMap&), int least_dim = 2, double middle = 0) {
+  return {key, name, "", help, is_signed, nullptr, least_dim, value, middle, Counted::nothing};
+}
+
+constexpr Field counted(std::string_view key, std::string_view help, Counted what,
+                        double (*value)(const Snapshot&, std::size_t)) {
+  return {key, key, "", help, false, value, 2, nullptr, 0, what};
+}
+
 constexpr std::array all = {
     Field{"von_mises", "von Mises stress", "Pa", "√(3/2 s:s) of the deviatoric stress s", false, von_mises},
     Field{"pressure", "pressure", "Pa", "positive in compression", true, pressure},
@@ -76,12 +116,27 @@ constexpr std::array all = {
           principal<2>},
     Field{"principal_3", "least principal stress", "Pa", "Cauchy stress, positive in tension", true,
           principal<3>},
+    of_map("J", "volume ratio J", "det F of the map F that fits the neighbours' motion; 1 at the start", true,
+           volume_ratio, 2, 1),
+    of_map("strain_xx", "strain xx", "logarithmic strain ½ ln F Fᵀ, in the axes of space", true,
+           strain<0, 0>),
+    of_map("strain_xy", "strain xy", "logarithmic strain, half the angle of a small shear", true,
+           strain<0, 1>),
+    of_map("strain_yy", "strain yy", "logarithmic strain, positive in tension", true, strain<1, 1>),
+    of_map("equivalent_strain", "equivalent strain", "√(2/3 e:e) of the deviatoric logarithmic strain e",
+           false, equivalent_strain),
+    counted("body", "number of the body in the scene, from 0; a colour each", Counted::bodies, body),
+    counted("material", "number of the material in the scene, from 0; a colour each", Counted::materials,
+            material),
     Field{"stress_xz", "stress xz", "Pa", "Cauchy stress, shear; in 3D", true, stress_xz, 3},
     Field{"stress_yz", "stress yz", "Pa", "Cauchy stress, shear; in 3D", true, stress_yz, 3},
     Field{"stress_zz", "stress zz", "Pa", "Cauchy stress, positive in tension; in 3D", true, stress_zz, 3},
     Field{"displacement_z", "displacement z", "m", "from the initial position; in 3D", true, displacement<2>,
           3},
     Field{"velocity_z", "velocity z", "m/s", "component of the velocity; in 3D", true, velocity<2>, 3},
+    of_map("strain_xz", "strain xz", "logarithmic strain, shear; in 3D", true, strain<0, 2>, 3),
+    of_map("strain_yz", "strain yz", "logarithmic strain, shear; in 3D", true, strain<1, 2>, 3),
+    of_map("strain_zz", "strain zz", "logarithmic strain, positive in tension; in 3D", true, strain<2, 2>, 3),
 };
 
 }  // namespace
@@ -97,9 +152,25 @@ const Field* find_field(std::string_view key, int dim) {
   return found == known.end() ? nullptr : &*found;
 }
 
+double Field::value(const Snapshot& now, std::size_t particle) const {
+  return of_map ? of_map(affine_map(now, particle)) : of_state(now, particle);
+}
+
 std::vector<double> evaluate(const Field& field, const Snapshot& snapshot) {
-  std::vector<double> values(snapshot.size());
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = field.value(snapshot, i);
+  const Field* one = &field;
+  return std::move(evaluate(std::span(&one, 1), snapshot).front());
+}
+
+std::vector<std::vector<double>> evaluate(std::span<const Field* const> fields, const Snapshot& snapshot) {
+  std::vector<LinearMap> maps;
+  if (std::ranges::any_of(fields, [](const Field* field) { return field->of_map; }))
+    maps = affine_maps(snapshot);
+  std::vector<std::vector<double>> values;
+  for (const Field* field : fields) {
+    std::vector<double>& of_field = values.emplace_back(snapshot.size());
+    for (std::size_t i = 0; i < of_field.size(); ++i)
+      of_field[i] = field->of_map ? field->of_map(maps[i]) : field->of_state(snapshot, i);
+  }
   return values;
 }
 

@@ -93,6 +93,7 @@ uniform ivec2 corner;    // of the picture's part, pixels of framebuffer 0
 uniform ivec2 top_edge;  // last column and row of samples
 uniform float range;     // of depths, pixels
 uniform float reach;     // of the light about a pixel, pixels
+uniform vec3 background;
 out vec4 color;
 
 float depth_at(vec2 place) {
@@ -103,7 +104,7 @@ float depth_at(vec2 place) {
 void main() {
   vec2 place = gl_FragCoord.xy - vec2(corner);
   vec4 mean = texture(colors, 2.0 * place / vec2(textureSize(colors, 0)));
-  float blank = 1.0 - mean.a;
+  vec3 blank = (1.0 - mean.a) * background;
   ivec2 sample = 2 * ivec2(place);
   // the nearest of the four: a rim belongs to what stands in front
   float z = range * min(min(texelFetch(depths, sample, 0).r, texelFetch(depths, sample + ivec2(1, 0), 0).r),
@@ -171,10 +172,11 @@ struct SolidPainter::Extent {
   float range() const { return std::max(near - far, 1e-3f) * 1.001f; }  // the farthest is no background
 };
 
-SolidPainter::SolidPainter(int image_width, int image_height, const Rect& plot)
+SolidPainter::SolidPainter(int image_width, int image_height, const Rect& plot, Rgb background)
     : image_width_(image_width),
       image_height_(image_height),
       plot_(plot),
+      background_{background[0] / 255.0f, background[1] / 255.0f, background[2] / 255.0f},
       reach_(std::max(6, std::min(plot.width, plot.height) / 24)),
       band_height_(
           std::clamp(samples_per_band / (samples * samples * plot.width) - 2 * reach_, 1, plot.height)) {
@@ -208,7 +210,7 @@ SolidPainter::SolidPainter(int image_width, int image_height, const Rect& plot)
 void SolidPainter::draw(std::span<const Ball> balls, std::span<const Corner> corners) {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glDisable(GL_SCISSOR_TEST);
-  glClearColor(1, 1, 1, 1);
+  glClearColor(background_[0], background_[1], background_[2], 1);
   glClear(GL_COLOR_BUFFER_BIT);
   Extent extent;
   for (const Ball& ball : balls) extent.add(ball.x, ball.y, ball.z, ball.radius);
@@ -233,7 +235,7 @@ void SolidPainter::draw(std::span<const Ball> balls, std::span<const Corner> cor
 void SolidPainter::draw_band(int top, int height, int ball_corners, int corners, const Extent& extent) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   glViewport(0, 0, samples * plot_.width, samples * height);
-  glClearColor(1, 1, 1, 0);
+  glClearColor(background_[0], background_[1], background_[2], 0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glDisable(GL_BLEND);
   glEnable(GL_DEPTH_TEST);
@@ -278,6 +280,7 @@ void SolidPainter::resolve(int top, int height, int below, const Extent& extent)
               samples * (above + height + below) - 1);
   glUniform1f(glGetUniformLocation(program, "range"), extent.range());
   glUniform1f(glGetUniformLocation(program, "reach"), static_cast<float>(reach_));
+  glUniform3f(glGetUniformLocation(program, "background"), background_[0], background_[1], background_[2]);
   glBindVertexArray(no_vertices_);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_SCISSOR_TEST);

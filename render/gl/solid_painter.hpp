@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -30,9 +31,9 @@ struct Corner {
 /// unsharp masking the depth buffer, 2006].
 class SolidPainter {
  public:
-  SolidPainter(int image_width, int image_height, const Rect& plot);
+  SolidPainter(int image_width, int image_height, const Rect& plot, Rgb background = white);
 
-  /// Paints framebuffer 0 white, and balls and triangles (three corners each) into the plot.
+  /// Paints framebuffer 0 in the background's colour, and balls and triangles (three corners each) into the plot.
   void draw(std::span<const Ball> balls, std::span<const Corner> corners);
 
  private:
@@ -48,6 +49,7 @@ class SolidPainter {
 
   int image_width_, image_height_;
   Rect plot_;
+  std::array<float, 3> background_;
   int reach_;        // of the light about a pixel, pixels
   int band_height_;  // the plot is drawn in bands, so that large pictures need no large buffer
   std::uint32_t framebuffer_ = 0, color_ = 0, depth_ = 0;

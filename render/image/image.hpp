@@ -13,6 +13,7 @@ struct Rect {
 };
 
 using Rgb = std::array<std::uint8_t, 3>;
+inline constexpr Rgb white = {255, 255, 255};
 
 /// A picture, row after row from the top. A pixel is four bytes B, G, R, 255: OSMesa draws into it, Cairo
 /// draws over it.
@@ -35,6 +36,10 @@ struct Image {
   void set(int column, int row, Rgb color) {
     std::uint8_t* p = &pixels[offset(column, row)];
     p[0] = color[2], p[1] = color[1], p[2] = color[0], p[3] = 255;
+  }
+  void fill(Rgb color) {
+    for (std::size_t k = 0; k < pixels.size(); k += 4)
+      pixels[k] = color[2], pixels[k + 1] = color[1], pixels[k + 2] = color[0], pixels[k + 3] = 255;
   }
   bool operator==(const Image&) const = default;
 };

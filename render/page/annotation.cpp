@@ -1,5 +1,6 @@
 #include "render/page/annotation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -11,26 +12,53 @@ constexpr double title_size = 1.3;
 constexpr double baseline_of_header = 1.8;
 constexpr double end_of_header = 2.4;  // below the title's letters and above the number at the bar's end
 
+constexpr double bar_width = 1.15;
+constexpr double most_room_of_legend = 14;
+
+/// The numbers and the label stand to its right.
+Rect bar_in(const Rect& room, double em) {
+  return {room.x, room.y, static_cast<int>(std::lround(bar_width * em)), room.height};
+}
+
 }  // namespace
 
-Annotation::Annotation(Image& image, const PageLayout& layout, ColorBar bar, double until)
-    : layout_(layout), until_(until), canvas_(image), bar_(std::move(bar)) {}
+void ColorKey::draw(Canvas& canvas, const Rect& room, double em, std::string_view field,
+                    std::string_view unit) {
+  if (const auto* legend = std::get_if<Legend>(&key_)) return legend->draw(canvas, room, em, field);
+  std::get<ColorBar>(key_).draw(canvas, bar_in(room, em), em, field, unit);
+}
 
-void Annotation::draw(const FrameView& frame) {
+void ColorKey::draw_ends(Canvas& canvas, const Rect& room, double em, Clipped clipped) {
+  if (const auto* bar = std::get_if<ColorBar>(&key_)) bar->draw_ends(canvas, bar_in(room, em), em, clipped);
+}
+
+double ColorKey::width() const {
+  const auto* legend = std::get_if<Legend>(&key_);
+  return legend ? std::clamp(legend->width(), room_of_bar, most_room_of_legend) : room_of_bar;
+}
+
+Annotation::Annotation(Image& image, const PageLayout& layout, ColorKey key, double until, Rgb background)
+    : layout_(layout), until_(until), canvas_(image, background), key_(std::move(key)) {}
+
+void Annotation::draw(const FrameView& frame, Clipped clipped) {
   canvas_.begin();  // OpenGL wrote into it
   draw_header(frame);
-  bar_.draw(canvas_, layout_.bar, layout_.font, frame.field, frame.unit);
+  key_.draw(canvas_, layout_.key, layout_.font, frame.field, frame.unit);
+  key_.draw_ends(canvas_, layout_.key, layout_.font, clipped);
   if (has_scale_bar_) draw_scale_bar(canvas_, layout_.plot, layout_.pixels_per_metre, layout_.font);
   if (axes_) draw_axes_marker(canvas_, layout_.plot, *axes_, layout_.font);
   canvas_.end();
   field_ = frame.field, unit_ = frame.unit;
+  clipped_ = clipped;
 }
 
-void Annotation::draw_header_again(const FrameView& frame) {
+void Annotation::draw_again(const FrameView& frame, Clipped clipped) {
   canvas_.begin();
   canvas_.gray(1);
   canvas_.fill(0, 0, layout_.right + layout_.font, std::floor(end_of_header * layout_.font));
   draw_header(frame);
+  if (clipped != clipped_) key_.draw_ends(canvas_, layout_.key, layout_.font, clipped);
+  clipped_ = clipped;
   canvas_.end();
 }
 

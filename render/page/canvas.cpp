@@ -6,11 +6,21 @@
 
 namespace taut::render {
 
+namespace {
+
+/// As black on it is easier to read than white. Weights: ITU-R BT.709, of the values as stored; At 118 the
+/// contrasts with black and with white are about the same.
+bool is_light(Rgb color) { return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2] > 118; }
+
+}  // namespace
+
 double line_width(double em) { return std::max(1.0, std::round(em / 14)); }
 
-Canvas::Canvas(Image& image)
+Canvas::Canvas(Image& image, Rgb background)
     : regular_(find_font(Weight::regular)),
       bold_(find_font(Weight::bold)),
+      background_(background),
+      contrast_(is_light(background) ? 0 : 1),
       surface_(cairo_image_surface_create_for_data(image.pixels.data(), CAIRO_FORMAT_ARGB32, image.width,
                                                    image.height, image.width * 4)),
       cairo_(cairo_create(surface_.get())) {
@@ -32,7 +42,14 @@ void Canvas::end() {
   }
 }
 
-void Canvas::gray(double level) { cairo_set_source_rgb(cairo_.get(), level, level, level); }
+void Canvas::gray(double level) {
+  const auto part = [&](std::size_t k) { return contrast_ + level * (background_[k] / 255.0 - contrast_); };
+  cairo_set_source_rgb(cairo_.get(), part(0), part(1), part(2));
+}
+
+void Canvas::color(Rgb color) {
+  cairo_set_source_rgb(cairo_.get(), color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
+}
 
 void Canvas::use(Weight weight, double size) {
   (weight == Weight::bold ? bold_ : regular_).use(cairo_.get(), size);

@@ -11,7 +11,8 @@
 
 namespace taut::render {
 
-inline constexpr double ink = 0.13;  // gray levels: black is too hard on white
+// Gray levels: 1 is the background, 0 what stands out from it most. Black is too hard on white.
+inline constexpr double ink = 0.13;
 inline constexpr double faint = 0.42;
 inline constexpr double cap_height = 0.73;  // of the digits of DejaVu Sans, per size
 
@@ -24,14 +25,16 @@ class Canvas {
   enum class Align { left, centre, right };
 
   /// The image must outlive the canvas and keep its pixels where they are.
-  explicit Canvas(Image& image);
+  explicit Canvas(Image& image, Rgb background = white);
 
   /// To be called after something else has drawn into the image, and when all is drawn.
   void begin();
   void end();
 
   cairo_t* cairo() { return cairo_.get(); }
+  /// From 0, white on a dark background and black on a light one, to 1, the background.
   void gray(double level);
+  void color(Rgb color);
   void use(Weight weight, double size);
   void fill(double x, double y, double width, double height);
   /// Baseline at (x, y).
@@ -48,6 +51,8 @@ class Canvas {
     void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
   };
   Font regular_, bold_;
+  Rgb background_;
+  double contrast_;  // 0 or 1: what stands out from the background most
   std::unique_ptr<cairo_surface_t, Deleter> surface_;
   std::unique_ptr<cairo_t, Deleter> cairo_;
 };

@@ -13,34 +13,34 @@ constexpr double least_font = 9;  // the smallest that DejaVu Sans is legible at
 
 // Lengths in em, the height of the font.
 constexpr double margin = 1.1;
-constexpr double header = 3.0;   // title, method, time
-constexpr double footer = 2.3;   // scale bar
-constexpr double bar_gap = 1.1;  // between plot and bar
-constexpr double bar_width = 1.15;
-constexpr double bar_texts = 4.6;  // ticks, numbers and the turned label right of the bar
+constexpr double header = 3.0;          // title, method, time
+constexpr double footer = 2.3;          // scale bar
+constexpr double key_gap = 1.1;         // between plot and colour bar or legend
+constexpr double most_of_width = 0.36;  // for a legend
 
 int pixels(double length) { return static_cast<int>(std::lround(length)); }
 
-void place_all(PageLayout& layout, int width, int height) {
+void place_all(PageLayout& layout, int width, int height, double room) {
   const double em = layout.font;
   const int left = pixels(margin * em);
   const int top = pixels(header * em);
   layout.right = width - margin * em;
-  const int bar_left = pixels(layout.right - (bar_width + bar_texts) * em);
-  layout.plot = {left, top, bar_left - pixels(bar_gap * em) - left, height - pixels(footer * em) - top};
-  layout.bar = {bar_left, top, pixels(bar_width * em), layout.plot.height};
+  const double wide = std::max(std::min(room * em, most_of_width * width), room_of_bar * em);
+  const int key_left = pixels(layout.right - wide);
+  layout.plot = {left, top, key_left - pixels(key_gap * em) - left, height - pixels(footer * em) - top};
+  layout.key = {key_left, top, pixels(wide), layout.plot.height};
 }
 
 }  // namespace
 
-PageLayout make_layout(int width, int height, const View& view, bool texts) {
+PageLayout make_layout(int width, int height, const View& view, bool texts, double room) {
   PageLayout layout;
   if (texts && width >= least_text_width && height >= least_text_height) {
     // 16 pixels at 1280 × 720
     const double scale = std::min(width / 1280.0, height / 720.0);
     const double area = std::sqrt((width / 1280.0) * (height / 720.0));
     layout.font = std::max(16.0 * std::min(area, 1.3 * scale), least_font);
-    place_all(layout, width, height);
+    place_all(layout, width, height, room);
   } else {
     layout.plot = {0, 0, width, height};
   }

@@ -21,7 +21,7 @@ using AxesMarker = std::array<std::array<double, 3>, 3>;
 struct PageLayout {
   double font = 0;   // height of an em in pixels; 0 = the picture is too small for text and a colour bar
   Rect plot;         // the particles
-  Rect bar;          // the colour bar
+  Rect key;          // what the colours mean: a bar with its numbers, or a legend
   double right = 0;  // where the texts end, pixels
   double pixels_per_metre = 1;
   double x_origin = 0, y_origin = 0;  // of the scene's origin, in pixels from the plot's top left corner
@@ -30,7 +30,11 @@ struct PageLayout {
   double row(double y) const { return y_origin - y * pixels_per_metre; }     // in the plot, downwards
 };
 
-/// Without `texts`, or in a picture too small for them, the plot is all of it.
-PageLayout make_layout(int width, int height, const View& view, bool texts = true);
+/// What a colour bar needs with its numbers and its label, em.
+inline constexpr double room_of_bar = 5.75;
+
+/// Without `texts`, or in a picture too small for them, the plot is all of it. What says what the colours mean
+/// has `room` em, but no more than a good third of the width.
+PageLayout make_layout(int width, int height, const View& view, bool texts = true, double room = room_of_bar);
 
 }  // namespace taut::render

@@ -12,6 +12,7 @@ constexpr double tick_length = 0.3;
 constexpr double tick_gap = 0.25;     // between tick and number
 constexpr double tick_spacing = 3.8;  // least distance between numbers
 constexpr double label_gap = 0.75;    // between the widest number and the turned label
+constexpr double arrow_height = 0.5;
 
 }  // namespace
 
@@ -22,8 +23,7 @@ void ColorBar::draw(Canvas& canvas, const Rect& bar, double em, std::string_view
                     std::string_view unit) {
   for (int row = 0; row < bar.height; ++row) {
     const double t = 1 - (row + 0.5) / bar.height;
-    const Rgb color = colors_[static_cast<std::size_t>(std::lround(t * 255))];
-    cairo_set_source_rgb(canvas.cairo(), color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
+    canvas.color(colors_[static_cast<std::size_t>(std::lround(t * 255))]);
     canvas.fill(bar.x, bar.y + row, bar.width, 1);
   }
   if (ticks_.at.empty() || tick_unit_ != unit) {
@@ -50,6 +50,23 @@ void ColorBar::draw(Canvas& canvas, const Rect& bar, double em, std::string_view
   canvas.turned_text(canvas.fitted(label, bar.height),
                      bar.x + bar.width + (tick_length + tick_gap + label_gap + cap_height) * em + widest,
                      bar.y + 0.5 * bar.height);
+}
+
+void ColorBar::draw_ends(Canvas& canvas, const Rect& bar, double em, Clipped clipped) const {
+  const double room = std::ceil(arrow_height * em) + 1;
+  const auto draw_end = [&](double edge, double way, bool arrow, Rgb color) {
+    canvas.gray(1);
+    canvas.fill(bar.x - 1, way < 0 ? edge - room : edge, bar.width + 2, room);
+    if (!arrow) return;
+    cairo_move_to(canvas.cairo(), bar.x, edge);
+    cairo_line_to(canvas.cairo(), bar.x + 0.5 * bar.width, edge + way * arrow_height * em);
+    cairo_line_to(canvas.cairo(), bar.x + bar.width, edge);
+    cairo_close_path(canvas.cairo());
+    canvas.color(color);
+    cairo_fill(canvas.cairo());
+  };
+  draw_end(bar.y, -1, clipped.above, colors_.back());
+  draw_end(bar.y + bar.height, 1, clipped.below, colors_.front());
 }
 
 void draw_scale_bar(Canvas& canvas, const Rect& plot, double pixels_per_metre, double em) {

@@ -8,6 +8,12 @@
 
 namespace taut::render {
 
+/// Whether something is drawn in the colour of an end, and lies beyond it.
+struct Clipped {
+  bool below = false, above = false;
+  bool operator==(const Clipped&) const = default;
+};
+
 /// The colours from low to high with numbers beside them, and what they stand for.
 class ColorBar {
  public:
@@ -15,6 +21,8 @@ class ColorBar {
   ColorBar(double low, double high, const std::array<Rgb, 256>& colors);
 
   void draw(Canvas& canvas, const Rect& bar, double em, std::string_view field, std::string_view unit);
+  /// Arrows at the ends beyond which something lies, in place of those that were drawn before.
+  void draw_ends(Canvas& canvas, const Rect& bar, double em, Clipped clipped) const;
 
  private:
   double low_, high_;

@@ -224,9 +224,9 @@ TEST_SUITE("image") {
     Renderer renderer(with);
     const Image image = renderer.draw(particles.frame());
     const PageLayout layout = make_layout(640, 360, unit_view);
-    const int column = layout.bar.x + layout.bar.width / 2;
-    CHECK(image.at(column, layout.bar.y) == Rgb{253, 231, 37});
-    CHECK(image.at(column, layout.bar.y + layout.bar.height - 1) == Rgb{68, 1, 84});
+    const int column = layout.key.x + 4;
+    CHECK(image.at(column, layout.key.y) == Rgb{253, 231, 37});
+    CHECK(image.at(column, layout.key.y + layout.key.height - 1) == Rgb{68, 1, 84});
     FrameView frame = particles.frame();
     const auto changes = [&](auto&& change) {
       frame = particles.frame();

@@ -57,7 +57,6 @@ inline Look look(int width, int height, View view) {
 
 inline constexpr View unit_view = {-1, 1, -1, 1};
 inline constexpr View rings_view = {-0.09, 0.09, -0.05, 0.05};
-inline constexpr Rgb white = {255, 255, 255};
 
 /// The colour of the pixel that shows the place (x, y) of the scene.
 inline Rgb color_at(const Image& image, const View& view, double x, double y) {

@@ -63,17 +63,18 @@ TEST_SUITE("cli") {
     const TemporaryFolder folder;
     make_run(folder, "out", {"--frames", "2"});  // at 0, 1 and 2 ms
     const SavedRun run = open_saved_run(folder / "out");
-    const Field& speed = *find_field("speed");
-    const PanelCell at = cell_at(run, 0.001, 0.002, speed);
+    const Drawing speed{.field = find_field("speed")};
+    const Origins origins = origins_of(run.file.scene);
+    const PanelCell at = cell_at(run, 0.001, 0.002, speed, origins);
     REQUIRE(at.particles);
     CHECK(at.particles->time == run.particles[1].time());
     CHECK(at.particles->value == run.particles[1].field("speed"));
     CHECK(at.remark.empty());
-    const PanelCell beside = cell_at(run, 0.0012, 0.002, speed);
+    const PanelCell beside = cell_at(run, 0.0012, 0.002, speed, origins);
     REQUIRE(beside.particles);
     CHECK(beside.particles->time == run.particles[1].time());
     CHECK(contains(beside.remark, "t = 1.0"));
-    const PanelCell after = cell_at(run, 0.003, 0.003, speed);
+    const PanelCell after = cell_at(run, 0.003, 0.003, speed, origins);
     CHECK_FALSE(after.particles);
     CHECK(contains(after.remark, "ended at t = 2.0"));
   }
@@ -84,7 +85,9 @@ TEST_SUITE("cli") {
         folder, "out",
         {"--set", "cfl=20", "--until", "0.02", "--save-particles", "--no-render", "--frames", "40"}));
     REQUIRE(outcome.code == 3);
-    const PanelCell end = cell_at(open_saved_run(folder / "out"), 0.02, 0.02, *find_field("speed"));
+    const SavedRun run = open_saved_run(folder / "out");
+    const PanelCell end =
+        cell_at(run, 0.02, 0.02, {.field = find_field("speed")}, origins_of(run.file.scene));
     CHECK_FALSE(end.particles);
     CHECK(contains(end.remark, "diverged at t = "));
   }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -19,6 +20,28 @@ double value(const char* key, const Snapshot& now, std::size_t particle = 0) {
   return values[particle];
 }
 
+/// Three particles along each axis, 1 m apart.
+Snapshot block(int dim) {
+  std::vector<Point> places;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < (dim == 3 ? 3 : 1); ++k) places.push_back({1.0 * i, 1.0 * j, 1.0 * k});
+  return made_snapshot(dim, places);
+}
+
+Point turned(const Point& X, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * X[0] - s * X[1], s * X[0] + c * X[1], X[2]};
+}
+
+void move(Snapshot& now, const auto& motion) {
+  const auto d = static_cast<std::size_t>(now.dim);
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const Point x = motion(now.initial(i));
+    for (std::size_t k = 0; k < d; ++k) now.x[d * i + k] = x[k];
+  }
+}
+
 }  // namespace
 
 TEST_SUITE("unit") {
@@ -29,7 +52,7 @@ TEST_SUITE("unit") {
       CHECK(keys.insert(field.key).second);
       CHECK(find_field(field.key) == &field);
       CHECK_FALSE(field.name.empty());
-      CHECK_FALSE(field.unit.empty());
+      CHECK(field.unit.empty() == (field.of_map || field.counts != Counted::nothing));
       CHECK_FALSE(field.help.empty());
     }
     CHECK(keys.size() == fields().size());
@@ -102,8 +125,9 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("fields: what only 3D has is not there in 2D") {
-    CHECK(fields(2).size() + 5 == fields(3).size());
-    for (const char* key : {"velocity_z", "displacement_z", "stress_xz", "stress_yz", "stress_zz"}) {
+    CHECK(fields(2).size() + 8 == fields(3).size());
+    for (const char* key :
+         {"velocity_z", "displacement_z", "stress_xz", "stress_yz", "stress_zz", "strain_zz"}) {
       CAPTURE(key);
       CHECK(find_field(key, 3) != nullptr);
       CHECK(find_field(key, 2) == nullptr);
@@ -127,6 +151,65 @@ TEST_SUITE("unit") {
     CHECK(value("density", now, 1) == 7);
     CHECK(value("displacement", now, 0) == 0);
     CHECK(value("speed", now, 0) == 0);
+  }
+
+  TEST_CASE("fields: J and logarithmic strains of an affine motion are exact at every particle") {
+    for (const int dim : {2, 3}) {
+      CAPTURE(dim);
+      // F = V R: turned by 40° about z, then stretched by 1.5, 0.8 (and 1.25) along axes at 30° to x
+      const double c = std::cos(M_PI / 6), s = std::sin(M_PI / 6), a = std::log(1.5), b = std::log(0.8);
+      const double third = dim == 3 ? 1.25 : 1;
+      Snapshot now = block(dim);
+      move(now, [&](const Point& X) -> Point {
+        const Point r = turned(X, 2 * M_PI / 9);
+        const double u = 1.5 * (c * r[0] + s * r[1]), w = 0.8 * (-s * r[0] + c * r[1]);
+        return {c * u - s * w + 7, s * u + c * w, third * r[2]};
+      });
+      const double e = std::log(third), mean = (a + b + e) / 3;
+      const double square = (a - mean) * (a - mean) + (b - mean) * (b - mean) + (e - mean) * (e - mean);
+      for (std::size_t i = 0; i < now.size(); ++i) {
+        CHECK(value("J", now, i) == doctest::Approx(1.5 * 0.8 * third).epsilon(1e-7));
+        CHECK(value("strain_xx", now, i) == doctest::Approx(c * c * a + s * s * b).epsilon(1e-7));
+        CHECK(value("strain_yy", now, i) == doctest::Approx(s * s * a + c * c * b).epsilon(1e-7));
+        CHECK(value("strain_xy", now, i) == doctest::Approx(c * s * (a - b)).epsilon(1e-7));
+        if (dim == 3) CHECK(value("strain_zz", now, i) == doctest::Approx(e).epsilon(1e-7));
+        CHECK(value("equivalent_strain", now, i) ==
+              doctest::Approx(std::sqrt(2.0 / 3 * square)).epsilon(1e-7));
+        for (const Field& field : fields(dim))
+          if (field.of_map) CHECK(field.value(now, i) == value(field.key.data(), now, i));
+      }
+    }
+  }
+
+  TEST_CASE("fields: a body that only turns has no strain, whatever another near it does") {
+    Snapshot now = block(3);
+    const std::size_t n = now.size();
+    Snapshot other = block(3);
+    for (double& x : other.x0) x += 2.5;  // corner at corner with the first, half a spacing away
+    now.resize(3, 2 * n);
+    std::ranges::copy(other.x0, now.x0.begin() + static_cast<std::ptrdiff_t>(3 * n));
+    std::fill(now.diameter.begin(), now.diameter.end(), 1.0);
+    std::fill(now.body.begin() + static_cast<std::ptrdiff_t>(n), now.body.end(), 1);
+    now.x = now.x0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Point x = turned(now.initial(i), 2.0);
+      std::ranges::copy(x, now.x.begin() + static_cast<std::ptrdiff_t>(3 * i));
+    }
+    for (const char* key : {"strain_xx", "strain_xy", "strain_yy", "strain_xz", "strain_yz", "strain_zz",
+                            "equivalent_strain"}) {
+      CAPTURE(key);
+      for (std::size_t i = 0; i < n; ++i) CHECK(std::abs(value(key, now, i)) < 1e-7);
+    }
+    for (std::size_t i = 0; i < n; ++i) CHECK(value("J", now, i) == doctest::Approx(1).epsilon(1e-7));
+    CHECK(value("body", now, 0) == 0);
+    CHECK(value("body", now, n) == 1);
+  }
+
+  TEST_CASE("fields: a particle alone is not strained") {
+    Snapshot now = made_snapshot(2, {{0, 0, 0}, {9, 0, 0}});
+    now.x = {1, 1, 0, 0};
+    CHECK(value("J", now) == 1);
+    CHECK(value("equivalent_strain", now) == 0);
   }
 
   TEST_CASE("fields: those that are never negative are not drawn as signed") {

@@ -50,9 +50,9 @@ TEST_SUITE("unit") {
           CHECK(layout.plot.width == width);
           continue;
         }
-        CHECK(layout.plot.x + layout.plot.width < layout.bar.x);
-        CHECK(layout.bar.width >= 8);
-        CHECK(layout.bar.x + layout.bar.width < layout.right);
+        CHECK(layout.plot.x + layout.plot.width < layout.key.x);
+        CHECK(layout.key.width >= 8);
+        CHECK(layout.key.x + layout.key.width <= layout.right + 1);
         CHECK(layout.right < width);
       }
     }

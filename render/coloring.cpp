@@ -1,0 +1,64 @@
+#include "render/coloring.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "render/renderer.hpp"
+
+namespace taut::render {
+namespace {
+
+/// A constant field has the middle colour, on a bar that is wide enough for ticks.
+Range widened(const Range& range) {
+  const double magnitude = std::max(std::abs(range.low), std::abs(range.high));
+  if (range.high - range.low > 1e-9 * magnitude && range.high != range.low) return range;
+  const double half = magnitude > 0 ? 0.05 * magnitude : 0.5;
+  const double middle = 0.5 * (range.low + range.high);
+  return {middle - half, middle + half};
+}
+
+std::uint32_t packed(Rgb color) {
+  return std::bit_cast<std::uint32_t>(std::array<std::uint8_t, 4>{color[0], color[1], color[2], 255});
+}
+
+std::optional<Range> range_of(const Look& look) {
+  return look.categories.empty() ? std::optional(widened(*look.range)) : std::nullopt;
+}
+
+ColorKey key_of(const Look& look) {
+  if (const auto range = range_of(look))
+    return ColorKey(ColorBar(range->low, range->high, look.colormap->table()));
+  std::vector<Legend::Entry> entries;
+  for (const std::string& name : look.categories) entries.push_back({name, category_color(entries.size())});
+  return ColorKey(Legend(std::move(entries)));
+}
+
+}  // namespace
+
+Coloring::Coloring(const Look& look) : range_(range_of(look)), key_(key_of(look)) {
+  if (range_)
+    for (const Rgb color : look.colormap->table()) colors_.push_back(packed(color));
+  for (std::size_t k = 0; k < look.categories.size(); ++k) colors_.push_back(packed(category_color(k)));
+}
+
+std::uint32_t Coloring::operator()(double value) const {
+  if (std::isnan(value)) return packed(not_a_number_color);
+  const double last = static_cast<double>(colors_.size() - 1);
+  const double place = range_ ? (value - range_->low) / (range_->high - range_->low) * last : value;
+  return colors_[static_cast<std::size_t>(std::lround(std::clamp(place, 0.0, last)))];
+}
+
+Clipped Coloring::clipped(std::span<const double> values) const {
+  Clipped found;
+  if (!range_) return found;
+  const double half = (range_->high - range_->low) / static_cast<double>(colors_.size()) / 2;
+  for (const double value : values) {
+    found.below |= value < range_->low - half;
+    found.above |= value > range_->high + half;
+  }
+  return found;
+}
+
+}  // namespace taut::render
