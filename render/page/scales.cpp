@@ -9,10 +9,11 @@ namespace {
 // Lengths in em.
 constexpr double small_size = 0.94;
 constexpr double tick_length = 0.3;
-constexpr double tick_gap = 0.25;     // between tick and number
-constexpr double tick_spacing = 3.8;  // least distance between numbers
-constexpr double label_gap = 0.75;    // between the widest number and the turned label
-constexpr double arrow_height = 0.5;
+constexpr double tick_gap = 0.25;      // between tick and number
+constexpr double tick_spacing = 3.8;   // least distance between numbers
+constexpr double label_gap = 0.75;     // between the widest number and the turned label
+constexpr double arrow_height = 0.42;  // these two fit between the bar and the header
+constexpr double arrow_gap = 0.13;
 
 }  // namespace
 
@@ -53,14 +54,16 @@ void ColorBar::draw(Canvas& canvas, const Rect& bar, double em, std::string_view
 }
 
 void ColorBar::draw_ends(Canvas& canvas, const Rect& bar, double em, Clipped clipped) const {
-  const double room = std::ceil(arrow_height * em) + 1;
+  const double gap = std::max(2.0, std::round(arrow_gap * em));
+  const double room = std::ceil(arrow_height * em + gap) + 1;
   const auto draw_end = [&](double edge, double way, bool arrow, Rgb color) {
     canvas.gray(1);
     canvas.fill(bar.x - 1, way < 0 ? edge - room : edge, bar.width + 2, room);
     if (!arrow) return;
-    cairo_move_to(canvas.cairo(), bar.x, edge);
-    cairo_line_to(canvas.cairo(), bar.x + 0.5 * bar.width, edge + way * arrow_height * em);
-    cairo_line_to(canvas.cairo(), bar.x + bar.width, edge);
+    const double base = edge + way * gap;
+    cairo_move_to(canvas.cairo(), bar.x, base);
+    cairo_line_to(canvas.cairo(), bar.x + 0.5 * bar.width, base + way * arrow_height * em);
+    cairo_line_to(canvas.cairo(), bar.x + bar.width, base);
     cairo_close_path(canvas.cairo());
     canvas.color(color);
     cairo_fill(canvas.cairo());

@@ -176,7 +176,8 @@ TEST_SUITE("unit") {
         CHECK(value("equivalent_strain", now, i) ==
               doctest::Approx(std::sqrt(2.0 / 3 * square)).epsilon(1e-7));
         for (const Field& field : fields(dim))
-          if (field.of_map) CHECK(field.value(now, i) == value(field.key.data(), now, i));
+          if (field.of_map)  // the order of the neighbours may differ
+            CHECK(std::abs(field.value(now, i) - value(field.key.data(), now, i)) < 1e-14);
       }
     }
   }
