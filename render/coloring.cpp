@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "render/renderer.hpp"
-
 namespace taut::render {
 namespace {
 

@@ -9,6 +9,9 @@
 
 namespace taut::render {
 
+/// A value that is not a number is drawn in this colour, which is in none of the maps.
+inline constexpr Rgb not_a_number_color = {255, 0, 255};
+
 /// A colour map: evenly spaced colours, linear in sRGB in between.
 struct Colormap {
   std::string_view key;

@@ -8,9 +8,6 @@
 
 namespace taut::render {
 
-/// A value that is not a number is drawn in this colour, which is in none of the maps.
-inline constexpr Rgb not_a_number_color = {255, 0, 255};
-
 /// Draws frames into one image, that it keeps.
 class Renderer {
  public:

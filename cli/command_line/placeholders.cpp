@@ -77,7 +77,9 @@ const Placeholder* find_placeholder(std::string_view name) {
 /// What keys of drawing take, FIELD and COLORMAP; none: the placeholder is of no such key.
 Words drawing_names(std::string_view placeholder) {
   const auto keys = drawing_keys();
-  const auto key = std::ranges::find(keys, placeholder, &DrawingKey::placeholder);
+  const auto key = std::ranges::find_if(keys, [placeholder](const DrawingKey& each) {
+    return each.placeholder.substr(0, each.placeholder.find('|')) == placeholder;
+  });
   return key != keys.end() && key->takes_words() ? key->words.names() : Words();
 }
 

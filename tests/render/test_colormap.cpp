@@ -97,6 +97,23 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE("colours of things that are counted differ, from each other and from what is not a number") {
+    for (std::size_t i = 0; i < 16; ++i) {
+      CAPTURE(i);
+      CHECK(color_difference(category_color(i), not_a_number_color) > 30);
+      for (std::size_t j = 0; j < i; ++j) CHECK(color_difference(category_color(i), category_color(j)) > 12);
+    }
+    CHECK(category_color(16) == category_color(0));
+  }
+
+  TEST_CASE("the middle of a diverging map is seen on white, and on black") {
+    for (const Colormap& map : colormaps()) {
+      if (!map.diverging) continue;
+      CHECK(color_difference(map.at(0.5), white) > 20);
+      CHECK(color_difference(map.at(0.5), {0, 0, 0}) > 50);
+    }
+  }
+
   TEST_CASE("the colour space") {
     CHECK(lab_of({255, 255, 255}).L == doctest::Approx(100).epsilon(1e-4));
     CHECK(lab_of({0, 0, 0}).L == doctest::Approx(0));

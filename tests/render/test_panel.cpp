@@ -109,4 +109,19 @@ TEST_SUITE("image") {
     options.look.size = {800, 200};
     CHECK_THROWS_AS(Panel{options}, UsageError);
   }
+
+  TEST_CASE("a bare panel is its pictures and nothing else, on any background") {
+    PanelOptions options = two_by_two();
+    options.look.bare = true, options.look.background = {0, 0, 0};
+    Panel panel(options);
+    Particles disc;
+    panel.draw(0, 0, one_disc(disc, 0));
+    const Image& image = panel.finish();
+    const Found found = find_color(image, {68, 1, 84}, image.width);
+    CHECK(found.right - found.left > 60);  // a fifth of the view, in a picture that is half of the panel
+    int bright = 0;
+    for (int row = 0; row < image.height; ++row)
+      for (int column = 0; column < image.width; ++column) bright += image.at(column, row)[0] > 100;
+    CHECK(bright == 0);  // no texts
+  }
 }

@@ -50,6 +50,104 @@ TEST_SUITE("image") {
     CHECK(renderer.draw(Particles().frame()) == Image(160, 100));
   }
 
+  TEST_CASE(
+      "an arrow stands at an end of the bar while something lies beyond it by more than half a colour") {
+    const Look with = look(640, 360, unit_view);
+    const PageLayout layout = make_layout(640, 360, unit_view);
+    const int middle = layout.key.x + static_cast<int>(0.5 * 1.15 * layout.font);
+    const int above = layout.key.y - 4, below = layout.key.y + layout.key.height + 3;
+    struct Case {
+      double value;
+      Rgb top, bottom;
+    };
+    const Rgb high = {253, 231, 37}, low = {68, 1, 84};
+    for (const auto& [value, top, bottom] : {Case{0.5, white, white},
+                                             {1.5, high, white},
+                                             {-0.1, white, low},
+                                             {1.001, white, white},
+                                             {-0.001, white, white},
+                                             {std::numeric_limits<double>::infinity(), high, white},
+                                             {std::numeric_limits<double>::quiet_NaN(), white, white}}) {
+      CAPTURE(value);
+      const Image image = drawn(one_disc(0, 0, 0.1, value), with);
+      CHECK(image.at(middle, above) == top);
+      CHECK(image.at(middle, below) == bottom);
+    }
+  }
+
+  TEST_CASE("what is counted has a colour each, and a legend in place of the bar, wider for long names") {
+    Look with = look(640, 360, unit_view);
+    with.range.reset(), with.colormap = nullptr;
+    with.categories = {"ring", "a plate with a very long name", "ball"};
+    Particles three;
+    for (int k = 0; k < 3; ++k) three.add(-0.5 + 0.5 * k, 0, 0.3, k);
+    const Image image = drawn(three, with);
+    for (std::size_t k = 0; k < 3; ++k) {
+      CAPTURE(k);
+      int in_plot = 0, in_legend = 0;
+      for (int row = 0; row < 360; ++row)
+        for (int column = 0; column < 640; ++column)
+          if (image.at(column, row) == category_color(k)) ++(column < 430 ? in_plot : in_legend);
+      CHECK(in_plot > 500);
+      CHECK(in_legend > 20);
+    }
+    with.categories.assign(100, "one of many");
+    CHECK(extent(drawn(three, with)).height < 360);  // those that find no room are left out
+  }
+
+  TEST_CASE("on a dark background texts are light, and nothing is left of the white one") {
+    for (const bool solid : {false, true}) {
+      CAPTURE(solid);
+      Look with = look(640, 360, unit_view);
+      with.background = {10, 20, 30};
+      FrameView frame;
+      const std::vector<double> x{0, 0, 0}, diameter{0.4}, value{2};
+      frame.x = std::span(x).first(solid ? 3 : 2), frame.diameter = diameter, frame.value = value;
+      frame.dim = solid ? 3 : 2;
+      frame.title = "A title";
+      if (solid) with.camera.emplace();
+      Renderer renderer(with);
+      Image image = renderer.draw(frame);
+      CHECK(image == renderer.draw(frame));
+      const PageLayout layout = make_layout(640, 360, unit_view);
+      CHECK(image.at(0, 0) == with.background);
+      CHECK(image.at(layout.plot.x + 2, layout.plot.y + 2) == with.background);
+      int light = 0, lighter = 0;
+      for (int row = 0; row < 360; ++row)
+        for (int column = 0; column < 640; ++column) {
+          const Rgb color = image.at(column, row);
+          light += color[0] > 200 && color[2] > 200;
+          lighter += color[0] > 240 && color[2] > 240;
+        }
+      CHECK(light > 100);  // of the texts
+      CHECK(lighter == 0);
+    }
+  }
+
+  TEST_CASE("a glyph of another size is a disc, or a ball, of that diameter") {
+    for (const bool solid : {false, true}) {
+      CAPTURE(solid);
+      Look with = look(400, 400, unit_view);
+      with.bare = true;
+      FrameView frame;
+      const std::vector<double> x{0, 0, 0}, diameter{0.5}, value{0};
+      frame.x = std::span(x).first(solid ? 3 : 2), frame.diameter = diameter, frame.value = value;
+      frame.dim = solid ? 3 : 2;
+      if (solid) with.camera.emplace();
+      const auto width = [&](double glyph) {
+        with.glyph = glyph;
+        return extent(Renderer(with).draw(frame)).width;
+      };
+      CHECK(std::abs(width(1) - 100) <= 2);
+      CHECK(std::abs(width(0.5) - 50) <= 2);
+      CHECK(std::abs(width(1.5) - 150) <= 2);
+      for (const double wrong : {0.0, -1.0, 21.0, std::nan("")}) {
+        with.glyph = wrong;
+        CHECK_THROWS_WITH_AS(Renderer{with}, doctest::Contains("from 0.05 to 20"), UsageError);
+      }
+    }
+  }
+
   TEST_CASE("an empty frame in 3D is white too") {
     // If libGL comes before OSMesa in the link line, OpenGL does nothing, and reports no error.
     Look with = look(160, 100, unit_view);
@@ -65,14 +163,16 @@ TEST_SUITE("image") {
   }
 
   TEST_CASE("frame after frame is drawn as if it were the only one, whatever changes") {
-    const Particles rings = two_rings(), disc = one_disc(0.03, 0.01, 0.02, 1);
+    const Particles rings = two_rings(), disc = one_disc(0.03, 0.01, 0.02, 1),
+                    beyond = one_disc(0, 0, 0.02, 2);
     const std::vector<double> cell = {0.02, 0.01, -0.01, 0.02};
-    std::vector<FrameView> frames(7, rings.frame());
+    std::vector<FrameView> frames(9, rings.frame());
     frames[1].time = 0.012345, frames[1].title = "A title that is longer by a little, gyq";
     frames[2] = disc.frame(), frames[2].time = 0;
     frames[3] = disc.frame(), frames[3].field = "pressure", frames[3].unit = "J";
     frames[4] = disc.frame(), frames[4].method = "";
     frames[5] = disc.frame(), frames[5].cell = cell;
+    frames[7] = beyond.frame();
     const Look with = look(640, 360, rings_view);
     Renderer renderer(with, 0.02);
     for (const FrameView& frame : frames) CHECK(renderer.draw(frame) == Renderer(with, 0.02).draw(frame));

@@ -21,7 +21,10 @@ Drawing other_drawing() {
                    .camera = render::Camera{.from = {1, 0, 0}, .up = {0, 1, 0}, .field_of_view = 30},
                    .range = render::Range{-5, 6},
                    .colormap = render::find_colormap("plasma"),
-                   .size = render::Size{70, 80}},
+                   .size = render::Size{70, 80},
+                   .bare = true,
+                   .glyph = 0.5,
+                   .background = {1, 2, 3}},
           .frames = 9,
           .style = Style::cells,
           .cut = "x > 0",
@@ -51,6 +54,9 @@ TEST_SUITE("unit") {
     CHECK(copy.look.range == other.look.range);
     CHECK(copy.look.colormap == other.look.colormap);
     CHECK(copy.look.size == other.look.size);
+    CHECK(copy.look.bare);
+    CHECK(copy.look.glyph == other.look.glyph);
+    CHECK(copy.look.background == other.look.background);
     CHECK(copy.look.camera == other.look.camera);
     CHECK(copy.style == other.style);
     CHECK(copy.cut == other.cut);
@@ -82,6 +88,10 @@ TEST_SUITE("unit") {
     CHECK_FALSE(another.look.range);
     CHECK_FALSE(another.look.colormap);
     CHECK(another.look.view);
+    const Drawing formula = with_options(other_drawing(), typed("color", "=pressure"));
+    CHECK(formula.formula == "pressure");
+    CHECK_FALSE(formula.look.range);
+    CHECK(with_options(formula, typed("color", "pressure")).formula.empty());
     DrawingOptions both = typed("color", "speed");
     both.typed["range"] = "0:1";
     CHECK(with_options(other_drawing(), both).look.range == render::Range{0, 1});
@@ -97,6 +107,13 @@ TEST_SUITE("unit") {
           std::array{"fov", "121", "not DEGREES from 0 (parallel) to 120, nor 'auto'"},
           std::array{"style", "cell", "unknown style 'cell' (did you mean 'cells'?)"},
           std::array{"size", "100x63.5", "not WIDTHxHEIGHT"}, std::array{"size", "auto", "not WIDTHxHEIGHT"},
+          std::array{"color", "=", "not a field, or = and an expression"},
+          std::array{"glyph", "0", "not a number from 0.05 to 20"},
+          std::array{"glyph", "auto", "not a number"},
+          std::array{"background", "#12345", "not white, black or #rrggbb"},
+          std::array{"background", "#12345g", "not white, black or #rrggbb"},
+          std::array{"background", "wite", "not white, black or #rrggbb"},
+          std::array{"text", "non", "unknown text 'non' (did you mean 'none'?)"},
           std::array{"color", "presure", "unknown field 'presure' (did you mean 'pressure'?)"},
           std::array{"colormap", "plasm", "unknown colour map 'plasm' (did you mean 'plasma'?)"}}) {
       CAPTURE(name);
@@ -122,6 +139,35 @@ TEST_SUITE("unit") {
     CHECK(look.view->y_min == doctest::Approx(-0.1 - margin));
     CHECK(look.view->y_max == doctest::Approx(3.1 + margin));
     CHECK(look.camera->front == doctest::Approx(0.1));  // of the first, the second is 2 m behind
+  }
+
+  TEST_CASE("an open range leaves out outliers, but no end that is near, nor what happens in few places") {
+    const auto range_of = [](const std::vector<float>& values, std::optional<double> middle = {}) {
+      SequenceBounds shown;
+      shown.add_values(values);
+      return shown.range(middle);
+    };
+    std::vector<float> values;
+    for (int k = 0; k <= 1000; ++k) values.push_back(static_cast<float>(k));
+    CHECK(range_of(values) == render::Range{0, 1000});  // within a quarter of the width from 990
+    CHECK(range_of(values, 0.0) == render::Range{-1000, 1000});
+    CHECK(range_of(values, 1.0) == render::Range{-998, 1000});
+    values.push_back(1e9f);
+    CHECK(range_of(values) == render::Range{0, 991});
+    values.push_back(-1e9f);
+    CHECK(range_of(values) == render::Range{9, 991});
+    values.insert(values.end(), 500000, 0.0f);  // a body that nothing has reached yet
+    CHECK(range_of(values) == render::Range{0, 991});
+    values.assign(10, 0.0f);
+    CHECK(range_of(values) == render::Range{0, 1});
+    CHECK(range_of({5, 5}) == render::Range{5, 10});
+    CHECK(range_of({NAN, INFINITY}) == render::Range{0, 1});
+    CHECK(range_of({NAN, 2, INFINITY, 0}) == render::Range{0, 2});
+    // more than are kept: a sample of them gives the same
+    std::vector<float> many;
+    for (int k = 0; k < 9000000; ++k) many.push_back(static_cast<float>(k % 1000));
+    many.insert(many.end(), 10, 1e9f);
+    CHECK(std::abs(range_of(many).high - 989) < 2);
   }
 
   TEST_CASE("what a drawing leaves open is fitted to what is shown, and nothing else") {

@@ -15,4 +15,6 @@ for axis, name in enumerate("xyz"):
     print(name, repr(sum(data.GetPoint(i)[axis] for i in range(data.GetNumberOfPoints()))))
 for k in range(data.GetPointData().GetNumberOfArrays()):
     array = data.GetPointData().GetArray(k)
-    print(array.GetName(), repr(sum(array.GetValue(i) for i in range(array.GetNumberOfTuples()))))
+    print(array.GetName(), repr(sum(array.GetValue(i) for i in range(array.GetNumberOfValues()))))
+vectors = data.GetPointData().GetVectors()
+print("vectors", repr(sum(vectors.GetValue(i) for i in range(vectors.GetNumberOfValues()))))

@@ -34,6 +34,9 @@ Snapshot some_particles(int dim, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     now.rho.push_back(1000 + std::sqrt(static_cast<double>(i)));
     now.diameter.push_back(0.1 + static_cast<double>(i));
+    now.body.push_back(static_cast<int>(i % 3));
+    now.material.push_back(static_cast<int>(i % 2));
+    now.held.push_back(i % 5 == 0);
   }
   return now;
 }
@@ -108,15 +111,17 @@ TEST_SUITE("unit") {
       CHECK(file.size() == 3000);
       CHECK(file.positions(dim) == now.x);
       CHECK(file.diameter() == now.diameter);
-      CHECK(file.fields() == std::vector<std::string>{"density", "speed"});
+      CHECK(file.fields() == std::vector<std::string>{"density", "speed", "body", "material"});
       CHECK(file.field("speed") == evaluate(*find_field("speed"), now));
+      CHECK(file.field("body") == evaluate(*find_field("body"), now));
+      CHECK(file.field("material") == evaluate(*find_field("material"), now));
       const std::vector<double> density = file.field("density");
       CHECK(std::memcmp(density.data(), now.rho.data(), 8 * density.size()) == 0);
-      CHECK_THROWS_WITH_AS(
-          file.field("pressure"),
-          (folder.str("particles.vtp") + " does not hold the field pressure; it holds density, speed")
-              .c_str(),
-          UsageError);
+      CHECK_THROWS_WITH_AS(file.field("pressure"),
+                           (folder.str("particles.vtp") +
+                            " does not hold the field pressure; it holds density, speed, body, material")
+                               .c_str(),
+                           UsageError);
     }
   }
 
@@ -192,7 +197,7 @@ TEST_SUITE("cli") {
     CHECK(text_of(folder / "with/history.csv") == text_of(folder / "without/history.csv"));
     check_same_files(folder / "with/frames", folder / "without/frames");
     CHECK(ParticleFile(folder / "with/particles/particles_00000.vtp").fields() ==
-          std::vector<std::string>{"speed", "pressure"});
+          std::vector<std::string>{"speed", "pressure", "body", "material"});
     const Outcome outcome = call({"render", folder.str("with"), "--color", "density", "--quiet"});
     CHECK(outcome.code == 2);
     CHECK(contains(outcome.err, "speed, pressure"));
@@ -224,6 +229,31 @@ TEST_SUITE("cli") {
     CHECK(call({"diff", folder.str("whole"), folder.str("close")}).code == 1);
   }
 
+  TEST_CASE("colours by body and by an expression are the same drawn at once and from the saved particles") {
+    const TemporaryFolder folder;
+    for (const std::string color : {"body", "J", "=speed^2/2 + 1e3*(x - X) + t/dp"}) {
+      CAPTURE(color);
+      REQUIRE(call(tiny_run(folder, "out", {"--save-particles", "--color", color})).code == 0);
+      REQUIRE(call({"render", folder.str("out"), "--out", folder.str("again"), "--quiet"}).code == 0);
+      check_same_files(folder / "out/frames", folder / "again");
+      CHECK(contains(text_of(folder / "out/scene.toml"), "color = \"" + color + "\""));
+      REQUIRE(call({"run", folder.str("out/scene.toml"), "--out", folder.str("third"), "--quiet"}).code == 0);
+      check_same_files(folder / "out/frames", folder / "third/frames");
+    }
+    const Outcome unknown = call(tiny_run(folder, "out", {"--color", "=sped + 1"}));
+    CHECK(unknown.code == 2);
+    CHECK(contains(unknown.err, "unknown name 'sped' in 'sped + 1' (did you mean 'speed'?)"));
+    REQUIRE(call(tiny_run(folder, "out", {"--save-particles", "--fields", "speed", "--no-render"})).code ==
+            0);
+    const Outcome missing = call({"render", folder.str("out"), "--color", "=density"});
+    CHECK(missing.code == 2);
+    CHECK(contains(missing.err, "does not hold the field density; it holds speed, body, material"));
+    const Outcome both = call(tiny_run(folder, "out", {"--color", "body", "--range", "0:1"}));
+    CHECK(both.code == 2);
+    CHECK(contains(both.err, "color = \"body\" has a colour for each"));
+    CHECK(call(tiny_run(folder, "out", {"--style", "cells", "--glyph", "0.5"})).code == 2);
+  }
+
   TEST_CASE("VTK reads a particle file as it was written") {
     if (!vtk_is_there()) {
       MESSAGE("skipped: there is no VTK for Python (Debian's package python3-vtk9)");
@@ -248,6 +278,10 @@ TEST_SUITE("cli") {
     CHECK(read["density"] == doctest::Approx(sum(now.rho)));
     CHECK(read["speed"] == doctest::Approx(sum(evaluate(*find_field("speed"), now))));
     CHECK(read["diameter"] == doctest::Approx(sum(now.diameter)));
+    CHECK(read["body"] == 9000);
+    CHECK(read["material"] == 4500);
+    CHECK(read["held"] == 1800);
+    CHECK(read["vectors"] == doctest::Approx(sum(now.v)));
   }
 }
 
