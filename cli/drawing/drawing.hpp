@@ -39,7 +39,7 @@ struct ColorFormula {
 struct Drawing {
   const Field* field =
       find_field("von_mises");  // that the particles are coloured by, where `formula` is empty
-  render::Look look;
+  render::Look look{};
   int frames = 60;               // evenly spaced after the one at t = 0
   std::optional<Style> style{};  // open: discs in 2D, spheres in 3D
   std::string cut{};     // expression: where it is not 0 at the start, particles are not drawn; or empty
