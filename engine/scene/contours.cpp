@@ -201,7 +201,7 @@ Chain evenly_spaced(const Chain& chain, double dp) {
 
 std::vector<Chain> combined(Combination how, const std::vector<std::vector<Chain>>& solids, double dp) {
   using namespace ClipperLib;
-  const double unit = std::ldexp(dp, -24);
+  const double unit = std::ldexp(dp, -16);
   const auto paths_of = [&](const std::vector<Chain>& chains) {
     Paths paths;
     for (const Chain& chain : chains) {
@@ -225,15 +225,16 @@ std::vector<Chain> combined(Combination how, const std::vector<std::vector<Chain
   Paths paths;
   for (std::size_t k = 0; k < solids.size(); ++k)
     paths = k == 0 ? paths_of(solids[k]) : with(type, paths, paths_of(solids[k]));
-  // faces of curves that lie on each other are chords of different points: what is left between them is closed, and
-  // what stands out is cut
-  constexpr double thin = 0.01;  // of dp
-  for (const double by : {thin, -2 * thin, thin}) {
-    constexpr double sharpest = 10;  // corners reach out by this many times `by`
-    ClipperOffset offset(sharpest);
-    offset.AddPaths(paths, jtMiter, etClosedPolygon);
-    offset.Execute(paths, by * dp / unit);
-  }
+  // faces of curves that lie on each other are chords of different points: what is left between them goes
+  constexpr double thin = 0.1;  // of dp
+  std::erase_if(paths, [&](const Path& path) {
+    double around = 0;
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      const IntPoint &x = path[k], &next = path[(k + 1) % path.size()];
+      around += std::hypot(static_cast<double>(next.X - x.X), static_cast<double>(next.Y - x.Y));
+    }
+    return std::abs(Area(path)) < 0.5 * around * thin * dp / unit;
+  });
   std::vector<Chain> chains;
   for (const Path& path : paths) {
     Chain chain;
