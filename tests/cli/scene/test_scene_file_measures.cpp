@@ -88,7 +88,7 @@ TEST_SUITE("cli") {
               .until == 1.5);
     check_error("of = \"maximum\"\nprobe = \"tip\"\n", middle + "@1\n",
                 {"until = 1 s must be after from = 1 s"});
-    check_error("of = \"maximum\"", "of = \"period\"\nabout = @\"maen\"", {"unknown name 'maen'"});
+    check_error("of = \"maximum\"", "of = \"period\"\nabout = \"@maen\"", {"unknown name 'maen'"});
   }
 
   TEST_CASE("scene: probes of stress, reaction, contact force, and of other probes") {

@@ -94,8 +94,7 @@ TEST_SUITE("unit") {
     CHECK(value("decay", sampled(unequal_times(1.51, 1e-3), wave)));
   }
 
-  TEST_CASE(
-      "period: a swing to one side has none about 0, and says so; about its mean it has the right one") {
+  TEST_CASE("period: a swing to one side has none about 0, and says so, and the right one about its mean") {
     const double T = 0.254, loss = 0.4;
     // damped, with another mode that makes it pass 0 by less than a twentieth, and a last cycle that is cut short
     const auto swing = [=](double t) {
