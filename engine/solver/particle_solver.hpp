@@ -106,9 +106,13 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
       separate(rows, columns);
       for (int k = 0; k < Dim; ++k) force[k] += columns[k];
     }
-    /// All that acts on four particles from `first` on, for the probes of reactions.
-    [[gnu::always_inline]] void watch(int first, const Vec<Pack, Dim>& force) const {
-      if (watched_) note(first, force);
+    /// Probes ask for reactions: before the particles move `note` is told what acts on them within their body. It is
+    /// a pass of its own, so that the others have no code for it.
+    bool watched() const { return watched_; }
+    void note(int first, Vec<Pack, Dim> force) const {
+      if (contact_) force += four_of(&solver_.contact_.force(first), solver_.s_.size() - first);
+      for (int lane = 0; lane < std::min(lanes, solver_.s_.size() - first); ++lane)
+        solver_.reactions_.add(first + lane, dt_ * lane_of(force, lane));
     }
     /// Four particles at once, by the change of v that all forces make together; x follows the new v for
     /// `after`, s. Gives v² of each, m²/s². At the end there may be fewer.
@@ -142,7 +146,6 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
                                                     Vec<Pack, Dim> force) const {
       State<Dim>& s = solver_.s_;
       if (contact_) force += four_of(&solver_.contact_.force(first), s.size() - first);
-      watch(first, force);
       Vec<Pack, Dim> v = four_of(s.v, first);
       v += (dt_ * mobility) * force;
       for (int lane = 0; outside_ && lane < std::min(lanes, s.size() - first); ++lane) {
@@ -155,10 +158,6 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
     }
 
    private:
-    [[gnu::noinline]] void note(int first, Vec<Pack, Dim> force) const {
-      for (int lane = 0; lane < std::min(lanes, solver_.s_.size() - first); ++lane)
-        solver_.reactions_.add(first + lane, dt_ * lane_of(force, lane));
-    }
     [[gnu::always_inline]] const V& take(int i, V v) const {
       if (outside_) solver_.act_from_outside(i, dt_, v);
       return solver_.s_.v[i] = v;

@@ -382,13 +382,14 @@ Vec<Pack, Dim> Bonded<M, Dim>::force(int group) const {
 template <const Formulation& M, int Dim>
 double Bonded<M, Dim>::force_pass(double dt) {
   const typename Base::Kick kick(*this, dt, this->time_ + dt);
+  if (kick.watched())
+    parallel_for(group_count(), threads_now(), [&](int group) { kick.note(lanes * group, force(group)); });
   return parallel_max(block_count(), threads_now(), [&](int n) TAUT_FLATTEN {
     Pack fastest{};
     for (int group = block * n; group < std::min(block * (n + 1), group_count()); ++group) {
       const int first = lanes * group;
       Vec<Pack, Dim> f = force(group);
       kick.add_contact(first, f);
-      kick.watch(first, f);
       const Pack mobility = dt * load(mobility_[0] + first);
       Pack change[Dim];
       for (int k = 0; k < Dim; ++k) change[k] = mobility * f[k];

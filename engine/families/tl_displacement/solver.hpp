@@ -91,6 +91,9 @@ void TlDisplacement<M, Dim>::stress_pass() {
 template <const Formulation& M, int Dim>
 double TlDisplacement<M, Dim>::force_pass(double dt) {
   const typename Base::Kick kick(*this, dt, this->time_ + dt);
+  if (kick.watched())
+    parallel_for(groups(), threads_now(),
+                 [&](int group) { kick.note(lanes * group, pair_lanes_.pair_sum(stress_, group)); });
   return parallel_max(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
     const int first = lanes * group;
     const auto& site = this->sites_[group];
