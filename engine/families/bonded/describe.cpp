@@ -5,8 +5,8 @@
 namespace taut::bonded {
 
 std::vector<TermInfo> terms(const Formulation& m) {
-  return {bond_energy_info,    bond_force_info,         cancelled_info,  stress_info,
-          bonded_damping_info, contact_info(m.contact), bonded_time_info};
+  return {bond_energy_info, bond_force_info,     cancelled_info,          stress_info,
+          interface_info,   bonded_damping_info, contact_info(m.contact), bonded_time_info};
 }
 
 std::vector<MethodConstant> constants(const Formulation& m, int dim) {

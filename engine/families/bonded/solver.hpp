@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 #include "engine/core/shared_rows.hpp"
 #include "engine/families/bonded/bonds.hpp"
 #include "engine/families/bonded/cancelled.hpp"
 #include "engine/families/bonded/closed_law.hpp"
+#include "engine/families/bonded/interface_sites.hpp"
 #include "engine/families/bonded/packed_bonds.hpp"
 #include "engine/families/bonded/recovered_gradient.hpp"
 #include "engine/families/bonded/shown_stress.hpp"
@@ -47,6 +47,9 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     bonds_ = PackedBonds<Dim>(bonds, input.scene, this->initial_, materials_, s_.id);
     cancelled_ = cancelled(bonds);
     add_sites(bonds);
+    const Interfaces interfaces = make_interfaces(this->initial_, materials_, bonds, c_.dp);
+    wave_speed_ = std::max(wave_speed_, interfaces.wave_speed);
+    interfaces_ = InterfaceSites<Dim>(interfaces, bonds, this->initial_, materials_, s_.id);
     make_columns();
     for (const int id : s_.id) material_.push_back(this->initial_.material[id]);
     material_.resize(lanes * group_count());
@@ -110,6 +113,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   }
   void show_stress(int group, const Mat<Pack, Dim>& F);
   [[gnu::noinline]] void watch_clamps(double dt);
+  LawOfOne<M> law_of_one() const { return {materials_, own_law_, laws_}; }
   const Sites& sites(int group) const { return sites_[groups_[group].sites]; }
   const Sym<Pack, Dim>& B(int group) const { return B_[groups_[group].B]; }
   void set_place(int i) {
@@ -125,7 +129,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   ChosenLaws<M> laws_;
   std::vector<int> material_;  // with the filling of the last group
   Pack least_r2_;              // m²: bonds shorter than a hundredth of a spacing are taken for that long
-  double wave_speed_ = 0;      // m/s, of compression in the stiffest material
+  double wave_speed_ = 0;      // m/s, of compression in the stiffest material, or at an interface
   double ahead_ = 0;           // s, 3 τ of the bonds
   double stiffest_ = 1;        // greatest of all bonds and particles in the last step, over that at rest
   SharedRows<Sites> sites_;
@@ -133,6 +137,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   std::vector<Group> groups_;
   PackedBonds<Dim> bonds_;
   CancelledBonds<Dim> cancelled_;
+  InterfaceSites<Dim> interfaces_;
   Columns<2 * Dim> places_;                 // x, x + 3 τ v
   Columns<Dim * Dim> Q_;                    // row by row
   Columns<1> mobility_;                     // 1/m of what may move, 1/kg
@@ -217,6 +222,7 @@ void Bonded<M, Dim>::step(double dt) {
   half_drift(dt);
   contact_.evaluate(s_, dt);
   stress_pass();
+  interfaces_.pass(s_.x, law_of_one(), threads_now(), Q_, bond_force_);
   Base::set_greatest_speed(force_pass(dt));
   if (this->reactions_.active()) watch_clamps(dt);
   Base::stop_approach(0.5 * dt, [&](int i, const V& change) { s_.x[i] += (0.5 * dt) * change; });
@@ -484,7 +490,8 @@ void Bonded<M, Dim>::show(int group) {
   strain<true>(group, now);
   const Pack energy = now.energy + energy_of_four(group, now.F);
   for (int i = lanes * group, lane = 0; lane < lanes && i < s_.size(); ++i, ++lane)
-    this->snapshot_.strain_energy[s_.id[i]] = energy[lane];
+    this->snapshot_.strain_energy[s_.id[i]] =
+        energy[lane] + interfaces_.energy_of_kink(i, s_.x, law_of_one());
   Mat<Pack, Dim> F = shown_deformations(group, now.F);
   if constexpr (Dim == 3) keep_volume(F, now.F);
   for (int k = 0; k < Dim; ++k) F(k, k) = sites(group).V > 0 ? F(k, k) : filled<Pack>(1);

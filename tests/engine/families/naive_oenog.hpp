@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/families/bonded/bonds.hpp"
+#include "engine/families/bonded/interfaces.hpp"
 #include "engine/scene/initial_particles.hpp"
 #include "tests/support/neighbor_sweep.hpp"
 
@@ -49,8 +50,8 @@ Dual<Components> operator/(double a, const Dual<Components>& b) {
 }
 
 /// oenog written down as its formulas stand, particle by particle in the order of creation, from the bonds'
-/// one-sided weights and gradients. Shares with the solver what make_bonds gives and nothing else. In 2D one
-/// body; in 3D several of one material, which a penalty keeps apart, and masses have an end correction.
+/// one-sided weights and gradients. Shares with the solver what make_bonds and make_interfaces give and nothing
+/// else. In 2D one body; in 3D several of one material, which a penalty keeps apart, and masses have an end correction.
 template <int Dim>
 class NaiveOenogIn {
  public:
@@ -61,6 +62,13 @@ class NaiveOenogIn {
       : NaiveOenogIn(scene, make_initial_particles(scene), h_over_dp) {}
   NaiveOenogIn(const Scene& scene, const InitialParticles& initial, double h_over_dp)
       : scene_(scene), initial_(initial), bonds_(make_bonds(scene, initial_, h_over_dp * scene.spacing)) {
+    std::vector<Elasticity> materials;
+    for (const Material& m : scene.materials)
+      materials.push_back({m.density, m.sound_speed(), m.bulk_modulus(), m.shear_modulus()});
+    interfaces_ = make_interfaces(initial_, materials, bonds_, scene.spacing);
+    site_of_.assign(initial_.size(), -1);
+    for (std::size_t s = 0; s < interfaces_.sites.size(); ++s)
+      site_of_[interfaces_.sites[s].id] = static_cast<int>(s);
     for (int i = 0; i < initial_.size(); ++i) {
       x.emplace_back(), v.emplace_back();
       for (int k = 0; k < Dim; ++k) x[i][k] = initial_.x[i][k], v[i][k] = initial_.v[i][k];
@@ -70,6 +78,7 @@ class NaiveOenogIn {
   int size() const { return initial_.size(); }
   bool held(int i) const { return initial_.held[i]; }
   const Bonds& bonds() const { return bonds_; }
+  const Interfaces& interfaces() const { return interfaces_; }
   double contacts = 0;  // pairs of two bodies that pressed on each other, over all steps
 
   /// E = Σ [V W(F) + V0 G Σ w (φ(λ) − φ(λ°))], G of a bond between two materials being their harmonic mean;
@@ -78,6 +87,12 @@ class NaiveOenogIn {
     double E = 0;
     for (int i = 0; i < size(); ++i) {
       if (held(i)) continue;
+      if (site_of_[i] >= 0) {
+        E += of_site(at, i).value;
+        for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b)
+          E += strength(i, b) * phi(stretch(at, i, b));
+        continue;
+      }
       const auto F = gradient(at, i);
       for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b)
         E += strength(i, b) * (phi(stretch(at, i, b)) - phi(std::sqrt(affine(b, duals(F)).value)));
@@ -91,6 +106,10 @@ class NaiveOenogIn {
     Places f(at.size());
     for (int i = 0; i < size(); ++i) {
       if (held(i)) continue;
+      if (site_of_[i] >= 0) {
+        pull_site(at, i, f);
+        continue;
+      }
       const auto F = duals(gradient(at, i));
       Number left = bonds_.volume[i] * W(i, F);
       for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
@@ -102,7 +121,7 @@ class NaiveOenogIn {
     return f;
   }
 
-  /// The same with the slopes worked out: what one would compute with.
+  /// The same with the slopes worked out: what one would compute with. Of one material.
   Places force_by_hand(const Places& at) const {
     Places f(at.size());
     for (int i = 0; i < size(); ++i) {
@@ -165,7 +184,7 @@ class NaiveOenogIn {
   }
 
   void step(double cfl, double damping) {
-    double c = 0, fastest = 0;
+    double c = interfaces_.wave_speed, fastest = 0;
     for (int i = 0; i < size(); ++i) {
       c = std::max(c, std::sqrt((K(i) + 4.0 / 3 * G(i)) / material(i).density));
       fastest = std::max(fastest, length(v[i]));
@@ -229,15 +248,89 @@ class NaiveOenogIn {
     return squared / Number(rest(b) * rest(b));
   }
   /// The neo-Hookean energy with its slopes in F; J ≥ ½
-  Number W(int i, const Duals& F) const {
-    Number J, C = 3 - Dim;
+  Number W(int i, const Duals& F) const { return neo_hookean_energy(material(i), F); }
+  template <class N>
+  static N neo_hookean_energy(const Material& m, const std::array<N, components>& F) {
+    N J, C = 3 - Dim;
     if constexpr (Dim == 2)
       J = F[0] * F[3] - F[1] * F[2];
     else
       for (int k = 0; k < 3; ++k)
         J = J + F[k] * (F[3 + (k + 1) % 3] * F[6 + (k + 2) % 3] - F[3 + (k + 2) % 3] * F[6 + (k + 1) % 3]);
-    for (const Number& component : F) C = C + component * component;
-    return G(i) / 2 * (J.to(-2.0 / 3) * C - 3) + K(i) / 2 * (J - 1) * (J - 1);
+    for (const N& component : F) C = C + component * component;
+    return m.shear_modulus() / 2 * (J.to(-2.0 / 3) * C - 3) + m.bulk_modulus() / 2 * (J - 1) * (J - 1);
+  }
+
+  /// Beside another material: of F, of b and of s of the bonds.
+  static constexpr int most_bonds = 26;
+  using Wide = Dual<components + Dim + most_bonds>;
+  using WideSquare = std::array<Wide, components>;
+  static WideSquare with(WideSquare F, double share, const std::array<Wide, Dim>& b, const Point& n) {
+    for (int k = 0; k < components; ++k) F[k] = F[k] + share * n[k % Dim] * b[k / Dim];
+    return F;
+  }
+  Wide squared_stretch(int b, const WideSquare& F) const {
+    Wide squared;
+    for (int a = 0; a < Dim; ++a) {
+      Wide x_a;
+      for (int k = 0; k < Dim; ++k) x_a = x_a + bonds_.X[b][k] * F[Dim * a + k];
+      squared = squared + x_a * x_a;
+    }
+    return 1 / (rest(b) * rest(b)) * squared;
+  }
+  bool across(int i, int b) const {
+    return material(bonds_.j[b]).youngs_modulus != material(i).youngs_modulus;
+  }
+  /// All but the springs.
+  Wide of_site(const Places& at, int i) const {
+    const Interfaces::Site& site = interfaces_.sites[site_of_[i]];
+    const Square F_now = gradient(at, i);
+    Place b_now{};
+    for (int n = interfaces_.begin[site_of_[i]]; n < interfaces_.begin[site_of_[i] + 1]; ++n)
+      for (int k = 0; k < Dim; ++k) b_now[k] += interfaces_.weight[n] * (at[interfaces_.j[n]][k] - at[i][k]);
+    WideSquare F;
+    std::array<Wide, Dim> kink;
+    for (int k = 0; k < components; ++k) F[k] = Wide::variable(F_now[k], k);
+    for (int k = 0; k < Dim; ++k) kink[k] = Wide::variable(b_now[k], components + k);
+    const WideSquare own = with(F, 1, kink, site.m), other = with(own, -1, kink, site.N),
+                     middle = with(own, -0.5, kink, site.N);
+    const double V = bonds_.volume[i];
+    Wide E = V * (1 - site.share) * neo_hookean_energy(material(i), own) +
+             V * site.share * neo_hookean_energy(scene_.materials[site.other], other);
+    const auto phi_of = [](const Wide& s) { return 1.0 / 24 * (2.0 * s * s - 3.0 * s + 1 / s); };
+    const auto psi_of = [](const Wide& s) { return 1.0 / 12 * (4.0 * s - 3 - 1 / (s * s)); };
+    for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
+      const Wide s_own = squared_stretch(b, own);
+      if (!across(i, b)) {
+        E = E - strength(i, b) * phi_of(s_own);
+        continue;
+      }
+      const Wide s_mid = squared_stretch(b, middle),
+                 s = Wide::variable(std::pow(stretch(at, i, b), 2), components + Dim + b - bonds_.begin[i]);
+      const double alone = initial_.V0[i] * std::min(G(i), most_of_across * modulus(i, b)) * bonds_.weight[b];
+      E = E + 0.5 * (alone * psi_of(s_own) - strength(i, b) * psi_of(s_mid)) * (s - s_mid) -
+          strength(i, b) * phi_of(s_mid);
+    }
+    return E;
+  }
+  void pull_site(const Places& at, int i, Places& f) const {
+    const auto slope = of_site(at, i).slope;
+    Square T;
+    std::copy_n(slope.begin(), components, T.begin());
+    pull(at, i, T, f);
+    for (int n = interfaces_.begin[site_of_[i]]; n < interfaces_.begin[site_of_[i] + 1]; ++n) {
+      for (int k = 0; k < Dim; ++k) {
+        const double on_i = interfaces_.weight[n] * slope[components + k];
+        f[i][k] += on_i, f[interfaces_.j[n]][k] -= on_i;
+      }
+    }
+    for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
+      const auto d = way(at, i, b);
+      for (int k = 0; k < Dim; ++k) {
+        const double on_i = slope[components + Dim + b - bonds_.begin[i]] * 2 * d[k] / (rest(b) * rest(b));
+        f[i][k] += on_i, f[bonds_.j[b]][k] -= on_i;
+      }
+    }
   }
 
   /// ∂W/∂F = G J^(−2/3) (F − C/3 F⁻ᵀ) + K (J − 1) J F⁻ᵀ, C = tr FᵀF
@@ -305,7 +398,9 @@ class NaiveOenogIn {
   const Scene& scene_;
   InitialParticles initial_;
   Bonds bonds_;
-  double stiffest_ = 1;  // greatest φ″ in the last step
+  Interfaces interfaces_;
+  std::vector<int> site_of_;  // −1 of those that have none
+  double stiffest_ = 1;       // greatest φ″ in the last step
 };
 using NaiveOenog = NaiveOenogIn<2>;
 

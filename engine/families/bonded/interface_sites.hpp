@@ -1,0 +1,282 @@
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "engine/core/columns.hpp"
+#include "engine/core/parallel.hpp"
+#include "engine/core/tensor.hpp"
+#include "engine/families/bonded/closed_law.hpp"
+#include "engine/families/bonded/interfaces.hpp"
+#include "engine/families/bonded/packed_bonds.hpp"
+#include "engine/terms/bond.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// W of one particle: the law of a bonded body, its own or the chosen one.
+template <const Formulation& M>
+struct LawOfOne {
+  const std::vector<Elasticity>& materials;
+  bool own;
+  const ChosenLaws<M>& chosen;
+
+  template <int Dim>
+  double energy(int material, const Mat<double, Dim>& F) const {
+    if (own) return ClosedNeoHookean<double>{materials[material].K, materials[material].G}.energy(F);
+    return chosen.visit([&](const auto& laws) { return closed_energy(laws[material], F); });
+  }
+  template <int Dim>
+  Mat<double, Dim> piola(int material, const Mat<double, Dim>& F) const {
+    if (own) return ClosedNeoHookean<double>{materials[material].K, materials[material].G}.piola(F);
+    return chosen.visit([&](const auto& laws) { return closed_piola(laws[material], F); });
+  }
+};
+
+/// The sites of Interfaces, one after the other: there are few.
+template <int Dim>
+class InterfaceSites {
+ public:
+  using Direction = Vec<double, Dim>;
+  using Square = Mat<double, Dim>;
+
+  InterfaceSites() = default;
+  /// Of particles stored in the order of `ids`.
+  InterfaceSites(const Interfaces& interfaces, const Bonds& bonds, const InitialParticles& initial,
+                 const std::vector<Elasticity>& materials, const std::vector<int>& ids);
+
+  /// Puts Q of the particles that have a site in the place of what it is for others, and adds the forces of their kinks
+  /// to those of the bonds.
+  template <class Column, class Law>
+  void pass(const Column& x, const Law& law, int threads, Columns<Dim * Dim>& Q,
+            std::vector<Vec<Pack, Dim>>& bond_force);
+  /// J, of particle i less what it would have as one of its own material alone
+  template <class Column, class Law>
+  double energy_of_kink(int i, const Column& x, const Law& law) const;
+
+ private:
+  struct Bond {
+    int j;
+    Direction g, e;                 // 1/m; direction at the start
+    double per_r0_squared;          // 1/m²
+    double strength, own_strength;  // G V0_i w_ij, J; with the G of the own material
+    int pull;                       // of those across, in pulls_; −1 of the others
+  };
+  struct Kink {
+    int j;
+    double weight;
+  };
+  struct Site {
+    int i, own, other;  // where it is stored; materials
+    double V, share;
+    Direction N, m;
+    Sym<double, Dim> B;  // of Bonds
+    int bond, bonds, kink, kinks;
+  };
+  struct Deformations {
+    Square mean, own, other, across;
+  };
+  /// Of pulls_, what a particle of a group takes.
+  struct Share {
+    int pull, lane;
+    double weight;
+  };
+  struct Affected {
+    int group, begin, end;
+  };
+  /// What a bond across stores, of s, s° of F_across and s° of F_own, and its slopes in each.
+  struct Stored {
+    double energy, of_s, of_across, of_own;
+  };
+
+  template <class Column, class Law>
+  Square stress(int site, const Column& x, const Law& law);
+  template <class Column>
+  Deformations deformations(const Site& site, const Column& x) const;
+  static Square with(const Square& F, double share, const Direction& b, const Direction& n) {
+    Square sum = F;
+    for (int a = 0; a < Dim; ++a)
+      for (int k = 0; k < Dim; ++k) sum(a, k) += share * b[a] * n[k];
+    return sum;
+  }
+  static Stored stored_across(const Bond& bond, double s, double across, double own);
+  void share_out();
+
+  std::vector<Site> sites_;
+  std::vector<int> site_of_;  // of each particle, −1 of most
+  std::vector<Bond> bonds_;
+  std::vector<Kink> kinks_;
+  std::vector<Direction> pulls_;  // ∂E/∂b of each site, J, and forces along the bonds across, N
+  std::vector<Share> shares_;
+  std::vector<Affected> affected_;
+};
+
+template <int Dim>
+InterfaceSites<Dim>::InterfaceSites(const Interfaces& interfaces, const Bonds& bonds,
+                                    const InitialParticles& initial, const std::vector<Elasticity>& materials,
+                                    const std::vector<int>& ids) {
+  std::vector<int> where(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) where[ids[i]] = static_cast<int>(i);
+  const auto vector = [](const Point& p) {
+    Direction v;
+    for (int k = 0; k < Dim; ++k) v[k] = p[k];
+    return v;
+  };
+  int pulls = static_cast<int>(interfaces.sites.size());
+  for (std::size_t s = 0; s < interfaces.sites.size(); ++s) {
+    const Interfaces::Site& from = interfaces.sites[s];
+    Site site{};
+    site.i = where[from.id], site.own = initial.material[from.id], site.other = from.other;
+    site.V = bonds.volume[from.id], site.share = from.share;
+    site.N = vector(from.N), site.m = vector(from.m);
+    for (int a = 0; a < Dim; ++a)
+      for (int k = a; k < Dim; ++k) site.B(a, k) = bonds.B[from.id][a][k];
+    site.bond = static_cast<int>(bonds_.size()), site.kink = static_cast<int>(kinks_.size());
+    for (int b = bonds.begin[from.id]; b < bonds.begin[from.id + 1]; ++b) {
+      const Direction X = vector(bonds.X[b]);
+      const int other = bonds.j[b];
+      const double G = shear_modulus(bonds, initial, materials, from.id, b),
+                   V0_w = initial.V0[from.id] * bonds.weight[b], r2 = dot(X, X);
+      const bool across = is_across(initial, materials, from.id, other);
+      bonds_.push_back({where[other], vector(bonds.gradient[b]), 1 / std::sqrt(r2) * X, 1 / r2, G * V0_w,
+                        std::min(materials[site.own].G, most_of_across * G) * V0_w, across ? pulls++ : -1});
+    }
+    for (int b = interfaces.begin[s]; b < interfaces.begin[s + 1]; ++b)
+      kinks_.push_back({where[interfaces.j[b]], interfaces.weight[b]});
+    site.bonds = static_cast<int>(bonds_.size()), site.kinks = static_cast<int>(kinks_.size());
+    sites_.push_back(site);
+  }
+  pulls_.resize(pulls);
+  site_of_.assign(ids.size(), -1);
+  for (std::size_t n = 0; n < sites_.size(); ++n) site_of_[sites_[n].i] = static_cast<int>(n);
+  share_out();
+}
+
+/// Gathered by group, so that no two threads add to one.
+template <int Dim>
+void InterfaceSites<Dim>::share_out() {
+  struct Part {
+    int i;
+    Share share;
+  };
+  std::vector<Part> parts;
+  for (int s = 0; s < static_cast<int>(sites_.size()); ++s) {
+    double of_all = 0;
+    for (int k = sites_[s].kink; k < sites_[s].kinks; ++k) {
+      parts.push_back({kinks_[k].j, {s, kinks_[k].j % lanes, -kinks_[k].weight}});
+      of_all += kinks_[k].weight;
+    }
+    const int i = sites_[s].i;
+    parts.push_back({i, {s, i % lanes, of_all}});
+    for (int k = sites_[s].bond; k < sites_[s].bonds; ++k) {
+      if (bonds_[k].pull < 0) continue;
+      parts.push_back({i, {bonds_[k].pull, i % lanes, 1}});
+      parts.push_back({bonds_[k].j, {bonds_[k].pull, bonds_[k].j % lanes, -1}});
+    }
+  }
+  std::ranges::stable_sort(parts, {}, &Part::i);
+  for (const Part& part : parts) {
+    const int group = part.i / lanes, at = static_cast<int>(shares_.size());
+    if (affected_.empty() || affected_.back().group != group) affected_.push_back({group, at, at});
+    shares_.push_back(part.share);
+    affected_.back().end = at + 1;
+  }
+}
+
+template <int Dim>
+template <class Column>
+auto InterfaceSites<Dim>::deformations(const Site& site, const Column& x) const -> Deformations {
+  Deformations of{};
+  for (int k = site.bond; k < site.bonds; ++k) {
+    const Direction d = x[bonds_[k].j] - x[site.i];
+    of.mean = with(of.mean, 1, d, bonds_[k].g);
+  }
+  Direction b{};
+  for (int k = site.kink; k < site.kinks; ++k) b += kinks_[k].weight * (x[kinks_[k].j] - x[site.i]);
+  of.own = with(of.mean, 1, b, site.m);
+  of.other = with(of.own, -1, b, site.N);
+  of.across = with(of.own, -0.5, b, site.N);
+  return of;
+}
+
+/// φ(s) is that of the spring, which PackedBonds has, and not counted here.
+template <int Dim>
+auto InterfaceSites<Dim>::stored_across(const Bond& bond, double s, double across, double own) -> Stored {
+  const auto rate = [](double at) {  // of cancelled_slope
+    return at < 0.25 || at > 4 ? 0 : (1 + 0.5 / (at * at * at)) / 3;
+  };
+  const double difference =
+      bond.own_strength * cancelled_slope(own) - bond.strength * cancelled_slope(across);
+  return {0.5 * difference * (s - across) - bond.strength * cancelled_energy(across), 0.5 * difference,
+          -0.5 * (bond.own_strength * cancelled_slope(own) + bond.strength * rate(across) * (s - across)),
+          0.5 * bond.own_strength * rate(own) * (s - across)};
+}
+
+template <int Dim>
+template <class Column, class Law>
+Mat<double, Dim> InterfaceSites<Dim>::stress(int n, const Column& x, const Law& law) {
+  const Site& site = sites_[n];
+  const Deformations at = deformations(site, x);
+  Square own = (site.V * (1 - site.share)) * law.piola(site.own, at.own), across{};
+  const Square other = (site.V * site.share) * law.piola(site.other, at.other);
+  for (int k = site.bond; k < site.bonds; ++k) {
+    const Bond& bond = bonds_[k];
+    const Direction pulled = at.own * bond.e;
+    const double s_own = dot(pulled, pulled);
+    if (bond.pull < 0) {
+      own = with(own, -bond.strength * cancelled_slope(s_own), pulled, bond.e);
+      continue;
+    }
+    const Direction middle = at.across * bond.e, d = x[bond.j] - x[site.i];
+    const Stored stored = stored_across(bond, bond.per_r0_squared * dot(d, d), dot(middle, middle), s_own);
+    own = with(own, 2 * stored.of_own, pulled, bond.e);
+    across = with(across, 2 * stored.of_across, middle, bond.e);
+    pulls_[bond.pull] = (2 * bond.per_r0_squared * stored.of_s) * d;
+  }
+  const Square all = own + other + across;
+  pulls_[n] = all * site.m - other * site.N - 0.5 * (across * site.N);
+  return all;
+}
+
+template <int Dim>
+template <class Column, class Law>
+double InterfaceSites<Dim>::energy_of_kink(int i, const Column& x, const Law& law) const {
+  if (sites_.empty() || site_of_[i] < 0) return 0;
+  const Site& site = sites_[site_of_[i]];
+  const Deformations at = deformations(site, x);
+  double E = site.V * ((1 - site.share) * law.energy(site.own, at.own) +
+                       site.share * law.energy(site.other, at.other) - law.energy(site.own, at.mean));
+  for (int k = site.bond; k < site.bonds; ++k) {
+    const Bond& bond = bonds_[k];
+    const Direction own = at.own * bond.e, middle = at.across * bond.e, plain = at.mean * bond.e,
+                    d = x[bond.j] - x[site.i];
+    E += bond.strength * cancelled_energy(dot(plain, plain));
+    E +=
+        bond.pull < 0
+            ? -bond.strength * cancelled_energy(dot(own, own))
+            : stored_across(bond, bond.per_r0_squared * dot(d, d), dot(middle, middle), dot(own, own)).energy;
+  }
+  return E;
+}
+
+template <int Dim>
+template <class Column, class Law>
+void InterfaceSites<Dim>::pass(const Column& x, const Law& law, int threads, Columns<Dim * Dim>& Q,
+                               std::vector<Vec<Pack, Dim>>& bond_force) {
+  if (sites_.empty()) return;
+  parallel_for(static_cast<int>(sites_.size()), threads, [&](int n) {
+    const Square own = product(stress(n, x, law), sites_[n].B);
+    for (int a = 0; a < Dim; ++a)
+      for (int k = 0; k < Dim; ++k) Q[a * Dim + k][sites_[n].i] = own(a, k);
+  });
+  parallel_for(static_cast<int>(affected_.size()), threads, [&](int k) {
+    for (int n = affected_[k].begin; n < affected_[k].end; ++n)
+      for (int a = 0; a < Dim; ++a)
+        bond_force[affected_[k].group][a][shares_[n].lane] += shares_[n].weight * pulls_[shares_[n].pull][a];
+  });
+}
+inline constexpr TermInfo interface_info{
+    "interface", "E_i = V_i [(1 − θ) W_own(F_own) + θ W_other(F_other)] − …, F_own − F_other = b ⊗ N", "ours",
+    "families/bonded/interface_sites.hpp:stress",
+    "oenog: layers of two materials under one stress leave no force where they meet"};
+
+}  // namespace taut::inline TAUT_ISA

@@ -1,0 +1,149 @@
+// Where two materials of a body meet under oenog, against exact solutions: layers under one stress, and a bar's mode.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "tests/support/runs.hpp"
+
+using namespace taut;
+using namespace taut::test;
+
+namespace {
+
+constexpr double nu_stiff = 0.4, soft = 1e6;  // Pa
+constexpr double L = 0.05, H = 0.01;          // m, of each half; thickness
+
+/// Poisson's ratio of the soft half of a bar of two materials that under one tension get thinner by as much.
+double matched(double ratio) { return (std::sqrt(1 + 4 * nu_stiff * (1 + nu_stiff) / ratio) - 1) / 2; }
+double plane_modulus(double E, double nu) { return E / (1 - nu * nu); }
+
+/// The stiff half of a bar at x > 0, or at y > 0.
+Scene bar(double ratio, double nu_soft, int axis, double spacing) {
+  Scene scene;
+  scene.name = "bar";
+  scene.spacing = spacing;
+  scene.materials = {{"soft", 1000, soft, nu_soft}, {"stiff", 1000, soft * ratio, nu_stiff}};
+  Body body;
+  body.name = "bar";
+  const double half = axis == 0 ? H / 2 : H;
+  body.shapes = {Box{{-L, -half, 0}, {L, half, 0}}};
+  body.parts = {{1, [axis](const Point& x) { return x[axis] > 0 ? 1.0 : 0.0; }}};
+  scene.bodies = {body};
+  return scene;
+}
+
+/// Greatest force on a particle that is three from every face, over the traction on one.
+double force_left(const Scene& scene, double traction) {
+  const Snapshot now = state_after(1, scene, with_method("oenog"));
+  const Box box = std::get<Box>(scene.bodies[0].shapes[0]);
+  double greatest = 0;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const double from_face =
+        std::min(box.high[0] - std::abs(now.x0[2 * i]), box.high[1] - std::abs(now.x0[2 * i + 1]));
+    if (from_face < 3 * scene.spacing) continue;
+    const double mass = 1000 * scene.spacing * scene.spacing;
+    greatest = std::max(greatest, mass * std::hypot(now.v[2 * i], now.v[2 * i + 1]) / now.time);
+  }
+  return greatest / (traction * scene.spacing);
+}
+
+/// Hz, the lowest of a free bar of both materials of L each. Waves in a rod with its transverse inertia
+/// ([Love] §278): M u″ + ρ ω² (ν r)² u″ … with r² = H²/12, of plane strain.
+double lowest_frequency(double ratio) {
+  struct Wave {
+    double k, Z;  // 1/m; traction over velocity
+  };
+  const auto wave = [](double E, double nu, double omega) {
+    const double across = nu / (1 - nu);
+    const double M = plane_modulus(E, nu) - 1000 * across * across * H * H / 12 * omega * omega;
+    return Wave{omega * std::sqrt(1000 / M), std::sqrt(1000 * M)};
+  };
+  const auto mismatch = [&](double omega) {
+    const Wave a = wave(soft, matched(ratio), omega), b = wave(soft * ratio, nu_stiff, omega);
+    return a.Z * std::sin(a.k * L) * std::cos(b.k * L) + b.Z * std::sin(b.k * L) * std::cos(a.k * L);
+  };
+  double below = 100, above = below;  // 1/s
+  while (mismatch(above) > 0) above += 10;
+  for (int halving = 0; halving < 60; ++halving) {
+    const double middle = (below + above) / 2;
+    (mismatch(middle) > 0 ? below : above) = middle;
+  }
+  return above / (2 * std::numbers::pi);
+}
+
+/// Hz, by the length of the bar over five swings from a cosine on either side.
+double measured_frequency(double ratio, double spacing) {
+  Scene scene = bar(ratio, matched(ratio), 0, spacing);
+  const double expected = lowest_frequency(ratio), omega = 2 * std::numbers::pi * expected;
+  const double k = omega * std::sqrt(1000 / plane_modulus(soft, matched(ratio))),
+               k_stiff = omega * std::sqrt(1000 / plane_modulus(soft * ratio, nu_stiff));
+  scene.bodies[0].displacement[0] = [=](const Point& x) {
+    return 1e-6 * (x[0] < 0 ? std::cos(k * (x[0] + L)) / std::cos(k * L)
+                            : std::cos(k_stiff * (L - x[0])) / std::cos(k_stiff * L));
+  };
+  const auto simulation = make_simulation(scene, with_method("oenog"));
+  double before = 0, time_before = 0;
+  std::vector<double> crossings;
+  while (crossings.size() < 11) {
+    simulation->advance_to(simulation->time() + 0.002 / expected);
+    const Snapshot now = simulation->snapshot();
+    double ends = 0;  // ∫ u sign(x): the odd part, as the length but of all particles
+    for (std::size_t i = 0; i < now.size(); ++i)
+      ends += (now.x[2 * i] - now.x0[2 * i]) * (now.x0[2 * i] < -0.8 * L  ? -1
+                                                : now.x0[2 * i] > 0.8 * L ? 1
+                                                                          : 0);
+    if (before * ends < 0)
+      crossings.push_back(time_before + (now.time - time_before) * before / (before - ends));
+    before = ends, time_before = now.time;
+  }
+  return 5 / (crossings.back() - crossings.front());
+}
+
+}  // namespace
+
+TEST_SUITE("analytic") {
+  TEST_CASE("oenog: layers of two materials under one stress leave no force where they meet") {
+    const double strain = 1e-6;  // so that what is of the second order in it is left out
+    for (const double ratio : {2.0, 10.0, 100.0}) {
+      CAPTURE(ratio);
+      SUBCASE("pulled, one behind the other") {
+        const double nu = matched(ratio), M = plane_modulus(soft, nu);
+        Scene scene = bar(ratio, nu, 0, 0.001);
+        const double of_stiff = M / plane_modulus(soft * ratio, nu_stiff);
+        scene.bodies[0].displacement[0] = [=](const Point& x) {
+          return strain * x[0] * (x[0] > 0 ? of_stiff : 1);
+        };
+        scene.bodies[0].displacement[1] = [=](const Point& x) { return -strain * nu / (1 - nu) * x[1]; };
+        CHECK(force_left(scene, strain * M) < 1e-4);
+      }
+      SUBCASE("pulled, side by side") {
+        Scene scene = bar(ratio, nu_stiff, 1, 0.001);
+        scene.bodies[0].displacement[0] = [=](const Point& x) { return strain * x[0]; };
+        scene.bodies[0].displacement[1] = [=](const Point& x) {
+          return -strain * nu_stiff / (1 - nu_stiff) * x[1];
+        };
+        CHECK(force_left(scene, strain * plane_modulus(soft, nu_stiff)) < 1e-4);
+      }
+      SUBCASE("sheared") {
+        Scene scene = bar(ratio, 0.3, 0, 0.001);
+        const double G = soft / 2 / 1.3, of_stiff = G / (soft * ratio / 2 / (1 + nu_stiff));
+        scene.bodies[0].displacement[1] = [=](const Point& x) {
+          return strain * x[0] * (x[0] > 0 ? of_stiff : 1);
+        };
+        CHECK(force_left(scene, strain * G) < 1e-4);
+      }
+    }
+  }
+
+  TEST_CASE("oenog: a bar whose halves differ in stiffness swings with its own frequency") {
+    for (const double ratio : {2.0, 10.0}) {
+      CAPTURE(ratio);
+      CHECK(std::abs(measured_frequency(ratio, 0.002) / lowest_frequency(ratio) - 1) < 1e-3);
+    }
+  }
+}
