@@ -109,7 +109,7 @@ double measured_frequency(double ratio, double spacing) {
 TEST_SUITE("analytic") {
   TEST_CASE("oenog: layers of two materials under one stress leave no force where they meet") {
     const double strain = 1e-6;  // so that what is of the second order in it is left out
-    for (const double ratio : {2.0, 10.0, 100.0}) {
+    for (const double ratio : {2.0, 10.0}) {
       CAPTURE(ratio);
       SUBCASE("pulled, one behind the other") {
         const double nu = matched(ratio), M = plane_modulus(soft, nu);
@@ -141,7 +141,7 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE("oenog: a bar whose halves differ in stiffness swings with its own frequency") {
-    for (const double ratio : {2.0, 10.0}) {
+    for (const double ratio : {10.0, 100.0}) {
       CAPTURE(ratio);
       CHECK(std::abs(measured_frequency(ratio, 0.002) / lowest_frequency(ratio) - 1) < 1e-3);
     }

@@ -1,0 +1,83 @@
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "cli/scene/scene_file.hpp"
+#include "engine/diagnostics/curve.hpp"
+#include "engine/diagnostics/measures.hpp"
+#include "tests/support/program_runner.hpp"
+#include "tests/support/runs.hpp"
+
+using namespace taut;
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+const fs::path gallery = fs::path(TAUT_SOURCE_DIR) / "scenes" / "gallery";
+
+SceneFile read(const fs::path& scene, const std::string& spacing = {}) {
+  std::vector<Setting> settings = {{"method", "oenog"}};
+  if (!spacing.empty()) settings.push_back({"spacing", spacing});
+  SceneFile file = read_scene(scene, settings);
+  file.settings.threads = 1;
+  return file;
+}
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("gallery: every scene is short, has its line and picture, and runs") {
+    const std::string index = text_of(gallery / "README.md");
+    int scenes = 0;
+    for (const auto& entry : fs::directory_iterator(gallery)) {
+      if (entry.path().extension() != ".toml") continue;
+      const std::string name = entry.path().stem().string();
+      CAPTURE(name);
+      ++scenes;
+      CHECK(lines_of(entry.path()).size() <= 40);
+      CHECK(contains(index, "](" + name + ".png)"));
+      CHECK(contains(index, "`taut run gallery/" + name + "`"));
+      const fs::path picture = gallery / (name + ".png");
+      CHECK(fs::exists(picture));
+      if (fs::exists(picture)) CHECK(fs::file_size(picture) <= 100'000);
+      const SceneFile file = read(entry.path());
+      const auto simulation = make_simulation(file.scene, file.settings);
+      make_steps(*simulation, 5);
+      CHECK(simulation->time() > 0);
+    }
+    CHECK(scenes == 8);
+  }
+}
+
+TEST_SUITE("analytic") {
+  TEST_CASE("gallery: the period of a beam that swings to one side is that of its crossings of their mean") {
+    const SceneFile file = read(gallery / "swinging-beam.toml", "0.005");
+    const auto simulation = make_simulation(file.scene, file.settings);
+    simulation->advance_to(file.scene.until);
+    const Series& series = simulation->series();
+    const auto& [t, y] = std::tie(series.time, series.value[0]);
+    // from the mean of all to that over the whole periods between the first crossing downwards and the last
+    double level = 0, period = 0;
+    for (std::size_t i = 1; i < t.size(); ++i) level += (y[i] + y[i - 1]) / 2 * (t[i] - t[i - 1]) / t.back();
+    for (int round = 0; round < 5; ++round) {
+      std::vector<std::size_t> crossings;
+      for (std::size_t i = 1; i < t.size(); ++i)
+        if (y[i - 1] > level && y[i] <= level) crossings.push_back(i);
+      REQUIRE(crossings.size() >= 3);
+      const std::size_t first = crossings.front(), last = crossings.back();
+      double area = 0;
+      for (std::size_t i = first + 1; i <= last; ++i) area += (y[i] + y[i - 1]) / 2 * (t[i] - t[i - 1]);
+      level = area / (t[last] - t[first]);
+      period = (t[last] - t[first]) / static_cast<double>(crossings.size() - 1);
+    }
+    CHECK(level < -0.005);
+    const auto measured = measure(file.scene, series, find_method("oenog").material_law);
+    REQUIRE(measured.at(0).value.has_value());
+    CHECK(std::abs(*measured[0].value / period - 1) < 0.01);
+  }
+}
