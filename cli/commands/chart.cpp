@@ -1,30 +1,55 @@
+#include <ostream>
+
 #include <CLI/CLI.hpp>
 
 #include "cli/command_line/command.hpp"
 #include "cli/commands/picture_options.hpp"
+#include "cli/study/chart_tables.hpp"
 #include "cli/study/study.hpp"
+#include "cli/system/exit_code.hpp"
 #include "cli/text/format.hpp"
+#include "engine/error.hpp"
 
 namespace taut::cli {
 namespace {
 
 struct Options : PictureOptions {
-  std::string measure, cost = cost_names().front();
+  ChartRequest request;
+  std::string cost = cost_names().front();
+  bool json = false, markdown = false;
 };
 
 int chart(const Options& options, Streams streams) {
-  const PlotFiles files = plot_files(options.out);
-  return draw_chart(options.results, {options.measure, find_cost(options.cost)}, files, streams);
+  ChartRequest request = options.request;
+  request.cost = find_cost(options.cost);
+  if (options.json && options.markdown) throw UsageError("give --json or --markdown, not both");
+  const bool table_only = options.json || options.markdown;
+  if (options.out.empty() && !table_only) throw UsageError("give --out PICTURE, --json or --markdown");
+  if (!table_only) return draw_chart(options.results, request, plot_files(options.out), streams);
+  const Chart all = read_chart(options.results, request, streams.err);
+  streams.out << (options.json ? chart_json(all) : markdown_table(all));
+  if (options.out.empty()) return exit_fine;
+  std::ostream nowhere(nullptr);  // stdout holds the table alone
+  std::ostream& quiet = nowhere;
+  return draw_chart(options.results, request, plot_files(options.out), {quiet, quiet});
 }
 
 }  // namespace
 
 std::function<int(Streams)> declare_chart(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  options->declare(app, "chart.png|chart.svg");
-  declare_measure(app, options->measure);
+  options->declare(app, "chart.png|chart.svg", /*needed=*/false);
+  declare_measure(app, options->request.measure);
   app.add_option("--cost", options->cost, "seconds of solving, or particles × steps; default: seconds")
       ->option_text(join(cost_names(), "|"));
+  app.add_option("--methods", options->request.methods, "those to draw; default: all")
+      ->option_text("METHOD,...")
+      ->delimiter(',');
+  app.add_option("--against", options->request.against,
+                 "a method whose finest stable run stands for a reference, where the scene has none")
+      ->option_text("METHOD");
+  app.add_flag("--json", options->json, "everything on stdout as JSON; --out may be left away");
+  app.add_flag("--markdown", options->markdown, "a table on stdout: error by method and spacing; the same");
   return [options](Streams streams) { return chart(*options, streams); };
 }
 

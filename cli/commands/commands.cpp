@@ -8,6 +8,8 @@ std::function<int(Streams)> declare_sweep(CLI::App&);
 std::function<int(Streams)> declare_chart(CLI::App&);
 std::function<int(Streams)> declare_map(CLI::App&);
 std::function<int(Streams)> declare_choose(CLI::App&);
+std::function<int(Streams)> declare_plot(CLI::App&);
+std::function<int(Streams)> declare_check(CLI::App&);
 std::function<int(Streams)> declare_compare(CLI::App&);
 std::function<int(Streams)> declare_movie(CLI::App&);
 std::function<int(Streams)> declare_diff(CLI::App&);
@@ -41,12 +43,13 @@ constexpr Command table[] = {
      "  taut sweep plate-accuracy                 a study with a [chart] or a [map] is drawn as well\n"
      "  taut sweep rings-speed-limit --out limits --emit slurm && sbatch limits/sweep.slurm\n",
      declare_sweep},
-    {"chart",
-     "draw error against cost from the results of sweeps, a line for each method; print convergence orders",
+    {"chart", "draw error (up) over cost (to the right) from the results of sweeps, a line for each method",
      "  taut sweep oscillating-plate --grid method=enog,oenog,tl --grid spacing=0.004,0.002,0.001"
      " --out out/plate\n"
      "  taut chart out/plate/results.csv --out plate.png\n"
-     "  taut chart out/plate/results.csv --measure first_peak --cost steps --out plate.svg\n"
+     "  taut chart out/plate --measure first_peak --cost steps --methods enog,tl --out plate.svg\n"
+     "  taut chart out/mine --against oenog --out mine.png     no reference: against its finest run\n"
+     "  taut chart out/plate --markdown           tables only; also --json\n"
      "plate.gp and plate.dat stay beside the picture: "
      "change the script, and `gnuplot plate.gp` draws it again.\n",
      declare_chart},
@@ -63,6 +66,12 @@ constexpr Command table[] = {
      "It only reads what sweeps have left, by default below out/. When that does not reach far enough,\n"
      "it says so, and the exit code is 1.\n",
      declare_choose},
+    {"plot", "draw columns of histories of runs over time, or over each other",
+     "  taut plot out/plate-enog --out tip.png    the probes, a panel each\n"
+     "  taut plot out/tl out/oenog --columns tip,total_energy --out runs.svg\n"
+     "  taut plot out/disc --columns force --x gap --out force-displacement.png\n"
+     "plot.gp and plot.dat stay beside the picture.\n",
+     declare_plot},
     {"compare", "draw runs side by side from their saved particles: columns are runs, rows are times",
      "  taut compare out/og out/enog --out panel.png\n"
      "  taut compare out/og out/enog --times 0.002,0.005,0.012 --color pressure --range -2e6:2e6"
@@ -81,6 +90,13 @@ constexpr Command table[] = {
      "  taut snapshot my.toml --baseline baselines/my --frames 4 --size 320x180 --update     makes it\n"
      "  taut snapshot my.toml --baseline baselines/my --frames 4 --size 320x180              checks\n",
      declare_snapshot},
+    {"check",
+     "compare measures and the verdict of a run with what they should be; exit code 1 when one has moved",
+     "  taut check out/plate-enog --measure 'period=0.2545±1%' --verdict stable\n"
+     "  taut check out/rings --measure 'rebound_ratio>0.8' --measure touch_time=0.0021+-1e-4\n"
+     "  taut check out/rings --baseline good/run.json --tolerance 1%\n"
+     "A run that has not finished, or a measure without a value, is not fine.\n",
+     declare_check},
     {"critical-step", "find the largest stable time step of a scene and a method, by bisection",
      "  taut critical-step colliding-rings --method tl\n"
      "  taut critical-step loaded-square --set method.h=0.45 --steps 500\n"

@@ -13,13 +13,13 @@ struct PictureOptions {
   std::string out;
 
   /// `formats`: what a picture may be called, such as "chart.png|chart.svg"
-  void declare(CLI::App& app, const std::string& formats) {
+  void declare(CLI::App& app, const std::string& formats, bool needed = true) {
     app.add_option("RESULTS.csv", results, "results.csv of sweeps of one scene, or the sweeps' folders")
         ->option_text(" ")
         ->required();
     app.add_option("--out", out, "the picture; its .gp and .dat stand beside it")
         ->option_text(formats)
-        ->required();
+        ->required(needed);
   }
 };
 

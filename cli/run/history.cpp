@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
 
 namespace taut::cli {
@@ -35,6 +36,17 @@ std::vector<std::string> history_columns(const Scene& scene) {
   names.emplace_back("pieces");
   for (const Indicator& indicator : indicators) names.emplace_back(indicator.key);
   return names;
+}
+
+std::string history_unit(const std::string& column, const Scene& scene) {
+  const auto probe = std::ranges::find(scene.probes, column, &Probe::name);
+  if (probe != scene.probes.end())
+    return std::string(std::ranges::find(probe_kinds(), probe->kind, &ProbeKind::kind)->unit);
+  const std::string depth = scene.dim == 2 ? " per m" : "";  // a slice of a plane body
+  if (column == "t") return "s";
+  if (column.ends_with("_energy") || column == "work" || column == "damped") return "J" + depth;
+  if (column.starts_with("momentum_")) return "kg m/s" + depth;
+  return column.starts_with("angular_momentum") ? "kg m²/s" + depth : "";
 }
 
 History::History(const std::filesystem::path& path, const Scene& scene, AppendFile::Start start)

@@ -15,6 +15,8 @@ namespace taut::cli {
 
 /// The columns of history.csv of a run of the scene.
 std::vector<std::string> history_columns(const Scene& scene);
+/// The unit of one of them, empty for numbers without one.
+std::string history_unit(const std::string& column, const Scene& scene);
 
 /// history.csv: a row per history time, in SI units. Each row is complete in the file as soon as it is made.
 class History {

@@ -190,6 +190,8 @@ constexpr KeyInfo chart_keys[] = {
     {"measure", "MEASURE or an array of them", "what most runs have",
      "whose error is drawn, into chart-MEASURE.png; without it into chart.png"},
     {"cost", "seconds or steps", "seconds", "what it is drawn over; steps: particles × steps"},
+    {"methods", "METHOD or an array of them", "all", "whose runs are drawn"},
+    {"against", "METHOD", "the references", "whose finest run stands for a reference"},
 };
 
 constexpr KeyInfo map_keys[] = {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
+#include "cli/study/chart_errors.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
@@ -20,65 +20,13 @@ constexpr CostName costs[] = {
     {Cost::particle_steps, "steps", "particles × steps"},
 };
 
-std::string column(const std::string& measure, std::string_view what) {
-  return ("measures." + measure + ".").append(what);
-}
-
-bool has_error(const StoredRun& run, const std::string& measure) {
-  return run.has_result() && run.number(column(measure, "error")).has_value();
-}
-
-std::vector<std::string> charted_measures(const StoredResults& results) {
-  std::vector<std::string> names = results.measures();
-  std::erase_if(names, [&](const std::string& measure) {
-    return std::ranges::none_of(results.runs, [&](const StoredRun& run) { return has_error(run, measure); });
-  });
-  return names;
-}
-
-/// The unit of its errors, empty: a share of the reference or of a length.
-std::string error_unit(const StoredRun& run, const std::string& measure) {
-  const bool relative = run.number(column(measure, "reference")).value_or(0) != 0;
-  const std::string unit = run.text(column(measure, "unit"));
-  return relative || unit == "1" ? "" : unit;
-}
-
-std::string default_measure(const StoredResults& results, const std::vector<std::string>& charted) {
-  const auto rank = [&](const std::string& measure) {
-    const auto with_error = [&](const StoredRun& run) { return has_error(run, measure); };
-    const StoredRun& any = *std::ranges::find_if(results.runs, with_error);
-    const bool last = measure.ends_with("_time") || !error_unit(any, measure).empty();
-    return std::pair(last, -std::ranges::count_if(results.runs, with_error));
-  };
-  return *std::ranges::min_element(charted, {}, rank);
-}
-
-std::string chosen_measure(const StoredResults& results, const std::string& wanted) {
-  const std::vector<std::string> all = results.measures(), charted = charted_measures(results);
-  if (!wanted.empty() && std::ranges::find(all, wanted) == all.end())
-    throw UsageError(unknown_name("measure of " + results.scene, wanted, all));
-  if (charted.empty())
-    throw UsageError(
-        "no measure in the results of " + results.scene +
-        " has an error: its references do not hold for these parameters, or the runs were too short");
-  if (wanted.empty()) return default_measure(results, charted);
-  if (std::ranges::find(charted, wanted) != charted.end()) return wanted;
-  const bool referenced = std::ranges::any_of(results.runs, [&](const StoredRun& run) {
-    return run.number(column(wanted, "reference")).has_value();
-  });
-  throw UsageError(std::string("no run has an error of ") + wanted + ": " +
-                   (referenced ? "all ended before it could be measured"
-                               : "the scene has no reference for it with these parameters") +
-                   "; measures with an error: " + join(charted));
-}
-
-ChartPoint point_of(const StoredRun& run, const std::string& measure, Cost cost) {
+ChartPoint point_of(const StoredRun& run, const ChartErrors& errors, Cost cost) {
   ChartPoint point;
   point.spacing = run.number("spacing").value_or(0);
-  point.error = run.number(column(measure, "error"));
-  if (point.error && !(*point.error > 0)) point.error.reset();  // it has no logarithm
+  point.error = errors.of(run);
   const double steps = run.number("particles").value_or(0) * run.number("steps").value_or(0);
   point.cost = cost == Cost::seconds ? run.number("seconds.solve").value_or(0) : steps;
+  if (!std::isfinite(point.cost) || point.cost < 0) point.cost = 0;
   point.verdict = run.text("verdict");
   point.folder = run.folder();
   point.cfl = run.text("cfl");
@@ -109,7 +57,7 @@ std::string machine_of(const StoredRun& run) {
 std::vector<std::string> references_of(const StoredResults& results, const std::string& measure) {
   std::vector<std::pair<std::string, std::vector<std::string>>> methods;
   for (const StoredRun& run : results.runs) {
-    const std::string name = run.text(column(measure, "reference_name"));
+    const std::string name = run.text(measure_column(measure, "reference_name"));
     if (name.empty()) continue;
     auto found = std::ranges::find(methods, name, [](const auto& m) { return m.first; });
     if (found == methods.end()) found = methods.insert(methods.end(), {name, {}});
@@ -125,10 +73,39 @@ std::vector<std::string> references_of(const StoredResults& results, const std::
 }
 
 /// What the errors of a measure are shares of, or their unit.
-void describe_errors(Chart& chart, const StoredRun& run) {
-  chart.relative = run.number(column(chart.measure, "reference")).value_or(0) != 0;
-  chart.unit = error_unit(run, chart.measure);
+void describe_errors(Chart& chart, const ChartErrors& errors, const StoredRun& run) {
+  chart.relative = errors.relative(run);
+  chart.unit = errors.unit(run);
   chart.dim = static_cast<int>(run.number("dim").value_or(2));
+}
+
+/// What all runs that have it agree in; empty where they differ.
+std::string common(const StoredResults& results, std::string_view column) {
+  std::string value;
+  for (const StoredRun& run : results.runs) {
+    const std::string own = run.has_result() ? run.text(column) : "";
+    if (own.empty() || own == value) continue;
+    if (!value.empty()) return "";
+    value = own;
+  }
+  return value;
+}
+
+/// Beside what was set for all runs, what they have in common and a legend may want.
+std::vector<std::string> fixed_in(const StoredResults& results) {
+  std::vector<std::string> all;
+  const auto is_set = [&](std::string_view name) {
+    return std::ranges::any_of(results.fixed,
+                               [&](const std::string& text) { return text.starts_with(name); });
+  };
+  if (const std::string stepping = common(results, "stepping"); !stepping.empty() && !is_set("stepping"))
+    all.push_back(stepping + " stepping");
+  if (const std::string cfl = common(results, "cfl"); !cfl.empty() && !is_set("cfl"))
+    all.push_back("cfl " + cfl);
+  if (const auto until = parsed<double>(common(results, "until")); until && !is_set("until"))
+    all.push_back("to t = " + brief(*until) + " s");
+  all.insert(all.end(), results.fixed.begin(), results.fixed.end());
+  return all;
 }
 
 }  // namespace
@@ -154,7 +131,7 @@ std::string shown_error(const Chart& chart, double error) {
 std::optional<double> convergence_order(const std::vector<ChartPoint>& points) {
   double n = 0, x_sum = 0, y_sum = 0, xx_sum = 0, xy_sum = 0;
   for (const ChartPoint& point : points) {
-    if (!point.stable || !point.error) continue;
+    if (!point.stable || !point.error || !(*point.error > 0) || !(point.spacing > 0)) continue;
     const double x = std::log(point.spacing), y = std::log(*point.error);
     n += 1;
     x_sum += x;
@@ -167,24 +144,33 @@ std::optional<double> convergence_order(const std::vector<ChartPoint>& points) {
   return (n * xy_sum - x_sum * y_sum) / spread;
 }
 
-Chart make_chart(const StoredResults& results, const ChartRequest& request) {
+Chart make_chart(const StoredResults& given, const ChartRequest& request) {
+  const ChartErrors errors = chosen_errors(given, request);
+  StoredResults results = given;
+  keep_methods(results, request.methods);
   Chart chart;
   chart.title = results.title;
   chart.scene = results.scene;
-  chart.measure = chosen_measure(results, request.measure);
+  chart.measure = errors.measure;
   chart.cost = request.cost;
+  chart.fixed = fixed_in(results);
   const std::vector<std::string> columns = distinguishing_columns(results.runs, "spacing");
+  if (errors.against)
+    chart.against = series_name(*errors.against, columns) + " at " +
+                    shown_spacing(errors.against->number("spacing").value_or(0));
+  const auto is_reference = [&](const StoredRun& run) {
+    return errors.against && run.file == errors.against->file && run.cells == errors.against->cells;
+  };
   for (const StoredRun& run : results.runs) {
-    if (!run.has_result()) {
-      ++chart.without_result;
-      continue;
-    }
+    if (!run.has_result()) ++chart.without_result;
+    if (!run.has_result() || is_reference(run)) continue;
     const std::string name = series_name(run, columns);
     auto series = std::ranges::find(chart.series, name, &ChartSeries::name);
     if (series == chart.series.end())
-      series = chart.series.insert(series, ChartSeries{.name = name, .points = {}, .order = {}});
-    add_point(*series, point_of(run, chart.measure, chart.cost));
-    if (has_error(run, chart.measure)) describe_errors(chart, run);
+      series = chart.series.insert(
+          series, ChartSeries{.name = name, .method = run.method(), .points = {}, .order = {}});
+    add_point(*series, point_of(run, errors, chart.cost));
+    if (errors.of(run)) describe_errors(chart, errors, run);
     add_once(chart.machines, machine_of(run));
   }
   for (ChartSeries& series : chart.series) {
@@ -193,21 +179,6 @@ Chart make_chart(const StoredResults& results, const ChartRequest& request) {
   }
   chart.references = references_of(results, chart.measure);
   return chart;
-}
-
-std::string orders_table(const Chart& chart) {
-  std::vector<std::vector<std::string>> rows{{"method", "order", "runs", "finest, m", "its error",
-                                              chart.cost == Cost::seconds ? "its s" : "its steps",
-                                              "not stable"}};
-  for (const ChartSeries& series : chart.series) {
-    const ChartPoint& finest = series.points.back();
-    const auto unstable = std::ranges::count(series.points, false, &ChartPoint::stable);
-    rows.push_back({series.name, series.order ? brief(*series.order) : "-",
-                    std::to_string(series.points.size()), brief(finest.spacing),
-                    finest.error ? shown_error(chart, *finest.error) : "-", brief(finest.cost),
-                    unstable == 0 ? "" : std::to_string(unstable)});
-  }
-  return in_columns(rows);
 }
 
 }  // namespace taut::cli

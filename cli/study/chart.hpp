@@ -25,13 +25,15 @@ std::string label(Cost cost);
 struct ChartRequest {
   std::string measure;  // empty: the default
   Cost cost = Cost::seconds;
+  std::vector<std::string> methods{};  // empty: all
+  std::string against{};  // a method whose finest run stands for a reference; empty: the scene's references
 };
 
 /// One run.
 struct ChartPoint {
   double spacing = 0;           // m
-  std::optional<double> error;  // as in run.json; none: the run ended before, or its value is the reference's
-  double cost = 0;              // s, or particle-steps
+  std::optional<double> error;  // as in run.json; none: the run ended before
+  double cost = 0;              // s, or particle-steps; 0: not known
   std::string verdict{}, folder{};
   std::string cfl{}, stepping{};  // of the time step, where the results tell
   bool stable = true;
@@ -39,7 +41,7 @@ struct ChartPoint {
 
 /// A method with one choice of everything else, from coarse to fine.
 struct ChartSeries {
-  std::string name;
+  std::string name, method;
   std::vector<ChartPoint> points;
   std::optional<double> order;  // of convergence
 };
@@ -51,7 +53,9 @@ struct Chart {
   bool relative = true;  // errors are shares of the reference
   Cost cost = Cost::seconds;
   int dim = 2;
-  std::vector<ChartSeries> series;      // methods in the order of the results
+  std::string against;              // "oenog at 0.5 mm" in place of the references; empty: these count
+  std::vector<std::string> fixed;   // what all runs had: "single stepping", "until = 0.3"
+  std::vector<ChartSeries> series;  // methods in the order of the results
   std::vector<std::string> references;  // "finite elements (oenog, tl)"
   std::vector<std::string> machines;    // "AMD EPYC, 1 thread"
   int without_result = 0;               // runs that have not ended
@@ -68,9 +72,7 @@ std::optional<double> convergence_order(const std::vector<ChartPoint>& points);
 /// happens (touch_time) hardly depends on how well the rest is computed, and errors with a unit are no share
 /// of anything: these come last. Throws UsageError for a measure that the scene has not (with the nearest
 /// names), or that has no error in any run; says why. Of a run that was done twice the faster one counts.
+/// Against a method's finest run, that run has no point itself.
 Chart make_chart(const StoredResults& results, const ChartRequest& request);
-
-/// For people: each series with its errors' order, its finest run and its unstable ones.
-std::string orders_table(const Chart& chart);
 
 }  // namespace taut::cli

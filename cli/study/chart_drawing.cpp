@@ -4,156 +4,208 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
+#include "cli/study/chart_tables.hpp"
+#include "cli/study/curve_style.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {
 namespace {
 
-constexpr int width = 1280, height = 800;  // pixels
-constexpr std::size_t most_series = 24;    // whose names the picture has room for
+constexpr std::size_t most_series = 24;  // whose names the picture has room for
+// pixels: of the field, of a row of the strip above it, of title, of axis and notes
+constexpr double field = 520, row = 17, above = 52, below = 132;
 
-/// Least and greatest of positive numbers.
+/// Least and greatest of positive numbers; what has no logarithm stands at the edge of the field.
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = 0;
 
   void include(double value) {
+    if (!(value > 0) || !std::isfinite(value)) return;
     low = std::min(low, value);
     high = std::max(high, value);
   }
   /// With a margin on both sides, and wide enough for two ticks.
   Range wide() const {
+    if (high == 0) return {0.1, 10};
     const double margin = std::max(1.4, std::sqrt(6 / (high / low)));
-    return {low / margin, high * margin};
+    return {std::max(low / margin, std::numeric_limits<double>::min()), high * margin};
   }
-  double centre() const { return std::sqrt(low * high); }
+  double centre() const { return std::sqrt(low) * std::sqrt(high); }
+  double decades() const { return std::log10(high) - std::log10(low); }
 };
 
 /// Errors as drawn: shares in percent.
 double scale(const Chart& chart) { return chart.unit.empty() ? 100 : 1; }
 
-struct Ranges {
-  Range error, cost;
-  bool some_without_error = false;
+bool without_error(const ChartPoint& point) { return !point.error; }
 
-  /// The strip at the right of those without an error, as wide as its heading.
-  double end() const {
-    return some_without_error ? error.high * std::pow(error.high / error.low, 0.08) : error.high;
+struct Layout {
+  Range error, cost;
+  std::vector<std::string> names;  // of the series, as long as there is room for them
+  std::vector<CurveStyle> styles;  // of them
+  std::vector<int> strip_row;      // of each series, -1: none
+  int strip_rows = 0;
+
+  double height() const { return above + row * strip_rows + field + below; }
+  /// The error at which a row of the strip stands; the topmost is the first.
+  double in_strip(double rows_above_field) const {
+    return error.high * std::pow(10, error.decades() * row * rows_above_field / field);
   }
-  double in_strip() const { return std::sqrt(error.high * end()); }
+  double end() const { return in_strip(strip_rows); }
 };
 
-Ranges ranges_of(const Chart& chart) {
-  Ranges ranges;
-  for (const ChartSeries& series : chart.series)
+Layout layout_of(const Chart& chart) {
+  Layout layout;
+  std::vector<std::string> methods;
+  for (const ChartSeries& series : chart.series) {
+    methods.push_back(series.method);
+    layout.names.push_back(shortened(series.name));
     for (const ChartPoint& point : series.points) {
-      ranges.cost.include(point.cost);
-      if (point.error) ranges.error.include(scale(chart) * *point.error);
-      ranges.some_without_error |= !point.error;
+      layout.cost.include(point.cost);
+      if (point.error) layout.error.include(scale(chart) * *point.error);
     }
-  return {ranges.error.wide(), ranges.cost.wide(), ranges.some_without_error};
+    const bool none = std::ranges::any_of(series.points, without_error);
+    layout.strip_row.push_back(none ? layout.strip_rows++ : -1);
+  }
+  layout.styles = curve_styles(methods);
+  layout.error = layout.error.wide();
+  layout.cost = layout.cost.wide();
+  return layout;
 }
 
-/// 1, 2 and 5 of each decade, or its start alone where there are many decades.
+/// 1, 2 and 5 of each decade, or its start alone where there are many decades, or of some of them.
 std::string ticks(const Range& range, std::string (*show)(double)) {
-  const bool many = range.high / range.low > 3e3;
+  const bool many = range.decades() > 3.5;
+  const int step = static_cast<int>(range.decades() / 10) + 1;
+  const int last = static_cast<int>(std::floor(std::log10(range.high)));
   std::vector<std::string> all;
-  for (int decade = static_cast<int>(std::floor(std::log10(range.low))); std::pow(10, decade) <= range.high;
-       ++decade)
+  for (int decade = static_cast<int>(std::floor(std::log10(range.low))); decade <= last; ++decade)
     for (const double digit : {1, 2, 5}) {
       const double tick = digit * std::pow(10, decade);
-      if (tick < range.low || tick > range.high || (many && digit > 1)) continue;
+      if (tick < range.low || tick > range.high || (many && digit > 1) || decade % step != 0) continue;
       all.push_back(plot_text(show(tick)) + " " + brief(tick));
     }
   return std::string("(").append(join(all)).append(")");
 }
 
-std::string error_label(const Chart& chart) {
-  if (!chart.unit.empty()) return chart.measure + ", " + chart.unit;
-  return chart.relative ? "error of " + chart.measure + ", % of the reference" : chart.measure + ", %";
-}
-
-/// What holds for the whole chart, in small print below it.
-std::vector<std::string> footnotes(const Chart& chart) {
-  Range spacing;
-  for (const ChartSeries& series : chart.series)
-    for (const ChartPoint& point : series.points) spacing.include(point.spacing);
-  std::vector<std::string> notes{"Scene " + chart.scene + ", particles " + brief(spacing.high) + " to " +
-                                 brief(spacing.low) +
-                                 " m apart; each line runs from coarse (below) to fine."};
-  notes.push_back("Reference: " + join(chart.references, "; "));
-  if (chart.cost == Cost::seconds) notes.push_back("Time: " + join(chart.machines, "; "));
-  return notes;
-}
-
-std::string frame(const Chart& chart, const Ranges& ranges) {
+std::string frame(const Chart& chart, const Layout& layout) {
   const std::vector<std::string> notes = footnotes(chart);
+  const double height = layout.height();
   std::string text = plot_title(chart.title);
-  text += "set key outside right top Left reverse samplen 2 spacing 1.25\n";
-  text += "set bmargin screen 0.17\nset lmargin screen 0.075\nset border 3 back linecolor '#444444'\n";
-  text += "set logscale xy\nset grid back linetype 1 linecolor '#e4e4e4'\nset tics nomirror\n";
-  text += "set xrange [" + exact(ranges.error.low) + ":" + exact(ranges.end()) + "]\n";
-  text += "set yrange [" + exact(ranges.cost.low) + ":" + exact(ranges.cost.high) + "]\n";
-  text += "set xtics " + ticks(ranges.error, brief) + "\n";
-  text += "set ytics " + ticks(ranges.cost, chart.cost == Cost::seconds ? brief : with_prefix) + "\n";
-  text += "set xlabel " + plot_text(error_label(chart)) + "\n";
-  text += "set ylabel " + plot_text(label(chart.cost)) + "\n";
+  text += fmt::format("set tmargin screen {}\nset bmargin screen {}\nset lmargin screen 0.075\n",
+                      1 - above / height, below / height);
+  text += fmt::format("set rmargin screen {}\n", right_margin(layout.names));
+  text += fmt::format("set key at screen {}, screen {} left top Left reverse samplen 4 spacing 1.2\n",
+                      right_margin(layout.names) + 0.008, (below + field) / height);
+  text += "set border 3 back linecolor '#444444'\nset logscale xy\n";
+  text += "set grid back linetype 1 linecolor '#e4e4e4'\nset tics nomirror\n";
+  text += "set xrange [" + exact(layout.cost.low) + ":" + exact(layout.cost.high) + "]\n";
+  text += "set yrange [" + exact(layout.error.low) + ":" + exact(layout.end()) + "]\n";
+  text += "set xtics " + ticks(layout.cost, chart.cost == Cost::seconds ? brief : with_prefix) + "\n";
+  text += "set ytics " + ticks(layout.error, brief) + "\n";
+  text += "set xlabel " + plot_text(label(chart.cost)) + "\n";
+  text += "set ylabel " + plot_text(error_label(chart)) + "\n";
   for (std::size_t k = 0; k < notes.size(); ++k)
-    text += plot_note(notes[k], 0.075 - 0.027 * static_cast<double>(k));
+    text += plot_note(notes[k], (58 - 21 * static_cast<double>(k)) / height);
   return text;
 }
 
-/// The strip of the runs that have a cost but no error.
-std::string strip(const Ranges& ranges) {
-  if (!ranges.some_without_error) return "";
-  return "set object rectangle from " + exact(ranges.error.high) +
-         ", graph 0 to graph 1, graph 1 behind fillcolor '#f3f3f3' fillstyle solid noborder\n"
-         "set label 'no value' at " +
-         exact(ranges.in_strip()) + ", graph 0.98 center font ',9' textcolor '#555555'\n";
+/// The strip of the runs that have a cost but no error: a row for each of their series, with its name.
+std::string strip(const Layout& layout) {
+  if (layout.strip_rows == 0) return "";
+  std::string text = "set object rectangle from graph 0, first " + exact(layout.error.high) +
+                     " to graph 1, graph 1 behind fillcolor '#f3f3f3' fillstyle solid noborder\n";
+  text += "set label 'no value' at graph -0.01, first " + exact(layout.in_strip(0.5 * layout.strip_rows)) +
+          " right font ',9' textcolor '#555555'\n";
+  for (std::size_t k = 0; k < layout.names.size(); ++k)
+    if (const int place = layout.strip_row[k]; place >= 0)
+      text += "set label " + plot_text(layout.names[k]) + " at graph 1.01, first " +
+              exact(layout.in_strip(layout.strip_rows - place - 0.5)) +
+              " left font ',9' textcolor '#222222'\n";
+  return text;
 }
 
-/// The cost of an error e with convergence of order p is e^(−(dim + 1)/p): particles grow as 1/dp^dim, steps
-/// as 1/dp.
-std::string guide(const Chart& chart, const Ranges& ranges, int order) {
-  const double slope = -(chart.dim + 1.0) / order;
-  return exact(ranges.cost.centre()) + " * (x / " + exact(ranges.error.centre()) + ")**(" + exact(slope) +
+/// With convergence of order p an error costs e^(−(dim + 1)/p): particles grow as 1/dp^dim, steps as 1/dp.
+std::string guide(const Chart& chart, const Layout& layout, int order) {
+  const double slope = -order / (chart.dim + 1.0);
+  return exact(layout.error.centre()) + " * (x / " + exact(layout.cost.centre()) + ")**(" + exact(slope) +
          ") with lines linewidth 1.5 linecolor '#a0a0a0' dashtype " + std::to_string(order + 1) +
          " title 'slope of order " + std::to_string(order) + "'";
 }
 
-std::vector<std::string> curves(const Chart& chart, const Ranges& ranges) {
-  std::vector<std::string> all{guide(chart, ranges, 1), guide(chart, ranges, 2)};
-  const std::string factor = exact(scale(chart));
-  const std::string nowhere = exact(ranges.in_strip());
-  bool any_unstable = false;
-  for (std::size_t k = 0; k < chart.series.size(); ++k) {
-    const std::string marker = marker_style(k) + " " + line_style(k);
-    const std::string block = "data index " + std::to_string(k) + " using ";
-    all.push_back(block + "($2*" + factor + "):3 with linespoints linewidth 2 " + marker + " title " +
-                  plot_text(chart.series[k].name));
-    const auto& points = chart.series[k].points;
-    any_unstable |= std::ranges::count(points, false, &ChartPoint::stable) > 0;
-    if (std::ranges::any_of(points, [](const ChartPoint& p) { return !p.error; }))
-      all.push_back(block + "($5 == 1 ? NaN : " + nowhere + "):3 with points " + marker + " notitle");
+/// What draws the points of one series: thin line through all, thick one between those that were stable, then
+/// the markers of each kind.
+std::vector<std::string> curve(const Chart& chart, const Layout& layout, std::size_t k) {
+  const auto& points = chart.series[k].points;
+  const CurveStyle& style = layout.styles[k];
+  const std::string y = "($2 > 0 ? $2*" + exact(scale(chart)) + " : " + exact(layout.error.low) + ")";
+  const std::string x = "($3 > 0 ? $3 : " + exact(layout.cost.low) + ")";
+  const auto at = [&](const std::string& condition, const std::string& height) {
+    return "data index " + std::to_string(k) + " using " + x + ":(" + condition + " ? " + height + " : NaN)";
+  };
+  const auto markers = [&](const std::string& with, const std::string& height, const char* size,
+                           const std::string& offset) {
+    const std::string open = at(with + " && $4 == 0", height);
+    std::vector<std::string> all;
+    if (std::ranges::any_of(points, [](const ChartPoint& p) { return p.stable; }))
+      all.push_back(at(with + " && $4 == 1", height) + " with points " + style.marker() + " pointsize " +
+                    size + " notitle");
+    if (std::ranges::all_of(points, [](const ChartPoint& p) { return p.stable; })) return all;
+    all.push_back(open + " with points pointtype " + std::to_string(style.filled) +
+                  " linecolor '#ffffff' pointsize " + size + " notitle");
+    all.push_back(open + " with points pointtype " + std::to_string(style.open) +
+                  " linewidth 1.5 linecolor '" + style.color + "' pointsize " + size + " notitle");
+    all.push_back(open + ":('×') with labels offset character " + offset +
+                  " font ',11' textcolor '#d00000' notitle");
+    return all;
+  };
+  std::vector<std::string> all;
+  if (!std::ranges::all_of(points, without_error)) {
+    all.push_back(at("$5 == 1", y) + " with lines linewidth 0.7 " + style.line() + " notitle");
+    all.push_back(at("$5 == 1 && $4 == 1", y) + " with lines linewidth 2 " + style.line() + " notitle");
+    for (std::string& each : markers("$5 == 1", y, "1.3", "0.9,0.45")) all.push_back(std::move(each));
   }
-  if (any_unstable)
-    all.push_back(
-        "data using ($4 == 1 ? NaN : $5 == 1 ? $2*" + factor + " : " + nowhere +
-        "):3 with points pointtype 2 pointsize 2.6 linewidth 2 linecolor '#d00000' title 'not stable'");
+  if (const int place = layout.strip_row[k]; place >= 0)
+    for (std::string& each :
+         markers("$5 == 0", exact(layout.in_strip(layout.strip_rows - place - 0.5)), "1.1", "0.9,0"))
+      all.push_back(std::move(each));
+  return all;
+}
+
+std::vector<std::string> legend(const Chart& chart, const Layout& layout) {
+  std::vector<std::string> all;
+  bool all_stable = true;
+  for (std::size_t k = 0; k < chart.series.size(); ++k) {
+    const CurveStyle& style = layout.styles[k];
+    const auto& points = chart.series[k].points;
+    all_stable &= std::ranges::all_of(points, &ChartPoint::stable);
+    if (std::ranges::all_of(points, without_error)) continue;  // its name stands beside its row of the strip
+    all.push_back("keyentry with linespoints linewidth 2 pointsize 1.3 " + style.line() + " pointtype " +
+                  std::to_string(style.filled) + " title " + plot_text(layout.names[k]));
+  }
+  if (!all_stable)
+    all.emplace_back(
+        "keyentry with points pointtype 6 linewidth 1.5 pointsize 1.3 linecolor '#555555' title 'open, ×: "
+        "not "
+        "stable'");
   return all;
 }
 
 }  // namespace
 
 std::string chart_data(const Chart& chart) {
-  std::string text = "# " + chart.measure + " of " + chart.scene + "\n";
+  std::string text = plot_comment(chart.measure + " of " + chart.scene);
   for (const ChartSeries& series : chart.series) {
-    text += "# " + series.name + "\n# spacing, m; error" + (chart.unit.empty() ? "" : ", " + chart.unit) +
-            "; " + label(chart.cost) + "; stable; has an error; verdict; run\n";
+    text += plot_comment(series.name) +
+            plot_comment("spacing, m; error" + (chart.unit.empty() ? "" : ", " + chart.unit) + "; " +
+                         label(chart.cost) + "; stable; has an error; verdict; run");
     for (const ChartPoint& point : series.points)
       text += exact(point.spacing) + " " + (point.error ? exact(*point.error) : "NaN") + " " +
               exact(point.cost) + " " + (point.stable ? "1 " : "0 ") + (point.error ? "1 " : "0 ") +
-              point.verdict + " \"" + point.folder + "\"\n";
+              (point.verdict.empty() ? "-" : point.verdict) + " " + data_text(point.folder) + "\n";
     text += "\n\n";
   }
   return text;
@@ -163,10 +215,15 @@ std::string chart_script(const Chart& chart, const PlotFiles& files) {
   if (chart.series.size() > most_series)
     throw UsageError("a chart of " + std::to_string(chart.series.size()) + " lines, such as '" +
                      chart.series.front().name + "', cannot be read: at most " + std::to_string(most_series) +
-                     "; leave rows out of results.csv, or draw a map");
-  const Ranges ranges = ranges_of(chart);
-  return plot_head(files, width, height) + frame(chart, ranges) + strip(ranges) + "plot " +
-         join(curves(chart, ranges), ", \\\n     ") + "\n";
+                     "; choose some with --methods, or draw a map");
+  const Layout layout = layout_of(chart);
+  std::vector<std::string> plots{guide(chart, layout, 1), guide(chart, layout, 2)};
+  for (std::size_t k = 0; k < chart.series.size(); ++k)
+    for (std::string& each : curve(chart, layout, k)) plots.push_back(std::move(each));
+  for (std::string& each : legend(chart, layout)) plots.push_back(std::move(each));
+  return plot_head(files, plot_width, static_cast<int>(layout.height())) + frame(chart, layout) +
+         strip(layout) + "plot [" + exact(layout.cost.low) + ":" + exact(layout.cost.high) + "] " +
+         join(plots, ", \\\n     ") + "\n";
 }
 
 }  // namespace taut::cli

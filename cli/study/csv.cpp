@@ -48,6 +48,8 @@ class CsvReader {
       const std::size_t quote = text_.find('"', at_ + 1);
       if (quote == std::string::npos) fail("a quote is not closed");
       inside.append(text_, at_ + 1, quote - at_ - 1);
+      line_ += static_cast<int>(std::count(text_.begin() + static_cast<long>(at_) + 1,
+                                           text_.begin() + static_cast<long>(quote), '\n'));
       at_ = quote + 1;
       if (at_end() || text_[at_] != '"') return inside;
       inside += '"';  // two of them stand for one

@@ -1,6 +1,6 @@
 #include "cli/study/gnuplot.hpp"
 
-#include <array>
+#include <algorithm>
 
 #include <fmt/format.h>
 
@@ -13,13 +13,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Okabe and Ito's colours, which colour-blind readers tell apart too, with darker ones for their yellow and
-// black
-constexpr std::array colors = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                               "#56B4E9", "#E69F00", "#6A3D9A", "#444444"};
-// with eight colours no two of 56 lines look alike
-constexpr std::array markers = {7, 5, 9, 13, 11, 15, 4};  // of gnuplot: filled disc, square, ...
-constexpr std::array dashes = {1, 2, 4};                  // solid, dashed, dotted and dashed
+std::string one_line(std::string_view text) {
+  std::string line(text);
+  for (char& c : line)
+    if (c >= 0 && c < ' ') c = ' ';
+  return line;
+}
 
 }  // namespace
 
@@ -32,11 +31,35 @@ PlotFiles plot_files(const std::string& picture) {
 
 std::string plot_text(std::string_view text) {
   std::string result = "'";
-  for (const char c : text) {
+  for (const char c : one_line(text)) {
     if (c == '\'') result += c;  // two of them stand for one
-    result += c >= 0 && c < ' ' ? ' ' : c;
+    result += c;
   }
   return result + "'";
+}
+
+std::string plot_comment(std::string_view text) { return "# " + one_line(text) + "\n"; }
+
+std::string data_text(std::string_view text) {
+  std::string plain = one_line(text);
+  for (char& c : plain)
+    if (c == '"' || c == '\\') c = '\'';
+  return "\"" + plain + "\"";
+}
+
+std::string shortened(const std::string& name) {
+  constexpr std::size_t longest = 46;
+  if (name.size() <= longest) return name;
+  std::size_t end = longest;
+  while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) --end;  // no half letter
+  return name.substr(0, end) + "…";
+}
+
+double right_margin(const std::vector<std::string>& names) {
+  constexpr double letter = 8.0, sample = 78;  // pixels
+  std::size_t longest = 20;                    // "open, ×: not stable"
+  for (const std::string& name : names) longest = std::max(longest, name.size());
+  return 1 - (sample + letter * static_cast<double>(longest)) / plot_width;
 }
 
 std::string plot_head(const PlotFiles& files, int width, int height) {
@@ -47,19 +70,11 @@ std::string plot_head(const PlotFiles& files, int width, int height) {
       "data = {}\n"
       "if (!exists('picture')) picture = {}\n"
       "set terminal {} noenhanced size {},{} font {}\n"
+      "set encoding utf8\n"
       "set output picture\n",
       script, data, plot_text(data), plot_text(files.picture.filename().string()),
       vector ? "svg" : "pngcairo", width, height,
       vector ? "'DejaVu Sans,14' background 'white'" : "'DejaVu Sans,11'");
-}
-
-std::string line_style(std::size_t k) {
-  const int dash = dashes[k / colors.size() % dashes.size()];
-  return std::string("linecolor '") + colors[k % colors.size()] + "' dashtype " + std::to_string(dash);
-}
-
-std::string marker_style(std::size_t k) {
-  return "pointtype " + std::to_string(markers[k % markers.size()]) + " pointsize 1.4";
 }
 
 std::string plot_title(std::string_view title) { return "set title " + plot_text(title) + " font ',15'\n"; }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace taut::cli {
 
@@ -33,10 +34,16 @@ std::string plot_title(std::string_view title);
 /// The same for a note in small print at its left edge; `height` is 0 at the bottom, 1 at the top.
 std::string plot_note(std::string_view note, double height);
 
-/// Colour and dashes of the k-th line of a picture: eight colours, then the same dashed.
-std::string line_style(std::size_t k);
-/// Its marker.
-std::string marker_style(std::size_t k);
+/// A comment line of data.
+std::string plot_comment(std::string_view text);
+/// A text in a line of data: in double quotes, in which nothing has a meaning.
+std::string data_text(std::string_view text);
+
+inline constexpr int plot_width = 1280;  // pixels
+/// A name as a legend has room for it.
+std::string shortened(const std::string& name);
+/// Where a picture ends and its legend of these names begins, as a share of the width.
+double right_margin(const std::vector<std::string>& names);
 
 /// Writes data and script, then has gnuplot draw. Gives the exit code; throws OutputError when gnuplot is not
 /// installed or fails; data and script stay.

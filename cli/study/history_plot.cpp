@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 #include "cli/study/csv.hpp"
+#include "cli/study/curve_style.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
@@ -20,7 +22,7 @@ std::size_t column_of(const CsvTable& table, const std::string& name) {
 }
 
 std::vector<std::vector<double>> rows_of(const CsvTable& table, const std::vector<HistoryColumn>& columns) {
-  std::vector<std::size_t> places{column_of(table, "t")};
+  std::vector<std::size_t> places;
   for (const HistoryColumn& column : columns) places.push_back(column_of(table, column.name));
   std::vector<std::vector<double>> rows;
   for (const auto& cells : table.rows) {
@@ -30,25 +32,44 @@ std::vector<std::vector<double>> rows_of(const CsvTable& table, const std::vecto
   return rows;
 }
 
+/// Those of equal names are told apart by their folders.
+void tell_apart(HistoryPlot& plot, const std::vector<StoredRun>& runs) {
+  std::map<std::string, int> uses;
+  for (const HistoryPlot::Curve& curve : plot.curves) ++uses[curve.name];
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    if (uses[plot.curves[k].name] > 1)
+      plot.curves[k].name +=
+          ", " + std::filesystem::absolute(runs[k].folder() + "/").parent_path().filename().string();
+}
+
 }  // namespace
 
-HistoryPlot make_history_plot(const StoredResults& results, const std::vector<HistoryColumn>& columns) {
-  HistoryPlot plot{.title = results.title, .scene = results.scene, .columns = columns, .curves = {}};
+HistoryPlot make_history_plot(const StoredResults& results, const std::vector<HistoryColumn>& columns,
+                              const HistoryColumn& x) {
+  HistoryPlot plot{.title = results.title, .scene = results.scene, .x = x, .columns = columns, .curves = {}};
+  std::vector<HistoryColumn> all{x};
+  all.insert(all.end(), columns.begin(), columns.end());
   const std::vector<std::string> distinguishing = distinguishing_columns(results.runs, "");
   for (const StoredRun& run : results.runs) {
-    if (!run.has_result()) continue;
-    const CsvTable history = read_csv(std::filesystem::path(run.folder()) / "history.csv");
-    plot.curves.push_back({series_name(run, distinguishing), rows_of(history, columns)});
+    const auto file = std::filesystem::path(run.folder()) / "history.csv";
+    const CsvTable history = read_csv(file);
+    if (history.rows.empty()) throw UsageError("'" + file.string() + "' has no rows yet");
+    try {
+      plot.curves.push_back({series_name(run, distinguishing), run.method(), rows_of(history, all)});
+    } catch (const UsageError& error) {
+      throw UsageError(file.string() + ": " + error.what());
+    }
   }
+  tell_apart(plot, results.runs);
   return plot;
 }
 
 std::string history_data(const HistoryPlot& plot) {
   std::string text;
   for (const HistoryPlot::Curve& curve : plot.curves) {
-    text += "# " + curve.name + "\n# t, s";
-    for (const HistoryColumn& column : plot.columns) text += "; " + column.label;
-    text += "\n";
+    std::string heading = plot.x.label;
+    for (const HistoryColumn& column : plot.columns) heading += "; " + column.label;
+    text += plot_comment(curve.name) + plot_comment(heading);
     for (const auto& row : curve.rows) {
       for (const double value : row) text += (std::isfinite(value) ? exact(value) : "NaN") + " ";
       text.back() = '\n';
@@ -59,23 +80,29 @@ std::string history_data(const HistoryPlot& plot) {
 }
 
 std::string history_script(const HistoryPlot& plot, const PlotFiles& files) {
-  constexpr int panel_height = 300, around = 60;  // pixels
-  const auto panels = plot.columns.size();
-  std::string text = plot_head(files, 1280, around + panel_height * static_cast<int>(panels));
+  constexpr int around = 70, greatest_height = 300, least_height = 140, most_together = 2400;  // pixels
+  const auto panels = static_cast<int>(plot.columns.size());
+  const int height = std::clamp(most_together / panels, least_height, greatest_height);
+  std::vector<std::string> names, methods;
+  for (const HistoryPlot::Curve& curve : plot.curves) {
+    names.push_back(shortened(curve.name));
+    methods.push_back(curve.method);
+  }
+  const std::vector<CurveStyle> styles = curve_styles(methods);
+  std::string text = plot_head(files, plot_width, around + height * panels);
   text += "set multiplot layout " + std::to_string(panels) + ",1 title " + plot_text(plot.title) +
           " font ',15'\n";
-  text += "set key outside right top Left reverse samplen 2 spacing 1.25\nset lmargin screen 0.085\n";
-  text += "set rmargin screen 0.84\nset border 3 back linecolor '#444444'\n";
+  text += "set key outside right top Left reverse samplen 4 spacing 1.25\nset lmargin screen 0.085\n";
+  text += "set rmargin screen " + exact(right_margin(names)) + "\nset border 3 back linecolor '#444444'\n";
   text += "set grid back linetype 1 linecolor '#e4e4e4'\nset tics nomirror\nset autoscale xfix\n";
-  for (std::size_t column = 0; column < panels; ++column) {
+  for (int column = 0; column < panels; ++column) {
     std::vector<std::string> lines;
     for (std::size_t k = 0; k < plot.curves.size(); ++k)
       lines.push_back("data index " + std::to_string(k) + " using 1:" + std::to_string(column + 2) +
-                      " with lines linewidth 1.5 " + line_style(k) + " title " +
-                      plot_text(plot.curves[k].name));
-    if (column + 1 == panels) text += "set xlabel 't, s'\n";
-    text +=
-        "set ylabel " + plot_text(plot.columns[column].label) + "\nplot " + join(lines, ", \\\n     ") + "\n";
+                      " with lines linewidth 1.5 " + styles[k].line() + " title " + plot_text(names[k]));
+    if (column + 1 == panels) text += "set xlabel " + plot_text(plot.x.label) + "\n";
+    text += "set ylabel " + plot_text(plot.columns[static_cast<std::size_t>(column)].label) + "\nplot " +
+            join(lines, ", \\\n     ") + "\n";
     text += "unset key\n";
   }
   return text + "unset multiplot\n";

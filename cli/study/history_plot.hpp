@@ -14,20 +14,23 @@ struct HistoryColumn {
   FilePlace place = {};     // in a study
 };
 
-/// Columns of the history.csv of all runs of one sweep, over time.
+/// Columns of the history.csv of runs over time, or over another column.
 struct HistoryPlot {
   struct Curve {
-    std::string name;                       // the method, and what else tells the run from others
-    std::vector<std::vector<double>> rows;  // t and the columns; NaN where a cell is empty
+    std::string name;  // the method, and what else tells the run from others
+    std::string method;
+    std::vector<std::vector<double>> rows;  // x and the columns; NaN where a cell is empty
   };
   std::string title, scene;
+  HistoryColumn x{"t", "t, s"};
   std::vector<HistoryColumn> columns;
   std::vector<Curve> curves;
 };
 
-/// Throws UsageError for a column that a history has not (with the nearest names), and for a history that
-/// cannot be read.
-HistoryPlot make_history_plot(const StoredResults& results, const std::vector<HistoryColumn>& columns);
+/// Of all runs of `results`. Throws UsageError for a column that a history has not (with the nearest names),
+/// and for a history that cannot be read or has no rows.
+HistoryPlot make_history_plot(const StoredResults& results, const std::vector<HistoryColumn>& columns,
+                              const HistoryColumn& x = {"t", "t, s"});
 
 /// A block for each run.
 std::string history_data(const HistoryPlot& plot);

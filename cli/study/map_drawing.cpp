@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/study/curve_style.hpp"
 #include "cli/text/format.hpp"
 #include "engine/diagnostics/verdict.hpp"
 
@@ -65,6 +66,18 @@ std::vector<std::size_t> kinds_in(const StabilityMap& map, const std::vector<Kin
   return found;
 }
 
+/// The marker of each row's method, as charts have it.
+std::string row_markers(const StabilityMap& map) {
+  std::vector<std::string> methods;
+  for (const std::string& row : map.rows) methods.push_back(row.substr(0, row.find(',')));
+  const std::vector<CurveStyle> styles = curve_styles(methods);
+  std::string text;
+  for (std::size_t r = 0; r < styles.size(); ++r)
+    text += fmt::format("set label '' at graph -0.012, first {} point {} pointsize 1.2\n", r + 1,
+                        styles[r].marker());
+  return text;
+}
+
 /// A tick at 1, 2, ... for each name.
 std::string ticks(const std::vector<std::string>& names) {
   std::vector<std::string> all;
@@ -78,17 +91,18 @@ std::string ticks(const std::vector<std::string>& names) {
 std::string map_data(const StabilityMap& map) {
   const TimeUnit unit = time_unit(map);
   const std::vector<Kind> all = kinds();
-  std::string text = "# " + map.title + "\n";
+  std::string text = plot_comment(map.title);
   for (const std::size_t kind : kinds_in(map, all)) {
-    text += "# " + all[kind].name + "\n# column; row; since, s; " + map.label + "; method; shown\n";
+    text += plot_comment(all[kind].name) +
+            plot_comment("column; row; since, s; " + map.label + "; method; shown");
     each_cell(map, [&](std::size_t r, std::size_t v, const MapCell& cell) {
       if (kind_of(cell, all) != kind) return;
       const std::string shown = cell.since             ? fmt::format("{:.3g}", *cell.since * unit.scale)
                                 : cell.verdict.empty() ? cell.status
                                                        : "";
       text += std::to_string(v + 1) + " " + std::to_string(r + 1) + " " +
-              (cell.since ? exact(*cell.since) : "NaN") + " \"" + map.values[v] + "\" \"" + map.rows[r] +
-              "\" \"" + shown + "\"\n";
+              (cell.since ? exact(*cell.since) : "NaN") + " " + data_text(map.values[v]) + " " +
+              data_text(map.rows[r]) + " " + data_text(shown) + "\n";
     });
     text += "\n\n";
   }
@@ -113,7 +127,8 @@ std::string map_script(const StabilityMap& map, const PlotFiles& files) {
   text += plot_title(map.title) + "set key outside right top Left reverse spacing 1.4\n";
   text += "set border 0\nset tics scale 0\nset yrange [" + std::to_string(rows) + ".5:0.5]\n";
   text += "set xrange [0.5:" + std::to_string(columns) + ".5]\n";
-  text += "set xtics " + ticks(map.values) + "\nset ytics " + ticks(map.rows) + "\n";
+  text += "set xtics " + ticks(map.values) + "\nset ytics offset -1.6,0 " + ticks(map.rows) + "\n" +
+          row_markers(map);
   text += "set xlabel " + plot_text(map.label) + "\nset bmargin 5.5\n";
   text += plot_note("Scene " + map.scene + "; numbers: since when the verdict holds, " + time_unit(map).name,
                     0.03);

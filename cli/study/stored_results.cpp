@@ -10,6 +10,7 @@
 #include "cli/study/csv.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/text/format.hpp"
+#include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {
@@ -53,8 +54,9 @@ std::vector<StoredRun> read_runs(const fs::path& file) {
   return runs;
 }
 
-/// What a table does not say: the title and the units of what was swept.
-void add_names(const fs::path& file, StoredResults& results) {
+/// What a table does not say: the title, the units of what was swept, and what was set for all. Of a file that
+/// holds something else, nothing.
+void add_names(const fs::path& file, StoredResults& results) try {
   const auto json =
       nlohmann::json::parse(read_whole(file.parent_path() / "results.json").value_or(""), nullptr, false);
   if (!json.is_object()) return;
@@ -62,6 +64,13 @@ void add_names(const fs::path& file, StoredResults& results) {
   for (const auto& swept : json.value("swept", nlohmann::json::array()))
     if (const std::string unit = swept.value("unit", ""); !unit.empty() && unit != "1")
       results.units[swept.value("name", "")] = unit;
+  const auto all_fixed = json.value("fixed", nlohmann::json::object());
+  for (const auto& [name, value] : all_fixed.items()) {
+    const std::string text = name + " = " + (value.is_string() ? value.get<std::string>() : value.dump());
+    if (std::ranges::find(results.fixed, text) == results.fixed.end()) results.fixed.push_back(text);
+  }
+} catch (const nlohmann::json::exception&) {
+  return;
 }
 
 void add_scene(StoredResults& results, const StoredRun& run) {
@@ -122,7 +131,9 @@ std::string StoredRun::method() const {
   return name.empty() ? text("set.method") : name;
 }
 
-std::string StoredRun::folder() const { return (fs::path(file).parent_path() / text("folder")).string(); }
+std::string StoredRun::folder() const {
+  return (fs::path(file).parent_path() / text("folder")).lexically_normal().string();
+}
 
 std::vector<std::string> StoredResults::measures() const {
   constexpr std::string_view prefix = "measures.", suffix = ".unit";
@@ -159,6 +170,45 @@ StoredResults read_results(const std::vector<std::string>& files) {
     throw UsageError("no run in " + join(files) + " has a result");
   if (results.title.empty()) results.title = results.scene;
   return results;
+}
+
+StoredRun read_stored_run(const std::string& path) {
+  std::error_code error;
+  const fs::path file = fs::is_directory(path, error) ? fs::path(path) / "run.json" : fs::path(path);
+  const auto text = read_whole(file);
+  if (!text) throw UsageError("'" + path + "' is not the folder of a run, nor its run.json");
+  const auto json = nlohmann::ordered_json::parse(*text, nullptr, /*allow_exceptions=*/false);
+  if (!json.is_object() || !json.contains("taut"))
+    throw UsageError("'" + file.string() + "' is not the run.json of a run of taut");
+  StoredRun run{.file = file.string(), .cells = {{"folder", "."}}};
+  const auto leaves = json.flatten();
+  for (const auto& [pointer, value] : leaves.items()) {
+    std::string column = pointer.substr(1);
+    std::ranges::replace(column, '/', '.');
+    if (value.is_string())
+      run.cells.emplace_back(column, value.get<std::string>());
+    else if (value.is_number())
+      run.cells.emplace_back(column, exact(value.get<double>()));
+    else if (value.is_null())
+      run.cells.emplace_back(column, "");
+  }
+  return run;
+}
+
+void keep_methods(StoredResults& results, const std::vector<std::string>& methods) {
+  if (methods.empty()) return;
+  std::vector<std::string> there;
+  for (const StoredRun& run : results.runs)
+    if (const std::string name = run.method(); std::ranges::find(there, name) == there.end())
+      there.push_back(name);
+  for (const std::string& method : methods)
+    if (std::ranges::find(there, method) == there.end())
+      throw UsageError(unknown_name("method in the results", method, there));
+  std::erase_if(results.runs, [&](const StoredRun& run) {
+    return std::ranges::find(methods, run.method()) == methods.end();
+  });
+  if (std::ranges::none_of(results.runs, &StoredRun::has_result))
+    throw UsageError("no run of " + join(methods) + " has a result");
 }
 
 std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& runs, const std::string& x) {

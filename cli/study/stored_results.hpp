@@ -32,6 +32,7 @@ struct StoredResults {
   std::string title;                         // of the first sweep; else the scene
   std::string scene;                         // its name
   std::map<std::string, std::string> units;  // of swept parameters, as far as a results.json beside tells
+  std::vector<std::string> fixed;            // what was set for all runs, from there: "until = 0.3"
   std::vector<StoredRun> runs;
 
   /// The measures of the scene, in its order.
@@ -43,6 +44,14 @@ struct StoredResults {
 /// Each of `files` is a results.csv of a sweep, or the folder of the sweep. Throws UsageError for files that
 /// cannot be read, are none of these, hold no result, or are of different scenes.
 StoredResults read_results(const std::vector<std::string>& files);
+
+/// A run by itself, from its folder or its run.json, with the same columns. Throws UsageError for what is
+/// neither.
+StoredRun read_stored_run(const std::string& path);
+
+/// Leaves away the runs of all other methods, and runs without a method. Throws UsageError for a method that
+/// no run has, with the nearest names; no names: all of them stay.
+void keep_methods(StoredResults& results, const std::vector<std::string>& methods);
 
 /// The columns in which runs differ although they agree in method and in `x`: "set.cfl", ... What makes a
 /// parameter differ (because it was set, or another one that it depends on) stands for it.

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <ostream>
+#include <tuple>
 
 #include "cli/study/chart_drawing.hpp"
+#include "cli/study/chart_tables.hpp"
 #include "cli/study/map_drawing.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/text/suggest.hpp"
@@ -27,10 +29,14 @@ std::vector<StudyPictures::Charted> read_charts(TomlCursor& section) {
   const auto measures = texts(section, "measure");
   const Cost cost =
       section.find("cost") ? find_cost(section.choice("cost", cost_names())) : ChartRequest{}.cost;
+  ChartRequest request{.measure = "", .cost = cost};
+  for (const auto& method : texts(section, "methods")) request.methods.push_back(method.first);
+  request.against = section.text("against", "");
   section.finish();
-  std::vector<StudyPictures::Charted> charts;
-  for (const auto& [measure, place] : measures) charts.push_back({{measure, cost}, place});
-  if (charts.empty()) charts.push_back({{"", cost}, {}});
+  std::vector<StudyPictures::Charted> charts{{request, {}}};
+  if (!measures.empty()) charts.assign(measures.size(), {request, {}});
+  for (std::size_t k = 0; k < measures.size(); ++k)
+    std::tie(charts[k].request.measure, charts[k].place) = measures[k];
   return charts;
 }
 
@@ -94,29 +100,36 @@ int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& fo
     streams.out << '\n';
     code = draw_map(results, pictures.map->request, {folder / "map.png"}, streams);
   }
-  if (!pictures.history.empty() && code == exit_fine)
-    code = draw_history(results, pictures.history, {folder / "history.png"}, streams);
+  if (!pictures.history.empty() && code == exit_fine) {
+    StoredResults ended = read_results(results);
+    std::erase_if(ended.runs, [](const StoredRun& run) { return !run.has_result(); });
+    code = draw_history(ended, pictures.history, HistoryPlot{}.x, {folder / "history.png"}, streams);
+  }
   return code;
+}
+
+Chart read_chart(const std::vector<std::string>& results, const ChartRequest& request, std::ostream& err) {
+  Chart chart = make_chart(read_results(results), request);
+  if (chart.without_result > 0)
+    err << "taut: " << chart.without_result << " runs have no result and are not on the chart\n";
+  if (chart.cost == Cost::seconds && chart.machines.size() > 1)
+    err << "taut: the runs are of several machines or numbers of threads, so their seconds do not compare; "
+           "--cost steps does\n";
+  return chart;
 }
 
 int draw_chart(const std::vector<std::string>& results, const ChartRequest& request, const PlotFiles& files,
                Streams streams) {
-  const Chart chart = make_chart(read_results(results), request);
-  if (chart.without_result > 0)
-    streams.err << "taut: " << chart.without_result << " runs have no result and are not on the chart\n";
-  if (chart.cost == Cost::seconds && chart.machines.size() > 1)
-    streams.err
-        << "taut: the runs are of several machines or numbers of threads, so their seconds do not compare; "
-           "--cost steps does\n";
+  const Chart chart = read_chart(results, request, streams.err);
   streams.out << orders_table(chart);
   const int code = draw_plot(files, chart_script(chart, files), chart_data(chart));
   print_files("chart", files, " (" + chart.measure + ")", streams);
   return code;
 }
 
-int draw_history(const std::vector<std::string>& results, const std::vector<HistoryColumn>& columns,
-                 const PlotFiles& files, Streams streams) {
-  const HistoryPlot plot = make_history_plot(read_results(results), columns);
+int draw_history(const StoredResults& results, const std::vector<HistoryColumn>& columns,
+                 const HistoryColumn& x, const PlotFiles& files, Streams streams) {
+  const HistoryPlot plot = make_history_plot(results, columns, x);
   const int code = draw_plot(files, history_script(plot, files), history_data(plot));
   print_files("history", files, "", streams);
   return code;

@@ -20,6 +20,8 @@ namespace taut::cli {
 ///     [chart]                                          chart-least_diameter.png, chart-rebound_ratio.png
 ///     measure = ["least_diameter", "rebound_ratio"]    one or more; without: chart.png, the default
 ///     cost = "seconds"                                 or "steps"; default: seconds
+///     methods = ["enog", "tl"]                         default: all
+///     against = "oenog"                                its finest run stands for a reference
 ///     [map]                                            map.png
 ///     parameter = "v0"                                 default: the one that is swept beside the method
 ///     [history]                                        history.png: over time, of all runs,
@@ -51,13 +53,15 @@ void check_pictures(const StudyPictures& pictures, const std::filesystem::path& 
 /// OutputError.
 int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& folder, Streams streams);
 
+/// A chart of results.csv files; warns of what it leaves out. Throws UsageError.
+Chart read_chart(const std::vector<std::string>& results, const ChartRequest& request, std::ostream& err);
 /// Draws a chart from results.csv files, and prints the orders of convergence and where the picture is. Gives
 /// the exit code. Throws UsageError and OutputError.
 int draw_chart(const std::vector<std::string>& results, const ChartRequest& request, const PlotFiles& files,
                Streams streams);
-/// The same with histories.
-int draw_history(const std::vector<std::string>& results, const std::vector<HistoryColumn>& columns,
-                 const PlotFiles& files, Streams streams);
+/// The same with histories of all runs.
+int draw_history(const StoredResults& results, const std::vector<HistoryColumn>& columns,
+                 const HistoryColumn& x, const PlotFiles& files, Streams streams);
 /// The same with a map, and its table.
 int draw_map(const std::vector<std::string>& results, const MapRequest& request, const PlotFiles& files,
              Streams streams);

@@ -161,9 +161,11 @@ SweepPlan plan_sweep(const SweepRequest& request) {
                  .scene = "",
                  .folder = request.folder,
                  .swept = {},
+                 .fixed = request.base.settings,
                  .runs = {},
                  .pictures = request.pictures,
                  .remarks = {}};
+  plan.fixed.insert(plan.fixed.end(), request.set.begin(), request.set.end());
   std::set<std::pair<std::string, ContactLaw>> combinations;
   for (const GridRow& row : request.rows) {
     SweepRun run;
@@ -182,6 +184,7 @@ SweepPlan plan_sweep(const SweepRequest& request) {
       run.work = work_of(file);
       if (plan.runs.empty()) {
         plan.scene = file.scene.name;
+        if (plan.title.empty()) plan.title = file.scene.title;
         plan.swept = swept_names(request.rows, file);
       }
       check_study(request, plan.swept, file.scene);

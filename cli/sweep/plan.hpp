@@ -53,6 +53,7 @@ struct SweepPlan {
   std::string scene;  // its name
   std::filesystem::path folder;
   std::vector<Swept> swept;
+  std::vector<Setting> fixed;  // what is set for all runs
   std::vector<SweepRun> runs;  // in the order of the grid
   StudyPictures pictures;
   std::set<std::string> remarks;  // of the readings of its scenes

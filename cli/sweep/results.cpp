@@ -110,6 +110,8 @@ std::string results_json(const SweepPlan& plan) {
   json["swept"] = Json::array();
   for (const Swept& s : plan.swept)
     json["swept"].push_back({{"name", s.name}, {"unit", s.unit}, {"help", s.help}});
+  json["fixed"] = Json::object();
+  for (const Setting& s : plan.fixed) json["fixed"][s.name] = as_json(s.value);
   json["runs"] = Json::array();
   for (const SweepRun& run : plan.runs) json["runs"].push_back(run_json(run));
   return json.dump(2) + "\n";

@@ -10,6 +10,7 @@ namespace taut::cli {
 ///
 ///     { "taut": "0.1.0", "title": "...", "scene": "colliding-rings",
 ///       "swept": [{"name": "v0", "unit": "c0", "help": "..."}, {"name": "method", ...}],
+///       "fixed": {"until": 0.3},                                     what was set for all runs
 ///       "runs": [
 ///         { "index": 0, "set": {"v0": 0.02, "method": "og"},         as the grid has it: numbers or texts
 ///           "status": "finished|failed|interrupted|to do|error",     failed: diverged; error: see message

@@ -11,7 +11,7 @@ namespace taut::cli {
 
 /// A sweep file as read:
 ///
-///     title = "How fast may the rings be?"    optional
+///     title = "How fast may the rings be?"    optional; else the scene's
 ///     scene = "colliding-rings"               a name, or a path seen from this file
 ///     set = { until = 0.01 }                  optional: for every run, as with --set
 ///     [grid]                                  every combination of

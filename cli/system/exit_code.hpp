@@ -8,7 +8,7 @@ namespace taut::cli {
 /// What the program tells the shell; scripts rely on these numbers.
 enum ExitCode : int {
   exit_fine = 0,           // a verdict is a result, not an error
-  exit_different = 1,      // `diff`, `snapshot`: the pictures differ
+  exit_different = 1,      // `diff`, `snapshot`, `check`: pictures or numbers differ
   exit_not_granted = 1,    // `choose`: no run that is stored grants the wish
   exit_bug = 1,            // an error that is nobody's but ours
   exit_wrong_input = 2,    // the command line or a scene is wrong

@@ -86,4 +86,14 @@ TEST_SUITE("cli") {
     CHECK(changed.code == 1);
     CHECK(contains(changed.out, "out/snapshot-baseline/difference.png"));
   }
+
+  TEST_CASE("the study of a test of numbers passes, and finds what has moved") {
+    const TemporaryFolder folder;
+    const Outcome same = study(folder, "numbers-in-ci.sh");
+    CAPTURE(same.out);
+    CHECK(same.code == 0);
+    const Outcome moved = study(folder, "numbers-in-ci.sh --set vf=0.06");
+    CHECK(moved.code == 1);
+    CHECK(contains(moved.out, "MOVED"));
+  }
 }

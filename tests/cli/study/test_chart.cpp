@@ -194,6 +194,89 @@ TEST_SUITE("cli") {
     CHECK(contains(outcome.err, "a chart of 25 lines"));
   }
 
+  TEST_CASE("error goes up and cost to the right, and what was not stable is open with a cross beside it") {
+    const TemporaryFolder folder;
+    const std::string file = write_results(folder / "a", converging);
+    REQUIRE(call({"chart", file, "--out", folder.str("c.svg")}).code == 0);
+    const std::string script = text_of(folder / "c.gp");
+    CHECK(contains(script, "set xlabel 'time to solve, s'"));
+    CHECK(contains(script, "set ylabel 'error of bend, % of the reference'"));
+    CHECK(contains(script, "'×') with labels offset"));
+    CHECK(contains(script, "set label 'og' at graph 1.01"));  // a row of its own where there is no value
+    CHECK_FALSE(contains(script, "set label 'tl' at graph 1.01"));  // it has a value everywhere
+    // with cost² times as small an error, at order 2 in 2D: x^(-2/3)
+    CHECK(contains(script, "**(-0.6666666666666666) with lines"));
+    REQUIRE(call({"chart", file, "--methods", "og", "--out", folder.str("og.svg")}).code == 0);
+    CHECK_FALSE(contains(text_of(folder / "og.dat"), "# tl"));
+    // a method keeps its colour whatever else is drawn
+    const auto color = [](const std::string& text, const std::string& title) {
+      const std::size_t at = text.rfind("linecolor '", text.find("title '" + title + "'"));
+      return text.substr(at + 11, 7);
+    };
+    REQUIRE(call({"chart", file, "--methods", "tl", "--out", folder.str("tl.svg")}).code == 0);
+    CHECK(color(script, "tl") == color(text_of(folder / "tl.gp"), "tl"));
+    CHECK(color(script, "tl") != color(script, "og"));
+  }
+
+  TEST_CASE("zeros and one run alone are drawn, a zero on its axis") {
+    const TemporaryFolder folder;
+    for (const std::string row :
+         {"finished,tl,tl,0.4,10,stable,,0,2,4,\n", "finished,tl,tl,0.4,10,stable,,0.1,2,0,\n",
+          "failed,tl,tl,0.4,10,diverged,0.1,0,2,0,\n", "finished,tl,tl,0.4,10,stable,,1e-300,2,1e300,\n"}) {
+      const Outcome outcome = call({"chart", write_results(folder / "a", row), "--out", folder.str("a.png")});
+      CAPTURE(outcome.err);
+      CHECK(outcome.code == 0);
+    }
+    const auto chart = chart_of(write_results(folder / "b",
+                                              "finished,tl,tl,0.4,10,stable,,0,2,4,\n"
+                                              "finished,tl,tl,0.2,10,stable,,0.1,2,4,\n"));
+    CHECK(chart.series[0].points[0].error == 0.0);
+    CHECK_FALSE(chart.series[0].order.has_value());  // of one logarithm
+  }
+
+  TEST_CASE("without a reference runs are compared with the finest one of a method, which has no point") {
+    const TemporaryFolder folder;
+    const std::string head =
+        "status,method,scene,particles,steps,spacing,verdict,seconds.solve,measures.bend.value,"
+        "measures.bend.unit,measures.bend.error\n";
+    const auto row = [](const std::string& method, const char* spacing, const char* verdict,
+                        const char* value) {
+      return "finished," + method + ",rod,9,9," + spacing + "," + verdict + ",1," + value + ",m,\n";
+    };
+    std::ofstream(folder / "results.csv")
+        << head << row("oenog", "0.002", "stable", "1.1") << row("oenog", "0.0005", "stable", "1")
+        << row("oenog", "0.0001", "fractured", "9") << row("tl", "0.002", "stable", "0.7");
+    const std::string file = folder.str("results.csv");
+    const Outcome without = call({"chart", file, "--out", folder.str("a.png")});
+    CHECK(without.code == 2);
+    CHECK(contains(without.err, "--against METHOD charts against the finest run of one: oenog, tl"));
+    const auto chart = chart_of(file, {.measure = "", .against = "oenog"});
+    CHECK(chart.against == "oenog at 0.5 mm");
+    REQUIRE(chart.series.size() == 2);
+    REQUIRE(chart.series[0].points.size() == 2);
+    CHECK(*chart.series[0].points[0].error == doctest::Approx(0.1));
+    CHECK(*chart.series[1].points[0].error == doctest::Approx(0.3));
+    REQUIRE(call({"chart", file, "--against", "oenog", "--out", folder.str("a.svg")}).code == 0);
+    CHECK(contains(text_of(folder / "a.gp"), "Against oenog at 0.5 mm: no independent reference"));
+    CHECK(contains(text_of(folder / "a.gp"), "bend, difference from oenog at 0.5 mm, %"));
+  }
+
+  TEST_CASE("tables of a chart stand on stdout alone") {
+    const TemporaryFolder folder;
+    const std::string file = write_results(folder / "a", converging);
+    const Outcome json = call({"chart", file, "--json"});
+    REQUIRE(json.code == 0);
+    const auto tree = nlohmann::json::parse(json.out);
+    CHECK(tree["series"][0]["order"].get<double>() == doctest::Approx(2));
+    CHECK(tree["series"][0]["runs"][2]["stable"] == false);
+    CHECK(tree["series"][1]["runs"][1]["error"].is_null());
+    const Outcome markdown = call({"chart", file, "--methods", "tl", "--markdown"});
+    CHECK(contains(markdown.out, "| `tl` | 32 % | 8 % | 50 % (fractured) | 0.5 % | 2 | 2048 |"));
+    CHECK_FALSE(contains(markdown.out, "`og`"));
+    CHECK(call({"chart", file}).code == 2);
+    CHECK(call({"chart", file, "--json", "--markdown"}).code == 2);
+  }
+
   TEST_CASE("names in a chart have no meaning to gnuplot") {
     const TemporaryFolder folder;
     const std::string file =
@@ -222,6 +305,9 @@ TEST_SUITE("cli") {
         {{good, "--measure", "bent", "--out", out}, "did you mean 'bend'"},
         {{good, "--measure", "twist", "--out", out}, "no reference for it"},
         {{good, "--cost", "second", "--out", out}, "did you mean 'seconds'"},
+        {{good, "--methods", "tl,oog", "--out", out},
+         "unknown method in the results 'oog' (did you mean 'og'?)"},
+        {{good, "--against", "tll", "--out", out}, "did you mean 'tl'"},
         {{good, "--out", folder.str("chart.jpg")}, "neither in .png nor in .svg"},
         {{bare, "--out", out}, "no measure in the results of rod has an error"},
         {{waiting, "--out", out}, "has a result"},

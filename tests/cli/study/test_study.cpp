@@ -69,6 +69,7 @@ TEST_SUITE("cli") {
         {"[chart]\nmeasure = []\n", "empty list"},
         {"[chart]\ncost = \"money\"\n", ":8:8: "},
         {"[chart]\ncosts = \"steps\"\n", "did you mean 'cost'"},
+        {"[chart]\nagainst = 3\n", ":8:11: "},
         {"[map]\nparameter = \"spacin\"\n",
          ":8:13: unknown swept parameter 'spacin' (did you mean 'spacing'"},
         {"[history]\n", "[history] is empty"},

@@ -1,0 +1,69 @@
+#include <filesystem>
+#include <ostream>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command_line/command.hpp"
+#include "cli/study/expectation.hpp"
+#include "cli/system/exit_code.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+struct Options {
+  std::string run, baseline, tolerance, verdict;
+  std::vector<std::string> measures;
+};
+
+std::vector<Finding> findings(const Options& o, const StoredRun& run) {
+  std::optional<Tolerance> tolerance;
+  if (!o.tolerance.empty()) tolerance = parse_tolerance(o.tolerance, "--tolerance");
+  std::vector<Expectation> expected;
+  for (const std::string& text : o.measures) expected.push_back(parse_expectation(text, tolerance));
+  std::vector<Finding> all{find_out_end(run)};
+  if (!o.baseline.empty()) {
+    if (!tolerance) throw UsageError("--baseline needs --tolerance, such as --tolerance 1%");
+    const StoredRun baseline = read_stored_run(o.baseline);
+    if (!find_out_end(baseline).fine)
+      throw UsageError("the baseline '" + o.baseline + "' has not finished: it says not what is right");
+    if (baseline.text("scene") != run.text("scene"))
+      throw UsageError("the baseline is of " + baseline.text("scene") + ", the run of " + run.text("scene"));
+    for (const Expectation& e : expectations_of(baseline, *tolerance)) expected.push_back(e);
+    if (o.verdict.empty()) all.push_back(find_out_verdict(run, baseline.text("verdict")));
+  }
+  if (!o.verdict.empty()) all.push_back(find_out_verdict(run, o.verdict));
+  for (const Expectation& e : expected) all.push_back(find_out(run, e));
+  if (all.size() == 1) throw UsageError("nothing to check: give --measure, --baseline or --verdict");
+  return all;
+}
+
+int check(const Options& options, std::ostream& out) {
+  const std::vector<Finding> all = findings(options, read_stored_run(options.run));
+  const auto moved = std::ranges::count(all, false, &Finding::fine);
+  out << findings_table(all) << '\n'
+      << (moved == 0 ? "fine" : std::to_string(moved) + " of " + std::to_string(all.size()) + " moved")
+      << '\n';
+  return moved == 0 ? exit_fine : exit_different;
+}
+
+}  // namespace
+
+std::function<int(Streams)> declare_check(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("DIR", options->run, "a run's folder, or its run.json")->option_text(" ")->required();
+  app.add_option("--measure", options->measures,
+                 "what a measure has to be: NAME=VALUE±TOLERANCE (also +-), the tolerance with % or in its "
+                 "unit, NAME<VALUE, NAME>VALUE; also a number of run.json: conservation.energy<1e-3")
+      ->option_text("MEASURE ...");
+  app.add_option("--baseline", options->baseline,
+                 "another run's folder or run.json: its measures and its verdict are what is right")
+      ->option_text("FILE");
+  app.add_option("--tolerance", options->tolerance, "of numbers given without one, and of a baseline's")
+      ->option_text("X");
+  app.add_option("--verdict", options->verdict, "the worst that is fine, such as stable")
+      ->option_text("stable|VERDICT");
+  return [options](Streams streams) { return check(*options, streams.out); };
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,134 @@
+#include "cli/study/chart_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/text/format.hpp"
+#include "cli/text/suggest.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+using Names = std::vector<std::string>;
+
+std::optional<double> finite(std::optional<double> value) {
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<double> value_of(const StoredRun& run, const std::string& measure) {
+  return finite(run.number(measure_column(measure, "value")));
+}
+
+Names methods_in(const StoredResults& results) {
+  Names names;
+  for (const StoredRun& run : results.runs)
+    if (run.has_result() && std::ranges::find(names, run.method()) == names.end())
+      names.push_back(run.method());
+  return names;
+}
+
+/// The finest stable run of a method that has a value; of several the costliest. nullptr: there is none.
+const StoredRun* finest(const StoredResults& results, const std::string& method, const std::string& measure) {
+  const StoredRun* best = nullptr;
+  const auto rank = [](const StoredRun& run) {
+    return std::pair(-run.number("spacing").value_or(0), run.number("steps").value_or(0));
+  };
+  for (const StoredRun& run : results.runs)
+    if (run.method() == method && run.is_stable() && value_of(run, measure) && run.number("spacing") &&
+        (!best || rank(run) > rank(*best)))
+      best = &run;
+  return best;
+}
+
+ChartErrors errors_of(const StoredResults& results, const std::string& measure, const ChartRequest& request) {
+  return {measure, request.against.empty() ? nullptr : finest(results, request.against, measure)};
+}
+
+bool has_errors(const StoredResults& results, const std::string& measure, const ChartRequest& request) {
+  const ChartErrors errors = errors_of(results, measure, request);
+  if (!request.against.empty() && !errors.against) return false;
+  return std::ranges::any_of(results.runs, [&](const StoredRun& run) { return errors.of(run).has_value(); });
+}
+
+std::string default_measure(const StoredResults& results, const Names& charted, const ChartRequest& request) {
+  const auto rank = [&](const std::string& measure) {
+    const ChartErrors errors = errors_of(results, measure, request);
+    const auto with_error = [&](const StoredRun& run) { return errors.of(run).has_value(); };
+    const StoredRun& any = *std::ranges::find_if(results.runs, with_error);
+    const bool last = measure.ends_with("_time") || !errors.unit(any).empty();
+    return std::pair(last, -std::ranges::count_if(results.runs, with_error));
+  };
+  return *std::ranges::min_element(charted, {}, rank);
+}
+
+std::string hint(const StoredResults& results) {
+  return "; --against METHOD charts against the finest run of one: " + join(methods_in(results));
+}
+
+/// Why there is no error of any measure.
+std::string nothing_charted(const StoredResults& results, const ChartRequest& request) {
+  if (!request.against.empty())
+    return "no stable run of " + request.against + " in the results of " + results.scene +
+           " has a value to compare other runs with";
+  return "no measure in the results of " + results.scene +
+         " has an error: it has no references for these parameters, or the runs were too short" +
+         hint(results);
+}
+
+std::string no_error_of(const StoredResults& results, const ChartRequest& request, const Names& charted) {
+  const bool referenced = std::ranges::any_of(results.runs, [&](const StoredRun& run) {
+    return run.number(measure_column(request.measure, "reference")).has_value();
+  });
+  std::string why = "no stable run of " + request.against + " has a value of it, or no other run has";
+  if (request.against.empty())
+    why = referenced ? "all ended before it could be measured"
+                     : "the scene has no reference for it with these parameters";
+  return "no run has an error of " + request.measure + ": " + why +
+         "; measures with an error: " + join(charted) + (request.against.empty() ? hint(results) : "");
+}
+
+}  // namespace
+
+std::string measure_column(const std::string& measure, std::string_view what) {
+  return ("measures." + measure + ".").append(what);
+}
+
+std::string shown_spacing(double spacing) {
+  return spacing < 0.1 ? brief(1e3 * spacing) + " mm" : brief(spacing) + " m";
+}
+
+std::optional<double> ChartErrors::of(const StoredRun& run) const {
+  if (!run.has_result() || &run == against) return std::nullopt;
+  if (!against) return finite(run.number(measure_column(measure, "error")));
+  const auto value = value_of(run, measure), reference = value_of(*against, measure);
+  if (!value || !reference) return std::nullopt;
+  return std::abs(*value - *reference) / (*reference != 0 ? std::abs(*reference) : 1);
+}
+
+bool ChartErrors::relative(const StoredRun& run) const {
+  return against ? value_of(*against, measure).value_or(0) != 0
+                 : run.number(measure_column(measure, "reference")).value_or(0) != 0;
+}
+
+std::string ChartErrors::unit(const StoredRun& run) const {
+  const std::string unit = run.text(measure_column(measure, "unit"));
+  return relative(run) || unit == "1" ? "" : unit;
+}
+
+ChartErrors chosen_errors(const StoredResults& results, const ChartRequest& request) {
+  const Names all = results.measures(), methods = methods_in(results);
+  if (!request.measure.empty() && std::ranges::find(all, request.measure) == all.end())
+    throw UsageError(unknown_name("measure of " + results.scene, request.measure, all));
+  if (!request.against.empty() && std::ranges::find(methods, request.against) == methods.end())
+    throw UsageError(unknown_name("method in the results", request.against, methods));
+  Names charted = all;
+  std::erase_if(charted, [&](const std::string& m) { return !has_errors(results, m, request); });
+  if (charted.empty()) throw UsageError(nothing_charted(results, request));
+  if (request.measure.empty()) return errors_of(results, default_measure(results, charted, request), request);
+  if (std::ranges::find(charted, request.measure) != charted.end())
+    return errors_of(results, request.measure, request);
+  throw UsageError(no_error_of(results, request, charted));
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,149 @@
+#include "cli/study/chart_tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/study/chart_errors.hpp"
+#include "cli/text/format.hpp"
+
+namespace taut::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// From coarse to fine.
+std::set<double, std::greater<>> spacings(const Chart& chart) {
+  std::set<double, std::greater<>> all;
+  for (const ChartSeries& series : chart.series)
+    for (const ChartPoint& point : series.points) all.insert(point.spacing);
+  return all;
+}
+
+std::string markdown_cell(std::string text) {
+  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, 1, '\\');
+  std::ranges::replace(text, '\n', ' ');
+  return text;
+}
+
+std::string markdown_row(const std::vector<std::string>& cells) {
+  std::string text = "|";
+  for (const std::string& cell : cells) text += " " + markdown_cell(cell) + " |";
+  return text + "\n";
+}
+
+std::string error_cell(const Chart& chart, const ChartSeries& series, double spacing) {
+  const auto point = std::ranges::find(series.points, spacing, &ChartPoint::spacing);
+  if (point == series.points.end()) return "";
+  const std::string error = point->error ? shown_error(chart, *point->error) : "-";
+  return point->stable ? error : error + " (" + point->verdict + ")";
+}
+
+/// It is drawn where it has no logarithm.
+bool has_zero(const Chart& chart) {
+  for (const ChartSeries& series : chart.series)
+    for (const ChartPoint& point : series.points)
+      if (point.cost == 0 || point.error == 0.0) return true;
+  return false;
+}
+
+Json number(std::optional<double> value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+Json point_json(const ChartPoint& point) {
+  return {{"spacing", number(point.spacing)},
+          {"error", number(point.error)},
+          {"cost", point.cost > 0 ? Json(point.cost) : Json(nullptr)},
+          {"verdict", point.verdict},
+          {"stable", point.stable},
+          {"cfl", point.cfl},
+          {"stepping", point.stepping},
+          {"folder", point.folder}};
+}
+
+}  // namespace
+
+std::string orders_table(const Chart& chart) {
+  std::vector<std::vector<std::string>> rows{{"method", "order", "runs", "finest, m", "its error",
+                                              chart.cost == Cost::seconds ? "its s" : "its steps",
+                                              "not stable"}};
+  for (const ChartSeries& series : chart.series) {
+    const ChartPoint& finest = series.points.back();
+    const auto unstable = std::ranges::count(series.points, false, &ChartPoint::stable);
+    rows.push_back(
+        {series.name, series.order ? brief(*series.order) : "-", std::to_string(series.points.size()),
+         brief(finest.spacing), finest.error ? shown_error(chart, *finest.error) : "-",
+         finest.cost > 0 ? brief(finest.cost) : "-", unstable == 0 ? "" : std::to_string(unstable)});
+  }
+  return in_columns(rows);
+}
+
+std::string markdown_table(const Chart& chart) {
+  std::vector<std::string> heading{"method"}, rule{"---"};
+  for (const double spacing : spacings(chart)) heading.push_back(shown_spacing(spacing));
+  heading.insert(heading.end(),
+                 {"order", chart.cost == Cost::seconds ? "finest, s" : "finest, particles × steps"});
+  rule.resize(heading.size(), "---");
+  std::string text = "**" + markdown_cell(chart.title) + "**: " + error_label(chart) + "\n\n" +
+                     markdown_row(heading) + markdown_row(rule);
+  for (const ChartSeries& series : chart.series) {
+    std::vector<std::string> cells{"`" + series.name + "`"};
+    for (const double spacing : spacings(chart)) cells.push_back(error_cell(chart, series, spacing));
+    const double cost = series.points.back().cost;
+    cells.insert(cells.end(), {series.order ? brief(*series.order) : "-", cost > 0 ? brief(cost) : "-"});
+    text += markdown_row(cells);
+  }
+  for (const std::string& note : footnotes(chart)) text += "\n" + markdown_cell(note) + "\n";
+  return text;
+}
+
+std::string chart_json(const Chart& chart) {
+  Json json{{"title", chart.title},
+            {"scene", chart.scene},
+            {"measure", chart.measure},
+            {"error", error_label(chart)},
+            {"unit", chart.unit.empty() ? "1" : chart.unit},
+            {"cost", label(chart.cost)},
+            {"against", chart.against.empty() ? Json(nullptr) : Json(chart.against)},
+            {"references", chart.references},
+            {"machines", chart.machines},
+            {"fixed", chart.fixed},
+            {"series", Json::array()}};
+  for (const ChartSeries& series : chart.series) {
+    Json one{{"name", series.name}, {"method", series.method}, {"order", number(series.order)}};
+    for (const ChartPoint& point : series.points) one["runs"].push_back(point_json(point));
+    json["series"].push_back(std::move(one));
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string error_label(const Chart& chart) {
+  const std::string unit = chart.unit.empty() ? "%" : chart.unit;
+  if (!chart.against.empty()) return chart.measure + ", difference from " + chart.against + ", " + unit;
+  if (!chart.unit.empty() || !chart.relative) return chart.measure + ", " + unit;
+  return "error of " + chart.measure + ", % of the reference";
+}
+
+std::vector<std::string> footnotes(const Chart& chart) {
+  const auto all = spacings(chart);
+  std::string what = "Scene " + chart.scene + ", particles " + shown_spacing(*all.begin());
+  what += all.size() > 1 ? " to " + shown_spacing(*all.rbegin()) + " apart, each line from coarse to fine"
+                         : " apart";
+  if (!chart.fixed.empty()) what += "; all with " + join(chart.fixed);
+  if (has_zero(chart)) what += "; on an axis: an error or a cost of 0";
+  std::vector<std::string> notes{what};
+  const std::string references = join(chart.references, "; ");
+  if (!chart.against.empty())
+    notes.push_back("Against " + chart.against + ": " +
+                    (references.empty() ? "no independent reference"
+                                        : "no independent one, which would be " + references));
+  else if (!references.empty())
+    notes.push_back("Reference: " + references);
+  if (chart.cost == Cost::seconds) notes.push_back("Time: " + join(chart.machines, "; "));
+  return notes;
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,161 @@
+#include "cli/study/expectation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "cli/text/format.hpp"
+#include "cli/text/suggest.hpp"
+#include "engine/diagnostics/verdict.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+std::string measure_column(const std::string& name, std::string_view what) {
+  return ("measures." + name + ".").append(what);
+}
+
+std::string without_blanks(std::string text) {
+  std::erase(text, ' ');
+  return text;
+}
+
+double finite_number(const std::string& text, const std::string& whole) {
+  const auto value = parsed<double>(text);
+  if (value && std::isfinite(*value)) return *value;
+  throw UsageError("'" + whole + "': '" + text +
+                   "' is not a number; write NAME=VALUE±TOLERANCE, NAME<VALUE or NAME>VALUE, without units");
+}
+
+/// Where the tolerance begins, and where its number does.
+std::optional<std::pair<std::size_t, std::size_t>> find_tolerance(const std::string& text) {
+  for (const std::string_view sign : {"±", "+-", "+/-"})
+    if (const std::size_t at = text.find(sign); at != std::string::npos) return {{at, at + sign.size()}};
+  return std::nullopt;
+}
+
+bool is_measure(const StoredRun& run, const std::string& name) {
+  const std::string prefix = measure_column(name, "");
+  return std::ranges::any_of(run.cells, [&](const auto& cell) { return cell.first.starts_with(prefix); });
+}
+
+/// The measures of a run, and the numbers beside them that may be checked.
+std::vector<std::string> names_in(const StoredRun& run) {
+  std::vector<std::string> names;
+  for (const auto& [column, value] : run.cells) {
+    const bool measure = column.starts_with("measures.");
+    const std::string name =
+        measure ? column.substr(column.find('.') + 1, column.rfind('.') - column.find('.') - 1) : column;
+    if ((measure || parsed<double>(value)) && std::ranges::find(names, name) == names.end())
+      names.push_back(name);
+  }
+  return names;
+}
+
+std::string with_unit(double value, const std::string& unit) {
+  return exact(value) + (unit.empty() ? "" : " " + unit);
+}
+
+std::string shown_tolerance(const Tolerance& t) { return t.relative ? percent(t.size) : exact(t.size); }
+
+std::string shown(const Expectation& e, const std::string& unit) {
+  if (e.kind == Expectation::Kind::equal)
+    return with_unit(e.value, unit) + " ± " + shown_tolerance(e.tolerance);
+  return std::string(e.kind == Expectation::Kind::below ? "<" : ">") + (e.or_equal ? "= " : " ") +
+         with_unit(e.value, unit);
+}
+
+bool holds(const Expectation& e, double is) {
+  if (e.kind == Expectation::Kind::equal)
+    return std::abs(is - e.value) <= e.tolerance.size * (e.tolerance.relative ? std::abs(e.value) : 1);
+  if (e.or_equal && is == e.value) return true;
+  return e.kind == Expectation::Kind::below ? is < e.value : is > e.value;
+}
+
+std::string shown_difference(const Expectation& e, double is, const std::string& unit) {
+  const double difference = is - e.value;
+  std::string text = difference > 0 ? "+" : "";
+  if (e.tolerance.relative && e.value != 0) return text + percent(difference / std::abs(e.value));
+  return text + brief(difference) + (unit.empty() ? "" : " " + unit);
+}
+
+}  // namespace
+
+Tolerance parse_tolerance(const std::string& text, const std::string& option) {
+  const std::string plain = without_blanks(text);
+  const bool relative = plain.ends_with('%');
+  const auto size = parsed<double>(std::string_view(plain).substr(0, plain.size() - (relative ? 1 : 0)));
+  if (!size || !std::isfinite(*size) || *size < 0)
+    throw UsageError(option + ": the tolerance '" + text + "' is neither like 1% nor like 0.002");
+  return {relative ? *size / 100 : *size, relative};
+}
+
+Expectation parse_expectation(const std::string& given, const std::optional<Tolerance>& for_all) {
+  const std::string text = without_blanks(given);
+  const std::size_t sign = text.find_first_of("=<>");
+  if (sign == 0 || sign == std::string::npos)
+    throw UsageError("--measure '" + given + "' is not NAME=VALUE±TOLERANCE, NAME<VALUE or NAME>VALUE");
+  Expectation e{.name = text.substr(0, sign)};
+  std::string rest = text.substr(sign + 1);
+  if (text[sign] == '=') {
+    const auto tolerance = find_tolerance(rest);
+    if (!tolerance && !for_all)
+      throw UsageError("'" + given + "' says not how far it may be off: '" + text +
+                       "±1%', or --tolerance for all");
+    e.tolerance = tolerance ? parse_tolerance(rest.substr(tolerance->second), "'" + given + "'") : *for_all;
+    if (tolerance) rest = rest.substr(0, tolerance->first);
+  } else {
+    e.kind = text[sign] == '<' ? Expectation::Kind::below : Expectation::Kind::above;
+    e.or_equal = rest.starts_with('=');
+    if (e.or_equal) rest = rest.substr(1);
+  }
+  e.value = finite_number(rest, given);
+  return e;
+}
+
+std::vector<Expectation> expectations_of(const StoredRun& baseline, const Tolerance& tolerance) {
+  constexpr std::string_view suffix = ".value", prefix = "measures.";
+  std::vector<Expectation> all;
+  for (const auto& [column, text] : baseline.cells) {
+    const auto value = parsed<double>(text);
+    if (!value || !column.starts_with(prefix) || !column.ends_with(suffix)) continue;
+    all.push_back({.name = column.substr(prefix.size(), column.size() - prefix.size() - suffix.size()),
+                   .value = *value,
+                   .tolerance = tolerance});
+  }
+  return all;
+}
+
+Finding find_out(const StoredRun& run, const Expectation& e) {
+  const bool measure = is_measure(run, e.name);
+  const auto is = run.number(measure ? measure_column(e.name, "value") : e.name);
+  if (!measure && !is) throw UsageError(unknown_name("measure or number of run.json", e.name, names_in(run)));
+  std::string unit = run.text(measure_column(e.name, "unit"));
+  if (unit == "1") unit.clear();
+  if (!is || !std::isfinite(*is)) return {e.name, shown(e, unit), "no value", "", false};
+  return {e.name, shown(e, unit), with_unit(*is, unit), shown_difference(e, *is, unit), holds(e, *is)};
+}
+
+Finding find_out_verdict(const StoredRun& run, const std::string& worst) {
+  const auto is = find_verdict(run.text("verdict")), allowed = find_verdict(worst);
+  std::vector<std::string> names = names_of_failures();
+  names.insert(names.begin(), std::string(name(Verdict::stable)));
+  if (!allowed) throw UsageError(unknown_name("verdict", worst, names));
+  return {"verdict", *allowed == Verdict::stable ? worst : worst + " or better",
+          is ? run.text("verdict") : "no value", "", is && *is <= *allowed};
+}
+
+Finding find_out_end(const StoredRun& run) {
+  const std::string status = run.text("status");
+  return {"status", "finished", status.empty() ? "no value" : status, "", status == "finished"};
+}
+
+std::string findings_table(const std::vector<Finding>& findings) {
+  std::vector<std::vector<std::string>> rows{{"measure", "expected", "is", "difference", ""}};
+  for (const Finding& f : findings)
+    rows.push_back({f.name, f.expected, f.is, f.difference, f.fine ? "fine" : "MOVED"});
+  return in_columns(rows);
+}
+
+}  // namespace taut::cli
