@@ -1,6 +1,7 @@
 #include "cli/command_line/completion.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 
 #include <CLI/CLI.hpp>
@@ -51,11 +52,14 @@ class CommandLine {
       if (option->nonpositional() && option->check_name(name)) return option;
     return nullptr;
   }
-  /// The scene that is typed, as it is with the method that is typed; none if there is no such thing yet.
+  /// The scene that is typed, as it is with the method that is typed, or that of a run's folder; none if there is no such thing yet.
   std::optional<SceneFile> scene() const try {
     if (arguments_.empty()) return std::nullopt;
     std::vector<Setting> settings;
     if (method_) settings.push_back({"method", *method_});
+    const auto of_run = std::filesystem::path(arguments_.front()) / "scene.toml";
+    std::error_code error;
+    if (std::filesystem::exists(of_run, error)) return read_scene(of_run);
     return read_scene(find_scene(arguments_.front()), settings);
   } catch (const UsageError&) {
     return std::nullopt;

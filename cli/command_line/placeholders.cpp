@@ -30,6 +30,12 @@ Words probe_names(const SceneFile* scene) {
   return names;
 }
 
+Words column_names(const SceneFile* scene) {
+  Words names{"t", "kinetic_energy", "strain_energy", "total_energy"};
+  for (const std::string& probe : probe_names(scene)) names.push_back(probe);
+  return names;
+}
+
 Words body_names(const SceneFile* scene) {
   Words names;
   if (!scene) return names;
@@ -59,6 +65,7 @@ constexpr Placeholder table[] = {
     {"VERDICT", verdict_names, ""},
     {"PROBE", probe_names, ""},
     {"BODY", body_names, ""},
+    {"COLUMN", column_names, ""},
     {"MEASURE", measure_names, ""},
     {"PARAMETER", settable_names, ""},
     {"NAME=VALUE", settable_names, ""},

@@ -164,7 +164,8 @@ std::vector<std::string> curve(const Chart& chart, const Layout& layout, std::si
   };
   std::vector<std::string> all;
   if (!std::ranges::all_of(points, without_error)) {
-    all.push_back(at("$5 == 1", y) + " with lines linewidth 0.7 " + style.line() + " notitle");
+    if (!std::ranges::all_of(points, &ChartPoint::stable))
+      all.push_back(at("$5 == 1", y) + " with lines linewidth 0.7 " + style.line() + " notitle");
     all.push_back(at("$5 == 1 && $4 == 1", y) + " with lines linewidth 2 " + style.line() + " notitle");
     for (std::string& each : markers("$5 == 1", y, "1.3", "0.9,0.45")) all.push_back(std::move(each));
   }

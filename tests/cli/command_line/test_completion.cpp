@@ -47,6 +47,8 @@ TEST_SUITE("cli") {
   TEST_CASE("the words of a command line that complete it") {
     const TemporaryFolder folder;
     const std::string scene = write_tiny_scene(folder);
+    fs::create_directories(folder / "run");
+    fs::copy_file(scene, folder / "run/scene.toml");
     const std::map<Words, Words> cases{
         {{"comp"}, {"compare", "completion"}},
         {{"--v"}, {"--version"}},
@@ -70,6 +72,8 @@ TEST_SUITE("cli") {
         {{"sweep", scene, "--emit", ""}, {"slurm", "parallel"}},
         {{"describe", "oe"}, {"oenog"}},
         {{"list", "e"}, {"equations"}},
+        {{"plot", folder.str("run"), "--columns", "t,g"}, {"t,gap"}},
+        {{"check", folder.str("run"), "--measure", ""}, {"touch_time"}},
         {{"completion", ""}, {"bash", "zsh"}},
         {{"nothing", ""}, {}},
         {{"run", scene, "--nothing", "--set", "x"}, {}},
