@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cli/drawing/keys.hpp"
+#include "cli/language/reference.hpp"
 #include "cli/scene/shipped.hpp"
 #include "engine/diagnostics/verdict.hpp"
 #include "engine/families/catalogue.hpp"
@@ -20,6 +21,8 @@ Words sweep_names(const SceneFile*) {
   for (const std::string& scene : scene_names()) names.push_back(scene);  // with --grid
   return names;
 }
+
+Words section_names(const SceneFile*) { return topic_names(); }
 
 Words verdict_names(const SceneFile*) { return names_of_failures(); }
 
@@ -62,6 +65,7 @@ constexpr Placeholder table[] = {
     {"SCENE", shipped_scenes, "*.toml"},
     {"SWEEP", sweep_names, "*.toml"},
     {"METHOD", method_names, ""},
+    {"SECTION", section_names, ""},
     {"VERDICT", verdict_names, ""},
     {"PROBE", probe_names, ""},
     {"BODY", body_names, ""},
@@ -91,7 +95,8 @@ Words drawing_names(std::string_view placeholder) {
 }
 
 bool is_literal(std::string_view word) {
-  return !word.empty() && std::ranges::all_of(word, [](char c) { return c >= 'a' && c <= 'z'; });
+  return !word.empty() &&
+         std::ranges::all_of(word, [](char c) { return (c >= 'a' && c <= 'z') || c == '-'; });
 }
 
 /// ".png" of "panel.png"; empty if there is none

@@ -110,14 +110,18 @@ constexpr Command table[] = {
      "  printf 'run until 0.003\\nprobe\\nframe now.png\\n' | taut session colliding-rings --strict\n"
      "Every answer ends with a line `ok` or `error: REASON`; values come as name=value.\n",
      declare_session},
-    {"list", "name the scenes, methods, equations, fields, measures and colour maps there are",
+    {"list", "name what there is: scenes, methods, laws, shapes, probes, measures, keys of scene files and more",
      "  taut list\n"
      "  taut list methods\n"
+     "  taut list keys                            of scene and sweep files, all in one table\n"
      "  taut list scenes --json\n",
      declare_list},
-    {"describe", "say what a scene or a method is: equations, parameters with units and bounds, source",
-     "  taut describe colliding-rings\n"
-     "  taut describe enog\n",
+    {"describe", "say what a scene or a method is, or how scene and sweep files are written",
+     "  taut describe colliding-rings             its parameters with units and bounds, bodies, measures\n"
+     "  taut describe enog                        its equations, constants with bounds, source\n"
+     "  taut describe scene-file                  everything that a scene file may have\n"
+     "  taut describe body                        one section of it; or a shape, a probe, a measure\n"
+     "  taut describe sweep-file\n",
      declare_describe},
     {"completion", "print what a shell needs to complete commands, options and names at the press of Tab",
      "  source <(taut completion bash)            now; in ~/.bashrc: from now on\n"

@@ -4,9 +4,12 @@
 #include <ostream>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "cli/command_line/command.hpp"
+#include "cli/language/reference.hpp"
 #include "cli/scene/scene_file.hpp"
+#include "cli/scene/sections.hpp"
 #include "cli/scene/shipped.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/text/format.hpp"
@@ -16,8 +19,6 @@
 
 namespace taut::cli {
 namespace {
-
-using Rows = std::vector<std::vector<std::string>>;
 
 std::string bounds(std::optional<double> low, std::optional<double> high) {
   if (!low && !high) return "any";
@@ -61,7 +62,7 @@ Rows measure_rows(const Scene& scene) {
     for (const auto& [law, reference] : scene.references)
       if (reference.value.contains(m.name) || reference.table.contains(m.name) ||
           reference.solution.contains(m.name))
-        names += (names.empty() ? "" : "; ") + reference.name + " (" + law + ")";
+        names += (names.empty() ? "" : "; ") + reference.name + " (" + law_name(law) + ")";
     rows.push_back({m.name, m.kind, m.unit.empty() ? "-" : m.unit, names.empty() ? "none" : names});
   }
   return rows;
@@ -137,7 +138,7 @@ Rows wall_rows(const Scene& scene) {
 }
 
 std::string laws_text(const MethodInfo& method) {
-  std::string text(method.material_law);
+  std::string text = law_name(method.material_law);
   for (std::size_t k = 0; k < method.laws.size(); ++k)
     text += (k == 0 ? "; changed with --set law=LAW: " : ", ") + std::string(method.laws[k].name);
   return text;
@@ -199,10 +200,51 @@ void describe_method(const MethodInfo& method, std::ostream& out) {
   print_table(out, "Constants, changed with --set method.NAME=VALUE", constants, 1);
 }
 
+using Json = nlohmann::ordered_json;
+
+Json as_json(const Topic& topic) {
+  Json keys = Json::array();
+  for (std::size_t r = 1; r < topic.rows.size(); ++r) {
+    Json row;
+    for (std::size_t k = 0; k < topic.rows[r].size(); ++k) row[topic.rows.front()[k]] = topic.rows[r][k];
+    keys.push_back(std::move(row));
+  }
+  return {{"name", topic.name},
+          {"header", topic.header},
+          {"help", topic.help},
+          {"rows", keys},
+          {"example", topic.example}};
+}
+
+Json as_json(const std::vector<Topic>& topics) {
+  Json all = Json::array();
+  for (const Topic& topic : topics) all.push_back(as_json(topic));
+  return all;
+}
+
+/// False if there is no such thing in the language of scene and sweep files.
+bool describe_language(const std::string& name, bool json, std::ostream& out) {
+  for (const LanguageFile& file : {scene_language(), sweep_language()}) {
+    if (file.name != name) continue;
+    if (json)
+      out << Json{{"name", name}, {"rules", file.rules}, {"topics", as_json(file.topics)}}.dump(2) << '\n';
+    else
+      out << as_text(file);
+    return true;
+  }
+  const std::vector<Topic> topics = find_topics(name);
+  if (json && !topics.empty()) out << as_json(topics).dump(2) << '\n';
+  if (!json)
+    for (const Topic& topic : topics) out << (&topic == &topics.front() ? "" : "\n") << as_text(topic);
+  return !topics.empty();
+}
+
 [[noreturn]] void refuse(const std::string& name) {
   std::vector<std::string> names = scene_names();
   for (const MethodInfo& m : methods()) names.emplace_back(m.name);
-  throw UsageError(unknown_name("scene or method", name, names));
+  for (const std::string& topic : topic_names()) names.push_back(topic);
+  names.insert(names.end(), {"scene-file", "sweep-file"});
+  throw UsageError(unknown_name("scene, method or part of scene files", name, names));
 }
 
 /// A path is a scene, whether or not it exists.
@@ -213,22 +255,33 @@ bool is_scene(const std::string& name) {
   return false;
 }
 
+int describe(const std::string& name, bool json, std::ostream& out) {
+  const MethodInfo* method = find_method(name);
+  if (!method && !is_scene(name)) {
+    if (!describe_language(name, json, out)) refuse(name);
+    return exit_fine;
+  }
+  if (json)
+    throw UsageError("--json is for scene-file, sweep-file and their parts; '" + name + "' is a " +
+                     (method ? "method" : "scene"));
+  method ? describe_method(*method, out) : describe_scene(name, out);
+  return exit_fine;
+}
+
 }  // namespace
 
 std::function<int(Streams)> declare_describe(CLI::App& app) {
-  auto name = std::make_shared<std::string>();
-  app.add_option("SCENE|METHOD", *name, "`taut list` names them; or the path of a scene file")
+  struct Options {
+    std::string name;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  app.add_option("SCENE|METHOD|scene-file|sweep-file|SECTION", options->name,
+                 "`taut list` names them; or the path of a scene file; or a section, shape, probe or measure")
       ->option_text(" ")
       ->required();
-  return [name](Streams streams) {
-    if (const MethodInfo* method = find_method(*name))
-      describe_method(*method, streams.out);
-    else if (is_scene(*name))
-      describe_scene(*name, streams.out);
-    else
-      refuse(*name);
-    return exit_fine;
-  };
+  app.add_flag("--json", options->json, "of scene-file, sweep-file and their parts, for scripts");
+  return [options](Streams streams) { return describe(options->name, options->json, streams.out); };
 }
 
 }  // namespace taut::cli

@@ -5,16 +5,14 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command_line/command.hpp"
+#include "cli/language/reference.hpp"
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/shipped.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
-#include "engine/diagnostics/fields.hpp"
-#include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/error.hpp"
 #include "engine/families/catalogue.hpp"
-#include "render/colormap.hpp"
 
 namespace taut::cli {
 namespace {
@@ -36,11 +34,20 @@ Json scene_rows() {
   return rows;
 }
 
-Json method_rows() {
-  Json rows = Json::array();
-  for (const MethodInfo& m : methods())
-    rows.push_back({{"name", m.name}, {"summary", m.summary}, {"paper", m.paper}});
-  return rows;
+/// Rows with their heads first, each as an object.
+Json as_objects(const Rows& rows) {
+  Json objects = Json::array();
+  for (std::size_t r = 1; r < rows.size(); ++r) {
+    Json object;
+    for (std::size_t k = 0; k < rows[r].size(); ++k) object[rows.front()[k]] = rows[r][k];
+    objects.push_back(std::move(object));
+  }
+  return objects;
+}
+
+template <Rows (*rows)()>
+Json of_language() {
+  return as_objects(rows());
 }
 
 /// Each equation once, with the first of its methods' words.
@@ -55,36 +62,17 @@ Json equation_rows() {
   return rows;
 }
 
-Json field_rows() {
-  Json rows = Json::array();
-  for (const Field& f : fields()) rows.push_back({{"name", f.key}, {"unit", f.unit}, {"help", f.help}});
-  return rows;
-}
-
-Json measure_rows() {
-  Json rows = Json::array();
-  for (const MeasureKind& m : measure_kinds()) {
-    std::vector<std::string> compared;
-    if (m.number) compared.emplace_back("number");
-    if (m.table) compared.emplace_back("table");
-    if (m.solution) compared.emplace_back("solution");
-    rows.push_back({{"name", m.name},
-                    {"keys", join({m.keys.begin(), m.keys.end()})},
-                    {"reference", join_with_or(compared)},
-                    {"help", m.help}});
-  }
-  return rows;
-}
-
-Json colormap_rows() {
-  Json rows = Json::array();
-  for (const render::Colormap& c : render::colormaps()) rows.push_back({{"name", c.key}, {"help", c.help}});
-  return rows;
-}
-
-constexpr Listing listings[] = {{"scenes", scene_rows},       {"methods", method_rows},
-                                {"equations", equation_rows}, {"fields", field_rows},
-                                {"measures", measure_rows},   {"colormaps", colormap_rows}};
+constexpr Listing listings[] = {{"scenes", scene_rows},
+                                {"methods", of_language<method_rows>},
+                                {"equations", equation_rows},
+                                {"laws", of_language<law_rows>},
+                                {"contacts", of_language<contact_rows>},
+                                {"shapes", of_language<shape_rows>},
+                                {"probes", of_language<probe_rows>},
+                                {"measures", of_language<measure_rows>},
+                                {"fields", of_language<field_rows>},
+                                {"colormaps", of_language<colormap_rows>},
+                                {"keys", of_language<key_rows>}};
 
 std::string as_text(const Json& rows) {
   std::vector<std::vector<std::string>> cells;

@@ -13,12 +13,19 @@ namespace {
 
 const std::vector<std::string> stepping_names = {"dual", "single"};
 
-constexpr std::array contact_laws = {ContactLaw::published, ContactLaw::sph,           ContactLaw::impulse,
-                                     ContactLaw::penalty,   ContactLaw::lennard_jones, ContactLaw::surface};
+constexpr std::array contacts = {
+    ContactChoice{ContactLaw::published, "that of the method's paper: `taut describe METHOD`"},
+    ContactChoice{ContactLaw::sph, "as particles of one body act on each other, [Zhang2024]"},
+    ContactChoice{ContactLaw::impulse, "the approach of two particles is stopped, [Khayyer2024] Eq. 53, 54"},
+    ContactChoice{ContactLaw::penalty, "a spring of the bulk modulus, [TranDuc2023] Eq. 2.13 to 2.15"},
+    ContactChoice{ContactLaw::lennard_jones,
+                  "a spring that hardens the nearer they come, [Zhang2020] Eq. 12"},
+    ContactChoice{ContactLaw::surface, "a spring between faces where they overlap, 2D, ours"},
+};
 
-std::vector<std::string> names_of_laws() {
+std::vector<std::string> names_of_contacts() {
   std::vector<std::string> names;
-  for (const ContactLaw law : contact_laws) names.emplace_back(name(law));
+  for (const ContactChoice& choice : contacts) names.emplace_back(name(choice.law));
   return names;
 }
 
@@ -142,11 +149,21 @@ void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& met
 
 }  // namespace
 
+std::span<const ContactChoice> contact_choices() { return contacts; }
+
+std::string law_name(std::string_view material_law) {
+  const auto law = std::ranges::find(laws(), material_law, &LawRow::material_law);
+  if (law != laws().end() && !law->choice.empty()) return std::string(law->choice);
+  std::string name(material_law);
+  std::ranges::replace(name, '_', '-');
+  return name;
+}
+
 std::vector<std::string> texts_to_set(std::string_view name) {
   if (name == "method") return names_of(methods());
   if (name == "stepping") return stepping_names;
   if (name == "law") return names_of_elastic_laws();
-  return name == "contact" ? names_of_laws() : std::vector<std::string>();
+  return name == "contact" ? names_of_contacts() : std::vector<std::string>();
 }
 
 void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
@@ -158,8 +175,9 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
 
   const std::string stepping = chosen(root, "stepping", stepping_names, changes.stepping);
   file.settings.stepping = stepping == stepping_names.front() ? Stepping::dual : Stepping::single;
-  const std::string contact = chosen(root, "contact", names_of_laws(), changes.contact);
-  file.scene.contact = *std::ranges::find(contact_laws, contact, [](ContactLaw law) { return name(law); });
+  const std::string contact = chosen(root, "contact", names_of_contacts(), changes.contact);
+  file.scene.contact =
+      std::ranges::find(contacts, contact, [](const ContactChoice& c) { return name(c.law); })->law;
   const ContactLaw law = file.scene.contact == ContactLaw::published ? method.contact : file.scene.contact;
   // the gap below which bodies are in touch: particles that act on those of another body as on their own
   // repel them before faces meet; with the other laws of particles faces that meet obliquely leave a tenth of a

@@ -11,12 +11,23 @@
 namespace taut::cli {
 namespace {
 
-/// The materials that there may be references for.
-std::vector<std::string> material_laws() {
-  std::vector<std::string> names{"2d_deviator"};
+/// The laws that there may be references for, as run.json names them.
+std::vector<std::string_view> material_laws() {
+  std::vector<std::string_view> names{in_plane_law};
   for (const LawRow& law : laws())
-    if (!law.choice.empty()) names.emplace_back(law.material_law);
+    if (!law.choice.empty()) names.push_back(law.material_law);
   return names;
+}
+
+/// `law = "neo-hookean"`; what run.json calls it, neo_hookean, is read as well.
+std::string read_law(TomlCursor& reference) {
+  const std::string given = reference.text("law");
+  std::vector<std::string> known;
+  for (const std::string_view law : material_laws()) {
+    if (given == law || given == law_name(law)) return std::string(law);
+    known.push_back(law_name(law));
+  }
+  reference.fail_unknown(reference.need("law"), "law", "law", given, known);
 }
 
 bool alike(double a, double b) {
@@ -186,7 +197,7 @@ void read_references(TomlCursor& root, SceneFile& file) {
   std::map<std::string, int> taken;  // precedence of each law's reference
   for (TomlValue& value : root.list("reference")) {
     TomlCursor cursor = root.enter(value, "reference", "a reference", keys_of("reference"));
-    const std::string law = cursor.choice("law", material_laws());
+    const std::string law = read_law(cursor);
     read_names(cursor);
     const Reference reference{.name = cursor.text("name"),
                               .value = read_values(cursor, file.scene),

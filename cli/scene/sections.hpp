@@ -130,6 +130,19 @@ std::span<const ProbeKind> probe_kinds();
 /// A key that kinds of measures take.
 const KeyInfo& measure_key(std::string_view name);
 
+/// A way in which bodies act on each other.
+struct ContactChoice {
+  ContactLaw law;
+  std::string_view help;
+};
+std::span<const ContactChoice> contact_choices();
+
+/// The law of methods whose stress has no part out of the plane, as references and run.json name it. It cannot be
+/// chosen.
+inline constexpr std::string_view in_plane_law = "2d_deviator";
+/// "neo-hookean": as scene files and options name what run.json calls neo_hookean.
+std::string law_name(std::string_view material_law);
+
 /// The body that `value` names.
 int body_index(TomlCursor& cursor, const TomlValue& value, std::string_view key, const Scene& scene);
 

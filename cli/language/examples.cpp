@@ -1,0 +1,172 @@
+#include <algorithm>
+
+#include "cli/language/reference.hpp"
+
+namespace taut::cli {
+namespace {
+
+struct Example {
+  std::string_view name, text;
+};
+
+/// Those of sections with a [header] are one scene, in this order, and one sweep; the others are a key of the first
+/// body or reference.
+constexpr Example examples[] = {
+    {"scene", R"toml(title = "A disc hits a bar"
+dim = 2
+spacing = 0.002                         # m
+until = 0.02                            # s
+method = "oenog"
+gravity = [0, -9.81]                    # m/s²
+)toml"},
+    {"parameters", R"toml([parameters]                            # each can be changed with --set speed=8
+speed = { value = 5, unit = "m/s", min = 0, max = 20, help = "of the disc, downwards" }
+high = { value = "0.01 + 2*dp", unit = "m", help = "of its centre above the bar" }
+)toml"},
+    {"material", R"toml([material.rubber]
+density = 1200
+youngs_modulus = 1e7
+poisson_ratio = 0.4
+
+[material.stiff]
+density = 1200
+youngs_modulus = 5e7
+poisson_ratio = 0.4
+)toml"},
+    {"body", R"toml([[body]]
+name = "bar"
+shape = { type = "rectangle", low = [-0.05, -0.01], high = [0.05, 0] }
+material = "rubber"
+held = "abs(x) > 0.05 - 4*dp"           # its ends stay where they are
+parts = [{ material = "stiff", where = "x > 0.02" }]
+
+[[body]]
+name = "disc"
+shape = { type = "disc", centre = [0, "high"], radius = 0.01 }
+material = "rubber"
+velocity = [0, "-speed"]
+)toml"},
+    {"shape", R"toml(shape = [{ type = "rectangle", low = [-0.05, -0.01], high = [0.05, 0] },
+         { type = "disc", centre = [0.05, -0.005], radius = 0.005 }]
+)toml"},
+    {"rotate", R"toml(rotate = { angle = 5, about = [0, 0] }
+)toml"},
+    {"parts", R"toml(parts = [{ material = "stiff", where = "x > 0.02" }]
+)toml"},
+    {"driven",
+     R"toml(driven = [{ where = "x > 0.05 - 4*dp", velocity = [0, "0.5*sin(2*pi*t/0.01)"], until = 0.01 }]
+)toml"},
+    {"loaded",
+     R"toml(loaded = [{ where = "abs(x) < 0.01", force = [0, -100], ramp = "t < 0.01 ? t/0.01 : 1" }]
+)toml"},
+    {"wall", R"toml([[wall]]
+name = "floor"
+at = [0, -0.05]
+normal = [0, 1]
+)toml"},
+    {"probe", R"toml([[probe]]
+name = "middle"
+of = "displacement"
+body = "bar"
+at = [0, 0]
+component = "y"
+
+[[probe]]
+name = "gap"
+of = "gap"
+bodies = ["bar", "disc"]
+)toml"},
+    {"line", R"toml([[line]]
+name = "across"
+body = "bar"
+field = "von_mises"
+from = [0, -0.01]
+to = [0, 0]
+points = 11
+times = [0.01, 0.02]
+)toml"},
+    {"measure", R"toml([[measure]]
+name = "deflection"
+of = "minimum"
+probe = "middle"
+unit = "m"
+
+[[measure]]
+name = "touch_time"
+of = "first_below"
+probe = "gap"
+threshold = "touching"                  # a name of expressions
+unit = "s"
+
+[[measure]]
+name = "curve_rmse"
+of = "rmse"
+probe = "middle"
+unit = "m"
+)toml"},
+    {"reference", R"toml([[reference]]
+law = "neo-hookean"
+name = "numbers that are made up"
+values = { deflection = -0.004, touch_time = 8e-4 }
+
+[[reference]]
+law = "2d-deviator"
+name = "a formula that is made up"
+let = { a = 0.004, T = 0.01 }
+solutions = { curve_rmse = "-a*sin(pi*t/T)" }
+)toml"},
+    {"tables",
+     R"toml(tables = { curve_rmse = { file = "references/oscillating_plate_neo_hookean_vf0.05.csv", column = "tip_uy" } }
+)toml"},
+    {"render", R"toml([render]
+color = "von_mises"
+range = [0, 2e6]
+view = [-0.06, 0.06, -0.03, 0.05]
+frames = 40
+)toml"},
+    {"sweep", R"toml(title = "How fast may the rings be?"
+scene = "colliding-rings"
+)toml"},
+    {"set", R"toml(set = { until = 0.01 }
+)toml"},
+    {"grid", R"toml([grid]
+v0 = "0.02:0.16:0.02"                   # from, to and step
+method = ["og", "oenog"]
+)toml"},
+    {"row", R"toml([[row]]
+v0 = 0.02
+method = "oenog"
+"method.damping" = 0
+
+[[row]]
+v0 = 0.04
+method = "tl"
+)toml"},
+    {"chart", R"toml([chart]
+measure = ["least_diameter", "rebound_ratio"]
+cost = "seconds"
+)toml"},
+    {"map", R"toml([map]
+parameter = "v0"
+)toml"},
+    {"history", R"toml([history]
+gap = "gap, m"
+)toml"},
+    {"rectangle", "shape = { type = \"rectangle\", low = [-0.05, -0.01], high = [0.05, 0] }\n"},
+    {"disc", "shape = { type = \"disc\", centre = [0, 0.02], radius = 0.01 }\n"},
+    {"ring", "shape = { type = \"ring\", centre = [0, 0], inner = 0.03, outer = 0.04 }\n"},
+    {"box", "shape = { type = \"box\", low = [0, 0, 0], high = [0.1, 0.02, 0.02] }\n"},
+    {"ball", "shape = { type = \"ball\", centre = [0, 0, 0], radius = 0.02 }\n"},
+    {"shell", "shape = { type = \"shell\", centre = [0, 0, 0], inner = 0.03, outer = 0.04 }\n"},
+    {"cylinder",
+     "shape = { type = \"cylinder\", from = [0, 0, 0], to = [0.1, 0, 0], radius = 0.02, inner = 0.01 }\n"},
+};
+
+}  // namespace
+
+std::string_view example_of(std::string_view name) {
+  const auto* found = std::ranges::find(examples, name, &Example::name);
+  return found == std::end(examples) ? std::string_view() : found->text;
+}
+
+}  // namespace taut::cli

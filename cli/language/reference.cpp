@@ -1,0 +1,361 @@
+#include "cli/language/reference.hpp"
+
+#include <algorithm>
+
+#include "cli/scene/expression.hpp"
+#include "cli/scene/key_info.hpp"
+#include "cli/scene/sections.hpp"
+#include "cli/text/format.hpp"
+#include "engine/diagnostics/fields.hpp"
+#include "engine/diagnostics/measure_kinds.hpp"
+#include "engine/families/catalogue.hpp"
+#include "render/colormap.hpp"
+
+namespace taut::cli {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+std::string text(std::string_view view) { return std::string(view); }
+
+Texts key_row(const KeyInfo& key) {
+  return {text(key.name), text(key.value), text(key.by_default.empty() ? "needed" : key.by_default),
+          text(key.help)};
+}
+
+const Texts key_heads{"key", "takes", "default", "what"};
+
+Rows rows_of(std::span<const KeyInfo> keys) {
+  Rows rows{key_heads};
+  for (const KeyInfo& key : keys) rows.push_back(key_row(key));
+  return rows;
+}
+
+std::string names_of_keys(std::span<const KeyInfo> keys) {
+  Texts names;
+  for (const KeyInfo& key : keys) names.push_back(text(key.name));
+  return join(names);
+}
+
+/// What can have a reference, as `list measures` has it.
+std::string compared_with(const MeasureKind& kind) {
+  Texts compared;
+  if (kind.number) compared.emplace_back("number");
+  if (kind.table) compared.emplace_back("table");
+  if (kind.solution) compared.emplace_back("solution");
+  return join_with_or(compared);
+}
+
+std::vector<KeyInfo> keys_of_measure(const MeasureKind& kind) {
+  std::vector<KeyInfo> keys;
+  for (const std::string_view key : kind.keys) keys.push_back(measure_key(key));
+  return keys;
+}
+
+Topic topic_of(const Section& section) {
+  return {text(section.name), text(section.header), text(section.help), rows_of(section.keys),
+          text(example_of(section.name))};
+}
+
+Topic topic_of(const ShapeKind& shape) {
+  return {text(shape.name), "type = \"" + text(shape.name) + "\"",
+          "a shape, dim = " + std::to_string(shape.dim) + ": " + text(shape.help), rows_of(shape.keys),
+          text(example_of(shape.name))};
+}
+
+Topic topic_of(const ProbeKind& probe) {
+  return {text(probe.name), "of = \"" + text(probe.name) + "\"",
+          "a probe, " + text(probe.unit) + ": " + text(probe.help), rows_of(probe.keys), ""};
+}
+
+Topic topic_of(const MeasureKind& kind) {
+  return {text(kind.name), "of = \"" + text(kind.name) + "\"", "a measure: " + text(kind.help),
+          rows_of(keys_of_measure(kind)), ""};
+}
+
+/// The keys of all kinds, each text once, with the kinds that have it.
+template <class Kinds, class Keys>
+Rows keys_of_kinds(const Kinds& kinds, const Keys& keys_of_kind) {
+  Rows rows{{"key", "takes", "default", "what", "of"}};
+  for (const auto& kind : kinds)
+    for (const KeyInfo& key : keys_of_kind(kind)) {
+      Texts row = key_row(key);
+      const auto same = [&](const Texts& r) { return std::equal(row.begin(), row.end(), r.begin()); };
+      if (const auto found = std::ranges::find_if(rows, same); found != rows.end()) {
+        found->back() += ", " + text(kind.name);
+      } else {
+        row.push_back(text(kind.name));
+        rows.push_back(std::move(row));
+      }
+    }
+  return rows;
+}
+
+const auto own_keys = [](const auto& kind) -> const auto& { return kind.keys; };
+
+Topic shapes() { return {"shapes", "type = ...", "shapes, each of one dimension", shape_rows(), ""}; }
+
+Topic shape_keys() { return {"keys of shapes", "", "", keys_of_kinds(shape_kinds(), own_keys), ""}; }
+
+Topic probes() { return {"probes", "of = ...", "kinds of probes", probe_rows(), ""}; }
+
+Topic probe_keys() { return {"keys of probes", "", "", keys_of_kinds(probe_kinds(), own_keys), ""}; }
+
+Topic measures() {
+  return {"measures", "of = ...", "kinds of measures, and what a reference may have for them", measure_rows(),
+          ""};
+}
+
+Topic measure_keys() {
+  return {"keys of measures", "", "", keys_of_kinds(measure_kinds(), keys_of_measure), ""};
+}
+
+/// What keys take that have a list of their own.
+std::vector<Topic> lists() {
+  return {
+      {"methods", "METHOD", "formulations; `taut describe METHOD` has their constants", method_rows(), ""},
+      {"laws", "LAW", "of elasticity; a reference may be for 2d-deviator too", law_rows(), ""},
+      {"contacts", "CONTACT", "how bodies act on each other", contact_rows(), ""},
+      {"fields", "FIELD", "what particles are coloured by and lines sample", field_rows(), ""},
+      {"colormaps", "colour map", "of the fields", colormap_rows(), ""}};
+}
+
+std::vector<Topic> all_topics() {
+  std::vector<Topic> all = scene_language().topics;
+  const std::vector<Topic> sweep = sweep_language().topics;
+  all.insert(all.end(), sweep.begin(), sweep.end());
+  for (const ShapeKind& kind : shape_kinds()) all.push_back(topic_of(kind));
+  for (const ProbeKind& kind : probe_kinds()) all.push_back(topic_of(kind));
+  for (const MeasureKind& kind : measure_kinds()) all.push_back(topic_of(kind));
+  return all;
+}
+
+std::string indented(std::string_view lines) {
+  std::string result;
+  while (!lines.empty()) {
+    const std::size_t end = std::min(lines.find('\n'), lines.size());
+    result.append(end == 0 ? "" : "      ").append(lines.substr(0, end)).append("\n");
+    lines.remove_prefix(std::min(end + 1, lines.size()));
+  }
+  return result;
+}
+
+/// A cell of a table of Markdown.
+std::string cell(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '|' || c == '<' || c == '*' || c == '_') result += '\\';
+    result += c;
+  }
+  return result;
+}
+
+std::string code(const std::string& text) { return "`" + text + "`"; }
+
+std::string table_row(const Texts& cells) { return "| " + join(cells, " | ") + " |\n"; }
+
+std::string markdown_table(const Rows& rows) {
+  std::string table = table_row(rows.front()) + "|";
+  for (std::size_t k = 0; k < rows.front().size(); ++k) table += "---|";
+  table += "\n";
+  for (std::size_t r = 1; r < rows.size(); ++r) {
+    Texts cells{code(rows[r].front())};
+    for (std::size_t k = 1; k < rows[r].size(); ++k) cells.push_back(cell(rows[r][k]));
+    table += table_row(cells);
+  }
+  return table;
+}
+
+std::string markdown(const Topic& topic) {
+  std::string page = "### " + topic.name + "\n\n";
+  if (!topic.help.empty())
+    page += (topic.header.empty() ? "" : code(topic.header) + ": ") + topic.help + ".\n\n";
+  if (topic.rows.size() > 1) page += markdown_table(topic.rows);
+  if (!topic.example.empty()) page += "\n```toml\n" + topic.example + "```\n";
+  return page + "\n";
+}
+
+std::string markdown(const LanguageFile& file) {
+  std::string page;
+  for (const std::string& rule : file.rules) page += "- " + rule + "\n";
+  page += "\n";
+  for (const Topic& topic : file.topics) page += markdown(topic);
+  return page;
+}
+
+const Texts scene_rules{
+    "A scene is a TOML file: lines `key = value` under a [header]; a [[header]] comes once for each thing. "
+    "What "
+    "stands above the first header belongs to the file itself. `#` begins a comment. Needed are `spacing`, "
+    "`until`, a material and a body.",
+    "All numbers are in SI units and have none beside them: 1e7 for 10 MPa, 0.005 for 5 mm.",
+    "Every number may be an expression in quotes: \"0.06 + 4*dp\", \"x > 0.1 ? 1 : 0\", \"x < 0 && y > 0\". "
+    "It "
+    "knows + - * / ^, < <= > >= == !=, && (and), || (or), CONDITION ? A : B, and " +
+        join(function_names()) + ".",
+    "Names in expressions: the parameters, `dp` (the spacing), `pi`, `touching` (the gap below which bodies "
+    "are "
+    "in touch); about a body also `c0`, `E`, `nu`, `rho`, `K`, `G` of its material; \"of the place\": `x`, "
+    "`y`, "
+    "in 3D `z`, in m, where the particle is at the start; \"of t\": the time `t`, s.",
+    "A place or a vector has a component for each axis: [x, y], with dim = 3 [x, y, z].",
+    "In two dimensions forces and masses are per metre of depth.",
+    "A key that is unknown or unused, a wrong type or a value out of bounds is an error with its place, what "
+    "is "
+    "allowed and the nearest known name. So are a parameter, a material and a probe that nothing uses.",
+    "`taut run my.toml` runs it, `taut describe my.toml` says what was understood; `taut describe NAME` "
+    "explains "
+    "one section, shape, probe or measure of this page."};
+
+const Texts sweep_rules{
+    "A sweep is a TOML file that runs a scene with every combination of some values: `taut sweep "
+    "my-sweep.toml`.",
+    "What can be set: the parameters of the scene; method.NAME, a constant of the method; method, spacing, "
+    "until, "
+    "cfl, stepping, contact, law.",
+    "A study is a sweep with a [chart], a [map] or a [history]: pictures of its results."};
+
+}  // namespace
+
+Rows shape_rows() {
+  Rows rows{{"name", "dim", "keys", "help"}};
+  for (const ShapeKind& kind : shape_kinds())
+    rows.push_back({text(kind.name), std::to_string(kind.dim), names_of_keys(kind.keys), text(kind.help)});
+  return rows;
+}
+
+Rows probe_rows() {
+  Rows rows{{"name", "unit", "keys", "help"}};
+  for (const ProbeKind& kind : probe_kinds())
+    rows.push_back({text(kind.name), text(kind.unit), names_of_keys(kind.keys), text(kind.help)});
+  return rows;
+}
+
+Rows measure_rows() {
+  Rows rows{{"name", "keys", "reference", "help"}};
+  for (const MeasureKind& kind : measure_kinds())
+    rows.push_back(
+        {text(kind.name), join({kind.keys.begin(), kind.keys.end()}), compared_with(kind), text(kind.help)});
+  return rows;
+}
+
+Rows law_rows() {
+  Rows rows{{"name", "methods", "in run.json", "help"}};
+  for (const LawRow& law : laws()) {
+    if (law.choice.empty()) continue;
+    Texts takers;
+    for (const MethodInfo& method : methods())
+      if (reason_against_law(method, law.choice).empty()) takers.push_back(text(method.name));
+    rows.push_back({text(law.choice), join(takers), text(law.material_law),
+                    text(law.term.what) + ", " + text(law.term.source)});
+  }
+  Texts others;
+  for (const MethodInfo& method : methods())
+    if (method.material_law == in_plane_law) others.push_back(text(method.name));
+  rows.push_back({law_name(in_plane_law), join(others), text(in_plane_law),
+                  "the published law of these methods in the plane: not chosen, only compared with"});
+  return rows;
+}
+
+Rows contact_rows() {
+  Rows rows{{"name", "help"}};
+  for (const ContactChoice& choice : contact_choices())
+    rows.push_back({text(name(choice.law)), text(choice.help)});
+  return rows;
+}
+
+Rows field_rows() {
+  Rows rows{{"name", "unit", "help"}};
+  for (const Field& field : fields()) rows.push_back({text(field.key), text(field.unit), text(field.help)});
+  return rows;
+}
+
+Rows colormap_rows() {
+  Rows rows{{"name", "help"}};
+  for (const render::Colormap& map : render::colormaps()) rows.push_back({text(map.key), text(map.help)});
+  return rows;
+}
+
+Rows method_rows() {
+  Rows rows{{"name", "summary", "paper"}};
+  for (const MethodInfo& method : methods())
+    rows.push_back({text(method.name), text(method.summary), text(method.paper)});
+  return rows;
+}
+
+Rows key_rows() {
+  Rows rows{{"name", "section", "takes", "default", "help"}};
+  const auto add = [&](std::string_view section, std::span<const KeyInfo> keys) {
+    for (const KeyInfo& key : keys) {
+      Texts row = key_row(key);
+      row.insert(row.begin() + 1, text(section));
+      rows.push_back(std::move(row));
+    }
+  };
+  for (const auto& sections : {scene_sections(), sweep_sections()})
+    for (const Section& section : sections) add(section.name, section.keys);
+  for (const ShapeKind& kind : shape_kinds()) add("shape " + text(kind.name), kind.keys);
+  for (const ProbeKind& kind : probe_kinds()) add("probe " + text(kind.name), kind.keys);
+  for (const MeasureKind& kind : measure_kinds()) add("measure " + text(kind.name), keys_of_measure(kind));
+  return rows;
+}
+
+LanguageFile scene_language() {
+  LanguageFile file{"scene-file", scene_rules, {}};
+  for (const Section& section : scene_sections()) {
+    file.topics.push_back(topic_of(section));
+    if (section.name == "shape") file.topics.insert(file.topics.end(), {shapes(), shape_keys()});
+    if (section.name == "probe") file.topics.insert(file.topics.end(), {probes(), probe_keys()});
+    if (section.name == "measure") file.topics.insert(file.topics.end(), {measures(), measure_keys()});
+  }
+  const std::vector<Topic> more = lists();
+  file.topics.insert(file.topics.end(), more.begin(), more.end());
+  return file;
+}
+
+LanguageFile sweep_language() {
+  LanguageFile file{"sweep-file", sweep_rules, {}};
+  for (const Section& section : sweep_sections()) file.topics.push_back(topic_of(section));
+  return file;
+}
+
+std::vector<Topic> find_topics(std::string_view name) {
+  std::vector<Topic> found = all_topics();
+  std::erase_if(found, [=](const Topic& topic) { return topic.name != name; });
+  return found;
+}
+
+std::vector<std::string> topic_names() {
+  Texts names;
+  for (const Topic& topic : all_topics())
+    if (std::ranges::find(names, topic.name) == names.end()) names.push_back(topic.name);
+  return names;
+}
+
+std::string as_text(const Topic& topic) {
+  std::string result = topic.name;
+  if (!topic.header.empty()) result += ": " + topic.header;
+  if (!topic.help.empty()) result += ", " + topic.help;
+  result += "\n";
+  if (topic.rows.size() > 1) result += in_columns(topic.rows);
+  if (!topic.example.empty()) result += "  example\n" + indented(topic.example);
+  return result;
+}
+
+std::string as_text(const LanguageFile& file) {
+  std::string result;
+  for (const std::string& rule : file.rules) result += rule + "\n\n";
+  for (const Topic& topic : file.topics) result += as_text(topic) + "\n";
+  return result;
+}
+
+std::string language_page() {
+  return "# The language of scene and sweep files\n\n"
+         "This page is what `taut describe scene-file` and `taut describe sweep-file` say; a test checks "
+         "that it is "
+         "up to date, and\n`TAUT_UPDATE_GOLDEN=1` writes it anew. Rules, choices and worked examples: "
+         "[SCENE-FILES.md](SCENE-FILES.md).\n\n## Scene files\n\n" +
+         markdown(scene_language()) + "## Sweep files\n\n" + markdown(sweep_language());
+}
+
+}  // namespace taut::cli
