@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <initializer_list>
 #include <memory>
 #include <numbers>
@@ -44,11 +45,60 @@ void refuse_assignment(const std::string& text) {
   }
 }
 
+struct Unit {
+  std::string_view name;
+  double factor;
+};
+/// Such as people write behind numbers.
+constexpr Unit units[] = {
+    {"m", 1},       {"km", 1e3},       {"cm", 1e-2},    {"mm", 1e-3}, {"um", 1e-6},
+    {"µm", 1e-6},   {"nm", 1e-9},      {"s", 1},        {"ms", 1e-3}, {"us", 1e-6},
+    {"µs", 1e-6},   {"ns", 1e-9},      {"min", 60},     {"h", 3600},  {"Pa", 1},
+    {"kPa", 1e3},   {"MPa", 1e6},      {"GPa", 1e9},    {"bar", 1e5}, {"psi", 6894.757293168},
+    {"N", 1},       {"kN", 1e3},       {"MN", 1e6},     {"kg", 1},    {"g", 1e-3},
+    {"t", 1e3},     {"Hz", 1},         {"kHz", 1e3},    {"MHz", 1e6}, {"m/s", 1},
+    {"mm/s", 1e-3}, {"km/h", 1 / 3.6}, {"m/s²", 1},     {"m/s^2", 1}, {"kg/m³", 1},
+    {"kg/m^3", 1},  {"g/cm³", 1e3},    {"g/cm^3", 1e3}, {"°", 1},     {"deg", 1},
+};
+
+/// "10 MPa" has the number in SI units that it means; other texts have none.
+void refuse_unit(const std::string& text) {
+  double value = 0;
+  const char* const last = text.data() + text.size();
+  const char* const first = text.data() + std::min(text.find_first_not_of(' '), text.size());
+  const auto [end, error] = std::from_chars(first, last, value);
+  if (error != std::errc()) return;
+  std::string_view rest(end, static_cast<std::size_t>(last - end));
+  while (rest.starts_with(' ')) rest.remove_prefix(1);
+  while (rest.ends_with(' ')) rest.remove_suffix(1);
+  const auto* unit = std::ranges::find(units, rest, &Unit::name);
+  if (unit == std::end(units)) return;
+  throw ExpressionError(
+      "'" + text + "' has a unit; write the number alone, in SI units: " + brief(value * unit->factor),
+      static_cast<std::size_t>(rest.data() - text.data()));
+}
+
+/// Words that other languages have where this one has signs.
+void refuse_words(const std::string& text, const std::string& token) {
+  constexpr std::pair<std::string_view, std::string_view> words[] = {
+      {"and", "&&"}, {"or", "||"}, {"AND", "&&"}, {"OR", "||"}};
+  const std::string word = token.substr(0, token.find_first_of(" ("));
+  for (const auto& [given, sign] : words)
+    if (word == given)
+      throw ExpressionError(
+          "'" + text + "' is not an expression: for '" + word + "' write '" + std::string(sign) + "'",
+          std::min(text.find(word), text.size()));
+  if (word == "not" || word == "!")
+    throw ExpressionError("'" + text + "' is not an expression: for '" + word + "' write '== 0' behind it",
+                          std::min(text.find(word), text.size()));
+}
+
 [[noreturn]] void explain(const Formula& formula, const std::string& text, const mu::ParserError& error) {
   const std::size_t offset = error.GetPos() > 0 ? static_cast<std::size_t>(error.GetPos()) : 0;
   if (error.GetCode() != mu::ecUNASSIGNABLE_TOKEN)
     throw ExpressionError("'" + text + "' is not an expression: " + error.GetMsg(), offset);
   const std::string& token = error.GetToken();
+  refuse_words(text, token);
   if (const char first = token.empty() ? ' ' : token.front();
       !std::isalpha(static_cast<unsigned char>(first)) && first != '_')
     throw ExpressionError("'" + text + "' is not an expression: '" + token + "' was not expected", offset);
@@ -80,6 +130,7 @@ std::unique_ptr<Formula> parse(const std::string& text, const Names& names,
     formula->parser.SetExpr(text);
     formula->parser.Eval();
   } catch (const mu::ParserError& error) {
+    refuse_unit(text);
     explain(*formula, text, error);
   }
   if (formula->parser.GetNumResults() != 1)

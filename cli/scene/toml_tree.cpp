@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdio>
 #include <utility>
 
@@ -196,13 +197,36 @@ std::string_view TomlValue::kind_name() const {
   return "";
 }
 
+namespace {
+
+std::string_view line_of(std::string_view text, int number) {
+  for (; number > 1; --number) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  return text.substr(0, text.find('\n'));
+}
+
+/// What the usual slips of a line of TOML that cannot be read are; empty for others.
+std::string likely_slip(std::string_view line, std::string_view message) {
+  if (std::ranges::count(line, '"') % 2 == 1) return ". A quote is missing in this line?";
+  if (message.find("redefine existing table") != std::string_view::npos)
+    return ". Things that come several times have two brackets: [[body]]";
+  const std::size_t equals = line.find('=');
+  if (equals == std::string_view::npos || line.find('"') != std::string_view::npos) return "";
+  const std::size_t value = line.find_first_not_of(" \t", equals + 1);
+  const bool bare = value != std::string_view::npos && std::isalpha(static_cast<unsigned char>(line[value]));
+  const bool computed = line.find_first_of("*/(<>", equals + 1) != std::string_view::npos;
+  return bare || computed ? ". Texts and expressions stand in quotes: KEY = \"...\"" : "";
+}
+
+}  // namespace
+
 TomlValue parse_toml(std::string_view text, const std::string& file) {
   try {
     return converted(toml::parse(text, std::string_view(file)));
   } catch (const toml::parse_error& error) {
     const FilePlace place = place_of(error.source().begin);
     throw SceneError(file, place.line, place.column, "",
-                     "not valid TOML: " + std::string(error.description()));
+                     "not valid TOML: " + std::string(error.description()) +
+                         likely_slip(line_of(text, place.line), error.description()));
   }
 }
 

@@ -19,12 +19,13 @@ std::size_t width(const std::string& text) {
 }  // namespace
 
 std::string exact(double value) {
+  if (std::isnan(value)) return "nan";  // never -nan, which says nothing more
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
   return {text.data(), end};
 }
 
-std::string brief(double value) { return fmt::format("{:.4g}", value); }
+std::string brief(double value) { return std::isnan(value) ? "nan" : fmt::format("{:.4g}", value); }
 
 std::string with_prefix(double value) {
   if (value >= 1e9) return fmt::format("{:.3g} G", value / 1e9);
