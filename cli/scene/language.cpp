@@ -22,7 +22,7 @@ constexpr KeyInfo top_keys[] = {
     {"spacing", "number, m", "", "dp, the distance of particles; changed to divide the first body"},
     {"until", "number, s", "", "end of the run"},
     {"history", "number, s", "until/1000", "time between rows of history.csv"},
-    {"method", "METHOD", "enog", "`taut list methods`"},
+    {"method", "METHOD", default_method, "`taut list methods`"},
     {"method_constants", "{ NAME = number }", "as published", "of the method: `taut describe METHOD`"},
     {"law", "LAW", "the method's", "of elasticity, for every method that takes it: `taut list laws`"},
     {"contact", "CONTACT", "published", "how bodies act on each other: `taut list contacts`"},

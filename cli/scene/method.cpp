@@ -52,7 +52,7 @@ bool within_bounds(const MethodConstant& constant, double value) {
 
 /// The method of the file.
 const MethodInfo& file_method(TomlCursor& root) {
-  const std::string name = root.text("method", Settings().method);
+  const std::string name = root.text("method", default_method);
   const MethodInfo* method = find_method(name);
   if (!method) root.fail_unknown(*root.find("method"), "method", "method", name, names_of(methods()));
   return *method;
