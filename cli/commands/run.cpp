@@ -3,10 +3,13 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command_line/command.hpp"
+#include "cli/run/record.hpp"
 #include "cli/run/report.hpp"
 #include "cli/run/resume.hpp"
 #include "cli/text/checks.hpp"
+#include "cli/text/format.hpp"
 #include "engine/error.hpp"
+#include "engine/families/catalogue.hpp"
 
 namespace taut::cli {
 namespace {
@@ -21,7 +24,9 @@ void declare_options(CLI::App& app, Options& o) {
   app.add_option("SCENE", o.scene, "a name from `taut list scenes`, or the path of a scene file")
       ->option_text(" ");
   declare_setting_options(app, o);
-  app.add_option("--out", o.out, "the run folder; default: out/SCENE-METHOD. An older run in it is replaced")
+  app.add_option("--out", o.out,
+                 "the run folder; default: out/SCENE-METHOD, and behind it what is not as the "
+                 "scene has it: -v0=0.08. An older run in it is replaced")
       ->option_text("DIR");
   declare_output_options(app, o);
   declare_particle_options(app, o);
@@ -54,16 +59,34 @@ RunPlan planned(const Options& options, std::ostream& err) {
   return plan;
 }
 
+/// What can be done about a run that diverged.
+std::string advice(const SceneFile& file) {
+  const double usual = find_method(file.settings.method)->cfl, cfl = file.settings.cfl;
+  if (cfl > usual)
+    return "cfl = " + brief(cfl) + " is above " + brief(usual) +
+           ", with which the method is run: lower it to that";
+  return "a lower --set cfl=" + brief(cfl / 2) + " tells whether the time step is the reason";
+}
+
+/// Before it is gone.
+void tell_what_is_replaced(const Options& options, const RunPlan& plan, std::ostream& err) {
+  if (!options.resume && read_record(plan.folder.record()))
+    err << "taut: the older run in '" << plan.folder.path().string() << "' is replaced\n";
+}
+
 int run(const Options& options, Streams streams) {
   const Stopwatch setup;
   const std::optional<Verdict> fail_on = parse_verdict(options.fail_on);
   const RunPlan plan = planned(options, streams.err);
   tell(plan.file, streams.err);
+  tell_what_is_replaced(options, plan, streams.err);
   const Interrupts interrupts;
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
   const RunResult result = run_scene(plan, interrupts, progress, setup.seconds());
   streams.out << run_report(plan, result);
-  if (!result.failure.empty()) streams.err << "taut: " << result.failure << '\n';
+  if (const std::string& all = result.record.remark; all.size() > plan.file.remark.size())
+    streams.err << "taut: " << all.substr(plan.file.remark.empty() ? 0 : plan.file.remark.size() + 2) << '\n';
+  if (!result.failure.empty()) streams.err << "taut: " << result.failure << "; " << advice(plan.file) << '\n';
   return exit_code(result, fail_on);
 }
 

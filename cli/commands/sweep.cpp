@@ -79,6 +79,27 @@ std::string report(const SweepPlan& plan, const SweepOptions& o) {
   return results_table(plan) + "\nresults  " + (plan.folder / "results.csv").string() + ", results.json\n";
 }
 
+/// Runs of an earlier grid stay in the folder; the results are those of this one.
+void tell_what_remains(const SweepPlan& plan, std::ostream& err) {
+  std::vector<std::string> others;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(plan.folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (fs::exists(entry.path() / "run.json", error) &&
+        std::ranges::find(plan.runs, name, &SweepRun::folder) == plan.runs.end())
+      others.push_back(name);
+  }
+  if (others.empty()) return;
+  constexpr std::size_t most = 5;
+  std::ranges::sort(others);
+  const std::size_t number = others.size();
+  if (number > most) others.resize(most);
+  err << "taut: " << number << (number == 1 ? " run" : " runs") << " of another grid in '"
+      << plan.folder.string() << "' " << (number == 1 ? "is" : "are")
+      << " left as they are and not in the results: " << join(others) << (number > most ? ", ..." : "")
+      << '\n';
+}
+
 bool fails(const SweepPlan& plan, const std::optional<Verdict>& fail_on) {
   const auto bad = [&](const SweepRun& run) {
     if (run.state != RunState::done) return false;
@@ -138,6 +159,7 @@ int execute(SweepPlan& plan, const SweepOptions& o, Streams streams) {
     results.write();
   }
   streams.out << report(plan, o);
+  if (!o.index) tell_what_remains(plan, streams.err);
   if (end.code != exit_fine) return end.code;
   if (end.interrupted) return exit_interrupted;
   if (!o.index)

@@ -131,6 +131,16 @@ class MeasuresOutput final : public OutputOf<MeasuresOutput> {
   std::optional<LineSamplesFile> file_;
 };
 
+/// Some particle has its place in the view.
+bool shows_some(const render::View& view, const Snapshot& now) {
+  const auto dim = static_cast<std::size_t>(now.dim);
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const double x = now.x[i * dim], y = now.x[i * dim + 1];
+    if (x >= view.x_min && x <= view.x_max && y >= view.y_min && y <= view.y_max) return true;
+  }
+  return false;
+}
+
 /// The pictures.
 class FramesOutput final : public OutputOf<FramesOutput> {
  public:
@@ -142,18 +152,24 @@ class FramesOutput final : public OutputOf<FramesOutput> {
         agenda_(plan.frame_times),
         frames_(*plan.drawing, origins_of(simulation.snapshot()), plan.folder.frames(),
                 {plan.file.scene.title, result.record.method, result.record.until}, simulation.threads(),
-                result.record.seconds) {}
+                result.record.seconds) {
+    // of a run that goes on nobody knows what its first frames have shown
+    if (!plan.drawing->followed && !plan.state) unseen_ = plan.drawing->look.view;
+  }
 
   double next() const override { return agenda_.next(); }
 
   void take() override {
     for (const double due : agenda_.reached(simulation_.time())) frames_.add(last_step_.at(due));
+    if (unseen_ && shows_some(*unseen_, simulation_.snapshot())) unseen_.reset();
   }
 
   void settle() override { frames_.finish(); }
   void tell() override { result_.frames = frames_.written(); }
 
   bool complete(const Interrupts& interrupts, Progress& progress) override {
+    if (unseen_)
+      result_.record.remark += std::string(result_.record.remark.empty() ? "" : "; ") + nothing_seen;
     frames_.finish();
     const int count = frames_.kept();
     if (count == 0) return true;
@@ -175,12 +191,16 @@ class FramesOutput final : public OutputOf<FramesOutput> {
   }
 
  private:
+  static constexpr const char* nothing_seen =
+      "the view shows no particle in any frame: --view auto holds the whole motion";
+
   const RunFolder& folder_;
   const Simulation& simulation_;
   LastStep& last_step_;
   RunResult& result_;
   Agenda agenda_;
   Frames frames_;
+  std::optional<render::View> unseen_;  // one that has shown nothing yet
 };
 
 /// particles/, at the times of the frames.

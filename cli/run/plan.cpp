@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <ostream>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "cli/drawing/keys.hpp"
 #include "cli/run/schedule.hpp"
@@ -12,6 +14,7 @@
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
+#include "engine/core/machine.hpp"
 #include "engine/error.hpp"
 #include "engine/families/catalogue.hpp"
 
@@ -50,6 +53,74 @@ double history_interval(const RunOptions& options, const SceneFile& file) {
   if (file.scene.until / interval > most_rows)
     throw UsageError("--history " + brief(interval) + " makes more than 10 million rows; take a longer one");
   return interval;
+}
+
+/// The text of a setting's value in the name of a folder: as the scene has it.
+std::string value_in(const SceneFile& file, const Setting& setting) {
+  constexpr std::string_view prefix = "method.";
+  const auto parameter = std::ranges::find(file.parameters, setting.name, &Parameter::name);
+  if (parameter != file.parameters.end()) return exact(parameter->value);
+  if (setting.name.starts_with(prefix))
+    return exact(file.settings.constants.at(setting.name.substr(prefix.size())));
+  if (setting.name == "until") return exact(file.scene.until);
+  if (setting.name == "cfl") return exact(file.settings.cfl);
+  if (setting.name == "law") return file.settings.law;
+  if (setting.name == "contact") return std::string(name(file.scene.contact));
+  if (setting.name == "stepping") return file.settings.stepping == Stepping::single ? "single" : "dual";
+  return setting.value;  // of the spacing what was asked for
+}
+
+/// "-v0=0.08-spacing=0.002": what is not as the scene has it by itself, the method's constants not as published.
+/// Runs that differ go into folders that differ.
+std::string changes_text(const RunOptions& options, const SceneFile& file) {
+  constexpr std::size_t longest = 120;
+  std::vector<Setting> method;
+  std::map<std::string, Setting> last;  // of several of one name the last one counts
+  for (const Setting& setting : options.settings)
+    if (setting.name == "method")
+      method = {setting};
+    else
+      last[setting.name] = setting;
+  for (const Parameter& parameter : file.parameters)  // of a scene.toml that a run with --set has left
+    if (parameter.value != parameter.default_value)
+      last.try_emplace(parameter.name, Setting{parameter.name, ""});
+  if (last.empty()) return "";
+  const SceneFile as_it_is = read_scene(file.path, method);
+  std::string text;
+  for (const auto& [name, setting] : last) {
+    const std::string value = value_in(file, setting);
+    const auto parameter = std::ranges::find(file.parameters, name, &Parameter::name);
+    const std::string usual = parameter != file.parameters.end() ? exact(parameter->default_value)
+                              : name == "spacing"                ? exact(as_it_is.scene.spacing)
+                                                                 : value_in(as_it_is, setting);
+    if (value != usual) text += "-" + name + "=" + value;
+  }
+  return text.size() <= longest ? text : text.substr(0, longest) + fmt::format("-{:x}", hash_of(text));
+}
+
+std::string default_folder(const RunOptions& options, const SceneFile& file) {
+  return "out/" + file.scene.name + "-" + file.settings.method + changes_text(options, file);
+}
+
+/// What was asked for to no effect.
+std::string no_use(const RunOptions& options) {
+  if (!options.no_render) return "";
+  std::vector<std::string> names;
+  for (const auto& [key, value] : options.drawing.typed)
+    if (value) names.push_back("--" + key);
+  if (!options.save_particles) {
+    if (options.frames) names.emplace_back("--frames");
+    if (options.every) names.emplace_back("--every");
+  }
+  return names.empty() ? "" : "of no effect beside --no-render: " + join(names);
+}
+
+void check_threads(int threads) {
+  constexpr int few = 8;  // per core: more only wait for each other
+  const int most = std::max(2 * few, few * cores());
+  if (threads > most)
+    throw UsageError("--threads " + std::to_string(threads) + " is too many: this machine has " +
+                     std::to_string(cores()) + " cores; at most " + std::to_string(most) + " are allowed");
 }
 
 }  // namespace
@@ -129,6 +200,7 @@ void declare_particle_options(CLI::App& app, RunOptions& o) {
 
 SceneFile scene_to_run(const RunOptions& options) {
   check_methods(options.settings);
+  check_threads(options.threads);
   SceneFile file = read_scene(find_scene(options.scene), options.settings);
   file.settings.threads = options.threads;
   return file;
@@ -146,7 +218,9 @@ RunPlan make_plan(const RunOptions& options) {
   suit(file.drawing, file);
   file.drawing.frames = frame_count(options, file);
   file.history = history_interval(options, file);
-  plan.folder = RunFolder(options.out.value_or("out/" + file.scene.name + "-" + file.settings.method));
+  plan.folder = RunFolder(options.out ? *options.out : default_folder(options, file));
+  if (const std::string remark = no_use(options); !remark.empty())
+    file.remark += (file.remark.empty() ? "" : "; ") + remark;
   plan.spacing_asked = options.spacing;
   plan.checkpoint_every = options.checkpoint_every;
   if (!options.no_render) plan.drawing = file.drawing;

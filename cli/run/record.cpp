@@ -97,6 +97,7 @@ Json to_json(const RunRecord& record) {
   json["scene"] = record.scene;
   json["method"] = record.method;
   json["material_law"] = record.material_law;
+  if (!record.remark.empty()) json["remark"] = record.remark;
   if (record.contact) json["contact"] = *record.contact;
   json["stepping"] = record.stepping;
   json["cfl"] = number(record.cfl);

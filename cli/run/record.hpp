@@ -23,6 +23,7 @@ struct RunRecord {
   enum class Status { running, finished, interrupted, failed };
 
   std::string scene, method, material_law;
+  std::string remark;                  // what the user was told of the scene's reading; mostly empty
   std::optional<std::string> contact;  // the law between bodies, where there are several
   std::string stepping;                // dual or single
   double cfl = 0;                      // factor of the time step

@@ -1,7 +1,9 @@
 #include "cli/system/progress.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
+#include <limits>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -10,8 +12,10 @@
 namespace taut::cli {
 namespace {
 
-constexpr double bar_interval = 0.1;    // s between two pictures of the bar
-constexpr double line_interval = 10.0;  // s between two lines at least, except at quarters
+constexpr double bar_interval = 0.1;     // s between two pictures of the bar
+constexpr double sure_after = 5.0;       // s of work before its length is estimated
+constexpr double long_work = 12 * 3600;  // s
+constexpr double line_interval = 10.0;   // s between two lines at least, except at quarters
 
 std::size_t terminal_width() {
   winsize size{};
@@ -37,12 +41,30 @@ void Progress::begin(const std::string& what) {
   since_begin_ = {};
   since_shown_ = {};
   quarters_ = 0;
+  share_at_begin_ = -1;
   if (style_ == Style::lines) err_ << what_ << std::endl;
   if (style_ == Style::bar) draw_bar(0, "");
 }
 
+void Progress::warn_of_length(double share) {
+  if (share_at_begin_ < 0) share_at_begin_ = share;
+  const double done = share - share_at_begin_, elapsed = since_begin_.seconds();
+  if (warned_ || elapsed < sure_after) return;
+  const double left = done > 0 ? elapsed * (1 - share) / done : std::numeric_limits<double>::infinity();
+  if (left < long_work) return;
+  warned_ = true;
+  clear();
+  constexpr double hour = 3600, day = 24 * hour, most_days = 1e5;
+  const std::string length = left > most_days * day ? "centuries"
+                             : left > 2 * day       ? brief(std::round(left / day)) + " days"
+                                                    : brief(std::round(left / hour)) + " hours";
+  err_ << "taut: at this pace it takes " << length
+       << " more; a shorter --until or a larger --spacing takes less" << std::endl;
+}
+
 void Progress::show(double share, const std::string& detail) {
   share = std::clamp(share, 0.0, 1.0);
+  warn_of_length(share);
   const double silence = since_shown_.seconds();
   if (style_ == Style::bar && silence >= bar_interval) {
     draw_bar(share, detail);

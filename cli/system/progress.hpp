@@ -19,7 +19,8 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void begin(const std::string& what);
-  /// `share` of the work is done, 0 to 1. May be called as often as one likes.
+  /// `share` of the work is done, 0 to 1. May be called as often as one likes. Work that will take half a day or
+  /// more is said to after some seconds, whatever the style.
   void show(double share, const std::string& detail);
   /// Takes the bar off the terminal, so that something else can be printed.
   void clear();
@@ -27,6 +28,7 @@ class Progress {
   void end(const std::string& detail);
 
  private:
+  void warn_of_length(double share);
   void draw_bar(double share, const std::string& detail);
   void print_line(double share, const std::string& detail);
 
@@ -36,6 +38,8 @@ class Progress {
   Stopwatch since_begin_, since_shown_;
   int quarters_ = 0;  // quarters of the work that a line has been printed for
   bool bar_shown_ = false;
+  bool warned_ = false;         // that it takes long
+  double share_at_begin_ = -1;  // what was done before, of work that goes on
 };
 
 /// A bar if `err` is the terminal's stderr.
