@@ -87,6 +87,7 @@ source = "none"
 dim = 2
 spacing = 0.002
 until = 0.002
+method = "enog"
 [parameters]
 speed = { value = 2.0, unit = "m/s", min = 0, help = "of each disc" }
 pull = { value = 0, unit = "1/s", help = "rate of stretching along y" }

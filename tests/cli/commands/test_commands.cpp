@@ -148,7 +148,7 @@ TEST_SUITE("cli") {
     const Outcome method = call({"describe", "enog"});
     CHECK(method.code == 0);
     for (const std::string part :
-         {"Zhang2024", "zeta", "conserves", "2d_deviator", "sph as published; also impulse, penalty"})
+         {"Zhang2024", "zeta", "conserves", "2d-deviator", "sph as published; also impulse, penalty"})
       CHECK(contains(method.out, part));
     CHECK(contains(call({"describe", "oenog"}).out, "0.8; in 3D 0.9  0.8 to 2; in 3D 0.87 to 0.99"));
   }

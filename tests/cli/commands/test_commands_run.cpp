@@ -226,13 +226,56 @@ TEST_SUITE("cli") {
     CHECK(record["spacing"].get<double>() == doctest::Approx(0.002));
   }
 
+  TEST_CASE("the folder of a run has in its name what is not as the scene has it") {
+    const TemporaryFolder folder;
+    const fs::path before = fs::current_path();
+    fs::current_path(folder.path());
+    const auto run = [&](std::vector<std::string> more) {
+      more.insert(more.begin(),
+                  {"run", write_tiny_scene(folder), "--no-render", "--quiet", "--threads", "1"});
+      return call(more);
+    };
+    const Outcome first = run({"--set", "speed=2.5", "--until", "1e-5"});
+    CHECK(first.err.empty());
+    CHECK(fs::exists("out/discs-enog-speed=2.5-until=1e-05/run.json"));
+    const Outcome again = run({"--set", "speed=5/2", "--until", "1e-5"});
+    CHECK(contains(again.err, "the older run in 'out/discs-enog-speed=2.5-until=1e-05' is replaced"));
+    CHECK(run({"--set", "speed=2", "--spacing", "0.002", "--until", "0.002"}).code == 0);
+    CHECK(fs::exists("out/discs-enog/run.json"));
+    CHECK(run({"--method", "oenog", "--set", "method.damping=0", "--spacing", "0.004"}).code == 0);
+    CHECK(fs::exists("out/discs-oenog-method.damping=0-spacing=0.004/run.json"));
+    CHECK(call({"run", "out/discs-enog-speed=2.5-until=1e-05/scene.toml", "--no-render", "--quiet"}).code ==
+          0);
+    CHECK(fs::exists("out/discs-enog-speed=2.5/run.json"));
+    fs::current_path(before);
+  }
+
+  TEST_CASE("what is asked for to no effect is said") {
+    const TemporaryFolder folder;
+    const Outcome drawn = call(tiny_run(folder, "out", {"--no-render", "--color", "speed", "--frames", "3"}));
+    CHECK(drawn.code == 0);
+    CHECK(contains(drawn.err, "of no effect beside --no-render: --color, --frames"));
+    const Outcome beside = call(tiny_run(folder, "beside", {"--view", "5:6:0:1"}));
+    CHECK(beside.code == 0);
+    CHECK(contains(beside.err, "the view shows no particle in any frame"));
+    CHECK(contains(json_of(folder / "beside/run.json")["remark"], "the view shows no particle"));
+    CHECK_FALSE(json_of(folder / "out/run.json")["remark"].get<std::string>().empty());
+    CHECK(call(tiny_run(folder, "many", {"--no-render", "--threads", "10000"})).code == 2);
+    const Outcome diverged =
+        call(tiny_run(folder, "cfl", {"--no-render", "--set", "cfl=20"}));
+    CHECK(diverged.code == 3);
+    CHECK(contains(diverged.err, "cfl = 20 is above"));
+  }
+
   TEST_CASE(
       "a law of the scene that the method given does not take is named on stderr, and the run goes on") {
     const TemporaryFolder folder;
     const auto run_with = [&](const std::string& method) {
       std::vector<std::string> arguments = tiny_run(folder, method, {"--no-render", "--method", method});
-      const std::string scene = text_of(folder / "discs.toml");
-      std::ofstream(folder / "discs.toml") << "method = \"tl\"\nlaw = \"mooney-rivlin\"\n" << scene;
+      std::string scene = text_of(folder / "discs.toml");
+      const std::string enog = "method = \"enog\"";
+      scene.replace(scene.find(enog), enog.size(), "method = \"tl\"\nlaw = \"mooney-rivlin\"");
+      std::ofstream(folder / "discs.toml") << scene;
       return call(arguments);
     };
     const Outcome oenog = run_with("oenog");

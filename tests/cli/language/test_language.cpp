@@ -5,7 +5,6 @@
 #include "cli/language/reference.hpp"
 #include "cli/scene/key_info.hpp"
 #include "cli/scene/sections.hpp"
-#include "cli/scene/shipped.hpp"
 #include "cli/sweep/sweep_file.hpp"
 #include "tests/support/program_runner.hpp"
 #include "tests/support/scene_text.hpp"
@@ -50,7 +49,7 @@ TEST_SUITE("cli") {
     const std::string whole = whole_file(scene_sections());
     CAPTURE(whole);
     CHECK_NOTHROW(read_text(whole));
-    std::filesystem::create_directory_symlink(scenes_folder() / "references",
+    std::filesystem::create_directory_symlink(std::filesystem::path(TAUT_SOURCE_DIR) / "scenes/references",
                                               scratch_folder() / "references");
     for (const Section& section : scene_sections()) {
       CAPTURE(section.name);
@@ -96,7 +95,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE("language: the page in scenes/ is what the program says") {
-    const std::filesystem::path page = scenes_folder() / "LANGUAGE.md";
+    const std::filesystem::path page = std::filesystem::path(TAUT_SOURCE_DIR) / "scenes/LANGUAGE.md";
     if (std::getenv("TAUT_UPDATE_GOLDEN")) std::ofstream(page, std::ios::binary) << language_page();
     CHECK_MESSAGE(taut::test::text_of(page) == language_page(),
                   "TAUT_UPDATE_GOLDEN=1 cli_tests -tc='language*' writes it anew");

@@ -44,9 +44,9 @@ TEST_SUITE("unit") {
     CHECK(file.scene.dim == 2);
     CHECK(file.scene.spacing == 0.1);
     CHECK(file.scene.until == 2);
-    CHECK(file.settings.method == "enog");
+    CHECK(file.settings.method == "oenog");
     CHECK(file.settings.stepping == Stepping::dual);
-    CHECK(file.settings.cfl == find_method("enog")->cfl);
+    CHECK(file.settings.cfl == find_method("oenog")->cfl);
     CHECK(*file.history == 0.002);
     REQUIRE(file.parameters.size() == 1);
     CHECK(file.parameters[0].value == 0.06);

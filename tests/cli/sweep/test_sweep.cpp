@@ -10,6 +10,18 @@ using namespace taut::cli;
 using namespace taut::test;
 
 TEST_SUITE("cli") {
+  TEST_CASE("runs of an earlier grid are said to remain, and are not in the results") {
+    const TemporaryFolder folder;
+    const Texts wide{"--grid", "speed=1,2,3", "--set", "until=1e-5", "--no-render"};
+    REQUIRE(program(tiny_sweep(folder, "out", wide)).code == 0);
+    const Texts narrow{"--grid", "speed=2", "--set", "until=1e-5", "--no-render"};
+    const Outcome outcome = program(tiny_sweep(folder, "out", narrow));
+    CHECK(outcome.code == 0);
+    CHECK(contains(outcome.err, "2 runs of another grid"));
+    CHECK(contains(outcome.err, "speed=1, speed=3"));
+    CHECK(json_of(folder / "out/results.json")["runs"].size() == 1);
+  }
+
   TEST_CASE("a sweep leaves a folder for each run and a row in the order of the grid") {
     const TemporaryFolder folder;
     // the second row of three is the longest, so it starts first
