@@ -51,8 +51,8 @@ void read_measures(TomlCursor& root, Scene& scene);
 void read_references(TomlCursor& root, SceneFile& file);
 /// The paths of tables and of what shapes are read from, as they are seen from `folder`.
 void see_files_from(const std::filesystem::path& folder, TomlValue& scene);
-/// The file that the key `file` names, from `folder` or from what comes with taut, and in the table from then on so that
-/// it is found; `what` it is, for a message.
+/// The file that the key `file` names, from `folder` or from what comes with taut, and in the table from then
+/// on so that it is found; `what` it is, for a message.
 std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path& folder,
                                  std::string_view what);
 /// Of a scene whose bodies are known.
@@ -60,11 +60,12 @@ void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing);
 /// The drawing as a table of its own.
 TomlValue drawing_table(const Drawing& drawing);
 
-/// Columns `lead`, which grows, and `columns` of a CSV file; lines that start with # are comments. Throws SceneError with the
-/// place in that file.
+/// Columns `lead`, which grows, and `columns` of a CSV file; lines that start with # are comments. Throws
+/// SceneError with the place in that file.
 ReferenceTable read_table(const std::filesystem::path& path, const std::string& lead,
                           const std::vector<std::string>& columns);
-/// The columns that a CSV file must have, then those that it may have, empty where it has not; and the line of each row.
+/// The columns that a CSV file must have, then those that it may have, empty where it has not; and the line
+/// of each row.
 struct ColumnTable {
   std::vector<std::vector<double>> columns;
   std::vector<int> lines;
@@ -78,8 +79,9 @@ std::string file_text(const std::filesystem::path& path, std::size_t most_bytes 
 
 inline const std::vector<std::string> axis_names = {"x", "y", "z"};
 
-/// How the round shapes of a body are laid where the file does not say: for a method that keeps the neighbours of
-/// the start, for one that searches for them; of a body that asks for a lattice; none are laid of what is cut out.
+/// How the round shapes of a body are laid where the file does not say: for a method that keeps the
+/// neighbours of the start, for one that searches for them; of a body that asks for a lattice; none are laid
+/// of what is cut out.
 enum class Layers : std::uint8_t { that_fit_faces, evenly_spaced, of_lattice, none };
 /// What a shape is read with.
 struct ShapeSetting {
@@ -102,8 +104,8 @@ std::span<const ShapeKind> shape_kinds();
 
 /// The shapes of `key`: one table, or an array of tables.
 std::vector<Shape> read_shapes(TomlCursor& body, std::string_view key, const ShapeSetting& setting);
-/// The key `rotate` of a body or a shape: in 2D degrees, or a table with them and the point that it turns about; about
-/// `middle` unless it says otherwise. None if it is not there.
+/// The key `rotate` of a body or a shape: in 2D degrees, or a table with them and the point that it turns
+/// about; about `middle` unless it says otherwise. None if it is not there.
 std::optional<Rotation> read_rotation(TomlCursor& cursor, int dim, const Point& middle);
 
 /// Throws SceneError for a key that cannot be a name in expressions, or is one already.

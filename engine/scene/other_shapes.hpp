@@ -59,8 +59,8 @@ class Polygon {
 /// Where two sides of the contours cross or lie on each other; none if they do not.
 std::optional<Point> crossing(const std::vector<Chain>& contours);
 
-/// The places of a box at which an expression is not 0. Steps of its faces below a quarter of dp are not seen. For a
-/// tolerance it looks as far to all sides.
+/// The places of a box at which an expression is not 0. Steps of its faces below a quarter of dp are not
+/// seen. For a tolerance it looks as far to all sides.
 struct Implicit {
   Box within;
   Expression inside;
@@ -116,9 +116,9 @@ struct Combined {
   Bounds lattice_bounds() const;
 };
 
-/// Particles that were given one by one. A place is held where the cell of one is, a square (cube) of its volume. The
-/// faces are where the mean of the indicator of the particles, with a cubic spline of radius 2 dp, is ½: half a spacing
-/// outside the outermost ones.
+/// Particles that were given one by one. A place is held where the cell of one is, a square (cube) of its
+/// volume. The faces are where the mean of the indicator of the particles, with a cubic spline of radius 2
+/// dp, is ½: half a spacing outside the outermost ones.
 class GivenParticles {
  public:
   GivenParticles(std::vector<Point> places, std::vector<double> volumes, int dim);
