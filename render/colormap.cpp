@@ -18,9 +18,9 @@ constexpr std::uint32_t plasma[] = {0x0d0887, 0x2b0793, 0x46039f, 0x5d00a6, 0x72
 constexpr std::uint32_t cividis[] = {0x00224e, 0x002c65, 0x123570, 0x2b406d, 0x3b496c, 0x4a536c, 0x575d6d,
                                      0x646770, 0x707173, 0x7c7b78, 0x8a8678, 0x979177, 0xa59c74, 0xb4a76f,
                                      0xc3b369, 0xd2bf60, 0xe1cc55, 0xf1d945, 0xfee838};
-// Moreland 2009, "Diverging Color Maps for Scientific Visualization", in his polar CIELAB space "Msh", but darker towards
-// the middle, by a seventh there: his light gray is lost on white. Hues are his; made by his interpolation to a darker
-// gray the blue turns violet.
+// Moreland 2009, "Diverging Color Maps for Scientific Visualization", in his polar CIELAB space "Msh", but
+// darker towards the middle, by a seventh there: his light gray is lost on white. Hues are his; made by his
+// interpolation to a darker gray the blue turns violet.
 constexpr std::uint32_t coolwarm[] = {0x3b4cc0, 0x4d66d3, 0x5f7de2, 0x7192ea, 0x83a4ec, 0x95b1e9,
                                       0xa5badf, 0xb3bed1, 0xbebebe, 0xcfb9ae, 0xdbaf9b, 0xe1a287,
                                       0xe38f72, 0xe0785e, 0xd65e49, 0xc73d37, 0xb40426};
@@ -29,8 +29,8 @@ constexpr std::uint32_t rainbow[] = {0x0000ff, 0x00ffff, 0x00ff00, 0xffff00, 0xf
 // stops short of white, which is the background
 constexpr std::uint32_t gray[] = {0x101010, 0xe0e0e0};
 
-// Okabe & Ito 2002, "Color Universal Design": told apart by people with all kinds of colour vision. Their black gives
-// way to gray, which shows on black too, and the strong ones come first.
+// Okabe & Ito 2002, "Color Universal Design": told apart by people with all kinds of colour vision. Their
+// black gives way to gray, which shows on black too, and the strong ones come first.
 constexpr std::uint32_t categories[] = {0x0072b2, 0xe69f00, 0x009e73, 0xd55e00,
                                         0x56b4e9, 0xcc79a7, 0xf0e442, 0x999999};
 constexpr double darker = 0.6;  // of the second round

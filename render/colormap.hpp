@@ -26,8 +26,8 @@ struct Colormap {
   std::array<Rgb, 256> table() const;
 };
 
-/// The colour of the `k`-th of some things that have no order; of two near each other in the sequence they differ
-/// for colour-blind eyes too. The ninth to the sixteenth are darker, then they come again.
+/// The colour of the `k`-th of some things that have no order; of two near each other in the sequence they
+/// differ for colour-blind eyes too. The ninth to the sixteenth are darker, then they come again.
 Rgb category_color(std::size_t k);
 
 std::span<const Colormap> colormaps();

@@ -40,8 +40,8 @@ struct Look {
   bool bare = false;                   // particles only, over the whole picture
   double glyph = 1;                    // a particle's diameter as drawn, of its own
   Rgb background = white;              // texts and lines stand out from it
-  /// Names of what the values count, from 0: each has a colour of its own, and a legend stands in place of the
-  /// bar. Then range and colour map do not matter, and may be open.
+  /// Names of what the values count, from 0: each has a colour of its own, and a legend stands in place of
+  /// the bar. Then range and colour map do not matter, and may be open.
   std::vector<std::string> categories{};
 };
 

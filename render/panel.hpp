@@ -26,8 +26,8 @@ struct PanelOptions {
 
 class Panel {
  public:
-  /// Nothing of the look but its size may be open. A bare look leaves only the pictures, side by side. UsageError if the size is out of bounds or too small for so
-  /// many pictures.
+  /// Nothing of the look but its size may be open. A bare look leaves only the pictures, side by side.
+  /// UsageError if the size is out of bounds or too small for so many pictures.
   explicit Panel(const PanelOptions& options);
   ~Panel();
 

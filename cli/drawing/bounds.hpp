@@ -22,9 +22,9 @@ class SequenceBounds {
   /// Both, in the single precision that kept frames have.
   void add(const FrameView& particles);
 
-  /// At most a hundredth of the values lies below it, and a hundredth above: of those that are not 0, as they are
-  /// where nothing has happened yet. An end that is not far beyond takes all. Never empty; as far to both sides
-  /// of `middle`, where there is one.
+  /// At most a hundredth of the values lies below it, and a hundredth above: of those that are not 0, as they
+  /// are where nothing has happened yet. An end that is not far beyond takes all. Never empty; as far to both
+  /// sides of `middle`, where there is one.
   render::Range range(std::optional<double> middle) const;
   /// With a margin of 5 % of the longer side.
   render::View view() const;

@@ -29,7 +29,8 @@ struct ColorFormula {
   std::vector<const Field*> fields;  // that it has
   Function function;                 // of these and `places`, and of the time
 
-  /// One for each particle. `of_fields` are the values of each of `fields`; x and x0 have `dim` coordinates each, m.
+  /// One for each particle. `of_fields` are the values of each of `fields`; x and x0 have `dim` coordinates
+  /// each, m.
   std::vector<double> values(std::span<const std::vector<double>> of_fields, int dim,
                              std::span<const double> x, std::span<const double> x0, double time) const;
 };
@@ -48,7 +49,8 @@ struct Drawing {
   std::string formula{};  // expression that they are coloured by, see ColorFormula; or empty
   bool orbit = false;     // 3D: the camera goes once about what it sees, from the first frame to the last
 
-  // what the scene makes of these texts, see `suit` in cli/scene; names of bodies and materials are in the look
+  // what the scene makes of these texts, see `suit` in cli/scene; names of bodies and materials are in the
+  // look
   Expression is_cut{};
   std::optional<int> followed{};  // index into Scene::bodies
   ColorFormula of_formula{};

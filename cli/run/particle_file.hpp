@@ -13,8 +13,8 @@
 namespace taut::cli {
 
 /// The particles of one time as a VTK PolyData file (.vtp) that ParaView opens: positions (z = 0 in 2D), a
-/// vertex each, the time, `fields` by key, diameter, velocity (a vector), body and material (numbers from 0) and
-/// whether each is held, compressed; what is measured is in double precision.
+/// vertex each, the time, `fields` by key, diameter, velocity (a vector), body and material (numbers from 0)
+/// and whether each is held, compressed; what is measured is in double precision.
 std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* const> fields);
 
 /// Reads back what `particle_file_text` has written; an array is read when it is asked for.

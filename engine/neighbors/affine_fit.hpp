@@ -36,13 +36,13 @@ struct FirstNeighbors {
 };
 FirstNeighbors first_neighbors(const Layout& start);
 
-/// The inverse of the moment Σ X ⊗ X of ways to neighbours, 1/m². In 2D the third axis is left alone, and so is
-/// what lies across a body that is one particle thick.
+/// The inverse of the moment Σ X ⊗ X of ways to neighbours, 1/m². In 2D the third axis is left alone, and so
+/// is what lies across a body that is one particle thick.
 LinearMap inverse_moment(const LinearMap& moment, int dim);
 
-/// The affine map F that takes the first neighbours of a particle nearest to where they are now (least squares):
-/// F = 1 + Σ (x_ij − X_ij) ⊗ X_ij (Σ X_ij ⊗ X_ij)⁻¹. It is exact for an affine motion, needs nothing of the method,
-/// and means little where a body has torn. In 2D F_zz = 1 (plane strain).
+/// The affine map F that takes the first neighbours of a particle nearest to where they are now (least
+/// squares): F = 1 + Σ (x_ij − X_ij) ⊗ X_ij (Σ X_ij ⊗ X_ij)⁻¹. It is exact for an affine motion, needs
+/// nothing of the method, and means little where a body has torn. In 2D F_zz = 1 (plane strain).
 std::vector<LinearMap> affine_maps(const Snapshot& now);
 /// That of one particle, which costs a look at all others.
 LinearMap affine_map(const Snapshot& now, std::size_t i);

@@ -13,8 +13,8 @@ struct View {
   bool operator==(const View&) const = default;
 };
 
-/// The axes x, y, z of a scene in 3D as they stand in a picture: of length 1, to the right, up and towards who
-/// looks at it.
+/// The axes x, y, z of a scene in 3D as they stand in a picture: of length 1, to the right, up and towards
+/// who looks at it.
 using AxesMarker = std::array<std::array<double, 3>, 3>;
 
 /// Where things are in a picture.
@@ -33,8 +33,8 @@ struct PageLayout {
 /// What a colour bar needs with its numbers and its label, em.
 inline constexpr double room_of_bar = 5.75;
 
-/// Without `texts`, or in a picture too small for them, the plot is all of it. What says what the colours mean
-/// has `room` em, but no more than a good third of the width.
+/// Without `texts`, or in a picture too small for them, the plot is all of it. What says what the colours
+/// mean has `room` em, but no more than a good third of the width.
 PageLayout make_layout(int width, int height, const View& view, bool texts = true, double room = room_of_bar);
 
 }  // namespace taut::render
