@@ -76,7 +76,7 @@ TEST_SUITE("analytic") {
       period = (t[last] - t[first]) / static_cast<double>(crossings.size() - 1);
     }
     CHECK(level < -0.005);
-    const auto measured = measure(file.scene, series, find_method("oenog").material_law);
+    const auto measured = measure(file.scene, series, find_method("oenog")->material_law);
     REQUIRE(measured.at(0).value.has_value());
     CHECK(std::abs(*measured[0].value / period - 1) < 0.01);
   }
