@@ -97,8 +97,7 @@ class CommandLine {
 void add_values(Completion& completion, const CLI::Option& option, const CommandLine& line,
                 const std::string& before, const std::string& typed) {
   const std::string name = placeholder(option);
-  const std::optional<SceneFile> scene =
-      name.find('=') == std::string::npos ? std::nullopt : line.scene();  // read where it is needed only
+  const std::optional<SceneFile> scene = line.scene();
   Choices found = choices(name, typed, scene ? &*scene : nullptr);
   completion.files = found.files;
   for (const std::string& word : found.words) completion.words.push_back({before + word, ""});

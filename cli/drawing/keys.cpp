@@ -379,7 +379,7 @@ std::span<const DrawingKey> drawing_keys() {
                  .set = set_glyph,
                  .get = get_glyph},
       DrawingKey{.name = "background",
-                 .placeholder = "COLOR",
+                 .placeholder = "white|black|#RRGGBB",
                  .help = "white, black or #rrggbb; texts stand out from it",
                  .session_help = "white, black or #rrggbb",
                  .of_text = true,

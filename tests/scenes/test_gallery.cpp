@@ -64,8 +64,9 @@ TEST_SUITE("analytic") {
     // from the mean of all to that over the whole periods between the first crossing downwards and the last
     double level = 0, period = 0;
     for (std::size_t i = 1; i < t.size(); ++i) level += (y[i] + y[i - 1]) / 2 * (t[i] - t[i - 1]) / t.back();
+    std::vector<std::size_t> crossings;
     for (int round = 0; round < 5; ++round) {
-      std::vector<std::size_t> crossings;
+      crossings.clear();
       for (std::size_t i = 1; i < t.size(); ++i)
         if (y[i - 1] > level && y[i] <= level) crossings.push_back(i);
       REQUIRE(crossings.size() >= 3);

@@ -64,12 +64,12 @@ TEST_SUITE("unit") {
     SequenceBounds bounds;
     bounds.add_values(std::vector<float>{1, nan, infinity, -2});
     bounds.add_values(std::vector<float>{3});
-    CHECK(bounds.range(false) == render::Range{-2, 3});
-    CHECK(bounds.range(true) == render::Range{-3, 3});
+    CHECK(bounds.range({}) == render::Range{-2, 3});
+    CHECK(bounds.range(0.0) == render::Range{-3, 3});
     SequenceBounds flat;
     flat.add_values(std::vector<float>{0, 0});
-    CHECK(flat.range(true).low < flat.range(true).high);
-    CHECK(SequenceBounds().range(false).low < SequenceBounds().range(false).high);
+    CHECK(flat.range(0.0).low < flat.range(0.0).high);
+    CHECK(SequenceBounds().range({}).low < SequenceBounds().range({}).high);
   }
 
   TEST_CASE("the view of a sequence holds every particle") {

@@ -166,9 +166,9 @@ TEST_SUITE("unit") {
         Scene scene = one_body(3, 1, {Box{{0, 0, 0}, {side[0], side[1], side[2]}}});
         Body& body = scene.bodies[0];
         body.on_boundary = true;
-        body.guided[0] = [=](const Point& x) { return planes > 0 && x[0] == 0 ? 1.0 : 0.0; };
-        for (const std::size_t k : {1, 2})
-          body.guided[k] = [=](const Point& x) { return planes > 1 && x[0] == side[0] ? 1.0 : 0.0; };
+        if (planes > 0) body.guided[0] = [](const Point& x) { return x[0] == 0 ? 1.0 : 0.0; };
+        if (planes > 1)
+          body.guided[1] = body.guided[2] = [=](const Point& x) { return x[0] == side[0] ? 1.0 : 0.0; };
         const InitialParticles layout = make_initial_particles(scene);
         double total = 0, first[3] = {}, second[3][3] = {};
         for (int i = 0; i < layout.size(); ++i) {
