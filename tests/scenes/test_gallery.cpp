@@ -9,6 +9,7 @@
 #include "cli/scene/scene_file.hpp"
 #include "engine/diagnostics/curve.hpp"
 #include "engine/diagnostics/measures.hpp"
+#include "engine/families/catalogue.hpp"
 #include "tests/support/program_runner.hpp"
 #include "tests/support/runs.hpp"
 

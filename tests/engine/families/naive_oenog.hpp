@@ -121,11 +121,15 @@ class NaiveOenogIn {
     return f;
   }
 
-  /// The same with the slopes worked out: what one would compute with. Of one material.
+  /// The same with the slopes worked out: what one would compute with; not where materials meet.
   Places force_by_hand(const Places& at) const {
     Places f(at.size());
     for (int i = 0; i < size(); ++i) {
       if (held(i)) continue;
+      if (site_of_[i] >= 0) {
+        pull_site(at, i, f);
+        continue;
+      }
       const Square F = gradient(at, i);
       Square T = neo_hookean(i, F);
       for (double& component : T) component *= bonds_.volume[i];
