@@ -155,6 +155,24 @@ gap = "gap, m"
     {"rectangle", "shape = { type = \"rectangle\", low = [-0.05, -0.01], high = [0.05, 0] }\n"},
     {"disc", "shape = { type = \"disc\", centre = [0, 0.02], radius = 0.01 }\n"},
     {"ring", "shape = { type = \"ring\", centre = [0, 0], inner = 0.03, outer = 0.04 }\n"},
+    {"ellipse", "shape = { type = \"ellipse\", centre = [0, 0], semi_axes = [0.03, 0.01], rotate = 30 }\n"},
+    {"polygon", "shape = { type = \"polygon\", points = [[0, 0], [0.04, 0], [0.02, 0.03]] }\n"},
+    {"svg", "shape = { type = \"svg\", file = \"letter.svg\", height = 0.06, centre = [0, 0] }\n"},
+    {"mask", "shape = { type = \"mask\", file = \"picture.png\", width = 0.1, low = [0, 0] }\n"},
+    {"expression",
+     R"toml(shape = { type = "expression", inside = "x^2 + y^2 < 0.02^2 && y > x", low = [-0.02, -0.02], high = [0.02, 0.02] }
+)toml"},
+    {"particles", "shape = { type = \"particles\", file = \"places.csv\" }\n"},
+    {"union", R"toml(shape = { type = "union", shapes = [
+    { type = "rectangle", low = [-0.02, 0], high = [0.02, 0.02] }, { type = "disc", centre = [0, 0.02], radius = 0.01 }] }
+)toml"},
+    {"intersection", R"toml(shape = { type = "intersection", shapes = [
+    { type = "rectangle", low = [-0.02, 0], high = [0.02, 0.02] }, { type = "disc", centre = [0, 0], radius = 0.02 }] }
+)toml"},
+    {"difference", R"toml(shape = { type = "difference", shapes = [
+    { type = "rectangle", low = [-0.02, 0], high = [0.02, 0.02] }, { type = "disc", centre = [0, 0.02], radius = 0.01 }] }
+)toml"},
+    {"ellipsoid", "shape = { type = \"ellipsoid\", centre = [0, 0, 0], semi_axes = [0.03, 0.01, 0.02] }\n"},
     {"box", "shape = { type = \"box\", low = [0, 0, 0], high = [0.1, 0.02, 0.02] }\n"},
     {"ball", "shape = { type = \"ball\", centre = [0, 0, 0], radius = 0.02 }\n"},
     {"shell", "shape = { type = \"shell\", centre = [0, 0, 0], inner = 0.03, outer = 0.04 }\n"},

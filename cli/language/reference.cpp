@@ -57,9 +57,12 @@ Topic topic_of(const Section& section) {
           text(example_of(section.name))};
 }
 
+/// The dimensions that a shape is of.
+std::string dim_text(const ShapeKind& shape) { return shape.dim == 0 ? "2, 3" : std::to_string(shape.dim); }
+
 Topic topic_of(const ShapeKind& shape) {
   return {text(shape.name), "type = \"" + text(shape.name) + "\"",
-          "a shape, dim = " + std::to_string(shape.dim) + ": " + text(shape.help), rows_of(shape.keys),
+          "a shape, dim = " + dim_text(shape) + ": " + text(shape.help), rows_of(shape.keys),
           text(example_of(shape.name))};
 }
 
@@ -220,7 +223,7 @@ const Texts sweep_rules{
 Rows shape_rows() {
   Rows rows{{"name", "dim", "keys", "help"}};
   for (const ShapeKind& kind : shape_kinds())
-    rows.push_back({text(kind.name), std::to_string(kind.dim), names_of_keys(kind.keys), text(kind.help)});
+    rows.push_back({text(kind.name), dim_text(kind), names_of_keys(kind.keys), text(kind.help)});
   return rows;
 }
 

@@ -112,7 +112,7 @@ std::string no_use(const RunOptions& options) {
     if (options.frames) names.emplace_back("--frames");
     if (options.every) names.emplace_back("--every");
   }
-  return names.empty() ? "" : "of no effect beside --no-render: " + join(names);
+  return names.empty() ? "" : "of no effect, since no frames are drawn: " + join(names);
 }
 
 void check_threads(int threads) {

@@ -207,7 +207,7 @@ std::string_view line_of(std::string_view text, int number) {
 /// What the usual slips of a line of TOML that cannot be read are; empty for others.
 std::string likely_slip(std::string_view line, std::string_view message) {
   if (std::ranges::count(line, '"') % 2 == 1) return ". A quote is missing in this line?";
-  if (message.find("redefine existing table") != std::string_view::npos)
+  if (message.find("redefine existing") != std::string_view::npos)
     return ". Things that come several times have two brackets: [[body]]";
   const std::size_t equals = line.find('=');
   if (equals == std::string_view::npos || line.find('"') != std::string_view::npos) return "";

@@ -254,7 +254,7 @@ TEST_SUITE("cli") {
     const TemporaryFolder folder;
     const Outcome drawn = call(tiny_run(folder, "out", {"--no-render", "--color", "speed", "--frames", "3"}));
     CHECK(drawn.code == 0);
-    CHECK(contains(drawn.err, "of no effect beside --no-render: --color, --frames"));
+    CHECK(contains(drawn.err, "of no effect, since no frames are drawn: --color, --frames"));
     const Outcome beside = call(tiny_run(folder, "beside", {"--view", "5:6:0:1"}));
     CHECK(beside.code == 0);
     CHECK(contains(beside.err, "the view shows no particle in any frame"));

@@ -12,9 +12,9 @@ using namespace taut::test;
 TEST_SUITE("cli") {
   TEST_CASE("runs of an earlier grid are said to remain, and are not in the results") {
     const TemporaryFolder folder;
-    const Texts wide{"--grid", "speed=1,2,3", "--set", "until=1e-5", "--no-render"};
+    const Texts wide{"--grid", "speed=1,2,3", "--set", "until=1e-5"};
     REQUIRE(program(tiny_sweep(folder, "out", wide)).code == 0);
-    const Texts narrow{"--grid", "speed=2", "--set", "until=1e-5", "--no-render"};
+    const Texts narrow{"--grid", "speed=2", "--set", "until=1e-5"};
     const Outcome outcome = program(tiny_sweep(folder, "out", narrow));
     CHECK(outcome.code == 0);
     CHECK(contains(outcome.err, "2 runs of another grid"));
