@@ -9,8 +9,8 @@ struct Example {
   std::string_view name, text;
 };
 
-/// Those of sections with a [header] are one scene, in this order, and one sweep; the others are a key of the first
-/// body or reference.
+/// Those of sections with a [header] are one scene, in this order, and one sweep; the others are a key of the
+/// first body or reference.
 constexpr Example examples[] = {
     {"scene", R"toml(title = "A disc hits a bar"
 dim = 2
@@ -164,13 +164,16 @@ gap = "gap, m"
 )toml"},
     {"particles", "shape = { type = \"particles\", file = \"places.csv\" }\n"},
     {"union", R"toml(shape = { type = "union", shapes = [
-    { type = "rectangle", low = [-0.02, 0], high = [0.02, 0.02] }, { type = "disc", centre = [0, 0.02], radius = 0.01 }] }
+    { type = "rectangle", low = [-0.02, 0], high = [0.02, 0.02] },
+    { type = "disc", centre = [0, 0.02], radius = 0.01 }] }
 )toml"},
     {"intersection", R"toml(shape = { type = "intersection", shapes = [
-    { type = "rectangle", low = [-0.02, 0], high = [0.02, 0.02] }, { type = "disc", centre = [0, 0], radius = 0.02 }] }
+    { type = "rectangle", low = [-0.02, 0], high = [0.02, 0.02] },
+    { type = "disc", centre = [0, 0], radius = 0.02 }] }
 )toml"},
     {"difference", R"toml(shape = { type = "difference", shapes = [
-    { type = "rectangle", low = [-0.02, 0], high = [0.02, 0.02] }, { type = "disc", centre = [0, 0.02], radius = 0.01 }] }
+    { type = "rectangle", low = [-0.02, 0], high = [0.02, 0.02] },
+    { type = "disc", centre = [0, 0.02], radius = 0.01 }] }
 )toml"},
     {"ellipsoid", "shape = { type = \"ellipsoid\", centre = [0, 0, 0], semi_axes = [0.03, 0.01, 0.02] }\n"},
     {"box", "shape = { type = \"box\", low = [0, 0, 0], high = [0.1, 0.02, 0.02] }\n"},
