@@ -133,7 +133,8 @@ Finding find_out(const StoredRun& run, const Expectation& e) {
   if (!measure && !is) throw UsageError(unknown_name("measure or number of run.json", e.name, names_in(run)));
   std::string unit = run.text(measure_column(e.name, "unit"));
   if (unit == "1") unit.clear();
-  if (!is || !std::isfinite(*is)) return {e.name, shown(e, unit), "no value", "", false};
+  if (!is || !std::isfinite(*is))
+    return {e.name, shown(e, unit), "no value", run.text(measure_column(e.name, "why")), false};
   return {e.name, shown(e, unit), with_unit(*is, unit), shown_difference(e, *is, unit), holds(e, *is)};
 }
 

@@ -17,7 +17,7 @@ std::string write_record(const TemporaryFolder& folder, const std::string& name,
       << R"({"taut": "0.1.0", "scene": "plate", "method": "tl", "status": ")" << status
       << R"(", "verdict": ")" << verdict
       << R"(", "conservation": {"energy": 1e-4}, "measures": {"period": {"value": )" << period
-      << R"(, "unit": "s"}, "decay": {"value": null, "unit": "1"}}})";
+      << R"(, "unit": "s"}, "decay": {"value": null, "unit": "1", "why": "too short"}}})";
   return folder.str(name);
 }
 
@@ -45,6 +45,7 @@ TEST_SUITE("cli") {
       CAPTURE(text);
       CHECK(outcome.code == code);
       CHECK(contains(outcome.out, code == 0 ? "\nfine\n" : "1 of 2 moved"));
+      CHECK(contains(outcome.out, "too short") == text.starts_with("decay"));
     }
     CHECK(call({"check", run, "--measure", "period=0.25", "--tolerance", "3%"}).code == 0);
     CHECK(call({"check", run, "--measure", "period=0.25", "--tolerance", "1%"}).code == 1);
