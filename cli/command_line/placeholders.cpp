@@ -24,6 +24,8 @@ Words sweep_names(const SceneFile*) {
 
 Words section_names(const SceneFile*) { return topic_names(); }
 
+Words color_names(const SceneFile*) { return {"white", "black"}; }  // of all that #rrggbb may be
+
 Words verdict_names(const SceneFile*) { return names_of_failures(); }
 
 Words probe_names(const SceneFile* scene) {
@@ -69,6 +71,7 @@ constexpr Placeholder table[] = {
     {"VERDICT", verdict_names, ""},
     {"PROBE", probe_names, ""},
     {"BODY", body_names, ""},
+    {"COLOR", color_names, ""},
     {"COLUMN", column_names, ""},
     {"MEASURE", measure_names, ""},
     {"PARAMETER", settable_names, ""},
