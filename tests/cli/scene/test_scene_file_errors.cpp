@@ -106,7 +106,7 @@ TEST_SUITE("cli") {
     check_error("shape = { type = \"rectangle\", low = [0, 0], high = [2, 1] }", "shape = @\"rectangle\"",
                 {"shape of body 'block' must be a table", "a text"});
     check_error("shape = { type = \"rectangle\", low = [0, 0], high = [2, 1] }", "shape = @[]",
-                {"is empty: it needs at least one rectangle, disc or ring"});
+                {"is empty: it needs at least one rectangle, disc, ring, "});
   }
 
   TEST_CASE("scene: expressions") {
