@@ -27,8 +27,8 @@ struct CameraAxes {
 };
 
 CameraAxes axes_of(const Camera& camera);
-/// The camera gone about what it looks at: to the right about the direction that is up in the scene, then upwards
-/// about what is to the right in the picture; degrees.
+/// The camera gone about what it looks at: to the right about the direction that is up in the scene, then
+/// upwards about what is to the right in the picture; degrees.
 Camera orbited(const Camera& camera, double right, double upwards);
 AxesMarker marker_of(const Camera& camera);
 

@@ -20,8 +20,8 @@ struct Dot {
 /// Where discs overlap, a pixel belongs to the disc whose centre is nearest (in radii): neighbours pressed
 /// together meet in a straight line, and the order of the particles shows at most where two rims meet.
 ///
-/// The plot is drawn in bands of rows whose samples stay in the processor's cache, and in tiles of a band: what
-/// no disc touches costs nothing.
+/// The plot is drawn in bands of rows whose samples stay in the processor's cache, and in tiles of a band:
+/// what no disc touches costs nothing.
 class DiscPainter {
  public:
   /// Of one plot of one image, that is of the background's colour at first and that nothing else draws into.

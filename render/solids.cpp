@@ -14,8 +14,8 @@ Vector sum(const Vector& a, const Vector& b, double times = 1) {
   return {a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]};
 }
 
-// Cells overlap by this factor, and by this many pixels at least: where a body bends, gaps of second order in the
-// spacing would show between them.
+// Cells overlap by this factor, and by this many pixels at least: where a body bends, gaps of second order in
+// the spacing would show between them.
 constexpr double overlap = 1.02, least_overlap = 0.7;
 
 Vector widened(const Vector& half) {

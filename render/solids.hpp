@@ -46,8 +46,8 @@ class Solids {
 
 /// Radius, in pixels, that a round particle is drawn with.
 ///
-/// A gap narrower than a pixel cannot be drawn: it comes out as moiré and washes the colour out. So a particle
-/// grows, by less than 0.7 pixel, until at a diameter of 2 pixels it fills the square about it.
+/// A gap narrower than a pixel cannot be drawn: it comes out as moiré and washes the colour out. So a
+/// particle grows, by less than 0.7 pixel, until at a diameter of 2 pixels it fills the square about it.
 double drawn_radius(double radius);
 
 }  // namespace taut::render

@@ -52,7 +52,8 @@ class CommandLine {
       if (option->nonpositional() && option->check_name(name)) return option;
     return nullptr;
   }
-  /// The scene that is typed, as it is with the method that is typed, or that of a run's folder; none if there is no such thing yet.
+  /// The scene that is typed, as it is with the method that is typed, or that of a run's folder; none if
+  /// there is no such thing yet.
   std::optional<SceneFile> scene() const try {
     if (arguments_.empty()) return std::nullopt;
     std::vector<Setting> settings;

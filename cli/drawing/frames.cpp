@@ -29,8 +29,8 @@ FrameView with_texts(FrameView view, const Drawing& drawing, const Captions& cap
   return view;
 }
 
-/// As many threads as there are, as far as their pictures have room. A picture of discs takes 4 bytes a pixel, one of
-/// what stands in space four samples of 8 bytes more, and again as much in OpenGL.
+/// As many threads as there are, as far as their pictures have room. A picture of discs takes 4 bytes a
+/// pixel, one of what stands in space four samples of 8 bytes more, and again as much in OpenGL.
 int pictures_at_once(const Drawing& drawing, int threads) {
   constexpr double bytes_of_pixel = 70;
   const render::Size size = drawing.look.size.value_or(render::Size{});

@@ -37,16 +37,17 @@ render::Image draw_picture(const Drawing& drawing, const Captions& captions, con
 /// Draws the frames of a run: each at once when the range and the view are known beforehand; otherwise what a
 /// frame shows is kept in memory, and all are drawn at the end over the range and view of the whole sequence.
 ///
-/// With several threads frames are drawn and written beside the caller, which waits only while as many of them
-/// are under way as OrderedWork has room for. Files are the same, and a frame is there only when all before it are.
-/// Each thread has a picture of its own; there are no more than `memory_of_pictures` has room for.
+/// With several threads frames are drawn and written beside the caller, which waits only while as many of
+/// them are under way as OrderedWork has room for. Files are the same, and a frame is there only when all
+/// before it are. Each thread has a picture of its own; there are no more than `memory_of_pictures` has room
+/// for.
 class Frames {
  public:
   static constexpr double memory_of_pictures = 1e9;  // bytes, with all that belongs to a picture
 
   /// Draws nothing, but fails where no picture can be drawn at all.
-  /// `origins` are those of the particles that will be added. The time that it takes is added to `seconds`, by
-  /// all threads together, whenever `finish` is called.
+  /// `origins` are those of the particles that will be added. The time that it takes is added to `seconds`,
+  /// by all threads together, whenever `finish` is called.
   Frames(const Drawing& drawing, Origins origins, std::filesystem::path folder, Captions captions,
          int threads, Seconds& seconds);
 
@@ -55,7 +56,8 @@ class Frames {
   void add(const FrameView& particles);
   /// Draws what was kept; asks `go_on` before each frame. False if it was told to stop.
   bool draw_kept(const std::function<bool(int drawn)>& go_on);
-  /// Waits for the frames that are under way. It throws what went wrong with them, as all that adds frames does.
+  /// Waits for the frames that are under way. It throws what went wrong with them, as all that adds frames
+  /// does.
   void finish();
 
   int kept() const { return static_cast<int>(kept_.size()); }

@@ -46,7 +46,8 @@ class Staging {
 
   /// `particles` are all of the run.
   StagedParticles operator()(const FrameView& particles) const;
-  /// The same as they are drawn: in style `cells` as pieces of their bodies, without those that others surround.
+  /// The same as they are drawn: in style `cells` as pieces of their bodies, without those that others
+  /// surround.
   StagedParticles dressed(StagedParticles staged) const;
   /// What a view that is open has to hold of such particles, and their values.
   void extend(SequenceBounds& bounds, const StagedParticles& staged) const;

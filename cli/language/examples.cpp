@@ -160,7 +160,7 @@ gap = "gap, m"
     {"svg", "shape = { type = \"svg\", file = \"letter.svg\", height = 0.06, centre = [0, 0] }\n"},
     {"mask", "shape = { type = \"mask\", file = \"picture.png\", width = 0.1, low = [0, 0] }\n"},
     {"expression",
-     R"toml(shape = { type = "expression", inside = "x^2 + y^2 < 0.02^2 && y > x", low = [-0.02, -0.02], high = [0.02, 0.02] }
+     R"toml(shape = { type = "expression", inside = "x^2 + y^2 < 0.02^2", low = [-0.02, -0.02], high = [0.02, 0.02] }
 )toml"},
     {"particles", "shape = { type = \"particles\", file = \"places.csv\" }\n"},
     {"union", R"toml(shape = { type = "union", shapes = [

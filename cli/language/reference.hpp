@@ -50,8 +50,8 @@ Rows method_rows();
 /// Every key of every section and kind.
 Rows key_rows();
 
-/// What stands in the reference for a section of `scene_sections`, `sweep_sections` or a shape; empty if there is
-/// none.
+/// What stands in the reference for a section of `scene_sections`, `sweep_sections` or a shape; empty if
+/// there is none.
 std::string_view example_of(std::string_view name);
 
 }  // namespace taut::cli

@@ -51,7 +51,8 @@ class RunOutput {
   /// Does what was put off until the run has ended. False if it was interrupted.
   virtual bool complete(const Interrupts&, Progress&) { return true; }
 
-  /// All that changes as the run goes by, when it is settled. Loading takes back what the folder holds from after the saving.
+  /// All that changes as the run goes by, when it is settled. Loading takes back what the folder holds from
+  /// after the saving.
   virtual void save(Saver& saver) = 0;
   virtual void load(Loader& loader) = 0;
 };

@@ -70,8 +70,8 @@ std::string value_in(const SceneFile& file, const Setting& setting) {
   return setting.value;  // of the spacing what was asked for
 }
 
-/// "-v0=0.08-spacing=0.002": what is not as the scene has it by itself, the method's constants not as published.
-/// Runs that differ go into folders that differ.
+/// "-v0=0.08-spacing=0.002": what is not as the scene has it by itself, the method's constants not as
+/// published. Runs that differ go into folders that differ.
 std::string changes_text(const RunOptions& options, const SceneFile& file) {
   constexpr std::size_t longest = 120;
   std::vector<Setting> method;

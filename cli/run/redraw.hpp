@@ -17,7 +17,8 @@ struct Redrawn {
   bool all = true;
 };
 
-/// Draws all frames of a run from its particles, as its drawing says. `threads` of 0: as many as there are cores.
+/// Draws all frames of a run from its particles, as its drawing says. `threads` of 0: as many as there are
+/// cores.
 Redrawn redraw(const SavedRun& run, const std::filesystem::path& folder, int threads, Progress& progress);
 
 }  // namespace taut::cli

@@ -6,10 +6,10 @@
 
 namespace taut::cli {
 
-/// The plan of the run in `folder`: to go on from its checkpoint, or from the start where it was stopped before
-/// the first. `given` are the options beside --resume: they must say what the folder says, but for the number
-/// of threads; where there is no checkpoint at all, they decide about frames, particles and checkpoints.
-/// Throws UsageError, with the reason and the way out, where that cannot be done.
+/// The plan of the run in `folder`: to go on from its checkpoint, or from the start where it was stopped
+/// before the first. `given` are the options beside --resume: they must say what the folder says, but for the
+/// number of threads; where there is no checkpoint at all, they decide about frames, particles and
+/// checkpoints. Throws UsageError, with the reason and the way out, where that cannot be done.
 RunPlan resume_plan(const std::filesystem::path& folder, const RunOptions& given);
 
 }  // namespace taut::cli

@@ -18,7 +18,8 @@ inline constexpr std::string_view any_name = "NAME";
 /// Of a table whose keys are all such.
 inline constexpr KeyInfo named_by_user[] = {{any_name, "", "", ""}};
 
-/// A table of a scene or sweep file: what `taut describe` says of it, and the keys that its reader may ask for.
+/// A table of a scene or sweep file: what `taut describe` says of it, and the keys that its reader may ask
+/// for.
 struct Section {
   std::string_view name;    // "driven"
   std::string_view header;  // as it is written: "[[body]]"

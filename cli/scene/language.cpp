@@ -9,8 +9,8 @@
 #include "cli/text/format.hpp"
 #include "engine/families/catalogue.hpp"
 
-/// The language of scene and sweep files: every table and its keys. What shapes, probes and measures of a kind
-/// take stands with the kinds.
+/// The language of scene and sweep files: every table and its keys. What shapes, probes and measures of a
+/// kind take stands with the kinds.
 namespace taut::cli {
 namespace {
 

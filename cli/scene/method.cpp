@@ -121,8 +121,9 @@ std::string law_of_file(TomlCursor& root, const MethodInfo& of_file) {
   return law;
 }
 
-/// The law of elasticity of a method that leaves it open: as changed, else as in the file, else the method's first.
-/// That of a file holds for every method that takes it; another one runs with its own, and `remark` says so.
+/// The law of elasticity of a method that leaves it open: as changed, else as in the file, else the method's
+/// first. That of a file holds for every method that takes it; another one runs with its own, and `remark`
+/// says so.
 void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, const Changes& changes,
               Settings& settings, std::string& remark) {
   settings.law = law_of_file(root, of_file);
@@ -180,8 +181,8 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
       std::ranges::find(contacts, contact, [](const ContactChoice& c) { return name(c.law); })->law;
   const ContactLaw law = file.scene.contact == ContactLaw::published ? method.contact : file.scene.contact;
   // the gap below which bodies are in touch: particles that act on those of another body as on their own
-  // repel them before faces meet; with the other laws of particles faces that meet obliquely leave a tenth of a
-  // spacing
+  // repel them before faces meet; with the other laws of particles faces that meet obliquely leave a tenth of
+  // a spacing
   const double touching = law == ContactLaw::surface ? 0 : law == ContactLaw::sph ? 0.9 : 0.1;
   root.names()["touching"] = touching * root.names().at("dp");
 

@@ -61,8 +61,8 @@ std::size_t column_of(const Rows& rows, const std::vector<std::string>& head, co
             "; there are: " + join(head));
 }
 
-/// A file lies beside the scene. That of a scene that comes with taut is found from everywhere, for the scene.toml
-/// of a run.
+/// A file lies beside the scene. That of a scene that comes with taut is found from everywhere, for the
+/// scene.toml of a run.
 std::filesystem::path find_file(const std::filesystem::path& folder, const std::string& file) {
   std::error_code error;
   if (std::filesystem::is_regular_file(folder / file, error))

@@ -55,8 +55,8 @@ struct SceneFile {
 SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings = {});
 /// The names that --set and --grid take in this scene with its method.
 std::vector<std::string> names_to_set(const SceneFile& scene);
-/// The texts that a name of these takes: of methods, laws of contact and of elasticity, ways of stepping; none: it
-/// takes numbers.
+/// The texts that a name of these takes: of methods, laws of contact and of elasticity, ways of stepping;
+/// none: it takes numbers.
 std::vector<std::string> texts_to_set(std::string_view name);
 /// Settles what a drawing of this scene leaves to it: cut, follow, the camera of a scene in 3D. Throws
 /// UsageError for what does not go with the scene.

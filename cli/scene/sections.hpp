@@ -139,8 +139,8 @@ struct ContactChoice {
 };
 std::span<const ContactChoice> contact_choices();
 
-/// The law of methods whose stress has no part out of the plane, as references and run.json name it. It cannot be
-/// chosen.
+/// The law of methods whose stress has no part out of the plane, as references and run.json name it. It
+/// cannot be chosen.
 inline constexpr std::string_view in_plane_law = "2d_deviator";
 /// "neo-hookean": as scene files and options name what run.json calls neo_hookean.
 std::string law_name(std::string_view material_law);

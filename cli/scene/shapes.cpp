@@ -15,8 +15,8 @@ Shape read_box(TomlCursor& shape, const ShapeSetting& setting) {
   return read_low_and_high(shape, setting.dim);
 }
 
-/// The key `layout`, one of `allowed`, or `otherwise` where it is not there. Of a body that asks for a lattice it is
-/// that.
+/// The key `layout`, one of `allowed`, or `otherwise` where it is not there. Of a body that asks for a
+/// lattice it is that.
 RoundLayout read_layout(TomlCursor& shape, std::vector<RoundLayout> allowed, RoundLayout otherwise,
                         Layers layers) {
   if (layers == Layers::of_lattice) allowed = {RoundLayout::lattice}, otherwise = RoundLayout::lattice;

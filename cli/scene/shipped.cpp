@@ -38,8 +38,8 @@ std::vector<fs::path> folders_of_user() {
   return folders;
 }
 
-/// A build has a link to its scenes beside the program; what is installed may be moved as a whole. Without /proc the
-/// program does not know where it is.
+/// A build has a link to its scenes beside the program; what is installed may be moved as a whole. Without
+/// /proc the program does not know where it is.
 std::vector<fs::path> places_of_shipped() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);

@@ -20,10 +20,10 @@ struct TomlSource {
   std::set<std::string> used;  // names that some expression has asked for
 };
 
-/// Typed access to one table of a scene file. It knows the keys that the table may have; to ask for another one
-/// is an error of the reader. It remembers which were asked for, so that `finish` finds the ones that nobody
-/// reads, and writes defaults into the table, so that the table ends up complete. Every error of the file is a
-/// SceneError with the place of the value.
+/// Typed access to one table of a scene file. It knows the keys that the table may have; to ask for another
+/// one is an error of the reader. It remembers which were asked for, so that `finish` finds the ones that
+/// nobody reads, and writes defaults into the table, so that the table ends up complete. Every error of the
+/// file is a SceneError with the place of the value.
 class TomlCursor {
  public:
   /// `path` is the dotted path ("body.left") and `what` the table's name in messages ("body 'left'").

@@ -68,11 +68,11 @@ std::string shown_error(const Chart& chart, double error);
 /// with fewer than two spacings.
 std::optional<double> convergence_order(const std::vector<ChartPoint>& points);
 
-/// The default measure is the one that most runs have an error of, of equals the scene's first. When something
-/// happens (touch_time) hardly depends on how well the rest is computed, and errors with a unit are no share
-/// of anything: these come last. Throws UsageError for a measure that the scene has not (with the nearest
-/// names), or that has no error in any run; says why. Of a run that was done twice the faster one counts.
-/// Against a method's finest run, that run has no point itself.
+/// The default measure is the one that most runs have an error of, of equals the scene's first. When
+/// something happens (touch_time) hardly depends on how well the rest is computed, and errors with a unit are
+/// no share of anything: these come last. Throws UsageError for a measure that the scene has not (with the
+/// nearest names), or that has no error in any run; says why. Of a run that was done twice the faster one
+/// counts. Against a method's finest run, that run has no point itself.
 Chart make_chart(const StoredResults& results, const ChartRequest& request);
 
 }  // namespace taut::cli

@@ -5,8 +5,8 @@
 
 namespace taut::cli {
 
-/// How a method looks in every picture: the same colour and marker in charts, histories and maps. Methods that
-/// share a colour, and lines of one method, differ in dashes.
+/// How a method looks in every picture: the same colour and marker in charts, histories and maps. Methods
+/// that share a colour, and lines of one method, differ in dashes.
 struct CurveStyle {
   std::string color;         // "#0072B2"
   int dash = 1;              // of gnuplot: 1 is solid

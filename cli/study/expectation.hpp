@@ -37,8 +37,8 @@ struct Finding {
   std::string name, expected, is, difference;
   bool fine = false;
 };
-/// A number that the run has not, as a measure of a run that was too short, is not fine. Throws UsageError for
-/// a name that run.json has not, with the nearest ones.
+/// A number that the run has not, as a measure of a run that was too short, is not fine. Throws UsageError
+/// for a name that run.json has not, with the nearest ones.
 Finding find_out(const StoredRun& run, const Expectation& expected);
 /// That the verdict is no worse than `worst`.
 Finding find_out_verdict(const StoredRun& run, const std::string& worst);

@@ -54,8 +54,8 @@ std::vector<StoredRun> read_runs(const fs::path& file) {
   return runs;
 }
 
-/// What a table does not say: the title, the units of what was swept, and what was set for all. Of a file that
-/// holds something else, nothing.
+/// What a table does not say: the title, the units of what was swept, and what was set for all. Of a file
+/// that holds something else, nothing.
 void add_names(const fs::path& file, StoredResults& results) try {
   const auto json =
       nlohmann::json::parse(read_whole(file.parent_path() / "results.json").value_or(""), nullptr, false);

@@ -11,8 +11,8 @@
 
 namespace taut::cli {
 
-/// Work beside the caller, several pieces at once. A piece has two halves: the first is done anywhere, the second
-/// when its turn has come, after those of all pieces that were added before.
+/// Work beside the caller, several pieces at once. A piece has two halves: the first is done anywhere, the
+/// second when its turn has come, after those of all pieces that were added before.
 ///
 /// Where a piece fails, the second halves of those behind it are left out.
 class OrderedWork {

@@ -19,8 +19,8 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void begin(const std::string& what);
-  /// `share` of the work is done, 0 to 1. May be called as often as one likes. Work that will take half a day or
-  /// more is said to after some seconds, whatever the style.
+  /// `share` of the work is done, 0 to 1. May be called as often as one likes. Work that will take half a day
+  /// or more is said to after some seconds, whatever the style.
   void show(double share, const std::string& detail);
   /// Takes the bar off the terminal, so that something else can be printed.
   void clear();

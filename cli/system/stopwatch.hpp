@@ -27,8 +27,8 @@ class Timed {
   Stopwatch watch_;
 };
 
-/// Wall clock of the parts of a run, s. `write` holds all files and the sums that history.csv shows. Of frames that
-/// are drawn by several threads, `render` and `write` hold the time of all these together.
+/// Wall clock of the parts of a run, s. `write` holds all files and the sums that history.csv shows. Of
+/// frames that are drawn by several threads, `render` and `write` hold the time of all these together.
 struct Seconds {
   double setup = 0, solve = 0, render = 0, write = 0;
 };

@@ -7,8 +7,8 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// N numbers of each particle, column by column: four particles that are stored one behind the other have four
-/// numbers one behind the other in each.
+/// N numbers of each particle, column by column: four particles that are stored one behind the other have
+/// four numbers one behind the other in each.
 template <int N>
 class Columns {
  public:

@@ -4,8 +4,8 @@
 
 namespace taut {
 
-/// A⁺ B, whose columns x are those of least |x| among those of least |A x − b|, and the rank of A; for small dense
-/// systems. Compiled once: the decomposition takes a compiler longer than the files that ask for it.
+/// A⁺ B, whose columns x are those of least |x| among those of least |A x − b|, and the rank of A; for small
+/// dense systems. Compiled once: the decomposition takes a compiler longer than the files that ask for it.
 struct LeastSquares {
   Eigen::MatrixXd x;
   Eigen::Index rank;

@@ -8,9 +8,9 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// Four doubles that are worked on at once: four neighbours of one particle, or one of each of four. A vector type of the compiler,
-/// so that arithmetic, comparison and `mask ? a : b` read as for a double, and a term written for T serves
-/// both. Without AVX it is two SSE2 halves with the same results to the last bit.
+/// Four doubles that are worked on at once: four neighbours of one particle, or one of each of four. A vector
+/// type of the compiler, so that arithmetic, comparison and `mask ? a : b` read as for a double, and a term
+/// written for T serves both. Without AVX it is two SSE2 halves with the same results to the last bit.
 inline constexpr int lanes = 4;
 typedef double Pack __attribute__((vector_size(lanes * sizeof(double))));
 typedef long long PackIndex __attribute__((vector_size(lanes * sizeof(long long))));
@@ -83,8 +83,8 @@ T power(const T& a) {
   for (int k = 1; k < N; ++k) r *= a;
   return r;
 }
-/// aⁿ, a ≥ 0, n ≥ 0, without a call, which would put all that a loop holds in registers into memory: the whole
-/// part of n by squares, the rest by roots.
+/// aⁿ, a ≥ 0, n ≥ 0, without a call, which would put all that a loop holds in registers into memory: the
+/// whole part of n by squares, the rest by roots.
 inline Pack power(const Pack& a, double n) {
   if (n == 4) return (a * a) * (a * a);
   const auto whole = static_cast<unsigned>(n);
@@ -137,8 +137,8 @@ inline Pack loaded(const double* a) {
   return pack;
 }
 
-/// Four rows of a table with an even number of doubles a row, aligned to 16 bytes, of which columns are wanted
-/// as packs. Two neighbouring columns cost little more than one.
+/// Four rows of a table with an even number of doubles a row, aligned to 16 bytes, of which columns are
+/// wanted as packs. Two neighbouring columns cost little more than one.
 struct RowsOfFour {
   const double* at[lanes];
 
@@ -154,8 +154,8 @@ struct RowsOfFour {
   }
 };
 
-/// The first `Columns` of rows j[0…3] of a table with `Stride` doubles a row, transposed: out[k] holds column k
-/// of the four rows.
+/// The first `Columns` of rows j[0…3] of a table with `Stride` doubles a row, transposed: out[k] holds column
+/// k of the four rows.
 template <int Columns, int Stride = Columns>
 [[gnu::always_inline]] inline void gather(const double* table, const int* j, Pack* out) {
   static_assert(Stride % 2 == 0);

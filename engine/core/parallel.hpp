@@ -9,8 +9,8 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// In how many parts a loop is handed out: several a thread, so that one that is held up does not hold up all, and
-/// none that is not worth the handing over.
+/// In how many parts a loop is handed out: several a thread, so that one that is held up does not hold up
+/// all, and none that is not worth the handing over.
 inline int chunks_of(int n, int threads) {
   constexpr int of_each = 4, least = 32;
   return threads == 1 ? 1 : std::clamp(n / least, 1, std::min(of_each * threads, Team::most_chunks));

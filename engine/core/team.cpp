@@ -8,8 +8,8 @@ namespace taut {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-// How long a helper looks out for the next loop before it goes to sleep: to be woken takes a loop of a small scene.
-// What lies between two loops of a step, such as contact, mostly takes less.
+// How long a helper looks out for the next loop before it goes to sleep: to be woken takes a loop of a small
+// scene. What lies between two loops of a step, such as contact, mostly takes less.
 constexpr std::chrono::microseconds patience{100};
 constexpr int looks = 50;  // between two looks at the clock, or before the owner makes room for others
 

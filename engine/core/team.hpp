@@ -10,13 +10,13 @@
 
 namespace taut {
 
-/// Threads that help the one that owns them with loops, chunk by chunk. The owner works too, and waits only for
-/// chunks that others have begun: a helper that the machine does not run at the moment, or that is not awake yet,
-/// holds up nobody. (The end of an OpenMP region waits for all its threads, which on a busy machine takes a slice
-/// of the scheduler's time, milliseconds, for a loop of ten microseconds.)
+/// Threads that help the one that owns them with loops, chunk by chunk. The owner works too, and waits only
+/// for chunks that others have begun: a helper that the machine does not run at the moment, or that is not
+/// awake yet, holds up nobody. (The end of an OpenMP region waits for all its threads, which on a busy
+/// machine takes a slice of the scheduler's time, milliseconds, for a loop of ten microseconds.)
 ///
-/// Each has chunks of its own, the same ones in every loop over as many, so that what it works on stays in its
-/// cache; who is done goes on with those of the others.
+/// Each has chunks of its own, the same ones in every loop over as many, so that what it works on stays in
+/// its cache; who is done goes on with those of the others.
 class Team {
  public:
   static constexpr int most_threads = 1000, most_chunks = 4000;
@@ -29,8 +29,8 @@ class Team {
 
   /// That of the calling thread. Its helpers start when they are needed first.
   static Team& own();
-  /// work(of, chunk) once for each chunk, on at most `threads` threads, in any order; on this one alone if that is
-  /// within such a loop.
+  /// work(of, chunk) once for each chunk, on at most `threads` threads, in any order; on this one alone if
+  /// that is within such a loop.
   void run(int threads, int chunks, Work work, const void* of);
 
  private:

@@ -5,12 +5,13 @@
 
 namespace taut {
 
-/// How many threads the next step takes: all of them, or one where more do not help, as while other work keeps
-/// the machine busy. Results do not depend on it.
+/// How many threads the next step takes: all of them, or one where more do not help, as while other work
+/// keeps the machine busy. Results do not depend on it.
 ///
-/// Blocks of steps are timed. One thread does the first block; then the team is tried, and stays while its blocks
-/// take no longer. A block that takes longer than that of one thread ends there and then. One thread goes on, so
-/// long that the trial has cost a fiftieth of the time, and twice as long after each that fails again.
+/// Blocks of steps are timed. One thread does the first block; then the team is tried, and stays while its
+/// blocks take no longer. A block that takes longer than that of one thread ends there and then. One thread
+/// goes on, so long that the trial has cost a fiftieth of the time, and twice as long after each that fails
+/// again.
 class TeamSize {
  public:
   explicit TeamSize(int most) : most_(most) {}

@@ -49,8 +49,8 @@ std::span<const std::size_t> Cells::neighbors(std::size_t i) const {
   return std::span(neighbor_).subspan(first_[i], first_[i + 1] - first_[i]);
 }
 
-/// In 3D the way to the nearest neighbour, then to the one most across, and what is at right angles to both. In 2D
-/// the cross that the ways to the adjacent neighbours agree on best: layers of a ring stand staggered.
+/// In 3D the way to the nearest neighbour, then to the one most across, and what is at right angles to both.
+/// In 2D the cross that the ways to the adjacent neighbours agree on best: layers of a ring stand staggered.
 void Cells::find_axes(std::size_t i) {
   std::array<Vector, 3> axes{Vector::UnitX(), Vector::UnitY(), Vector::UnitZ()};
   Vector across = Vector::Zero();
@@ -120,8 +120,8 @@ void Cells::find_inverse(std::size_t i) {
   cells_[i].inverse = inverse_moment(symmetric, static_cast<int>(dim_));
 }
 
-/// Of those around a cell inside the adjacent ones are enough: they say whether it stays hidden, and what it is
-/// like when it does not.
+/// Of those around a cell inside the adjacent ones are enough: they say whether it stays hidden, and what it
+/// is like when it does not.
 void Cells::forget_distant() {
   std::vector<std::size_t> first{0}, kept;
   for (std::size_t i = 0; i < cells_.size(); ++i) {

@@ -16,10 +16,11 @@ struct CellShapes {
   std::vector<double> edge;           // dim vectors each, m
 };
 
-/// The part of its body that each particle stands for: at the start a rectangle or a box with sides half-way to
-/// its adjacent neighbours, later what an affine map makes of that. The map is the one that takes the particle's
-/// initial neighbours of the same body, up to 1.6 spacings away, nearest to where they are (least squares). It
-/// needs nothing of the method; gaps between neighbouring cells are of second order in the spacing.
+/// The part of its body that each particle stands for: at the start a rectangle or a box with sides half-way
+/// to its adjacent neighbours, later what an affine map makes of that. The map is the one that takes the
+/// particle's initial neighbours of the same body, up to 1.6 spacings away, nearest to where they are (least
+/// squares). It needs nothing of the method; gaps between neighbouring cells are of second order in the
+/// spacing.
 ///
 /// Particles that stand on the boundary of a body have their half, quarter or eighth of a cell inside.
 class Cells {

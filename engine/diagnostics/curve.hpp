@@ -30,13 +30,14 @@ struct HalfCycle {
   double peak_at;     // its time
 };
 
-/// Every half cycle that has ended. The first one begins at the start of a curve that starts at the level, else at
-/// the first crossing. Where a curve comes back after less than a twentieth of the peak before, it has not crossed:
-/// it has noise, or touches the level from one side.
+/// Every half cycle that has ended. The first one begins at the start of a curve that starts at the level,
+/// else at the first crossing. Where a curve comes back after less than a twentieth of the peak before, it
+/// has not crossed: it has noise, or touches the level from one side.
 std::vector<HalfCycle> half_cycles(const Curve& curve, double level = 0);
 
-/// The level about which a curve swings: its mean over whole periods, from one crossing of that level to another in
-/// the same direction, so that a last cycle that is cut short does not count. None if there is no whole period.
+/// The level about which a curve swings: its mean over whole periods, from one crossing of that level to
+/// another in the same direction, so that a last cycle that is cut short does not count. None if there is no
+/// whole period.
 std::optional<double> mean_of_periods(const Curve& curve);
 
 /// ∫ y dt, exact; begin < end lie within the curve.

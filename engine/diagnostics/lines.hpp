@@ -21,7 +21,8 @@ struct LineSample {
   }
 };
 
-/// A point of a line, at t = 0 where it is a material one, from the first one at `from` to the last one at `to`.
+/// A point of a line, at t = 0 where it is a material one, from the first one at `from` to the last one at
+/// `to`.
 Point line_point(const SampleLine& line, int k);
 
 /// Samples the lines of a scene.

@@ -20,7 +20,8 @@ struct AlternatingSums {
   SquareSums whole;  // of the particles themselves, but for their places
 };
 
-// What a row of history.csv needs of every particle, for this instruction set; the same to the last bit for all.
+// What a row of history.csv needs of every particle, for this instruction set; the same to the last bit for
+// all.
 inline namespace TAUT_ISA {
 /// `table` is room to work in.
 AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing,

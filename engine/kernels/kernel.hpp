@@ -9,9 +9,9 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// W(r) = α/h^Dim w(q), ∂W/∂r = α/h^(Dim+1) w′(q), q = r/h; both are 0 from q = `support` on. With w′/q, which
-/// is finite, ∇_i W = α/h^(Dim+2) w′/q (x_i − x_j) takes no quotient and no unit vector.
-/// A kernel is one specialisation and one enumerator; the tests run over `all_kernels`.
+/// W(r) = α/h^Dim w(q), ∂W/∂r = α/h^(Dim+1) w′(q), q = r/h; both are 0 from q = `support` on. With w′/q,
+/// which is finite, ∇_i W = α/h^(Dim+2) w′/q (x_i − x_j) takes no quotient and no unit vector. A kernel is
+/// one specialisation and one enumerator; the tests run over `all_kernels`.
 template <KernelName Name>
 struct Kernel;
 

@@ -42,9 +42,10 @@ class LawsOfFour {
   const std::vector<int>& materials_;
 };
 
-/// The laws of the materials of a run: one law, which is known at run time only, with the numbers of each. A pass over
-/// particles asks which it is once, and is compiled with each law that the method may run with: a call for each particle
-/// makes a step of `tl` with the linear law 1.4 times as long, and the whole solver for each law takes too long to build.
+/// The laws of the materials of a run: one law, which is known at run time only, with the numbers of each. A
+/// pass over particles asks which it is once, and is compiled with each law that the method may run with: a
+/// call for each particle makes a step of `tl` with the linear law 1.4 times as long, and the whole solver
+/// for each law takes too long to build.
 template <const Formulation& M>
 class ChosenLaws {
  public:

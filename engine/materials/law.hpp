@@ -11,8 +11,8 @@
 ///   ψ = energy(F, J)      J per m³ of the same, 0 at rest
 ///   σ = cauchy(F, J)      stress in the deformed body, Pa
 ///   stiffness_bound(F, J) ρ0 c² of the fastest wave, at most, with c per initial length, Pa; stiffness.hpp
-/// and a specialisation of LawOf that derives from it and has its `row`. J is det F, or, where a method follows J by an equation of its own
-/// ([Lee2016] Eq. 33c), that J. A law that takes_volume_ratio has
+/// and a specialisation of LawOf that derives from it and has its `row`. J is det F, or, where a method
+/// follows J by an equation of its own ([Lee2016] Eq. 33c), that J. A law that takes_volume_ratio has
 ///   P = piola(F, H, J)    with H for cof F, which may be an unknown too ([Lee2016] Eq. 12)
 ///   slopes(F, H, j), shear_energy(F, H, j) of its part of the shear, with j for det F
 /// too.

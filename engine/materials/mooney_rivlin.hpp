@@ -13,10 +13,11 @@ namespace taut::inline TAUT_ISA {
 ///   ψ = ζ (j^(−2/3) F:F − 3) + ξ (j^(−2) (H:H)^(3/2) − 3√3) + K/2 (J − 1)²,   H = cof F, j = det F,
 ///   P = Σ_F + Σ_H ⨯ F + (Σ_j + K (J − 1)) H,   Σ_F = 2ζ j^(−2/3) F,   Σ_H = 3ξ j^(−2) |H| H,
 ///   Σ_j = −⅔ζ j^(−5/3) F:F − 2ξ j^(−3) |H|³.
-/// Small strains see 2ζ + 3√3 ξ = G alone; which share of G is that of ξ, the changes of areas, is a number of the
-/// material: 0 is the neo-Hookean law, 1 that of [Lee2016] §8.7. In plane strain F_zz = 1 and H_zz = det F.
-/// The constants −3ζ − 3√3 ξ, by which a body at rest has no energy, are not in the paper. Differs from it where J
-/// is followed by an equation of its own: the part of the shear has j = det F, as in NeoHookean.
+/// Small strains see 2ζ + 3√3 ξ = G alone; which share of G is that of ξ, the changes of areas, is a number
+/// of the material: 0 is the neo-Hookean law, 1 that of [Lee2016] §8.7. In plane strain F_zz = 1 and H_zz =
+/// det F. The constants −3ζ − 3√3 ξ, by which a body at rest has no energy, are not in the paper. Differs
+/// from it where J is followed by an equation of its own: the part of the shear has j = det F, as in
+/// NeoHookean.
 struct MooneyRivlin {
   double K, G;            // Pa
   double cofactor_share;  // 3√3 ξ/G

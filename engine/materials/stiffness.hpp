@@ -11,8 +11,8 @@ T greatest_eigenvalue(const Sym<T, 2>& A) {
   return 0.5 * (A(0, 0) + A(1, 1)) + root(T(half * half + A(0, 1) * A(0, 1)));
 }
 
-/// q + 2p c, where c = cos(θ/3) ≥ ½ solves 4c³ − 3c = cos θ = det(A − q I)/(2p³). Newton's rounds, which come from
-/// above, start within 1e-3 of it.
+/// q + 2p c, where c = cos(θ/3) ≥ ½ solves 4c³ − 3c = cos θ = det(A − q I)/(2p³). Newton's rounds, which come
+/// from above, start within 1e-3 of it.
 template <class T>
 T greatest_eigenvalue(const Sym<T, 3>& A) {
   const T one = filled<T>(1), q = trace(A) / 3;
@@ -46,13 +46,13 @@ PrincipalStretches<T> principal_stretches(const Mat<T, 3>& F) {
   return {root(greatest), root(second), root(T(product / second))};
 }
 
-/// A bound of m·Q m over all unit vectors m, n, with Q the acoustic tensor of waves along n. In principal axes of an
-/// isotropic law
+/// A bound of m·Q m over all unit vectors m, n, with Q the acoustic tensor of waves along n. In principal
+/// axes of an isotropic law
 ///   m·Q m = Σ_k along_k m_k² n_k² + Σ_{k≠l} across_kl m_k² n_l² + 2 Σ_{k<l} coupling_kl m_k n_k m_l n_l.
-/// The weights m_k² n_l² add up to 1, and with m_k n_k m_l n_l = (m_k n_l)(m_l n_k) the last sums share two of them
-/// for each pair of axes: it is at most the greatest of all `along` and of the eigenvalues of
-/// ((across_kl, coupling_kl), (coupling_kl, across_lk)). Waves along an axis reach `along` and `across`. Of a strain that
-/// is not a number neither is the bound; it is infinite or not a number where det F = 0.
+/// The weights m_k² n_l² add up to 1, and with m_k n_k m_l n_l = (m_k n_l)(m_l n_k) the last sums share two
+/// of them for each pair of axes: it is at most the greatest of all `along` and of the eigenvalues of
+/// ((across_kl, coupling_kl), (coupling_kl, across_lk)). Waves along an axis reach `along` and `across`. Of a
+/// strain that is not a number neither is the bound; it is infinite or not a number where det F = 0.
 template <int Dim, class Along, class Across, class Coupling>
 auto greatest_stiffness(const Along& along, const Across& across, const Coupling& coupling) {
   using T = decltype(along(0));

@@ -10,8 +10,8 @@ namespace taut {
 /// that reaches the 12 nearest on a square lattice, and below 1.25 dp the kernel's own Laplacian is positive
 /// at every neighbour, without which the biharmonic term would not see every zigzag.
 /// In 3D the 26 nearest of a cubic lattice. From h = dp on the Laplacian at the nearest particles changes its
-/// sign, and the zigzag along all three axes, which no gradient sees, hardly decays: 20 times as slowly at 1.05
-/// dp as at 0.87 dp (test "JST: what zigzags decay by in 3D").
+/// sign, and the zigzag along all three axes, which no gradient sees, hardly decays: 20 times as slowly at
+/// 1.05 dp as at 0.87 dp (test "JST: what zigzags decay by in 3D").
 inline constexpr double lee2016_h_over_dp_3d = 0.87;
 constexpr Formulation lee2016(Formulation m) {
   m.deviator = Deviator::plane_strain;

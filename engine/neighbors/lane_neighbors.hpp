@@ -7,11 +7,11 @@
 
 #include "engine/core/columns.hpp"
 
-/// Neighbours of particles of which four are worked on at once, one a lane: a group of four that are stored one
-/// behind the other. Stored along the rows of a lattice or the layers of a round body, the same neighbour of
-/// each (the one to the right, say) mostly stands one behind the other too, and what is gathered of them is one
-/// load from a column. Each lane sums over the neighbours of its own particle in their order, so that the
-/// result does not depend on who shares its group.
+/// Neighbours of particles of which four are worked on at once, one a lane: a group of four that are stored
+/// one behind the other. Stored along the rows of a lattice or the layers of a round body, the same neighbour
+/// of each (the one to the right, say) mostly stands one behind the other too, and what is gathered of them
+/// is one load from a column. Each lane sums over the neighbours of its own particle in their order, so that
+/// the result does not depend on who shares its group.
 namespace taut::inline TAUT_ISA {
 
 /// One neighbour of each of four particles. Groups with the same neighbourhood have the same slots.
@@ -40,8 +40,8 @@ template <int N>
 struct LaneSlots {
   using Taken = std::array<int, lanes>;
   std::vector<LaneSlot> slots;
-  /// For each slot and lane, which of the lane's neighbours it is; −1 if none. Such a lane leads to any particle:
-  /// what the pair is multiplied with must be 0.
+  /// For each slot and lane, which of the lane's neighbours it is; −1 if none. Such a lane leads to any
+  /// particle: what the pair is multiplied with must be 0.
   std::vector<Taken> taken;
 };
 
@@ -104,9 +104,9 @@ inline LaneSlot slot(int first, const Neighbors& neighbors, const LaneSlots::Tak
 
 }  // namespace lane_neighbors
 
-/// Slots of the group that begins with particle `first`, of the neighbours of each of the four, which ascend; fewer
-/// in the last group. `size`: that of the columns to gather from. Of two ways to choose slots the cheaper one; one
-/// whose neighbours are not in line costs about as much as two that are.
+/// Slots of the group that begins with particle `first`, of the neighbours of each of the four, which ascend;
+/// fewer in the last group. `size`: that of the columns to gather from. Of two ways to choose slots the
+/// cheaper one; one whose neighbours are not in line costs about as much as two that are.
 inline LaneSlots lane_slots(int first, const std::array<std::vector<int>, lanes>& neighbors, int size) {
   LaneSlots best;
   std::size_t least = 0;

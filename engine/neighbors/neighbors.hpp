@@ -139,8 +139,8 @@ class NeighborSearch {
  private:
   typedef int Indices __attribute__((vector_size(lanes * sizeof(int))));
 
-  /// Looks at four candidates at once. `found`: the neighbours of first … last − 1, of each filled up to whole
-  /// packs.
+  /// Looks at four candidates at once. `found`: the neighbours of first … last − 1, of each filled up to
+  /// whole packs.
   template <class Wanted>
   void find(const CellGrid<Dim>& grid, const std::vector<Vec<double, Dim>>& x, double support, int first,
             int last, const Wanted& wanted, std::vector<int>& found) {

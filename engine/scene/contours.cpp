@@ -21,8 +21,8 @@ double distance_to_segment(const Point& x, const Point& a, const Point& b) {
   return distance_between(x, {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), 0}, 2);
 }
 
-/// The faces of a grid: each side between two neighbours that a face crosses has a number, and the side that the
-/// face goes to from there.
+/// The faces of a grid: each side between two neighbours that a face crosses has a number, and the side that
+/// the face goes to from there.
 class March {
  public:
   March(const PlaceGrid& grid, const std::function<bool(long, long)>& inside,
@@ -56,8 +56,8 @@ class March {
     long to = 0;
   };
 
-  /// Around the square by the clock's contrary: a face begins on a side where the way leaves the solid, and ends on
-  /// the nearest before it where the way comes in.
+  /// Around the square by the clock's contrary: a face begins on a side where the way leaves the solid, and
+  /// ends on the nearest before it where the way comes in.
   void visit(const PlaceGrid& grid, const std::function<Point(const Point&, const Point&)>& face, long i,
              long j) {
     constexpr std::array<std::array<long, 2>, 4> corners = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};

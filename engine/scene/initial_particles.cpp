@@ -211,8 +211,8 @@ void refuse_idle_hold(const Body& body, const std::vector<InitialSite>& sites) {
   if (!by_component && is_idle(body.held)) refuse("held");
 }
 
-/// What the particles along an axis of n cells count, in cells. An end that is not `free` may be a plane of symmetry,
-/// behind which the body goes on.
+/// What the particles along an axis of n cells count, in cells. An end that is not `free` may be a plane of
+/// symmetry, behind which the body goes on.
 std::vector<double> shares_along(long n, const bool (&free)[2]) {
   std::vector<double> share(static_cast<std::size_t>(n) + 1, 1.0);
   share.front() = share.back() = 0.5;
@@ -231,8 +231,8 @@ unsigned char guide_at(const Body& body, const Point& x) {
   return static_cast<unsigned char>(guide);
 }
 
-/// Are the particles of the face of a box on which `on_face` is, but for held ones at its rim, guided along its normal
-/// or along all other axes?
+/// Are the particles of the face of a box on which `on_face` is, but for held ones at its rim, guided along
+/// its normal or along all other axes?
 template <class OnFace>
 bool may_mirror(const InitialParticles& layout, int first, int axis, int dim, const OnFace& on_face) {
   const unsigned normal = 1u << axis, others = ((1u << dim) - 1) & ~normal;
@@ -246,7 +246,8 @@ bool may_mirror(const InitialParticles& layout, int first, int axis, int dim, co
   return guided;
 }
 
-/// Volumes of a box whose particles stand on its faces, in the order of sites_on_boundary; see make_initial_particles.
+/// Volumes of a box whose particles stand on its faces, in the order of sites_on_boundary; see
+/// make_initial_particles.
 void weigh_box(InitialParticles& layout, const Body& body, int first, int dim, double dp) {
   const Box& box = std::get<Box>(body.shapes.front());
   long stride = 1;  // from a particle to the next along the axis

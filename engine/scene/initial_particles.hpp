@@ -28,15 +28,15 @@ struct InitialParticles {
 
 inline constexpr double greatest_particle_number = 20e6;
 
-/// Bodies are filled with a square (cubic) lattice; discs and rings of another layout that are a whole body with
-/// concentric layers (RoundLayout) whose particles share the layer's area, so that their mass is exact; a box
-/// whose particles stand on its faces with a lattice whose outermost particles have parts of a cell: along an axis
-/// of n cells ½ − δ, 1 + δ, 1 … of one, δ = n/(12 (n − 1)), which integrates polynomials of degree 2 exactly
-/// (Simpson's rule for n = 2 and 3, Gregory's for many). So mass, moments of inertia and the resistance to bending
-/// are the body's; with halves all would be too great by 2/n². A face that slides along itself or is held in all
-/// but its normal may be a plane of symmetry: there it is the half cell, as it must be in a body and its image.
-/// Then they are reflected, rotated, and displaced to where they start. Throws SceneError: no particles, too many,
-/// bodies that overlap.
+/// Bodies are filled with a square (cubic) lattice; discs and rings of another layout that are a whole body
+/// with concentric layers (RoundLayout) whose particles share the layer's area, so that their mass is exact;
+/// a box whose particles stand on its faces with a lattice whose outermost particles have parts of a cell:
+/// along an axis of n cells ½ − δ, 1 + δ, 1 … of one, δ = n/(12 (n − 1)), which integrates polynomials of
+/// degree 2 exactly (Simpson's rule for n = 2 and 3, Gregory's for many). So mass, moments of inertia and the
+/// resistance to bending are the body's; with halves all would be too great by 2/n². A face that slides along
+/// itself or is held in all but its normal may be a plane of symmetry: there it is the half cell, as it must
+/// be in a body and its image. Then they are reflected, rotated, and displaced to where they start. Throws
+/// SceneError: no particles, too many, bodies that overlap.
 InitialParticles make_initial_particles(const Scene& scene);
 
 }  // namespace taut

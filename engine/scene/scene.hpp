@@ -119,7 +119,8 @@ struct Body {
   std::array<Expression, 3> displacement;  // from the reference configuration to the start, m; empty = 0
 };
 
-/// The place x lies in the body as it is laid, or at most `tolerance` outside; the displacement does not count.
+/// The place x lies in the body as it is laid, or at most `tolerance` outside; the displacement does not
+/// count.
 bool holds(const Body& body, const Point& x, int dim, double tolerance);
 
 /// The body with its shapes where they are laid before they are reflected: those about c stand about −c.
@@ -128,8 +129,8 @@ Body before_reflection(Body body, int dim);
 /// What of a Cauchy stress is looked at, Pa: a component, positive in tension, or an invariant.
 enum class StressPart : std::uint8_t { xx, yy, zz, xy, xz, yz, von_mises, pressure };
 
-/// A quantity followed at every step. Forces are means over the step before, 0 at the start, and in 2D per metre
-/// of depth.
+/// A quantity followed at every step. Forces are means over the step before, 0 at the start, and in 2D per
+/// metre of depth.
 struct Probe {
   enum class Kind {
     displacement,       // of material point `at` of `bodies[0]`, component `axis`, m
@@ -196,8 +197,8 @@ struct Measure {
   Point axis{0, 0, 1};           // of a turn in 3D, of length 1
 };
 
-/// A table of an independent solution: time and a column for each probe of a measure, or the distance from the
-/// first point and a column for a line, linearly interpolated.
+/// A table of an independent solution: time and a column for each probe of a measure, or the distance from
+/// the first point and a column for a line, linearly interpolated.
 struct ReferenceTable {
   std::vector<double> t;                   // s, m
   std::vector<std::vector<double>> value;  // [probe], the probe's unit

@@ -83,8 +83,8 @@ class Contact {
         asked.impulse += pairs_.given(asked.body, asked.other, asked.wall);
   }
 
-  /// What a body got from another one, or from a wall where that is not below 0, in the last step, N s (per metre
-  /// depth in 2D), if a probe asks for it.
+  /// What a body got from another one, or from a wall where that is not below 0, in the last step, N s (per
+  /// metre depth in 2D), if a probe asks for it.
   V impulse(int body, int other, int wall) const {
     for (const Asked& asked : asked_)
       if (asked.body == body && asked.wall == wall && (wall >= 0 || asked.other == other))

@@ -39,8 +39,8 @@ class Guides {
   std::vector<unsigned char> along_;  // [id] bit k: axis k
 };
 
-/// Particles whose velocity is given up to a time (Drive in engine/scene/scene.hpp). Everything else about them
-/// goes on as usual: density and stress follow from the velocities, and others feel them.
+/// Particles whose velocity is given up to a time (Drive in engine/scene/scene.hpp). Everything else about
+/// them goes on as usual: density and stress follow from the velocities, and others feel them.
 ///
 /// In each step: `set_time`, then `replace` for each new velocity before it is used.
 template <int Dim>
@@ -115,9 +115,9 @@ class Drives {
   std::vector<double> work_;  // [id] J
 };
 
-/// What holds, guides and drives particles, measured where a probe asks for it: the momentum that a particle took
-/// in a step less all that else acted on it. In each step: `begin`, then `add` for what acts on a particle, held or
-/// not, within its body and in contact.
+/// What holds, guides and drives particles, measured where a probe asks for it: the momentum that a particle
+/// took in a step less all that else acted on it. In each step: `begin`, then `add` for what acts on a
+/// particle, held or not, within its body and in contact.
 template <int Dim>
 class Reactions {
  public:
@@ -129,7 +129,8 @@ class Reactions {
 
   bool active() const { return active_; }
 
-  /// A step of `dt`, s, from the velocities `v`. A particle keeps its place in the solver's order till its end.
+  /// A step of `dt`, s, from the velocities `v`. A particle keeps its place in the solver's order till its
+  /// end.
   void begin(const std::vector<V>& v, double dt) {
     v_ = v;
     dt_ = dt;

@@ -40,7 +40,8 @@ class InitialPairSolver : public ParticleSolver<Solver, Dim> {
 
   double wave_speed() const { return c_p_; }  // c_p, the greatest of all materials, m/s
 
-  /// `pass`(laws) with the laws of four particles at a time: the pass is compiled for each law that there may be.
+  /// `pass`(laws) with the laws of four particles at a time: the pass is compiled for each law that there may
+  /// be.
   template <class Pass>
   auto with_laws(const Pass& pass) const {
     return laws_.visit([&]<class L>(const std::vector<L>& laws) {

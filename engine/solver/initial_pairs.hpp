@@ -23,10 +23,10 @@ namespace taut::inline TAUT_ISA {
 /// Each of the two gathers one tensor of a neighbour, and the same vector belongs to both. With a symmetric
 /// B the force is that of [Lee2016] Eq. 29c and of [TranDuc2023] §2.3, (R_j σ_j N_j + R_i σ_i N_i) ∇W: the
 /// derivative of Σ V_i ψ(F_i) by the positions; equal and opposite for each pair to the last bit.
-/// In k_ij a particle on a face counts as a whole cell, though its volume in V P B is the part inside the body:
-/// then differences are central from the first layer inside on, a uniform stress pushes at the faces alone, and
-/// both are of second order (summation by parts; with the parts in k_ij too the reaction of a clamp or a roller
-/// would sit in three layers, −5/6, −1/3, +1/6, and stresses converge with order ½).
+/// In k_ij a particle on a face counts as a whole cell, though its volume in V P B is the part inside the
+/// body: then differences are central from the first layer inside on, a uniform stress pushes at the faces
+/// alone, and both are of second order (summation by parts; with the parts in k_ij too the reaction of a
+/// clamp or a roller would sit in three layers, −5/6, −1/3, +1/6, and stresses converge with order ½).
 template <int Dim>
 struct InitialPairs {
   std::vector<int> begin, j;        // those of i are begin[i] … begin[i + 1] − 1, j ascends
@@ -37,8 +37,8 @@ struct InitialPairs {
 };
 
 /// The pairs as the passes go through them, four particles at a time, with `Width` constants of each pair, of
-/// which the first Dim are those of k_ij: 0 where a lane has no neighbour. Inside a lattice, where groups have the
-/// same neighbourhood, they share their constants.
+/// which the first Dim are those of k_ij: 0 where a lane has no neighbour. Inside a lattice, where groups
+/// have the same neighbourhood, they share their constants.
 template <int Dim, int Width = Dim>
 class PairLanes {
  public:
@@ -140,7 +140,8 @@ Sym<double, Dim> gradient_correction(GradientCorrection gradient, const Mat<doub
   return B;
 }
 
-/// X_i − X_j to within 2⁻⁴³ h: the same of all particles inside a lattice, whatever the rounding of their places.
+/// X_i − X_j to within 2⁻⁴³ h: the same of all particles inside a lattice, whatever the rounding of their
+/// places.
 template <int Dim>
 Vec<double, Dim> difference_on_grid(const Vec<double, Dim>& X_i, const Vec<double, Dim>& X_j, double h) {
   const double pitch = std::ldexp(1.0, std::ilogb(h) - 42);
@@ -149,14 +150,15 @@ Vec<double, Dim> difference_on_grid(const Vec<double, Dim>& X_i, const Vec<doubl
   return d;
 }
 
-/// How far a pair is apart at most, m. A lattice may have neighbours at the very end of the support, where a kernel need
-/// not be 0: they do not count, whatever the rounding of their places says.
+/// How far a pair is apart at most, m. A lattice may have neighbours at the very end of the support, where a
+/// kernel need not be 0: they do not count, whatever the rounding of their places says.
 template <class K>
 double reach_of_pairs(double h) {
   return (1 - 1e-9) * K::support * h;
 }
 
-/// The pairs of particles at X with cells V, m^Dim, and those of their bodies that are `near`, within reach_of_pairs.
+/// The pairs of particles at X with cells V, m^Dim, and those of their bodies that are `near`, within
+/// reach_of_pairs.
 template <class K, int Dim>
 InitialPairs<Dim> make_initial_pairs(const NeighborLists& near, const std::vector<Vec<double, Dim>>& X,
                                      const std::vector<double>& V, double h, GradientCorrection gradient,

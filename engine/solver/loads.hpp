@@ -15,13 +15,13 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// What acts on particles from outside and follows them: loads of regions and gravity (engine/scene/scene.hpp), and
-/// the viscous force −c m v of a scene that is to come to rest. A damping of c = 2 ω, ω the slowest mode that
-/// the loads excite, brings it to rest soonest; where it comes to rest does not depend on c, which is 0 in
-/// scenes of motion. None of it acts on what is held or driven.
+/// What acts on particles from outside and follows them: loads of regions and gravity
+/// (engine/scene/scene.hpp), and the viscous force −c m v of a scene that is to come to rest. A damping of c
+/// = 2 ω, ω the slowest mode that the loads excite, brings it to rest soonest; where it comes to rest does
+/// not depend on c, which is 0 in scenes of motion. None of it acts on what is held or driven.
 ///
-/// In each step: `set_time`, then `act` and `count` for each new velocity before it is used, or where a scheme
-/// has stages, `acceleration` in each of them and `count` at the end.
+/// In each step: `set_time`, then `act` and `count` for each new velocity before it is used, or where a
+/// scheme has stages, `acceleration` in each of them and `count` at the end.
 template <int Dim>
 class Loads {
  public:
@@ -40,8 +40,8 @@ class Loads {
   }
 
   /// Tractions act on the face instead of the outermost layer, for methods whose neighbours are those of the
-  /// start: see solver/face_loads.hpp. A region that is no layer keeps what it has. `surface` is S by id, `reach`
-  /// that of the method's gradient, m.
+  /// start: see solver/face_loads.hpp. A region that is no layer keeps what it has. `surface` is S by id,
+  /// `reach` that of the method's gradient, m.
   void act_on_faces(const Scene& scene, const InitialParticles& initial, FaceRule rule,
                     const std::vector<Point>& surface, double reach);
 

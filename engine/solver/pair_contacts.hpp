@@ -147,7 +147,8 @@ class PairContacts {
     return sum * walls.normal(wall);
   }
 
-  /// What `body` was given in the last step of impulses by `other`, or by a wall where that is not below 0, N s.
+  /// What `body` was given in the last step of impulses by `other`, or by a wall where that is not below 0, N
+  /// s.
   const V& given(int body, int other, int wall) const {
     return given_[body][wall < 0 ? other : bodies() + wall];
   }

@@ -67,7 +67,8 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
     loads_.set_time(t - 0.5 * dt);
     if (reactions_.active()) reactions_.begin(s_.v, dt);
   }
-  /// What loads, gravity, damping, guides and drives make of `v`, the new velocity of particle i without them.
+  /// What loads, gravity, damping, guides and drives make of `v`, the new velocity of particle i without
+  /// them.
   void act_from_outside(int i, double dt, V& v) {
     if (drives_.moves(s_.id[i])) return drives_.replace(s_, i, v);
     const bool loaded = loads_.active();
@@ -106,8 +107,8 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
       separate(rows, columns);
       for (int k = 0; k < Dim; ++k) force[k] += columns[k];
     }
-    /// Probes ask for reactions: before the particles move `note` is told what acts on them within their body. It is
-    /// a pass of its own, so that the others have no code for it.
+    /// Probes ask for reactions: before the particles move `note` is told what acts on them within their
+    /// body. It is a pass of its own, so that the others have no code for it.
     bool watched() const { return watched_; }
     void note(int first, Vec<Pack, Dim> force) const {
       if (contact_) force += four_of(&solver_.contact_.force(first), solver_.s_.size() - first);
@@ -224,9 +225,10 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
   [[noreturn]] void fail() const;
 };
 
-/// A solver, which has `step`, by the time that `step_size` gives; for a snapshot `prepare_to_show`, for all particles,
-/// and `show`, for those of a group of four, which may be asked for at any time between two steps; and, where its steps
-/// depend on more than SolverParts, a `serialize` that begins with that of its base. Its constructor ends with `record`.
+/// A solver, which has `step`, by the time that `step_size` gives; for a snapshot `prepare_to_show`, for all
+/// particles, and `show`, for those of a group of four, which may be asked for at any time between two steps;
+/// and, where its steps depend on more than SolverParts, a `serialize` that begins with that of its base. Its
+/// constructor ends with `record`.
 template <class Solver, int Dim>
 class ParticleSolver : public SolverParts<Dim> {
  public:

@@ -142,8 +142,8 @@ auto ProbeRecorder<Dim>::point(const Scene& scene, const InitialParticles& initi
   return point;
 }
 
-/// What is held has no stress of its own in most methods: where there is some around the point, the stress of the
-/// free particles goes on linearly.
+/// What is held has no stress of its own in most methods: where there is some around the point, the stress of
+/// the free particles goes on linearly.
 template <int Dim>
 auto ProbeRecorder<Dim>::point_of_stress(const Scene& scene, const InitialParticles& initial,
                                          const Probe& probe, double reach) const -> std::vector<PointWeight> {

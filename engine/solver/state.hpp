@@ -10,8 +10,8 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// A particle's row of `Width` doubles, filled up to whole packs, as the passes gather it. Rows that fill whole
-/// lines of the cache begin with one.
+/// A particle's row of `Width` doubles, filled up to whole packs, as the passes gather it. Rows that fill
+/// whole lines of the cache begin with one.
 constexpr int row_width(int columns) { return (columns + lanes - 1) / lanes * lanes; }
 constexpr std::size_t row_alignment(int columns) { return row_width(columns) % (2 * lanes) == 0 ? 64 : 32; }
 template <int Width>
@@ -116,8 +116,8 @@ struct State {
   std::vector<int> meets;                     // 1: not all neighbours of i are of its own body
   std::vector<std::pair<int, int>> contacts;  // (i, pack) of pairs between bodies, if they act as in one
 
-  // Geometry of the pairs of each pack, held till the next rebuild; 0 in the filling. Gradients are opposite in
-  // (i, j) and (j, i) to the last bit.
+  // Geometry of the pairs of each pack, held till the next rebuild; 0 in the filling. Gradients are opposite
+  // in (i, j) and (j, i) to the last bit.
   std::vector<Vec<Pack, Dim>> gradients;   // ∇_i W = ∂W/∂r e_ij, 1/m^(Dim+1)
   std::vector<StoredPack> inverse_slopes;  // 1/(∂W/∂r)
   std::vector<StoredPack>

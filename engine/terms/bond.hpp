@@ -28,14 +28,14 @@
 /// Law. Under a linear displacement each s is its s°: what the bonds store is cancelled bond by bond, on any
 /// layout, at faces and in corners, for any law W, in 2D and 3D, and the energy is just W,
 ///   W = G/2 (J^(−2/3) tr C − 3) + K/2 (J − 1)²,
-/// the neo-Hookean one, in 2D of plane strain, unless the scene asks for another one (families/bonded/closed_law.hpp).
-/// Under the linear law, which takes turns for strains, W is not objective, and the angular momentum is not kept.
-/// Of any other displacement the bonds keep what F_i does not see.
-/// φ_c is φ, continued linearly in s outside [¼, 4]: −φ alone has no least value for a body pressed flat or
-/// drawn out without end. Below J = ½ the term in G of W is taken at c = ¼ + 1/(12 − 16 J), which goes on
-/// from J with its slope and stays above ¼, and W has (K + 4G/3)(1 − 2J)³ more: particles that are pressed
-/// together in a crease are pushed apart, and what is turned inside out comes back.
-/// That no force is left inside a body under a homogeneous strain: families/bonded/balance.hpp.
+/// the neo-Hookean one, in 2D of plane strain, unless the scene asks for another one
+/// (families/bonded/closed_law.hpp). Under the linear law, which takes turns for strains, W is not objective,
+/// and the angular momentum is not kept. Of any other displacement the bonds keep what F_i does not see. φ_c
+/// is φ, continued linearly in s outside [¼, 4]: −φ alone has no least value for a body pressed flat or drawn
+/// out without end. Below J = ½ the term in G of W is taken at c = ¼ + 1/(12 − 16 J), which goes on from J
+/// with its slope and stays above ¼, and W has (K + 4G/3)(1 − 2J)³ more: particles that are pressed together
+/// in a crease are pushed apart, and what is turned inside out comes back. That no force is left inside a
+/// body under a homogeneous strain: families/bonded/balance.hpp.
 ///
 /// Which φ. Any with φ′(1) = 0 and φ″(1) = 1 gives the same law for linear displacements, but not for
 /// zigzags: these see the bonds alone. Of φ = ((1 − a) s² + (3a − 2) s + a/s)/8 + const, a = 0 lets zigzags
@@ -96,8 +96,8 @@ template <class T>
 T cancelled_slope(const T& s) {
   return bond_slope(within_cancelled(s));
 }
-/// cancelled_slope of two s, each times three of a factor; one division takes as long as all else that is done
-/// of a bond.
+/// cancelled_slope of two s, each times three of a factor; one division takes as long as all else that is
+/// done of a bond.
 template <class T>
 [[gnu::always_inline]] inline std::array<T, 2> cancelled_pulls(const T& s, const T& t, const T& third_of_s,
                                                                const T& third_of_t) {
@@ -116,8 +116,8 @@ T closing_stiffness(const T& J) {
   return 1 + 24 * max(1 - 2 * J, T{});
 }
 
-/// W, the neo-Hookean energy, in 2D of plane strain, with its continuation below J = ½; see above. T: of one particle
-/// or of four.
+/// W, the neo-Hookean energy, in 2D of plane strain, with its continuation below J = ½; see above. T: of one
+/// particle or of four.
 template <class T>
 struct ClosedNeoHookean {
   T K, G;  // Pa

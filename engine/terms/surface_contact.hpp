@@ -8,10 +8,10 @@
 namespace taut::inline TAUT_ISA {
 
 /// Pressure per depth between two faces, Pa/m, of two materials whose moduli of compression are M = K + 4G/3:
-/// k = ½ s M1 M2/(M1 + M2)/dp. With s = 2 faces under a pressure p overlap by as much as it presses a layer of
-/// two spacings of the material. Stiffer is nearer to the truth, which has no overlap, and would ask for
-/// shorter steps: the fastest motion of two faces of `oenog`, whose outermost particles weigh 3/2 and −1/2 in a
-/// node, has ω = 2.1 c_p/dp for s = 2, 2.6 for 4 and 3.1 for 6, which is where its steps of 0.64 dp/c_p end
+/// k = ½ s M1 M2/(M1 + M2)/dp. With s = 2 faces under a pressure p overlap by as much as it presses a layer
+/// of two spacings of the material. Stiffer is nearer to the truth, which has no overlap, and would ask for
+/// shorter steps: the fastest motion of two faces of `oenog`, whose outermost particles weigh 3/2 and −1/2 in
+/// a node, has ω = 2.1 c_p/dp for s = 2, 2.6 for 4 and 3.1 for 6, which is where its steps of 0.64 dp/c_p end
 /// to be stable. The energy of two rings that collide undamped drifts by 0.1 % for 2 at 2 mm, by 0.5 % for 4.
 /// Symmetric to the last bit.
 inline double surface_stiffness(double M1, double M2, double stiffness, double dp) {

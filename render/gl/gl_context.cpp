@@ -23,8 +23,8 @@ GlContext::GlContext(int width, int height)
   // The environment belongs to all threads.
   static std::mutex one_at_a_time;
   const std::scoped_lock lock(one_at_a_time);
-  // The small shaders compile in no time; a cache in the user's home is not worth its files and its warnings where
-  // the home cannot be written.
+  // The small shaders compile in no time; a cache in the user's home is not worth its files and its warnings
+  // where the home cannot be written.
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   const int attributes[] = {OSMESA_FORMAT,
                             OSMESA_BGRA,

@@ -21,8 +21,8 @@ constexpr int samples = 2;
 // Bounds the buffers of a band to 16 Mi samples of 8 bytes; a picture of 1920 × 1080 is one band.
 constexpr int samples_per_band = 1 << 24;
 
-// What a surface keeps of its colour: x to the right, y downwards, z towards the camera. What looks at the camera
-// keeps all of it, and what is turned away from the light `ambient` of it.
+// What a surface keeps of its colour: x to the right, y downwards, z towards the camera. What looks at the
+// camera keeps all of it, and what is turned away from the light `ambient` of it.
 constexpr std::array<float, 3> to_light = {-0.32f, -0.44f, 0.839f};
 constexpr float ambient = 0.72f;  // of a particle; and in the shader of the surface that all of them make
 #define TAUT_LIGHT                                                  \

@@ -25,15 +25,16 @@ struct Corner {
 /// Draws what stands in space with OpenGL, the nearest on top. A current context is needed from construction
 /// to the last call.
 ///
-/// Light dims a colour by a factor and leaves its hue: colours are data. It comes from behind the camera, upper
-/// left, and falls on balls, and on the surface that all drawn things make together, as the depth about a pixel
-/// has it; what lies in a hollow of that surface is darker [Luft, Colditz, Deussen: Image enhancement by
-/// unsharp masking the depth buffer, 2006].
+/// Light dims a colour by a factor and leaves its hue: colours are data. It comes from behind the camera,
+/// upper left, and falls on balls, and on the surface that all drawn things make together, as the depth about
+/// a pixel has it; what lies in a hollow of that surface is darker [Luft, Colditz, Deussen: Image enhancement
+/// by unsharp masking the depth buffer, 2006].
 class SolidPainter {
  public:
   SolidPainter(int image_width, int image_height, const Rect& plot, Rgb background = white);
 
-  /// Paints framebuffer 0 in the background's colour, and balls and triangles (three corners each) into the plot.
+  /// Paints framebuffer 0 in the background's colour, and balls and triangles (three corners each) into the
+  /// plot.
   void draw(std::span<const Ball> balls, std::span<const Corner> corners);
 
  private:

@@ -4,8 +4,8 @@
 //   enog/2d/to_transcription  how many times as fast as the transcription of its paper on the same particles,
 //                             both on one thread, turn by turn, the best of each
 // The transcriptions (tests/engine/families/naive_*.hpp) are what one would write first: pair by pair with
-// lists of neighbours in std::vector, small matrices, every kernel and stress evaluated where the paper has it,
-// at -O2. That of oenog takes its forces worked out, not from dual numbers.
+// lists of neighbours in std::vector, small matrices, every kernel and stress evaluated where the paper has
+// it, at -O2. That of oenog takes its forces worked out, not from dual numbers.
 
 #include <algorithm>
 #include <chrono>

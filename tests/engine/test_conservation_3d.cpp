@@ -80,8 +80,8 @@ TEST_SUITE("conservation") {
         CHECK(turn < round_off);
       else
         CHECK(turn > 1e-4);
-      // enog gains energy where bodies turn: its forces keep their axes; pf in zigzags, which nothing damps in its
-      // Runge–Kutta stages; 0.001: the penalty and its step
+      // enog gains energy where bodies turn: its forces keep their axes; pf in zigzags, which nothing damps
+      // in its Runge–Kutta stages; 0.001: the penalty and its step
       if (method.name != "enog" && method.name != "pf")
         CHECK(after.kinetic + after.strain < 1.001 * before.kinetic);
     }

@@ -196,7 +196,8 @@ TEST_SUITE("failure") {
 
   // §8.8, Fig. 23
   TEST_CASE("bending column in 3D: at ν = 0.499 the pressure of pf-jst checkers, that of pfj-jst does not") {
-    // with three particles across; at the greater step of the method a section of two cells breathes ever more
+    // with three particles across; at the greater step of the method a section of two cells breathes ever
+    // more
     const std::vector<Setting> coarse{
         {"poisson_ratio", "0.499"}, {"spacing", "0.5"}, {"cfl", "0.1"}, {"until", "0.3"}};
     const Run smooth = run("bending-column-3d", "pfj-jst", with(coarse, smoothed_J));

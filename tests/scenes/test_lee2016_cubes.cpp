@@ -41,8 +41,8 @@ struct Run {
   double off(const std::string& name) const { return value(name) - *measure.at(name).reference; }
 };
 
-/// The share of the pressure that alternates from particle to particle, over those that start beyond x, m: the
-/// greatest part over the greatest whole, as an indicator counts it.
+/// The share of the pressure that alternates from particle to particle, over those that start beyond x, m:
+/// the greatest part over the greatest whole, as an indicator counts it.
 class PressureNoise {
  public:
   PressureNoise(const Snapshot& start, double spacing, double beyond)
@@ -155,8 +155,9 @@ TEST_SUITE("failure") {
     CHECK(*free.kept.angular_momentum > 1e-6);
   }
 
-  // Waves of ten particles a length run slow. Of the side, the corner of pf-jst is off by 2.5 % after one turn and by 6.5 %
-  // after three, whatever weights the particles on faces have; that of oenog by 1.3 and 4.0 %.
+  // Waves of ten particles a length run slow. Of the side, the corner of pf-jst is off by 2.5 % after one
+  // turn and by 6.5 % after three, whatever weights the particles on faces have; that of oenog by 1.3 and 4.0
+  // %.
   TEST_CASE("spinning cube: the corner goes as that of finite elements, ten particles along a side") {
     for (const std::string method : {"pf-jst", "oenog"}) {
       CAPTURE(method);
@@ -191,8 +192,8 @@ TEST_SUITE("failure") {
     }
   }
 
-  // §8.5, Fig. 13, 14. At the edge of the punch, which sticks, particles part. Of a neo-Hookean material {p, F, H, J}
-  // is {p, F, J} but for steps of time, as on the tensile cube.
+  // §8.5, Fig. 13, 14. At the edge of the punch, which sticks, particles part. Of a neo-Hookean material {p,
+  // F, H, J} is {p, F, J} but for steps of time, as on the tensile cube.
   TEST_CASE("coining: the pressure of pf checkers, that of the dissipated methods does not, down to 46 %") {
     const double beyond = 0.015;  // half a punch away from its edge, m
     const Run rough = run("coining", "pf", {}, beyond), other = run("coining", "oenog");

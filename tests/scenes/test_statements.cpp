@@ -71,8 +71,8 @@ const std::vector<Statement> statements = {
     // particles and stress stay smooth, as published, but the energy of forces in space-fixed axes doubles
     {"Zhang2024 Fig. 20", "ball-plate", "enog", {{"v0", "0.12"}}, 0.04, stable, diverged},
 
-    // in 3D, coarser than there: three layers of half the length and width, 4 particles across the balls' walls,
-    // 3 across the plate under the ball
+    // in 3D, coarser than there: three layers of half the length and width, 4 particles across the balls'
+    // walls, 3 across the plate under the ball
     {"Zhang2024 Fig. 9", "oscillating-plate-3d", "enog", {{"side", "0.2"}}, 0.01, stable},
     {"Zhang2024 Fig. 16", "colliding-balls", "enog", {{"spacing", "0.0025"}}, 0.007, stable},
     {"Zhang2024 Fig. 21", "ball-plate-3d", "enog", {{"spacing", "0.0066667"}}, 0.015, stable},

@@ -14,9 +14,9 @@ struct RoomRow {
   bool all_above = false;  // the words "all above" stand for the names of all rows above
 };
 
-/// The rooms of a part of the repository, from the bottom up, as its README.md has them: the first table with a
-/// column "may include". The first column names rooms, or files that are none's, in backticks. Several rooms in
-/// one row keep apart; several files are as one room.
+/// The rooms of a part of the repository, from the bottom up, as its README.md has them: the first table with
+/// a column "may include". The first column names rooms, or files that are none's, in backticks. Several
+/// rooms in one row keep apart; several files are as one room.
 ///
 ///     | room | what for | may include |
 ///     |---|---|---|

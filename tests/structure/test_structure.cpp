@@ -66,8 +66,18 @@ std::size_t lines_of(const fs::path& file) {
   return static_cast<std::size_t>(std::ranges::count(text, '\n'));
 }
 
-/// What a text links to, and the paths that it names in backticks; of these, only what begins with a folder that is
-/// there: others are of run folders, builds and machines.
+/// Of the widest line, in characters: bytes that begin one.
+std::size_t widest_line(const fs::path& file) {
+  std::istringstream lines(text_of(file));
+  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
+  std::size_t widest = 0;
+  for (std::string line; std::getline(lines, line);)
+    widest = std::max(widest, static_cast<std::size_t>(std::ranges::count_if(line, begins)));
+  return widest;
+}
+
+/// What a text links to, and the paths that it names in backticks; of these, only what begins with a folder
+/// that is there: others are of run folders, builds and machines.
 std::set<std::string> named_paths(const std::string& text, const fs::path& folder) {
   std::set<std::string> paths;
   static const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))"),
@@ -144,6 +154,7 @@ TEST_SUITE("structure") {
 
   TEST_CASE("rooms and files stay small") {
     constexpr std::size_t most_units = 20, most_rooms = 12, most_lines = 500;
+    constexpr std::size_t most_columns = 122;  // of clang-format 110; raw texts and tables need some more
     std::map<std::string, std::set<std::string>> units;  // a header and its source are one
     std::set<std::string> rooms_of_cli;
     for (const std::string part : {"engine", "render", "cli", "tests"})
@@ -151,6 +162,7 @@ TEST_SUITE("structure") {
         const fs::path path = fs::path(part) / source;
         CAPTURE(path.string());
         CHECK(lines_of(top / path) <= most_lines);
+        if (part != "tests") CHECK(widest_line(top / path) <= most_columns);
         units[path.parent_path().string()].insert(path.stem().string());
         if (part == "cli" && path.parent_path() != "cli") rooms_of_cli.insert(path.parent_path().string());
       }

@@ -177,7 +177,8 @@ inline Scene small_solid_collision() {
   return scene;
 }
 
-/// In 3D a clamped block, shaken, and a ball that hits it where it is held: half on the clamp, half beside it.
+/// In 3D a clamped block, shaken, and a ball that hits it where it is held: half on the clamp, half beside
+/// it.
 inline Scene small_clamped_block() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed(), L = 0.006, H = 0.003;
   Scene scene;

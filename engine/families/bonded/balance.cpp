@@ -202,9 +202,9 @@ std::vector<int> Sector::steps_from(const std::vector<int>& particles) const {
 }
 
 /// Adds to x the change of least Σ (Δx)²/ω with which the rows of each chosen particle hold that
-/// `add_rows(i, first row, entries, targets)` gives, around where they do not hold yet: a row of i has unknowns
-/// of i and of those bonded to it only. `owner` is a particle that an unknown belongs to. Leaves x as it is
-/// where that does not come nearer.
+/// `add_rows(i, first row, entries, targets)` gives, around where they do not hold yet: a row of i has
+/// unknowns of i and of those bonded to it only. `owner` is a particle that an unknown belongs to. Leaves x
+/// as it is where that does not come nearer.
 template <class AddRows>
 void Sector::least_change(Eigen::VectorXd& x, const Eigen::VectorXd& omega, const std::vector<int>& owner,
                           const AddRows& add_rows) const {

@@ -14,10 +14,9 @@ namespace taut {
 /// the first term of the stress, the others of the bonds and of what is cancelled of them. `balance_areas`
 /// makes the first 0 and leaves the Σ_j a_ij ⊗ X_ij as they were; `balance_weights` the rest, which is linear
 /// in the weights, for the three strains of the plane, with the gradients that there are then. Both at each
-/// particle that is inside: neither it nor one that it is bonded to is at a surface or held. Nearer to one the first
-/// term is the surface's share, which a traction balances.
-/// Of a body whose layout a turn maps onto itself (InitialParticles::turned) one sector is solved for: of an
-/// aligned ring one particle a layer.
+/// particle that is inside: neither it nor one that it is bonded to is at a surface or held. Nearer to one
+/// the first term is the surface's share, which a traction balances. Of a body whose layout a turn maps onto
+/// itself (InitialParticles::turned) one sector is solved for: of an aligned ring one particle a layer.
 ///
 /// That is the force of first order in H. Of the second order a rest is left where a bond has no counterpart
 /// on the other side; on an aligned ring it falls with dp².

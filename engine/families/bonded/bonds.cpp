@@ -27,8 +27,8 @@ class Moments {
     for (int m = 0; m < count; ++m) target_[m] = isotropic(powers_[m]);
   }
 
-  /// Makes of the weights w of the bonds X those of right moments that are nearest to them, and says whether there are any
-  /// that are not negative. The same where they are right to begin with.
+  /// Makes of the weights w of the bonds X those of right moments that are nearest to them, and says whether
+  /// there are any that are not negative. The same where they are right to begin with.
   bool make_right(const std::vector<Eigen::Vector<double, Dim>>& X, std::vector<double>& w) const {
     std::vector<Vector> M(X.size());
     for (std::size_t b = 0; b < X.size(); ++b) M[b] = of(X[b].normalized());
@@ -357,8 +357,8 @@ std::vector<int> Maker<Dim>::with_pair_below(double least) const {
   return bodies;
 }
 
-/// V_k += Σ_j D_j²/divisor S_j · (g_jk − δ_jk Σ_l g_jl): S_j = Σ_i (V_i g_ij − V_j g_ji) is the surface that belongs to
-/// particle j, 0 inside; D³ is its volume, or where it stands on a face that of a whole cell.
+/// V_k += Σ_j D_j²/divisor S_j · (g_jk − δ_jk Σ_l g_jl): S_j = Σ_i (V_i g_ij − V_j g_ji) is the surface that
+/// belongs to particle j, 0 inside; D³ is its volume, or where it stands on a face that of a whole cell.
 template <int Dim>
 std::vector<double> Maker<Dim>::with_end_correction(const EndCorrection& correction) const {
   const std::vector<Point> S = surface(out_, initial_.V0);
@@ -390,10 +390,10 @@ double Maker<Dim>::share_before_clamp(int i, const Point& X) const {
   return std::min(1.0, std::max(inside, shortest * scene_.spacing / column(X).norm()));
 }
 
-/// Takes away the bonds of held particles and shortens those that lead to them. Their a_ij stay as they are in
-/// 2D; in 3D they grow as much, so that F is what it would be had the particle behind the face gone on linearly,
-/// and a uniform stress leaves no force on the particles before it. Particles that stand on the face of a clamp
-/// keep theirs: the half of their cell before it is strained like any other.
+/// Takes away the bonds of held particles and shortens those that lead to them. Their a_ij stay as they are
+/// in 2D; in 3D they grow as much, so that F is what it would be had the particle behind the face gone on
+/// linearly, and a uniform stress leaves no force on the particles before it. Particles that stand on the
+/// face of a clamp keep theirs: the half of their cell before it is strained like any other.
 template <int Dim>
 void Maker<Dim>::cut_at_clamp() {
   bool all_deform = true;

@@ -40,10 +40,10 @@ struct Bonds {
 /// the plate at ten particles across was off by 0.18 %.
 ///
 /// In 3D bodies are cubic lattices, and simpler: a particle takes the 26 nearest, with weights (½ + 4t/9,
-/// 1 − 8t/9, t) along axes, across faces and across the cube, t = 3/8, and the gradient from those on the axes
-/// alone. At a surface a missing neighbour is a missing bond; nothing is reweighted or balanced. Weights that
-/// are right at a surface too bend and twist worse there: they move strain inwards, and edges and corners have
-/// none that are right.
+/// 1 − 8t/9, t) along axes, across faces and across the cube, t = 3/8, and the gradient from those on the
+/// axes alone. At a surface a missing neighbour is a missing bond; nothing is reweighted or balanced. Weights
+/// that are right at a surface too bend and twist worse there: they move strain inwards, and edges and
+/// corners have none that are right.
 ///
 /// Clamp. A bond from a free particle into a held region ends where it meets the region's face. Held on to
 /// the held particles themselves, half a spacing behind the face, a cantilever is longer by that half
@@ -53,14 +53,15 @@ struct Bonds {
 /// surface. The volumes contain this end correction, with g_ij for the derivative: about 1.05, 0.94 and 1.01
 /// of V0 in the outermost rows. It brings bending, where the outermost particles count most, from an error of
 /// the period of 0.57 % at ten particles across to 0.18 %. Masses stay as they are.
-/// In 3D it is dp²/15: in a strain that is not homogeneous the bonds store a little less than what is cancelled
-/// of them, and for a linear strain that is a surface term as well. An endless square bar of five particles
-/// across, bent and twisted, is then off by −0.7 and +1.3 % in its stiffness (ν = 0.4), with 1/24 by −2.4 and
-/// −0.5 %; of eight by −0.1 and +0.1 %. Masses have the end correction of the midpoint rule there: with equal ones a
-/// section's moment of inertia is short by 1/n², and twisting 2 % fast at five particles across.
-/// Where particles stand on the faces (Body::on_boundary, 3D) the layout has an end correction already; volumes have
-/// −dp²/25 more, with which the square cantilever of six cells across bends in the right time and twists 0.3 % fast. What
-/// is held there keeps its bonds and its energy: the half cells before the clamp are part of the body.
+/// In 3D it is dp²/15: in a strain that is not homogeneous the bonds store a little less than what is
+/// cancelled of them, and for a linear strain that is a surface term as well. An endless square bar of five
+/// particles across, bent and twisted, is then off by −0.7 and +1.3 % in its stiffness (ν = 0.4), with 1/24
+/// by −2.4 and −0.5 %; of eight by −0.1 and +0.1 %. Masses have the end correction of the midpoint rule
+/// there: with equal ones a section's moment of inertia is short by 1/n², and twisting 2 % fast at five
+/// particles across. Where particles stand on the faces (Body::on_boundary, 3D) the layout has an end
+/// correction already; volumes have −dp²/25 more, with which the square cantilever of six cells across bends
+/// in the right time and twists 0.3 % fast. What is held there keeps its bonds and its energy: the half cells
+/// before the clamp are part of the body.
 Bonds make_bonds(const Scene& scene, const InitialParticles& initial, double h, int threads = 1);
 
 /// The surface that belongs to each particle, S_j = Σ_i (V_i g_ij − V_j g_ji), against which a uniform stress

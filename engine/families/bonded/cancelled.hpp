@@ -33,7 +33,8 @@ class CancelledBonds {
 
  private:
   static constexpr int dyad_size = Sym<Pack, Dim>::size - 1;
-  /// Of one bond of each of four particles e ⊗ e, but for the last component: 1 less the others of the diagonal.
+  /// Of one bond of each of four particles e ⊗ e, but for the last component: 1 less the others of the
+  /// diagonal.
   struct Dyad {
     Pack c[dyad_size];
   };

@@ -8,9 +8,9 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// The bonds that are cancelled of four particles of lattices along the axes, whose cells may be longer than wide:
-/// e ⊗ e of those across one face, and of those across the cell, differ by signs alone, and most of their
-/// components are 0.
+/// The bonds that are cancelled of four particles of lattices along the axes, whose cells may be longer than
+/// wide: e ⊗ e of those across one face, and of those across the cell, differ by signs alone, and most of
+/// their components are 0.
 template <int Dim>
 struct CancelledOnLattice {
   static constexpr int faces = Dim == 2 ? 1 : 3;

@@ -8,8 +8,8 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// Any law with the continuation below J = ½ that the neo-Hookean one has in ClosedNeoHookean: with c for det F in
-/// its part of the shear, and (K + 4G/3)(1 − 2J)³ more. A law of F alone has the latter only.
+/// Any law with the continuation below J = ½ that the neo-Hookean one has in ClosedNeoHookean: with c for det
+/// F in its part of the shear, and (K + 4G/3)(1 − 2J)³ more. A law of F alone has the latter only.
 struct Closing {
   double J, c, per_J;  // det F; what stands for it, and its slope
   double shut;         // 1 − 2J, or 0

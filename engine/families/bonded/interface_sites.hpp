@@ -44,8 +44,8 @@ class InterfaceSites {
   InterfaceSites(const Interfaces& interfaces, const Bonds& bonds, const InitialParticles& initial,
                  const std::vector<Elasticity>& materials, const std::vector<int>& ids);
 
-  /// Puts Q of the particles that have a site in the place of what it is for others, and adds the forces of their kinks
-  /// to those of the bonds.
+  /// Puts Q of the particles that have a site in the place of what it is for others, and adds the forces of
+  /// their kinks to those of the bonds.
   template <class Column, class Law>
   void pass(const Column& x, const Law& law, int threads, Columns<Dim * Dim>& Q,
             std::vector<Vec<Pack, Dim>>& bond_force);

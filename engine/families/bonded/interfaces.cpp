@@ -70,8 +70,8 @@ std::optional<int> Maker::other_material(int i) const {
   return other;
 }
 
-/// Of the plane through the middles of the bonds across it, of i and of those that it is bonded to: their least spread.
-/// None where they do not lie on a plane.
+/// Of the plane through the middles of the bonds across it, of i and of those that it is bonded to: their
+/// least spread. None where they do not lie on a plane.
 std::optional<Place> Maker::normal(int i, int other) const {
   constexpr double flat = 0.15;  // variance across the plane over that along it, at most
   std::vector<Place> middles;
@@ -160,8 +160,8 @@ void Maker::add_site(int i, int other) {
   out_.begin.push_back(static_cast<int>(out_.j.size()));
 }
 
-/// By the sums of the rows of the stiffness that the sites add up, from those of a lattice of one material: there the
-/// root of them is the wave speed over the spacing times the dimension.
+/// By the sums of the rows of the stiffness that the sites add up, from those of a lattice of one material:
+/// there the root of them is the wave speed over the spacing times the dimension.
 double Maker::wave_speed() const {
   std::vector<double> stiffness(bonds_.begin.size() - 1);  // N/m
   for (std::size_t s = 0; s < out_.sites.size(); ++s) {

@@ -61,8 +61,8 @@ bool symmetric(const Neighborhood<Dim>& near) {
   });
 }
 
-/// The rows g_j of the fit with the first `terms` of X, X ⊗ X, in 1/dp, a column for each; empty where the fit
-/// is not determined or costs too much.
+/// The rows g_j of the fit with the first `terms` of X, X ⊗ X, in 1/dp, a column for each; empty where the
+/// fit is not determined or costs too much.
 template <int Dim>
 Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, int terms) {
   const auto n = static_cast<Eigen::Index>(near.size());

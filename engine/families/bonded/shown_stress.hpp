@@ -6,7 +6,8 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// The stress that is shown of particles, below J = ½ that of the law without its continuation. T: of one or of four.
+/// The stress that is shown of particles, below J = ½ that of the law without its continuation. T: of one or
+/// of four.
 template <class T, int Dim>
 struct ShownStress {
   T J, p;         // p in Pa

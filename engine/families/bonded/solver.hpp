@@ -260,8 +260,8 @@ void Bonded<M, Dim>::half_drift(double dt) {
 }
 
 /// F = Σ_j (x_j − x_i) ⊗ a_ij B, and of the bonds the force Σ_j k (φ′(λ)/λ + τ q̇) (x_j − x_i) and, if asked
-/// for, the energy. With d = x_j − x_i and the same of places ahead, x + 3 τ v, d·ahead/r0² is s + 3 τ q̇, which in
-/// the place of s in 3 φ′/λ = s − ¾ − 1/(4s²) makes it 3 (φ′/λ + τ q̇).
+/// for, the energy. With d = x_j − x_i and the same of places ahead, x + 3 τ v, d·ahead/r0² is s + 3 τ q̇,
+/// which in the place of s in 3 φ′/λ = s − ¾ − 1/(4s²) makes it 3 (φ′/λ + τ q̇).
 template <const Formulation& M, int Dim>
 template <bool WithEnergy>
 void Bonded<M, Dim>::strain(int group, Strained& out) const {
@@ -341,8 +341,8 @@ void Bonded<M, Dim>::set_stress(int group, const Strained& now) {
     for (int k = 0; k < Dim; ++k) store(Q(a, k), Q_[a * Dim + k] + lanes * group);
 }
 
-/// Block by block: while the long chain of operations that a root takes, or the law, is under way for one group,
-/// those of others are begun, but not if all their bonds come in between.
+/// Block by block: while the long chain of operations that a root takes, or the law, is under way for one
+/// group, those of others are begun, but not if all their bonds come in between.
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::stress_pass() {
   stiffest_ = parallel_max(block_count(), threads_now(), [&](int n) TAUT_FLATTEN {
@@ -405,7 +405,7 @@ double Bonded<M, Dim>::force_pass(double dt) {
   });
 }
 
-/// For the probes of reactions: what a bond into a clamp pulls at a free particle it pulls at the held one, too.
+/// For the probes of reactions: what a bond into a clamp pulls at a free particle it pulls at the held one.
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::watch_clamps(double dt) {
   const int clamps = lanes * group_count();  // where the places at clamps begin
@@ -454,9 +454,8 @@ Mat<Pack, Dim> Bonded<M, Dim>::shown_deformations(int group, Mat<Pack, Dim> F) c
   return F;
 }
 
-/// The stress shown is that of the recovered F; none of a held particle, which is rigid. In 3D F is scaled to the volume
-/// of the method's own: near incompressibility the volume of the recovered one, which no force keeps, is off by more
-/// than the one that the pressure comes from.
+/// The stress shown is that of the recovered F; none of a held particle, which is rigid. In 3D F is scaled to
+/// the method's own volume: near incompressibility that of the recovered F, which no force keeps, is off.
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::show_stress(int group, const Mat<Pack, Dim>& F) {
   const int first = group * lanes, count = std::min(lanes, s_.size() - first);

@@ -17,15 +17,15 @@ struct BoundaryPoint {
   Point velocity{};                       // m/s
 };
 
-/// The velocities nearest to given ones, in the mean square over the mass, that are the prescribed ones where the
-/// kernel interpolates at the points and have the same linear and angular momentum:
+/// The velocities nearest to given ones, in the mean square over the mass, that are the prescribed ones where
+/// the kernel interpolates at the points and have the same linear and angular momentum:
 ///   v̂_a = v_a + Σ_B V_a/m_a W̃_a(X_B) β_B + β_lin + β_ang × Z_a,
 ///   (i) v̂(X_B) = v_B,   (ii) Σ m_a v̂_a = Σ m_a v_a,   (iii) Σ m_a Z_a × v̂_a = Σ m_a Z_a × v_a.
-/// [Lee2016] Appendix B, B.6 restored; its V_B β_B is β_B/ρ0 here. Both momenta are kept, so that particles on the
-/// boundary must have been given their own velocities before, which is what they push with.
+/// [Lee2016] Appendix B, B.6 restored; its V_B β_B is β_B/ρ0 here. Both momenta are kept, so that particles
+/// on the boundary must have been given their own velocities before, which is what they push with.
 ///
-/// The matrix of (i), one for each component, is of the reference configuration and sparse: factored once. The 6
-/// unknowns of (ii), (iii) follow by a Schur complement each time.
+/// The matrix of (i), one for each component, is of the reference configuration and sparse: factored once.
+/// The 6 unknowns of (ii), (iii) follow by a Schur complement each time.
 class BoundaryProjection {
  public:
   /// Of particles of one body, of masses m. Throws SceneError where points cannot be told apart.

@@ -11,10 +11,9 @@ namespace taut::inline TAUT_ISA {
 /// L[f]_i = Σ_j w_ij (f_j − f_i) on the pairs of the start, with
 ///   w_ij = V_j (ΔW + α_i·r_ij + β_i r_ij²),   r_ij = X_i − X_j,            [Lee2016] Eq. A.1, A.2
 /// and α, β such that L of a linear field is 0 and that of |X − X_i|² is 2 Dim (A.3–A.5, printed for 3D).
-/// ΔW = W″ + (Dim − 1) W′/r. The w_ij are stored times `scale`, m². Where the neighbours cannot tell |X − X_i|²
-/// from a linear field, as those at the corner of a cube of particles (all within dp along each axis) cannot,
-/// β is 0 and the second condition is left out.
-/// Not symmetric: Σ V_i L[f]_i ≠ 0.
+/// ΔW = W″ + (Dim − 1) W′/r. The w_ij are stored times `scale`, m². Where the neighbours cannot tell |X −
+/// X_i|² from a linear field, as those at the corner of a cube of particles (all within dp along each axis)
+/// cannot, β is 0 and the second condition is left out. Not symmetric: Σ V_i L[f]_i ≠ 0.
 template <class K, int Dim>
 std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
                                         const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,
@@ -87,7 +86,8 @@ std::vector<double> adjoint_weights(const InitialPairs<Dim>& pairs, const std::v
   return adjoint;
 }
 
-/// k_ij, w_ij, and what L[U] of a neighbour counts in the second Laplacian: as in L*, or with `adjoint` = 0 in L.
+/// k_ij, w_ij, and what L[U] of a neighbour counts in the second Laplacian: as in L*, or with `adjoint` = 0
+/// in L.
 template <int Dim>
 using LaplacianLanes = PairLanes<Dim, Dim + 2>;
 template <int Dim>
@@ -139,9 +139,9 @@ Vec<Pack, N> second_laplacian(const LaplacianLanes<Dim>& pairs, const Columns<N>
   return sum;
 }
 
-/// The spectral radius of dp⁴ L*[L[·]], from below but for a per cent or two: 100 rounds of power iteration. 40
-/// inside a cubic lattice with 26 neighbours, 75 at the edges of three layers of particles in the middle of cells.
-/// The same for any number of threads.
+/// The spectral radius of dp⁴ L*[L[·]], from below but for a per cent or two: 100 rounds of power iteration.
+/// 40 inside a cubic lattice with 26 neighbours, 75 at the edges of three layers of particles in the middle
+/// of cells. The same for any number of threads.
 template <int Dim>
 double biharmonic_spectral_radius(const LaplacianLanes<Dim>& pairs, int particles, int threads) {
   constexpr int fields = 2;

@@ -47,11 +47,11 @@ inline Pack volumes_of_four(const std::vector<double>& V, int i, int last) {
 
 /// The accelerations nearest to `a`, in the mean square over the volume, that change neither the linear nor
 /// the angular momentum of a body:  Σ V a = 0,  Σ V Z × a = 0.                          [Lee2016] Eq. 45–48
-/// a_i − ω × (Z_i − Z̄) − ā, with Z̄ and ā means over the volume and ω the torque over the inertia about Z̄: the
-/// paper's system (Eq. 48) with its two unknowns apart. One body is the particles first … last − 1, of one
-/// density. The sums are taken in the order of the particles, four of the body at a time, so that they depend neither on
-/// the number of threads nor on where the body is stored. With a share below 1 the accelerations go that part of the
-/// way. `a` has room for a pack that begins at the last particle.
+/// a_i − ω × (Z_i − Z̄) − ā, with Z̄ and ā means over the volume and ω the torque over the inertia about Z̄:
+/// the paper's system (Eq. 48) with its two unknowns apart. One body is the particles first … last − 1, of
+/// one density. The sums are taken in the order of the particles, four of the body at a time, so that they
+/// depend neither on the number of threads nor on where the body is stored. With a share below 1 the
+/// accelerations go that part of the way. `a` has room for a pack that begins at the last particle.
 template <int Dim>
 void project_on_momenta(Columns<Dim>& a, const std::vector<Vec<double, Dim>>& Z, const std::vector<double>& V,
                         int first, int last, double share = 1) {

@@ -9,8 +9,9 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// V_a W̃_a(X_i) of particle i and its neighbours of the start, W̃ = α (1 + β·(X_i − X_a)) W with Σ V_a W̃_a = 1 and
-/// Σ V_a W̃_a (X_i − X_a) = 0.                                                                  [Lee2016] Eq. 23
+/// V_a W̃_a(X_i) of particle i and its neighbours of the start, W̃ = α (1 + β·(X_i − X_a)) W with Σ V_a W̃_a
+/// = 1 and Σ V_a W̃_a (X_i − X_a) = 0.
+/// [Lee2016] Eq. 23
 template <class K, int Dim>
 std::vector<std::pair<int, double>> corrected_kernel(const InitialPairs<Dim>& pairs,
                                                      const std::vector<Vec<double, Dim>>& X,
@@ -44,7 +45,8 @@ class PrescribedBoundary {
  public:
   using V = Vec<double, Dim>;
 
-  /// `axes`: bit k of [i] where component k of particle i is prescribed. Of particles of volumes V0, m^Dim, and masses m.
+  /// `axes`: bit k of [i] where component k of particle i is prescribed. Of particles of volumes V0, m^Dim,
+  /// and masses m.
   void prescribe(std::vector<unsigned char> axes, const InitialPairs<Dim>& pairs, const std::vector<V>& X,
                  const std::vector<double>& V0, const std::vector<double>& m, const std::vector<int>& first,
                  double h) {
@@ -73,7 +75,8 @@ class PrescribedBoundary {
     }
   }
 
-  /// Sets the components of `v(i)` that are prescribed to those of `given(i)`, and projects velocities around.
+  /// Sets the components of `v(i)` that are prescribed to those of `given(i)`, and projects velocities
+  /// around.
   template <class Velocity, class Given, class Place>
   void project(const Velocity& v, const Given& given, const Place& x) {
     for (Body& body : bodies_) {

@@ -18,18 +18,18 @@ namespace taut::inline TAUT_ISA {
 inline constexpr double greatest_wave_ratio = 100;
 
 /// Mixed total-Lagrangian methods: momentum, deformation gradient F and, where the method says so, volume
-/// ratio J and cofactor H of F as unknowns of equations of their own, with Jameson–Schmidt–Turkel dissipation.
-/// [Lee2016] Algorithm 1. The momentum goes as the velocity p/ρ0. In plane strain H is linear in F, and its
-/// equation says nothing that that of F does not: there {p, F, H, J} runs as {p, F, J}.
+/// ratio J and cofactor H of F as unknowns of equations of their own, with Jameson–Schmidt–Turkel
+/// dissipation. [Lee2016] Algorithm 1. The momentum goes as the velocity p/ρ0. In plane strain H is linear in
+/// F, and its equation says nothing that that of F does not: there {p, F, H, J} runs as {p, F, J}.
 ///
 /// Differs from the paper in the biharmonic term, L*[L[U]] with the adjoint of L in place of L[L[U]] (Eq.
 /// 37b). L is not symmetric at a surface, where its square may feed what it is to damp: with it `pfj-jst`
 /// loses the bending column at Poisson's ratio 0.499 for ε of J from 1/32 on, at any time step. The adjoint
 /// takes from every field (−Σ V |L[U]|²) and is the same inside. The constant `adjoint` = 0 gives the printed
-/// form. Boundary conditions are set on the particles themselves (its step 8), and where the kernel looks (step
-/// 9, "usually disregarded") with `boundary_projection` = 1. Forces of contact, which it has not, act outside
-/// the projection and are taken at its Z, about which central forces have no moment; so do loads. Of the
-/// dissipation and the internal force the sum is projected, which is the same as each of them (Eq. 49).
+/// form. Boundary conditions are set on the particles themselves (its step 8), and where the kernel looks
+/// (step 9, "usually disregarded") with `boundary_projection` = 1. Forces of contact, which it has not, act
+/// outside the projection and are taken at its Z, about which central forces have no moment; so do loads. Of
+/// the dissipation and the internal force the sum is projected, which is the same as each of them (Eq. 49).
 template <const Formulation& M, int Dim>
 class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
  public:
@@ -156,8 +156,8 @@ void TlMixed<M, Dim>::set_start_gradients() {
   }
 }
 
-/// The step that two Runge–Kutta stages bear of the dissipation, 2 over its greatest rate, less a tenth for the waves
-/// that it damps. The paper's step is below it but at the edges of bodies of few layers.
+/// The step that two Runge–Kutta stages bear of the dissipation, 2 over its greatest rate, less a tenth for
+/// the waves that it damps. The paper's step is below it but at the edges of bodies of few layers.
 template <const Formulation& M, int Dim>
 double TlMixed<M, Dim>::greatest_step_of_dissipation() const {
   const double square = biharmonic_spectral_radius(pair_lanes_, s_.size(), threads_now()),
@@ -167,10 +167,10 @@ double TlMixed<M, Dim>::greatest_step_of_dissipation() const {
 }
 
 /// In 3D α_CFL h/c_p with the fastest wave through the strained bodies, seen from their start: waves along a
-/// direction that is pressed together cross more of the initial spacings.       [Lee2016] Eq. 44, Alg. 1, step 2
-/// Differs from the paper, which has dp for h: at 0.3 dp/c_p zigzags at free faces grow where particles are in the
-/// middle of cells (limit 0.25; 0.39 on the boundary); and in the plane, where the greatest speed stands for how
-/// fast bodies are strained.
+/// direction that is pressed together cross more of the initial spacings.       [Lee2016] Eq. 44, Alg. 1,
+/// step 2 Differs from the paper, which has dp for h: at 0.3 dp/c_p zigzags at free faces grow where
+/// particles are in the middle of cells (limit 0.25; 0.39 on the boundary); and in the plane, where the
+/// greatest speed stands for how fast bodies are strained.
 template <const Formulation& M, int Dim>
 double TlMixed<M, Dim>::step_size() const {
   if constexpr (Dim == 2) {
@@ -392,8 +392,8 @@ double TlMixed<M, Dim>::correct(double dt) {
   });
 }
 
-/// What drives and guides make of the velocity that particle i would have at the end of the step, and what they and
-/// loads do for it.
+/// What drives and guides make of the velocity that particle i would have at the end of the step, and what
+/// they and loads do for it.
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::hold(int i, double dt, Vec<Pack, Dim>& of_four) {
   V v = lane_of(of_four, i % lanes);

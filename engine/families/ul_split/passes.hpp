@@ -163,8 +163,8 @@ double momentum_pass(State<Dim>& s, const Constants& c, int threads, const Use& 
   });
 }
 
-/// On body `a` of body `b`, which act on each other as one: what momentum_pass last had of their pairs, N (per metre
-/// depth in 2D). Shear acts within a body only.
+/// On body `a` of body `b`, which act on each other as one: what momentum_pass last had of their pairs, N
+/// (per metre depth in 2D). Shear acts within a body only.
 template <const Formulation& M, int Dim>
 Vec<double, Dim> force_between(const State<Dim>& s, const Constants& c, int a, int b) {
   const Dissipation dissipation{c.rho0 * c.c0, c.riemann_limiter / c.c0, c.beta_least};

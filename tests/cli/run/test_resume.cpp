@@ -183,7 +183,8 @@ TEST_SUITE("restart") {
     const Arguments all = long_run + Arguments{"--no-render", "--spacing", "0.0021"};
     REQUIRE(call(tiny_run(folder, "straight", all)).code == 0);
     const auto some = fs::file_size(folder / "straight/history.csv") / 10;
-    // one that was to have checkpoints knows how it was started; of the other nothing says that it has no frames
+    // one that was to have checkpoints knows how it was started; of the other nothing says that it has no
+    // frames
     const Arguments later{"--checkpoint-every", "1"};
     REQUIRE(run_and_kill(tiny_run(folder, "out", all + later), folder / "out/history.csv", some));
     REQUIRE(run_and_kill(tiny_run(folder, "bare", all), folder / "bare/history.csv", some));

@@ -88,7 +88,8 @@ TEST_SUITE("analytic") {
       REQUIRE(limits.size() == 1);  // [Zhang2020] has four neighbours
       CHECK(critical(cube, with_h(h, 0)) == Approx(limits[0].step).epsilon(0.05));
     }
-    // with the six nearest alone the corrected V W' is 1/2 at each, and the steepest wave (1, 1, 1) π/2: |κ| = √3
+    // with the six nearest alone the corrected V W' is 1/2 at each, and the steepest wave (1, 1, 1) π/2: |κ|
+    // = √3
     Settings six = with_method("tl");
     six.constants["h"] = 0.6;
     const Material& m = cube.materials[0];

@@ -88,7 +88,8 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("field_error: in 3D the free motion may be about any axis") {
-    // displaced by (0.1 y, 0, 0), by the small motion (0.3, −0.2, 0.1) + (0.2, 0.5, −0.4) × X, and at one by more
+    // displaced by (0.1 y, 0, 0), by the small motion (0.3, −0.2, 0.1) + (0.2, 0.5, −0.4) × X, and at one by
+    // more
     const auto displaced = [](double moved, Point extra) {
       Snapshot now = made_snapshot(3, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}, {0.5, 2, 3}});
       now.time = 0.1;

@@ -96,7 +96,8 @@ TEST_SUITE("unit") {
 
   TEST_CASE("period: a swing to one side has none about 0, and says so, and the right one about its mean") {
     const double T = 0.254, loss = 0.4;
-    // damped, with another mode that makes it pass 0 by less than a twentieth, and a last cycle that is cut short
+    // damped, with another mode that makes it pass 0 by less than a twentieth, and a last cycle that is cut
+    // short
     const auto swing = [=](double t) {
       return -0.03 * (1 - std::exp(-loss * t / T) * std::cos(2 * pi * t / T)) + 2e-4 * std::sin(40 * t / T);
     };

@@ -1,5 +1,5 @@
-// Natural frequencies of the free bodies of scenes/annulus-drop.toml and scenes/ringing-ring.toml, by finite elements
-// and by a method.
+// Natural frequencies of the free bodies of scenes/annulus-drop.toml and scenes/ringing-ring.toml, by finite
+// elements and by a method.
 
 #include <algorithm>
 #include <array>
@@ -31,7 +31,8 @@ struct Elastic {
 constexpr Elastic jelly{E, nu, rho};
 /// With these two, plane stress is the plane strain of E = 1e7 Pa and ν = 0.4.
 constexpr Elastic rubber{1e7 / (1 - 0.4 * 0.4), 0.4 / (1 - 0.4), 1200};
-/// The same K and G with the 2d deviator, λ = K − G: E = 4 G (λ + G)/(λ + 2G), ν = λ/(λ + 2G) of plane stress.
+/// The same K and G with the 2d deviator, λ = K − G: E = 4 G (λ + G)/(λ + 2G), ν = λ/(λ + 2G) of plane
+/// stress.
 constexpr double K_rubber = 1e7 / 0.6, G_rubber = 1e7 / 2.8;
 constexpr Elastic two_dimensional{4 * G_rubber * K_rubber / (K_rubber + G_rubber),
                                   (K_rubber - G_rubber) / (K_rubber + G_rubber), 1200};
@@ -114,8 +115,8 @@ std::vector<double> frequencies(const Grid& grid) {
   return f;
 }
 
-/// Hz: of the first elastic mode u_r = U(r) cos nθ, u_θ = V(r) sin nθ of a free annulus, with U and V polynomials
-/// of degree 8 (Rayleigh–Ritz).
+/// Hz: of the first elastic mode u_r = U(r) cos nθ, u_θ = V(r) sin nθ of a free annulus, with U and V
+/// polynomials of degree 8 (Rayleigh–Ritz).
 double annulus_frequency(const Elastic& material, double inner, double outer, int n) {
   constexpr int degree = 8, terms = degree + 1, points = 2000;
   const auto& [E, nu, rho] = material;
@@ -211,8 +212,8 @@ TEST_SUITE("analytic") {
 
   TEST_CASE("natural frequencies: of bodies that have fallen on each other, by the spectrum") {
     const Scene scene = drop();
-    // of ten layers and over 0.08 s the first mode of the ring is low by 4.1 % with this, by 1.3 % with oenog and
-    // 1.1 % with tl; the method, the amplitude and 0.06 s of spectrum share that
+    // of ten layers and over 0.08 s the first mode of the ring is low by 4.1 % with this, by 1.3 % with oenog
+    // and 1.1 % with tl; the method, the amplitude and 0.06 s of spectrum share that
     const auto simulation = make_simulation(scene, with_method("pf-jst"));
     simulation->advance_to(scene.until);
     const std::vector<MeasureResult> found = measure(scene, simulation->series(), "neo_hookean");

@@ -23,7 +23,8 @@ void add_rows(std::vector<Point>& places, int columns, int rows, const Point& lo
     for (int i = 0; i < columns; ++i) places.push_back({low[0] + i * dp, low[1] + j * dp, 0});
 }
 
-/// A block of 20 × 8 particles whose upper row is at y = 0, and one of 8 × 6 above it, that begins 10 dp away.
+/// A block of 20 × 8 particles whose upper row is at y = 0, and one of 8 × 6 above it, that begins 10 dp
+/// away.
 Snapshot two_blocks() {
   std::vector<Point> places;
   add_rows(places, 20, 8, {0, -7 * dp, 0});

@@ -44,8 +44,8 @@ TEST_SUITE("analytic") {
     }
   }
   TEST_CASE("spectrum: the window leaves a weak line that a strong one would drown, and is even") {
-    // 1/2000 of the strong line 60 points away: what a Hann window leaves of that one there is 1/300 000, what
-    // no window leaves, or a Hamming window, is 1/200 and 1/2500 and rises towards it
+    // 1/2000 of the strong line 60 points away: what a Hann window leaves of that one there is 1/300 000,
+    // what no window leaves, or a Hamming window, is 1/200 and 1/2500 and rises towards it
     std::vector<double> t, y, back;
     for (int k = 0; k <= 8192; ++k) {
       const double time = 0.2 * k / 8192, two_pi = 2 * std::numbers::pi;

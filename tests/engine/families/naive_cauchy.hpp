@@ -10,8 +10,8 @@
 #include "tests/support/neighbor_sweep.hpp"
 
 /// The methods of [Khayyer2024] and [TranDuc2023] §2.2 in two dimensions, written a second time, straight
-/// from the papers: pair by pair, no lanes, nothing of the engine. Slow, and meant to be read beside the paper. As in [Khayyer2024], r_ij = r_j − r_i and u_ij = u_j − u_i, and ∇ is
-/// ∇_i w.
+/// from the papers: pair by pair, no lanes, nothing of the engine. Slow, and meant to be read beside the
+/// paper. As in [Khayyer2024], r_ij = r_j − r_i and u_ij = u_j − u_i, and ∇ is ∇_i w.
 ///
 /// Where the papers are silent or contradict themselves, this takes the same side as the engine says it does:
 ///   - time: velocity first, then ρ, S, r from û at the positions at `geometry` of the step; S is turned by

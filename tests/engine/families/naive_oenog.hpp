@@ -50,8 +50,9 @@ Dual<Components> operator/(double a, const Dual<Components>& b) {
 }
 
 /// oenog written down as its formulas stand, particle by particle in the order of creation, from the bonds'
-/// one-sided weights and gradients. Shares with the solver what make_bonds and make_interfaces give and nothing
-/// else. In 2D one body; in 3D several of one material, which a penalty keeps apart, and masses have an end correction.
+/// one-sided weights and gradients. Shares with the solver what make_bonds and make_interfaces give and
+/// nothing else. In 2D one body; in 3D several of one material, which a penalty keeps apart, and masses have
+/// an end correction.
 template <int Dim>
 class NaiveOenogIn {
  public:

@@ -11,8 +11,8 @@
 
 #include "tests/support/neighbor_sweep.hpp"
 
-/// The methods of [Zhang2024] in two and three dimensions, written a second time, straight from the paper: pair by
-/// pair, no lanes, nothing of the engine. Slow, and meant to be read beside the paper.
+/// The methods of [Zhang2024] in two and three dimensions, written a second time, straight from the paper:
+/// pair by pair, no lanes, nothing of the engine. Slow, and meant to be read beside the paper.
 ///
 /// Where the paper is silent or contradicts itself, this takes the same side as the engine says it does:
 ///   - Eq. 7 with the rotation terms of Jaumann; Eq. 14 and 27 with the sign that makes ∇v right;

@@ -51,7 +51,8 @@ ClosedNeoHookean<double> closed_law() { return {4.6, 1}; }  // over G: ν = 0.4
 
 /// The greatest slope of the force on a particle with the size of a homogeneous strain, by differences, over
 /// G dp, of the three strains and all particles deeper than so many rows: the volumes near a face make it the
-/// surface's share, of three rows with bonds to the next neighbours, of up to nine with those of two spacings and more.
+/// surface's share, of three rows with bonds to the next neighbours, of up to nine with those of two spacings
+/// and more.
 double unbalanced(const Scene& scene, const InitialParticles& initial, const std::vector<double>& depth,
                   double rows) {
   constexpr double size = 1e-3;
@@ -270,7 +271,8 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("bonds: at a face volume goes outwards with a first moment of dp²/24 of the face") {
-    // the midpoint rule lacks dp²/24 of the slope at each face; the gradient that gives it is exact for a slope
+    // the midpoint rule lacks dp²/24 of the slope at each face; the gradient that gives it is exact for a
+    // slope
     Scene scene = small_clamped_plate();
     scene.bodies.pop_back();
     scene.bodies[0].held = {};

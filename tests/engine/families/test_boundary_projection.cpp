@@ -17,8 +17,8 @@ namespace {
 
 double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
-/// What the corrected kernel of Wendland sees at X[i], transcribed from [Lee2016] Eq. 23; in 2D all are in the plane
-/// z = 0.
+/// What the corrected kernel of Wendland sees at X[i], transcribed from [Lee2016] Eq. 23; in 2D all are in
+/// the plane z = 0.
 std::vector<std::pair<int, double>> seen_at(int i, const std::vector<Point>& X, const std::vector<double>& V,
                                             double h, int dim) {
   std::vector<std::pair<int, double>> W;

@@ -1,4 +1,5 @@
-// Where two materials of a body meet under oenog, against exact solutions: layers under one stress, and a bar's mode.
+// Where two materials of a body meet under oenog, against exact solutions: layers under one stress, and a
+// bar's mode.
 
 #include <algorithm>
 #include <cmath>
@@ -36,8 +37,8 @@ Scene bar(double ratio, double nu_soft, int axis, double spacing, double half = 
   return scene;
 }
 
-/// Greatest force on a particle that is four from every face, beyond the end correction of the volumes, over the
-/// traction on one.
+/// Greatest force on a particle that is four from every face, beyond the end correction of the volumes, over
+/// the traction on one.
 double force_left(const Scene& scene, double traction) {
   const Snapshot now = state_after(1, scene, with_method("oenog"));
   const Box box = std::get<Box>(scene.bodies[0].shapes[0]);

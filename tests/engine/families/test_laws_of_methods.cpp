@@ -58,8 +58,8 @@ Mat<double, Dim> pressed_strain(double share) {
   return F;
 }
 
-/// A free block that starts with the strain of F and, `off` of that, with one that differs from place to place;
-/// `share` of its shear modulus is that of changes of areas where its law knows of them.
+/// A free block that starts with the strain of F and, `off` of that, with one that differs from place to
+/// place; `share` of its shear modulus is that of changes of areas where its law knows of them.
 template <int Dim>
 Scene strained_block(const Mat<double, Dim>& F, double off, double share = 0.4) {
   Scene scene;

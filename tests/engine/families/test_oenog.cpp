@@ -44,8 +44,8 @@ Scene ring_alone() {
   return scene;
 }
 
-/// Of particles of a lattice whose cells are longer than wide, each with bonds and strengths of its own; then of one
-/// with a bond in another direction.
+/// Of particles of a lattice whose cells are longer than wide, each with bonds and strengths of its own; then
+/// of one with a bond in another direction.
 template <int Dim>
 void check_cancelled() {
   using Cancelled = CancelledBonds<Dim>;

@@ -94,8 +94,8 @@ Square random_rotation(std::mt19937& random) {
       .toRotationMatrix();
 }
 
-/// The greatest force on a particle where `counts`, over G ε dp, of homogeneous strains of the size ε in random
-/// directions.
+/// The greatest force on a particle where `counts`, over G ε dp, of homogeneous strains of the size ε in
+/// random directions.
 template <class Counts>
 double unbalanced(const Scene& scene, const Counts& counts) {
   const double G = scene.materials[0].shear_modulus();
@@ -261,8 +261,8 @@ TEST_SUITE("unit") {
       CHECK(sum(start.m) == relative(density * sum(initial.V0), 1e-13));
       for (int i = 0; i < initial.size(); ++i) CHECK(start.m[i] == relative(density * bonds.mass[i], 1e-14));
     }
-    // the more at a face and the less below it has a first moment of dp²/15 of the face, in masses of dp²/24; where
-    // particles stand on the face the layout has it for both, and volumes have dp²/25 less
+    // the more at a face and the less below it has a first moment of dp²/15 of the face, in masses of dp²/24;
+    // where particles stand on the face the layout has it for both, and volumes have dp²/25 less
     for (const bool on_faces : {false, true}) {
       CAPTURE(on_faces);
       const int n = on_faces ? 8 : 9;

@@ -194,8 +194,8 @@ void check_plane(const L& law) {
 M2 rate_of_cofactor(const M2&, const M2& rate) { return cofactor(rate); }
 M3 rate_of_cofactor(const M3& F, const M3& rate) { return tensor_cross(F, rate); }
 
-/// With H = cof F nothing new; with an H and a J of their own P is the slope of ψ(F, H, J) where these two follow F
-/// as [Lee2016] Eq. 33 has it, dH = F ⨯ dF and dJ = H : dF: without that {p, F, H, J} had no energy.
+/// With H = cof F nothing new; with an H and a J of their own P is the slope of ψ(F, H, J) where these two
+/// follow F as [Lee2016] Eq. 33 has it, dH = F ⨯ dF and dJ = H : dF: without that {p, F, H, J} had no energy.
 template <int Dim, class L>
 void check_own_cofactor(const L& law) {
   constexpr double step = 1e-6;

@@ -32,8 +32,9 @@ Snapshot at_start(const Scene& scene, std::string_view method) {
   return make_simulation(scene, with_method(std::string(method)))->snapshot();
 }
 
-/// A square or cube of `n` cells a side that swings as one half wave: on rollers at the faces that meet in the
-/// origin, and no motion along the others. [Lee2016] §8.2, with particles on the faces and little amplitude.
+/// A square or cube of `n` cells a side that swings as one half wave: on rollers at the faces that meet in
+/// the origin, and no motion along the others. [Lee2016] §8.2, with particles on the faces and little
+/// amplitude.
 Scene swinging_cube(int dim, int n) {
   const double side = n * dp, amplitude = 1e-5 * side, wave = std::numbers::pi / (2 * side);
   Scene scene = block(side);
@@ -58,8 +59,8 @@ Scene swinging_cube(int dim, int n) {
   return scene;
 }
 
-/// Root of the mean square difference from the exact displacement u(X, 0) cos ωt, ω = √dim/2 π/L c_p, over its amplitude, after
-/// an eighth of a period.
+/// Root of the mean square difference from the exact displacement u(X, 0) cos ωt, ω = √dim/2 π/L c_p, over
+/// its amplitude, after an eighth of a period.
 double swinging_error(int dim, int n, const std::string& method) {
   const Scene scene = swinging_cube(dim, n);
   const Material& rubber = scene.materials[0];
@@ -82,8 +83,9 @@ double swinging_error(int dim, int n, const std::string& method) {
   return std::sqrt(sum / mass) / (1e-5 * n * dp);
 }
 
-/// Of velocity and stress: root mean squares of the errors against the exact solution over the volume and over four times
-/// of the first period, an eighth, three, five and seven eighths of it, over the greatest velocity and pressure.
+/// Of velocity and stress: root mean squares of the errors against the exact solution over the volume and
+/// over four times of the first period, an eighth, three, five and seven eighths of it, over the greatest
+/// velocity and pressure.
 struct SwingingErrors {
   double velocity = 0, stress = 0;
 };

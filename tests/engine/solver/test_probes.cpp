@@ -213,7 +213,8 @@ TEST_SUITE("unit") {
       const Series& series = simulation->series();
       CHECK(std::abs(series.value[0].front()) < 1e-15);
       CHECK(series.value[0].back() == relative(omega * series.time.back(), 1e-3));
-      // about z the point goes to and fro: the angle that its place has there, and no whole turn but those it makes
+      // about z the point goes to and fro: the angle that its place has there, and no whole turn but those it
+      // makes
       CHECK(std::abs(series.value[1].back() - omega * series.time.back()) > 0.1);
     }
   }
