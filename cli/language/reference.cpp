@@ -96,7 +96,11 @@ Rows keys_of_kinds(const Kinds& kinds, const Keys& keys_of_kind) {
 
 const auto own_keys = [](const auto& kind) -> const auto& { return kind.keys; };
 
-Topic shapes() { return {"shapes", "type = ...", "shapes, each of one dimension", shape_rows(), ""}; }
+Topic shapes() {
+  std::string examples;
+  for (const ShapeKind& kind : shape_kinds()) examples += example_of(kind.name);
+  return {"shapes", "type = ...", "shapes, with the dimensions that they are of", shape_rows(), examples};
+}
 
 Topic shape_keys() { return {"keys of shapes", "", "", keys_of_kinds(shape_kinds(), own_keys), ""}; }
 

@@ -71,6 +71,8 @@ TEST_SUITE("cli") {
         {{"sweep", scene, "--grid", "method=og,oe"}, {"method=og,oenog"}},
         {{"sweep", scene, "--emit", ""}, {"slurm", "parallel"}},
         {{"describe", "oe"}, {"oenog"}},
+        {{"describe", "bod"}, {"body"}},
+        {{"describe", "sweep-"}, {"sweep-file"}},
         {{"list", "e"}, {"equations"}},
         {{"plot", folder.str("run"), "--columns", "t,g"}, {"t,gap"}},
         {{"check", folder.str("run"), "--measure", ""}, {"touch_time"}},
