@@ -201,6 +201,18 @@ bool ProbeKind::takes(std::string_view key) const {
 
 std::span<const ProbeKind> probe_kinds() { return kinds; }
 
+std::string_view unit_of(const Probe& probe, int dim) {
+  switch (probe.kind) {
+    case Probe::Kind::reaction:
+    case Probe::Kind::contact_force:
+      return dim == 2 ? "N/m" : "N";
+    case Probe::Kind::expression:
+      return "";
+    default:
+      return std::ranges::find(kinds, probe.kind, &ProbeKind::kind)->unit;
+  }
+}
+
 Point turning_axis(TomlCursor& cursor, const Scene& scene) {
   if (scene.dim == 2) return {0, 0, 1};
   if (!cursor.find("axis")) {

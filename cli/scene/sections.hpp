@@ -128,6 +128,8 @@ struct ProbeKind {
   bool takes(std::string_view key) const;
 };
 std::span<const ProbeKind> probe_kinds();
+/// Of the values of a probe; empty where it is not known. Forces in the plane are per metre of depth.
+std::string_view unit_of(const Probe& probe, int dim);
 
 /// A key that kinds of measures take.
 const KeyInfo& measure_key(std::string_view name);

@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include "cli/scene/sections.hpp"
 #include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/error.hpp"
 #include "tests/support/scene_text.hpp"
@@ -114,6 +115,9 @@ TEST_SUITE("cli") {
     const Probe pair = with("of = \"contact_force\"\nbodies = [\"ring\", \"block\"]\ncomponent = \"x\"\n");
     CHECK(pair.bodies == std::vector{1, 0});
     CHECK(pair.wall == -1);
+    CHECK(unit_of(pair, 2) == "N/m");
+    CHECK(unit_of(pair, 3) == "N");
+    CHECK(unit_of(stress, 2) == "Pa");
     const Probe of_wall =
         with("of = \"contact_force\"\nbody = \"ring\"\nwall = \"floor\"\ncomponent = \"x\"\n");
     CHECK(of_wall.bodies.front() == 1);
@@ -134,6 +138,7 @@ TEST_SUITE("cli") {
     const Probe sum = read_text(with("\"2*tip + v0*t + dp\"")).scene.probes.at(1);
     CHECK(sum.kind == Probe::Kind::expression);
     CHECK(sum.bodies == std::vector{0});
+    CHECK(unit_of(sum, 2).empty());
     CHECK(sum.value({10, 0}, 3) == doctest::Approx(20 + 0.06 * 3 + 0.1));
     CHECK(read_text(with("\"tip\"", "later-one")).scene.probes.size() == 2);  // no name of a variable
     const auto refused = [&](const std::string& text, const char* message) {
