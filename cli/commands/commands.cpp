@@ -110,7 +110,8 @@ constexpr Command table[] = {
      "  printf 'run until 0.003\\nprobe\\nframe now.png\\n' | taut session colliding-rings --strict\n"
      "Every answer ends with a line `ok` or `error: REASON`; values come as name=value.\n",
      declare_session},
-    {"list", "name what there is: scenes, methods, laws, shapes, probes, measures, keys of scene files and more",
+    {"list",
+     "name what there is: scenes, methods, laws, shapes, probes, measures, keys of scene files and more",
      "  taut list\n"
      "  taut list methods\n"
      "  taut list keys                            of scene and sweep files, all in one table\n"

@@ -66,7 +66,8 @@ constexpr KeyInfo body_keys[] = {
      "of one rectangle or box: particles stand on its faces, one more along a side than there are cells, and "
      "have a half, a quarter or an eighth of a cell there; else in the middle of cells"},
     {"lattice", "square or hexagonal", "square",
-     "of what is cut from a lattice; hexagonal (2D): rows along the longer side of the first shape, particles 1.075 dp "
+     "of what is cut from a lattice; hexagonal (2D): rows along the longer side of the first shape, "
+     "particles 1.075 dp "
      "apart, so that each has dp² of the area as on the square one"},
     {"rotate", "degrees or { angle, about, axis }", "none",
      "the layout is turned; all other keys mean the places after it; the number in 2D only"},
@@ -114,7 +115,8 @@ constexpr KeyInfo loaded_keys[] = {
 constexpr KeyInfo shape_keys[] = {
     {"type", "SHAPE", "", "`taut list shapes`; the other keys are those of the shape"},
     {"rotate", "degrees or { angle, about, axis }", "none",
-     "it is turned about its middle, and with it the lattice of a body whose first shape it is; the number in 2D only"},
+     "it is turned about its middle, and with it the lattice of a body whose first shape it is; the number "
+     "in 2D only"},
 };
 
 constexpr KeyInfo wall_keys[] = {

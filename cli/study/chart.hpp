@@ -53,9 +53,9 @@ struct Chart {
   bool relative = true;  // errors are shares of the reference
   Cost cost = Cost::seconds;
   int dim = 2;
-  std::string against;              // "oenog at 0.5 mm" in place of the references; empty: these count
-  std::vector<std::string> fixed;   // what all runs had: "single stepping", "until = 0.3"
-  std::vector<ChartSeries> series;  // methods in the order of the results
+  std::string against;                  // "oenog at 0.5 mm" in place of the references; empty: these count
+  std::vector<std::string> fixed;       // what all runs had: "single stepping", "until = 0.3"
+  std::vector<ChartSeries> series;      // methods in the order of the results
   std::vector<std::string> references;  // "finite elements (oenog, tl)"
   std::vector<std::string> machines;    // "AMD EPYC, 1 thread"
   int without_result = 0;               // runs that have not ended

@@ -44,7 +44,8 @@ TEST_SUITE("cli") {
 
   TEST_CASE("what follows -- is no option") {
     CHECK(call({"list", "--", "methods"}).code == 0);
-    CHECK(contains(call({"describe", "--", "--help"}).err, "unknown scene, method or part of scene files '--help'"));
+    CHECK(contains(call({"describe", "--", "--help"}).err,
+                   "unknown scene, method or part of scene files '--help'"));
   }
 
   TEST_CASE("values that make no sense are refused with exit code 2 before a folder is touched") {

@@ -261,8 +261,7 @@ TEST_SUITE("cli") {
     CHECK(contains(json_of(folder / "beside/run.json")["remark"], "the view shows no particle"));
     CHECK_FALSE(json_of(folder / "out/run.json")["remark"].get<std::string>().empty());
     CHECK(call(tiny_run(folder, "many", {"--no-render", "--threads", "10000"})).code == 2);
-    const Outcome diverged =
-        call(tiny_run(folder, "cfl", {"--no-render", "--set", "cfl=20"}));
+    const Outcome diverged = call(tiny_run(folder, "cfl", {"--no-render", "--set", "cfl=20"}));
     CHECK(diverged.code == 3);
     CHECK(contains(diverged.err, "cfl = 20 is above"));
   }

@@ -75,7 +75,7 @@ TEST_SUITE("unit") {
     CHECK(view.x_min == doctest::Approx(-1.5 * 3.5));
     CHECK(view.y_max == doctest::Approx(1.5 * 2));
     CHECK(bounds.range({}) == render::Range{1, 4});  // the other body is seen too
-    drawing.cut = "y > 2";  // the body is followed where nothing of it is seen, too
+    drawing.cut = "y > 2";                           // the body is followed where nothing of it is seen, too
     drawing.is_cut = [](const Point& x) { return static_cast<double>(x[1] > 2); };
     CHECK(Staging(drawing, origins)(frame(moved, origins, {1, 2, 3, 4})).x == Numbers{-7, -3.5, -6, -3.5});
   }

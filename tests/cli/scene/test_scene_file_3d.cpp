@@ -201,7 +201,8 @@ TEST_SUITE("cli") {
     check_solid_error(solid_scene(brick, "without = { type = @\"disc\" }"),
                       {"disc is a shape of 2 dimensions"});
     check_error("velocity = [\"v0*c0*x\", 0]",
-                "rotate = { @axis = [0, 0, 1], angle = 3 }\nvelocity = [\"v0\", 0]", {"'axis' has no effect"});
+                "rotate = { @axis = [0, 0, 1], angle = 3 }\nvelocity = [\"v0\", 0]",
+                {"'axis' has no effect"});
   }
 
   TEST_CASE("scene: in 3D the constants of a method are the defaults of 3D") {

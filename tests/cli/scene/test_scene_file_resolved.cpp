@@ -221,7 +221,8 @@ TEST_SUITE("unit") {
 
   TEST_CASE("a method from outside brings its own constants and CFL number") {
     const std::string text =
-        replaced(small_scene, "until = 2", "until = 2\nmethod = \"enog\"\ncfl = 0.123\nmethod_constants = { zeta = 4.25 }");
+        replaced(small_scene, "until = 2",
+                 "until = 2\nmethod = \"enog\"\ncfl = 0.123\nmethod_constants = { zeta = 4.25 }");
     CHECK(read_text(text).settings.cfl == 0.123);
     CHECK(read_text(text).settings.constants.at("zeta") == 4.25);
     CHECK(read_text(text, set({{"method", "enog"}})).settings.cfl == 0.123);
