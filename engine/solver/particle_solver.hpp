@@ -237,7 +237,7 @@ class ParticleSolver : public SolverParts<Dim> {
     const long first = this->step_;
     this->outdated_ = this->snapshot_.m.empty();  // a run that breaks off keeps the last one
     this->team_.resume();
-    while (this->time_ < t) {
+    while (this->time_ < t && !this->asked_to_stop()) {
       const double dt = solver().step_size();
       if (this->time_ + dt >= short_of) break;
       solver().step(dt);

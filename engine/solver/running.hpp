@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -31,6 +32,9 @@ class Simulation {
   /// The same, but makes no step that ends at or past `short_of`: the state at hand is then the last one
   /// before that time, or `t` is reached.
   virtual void advance(double t, double short_of) = 0;
+  /// From now on `advance` makes no step while `stop`, which outlives the simulation, is not 0: a signal or
+  /// another thread ends it after the step at hand, however many are still to go.
+  void heed(const std::atomic<int>& stop) { stop_ = &stop; }
 
   /// All that its next steps depend on, and the series so far, as bytes for `load`.
   virtual std::string save() = 0;
@@ -55,6 +59,7 @@ class Simulation {
 
  protected:
   virtual void take_snapshot() = 0;  // into snapshot_
+  bool asked_to_stop() const { return stop_->load(std::memory_order_relaxed) != 0; }
 
   Snapshot snapshot_;
   bool outdated_ = true;  // snapshot_
@@ -66,10 +71,14 @@ class Simulation {
   int threads_ = 1;
 
  private:
+  static inline const std::atomic<int> never_{0};
+
   void renew_snapshot() {
     take_snapshot();
     outdated_ = false;
   }
+
+  const std::atomic<int>* stop_ = &never_;
 };
 
 }  // namespace taut

@@ -1,4 +1,5 @@
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -109,6 +110,29 @@ std::string bytes_of(T value) {
 }  // namespace
 
 TEST_SUITE("restart") {
+  TEST_CASE("a simulation that is asked to stop ends after the step at hand, and goes on to the same bytes") {
+    std::atomic<int> stop = 0;
+    Scene scene = small_collision();
+    const auto straight = make_simulation(scene, with_method("enog"));
+    make_steps(*straight, 30);
+    scene.gravity[1] = [&](double t) {
+      if (straight->time() * 0.5 < t) stop = 1;  // as a signal would, in the middle of a step
+      return 0.0;
+    };
+    const auto stopped = make_simulation(scene, with_method("enog"));
+    stopped->heed(stop);
+    stopped->advance_to(1e9);  // it would take years
+    CHECK(stopped->time() < 0.6 * straight->time());
+    const long steps = stopped->steps();
+    stopped->advance_to(1e9);
+    CHECK(stopped->steps() == steps);
+    while (stopped->steps() < straight->steps()) {
+      stop = 0;
+      stopped->advance_to(1e9);
+    }
+    check_same(*stopped, *straight);
+  }
+
   TEST_CASE("a simulation that was saved and loaded gives the same bytes: every method and contact law") {
     for (Scene scene : watched_scenes()) {
       for (const MethodInfo& method : methods()) {
