@@ -147,7 +147,7 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Settings& 
                           method->meets_itself,
                           settings.stepping,
                           threads};
-#if defined(__x86_64__)
+#ifdef TAUT_HAS_X86_64_V3
   if (settings.instruction_set == InstructionSet::best && has_x86_64_v3())
     return x86_64_v3::make_solver(input);
 #endif

@@ -31,29 +31,29 @@ class Columns {
 /// Four vectors that stand one behind the other, x0 y0 x1 …, from the four x, the four y, …
 inline void interleave(const Pack (&columns)[2], Pack (&rows)[2]) {
   const auto& [x, y] = columns;
-  rows[0] = __builtin_shuffle(x, y, PackIndex{0, 4, 1, 5});
-  rows[1] = __builtin_shuffle(x, y, PackIndex{2, 6, 3, 7});
+  rows[0] = __builtin_shufflevector(x, y, 0, 4, 1, 5);
+  rows[1] = __builtin_shufflevector(x, y, 2, 6, 3, 7);
 }
 inline void interleave(const Pack (&columns)[3], Pack (&rows)[3]) {
   const auto& [x, y, z] = columns;
-  const Pack x0y0x1 = __builtin_shuffle(x, y, PackIndex{0, 4, 1, 5});
-  const Pack x2y2y1 = __builtin_shuffle(x, y, PackIndex{2, 6, 5, 5});
-  const Pack x3y3 = __builtin_shuffle(x, y, PackIndex{3, 7, 3, 7});
-  rows[0] = __builtin_shuffle(x0y0x1, z, PackIndex{0, 1, 4, 2});
-  rows[1] = __builtin_shuffle(x2y2y1, z, PackIndex{2, 5, 0, 1});
-  rows[2] = __builtin_shuffle(x3y3, z, PackIndex{6, 0, 1, 7});
+  const Pack x0y0x1 = __builtin_shufflevector(x, y, 0, 4, 1, 5);
+  const Pack x2y2y1 = __builtin_shufflevector(x, y, 2, 6, 5, 5);
+  const Pack x3y3 = __builtin_shufflevector(x, y, 3, 7, 3, 7);
+  rows[0] = __builtin_shufflevector(x0y0x1, z, 0, 1, 4, 2);
+  rows[1] = __builtin_shufflevector(x2y2y1, z, 2, 5, 0, 1);
+  rows[2] = __builtin_shufflevector(x3y3, z, 6, 0, 1, 7);
 }
 /// The reverse.
 inline void separate(const Pack (&rows)[2], Pack (&columns)[2]) {
   const auto& [a, b] = rows;
-  columns[0] = __builtin_shuffle(a, b, PackIndex{0, 2, 4, 6});
-  columns[1] = __builtin_shuffle(a, b, PackIndex{1, 3, 5, 7});
+  columns[0] = __builtin_shufflevector(a, b, 0, 2, 4, 6);
+  columns[1] = __builtin_shufflevector(a, b, 1, 3, 5, 7);
 }
 inline void separate(const Pack (&rows)[3], Pack (&columns)[3]) {
   const auto& [a, b, c] = rows;
-  columns[0] = __builtin_shuffle(__builtin_shuffle(a, b, PackIndex{0, 3, 6, 6}), c, PackIndex{0, 1, 2, 5});
-  columns[1] = __builtin_shuffle(__builtin_shuffle(a, b, PackIndex{1, 4, 7, 7}), c, PackIndex{0, 1, 2, 6});
-  columns[2] = __builtin_shuffle(__builtin_shuffle(a, b, PackIndex{2, 5, 5, 5}), c, PackIndex{0, 1, 4, 7});
+  columns[0] = __builtin_shufflevector(__builtin_shufflevector(a, b, 0, 3, 6, 6), c, 0, 1, 2, 5);
+  columns[1] = __builtin_shufflevector(__builtin_shufflevector(a, b, 1, 4, 7, 7), c, 0, 1, 2, 6);
+  columns[2] = __builtin_shufflevector(__builtin_shufflevector(a, b, 2, 5, 5, 5), c, 0, 1, 4, 7);
 }
 
 /// The first Dim columns of the four particles from `first` on.
@@ -86,8 +86,8 @@ Vec<Pack, Dim> four_of(const Vec<double, Dim>* rows, int count) {
       for (int k = 0; k < Dim; ++k) v[k][lane] = rows[lane][k];
   } else if constexpr (Dim == 2) {
     const Pack a = load(rows[0].c), b = load(rows[2].c);
-    v[0] = __builtin_shuffle(a, b, PackIndex{0, 2, 4, 6});
-    v[1] = __builtin_shuffle(a, b, PackIndex{1, 3, 5, 7});
+    v[0] = __builtin_shufflevector(a, b, 0, 2, 4, 6);
+    v[1] = __builtin_shufflevector(a, b, 1, 3, 5, 7);
   } else {
     for (int k = 0; k < Dim; ++k) v[k] = Pack{rows[0][k], rows[1][k], rows[2][k], rows[3][k]};
   }
@@ -96,8 +96,8 @@ Vec<Pack, Dim> four_of(const Vec<double, Dim>* rows, int count) {
 template <int Dim>
 void put_four(const Vec<Pack, Dim>& v, Vec<double, Dim>* rows, int count) {
   if (Dim == 2 && count >= lanes) [[likely]] {
-    store(__builtin_shuffle(v[0], v[1], PackIndex{0, 4, 1, 5}), rows[0].c);
-    store(__builtin_shuffle(v[0], v[1], PackIndex{2, 6, 3, 7}), rows[2].c);
+    store(__builtin_shufflevector(v[0], v[1], 0, 4, 1, 5), rows[0].c);
+    store(__builtin_shufflevector(v[0], v[1], 2, 6, 3, 7), rows[2].c);
   } else {
     for (int lane = 0; lane < std::min(count, lanes); ++lane) rows[lane] = lane_of(v, lane);
   }

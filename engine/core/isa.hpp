@@ -4,6 +4,9 @@
 // that it inlines lives in a namespace of that name, so that the linker cannot mix the copies.
 #ifndef TAUT_ISA
 #define TAUT_ISA baseline
+#if defined(__x86_64__)
+#define TAUT_HAS_X86_64_V3  // what is built for any machine chooses, and knows the other one
+#endif
 #endif
 
 // After the parameters of a lambda that is the body of a pass: all that it calls is inlined. Left to itself,

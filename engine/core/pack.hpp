@@ -42,7 +42,7 @@ inline Pack sums(const Pack& a, const Pack& b, const Pack& c, const Pack& d) {
   const Pack ab{a[0] + a[1], b[0] + b[1], a[2] + a[3], b[2] + b[3]};
   const Pack cd{c[0] + c[1], d[0] + d[1], c[2] + c[3], d[2] + d[3]};
 #endif
-  return __builtin_shuffle(ab, cd, PackIndex{0, 1, 4, 5}) + __builtin_shuffle(ab, cd, PackIndex{2, 3, 6, 7});
+  return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
 }
 
 inline Pack root(const Pack& a) {
@@ -68,7 +68,7 @@ inline Pack min(const Pack& a, const Pack& b) { return __builtin_ia32_minpd256(a
 inline Pack max(const Pack& a, const Pack& b) { return __builtin_ia32_maxpd256(a, b); }
 #endif
 /// The greater, NaN if any of the two is.
-inline Pack max_or_nan(const Pack& a, const Pack& b) { return (b <= a) | (a != a) ? a : b; }
+inline Pack max_or_nan(const Pack& a, const Pack& b) { return ((b <= a) | (a != a)) ? a : b; }
 /// NaN if any is.
 inline double greatest(const Pack& a) {
   double most = a[0];
@@ -123,8 +123,9 @@ inline bool any(const PackIndex& a) { return lanes_where(a) != 0; }
 inline Pack halves(const double* a, const double* b) {
   typedef double Half __attribute__((vector_size(2 * sizeof(double))));
   const Half &low = *reinterpret_cast<const Half*>(a), &high = *reinterpret_cast<const Half*>(b);
-#ifdef __AVX__
-  return __builtin_ia32_vinsertf128_pd256(__builtin_ia32_pd256_pd(low), high, 1);  // comes with its load
+#if defined(__AVX__) && !defined(__clang__)
+  // comes with its load, for which GCC 12 makes moves of a shuffle
+  return __builtin_ia32_vinsertf128_pd256(__builtin_ia32_pd256_pd(low), high, 1);
 #else
   return __builtin_shufflevector(low, high, 0, 1, 2, 3);
 #endif
@@ -149,8 +150,8 @@ struct RowsOfFour {
   [[gnu::always_inline]] Pack column(int k) const {
     const int even = k / 2 * 2;
     const Pack ac = halves(at[0] + even, at[2] + even), bd = halves(at[1] + even, at[3] + even);
-    return k == even ? __builtin_shuffle(ac, bd, PackIndex{0, 4, 2, 6})
-                     : __builtin_shuffle(ac, bd, PackIndex{1, 5, 3, 7});
+    return k == even ? __builtin_shufflevector(ac, bd, 0, 4, 2, 6)
+                     : __builtin_shufflevector(ac, bd, 1, 5, 3, 7);
   }
 };
 
@@ -169,15 +170,15 @@ template <int Width>
 inline void scatter(const Pack* in, double* row) {
   static_assert(Width % lanes == 0);
   for (int k = 0; k < Width; k += lanes) {
-    const Pack ab_even = __builtin_shuffle(in[k], in[k + 1], PackIndex{0, 4, 2, 6});
-    const Pack ab_odd = __builtin_shuffle(in[k], in[k + 1], PackIndex{1, 5, 3, 7});
-    const Pack cd_even = __builtin_shuffle(in[k + 2], in[k + 3], PackIndex{0, 4, 2, 6});
-    const Pack cd_odd = __builtin_shuffle(in[k + 2], in[k + 3], PackIndex{1, 5, 3, 7});
+    const Pack ab_even = __builtin_shufflevector(in[k], in[k + 1], 0, 4, 2, 6);
+    const Pack ab_odd = __builtin_shufflevector(in[k], in[k + 1], 1, 5, 3, 7);
+    const Pack cd_even = __builtin_shufflevector(in[k + 2], in[k + 3], 0, 4, 2, 6);
+    const Pack cd_odd = __builtin_shufflevector(in[k + 2], in[k + 3], 1, 5, 3, 7);
     Pack* const at = reinterpret_cast<Pack*>(row + k);
-    at[0] = __builtin_shuffle(ab_even, cd_even, PackIndex{0, 1, 4, 5});
-    at[Width / lanes] = __builtin_shuffle(ab_odd, cd_odd, PackIndex{0, 1, 4, 5});
-    at[2 * Width / lanes] = __builtin_shuffle(ab_even, cd_even, PackIndex{2, 3, 6, 7});
-    at[3 * Width / lanes] = __builtin_shuffle(ab_odd, cd_odd, PackIndex{2, 3, 6, 7});
+    at[0] = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
+    at[Width / lanes] = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
+    at[2 * Width / lanes] = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
+    at[3 * Width / lanes] = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
   }
 }
 

@@ -51,7 +51,7 @@ Scene shaken(Scene scene) {
 /// Whether the energy of a run is more than it was given.
 class EnergyLimit {
  public:
-  EnergyLimit(const Scene& scene, const Simulation& start) : scene_(scene) {
+  EnergyLimit(const Scene& scene, const Simulation& start) {
     const Snapshot& now = start.snapshot();
     double mass = 0;
     for (const double m : now.m) mass += m;
@@ -67,7 +67,6 @@ class EnergyLimit {
   }
 
  private:
-  const Scene& scene_;
   double noise_ = 0, start_ = 0, given_ = 0;  // J
 };
 

@@ -44,7 +44,7 @@ LineRecorder::Points LineRecorder::points_of(const SampleLine& line, const Snaps
                                              const Scene* scene) const {
   std::vector<Point> x(now.size());
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = scene ? now.initial(i) : now.position(i);
-  const auto [first, last] = std::ranges::equal_range(now.body, line.body);
+  const auto [first, last] = std::equal_range(now.body.begin(), now.body.end(), line.body);
   const int begin = static_cast<int>(first - now.body.begin());
   const int end = static_cast<int>(last - now.body.begin());
   Points points;

@@ -30,7 +30,7 @@ AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& no
 Balance sums_of(const Snapshot& now, const Scene& scene);
 }  // namespace TAUT_ISA
 
-#if defined(__x86_64__)
+#ifdef TAUT_HAS_X86_64_V3
 namespace x86_64_v3 {
 AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing,
                                  std::vector<double>& table);

@@ -42,7 +42,7 @@ std::vector<LawChoice> laws(const Formulation& m) {
   std::vector<LawChoice> all;
   for (const LawRow& row : Laws::rows)
     if (may_be_given(m, row)) all.push_back({row.choice, row.material_law, row.law});
-  std::ranges::stable_partition(all, [&](const LawChoice& choice) { return choice.law == m.law; });
+  std::stable_partition(all.begin(), all.end(), [&](const LawChoice& choice) { return choice.law == m.law; });
   return all;
 }
 

@@ -17,7 +17,7 @@ template <Family F>
 std::unique_ptr<Simulation> make_solver_of(const SolverInput& input);
 }  // namespace TAUT_ISA
 
-#if defined(__x86_64__)
+#ifdef TAUT_HAS_X86_64_V3
 namespace x86_64_v3 {
 std::unique_ptr<Simulation> make_solver(const SolverInput& input);
 }

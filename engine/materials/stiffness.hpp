@@ -58,7 +58,7 @@ auto greatest_stiffness(const Along& along, const Across& across, const Coupling
   using T = decltype(along(0));
   T greatest{};
   const auto take = [&](const T& stiffness) {  // NaN comes in and stays
-    greatest = (stiffness <= greatest) | (greatest != greatest) ? greatest : stiffness;
+    greatest = ((stiffness <= greatest) | (greatest != greatest)) ? greatest : stiffness;
   };
   for (int k = 0; k < Dim; ++k) {
     take(along(k));
