@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -14,15 +17,68 @@
 
 namespace taut {
 
+/// What is counted, and so may be an index.
+template <class T>
+concept Count = std::integral<T> && !std::same_as<T, bool>;
+
+/// `value` can be an index of what has `bound` elements; of a pair, each of the two.
+template <Count T, Count Bound>
+bool is_below(T value, Bound bound) {
+  return std::cmp_greater_equal(value, 0) && std::cmp_less(value, bound);
+}
+template <Count T, Count Bound>
+bool is_below(const std::pair<T, T>& pair, const std::pair<Bound, Bound>& bound) {
+  return is_below(pair.first, bound.first) && is_below(pair.second, bound.second);
+}
+
+/// `begin` says of each of `rows` where it begins in a list of `entries`, and last where that ends.
+template <Count T>
+bool are_rows(const std::vector<T>& begin, std::size_t rows, std::size_t entries) {
+  return begin.size() == rows + 1 && begin.front() == 0 && std::cmp_equal(begin.back(), entries) &&
+         std::is_sorted(begin.begin(), begin.end());
+}
+
 /// What a Saver and a Loader have in common: `archive(a, b, …)` goes through values in a fixed order, so that
 /// one list of members serves both directions. A class lists its own in `serialize(Archive&)`; what is copied
 /// byte by byte needs none. Only for one machine and one build: sizes and byte order are those of memory.
+///
+/// What a Loader reads may be anything, with a right checksum too. So whatever is used to reach memory is
+/// listed with what it must be: `fixed`, `indices`, `rows`, `check`. A copy byte by byte is for numbers only:
+/// a bool or a list in it would not be looked at.
 template <class Side>
 class Archive {
  public:
   template <class... T>
   void operator()(T&... values) {
     (one(values), ...);
+  }
+
+  /// Lists whose length is known without the state: they have it already.
+  template <class... T>
+  void fixed(std::vector<T>&... lists) {
+    (one_fixed(lists), ...);
+  }
+  /// A list of indices of what has `bound` elements, or of pairs of them, with a pair of bounds.
+  template <class T, class Bound>
+  void indices(std::vector<T>& list, const Bound& bound) {
+    one(list);
+    check("an index", [&] { return are_below(list, bound); });
+  }
+  /// The entries of `count` rows: those of row i are list[width · begin[i]] … list[width · begin[i + 1] − 1],
+  /// all of them below `bound`.
+  template <class T, class Bound>
+  void rows(std::vector<int>& begin, std::size_t count, std::vector<T>& list, const Bound& bound,
+            std::size_t width = 1) {
+    one(begin);
+    indices(list, bound);
+    check("a list of lists",
+          [&] { return list.size() % width == 0 && are_rows(begin, count, list.size() / width); });
+  }
+  /// When loading: `is_right()` of what was loaded so far, or the state is refused for `what`.
+  template <class Test>
+  void check(const char* what, const Test& is_right) {
+    if constexpr (Side::loads)
+      if (!is_right()) Side::fail(what);
   }
 
  private:
@@ -32,33 +88,62 @@ class Archive {
   static constexpr bool lists_members = requires(T& value, Side& side) {
     value.serialize(side);
   };
+  template <class T>
+  static constexpr bool is_copied =
+      std::is_trivially_copyable_v<T> && !std::is_same_v<T, bool> && !lists_members<T>;
+
+  template <class T, class Bound>
+  static bool are_below(const std::vector<T>& list, const Bound& bound) {
+    return std::all_of(list.begin(), list.end(), [&](const T& value) { return is_below(value, bound); });
+  }
 
   template <class T>
   void one(T& value) {
     if constexpr (lists_members<T>) {
       value.serialize(side());
     } else {
-      static_assert(std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>, "give it a `serialize`");
+      static_assert(is_copied<T> && !std::is_pointer_v<T>, "give it a `serialize`");
       side().bytes(&value, sizeof(T));
     }
   }
+  void one(bool& value) {
+    unsigned char byte = value;
+    side().bytes(&byte, 1);
+    check("a yes or no", [&] { return byte <= 1; });
+    value = byte == 1;
+  }
   template <class T>
   void one(std::vector<T>& values) {
-    values.resize(side().length(values.size()));
-    if constexpr (std::is_same_v<T, bool>) {
-      for (std::size_t k = 0; k < values.size(); ++k) {
-        bool value = values[k];
-        one(value);
-        values[k] = value;
-      }
-    } else if constexpr (std::is_trivially_copyable_v<T> && !lists_members<T>) {
-      side().bytes(values.data(), values.size() * sizeof(T));
+    const std::size_t size = side().length(values.size(), is_copied<T> ? sizeof(T) : 1);
+    if (is_copied<T> || values.size() > size) values.resize(size);
+    elements(values, size);
+  }
+  template <class T>
+  void one_fixed(std::vector<T>& values) {
+    const std::size_t size = side().length(values.size(), 1);
+    check("the length of a list", [&] { return size == values.size(); });
+    elements(values, size);
+  }
+  /// A list that is too short grows as its elements come: a length that was made up takes no memory.
+  template <class T>
+  void elements(std::vector<T>& values, std::size_t size) {
+    if constexpr (is_copied<T>) {
+      side().bytes(values.data(), size * sizeof(T));
     } else {
-      for (T& value : values) one(value);
+      for (std::size_t k = 0; k < size; ++k) {
+        if (k == values.size()) values.emplace_back();
+        if constexpr (std::is_same_v<T, bool>) {
+          bool value = values[k];
+          one(value);
+          values[k] = value;
+        } else {
+          one(values[k]);
+        }
+      }
     }
   }
   void one(std::string& text) {
-    text.resize(side().length(text.size()));
+    text.resize(side().length(text.size(), 1));
     side().bytes(text.data(), text.size());
   }
   template <class A, class B>
@@ -84,6 +169,8 @@ class Archive {
 /// Writes values to a string of bytes.
 class Saver : public Archive<Saver> {
  public:
+  static constexpr bool loads = false;
+
   /// `value` must be the same where it is loaded.
   template <class T>
   void match(const T& value) {
@@ -97,7 +184,7 @@ class Saver : public Archive<Saver> {
   void bytes(const void* from, std::size_t size) {
     if (size > 0) bytes_.append(static_cast<const char*>(from), size);
   }
-  std::size_t length(std::uint64_t n) {
+  std::size_t length(std::uint64_t n, std::size_t) {
     bytes(&n, sizeof n);
     return n;
   }
@@ -108,34 +195,38 @@ class Saver : public Archive<Saver> {
 /// Reads them back. Throws UsageError when they are not what a Saver wrote for the same list of values.
 class Loader : public Archive<Loader> {
  public:
+  static constexpr bool loads = true;
+
   explicit Loader(std::string_view bytes) : rest_(bytes) {}
 
   template <class T>
   void match(const T& value) {
     T found{};
     (*this)(found);
-    if (!(found == value)) fail();
+    if (!(found == value)) fail("the number of particles or probes");
   }
   /// To be called last: nothing may be left over.
   void finish() const {
-    if (!rest_.empty()) fail();
+    if (!rest_.empty()) fail("its length");
   }
 
  private:
   friend Archive<Loader>;
   void bytes(void* to, std::size_t size) {
-    if (size > rest_.size()) fail();
+    if (size > rest_.size()) fail("its length");
     if (size > 0) std::memcpy(to, rest_.data(), size);
     rest_.remove_prefix(size);
   }
-  std::size_t length(std::size_t) {
+  /// Of a list whose elements take at least `least` bytes each.
+  std::size_t length(std::size_t, std::size_t least) {
     std::uint64_t n = 0;
     bytes(&n, sizeof n);
-    if (n > rest_.size()) fail();  // every element takes at least a byte
+    if (n > rest_.size() / least) fail("the length of a list");
     return n;
   }
-  [[noreturn]] static void fail() {
-    throw UsageError("the saved state is damaged, or of another scene, method or version");
+  [[noreturn]] static void fail(const char* what) {
+    throw UsageError(std::string("the saved state is damaged, or of another scene, method or version: ") +
+                     what + " is not what it can be");
   }
 
   std::string_view rest_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "engine/diagnostics/fields.hpp"
 #include "engine/error.hpp"
@@ -52,6 +53,16 @@ LineRecorder::Points LineRecorder::points_of(const SampleLine& line, const Snaps
     points.push_back(scene ? material_point(x, begin, end, line_point(line, k), reach_, *scene, line.body)
                            : material_point(x, begin, end, line_point(line, k), reach_, now.dim));
   return points;
+}
+
+/// None at a time that is not asked for, a value at each point.
+bool LineRecorder::fit_the_scene() const {
+  for (std::size_t l = 0; l < lines_.size(); ++l) {
+    if (samples_[l].size() > lines_[l].times.size()) return false;
+    for (const LineSample& sample : samples_[l])
+      if (std::cmp_not_equal(sample.value.size(), lines_[l].points)) return false;
+  }
+  return true;
 }
 
 double LineRecorder::next() const {

@@ -41,10 +41,13 @@ class LineRecorder {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(samples_);
+    archive.fixed(samples_);
+    archive.check("a sample of a line", [&] { return fit_the_scene(); });
   }
 
  private:
+  bool fit_the_scene() const;  // the samples
+
   using Points = std::vector<std::vector<PointWeight>>;
   /// In the layout of the scene, or where particles are now.
   Points points_of(const SampleLine& line, const Snapshot& now, const Scene* scene) const;

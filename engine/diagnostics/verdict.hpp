@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
@@ -64,7 +65,14 @@ class Judge {
   /// What it has seen so far; the rest comes from the start.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(bonds_, given_energy_, pieces_, since_);
+    for (Bond& bond : bonds_) archive(bond.broken);
+    archive(given_energy_, pieces_, since_);
+    archive.check("a verdict", [&] {
+      const auto is_failure = [](const auto& failure) {
+        return failure.first > Verdict::stable && failure.first <= Verdict::diverged;
+      };
+      return std::all_of(since_.begin(), since_.end(), is_failure);
+    });
   }
 
  private:

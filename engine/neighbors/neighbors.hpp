@@ -10,6 +10,7 @@
 
 #include "engine/core/parallel.hpp"
 #include "engine/core/tensor.hpp"
+#include "engine/error.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -20,6 +21,7 @@ class CellGrid {
  public:
   /// Lays the grid around `x` and returns the order in which the particles must be stored (stable).
   const std::vector<int>& sort(const std::vector<Vec<double, Dim>>& x, double support) {
+    refuse_lost(x, support);
     place(x, support);
     const int n = static_cast<int>(x.size());
     cell_.resize(n);
@@ -47,6 +49,17 @@ class CellGrid {
   }
 
  private:
+  /// NumericalError for a place that is no number, or so far from the origin that cells are no wider than its
+  /// last digits: it is in no cell. Who steps says when that was.
+  static void refuse_lost(const std::vector<Vec<double, Dim>>& x, double support) {
+    const double farthest = 0x1p44 * support;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      for (int k = 0; k < Dim; ++k)
+        if (!(std::abs(x[i][k]) <= farthest))
+          throw NumericalError(0, 0, -1, "position",
+                               "a particle is farther away than numbers reach, or its place is not a number");
+  }
+
   void place(const std::vector<Vec<double, Dim>>& x, double support) {
     Vec<double, Dim> low = x[0], high = x[0];
     for (const auto& p : x)
@@ -94,8 +107,9 @@ struct Neighbors {
   const int* pack(int b) const { return &j[static_cast<std::size_t>(lanes) * b]; }
 
   template <class Archive>
-  void serialize(Archive& archive) {
-    archive(begin, j, pairs);
+  void serialize(Archive& archive, std::size_t particles) {
+    archive.rows(begin, particles, j, particles, lanes);
+    archive(pairs);
   }
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "engine/core/archive.hpp"
 #include "engine/neighbors/neighbors.hpp"
 #include "engine/solver/state.hpp"
 
@@ -45,8 +46,12 @@ class BodyContacts {
   }
 
   template <class Archive>
-  void serialize(Archive& archive) {
-    archive(begin, j);
+  void serialize(Archive& archive, int particles) {
+    archive.fixed(begin);
+    archive.indices(j, particles);
+    archive.check("the pairs of two bodies", [&] {
+      return begin.empty() ? j.empty() : are_rows(begin, static_cast<std::size_t>(particles), j.size());
+    });
   }
 
   std::vector<int> begin, j;

@@ -107,8 +107,12 @@ class Contact {
   FaceContacts<Dim>* faces() { return by_faces_ ? &faces_ : nullptr; }
 
   template <class Archive>
-  void serialize(Archive& archive) {
-    archive(walls_, pairs_, faces_, force_);
+  void serialize(Archive& archive, int particles) {
+    walls_.serialize(archive, particles);
+    pairs_.serialize(archive, particles);
+    faces_.serialize(archive, particles, walls_.count());
+    archive.fixed(force_);
+    archive.check("a contact", [&] { return active_ || !acting(); });
   }
 
  private:

@@ -97,8 +97,10 @@ class Drives {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(active_, work_);
+    archive(active_);
+    archive.fixed(work_);
     for (Timed& drive : drives_) archive(drive.on, drive.now);
+    archive.check("a drive", [&] { return active_ == std::ranges::any_of(drives_, &Timed::on); });
   }
 
  private:

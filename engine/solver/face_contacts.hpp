@@ -56,8 +56,14 @@ class FaceContacts {
   double gap(const State<Dim>& s, int a, int b);
 
   template <class Archive>
-  void serialize(Archive& archive) {
-    archive(faces_, others_, own_, near_wall_, others_bound_, own_bound_, watched_, touching_);
+  void serialize(Archive& archive, int particles, int walls) {
+    faces_.serialize(archive, particles);
+    for (NearFaces* near : {&others_, &own_})
+      near->serialize(archive, all_nodes_.size(), all_segments_.size());
+    archive.indices(near_wall_, std::pair(faces_.size(), walls));
+    archive(others_bound_, own_bound_);
+    archive.indices(watched_, faces_.size());
+    archive.indices(touching_, particles);
   }
 
  private:

@@ -17,8 +17,9 @@ struct NearFaces {
   std::vector<int> node, begin{0}, segment;
 
   template <class Archive>
-  void serialize(Archive& archive) {
-    archive(node, begin, segment);
+  void serialize(Archive& archive, std::size_t nodes, std::size_t segments) {
+    archive.indices(node, nodes);
+    archive.rows(begin, node.size(), segment, segments);
   }
 };
 

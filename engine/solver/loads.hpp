@@ -91,7 +91,7 @@ class Loads {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(work_, damped_);
+    archive.fixed(work_, damped_);
   }
 
  private:

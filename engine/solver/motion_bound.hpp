@@ -68,7 +68,8 @@ class MotionBound {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(free_, gone_, from_);
+    archive(free_, gone_);
+    archive.fixed(from_);
   }
 
  private:

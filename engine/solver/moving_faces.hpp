@@ -114,8 +114,11 @@ class MovingFaces {
   }
 
   template <class Archive>
-  void serialize(Archive& archive) {
-    archive(stored_);
+  void serialize(Archive& archive, int particles) {
+    archive.fixed(stored_);
+    archive.check("a particle of a face", [&] {
+      return std::ranges::all_of(stored_, [&](int i) { return i >= 0 && i < particles; });
+    });
   }
 
  private:

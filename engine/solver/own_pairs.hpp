@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/core/archive.hpp"
 #include "engine/neighbors/neighbors.hpp"
 #include "engine/solver/motion_bound.hpp"
 #include "engine/solver/particles_at_faces.hpp"
@@ -53,8 +54,13 @@ class OwnPairs {
   std::vector<int> begin, j;
 
   template <class Archive>
-  void serialize(Archive& archive) {
-    archive(begin, j, bound_);
+  void serialize(Archive& archive, int particles) {
+    archive(begin);
+    archive.indices(j, particles);
+    archive.check("the pairs of a body with itself", [&] {
+      return begin.empty() ? j.empty() : are_rows(begin, static_cast<std::size_t>(particles), j.size());
+    });
+    archive(bound_);
   }
 
  private:

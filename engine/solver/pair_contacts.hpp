@@ -167,8 +167,11 @@ class PairContacts {
   }
 
   template <class Archive>
-  void serialize(Archive& archive) {
-    archive(pairs_, own_, touching_, travelled_);
+  void serialize(Archive& archive, int particles) {
+    pairs_.serialize(archive, particles);
+    own_.serialize(archive, particles);
+    archive.indices(touching_, particles);
+    archive(travelled_);
   }
 
  private:

@@ -28,6 +28,8 @@ namespace taut::inline TAUT_ISA {
 
 /// Beyond this multiple of the sound speed the steps shrink without end: the run has diverged.
 inline constexpr double greatest_mach_number = 10;
+/// No run gets as far; a state that says so is damaged.
+inline constexpr long most_steps = 1L << 53;
 
 /// What every solver has, whatever it does in a step: particles, what acts on them from outside, probes.
 template <int Dim>
@@ -58,7 +60,10 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
   /// Takes the greatest v² of a step; NumericalError if it is out of all bounds.
   void set_greatest_speed(double v2) {
     vmax_ = std::sqrt(v2);
-    if (!(vmax_ <= greatest_mach_number * c_.c0)) fail();
+    refuse_divergence();
+  }
+  void refuse_divergence() const {
+    if (!is_within_bounds(vmax_)) fail();
   }
 
   /// Once in each step of `dt`, before `act_from_outside`: `t` is where in time the new velocities stand.
@@ -203,7 +208,18 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
   void serialize(Archive& archive) {
     archive.match(initial_.size());
     archive.match(static_cast<int>(recorder_.size()));
-    archive(s_, contact_, drives_, loads_, recorder_, time_, step_, vmax_, series_, pairs_);
+    archive(s_);
+    archive.check("a particle", [&] { return are_of_this_scene(); });
+    contact_.serialize(archive, s_.size());
+    archive(drives_, loads_, recorder_, time_, step_, vmax_, series_, pairs_);
+    archive.check("a number of a particle", [&] { return recorder_.follows(s_) && are_numbers(); });
+    archive.check("the time, the step or a series", [&] {
+      const bool counted = recorder_.size() == 0 ? series_.time.empty()
+                                                 : std::cmp_equal(series_.time.size() - 1, step_) &&
+                                                       series_.time.back() == time_;
+      return std::isfinite(time_) && time_ >= 0 && step_ >= 0 && step_ < most_steps && counted &&
+             is_within_bounds(vmax_);
+    });
   }
   /// Time and sizes of the snapshot; then every particle is to be stored.
   void begin_snapshot();
@@ -222,7 +238,11 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
   double vmax_ = 0;  // m/s
 
  private:
+  /// m/s; not a number is not.
+  bool is_within_bounds(double speed) const { return speed >= 0 && speed <= greatest_mach_number * c_.c0; }
   [[noreturn]] void fail() const;
+  bool are_of_this_scene() const;
+  bool are_numbers() const;
 };
 
 /// A solver, which has `step`, by the time that `step_size` gives; for a snapshot `prepare_to_show`, for all
@@ -237,17 +257,24 @@ class ParticleSolver : public SolverParts<Dim> {
     const long first = this->step_;
     this->outdated_ = this->snapshot_.m.empty();  // a run that breaks off keeps the last one
     this->team_.resume();
-    while (this->time_ < t && !this->asked_to_stop()) {
-      const double dt = solver().step_size();
-      if (this->time_ + dt >= short_of) break;
-      solver().step(dt);
-      record();
-      this->team_.step_done();
+    this->refuse_divergence();  // of the last call
+    try {
+      while (this->time_ < t && !this->asked_to_stop()) {
+        const double dt = solver().step_size();
+        if (this->time_ + dt >= short_of) break;
+        solver().step(dt);
+        record();
+        this->team_.step_done();
+      }
+    } catch (NumericalError& e) {
+      e.step = this->step_, e.time = this->time_;
+      throw;
     }
     this->outdated_ = outdated || this->step_ > first;
   }
 
   std::string save() final {
+    this->refuse_divergence();
     Saver saver;
     solver().serialize(saver);
     return saver.take();
@@ -256,6 +283,7 @@ class ParticleSolver : public SolverParts<Dim> {
     Loader loader(state);
     solver().serialize(loader);
     loader.finish();
+    loader.check("the time step", [&] { return this->time_ + solver().step_size() > this->time_; });
     this->outdated_ = true;
   }
 
@@ -341,6 +369,28 @@ void SolverParts<Dim>::fail() const {
   throw NumericalError(step_, time_, culprit, "velocity",
                        fmt::format("particle {} is faster than {:g} m/s ({:g} c0) or not a number", culprit,
                                    limit, greatest_mach_number));
+}
+
+/// Of a state that was loaded: every particle is there once, with its body and material.
+template <int Dim>
+bool SolverParts<Dim>::are_of_this_scene() const {
+  std::vector<bool> seen(s_.size());
+  for (int i = 0; i < s_.size(); ++i) {
+    const int id = s_.id[i];
+    if (!is_below(id, s_.size()) || seen[id]) return false;
+    seen[id] = true;
+    if (s_.body[i] != initial_.body[id] || s_.material[i] != initial_.material[id]) return false;
+  }
+  return true;
+}
+
+/// The places and velocities of a state that was loaded.
+template <int Dim>
+bool SolverParts<Dim>::are_numbers() const {
+  for (int i = 0; i < s_.size(); ++i)
+    for (int k = 0; k < Dim; ++k)
+      if (!std::isfinite(s_.x[i][k]) || !std::isfinite(s_.v[i][k])) return false;
+  return true;
 }
 
 template <int Dim>

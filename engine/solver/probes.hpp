@@ -45,12 +45,22 @@ class ProbeRecorder {
   void record(const State<Dim>& s, double time, ProbeSource<Dim>& source, Series& series);
 
   std::size_t size() const { return probes_.size(); }
+  /// Knows where the particles are.
+  bool follows(const State<Dim>& s) const {
+    for (int i = 0; i < s.size(); ++i)
+      if (where_[s.id[i]] != i) return false;
+    return true;
+  }
 
   /// What changes as particles are stored in another order.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(where_, support_);
-    for (Follower& f : followers_) archive(f.pairs, f.held_value);
+    archive.fixed(where_);
+    archive(support_);
+    for (Follower& f : followers_) {
+      archive.indices(f.pairs, std::pair(where_.size(), where_.size()));
+      archive(f.held_value);
+    }
   }
 
  private:

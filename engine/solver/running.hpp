@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <limits>
 #include <string>
@@ -17,7 +18,14 @@ struct Series {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(time, value);
+    archive(time);
+    archive.fixed(value);
+    archive.check("a series", [&] {
+      const auto stand_still = [](double before, double after) { return !(before < after); };
+      return std::adjacent_find(time.begin(), time.end(), stand_still) == time.end() &&
+             std::all_of(value.begin(), value.end(),
+                         [&](const std::vector<double>& of_probe) { return of_probe.size() == time.size(); });
+    });
   }
 };
 
@@ -39,7 +47,8 @@ class Simulation {
   /// All that its next steps depend on, and the series so far, as bytes for `load`.
   virtual std::string save() = 0;
   /// Goes on where another simulation of the same scene and settings was saved, in this program on this kind
-  /// of machine: the next steps give the same bytes. Throws UsageError for a state that is not one of those.
+  /// of machine: the next steps give the same bytes. Throws UsageError for a state that is not one of those; the
+  /// simulation is of no use then. No state, damaged or made up, makes later steps reach foreign memory.
   virtual void load(std::string_view state) = 0;
 
   /// The particles now. Made when it is first asked for, from what the next steps make anew, so that nothing

@@ -129,8 +129,17 @@ struct State {
   /// What lasts from one step to the next; what the passes gather is made anew.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(x, v, m, mobile, rho, drho, a_shear, da_shear, s, ds, x_recovered, id, body, material);
-    archive(neighbors, meets, contacts, gradients, inverse_slopes, inverse_distances, closeness);
+    archive.fixed(x, v, m, mobile, rho, drho, a_shear, da_shear, s, ds, x_recovered, id, body, material);
+    neighbors.serialize(archive, size());
+    archive.fixed(meets);
+    const int packs = meets.empty() ? 0 : neighbors.begin.back();  // whose geometry is held
+    archive.indices(contacts, std::pair(size(), packs));
+    archive(gradients, inverse_slopes, inverse_distances, closeness);
+    archive.check("the geometry of pairs", [&] {
+      const auto of_all = [&](const auto& list) { return std::cmp_equal(list.size(), packs); };
+      return of_all(gradients) && of_all(inverse_slopes) && of_all(inverse_distances) &&
+             (repulsion.empty() ? closeness.empty() : of_all(closeness));
+    });
   }
 
   /// Stores the particles in another order: what stood at order[i] comes to i.

@@ -66,8 +66,9 @@ class WallContacts {
   const Impulse& given() const { return given_; }
 
   template <class Archive>
-  void serialize(Archive& archive) {
-    archive(near_, given_);
+  void serialize(Archive& archive, int particles) {
+    archive.indices(near_, std::pair(particles, count()));
+    archive(given_);
   }
 
  private:

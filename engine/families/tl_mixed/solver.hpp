@@ -42,7 +42,7 @@ class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
   template <class Archive>
   void serialize(Archive& archive) {
     Base::serialize(archive);
-    archive(strain_);
+    archive.fixed(strain_);
   }
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "engine/kernels/kernel.hpp"
@@ -204,7 +205,12 @@ struct CauchyFields {
   /// What lasts from one step to the next.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(motion, near, of_one_material);
+    archive.fixed(motion);
+    near.serialize(archive, motion.size());
+    archive(of_one_material);
+    archive.check("the materials of pairs", [&] {
+      return of_one_material.empty() || std::cmp_equal(of_one_material.size(), near.begin.back());
+    });
     resize_pairs();
   }
   void resize_pairs() {

@@ -40,7 +40,9 @@ class UlCauchy final : public ParticleSolver<UlCauchy<M, Dim>, Dim> {
   template <class Archive>
   void serialize(Archive& archive) {
     Base::serialize(archive);
-    archive(f_, drift_, way_);
+    archive(f_);
+    archive.fixed(drift_);
+    archive(way_);
   }
 
  private:
