@@ -1,10 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/drawing/bounds.hpp"
@@ -69,6 +72,15 @@ class Frames {
   void serialize(Archive& archive) {
     int written = written_;
     archive(dim_, diameter_, kept_, written);
+    archive.check("a frame that was kept", [&] {
+      const std::size_t n = staging_.size(), d = static_cast<std::size_t>(staging_.dim());
+      const auto fits = [&](const Kept& frame) {
+        const auto is_finite = [](float x) { return std::isfinite(x); };
+        return frame.x.size() == d * n && frame.value.size() == n && std::ranges::all_of(frame.x, is_finite);
+      };
+      return kept_.empty() || (std::cmp_equal(dim_, d) && diameter_.size() == n && !renderers_.front() &&
+                               std::ranges::all_of(kept_, fits));
+    });
     written_ = drawn_ = written;
   }
 

@@ -44,6 +44,9 @@ class Staging {
   /// UsageError for a cut that leaves nothing.
   Staging(const Drawing& drawing, Origins origins);
 
+  int dim() const { return origins_.dim; }
+  std::size_t size() const { return shown_.size(); }  // particles that are drawn
+
   /// `particles` are all of the run.
   StagedParticles operator()(const FrameView& particles) const;
   /// The same as they are drawn: in style `cells` as pieces of their bodies, without those that others

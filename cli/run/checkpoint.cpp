@@ -55,8 +55,12 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
                  "); this is taut " + TAUT_VERSION + " (format " + std::to_string(format) +
                  "), which may step differently");
   Checkpoint checkpoint;
-  loader(checkpoint);
-  loader.finish();
+  try {
+    loader(checkpoint);
+    loader.finish();
+  } catch (const UsageError& e) {
+    throw refuse(std::string("cannot be used: ") + e.what());
+  }
   return checkpoint;
 }
 

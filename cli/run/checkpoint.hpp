@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -20,6 +21,10 @@ struct Checkpoint {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(method, scene, fields, spacing_asked, every, draws, state);
+    archive.check("an interval or a spacing", [&] {
+      return std::isfinite(every) && every >= 0 &&
+             (!spacing_asked || (std::isfinite(*spacing_asked) && *spacing_asked > 0));
+    });
   }
 };
 

@@ -18,6 +18,20 @@ std::vector<std::string> history_columns(const Scene& scene);
 /// The unit of one of them, empty for numbers without one.
 std::string history_unit(const std::string& column, const Scene& scene);
 
+/// How long a file was when it was saved how far a run had got.
+struct SavedLength {
+  std::int64_t length = 0;  // bytes
+
+  /// UsageError for a file that has lost lines since.
+  template <class Archive>
+  void serialize(Archive& archive, const AppendFile& file) {
+    if (!Archive::loads) length = file.length();
+    archive(length);
+    archive.check("the length of a file", [&] { return length >= 0; });
+    file.check_holds(length);
+  }
+};
+
 /// history.csv: a row per history time, in SI units. Each row is complete in the file as soon as it is made.
 class History {
  public:
@@ -30,16 +44,17 @@ class History {
   /// A row for the state at hand, unless the last row shows this very step.
   void add(const Simulation& simulation, const Balance& balance, int pieces, const Readings& readings);
 
-  /// Loading takes back the rows that were written after this was saved.
   template <class Archive>
   void serialize(Archive& archive) {
-    std::int64_t length = file_.length();
-    archive(length, last_step_);
-    file_.cut(length);
+    saved_.serialize(archive, file_);
+    archive(last_step_);
   }
+  /// The rows that were written after what was loaded had been saved. Throws OutputError.
+  void take_back() { file_.cut(saved_.length); }
 
  private:
   AppendFile file_;
+  SavedLength saved_;
   int dim_;
   bool works_, damps_;  // something from outside does work, the scene is damped
   long last_step_ = -1;
@@ -56,14 +71,13 @@ class LineSamplesFile {
   /// Rows for the samples that were taken since the last call.
   void add(const std::vector<std::vector<LineSample>>& samples);
 
-  /// Loading takes back the rows that were written after this was saved.
   template <class Archive>
   void serialize(Archive& archive) {
-    std::int64_t length = file_.length();
-    archive(length);
+    saved_.serialize(archive, file_);
     for (Known& line : lines_) archive(line.written);
-    file_.cut(length);
   }
+  /// The rows that were written after what was loaded had been saved. Throws OutputError.
+  void take_back() { file_.cut(saved_.length); }
 
  private:
   struct Known {
@@ -75,6 +89,7 @@ class LineSamplesFile {
   void add(const Known& known, const LineSample& sample);
 
   AppendFile file_;
+  SavedLength saved_;
   std::size_t dim_;
   std::vector<Known> lines_;
 };

@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 
 #include "cli/drawing/frames.hpp"
 #include "cli/run/history.hpp"
@@ -57,6 +58,7 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
   }
 
   void tell() override { result_.record.conservation = conservation_.so_far(); }
+  void take_back() override { history_->take_back(); }
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -115,6 +117,10 @@ class MeasuresOutput final : public OutputOf<MeasuresOutput> {
                                       lines_.samples(), &simulation_.snapshot());
   }
 
+  void take_back() override {
+    if (file_) file_->take_back();
+  }
+
   template <class Archive>
   void serialize(Archive& archive) {
     archive(lines_);
@@ -166,6 +172,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
 
   void settle() override { frames_.finish(); }
   void tell() override { result_.frames = frames_.written(); }
+  void take_back() override { folder_.keep_frames(frames_.written()); }
 
   bool complete(const Interrupts& interrupts, Progress& progress) override {
     if (unseen_)
@@ -187,7 +194,8 @@ class FramesOutput final : public OutputOf<FramesOutput> {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(agenda_, frames_);
-    if constexpr (std::is_same_v<Archive, Loader>) folder_.keep_frames(frames_.written());
+    archive.check("the number of frames",
+                  [&] { return std::cmp_equal(agenda_.done() - frames_.kept(), frames_.written()); });
   }
 
  private:
@@ -218,11 +226,13 @@ class ParticlesOutput final : public OutputOf<ParticlesOutput> {
     for (const double due : agenda_.reached(simulation_.time())) series_.add(last_step_.at(due));
   }
   void tell() override { series_.save_index(); }
+  void take_back() override { folder_.keep_particle_files(series_.written()); }
 
   template <class Archive>
   void serialize(Archive& archive) {
     archive(agenda_, series_);
-    if constexpr (std::is_same_v<Archive, Loader>) folder_.keep_particle_files(series_.written());
+    archive.check("the number of particle files",
+                  [&] { return std::cmp_equal(agenda_.done(), series_.written()); });
   }
 
  private:

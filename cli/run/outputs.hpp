@@ -51,10 +51,11 @@ class RunOutput {
   /// Does what was put off until the run has ended. False if it was interrupted.
   virtual bool complete(const Interrupts&, Progress&) { return true; }
 
-  /// All that changes as the run goes by, when it is settled. Loading takes back what the folder holds from
-  /// after the saving.
+  /// All that changes as the run goes by, when it is settled. Loading touches no file.
   virtual void save(Saver& saver) = 0;
   virtual void load(Loader& loader) = 0;
+  /// Takes back what the folder holds from after the saving of what was loaded.
+  virtual void take_back() {}
 };
 
 /// All outputs of a run, in the order in which they take a state. `result` is theirs to write to; nothing

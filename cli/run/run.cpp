@@ -35,6 +35,7 @@ class Run {
  private:
   void begin();
   void take_up(const std::string& state);
+  void load(const std::string& state);
   void open_files(AppendFile::Start start);
   void save_checkpoint();
   void write_checkpoint(std::string state) const;
@@ -107,17 +108,28 @@ void Run::begin() {
 void Run::take_up(const std::string& state) {
   const double setup = record_.seconds.setup;
   open_files(AppendFile::Start::as_it_is);
+  try {
+    load(state);
+  } catch (const UsageError& e) {
+    throw UsageError("'" + plan_.folder.checkpoint().string() + "' cannot be used: " + e.what());
+  }
+  for (const auto& output : outputs_) output->take_back();
+  record_.seconds.setup += setup;
+  record_.reached = simulation_->time();
+  record_.steps = simulation_->steps();
+  plan_next_checkpoint();
+  save(RunRecord::Status::running);
+}
+
+/// Touches no file.
+void Run::load(const std::string& state) {
   Loader loader(state);
   std::string simulation;
   loader(simulation, record_.seconds);
   for (const auto& output : outputs_) output->load(loader);
   loader.finish();
   simulation_->load(simulation);
-  record_.seconds.setup += setup;
-  record_.reached = simulation_->time();
-  record_.steps = simulation_->steps();
-  plan_next_checkpoint();
-  save(RunRecord::Status::running);
+  loader.check("what is due", [&] { return next_output() > simulation_->time(); });
 }
 
 void Run::open_files(AppendFile::Start start) {

@@ -20,10 +20,13 @@ class Agenda {
   double next() const;
   /// The times that have been reached by `now` since the last call.
   std::span<const double> reached(double now);
+  /// How many have been reached.
+  std::size_t done() const { return done_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
     archive(done_);
+    archive.check("the number of times reached", [&] { return done_ <= times_.size(); });
   }
 
  private:

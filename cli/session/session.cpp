@@ -150,7 +150,11 @@ void Session::load(const std::filesystem::path& path) {
   if (checkpoint.scene != resolved_text(file_, file_.path.parent_path()))
     throw UsageError("'" + path.string() + "' is of another scene, or of other parameters or constants");
   std::unique_ptr<Simulation> simulation = start(file_);
-  simulation->load(checkpoint.state);
+  try {
+    simulation->load(checkpoint.state);
+  } catch (const UsageError& e) {
+    throw UsageError("'" + path.string() + "' cannot be used: " + e.what());
+  }
   simulation_ = std::move(simulation);
   between_.reset();
 }

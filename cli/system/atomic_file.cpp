@@ -96,11 +96,15 @@ AppendFile::AppendFile(fs::path path, Start start) : path_(std::move(path)) {
   length_ = std::max<std::int64_t>(0, ::lseek(descriptor_, 0, SEEK_END));
 }
 
+void AppendFile::check_holds(std::int64_t length) const {
+  if (length <= length_) return;
+  throw UsageError("'" + path_.string() + "' has lost lines: " + std::to_string(length_) +
+                   " bytes, there were " + std::to_string(length));
+}
+
 void AppendFile::cut(std::int64_t length) {
+  check_holds(length);
   if (length == length_) return;
-  if (length > length_)
-    throw UsageError("'" + path_.string() + "' has lost lines: " + std::to_string(length_) +
-                     " bytes, there were " + std::to_string(length));
   if (::ftruncate(descriptor_, length) != 0) fail(path_, errno);
   length_ = length;
 }

@@ -30,6 +30,8 @@ class AppendFile {
   void append(std::string_view line);
   /// Bytes of the lines that are complete.
   std::int64_t length() const { return length_; }
+  /// UsageError if there are not as many bytes.
+  void check_holds(std::int64_t length) const;
   /// Takes back what stands behind the first `length` bytes. UsageError if there are not as many.
   void cut(std::int64_t length);
 
