@@ -21,7 +21,6 @@ class CellGrid {
  public:
   /// Lays the grid around `x` and returns the order in which the particles must be stored (stable).
   const std::vector<int>& sort(const std::vector<Vec<double, Dim>>& x, double support) {
-    refuse_lost(x, support);
     place(x, support);
     const int n = static_cast<int>(x.size());
     cell_.resize(n);
@@ -49,21 +48,21 @@ class CellGrid {
   }
 
  private:
-  /// NumericalError for a place that is no number, or so far from the origin that cells are no wider than its
-  /// last digits: it is in no cell. Who steps says when that was.
-  static void refuse_lost(const std::vector<Vec<double, Dim>>& x, double support) {
-    const double farthest = 0x1p44 * support;
-    for (std::size_t i = 0; i < x.size(); ++i)
-      for (int k = 0; k < Dim; ++k)
-        if (!(std::abs(x[i][k]) <= farthest))
-          throw NumericalError(0, 0, -1, "position",
-                               "a particle is farther away than numbers reach, or its place is not a number");
+  [[noreturn]] static void refuse() {
+    throw NumericalError(0, 0, -1, "position",
+                         "a particle is farther away than numbers reach, or its place is not a number");
   }
 
+  /// NumericalError where there is a place without a cell; who makes steps says when that was.
   void place(const std::vector<Vec<double, Dim>>& x, double support) {
     Vec<double, Dim> low = x[0], high = x[0];
-    for (const auto& p : x)
-      for (int k = 0; k < Dim; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+    constexpr double farthest = 1e300;  // m; the sums below stay finite
+    for (const auto& p : x) {
+      for (int k = 0; k < Dim; ++k) {
+        if (!(std::abs(p[k]) <= farthest)) refuse();
+        low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+      }
+    }
     // a body that flies apart must not ask for more memory: wider cells are as right, only slower
     const double most = 1000 + 8.0 * static_cast<double>(x.size());
     size_ = support;
@@ -74,6 +73,9 @@ class CellGrid {
       return cells;
     };
     while (count() > most) size_ *= 1.5;
+    const double farthest_cell = 0x1p44 * size_;  // the last digits of a place must tell its cell
+    for (int k = 0; k < Dim; ++k)
+      if (std::max(std::abs(low[k]), std::abs(high[k])) > farthest_cell) refuse();
     cells_ = 1;
     for (int k = 0; k < Dim; ++k) {
       origin_[k] =

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <random>
@@ -141,6 +142,24 @@ TEST_SUITE("neighbors") {
       CHECK(check_against_brute_force(x) == pairs);
     }
     CHECK(peak_memory() - before < 32 * 1024);
+  }
+
+  TEST_CASE("neighbors: a place that no cell can hold is refused") {
+    const double nan = std::numeric_limits<double>::quiet_NaN(),
+                 inf = std::numeric_limits<double>::infinity();
+    for (const double place : {nan, inf, -inf, 1e308}) {
+      for (const std::size_t at : {std::size_t{0}, std::size_t{7}}) {
+        CAPTURE(place);
+        CAPTURE(at);
+        Points<2> x = random_points<2>(20, 1, 11);
+        x[at][1] = place;
+        CellGrid<2> grid;
+        CHECK_THROWS_AS(grid.sort(x, support), taut::NumericalError);
+      }
+    }
+    const Points<2> all_far(20, {1e30, -1e30});  // of one cell, which their last digits do not tell
+    CellGrid<2> grid;
+    CHECK_THROWS_AS(grid.sort(all_far, support), taut::NumericalError);
   }
 
   TEST_CASE("neighbors: a point at exactly the support radius is none") {
