@@ -23,7 +23,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 /// The particles of one body by square cells, to find those around a point.
 class Cells {
  public:
-  Cells(const InitialParticles& initial, int body, double size) : initial_(initial), size_(size) {
+  Cells(const InitialParticles& initial, int body, double size) : size_(size) {
     for (int i = initial.first[at(body)]; i < initial.first[at(body) + 1]; ++i)
       cells_[key(initial.x[at(i)], 0, 0)].push_back(i);
   }
@@ -44,7 +44,6 @@ class Cells {
             static_cast<long>(std::floor(x[1] / size_)) + dy};
   }
 
-  const InitialParticles& initial_;
   double size_;  // m
   std::map<std::pair<long, long>, std::vector<int>> cells_;
 };

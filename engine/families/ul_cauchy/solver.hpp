@@ -64,7 +64,7 @@ class UlCauchy final : public ParticleSolver<UlCauchy<M, Dim>, Dim> {
   void set_stress(int i, const Gradients<Dim>& g);
   void accelerate(double dt);
   void transport(double dt);
-  void advance(double dt);
+  void advance_fields(double dt);
 
   std::vector<Elasticity> materials_;
   bool several_materials_ = false;
@@ -99,7 +99,7 @@ void UlCauchy<M, Dim>::step(double dt) {
   gradient_pass(f_, c_, threads_now(), [&](int i, const Gradients<Dim>& g) { set_stress(i, g); });
   accelerate(dt);
   transport(dt);
-  advance(dt);
+  advance_fields(dt);
   Base::finish_step(dt);
 }
 inline constexpr TermInfo ul_cauchy_time_info{
@@ -177,7 +177,7 @@ void UlCauchy<M, Dim>::transport(double dt) {
 
 /// Densities, stresses and positions with the rates of the new velocities.
 template <const Formulation& M, int Dim>
-void UlCauchy<M, Dim>::advance(double dt) {
+void UlCauchy<M, Dim>::advance_fields(double dt) {
   rate_pass(f_, c_, threads_now(), [&](int i, const Mat<double, Dim>& L, double drho) {
     s_.rho[i] += dt * (drho + s_.drho[i]);
     s_.s[i] = turned_stress<M.deviator>(L, s_.s[i], material(i).G, dt);

@@ -104,11 +104,11 @@ void check_gather() {
     Pack out[Width];
     gather<Width>(table, j.data(), out);
     for (int lane = 0; lane < lanes; ++lane)
-      for (int k = 0; k < Width; ++k) CHECK(out[k][lane] == table[j[lane] * Width + k]);
+      for (int k = 0; k < Width; ++k) CHECK(double{out[k][lane]} == table[j[lane] * Width + k]);
     alignas(sizeof(Pack)) double back[lanes * Width];
     scatter<Width>(out, back);
     for (int lane = 0; lane < lanes; ++lane)
-      for (int k = 0; k < Width; ++k) CHECK(back[lane * Width + k] == out[k][lane]);
+      for (int k = 0; k < Width; ++k) CHECK(back[lane * Width + k] == double{out[k][lane]});
   }
 }
 

@@ -199,12 +199,13 @@ TEST_SUITE("unit") {
       for (const double p : values(body.start, smooth)) squares += p * p;
       return std::sqrt(squares / 2500);
     }();
-    for (const auto& [x, y] : {std::pair{1, 1}, {1, 0}, {0, 1}}) {
+    for (const auto& along : {std::pair{1, 1}, {1, 0}, {0, 1}}) {
+      const int x = along.first, y = along.second;
       CAPTURE(x);
       CAPTURE(y);
       for (const double epsilon : {1.0, 0.1}) {
         const auto p = [&](double unit) -> ScalarField {
-          return [=, x = x, y = y](const Point& X) {
+          return [=](const Point& X) {
             return unit * (smooth(X) + epsilon * background * sign(X, dp, x, y));
           };
         };
@@ -212,7 +213,7 @@ TEST_SUITE("unit") {
         CHECK(pressure_share(body, p(1)) == doctest::Approx(expected).epsilon(0.05));
         CHECK(pressure_share(body, p(1e6)) == doctest::Approx(pressure_share(body, p(1))).epsilon(1e-12));
       }
-      CHECK(pressure_share(body, [&, x = x, y = y](const Point& X) { return sign(X, dp, x, y); }) ==
+      CHECK(pressure_share(body, [&](const Point& X) { return sign(X, dp, x, y); }) ==
             doctest::Approx(1).epsilon(0.05));
     }
   }
