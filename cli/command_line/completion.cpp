@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 
@@ -142,6 +143,15 @@ Completion complete_name(std::span<const Command> commands) {
   return completion;
 }
 
+/// A shell would neither run a part of it nor take it apart, and it is one line: names may be those of files
+/// from anywhere, and bash does not quote all that is offered.
+bool is_plain(const std::string& word) {
+  return std::ranges::none_of(word, [](unsigned char c) {
+    return c <= ' ' ||
+           std::string_view("'\"`$\\|&;<>()*?[]{}!#~").find(static_cast<char>(c)) != std::string_view::npos;
+  });
+}
+
 }  // namespace
 
 Completion complete(std::span<const Command> commands, const Words& typed) {
@@ -160,7 +170,8 @@ Completion complete(std::span<const Command> commands, const Words& typed) {
 std::string answer_to_shell(std::span<const Command> commands, const Words& typed) {
   const Completion completion = complete(commands, typed);
   std::string answer = completion.files + '\n';
-  for (const Completion::Word& word : completion.words) answer += word.text + '\t' + word.help + '\n';
+  for (const Completion::Word& word : completion.words)
+    if (is_plain(word.text)) answer += word.text + '\t' + word.help + '\n';
   return answer;
 }
 

@@ -20,6 +20,19 @@ std::string one_line(std::string_view text) {
   return line;
 }
 
+/// The name of a file in the script's folder, as a string of gnuplot: a '|' or '<' in front would make it a
+/// command, a '-' an option; a line break would end the line.
+std::string plot_file(const fs::path& file) {
+  std::string result;
+  for (const char c : "./" + file.filename().string()) {
+    if (c >= 0 && c < ' ')
+      result += fmt::format("'.\"\\{:03o}\".'", static_cast<int>(c));
+    else
+      result += c == '\'' ? "''" : std::string(1, c);
+  }
+  return "'" + result + "'";
+}
+
 }  // namespace
 
 PlotFiles plot_files(const std::string& picture) {
@@ -63,17 +76,17 @@ double right_margin(const std::vector<std::string>& names) {
 }
 
 std::string plot_head(const PlotFiles& files, int width, int height) {
-  const std::string script = files.script().filename().string(), data = files.data().filename().string();
   const bool vector = files.picture.extension() == ".svg";
   return fmt::format(
-      "# gnuplot {} draws this again, from {}\n"
+      "{}"
       "data = {}\n"
       "if (!exists('picture')) picture = {}\n"
       "set terminal {} noenhanced size {},{} font {}\n"
       "set encoding utf8\n"
       "set output picture\n",
-      script, data, plot_text(data), plot_text(files.picture.filename().string()),
-      vector ? "svg" : "pngcairo", width, height,
+      plot_comment("gnuplot " + files.script().filename().string() + " draws this again, from " +
+                   files.data().filename().string()),
+      plot_file(files.data()), plot_file(files.picture), vector ? "svg" : "pngcairo", width, height,
       vector ? "'DejaVu Sans,14' background 'white'" : "'DejaVu Sans,11'");
 }
 
@@ -90,9 +103,9 @@ int draw_plot(const PlotFiles& files, const std::string& script, const std::stri
   fs::create_directories(picture.parent_path(), error);
   write_atomically(files.data(), data);
   write_atomically(files.script(), script);
-  const std::string output = "picture = " + plot_text(unfinished(picture).filename().string());
+  const std::string output = "picture = " + plot_file(unfinished(picture));
   return make_file({"gnuplot", "charts and maps", "gnuplot-nox"},
-                   {"-e", output, files.script().filename().string()}, picture.parent_path(), picture);
+                   {"-e", output, "./" + files.script().filename().string()}, picture.parent_path(), picture);
 }
 
 }  // namespace taut::cli

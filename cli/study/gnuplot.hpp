@@ -34,7 +34,7 @@ std::string plot_title(std::string_view title);
 /// The same for a note in small print at its left edge; `height` is 0 at the bottom, 1 at the top.
 std::string plot_note(std::string_view note, double height);
 
-/// A comment line of data.
+/// A comment line of data or of a script.
 std::string plot_comment(std::string_view text);
 /// A text in a line of data: in double quotes, in which nothing has a meaning.
 std::string data_text(std::string_view text);

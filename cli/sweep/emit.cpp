@@ -30,8 +30,12 @@ set -eu
 cd @FOLDER@
 jobs=$(( $(nproc) / @THREADS@ ))
 [ "$jobs" -gt 0 ] || jobs=1
+# It stands in the environment since on its command line parallel would replace what looks like {}, and run what
+# looks like {= =}.
+TAUT_SWEEP=@QUOTED_SWEEP@
+export TAUT_SWEEP
 # a run that fails keeps no other one from running; it is told of at the end
-seq 0 @LAST@ | parallel --jobs "$jobs" "$@" -q @SWEEP@ --quiet --index {} || true
+seq 0 @LAST@ | parallel --jobs "$jobs" --env TAUT_SWEEP "$@" -q sh -c 'eval "exec $TAUT_SWEEP --quiet --index $1"' sh {} || true
 exec @SWEEP@
 )"},
 };
@@ -84,6 +88,7 @@ std::string emit_script(const EmitForm& form, const std::string& title, int runs
       {"@THREADS@", std::to_string(threads)},
       {"@FOLDER@", quoted(std::filesystem::current_path().string())},
       {"@SWEEP@", command(sweep)},
+      {"@QUOTED_SWEEP@", quoted(command(sweep))},
   };
   std::string script;
   for (std::string_view rest = form.text; !rest.empty();) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sys/auxv.h>
 
 #include <CLI/CLI.hpp>
 
@@ -16,6 +17,14 @@ namespace taut::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+std::string path_of_program() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (!error) return program.string();
+  // without /proc the name by which it was started, which is no name in PATH but a path
+  return fs::absolute(reinterpret_cast<const char*>(::getauxval(AT_EXECFN))).string();
+}
 
 bool draws(const SweepOptions& o) {
   // the times of frames are those of saved particles as well
@@ -103,13 +112,17 @@ SweepRequest make_request(const SweepOptions& o) {
 
 std::vector<std::string> lasting_words(const CLI::App& app) {
   const std::vector<std::string> passing = {"list", "jobs", "index", "force", "emit", "quiet"};
-  std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), "sweep"};
+  std::vector<std::string> words{path_of_program(), "sweep"};
   for (const CLI::Option* option : app.get_options()) {
     const std::string name = option->get_lnames().empty() ? "" : option->get_lnames().front();
     if (option->count() == 0 || std::ranges::find(passing, name) != passing.end()) continue;
     const bool flag = option->get_items_expected_max() == 0;
-    for (const std::string& value : option->results())
-      words.push_back(name.empty() ? value : "--" + name + (flag ? "" : "=" + value));
+    for (const std::string& value : option->results()) {
+      if (!name.empty())
+        words.push_back("--" + name + (flag ? "" : "=" + value));
+      else
+        words.push_back(value.starts_with('-') ? "./" + value : value);  // a file, and no option
+    }
   }
   return words;
 }

@@ -8,7 +8,6 @@
 #include <poll.h>
 #include <spawn.h>
 #include <sstream>
-#include <stdexcept>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -29,7 +28,7 @@ class Pipe {
  public:
   Pipe() {
     if (::pipe2(ends_.data(), O_CLOEXEC) != 0)
-      throw std::runtime_error(std::string("pipe: ") + std::strerror(errno));
+      throw UsageError(std::string("no other program can be started: ") + std::strerror(errno));
   }
   ~Pipe() {
     ::close(ends_[0]);
@@ -106,7 +105,7 @@ ProcessResult run_process(const std::vector<std::string>& arguments, const fs::p
     result.found = false;
     return result;
   }
-  if (error != 0) throw std::runtime_error(arguments[0] + " cannot be started: " + std::strerror(error));
+  if (error != 0) throw UsageError(arguments[0] + " cannot be started: " + std::strerror(error));
   pipe.close_entry();
   follow(process, pipe.exit(), interrupts, result);
   int status = 0;

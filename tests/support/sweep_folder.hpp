@@ -13,11 +13,18 @@ namespace taut::test {
 
 using Texts = std::vector<std::string>;
 
+/// For sh: one word, whatever is in it.
+inline std::string shell_word(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
+}
+
 /// The program itself, in a process of its own: this one may have threads by now, and then cannot be forked.
-inline Outcome program(const Texts& arguments) {
+inline Outcome program(const Texts& arguments, const fs::path& folder = ".") {
   const TemporaryFolder streams;
-  std::string command = TAUT_BINARY_DIR "/taut";
-  for (const std::string& argument : arguments) command += " '" + argument + "'";
+  std::string command = "cd " + shell_word(folder.string()) + " && " TAUT_BINARY_DIR "/taut";
+  for (const std::string& argument : arguments) command += " " + shell_word(argument);
   const int status = std::system((command + " >" + streams.str("out") + " 2>" + streams.str("err")).c_str());
   return {WEXITSTATUS(status), text_of(streams / "out"), text_of(streams / "err")};
 }

@@ -129,6 +129,12 @@ TEST_SUITE("cli") {
     CHECK(offered_by_bash(folder, "taut run discs.toml --set contact=i") == Words{"impulse"});
     CHECK(offered_by_bash(folder, "taut run discs.toml --method=oe") == Words{"oenog"});
     CHECK(offered_by_bash(folder, "taut run discs.toml --fr") == Words{"--frames"});
+    // bash puts what is offered onto the line as it is: a name that it would run or take apart is not offered
+    for (const char* name : {"dip`touch x`", "dip $(touch x)", "dip;x", "dip\nx"})
+      std::ofstream(folder / (std::string(name) + ".toml"));
+    ::setenv("TAUT_SCENES", folder.path().c_str(), 1);
+    CHECK(call({"--complete", "run", "di"}).out == "*.toml\ndiscs\t\n");
+    ::unsetenv("TAUT_SCENES");
     const Outcome outcome = call({"completion", "bsh"});
     CHECK(outcome.code == 2);
     CHECK(contains(outcome.err, "did you mean 'bash'"));

@@ -287,6 +287,28 @@ TEST_SUITE("cli") {
     CHECK_FALSE(fs::exists(folder / "x"));
   }
 
+  TEST_CASE("names of pictures have no meaning to gnuplot either") {
+    const TemporaryFolder folder;
+    const std::string file = write_results(folder / "a", "finished,tl,tl,0.4,10,stable,,0.3,2,4,\n");
+    for (const std::string name : {"|touch x;", "<touch x;", "-e", "-", "'q' \"r\" \\",
+                                   "a\nsystem 'touch x'\n#\t", "`touch x`", "$(touch x) %d @x {=9 y}_z^a"}) {
+      CAPTURE(name);
+      const fs::path picture = folder / (name + ".svg");
+      const Outcome outcome = call({"chart", file, "--out", picture.string()});
+      CHECK_MESSAGE(outcome.code == 0, outcome.err);
+      REQUIRE(fs::exists(picture));
+      const std::string drawn = text_of(picture);
+      fs::remove(picture);
+      const std::string script = fs::path(picture).replace_extension(".gp").filename().string();
+      REQUIRE(std::system(
+                  ("cd " + shell_word(folder.path().string()) + " && gnuplot " + shell_word("./" + script))
+                      .c_str()) == 0);
+      CHECK(text_of(picture) == drawn);  // by hand
+    }
+    CHECK_FALSE(fs::exists(folder / "x"));
+    CHECK(files_in(folder.path()) == 1 + 3 * 8);
+  }
+
   TEST_CASE("charts of what does not belong together, or is not there, are refused with the reason") {
     const TemporaryFolder folder;
     const std::string good = write_results(folder / "good", converging);

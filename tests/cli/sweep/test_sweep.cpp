@@ -10,6 +10,25 @@ using namespace taut::cli;
 using namespace taut::test;
 
 TEST_SUITE("cli") {
+  TEST_CASE("a sweep needs no /proc, nor do the scripts that it emits") {
+    const TemporaryFolder folder;
+    const std::string without = "unshare -rm sh -c 'mount -t tmpfs none /proc && exec \"$@\"' sh ";
+    if (std::system((without + "true 2>/dev/null").c_str()) != 0) {
+      MESSAGE("skipped: no file system can be mounted here");
+      return;
+    }
+    const auto run = [&](const Texts& more) {
+      std::string command = without + TAUT_BINARY_DIR "/taut";
+      for (const std::string& word : tiny_sweep(folder, "out", more)) command += " " + shell_word(word);
+      return std::system((command + " >" + folder.str("said") + " 2>&1").c_str());
+    };
+    const Texts grid{"--grid", "speed=1,2", "--until", "1e-4"};
+    CHECK_MESSAGE(run(grid) == 0, text_of(folder / "said"));
+    CHECK(statuses(folder / "out") == Texts{"finished", "finished"});
+    CHECK_MESSAGE(run({"--grid", "speed=1,2", "--emit", "slurm"}) == 0, text_of(folder / "said"));
+    CHECK(contains(text_of(folder / "out/sweep.slurm"), "exec " TAUT_BINARY_DIR "/taut sweep "));
+  }
+
   TEST_CASE("runs of an earlier grid are said to remain, and are not in the results") {
     const TemporaryFolder folder;
     const Texts wide{"--grid", "speed=1,2,3", "--set", "until=1e-5"};

@@ -12,6 +12,34 @@ namespace {
 
 int shell(const std::string& command) { return std::system((command + " >/dev/null 2>&1").c_str()); }
 
+/// A name in which sh, GNU parallel, Slurm and CLI11 would each find something to do.
+const std::string strange =
+    "-a b {} {#} {= `touch ran`; =} $(touch ran) `touch ran` 'q' \"r\" \\ %d @x # ;[y]\n#SBATCH -z\ntouch "
+    "ran";
+
+/// Stands in for GNU parallel: options up to -q, then a command for each line, which takes the place of {} and
+/// {#} wherever they are; a {= is run.
+void write_parallel(const TemporaryFolder& folder) {
+  fs::create_directories(folder / "bin");
+  std::ofstream(folder / "bin/parallel") << R"(#!/bin/sh
+printf '%s\n' "$@" >>)" + folder.str("calls") + R"(
+while [ "$1" != -q ]; do shift; done
+shift
+while read -r n; do (
+  for word; do
+    shift
+    case $word in *'{='*) touch ran ;; esac
+    for gap in '{}' '{#}'; do
+      while case $word in *"$gap"*) ;; *) false ;; esac; do word=${word%%"$gap"*}$n${word#*"$gap"}; done
+    done
+    set -- "$@" "$word"
+  done
+  exec "$@"
+); done
+)";
+  fs::permissions(folder / "bin/parallel", fs::perms::owner_all);
+}
+
 /// Emits the script of a sweep of the program itself, whose path stands in it.
 std::string emitted(const TemporaryFolder& folder, const std::string& kind, const Texts& grid) {
   Texts arguments = tiny_sweep(folder, "out", grid);
@@ -48,23 +76,37 @@ TEST_SUITE("cli") {
     const TemporaryFolder folder;
     const Texts grid{"--grid", "speed=max(1,2),3", "--threads", "2"};
     const std::string script = emitted(folder, "parallel", grid);
-    // stands in for GNU parallel: options up to -q, then a command with {} for each line
-    fs::create_directories(folder / "bin");
-    std::ofstream(folder / "bin/parallel")
-        << "#!/bin/sh\n"
-           "echo \"$@\" >> " +
-               folder.str("calls") +
-               "\n"
-               "while [ \"$1\" != -q ]; do shift; done; shift\n"
-               "while read -r n; do (\n"
-               "  for word; do shift; [ \"$word\" = '{}' ] && word=$n; set -- \"$@\" \"$word\"; done\n"
-               "  exec \"$@\"\n"
-               "); done\n";
-    fs::permissions(folder / "bin/parallel", fs::perms::owner_all);
+    write_parallel(folder);
     CHECK(shell("cd / && PATH=" + folder.str("bin") + ":$PATH sh " + script + " --bar") == 0);
-    CHECK(contains(text_of(folder / "calls"), " --bar -q "));
+    CHECK(contains(text_of(folder / "calls"), "\n--bar\n-q\n"));
     CHECK(statuses(folder / "out") == Texts{"finished", "finished"});
     CHECK(json_of(folder / "out/results.json")["runs"][1]["threads"] == 2);
+  }
+
+  TEST_CASE("whatever stands in names, emitted scripts do the runs and nothing else") {
+    const TemporaryFolder folder;
+    write_parallel(folder);
+    const fs::path here = folder / strange, sweep = here / strange;
+    fs::create_directories(here);
+    fs::copy_file(write_tiny_scene(folder), here / "-x {}.toml");
+    const auto emitted_and_run = [&](const std::string& kind, const std::string& environment) {
+      fs::remove_all(sweep);
+      const Outcome outcome = program(
+          {"sweep", "--grid=speed=1,2", "--out=" + strange, "--emit=" + kind, "--", "-x {}.toml"}, here);
+      CAPTURE(outcome.err);
+      REQUIRE(outcome.code == 0);
+      const std::string script = shell_word((sweep / ("sweep." + kind)).string());
+      CHECK(shell("cd " + shell_word(folder.path().string()) + " && " + environment + " sh " + script) == 0);
+      for (const fs::path& place : {folder.path(), here, sweep}) CHECK_FALSE(fs::exists(place / "ran"));
+    };
+    emitted_and_run("slurm", "SLURM_ARRAY_TASK_ID=1");
+    CHECK(ends(sweep).count("speed=2") == 1);
+    emitted_and_run("parallel", "PATH=\"$PWD/bin:$PATH\"");
+    CHECK(statuses(sweep) == Texts{"finished", "finished"});
+    CHECK_FALSE(contains(text_of(folder / "calls"), strange));
+    if (shell("parallel --version") != 0) return;
+    emitted_and_run("parallel", "");  // the true one
+    CHECK(statuses(sweep) == Texts{"finished", "finished"});
   }
 
   TEST_CASE("without a folder a script goes to stdout, and nothing is run") {
