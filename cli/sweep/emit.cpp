@@ -35,7 +35,9 @@ jobs=$(( $(nproc) / @THREADS@ ))
 TAUT_SWEEP=@QUOTED_SWEEP@
 export TAUT_SWEEP
 # a run that fails keeps no other one from running; it is told of at the end
-seq 0 @LAST@ | parallel --jobs "$jobs" --env TAUT_SWEEP "$@" -q sh -c 'eval "exec $TAUT_SWEEP --quiet --index $1"' sh {} || true
+seq 0 @LAST@ |
+  parallel --jobs "$jobs" --env TAUT_SWEEP "$@" -q sh -c 'eval "exec $TAUT_SWEEP --quiet --index $1"' sh {} ||
+  true
 exec @SWEEP@
 )"},
 };
