@@ -99,7 +99,14 @@ Grid fitted_grid(const PanelOptions& options) {
 
 Image empty_image(const PanelOptions& options, const Grid& grid) {
   if (const auto& size = options.look.size) return {size->width, size->height};
-  return {grid.left + grid.grid_width() + grid.right, grid.top + grid.grid_height() + grid.bottom};
+  const int width = grid.left + grid.grid_width() + grid.right,
+            height = grid.top + grid.grid_height() + grid.bottom;
+  constexpr double most_pixels = 8192.0 * 8192.0;
+  if (static_cast<double>(width) * height > most_pixels)
+    throw UsageError("a panel of " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) +
+                     " pictures would have " + std::to_string(width) + " x " + std::to_string(height) +
+                     " pixels; at most 67 million are drawn, as 8192 x 8192: take fewer runs or times");
+  return {width, height};
 }
 
 Look look_of_cells(Look look, const Grid& grid) {

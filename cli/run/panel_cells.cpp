@@ -11,7 +11,7 @@ namespace {
 
 /// Why a run has no particles later than its last ones.
 std::string ending(const SavedRun& run, double until) {
-  const std::optional<StoredRecord> record = read_record(run.folder.record());
+  const std::optional<StoredRecord> record = checked_record(run.folder.record());
   const bool failed = record && record->status == RunRecord::Status::failed;
   const double last = failed && record->reached ? *record->reached : run.particles.back().time();
   return (failed ? "diverged at " : "ended at ") + render::format_time(last, until);

@@ -1,6 +1,7 @@
 #include "cli/run/particle_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <numeric>
 #include <optional>
@@ -158,6 +159,7 @@ void ParticleFile::read_header() {
   }
   if (!time || !size || !find(std::string(points_name)) || !find(std::string(diameter_name)))
     fail("is no particle file of taut");
+  if (!std::isfinite(*time)) fail("has no time: it is not a finite number");
   time_ = *time;
   size_ = *size;
 }

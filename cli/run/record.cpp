@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/system/atomic_file.hpp"
+#include "cli/text/json_cursor.hpp"
+#include "engine/error.hpp"
 
 namespace taut::cli {
 namespace {
@@ -14,6 +16,12 @@ using Json = nlohmann::ordered_json;
 
 Json number(std::optional<double> value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+std::vector<std::string> names_of_verdicts() {
+  std::vector<std::string> names = names_of_failures();
+  names.insert(names.begin(), std::string(name(Verdict::stable)));
+  return names;
 }
 
 std::string_view name(RunRecord::Status status) {
@@ -128,9 +136,10 @@ Json to_json(const RunRecord& record) {
   return json;
 }
 
-std::optional<StoredRecord> read_record(const std::filesystem::path& file) {
-  Json all = Json::parse(read_whole(file).value_or(""), nullptr, /*allow_exceptions=*/false);
-  if (!all.is_object() || !all.contains("taut")) return std::nullopt;
+std::optional<StoredRecord> checked_record(const std::filesystem::path& file) {
+  const std::optional<std::string> text = read_whole(file);
+  if (!text) return std::nullopt;
+  Json all = parse_run_json(*text, file.string(), names_of_verdicts());
   StoredRecord record;
   record.version = text_in(all, "taut");
   record.status = find_status(text_in(all, "status"));
@@ -140,6 +149,12 @@ std::optional<StoredRecord> read_record(const std::filesystem::path& file) {
   record.spacing_asked = number_in(all, "spacing_asked");
   record.all = std::make_shared<Json>(std::move(all));
   return record;
+}
+
+std::optional<StoredRecord> read_record(const std::filesystem::path& file) try {
+  return checked_record(file);
+} catch (const UsageError&) {
+  return std::nullopt;
 }
 
 std::string machine_name() {

@@ -53,8 +53,7 @@ struct RunRecord {
 /// In the order of the keys as users read them; what is unknown or not finite is null.
 nlohmann::ordered_json to_json(const RunRecord& record);
 
-/// What the run.json of another run says. Of keys that are missing, or hold what this program does not write,
-/// nothing.
+/// What the run.json of another run says. Of keys that are missing or null nothing.
 struct StoredRecord {
   std::string version;  // of taut; empty where it does not say
   std::optional<RunRecord::Status> status;
@@ -64,7 +63,10 @@ struct StoredRecord {
   std::shared_ptr<const nlohmann::ordered_json> all;
 };
 
-/// None if there is no such file, it is not whole, or it is no record of taut.
+/// None if there is no such file. UsageError, with the file and the key, if it is not whole, no record of taut,
+/// or holds what taut does not write.
+std::optional<StoredRecord> checked_record(const std::filesystem::path& file);
+/// The same, and none where that throws: for who begins anew then.
 std::optional<StoredRecord> read_record(const std::filesystem::path& file);
 
 /// The processor that this program runs on, as it calls itself; "unknown" where it does not say.

@@ -89,7 +89,7 @@ std::string what_differs(const RunOptions& given, const RunOptions& stored, cons
 
 RunPlan resume_plan(const fs::path& path, const RunOptions& given) {
   const RunFolder folder(path);
-  const std::optional<StoredRecord> record = read_record(folder.record());
+  const std::optional<StoredRecord> record = checked_record(folder.record());
   check_goes_on(folder, record);
   std::optional<Checkpoint> checkpoint;
   if (std::error_code error; fs::exists(folder.checkpoint(), error))

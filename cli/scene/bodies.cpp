@@ -234,6 +234,7 @@ Wall read_wall(TomlCursor& cursor, const Scene& scene) {
 std::string label(TomlCursor& entry, const std::vector<std::string>& taken) {
   const std::string name = entry.text("name");
   const auto fits = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
+  check_name_length(entry, entry.need("name").place, "name", name);
   if (name.empty() || !std::all_of(name.begin(), name.end(), fits))
     entry.fail(entry.need("name"), "name",
                "'" + name + "' is no name: letters, digits, '_' and '-' are allowed");

@@ -10,9 +10,11 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
 #include <muParser.h>
 
 #include "cli/text/format.hpp"
+#include "cli/text/shown.hpp"
 #include "cli/text/suggest.hpp"
 
 namespace taut::cli {
@@ -23,7 +25,36 @@ struct Formula {
   mu::Parser parser;
   Names names;
   std::array<double, 4> variables{};
+
+  double value() const try { return parser.Eval(); } catch (const mu::ParserError& error) {
+    throw ExpressionError(shown(parser.GetExpr()) + " has no value: " + shown(error.GetMsg()), 0);
+  }
 };
+
+// muParser's own bounds, beyond which it throws what is no std::exception
+constexpr std::size_t longest_text = 20000, longest_name = 100;
+
+std::string quoted(const std::string& text) { return "'" + shown(text) + "'"; }
+
+void check_length(const std::string& text, const Names& names) {
+  const auto too_long = [](std::size_t length) { return length > longest_name; };
+  std::size_t word = 0;  // letters of a name up to here
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool of_name = std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '_';
+    const bool begins = word > 0 || !std::isdigit(static_cast<unsigned char>(text[i]));
+    word = of_name && begins ? word + 1 : 0;
+    if (too_long(word))
+      throw ExpressionError(
+          "a name has at most 100 letters; this one is longer: " + quoted(text.substr(i - word + 1)),
+          i - word + 1);
+  }
+  for (const auto& name : names)
+    if (too_long(name.first.size()))
+      throw ExpressionError("a name has at most 100 letters; this one is longer: " + quoted(name.first), 0);
+  if (text.size() > longest_text)
+    throw ExpressionError(
+        fmt::format("{} has {} letters; at most {} are allowed", quoted(text), text.size(), longest_text), 0);
+}
 
 std::vector<std::string> known_names(const Formula& formula) {
   std::vector<std::string> known;
@@ -41,7 +72,7 @@ void refuse_assignment(const std::string& text) {
       continue;
     }
     if (i > 0 && std::string_view("<>!").find(text[i - 1]) != std::string_view::npos) continue;
-    throw ExpressionError("'=' in '" + text + "' would assign; to compare write '=='", i);
+    throw ExpressionError("'=' in " + quoted(text) + " would assign; to compare write '=='", i);
   }
 }
 
@@ -74,7 +105,7 @@ void refuse_unit(const std::string& text) {
   const auto* unit = std::ranges::find(units, rest, &Unit::name);
   if (unit == std::end(units)) return;
   throw ExpressionError(
-      "'" + text + "' has a unit; write the number alone, in SI units: " + brief(value * unit->factor),
+      quoted(text) + " has a unit; write the number alone, in SI units: " + brief(value * unit->factor),
       static_cast<std::size_t>(rest.data() - text.data()));
 }
 
@@ -86,27 +117,29 @@ void refuse_words(const std::string& text, const std::string& token) {
   for (const auto& [given, sign] : words)
     if (word == given)
       throw ExpressionError(
-          "'" + text + "' is not an expression: for '" + word + "' write '" + std::string(sign) + "'",
+          quoted(text) + " is not an expression: for '" + word + "' write '" + std::string(sign) + "'",
           std::min(text.find(word), text.size()));
   if (word == "not" || word == "!")
-    throw ExpressionError("'" + text + "' is not an expression: for '" + word + "' write '== 0' behind it",
+    throw ExpressionError(quoted(text) + " is not an expression: for '" + word + "' write '== 0' behind it",
                           std::min(text.find(word), text.size()));
 }
 
 [[noreturn]] void explain(const Formula& formula, const std::string& text, const mu::ParserError& error) {
   const std::size_t offset = error.GetPos() > 0 ? static_cast<std::size_t>(error.GetPos()) : 0;
   if (error.GetCode() != mu::ecUNASSIGNABLE_TOKEN)
-    throw ExpressionError("'" + text + "' is not an expression: " + error.GetMsg(), offset);
+    throw ExpressionError(quoted(text) + " is not an expression: " + shown(error.GetMsg()), offset);
   const std::string& token = error.GetToken();
   refuse_words(text, token);
   if (const char first = token.empty() ? ' ' : token.front();
       !std::isalpha(static_cast<unsigned char>(first)) && first != '_')
-    throw ExpressionError("'" + text + "' is not an expression: '" + token + "' was not expected", offset);
+    throw ExpressionError(quoted(text) + " is not an expression: " + quoted(token) + " was not expected",
+                          offset);
   const std::vector<std::string> names = known_names(formula);
   std::vector<std::string> candidates = names;
   for (const std::string& function : function_names()) candidates.push_back(function);
-  throw ExpressionError("unknown name '" + token + "' in '" + text + "'" + did_you_mean(token, candidates) +
-                            "; known here: " + join(names) + " and functions like sin and sqrt",
+  throw ExpressionError("unknown name " + quoted(token) + " in " + quoted(text) +
+                            did_you_mean(token, candidates) + "; known here: " + join(names) +
+                            " and functions like sin and sqrt",
                         offset);
 }
 
@@ -119,14 +152,15 @@ std::unique_ptr<Formula> parse(const std::string& text, const Names& names,
                                std::initializer_list<const char*> variables) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     throw ExpressionError("the expression is empty: write a number or an expression", 0);
+  check_length(text, names);
   refuse_assignment(text);
   auto formula = std::make_unique<Formula>();
   formula->names = names;
-  define_pi(formula->parser);
-  for (auto& [name, value] : formula->names) formula->parser.DefineVar(name, &value);
-  double* value = formula->variables.data();
-  for (const char* variable : variables) formula->parser.DefineVar(variable, value++);
   try {
+    define_pi(formula->parser);
+    for (auto& [name, value] : formula->names) formula->parser.DefineVar(name, &value);
+    double* value = formula->variables.data();
+    for (const char* variable : variables) formula->parser.DefineVar(variable, value++);
     formula->parser.SetExpr(text);
     formula->parser.Eval();
   } catch (const mu::ParserError& error) {
@@ -134,18 +168,18 @@ std::unique_ptr<Formula> parse(const std::string& text, const Names& names,
     explain(*formula, text, error);
   }
   if (formula->parser.GetNumResults() != 1)
-    throw ExpressionError("'" + text + "' holds several values; one is expected", 0);
+    throw ExpressionError(quoted(text) + " holds several values; one is expected", 0);
   return formula;
 }
 
 }  // namespace
 
-double evaluate(const std::string& text, const Names& names) { return parse(text, names, {})->parser.Eval(); }
+double evaluate(const std::string& text, const Names& names) { return parse(text, names, {})->value(); }
 
 Expression compile(const std::string& text, const Names& names) {
   return [formula = std::shared_ptr<Formula>(parse(text, names, {"x", "y", "z"}))](const Point& position) {
     std::ranges::copy(position, formula->variables.begin());
-    return formula->parser.Eval();
+    return formula->value();
   };
 }
 
@@ -154,14 +188,14 @@ Solution compile_in_time(const std::string& text, const Names& names) {
                                                                                         double t) {
     std::ranges::copy(position, formula->variables.begin());
     formula->variables.back() = t;
-    return formula->parser.Eval();
+    return formula->value();
   };
 }
 
 std::function<double(double)> compile_of_time(const std::string& text, const Names& names) {
   return [formula = std::shared_ptr<Formula>(parse(text, names, {"t"}))](double t) {
     formula->variables[0] = t;
-    return formula->parser.Eval();
+    return formula->value();
   };
 }
 
@@ -181,18 +215,21 @@ std::function<double(const std::vector<double>&, double)> compile_of_values(
   return [formula, places](const std::vector<double>& now, double t) {
     for (const auto& [k, place] : places) *place = now[k];
     formula->variables[0] = t;
-    return formula->parser.Eval();
+    return formula->value();
   };
 }
 
 std::set<std::string> names_in(const std::string& text) {
   std::set<std::string> names;
   try {
+    check_length(text, {});
     mu::Parser parser;
     define_pi(parser);
     parser.SetExpr(text);
     for (const auto& variable : parser.GetUsedVar()) names.insert(variable.first);
   } catch (const mu::ParserError&) {
+    // whoever evaluates the text reports what is wrong with it
+  } catch (const ExpressionError&) {
     // whoever evaluates the text reports what is wrong with it
   }
   return names;

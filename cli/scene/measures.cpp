@@ -189,7 +189,7 @@ Measure read_measure(TomlCursor& cursor, const Scene& scene) {
   const MeasureKind& kind = *find_measure_kind(measure.kind);
   for (const std::string_view taken : kind.keys) cursor.also_takes(measure_key(taken));
   read_keys(objects, kind, cursor, scene, measure);
-  measure.unit = cursor.text("unit", "");
+  measure.unit = cursor.line("unit", "");
   const int material = measured_body(measure, scene).material;
   add_names(cursor.names(), scene.materials[static_cast<std::size_t>(material)]);
   read_keys(numbers, kind, cursor, scene, measure);

@@ -3,6 +3,7 @@
 
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
+#include "cli/text/shown.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/families/catalogue.hpp"
 
@@ -54,8 +55,8 @@ Parameter read_parameter(TomlCursor& entry, const std::string& name, const Chang
     value.place = place;
   }
   parameter.value = entry.number("value");
-  parameter.unit = entry.text("unit", "");
-  parameter.help = entry.text("help", "");
+  parameter.unit = entry.line("unit", "");
+  parameter.help = entry.line("help", "");
   if (entry.find("min")) parameter.low = entry.number("min");
   if (entry.find("max")) parameter.high = entry.number("max");
   entry.finish();
@@ -80,10 +81,20 @@ std::set<std::string> names_in_parameter(const TomlValue& table, const std::stri
 
 }  // namespace
 
+void check_name_length(const TomlCursor& table, FilePlace place, std::string_view key,
+                       const std::string& name) {
+  constexpr std::size_t longest = 100;  // that muParser takes
+  if (name.size() > longest)
+    table.fail(
+        place, key,
+        "a name has at most 100 letters; '" + shown(name, 20) + "' has " + std::to_string(name.size()));
+}
+
 void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string_view kind) {
   const auto taken = [&](const std::vector<std::string>& names) {
     return std::find(names.begin(), names.end(), entry.key) != names.end();
   };
+  check_name_length(table, entry.place, entry.key, entry.key);
   if (!is_identifier(entry.key))
     table.fail(entry.place, entry.key,
                "'" + entry.key + "' is no name for a " + std::string(kind) +
@@ -170,7 +181,12 @@ std::set<std::string> names_that_need_dp(TomlCursor& root, const Changes& change
 
 void read_parameters(TomlCursor& root, const Changes& changes, std::optional<double> dp, SceneFile& file) {
   const std::set<std::string> left_out = dp ? std::set<std::string>{} : names_that_need_dp(root, changes);
+  constexpr std::size_t most_parameters = 500;  // the time to read them grows with their square
   TomlCursor parameters = root.section("parameters", "[parameters]", named_by_user);
+  if (const auto& entries = parameters.table().entries; entries.size() > most_parameters)
+    parameters.fail(entries.back().place, "",
+                    "the scene has " + std::to_string(entries.size()) + " parameters; at most " +
+                        std::to_string(most_parameters) + " are allowed");
   Names names, defaults;
   if (dp) names["dp"] = defaults["dp"] = *dp;
   for (TomlEntry& entry : parameters.table().entries) {

@@ -199,7 +199,7 @@ void read_references(TomlCursor& root, SceneFile& file) {
     TomlCursor cursor = root.enter(value, "reference", "a reference", keys_of("reference"));
     const std::string law = read_law(cursor);
     read_names(cursor);
-    const Reference reference{.name = cursor.text("name"),
+    const Reference reference{.name = cursor.line("name"),
                               .value = read_values(cursor, file.scene),
                               .table = read_tables(cursor, file),
                               .solution = read_solutions(cursor, file.scene)};

@@ -43,9 +43,9 @@ double asked_spacing(TomlValue tree, const Changes& changes, TomlSource& source)
 
 void read_head(TomlCursor& root, SceneFile& file) {
   Scene& scene = file.scene;
-  scene.name = root.text("name", file.path.stem().string());
-  scene.title = root.text("title", scene.name);
-  scene.source = root.text("source", "");
+  scene.name = root.line("name", file.path.stem().string());
+  scene.title = root.line("title", scene.name);
+  scene.source = root.line("source", "");
   constexpr int default_dim = 2;
   scene.dim = root.whole("dim", default_dim, 2, 3);
 }

@@ -108,6 +108,9 @@ std::vector<Shape> read_shapes(TomlCursor& body, std::string_view key, const Sha
 /// about; about `middle` unless it says otherwise. None if it is not there.
 std::optional<Rotation> read_rotation(TomlCursor& cursor, int dim, const Point& middle);
 
+/// Throws SceneError for a name longer than one of an expression may be.
+void check_name_length(const TomlCursor& table, FilePlace place, std::string_view key,
+                       const std::string& name);
 /// Throws SceneError for a key that cannot be a name in expressions, or is one already.
 void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string_view kind);
 /// The name of an entry: letters, digits, '_' and '-', not one of `taken`.

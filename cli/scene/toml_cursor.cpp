@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/text/format.hpp"
+#include "cli/text/shown.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
 
@@ -80,6 +81,25 @@ std::string TomlCursor::text(std::string_view key) { return text_of(need(key), k
 std::string TomlCursor::text(std::string_view key, std::string_view otherwise) {
   if (!find(key)) table_.set(key, TomlValue(std::string(otherwise)));
   return text(key);
+}
+
+std::string TomlCursor::line(std::string_view key) {
+  constexpr std::size_t longest = 200;
+  const std::string given = text(key);
+  const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
+  if (given.size() > longest)
+    fail(*find(key), key,
+         std::string(key) + " has " + std::to_string(given.size()) + " letters; at most " +
+             std::to_string(longest) + " are allowed");
+  if (std::ranges::any_of(given, is_control) || !is_utf8(given))
+    fail(*find(key), key,
+         std::string(key) + " must be one line of UTF-8 text, this is '" + shown(given) + "'");
+  return given;
+}
+
+std::string TomlCursor::line(std::string_view key, std::string_view otherwise) {
+  if (!find(key)) table_.set(key, TomlValue(std::string(otherwise)));
+  return line(key);
 }
 
 std::string TomlCursor::choice(std::string_view key, const std::vector<std::string>& allowed) {

@@ -46,6 +46,9 @@ class TomlCursor {
 
   std::string text(std::string_view key);
   std::string text(std::string_view key, std::string_view otherwise);
+  /// A text of one line and at most 200 letters, for what people read in pictures and tables.
+  std::string line(std::string_view key);
+  std::string line(std::string_view key, std::string_view otherwise);
   /// A text that is one of `allowed`.
   std::string choice(std::string_view key, const std::vector<std::string>& allowed);
   double number(std::string_view key);

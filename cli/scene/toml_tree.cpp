@@ -22,27 +22,77 @@ FilePlace place_of(const toml::source_position& position) {
   return {static_cast<int>(position.line), static_cast<int>(position.column)};
 }
 
-TomlValue converted(const toml::node& node);
+/// toml++ bounds the brackets inside each other, but not the parts of a key, each of which is a table too.
+constexpr int most_parts = 16, most_levels = 300;
+
+/// The text behind a quoted one that begins at `at`; what is not closed ends with its line.
+std::size_t behind_quoted(std::string_view text, std::size_t at) {
+  const char quote = text[at];
+  const bool long_one = text.substr(at, 3) == std::string(3, quote);
+  for (std::size_t i = at + (long_one ? 3 : 1); i < text.size(); ++i) {
+    if (text[i] == '\\' && quote == '"') {
+      ++i;
+    } else if (long_one && text.substr(i, 3) == std::string(3, quote)) {
+      return i + 3;
+    } else if (!long_one && (text[i] == quote || text[i] == '\n')) {
+      return i + 1;
+    }
+  }
+  return text.size();
+}
+
+FilePlace place_in(std::string_view text, std::size_t at) {
+  FilePlace place{1, 1};
+  for (const char c : text.substr(0, at)) c == '\n' ? (++place.line, place.column = 1) : ++place.column;
+  return place;
+}
+
+void refuse_long_keys(std::string_view text, const std::string& file) {
+  constexpr std::string_view between = "=,[]{}\n";
+  std::size_t begin = 0;  // of the key or value
+  for (std::size_t i = 0, dots = 0; i < text.size();) {
+    if (text[i] == '"' || text[i] == '\'') {
+      i = behind_quoted(text, i);
+      continue;
+    }
+    if (text[i] == '#') i = std::min(text.find('\n', i), text.size() - 1);
+    if (between.find(text[i]) != std::string_view::npos) dots = 0, begin = i + 1;
+    dots += text[i++] == '.' ? 1 : 0;
+    if (dots < most_parts) continue;
+    begin = text.find_first_not_of(' ', begin);
+    const FilePlace place = place_in(text, begin);
+    throw SceneError(
+        file, place.line, place.column, "",
+        "not valid TOML for taut: a key of more than " + std::to_string(most_parts) + " parts between dots");
+  }
+}
+
+TomlValue converted(const toml::node& node, const std::string& file, int level = 0);
 
 /// toml++ sorts the keys of a table; the file's order is that of their places.
-void add_entries(TomlValue& value, const toml::table& table) {
+void add_entries(TomlValue& value, const toml::table& table, const std::string& file, int level) {
   for (const auto& [key, node] : table)
-    value.entries.push_back(
-        {.key = std::string(key.str()), .place = place_of(key.source().begin), .value = converted(node)});
+    value.entries.push_back({.key = std::string(key.str()),
+                             .place = place_of(key.source().begin),
+                             .value = converted(node, file, level)});
   value.entries.sort([](const TomlEntry& a, const TomlEntry& b) {
     return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
   });
 }
 
-TomlValue converted(const toml::node& node) {
+TomlValue converted(const toml::node& node, const std::string& file, int level) {
   using Kind = TomlValue::Kind;
   TomlValue value;
+  value.place = place_of(node.source().begin);
+  if (level > most_levels)
+    throw SceneError(file, value.place.line, value.place.column, "",
+                     "tables and arrays more than " + std::to_string(most_levels) + " deep in each other");
   if (const toml::table* table = node.as_table()) {
     value.section = !table->is_inline();
-    add_entries(value, *table);
+    add_entries(value, *table, file, level + 1);
   } else if (const toml::array* array = node.as_array()) {
     value.kind = Kind::array;
-    for (const toml::node& item : *array) value.items.push_back(converted(item));
+    for (const toml::node& item : *array) value.items.push_back(converted(item, file, level + 1));
   } else if (const auto* text = node.as_string()) {
     value = TomlValue(text->get());
     const toml::source_region& region = node.source();
@@ -221,7 +271,8 @@ std::string likely_slip(std::string_view line, std::string_view message) {
 
 TomlValue parse_toml(std::string_view text, const std::string& file) {
   try {
-    return converted(toml::parse(text, std::string_view(file)));
+    refuse_long_keys(text, file);
+    return converted(toml::parse(text, std::string_view(file)), file);
   } catch (const toml::parse_error& error) {
     const FilePlace place = place_of(error.source().begin);
     throw SceneError(file, place.line, place.column, "",

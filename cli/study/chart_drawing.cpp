@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::size_t most_series = 24;  // whose names the picture has room for
 // pixels: of the field, of a row of the strip above it, of title, of axis and notes
+// of an axis: gnuplot computes with room beyond both ends
+constexpr double least = 1e-290, greatest = 1e290;
 constexpr double field = 520, row = 17, above = 52, below = 132;
 
 /// Least and greatest of positive numbers; what has no logarithm stands at the edge of the field.
@@ -31,7 +33,7 @@ struct Range {
   Range wide() const {
     if (high == 0) return {0.1, 10};
     const double margin = std::max(1.4, std::sqrt(6 / (high / low)));
-    return {std::max(low / margin, std::numeric_limits<double>::min()), high * margin};
+    return {std::clamp(low / margin, least, greatest / 6), std::clamp(high * margin, least * 6, greatest)};
   }
   double centre() const { return std::sqrt(low) * std::sqrt(high); }
   double decades() const { return std::log10(high) - std::log10(low); }

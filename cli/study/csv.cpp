@@ -8,6 +8,10 @@
 namespace taut::cli {
 namespace {
 
+// far beyond what taut writes: a broken file must not ask for all of the memory
+constexpr std::size_t most_columns = 10000;
+constexpr std::uintmax_t most_mebibytes = 256;
+
 /// Takes one line after the other from a text.
 class CsvReader {
  public:
@@ -19,6 +23,7 @@ class CsvReader {
   std::vector<std::string> row() {
     std::vector<std::string> cells{cell()};
     while (!at_end() && text_[at_] == ',') {
+      if (cells.size() == most_columns) fail("more than " + std::to_string(most_columns) + " columns");
       ++at_;
       cells.push_back(cell());
     }
@@ -79,6 +84,11 @@ CsvTable parse_csv(const std::string& text, const std::string& file) {
 }
 
 CsvTable read_csv(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);  // of a pipe there is none
+  if (!error && size > most_mebibytes << 20)
+    throw UsageError("'" + path.string() + "' has " + std::to_string(size >> 20) + " MiB; at most " +
+                     std::to_string(most_mebibytes) + " MiB are read");
   const auto text = read_whole(path);
   if (!text) throw UsageError("'" + path.string() + "' cannot be read");
   return parse_csv(*text, path.string());

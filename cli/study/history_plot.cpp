@@ -29,6 +29,13 @@ std::vector<std::vector<double>> rows_of(const CsvTable& table, const std::vecto
     rows.emplace_back();
     for (const std::size_t place : places) rows.back().push_back(parsed<double>(cells[place]).value_or(NAN));
   }
+  const auto drawn = [](const std::vector<double>& row, std::size_t k) {
+    return std::isfinite(row[0]) && std::isfinite(row[k]);
+  };
+  for (std::size_t k = 1; k < columns.size(); ++k)
+    if (std::ranges::none_of(rows, [&](const auto& row) { return drawn(row, k); }))
+      throw UsageError("there is no row with a number of both '" + columns[0].name + "' and '" +
+                       columns[k].name + "'");
   return rows;
 }
 

@@ -10,7 +10,10 @@
 #include "cli/study/csv.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/text/format.hpp"
+#include "cli/text/json_cursor.hpp"
+#include "cli/text/shown.hpp"
 #include "cli/text/suggest.hpp"
+#include "engine/diagnostics/verdict.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {
@@ -18,6 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t longest_title = 200;  // of scenes and sweeps
 constexpr std::string_view parameter_prefix = "parameters.";
 
 fs::path results_file(const std::string& given) {
@@ -54,23 +58,23 @@ std::vector<StoredRun> read_runs(const fs::path& file) {
   return runs;
 }
 
-/// What a table does not say: the title, the units of what was swept, and what was set for all. Of a file
-/// that holds something else, nothing.
-void add_names(const fs::path& file, StoredResults& results) try {
-  const auto json =
-      nlohmann::json::parse(read_whole(file.parent_path() / "results.json").value_or(""), nullptr, false);
-  if (!json.is_object()) return;
-  if (results.title.empty()) results.title = json.value("title", "");
-  for (const auto& swept : json.value("swept", nlohmann::json::array()))
-    if (const std::string unit = swept.value("unit", ""); !unit.empty() && unit != "1")
-      results.units[swept.value("name", "")] = unit;
-  const auto all_fixed = json.value("fixed", nlohmann::json::object());
-  for (const auto& [name, value] : all_fixed.items()) {
-    const std::string text = name + " = " + (value.is_string() ? value.get<std::string>() : value.dump());
-    if (std::ranges::find(results.fixed, text) == results.fixed.end()) results.fixed.push_back(text);
+/// What a table does not say: the title, the units of what was swept, and what was set for all.
+void add_names(const fs::path& table, StoredResults& results) {
+  const std::string file = (table.parent_path() / "results.json").string();
+  const auto text = read_whole(file);
+  if (!text) return;
+  const auto json = parse_json(*text, file);
+  const JsonCursor top(json, file);
+  if (const std::string title = top.at("title").text(); results.title.empty())
+    results.title = abridged(title, longest_title);
+  for (const JsonCursor& swept : top.at("swept").items()) {
+    const std::string unit = swept.at("unit").text(), name = swept.at("name").text();
+    if (!unit.empty() && unit != "1") results.units[name] = unit;
   }
-} catch (const nlohmann::json::exception&) {
-  return;
+  for (const auto& [name, value] : top.at("fixed").members()) {
+    const std::string set = name + " = " + value.number_or_text();
+    if (std::ranges::find(results.fixed, set) == results.fixed.end()) results.fixed.push_back(set);
+  }
 }
 
 void add_scene(StoredResults& results, const StoredRun& run) {
@@ -177,9 +181,9 @@ StoredRun read_stored_run(const std::string& path) {
   const fs::path file = fs::is_directory(path, error) ? fs::path(path) / "run.json" : fs::path(path);
   const auto text = read_whole(file);
   if (!text) throw UsageError("'" + path + "' is not the folder of a run, nor its run.json");
-  const auto json = nlohmann::ordered_json::parse(*text, nullptr, /*allow_exceptions=*/false);
-  if (!json.is_object() || !json.contains("taut"))
-    throw UsageError("'" + file.string() + "' is not the run.json of a run of taut");
+  std::vector<std::string> verdicts = names_of_failures();
+  verdicts.insert(verdicts.begin(), std::string(name(Verdict::stable)));
+  const auto json = parse_run_json(*text, file.string(), verdicts);
   StoredRun run{.file = file.string(), .cells = {{"folder", "."}}};
   const auto leaves = json.flatten();
   for (const auto& [pointer, value] : leaves.items()) {

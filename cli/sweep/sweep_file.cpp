@@ -137,7 +137,7 @@ SweepFile read_sweep(const fs::path& path) {
   root.refuse_unknown_keys();
   SweepFile file;
   file.path = path;
-  file.title = root.text("title", "");
+  file.title = root.line("title", "");
   file.scene = find_scene_of(root, path);
   if (TomlValue* set = root.find("set")) {
     TomlCursor cursor = root.enter(*set, "set", "'set'", keys_of("set"));

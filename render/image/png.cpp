@@ -20,8 +20,10 @@
 namespace taut::render {
 namespace {
 
-/// Keeps a forged header from asking for all of the memory; twice the largest size that is drawn.
+/// Keep a forged header from asking for all of the memory: twice the largest side that is drawn, for panels, and
+/// as many pixels as are drawn.
 constexpr png_uint_32 greatest_side = 16384;
+constexpr std::int64_t most_pixels = std::int64_t{8192} * 8192;
 
 // libpng's simplified API has no longjmp, but converts what it reads to sRGB, so the classic one it is.
 
@@ -171,8 +173,12 @@ Image read_png(const std::filesystem::path& path, Alpha alpha) {
   if (!completes(reader.png, [&] { read_header(reader, file.get(), alpha); }))
     fail_to_read(path, reader.message);
 
-  Image image(static_cast<int>(png_get_image_width(reader.png, reader.info)),
-              static_cast<int>(png_get_image_height(reader.png, reader.info)));
+  const auto width = static_cast<int>(png_get_image_width(reader.png, reader.info)),
+             height = static_cast<int>(png_get_image_height(reader.png, reader.info));
+  if (std::int64_t{width} * height > most_pixels)
+    fail_to_read(path, "it has " + std::to_string(width) + " x " + std::to_string(height) +
+                           " pixels; at most 67 million are read, as 8192 x 8192");
+  Image image(width, height);
   std::vector<png_bytep> rows(static_cast<std::size_t>(image.height));
   for (int row = 0; row < image.height; ++row) rows[row] = &image.pixels[image.offset(0, row)];
   const auto read_rows = [&] {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
+#include <vector>
 
 namespace taut::render {
 
@@ -83,13 +85,12 @@ double Canvas::width_of(const std::string& text) {
 
 std::string Canvas::fitted(std::string text, double room) {
   if (width_of(text) <= room) return text;
-  while (!text.empty()) {
-    // a letter is one byte, or a leading byte and those that continue it
-    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80) text.pop_back();
-    if (!text.empty()) text.pop_back();
-    if (!text.empty() && width_of(text + "…") <= room) return text + "…";
-  }
-  return text;
+  std::vector<std::size_t> ends;  // of letters: one byte, or a leading byte and those that continue it
+  for (std::size_t k = 1; k < text.size(); ++k)
+    if ((static_cast<unsigned char>(text[k]) & 0xc0) != 0x80) ends.push_back(k);
+  const auto fits = [&](std::size_t end) { return width_of(text.substr(0, end) + "…") <= room; };
+  const auto first_too_long = std::ranges::partition_point(ends, fits);
+  return first_too_long == ends.begin() ? "" : text.substr(0, *std::prev(first_too_long)) + "…";
 }
 
 }  // namespace taut::render

@@ -125,6 +125,35 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE("a particle file with a head that does not fit what it holds is refused") {
+    const TemporaryFolder folder;
+    const fs::path path = write_particles(folder, some_particles(2, 50), {find_field("speed")});
+    const std::string whole = text_of(path);
+    for (const auto& [was, is] : std::initializer_list<std::pair<const char*, const char*>>{
+             {"NumberOfPoints=\"50\"", "NumberOfPoints=\"51\""},
+             {"NumberOfPoints=\"50\"", "NumberOfPoints=\"6148914691236517206\""},
+             {"NumberOfPoints=\"50\"", "NumberOfPoints=\"-3\""},
+             {"NumberOfPoints=\"50\"", "NumberOfPoints=\"0\""},
+             {"Name=\"Points\" NumberOfComponents=\"3\"", "Name=\"Points\" NumberOfComponents=\"1\""},
+             {"Name=\"Points\" NumberOfComponents=\"3\"", "Name=\"Points\" NumberOfComponents=\"9\""},
+             {"offset=\"0\"", "offset=\"18446744073709551000\""},
+             {"format=\"ascii\">", "format=\"ascii\">nan</DataArray><x>"},
+             {"\"Float64\" Name=\"speed\"", "\"Float32\" Name=\"speed\""}}) {
+      CAPTURE(is);
+      std::string forged = whole;
+      const std::size_t at = forged.find(was);
+      REQUIRE(at != std::string::npos);
+      std::ofstream(path, std::ios::binary) << forged.replace(at, std::strlen(was), is);
+      const auto read_all = [&] {
+        const ParticleFile file(path);
+        file.field("speed");
+        file.diameter();
+        file.positions(2);
+      };
+      CHECK_THROWS_AS(read_all(), UsageError);
+    }
+  }
+
   TEST_CASE("a particle file that is cut short is refused wherever it ends") {
     const TemporaryFolder folder;
     const fs::path path = write_particles(folder, some_particles(2, 50), {find_field("speed")});

@@ -94,4 +94,22 @@ TEST_SUITE("cli") {
     CHECK(says(error_of("a = 2", {{"a", 1}}), "write '=='"));
     CHECK_THROWS_AS(taut::cli::compile("x = 2", {}), ExpressionError);
   }
+
+  TEST_CASE("names and texts beyond the bounds of muParser are errors like others") {
+    const std::string longest(100, 'v'), longer(101, 'v');
+    CHECK(taut::cli::evaluate(longest, {{longest, 3}}) == 3);
+    CHECK(says(error_of("1", {{longer, 3}}), "a name has at most 100 letters"));
+    CHECK(says(error_of(longer), "at most 100 letters"));
+    CHECK_THROWS_AS(taut::cli::compile_of_values("t", {}, {longer}), ExpressionError);
+    CHECK(taut::cli::names_in(longer + " + 1").empty());
+    CHECK(says(error_of(std::string(20001, '1')), "has 20001 letters; at most 20000 are allowed"));
+  }
+
+  TEST_CASE("a message shows what is long or unprintable shortly and in one line") {
+    const std::string deep = std::string(2000, '(') + "1";
+    CHECK(says(error_of(deep), "((…"));
+    CHECK(std::string(error_of(deep).what()).size() < 600);
+    CHECK(says(error_of(std::string("1\0 2", 4)), "1\\x00 2"));
+    CHECK(says(error_of("1 \x1b[2J"), "1 \\x1b[2J"));
+  }
 }

@@ -109,6 +109,27 @@ TEST_SUITE("cli") {
                 {"is empty: it needs at least one rectangle, disc, ring, "});
   }
 
+  TEST_CASE("scene: names, titles and keys of any length") {
+    const std::string name(101, 'v'), title(201, 'a');
+    check_error("[parameters]", "[parameters]\n@" + name + " = { value = 1 }", {"at most 100 letters"});
+    check_error("name = \"tip\"", "name = @\"" + name + "\"", {"at most 100 letters"});
+    check_error("\"Small\"", "@\"" + title + "\"", {"title has 201 letters", "at most 200"});
+    check_error("\"Small\"", "@\"a\\nb\"", {"title", "one line", "'a\\x0ab'"});
+    check_error("help = \"speed\"", "help = @\"" + title + "\"", {"help has 201 letters"});
+    std::string parts;
+    for (int k = 0; k < 100000; ++k) parts += "a.";
+    check_error("[render]", "[@" + parts + "b]\n[render]", {"a key of more than 16 parts"});
+    check_error("[render]", "@" + parts + "b = 1\n[render]", {"a key of more than 16 parts"});
+    check_error("v0 = {", "v0 = { @" + parts + "b = 1, ", {"a key of more than 16 parts"});
+    CHECK_NOTHROW(read_text(replaced(small_scene, "\"Small\"", "'" + std::string(100, '.') + "'")));
+  }
+
+  TEST_CASE("scene: as many parameters as a scene has, and no more") {
+    std::string more;
+    for (int k = 0; k < 501; ++k) more += "p" + std::to_string(k) + " = { value = 1, default = 1 }\n";
+    check_error("v0 = { value", more + "@v0 = { value", {"has 502 parameters; at most 500 are allowed"});
+  }
+
   TEST_CASE("scene: expressions") {
     check_error("\"v0*c0*x\"", "\"v0 + 2*@vo\"", {"unknown name 'vo'", "did you mean 'v0'", "c0"});
     check_error("until = 2", "until = \"2*@x\"", {"unknown name 'x'", "known here", "v0"});

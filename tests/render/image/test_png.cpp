@@ -198,4 +198,19 @@ TEST_SUITE("unit") {
                          ("cannot read " + (folder / "b.png").string() + ": Invalid IHDR data").c_str(),
                          UsageError);
   }
+
+  TEST_CASE("a picture of more pixels than are read is refused before there is memory for them") {
+    const TemporaryFolder folder;
+    write_png(gradient(4, 4), folder / "a.png");
+    std::string bytes = bytes_of(folder / "a.png");
+    bytes[18] = bytes[22] = 0x40, bytes[19] = bytes[23] = 0;  // 16384 × 16384
+    const std::uint32_t sum = checksum(bytes.substr(12, 17));
+    for (int i = 0; i < 4; ++i) bytes[29 + i] = static_cast<char>(sum >> (24 - 8 * i));
+    std::ofstream(folder / "b.png", std::ios::binary) << bytes;
+    CHECK_THROWS_WITH_AS(read_png(folder / "b.png"),
+                         ("cannot read " + (folder / "b.png").string() +
+                          ": it has 16384 x 16384 pixels; at most 67 million are read, as 8192 x 8192")
+                             .c_str(),
+                         UsageError);
+  }
 }

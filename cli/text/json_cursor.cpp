@@ -1,0 +1,191 @@
+#include "cli/text/json_cursor.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/text/format.hpp"
+#include "cli/text/shown.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Event = nlohmann::detail::parse_event_t;
+
+const Json nothing;  // null
+
+[[noreturn]] void refuse(const std::string& file, const std::string& what) {
+  throw UsageError("'" + file + "' " + what);
+}
+
+/// Watches a parser at its work.
+class Watch {
+ public:
+  explicit Watch(const std::string& file) : file_(file) {}
+
+  bool operator()(int depth, Event event, const Json& value) {
+    constexpr int deepest = 64;
+    if (depth > deepest) refuse(file_, "is nested more than 64 deep: no file of taut is");
+    if (event == Event::object_start) keys_.emplace_back();
+    if (event == Event::object_end) keys_.pop_back();
+    if (event == Event::key && !keys_.back().insert(value.get<std::string>()).second)
+      refuse(file_, "has a key twice: key '" + shown(value.get<std::string>(), 60) + "' stands there twice");
+    return true;
+  }
+
+ private:
+  const std::string& file_;
+  std::vector<std::set<std::string>> keys_;  // of the objects that are open
+};
+
+enum class Kind { text, number, object, choice_of_status, choice_of_verdict };
+
+/// "*" stands for every key.
+struct KeyOfRun {
+  std::vector<std::string> path;
+  Kind kind;
+};
+
+const std::vector<KeyOfRun>& keys_of_run() {
+  using enum Kind;
+  static const std::vector<KeyOfRun> keys = {
+      {{"taut"}, text},
+      {{"scene"}, text},
+      {{"method"}, text},
+      {{"material_law"}, text},
+      {{"remark"}, text},
+      {{"contact"}, text},
+      {{"stepping"}, text},
+      {{"cfl"}, number},
+      {{"parameters", "*"}, number},
+      {{"dim"}, number},
+      {{"spacing"}, number},
+      {{"spacing_asked"}, number},
+      {{"particles"}, number},
+      {{"mass"}, number},
+      {{"until"}, number},
+      {{"reached"}, number},
+      {{"status"}, choice_of_status},
+      {{"reason"}, text},
+      {{"steps"}, number},
+      {{"threads"}, number},
+      {{"machine"}, text},
+      {{"seconds", "*"}, number},
+      {{"particle_steps_per_second"}, number},
+      {{"verdict"}, choice_of_verdict},
+      {{"since", "*"}, number},
+      {{"indicators"}, object},
+      {{"conservation", "*"}, number},
+      {{"measures", "*", "value"}, number},
+      {{"measures", "*", "unit"}, text},
+      {{"measures", "*", "reference"}, number},
+      {{"measures", "*", "reference_name"}, text},
+      {{"measures", "*", "error"}, number},
+      {{"measures", "*", "why"}, text},
+  };
+  return keys;
+}
+
+const std::vector<std::string> states = {"running", "finished", "interrupted", "failed"};
+
+void check(const JsonCursor& value, Kind kind, const std::vector<std::string>& verdicts) {
+  if (kind == Kind::text) value.text();
+  if (kind == Kind::number) value.check_number_or_null();
+  if (kind == Kind::object) value.check_object();
+  if (kind == Kind::choice_of_status) value.choice(states);
+  if (kind == Kind::choice_of_verdict) value.choice(verdicts);
+}
+
+/// The values at `key` from its `part` on.
+void check_below(const JsonCursor& value, const KeyOfRun& key, std::size_t part,
+                 const std::vector<std::string>& verdicts) {
+  if (part == key.path.size()) return check(value, key.kind, verdicts);
+  if (value.is_null()) return;
+  if (key.path[part] != "*") return check_below(value.at(key.path[part]), key, part + 1, verdicts);
+  for (const auto& member : value.members()) check_below(member.second, key, part + 1, verdicts);
+}
+
+}  // namespace
+
+Json parse_json(const std::string& text, const std::string& file) {
+  try {
+    return Json::parse(text, Watch(file));
+  } catch (const Json::exception& error) {
+    const std::string what = error.what();  // "[json.exception.parse_error.101] parse error at …"
+    refuse(file, "is no JSON: " + shown(what.substr(std::min(what.find("] "), what.size() - 2) + 2)));
+  }
+}
+
+Json parse_run_json(const std::string& text, const std::string& file,
+                    const std::vector<std::string>& verdicts) {
+  Json json = parse_json(text, file);
+  if (!json.is_object() || !json.contains("taut"))
+    throw UsageError("'" + file + "' is not the run.json of a run of taut");
+  const JsonCursor record(json, file);
+  for (const KeyOfRun& key : keys_of_run()) check_below(record, key, 0, verdicts);
+  return json;
+}
+
+JsonCursor::JsonCursor(const Json& value, const std::string& file, std::string path)
+    : value_(&value), file_(&file), path_(std::move(path)) {}
+
+bool JsonCursor::is_null() const { return value_->is_null(); }
+
+JsonCursor JsonCursor::at(const std::string& key) const {
+  check_object();
+  const auto found = value_->find(key);
+  return {found == value_->end() ? nothing : *found, *file_, path_.empty() ? key : path_ + "." + key};
+}
+
+std::vector<std::pair<std::string, JsonCursor>> JsonCursor::members() const {
+  std::vector<std::pair<std::string, JsonCursor>> all;
+  if (is_null()) return all;
+  check_object();
+  for (const auto& member : value_->items()) all.emplace_back(member.key(), at(member.key()));
+  return all;
+}
+
+std::vector<JsonCursor> JsonCursor::items() const {
+  std::vector<JsonCursor> all;
+  if (is_null()) return all;
+  if (!value_->is_array()) fail("an array");
+  for (const Json& item : *value_) all.emplace_back(item, *file_, path_ + "." + std::to_string(all.size()));
+  return all;
+}
+
+std::string JsonCursor::text() const {
+  if (is_null()) return "";
+  if (!value_->is_string()) fail("a text");
+  return value_->get<std::string>();
+}
+
+std::string JsonCursor::number_or_text() const {
+  if (!value_->is_string() && !value_->is_number()) fail("a number or a text");
+  return value_->is_string() ? value_->get<std::string>() : value_->dump();
+}
+
+void JsonCursor::check_object() const {
+  if (!value_->is_object()) fail("an object");
+}
+
+void JsonCursor::check_number_or_null() const {
+  if (!is_null() && !value_->is_number()) fail("a number");
+}
+
+std::string JsonCursor::choice(const std::vector<std::string>& allowed) const {
+  if (is_null()) return "";
+  const bool known = value_->is_string() && std::ranges::count(allowed, value_->get<std::string>()) > 0;
+  if (!known) fail("one of " + join(allowed));
+  return value_->get<std::string>();
+}
+
+void JsonCursor::fail(const std::string& allowed) const {
+  const std::string is = shown(value_->dump(-1, ' ', false, Json::error_handler_t::replace), 60);
+  if (path_.empty()) refuse(*file_, "holds " + is + "; it must be " + allowed);
+  throw UsageError("'" + *file_ + "': key '" + shown(path_) + "' is " + is + "; it must be " + allowed);
+}
+
+}  // namespace taut::cli

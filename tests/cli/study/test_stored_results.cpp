@@ -1,0 +1,167 @@
+#include <filesystem>
+#include <functional>
+
+#include <doctest/doctest.h>
+
+#include "cli/study/chart.hpp"
+#include "cli/study/chart_drawing.hpp"
+#include "cli/study/csv.hpp"
+#include "cli/study/history_plot.hpp"
+#include "cli/study/stored_results.hpp"
+#include "engine/error.hpp"
+#include "tests/support/results_file.hpp"
+
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+const std::string one_row = "finished,tl,tl,0.4,10,stable,,0.32,2,4,\n";
+
+/// Of a record that is right but for what each test puts into it.
+const std::string record =
+    R"({"taut": "0.1.0", "scene": "rod", "method": "tl", "status": "finished", "until": 1, "reached": 1,)"
+    R"( "verdict": "stable", "since": {}, "measures": {"period": {"value": 2, "unit": "s", "error": null}}})";
+
+std::string error_of(const std::function<void()>& reading) {
+  try {
+    reading();
+  } catch (const taut::UsageError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+void write(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
+
+std::string with(const std::string& was, const std::string& is) {
+  std::string text = record;
+  const std::size_t at = text.find(was);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, was.size(), is);
+}
+
+std::string deep(std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); }
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("a damaged or foreign run.json is refused with the file and the key") {
+    const TemporaryFolder folder;
+    const std::string file = folder.str("run.json");
+    write(file, record);
+    CHECK(read_stored_run(file).number("measures.period.value") == 2);
+    struct Damage {
+      std::string text, says;
+    };
+    for (const auto& [text, says] : {
+             Damage{with("\"stable\"", "3"), "key 'verdict' is 3; it must be one of stable, "},
+             {with("\"stable\"", "\"fine\""), "key 'verdict' is \"fine\"; it must be one of stable, "},
+             {with("\"finished\"", "null, \"steps\": [1]"), "key 'steps' is [1]; it must be a number"},
+             {with("\"finished\"", "\"over\""), "key 'status' is \"over\"; it must be one of running, "},
+             {with("\"tl\"", "{}"), "key 'method' is {}; it must be a text"},
+             {with("\"0.1.0\"", "1"), "key 'taut' is 1; it must be a text"},
+             {with("\"since\": {}", "\"since\": {\"fractured\": \"a\"}"),
+              "key 'since.fractured' is \"a\"; it must be a number"},
+             {with("\"value\": 2", "\"value\": true"),
+              "key 'measures.period.value' is true; it must be a number"},
+             {with("{\"period\": {", "{\"period\": 3, \"p\": {"),
+              "key 'measures.period' is 3; it must be an object"},
+             {with("\"until\": 1", "\"until\": 1, \"until\": 2"), "key 'until' stands there twice"},
+             {with("\"until\": 1", "\"until\": 1e99999"), "is no JSON: "},
+             {with("\"until\": 1", "\"until\": " + deep(70)), "is nested more than 64 deep"},
+             {record.substr(0, 100), "is no JSON: "},
+             {"{\"taut\": \"\xff\xfe\"}", "is no JSON: "},
+             {"", "is no JSON: "},
+             {"{}", "is not the run.json of a run of taut"},
+             {"[]", "is not the run.json of a run of taut"},
+         }) {
+      CAPTURE(text);
+      write(file, text);
+      const std::string message = error_of([&] { read_stored_run(file); });
+      CAPTURE(message);
+      CHECK(message.starts_with("'" + file + "'"));
+      CHECK(contains(message, says));
+      CHECK(message.size() < 400);
+    }
+  }
+
+  TEST_CASE("a run.json that is nested without end is refused") {
+    const TemporaryFolder folder;
+    write(folder / "run.json", with("\"until\": 1", "\"until\": " + deep(100000)));
+    CHECK(contains(error_of([&] { read_stored_run(folder.str("run.json")); }), "64 deep"));
+  }
+
+  TEST_CASE("a results.json of other types is refused with the file and the key") {
+    const TemporaryFolder folder;
+    const std::string table = write_results(folder.path(), one_row);
+    const std::string file = folder.str("results.json");
+    struct Damage {
+      const char *text, *says;
+    };
+    for (const auto& [text, says] :
+         {Damage{R"({"title": 3})", "key 'title' is 3; it must be a text"},
+          {R"({"title": ["a"]})", "key 'title' is [\"a\"]; it must be a text"},
+          {R"({"swept": 3})", "key 'swept' is 3; it must be an array"},
+          {R"({"swept": [{"name": "v0"}, null]})", "key 'swept.1' is null; it must be an object"},
+          {R"({"swept": [{"name": 1}]})", "key 'swept.0.name' is 1; it must be a text"},
+          {R"({"swept": [{"unit": {}}]})", "key 'swept.0.unit' is {}; it must be a text"},
+          {R"({"fixed": [1]})", "key 'fixed' is [1]; it must be an object"},
+          {R"({"fixed": {"until": []}})", "key 'fixed.until' is []; it must be a number or a text"},
+          {R"({"title": "a)", "is no JSON: "},
+          {R"(3)", "holds 3; it must be an object"}}) {
+      CAPTURE(text);
+      write(file, text);
+      const std::string message = error_of([&] { read_results({table}); });
+      CAPTURE(message);
+      CHECK(message.starts_with("'" + file + "'"));
+      CHECK(contains(message, says));
+    }
+    write(file, R"({"title": "T", "swept": [{"name": "v0", "unit": "c0", "help": ""}], "fixed": {"a": 1}})");
+    const StoredResults results = read_results({table});
+    CHECK(results.title == "T");
+    CHECK(results.label("v0") == "v0, c0");
+    CHECK(results.fixed == std::vector<std::string>{"a = 1"});
+    fs::remove(file);
+    CHECK(read_results({table}).title == "rod");
+  }
+
+  TEST_CASE("a table larger than any of taut is refused, not read") {
+    const TemporaryFolder folder;
+    write(folder / "a.csv", "");
+    fs::resize_file(folder / "a.csv", std::uintmax_t{300} << 20);  // holds nothing and takes no room
+    CHECK(contains(error_of([&] { read_csv(folder / "a.csv"); }), "has 300 MiB; at most 256 MiB are read"));
+    std::string wide = "t";
+    for (int k = 0; k < 10000; ++k) wide += ",c";
+    CHECK(contains(error_of([&] { parse_csv(wide + "\n", "a.csv"); }), "a.csv:1: more than 10000 columns"));
+    CHECK(contains(error_of([&] { parse_csv("t\n" + wide + "\n", "a.csv"); }), "a.csv:2: more than 10000"));
+  }
+
+  TEST_CASE("a chart of the smallest and greatest numbers has axes that are numbers") {
+    const TemporaryFolder folder;
+    const PlotFiles files{folder.str("a.svg")};
+    for (const auto& [error, cost] : std::initializer_list<std::pair<const char*, const char*>>{
+             {"1e308", "1e308"}, {"5e-324", "5e-324"}, {"0", "0"}, {"-1", "-1"}}) {
+      CAPTURE(error);
+      const std::string row = std::string(",stable,,") + error + ",2," + cost + ",\n";
+      const StoredResults results = read_results(
+          {write_results(folder.path(), "finished,tl,tl,0.4,10" + row + "finished,tl,tl,0.2,10" + row)});
+      const std::string script = chart_script(make_chart(results, {}), files);
+      CHECK_FALSE(contains(script, "inf"));
+      CHECK_FALSE(contains(script, "nan"));
+      CHECK(script.size() < 20000);
+    }
+  }
+
+  TEST_CASE("a history without a number to draw is refused with file and column") {
+    const TemporaryFolder folder;
+    write(folder / "run.json", record);
+    write(folder / "history.csv", "t,energy\n0,inf\n1,nan\nx,3\n");
+    StoredResults results;
+    results.runs.push_back(read_stored_run(folder.str("run.json")));
+    const auto plot = [&] { make_history_plot(results, {{"energy", "energy"}}, {"t", "t"}); };
+    CHECK(contains(error_of(plot), "history.csv: there is no row with a number of both 't' and 'energy'"));
+    write(folder / "history.csv", "t,energy\n0,inf\n1,3\n");
+    CHECK_NOTHROW(plot());
+  }
+}
