@@ -1,5 +1,8 @@
+#include <array>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <functional>
 #include <map>
 #include <random>
@@ -239,6 +242,51 @@ TEST_SUITE("restart") {
     write(folder / "out/scene.toml", scene);
     write(folder / "out/history.csv", "t\n");
     check_refused(folder, "has lost lines");
+  }
+
+  TEST_CASE(
+      "a checkpoint with a right checksum and wrong contents is refused with no file touched, or goes on") {
+    const TemporaryFolder folder;
+    const Arguments all{"--until",          "0.01",     "--frames", "20", "--range", "auto",
+                        "--save-particles", "--fields", "speed"};
+    REQUIRE(call(tiny_run(folder, "straight", all)).code == 0);
+    const auto some = fs::file_size(folder / "straight/history.csv") * 2 / 3;
+    REQUIRE(run_and_kill(tiny_run(folder, "kept", all + Arguments{"--checkpoint-every", "0.004"}),
+                         folder / "kept/history.csv", some));
+    const Checkpoint whole = read_checkpoint(folder / "kept/checkpoint.bin");
+    const auto leave = [&](const auto& damage) {
+      fs::remove_all(folder / "out");
+      fs::copy(folder / "kept", folder / "out", fs::copy_options::recursive);
+      Checkpoint checkpoint = whole;
+      damage(checkpoint.state);
+      write_checkpoint(folder / "out/checkpoint.bin", checkpoint);
+    };
+    leave([](std::string& state) { state[sizeof(std::uint64_t)] ^= 1; });  // the number of particles
+    check_refused(folder, "checkpoint.bin' cannot be used: the saved state is damaged");
+    std::uint64_t simulation = 0;  // bytes of it, at the beginning; behind it stands what the outputs know
+    std::memcpy(&simulation, whole.state.data(), sizeof simulation);
+    std::mt19937 random(18);
+    int refused = 0;
+    for (int k = 0; k < 24; ++k) {
+      const std::size_t from = k % 2 == 0 ? 0 : simulation + sizeof simulation;
+      const std::size_t at = from + random() % (whole.state.size() - from - 8);
+      const int fill = std::array{0xff, 0x7f, 0x02, 0x40}[random() % 4], length = random() % 2 == 0 ? 4 : 8;
+      leave([&](std::string& state) {
+        std::fill_n(state.begin() + static_cast<std::ptrdiff_t>(at), length, static_cast<char>(fill));
+      });
+      CAPTURE(at);
+      CAPTURE(fill);
+      const std::string history = text_of(folder / "out/history.csv");
+      const Outcome outcome = call(resume(folder, "out"));
+      CAPTURE(outcome.err);
+      CHECK((outcome.code == 0 || outcome.code == 2 || outcome.code == 3));
+      if (outcome.code != 2) continue;
+      ++refused;
+      CHECK(contains(outcome.err, "cannot be used"));
+      CHECK(text_of(folder / "out/history.csv") == history);
+    }
+    CHECK(refused > 0);
+    CHECK(refused < 24);
   }
 
   TEST_CASE("a checkpoint of another version is refused") {

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "cli/run/checkpoint.hpp"
 #include "tests/support/program_runner.hpp"
 
 using namespace taut::cli;
@@ -87,6 +88,23 @@ TEST_SUITE("cli") {
     CHECK(contains(session(folder, "load " + file, {"--set", "speed=3"}).out, "other parameters"));
   }
 
+  TEST_CASE("a saved state that is refused leaves the session as it is") {
+    const TemporaryFolder folder;
+    const std::string file = folder.str("state.bin");
+    const std::string straight = session(folder, "step 12\nprobe\n").out;
+    session(folder, "step 7\nsave " + file + "\n");
+    Checkpoint checkpoint = read_checkpoint(file);
+    for (const std::size_t at : {std::size_t{0}, checkpoint.state.size() / 2, checkpoint.state.size() - 9}) {
+      CAPTURE(at);
+      Checkpoint damaged = checkpoint;
+      damaged.state.erase(at, 1);  // with all that stands behind
+      write_checkpoint(file, damaged);
+      const Outcome outcome = session(folder, "step 5\nload " + file + "\nstep 7\nprobe\n");
+      CHECK(contains(outcome.out, "error: '" + file + "' cannot be used: the saved state is damaged"));
+      CHECK(outcome.out.ends_with(straight));
+    }
+  }
+
   TEST_CASE("what may change while running does, and the rest is refused with the reason") {
     const TemporaryFolder folder;
     const std::vector<std::string> half =
@@ -143,5 +161,15 @@ TEST_SUITE("cli") {
     CAPTURE(outcome.out);
     CHECK(contains(outcome.out, "error: the simulation diverged at t = "));
     CHECK(outcome.out.ends_with("ok\n"));
+    // nothing is left to step with, nor to save
+    const std::string file = folder.str("state.bin");
+    for (const std::string& more : {std::string("step 50"), "save " + file, std::string("set cfl=0.1")}) {
+      CAPTURE(more);
+      const auto answers = lines(session(folder, "set cfl=20\nrun until 1\n" + more + "\n").out);
+      REQUIRE(answers.size() == 3);
+      CHECK(answers[1].starts_with("error: the simulation diverged at t = "));
+      CHECK(answers[2] == answers[1]);
+    }
+    CHECK_FALSE(fs::exists(file));
   }
 }
