@@ -92,7 +92,8 @@ std::vector<std::pair<std::string, std::string>> measures_of(const SweepPlan& pl
     const Json* measures = find(run.record, {"measures"});
     if (!measures) continue;
     for (const auto& [name, measure] : measures->items()) {
-      const std::string unit = measure.value("unit", "");
+      const Json* found = find(measure, {"unit"});
+      const std::string unit = found ? found->get<std::string>() : "";
       all.emplace_back(name, unit.empty() || unit == "1" ? name : name + ", " + unit);
     }
     break;  // all runs are of one scene

@@ -94,7 +94,7 @@ const std::vector<std::string> states = {"running", "finished", "interrupted", "
 void check(const JsonCursor& value, Kind kind, const std::vector<std::string>& verdicts) {
   if (kind == Kind::text) value.text();
   if (kind == Kind::number) value.check_number_or_null();
-  if (kind == Kind::object) value.check_object();
+  if (kind == Kind::object && !value.is_null()) value.check_object();
   if (kind == Kind::choice_of_status) value.choice(states);
   if (kind == Kind::choice_of_verdict) value.choice(verdicts);
 }
