@@ -24,10 +24,14 @@ std::size_t column_of(const CsvTable& table, const std::string& name) {
 std::vector<std::vector<double>> rows_of(const CsvTable& table, const std::vector<HistoryColumn>& columns) {
   std::vector<std::size_t> places;
   for (const HistoryColumn& column : columns) places.push_back(column_of(table, column.name));
+  constexpr double greatest = 1e290;  // gnuplot computes with the length of an axis and room beyond its ends
   std::vector<std::vector<double>> rows;
   for (const auto& cells : table.rows) {
     rows.emplace_back();
-    for (const std::size_t place : places) rows.back().push_back(parsed<double>(cells[place]).value_or(NAN));
+    for (const std::size_t place : places) {
+      const double value = parsed<double>(cells[place]).value_or(NAN);
+      rows.back().push_back(std::abs(value) < greatest ? value : NAN);
+    }
   }
   const auto drawn = [](const std::vector<double>& row, std::size_t k) {
     return std::isfinite(row[0]) && std::isfinite(row[k]);

@@ -13,8 +13,11 @@ bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }
 
 std::string shown(std::string_view text, std::size_t most) {
   std::string line;
-  for (const char c : abridged(text, most))
-    line += is_control(c) ? fmt::format("\\x{:02x}", static_cast<unsigned char>(c)) : std::string(1, c);
+  const bool letters = is_utf8(text);
+  for (const char c : letters ? abridged(text, most) : std::string(text.substr(0, most)))
+    line += is_control(c) || (!letters && (c & '\x80'))
+                ? fmt::format("\\x{:02x}", static_cast<unsigned char>(c))
+                : std::string(1, c);
   return line;
 }
 

@@ -111,5 +111,7 @@ TEST_SUITE("cli") {
     CHECK(std::string(error_of(deep).what()).size() < 600);
     CHECK(says(error_of(std::string("1\0 2", 4)), "1\\x00 2"));
     CHECK(says(error_of("1 \x1b[2J"), "1 \\x1b[2J"));
+    CHECK(says(error_of("1 \xff µ"), "1 \\xff \\xc2\\xb5"));
+    CHECK(says(error_of("1 µ"), "'1 µ'"));
   }
 }

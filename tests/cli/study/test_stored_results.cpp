@@ -156,7 +156,7 @@ TEST_SUITE("cli") {
   TEST_CASE("a history without a number to draw is refused with file and column") {
     const TemporaryFolder folder;
     write(folder / "run.json", record);
-    write(folder / "history.csv", "t,energy\n0,inf\n1,nan\nx,3\n");
+    write(folder / "history.csv", "t,energy\n0,inf\n1,nan\n2,-1e308\nx,3\n");
     StoredResults results;
     results.runs.push_back(read_stored_run(folder.str("run.json")));
     const auto plot = [&] { make_history_plot(results, {{"energy", "energy"}}, {"t", "t"}); };
