@@ -5,6 +5,7 @@
 
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
+#include "cli/text/shown.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/families/catalogue.hpp"
 
@@ -44,6 +45,9 @@ double asked_spacing(TomlValue tree, const Changes& changes, TomlSource& source)
 void read_head(TomlCursor& root, SceneFile& file) {
   Scene& scene = file.scene;
   scene.name = root.line("name", file.path.stem().string());
+  if (scene.name.find('/') != std::string::npos || scene.name == "." || scene.name == "..")
+    root.fail(root.need("name"), "name",
+              "name = '" + shown(scene.name) + "' must have no '/' in it: the run's folder is called so");
   scene.title = root.line("title", scene.name);
   scene.source = root.line("source", "");
   constexpr int default_dim = 2;

@@ -19,7 +19,8 @@ void write_png(const Image& image, const std::filesystem::path& path);
 /// Whether the fourth byte of a pixel is how opaque it is, or 255.
 enum class Alpha : std::uint8_t { dropped, kept };
 
-/// Reads any PNG of at most 8192 × 8192 pixels in all, and 16384 on a side, as RGB. UsageError if it is missing, broken or not a PNG.
+/// Reads any PNG of at most 8192 × 8192 pixels in all, and 16384 on a side, as RGB.
+/// UsageError if it is missing, broken or not a PNG.
 Image read_png(const std::filesystem::path& path, Alpha alpha = Alpha::dropped);
 
 }  // namespace taut::render

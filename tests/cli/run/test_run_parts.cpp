@@ -162,8 +162,12 @@ TEST_SUITE("unit") {
     CHECK_FALSE(read_record(folder / "run.json"));
     for (const char* text : {"", "[1]", "{}", "{\"taut\": \"0.1.0\"", "{\"status\": \"finished\"}"})
       CHECK_FALSE(read(text));
-    const auto record =
-        read(R"({"taut": "0.1.0", "status": 3, "verdict": "torn", "reached": "far", "until": 0.5})");
+    for (const char* wrong : {R"("status": 3)", R"("verdict": "torn")", R"("reached": "far")"}) {
+      const std::string text = R"({"taut": "0.1.0", "until": 0.5, )" + std::string(wrong) + "}";
+      CHECK_FALSE(read(text));
+      CHECK_THROWS_AS(checked_record(folder / "run.json"), UsageError);
+    }
+    const auto record = read(R"({"taut": "0.1.0", "status": null, "until": 0.5})");
     REQUIRE(record);
     CHECK(record->version == "0.1.0");
     CHECK_FALSE(record->status);

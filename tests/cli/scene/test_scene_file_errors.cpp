@@ -115,6 +115,8 @@ TEST_SUITE("cli") {
     check_error("name = \"tip\"", "name = @\"" + name + "\"", {"at most 100 letters"});
     check_error("\"Small\"", "@\"" + title + "\"", {"title has 201 letters", "at most 200"});
     check_error("\"Small\"", "@\"a\\nb\"", {"title", "one line", "'a\\x0ab'"});
+    check_error("title =", "name = @\"../../evil\"\ntitle =", {"name = '../../evil' must have no '/'"});
+    check_error("title =", "name = @\"..\"\ntitle =", {"must have no '/'"});
     check_error("help = \"speed\"", "help = @\"" + title + "\"", {"help has 201 letters"});
     std::string parts;
     for (int k = 0; k < 100000; ++k) parts += "a.";
