@@ -175,7 +175,7 @@ void Renderer::Parts::draw_solids(const FrameView& frame) {
   {
     const GlContext::Current current(*context, image);
     if (!solid_painter) solid_painter.emplace(image.width, image.height, layout.plot, background);
-    solid_painter->draw(solids.balls(), solids.corners());
+    solid_painter->draw(current.framebuffer(), solids.balls(), solids.corners());
   }
   if (annotation) annotation->draw(frame, coloring.clipped(frame.value));
 }

@@ -39,7 +39,7 @@ int guarded(const std::function<int()>& action, std::ostream& err) {
   } catch (const OutputError& e) {
     return fail(e.path + ": " + e.what(), exit_not_written);
   } catch (const std::bad_alloc&) {
-    return fail("out of memory: take a larger --spacing, fewer --frames or a fixed --range",
+    return fail("out of memory: take a larger --spacing, a smaller --size, fewer --frames or a fixed --range",
                 exit_wrong_input);
   } catch (const std::exception& e) {
     return fail(std::string(e.what()) + " (this is a bug of taut)", exit_bug);

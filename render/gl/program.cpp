@@ -36,13 +36,6 @@ std::uint32_t make_program(const char* vertex_shader, const char* fragment_shade
   return program;
 }
 
-void check_framebuffer(int width, int height) {
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw std::runtime_error("OpenGL gives no buffer of " + std::to_string(width) + "x" +
-                             std::to_string(height));
-  }
-}
-
 void fill_buffer(const void* data, std::size_t bytes, std::size_t& capacity) {
   if (bytes > capacity) {
     capacity = bytes;

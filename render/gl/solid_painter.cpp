@@ -10,6 +10,7 @@
 #define GL_GLEXT_PROTOTYPES
 #include <GL/glcorearb.h>
 
+#include "render/gl/memory.hpp"
 #include "render/gl/program.hpp"
 
 namespace taut::render {
@@ -89,7 +90,7 @@ void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 -
 // to something else.
 constexpr const char* resolve_fragment_shader = "#version 330 core\n" TAUT_LIGHT R"(
 uniform sampler2D colors, depths;
-uniform ivec2 corner;    // of the picture's part, pixels of framebuffer 0
+uniform ivec2 corner;    // of the picture's part, pixels
 uniform ivec2 top_edge;  // last column and row of samples
 uniform float range;     // of depths, pixels
 uniform float reach;     // of the light about a pixel, pixels
@@ -188,7 +189,8 @@ SolidPainter::SolidPainter(int image_width, int image_height, const Rect& plot, 
   depth_ = make_texture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, GL_NEAREST, width, height);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_, 0);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_, 0);
-  check_framebuffer(width, height);
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    fail_for_memory(image_width, image_height);
   const auto make_shape = [](Shape& shape, const char* vertex, const char* fragment, int floats,
                              std::size_t stride) {
     shape.program = make_program(vertex, fragment);
@@ -207,8 +209,8 @@ SolidPainter::SolidPainter(int image_width, int image_height, const Rect& plot, 
   glDepthFunc(GL_LESS);
 }
 
-void SolidPainter::draw(std::span<const Ball> balls, std::span<const Corner> corners) {
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+void SolidPainter::draw(std::uint32_t picture, std::span<const Ball> balls, std::span<const Corner> corners) {
+  glBindFramebuffer(GL_FRAMEBUFFER, picture);
   glDisable(GL_SCISSOR_TEST);
   glClearColor(background_[0], background_[1], background_[2], 1);
   glClear(GL_COLOR_BUFFER_BIT);
@@ -228,7 +230,7 @@ void SolidPainter::draw(std::span<const Ball> balls, std::span<const Corner> cor
     const int above = std::min(reach_, top), below = std::min(reach_, plot_.height - top - height);
     draw_band(top - above, above + height + below, static_cast<int>(thrice.size()),
               static_cast<int>(corners.size()), extent);
-    resolve(top, height, below, extent);
+    resolve(picture, top, height, below, extent);
   }
 }
 
@@ -251,9 +253,9 @@ void SolidPainter::draw_band(int top, int height, int ball_corners, int corners,
 }
 
 /// The rows from `top` on; the band has `below` more than these at its lower end.
-void SolidPainter::resolve(int top, int height, int below, const Extent& extent) {
+void SolidPainter::resolve(std::uint32_t picture, int top, int height, int below, const Extent& extent) {
   const int bottom = image_height_ - (plot_.y + top + height);  // row 0 of OpenGL is the bottom one
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glBindFramebuffer(GL_FRAMEBUFFER, picture);
   glViewport(0, 0, image_width_, image_height_);
   glDisable(GL_DEPTH_TEST);
   // no more than what something is drawn in: the rest is white

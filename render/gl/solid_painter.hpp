@@ -31,11 +31,12 @@ struct Corner {
 /// by unsharp masking the depth buffer, 2006].
 class SolidPainter {
  public:
+  /// Throws UsageError where there is no memory for such a picture.
   SolidPainter(int image_width, int image_height, const Rect& plot, Rgb background = white);
 
-  /// Paints framebuffer 0 in the background's colour, and balls and triangles (three corners each) into the
-  /// plot.
-  void draw(std::span<const Ball> balls, std::span<const Corner> corners);
+  /// Paints the framebuffer `picture` in the background's colour, and balls and triangles (three corners each)
+  /// into the plot.
+  void draw(std::uint32_t picture, std::span<const Ball> balls, std::span<const Corner> corners);
 
  private:
   struct Extent;
@@ -46,7 +47,7 @@ class SolidPainter {
   };
 
   void draw_band(int top, int height, int ball_corners, int corners, const Extent& extent);
-  void resolve(int top, int height, int below, const Extent& extent);
+  void resolve(std::uint32_t picture, int top, int height, int below, const Extent& extent);
 
   int image_width_, image_height_;
   Rect plot_;

@@ -141,7 +141,7 @@ TEST_SUITE("image") {
       GlContext context(400, 300);
       const auto paint = [&](Image& image, const std::vector<Ball>& balls) {
         const GlContext::Current current(context, image);
-        SolidPainter(400, 300, layout.plot).draw(balls, {});
+        SolidPainter(400, 300, layout.plot).draw(current.framebuffer(), balls, {});
       };
       paint(few, seen);
       paint(many, every);

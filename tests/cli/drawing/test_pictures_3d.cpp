@@ -96,6 +96,22 @@ TEST_SUITE("cli") {
     }
   }
 
+#ifndef __SANITIZE_ADDRESS__  // which has the whole address space for itself
+  TEST_CASE("pictures for which there is no memory are refused with their size and a way out") {
+    const TemporaryFolder folder;
+    REQUIRE(run(folder, "a", {"--save-particles", "--no-render"}).code == 0);
+    // kB: enough for the program and one such picture, not for OpenGL's
+    const std::string command = "ulimit -c 0; ulimit -v 600000; timeout 60 " TAUT_BINARY_DIR "/taut render " +
+                                folder.str("a") + " --size 8000x8000 --threads 1 --quiet 2>" +
+                                folder.str("said");
+    const int status = std::system(command.c_str());
+    const std::string said = text_of(folder / "said");
+    CAPTURE(said);
+    CHECK(WEXITSTATUS(status) == 2);
+    CHECK(contains(said, "no memory for a picture of 8000x8000; take a smaller --size"));
+  }
+#endif
+
   TEST_CASE("a camera that orbits begins and ends the turn where it stands, and sees all of it") {
     const TemporaryFolder folder;
     REQUIRE(run(folder, "a", {"--save-particles", "--frames", "3"}).code == 0);

@@ -1,13 +1,14 @@
-#include "render/gl/gl_context.hpp"
-
 #include <cstdlib>
 #include <mutex>
 #include <stdexcept>
-#include <string>
+
+#include "render/gl/gl_context.hpp"
 
 #define GL_GLEXT_PROTOTYPES
 #include <GL/glcorearb.h>
 #include <GL/osmesa.h>
+
+#include "render/gl/memory.hpp"
 
 namespace taut::render {
 
@@ -20,6 +21,7 @@ struct GlContext::Handle {
 
 GlContext::GlContext(int width, int height)
     : handle_(std::make_unique<Handle>()), width_(width), height_(height) {
+  check_memory(width, height);
   // The environment belongs to all threads.
   static std::mutex one_at_a_time;
   const std::scoped_lock lock(one_at_a_time);
@@ -43,14 +45,14 @@ GlContext::GlContext(int width, int height)
 
 GlContext::~GlContext() = default;
 
-GlContext::Current::Current(GlContext& context, Image& target) {
+GlContext::Current::Current(GlContext& context, Image& target) : context_(context), target_(target) {
+  check_memory(target.width, target.height);
   if (target.width != context.width_ || target.height != context.height_) {
     throw std::logic_error("the image is not of the size of its OpenGL context");
   }
   if (!OSMesaMakeCurrent(context.handle_->context, target.pixels.data(), GL_UNSIGNED_BYTE, target.width,
                          target.height)) {
-    throw std::runtime_error("OSMesa refuses a picture of " + std::to_string(target.width) + "x" +
-                             std::to_string(target.height));
+    fail_for_memory(target.width, target.height);
   }
   OSMesaPixelStore(OSMESA_Y_UP, 0);  // the first row in memory is the top one
 }
@@ -59,5 +61,7 @@ GlContext::Current::~Current() {
   glFinish();  // copies the picture into the image
   OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
 }
+
+std::uint32_t GlContext::Current::framebuffer() const { return 0; }
 
 }  // namespace taut::render
