@@ -73,6 +73,7 @@ class CellGrid {
       return cells;
     };
     while (count() > most) size_ *= 1.5;
+    if (!(size_ < 1e5 * farthest)) refuse();      // of a support that is no number
     const double farthest_cell = 0x1p44 * size_;  // the last digits of a place must tell its cell
     for (int k = 0; k < Dim; ++k)
       if (std::max(std::abs(low[k]), std::abs(high[k])) > farthest_cell) refuse();

@@ -157,6 +157,11 @@ TEST_SUITE("neighbors") {
         CHECK_THROWS_AS(grid.sort(x, support), taut::NumericalError);
       }
     }
+    for (const double reach : {nan, inf}) {
+      CAPTURE(reach);
+      CellGrid<2> grid;
+      CHECK_THROWS_AS(grid.sort(random_points<2>(20, 1, 11), reach), taut::NumericalError);
+    }
     const Points<2> all_far(20, {1e30, -1e30});  // of one cell, which their last digits do not tell
     CellGrid<2> grid;
     CHECK_THROWS_AS(grid.sort(all_far, support), taut::NumericalError);
