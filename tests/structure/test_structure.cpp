@@ -185,4 +185,19 @@ TEST_SUITE("structure") {
       }
     }
   }
+
+  TEST_CASE("every test that the page of promises links to is there, by its name") {
+    const fs::path page = top / "cli/PROMISES.md";
+    const std::string text = text_of(page);
+    static const std::regex link(R"(\[([^\]`]+)\]\(([^)]+\.cpp)\))"), broken(R"("\s*\n\s*")");
+    int tests = 0;
+    for (std::sregex_iterator found(text.begin(), text.end(), link), end; found != end; ++found, ++tests) {
+      const std::string name = (*found)[1], file = (*found)[2];
+      CAPTURE(name);
+      CAPTURE(file);
+      CHECK(std::regex_replace(text_of(page.parent_path() / file), broken, "").find('"' + name + "\")") !=
+            std::string::npos);
+    }
+    CHECK(tests > 20);
+  }
 }

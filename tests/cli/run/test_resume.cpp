@@ -131,12 +131,6 @@ TEST_SUITE("restart") {
     CHECK(kills >= 5);
   }
 
-  TEST_CASE("the script that kills and resumes for longer does its work") {
-    const std::string script =
-        TAUT_SOURCE_DIR "/tests/cli/run/kill_resume.sh '" TAUT_BINARY_DIR "/taut' 2 >/dev/null";
-    CHECK(std::system(script.c_str()) == 0);
-  }
-
   TEST_CASE("an interrupted run goes on to the same bytes, with kept frames and saved particles") {
     const TemporaryFolder folder;
     const Arguments all =
