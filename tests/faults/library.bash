@@ -201,7 +201,7 @@ stopped_by() {
   ((struck)) || { is_one_of "$code" "0" || wrong "exit code $code without a signal: $(complaint)"; return; }
   case $1:$code in
     *:0 | KILL:137 | *:130) return ;;
-    HUP:129 | TERM:143) ${*:2} && return ;;
+    HUP:129 | TERM*:143) ${*:2} && return ;;
   esac
   wrong "exit code $code after SIG${1// / SIG}: $(complaint)"
 }

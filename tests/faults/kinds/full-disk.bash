@@ -21,7 +21,7 @@ fails_for_want_of_room() {
   ends "0 4" "$@"
   [[ $code != 4 ]] || { harmed; says_the_place; }
 }
-says_the_place() { grep -qE '(No space left on device|File too large|ffmpeg failed|gnuplot failed)' "$here/complained" || wrong "no reason: $(complaint)"; }
+says_the_place() { grep -qE '(No space left on device|File too large|ffmpeg failed|gnuplot failed)' "$here/complained" "$here/said" || wrong "no reason: $(complaint)"; }
 
 # a disk of a random size up to $1 KiB; without mounts, files of at most a random size
 small_disk() {
