@@ -9,6 +9,7 @@
 #include "cli/run/redraw.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/system/exit_code.hpp"
+#include "cli/system/folder_lock.hpp"
 #include "cli/system/progress.hpp"
 #include "cli/text/checks.hpp"
 #include "engine/error.hpp"
@@ -26,16 +27,22 @@ struct Options : DrawingOptions {
   bool quiet = false;
 };
 
+bool is_lock(const fs::path& file) { return file.filename() == run_lock_name; }
+
 /// A folder for frames alone: they would be lost among other files, and other files among them.
-void clear_for_frames(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw OutputError(folder.string(), "the folder cannot be made: " + error.message());
+void check_for_frames(const fs::path& folder) {
+  if (!fs::exists(folder)) return;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (!is_frame(entry.path()))
+    if (!is_frame(entry.path()) && !is_lock(entry.path()))
       throw UsageError("'" + folder.string() + "' holds " + entry.path().filename().string() +
                        ", which is no frame; name another folder with --out");
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) fs::remove(entry.path());
+}
+
+void clear_for_frames(const fs::path& folder) {
+  make_folders(folder);
+  check_for_frames(folder);  // another program may have been here
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (!is_lock(entry.path())) fs::remove(entry.path());
 }
 
 /// Makes room for the frames; in the run's own folder, scene.toml says from now on how they are drawn.
@@ -45,12 +52,21 @@ fs::path prepare(const Options& options, SavedRun& run) {
     return *options.out;
   }
   run.folder.clear_frames();
-  write_atomically(run.folder.scene(), resolved_text(run.file, run.folder.path()));
+  write_atomically(run.folder.scene(), resolved_text(run.file, run.folder.path()), Kept::on_disk);
   return run.folder.frames();
 }
 
+/// Where the frames go to: the run's own folder, one of their own, or the frames/ of another run.
+fs::path folder_to_lock(const Options& options) {
+  if (!options.out) return options.run;
+  check_for_frames(*options.out);
+  return run_around(*options.out).value_or(*options.out);
+}
+
 int render(const Options& options, Streams streams) {
-  SavedRun run = open_saved_run(options.run);
+  SavedRun run = open_saved_run(options.run);  // nothing is locked in a folder of somebody else
+  const FolderLock lock(folder_to_lock(options), FolderLock::Of::run, "taut render", streams.err);
+  run = open_saved_run(options.run);  // another program may have been here
   run.file.drawing = with_options(run.file.drawing, options);
   suit(run.file.drawing, run.file);
   run.file.drawing.orbit = options.orbit;

@@ -1,3 +1,5 @@
+#include <filesystem>
+#include <memory>
 #include <ostream>
 
 #include <CLI/CLI.hpp>
@@ -6,6 +8,7 @@
 #include "cli/run/record.hpp"
 #include "cli/run/report.hpp"
 #include "cli/run/resume.hpp"
+#include "cli/system/folder_lock.hpp"
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
@@ -48,15 +51,30 @@ void declare_options(CLI::App& app, Options& o) {
   app.add_flag("--quiet", o.quiet, "no progress on stderr");
 }
 
-RunPlan planned(const Options& options, std::ostream& err) {
+/// The plan, and the lock of its folder: of a run that goes on it is taken before anything is read.
+struct LockedPlan {
+  std::unique_ptr<const FolderLock> lock;
+  RunPlan plan;
+};
+
+LockedPlan planned(const Options& options, std::ostream& err) {
+  const auto lock = [&err](const std::filesystem::path& folder) {
+    return std::make_unique<const FolderLock>(folder, FolderLock::Of::run, "taut run", err);
+  };
+  LockedPlan all;
   if (!options.resume) {
     if (options.scene.empty()) throw UsageError("SCENE is required; see `taut run --help`");
-    return make_plan(options);
+    all.plan = make_plan(options);
+    all.lock = lock(all.plan.folder.path());
+    all.plan.folder.check();  // another program may have been here
+    return all;
   }
-  RunPlan plan = resume_plan(*options.resume, options);
-  if (!plan.state)
+  check_goes_on(*options.resume);  // nothing is locked in a folder of somebody else
+  all.lock = lock(*options.resume);
+  all.plan = resume_plan(*options.resume, options);
+  if (!all.plan.state)
     err << "taut: the run in '" << *options.resume << "' has left no checkpoint: it begins anew\n";
-  return plan;
+  return all;
 }
 
 /// What can be done about a run that diverged.
@@ -77,7 +95,7 @@ void tell_what_is_replaced(const Options& options, const RunPlan& plan, std::ost
 int run(const Options& options, Streams streams) {
   const Stopwatch setup;
   const std::optional<Verdict> fail_on = parse_verdict(options.fail_on);
-  const RunPlan plan = planned(options, streams.err);
+  const auto [lock, plan] = planned(options, streams.err);
   tell(plan.file, streams.err);
   tell_what_is_replaced(options, plan, streams.err);
   const Interrupts interrupts;

@@ -10,6 +10,7 @@
 #include "cli/run/report.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/system/exit_code.hpp"
+#include "cli/system/folder_lock.hpp"
 #include "cli/text/checks.hpp"
 #include "engine/error.hpp"
 #include "render/image/png.hpp"
@@ -90,6 +91,8 @@ int snapshot(Options options, Streams streams) {
   const RunPlan plan = make_plan(options);
   tell(plan.file, streams.err);
   check_baseline(options, plan.folder.path());
+  const FolderLock lock(plan.folder.path(), FolderLock::Of::run, "taut snapshot", streams.err);
+  plan.folder.check();  // another program may have been here
   const Interrupts interrupts;
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
   const RunResult result = run_scene(plan, interrupts, progress, setup.seconds());

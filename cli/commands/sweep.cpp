@@ -6,12 +6,12 @@
 
 #include "cli/command_line/command.hpp"
 #include "cli/sweep/emit.hpp"
-#include "cli/sweep/lock.hpp"
 #include "cli/sweep/options.hpp"
 #include "cli/sweep/results.hpp"
 #include "cli/sweep/runner.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/system/exit_code.hpp"
+#include "cli/system/folder_lock.hpp"
 #include "cli/text/format.hpp"
 #include "engine/core/machine.hpp"
 #include "engine/error.hpp"
@@ -59,12 +59,16 @@ int emit(const SweepOptions& o, const CLI::App& app, const SweepPlan& plan, std:
 
 int default_jobs(int threads) { return std::max(1, cores() / threads); }
 
-std::vector<SweepRun*> what_to_run(SweepPlan& plan, const SweepOptions& o) {
+std::vector<SweepRun*> what_to_run(SweepPlan& plan, const SweepOptions& o, std::ostream& err) {
   std::vector<SweepRun*> runs;
   for (SweepRun& run : plan.runs) {
     if (o.index && run.index != *o.index) continue;
     run.read_folder();  // another program may have worked here until the lock was ours
-    if (o.force) run.forget();
+    if (run.state == RunState::damaged)
+      err << "taut: run " << run.index << " (" << text_of(run.settings)
+          << "): " << RunFolder(*run.options.out).record().string() << " is not whole: it is done again\n";
+    run.forced = o.force;
+    if (run.forced) run.forget();
     if (run.state != RunState::done) runs.push_back(&run);
   }
   return runs;
@@ -138,9 +142,10 @@ class ResultsWriter {
 int execute(SweepPlan& plan, const SweepOptions& o, Streams streams) {
   for (const std::string& remark : plan.remarks) streams.err << "taut: " << remark << '\n';
   const std::optional<Verdict> fail_on = parse_verdict(o.fail_on);
-  const SweepLock lock(plan.folder, o.index ? plan.runs[static_cast<std::size_t>(*o.index)].folder : "");
+  using Of = FolderLock::Of;
+  const FolderLock lock(plan.folder, o.index ? Of::part_of_sweep : Of::sweep, "taut sweep", streams.err);
   const Interrupts interrupts;
-  const std::vector<SweepRun*> runs = what_to_run(plan, o);
+  const std::vector<SweepRun*> runs = what_to_run(plan, o, streams.err);
   Progress progress(streams.err, progress_style(streams.err, o.quiet));
   ResultsWriter results(plan, !o.index);
   const auto ended = [&](const SweepRun& run) {

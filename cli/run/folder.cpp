@@ -1,5 +1,7 @@
 #include "cli/run/folder.hpp"
 
+#include <algorithm>
+#include <iostream>
 #include <set>
 #include <string>
 
@@ -14,17 +16,13 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
+constexpr std::string_view head_of_record = "{\n  \"taut\": \"";  // as `to_json` writes it
+
 /// Names that only `RunFolder::particle_file` and `particle_index` give, whole or in the making.
 bool is_particle_file(const fs::path& path) {
   const std::string name = path.filename().string();
   return name.starts_with("particles") &&
          (name.find(".vtp") != std::string::npos || name.find(".pvd") != std::string::npos);
-}
-
-void make_folder(const fs::path& path) {
-  std::error_code error;
-  fs::create_directories(path, error);
-  if (error) throw OutputError(path.string(), "the folder cannot be made: " + error.message());
 }
 
 void remove_file(const fs::path& path) {
@@ -48,27 +46,40 @@ void RunFolder::check() const {
   if (!fs::is_directory(path_, error))
     throw UsageError("'" + path_.string() + "' is not a folder; name another with --out");
   if (fs::is_empty(path_, error) || error) return;
-  if (!read_record(record()) && !was_killed_in_the_making())
+  // killed in the making it holds the first files alone
+  const bool begun = holds_only({run_lock_name, record().filename().string() + ".tmp"});
+  if (!read_record(record()) && !begun && !is_damaged())
     throw UsageError("'" + path_.string() +
                      "' holds files that are not a run of taut, which would be mixed " +
                      "up with its own; empty it or name another folder with --out");
 }
 
-/// There is nothing but the first file, half written.
-bool RunFolder::was_killed_in_the_making() const {
+bool RunFolder::is_damaged() const {
+  const std::optional<std::string> text = read_whole(record());
+  const std::size_t known = text ? std::min(text->size(), head_of_record.size()) : 0;
+  if (!text || text->substr(0, known) != head_of_record.substr(0, known) || read_record(record()))
+    return false;
+  std::set<std::string> names{run_lock_name};
+  for (const fs::path& each :
+       {record(), scene(), history(), lines(), checkpoint(), difference(), frames(), particles()})
+    names.insert({each.filename().string(), each.filename().string() + ".tmp"});
+  return holds_only(names);
+}
+
+bool RunFolder::holds_only(const std::set<std::string>& names) const {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(path_, error))
-    if (entry.path() != record().string() + ".tmp") return false;
+    if (!names.contains(entry.path().filename().string())) return false;
   return !error;
 }
 
 void RunFolder::claim(std::string_view record_text) const {
-  make_folder(path_);
-  write_atomically(record(), record_text);
+  make_folders(path_);
+  write_atomically(record(), record_text, Kept::on_disk);
 }
 
 void RunFolder::clear() const {
-  make_folder(frames());
+  make_folders(frames());
   clear_frames();
   remove_those(particles(), is_particle_file);
   std::error_code not_empty;
@@ -102,6 +113,19 @@ void RunFolder::clear_frames() const {
 
 fs::path RunFolder::particle_file(int number) const {
   return particles() / numbered("particles", number, "vtp");
+}
+
+std::optional<fs::path> run_around(const fs::path& path) {
+  std::error_code error;
+  fs::path folder = fs::absolute(path, error).parent_path();  // that of the run, or its frames/
+  for (int k = 0; k < 2; ++k, folder = folder.parent_path())
+    if (read_record(RunFolder(folder).record())) return folder;
+  return std::nullopt;
+}
+
+std::unique_ptr<const FolderLock> lock_around(const fs::path& path, std::string_view command) {
+  const std::optional<fs::path> run = run_around(path);
+  return run ? std::make_unique<const FolderLock>(*run, FolderLock::Of::run, command, std::cerr) : nullptr;
 }
 
 }  // namespace taut::cli

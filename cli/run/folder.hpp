@@ -1,10 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
 #include "cli/drawing/frames.hpp"
+#include "cli/system/folder_lock.hpp"
 
 namespace taut::cli {
 
@@ -15,6 +19,8 @@ class RunFolder {
 
   /// Throws UsageError when the folder holds something that no run of taut left there. Touches nothing.
   void check() const;
+  /// Of a run whose run.json is not whole, and nothing else: a disk was full or has lost it.
+  bool is_damaged() const;
   /// Creates the folder, and `record` as its run.json first of all, so that it is recognised at any time.
   /// Throws OutputError.
   void claim(std::string_view record) const;
@@ -46,9 +52,14 @@ class RunFolder {
   std::filesystem::path difference() const { return path_ / "difference.png"; }
 
  private:
-  bool was_killed_in_the_making() const;
+  bool holds_only(const std::set<std::string>& names) const;
 
   std::filesystem::path path_;
 };
+
+/// The folder to lock before `path` is written: that of the run which it lies in; else none.
+std::optional<std::filesystem::path> run_around(const std::filesystem::path& path);
+/// While something is written that may lie in the folder of a run; else nothing. Throws what FolderLock throws.
+std::unique_ptr<const FolderLock> lock_around(const std::filesystem::path& path, std::string_view command);
 
 }  // namespace taut::cli

@@ -51,6 +51,7 @@ class History {
   }
   /// The rows that were written after what was loaded had been saved. Throws OutputError.
   void take_back() { file_.cut(saved_.length); }
+  void put_on_disk() const { file_.put_on_disk(); }
 
  private:
   AppendFile file_;
@@ -78,6 +79,7 @@ class LineSamplesFile {
   }
   /// The rows that were written after what was loaded had been saved. Throws OutputError.
   void take_back() { file_.cut(saved_.length); }
+  void put_on_disk() const { file_.put_on_disk(); }
 
  private:
   struct Known {

@@ -57,6 +57,7 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
     if (judge_.verdict() == Verdict::diverged) result_.failure = describe_divergence(now, sums);
   }
 
+  void put_on_disk() override { history_->put_on_disk(); }
   void tell() override { result_.record.conservation = conservation_.so_far(); }
   void take_back() override { history_->take_back(); }
 
@@ -110,6 +111,9 @@ class MeasuresOutput final : public OutputOf<MeasuresOutput> {
     const Timed timed(result_.record.seconds.write);
     while (lines_.next() <= simulation_.time()) lines_.sample(last_step_.at(lines_.next()));
     if (file_) file_->add(lines_.samples());
+  }
+  void put_on_disk() override {
+    if (file_) file_->put_on_disk();
   }
 
   void tell() override {
@@ -171,8 +175,13 @@ class FramesOutput final : public OutputOf<FramesOutput> {
   }
 
   void settle() override { frames_.finish(); }
+  void put_on_disk() override {
+    if (on_disk_ == frames_.written()) return;
+    while (on_disk_ < frames_.written()) cli::put_on_disk(folder_.frame(on_disk_++));
+    cli::put_on_disk(folder_.frames());
+  }
   void tell() override { result_.frames = frames_.written(); }
-  void take_back() override { folder_.keep_frames(frames_.written()); }
+  void take_back() override { folder_.keep_frames(on_disk_ = frames_.written()); }
 
   bool complete(const Interrupts& interrupts, Progress& progress) override {
     if (unseen_)
@@ -209,6 +218,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
   Agenda agenda_;
   Frames frames_;
   std::optional<render::View> unseen_;  // one that has shown nothing yet
+  int on_disk_ = 0;                     // number of the first frame that may not be
 };
 
 /// particles/, at the times of the frames.
@@ -225,6 +235,7 @@ class ParticlesOutput final : public OutputOf<ParticlesOutput> {
   void take() override {
     for (const double due : agenda_.reached(simulation_.time())) series_.add(last_step_.at(due));
   }
+  void put_on_disk() override { series_.put_on_disk(); }
   void tell() override { series_.save_index(); }
   void take_back() override { folder_.keep_particle_files(series_.written()); }
 

@@ -46,6 +46,8 @@ class RunOutput {
   virtual void take() = 0;
   /// Waits for what it does beside the run.
   virtual void settle() {}
+  /// Waits until all that it has shown since the last call is on disk.
+  virtual void put_on_disk() {}
   /// Brings the result up to date, before run.json is written.
   virtual void tell() {}
   /// Does what was put off until the run has ended. False if it was interrupted.

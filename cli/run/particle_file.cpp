@@ -238,15 +238,23 @@ void ParticleSeries::add(const Snapshot& snapshot) {
   times_.push_back(snapshot.time);
 }
 
-void ParticleSeries::save_index() const {
-  if (times_.empty()) return;
+void ParticleSeries::save_index() {
+  if (indexed_ == times_.size()) return;
   std::string text =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
       "<Collection>\n";
   for (std::size_t k = 0; k < times_.size(); ++k)
     text += "<DataSet timestep=\"" + exact(times_[k]) + "\" part=\"0\" file=\"" +
             folder_.particle_file(static_cast<int>(k)).filename().string() + "\"/>\n";
-  write_atomically(folder_.particle_index(), text + "</Collection>\n</VTKFile>\n");
+  write_atomically(folder_.particle_index(), text + "</Collection>\n</VTKFile>\n", Kept::on_disk);
+  indexed_ = times_.size();
+}
+
+void ParticleSeries::put_on_disk() {
+  if (on_disk_ == times_.size()) return;
+  const auto of = [this](std::size_t k) { return folder_.particle_file(static_cast<int>(k)); };
+  while (on_disk_ < times_.size()) cli::put_on_disk(of(on_disk_++));
+  cli::put_on_disk(folder_.particles());
 }
 
 }  // namespace taut::cli

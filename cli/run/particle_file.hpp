@@ -59,12 +59,15 @@ class ParticleSeries {
 
   void add(const Snapshot& snapshot);
   /// The index of the files that there are by now. Throws OutputError, as `add` does.
-  void save_index() const;
+  void save_index();
   int written() const { return static_cast<int>(times_.size()); }
+  /// Waits until all of them are on disk.
+  void put_on_disk();
 
   template <class Archive>
   void serialize(Archive& archive) {
     archive(times_);
+    on_disk_ = times_.size();
   }
 
  private:
@@ -72,6 +75,8 @@ class ParticleSeries {
   RunFolder folder_;
   Seconds& seconds_;
   std::vector<double> times_;  // s
+  std::size_t on_disk_ = 0;    // of the first files
+  std::size_t indexed_ = 0;    // files, by this program
 };
 
 }  // namespace taut::cli

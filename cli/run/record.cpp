@@ -118,6 +118,7 @@ Json to_json(const RunRecord& record) {
   json["until"] = number(record.until);
   json["reached"] = number(record.reached);
   json["status"] = name(record.status);
+  if (!record.reason.empty()) json["reason"] = record.reason;
   json["steps"] = record.steps;
   json["threads"] = record.threads;
   json["machine"] = record.machine;

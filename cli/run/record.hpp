@@ -35,6 +35,7 @@ struct RunRecord {
   double mass = 0;                // kg (per metre depth in 2D)
   double until = 0, reached = 0;  // s
   Status status = Status::running;
+  std::string reason;  // why it failed
   long steps = 0;
   int threads = 1;
   std::string machine;  // what the seconds were measured on

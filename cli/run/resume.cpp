@@ -12,7 +12,7 @@ namespace taut::cli {
 namespace {
 
 /// Throws where nothing is left to do. `record` is that of the folder.
-void check_goes_on(const RunFolder& folder, const std::optional<StoredRecord>& record) {
+void check_something_is_left(const RunFolder& folder, const std::optional<StoredRecord>& record) {
   std::error_code error;
   const std::string name = '\'' + folder.path().string() + '\'';
   if (!fs::exists(folder.scene(), error) || !record)
@@ -87,10 +87,15 @@ std::string what_differs(const RunOptions& given, const RunOptions& stored, cons
 
 }  // namespace
 
+void check_goes_on(const fs::path& path) {
+  const RunFolder folder(path);
+  check_something_is_left(folder, checked_record(folder.record()));
+}
+
 RunPlan resume_plan(const fs::path& path, const RunOptions& given) {
   const RunFolder folder(path);
   const std::optional<StoredRecord> record = checked_record(folder.record());
-  check_goes_on(folder, record);
+  check_something_is_left(folder, record);
   std::optional<Checkpoint> checkpoint;
   if (std::error_code error; fs::exists(folder.checkpoint(), error))
     checkpoint = read_checkpoint(folder.checkpoint());

@@ -12,6 +12,7 @@
 #include "cli/run/report.hpp"
 #include "cli/run/schedule.hpp"
 #include "cli/system/atomic_file.hpp"
+#include "cli/system/exit_code.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
 #include "engine/families/catalogue.hpp"
@@ -38,6 +39,7 @@ class Run {
   void load(const std::string& state);
   void open_files(AppendFile::Start start);
   void save_checkpoint();
+  void put_on_disk();
   void write_checkpoint(std::string state) const;
   void plan_next_checkpoint();
   void simulate();
@@ -50,7 +52,9 @@ class Run {
   bool complete();
   RunRecord::Status how_it_ended() const;
   void save(RunRecord::Status status);
-  void save_what_can_be_saved();
+  void save_failure(const std::string& reason);
+  std::string record_text() const;
+  void write_record() const;
   std::string state_line() const;
 
   const RunPlan& plan_;
@@ -75,21 +79,27 @@ Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Inte
       result_{std::move(record), 0, ""},
       last_step_(*simulation_),
       outputs_(make_outputs(plan, *simulation_, last_step_, result_)),
-      pace_(record_.until) {}
+      pace_(record_.until) {
+  simulation_->heed(Interrupts::flag());
+}
 
 RunResult Run::execute() {
-  if (!plan_.state) plan_.folder.claim(to_json(record_).dump(2) + "\n");
+  if (!plan_.state) plan_.folder.claim(record_text());
+  if (plan_.state) take_up(*plan_.state);  // a run that cannot go on stays as it is
   try {
-    plan_.state ? take_up(*plan_.state) : begin();
+    if (!plan_.state) begin();
     simulate();
     const RunRecord::Status status = how_it_ended();
-    save(status);  // the drawing of frames that were kept takes time, and may be interrupted as well
+    using enum RunRecord::Status;
+    put_on_disk();
+    save(status == finished ? running : status);  // frames that were kept are still to be drawn
     const bool all_done = complete();
-    save(status == RunRecord::Status::finished && !all_done ? RunRecord::Status::interrupted : status);
+    put_on_disk();  // before run.json says that it is there
+    save(status == finished && !all_done ? interrupted : status);
     // a diverged run has come to its end as well
-    if (all_done && record_.status != RunRecord::Status::interrupted) plan_.folder.clear_checkpoint();
-  } catch (const OutputError&) {
-    save_what_can_be_saved();
+    if (all_done && record_.status != interrupted) plan_.folder.clear_checkpoint();
+  } catch (...) {
+    save_failure(current_failure().message);
     throw;
   }
   return std::move(result_);
@@ -97,7 +107,7 @@ RunResult Run::execute() {
 
 /// What it takes to begin once more comes first: the run may be killed at any moment.
 void Run::begin() {
-  write_atomically(plan_.folder.scene(), plan_.scene_text());
+  write_atomically(plan_.folder.scene(), plan_.scene_text(), Kept::on_disk);
   plan_.checkpoint_every ? write_checkpoint("") : plan_.folder.clear_checkpoint();
   plan_.folder.clear();
   open_files(AppendFile::Start::empty);
@@ -136,9 +146,10 @@ void Run::open_files(AppendFile::Start start) {
   for (const auto& output : outputs_) output->open(start);
 }
 
+/// A checkpoint says what the other files hold: they are on disk before it.
 void Run::save_checkpoint() {
   if (!plan_.checkpoint_every) return;
-  for (const auto& output : outputs_) output->settle();
+  put_on_disk();
   const Timed timed(record_.seconds.write);
   Saver saver;
   std::string simulation = simulation_->save();
@@ -146,6 +157,12 @@ void Run::save_checkpoint() {
   for (const auto& output : outputs_) output->save(saver);
   write_checkpoint(saver.take());
   plan_next_checkpoint();
+}
+
+void Run::put_on_disk() {
+  for (const auto& output : outputs_) output->settle();
+  const Timed timed(record_.seconds.write);
+  for (const auto& output : outputs_) output->put_on_disk();
 }
 
 void Run::write_checkpoint(std::string state) const {
@@ -259,21 +276,34 @@ bool Run::complete() {
 void Run::save(RunRecord::Status status) {
   since_saved_ = {};
   record_.status = status;
+  record_.reason = result_.failure;
   for (const auto& output : outputs_) output->tell();
-  write_atomically(plan_.folder.record(), to_json(record_).dump(2) + "\n");
+  write_record();
 }
 
-/// When some output could not be written, run.json can often still say so.
-void Run::save_what_can_be_saved() {
+/// A reason may name a file, in whatever letters.
+std::string Run::record_text() const {
+  return to_json(record_).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+void Run::write_record() const { write_atomically(plan_.folder.record(), record_text(), Kept::on_disk); }
+
+/// After whatever error: where a disk is full or memory is used up, run.json can often still say so.
+void Run::save_failure(const std::string& reason) {
   // the first failure is the one to report
   const auto tried = [](const auto& work) {
     try {
       work();
-    } catch (const OutputError&) {
+    } catch (...) {
     }
   };
-  for (const auto& output : outputs_) tried([&] { output->settle(); });  // a file in the making takes room
-  tried([&] { save(RunRecord::Status::failed); });
+  for (const auto& output : outputs_) {
+    tried([&] { output->settle(); });  // a file in the making takes room
+    tried([&] { output->tell(); });
+  }
+  record_.status = RunRecord::Status::failed;
+  record_.reason = reason;
+  tried([&] { write_record(); });
 }
 
 std::string Run::state_line() const {

@@ -27,7 +27,7 @@ constexpr KeyInfo top_keys[] = {
     {"law", "LAW", "the method's", "of elasticity, for every method that takes it: `taut list laws`"},
     {"contact", "CONTACT", "published", "how bodies act on each other: `taut list contacts`"},
     {"stepping", "dual or single", "dual", "geometry of pairs held between advection steps, or not"},
-    {"cfl", "number", "the method's", "factor of the time step"},
+    {"cfl", "number", "the method's", "factor of the time step, 1e-6 or more"},
     {"gravity", "[x, y] of t, m/s²", "none", "acts on all particles"},
     {"damping", "number, 1/s", "0", "c of a viscous force −c m v, for scenes that come to rest"},
     {"parameters", "[parameters]", "none", "what can be changed from outside"},

@@ -148,6 +148,28 @@ void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& met
     root.table().set("law", TomlValue(settings.law));
 }
 
+/// Steps a millionth of the usual ones would take years, and what a particle moves in one is lost in the digits
+/// of its place.
+constexpr double least_cfl = 1e-6;
+
+std::string check_cfl(double cfl) {
+  return cfl >= least_cfl ? ""
+                          : "cfl = " + exact(cfl) + " is below " + exact(least_cfl) +
+                                ": in so small a step a particle's motion is lost to rounding";
+}
+
+double file_cfl(TomlCursor& root) {
+  const double cfl = root.positive("cfl");
+  if (const std::string wrong = check_cfl(cfl); !wrong.empty()) root.fail(*root.find("cfl"), "cfl", wrong);
+  return cfl;
+}
+
+double changed_cfl(const std::string& text, const Names& names) {
+  const double cfl = changed_positive("cfl", text, names);
+  if (const std::string wrong = check_cfl(cfl); !wrong.empty()) throw UsageError(wrong);
+  return cfl;
+}
+
 }  // namespace
 
 std::span<const ContactChoice> contact_choices() { return contacts; }
@@ -188,9 +210,9 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
 
   read_law(root, of_file, method, changes, file.settings, file.remark);
   // constants and CFL number of a file belong to the method of the file; another one takes its own
-  double cfl = root.find("cfl") ? root.positive("cfl") : of_file.cfl;
+  double cfl = root.find("cfl") ? file_cfl(root) : of_file.cfl;
   if (&method != &of_file) cfl = method.cfl;
-  if (changes.cfl) cfl = changed_positive("cfl", *changes.cfl, root.names());
+  if (changes.cfl) cfl = changed_cfl(*changes.cfl, root.names());
   root.table().set("cfl", TomlValue(cfl));
   file.settings.cfl = cfl;
   read_constants(root, of_file, method, file.scene.dim, changes, file.settings);

@@ -5,6 +5,7 @@
 
 #include "cli/drawing/frames.hpp"
 #include "cli/run/checkpoint.hpp"
+#include "cli/run/folder.hpp"
 #include "cli/run/run.hpp"
 #include "cli/run/schedule.hpp"
 #include "cli/system/stopwatch.hpp"
@@ -15,6 +16,13 @@
 
 namespace taut::cli {
 namespace {
+
+/// However long it is told to go on, an interrupt stops it.
+std::unique_ptr<Simulation> start_heedful(const SceneFile& file) {
+  std::unique_ptr<Simulation> simulation = start(file);
+  simulation->heed(Interrupts::flag());
+  return simulation;
+}
 
 /// Why a name cannot be set any more, or nothing.
 std::string reason_against(const std::string& name, const SceneFile& file) {
@@ -37,7 +45,7 @@ Session::Session(const RunOptions& options)
     : options_(options),
       file_(scene_to_run(options)),
       drawing_(with_options(file_.drawing, options.drawing)),
-      simulation_(start(file_)) {
+      simulation_(start_heedful(file_)) {
   suit(drawing_, file_);
 }
 
@@ -58,10 +66,10 @@ void Session::run_until(double t, const Interrupts& interrupts, Progress& progre
     const Stopwatch watch;
     const double from = simulation_->time(), to = std::min(t, from + pace.slice());
     simulation_->advance(to, t);
-    if (simulation_->time() < to) {  // the next step ends at or past t
+    if (simulation_->time() < to) {  // the next step ends at or past t, or it is to stop
       const Snapshot before = simulation_->snapshot();
       simulation_->advance_to(to);
-      between_ = blend(before, simulation_->snapshot(), t);
+      if (simulation_->steps() > before.step) between_ = blend(before, simulation_->snapshot(), t);
     }
     pace.took(simulation_->time() - from, watch.seconds());
     progress.show((simulation_->time() - start) / (t - start), "t = " + brief(simulation_->time()) + " s");
@@ -77,7 +85,7 @@ void Session::set(const Setting& setting) {
     throw UsageError("'" + setting.name + "' cannot change any more: " + reason +
                      "; cfl and other constants of the method can. Start another session with --set " +
                      text_of(setting));
-  std::unique_ptr<Simulation> simulation = start(file);
+  std::unique_ptr<Simulation> simulation = start_heedful(file);
   simulation->load(simulation_->save());
   simulation_ = std::move(simulation);
   options_ = std::move(options);
@@ -127,7 +135,10 @@ void Session::orbit(double right, double upwards) {
   window_.reset();
 }
 
-void Session::frame(const std::filesystem::path& file) const { render::write_png(picture(drawing()), file); }
+void Session::frame(const std::filesystem::path& file) const {
+  const auto lock = lock_around(file, "taut session");
+  render::write_png(picture(drawing()), file);
+}
 
 render::Image Session::picture(const Drawing& drawing) const {
   const Captions captions{file_.scene.title, file_.settings.method, file_.scene.until};
@@ -139,6 +150,7 @@ void Session::save(const std::filesystem::path& file) const {
   checkpoint.method = file_.settings.method;
   checkpoint.scene = resolved_text(file_, file_.path.parent_path());
   checkpoint.state = simulation_->save();
+  const auto lock = lock_around(file, "taut session");
   write_checkpoint(file, std::move(checkpoint));
 }
 
@@ -149,7 +161,7 @@ void Session::load(const std::filesystem::path& path) {
                      file_.settings.method + "'");
   if (checkpoint.scene != resolved_text(file_, file_.path.parent_path()))
     throw UsageError("'" + path.string() + "' is of another scene, or of other parameters or constants");
-  std::unique_ptr<Simulation> simulation = start(file_);
+  std::unique_ptr<Simulation> simulation = start_heedful(file_);
   try {
     simulation->load(checkpoint.state);
   } catch (const UsageError& e) {

@@ -116,6 +116,8 @@ std::string_view name(RunState state) {
       return "to do: other settings before";
     case RunState::interrupted:
       return "to do: was interrupted";
+    case RunState::damaged:
+      return "to do: run.json is not whole";
     case RunState::broken:
       return "broken";
     case RunState::done:
@@ -135,6 +137,7 @@ void SweepRun::read_folder() {
   forget();
   const RunFolder files(*options.out);
   const std::optional<StoredRecord> found = read_record(files.record());
+  if (!found && files.is_damaged()) state = RunState::damaged;
   if (!found) return;
   const bool same = found->version == TAUT_VERSION && read_whole(files.scene()) == scene;
   const bool failed = found->status == Status::failed;

@@ -18,6 +18,7 @@ enum class RunState {
   to_do,
   outdated,     // an older run with other settings, or of another version of taut
   interrupted,  // or killed
+  damaged,      // its run.json is not whole
   broken,       // it ended without a result: a crash, a full disk
   done,         // finished or diverged: a result either way
 };
@@ -32,6 +33,7 @@ struct SweepRun {
   std::string scene;    // scene.toml as it will be
   int last_frame = -1;  // none: -1
   double work = 0;      // in proportion to the time it will take, as far as spacing and steps tell
+  bool forced = false;  // it is to be done, whatever its folder says
   RunState state = RunState::to_do;
   std::string problem;            // of a broken run
   nlohmann::ordered_json record;  // run.json of a run that is done or was interrupted; else null

@@ -115,7 +115,7 @@ std::string results_json(const SweepPlan& plan) {
   for (const Setting& s : plan.fixed) json["fixed"][s.name] = as_json(s.value);
   json["runs"] = Json::array();
   for (const SweepRun& run : plan.runs) json["runs"].push_back(run_json(run));
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";  // a message may name a file
 }
 
 std::string results_csv(const SweepPlan& plan) {
@@ -137,8 +137,8 @@ std::string results_csv(const SweepPlan& plan) {
 }
 
 void write_results(const SweepPlan& plan) {
-  write_atomically(plan.folder / "results.csv", results_csv(plan));
-  write_atomically(plan.folder / "results.json", results_json(plan));
+  write_atomically(plan.folder / "results.csv", results_csv(plan), Kept::on_disk);
+  write_atomically(plan.folder / "results.json", results_json(plan), Kept::on_disk);
 }
 
 std::string outcome(const SweepRun& run) {

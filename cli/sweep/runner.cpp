@@ -8,17 +8,22 @@
 
 #include "cli/run/report.hpp"
 #include "cli/system/exit_code.hpp"
+#include "cli/system/folder_lock.hpp"
 
 namespace taut::cli {
 namespace {
 
 constexpr double look_interval = 2.0;  // s between two looks at how far the runs are
 
-/// What the child does: `taut run`, silently.
-int run_alone(const RunOptions& options) {
-  const auto work = [&] {
+/// What the child does: `taut run`, silently. Single runs of a sweep may be asked for by several programs: what
+/// another one has done meanwhile is not done again.
+int run_alone(SweepRun run) {
+  const auto work = [&]() -> int {
     const Stopwatch setup;
-    const RunPlan plan = make_plan(options);
+    const FolderLock lock(*run.options.out, FolderLock::Of::run, "taut sweep", std::cerr);
+    run.read_folder();
+    if (!run.forced && run.state == RunState::done) return exit_fine;
+    const RunPlan plan = make_plan(run.options);
     const Interrupts interrupts;
     Progress silent(std::cerr, Progress::Style::none);
     return exit_code(run_scene(plan, interrupts, silent, setup.seconds()));
@@ -68,7 +73,7 @@ SweepEnd SweepRunner::execute(const std::string& title) {
   while (may_start() || !at_work_.empty()) {
     while (may_start() && at_work_.size() < jobs_) {
       SweepRun* run = waiting_.back();
-      at_work_.push_back({run, std::make_unique<ChildProcess>([run] { return run_alone(run->options); })});
+      at_work_.push_back({run, std::make_unique<ChildProcess>([run] { return run_alone(*run); })});
       waiting_.pop_back();
     }
     wait_for_something();

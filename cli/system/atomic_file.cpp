@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
@@ -30,6 +31,40 @@ int write_all(int descriptor, std::string_view text) {
     text.remove_prefix(static_cast<std::size_t>(taken));
   }
   return 0;
+}
+
+/// Unless the environment says TAUT_FSYNC=off: for runs that nobody keeps.
+bool waits_for_the_disk() {
+  static const char* const asked = std::getenv("TAUT_FSYNC");
+  return !asked || std::string_view(asked) != "off";
+}
+
+/// 0 or an errno. Not every file system can be waited for.
+int sync(int descriptor) {
+  if (!waits_for_the_disk()) return 0;
+  if (::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP) return 0;
+  return errno;
+}
+
+/// 0 or an errno. What may not be read cannot be waited for either.
+int sync(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return errno == EACCES ? 0 : errno;
+  const int error = sync(descriptor);
+  ::close(descriptor);
+  return error;
+}
+
+/// The folder that lists `path`.
+fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : "."; }
+
+/// A new file, whatever stands there: an older program's, or a link that somebody has laid.
+int open_new(const std::string& path) {
+  constexpr int how = O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC;
+  const int descriptor = ::open(path.c_str(), how, 0666);
+  if (descriptor >= 0 || errno != EEXIST) return descriptor;
+  ::unlink(path.c_str());
+  return ::open(path.c_str(), how, 0666);
 }
 
 /// A folder beside the one to be written, on the same file system; gone when done, with whatever is in it.
@@ -71,19 +106,39 @@ int put_in_place(const fs::path& fresh, const fs::path& folder) {
 
 }  // namespace
 
-void write_atomically(const fs::path& path, std::string_view text) {
+void write_atomically(const fs::path& path, std::string_view text, Kept kept) {
   const std::string temporary = path.string() + ".tmp";
-  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  const int descriptor = open_new(temporary);
   if (descriptor < 0) fail(path, errno);
   int error = write_all(descriptor, text);
+  if (error == 0 && kept == Kept::on_disk) error = sync(descriptor);
   if (::close(descriptor) != 0 && error == 0) error = errno;
   if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
-  if (error == 0) return;
-  ::unlink(temporary.c_str());
-  fail(path, error);
+  if (error != 0) ::unlink(temporary.c_str());
+  if (error == 0 && kept == Kept::on_disk) error = sync(folder_of(path));
+  if (error != 0) fail(path, error);
+}
+
+void put_on_disk(const fs::path& path) {
+  if (const int error = sync(path); error != 0 && error != ENOENT) fail(path, error);
+}
+
+std::vector<fs::path> make_folders(const fs::path& folder) {
+  std::vector<fs::path> made;
+  std::error_code error;
+  fs::path inner = folder.has_filename() ? folder : folder.parent_path();  // "a/b/" is "a/b"
+  for (; !inner.empty() && !fs::exists(inner, error); inner = inner.parent_path()) made.push_back(inner);
+  constexpr int most = 100;  // somebody may remove an empty folder in between
+  for (int k = 0; k < most; ++k)
+    if (fs::create_directories(folder, error); error != std::errc::no_such_file_or_directory) break;
+  if (error) throw OutputError(folder.string(), "the folder cannot be made: " + error.message());
+  for (const fs::path& each : made) put_on_disk(folder_of(each));
+  return made;
 }
 
 std::optional<std::string> read_whole(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return std::nullopt;  // a device has no end
   std::ifstream file(path, std::ios::binary);
   if (!file) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(file), {});
@@ -91,7 +146,7 @@ std::optional<std::string> read_whole(const fs::path& path) {
 
 AppendFile::AppendFile(fs::path path, Start start) : path_(std::move(path)) {
   const int how = start == Start::empty ? O_TRUNC : O_APPEND;
-  descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | how, 0666);
+  descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | how, 0666);
   if (descriptor_ < 0) fail(path_, errno);
   length_ = std::max<std::int64_t>(0, ::lseek(descriptor_, 0, SEEK_END));
 }
@@ -107,6 +162,10 @@ void AppendFile::cut(std::int64_t length) {
   if (length == length_) return;
   if (::ftruncate(descriptor_, length) != 0) fail(path_, errno);
   length_ = length;
+}
+
+void AppendFile::put_on_disk() const {
+  if (const int error = sync(descriptor_)) fail(path_, error);
 }
 
 AppendFile::~AppendFile() { ::close(descriptor_); }
@@ -127,9 +186,17 @@ void write_whole_folder(const fs::path& folder, const std::vector<fs::path>& fil
   const Beside fresh(target, "tmp");
   std::error_code error;
   fs::create_directories(fresh.path(), error);
-  for (const fs::path& file : files)
-    if (!error) fs::copy_file(file, fresh.path() / file.filename(), error);
-  if (!error) error.assign(put_in_place(fresh.path(), target), std::generic_category());
+  const auto check = [&error](int problem) {
+    if (!error) error.assign(problem, std::generic_category());
+  };
+  for (const fs::path& file : files) {
+    const fs::path copy = fresh.path() / file.filename();
+    if (!error) fs::copy_file(file, copy, error);
+    if (!error) check(sync(copy));
+  }
+  if (!error) check(sync(fresh.path()));
+  if (!error) check(put_in_place(fresh.path(), target));
+  if (!error) check(sync(folder_of(target)));
   if (error) throw OutputError(folder.string(), "cannot be written: " + error.message());
 }
 

@@ -9,11 +9,24 @@
 
 namespace taut::cli {
 
+/// What a file that has been written outlives. On disk it is there after a power cut too, at the cost of waiting
+/// for the disk: for what cannot be made again, or says that other files are complete.
+enum class Kept { from_crashes, on_disk };
+
 /// Writes a file that others see either in its old or in its new state, never half: a temporary file beside
 /// it, renamed when complete. Throws OutputError and leaves no temporary file.
-void write_atomically(const std::filesystem::path& path, std::string_view text);
+void write_atomically(const std::filesystem::path& path, std::string_view text,
+                      Kept kept = Kept::from_crashes);
 
-/// All bytes of a file; none if it cannot be read.
+/// Waits until what a file holds, or what a folder lists, is on disk; not where somebody has taken it away.
+/// Throws OutputError.
+void put_on_disk(const std::filesystem::path& path);
+
+/// Makes a folder and those that it is in; what was made is on disk. Gives those that were not there, the
+/// innermost first. Throws OutputError.
+std::vector<std::filesystem::path> make_folders(const std::filesystem::path& folder);
+
+/// All bytes of a file; none if it cannot be read, or is a folder or a device.
 std::optional<std::string> read_whole(const std::filesystem::path& path);
 
 /// A file that grows by whole lines: each one is handed to the system at once, and a line that did not fit is
@@ -34,6 +47,8 @@ class AppendFile {
   void check_holds(std::int64_t length) const;
   /// Takes back what stands behind the first `length` bytes. UsageError if there are not as many.
   void cut(std::int64_t length);
+  /// Waits until all lines are on disk.
+  void put_on_disk() const;
 
  private:
   std::filesystem::path path_;
@@ -42,7 +57,8 @@ class AppendFile {
 };
 
 /// Makes a folder of copies of `files`, or puts them in place of all that is in it. Others see the folder
-/// either in its old or in its new state, never half. Throws OutputError and leaves the old state.
+/// either in its old or in its new state, never half, after a power cut too. Throws OutputError and leaves the
+/// old state.
 void write_whole_folder(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
 }  // namespace taut::cli

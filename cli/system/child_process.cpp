@@ -27,6 +27,7 @@ sigset_t interrupting_signals() {
   sigemptyset(&set);
   sigaddset(&set, SIGINT);
   sigaddset(&set, SIGTERM);
+  sigaddset(&set, SIGHUP);
   return set;
 }
 
@@ -38,7 +39,7 @@ void check_no_threads() {
     throw std::logic_error("a process with several threads was to be forked");
 }
 
-/// The first thing a child does, with SIGINT and SIGTERM blocked: SIGINT stays so.
+/// The first thing a child does, with what interrupts blocked: what a terminal sends stays so.
 void settle(pid_t parent, int output) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(1);  // it has died in between

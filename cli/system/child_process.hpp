@@ -9,8 +9,8 @@ namespace taut::cli {
 /// Work in a process of its own, so that a crash there or a signal to it is no more than an exit code here.
 /// It is forked and goes on in this program, which must not have a second thread then.
 ///
-/// The child dies with its parent, however that ends. It does not see a Ctrl-C of the terminal: it is the
-/// parent's to pass on, once, with `ask_to_stop`.
+/// The child dies with its parent, however that ends. It does not see a Ctrl-C of the terminal, nor its end: they
+/// are the parent's to pass on, once, with `ask_to_stop`.
 class ChildProcess {
  public:
   /// `work` returns the exit code; what it prints is kept. Throws UsageError when the system has no room for

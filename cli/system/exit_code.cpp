@@ -1,6 +1,7 @@
 #include "cli/system/exit_code.hpp"
 
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <ostream>
 #include <string>
@@ -22,27 +23,39 @@ std::string with_place(const SceneError& e) {
 
 }  // namespace
 
+Failure current_failure() {
+  try {
+    throw;
+  } catch (const SceneError& e) {
+    return {with_place(e), exit_wrong_input};
+  } catch (const UsageError& e) {
+    return {e.what(), exit_wrong_input};
+  } catch (const NumericalError& e) {
+    return {e.what(), exit_diverged};
+  } catch (const OutputError& e) {
+    return {e.path + ": " + e.what(), exit_not_written};
+  } catch (const std::bad_alloc&) {
+    return {"out of memory: take a larger --spacing, a smaller --size, fewer --frames or a fixed --range",
+            exit_wrong_input};
+  } catch (const std::filesystem::filesystem_error& e) {
+    return {e.path1().string() + ": " + e.code().message(), exit_not_written};
+  } catch (const std::exception& e) {
+    return {std::string(e.what()) + " (this is a bug of taut)", exit_bug};
+  } catch (...) {
+    return {"an error without a message (this is a bug of taut)", exit_bug};
+  }
+}
+
 int guarded(const std::function<int()>& action, std::ostream& err) {
-  const auto fail = [&err](const std::string& message, int code) {
-    err << "taut: " << message << '\n';
-    return code;
-  };
   try {
     return action();
-  } catch (const SceneError& e) {
-    err << with_place(e) << '\n';
+  } catch (const SceneError&) {
+    err << current_failure().message << '\n';  // begins with the file, as compilers have it
     return exit_wrong_input;
-  } catch (const UsageError& e) {
-    return fail(e.what(), exit_wrong_input);
-  } catch (const NumericalError& e) {
-    return fail(e.what(), exit_diverged);
-  } catch (const OutputError& e) {
-    return fail(e.path + ": " + e.what(), exit_not_written);
-  } catch (const std::bad_alloc&) {
-    return fail("out of memory: take a larger --spacing, a smaller --size, fewer --frames or a fixed --range",
-                exit_wrong_input);
-  } catch (const std::exception& e) {
-    return fail(std::string(e.what()) + " (this is a bug of taut)", exit_bug);
+  } catch (...) {
+    const Failure failure = current_failure();
+    err << "taut: " << failure.message << '\n';
+    return failure.code;
   }
 }
 

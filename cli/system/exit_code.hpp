@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <iosfwd>
+#include <string>
 
 namespace taut::cli {
 
@@ -16,6 +17,14 @@ enum ExitCode : int {
   exit_not_written = 4,    // output could not be written
   exit_interrupted = 130,  // 128 + SIGINT, as shells have it
 };
+
+/// What users are told of an error, and its exit code.
+struct Failure {
+  std::string message;
+  int code;
+};
+/// Of the exception that is being handled, whatever it is.
+Failure current_failure();
 
 /// The exit code of `action`: its own, or that of the error it throws, which ends as a message on `err`.
 int guarded(const std::function<int()>& action, std::ostream& err);

@@ -8,32 +8,41 @@ namespace taut::cli {
 namespace {
 
 // what a signal handler may touch must live here
-volatile std::sig_atomic_t last_signal = 0;
+std::atomic<int> last_signal = 0;
+static_assert(std::atomic<int>::is_always_lock_free);
 
 extern "C" void on_signal(int number) {
-  if (last_signal) ::_exit(exit_interrupted);
-  last_signal = number;
+  if (last_signal.load() == 0)
+    last_signal.store(number);
+  else if (number != SIGHUP)
+    ::_exit(exit_interrupted);
 }
 
 }  // namespace
 
 Interrupts::Interrupts() {
-  last_signal = 0;
+  last_signal.store(0);
   struct sigaction action {};
   action.sa_handler = on_signal;
   action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
   ::sigaction(SIGINT, &action, &old_interrupt_);
   ::sigaction(SIGTERM, &action, &old_terminate_);
+  ::sigaction(SIGHUP, nullptr, &old_hang_up_);
+  if (old_hang_up_.sa_handler != SIG_IGN) ::sigaction(SIGHUP, &action, nullptr);  // else it is under nohup
+  action.sa_handler = SIG_IGN;
+  ::sigaction(SIGPIPE, &action, &old_pipe_);
 }
 
 Interrupts::~Interrupts() {
   ::sigaction(SIGINT, &old_interrupt_, nullptr);
   ::sigaction(SIGTERM, &old_terminate_, nullptr);
+  ::sigaction(SIGHUP, &old_hang_up_, nullptr);
+  ::sigaction(SIGPIPE, &old_pipe_, nullptr);
 }
 
-bool Interrupts::asked() const { return last_signal != 0; }
+bool Interrupts::asked_to_end() const { return flag() == SIGTERM || flag() == SIGHUP; }
 
-bool Interrupts::asked_to_end() const { return last_signal == SIGTERM; }
+const std::atomic<int>& Interrupts::flag() { return last_signal; }
 
 }  // namespace taut::cli

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <atomic>
 #include <csignal>
 
 namespace taut::cli {
 
-/// While it lives, the first Ctrl-C (or SIGTERM) only sets a flag, so that a run can stop in good order; the
-/// second ends the program at once. Files stay whole either way: each is written beside and renamed.
+/// While it lives, the first Ctrl-C, SIGTERM or SIGHUP (the terminal is closed) only sets a flag, so that a run
+/// can stop in good order; a second one ends the program at once, but for SIGHUP, which shells send twice. Files
+/// stay whole either way: each is written beside and renamed. A reader of its streams that goes away does not
+/// end it.
 class Interrupts {
  public:
   Interrupts();
@@ -13,13 +16,17 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
 
-  bool asked() const;
-  /// It was SIGTERM: all is to end, not only what is going on.
+  bool asked() const { return flag() != 0; }
+  /// By SIGTERM or SIGHUP: all is to end, not only what is going on.
   bool asked_to_end() const;
+  /// The signal, or 0; for whoever is to stop in the middle of a long piece of work.
+  static const std::atomic<int>& flag();
 
  private:
   struct sigaction old_interrupt_ {};
   struct sigaction old_terminate_ {};
+  struct sigaction old_hang_up_ {};
+  struct sigaction old_pipe_ {};
 };
 
 }  // namespace taut::cli

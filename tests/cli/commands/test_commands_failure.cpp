@@ -1,4 +1,5 @@
 #include <csignal>
+#include <cstdlib>
 #include <sys/mount.h>
 
 #include <doctest/doctest.h>
@@ -60,6 +61,64 @@ TEST_SUITE("cli") {
     child.send(SIGINT);
     CHECK(child.exit_code() == 130);
     CHECK(taut::render::read_png(folder / "out/frames/frame_00000.png").width == 160);
+  }
+
+  TEST_CASE("the end of the terminal ends a run in good order, and nohup keeps it from that") {
+    const TemporaryFolder folder;
+    const std::vector<std::string> endless{"--until", "1000",  "--frames", "1", "--checkpoint-every",
+                                           "1000",    "--set", "speed=0"};
+    ChildProgram child(tiny_run(folder, "out", endless));
+    ChildProgram::wait_for(folder / "out/frames/frame_00000.png");
+    child.send(SIGHUP);
+    child.send(SIGHUP);  // by the kernel and by the shell
+    CHECK(child.exit_code() == 130);
+    CHECK(json_of(folder / "out/run.json")["status"] == "interrupted");
+    CHECK(fs::file_size(folder / "out/checkpoint.bin") > 10000);
+    std::signal(SIGHUP, SIG_IGN);
+    ChildProgram deaf(tiny_run(folder, "deaf", endless));
+    std::signal(SIGHUP, SIG_DFL);
+    ChildProgram::wait_for(folder / "deaf/frames/frame_00000.png");
+    deaf.send(SIGHUP);
+    deaf.send(SIGINT);  // would end it at once if it were the second
+    CHECK(deaf.exit_code() == 130);
+    CHECK(json_of(folder / "deaf/run.json")["status"] == "interrupted");
+  }
+
+  TEST_CASE("an interrupt ends a run in the middle of steps without end, a session too") {
+    const TemporaryFolder folder;
+    // until the first look at the time it would take a year
+    const std::vector<std::string> endless{"--until", "1e9",      "--history",  "1e9",
+                                           "--set",   "cfl=1e-6", "--no-render"};
+    ChildProgram child(tiny_run(folder, "out", endless));
+    ChildProgram::wait_for(folder / "out/history.csv");
+    child.send(SIGTERM);
+    CHECK(child.exit_code() == 130);
+    CHECK(json_of(folder / "out/run.json")["status"] == "interrupted");
+    std::ofstream(folder / "script") << "save " << folder.str("before") << "\nrun until 1e9\nsave "
+                                     << folder.str("after") << "\n";
+    ChildProgram session({"session", folder.str("discs.toml"), "--set", "cfl=1e-6", "--threads", "1"},
+                         folder.str("script"));
+    ChildProgram::wait_for(folder / "before");
+    session.send(SIGTERM);
+    CHECK(session.exit_code() == 130);
+    CHECK_FALSE(fs::exists(folder / "after"));
+  }
+
+  TEST_CASE("steps so small that nothing moves are refused with the bound") {
+    const TemporaryFolder folder;
+    const std::string scene = write_tiny_scene(folder), text = text_of(scene);
+    std::ofstream(folder / "file.toml") << "cfl = 1e-14\n" << text;
+    const std::string bound = "cfl = 1e-14 is below 1e-06";
+    for (const auto& arguments :
+         {std::vector<std::string>{"run", scene, "--set", "cfl=1e-14"},
+          {"run", folder.str("file.toml")},
+          {"sweep", scene, "--grid", "cfl=0.4,1e-14", "--out", folder.str("sweep")}}) {
+      const Outcome outcome = call(arguments);
+      CAPTURE(outcome.err);
+      CHECK(outcome.code == 2);
+      CHECK(contains(outcome.err, bound));
+    }
+    CHECK(contains(call({"run", folder.str("file.toml")}).err, "file.toml:1:"));
   }
 
   TEST_CASE("a second interrupt ends the program and leaves whole files") {
@@ -131,5 +190,106 @@ TEST_SUITE("cli") {
       CHECK(file.path().extension() == ".png");
       CHECK(taut::render::read_png(file.path()).width == 640);
     }
+  }
+
+  TEST_CASE("a run's folder belongs to one program at a time, which is named") {
+    const TemporaryFolder folder;
+    const std::vector<std::string> endless{
+        "--until", "1000",  "--save-particles", "--checkpoint-every", "1000", "--frames",
+        "1",       "--set", "speed=0"};
+    ChildProgram child(tiny_run(folder, "out", endless));
+    ChildProgram::wait_for(folder / "out/particles/particles_00000.vtp");
+    ChildProgram::wait_for(folder / "out/history.csv");
+    const std::string out = folder.str("out"), scene = text_of(folder / "out/scene.toml");
+    for (const auto& arguments : {tiny_run(folder, "out"),
+                                  tiny_run(folder, "frames/../out/"),
+                                  {"run", "--resume", out},
+                                  {"render", out},
+                                  {"render", out, "--out", out + "/frames"},
+                                  {"snapshot", folder.str("discs.toml"), "--baseline", folder.str("good"),
+                                   "--update", "--out", out}}) {
+      const Outcome outcome = call(arguments);
+      CAPTURE(arguments[0]);
+      CAPTURE(outcome.err);
+      CHECK(outcome.code == 2);
+      CHECK(
+          contains(outcome.err, "in use by `taut run` (process " + std::to_string(child.process()) + " on "));
+    }
+    for (const std::string file : {"/checkpoint.bin", "/frames/frame_00000.png"}) {
+      std::ofstream(folder / "script") << (file[1] == 'c' ? "save " : "frame ") << out << file << "\n";
+      ChildProgram session({"session", folder.str("discs.toml"), "--strict"}, folder.str("script"));
+      CHECK(session.exit_code() == 2);
+    }
+    CHECK(call({"render", out, "--out", folder.str("elsewhere"), "--quiet"}).code == 0);
+    CHECK(text_of(folder / "out/scene.toml") == scene);
+    child.send(SIGTERM);
+    CHECK(child.exit_code() == 130);
+    CHECK(json_of(folder / "out/run.json")["status"] == "interrupted");
+    CHECK_FALSE(fs::exists(folder / "out/run.lock"));
+    CHECK(call({"render", out, "--quiet"}).code == 0);
+  }
+
+  TEST_CASE("after an error in the middle run.json says failed and why, and an error before leaves nothing") {
+    const TemporaryFolder folder;
+    const std::string text = text_of(write_tiny_scene(folder));
+    std::ofstream(folder / "nan.toml") << "gravity = [0, \"-sqrt(0.001 - t)\"]\n" << text;
+    const auto run = [&](const std::string& scene) {
+      return call({"run", folder.str(scene), "--out", folder.str("a/out"), "--threads", "1", "--quiet"});
+    };
+    const Outcome outcome = run("nan.toml");
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 2);
+    const auto record = json_of(folder / "a/out/run.json");
+    CHECK(record["status"] == "failed");
+    CHECK(contains(outcome.err, record["reason"].get<std::string>()));
+    CHECK(contains(record["reason"].get<std::string>(), "nan.toml:1:"));
+    CHECK(record["reached"] > 0);
+    CHECK(lines_of(folder / "a/out/history.csv").size() > 10);
+    CHECK_FALSE(fs::exists(folder / "a/out/run.lock"));
+    fs::remove_all(folder / "a");
+    std::ofstream(folder / "bare.toml") << text << R"([[line]]
+name = "beside"
+body = "left"
+field = "von_mises"
+from = [-1, 0]
+to = [1, 0]
+points = 3
+times = [0]
+)";
+    CHECK(run("bare.toml").code == 2);
+    CHECK_FALSE(fs::exists(folder / "a"));
+  }
+
+  TEST_CASE("a diverged run says why in its run.json") {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        call(tiny_run(folder, "out", {"--set", "cfl=20", "--until", "0.02", "--no-render"}));
+    const auto reason = json_of(folder / "out/run.json")["reason"].get<std::string>();
+    CHECK(contains(reason, "diverged at t = "));
+    CHECK(contains(outcome.err, "taut: " + reason));
+  }
+
+  TEST_CASE(
+      "a file longer than the shell allows, and streams that are closed or full, are errors in good order") {
+    const TemporaryFolder folder;
+    const auto shell = [&](const std::string& before, const std::vector<std::string>& arguments,
+                           const std::string& behind) {
+      std::string command = before + "'" TAUT_BINARY_DIR "/taut'";
+      for (const std::string& argument : arguments) command += " '" + argument + "'";
+      return WEXITSTATUS(std::system((command + behind).c_str()));
+    };
+    const std::string quiet = " >/dev/null 2>'" + folder.str("err") + "'";
+    CHECK(shell("ulimit -f 16; ", tiny_run(folder, "long", {"--until", "0.01"}), quiet) == 4);
+    CHECK(contains(text_of(folder / "err"), "File too large"));
+    CHECK(contains(json_of(folder / "long/run.json")["reason"].get<std::string>(), "File too large"));
+    // no file of the run gets the number of a closed stream
+    REQUIRE(call(tiny_run(folder, "out")).code == 0);
+    CHECK(shell("", tiny_run(folder, "closed"), " >&- 2>/dev/null") == 4);
+    for (const std::string file : {"history.csv", "scene.toml"})
+      CHECK(text_of(folder / "closed" / file) == text_of(folder / "out" / file));
+    CHECK(shell("", tiny_run(folder, "full"), " >/dev/full 2>/dev/null") == 4);
+    CHECK(json_of(folder / "full/run.json")["status"] == "finished");
+    CHECK(shell("", {"list"}, " 2>'" + folder.str("err") + "' | head -1 >/dev/null") == 0);
+    CHECK(text_of(folder / "err").empty());
   }
 }

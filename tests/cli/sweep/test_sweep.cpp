@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "cli/sweep/lock.hpp"
 #include "engine/error.hpp"
 #include "tests/support/sweep_folder.hpp"
 
@@ -237,13 +236,5 @@ tables = { gap_rmse = { file = "tables/gap.csv", column = "gap" } }
     REQUIRE(program(tiny_sweep(folder, "single", grid)).code == 0);
     CHECK(ends(folder / "single").at("speed=3") == before.at("speed=3"));
     CHECK(results(folder / "single") == results(folder / "whole"));
-  }
-
-  TEST_CASE("a sweep is locked as a whole or by the run") {
-    const TemporaryFolder folder;
-    const taut::cli::SweepLock one(folder.path(), "a");
-    const taut::cli::SweepLock other(folder.path(), "b");
-    CHECK_THROWS_AS(taut::cli::SweepLock(folder.path(), "a"), taut::UsageError);
-    CHECK_THROWS_AS(taut::cli::SweepLock(folder.path(), ""), taut::UsageError);
   }
 }

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "cli/sweep/lock.hpp"
+#include "cli/system/folder_lock.hpp"
 #include "tests/support/child_program.hpp"
 #include "tests/support/sweep_folder.hpp"
 
@@ -79,7 +79,8 @@ TEST_SUITE("cli") {
     sweep.send(SIGINT);
     sweep.send(SIGTERM);
     CHECK(sweep.exit_code() == 130);
-    CHECK_NOTHROW(taut::cli::SweepLock(folder / "out", ""));  // its runs would hold it
+    std::ostringstream err;  // its runs would hold the lock
+    CHECK_NOTHROW(taut::cli::FolderLock(folder / "out", taut::cli::FolderLock::Of::sweep, "taut test", err));
     CHECK(statuses(folder / "out").size() == 2);
   }
 
@@ -120,8 +121,55 @@ TEST_SUITE("cli") {
     for (const Texts& more : {Texts{}, Texts{"--index", "1"}}) {
       const Outcome second = program(endless_sweep(folder, more));
       CHECK(second.code == 2);
-      CHECK(contains(second.err, "another sweep is at work"));
+      CHECK(contains(second.err,
+                     "is in use by `taut sweep` (process " + std::to_string(sweep.process()) + " on "));
     }
+  }
+
+  TEST_CASE("a single run of a sweep that another program has in hand is left to it") {
+    const TemporaryFolder folder;
+    const Texts first{"--index", "0"};
+    const ChildProgram sweep(endless_sweep(folder, first));
+    ChildProgram::wait_for(folder / "out/until=1000/history.csv");
+    const Outcome again = program(endless_sweep(folder, first));
+    CHECK(again.code == 2);
+    CHECK(contains(again.err, "until=1000' is in use by `taut sweep` (process "));
+    CHECK(json_of(folder / "out/until=1000/run.json")["status"] == "running");
+    CHECK(program(endless_sweep(folder, {"--index", "1"})).code == 0);
+    CHECK(contains(program(endless_sweep(folder)).err, "out' is in use by "));
+  }
+
+  TEST_CASE("a run whose run.json is cut or garbled is named and done again, and the others are kept") {
+    const TemporaryFolder folder;
+    const Texts sweep = tiny_sweep(folder, "out", {"--grid", "speed=1,2,3,4"});
+    REQUIRE(program(sweep).code == 0);
+    const auto expected = results(folder / "out");
+    const auto before = ends(folder / "out");
+    const std::string whole = text_of(folder / "out/speed=2/run.json");
+    std::ofstream(folder / "out/speed=1/run.json") << "";
+    std::ofstream(folder / "out/speed=2/run.json") << whole.substr(0, whole.size() / 2);
+    std::ofstream(folder / "out/speed=3/run.json") << std::string(whole).replace(whole.find(",\n"), 1, ";");
+    const Outcome outcome = program(sweep);
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 0);
+    for (const char* run : {"run 0 (speed=1): ", "run 1 (speed=2): ", "run 2 (speed=3): "})
+      CHECK(contains(outcome.err, run));
+    CHECK(contains(outcome.err, "speed=2/run.json is not whole: it is done again"));
+    CHECK(results(folder / "out") == expected);
+    CHECK(ends(folder / "out").at("speed=4") == before.at("speed=4"));
+  }
+
+  TEST_CASE("a cut run.json among files of somebody else is left alone") {
+    const TemporaryFolder folder;
+    fs::create_directories(folder / "out");
+    std::ofstream(folder / "out/run.json") << "";
+    std::ofstream(folder / "out/thesis.tex") << "mine";
+    CHECK(call(tiny_run(folder, "out", {"--no-render"})).code == 2);
+    fs::remove(folder / "out/thesis.tex");
+    std::ofstream(folder / "out/run.json") << "{\"runner\": ";
+    CHECK(call(tiny_run(folder, "out", {"--no-render"})).code == 2);
+    std::ofstream(folder / "out/run.json") << "{\n  \"ta";
+    CHECK(call(tiny_run(folder, "out", {"--no-render"})).code == 0);
   }
 
   TEST_CASE("a run folder that was killed in the making is taken again") {

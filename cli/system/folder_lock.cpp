@@ -1,0 +1,183 @@
+#include "cli/system/folder_lock.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <ctime>
+#include <fcntl.h>
+#include <ostream>
+#include <sys/stat.h>
+#include <thread>
+#include <unistd.h>
+
+#include "cli/system/atomic_file.hpp"
+#include "engine/error.hpp"
+
+namespace fs = std::filesystem;
+
+namespace taut::cli {
+namespace {
+
+struct Kind {
+  const char* file;
+  short lock;  // F_WRLCK or F_RDLCK
+  bool stays;  // the file, when the lock is given up
+};
+constexpr std::array kinds = {Kind{run_lock_name, F_WRLCK, false},  // in the order of FolderLock::Of
+                              Kind{"sweep.lock", F_WRLCK, true}, Kind{"sweep.lock", F_RDLCK, true}};
+
+const Kind& kind(FolderLock::Of of) { return kinds[static_cast<std::size_t>(of)]; }
+
+/// A lock of the open file, not of the process: children that are still at work hold it as well.
+int lock(int descriptor, short type) {
+  struct flock whole {};
+  whole.l_type = type;
+  whole.l_whence = SEEK_SET;
+  return ::fcntl(descriptor, F_OFD_SETLK, &whole) == 0 ? 0 : errno;
+}
+
+bool is_taken(int error) { return error == EAGAIN || error == EACCES; }
+
+bool knows_no_locks(int error) {
+  const auto all = {ENOLCK, ENOSYS, EINVAL, ENOTSUP, ENOTTY};
+  return std::ranges::find(all, error) != all.end();
+}
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
+}
+
+/// As the text of the file has it: a line each.
+struct Holder {
+  std::string command, process, host, since;
+
+  /// It is of this machine and has ended: whoever has the lock now is a child of it that is about to go.
+  bool has_ended() const {
+    pid_t id = 0;
+    std::from_chars(process.data(), process.data() + process.size(), id);
+    return id > 0 && host == host_name() && ::kill(id, 0) != 0 && errno == ESRCH;
+  }
+};
+
+/// Nothing but letters, so that no file can do more than be read.
+std::string printable(std::string text) {
+  std::erase_if(text, [](char c) { return c < ' ' || c == 127; });
+  return text;
+}
+
+/// Empty texts where the file does not say.
+Holder read_holder(int descriptor) {
+  std::array<char, 1024> text{};
+  const ssize_t size = ::pread(descriptor, text.data(), text.size(), 0);
+  std::string_view rest(text.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+  Holder holder;
+  for (std::string* line : {&holder.command, &holder.process, &holder.host, &holder.since}) {
+    const std::size_t end = rest.find('\n');
+    *line = printable(std::string(rest.substr(0, end)));
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+  }
+  return holder;
+}
+
+std::string in_use(const fs::path& folder, const Holder& holder) {
+  const std::string by = holder.since.empty() ? "another taut"
+                                              : "`" + holder.command + "` (process " + holder.process +
+                                                    " on " + holder.host + ", since " + holder.since + ")";
+  return "'" + folder.string() + "' is in use by " + by +
+         "; wait for its end or name another folder with --out";
+}
+
+}  // namespace
+
+FolderLock::FolderLock(const fs::path& folder, Of of, std::string_view command, std::ostream& err)
+    : of_(of), file_(folder / kind(of).file) {
+  const int error = acquire();
+  if (error == 0) {
+    say_who(command);
+  } else if (knows_no_locks(error)) {
+    err << "taut: '" << folder.string() << "' is on a file system without locks: nothing keeps another taut "
+        << "from writing into it\n";
+  } else {
+    const Holder holder = read_holder(descriptor_);
+    ::close(descriptor_);
+    if (is_taken(error)) throw UsageError(in_use(folder, holder));
+    throw OutputError(file_.string(), std::string("cannot be locked: ") + std::strerror(error));
+  }
+}
+
+FolderLock::~FolderLock() {
+  // while it is ours: nobody else has locked this file then
+  if (!kind(of_).stays && is_still_there()) ::unlink(file_.c_str());
+  ::close(descriptor_);
+  std::error_code filled;
+  for (const fs::path& folder : made_)
+    if (!fs::remove(folder, filled)) break;
+}
+
+/// With some patience: the children of a program that was killed need a moment to go.
+int FolderLock::acquire() {
+  using namespace std::chrono_literals;
+  for (auto waited = 0ms;; waited += 20ms) {
+    const int error = try_once();
+    if (!is_taken(error) || waited >= (read_holder(descriptor_).has_ended() ? 1000ms : 100ms)) return error;
+    std::this_thread::sleep_for(20ms);
+    ::close(descriptor_);
+  }
+}
+
+int FolderLock::try_once() {
+  while (true) {
+    open();
+    const int error = lock(descriptor_, kind(of_).lock);
+    if (error != 0 || is_still_there()) return error;
+    ::close(descriptor_);  // the one who had it has taken the file away, and others lock the next one
+  }
+}
+
+/// Follows no link and takes no pipe: the folder may be a stranger's, and the file is written to.
+void FolderLock::open() {
+  const auto fail = [this](const std::string& reason) { throw OutputError(file_.string(), reason); };
+  constexpr int how = O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
+  constexpr int most = 100;
+  descriptor_ = -1;
+  for (int k = 0; k < most && descriptor_ < 0; ++k) {
+    const std::vector<fs::path> made = make_folders(file_.parent_path());
+    made_.insert(made_.begin(), made.begin(), made.end());
+    descriptor_ = ::open(file_.c_str(), how, 0666);
+    if (descriptor_ < 0 && errno != ENOENT) break;  // the one who had it may have taken the folder away
+  }
+  if (descriptor_ < 0) fail(std::string("cannot be opened: ") + std::strerror(errno));
+  struct stat found {};
+  if (::fstat(descriptor_, &found) == 0 && S_ISREG(found.st_mode) && found.st_nlink < 2) return;
+  ::close(descriptor_);
+  fail("is no file of taut's");
+}
+
+/// Under its name.
+bool FolderLock::is_still_there() const {
+  struct stat ours {
+  }, there{};
+  return ::fstat(descriptor_, &ours) == 0 && ::lstat(file_.c_str(), &there) == 0 &&
+         ours.st_ino == there.st_ino && ours.st_dev == there.st_dev;
+}
+
+/// Of parts of a sweep there are several: none of them.
+void FolderLock::say_who(std::string_view command) const {
+  std::array<char, 32> since{};
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  ::localtime_r(&now, &local);
+  std::strftime(since.data(), since.size(), "%F %T", &local);
+  const std::string text = std::string(command) + "\n" + std::to_string(::getpid()) + "\n" + host_name() +
+                           "\n" + since.data() + "\n";
+  const bool told = ::ftruncate(descriptor_, 0) == 0 &&
+                    (of_ == Of::part_of_sweep || ::pwrite(descriptor_, text.data(), text.size(), 0) > 0);
+  static_cast<void>(told);  // on a full disk it keeps out all the same
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,103 @@
+#include <map>
+#include <set>
+#include <sys/wait.h>
+
+#include <doctest/doctest.h>
+
+#include "tests/support/program_runner.hpp"
+
+using namespace taut::test;
+
+namespace {
+
+/// The program, started with tests/support/file_calls.cpp.
+Outcome watched(const std::vector<std::string>& arguments, const std::string& setting) {
+  const TemporaryFolder streams;
+  std::string command =
+      setting + " TAUT_FSYNC=on ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD='" TAUT_FILE_CALLS_LIBRARY
+                "' '" TAUT_BINARY_DIR "/taut'";
+  for (const std::string& argument : arguments) command += " '" + argument + "'";
+  const int status = std::system((command + " >" + streams.str("out") + " 2>" + streams.str("err")).c_str());
+  return {WEXITSTATUS(status), text_of(streams / "out"), text_of(streams / "err")};
+}
+
+/// What a disk may lack of files and folders, as the calls go by.
+class Disk {
+ public:
+  explicit Disk(const fs::path& log) {
+    for (const std::string& line : lines_of(log)) {
+      std::istringstream text(line);
+      std::string call, path, other;
+      std::getline(text, call, '\t');
+      std::getline(text, path, '\t');
+      std::getline(text, other, '\t');
+      take(call, path, other);
+    }
+  }
+
+  /// By the name of the file that a rename put in its place: was every file on disk by then, and it itself?
+  std::map<std::string, std::vector<bool>> all_before, itself_before;
+  std::set<std::string> lacking;  // in the end
+
+ private:
+  void take(const std::string& call, const std::string& path, const std::string& other) {
+    if (call == "write") lacking.insert(path);
+    if (call == "sync") lacking.erase(path);
+    if (call != "rename") return;
+    const fs::path to = other;
+    // pictures are written by fwrite, which nobody sees
+    const bool itself = !lacking.contains(path) && to.extension() != ".png";
+    lacking.erase(path);
+    itself_before[to.filename()].push_back(itself);
+    all_before[to.filename()].push_back(itself && lacking.empty());
+    if (!itself) lacking.insert(other);
+    lacking.insert(to.parent_path());
+  }
+};
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("what a checkpoint and a finished run count on is on disk before them") {
+    const TemporaryFolder folder;
+    const Outcome outcome = watched(
+        tiny_run(folder, "out", {"--checkpoint-every", "0.0005", "--save-particles", "--history", "1e-4"}),
+        "TAUT_FILE_CALLS=" + folder.str("calls"));
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const Disk disk(folder / "calls");
+    // the first one, of nothing yet, and one each quarter but at the end
+    CHECK(disk.all_before.at("checkpoint.bin") ==
+          std::vector<bool>(disk.all_before.at("checkpoint.bin").size(), true));
+    CHECK(disk.all_before.at("checkpoint.bin").size() >= 4);
+    CHECK(disk.all_before.at("run.json").back());
+    for (const auto name : {"run.json", "scene.toml"})
+      for (const bool itself : disk.itself_before.at(name)) CHECK(itself);
+    CHECK(disk.itself_before.contains("frame_00004.png"));
+    for (const std::string& path : disk.lacking) FAIL_CHECK(path);
+  }
+
+  TEST_CASE("the results of a sweep and a baseline are on disk before they have their names") {
+    const TemporaryFolder folder;
+    const std::string calls = "TAUT_FILE_CALLS=" + folder.str("calls"), scene = write_tiny_scene(folder);
+    REQUIRE(
+        watched({"sweep", scene, "--grid", "speed=1", "--out", folder.str("sweep"), "--quiet"}, calls).code ==
+        0);
+    REQUIRE(watched({"snapshot", scene, "--baseline", folder.str("good"), "--update", "--out",
+                     folder.str("out"), "--threads", "1", "--quiet"},
+                    calls)
+                .code == 0);
+    const Disk disk(folder / "calls");
+    for (const auto name : {"results.csv", "results.json", "good"})
+      for (const bool itself : disk.itself_before.at(name)) CHECK(itself);
+    for (const std::string& path : disk.lacking) FAIL_CHECK(path);
+  }
+
+  TEST_CASE("where there are no locks a run warns and goes on") {
+    const TemporaryFolder folder;
+    const Outcome outcome = watched(tiny_run(folder, "out", {"--no-render"}), "TAUT_NO_LOCKS=1");
+    CHECK(outcome.code == 0);
+    CHECK(contains(outcome.err, "out' is on a file system without locks: nothing keeps another taut"));
+    CHECK_FALSE(fs::exists(folder / "out/run.lock"));
+  }
+}

@@ -1,0 +1,80 @@
+// A library that a program is started with (LD_PRELOAD), so that a test sees in which order it writes, renames and
+// waits for the disk: a line for each call in the file that TAUT_FILE_CALLS names. With TAUT_NO_LOCKS set there are
+// no locks, as on some file systems.
+
+#include <array>
+#include <cerrno>
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+#include <fcntl.h>
+#include <string>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace {
+
+std::string path_of(int descriptor) {
+  std::array<char, 4096> path{};
+  const std::string link = "/proc/self/fd/" + std::to_string(descriptor);
+  const ssize_t size = ::readlink(link.c_str(), path.data(), path.size());
+  return {path.data(), size > 0 ? static_cast<std::size_t>(size) : 0};
+}
+
+void note(const std::string& call, const std::string& path, const std::string& other = "") {
+  const char* const log = std::getenv("TAUT_FILE_CALLS");
+  if (!log || path.empty() || path[0] != '/') return;  // streams and pipes are no files
+  const int file = ::open(log, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
+  const std::string line = call + '\t' + path + '\t' + other + '\n';
+  ::syscall(SYS_write, file, line.data(), line.size());
+  ::close(file);
+}
+
+long lock(int descriptor, int command, void* argument) {
+  if (command == F_OFD_SETLK && std::getenv("TAUT_NO_LOCKS")) {
+    errno = ENOLCK;
+    return -1;
+  }
+  return ::syscall(SYS_fcntl, descriptor, command, argument);
+}
+
+}  // namespace
+
+extern "C" {
+
+ssize_t write(int descriptor, const void* bytes, std::size_t size) {
+  note("write", path_of(descriptor));
+  return ::syscall(SYS_write, descriptor, bytes, size);
+}
+
+int fsync(int descriptor) {
+  note("sync", path_of(descriptor));
+  return static_cast<int>(::syscall(SYS_fsync, descriptor));
+}
+
+int rename(const char* from, const char* to) {
+  note("rename", from, to);
+  return static_cast<int>(::syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0));
+}
+
+int renameat2(int, const char* from, int, const char* to, unsigned how) {
+  note("rename", from, to);
+  return static_cast<int>(::syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, how));
+}
+
+int fcntl(int descriptor, int command, ...) {
+  va_list more;
+  va_start(more, command);
+  void* const argument = va_arg(more, void*);
+  va_end(more);
+  return static_cast<int>(lock(descriptor, command, argument));
+}
+
+int fcntl64(int descriptor, int command, ...) {
+  va_list more;
+  va_start(more, command);
+  void* const argument = va_arg(more, void*);
+  va_end(more);
+  return static_cast<int>(lock(descriptor, command, argument));
+}
+}
