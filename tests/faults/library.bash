@@ -24,8 +24,8 @@ harmed() { echo "$kind" >>"$harms"; }
 
 # ---- chance: by the seed and the number of the trial, nothing else
 
-# pick N: $picked is 0 ... N-1
-pick() { picked=$(((RANDOM << 15 | RANDOM) % $1)); }
+# pick N: $picked is 0 ... N-1, and 0 of nothing
+pick() { picked=$(($1 > 0 ? (RANDOM << 15 | RANDOM) % $1 : 0)); }
 # choose WORD...: $chosen is one of them
 choose() { pick $#; chosen=${@:picked+1:1}; }
 nap() { sleep "$(($1 / 1000)).$(printf %03d $(($1 % 1000)))"; }  # ms

@@ -18,7 +18,7 @@ works=(
   "4|all/stopped|run --resume all/stopped --quiet"
   "4|all/run|render all/run --quiet"
   "4|all/drawn|render all/run --quiet --out all/drawn"
-  "4|all/run/frames|render all/run --quiet --out all/run/frames"
+  "4|all/run|render all/run --quiet --out all/run/frames"
   "4|all/panel.png|compare all/run --out all/panel.png"
   "4|all/movie.gif|movie all/run --out all/movie.gif"
   "4|all/diff.png|diff all/run/frames/frame_00000.png all/run/frames/frame_00001.png --out all/diff.png"

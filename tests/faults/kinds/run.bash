@@ -1,6 +1,6 @@
 harm="a run with checkpoints is struck up to five times and resumed to its end: the bytes of an undisturbed run"
 
-methods=(enog og oenog d-ulsph-r-tic tl pfj-jst ulsph-av-as ccb oas pf)
+methods=(enog og oenog d-ulsph-r-tic tl pfj-jst ulsph-av-as ccb oas)
 options=(--quiet --save-particles --fields pressure,speed)
 
 prepare() { :; }

@@ -1,6 +1,6 @@
 harm="a sweep is struck, or one of its children, and started again: the same results and runs"
 
-grid=(sweep "$scene" --grid speed=0.2,0.4,0.8 --grid method=enog,oenog --until 0.02 --jobs 2 --quiet --out out)
+grid=(sweep "$scene" --grid speed=0.2,0.4,0.8 --grid method=enog,oenog --until 0.05 --jobs 2 --quiet --out out)
 
 prepare() { how_long "${grid[@]}"; }
 
@@ -8,14 +8,14 @@ prepare() { how_long "${grid[@]}"; }
 results() {
   local last
   last=$(head -n 1 "$1/results.csv" | tr ',' '\n' | grep -nE '^(seconds|particle_steps|machine|threads)' | head -n 1 | cut -d: -f1)
-  cut -d, -f "1-$((last - 1))" "$1/results.csv"
+  cut -d, -f "1-$((${last:-1000} - 1))" "$1/results.csv"  # none where no run has finished
 }
 
 child_of_victim() { read -r child _ <"/proc/$victim/task/$victim/children" && [[ $child ]]; }
 
 strike_child() {
   start "${grid[@]}"
-  pick "$took"
+  pick "$((took / round))"  # less and less is left to do
   nap "$picked"
   struck=0
   if await child_of_victim && kill -KILL "$child" 2>/dev/null; then
@@ -45,7 +45,7 @@ trial() {
     if [[ $signals == child ]]; then
       strike_child
     else
-      strike_at_random "$signals" "$took" "${grid[@]}"
+      strike_at_random "$signals" "$((took / round))" "${grid[@]}"
       stopped_by "$signals" true
     fi
     whole_results

@@ -95,6 +95,6 @@ trial() {
 
 # refused FILE: it says why, and if the folder is at work, who is
 refused() {
-  grep -qE 'is at work|is finished|nothing is left to do|not the folder of a run|holds no particles' "$1" ||
+  grep -qE 'in use by .taut [a-z]+. .process [0-9]+|is finished|nothing is left to do' "$1" ||
     wrong "'$first' and '$second': refused with $(tail -n 1 "$1")"
 }
