@@ -32,7 +32,7 @@ small_disk() {
 more_room() { [[ $TAUT_FAULTS_MOUNTS == yes ]] && resize . 20000; }
 
 of_run() {
-  choose 1e-9 0.001 0.01; local every=$chosen
+  choose 0.0003 0.001 0.01; local every=$chosen
   small_disk 500
   fails_for_want_of_room run "$scene" "${options[@]}" --checkpoint-every "$every" --out out
   [[ $code == 4 ]] || return
