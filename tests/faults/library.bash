@@ -206,5 +206,5 @@ stopped_by() {
   wrong "exit code $code after SIG${1// / SIG}: $(complaint)"
 }
 
-# sums FOLDER: of all files, to see that nothing has changed
-sums() { find "$1" -type f -exec md5sum {} + | sort; }
+# sums FOLDER: of all files but the lock, which comes before handlers of signals, to see that nothing has changed
+sums() { find "$1" -type f ! -name run.lock -exec md5sum {} + | sort; }
