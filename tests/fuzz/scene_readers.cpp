@@ -53,7 +53,7 @@ void check_resolved(const SceneFile& file) {
 }  // namespace
 
 bool is_small(const Scene& scene) {
-  constexpr double most_places = 20000;
+  constexpr double most_places = 2000;
   double places = 0;
   for (const Body& body : scene.bodies)
     for (const Shape& shape : body.shapes) {
