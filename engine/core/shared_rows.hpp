@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstring>
 #include <functional>
 #include <string_view>
 #include <unordered_map>
@@ -23,7 +22,7 @@ class SharedRows {
     for (auto known = from; known != to; ++known) {
       const T* other = all_.data() + known->second;
       if (row.size() <= all_.size() - static_cast<std::size_t>(known->second) &&
-          std::memcmp(other, row.data(), bytes.size()) == 0)
+          std::string_view(reinterpret_cast<const char*>(other), bytes.size()) == bytes)
         return known->second;
     }
     const int begin = static_cast<int>(all_.size());
