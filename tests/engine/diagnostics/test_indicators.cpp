@@ -205,9 +205,8 @@ TEST_SUITE("unit") {
       CAPTURE(y);
       for (const double epsilon : {1.0, 0.1}) {
         const auto p = [&](double unit) -> ScalarField {
-          return [=](const Point& X) {
-            return unit * (smooth(X) + epsilon * background * sign(X, dp, x, y));
-          };
+          return
+              [=](const Point& X) { return unit * (smooth(X) + epsilon * background * sign(X, dp, x, y)); };
         };
         const double expected = epsilon / std::sqrt(1 + epsilon * epsilon);
         CHECK(pressure_share(body, p(1)) == doctest::Approx(expected).epsilon(0.05));
