@@ -48,7 +48,7 @@ Choices choices_for(const std::string& placeholder, const Session& session) {
 }  // namespace
 
 Choices session_choices(const Session& session, const Words& words) {
-  if (words.size() == 1) return {command_names(), ""};
+  if (words.size() < 2) return {command_names(), ""};
   const auto all = session_commands();
   const auto command = std::ranges::find(all, words.front(), &SessionCommand::name);
   if (command == all.end()) return {};

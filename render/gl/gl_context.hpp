@@ -29,8 +29,8 @@ class GlContext {
     std::uint32_t framebuffer() const;
 
    private:
-    GlContext& context_;
-    Image& target_;
+    [[maybe_unused]] GlContext& context_;
+    [[maybe_unused]] Image& target_;
   };
 
  private:
