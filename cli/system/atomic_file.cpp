@@ -128,9 +128,12 @@ std::vector<fs::path> make_folders(const fs::path& folder) {
   std::error_code error;
   fs::path inner = folder.has_filename() ? folder : folder.parent_path();  // "a/b/" is "a/b"
   for (; !inner.empty() && !fs::exists(inner, error); inner = inner.parent_path()) made.push_back(inner);
-  constexpr int most = 100;  // somebody may remove an empty folder in between
+  // somebody may remove an empty folder in between, and then it is said to be there and not to be there
+  constexpr int most = 100;
   for (int k = 0; k < most; ++k)
-    if (fs::create_directories(folder, error); error != std::errc::no_such_file_or_directory) break;
+    if (fs::create_directories(folder, error);
+        error != std::errc::no_such_file_or_directory && error != std::errc::file_exists)
+      break;
   if (error) throw OutputError(folder.string(), "the folder cannot be made: " + error.message());
   for (const fs::path& each : made) put_on_disk(folder_of(each));
   return made;

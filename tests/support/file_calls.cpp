@@ -1,6 +1,7 @@
 // A library that a program is started with (LD_PRELOAD), so that a test sees in which order it writes, renames and
 // waits for the disk: a line for each call in the file that TAUT_FILE_CALLS names. With TAUT_NO_LOCKS set there are
-// no locks, as on some file systems.
+// no locks, as on some file systems. Before its first lock it makes the file that TAUT_GATE names, and waits until
+// that is gone.
 
 #include <array>
 #include <cerrno>
@@ -30,10 +31,22 @@ void note(const std::string& call, const std::string& path, const std::string& o
   ::close(file);
 }
 
+void pass_gate() {
+  const char* const gate = std::getenv("TAUT_GATE");
+  static bool passed = false;
+  if (!gate || passed) return;
+  passed = true;
+  ::close(::open(gate, O_WRONLY | O_CREAT | O_CLOEXEC, 0600));
+  while (::access(gate, F_OK) == 0) ::usleep(1000);
+}
+
 long lock(int descriptor, int command, void* argument) {
-  if (command == F_OFD_SETLK && std::getenv("TAUT_NO_LOCKS")) {
-    errno = ENOLCK;
-    return -1;
+  if (command == F_OFD_SETLK) {
+    pass_gate();
+    if (std::getenv("TAUT_NO_LOCKS")) {
+      errno = ENOLCK;
+      return -1;
+    }
   }
   return ::syscall(SYS_fcntl, descriptor, command, argument);
 }

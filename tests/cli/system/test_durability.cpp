@@ -1,9 +1,13 @@
 #include <map>
+#include <memory>
 #include <set>
 #include <sys/wait.h>
+#include <thread>
 
 #include <doctest/doctest.h>
 
+#include "cli/system/folder_lock.hpp"
+#include "tests/support/child_program.hpp"
 #include "tests/support/program_runner.hpp"
 
 using namespace taut::test;
@@ -59,22 +63,26 @@ class Disk {
 
 TEST_SUITE("cli") {
   TEST_CASE("what a checkpoint and a finished run count on is on disk before them") {
-    const TemporaryFolder folder;
-    const Outcome outcome = watched(
-        tiny_run(folder, "out", {"--checkpoint-every", "0.0005", "--save-particles", "--history", "1e-4"}),
-        "TAUT_FILE_CALLS=" + folder.str("calls"));
-    CAPTURE(outcome.err);
-    REQUIRE(outcome.code == 0);
-    const Disk disk(folder / "calls");
-    // the first one, of nothing yet, and one each quarter but at the end
-    CHECK(disk.all_before.at("checkpoint.bin") ==
-          std::vector<bool>(disk.all_before.at("checkpoint.bin").size(), true));
-    CHECK(disk.all_before.at("checkpoint.bin").size() >= 4);
-    CHECK(disk.all_before.at("run.json").back());
-    for (const auto name : {"run.json", "scene.toml"})
-      for (const bool itself : disk.itself_before.at(name)) CHECK(itself);
-    CHECK(disk.itself_before.contains("frame_00004.png"));
-    for (const std::string& path : disk.lacking) FAIL_CHECK(path);
+    for (const std::string range : {"0:4", "auto"}) {  // pictures are drawn on the way, and at the end
+      CAPTURE(range);
+      const TemporaryFolder folder;
+      const Outcome outcome = watched(tiny_run(folder, "out",
+                                               {"--checkpoint-every", "0.0005", "--save-particles",
+                                                "--history", "1e-4", "--range", range}),
+                                      "TAUT_FILE_CALLS=" + folder.str("calls"));
+      CAPTURE(outcome.err);
+      REQUIRE(outcome.code == 0);
+      const Disk disk(folder / "calls");
+      // the first one, of nothing yet, and one each quarter but at the end
+      const std::vector<bool>& checkpoints = disk.all_before.at("checkpoint.bin");
+      CHECK(checkpoints.size() >= 4);
+      CHECK(checkpoints == std::vector<bool>(checkpoints.size(), true));
+      CHECK(disk.all_before.at("run.json").back());
+      for (const auto name : {"run.json", "scene.toml"})
+        for (const bool itself : disk.itself_before.at(name)) CHECK(itself);
+      CHECK(disk.itself_before.contains("frame_00004.png"));
+      for (const std::string& path : disk.lacking) FAIL_CHECK(path);
+    }
   }
 
   TEST_CASE("the results of a sweep and a baseline are on disk before they have their names") {
@@ -99,5 +107,27 @@ TEST_SUITE("cli") {
     CHECK(outcome.code == 0);
     CHECK(contains(outcome.err, "out' is on a file system without locks: nothing keeps another taut"));
     CHECK_FALSE(fs::exists(folder / "out/run.lock"));
+  }
+
+  TEST_CASE("a lock of a file that its holder has taken away meanwhile is none") {
+    const TemporaryFolder folder;
+    std::ostringstream err;
+    const auto take = [&] {
+      return std::make_unique<taut::cli::FolderLock>(folder / "out", taut::cli::FolderLock::Of::run,
+                                                     "taut test", err);
+    };
+    auto first = take();
+    Outcome outcome;
+    std::jthread other(
+        [&] { outcome = watched(tiny_run(folder, "out"), "TAUT_GATE=" + folder.str("gate")); });
+    ChildProgram::wait_for(folder / "gate");  // it has opened the file
+    first.reset();
+    const auto second = take();
+    fs::remove(folder / "gate");
+    other.join();
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, "in use by `taut test`"));
+    CHECK(files_in(folder / "out") == 1);
   }
 }
