@@ -68,7 +68,8 @@ TEST_SUITE("image") {
                                              {-0.001, white, white},
                                              {std::numeric_limits<double>::infinity(), high, white},
                                              {std::numeric_limits<double>::quiet_NaN(), white, white}}) {
-      CAPTURE(value);
+      const auto& value_now = value;  // clang captures no bindings
+      CAPTURE(value_now);
       const Image image = drawn(one_disc(0, 0, 0.1, value), with);
       CHECK(image.at(middle, above) == top);
       CHECK(image.at(middle, below) == bottom);
@@ -207,7 +208,8 @@ TEST_SUITE("image") {
     // by hand: r from a radius of 2 pixels on, √2 r + ¼ up to 1, and between them what lies between
     for (const auto& [radius, drawn_as] :
          {std::pair{0.8, 1.38137}, {1.0, 1.66421}, {1.5, 1.93566}, {2.0, 2.0}, {3.0, 3.0}, {6.0, 6.0}}) {
-      CAPTURE(radius);
+      const auto& radius_now = radius;  // clang captures no bindings
+      CAPTURE(radius_now);
       const Image image = drawn(one_disc(0.003, 0.001, 2 * radius / 50, 0), look(100, 100, unit_view));
       double area = 0;
       for (int row = 0; row < 100; ++row)

@@ -115,7 +115,8 @@ TEST_SUITE("analytic") {
     double before = 1;
     // 4 × 19 × 4, "overly flexible", 5 × 25 × 5 and 7 × 37 × 7
     for (const auto& [spacing, most] : {std::pair{"0.3333333", 1.0}, {"0.25", 0.1}, {"0.1666667", 0.03}}) {
-      CAPTURE(spacing);
+      const auto& spacing_now = spacing;  // clang captures no bindings
+      CAPTURE(spacing_now);
       const Run column = run("twisting-column", "pf-jst", {{"spacing", spacing}, {"until", "0.26"}});
       CHECK(column.off("twist_100ms") > 0);
       CHECK(column.error("twist_100ms") < most);

@@ -200,7 +200,8 @@ TEST_SUITE("analytic") {
   TEST_CASE("loaded square: the tension of tl and oenog at the loaded sides is that of the load") {
     const double k = 50 * 0.02, l = 5e-4;
     for (const auto& [method, most] : {std::pair("tl", 0.01), std::pair("oenog", 0.05)}) {
-      CAPTURE(std::string(method));
+      const auto said = std::string(method);  // clang captures no bindings
+      CAPTURE(said);
       SceneFile file = scene("loaded-square", method, 2.5e-5, {{"load", "0.02"}});
       const auto simulation = make_simulation(file.scene, file.settings);
       simulation->advance_to(file.scene.until);

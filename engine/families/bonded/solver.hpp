@@ -242,15 +242,15 @@ void Bonded<M, Dim>::half_drift(double dt) {
       return;
     }
     Pack x_rows[Dim], v_rows[Dim], x[Dim], v[Dim];
+    double* const x_at = reinterpret_cast<double*>(&s_.x[first]);  // of `lanes` particles, row by row
+    const double* const v_at = reinterpret_cast<const double*>(&s_.v[first]);
 #pragma GCC unroll 3
     for (int k = 0; k < Dim; ++k) {
-      double* const at = s_.x[first].c + lanes * k;
-      v_rows[k] = load(s_.v[first].c + lanes * k);
-      x_rows[k] = load(at) + (0.5 * dt) * v_rows[k];
-      store(x_rows[k], at);
+      v_rows[k] = load(v_at + lanes * k);
+      x_rows[k] = load(x_at + lanes * k) + (0.5 * dt) * v_rows[k];
+      store(x_rows[k], x_at + lanes * k);
     }
-    separate(x_rows, x);
-    separate(v_rows, v);
+    separate(x_rows, x), separate(v_rows, v);
 #pragma GCC unroll 3
     for (int k = 0; k < Dim; ++k) {
       store(x[k], places_[k] + first);

@@ -42,7 +42,8 @@ TEST_SUITE("cli") {
     };
     for (const auto& [text, code] : checks) {
       const Outcome outcome = call({"check", run, "--measure", text});
-      CAPTURE(text);
+      const auto& text_now = text;  // clang captures no bindings
+      CAPTURE(text_now);
       CHECK(outcome.code == code);
       CHECK(contains(outcome.out, code == 0 ? "\nfine\n" : "1 of 2 moved"));
       CHECK(contains(outcome.out, "too short") == text.starts_with("decay"));

@@ -116,8 +116,10 @@ TEST_SUITE("unit") {
           std::array{"text", "non", "unknown text 'non' (did you mean 'none'?)"},
           std::array{"color", "presure", "unknown field 'presure' (did you mean 'pressure'?)"},
           std::array{"colormap", "plasm", "unknown colour map 'plasm' (did you mean 'plasma'?)"}}) {
-      CAPTURE(name);
-      CAPTURE(text);
+      const auto& name_now = name;  // clang captures no bindings
+      CAPTURE(name_now);
+      const auto& text_now = text;  // clang captures no bindings
+      CAPTURE(text_now);
       Drawing drawing = other_drawing();
       CHECK_THROWS_WITH_AS(set_typed(drawing, drawing_key(name), text), doctest::Contains(right), UsageError);
       for (const DrawingKey& key : drawing_keys()) CHECK(key.get(drawing) == key.get(other_drawing()));

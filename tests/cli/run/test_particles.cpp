@@ -139,7 +139,8 @@ TEST_SUITE("unit") {
              {"offset=\"0\"", "offset=\"18446744073709551000\""},
              {"format=\"ascii\">", "format=\"ascii\">nan</DataArray><x>"},
              {"\"Float64\" Name=\"speed\"", "\"Float32\" Name=\"speed\""}}) {
-      CAPTURE(is);
+      const auto& is_now = is;  // clang captures no bindings
+      CAPTURE(is_now);
       std::string forged = whole;
       const std::size_t at = forged.find(was);
       REQUIRE(at != std::string::npos);

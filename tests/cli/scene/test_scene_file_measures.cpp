@@ -71,7 +71,8 @@ TEST_SUITE("cli") {
       CHECK(m.about == (takes(kind, "about") ? 2 : 0));
       CHECK(m.until == (takes(kind, "until") ? std::optional(9.0) : std::nullopt));
       for (const auto& [key, value] : values) {
-        CAPTURE(key);
+        const auto& key_now = key;  // clang captures no bindings
+        CAPTURE(key_now);
         if (!takes(kind, key))
           CHECK_THROWS_WITH_AS(read_text(scene_with(kind, std::string(key) + " = " + value + "\n")),
                                doctest::Contains("unknown key"), SceneError);

@@ -76,7 +76,8 @@ TEST_SUITE("cli") {
              {"{}", "is not the run.json of a run of taut"},
              {"[]", "is not the run.json of a run of taut"},
          }) {
-      CAPTURE(text);
+      const auto& text_now = text;  // clang captures no bindings
+      CAPTURE(text_now);
       write(file, text);
       const std::string message = error_of([&] { read_stored_run(file); });
       CAPTURE(message);
@@ -110,7 +111,8 @@ TEST_SUITE("cli") {
           {R"({"fixed": {"until": []}})", "key 'fixed.until' is []; it must be a number or a text"},
           {R"({"title": "a)", "is no JSON: "},
           {R"(3)", "holds 3; it must be an object"}}) {
-      CAPTURE(text);
+      const auto& text_now = text;  // clang captures no bindings
+      CAPTURE(text_now);
       write(file, text);
       const std::string message = error_of([&] { read_results({table}); });
       CAPTURE(message);
@@ -142,7 +144,8 @@ TEST_SUITE("cli") {
     const PlotFiles files{folder.str("a.svg")};
     for (const auto& [error, cost] : std::initializer_list<std::pair<const char*, const char*>>{
              {"1e308", "1e308"}, {"5e-324", "5e-324"}, {"0", "0"}, {"-1", "-1"}}) {
-      CAPTURE(error);
+      const auto& error_now = error;  // clang captures no bindings
+      CAPTURE(error_now);
       const std::string row = std::string(",stable,,") + error + ",2," + cost + ",\n";
       const StoredResults results = read_results(
           {write_results(folder.path(), "finished,tl,tl,0.4,10" + row + "finished,tl,tl,0.2,10" + row)});

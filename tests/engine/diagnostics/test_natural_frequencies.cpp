@@ -194,7 +194,8 @@ TEST_SUITE("analytic") {
     // each but n = 0 twice; three elements across bend too stiffly by 0.3 %
     const std::vector<double> g = frequencies(annulus(jelly, 2.5e-4, 5e-4));
     for (const auto& [k, n] : {std::pair(0, 2), {1, 2}, {2, 0}, {3, 3}, {4, 3}, {5, 1}, {6, 1}}) {
-      CAPTURE(n);
+      const auto& n_now = n;  // clang captures no bindings
+      CAPTURE(n_now);
       CHECK(g[k] / annulus_frequency(jelly, 2.5e-4, 5e-4, n) == Approx(1).epsilon(1.5e-3));
     }
   }

@@ -268,8 +268,8 @@ TEST_SUITE("neighbors") {
           if (found.taken[b][lane] < 0) continue;
           CHECK(found.taken[b][lane] == next[lane]++);
           const int j = neighbors[lane][found.taken[b][lane]];
-          CHECK(place[0][lane] == x[j][0]);
-          CHECK(place[1][lane] == x[j][1]);
+          CHECK(double{place[0][lane]} == x[j][0]);
+          CHECK(double{place[1][lane]} == x[j][1]);
         }
         if (first + lanes <= 2 * around) ++slots, in_line += found.slots[b].in_line;
       }

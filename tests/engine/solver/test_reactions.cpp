@@ -176,9 +176,11 @@ TEST_SUITE("conservation") {
       for (const int dim : {2, 3}) {
         if (greatest_dim(find_method(method)->formulation) < dim || (dim == 3 && law == Law::surface))
           continue;
-        CAPTURE(method);
+        const auto& method_now = method;  // clang captures no bindings
+        CAPTURE(method_now);
         CAPTURE(dim);
-        CAPTURE(std::string(name(law)));
+        const std::string law_name(name(law));
+        CAPTURE(law_name);
         Scene scene = dim == 2 ? small_collision() : small_solid_collision();
         scene.contact = law;
         scene.probes = {component(Probe::Kind::contact_force, {0, 1}, 0),
@@ -206,7 +208,8 @@ TEST_SUITE("conservation") {
                                                          {"oenog", ContactLaw::surface},
                                                          {"tl", ContactLaw::impulse},
                                                          {"pfj-jst", ContactLaw::penalty}}) {
-      CAPTURE(method);
+      const auto& method_now = method;  // clang captures no bindings
+      CAPTURE(method_now);
       const double speed = 0.02 * ring_rubber().sound_speed();
       Scene scene;
       scene.spacing = dp;

@@ -202,8 +202,10 @@ TEST_SUITE("term") {
                                  {-3.0, -3.0},
                                  {0.0, 0.0}}) {
         CAPTURE(angle);
-        CAPTURE(a);
-        CAPTURE(b);
+        const auto& a_now = a;  // clang captures no bindings
+        CAPTURE(a_now);
+        const auto& b_now = b;  // clang captures no bindings
+        CAPTURE(b_now);
         const Sym2 expected = principal(std::max(a, 0.0), std::max(b, 0.0), angle);
         const Sym2 found = positive_part(principal(a, b, angle));
         for (int k = 0; k < 3; ++k) CHECK(std::abs(found.c[k] - expected.c[k]) < 1e-14 * 5);
