@@ -119,6 +119,7 @@ void read_session_lines(std::string_view bytes) {
     std::istringstream text(line);
     std::vector<std::string> words;
     for (std::string word; text >> word;) words.push_back(word);
+    if (words.empty()) words.emplace_back();  // nothing is typed yet
     session_choices(session, words);
   }
 }
