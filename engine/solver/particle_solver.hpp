@@ -135,13 +135,13 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
         return v2;
       }
       interleave(change, rows);
+      double* const x_at = reinterpret_cast<double*>(&s.x[first]);  // of `lanes` particles, row by row
+      double* const v_at = reinterpret_cast<double*>(&s.v[first]);
 #pragma GCC unroll 3
       for (int k = 0; k < Dim; ++k) {
-        double* const v = s.v[first].c + lanes * k;
-        double* const x = s.x[first].c + lanes * k;
-        rows[k] += taut::load(v);
-        taut::store(rows[k], v);
-        taut::store(taut::load(x) + after * rows[k], x);
+        rows[k] += taut::load(v_at + lanes * k);
+        taut::store(rows[k], v_at + lanes * k);
+        taut::store(taut::load(x_at + lanes * k) + after * rows[k], x_at + lanes * k);
       }
       separate(rows, columns);
       for (const Pack& v : columns) v2 += v * v;
