@@ -13,13 +13,13 @@
 namespace taut::cli {
 namespace {
 
-struct Options : PictureOptions {
+struct ChartArguments : PictureOptions {
   ChartRequest request;
   std::string cost = cost_names().front();
   bool json = false, markdown = false;
 };
 
-int chart(const Options& options, Streams streams) {
+int chart(const ChartArguments& options, Streams streams) {
   ChartRequest request = options.request;
   request.cost = find_cost(options.cost);
   if (options.json && options.markdown) throw UsageError("give --json or --markdown, not both");
@@ -37,7 +37,7 @@ int chart(const Options& options, Streams streams) {
 }  // namespace
 
 std::function<int(Streams)> declare_chart(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ChartArguments>();
   options->declare(app, "chart.png|chart.svg", /*needed=*/false);
   declare_measure(app, options->request.measure);
   app.add_option("--cost", options->cost, "seconds of solving, or particles × steps; default: seconds")

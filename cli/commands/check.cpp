@@ -11,12 +11,12 @@
 namespace taut::cli {
 namespace {
 
-struct Options {
+struct CheckArguments {
   std::string run, baseline, tolerance, verdict;
   std::vector<std::string> measures;
 };
 
-std::vector<Finding> findings(const Options& o, const StoredRun& run) {
+std::vector<Finding> findings(const CheckArguments& o, const StoredRun& run) {
   std::optional<Tolerance> tolerance;
   if (!o.tolerance.empty()) tolerance = parse_tolerance(o.tolerance, "--tolerance");
   std::vector<Expectation> expected;
@@ -38,7 +38,7 @@ std::vector<Finding> findings(const Options& o, const StoredRun& run) {
   return all;
 }
 
-int check(const Options& options, std::ostream& out) {
+int check(const CheckArguments& options, std::ostream& out) {
   const std::vector<Finding> all = findings(options, read_stored_run(options.run));
   const auto moved = std::ranges::count(all, false, &Finding::fine);
   out << findings_table(all) << '\n'
@@ -50,7 +50,7 @@ int check(const Options& options, std::ostream& out) {
 }  // namespace
 
 std::function<int(Streams)> declare_check(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CheckArguments>();
   app.add_option("DIR", options->run, "a run's folder, or its run.json")->option_text(" ")->required();
   app.add_option("--measure", options->measures,
                  "what a measure has to be: NAME=VALUE±TOLERANCE (also +-), the tolerance with % or in its "

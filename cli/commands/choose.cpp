@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct ChooseArguments {
   std::string scene, measure;
   std::optional<std::string> error;
   std::optional<double> seconds;
@@ -58,7 +58,7 @@ std::vector<std::string> stored_results(const std::string& scene) {
   return files;
 }
 
-int choose(const Options& options, std::ostream& out) {
+int choose(const ChooseArguments& options, std::ostream& out) {
   std::optional<double> error;
   if (options.error) error = share(*options.error);
   const std::string scene = read_scene(find_scene(options.scene)).scene.name;
@@ -79,7 +79,7 @@ int choose(const Options& options, std::ostream& out) {
 }  // namespace
 
 std::function<int(Streams)> declare_choose(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ChooseArguments>();
   app.add_option("SCENE", options->scene, "a scene, as for `taut run`")->option_text(" ")->required();
   app.add_option("--error", options->error,
                  "the greatest error to accept, such as 1% or 0.01; default: what each costs")

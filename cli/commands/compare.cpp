@@ -22,7 +22,7 @@ namespace {
 
 constexpr int default_rows = 4;
 
-struct Options : DrawingOptions {
+struct CompareArguments : DrawingOptions {
   std::vector<std::string> runs;
   std::string out;
   std::vector<double> times;  // s
@@ -50,7 +50,7 @@ double longest(const std::vector<SavedRun>& runs) {
   return until;
 }
 
-std::vector<double> chosen_times(const Options& options, double until) {
+std::vector<double> chosen_times(const CompareArguments& options, double until) {
   std::vector<double> times = options.times;
   if (times.empty())
     for (int k = 1; k <= default_rows; ++k) times.push_back(until * k / default_rows);
@@ -76,7 +76,7 @@ render::View within(const render::View& all, const std::optional<render::View>& 
 }
 
 /// The options, else what the first run has; nobody's size and view fit a panel.
-Drawing wish(const std::vector<SavedRun>& runs, const Options& options) {
+Drawing wish(const std::vector<SavedRun>& runs, const CompareArguments& options) {
   Drawing drawing = runs.front().file.drawing;
   drawing.look.size.reset();
   drawing.look.view.reset();
@@ -124,7 +124,7 @@ render::PanelOptions panel_options(const Drawing& drawing, RunLabels labels) {
   return panel;
 }
 
-int compare_runs(const Options& options, std::ostream& out) {
+int compare_runs(const CompareArguments& options, std::ostream& out) {
   const std::vector<SavedRun> runs = open_runs(options.runs);
   const Drawing wished = wish(runs, options);
   const double until = longest(runs);
@@ -151,7 +151,7 @@ int compare_runs(const Options& options, std::ostream& out) {
 }  // namespace
 
 std::function<int(Streams)> declare_compare(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareArguments>();
   app.add_option("DIR", options->runs,
                  "run folders with particles (`taut run --save-particles`), a column each")
       ->option_text("...")

@@ -17,7 +17,7 @@
 namespace taut::cli {
 namespace {
 
-struct Options : RunOptions {
+struct CriticalStepArguments : RunOptions {
   int steps = CriticalStepSearch().steps;
   double tolerance = CriticalStepSearch().tolerance;
   bool json = false, quiet = false;
@@ -29,7 +29,7 @@ std::string bracket(const CriticalStep& found) {
 }
 
 /// Trials with the scene's simulation; an error about the scene gets its place in the file.
-CriticalStep search(const SceneFile& file, const Options& options, Progress& progress) {
+CriticalStep search(const SceneFile& file, const CriticalStepArguments& options, Progress& progress) {
   constexpr double usual_trials = 12;
   const Interrupts interrupts;
   const auto goes_on = [&](const CriticalStep& so_far) {
@@ -91,7 +91,7 @@ nlohmann::ordered_json result_json(const SceneFile& file, const CriticalStep& fo
   return json;
 }
 
-int find(const Options& options, Streams streams) {
+int find(const CriticalStepArguments& options, Streams streams) {
   const SceneFile file = scene_to_run(options);
   tell(file, streams.err);
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
@@ -106,7 +106,7 @@ int find(const Options& options, Streams streams) {
 }  // namespace
 
 std::function<int(Streams)> declare_critical_step(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CriticalStepArguments>();
   app.add_option("SCENE", options->scene, "a name from `taut list scenes`, or the path of a scene file")
       ->option_text(" ")
       ->required();

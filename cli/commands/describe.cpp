@@ -55,7 +55,7 @@ Rows line_rows(const Scene& scene) {
   return rows;
 }
 
-Rows measure_rows(const Scene& scene) {
+Rows rows_of_measures(const Scene& scene) {
   Rows rows{{"name", "kind", "unit", "references"}};
   for (const Measure& m : scene.measures) {
     std::string names;
@@ -166,7 +166,7 @@ void describe_scene(const std::string& name, std::ostream& out) {
   print_table(out, "Walls", wall_rows(scene));
   print_table(out, "Probes, followed in history.csv", probes);
   print_table(out, "Lines, sampled in lines.csv", line_rows(scene), 1);
-  print_table(out, "Measures, of kinds that `taut list measures` explains", measure_rows(scene), 1);
+  print_table(out, "Measures, of kinds that `taut list measures` explains", rows_of_measures(scene), 1);
 }
 
 /// Default and bounds, and those in 3D where they are others.
@@ -271,11 +271,11 @@ int describe(const std::string& name, bool json, std::ostream& out) {
 }  // namespace
 
 std::function<int(Streams)> declare_describe(CLI::App& app) {
-  struct Options {
+  struct DescribeArguments {
     std::string name;
     bool json = false;
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DescribeArguments>();
   app.add_option("SCENE|METHOD|scene-file|sweep-file|SECTION", options->name,
                  "`taut list` names them; or the path of a scene file; or a section, shape, probe or measure")
       ->option_text(" ")

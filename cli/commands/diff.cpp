@@ -15,12 +15,12 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-struct Options : DifferenceOptions {
+struct DiffArguments : DifferenceOptions {
   std::string a, b;
   std::optional<std::string> out;
 };
 
-int diff_images(const Options& options, std::ostream& out) {
+int diff_images(const DiffArguments& options, std::ostream& out) {
   const render::Image a = render::read_png(options.a);
   const render::Image b = render::read_png(options.b);
   const render::DifferenceLimit limit = limit_of(options);
@@ -36,7 +36,7 @@ fs::path folder_with_pictures(const std::string& given) {
   return frames;
 }
 
-int diff_folders(const Options& options, std::ostream& out) {
+int diff_folders(const DiffArguments& options, std::ostream& out) {
   const fs::path a = folder_with_pictures(options.a);
   const fs::path b = folder_with_pictures(options.b);
   const FolderDifference difference = compare_folders(a, b, limit_of(options));
@@ -48,7 +48,7 @@ int diff_folders(const Options& options, std::ostream& out) {
   return difference.alike() ? exit_fine : exit_different;
 }
 
-int diff(const Options& options, std::ostream& out) {
+int diff(const DiffArguments& options, std::ostream& out) {
   for (const std::string& name : {options.a, options.b})
     if (!fs::exists(name)) throw UsageError("there is no image or folder '" + name + "'");
   const bool folder_a = fs::is_directory(options.a);
@@ -61,7 +61,7 @@ int diff(const Options& options, std::ostream& out) {
 }  // namespace
 
 std::function<int(Streams)> declare_diff(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DiffArguments>();
   app.add_option("A", options->a, "an image (PNG), a folder of images or a run folder")
       ->option_text(" ")
       ->required();

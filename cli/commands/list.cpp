@@ -117,11 +117,11 @@ int list_one(const std::string& kind, bool json, std::ostream& out) {
 }  // namespace
 
 std::function<int(Streams)> declare_list(CLI::App& app) {
-  struct Options {
+  struct ListArguments {
     std::string kind;
     bool json = false;
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ListArguments>();
   app.add_option(join(kinds(), "|"), options->kind, "all of them if left out")->option_text(" ");
   app.add_flag("--json", options->json, "as JSON, for scripts");
   return [options](Streams streams) {

@@ -7,14 +7,14 @@
 namespace taut::cli {
 namespace {
 
-struct Options : PictureOptions {
+struct MapArguments : PictureOptions {
   std::string parameter;
 };
 
 }  // namespace
 
 std::function<int(Streams)> declare_map(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MapArguments>();
   options->declare(app, "map.png|map.svg");
   app.add_option("--parameter", options->parameter,
                  "what stands on the x axis; default: the one name that was swept beside the method")

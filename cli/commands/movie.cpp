@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-struct Options {
+struct MovieArguments {
   std::string frames, out;
   double fps = 30;
   bool orbit = false;
@@ -84,7 +84,7 @@ std::vector<std::string> encoding(const std::string& extension) {
           "-movflags", "+faststart"};
 }
 
-std::vector<std::string> arguments_of(const Options& options, const fs::path& movie) {
+std::vector<std::string> arguments_of(const MovieArguments& options, const fs::path& movie) {
   std::vector<std::string> arguments{"-nostdin",   "-hide_banner",     "-loglevel", "error",         "-y",
                                      "-framerate", exact(options.fps), "-i",        "frame_%05d.png"};
   const std::vector<std::string> rest = encoding(movie.extension().string());
@@ -93,12 +93,12 @@ std::vector<std::string> arguments_of(const Options& options, const fs::path& mo
   return arguments;
 }
 
-int encode(const Options& options, const fs::path& folder) {
+int encode(const MovieArguments& options, const fs::path& folder) {
   const fs::path part = unfinished(fs::absolute(options.out));
   return make_file({"ffmpeg", "movies", "ffmpeg"}, arguments_of(options, part), folder, options.out);
 }
 
-int movie(const Options& options, Streams streams) {
+int movie(const MovieArguments& options, Streams streams) {
   const std::string extension = fs::path(options.out).extension().string();
   if (extension != ".mp4" && extension != ".gif")
     throw UsageError("--out is '" + options.out + "', which ends neither in .mp4 nor in .gif");
@@ -117,7 +117,7 @@ int movie(const Options& options, Streams streams) {
 }  // namespace
 
 std::function<int(Streams)> declare_movie(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MovieArguments>();
   app.add_option("DIR", options->frames, "a run folder, or a folder of frames")->option_text(" ")->required();
   app.add_option("--out", options->out, "the movie")->option_text("movie.mp4|movie.gif")->required();
   app.add_option("--fps", options->fps, "frames per second; default: 30")

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct PlotArguments {
   std::vector<std::string> runs, columns;
   std::string x = "t", out;
 };
@@ -41,7 +41,7 @@ HistoryColumn with_label(const std::string& name, const Scene& scene) {
   return {name, unit.empty() ? name : name + ", " + unit};
 }
 
-int plot(const Options& options, Streams streams) {
+int plot(const PlotArguments& options, Streams streams) {
   const PlotFiles files = plot_files(options.out);
   StoredResults results;
   Scene first;
@@ -63,7 +63,7 @@ int plot(const Options& options, Streams streams) {
 }  // namespace
 
 std::function<int(Streams)> declare_plot(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PlotArguments>();
   app.add_option("DIR", options->runs, "folders of runs, one or more, over each other")
       ->option_text(" ")
       ->required();

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-struct Options : DrawingOptions {
+struct RenderArguments : DrawingOptions {
   std::string run;
   std::optional<std::string> out;
   bool orbit = false;
@@ -46,7 +46,7 @@ void clear_for_frames(const fs::path& folder) {
 }
 
 /// Makes room for the frames; in the run's own folder, scene.toml says from now on how they are drawn.
-fs::path prepare(const Options& options, SavedRun& run) {
+fs::path prepare(const RenderArguments& options, SavedRun& run) {
   if (options.out) {
     clear_for_frames(*options.out);
     return *options.out;
@@ -57,13 +57,13 @@ fs::path prepare(const Options& options, SavedRun& run) {
 }
 
 /// Where the frames go to: the run's own folder, one of their own, or the frames/ of another run.
-fs::path folder_to_lock(const Options& options) {
+fs::path folder_to_lock(const RenderArguments& options) {
   if (!options.out) return options.run;
   check_for_frames(*options.out);
   return run_around(*options.out).value_or(*options.out);
 }
 
-int render(const Options& options, Streams streams) {
+int render(const RenderArguments& options, Streams streams) {
   SavedRun run = open_saved_run(options.run);  // nothing is locked in a folder of somebody else
   const FolderLock lock(folder_to_lock(options), FolderLock::Of::run, "taut render", streams.err);
   run = open_saved_run(options.run);  // another program may have been here
@@ -81,7 +81,7 @@ int render(const Options& options, Streams streams) {
 }  // namespace
 
 std::function<int(Streams)> declare_render(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderArguments>();
   app.add_option("DIR", options->run, "a run folder with particles (`taut run --save-particles`)")
       ->option_text(" ")
       ->required();

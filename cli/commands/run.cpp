@@ -17,13 +17,13 @@
 namespace taut::cli {
 namespace {
 
-struct Options : RunOptions {
+struct RunArguments : RunOptions {
   std::optional<std::string> fail_on;
   std::optional<std::string> resume;
   bool quiet = false;
 };
 
-void declare_options(CLI::App& app, Options& o) {
+void declare_options(CLI::App& app, RunArguments& o) {
   app.add_option("SCENE", o.scene, "a name from `taut list scenes`, or the path of a scene file")
       ->option_text(" ");
   declare_setting_options(app, o);
@@ -57,7 +57,7 @@ struct LockedPlan {
   RunPlan plan;
 };
 
-LockedPlan planned(const Options& options, std::ostream& err) {
+LockedPlan planned(const RunArguments& options, std::ostream& err) {
   const auto lock = [&err](const std::filesystem::path& folder) {
     return std::make_unique<const FolderLock>(folder, FolderLock::Of::run, "taut run", err);
   };
@@ -87,12 +87,12 @@ std::string advice(const SceneFile& file) {
 }
 
 /// Before it is gone.
-void tell_what_is_replaced(const Options& options, const RunPlan& plan, std::ostream& err) {
+void tell_what_is_replaced(const RunArguments& options, const RunPlan& plan, std::ostream& err) {
   if (!options.resume && read_record(plan.folder.record()))
     err << "taut: the older run in '" << plan.folder.path().string() << "' is replaced\n";
 }
 
-int run(const Options& options, Streams streams) {
+int run(const RunArguments& options, Streams streams) {
   const Stopwatch setup;
   const std::optional<Verdict> fail_on = parse_verdict(options.fail_on);
   const auto [lock, plan] = planned(options, streams.err);
@@ -111,7 +111,7 @@ int run(const Options& options, Streams streams) {
 }  // namespace
 
 std::function<int(Streams)> declare_run(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RunArguments>();
   declare_options(app, *options);
   return [options](Streams streams) { return run(*options, streams); };
 }

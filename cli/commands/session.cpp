@@ -14,7 +14,7 @@
 namespace taut::cli {
 namespace {
 
-struct Options : RunOptions {
+struct SessionArguments : RunOptions {
   bool strict = false;
 };
 
@@ -52,7 +52,7 @@ void greet(const Session& session, std::ostream& out) {
       << std::flush;
 }
 
-int converse(const Options& options, Streams streams) {
+int converse(const SessionArguments& options, Streams streams) {
   Session session(options);
   tell(session.file(), streams.err);
   LineInput input([&](const auto& words) { return session_choices(session, words); });
@@ -74,7 +74,7 @@ int converse(const Options& options, Streams streams) {
 }  // namespace
 
 std::function<int(Streams)> declare_session(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SessionArguments>();
   app.add_option("SCENE", options->scene, "a name from `taut list scenes`, or the path of a scene file")
       ->option_text(" ")
       ->required();

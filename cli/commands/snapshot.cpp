@@ -20,13 +20,13 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-struct Options : RunOptions, DifferenceOptions {
+struct SnapshotArguments : RunOptions, DifferenceOptions {
   std::string baseline;
   bool update = false;
   bool quiet = false;
 };
 
-void declare_options(CLI::App& app, Options& o) {
+void declare_options(CLI::App& app, SnapshotArguments& o) {
   app.add_option("SCENE", o.scene, "a name from `taut list scenes`, or the path of a scene file")
       ->option_text(" ")
       ->required();
@@ -47,7 +47,7 @@ void declare_options(CLI::App& app, Options& o) {
 /// "a/b/" is "a/b" with nothing linked, so that folders can be compared.
 fs::path plain_path(const fs::path& path) { return (fs::weakly_canonical(path) / "").parent_path(); }
 
-void check_baseline(const Options& options, const fs::path& run_folder) {
+void check_baseline(const SnapshotArguments& options, const fs::path& run_folder) {
   const fs::path baseline = plain_path(options.baseline), run = plain_path(run_folder);
   if (std::ranges::mismatch(run, baseline).in1 == run.end())
     throw UsageError("the baseline is in the run folder " + run_folder.string() +
@@ -64,14 +64,14 @@ void check_baseline(const Options& options, const fs::path& run_folder) {
                        ", which is no frame of a baseline and would be lost; name another with --baseline");
 }
 
-void update(const Options& options, const RunFolder& run, std::ostream& out) {
+void update(const SnapshotArguments& options, const RunFolder& run, std::ostream& out) {
   std::vector<fs::path> files;
   for (const std::string& name : picture_names(run.frames())) files.push_back(run.frames() / name);
   write_whole_folder(options.baseline, files);
   out << "baseline " << options.baseline << ": " << files.size() << " frames\n";
 }
 
-int compare_with_baseline(const Options& options, const RunFolder& run, std::ostream& out) {
+int compare_with_baseline(const SnapshotArguments& options, const RunFolder& run, std::ostream& out) {
   const fs::path baseline = options.baseline;
   const FolderDifference difference = compare_folders(baseline, run.frames(), limit_of(options));
   out << difference_report(difference, baseline.string(), run.frames().string());
@@ -85,7 +85,7 @@ int compare_with_baseline(const Options& options, const RunFolder& run, std::ost
   return exit_different;
 }
 
-int snapshot(Options options, Streams streams) {
+int snapshot(SnapshotArguments options, Streams streams) {
   const Stopwatch setup;
   if (!options.out) options.out = "out/snapshot-" + plain_path(options.baseline).filename().string();
   const RunPlan plan = make_plan(options);
@@ -106,7 +106,7 @@ int snapshot(Options options, Streams streams) {
 }  // namespace
 
 std::function<int(Streams)> declare_snapshot(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SnapshotArguments>();
   declare_options(app, *options);
   return [options](Streams streams) { return snapshot(*options, streams); };
 }

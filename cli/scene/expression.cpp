@@ -34,7 +34,7 @@ struct Formula {
 // muParser's own bounds, beyond which it throws what is no std::exception
 constexpr std::size_t longest_text = 20000, longest_name = 100;
 
-std::string quoted(const std::string& text) { return "'" + shown(text) + "'"; }
+std::string in_quotes(const std::string& text) { return "'" + shown(text) + "'"; }
 
 void check_length(const std::string& text, const Names& names) {
   const auto too_long = [](std::size_t length) { return length > longest_name; };
@@ -45,15 +45,17 @@ void check_length(const std::string& text, const Names& names) {
     word = of_name && begins ? word + 1 : 0;
     if (too_long(word))
       throw ExpressionError(
-          "a name has at most 100 letters; this one is longer: " + quoted(text.substr(i - word + 1)),
+          "a name has at most 100 letters; this one is longer: " + in_quotes(text.substr(i - word + 1)),
           i - word + 1);
   }
   for (const auto& name : names)
     if (too_long(name.first.size()))
-      throw ExpressionError("a name has at most 100 letters; this one is longer: " + quoted(name.first), 0);
+      throw ExpressionError("a name has at most 100 letters; this one is longer: " + in_quotes(name.first),
+                            0);
   if (text.size() > longest_text)
     throw ExpressionError(
-        fmt::format("{} has {} letters; at most {} are allowed", quoted(text), text.size(), longest_text), 0);
+        fmt::format("{} has {} letters; at most {} are allowed", in_quotes(text), text.size(), longest_text),
+        0);
 }
 
 std::vector<std::string> known_names(const Formula& formula) {
@@ -72,7 +74,7 @@ void refuse_assignment(const std::string& text) {
       continue;
     }
     if (i > 0 && std::string_view("<>!").find(text[i - 1]) != std::string_view::npos) continue;
-    throw ExpressionError("'=' in " + quoted(text) + " would assign; to compare write '=='", i);
+    throw ExpressionError("'=' in " + in_quotes(text) + " would assign; to compare write '=='", i);
   }
 }
 
@@ -105,7 +107,7 @@ void refuse_unit(const std::string& text) {
   const auto* unit = std::ranges::find(units, rest, &Unit::name);
   if (unit == std::end(units)) return;
   throw ExpressionError(
-      quoted(text) + " has a unit; write the number alone, in SI units: " + brief(value * unit->factor),
+      in_quotes(text) + " has a unit; write the number alone, in SI units: " + brief(value * unit->factor),
       static_cast<std::size_t>(rest.data() - text.data()));
 }
 
@@ -117,27 +119,28 @@ void refuse_words(const std::string& text, const std::string& token) {
   for (const auto& [given, sign] : words)
     if (word == given)
       throw ExpressionError(
-          quoted(text) + " is not an expression: for '" + word + "' write '" + std::string(sign) + "'",
+          in_quotes(text) + " is not an expression: for '" + word + "' write '" + std::string(sign) + "'",
           std::min(text.find(word), text.size()));
   if (word == "not" || word == "!")
-    throw ExpressionError(quoted(text) + " is not an expression: for '" + word + "' write '== 0' behind it",
-                          std::min(text.find(word), text.size()));
+    throw ExpressionError(
+        in_quotes(text) + " is not an expression: for '" + word + "' write '== 0' behind it",
+        std::min(text.find(word), text.size()));
 }
 
 [[noreturn]] void explain(const Formula& formula, const std::string& text, const mu::ParserError& error) {
   const std::size_t offset = error.GetPos() > 0 ? static_cast<std::size_t>(error.GetPos()) : 0;
   if (error.GetCode() != mu::ecUNASSIGNABLE_TOKEN)
-    throw ExpressionError(quoted(text) + " is not an expression: " + shown(error.GetMsg()), offset);
+    throw ExpressionError(in_quotes(text) + " is not an expression: " + shown(error.GetMsg()), offset);
   const std::string& token = error.GetToken();
   refuse_words(text, token);
   if (const char first = token.empty() ? ' ' : token.front();
       !std::isalpha(static_cast<unsigned char>(first)) && first != '_')
-    throw ExpressionError(quoted(text) + " is not an expression: " + quoted(token) + " was not expected",
-                          offset);
+    throw ExpressionError(
+        in_quotes(text) + " is not an expression: " + in_quotes(token) + " was not expected", offset);
   const std::vector<std::string> names = known_names(formula);
   std::vector<std::string> candidates = names;
   for (const std::string& function : function_names()) candidates.push_back(function);
-  throw ExpressionError("unknown name " + quoted(token) + " in " + quoted(text) +
+  throw ExpressionError("unknown name " + in_quotes(token) + " in " + in_quotes(text) +
                             did_you_mean(token, candidates) + "; known here: " + join(names) +
                             " and functions like sin and sqrt",
                         offset);
@@ -168,7 +171,7 @@ std::unique_ptr<Formula> parse(const std::string& text, const Names& names,
     explain(*formula, text, error);
   }
   if (formula->parser.GetNumResults() != 1)
-    throw ExpressionError(quoted(text) + " holds several values; one is expected", 0);
+    throw ExpressionError(in_quotes(text) + " holds several values; one is expected", 0);
   return formula;
 }
 

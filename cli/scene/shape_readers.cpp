@@ -14,7 +14,7 @@ using Kind = TomlValue::Kind;
 
 constexpr std::size_t most_points = 10000;  // of a polygon
 
-std::string place_text(const Point& x) { return fmt::format("({:.6g}, {:.6g}) m", x[0], x[1]); }
+std::string corner_text(const Point& x) { return fmt::format("({:.6g}, {:.6g}) m", x[0], x[1]); }
 
 bool is_list(const TomlValue& value) { return value.kind == Kind::array; }
 
@@ -83,7 +83,7 @@ Shape read_polygon(TomlCursor& shape, const ShapeSetting&) {
     const Point from = centre.value_or(Point{});
     shape.fail(value, key,
                "two sides of the polygon cross, or lie on each other, at " +
-                   place_text({(*place)[0] + from[0], (*place)[1] + from[1], 0}) +
+                   corner_text({(*place)[0] + from[0], (*place)[1] + from[1], 0}) +
                    "; the contours of a polygon do not cross themselves or each other");
   }
   Polygon polygon(contours, centre);

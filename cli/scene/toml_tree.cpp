@@ -113,7 +113,7 @@ TomlValue converted(const toml::node& node, const std::string& file, int level) 
   return value;
 }
 
-std::string quoted(std::string_view text) {
+std::string toml_string(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') {
@@ -136,7 +136,7 @@ std::string quoted(std::string_view text) {
 
 std::string key_text(const std::string& key) {
   constexpr std::string_view bare = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
-  return !key.empty() && key.find_first_not_of(bare) == std::string::npos ? key : quoted(key);
+  return !key.empty() && key.find_first_not_of(bare) == std::string::npos ? key : toml_string(key);
 }
 
 std::string number_text(const TomlValue& value) {
@@ -150,7 +150,7 @@ std::string value_text(const TomlValue& value) {
   using Kind = TomlValue::Kind;
   switch (value.kind) {
     case Kind::text:
-      return quoted(value.text);
+      return toml_string(value.text);
     case Kind::number:
       return number_text(value);
     case Kind::boolean:

@@ -47,7 +47,7 @@ std::string result_of(const Chart& chart, const ChartPoint& point) {
   return "error " + shown_error(chart, *point.error) + ", " + brief(point.cost) + " s";
 }
 
-std::vector<std::string> row(const Chart& chart, const ChartSeries& series, const ChartPoint& point) {
+std::vector<std::string> choice_row(const Chart& chart, const ChartSeries& series, const ChartPoint& point) {
   return {series.name,       brief(point.spacing),
           point.cfl,         point.error ? shown_error(chart, *point.error) : "-",
           brief(point.cost), point.verdict};
@@ -62,8 +62,8 @@ std::string evidence(const Chart& chart, const std::vector<Offer>& all) {
   const std::vector<std::string> heading{"method", "spacing, m", "cfl", "error", "s", "verdict"};
   std::vector<std::vector<std::string>> own{heading}, others{heading};
   for (const ChartPoint& point : all.front().series->points)
-    own.push_back(row(chart, *all.front().series, point));
-  for (const Offer& offer : all) others.push_back(row(chart, *offer.series, *offer.point));
+    own.push_back(choice_row(chart, *all.front().series, point));
+  for (const Offer& offer : all) others.push_back(choice_row(chart, *offer.series, *offer.point));
   std::string text = "\nAll its runs:\n" + in_columns(own);
   if (all.size() > 1)
     text += "\nThe cheapest run of each method that grants the wish:\n" + in_columns(others);

@@ -15,6 +15,9 @@ inline constexpr int lanes = 4;
 typedef double Pack __attribute__((vector_size(lanes * sizeof(double))));
 typedef long long PackIndex __attribute__((vector_size(lanes * sizeof(long long))));
 
+/// For a factor of a term that the pass which calls it has in another one already.
+inline constexpr Pack one = {1, 1, 1, 1};
+
 /// Four doubles that stand one behind the other, on any boundary.
 typedef double UnalignedPack __attribute__((vector_size(lanes * sizeof(double)), aligned(sizeof(double))));
 inline Pack load(const double* from) { return *reinterpret_cast<const UnalignedPack*>(from); }

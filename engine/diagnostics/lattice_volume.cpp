@@ -11,7 +11,7 @@
 namespace taut {
 namespace {
 
-using Site = std::array<int, 3>;  // numbers of the planes of the lattice that a particle stands on
+using LatticeSite = std::array<int, 3>;  // numbers of the planes of the lattice that a particle stands on
 using Vector = Eigen::Vector3d;
 using Corners = std::array<Vector, 8>;  // bit k of the number: the upper one along axis k
 
@@ -27,7 +27,7 @@ std::vector<int> planes(const std::vector<double>& x, double apart) {
   return plane;
 }
 
-std::map<Site, std::size_t> sites(const Snapshot& now, int body) {
+std::map<LatticeSite, std::size_t> sites(const Snapshot& now, int body) {
   std::vector<std::size_t> particles;
   double least = 1e300;  // m, diameter
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -35,14 +35,14 @@ std::map<Site, std::size_t> sites(const Snapshot& now, int body) {
     particles.push_back(i);
     least = std::min(least, now.diameter[i]);
   }
-  std::vector<Site> site(particles.size());
+  std::vector<LatticeSite> site(particles.size());
   for (std::size_t k = 0; k < 3; ++k) {
     std::vector<double> along;
     for (const std::size_t i : particles) along.push_back(now.initial(i)[k]);
     const std::vector<int> plane = planes(along, 0.1 * least);
     for (std::size_t p = 0; p < particles.size(); ++p) site[p][k] = plane[p];
   }
-  std::map<Site, std::size_t> at;
+  std::map<LatticeSite, std::size_t> at;
   for (std::size_t p = 0; p < particles.size(); ++p) at[site[p]] = particles[p];
   return at;
 }
@@ -73,13 +73,13 @@ double volume(const Corners& corner) {
 
 double lattice_volume(const Snapshot& now, int body, std::span<const double> x) {
   const auto dim = static_cast<std::size_t>(now.dim);
-  const std::map<Site, std::size_t> at = sites(now, body);
+  const std::map<LatticeSite, std::size_t> at = sites(now, body);
   double total = 0;
   for (const auto& [low, particle] : at) {
     Corners corner;
     bool whole = true;
     for (unsigned c = 0; c < 8 && whole; ++c) {
-      Site site = low;
+      LatticeSite site = low;
       for (unsigned k = 0; k < dim; ++k) site[k] += c >> k & 1;
       const auto found = at.find(site);
       whole = found != at.end();

@@ -18,14 +18,14 @@ constexpr double least_reach = 2, greatest_reach = 4, reach_step = 0.25;
 /// away. It is 2.5 at a face of a lattice, (3/2)² + (1/2)² from two layers.
 constexpr double greatest_square = 3;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t as_index(int i) { return static_cast<std::size_t>(i); }
 
 /// The particles of one body by square cells, to find those around a point.
 class Cells {
  public:
   Cells(const InitialParticles& initial, int body, double size) : size_(size) {
-    for (int i = initial.first[at(body)]; i < initial.first[at(body) + 1]; ++i)
-      cells_[key(initial.x[at(i)], 0, 0)].push_back(i);
+    for (int i = initial.first[as_index(body)]; i < initial.first[as_index(body) + 1]; ++i)
+      cells_[key(initial.x[as_index(i)], 0, 0)].push_back(i);
   }
   /// Those of the nine cells around x, in rising order.
   std::vector<int> around(const Point& x) const {
@@ -53,7 +53,7 @@ std::vector<PointWeight> shares_of(const Cells& cells, const InitialParticles& i
                                    double dp) {
   const std::vector<int> near = cells.around(x);
   std::vector<Point> places;
-  for (const int i : near) places.push_back(initial.x[at(i)]);
+  for (const int i : near) places.push_back(initial.x[as_index(i)]);
   std::vector<PointWeight> best;
   double least = 0;
   for (double reach = least_reach; reach <= greatest_reach; reach += reach_step) {
@@ -66,7 +66,7 @@ std::vector<PointWeight> shares_of(const Cells& cells, const InitialParticles& i
     least = square;
     if (least <= greatest_square) break;
   }
-  for (PointWeight& share : best) share.particle = near[at(share.particle)];
+  for (PointWeight& share : best) share.particle = near[as_index(share.particle)];
   return best;
 }
 
@@ -111,9 +111,9 @@ std::vector<Chain> whole_outline(const Body& body, int dim, double dp) {
   return outline_of(whole, dim, dp);
 }
 
-class Maker {
+class OutlineMaker {
  public:
-  Maker(const Scene& scene, const InitialParticles& initial) : scene_(scene), initial_(initial) {}
+  OutlineMaker(const Scene& scene, const InitialParticles& initial) : scene_(scene), initial_(initial) {}
 
   Outline make() {
     for (std::size_t b = 0; b < scene_.bodies.size(); ++b) add(static_cast<int>(b));
@@ -124,7 +124,7 @@ class Maker {
  private:
   /// A reflected or rotated outline is made as the layout is.
   void add(int b) {
-    const Body body = before_reflection(scene_.bodies[at(b)], scene_.dim);
+    const Body body = before_reflection(scene_.bodies[as_index(b)], scene_.dim);
     const Cells cells(initial_, b, greatest_reach * scene_.spacing);
     if (has_other_shapes(body)) {
       const auto all_are = [](const Point&, const Point&) { return true; };
@@ -155,9 +155,10 @@ class Maker {
       if (!is_face(from, to)) continue;
       const int first = node_at(node[k], b, from, cells), second = node_at(node[(k + 1) % n], b, to, cells);
       if (first == Outline::none || second == Outline::none) continue;
-      const std::array<bool, 3>& mirror = scene_.bodies[at(b)].mirror;
+      const std::array<bool, 3>& mirror = scene_.bodies[as_index(b)].mirror;
       const double sense = (mirror[0] != mirror[1]) ? -1 : 1;
-      out_.beside[at(first)][1] = out_.beside[at(second)][0] = static_cast<int>(out_.segments.size());
+      out_.beside[as_index(first)][1] = out_.beside[as_index(second)][0] =
+          static_cast<int>(out_.segments.size());
       out_.segments.push_back({{first, second}, distance_between(from, to, 2), sense});
     }
   }
@@ -166,15 +167,15 @@ class Maker {
   /// is of both.
   int node_at(int& known, int b, Point x, const Cells& cells) {
     if (known != Outline::none) return known;
-    const Body& body = scene_.bodies[at(b)];
-    for (std::size_t k = 0; k < at(scene_.dim); ++k)
+    const Body& body = scene_.bodies[as_index(b)];
+    for (std::size_t k = 0; k < as_index(scene_.dim); ++k)
       if (body.mirror[k]) x[k] = -x[k];
     if (body.rotation) x = rotated(*body.rotation, x);
     std::erase_if(open_, [&](int n) {
-      return out_.body[at(n)] != b || std::ranges::count(out_.beside[at(n)], Outline::none) == 0;
+      return out_.body[as_index(n)] != b || std::ranges::count(out_.beside[as_index(n)], Outline::none) == 0;
     });
     for (const int n : open_)
-      if (distance_between(out_.x[at(n)], x, 2) < 1e-6 * scene_.spacing) return known = n;
+      if (distance_between(out_.x[as_index(n)], x, 2) < 1e-6 * scene_.spacing) return known = n;
     const std::vector<PointWeight> shares = shares_of(cells, initial_, x, scene_.spacing);
     if (shares.empty()) return Outline::none;
     const PointWeight& greatest = *std::ranges::max_element(shares, {}, &PointWeight::weight);
@@ -182,7 +183,7 @@ class Maker {
     open_.push_back(known);
     out_.x.push_back(x);
     out_.body.push_back(b);
-    out_.material.push_back(initial_.material[at(greatest.particle)]);
+    out_.material.push_back(initial_.material[as_index(greatest.particle)]);
     out_.beside.push_back({Outline::none, Outline::none});
     out_.begin.push_back(static_cast<int>(out_.shares.size()));
     out_.shares.insert(out_.shares.end(), shares.begin(), shares.end());
@@ -199,7 +200,7 @@ class Maker {
 
 Outline make_outline(const Scene& scene, const InitialParticles& initial) {
   if (scene.dim != 2) return {};
-  return Maker(scene, initial).make();
+  return OutlineMaker(scene, initial).make();
 }
 
 }  // namespace taut

@@ -1,23 +1,19 @@
 #pragma once
 
-#include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "cli/command_line/program.hpp"
 #include "cli/commands/commands.hpp"
+#include "tests/support/files.hpp"
 
 namespace taut::test {
 
 using namespace cli;
-
-namespace fs = std::filesystem;
 
 /// What the program left on its two streams, and its exit code.
 struct Outcome {
@@ -35,48 +31,10 @@ inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-inline std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 /// Throws when the file is not whole.
 inline nlohmann::ordered_json json_of(const fs::path& path) {
   return nlohmann::ordered_json::parse(text_of(path));
 }
-
-inline std::vector<std::string> lines_of(const fs::path& path) {
-  std::istringstream text(text_of(path));
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(text, line);) lines.push_back(line);
-  return lines;
-}
-
-inline int files_in(const fs::path& folder) {
-  return static_cast<int>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
-}
-
-/// A folder of one's own for the time of a test.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "taut-test-XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-  std::string str(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  fs::path path_;
-};
 
 /// Two soft discs of some 80 particles each that touch and press on each other. The parameter `pull`
 /// stretches each along y.

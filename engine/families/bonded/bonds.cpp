@@ -115,9 +115,9 @@ double lattice_weight(double r) {
 
 /// Makes the bonds step by step; what each step needs was made by the ones before.
 template <int Dim>
-class Maker {
+class BondMaker {
  public:
-  Maker(const Scene& scene, const InitialParticles& initial, double h, int threads)
+  BondMaker(const Scene& scene, const InitialParticles& initial, double h, int threads)
       : scene_(scene),
         initial_(initial),
         h_(h),
@@ -216,7 +216,7 @@ class Maker {
 
 /// Which others each particle asks for, and with which weights.
 template <int Dim>
-void Maker<Dim>::choose() {
+void BondMaker<Dim>::choose() {
   const Moments<Dim> moments;
   asked_.assign(near_.j.size(), not_asked);
   parallel_for(initial_.size(), threads_, [&](int i) {
@@ -246,7 +246,7 @@ void Maker<Dim>::choose() {
 /// The 26 nearest of a cubic lattice. A particle that has them all asks for right moments, which it finds as
 /// they are on a lattice; of another one a missing neighbour is a missing bond and nothing is reweighted.
 template <int Dim>
-void Maker<Dim>::choose_on_lattice() {
+void BondMaker<Dim>::choose_on_lattice() {
   constexpr std::size_t whole = 26;
   const Moments<Dim> moments;
   asked_.resize(near_.j.size());
@@ -264,7 +264,7 @@ void Maker<Dim>::choose_on_lattice() {
 
 /// Every bond that one of its two ends asked for, with the particles for its ends.
 template <int Dim>
-void Maker<Dim>::set_ends() {
+void BondMaker<Dim>::set_ends() {
   const auto asked = [&](std::size_t pair, std::size_t back) {
     return asked_[pair] != not_asked || asked_[back] != not_asked;
   };
@@ -299,7 +299,7 @@ void Maker<Dim>::set_ends() {
 }
 
 template <int Dim>
-void Maker<Dim>::set_gradients() {
+void BondMaker<Dim>::set_gradients() {
   out_.gradient.assign(out_.j.size(), Point{});
   out_.B.assign(initial_.size(), {});
   parallel_for(initial_.size(), threads_, [&](int i) {
@@ -318,7 +318,7 @@ void Maker<Dim>::set_gradients() {
 /// A particle that has no neighbour on one of the axes, as the tips of round bodies, takes the gradient from
 /// all its bonds, and so do their other ends of them.
 template <int Dim>
-void Maker<Dim>::help_who_lack_an_axis() {
+void BondMaker<Dim>::help_who_lack_an_axis() {
   bool helped = false;
   for (int i = 0; i < initial_.size(); ++i) {
     if (out_.B[i][0][0] > 0) continue;
@@ -337,7 +337,7 @@ void Maker<Dim>::help_who_lack_an_axis() {
 
 /// The bodies whose balance has left a pair of particles less than this strength.
 template <int Dim>
-std::vector<int> Maker<Dim>::with_pair_below(double least) const {
+std::vector<int> BondMaker<Dim>::with_pair_below(double least) const {
   std::vector<int> bodies;
   for (int i = 0; i < initial_.size(); ++i) {
     if (initial_.held[i] || (!bodies.empty() && bodies.back() == initial_.body[i])) continue;
@@ -360,7 +360,7 @@ std::vector<int> Maker<Dim>::with_pair_below(double least) const {
 /// V_k += Σ_j D_j²/divisor S_j · (g_jk − δ_jk Σ_l g_jl): S_j = Σ_i (V_i g_ij − V_j g_ji) is the surface that
 /// belongs to particle j, 0 inside; D³ is its volume, or where it stands on a face that of a whole cell.
 template <int Dim>
-std::vector<double> Maker<Dim>::with_end_correction(const EndCorrection& correction) const {
+std::vector<double> BondMaker<Dim>::with_end_correction(const EndCorrection& correction) const {
   const std::vector<Point> S = surface(out_, initial_.V0);
   std::vector<double> V = initial_.V0;
   for (int j = 0; j < initial_.size(); ++j) {
@@ -377,7 +377,7 @@ std::vector<double> Maker<Dim>::with_end_correction(const EndCorrection& correct
 
 /// Share of the way X from free particle i that lies before the held region.
 template <int Dim>
-double Maker<Dim>::share_before_clamp(int i, const Point& X) const {
+double BondMaker<Dim>::share_before_clamp(int i, const Point& X) const {
   const Expression& held = scene_.bodies[initial_.body[i]].held;
   double free = 0, inside = 1;
   for (int halving = 0; halving < 50; ++halving) {
@@ -395,7 +395,7 @@ double Maker<Dim>::share_before_clamp(int i, const Point& X) const {
 /// linearly, and a uniform stress leaves no force on the particles before it. Particles that stand on the
 /// face of a clamp keep theirs: the half of their cell before it is strained like any other.
 template <int Dim>
-void Maker<Dim>::cut_at_clamp() {
+void BondMaker<Dim>::cut_at_clamp() {
   bool all_deform = true;
   for (int i = 0; i < initial_.size() && all_deform; ++i) all_deform = deforms(i);
   if (all_deform) return;
@@ -423,7 +423,7 @@ void Maker<Dim>::cut_at_clamp() {
 /// Where a_ij has a part across X_ij, a shortened X makes Σ_j a_ij ⊗ X_ij skew. Bonds into the clamp, which
 /// have no other side to agree with, take that back.
 template <int Dim>
-void Maker<Dim>::straighten(int i) {
+void BondMaker<Dim>::straighten(int i) {
   double skew = 0, into_clamp = 0;
   for (int b = out_.begin[i]; b < out_.begin[i + 1]; ++b) {
     const Point &a = out_.area[b], &X = out_.X[b];
@@ -453,8 +453,8 @@ std::vector<Point> surface(const Bonds& bonds, const std::vector<double>& V) {
 }
 
 Bonds make_bonds(const Scene& scene, const InitialParticles& initial, double h, int threads) {
-  return scene.dim == 3 ? Maker<3>(scene, initial, h, threads).make()
-                        : Maker<2>(scene, initial, h, threads).make();
+  return scene.dim == 3 ? BondMaker<3>(scene, initial, h, threads).make()
+                        : BondMaker<2>(scene, initial, h, threads).make();
 }
 
 }  // namespace taut

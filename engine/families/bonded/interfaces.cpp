@@ -24,10 +24,10 @@ struct Entry {
   Place g;  // 1/m
 };
 
-class Maker {
+class InterfaceMaker {
  public:
-  Maker(const InitialParticles& initial, const std::vector<Elasticity>& materials, const Bonds& bonds,
-        double spacing)
+  InterfaceMaker(const InitialParticles& initial, const std::vector<Elasticity>& materials,
+                 const Bonds& bonds, double spacing)
       : initial_(initial), materials_(materials), bonds_(bonds), spacing_(spacing) {}
 
   Interfaces make() {
@@ -57,7 +57,7 @@ class Maker {
 };
 
 /// None where there is no other one, or there are several, or a clamp.
-std::optional<int> Maker::other_material(int i) const {
+std::optional<int> InterfaceMaker::other_material(int i) const {
   std::optional<int> other;
   if (initial_.held[i] || !(bonds_.B[i][0][0] > 0)) return {};
   for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
@@ -72,7 +72,7 @@ std::optional<int> Maker::other_material(int i) const {
 
 /// Of the plane through the middles of the bonds across it, of i and of those that it is bonded to: their
 /// least spread. None where they do not lie on a plane.
-std::optional<Place> Maker::normal(int i, int other) const {
+std::optional<Place> InterfaceMaker::normal(int i, int other) const {
   constexpr double flat = 0.15;  // variance across the plane over that along it, at most
   std::vector<Place> middles;
   Place mean = Place::Zero(), towards = Place::Zero();
@@ -105,7 +105,7 @@ std::optional<Place> Maker::normal(int i, int other) const {
 }
 
 /// From the bonds within the material; none where they lie on a line, or in 3D in a plane.
-std::vector<Entry> Maker::own_gradient(int i) const {
+std::vector<Entry> InterfaceMaker::own_gradient(int i) const {
   constexpr double least = 0.02;  // determinant, of that of neighbours on all sides
   Square A = Square::Zero();
   std::vector<Entry> entries;
@@ -123,7 +123,7 @@ std::vector<Entry> Maker::own_gradient(int i) const {
   return entries;
 }
 
-void Maker::add_site(int i, int other) {
+void InterfaceMaker::add_site(int i, int other) {
   const auto N = normal(i, other);
   const std::vector<Entry> own = own_gradient(i);
   if (!N || own.empty()) return;
@@ -162,7 +162,7 @@ void Maker::add_site(int i, int other) {
 
 /// By the sums of the rows of the stiffness that the sites add up, from those of a lattice of one material:
 /// there the root of them is the wave speed over the spacing times the dimension.
-double Maker::wave_speed() const {
+double InterfaceMaker::wave_speed() const {
   std::vector<double> stiffness(bonds_.begin.size() - 1);  // N/m
   for (std::size_t s = 0; s < out_.sites.size(); ++s) {
     const Interfaces::Site& site = out_.sites[s];
@@ -202,7 +202,7 @@ bool is_across(const InitialParticles& initial, const std::vector<Elasticity>& m
 
 Interfaces make_interfaces(const InitialParticles& initial, const std::vector<Elasticity>& materials,
                            const Bonds& bonds, double spacing) {
-  return Maker(initial, materials, bonds, spacing).make();
+  return InterfaceMaker(initial, materials, bonds, spacing).make();
 }
 
 }  // namespace taut

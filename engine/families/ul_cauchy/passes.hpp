@@ -19,11 +19,9 @@
 /// so that no result depends on the number of threads.
 namespace taut::inline TAUT_ISA {
 
-/// The terms are written in ∂W/∂r, r and e_ij. The passes have ∇_i W = α/h^(Dim+2) w′/q (x_i − x_j) without a
-/// quotient: they hand the terms w′/q for ∂W/∂r, x_i − x_j for e_ij and this for r, and scale their sums.
-inline constexpr Pack one = {1, 1, 1, 1};
-
-/// The scales of W and ∇W, worked out once.
+/// The scales of W and ∇W, worked out once. The terms are written in ∂W/∂r, r and e_ij. The passes have
+/// ∇_i W = α/h^(Dim+2) w′/q (x_i − x_j) without a quotient: they hand the terms w′/q for ∂W/∂r, x_i − x_j for
+/// e_ij and `one` for r, and scale their sums.
 template <const Formulation& M, int Dim>
 struct KernelScale {
   using K = Kernel<M.kernel>;

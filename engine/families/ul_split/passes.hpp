@@ -125,11 +125,8 @@ Vec<Pack, Dim> gradient_inside(const State<Dim>& s, int i, int b) {
   return g;
 }
 
-/// For ∂W/∂r in the terms, which are written in ∂W/∂r and e_ij: the passes hand them the product of the two,
-/// ∇_i W, in place of e_ij.
-inline constexpr Pack one = {1, 1, 1, 1};
-
-/// dv/dt of every particle: pressure from the Riemann problem of each pair, and shear.
+/// dv/dt of every particle: pressure from the Riemann problem of each pair, and shear. The terms are written in
+/// ∂W/∂r and e_ij; for the first they get `one`, and for the second the product of the two, ∇_i W.
 /// `use(i, a)` receives each acceleration, m/s².
 template <const Formulation& M, int Dim, class Use>
 double momentum_pass(State<Dim>& s, const Constants& c, int threads, const Use& use) {

@@ -5,6 +5,7 @@
 #include "cli/drawing/frames.hpp"
 #include "engine/error.hpp"
 #include "render/image/png.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/synthetic.hpp"
 
 using namespace taut;
@@ -46,12 +47,8 @@ struct Sequence {
 /// All files in a folder, one behind the other.
 std::string all_bytes(const fs::path& folder, int most = count) {
   std::string bytes;
-  for (int k = 0; k < most; ++k) bytes += frame_name(k) + bytes_of(folder / frame_name(k));
+  for (int k = 0; k < most; ++k) bytes += frame_name(k) + text_of(folder / frame_name(k));
   return bytes;
-}
-
-int files_in(const fs::path& folder) {
-  return static_cast<int>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
 }  // namespace

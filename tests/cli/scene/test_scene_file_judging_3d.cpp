@@ -14,7 +14,7 @@ using namespace taut::test;
 namespace {
 
 /// A solid scene with what follows its body.
-std::string solid_scene(const std::string& tables) {
+std::string judged_solid(const std::string& tables) {
   return "title = \"Solid\"\ndim = 3\nspacing = 0.1\nuntil = 2\n"
          "[material.rubber]\ndensity = 1200\nyoungs_modulus = 1e7\npoisson_ratio = 0.4\n"
          "[[body]]\nname = \"thing\"\nmaterial = \"rubber\"\n"
@@ -31,7 +31,7 @@ std::string measure(const std::string& name, const std::string& keys) {
 }
 
 SceneFile read_twice(const std::string& tables) {
-  const SceneFile file = read_text(solid_scene(tables));
+  const SceneFile file = read_text(judged_solid(tables));
   const std::string text = resolved_text(file, scratch_folder());
   CHECK(resolved_text(read_text(text), scratch_folder()) == text);
   return file;
@@ -39,7 +39,7 @@ SceneFile read_twice(const std::string& tables) {
 
 void refused(const std::string& tables, const char* part) {
   try {
-    read_text(solid_scene(tables));
+    read_text(judged_solid(tables));
     FAIL_CHECK("no error");
   } catch (const SceneError& error) {
     INFO("message: ", std::string(error.what()));

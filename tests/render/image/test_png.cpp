@@ -9,6 +9,7 @@
 
 #include "engine/error.hpp"
 #include "render/image/png.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/synthetic.hpp"
 
 using namespace taut;
@@ -79,7 +80,7 @@ TEST_SUITE("unit") {
       write_png(image, folder / "a.png");
       CHECK(read_png(folder / "a.png") == image);
     }
-    CHECK(folder.files() == 1);
+    CHECK(files_in(folder.path()) == 1);
   }
 
   TEST_CASE("any picture is read back as it was written") {
@@ -114,8 +115,8 @@ TEST_SUITE("unit") {
     const TemporaryFolder folder;
     write_png(gradient(60, 40), folder / "a.png");
     write_png(gradient(60, 40), folder / "b.png");
-    const std::string bytes = bytes_of(folder / "a.png");
-    CHECK(bytes == bytes_of(folder / "b.png"));
+    const std::string bytes = text_of(folder / "a.png");
+    CHECK(bytes == text_of(folder / "b.png"));
     REQUIRE(bytes.size() > 26);
     CHECK(bytes[24] == 8);  // bits per channel
     CHECK(bytes[25] == 2);  // colour type RGB
@@ -143,7 +144,7 @@ TEST_SUITE("unit") {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "a.png");
     CHECK_THROWS_AS(write_png(gradient(4, 4), folder / "a.png"), OutputError);
-    CHECK(folder.files() == 1);
+    CHECK(files_in(folder.path()) == 1);
   }
 
   TEST_CASE("a disk that is full leaves the old file and nothing else") {
@@ -159,7 +160,7 @@ TEST_SUITE("unit") {
         CHECK(std::string(error.what()).find("File too large") != std::string::npos);
       }
     }
-    CHECK(folder.files() == 1);
+    CHECK(files_in(folder.path()) == 1);
     CHECK(read_png(folder / "a.png") == gradient(5, 4));
   }
 
@@ -177,7 +178,7 @@ TEST_SUITE("unit") {
   TEST_CASE("a picture that is cut off is refused, wherever") {
     const TemporaryFolder folder;
     write_png(noise(40, 30), folder / "a.png");
-    const std::string bytes = bytes_of(folder / "a.png");
+    const std::string bytes = text_of(folder / "a.png");
     for (const std::size_t size :
          {std::size_t{8}, std::size_t{20}, std::size_t{40}, bytes.size() / 2, bytes.size() - 1}) {
       CAPTURE(size);
@@ -189,7 +190,7 @@ TEST_SUITE("unit") {
   TEST_CASE("a header that claims a huge picture is refused") {
     const TemporaryFolder folder;
     write_png(gradient(4, 4), folder / "a.png");
-    std::string bytes = bytes_of(folder / "a.png");
+    std::string bytes = text_of(folder / "a.png");
     bytes[18] = 0x4e, bytes[19] = 0x20;  // the width, big-endian: 20000
     const std::uint32_t sum = checksum(bytes.substr(12, 17));
     for (int i = 0; i < 4; ++i) bytes[29 + i] = static_cast<char>(sum >> (24 - 8 * i));
@@ -202,7 +203,7 @@ TEST_SUITE("unit") {
   TEST_CASE("a picture of more pixels than are read is refused before there is memory for them") {
     const TemporaryFolder folder;
     write_png(gradient(4, 4), folder / "a.png");
-    std::string bytes = bytes_of(folder / "a.png");
+    std::string bytes = text_of(folder / "a.png");
     bytes[18] = bytes[22] = 0x40, bytes[19] = bytes[23] = 0;  // 16384 × 16384
     const std::uint32_t sum = checksum(bytes.substr(12, 17));
     for (int i = 0; i < 4; ++i) bytes[29 + i] = static_cast<char>(sum >> (24 - 8 * i));
