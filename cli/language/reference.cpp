@@ -210,6 +210,9 @@ const Texts scene_rules{
     "A key that is unknown or unused, a wrong type or a value out of bounds is an error with its place, what "
     "is "
     "allowed and the nearest known name. So are a parameter, a material and a probe that nothing uses.",
+    "At most 20 million particles, 500 parameters, 20 000 letters in an expression, 100 in a name of one, "
+    "200 bytes "
+    "in a title or a help; all bounds are in cli/PROMISES.md of the sources.",
     "`taut run my.toml` runs it, `taut describe my.toml` says what was understood; `taut describe NAME` "
     "explains "
     "one section, shape, probe or measure of this page."};
