@@ -110,6 +110,15 @@ TEST_SUITE("image") {
     CHECK_THROWS_AS(Panel{options}, UsageError);
   }
 
+  TEST_CASE("a panel of more pixels than are drawn is refused before there is memory for them") {
+    PanelOptions options = two_by_two();
+    options.look.size.reset();
+    options.rows.assign(20000, "t");
+    CHECK_THROWS_WITH_AS(Panel{options},
+                         doctest::Contains("a panel of 2 x 20000 pictures would have"), UsageError);
+    CHECK_THROWS_WITH_AS(Panel{options}, doctest::Contains("at most 67 million are drawn"), UsageError);
+  }
+
   TEST_CASE("a bare panel is its pictures and nothing else, on any background") {
     PanelOptions options = two_by_two();
     options.look.bare = true, options.look.background = {0, 0, 0};
