@@ -284,6 +284,18 @@ TEST_SUITE("restart") {
     CHECK(refused < 24);
   }
 
+  TEST_CASE("a link in a stranger's folder leads the rows of a run that goes on nowhere") {
+    const TemporaryFolder folder;
+    leave_interrupted(folder);
+    fs::rename(folder / "out/history.csv", folder / "elsewhere");
+    fs::create_symlink(folder / "elsewhere", folder / "out/history.csv");
+    const std::string before = text_of(folder / "elsewhere");
+    const Outcome outcome = call(resume(folder, "out"));
+    CHECK(outcome.code == 4);
+    CHECK(contains(outcome.err, "out/history.csv"));
+    CHECK(text_of(folder / "elsewhere") == before);
+  }
+
   TEST_CASE("a checkpoint of another version is refused") {
     const TemporaryFolder folder;
     const fs::path path = folder / "checkpoint.bin";
