@@ -8,7 +8,7 @@
 
 #include "cli/drawing/frames.hpp"
 #include "cli/run/history.hpp"
-#include "cli/run/particle_file.hpp"
+#include "cli/run/particle_series.hpp"
 #include "cli/run/report.hpp"
 #include "cli/run/schedule.hpp"
 #include "cli/text/format.hpp"

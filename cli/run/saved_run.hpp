@@ -5,8 +5,8 @@
 
 #include "cli/drawing/drawing.hpp"
 #include "cli/drawing/staging.hpp"
+#include "cli/formats/particle_file.hpp"
 #include "cli/run/folder.hpp"
-#include "cli/run/particle_file.hpp"
 #include "cli/scene/scene_file.hpp"
 #include "engine/frame_view.hpp"
 

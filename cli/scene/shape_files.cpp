@@ -3,7 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "cli/outlines/mask.hpp"
+#include "cli/formats/mask.hpp"
+#include "cli/formats/particle_file.hpp"
 #include "cli/scene/shape_readers.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
@@ -70,6 +71,47 @@ auto with_place(TomlCursor& shape, const Read& read) {
   }
 }
 
+struct GivenSites {
+  std::vector<Point> places;    // m
+  std::vector<double> volumes;  // m², m³
+};
+
+GivenSites tabled_sites(const std::filesystem::path& file, const ShapeSetting& setting) {
+  const std::vector<std::string> axes(axis_names.begin(), axis_names.begin() + setting.dim);
+  const ColumnTable table = read_columns(file, axes, {"volume"});
+  GivenSites given{std::vector<Point>(table.rows()), table.columns.back()};
+  for (std::size_t i = 0; i < given.places.size(); ++i)
+    for (std::size_t k = 0; k < axes.size(); ++k) given.places[i][k] = table.columns[k][i];
+  given.volumes.resize(given.places.size(), std::pow(setting.dp, setting.dim));
+  for (std::size_t i = 0; i < given.volumes.size(); ++i)
+    if (!(given.volumes[i] > 0))
+      throw SceneError(file.string(), table.lines[i], 1, "",
+                       "volume = " + exact(given.volumes[i]) + " must be greater than 0");
+  return given;
+}
+
+/// Of all bodies of a particle file, or of the one that the scene names. Throws UsageError.
+GivenSites saved_sites(const std::filesystem::path& path, std::optional<int> wanted,
+                       const ShapeSetting& setting) {
+  const ParticleFile file(path);
+  const std::vector<double> x = file.positions(3), body = file.field("body");
+  if (const auto bad = std::ranges::find_if(x, [](double v) { return !std::isfinite(v); }); bad != x.end())
+    throw UsageError(fmt::format("particle {} of {} is at no place: a coordinate is {}",
+                                 (bad - x.begin()) / 3 + 1, path.string(), *bad));
+  GivenSites given;
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    if (wanted && body[i] != *wanted) continue;
+    if (setting.dim == 2 && x[3 * i + 2] != 0)
+      throw UsageError(path.string() + " is of a scene in three dimensions; this one has dim = 2");
+    given.places.push_back({x[3 * i], x[3 * i + 1], x[3 * i + 2]});
+  }
+  if (given.places.empty())
+    throw UsageError(path.string() + " holds no particle" +
+                     (wanted ? fmt::format(" of body {}; its bodies are numbered from 0", *wanted) : ""));
+  given.volumes.assign(given.places.size(), std::pow(setting.dp, setting.dim));
+  return given;
+}
+
 /// Refuses particles at one place, of which no method could make anything.
 void refuse_twins(const std::vector<Point>& places, const std::filesystem::path& file) {
   std::vector<std::size_t> order(places.size());
@@ -129,23 +171,19 @@ Shape read_mask_file(TomlCursor& shape, const ShapeSetting& setting) {
 
 Shape read_particles(TomlCursor& shape, const ShapeSetting& setting) {
   const std::filesystem::path file = named_file(shape, setting.folder, "file");
+  const bool saved = file.extension() == ".vtp";
+  if (const TomlValue* body = shape.find("of_body"); body && !saved)
+    shape.fail(*body, "of_body", "of_body is of the particles that a run has saved, a .vtp file");
   if (!setting.alone)
     shape.fail(
         shape.need("type"), "type",
         "given particles are a body of their own: they stand in no union, and nothing is cut out of them");
-  const std::vector<std::string> axes(axis_names.begin(), axis_names.begin() + setting.dim);
-  const ColumnTable table = read_columns(file, axes, {"volume"});
-  std::vector<Point> places(table.rows());
-  for (std::size_t i = 0; i < places.size(); ++i)
-    for (std::size_t k = 0; k < axes.size(); ++k) places[i][k] = table.columns[k][i];
-  std::vector<double> volumes = table.columns.back();
-  volumes.resize(places.size(), std::pow(setting.dp, setting.dim));
-  for (std::size_t i = 0; i < volumes.size(); ++i)
-    if (!(volumes[i] > 0))
-      throw SceneError(file.string(), table.lines[i], 1, "",
-                       "volume = " + exact(volumes[i]) + " must be greater than 0");
-  refuse_twins(places, file);
-  return AnyShape::of(GivenParticles(std::move(places), std::move(volumes), setting.dim));
+  std::optional<int> body;
+  if (shape.find("of_body")) body = shape.whole("of_body", 0, 0, 1000000);
+  GivenSites given = saved ? with_place(shape, [&] { return saved_sites(file, body, setting); })
+                           : tabled_sites(file, setting);
+  refuse_twins(given.places, file);
+  return AnyShape::of(GivenParticles(std::move(given.places), std::move(given.volumes), setting.dim));
 }
 
 }  // namespace taut::cli

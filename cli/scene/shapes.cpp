@@ -161,7 +161,11 @@ constexpr KeyInfo expression_keys[] = {
 };
 constexpr KeyInfo particles_keys[] = {
     {"file", "path", "",
-     "CSV with columns x, y (z in 3D) and, if it has them, volume (m², m³; else dp², dp³)"},
+     "CSV with columns x, y (z in 3D) and, if it has them, volume (m², m³; else dp², dp³); or particles that "
+     "a run "
+     "has saved (.vtp), where they are then, without strain, each with dp², dp³"},
+    {"of_body", "whole number", "all",
+     "of a .vtp of several bodies: the one whose particles are taken, from 0"},
 };
 constexpr KeyInfo combined_keys[] = {
     {"shapes", "[SHAPE, ...]", "", "two or more, of any kind but particles; the first one's lattice"},

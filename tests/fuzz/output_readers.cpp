@@ -3,9 +3,9 @@
 #include <cmath>
 #include <sstream>
 
-#include "cli/outlines/mask.hpp"
+#include "cli/formats/mask.hpp"
+#include "cli/formats/particle_file.hpp"
 #include "cli/run/panel_cells.hpp"
-#include "cli/run/particle_file.hpp"
 #include "cli/run/record.hpp"
 #include "cli/run/saved_run.hpp"
 #include "cli/scene/sections.hpp"

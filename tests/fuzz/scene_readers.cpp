@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/outlines/mask.hpp"
+#include "cli/formats/mask.hpp"
 #include "cli/run/run.hpp"
 #include "cli/scene/expression.hpp"
 #include "cli/scene/scene_file.hpp"

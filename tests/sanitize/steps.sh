@@ -22,7 +22,7 @@ END
 # A run that is interrupted once it has a checkpoint, and goes on to its end. One that is done before that is fine.
 resumed() {  # SCENE METHOD SPACING UNTIL
   local code=0
-  "$taut" run "$1" --method "$2" --spacing "$3" --until "$(times "$4" 10)" --checkpoint-every "$(times "$4" 0.2)" \
+  "$taut" run "$1" --method "$2" --spacing "$3" --until "$(times "$4" 3)" --checkpoint-every "$(times "$4" 0.2)" \
     --threads 2 --no-render --quiet --out run &
   until [[ -e run/checkpoint.bin ]] || ! kill -0 $! 2>/dev/null; do sleep 0.01; done
   kill -INT $! 2>/dev/null || true

@@ -5,7 +5,8 @@
 
 #include <doctest/doctest.h>
 
-#include "cli/outlines/mask.hpp"
+#include "cli/formats/mask.hpp"
+#include "cli/formats/particle_file.hpp"
 #include "cli/scene/scene_file.hpp"
 #include "engine/scene/initial_particles.hpp"
 #include "render/image/png.hpp"
@@ -170,6 +171,40 @@ TEST_SUITE("cli") {
     CHECK(error_of("x\n0\n", 1).find("no column 'y'") != std::string::npos);
     CHECK(error_of("x,y\n", 1).find("no rows") != std::string::npos);
     CHECK(error_of("", 0).find("empty") != std::string::npos);
+  }
+
+  TEST_CASE("shapes: particles that a run has saved, of one body or of all") {
+    Snapshot now;
+    now.dim = 2;
+    now.x = {0, 0, 0.05, 0, 1, 1, 2, 0.1};
+    now.v.assign(8, 3);
+    now.m.assign(4, 1), now.diameter.assign(4, 0.05);
+    now.body = {0, 0, 1, 1}, now.material = {0, 0, 0, 0}, now.held.assign(4, 0);
+    write_file("saved.vtp", particle_file_text(now, {}));
+    const InitialParticles all = laid(scene_text(R"({ type = "particles", file = "saved.vtp" })"));
+    CHECK(all.x == std::vector<Point>{{0, 0, 0}, {0.05, 0, 0}, {1, 1, 0}, {2, 0.1, 0}});
+    CHECK(all.V0[3] == relative(0.0025));
+    const InitialParticles one =
+        laid(scene_text(R"({ type = "particles", file = "saved.vtp", of_body = 1 })"));
+    CHECK(one.x == std::vector<Point>{{1, 1, 0}, {2, 0.1, 0}});
+    check_shape_error(R"({ type = "particles", file = @"saved.vtp", of_body = 2 })",
+                      {"saved.vtp holds no particle of body 2"});
+    check_shape_error(R"({ type = "particles", file = "saved.vtp", of_body = @-1 })",
+                      {"whole number from 0"});
+    write_file("given.csv", "x, y\n0, 0\n1, 0\n");
+    check_shape_error(R"({ type = "particles", file = "given.csv", of_body = @1 })", {"a .vtp file"});
+    write_file("cut.vtp", particle_file_text(now, {}).substr(0, 900));
+    check_shape_error(R"({ type = "particles", file = @"cut.vtp" })", {"is no particle file of taut"});
+    now.dim = 3;
+    now.x = {0, 0, 0, 0.05, 0, 0, 1, 1, 0.1, 2, 0.1, 0}, now.v.assign(12, 3);
+    write_file("solid.vtp", particle_file_text(now, {}));
+    check_shape_error(R"({ type = "particles", file = @"solid.vtp" })",
+                      {"is of a scene in three dimensions"});
+    CHECK(laid(scene_text(R"({ type = "particles", file = "solid.vtp" })", "", 3)).x[2] == Point{1, 1, 0.1});
+    now.x[4] = std::nan("");
+    write_file("nowhere.vtp", particle_file_text(now, {}));
+    check_shape_error(R"({ type = "particles", file = @"nowhere.vtp" })",
+                      {"particle 2", "a coordinate is nan"});
   }
 
   TEST_CASE("shapes: a mask is what is dark in a picture, or light") {

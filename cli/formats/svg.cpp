@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/outlines/mask.hpp"
+#include "cli/formats/mask.hpp"
 #include "cli/system/external_program.hpp"
 #include "engine/error.hpp"
 

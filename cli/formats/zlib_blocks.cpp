@@ -1,4 +1,4 @@
-#include "cli/run/zlib_blocks.hpp"
+#include "cli/formats/zlib_blocks.hpp"
 
 #include <algorithm>
 #include <bit>

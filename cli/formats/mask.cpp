@@ -1,4 +1,4 @@
-#include "cli/outlines/mask.hpp"
+#include "cli/formats/mask.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,196 @@
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <map>
+
+#include <doctest/doctest.h>
+
+#include "cli/formats/particle_file.hpp"
+#include "cli/formats/zlib_blocks.hpp"
+#include "cli/text/format.hpp"
+#include "engine/error.hpp"
+#include "tests/support/files.hpp"
+
+using namespace taut;
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+/// Particles with numbers that have no short form.
+Snapshot some_particles(int dim, std::size_t count) {
+  Snapshot now;
+  now.dim = dim;
+  now.time = 1.0 / 3;
+  for (std::size_t k = 0; k < count * static_cast<std::size_t>(dim); ++k) {
+    now.x0.push_back(0);
+    now.x.push_back(std::sin(static_cast<double>(k)));
+    now.v.push_back(std::exp(-static_cast<double>(k)));
+  }
+  now.m.assign(count, 1.0);
+  now.p.assign(count, 0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    now.rho.push_back(1000 + std::sqrt(static_cast<double>(i)));
+    now.diameter.push_back(0.1 + static_cast<double>(i));
+    now.body.push_back(static_cast<int>(i % 3));
+    now.material.push_back(static_cast<int>(i % 2));
+    now.held.push_back(i % 5 == 0);
+  }
+  return now;
+}
+
+fs::path write_particles(const TemporaryFolder& folder, const Snapshot& now,
+                         const std::vector<const Field*>& fields) {
+  std::ofstream(folder / "particles.vtp", std::ios::binary) << particle_file_text(now, fields);
+  return folder / "particles.vtp";
+}
+
+std::string packed(const std::vector<double>& values) {
+  return to_zlib_blocks(std::as_bytes(std::span(values)));
+}
+
+bool unpacks(std::string_view text, std::vector<double>& values) {
+  return from_zlib_blocks(text, std::as_writable_bytes(std::span(values)));
+}
+
+/// What tests/cli/formats/read_vtp.py prints, by name; empty where there is no VTK.
+std::map<std::string, double> read_with_vtk(const fs::path& file) {
+  const std::string command =
+      "/usr/bin/python3 " TAUT_SOURCE_DIR "/tests/cli/formats/read_vtp.py " + file.string() + " 2>&1";
+  std::map<std::string, double> values;
+  std::FILE* pipe = ::popen(command.c_str(), "r");
+  REQUIRE(pipe);
+  char name[64];
+  double value = 0;
+  while (std::fscanf(pipe, "%63s %lf", name, &value) == 2) values[name] = value;
+  ::pclose(pipe);
+  return values;
+}
+
+bool vtk_is_there() { return std::system("/usr/bin/python3 -c 'import vtk' 2>/dev/null") == 0; }
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("compressed blocks unpack to the same bytes and to nothing else") {
+    for (const std::size_t count : {0, 1, 8191, 8192, 8193, 30000}) {  // a block holds 8192 doubles
+      CAPTURE(count);
+      std::vector<double> values(count), back(count), longer(count + 1);
+      for (std::size_t k = 0; k < count; ++k) values[k] = std::sin(static_cast<double>(k));
+      const std::string text = packed(values);
+      CHECK(unpacks(text, back));
+      CHECK(back == values);
+      CHECK_FALSE(unpacks(text, longer));
+      if (count > 0) CHECK_FALSE(unpacks(text.substr(0, text.size() - 1), back));
+      std::string forged = text;
+      forged[7] = '\x7f';  // 2^62 blocks
+      CHECK_FALSE(unpacks(forged, back));
+    }
+  }
+
+  TEST_CASE("particles are read back bit by bit") {
+    const TemporaryFolder folder;
+    for (const int dim : {2, 3}) {
+      Snapshot now = some_particles(dim, 3000);
+      now.rho[7] = std::numeric_limits<double>::quiet_NaN();
+      const ParticleFile file(write_particles(folder, now, {find_field("density"), find_field("speed")}));
+      CHECK(file.time() == now.time);
+      CHECK(file.size() == 3000);
+      CHECK(file.positions(dim) == now.x);
+      CHECK(file.diameter() == now.diameter);
+      CHECK(file.fields() == std::vector<std::string>{"density", "speed", "body", "material"});
+      CHECK(file.field("speed") == evaluate(*find_field("speed"), now));
+      CHECK(file.field("body") == evaluate(*find_field("body"), now));
+      CHECK(file.field("material") == evaluate(*find_field("material"), now));
+      const std::vector<double> density = file.field("density");
+      CHECK(std::memcmp(density.data(), now.rho.data(), 8 * density.size()) == 0);
+      CHECK_THROWS_WITH_AS(file.field("pressure"),
+                           (folder.str("particles.vtp") +
+                            " does not hold the field pressure; it holds density, speed, body, material")
+                               .c_str(),
+                           UsageError);
+    }
+  }
+
+  TEST_CASE("a particle file with a head that does not fit what it holds is refused") {
+    const TemporaryFolder folder;
+    const fs::path path = write_particles(folder, some_particles(2, 50), {find_field("speed")});
+    const std::string whole = text_of(path);
+    for (const auto& [was, is] : std::initializer_list<std::pair<const char*, const char*>>{
+             {"NumberOfPoints=\"50\"", "NumberOfPoints=\"51\""},
+             {"NumberOfPoints=\"50\"", "NumberOfPoints=\"6148914691236517206\""},
+             {"NumberOfPoints=\"50\"", "NumberOfPoints=\"-3\""},
+             {"NumberOfPoints=\"50\"", "NumberOfPoints=\"0\""},
+             {"Name=\"Points\" NumberOfComponents=\"3\"", "Name=\"Points\" NumberOfComponents=\"1\""},
+             {"Name=\"Points\" NumberOfComponents=\"3\"", "Name=\"Points\" NumberOfComponents=\"9\""},
+             {"offset=\"0\"", "offset=\"18446744073709551000\""},
+             {"format=\"ascii\">", "format=\"ascii\">nan</DataArray><x>"},
+             {"\"Float64\" Name=\"speed\"", "\"Float32\" Name=\"speed\""}}) {
+      const auto& is_now = is;  // clang captures no bindings
+      CAPTURE(is_now);
+      std::string forged = whole;
+      const std::size_t at = forged.find(was);
+      REQUIRE(at != std::string::npos);
+      std::ofstream(path, std::ios::binary) << forged.replace(at, std::strlen(was), is);
+      const auto read_all = [&] {
+        const ParticleFile file(path);
+        file.field("speed");
+        file.diameter();
+        file.positions(2);
+      };
+      CHECK_THROWS_AS(read_all(), UsageError);
+    }
+  }
+
+  TEST_CASE("a particle file that is cut short is refused wherever it ends") {
+    const TemporaryFolder folder;
+    const fs::path path = write_particles(folder, some_particles(2, 50), {find_field("speed")});
+    const std::string whole = text_of(path);
+    const std::size_t end = whole.find("\n</AppendedData>");
+    const auto read_all = [&] {
+      const ParticleFile file(path);
+      file.field("speed");
+      file.diameter();
+      file.positions(2);
+    };
+    CHECK_NOTHROW(read_all());
+    // the vertices, of some 150 bytes, come last and are for ParaView only
+    for (std::size_t length = 0; length + 400 < end; length += 41) {
+      std::ofstream(path, std::ios::binary) << whole.substr(0, length);
+      CAPTURE(length);
+      CHECK_THROWS_AS(read_all(), UsageError);
+    }
+  }
+
+  TEST_CASE("VTK reads a particle file as it was written") {
+    if (!vtk_is_there()) {
+      MESSAGE("skipped: there is no VTK for Python (Debian's package python3-vtk9)");
+      return;
+    }
+    const TemporaryFolder folder;
+    const Snapshot now = some_particles(2, 9000);  // more than a block
+    const fs::path path = write_particles(folder, now, {find_field("density"), find_field("speed")});
+    const auto sum = [](const std::vector<double>& values, std::size_t from = 0, std::size_t step = 1) {
+      double total = 0;
+      for (std::size_t k = from; k < values.size(); k += step) total += values[k];
+      return total;
+    };
+    std::map<std::string, double> read = read_with_vtk(path);
+    CHECK(read["points"] == 9000);
+    CHECK(read["vertices"] == 9000);
+    CHECK(read["last_vertex"] == 8999);
+    CHECK(read["time"] == now.time);
+    CHECK(read["x"] == doctest::Approx(sum(now.x, 0, 2)));
+    CHECK(read["y"] == doctest::Approx(sum(now.x, 1, 2)));
+    CHECK(read.at("z") == 0);
+    CHECK(read["density"] == doctest::Approx(sum(now.rho)));
+    CHECK(read["speed"] == doctest::Approx(sum(evaluate(*find_field("speed"), now))));
+    CHECK(read["diameter"] == doctest::Approx(sum(now.diameter)));
+    CHECK(read["body"] == 9000);
+    CHECK(read["material"] == 4500);
+    CHECK(read["held"] == 1800);
+    CHECK(read["vectors"] == doctest::Approx(sum(now.v)));
+  }
+}
