@@ -9,6 +9,7 @@
 
 #include "cli/formats/zlib_blocks.hpp"
 #include "cli/text/format.hpp"
+#include "cli/text/shown.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {
@@ -153,10 +154,16 @@ void ParticleFile::read_header() {
     if (name == time_name) time = number<double>(tag.substr(tag.find('>') + 1));
     const auto type = value_of(tag, "type");
     const auto components = number<std::size_t>(value_of(tag, "NumberOfComponents"));
-    if (const auto offset = number<std::uint64_t>(value_of(tag, "offset")); offset && type && components)
+    if (const auto offset = number<std::uint64_t>(value_of(tag, "offset")); offset && type && components) {
+      if (find(std::string(name))) fail("has two arrays with the name '" + shown(name) + "'");
       arrays_.push_back({std::string(name), std::string(*type), *components, header.size() + *offset});
+    }
   }
-  if (!time || !size || !find(std::string(points_name)) || !find(std::string(diameter_name)))
+  const auto has_numbers = [&](std::string_view name, std::size_t components) {
+    const Array* const array = find(std::string(name));
+    return array && array->components == components;
+  };
+  if (!time || !size || !has_numbers(points_name, 3) || !has_numbers(diameter_name, 1))
     fail("is no particle file of taut");
   if (!std::isfinite(*time)) fail("has no time: it is not a finite number");
   time_ = *time;

@@ -23,6 +23,8 @@ namespace {
 /// Keep a forged header from asking for all of the memory: twice the largest side that is drawn, for panels, and
 /// as many pixels as are drawn.
 constexpr png_uint_32 greatest_side = 16384;
+constexpr png_alloc_size_t most_beside =
+    8 << 20;  // bytes of a chunk beside the pixels, as of a palette or a text
 constexpr std::int64_t most_pixels = std::int64_t{8192} * 8192;
 
 // libpng's simplified API has no longjmp, but converts what it reads to sRGB, so the classic one it is.
@@ -61,6 +63,7 @@ struct Reader : Complaint {
 void read_header(Reader& reader, std::FILE* file, Alpha alpha) {
   png_init_io(reader.png, file);
   png_set_user_limits(reader.png, greatest_side, greatest_side);
+  png_set_chunk_malloc_max(reader.png, most_beside);
   png_read_info(reader.png, reader.info);
   // whatever the file holds becomes B, G, R, 255 or how opaque it is
   png_set_expand(reader.png);

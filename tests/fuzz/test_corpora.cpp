@@ -30,7 +30,7 @@ std::string bytes_of(const fs::path& path) {
 
 /// Of what a target reads: that it ends is for ctest to see.
 void limit_memory() {
-  constexpr rlim_t most = rlim_t{4} << 30;  // bytes
+  constexpr rlim_t most = rlim_t{1} << 30;  // bytes
   const rlimit limit{most, most};
   ::setrlimit(RLIMIT_DATA, &limit);
 }
