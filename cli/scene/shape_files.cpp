@@ -8,6 +8,7 @@
 #include "cli/scene/shape_readers.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
+#include "engine/scene/initial_particles.hpp"
 #include "engine/scene/other_shapes.hpp"
 
 namespace taut::cli {
@@ -112,6 +113,32 @@ GivenSites saved_sites(const std::filesystem::path& path, std::optional<int> wan
   return given;
 }
 
+/// Their faces are looked for in all of the box around them, and neighbours by the number of a cell: both end.
+void refuse_far(const GivenSites& given, const std::filesystem::path& file, const ShapeSetting& setting) {
+  constexpr double most_sides = 1e6, farthest = 1e9, most_times = 1e6;  // in dp; in dp^dim
+  const double cell = std::pow(setting.dp, setting.dim);
+  double room = 1;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(setting.dim); ++k) {
+    const auto [low, high] = std::ranges::minmax(given.places, {}, [k](const Point& x) { return x[k]; });
+    const double side = (high[k] - low[k]) / setting.dp + 1;
+    room *= side;
+    if (side > most_sides || std::max(-low[k], high[k]) > farthest * setting.dp ||
+        (setting.dim == 2 && room > greatest_particle_number))
+      throw SceneError(
+          file.string(), 0, 0, "",
+          fmt::format(
+              "the particles lie too far apart, or too far out, for a spacing of {:g} m: {} goes from "
+              "{:g} m to {:g} m; the box around them may have room for {:g}",
+              setting.dp, axis_names[k], low[k], high[k], greatest_particle_number));
+  }
+  for (const double volume : given.volumes)
+    if (volume > most_times * cell || volume * most_times < cell)
+      throw SceneError(
+          file.string(), 0, 0, "",
+          fmt::format("a volume of {:g} does not fit a spacing of {:g} m, a cell of which has {:g}", volume,
+                      setting.dp, cell));
+}
+
 /// Refuses particles at one place, of which no method could make anything.
 void refuse_twins(const std::vector<Point>& places, const std::filesystem::path& file) {
   std::vector<std::size_t> order(places.size());
@@ -182,6 +209,7 @@ Shape read_particles(TomlCursor& shape, const ShapeSetting& setting) {
   if (shape.find("of_body")) body = shape.whole("of_body", 0, 0, 1000000);
   GivenSites given = saved ? with_place(shape, [&] { return saved_sites(file, body, setting); })
                            : tabled_sites(file, setting);
+  refuse_far(given, file, setting);
   refuse_twins(given.places, file);
   return AnyShape::of(GivenParticles(std::move(given.places), std::move(given.volumes), setting.dim));
 }

@@ -7,6 +7,7 @@
 #include "cli/formats/particle_file.hpp"
 #include "cli/run/panel_cells.hpp"
 #include "cli/run/record.hpp"
+#include "cli/run/run.hpp"
 #include "cli/run/saved_run.hpp"
 #include "cli/scene/sections.hpp"
 #include "cli/study/chart.hpp"
@@ -105,6 +106,16 @@ void read_particle_file(std::string_view bytes) {
       expect(file.positions(dim).size() == file.size() * static_cast<std::size_t>(dim),
              "positions of another number");
     });
+  const std::filesystem::path scene =
+      write("scene.toml",
+            "spacing = 0.25\nuntil = 1\nmethod = 'tl'\n[material.m]\ndensity = 1\nyoungs_modulus = 1\n"
+            "poisson_ratio = 0.3\n[[body]]\nname = 'b'\nmaterial = 'm'\n"
+            "shape = { type = 'particles', file = 'particles.vtp' }\n");
+  attempt([&] {
+    SceneFile body = read_scene(scene);
+    body.settings.threads = 1;
+    if (is_small(body.scene)) start(body);
+  });
 }
 
 void read_picture(std::string_view bytes) {

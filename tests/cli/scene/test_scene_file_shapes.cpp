@@ -171,6 +171,10 @@ TEST_SUITE("cli") {
     CHECK(error_of("x\n0\n", 1).find("no column 'y'") != std::string::npos);
     CHECK(error_of("x,y\n", 1).find("no rows") != std::string::npos);
     CHECK(error_of("", 0).find("empty") != std::string::npos);
+    for (const char* far :
+         {"x,y\n0,0\n1e7,0\n", "x,y\n0,0\n1e300,0\n", "x,y\n1e12,0\n1e12,1\n", "x,y\n0,0\n9e3,9e3\n"})
+      CHECK(error_of(far, 0).find("too far apart, or too far out") != std::string::npos);
+    CHECK(error_of("x,y,volume\n0,0,1e-300\n1,1,1\n", 0).find("does not fit a spacing") != std::string::npos);
   }
 
   TEST_CASE("shapes: particles that a run has saved, of one body or of all") {
