@@ -95,7 +95,7 @@ GivenSites tabled_sites(const std::filesystem::path& file, const ShapeSetting& s
 GivenSites saved_sites(const std::filesystem::path& path, std::optional<int> wanted,
                        const ShapeSetting& setting) {
   const ParticleFile file(path);
-  const std::vector<double> x = file.positions(3), body = file.field("body");
+  const std::vector<double> x = file.positions(3), body = file.field("body"), diameter = file.diameter();
   if (const auto bad = std::ranges::find_if(x, [](double v) { return !std::isfinite(v); }); bad != x.end())
     throw UsageError(fmt::format("particle {} of {} is at no place: a coordinate is {}",
                                  (bad - x.begin()) / 3 + 1, path.string(), *bad));
@@ -104,12 +104,15 @@ GivenSites saved_sites(const std::filesystem::path& path, std::optional<int> wan
     if (wanted && body[i] != *wanted) continue;
     if (setting.dim == 2 && x[3 * i + 2] != 0)
       throw UsageError(path.string() + " is of a scene in three dimensions; this one has dim = 2");
+    if (!(diameter[i] > 0 && std::isfinite(diameter[i])))
+      throw UsageError(
+          fmt::format("particle {} of {} has a diameter of {:g}", i + 1, path.string(), diameter[i]));
     given.places.push_back({x[3 * i], x[3 * i + 1], x[3 * i + 2]});
+    given.volumes.push_back(std::pow(diameter[i], setting.dim));
   }
   if (given.places.empty())
     throw UsageError(path.string() + " holds no particle" +
                      (wanted ? fmt::format(" of body {}; its bodies are numbered from 0", *wanted) : ""));
-  given.volumes.assign(given.places.size(), std::pow(setting.dp, setting.dim));
   return given;
 }
 
@@ -137,6 +140,20 @@ void refuse_far(const GivenSites& given, const std::filesystem::path& file, cons
           file.string(), 0, 0, "",
           fmt::format("a volume of {:g} does not fit a spacing of {:g} m, a cell of which has {:g}", volume,
                       setting.dp, cell));
+}
+
+/// They are not laid anew with the scene's spacing, by which their neighbours are found: one that does not fit is
+/// refused.
+void refuse_other_spacing(std::vector<double> volumes, const std::filesystem::path& file,
+                          const ShapeSetting& setting) {
+  const auto middle = volumes.begin() + static_cast<std::ptrdiff_t>(volumes.size() / 2);
+  std::ranges::nth_element(volumes, middle);
+  const double apart = std::pow(*middle, 1.0 / setting.dim);
+  if (apart > 2 * setting.dp || setting.dp > 2 * apart)
+    throw SceneError(file.string(), 0, 0, "",
+                     fmt::format("its particles are about {:.3g} m apart, by their volumes, and stay so; the "
+                                 "scene's spacing of {:g} m must be at most twice and at least half of that",
+                                 apart, setting.dp));
 }
 
 /// Refuses particles at one place, of which no method could make anything.
@@ -210,6 +227,7 @@ Shape read_particles(TomlCursor& shape, const ShapeSetting& setting) {
   GivenSites given = saved ? with_place(shape, [&] { return saved_sites(file, body, setting); })
                            : tabled_sites(file, setting);
   refuse_far(given, file, setting);
+  refuse_other_spacing(given.volumes, file, setting);
   refuse_twins(given.places, file);
   return AnyShape::of(GivenParticles(std::move(given.places), std::move(given.volumes), setting.dim));
 }

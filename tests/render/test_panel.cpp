@@ -114,8 +114,8 @@ TEST_SUITE("image") {
     PanelOptions options = two_by_two();
     options.look.size.reset();
     options.rows.assign(20000, "t");
-    CHECK_THROWS_WITH_AS(Panel{options},
-                         doctest::Contains("a panel of 2 x 20000 pictures would have"), UsageError);
+    CHECK_THROWS_WITH_AS(Panel{options}, doctest::Contains("a panel of 2 x 20000 pictures would have"),
+                         UsageError);
     CHECK_THROWS_WITH_AS(Panel{options}, doctest::Contains("at most 67 million are drawn"), UsageError);
   }
 

@@ -147,10 +147,10 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE("shapes: particles from a table") {
-    write_file("given.csv", "# three\nx, y, volume\n0, 0, 0.1\n1, 0, 0.2\n0, 1, 0.3\n");
+    write_file("given.csv", "# three\nx, y, volume\n0, 0, 0.001\n1, 0, 0.002\n0, 1, 0.003\n");
     const InitialParticles layout = laid(scene_text(R"({ type = "particles", file = "given.csv" })"));
     CHECK(layout.x == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-    CHECK(layout.V0 == std::vector<double>{0.1, 0.2, 0.3});
+    CHECK(layout.V0 == std::vector<double>{0.001, 0.002, 0.003});
     write_file("plain.csv", "z,y,x\n0,1,2\n0,1,3\n");
     CHECK(laid(scene_text(R"({ type = "particles", file = "plain.csv" })", "", 3)).V0[1] ==
           relative(1.25e-4));
@@ -174,6 +174,7 @@ TEST_SUITE("cli") {
     for (const char* far :
          {"x,y\n0,0\n1e7,0\n", "x,y\n0,0\n1e300,0\n", "x,y\n1e12,0\n1e12,1\n", "x,y\n0,0\n9e3,9e3\n"})
       CHECK(error_of(far, 0).find("too far apart, or too far out") != std::string::npos);
+    CHECK(error_of("x,y,volume\n0,0,6e-4\n.1,.1,6e-4\n", 0).find("about 0.0245 m apart") != std::string::npos);
     CHECK(error_of("x,y,volume\n0,0,1e-300\n1,1,1\n", 0).find("does not fit a spacing") != std::string::npos);
   }
 
@@ -182,12 +183,13 @@ TEST_SUITE("cli") {
     now.dim = 2;
     now.x = {0, 0, 0.05, 0, 1, 1, 2, 0.1};
     now.v.assign(8, 3);
-    now.m.assign(4, 1), now.diameter.assign(4, 0.05);
+    now.m.assign(4, 1), now.diameter = {0.05, 0.05, 0.05, 0.06};
     now.body = {0, 0, 1, 1}, now.material = {0, 0, 0, 0}, now.held.assign(4, 0);
     write_file("saved.vtp", particle_file_text(now, {}));
     const InitialParticles all = laid(scene_text(R"({ type = "particles", file = "saved.vtp" })"));
     CHECK(all.x == std::vector<Point>{{0, 0, 0}, {0.05, 0, 0}, {1, 1, 0}, {2, 0.1, 0}});
-    CHECK(all.V0[3] == relative(0.0025));
+    CHECK(all.V0[0] == relative(0.0025));
+    CHECK(all.V0[3] == relative(0.0036));
     const InitialParticles one =
         laid(scene_text(R"({ type = "particles", file = "saved.vtp", of_body = 1 })"));
     CHECK(one.x == std::vector<Point>{{1, 1, 0}, {2, 0.1, 0}});
@@ -195,6 +197,10 @@ TEST_SUITE("cli") {
                       {"saved.vtp holds no particle of body 2"});
     check_shape_error(R"({ type = "particles", file = "saved.vtp", of_body = @-1 })",
                       {"whole number from 0"});
+    now.diameter[2] = std::nan("");
+    write_file("odd.vtp", particle_file_text(now, {}));
+    now.diameter[2] = 0.05;
+    check_shape_error(R"({ type = "particles", file = @"odd.vtp" })", {"particle 3", "diameter of nan"});
     write_file("given.csv", "x, y\n0, 0\n1, 0\n");
     check_shape_error(R"({ type = "particles", file = "given.csv", of_body = @1 })", {"a .vtp file"});
     write_file("cut.vtp", particle_file_text(now, {}).substr(0, 900));
