@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <limits>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -13,7 +12,7 @@ namespace taut::cli {
 namespace {
 
 constexpr double bar_interval = 0.1;     // s between two pictures of the bar
-constexpr double sure_after = 5.0;       // s of work before its length is estimated
+constexpr double sure_after = 1.0;       // s of work before its length is estimated
 constexpr double long_work = 12 * 3600;  // s
 constexpr double line_interval = 10.0;   // s between two lines at least, except at quarters
 
@@ -34,6 +33,17 @@ Progress::Style progress_style(const std::ostream& err, bool quiet) {
   return &err == &std::cerr && ::isatty(STDERR_FILENO) ? Progress::Style::bar : Progress::Style::lines;
 }
 
+std::string long_time_left(double done, double left, double elapsed) {
+  // nothing done says nothing: the first of the runs of a sweep may take long, and the others not
+  if (!(done > 0) || elapsed < sure_after) return "";
+  const double seconds = elapsed * left / done;
+  if (seconds < long_work) return "";
+  constexpr double hour = 3600, day = 24 * hour, most_days = 1e5;
+  if (seconds > most_days * day) return "centuries";
+  return seconds > 2 * day ? brief(std::round(seconds / day)) + " days"
+                           : brief(std::round(seconds / hour)) + " hours";
+}
+
 Progress::~Progress() { clear(); }
 
 void Progress::begin(const std::string& what) {
@@ -48,16 +58,11 @@ void Progress::begin(const std::string& what) {
 
 void Progress::warn_of_length(double share) {
   if (share_at_begin_ < 0) share_at_begin_ = share;
-  const double done = share - share_at_begin_, elapsed = since_begin_.seconds();
-  if (warned_ || elapsed < sure_after) return;
-  const double left = done > 0 ? elapsed * (1 - share) / done : std::numeric_limits<double>::infinity();
-  if (left < long_work) return;
+  if (warned_) return;
+  const std::string length = long_time_left(share - share_at_begin_, 1 - share, since_begin_.seconds());
+  if (length.empty()) return;
   warned_ = true;
   clear();
-  constexpr double hour = 3600, day = 24 * hour, most_days = 1e5;
-  const std::string length = left > most_days * day ? "centuries"
-                             : left > 2 * day       ? brief(std::round(left / day)) + " days"
-                                                    : brief(std::round(left / hour)) + " hours";
   err_ << "taut: at this pace it takes " << length
        << " more; a shorter --until or a larger --spacing takes less" << std::endl;
 }

@@ -20,7 +20,7 @@ class Progress {
 
   void begin(const std::string& what);
   /// `share` of the work is done, 0 to 1. May be called as often as one likes. Work that will take half a day
-  /// or more is said to after some seconds, whatever the style.
+  /// or more is said to after a second, whatever the style.
   void show(double share, const std::string& detail);
   /// Takes the bar off the terminal, so that something else can be printed.
   void clear();
@@ -41,6 +41,10 @@ class Progress {
   bool warned_ = false;         // that it takes long
   double share_at_begin_ = -1;  // what was done before, of work that goes on
 };
+
+/// "17 hours" for work whose share `done` took `elapsed` s while `left` is left; nothing if that is below half a
+/// day, or cannot be told yet.
+std::string long_time_left(double done, double left, double elapsed);
 
 /// A bar if `err` is the terminal's stderr.
 Progress::Style progress_style(const std::ostream& err, bool quiet);

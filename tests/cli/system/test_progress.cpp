@@ -1,0 +1,22 @@
+#include <limits>
+
+#include <doctest/doctest.h>
+
+#include "cli/system/progress.hpp"
+
+using namespace taut::cli;
+
+TEST_SUITE("cli") {
+  TEST_CASE("progress: work of half a day or more is said to be long, once something of it is done") {
+    constexpr double hour = 3600, day = 24 * hour;
+    CHECK(long_time_left(0.5, 0.5, hour).empty());
+    CHECK(long_time_left(1e-3, 0.999, 60) == "17 hours");
+    CHECK(long_time_left(0.01, 0.99, hour) == "4 days");
+    CHECK(long_time_left(1e-12, 1, 10) == "centuries");
+    CHECK(long_time_left(1e-12, 1, 0.5).empty());  // too soon
+    CHECK(long_time_left(0.9, 0.1, 10 * day) == "27 hours");
+    // the first of a sweep's runs goes on for long
+    CHECK(long_time_left(0, 1, 60).empty());
+    CHECK(long_time_left(0, 1, day).empty());
+  }
+}
