@@ -1,10 +1,14 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "engine/core/archive.hpp"
+#include "engine/core/pack.hpp"
 #include "engine/neighbors/neighbors.hpp"
 #include "engine/solver/motion_bound.hpp"
 #include "engine/solver/particles_at_faces.hpp"
@@ -78,35 +82,67 @@ class OwnPairs {
   }
 
   void find(const State<Dim>& s) {
-    const double listed = reach_ + skin * dp_, far = far_apart * dp_;
+    sort_columns();
+    const int n = static_cast<int>(ids_.size());
     double beyond2 = horizon * horizon * dp_ * dp_;
-    std::vector<std::pair<int, int>> found;  // stored i, and j in the order of creation
-    const std::vector<int>& order = grid_.sort(x_, horizon * dp_);
-    for (int a = 0; a < static_cast<int>(ids_.size()); ++a) {
-      grid_.for_each_row(x_[a], [&](int first, int last) {
-        for (int k = first; k < last; ++k) {
-          const int b = order[k];
-          const V d = x_[a] - x_[b], D = X_[a] - X_[b];
-          if (body_[b] != body_[a] || dot(D, D) <= far * far || dot(d, d) >= beyond2) continue;
-          if (dot(d, d) < listed * listed)
-            found.emplace_back(stored_[a], b);
-          else
-            beyond2 = dot(d, d);
-        }
+    found_.clear();
+    for (int p = 0; p < n; ++p)
+      grid_.for_each_row(x_[order_[p]], [&](int first, int last) {
+        for (int q = std::max(first, p + 1); q < last; q += lanes) look(p, q, last, beyond2);
       });
+    list(s.size());
+    bound_.restart(std::sqrt(beyond2) - reach_, x_);
+  }
+
+  /// The order of the grid's cells, and in it the columns that a search reads four at a time.
+  void sort_columns() {
+    order_ = grid_.sort(x_, horizon * dp_);
+    const std::size_t n = ids_.size();
+    for (int k = 0; k < Dim; ++k) now_[k].resize(n + lanes), start_[k].resize(n + lanes);
+    of_body_.resize(n + lanes);
+    for (std::size_t p = 0; p < n; ++p) {
+      const int a = order_[p];
+      for (int k = 0; k < Dim; ++k) now_[k][p] = x_[a][k], start_[k][p] = X_[a][k];
+      of_body_[p] = body_[a];
     }
+  }
+
+  /// Sorted particle p beside those from q on, which is before `last`: the near ones are kept, and how near
+  /// the nearest other one is.
+  void look(int p, int q, int last, double& beyond2) {
+    const double far = far_apart * dp_, listed = reach_ + skin * dp_;
+    Pack d2{}, D2{};
+    for (int k = 0; k < Dim; ++k) {
+      const Pack d = load(&now_[k][q]) - now_[k][p], D = load(&start_[k][q]) - start_[k][p];
+      d2 += d * d, D2 += D * D;
+    }
+    const unsigned in_row = (1u << std::min(last - q, lanes)) - 1;
+    unsigned near =
+        in_row & lanes_where((D2 > far * far) & (d2 < beyond2) & (load(&of_body_[q]) == of_body_[p]));
+    for (; near != 0; near &= near - 1) {
+      const int lane = std::countr_zero(near);
+      if (d2[lane] >= listed * listed) {
+        beyond2 = std::min(beyond2, d2[lane]);
+        continue;
+      }
+      const int a = order_[p], b = order_[q + lane];
+      found_.emplace_back(stored_[a], b);
+      found_.emplace_back(stored_[b], a);
+    }
+  }
+
+  /// What was found, by particle.
+  void list(int particles) {
     begin.clear();
     j.clear();
-    if (!found.empty()) {
-      std::sort(found.begin(), found.end());
-      begin.assign(s.size() + 1, 0);
-      for (const auto& [i, b] : found) {
-        ++begin[i + 1];
-        j.push_back(stored_[b]);
-      }
-      for (int i = 0; i < s.size(); ++i) begin[i + 1] += begin[i];
+    if (found_.empty()) return;
+    std::sort(found_.begin(), found_.end());
+    begin.assign(particles + 1, 0);
+    for (const auto& [i, b] : found_) {
+      ++begin[i + 1];
+      j.push_back(stored_[b]);
     }
-    bound_.restart(std::sqrt(beyond2) - reach_, x_);
+    for (int i = 0; i < particles; ++i) begin[i + 1] += begin[i];
   }
 
   double dp_, reach_;      // m
@@ -116,6 +152,11 @@ class OwnPairs {
   std::vector<int> stored_;
   MotionBound<Dim> bound_;
   CellGrid<Dim> grid_;
+  // of a search
+  std::vector<int> order_;
+  std::array<std::vector<double>, Dim> now_, start_;  // m
+  std::vector<double> of_body_;
+  std::vector<std::pair<int, int>> found_;  // stored i, and j in the order of creation
 };
 
 }  // namespace taut::inline TAUT_ISA
