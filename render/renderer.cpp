@@ -1,6 +1,8 @@
 #include "render/renderer.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -13,6 +15,7 @@
 #include "render/disc_painter.hpp"
 #include "render/gl/gl_context.hpp"
 #include "render/gl/solid_painter.hpp"
+#include "render/page/wall_line.hpp"
 #include "render/solids.hpp"
 
 namespace taut::render {
@@ -73,6 +76,16 @@ Look checked(const Look& look) {
   return look;
 }
 
+/// Of lines among solids: stands out from the background a little; bytes R, G, B, 255 in memory.
+std::uint32_t line_color(Rgb background) {
+  constexpr double contrast = 0.4;
+  const double most = background[0] + background[1] + background[2] > 1.5 * 255 ? 0 : 255;
+  std::array<std::uint8_t, 4> bytes{0, 0, 0, 255};
+  for (std::size_t k = 0; k < 3; ++k)
+    bytes[k] = static_cast<std::uint8_t>(std::lround(std::lerp(background[k], most, contrast)));
+  return std::bit_cast<std::uint32_t>(bytes);
+}
+
 }  // namespace
 
 struct Renderer::Parts {
@@ -84,6 +97,7 @@ struct Renderer::Parts {
   std::optional<GlContext> context;           // these two are made when they are needed: cells are solids in
   std::optional<SolidPainter> solid_painter;  // 2D too
   std::optional<Annotation> annotation;       // none in pictures too small for text
+  std::optional<Canvas> canvas;               // of walls in 2D, where there are any
   Rgb background;
   double glyph;
   std::vector<Dot> discs;
@@ -92,6 +106,7 @@ struct Renderer::Parts {
   Parts(const Look& look, double until);
   void check(const FrameView& frame) const;
   void place_discs(const FrameView& frame);
+  void draw_walls(const FrameView& frame);
   void draw_discs(const FrameView& frame);
   void draw_solids(const FrameView& frame);
 };
@@ -147,15 +162,30 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-/// Over the page of the frame before, where that was one of discs too.
+/// In 2D, over the particles.
+void Renderer::Parts::draw_walls(const FrameView& frame) {
+  if (frame.walls.empty()) return;
+  constexpr double em_of_height = 0.022;  // in pictures without text
+  const double em = layout.font > 0 ? layout.font : std::max(6.0, em_of_height * layout.plot.height);
+  if (!canvas) canvas.emplace(image, background);
+  canvas->begin();
+  for (const WallFace& wall : frame.walls)
+    draw_wall_line(*canvas, layout.plot, layout.plot.x + layout.column(wall.at[0]),
+                   layout.plot.y + layout.row(wall.at[1]), wall.normal[0], -wall.normal[1], em);
+  canvas->end();
+}
+
+/// Over the page of the frame before, where that was one of discs too and nothing else stands among them.
 void Renderer::Parts::draw_discs(const FrameView& frame) {
-  const bool page_stands = disc_painter && (!annotation || annotation->stands_for(frame));
+  const bool page_stands =
+      disc_painter && frame.walls.empty() && (!annotation || annotation->stands_for(frame));
   if (!page_stands) {
     image.fill(background);
     disc_painter.emplace(layout.plot, background);
   }
   place_discs(frame);
   disc_painter->draw(image, discs);
+  draw_walls(frame);
   if (!annotation) return;
   page_stands ? annotation->draw_again(frame, coloring.clipped(frame.value))
               : annotation->draw(frame, coloring.clipped(frame.value));
@@ -170,6 +200,7 @@ void Renderer::Parts::draw_solids(const FrameView& frame) {
     solids.place_balls(frame, *projection, color);
   else
     solids.place_boxes(frame, *projection, color);
+  if (projection) solids.place_walls(frame, *projection, line_color(background));
   disc_painter.reset();
   if (!context) context.emplace(image.width, image.height);
   {
@@ -177,6 +208,7 @@ void Renderer::Parts::draw_solids(const FrameView& frame) {
     if (!solid_painter) solid_painter.emplace(image.width, image.height, layout.plot, background);
     solid_painter->draw(current.framebuffer(), solids.balls(), solids.corners());
   }
+  if (!projection) draw_walls(frame);
   if (annotation) annotation->draw(frame, coloring.clipped(frame.value));
 }
 

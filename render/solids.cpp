@@ -7,6 +7,9 @@
 #include <numbers>
 #include <numeric>
 
+#include "render/page/ticks.hpp"
+#include "render/wall_grid.hpp"
+
 namespace taut::render {
 namespace {
 
@@ -126,6 +129,45 @@ void Solids::place_boxes(const FrameView& frame, const Projection& projection,
                dimmed(colors[i], light_on(static_cast<float>(normal[0]), static_cast<float>(normal[1]),
                                           static_cast<float>(normal[2]))));
     }
+  }
+}
+
+void Solids::place_walls(const FrameView& frame, const Projection& projection, std::uint32_t color) {
+  if (frame.walls.empty()) return;
+  constexpr double cells = 7;  // across the picture, at least
+  const double scale = layout_.pixels_per_metre;
+  const double cell = nice_length(std::min(layout_.plot.width, layout_.plot.height) / scale / cells);
+  std::vector<Vector> seen;
+  for (std::size_t i = 0; i < frame.value.size(); ++i) {
+    const Projection::Seen p = projection(at(frame.x, i));
+    if (p.scale > 0 && in_picture(layout_.column(p.at[0]), layout_.row(p.at[1]), cell * scale))
+      seen.push_back(at(frame.x, i));
+  }
+  for (const WallFace& wall : frame.walls)
+    for (const auto& [from, to] : grid_on(wall, seen, cell)) add_line(from, to, projection, color);
+}
+
+/// In short pieces: what lies behind the camera is left out, and a piece is as wide at both ends.
+void Solids::add_line(const Vector& from, const Vector& to, const Projection& projection,
+                      std::uint32_t color) {
+  constexpr int pieces = 16;
+  constexpr double half_width = 0.6;  // pixels
+  const auto placed = [&](int k) {
+    Vector x{};
+    for (std::size_t c = 0; c < 3; ++c) x[c] = std::lerp(from[c], to[c], static_cast<double>(k) / pieces);
+    return projection(x);
+  };
+  for (int k = 0; k < pieces; ++k) {
+    const Projection::Seen a = placed(k), b = placed(k + 1);
+    if (!(a.scale > 0 && b.scale > 0)) continue;
+    const double scale = layout_.pixels_per_metre;
+    const Vector half{0.5 * scale * (b.at[0] - a.at[0]), -0.5 * scale * (b.at[1] - a.at[1]),
+                      0.5 * scale * (b.at[2] - a.at[2])};
+    const Vector middle{layout_.column(0.5 * (a.at[0] + b.at[0])), layout_.row(0.5 * (a.at[1] + b.at[1])),
+                        0.5 * scale * (a.at[2] + b.at[2])};
+    const double length = std::hypot(half[0], half[1]);
+    if (!(length > 0) || !in_picture(middle[0], middle[1], length + 1)) continue;
+    add_face(middle, half, {-half[1] / length * half_width, half[0] / length * half_width, 0}, color);
   }
 }
 

@@ -25,6 +25,8 @@ class Solids {
   /// The faces of their cells that look at the camera, lit.
   void place_boxes(const FrameView& frame, const Projection& projection,
                    std::span<const std::uint32_t> colors);
+  /// Beside these, lines on the faces of walls in 3D, of `color`, where a particle does not hide them.
+  void place_walls(const FrameView& frame, const Projection& projection, std::uint32_t color);
   /// The cells of a frame in 2D.
   void place_parallelograms(const FrameView& frame, std::span<const std::uint32_t> colors);
 
@@ -35,6 +37,7 @@ class Solids {
   bool in_picture(double x, double y, double reach) const;
   void drop_hidden();
   void sort_roughly();
+  void add_line(const Vector& from, const Vector& to, const Projection& projection, std::uint32_t color);
   void add_face(const Vector& centre, const Vector& a, const Vector& b, std::uint32_t color);
 
   PageLayout layout_;

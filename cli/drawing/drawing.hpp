@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/diagnostics/fields.hpp"
+#include "engine/frame_view.hpp"
 #include "engine/scene/scene.hpp"
 #include "render/look.hpp"
 
@@ -53,6 +54,7 @@ struct Drawing {
   // look
   Expression is_cut{};
   std::optional<int> followed{};  // index into Scene::bodies
+  std::vector<WallFace> walls{};
   ColorFormula of_formula{};
 };
 

@@ -114,14 +114,18 @@ void Frames::keep(const StagedParticles& particles) {
   dim_ = particles.dim;
   diameter_ = particles.diameter;
   kept_.push_back({particles.time,
+                   particles.origin,
                    {particles.x.begin(), particles.x.end()},
                    {particles.value.begin(), particles.value.end()}});
 }
 
 StagedParticles Frames::staged(const Kept& frame) const {
-  return {
-      dim_, frame.time, {frame.x.begin(), frame.x.end()}, diameter_, {frame.value.begin(), frame.value.end()},
-      {}};
+  return {.dim = dim_,
+          .time = frame.time,
+          .x = {frame.x.begin(), frame.x.end()},
+          .diameter = diameter_,
+          .value = {frame.value.begin(), frame.value.end()},
+          .origin = frame.origin};
 }
 
 SequenceBounds Frames::bounds_of_kept() const {

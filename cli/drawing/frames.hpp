@@ -76,7 +76,8 @@ class Frames {
       const std::size_t n = staging_.size(), d = static_cast<std::size_t>(staging_.dim());
       const auto fits = [&](const Kept& frame) {
         const auto is_finite = [](float x) { return std::isfinite(x); };
-        return frame.x.size() == d * n && frame.value.size() == n && std::ranges::all_of(frame.x, is_finite);
+        return frame.x.size() == d * n && frame.value.size() == n &&
+               std::ranges::all_of(frame.x, is_finite) && std::ranges::all_of(frame.origin, is_finite);
       };
       return kept_.empty() || (std::cmp_equal(dim_, d) && diameter_.size() == n && !renderers_.front() &&
                                std::ranges::all_of(kept_, fits));
@@ -87,12 +88,13 @@ class Frames {
  private:
   /// What one frame shows, in single precision: a picture has no more.
   struct Kept {
-    double time;  // s
+    double time;   // s
+    Point origin;  // m
     std::vector<float> x, value;
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(time, x, value);
+      archive(time, origin, x, value);
     }
   };
   /// Where a camera stands that goes about a scene.

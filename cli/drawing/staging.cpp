@@ -44,11 +44,15 @@ FrameView StagedParticles::view() const {
   view.diameter = diameter;
   view.value = value;
   view.cell = cell;
+  view.walls = walls;
   return view;
 }
 
 Staging::Staging(const Drawing& drawing, Origins origins)
-    : origins_(std::move(origins)), followed_(drawing.followed), shown_(origins_.size()) {
+    : origins_(std::move(origins)),
+      walls_(drawing.walls),
+      followed_(drawing.followed),
+      shown_(origins_.size()) {
   std::iota(shown_.begin(), shown_.end(), std::size_t{0});
   if (drawing.is_cut)
     std::erase_if(shown_,
@@ -92,7 +96,7 @@ StagedParticles Staging::operator()(const FrameView& particles) const {
                      std::to_string(particles.value.size()) + " of them, and the scene has " +
                      std::to_string(origins_.size()));
   const Point origin = followed_ ? middle(particles) : Point{};
-  StagedParticles staged{particles.dim, particles.time, {}, {}, {}, {}};
+  StagedParticles staged{.dim = particles.dim, .time = particles.time, .origin = origin};
   for (const std::size_t i : shown_) {
     const Point x = point(particles.x, particles.dim, i);
     for (std::size_t k = 0; k < static_cast<std::size_t>(particles.dim); ++k)
@@ -104,9 +108,17 @@ StagedParticles Staging::operator()(const FrameView& particles) const {
 }
 
 StagedParticles Staging::dressed(StagedParticles staged) const {
+  staged.walls = walls_;
+  for (WallFace& wall : staged.walls)
+    for (std::size_t k = 0; k < 3; ++k) wall.at[k] -= staged.origin[k];
   if (!cells_) return staged;
   CellShapes shapes = cells_->at(staged.x);
-  StagedParticles drawn{staged.dim, staged.time, std::move(shapes.centre), {}, {}, std::move(shapes.edge)};
+  StagedParticles drawn{.dim = staged.dim,
+                        .time = staged.time,
+                        .x = std::move(shapes.centre),
+                        .cell = std::move(shapes.edge),
+                        .origin = staged.origin,
+                        .walls = std::move(staged.walls)};
   for (const std::size_t k : shapes.particle) {
     drawn.diameter.push_back(staged.diameter[k]);
     drawn.value.push_back(staged.value[k]);

@@ -30,7 +30,9 @@ Origins origins_of(const Scene& scene);
 struct StagedParticles {
   int dim = 2;
   double time = 0;  // s
-  std::vector<double> x, diameter, value, cell;
+  std::vector<double> x{}, diameter{}, value{}, cell{};
+  Point origin{};                 // of the picture, in the scene, m
+  std::vector<WallFace> walls{};  // about it
 
   FrameView view() const;
 };
@@ -60,6 +62,7 @@ class Staging {
   Point middle(const FrameView& particles) const;
 
   Origins origins_;
+  std::vector<WallFace> walls_;
   std::optional<int> followed_;
   std::vector<std::size_t> shown_;  // numbers of the particles
   std::optional<Cells> cells_;      // of those, if they are to be drawn

@@ -99,6 +99,8 @@ void settle(Drawing& drawing, const Scene& scene) {
   if (counted == Counted::bodies) drawing.look.categories = names_of(scene.bodies);
   if (counted == Counted::materials) drawing.look.categories = names_of(scene.materials);
   if (scene.dim == 3 && !drawing.look.camera) drawing.look.camera.emplace();
+  drawing.walls.clear();
+  for (const Wall& wall : scene.walls) drawing.walls.push_back({wall.at, wall.normal});
   drawing.followed.reset();
   if (!drawing.follow.empty()) drawing.followed = static_cast<int>(index_of(scene.bodies, drawing.follow));
 }

@@ -14,6 +14,7 @@
 #include "cli/system/atomic_file.hpp"
 #include "cli/system/interrupts.hpp"
 #include "cli/system/progress.hpp"
+#include "engine/core/archive.hpp"
 #include "engine/simulation.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 #include "tests/fuzz/readers.hpp"
@@ -95,11 +96,24 @@ const std::map<std::string, std::string>& interrupted_run() {
   return files;
 }
 
+/// Kind, version and format of a checkpoint.
+std::string header_of_checkpoint() {
+  write_checkpoint(folder() / "empty.bin", {});
+  Checkpoint empty;
+  Saver saver;
+  saver(empty);
+  const std::size_t behind = saver.take().size() + sizeof(std::uint32_t);
+  std::string file = read_whole(folder() / "empty.bin").value();
+  file.resize(file.size() - behind);
+  return file;
+}
+
 }  // namespace
 
-/// The bytes are a checkpoint but for its kind and its checksum.
+/// The bytes are a checkpoint but for its header and its checksum.
 void read_checkpoint_file(std::string_view bytes) {
-  std::string file = "taut checkpoint\n" + std::string(bytes);
+  static const std::string header = header_of_checkpoint();
+  std::string file = header + std::string(bytes);
   const auto sum =
       static_cast<std::uint32_t>(::crc32_z(0, reinterpret_cast<const Bytef*>(file.data()), file.size()));
   file.append(reinterpret_cast<const char*>(&sum), sizeof sum);

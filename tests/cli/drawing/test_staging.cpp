@@ -93,6 +93,25 @@ TEST_SUITE("unit") {
     CHECK(drawn.cell[9] == doctest::Approx(2));
   }
 
+  TEST_CASE("walls stand where they are, and move past a body that is followed") {
+    const Origins origins = two_pairs();
+    for (const Style style : {Style::discs, Style::cells}) {
+      Drawing drawing;
+      drawing.style = style;
+      drawing.walls = {{{1, -2, 0}, {0, 1, 0}}};
+      const auto wall = [&] {
+        const Staging staging(drawing, origins);
+        const StagedParticles drawn = staging.dressed(staging(frame(moved, origins, {1, 2, 3, 4})));
+        REQUIRE(drawn.view().walls.size() == 1);
+        CHECK(drawn.walls[0].normal == Point{0, 1, 0});
+        return drawn.walls[0].at;
+      };
+      CHECK(wall() == Point{1, -2, 0});
+      drawing.followed = 1;
+      CHECK(wall() == Point{-6, -6.5, 0});  // the centre is at (7, 4.5)
+    }
+  }
+
   TEST_CASE("particles of another scene are refused") {
     const Origins origins = two_pairs();
     Origins more = origins;

@@ -148,6 +148,29 @@ TEST_SUITE("restart") {
     check_same_run(folder / "straight", folder / "out");
   }
 
+  TEST_CASE("kept frames have their walls where they were, past a body that is followed") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.str("walled.toml");
+    std::ofstream(scene) << text_of(write_tiny_scene(folder)) << R"(
+[[wall]]
+name = "floor"
+at = [0, -0.015]
+normal = [0, 1]
+)";
+    const auto walled = [&](const std::string& out, const Arguments& more) {
+      return Arguments{"run", scene, "--out", folder.str(out), "--threads", "1", "--quiet"} + long_run +
+             Arguments{"--range", "auto", "--follow", "left", "--view", "-0.02:0.02:-0.02:0.01"} + more;
+    };
+    REQUIRE(call(walled("straight", {})).code == 0);
+    ChildProgram child(walled("out", {"--checkpoint-every", "0.001", "--save-particles"}));
+    ChildProgram::wait_for(folder / "out/particles/particles_00001.vtp");
+    child.send(SIGINT);
+    REQUIRE(child.exit_code() == 130);
+    REQUIRE(call(resume(folder, "out")).code == 0);
+    for (const char* frame : {"frames/frame_00000.png", "frames/frame_00002.png", "frames/frame_00004.png"})
+      CHECK(text_of(folder / "straight" / frame) == text_of(folder / "out" / frame));
+  }
+
   TEST_CASE("what lies between two steps comes to the same bytes wherever the checkpoint is") {
     const TemporaryFolder folder;
     // more than one a step, and a checkpoint at each step
