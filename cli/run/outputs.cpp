@@ -35,7 +35,7 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
         result_(result),
         agenda_(plan.history_times),
         judge_(scene_, simulation.snapshot(), simulation.support()),
-        gauge_(scene_, simulation.snapshot()),
+        gauge_(scene_, simulation.snapshot(), simulation.threads()),
         conservation_(scene_, simulation.snapshot()) {}
 
   void open(AppendFile::Start start) override { history_.emplace(path_, scene_, start); }

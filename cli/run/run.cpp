@@ -351,6 +351,7 @@ std::unique_ptr<Simulation> start(const SceneFile& file) try {
 RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress& progress,
                     double setup_seconds) {
   const Stopwatch watch;
+  progress.prepare(plan.file.scene.name + ", " + plan.file.settings.method + ", setting up ...");
   std::unique_ptr<Simulation> simulation = start(plan.file);
   RunRecord record = new_record(plan, *simulation);
   record.seconds.setup = setup_seconds + watch.seconds();

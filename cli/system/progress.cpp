@@ -16,10 +16,11 @@ constexpr double sure_after = 1.0;       // s of work before its length is estim
 constexpr double long_work = 12 * 3600;  // s
 constexpr double line_interval = 10.0;   // s between two lines at least, except at quarters
 
-std::size_t terminal_width() {
+/// Of the terminal, but for the last column: it would wrap on some.
+std::size_t line_width() {
   winsize size{};
   const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return known ? size.ws_col : 80;
+  return (known ? size.ws_col : 80) - 1;
 }
 
 std::string time_left(double share, double elapsed) {
@@ -45,6 +46,10 @@ std::string long_time_left(double done, double left, double elapsed) {
 }
 
 Progress::~Progress() { clear(); }
+
+void Progress::prepare(const std::string& what) {
+  if (style_ == Style::bar) draw(what);
+}
 
 void Progress::begin(const std::string& what) {
   what_ = what;
@@ -103,14 +108,17 @@ void Progress::print_line(double share, const std::string& detail) {
 void Progress::draw_bar(double share, const std::string& detail) {
   const std::string tail = "] " + std::to_string(static_cast<int>(100 * share)) + " %  " +
                            time_left(share, since_begin_.seconds()) + "  " + detail;
-  const std::size_t width = terminal_width() - 1;  // the last column would wrap on some terminals
-  std::string line = what_ + " [";
+  const std::size_t width = line_width();
+  const std::string line = what_ + " [";
   const std::size_t taken = line.size() + tail.size();
   // what does not fit is cut off at the end: the bar is what one looks at
   const std::size_t cells = std::clamp<std::size_t>(width > taken ? width - taken : 0, 10, 40);
   const auto full = static_cast<std::size_t>(share * static_cast<double>(cells));
-  line += std::string(full, '#') + std::string(cells - full, '.') + tail;
-  err_ << '\r' << line.substr(0, width) << "\x1b[K" << std::flush;
+  draw(line + std::string(full, '#') + std::string(cells - full, '.') + tail);
+}
+
+void Progress::draw(const std::string& line) {
+  err_ << '\r' << line.substr(0, line_width()) << "\x1b[K" << std::flush;
   bar_shown_ = true;
 }
 

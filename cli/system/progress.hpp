@@ -18,6 +18,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  /// What is under way before the work begins, on a terminal.
+  void prepare(const std::string& what);
   void begin(const std::string& what);
   /// `share` of the work is done, 0 to 1. May be called as often as one likes. Work that will take half a day
   /// or more is said to after a second, whatever the style.
@@ -30,6 +32,7 @@ class Progress {
  private:
   void warn_of_length(double share);
   void draw_bar(double share, const std::string& detail);
+  void draw(const std::string& line);
   void print_line(double share, const std::string& detail);
 
   std::ostream& err_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "engine/core/isa.hpp"
@@ -38,6 +40,19 @@ void parallel_for(int n, int threads, const F& f) {
   parallel_chunks(n, threads, [&](int, int first, int last) {
     for (int i = first; i < last; ++i) f(i);
   });
+}
+
+/// take(i, make(i)) for i = 0 … n−1: what is made on `threads` threads is taken by one, in this order, and few
+/// of it are there at a time.
+template <class Make, class Take>
+void make_in_order(int n, int threads, const Make& make, const Take& take) {
+  constexpr int most = 4096;
+  std::vector<decltype(make(0))> made(static_cast<std::size_t>(std::clamp(n, 0, most)));
+  for (int first = 0; first < n; first += most) {
+    const int count = std::min(most, n - first);
+    parallel_for(count, threads, [&](int k) { made[static_cast<std::size_t>(k)] = make(first + k); });
+    for (int k = 0; k < count; ++k) take(first + k, std::move(made[static_cast<std::size_t>(k)]));
+  }
 }
 
 /// The greater of two numbers, or NaN if one is.

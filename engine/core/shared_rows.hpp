@@ -1,8 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <string_view>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "engine/core/isa.hpp"
@@ -18,25 +19,48 @@ class SharedRows {
   int add(const std::vector<T>& row) {
     const std::string_view bytes(reinterpret_cast<const char*>(row.data()), row.size() * sizeof(T));
     const std::size_t hash = std::hash<std::string_view>()(bytes);
-    const auto [from, to] = begin_.equal_range(hash);
-    for (auto known = from; known != to; ++known) {
-      const T* other = all_.data() + known->second;
-      if (row.size() <= all_.size() - static_cast<std::size_t>(known->second) &&
-          std::string_view(reinterpret_cast<const char*>(other), bytes.size()) == bytes)
-        return known->second;
-    }
+    if (2 * known_ >= table_.size()) grow();
+    std::size_t at = first_of(hash);
+    for (; table_[at].begin >= 0; at = next(at))
+      if (table_[at].hash == hash && stands(bytes, row.size(), table_[at].begin)) return table_[at].begin;
     const int begin = static_cast<int>(all_.size());
-    begin_.emplace(hash, begin);
+    table_[at] = {hash, begin};
+    ++known_;
     all_.insert(all_.end(), row.begin(), row.end());
     return begin;
   }
   const T& operator[](int k) const { return all_[k]; }
   /// Nothing will be added any more.
-  void close() { begin_ = {}, all_.shrink_to_fit(); }
+  void close() { table_ = {}, all_.shrink_to_fit(); }
 
  private:
+  struct Known {
+    std::size_t hash = 0;  // of its bytes
+    int begin = -1;        // none
+  };
+
+  bool stands(std::string_view bytes, std::size_t size, int begin) const {
+    const char* const there = reinterpret_cast<const char*>(all_.data() + begin);
+    return size <= all_.size() - static_cast<std::size_t>(begin) &&
+           std::string_view(there, bytes.size()) == bytes;
+  }
+  // a power of two of places; what finds its own taken stands in the next
+  std::size_t first_of(std::size_t hash) const { return hash & (table_.size() - 1); }
+  std::size_t next(std::size_t at) const { return first_of(at + 1); }
+  void grow() {
+    std::vector<Known> before(std::max<std::size_t>(64, 2 * table_.size()));
+    std::swap(before, table_);
+    for (const Known& one : before) {
+      if (one.begin < 0) continue;
+      std::size_t at = first_of(one.hash);
+      while (table_[at].begin >= 0) at = next(at);
+      table_[at] = one;
+    }
+  }
+
   std::vector<T> all_;
-  std::unordered_multimap<std::size_t, int> begin_;  // by the hash of their bytes
+  std::vector<Known> table_;  // at most half full
+  std::size_t known_ = 0;
 };
 
 }  // namespace taut::inline TAUT_ISA

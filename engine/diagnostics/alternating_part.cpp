@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "engine/core/least_squares.hpp"
+#include "engine/core/parallel.hpp"
 #include "engine/neighbors/close_pairs.hpp"
 
 namespace taut {
@@ -102,16 +103,26 @@ class Rows {
  public:
   Rows(const Snapshot& start, double spacing) : start_(start), spacing_(spacing), kappa_(scale(start.dim)) {}
 
-  /// `near` begins with the particle itself.
-  void add(std::span<int> near) {
+  /// What can be known of a row beside others.
+  struct Made {
+    Eigen::VectorXd weights;        // in 2D
+    std::vector<int> surroundings;  // in 3D
+  };
+  /// `near` begins with the particle itself; in 3D it is sorted.
+  Made make(std::span<int> near) const {
+    if (start_.dim == 2) return {weights(near), {}};
+    std::ranges::sort(near.begin() + 1, near.end());
+    return {{}, surroundings(start_, near, spacing_)};
+  }
+
+  void add(std::span<const int> near, const Made& made) {
     int first = 0;
     if (start_.dim == 3) {
-      std::ranges::sort(near.begin() + 1, near.end());
-      const auto [known, is_new] = shared_.try_emplace(surroundings(start_, near, spacing_));
-      if (is_new) known->second = add_weights(near);
+      const auto [known, is_new] = shared_.try_emplace(made.surroundings);
+      if (is_new) known->second = add_weights(weights(near));
       first = known->second;
     } else {
-      first = add_weights(near);
+      first = add_weights(made.weights);
     }
     if (first < 0) return;
     part_.j.insert(part_.j.end(), near.begin(), near.end());
@@ -122,9 +133,11 @@ class Rows {
   AlternatingPart take() { return std::move(part_); }
 
  private:
+  Eigen::VectorXd weights(std::span<const int> near) const {
+    return row(quadratics(start_, near, spacing_), kappa_);
+  }
   /// Where they begin; −1 if there are none.
-  int add_weights(std::span<const int> near) {
-    const Eigen::VectorXd w = row(quadratics(start_, near, spacing_), kappa_);
+  int add_weights(const Eigen::VectorXd& w) {
     if (w.size() == 0) return -1;
     part_.weight.insert(part_.weight.end(), w.begin(), w.end());
     return static_cast<int>(part_.weight.size()) - static_cast<int>(w.size());
@@ -138,11 +151,16 @@ class Rows {
 
 }  // namespace
 
-AlternatingPart alternating_part(const Snapshot& start, double spacing) {
+AlternatingPart alternating_part(const Snapshot& start, double spacing, int threads) {
   Rows rows(start, spacing);
   Neighborhoods near = neighborhoods(start, reach * spacing);
+  std::vector<std::size_t> moving;
   for (std::size_t i = 0; i < start.size(); ++i)
-    if (start.held[i] == 0) rows.add(near[i]);
+    if (start.held[i] == 0) moving.push_back(i);
+  const auto near_of = [&](int k) { return near[moving[static_cast<std::size_t>(k)]]; };
+  make_in_order(
+      static_cast<int>(moving.size()), threads, [&](int k) { return rows.make(near_of(k)); },
+      [&](int k, const Rows::Made& made) { rows.add(near_of(k), made); });
   return rows.take();
 }
 

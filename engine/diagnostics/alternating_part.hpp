@@ -33,6 +33,6 @@ struct AlternatingPart {
   }
 };
 
-AlternatingPart alternating_part(const Snapshot& start, double spacing);
+AlternatingPart alternating_part(const Snapshot& start, double spacing, int threads = 1);
 
 }  // namespace taut

@@ -29,8 +29,8 @@ void IndicatorRecord::take(const Reading& now, double time) {
   at = time;
 }
 
-IndicatorGauge::IndicatorGauge(const Scene& scene, const Snapshot& start)
-    : part_(alternating_part(start, scene.spacing)), spacing_(scene.spacing) {
+IndicatorGauge::IndicatorGauge(const Scene& scene, const Snapshot& start, int threads)
+    : part_(alternating_part(start, scene.spacing, threads)), spacing_(scene.spacing) {
   for (const Material& each : scene.materials)
     least_stress_ = std::max(least_stress_, least_strain * each.youngs_modulus);
 }

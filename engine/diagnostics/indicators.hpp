@@ -65,7 +65,7 @@ struct IndicatorRecord {
 /// hydrodynamics. Computer Methods in Applied Mechanics and Engineering 286 (2015) 87–106.
 class IndicatorGauge {
  public:
-  IndicatorGauge(const Scene& scene, const Snapshot& start);
+  IndicatorGauge(const Scene& scene, const Snapshot& start, int threads = 1);
   Readings operator()(const Snapshot& now);
 
  private:

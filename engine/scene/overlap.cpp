@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -28,6 +29,21 @@ std::string place_text(const Point& x, int dim) {
                                               other, place_text(at, scene.dim), why));
 }
 
+/// Around the particles of each body, which are at `x`.
+std::vector<Bounds> boxes_of(const InitialParticles& layout, const std::vector<Point>& x) {
+  std::vector<Bounds> boxes(layout.first.size() - 1);
+  for (std::size_t b = 0; b < boxes.size(); ++b)
+    for (int i = layout.first[b]; i < layout.first[b + 1]; ++i)
+      boxes[b] = i == layout.first[b] ? Bounds{x[i], x[i]} : joined(boxes[b], {x[i], x[i]});
+  return boxes;
+}
+
+bool lies_in(const Point& x, const Bounds& box, double beside) {
+  for (std::size_t k = 0; k < x.size(); ++k)
+    if (x[k] < box.low[k] - beside || x[k] > box.high[k] + beside) return false;
+  return true;
+}
+
 void refuse_close_particles(const InitialParticles& layout, const Scene& scene) {
   const double reach = least_distance * scene.spacing;
   const auto cell = [&](double x) { return static_cast<long>(std::floor(x / reach)); };
@@ -35,8 +51,15 @@ void refuse_close_particles(const InitialParticles& layout, const Scene& scene) 
     return static_cast<std::size_t>(i) * 73856093u ^ static_cast<std::size_t>(j) * 19349663u ^
            static_cast<std::size_t>(k) * 83492791u;
   };
+  const std::vector<Bounds> boxes = boxes_of(layout, layout.start.empty() ? layout.x : layout.start);
+  const auto is_beside_another = [&](int i) {
+    for (std::size_t b = 0; b < boxes.size(); ++b)
+      if (std::cmp_not_equal(b, layout.body[i]) && lies_in(layout.at_start(i), boxes[b], reach)) return true;
+    return false;
+  };
   std::unordered_multimap<std::size_t, int> grid;
   for (int i = 0; i < layout.size(); ++i) {
+    if (!is_beside_another(i)) continue;
     const Point& x = layout.at_start(i);
     const long c[3] = {cell(x[0]), cell(x[1]), cell(x[2])};
     const long depth = scene.dim == 3 ? 1 : 0;
@@ -65,22 +88,6 @@ bool starts_as_laid(const Body& body) {
   return std::ranges::none_of(body.displacement, [](const Expression& along) { return along != nullptr; });
 }
 
-/// Around the particles of each body.
-std::vector<Bounds> boxes_of(const InitialParticles& layout) {
-  std::vector<Bounds> boxes(layout.first.size() - 1);
-  for (std::size_t b = 0; b < boxes.size(); ++b)
-    for (int i = layout.first[b]; i < layout.first[b + 1]; ++i)
-      boxes[b] = i == layout.first[b] ? Bounds{layout.x[i], layout.x[i]}
-                                      : joined(boxes[b], {layout.x[i], layout.x[i]});
-  return boxes;
-}
-
-bool lies_in(const Point& x, const Bounds& box, double beside) {
-  for (std::size_t k = 0; k < x.size(); ++k)
-    if (x[k] < box.low[k] - beside || x[k] > box.high[k] + beside) return false;
-  return true;
-}
-
 /// The particles of `a` in the body `b`.
 void refuse_particles_inside(const InitialParticles& layout, const Scene& scene, std::size_t a, std::size_t b,
                              const Bounds& box) {
@@ -98,7 +105,7 @@ void refuse_particles_inside(const InitialParticles& layout, const Scene& scene,
 void refuse_overlap(const InitialParticles& layout, const Scene& scene) {
   if (scene.bodies.size() < 2) return;
   refuse_close_particles(layout, scene);
-  const std::vector<Bounds> boxes = boxes_of(layout);
+  const std::vector<Bounds> boxes = boxes_of(layout, layout.x);
   const auto meet = [&](std::size_t a, std::size_t b) {
     for (std::size_t k = 0; k < 3; ++k)
       if (boxes[a].low[k] > boxes[b].high[k] + scene.spacing ||

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/core/parallel.hpp"
 #include "engine/core/shared_rows.hpp"
 #include "engine/core/tensor.hpp"
 #include "engine/families/bonded/cancelled_on_lattice.hpp"
@@ -24,7 +25,9 @@ class CancelledBonds {
   };
 
   CancelledBonds() = default;
-  explicit CancelledBonds(const std::vector<std::vector<Bond>>& of_particle);
+  /// Of particle i < n those that bonds_of(i) gives, a vector of Bond; it is called on `threads` threads.
+  template <class BondsOf>
+  CancelledBonds(int n, int threads, const BondsOf& bonds_of);
 
   /// G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e of a group under C = Fᵀ F, J
   Sym<Pack, Dim> slopes(int group, const Sym<Pack, Dim>& C) const;
@@ -127,26 +130,32 @@ auto CancelledBonds<Dim>::merged(const std::vector<Bond>& bonds) -> std::vector<
 }
 
 template <int Dim>
-CancelledBonds<Dim>::CancelledBonds(const std::vector<std::vector<Bond>>& of_particle) {
-  std::vector<Dyad> dyads;
-  std::vector<StoredPack> thirds;
-  for (std::size_t first = 0; first < of_particle.size(); first += lanes) {
-    dyads.clear(), thirds.clear();
+template <class BondsOf>
+CancelledBonds<Dim>::CancelledBonds(int n, int threads, const BondsOf& bonds_of) {
+  struct Four {
+    std::vector<Dyad> dyads;
+    std::vector<StoredPack> thirds;
     CancelledOnLattice<Dim> on_lattice{};
     bool fits = true;
-    for (std::size_t lane = 0; lane < lanes && first + lane < of_particle.size(); ++lane) {
-      const std::vector<Bond> bonds = merged(of_particle[first + lane]);
-      const std::size_t count = std::max(dyads.size(), (bonds.size() + 1) / 2 * 2);
-      dyads.resize(count), thirds.resize(count);
+  };
+  const auto make = [&](int group) {
+    Four four;
+    for (int lane = 0; lane < lanes && lanes * group + lane < n; ++lane) {
+      const std::vector<Bond> bonds = merged(bonds_of(lanes * group + lane));
+      const std::size_t count = std::max(four.dyads.size(), (bonds.size() + 1) / 2 * 2);
+      four.dyads.resize(count), four.thirds.resize(count);
       for (std::size_t b = 0; b < bonds.size(); ++b) {
-        for (int k = 0; k < dyad_size; ++k) dyads[b].c[k][lane] = bonds[b].dyad.c[k];
-        thirds[b].value[lane] = bonds[b].Gw / 3;
-        fits = fits && on_lattice.add(static_cast<int>(lane), bonds[b].dyad, bonds[b].Gw);
+        for (int k = 0; k < dyad_size; ++k) four.dyads[b].c[k][lane] = bonds[b].dyad.c[k];
+        four.thirds[b].value[lane] = bonds[b].Gw / 3;
+        four.fits = four.fits && four.on_lattice.add(lane, bonds[b].dyad, bonds[b].Gw);
       }
     }
-    groups_.push_back({dyads_.add(dyads), thirds_.add(thirds), static_cast<int>(dyads.size()),
-                       fits ? on_lattice_.add({on_lattice}) : -1});
-  }
+    return four;
+  };
+  make_in_order((n + lanes - 1) / lanes, threads, make, [&](int, const Four& four) {
+    groups_.push_back({dyads_.add(four.dyads), thirds_.add(four.thirds), static_cast<int>(four.dyads.size()),
+                       four.fits ? on_lattice_.add({four.on_lattice}) : -1});
+  });
   dyads_.close(), thirds_.close(), on_lattice_.close();
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "engine/core/parallel.hpp"
 #include "engine/core/shared_rows.hpp"
 #include "engine/core/tensor.hpp"
 #include "engine/families/bonded/bonds.hpp"
@@ -43,7 +44,7 @@ class PackedBonds {
   PackedBonds() = default;
   /// Of particles stored in the order of `ids`.
   PackedBonds(const Bonds& bonds, const Scene& scene, const InitialParticles& initial,
-              const std::vector<Elasticity>& materials, const std::vector<int>& ids);
+              const std::vector<Elasticity>& materials, const std::vector<int>& ids, int threads = 1);
 
   const Group& of(int group) const { return groups_[group]; }
   const LaneSlot* slots(const Group& own) const { return &slots_[own.slot]; }
@@ -63,8 +64,18 @@ class PackedBonds {
     Point a;
   };
   using Four = std::array<std::vector<Bond>, lanes>;
+  struct Packed {  // of a group
+    std::vector<LaneSlot> slots;
+    std::vector<Spring> springs;
+    std::vector<StoredPack> scales;
+    std::vector<Vec<Pack, Dim>> areas;
 
-  void add(int first, const Four& with_area, const Four& others, int size);
+    void append(int first, const Four& bonds, int size);
+  };
+
+  std::vector<int> add_places_at_clamp(const Bonds& bonds, const Scene& scene,
+                                       const InitialParticles& initial, const std::vector<int>& ids,
+                                       const std::vector<int>& where);
 
   std::vector<Group> groups_;
   SharedRows<LaneSlot> slots_;
@@ -75,38 +86,54 @@ class PackedBonds {
   std::vector<int> held_behind_;
 };
 
+/// The bond that particle `id` is seen through by the other end; −1 if it is not.
+inline int seen_from(const Bonds& bonds, int other, int id) {
+  const int* const last = bonds.j.data() + bonds.begin[other + 1];
+  const int* const found = std::find(bonds.j.data() + bonds.begin[other], last, id);
+  return found == last ? -1 : static_cast<int>(found - bonds.j.data());
+}
+
+/// Where those of each stored particle begin: in the order of its bonds.
+template <int Dim>
+std::vector<int> PackedBonds<Dim>::add_places_at_clamp(const Bonds& bonds, const Scene& scene,
+                                                       const InitialParticles& initial,
+                                                       const std::vector<int>& ids,
+                                                       const std::vector<int>& where) {
+  std::vector<int> begin;
+  for (const int id : ids) {
+    begin.push_back(static_cast<int>(places_at_clamp_.size()));
+    for (int b = bonds.begin[id]; b < bonds.begin[id + 1]; ++b) {
+      if (!initial.held[bonds.j[b]] || seen_from(bonds, bonds.j[b], id) >= 0) continue;
+      Point x = initial.x[id];
+      for (int k = 0; k < Dim; ++k) x[k] += bonds.X[b][k];
+      x = displaced(scene.bodies[initial.body[id]], x);
+      Vec<double, Dim>& place = places_at_clamp_.emplace_back();
+      for (int k = 0; k < Dim; ++k) place[k] = x[k];
+      held_behind_.push_back(where[bonds.j[b]]);
+    }
+  }
+  return begin;
+}
+
 template <int Dim>
 PackedBonds<Dim>::PackedBonds(const Bonds& bonds, const Scene& scene, const InitialParticles& initial,
-                              const std::vector<Elasticity>& materials, const std::vector<int>& ids) {
-  const int n = static_cast<int>(ids.size()), size = (n + lanes - 1) / lanes * lanes;
+                              const std::vector<Elasticity>& materials, const std::vector<int>& ids,
+                              int threads) {
+  const int n = static_cast<int>(ids.size()), groups = (n + lanes - 1) / lanes, size = groups * lanes;
   std::vector<int> where(ids.size());
   for (int i = 0; i < n; ++i) where[ids[i]] = i;
-  const auto seen_from = [&](int id, int other) {
-    const int* last = bonds.j.data() + bonds.begin[id + 1];
-    const int* found = std::find(bonds.j.data() + bonds.begin[id], last, other);
-    return found == last ? -1 : static_cast<int>(found - bonds.j.data());
-  };
-  const auto place_at_clamp = [&](int id, const Point& X) {
-    Point x = initial.x[id];
-    for (int k = 0; k < Dim; ++k) x[k] += X[k];
-    x = displaced(scene.bodies[initial.body[id]], x);
-    Vec<double, Dim> place;
-    for (int k = 0; k < Dim; ++k) place[k] = x[k];
-    return place;
-  };
-  for (int first = 0; first < n; first += lanes) {
+  const std::vector<int> at_clamp = add_places_at_clamp(bonds, scene, initial, ids, where);
+  const auto make = [&](int group) {
+    const int first = lanes * group;
     Four with_area, others;
     for (int lane = 0; lane < lanes && first + lane < n; ++lane) {
       const int id = ids[first + lane];
+      int place = size + at_clamp[first + lane];
       for (int b = bonds.begin[id]; b < bonds.begin[id + 1]; ++b) {
         Bond bond{where[bonds.j[b]], 0, 0, 0, bonds.area[b]};
         for (int d = 0; d < Dim; ++d) bond.r2 += bonds.X[b][d] * bonds.X[b][d];
-        const int back = seen_from(bonds.j[b], id);
-        if (back < 0) {
-          held_behind_.push_back(bond.j);
-          bond.j = size + static_cast<int>(places_at_clamp_.size());
-          places_at_clamp_.push_back(place_at_clamp(id, bonds.X[b]));
-        }
+        const int back = seen_from(bonds, bonds.j[b], id);
+        if (back < 0) bond.j = place++;
         // a place at a clamp has no energy of its own
         const double G = shear_modulus(bonds, initial, materials, id, b),
                      w_ji = back < 0 ? 0 : bonds.weight[back];
@@ -117,44 +144,42 @@ PackedBonds<Dim>::PackedBonds(const Bonds& bonds, const Scene& scene, const Init
       std::ranges::sort(with_area[lane], {}, &Bond::j);
       std::ranges::sort(others[lane], {}, &Bond::j);
     }
-    add(first, with_area, others, size);
-  }
+    Packed packed;
+    packed.append(first, with_area, size);
+    const std::size_t a_count = packed.slots.size();
+    packed.append(first, others, size);
+    packed.areas.resize(a_count);
+    return packed;
+  };
+  make_in_order(groups, threads, make, [&](int, const Packed& packed) {
+    groups_.push_back({slots_.add(packed.slots), static_cast<int>(packed.slots.size()),
+                       springs_.add(packed.springs), energy_scales_.add(packed.scales),
+                       a_ij_.add(packed.areas), static_cast<int>(packed.areas.size())});
+  });
   slots_.close(), springs_.close(), a_ij_.close(), energy_scales_.close();
 }
 
 template <int Dim>
-void PackedBonds<Dim>::add(int first, const Four& with_area, const Four& others, int size) {
-  std::vector<LaneSlot> slots;
-  std::vector<Spring> springs;
-  std::vector<StoredPack> scales;
-  std::vector<Vec<Pack, Dim>> areas;
-  const auto append = [&](const Four& bonds) {
-    std::array<std::vector<int>, lanes> neighbors;
-    for (int lane = 0; lane < lanes; ++lane)
-      for (const Bond& bond : bonds[lane]) neighbors[lane].push_back(bond.j);
-    const LaneSlots found = lane_slots(first, neighbors, size);
-    for (std::size_t b = 0; b < found.slots.size(); ++b) {
-      slots.push_back(found.slots[b]);
-      Spring& spring = springs.emplace_back();
-      Pack& scale = scales.emplace_back().value;
-      Vec<Pack, Dim>& area = areas.emplace_back();
-      for (int lane = 0; lane < lanes; ++lane) {
-        if (found.taken[b][lane] < 0) continue;
-        const Bond& bond = bonds[lane][found.taken[b][lane]];
-        spring.third_of_k[lane] = bond.k / 3;
-        spring.per_r0_squared[lane] = 1 / bond.r2;
-        spring.half_r0_squared[lane] = 0.5 * bond.r2;
-        scale[lane] = bond.scale;
-        for (int k = 0; k < Dim; ++k) area[k][lane] = bond.a[k];
-      }
+void PackedBonds<Dim>::Packed::append(int first, const Four& bonds, int size) {
+  std::array<std::vector<int>, lanes> neighbors;
+  for (int lane = 0; lane < lanes; ++lane)
+    for (const Bond& bond : bonds[lane]) neighbors[lane].push_back(bond.j);
+  const LaneSlots found = lane_slots(first, neighbors, size);
+  for (std::size_t b = 0; b < found.slots.size(); ++b) {
+    slots.push_back(found.slots[b]);
+    Spring& spring = springs.emplace_back();
+    Pack& scale = scales.emplace_back().value;
+    Vec<Pack, Dim>& area = areas.emplace_back();
+    for (int lane = 0; lane < lanes; ++lane) {
+      if (found.taken[b][lane] < 0) continue;
+      const Bond& bond = bonds[lane][found.taken[b][lane]];
+      spring.third_of_k[lane] = bond.k / 3;
+      spring.per_r0_squared[lane] = 1 / bond.r2;
+      spring.half_r0_squared[lane] = 0.5 * bond.r2;
+      scale[lane] = bond.scale;
+      for (int k = 0; k < Dim; ++k) area[k][lane] = bond.a[k];
     }
-  };
-  append(with_area);
-  const int a_count = static_cast<int>(slots.size());
-  append(others);
-  areas.resize(a_count);
-  groups_.push_back({slots_.add(slots), static_cast<int>(slots.size()), springs_.add(springs),
-                     energy_scales_.add(scales), a_ij_.add(areas), a_count});
+  }
 }
 
 }  // namespace taut::inline TAUT_ISA

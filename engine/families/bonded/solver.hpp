@@ -44,7 +44,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     this->pairs_ = static_cast<long>(bonds.j.size());
     take_masses(bonds);
     Base::go_to_start();
-    bonds_ = PackedBonds<Dim>(bonds, input.scene, this->initial_, materials_, s_.id);
+    bonds_ = PackedBonds<Dim>(bonds, input.scene, this->initial_, materials_, s_.id, this->threads_);
     cancelled_ = cancelled(bonds);
     add_sites(bonds);
     const Interfaces interfaces = make_interfaces(this->initial_, materials_, bonds, c_.dp);
@@ -143,7 +143,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   Columns<1> mobility_;                     // 1/m of what may move, 1/kg
   std::vector<Vec<Pack, Dim>> bond_force_;  // N, of each group
   RecoveredGradient recovered_;             // once a snapshot has asked for it
-  std::vector<V> displacements_;            // of the last snapshot, m
+  std::vector<StoredPack> displacements_;   // of the last snapshot, m; the last lanes are 0
 };
 
 /// In 2D a particle is as heavy as its cell; in 3D see bonds.hpp.
@@ -156,8 +156,8 @@ void Bonded<M, Dim>::take_masses(const Bonds& bonds) {
 
 template <const Formulation& M, int Dim>
 CancelledBonds<Dim> Bonded<M, Dim>::cancelled(const Bonds& bonds) const {
-  std::vector<std::vector<typename CancelledBonds<Dim>::Bond>> of_particle(s_.size());
-  for (int i = 0; i < s_.size(); ++i) {
+  return CancelledBonds<Dim>(s_.size(), this->threads_, [&](int i) {
+    std::vector<typename CancelledBonds<Dim>::Bond> of_particle;
     const int id = s_.id[i];
     for (int b = bonds.begin[id]; b < bonds.begin[id + 1]; ++b) {
       const Point& X = bonds.X[b];
@@ -167,10 +167,10 @@ CancelledBonds<Dim> Bonded<M, Dim>::cancelled(const Bonds& bonds) const {
       for (int a = 0; a < Dim; ++a)
         for (int k = a; k < Dim; ++k) dyad(a, k) = X[a] * X[k] / r2;
       const double G = shear_modulus(bonds, this->initial_, materials_, id, b);
-      of_particle[i].push_back({dyad, G * this->initial_.V0[id] * bonds.weight[b]});
+      of_particle.push_back({dyad, G * this->initial_.V0[id] * bonds.weight[b]});
     }
-  }
-  return CancelledBonds<Dim>(of_particle);
+    return of_particle;
+  });
 }
 
 template <const Formulation& M, int Dim>
@@ -441,15 +441,15 @@ Mat<Pack, Dim> Bonded<M, Dim>::shown_deformations(int group, Mat<Pack, Dim> F) c
   for (int lane = 0; lane < count; ++lane) {
     const int i = first + lane, begin = recovered_.begin[i], end = recovered_.begin[i + 1];
     if (begin == end) continue;
-    Mat<double, Dim> one{};
-    for (int a = 0; a < Dim; ++a) one(a, a) = 1;
+    Pack column[Dim]{};  // of F
+    for (int k = 0; k < Dim; ++k) column[k][k] = 1;
     for (int b = begin; b < end; ++b) {
-      const V u = displacements_[recovered_.j[b]] - displacements_[i];
-      for (int a = 0; a < Dim; ++a)
-        for (int k = 0; k < Dim; ++k) one(a, k) += u[a] * recovered_.g[b][k];
+      const Pack u = displacements_[recovered_.j[b]].value - displacements_[i].value;
+#pragma GCC unroll 3
+      for (int k = 0; k < Dim; ++k) column[k] += u * recovered_.g[b][k];
     }
     for (int a = 0; a < Dim; ++a)
-      for (int k = 0; k < Dim; ++k) F(a, k)[lane] = one(a, k);
+      for (int k = 0; k < Dim; ++k) F(a, k)[lane] = column[k][a];
   }
   return F;
 }
@@ -479,7 +479,7 @@ void Bonded<M, Dim>::prepare_to_show() {
   displacements_.resize(s_.size());
   parallel_for(s_.size(), threads_now(), [&](int i) {
     set_place(i);
-    for (int k = 0; k < Dim; ++k) displacements_[i][k] = s_.x[i][k] - this->initial_.x[s_.id[i]][k];
+    for (int k = 0; k < Dim; ++k) displacements_[i].value[k] = s_.x[i][k] - this->initial_.x[s_.id[i]][k];
   });
 }
 

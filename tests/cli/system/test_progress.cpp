@@ -1,4 +1,4 @@
-#include <limits>
+#include <sstream>
 
 #include <doctest/doctest.h>
 
@@ -18,5 +18,17 @@ TEST_SUITE("cli") {
     // the first of a sweep's runs goes on for long
     CHECK(long_time_left(0, 1, 60).empty());
     CHECK(long_time_left(0, 1, day).empty());
+  }
+
+  TEST_CASE("progress: a terminal says what is set up, until the work begins") {
+    for (const auto style : {Progress::Style::bar, Progress::Style::lines, Progress::Style::none}) {
+      std::ostringstream err;
+      {
+        Progress progress(err, style);
+        progress.prepare("rings, setting up");
+        CHECK(err.str() == (style == Progress::Style::bar ? "\rrings, setting up\x1b[K" : ""));
+      }
+      if (style == Progress::Style::bar) CHECK(err.str().ends_with("\r\x1b[K"));  // what fails leaves no line
+    }
   }
 }

@@ -71,7 +71,7 @@ void check_cancelled() {
     Sym<Pack, Dim> C;
     for (Pack& c : C.c) c = Pack{number(), number(), number(), number()} - 0.5;
     for (int k = 0; k < Dim; ++k) C(k, k) += 1.5;
-    const Sym<Pack, Dim> S = Cancelled(of_particle).slopes(0, C);
+    const Sym<Pack, Dim> S = Cancelled(lanes, 1, [&](int i) { return of_particle[i]; }).slopes(0, C);
     for (int lane = 0; lane < lanes; ++lane) {
       Sym<double, Dim> expected{};
       for (const auto& [dyad, Gw] : of_particle[lane]) {
