@@ -226,6 +226,30 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE("parallel: what is made on several threads is taken once each, in order, and few are there") {
+    for (const int threads : {1, 3})
+      for (const int n : {0, 1, 4096, 10000}) {
+        CAPTURE(threads);
+        CAPTURE(n);
+        std::atomic<int> made = 0;
+        int taken = 0, most = 0;
+        make_in_order(
+            n, threads,
+            [&](int i) {
+              ++made;
+              return std::vector<int>(1, i);
+            },
+            [&](int i, const std::vector<int>& one) {
+              CHECK(i == taken);
+              CHECK(one == std::vector<int>(1, i));
+              most = std::max(most, made - taken++);
+            });
+        CHECK(taken == n);
+        CHECK(made == n);
+        CHECK(most <= 4096);
+      }
+  }
+
   TEST_CASE("parallel: the greatest value, and NaN above all") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const int threads : {1, 2, 3}) {

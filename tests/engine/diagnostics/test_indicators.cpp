@@ -110,6 +110,24 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE("alternating part: it is the same for any number of threads") {
+    for (const int dim : {2, 3}) {
+      CAPTURE(dim);
+      std::vector<Point> places;
+      for (int n = 0; n < 1000; ++n) {
+        const double z = dim == 3 ? n / 100 * 0.1 : 0, x = (dim == 3 ? n / 10 % 10 : n / 25) * 0.1;
+        places.push_back({x + (n % 7 == 0 ? 0.01 : 0), n % (dim == 3 ? 10 : 25) * 0.1, z});
+      }
+      const Snapshot start = test::made_snapshot(dim, places);
+      const AlternatingPart one = alternating_part(start, 0.1, 1), three = alternating_part(start, 0.1, 3);
+      CHECK(one.rows() > 900);
+      CHECK(one.begin == three.begin);
+      CHECK(one.j == three.j);
+      CHECK(one.first_weight == three.first_weight);
+      CHECK(one.weight == three.weight);
+    }
+  }
+
   TEST_CASE("alternating part: inside a lattice the checkerboard gives itself, noise its κ") {
     for (const int dim : {2, 3}) {
       CAPTURE(dim);
