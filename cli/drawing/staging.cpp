@@ -74,6 +74,8 @@ void Staging::find_cells() {
     body.push_back(origins_.body[i]);
   }
   cells_.emplace(origins_.dim, x0, diameter, body);
+  if (shown_.size() < origins_.size())
+    cells_->take_ends(Cells(origins_.dim, origins_.x0, origins_.diameter, origins_.body), shown_);
 }
 
 /// The centre of mass of the body that is followed.

@@ -39,6 +39,10 @@ Cells::Cells(int dim, std::span<const double> x0, std::span<const double> diamet
   if (dim_ == 3) forget_distant();
 }
 
+void Cells::take_ends(const Cells& all, std::span<const std::size_t> shown) {
+  for (std::size_t k = 0; k < cells_.size(); ++k) cells_[k].sides = all.cells_[shown[k]].sides;
+}
+
 Point Cells::initial(std::size_t i, std::size_t j) const {
   Point way{};
   for (std::size_t k = 0; k < dim_; ++k) way[k] = x0_[dim_ * j + k] - x0_[dim_ * i + k];

@@ -28,6 +28,9 @@ class Cells {
   /// Initial positions (n × dim, m), diameters (m) and bodies of the particles.
   Cells(int dim, std::span<const double> x0, std::span<const double> diameter, std::span<const int> body);
 
+  /// Particle k is shown[k] of `all`, whose others are cut away: its cell ends where it did among them.
+  void take_ends(const Cells& all, std::span<const std::size_t> shown);
+
   /// For these positions, n × dim, m. In 3D without the cells that others surround on all sides.
   CellShapes at(std::span<const double> x) const;
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -91,6 +93,29 @@ TEST_SUITE("unit") {
     REQUIRE(drawn.cell.size() == 16);
     CHECK(drawn.cell[8] == doctest::Approx(4));  // the second body is stretched to (4, 2)
     CHECK(drawn.cell[9] == doctest::Approx(2));
+  }
+
+  TEST_CASE("cells beside a cut end half-way to who is cut away, on the boundary of a body too") {
+    // 3 × 3 particles on the boundary of a square of 2 m
+    Origins origins{.dim = 2, .x0 = {}, .m = Numbers(9, 1), .diameter = {}, .body = std::vector<int>(9, 0)};
+    for (int n = 0; n < 9; ++n) {
+      origins.x0.insert(origins.x0.end(), {n % 3 * 1.0, n / 3 * 1.0});
+      origins.diameter.push_back(std::sqrt((n % 3 == 1 ? 1 : 0.5) * (n / 3 == 1 ? 1 : 0.5)));
+    }
+    Drawing drawing;
+    drawing.style = Style::cells;
+    drawing.is_cut = [](const Point& x) { return static_cast<double>(x[0] > 1.5); };
+    const Staging staging(drawing, origins);
+    const StagedParticles drawn = staging.dressed(staging(frame(origins.x0, origins, Numbers(9, 0))));
+    REQUIRE(drawn.value.size() == 6);
+    double area = 0, right = 0;
+    for (std::size_t k = 0; k < 6; ++k) {
+      const double* edge = &drawn.cell[4 * k];
+      area += std::abs(edge[0] * edge[3] - edge[1] * edge[2]);
+      right = std::max(right, drawn.x[2 * k] + 0.5 * (std::abs(edge[0]) + std::abs(edge[2])));
+    }
+    CHECK(area == doctest::Approx(3));  // 1.5 m wide and 2 m high
+    CHECK(right == doctest::Approx(1.5));
   }
 
   TEST_CASE("walls stand where they are, and move past a body that is followed") {

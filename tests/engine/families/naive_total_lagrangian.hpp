@@ -4,7 +4,7 @@
 //   tl   [Lee2016] Eq. 21 (corrected gradient), 29c (internal force), 34 (F), 8–12 (neo-Hookean, P by Σ_F,
 //   Σ_J, H) icb  [TranDuc2023] §2.3: N, F, ε, σ⁰, the iteration towards R, the acceleration tl-small-strain
 //   [Zhang2020] Eq. 3, 4, 7–9, with the sums of Eq. 7 and 9 normalised as energy asks for
-// In 3D, of which small strain has none, the rotation is that of the polar decomposition by singular values.
+// In 3D the rotation is that of the polar decomposition by singular values.
 // tl with St Venant–Kirchhoff's and the linear law, and the contacts of [TranDuc2023] Eq. 2.13 and, for
 // tl-small-strain, [Zhang2020] Eq. 12. Time: x to mid-step, v, x to the end.
 
@@ -66,7 +66,7 @@ struct Run {
   bool linear() const { return small() || method == Method::tl_linear; }
   double W(double r) const {
     if (r >= support()) return 0;
-    if (small()) return std::exp(-r * r / (h * h)) / (std::numbers::pi * h * h) / (1 - std::exp(-9.0));
+    if (small()) return gauss() * std::exp(-r * r / (h * h));
     const double q = r / h;
     if (method != Method::icb) return wendland() * std::pow(1 - q / 2, 4) * (1 + 2 * q);
     return sinc_norm() * std::pow(sinc(q), 5);
@@ -79,6 +79,12 @@ struct Run {
     const double y = std::numbers::pi * q / 2;
     const double slope = (std::cos(y) / y - std::sin(y) / (y * y)) * std::numbers::pi / 2;
     return sinc_norm() / h * 5 * std::pow(sinc(q), 4) * slope;
+  }
+  /// One over the integral up to 3 h.
+  double gauss() const {
+    constexpr double pi = std::numbers::pi;
+    if (Dim == 2) return 1 / (pi * h * h) / (1 - std::exp(-9.0));
+    return 1 / (std::pow(pi, 1.5) * h * h * h) / (std::erf(3) - 6 / std::sqrt(pi) * std::exp(-9.0));
   }
   double wendland() const {
     return Dim == 2 ? 7 / (4 * std::numbers::pi * h * h) : 21 / (16 * std::numbers::pi * h * h * h);
@@ -203,7 +209,7 @@ struct Run {
       if (i.body == j.body || r >= dp) continue;
       ++contacts;
       const double modulus = contact_stiffness * K / 2, l = dp / r;
-      const double push = small() ? modulus * dp * dp / 2 * (std::pow(l, 6) - std::pow(l, 4)) / r
+      const double push = small() ? modulus * std::pow(dp, Dim) / 2 * (std::pow(l, 6) - std::pow(l, 4)) / r
                                   : modulus * std::pow(dp, Dim - 2) * (dp - r);
       f += push / r * d;
     }
