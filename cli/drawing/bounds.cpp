@@ -118,6 +118,16 @@ SequenceBounds::Orbit SequenceBounds::orbit() const {
 
 double SequenceBounds::front() const { return z_.low > z_.high ? 0 : z_.high; }
 
+namespace {
+
+render::Range at_least(double width, render::Range range, std::optional<double> middle) {
+  if (range.high - range.low >= width) return range;
+  const double low = middle ? *middle - width / 2 : std::abs(range.low) < width ? 0 : range.low;
+  return {low, low + width};
+}
+
+}  // namespace
+
 Drawing fitted(Drawing drawing, const SequenceBounds& shown) {
   render::Look& look = drawing.look;
   if (look.categories.empty()) {
@@ -126,7 +136,7 @@ Drawing fitted(Drawing drawing, const SequenceBounds& shown) {
     if (!look.colormap)
       look.colormap =
           &*std::ranges::find(render::colormaps(), middle.has_value(), &render::Colormap::diverging);
-    if (!look.range) look.range = shown.range(middle);
+    if (!look.range) look.range = at_least(drawing.round_off, shown.range(middle), middle);
   }
   if (look.view) return drawing;
   look.view = drawing.followed ? shown.view_about_origin() : shown.view();

@@ -55,6 +55,7 @@ struct Drawing {
   Expression is_cut{};
   std::optional<int> followed{};  // index into Scene::bodies
   std::vector<WallFace> walls{};
+  double round_off = 0;  // an open range is no narrower, in the unit of the colours
   ColorFormula of_formula{};
 };
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
@@ -92,6 +93,16 @@ std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
   return std::nullopt;
 }
 
+/// What differs by less is noise, in the unit of the field: of stress in a body that only flies, say.
+double round_off(const Field& field, const Scene& scene) {
+  constexpr double strain = 1e-9, in_single_precision = 1e-6;  // as what is drawn is kept
+  double stiffest = 0;                                         // Pa
+  for (const Material& material : scene.materials) stiffest = std::max(stiffest, material.youngs_modulus);
+  if (field.unit == "Pa") return strain * stiffest;
+  if (field.unit == "m") return strain * scene.spacing;
+  return field.unit.empty() ? strain + in_single_precision * std::abs(field.middle) : 0;
+}
+
 /// What the scene settles; there is no mismatch.
 void settle(Drawing& drawing, const Scene& scene) {
   drawing.look.categories.clear();
@@ -101,6 +112,7 @@ void settle(Drawing& drawing, const Scene& scene) {
   if (scene.dim == 3 && !drawing.look.camera) drawing.look.camera.emplace();
   drawing.walls.clear();
   for (const Wall& wall : scene.walls) drawing.walls.push_back({wall.at, wall.normal});
+  drawing.round_off = drawing.formula.empty() ? round_off(*drawing.field, scene) : 0;
   drawing.followed.reset();
   if (!drawing.follow.empty()) drawing.followed = static_cast<int>(index_of(scene.bodies, drawing.follow));
 }

@@ -187,6 +187,12 @@ TEST_SUITE("unit") {
     open.field = find_field("pressure");
     CHECK(fitted(open, shown).look.range == render::Range{-3, 3});
     CHECK(fitted(open, shown).look.colormap == render::find_colormap("coolwarm"));
+    open.round_off = 100;  // what differs by less is not spread over the colours
+    CHECK(fitted(open, shown).look.range == render::Range{-50, 50});
+    open.field = find_field("von_mises");
+    CHECK(fitted(open, shown).look.range == render::Range{0, 100});
+    open.round_off = 3.9;
+    CHECK(fitted(open, shown).look.range == render::Range{-1, 3});
     const Drawing chosen = fitted(other_drawing(), shown);
     for (const DrawingKey& key : drawing_keys()) CHECK(key.get(chosen) == key.get(other_drawing()));
   }
