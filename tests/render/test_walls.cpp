@@ -94,16 +94,17 @@ TEST_SUITE("image") {
       CAPTURE(dim);
       Scene scene(dim, {{0, 0, 0}, {0, 0, 1}});
       scene.walls.clear();
-      const Image without = drawn(scene, bare(dim));
+      Renderer renderer(bare(dim));
+      const Image without = renderer.draw(scene.frame());
       for (const double at : {-5.0, -1e300, std::nan(""), HUGE_VAL}) {
         CAPTURE(at);
         WallFace wall{{0, 0, 0}, {0, 0, 0}};
         wall.at[dim == 2 ? 1 : 2] = at, wall.normal[dim == 2 ? 1 : 2] = 1;
         scene.walls = {wall};
-        CHECK(drawn(scene, bare(dim)) == without);
+        CHECK(renderer.draw(scene.frame()) == without);
         wall.at[0] = at, wall.normal = {0.6, dim == 2 ? 0.8 : 0, dim == 2 ? 0 : 0.8};
         scene.walls = {wall};
-        CHECK(drawn(scene, bare(dim)) == without);
+        CHECK(renderer.draw(scene.frame()) == without);
       }
     }
   }
