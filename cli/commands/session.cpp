@@ -60,11 +60,14 @@ int converse(const SessionArguments& options, Streams streams) {
   Progress progress(streams.err, progress_style(streams.err, !typed));
   if (typed) greet(session, streams.out);
   while (const auto line = input.next()) {
-    const Interrupts interrupts;
-    const Answer given = answer(session, *line, {streams.out, interrupts, progress}, typed);
-    if (!streams.out.flush()) throw OutputError("standard output", "could not be written");
+    const Answer given = [&] {
+      const Interrupts interrupts;
+      const Answer one = answer(session, *line, {streams.out, interrupts, progress}, typed);
+      if (!streams.out.flush()) throw OutputError("standard output", "could not be written");
+      return one;
+    }();
     // the lines that a script has left expect what was not reached
-    if (interrupts.asked() && (!typed || interrupts.asked_to_end())) return exit_interrupted;
+    if (Interrupts::asked() && (!typed || Interrupts::asked_to_end())) return exit_interrupted;
     if (options.strict && given.code != exit_fine) return given.code;
     if (!given.going) break;
   }

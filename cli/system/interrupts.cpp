@@ -41,7 +41,7 @@ Interrupts::~Interrupts() {
   ::sigaction(SIGPIPE, &old_pipe_, nullptr);
 }
 
-bool Interrupts::asked_to_end() const { return flag() == SIGTERM || flag() == SIGHUP; }
+bool Interrupts::asked_to_end() { return flag() == SIGTERM || flag() == SIGHUP; }
 
 const std::atomic<int>& Interrupts::flag() { return last_signal; }
 

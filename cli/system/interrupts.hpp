@@ -16,9 +16,11 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
 
-  bool asked() const { return flag() != 0; }
+  /// Both keep what they say when it has gone, until there is a new one: who looks only before that misses
+  /// the signal that comes meanwhile.
+  static bool asked() { return flag() != 0; }
   /// By SIGTERM or SIGHUP: all is to end, not only what is going on.
-  bool asked_to_end() const;
+  static bool asked_to_end();
   /// The signal, or 0; for whoever is to stop in the middle of a long piece of work.
   static const std::atomic<int>& flag();
 

@@ -16,6 +16,16 @@ TEST_SUITE("unit") {
     CHECK(interrupts.asked_to_end());
   }
 
+  TEST_CASE("a signal is remembered until somebody heeds the next ones") {
+    {
+      const Interrupts interrupts;
+      std::raise(SIGTERM);
+    }
+    CHECK(Interrupts::asked_to_end());
+    const Interrupts interrupts;
+    CHECK_FALSE(Interrupts::asked());
+  }
+
   TEST_CASE("who reads no longer does not end the program") {
     const Interrupts interrupts;
     std::raise(SIGPIPE);
