@@ -169,10 +169,10 @@ TEST_SUITE("failure") {
     CHECK(std::abs(tl.since().at(Verdict::penetrated) - 4.45e-3) < 0.1e-3);  // s
   }
 
-  TEST_CASE("colliding rings: at 0.16 c0 the mixed methods hold in the crease with the dissipation of shocks") {
+  TEST_CASE(
+      "colliding rings: at 0.16 c0 the mixed methods hold in the crease with the dissipation of shocks") {
     const auto fastest = [](const char* method, const char* eps) {
-      SceneFile file =
-          scene("colliding-rings", 0.00125, {{"v0", "0.16"}, {"method.eps_v2", eps}}, method);
+      SceneFile file = scene("colliding-rings", 0.00125, {{"v0", "0.16"}, {"method.eps_v2", eps}}, method);
       file.scene.until = 0.005;  // the crease is at its sharpest at 4.1 ms
       return judged(file);
     };

@@ -174,7 +174,8 @@ TEST_SUITE("cli") {
     for (const char* far :
          {"x,y\n0,0\n1e7,0\n", "x,y\n0,0\n1e300,0\n", "x,y\n1e12,0\n1e12,1\n", "x,y\n0,0\n9e3,9e3\n"})
       CHECK(error_of(far, 0).find("too far apart, or too far out") != std::string::npos);
-    CHECK(error_of("x,y,volume\n0,0,6e-4\n.1,.1,6e-4\n", 0).find("about 0.0245 m apart") != std::string::npos);
+    CHECK(error_of("x,y,volume\n0,0,6e-4\n.1,.1,6e-4\n", 0).find("about 0.0245 m apart") !=
+          std::string::npos);
     CHECK(error_of("x,y,volume\n0,0,1e-300\n1,1,1\n", 0).find("does not fit a spacing") != std::string::npos);
   }
 
