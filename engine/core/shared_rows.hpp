@@ -32,6 +32,11 @@ class SharedRows {
   const T& operator[](int k) const { return all_[k]; }
   /// Nothing will be added any more.
   void close() { table_ = {}, all_.shrink_to_fit(); }
+  /// All of them.
+  std::vector<T> take() {
+    close();
+    return std::move(all_);
+  }
 
  private:
   struct Known {

@@ -41,20 +41,20 @@ struct Neighborhoods {
 };
 
 Neighborhoods neighborhoods(const Snapshot& start, double radius) {
-  std::vector<std::pair<int, int>> pairs;
+  const auto for_each_pair = [&](const auto& visit) {
+    for_each_close_pair(start, radius, [&](int i, int j) {
+      if (alike(start, static_cast<std::size_t>(i), static_cast<std::size_t>(j))) visit(i, j);
+    });
+  };
   Neighborhoods near;
   near.begin.assign(start.size() + 1, 1);
   near.begin[0] = 0;
-  for_each_close_pair(start, radius, [&](int i, int j) {
-    if (!alike(start, static_cast<std::size_t>(i), static_cast<std::size_t>(j))) return;
-    pairs.emplace_back(i, j);
-    ++near.begin[i + 1], ++near.begin[j + 1];
-  });
+  for_each_pair([&](int i, int j) { ++near.begin[i + 1], ++near.begin[j + 1]; });
   std::partial_sum(near.begin.begin(), near.begin.end(), near.begin.begin());
   near.all.resize(near.begin.back());
   std::vector<std::size_t> end(near.begin.begin(), near.begin.end() - 1);
   for (std::size_t i = 0; i < start.size(); ++i) near.all[end[i]++] = static_cast<int>(i);
-  for (const auto& [i, j] : pairs) near.all[end[i]++] = j, near.all[end[j]++] = i;
+  for_each_pair([&](int i, int j) { near.all[end[i]++] = j, near.all[end[j]++] = i; });
   return near;
 }
 
@@ -101,7 +101,9 @@ std::vector<int> surroundings(const Snapshot& start, std::span<const int> near, 
 /// than all else that is known of a particle.
 class Rows {
  public:
-  Rows(const Snapshot& start, double spacing) : start_(start), spacing_(spacing), kappa_(scale(start.dim)) {}
+  /// The entries take the room of the neighbourhoods that they come from, one after the other.
+  Rows(const Snapshot& start, double spacing, Neighborhoods& near)
+      : start_(start), spacing_(spacing), kappa_(scale(start.dim)), near_(near) {}
 
   /// What can be known of a row beside others.
   struct Made {
@@ -125,12 +127,16 @@ class Rows {
       first = add_weights(made.weights);
     }
     if (first < 0) return;
-    part_.j.insert(part_.j.end(), near.begin(), near.end());
+    std::ranges::copy(near, near_.all.begin() + part_.begin.back());
     part_.first_weight.push_back(first);
-    part_.begin.push_back(static_cast<int>(part_.j.size()));
+    part_.begin.push_back(part_.begin.back() + static_cast<int>(near.size()));
   }
 
-  AlternatingPart take() { return std::move(part_); }
+  AlternatingPart take() {
+    near_.all.resize(static_cast<std::size_t>(part_.begin.back()));
+    part_.j.swap(near_.all);
+    return std::move(part_);
+  }
 
  private:
   Eigen::VectorXd weights(std::span<const int> near) const {
@@ -145,6 +151,7 @@ class Rows {
 
   const Snapshot& start_;
   double spacing_, kappa_;
+  Neighborhoods& near_;
   AlternatingPart part_{{0}, {}, {}, {}};
   std::map<std::vector<int>, int> shared_;  // surroundings → first weight
 };
@@ -152,8 +159,8 @@ class Rows {
 }  // namespace
 
 AlternatingPart alternating_part(const Snapshot& start, double spacing, int threads) {
-  Rows rows(start, spacing);
   Neighborhoods near = neighborhoods(start, reach * spacing);
+  Rows rows(start, spacing, near);
   std::vector<std::size_t> moving;
   for (std::size_t i = 0; i < start.size(); ++i)
     if (start.held[i] == 0) moving.push_back(i);

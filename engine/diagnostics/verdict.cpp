@@ -43,10 +43,14 @@ Judge::Judge(const Scene& scene, const Snapshot& start, double support)
       penetration_(start, scene.spacing) {
   // 1.5 dp: the eight nearest of a square lattice (√2 dp), the six of a hexagonal one, no second row
   for_each_close_pair(start, 1.5 * scene.spacing, [this](int i, int j) { bonds_.push_back({i, j, false}); });
-  bonds_of_.resize(particles_);
+  bonds_.shrink_to_fit();
+  first_of_.assign(particles_ + 1, 0);
+  for (const Bond& bond : bonds_) ++first_of_[bond.i + 1], ++first_of_[bond.j + 1];
+  std::partial_sum(first_of_.begin(), first_of_.end(), first_of_.begin());
+  bonds_of_.resize(2 * bonds_.size());
+  std::vector<int> end(first_of_.begin(), first_of_.end() - 1);
   for (std::size_t b = 0; b < bonds_.size(); ++b)
-    for (const int i : {bonds_[b].i, bonds_[b].j})
-      bonds_of_[static_cast<std::size_t>(i)].push_back(static_cast<int>(b));
+    for (const int i : {bonds_[b].i, bonds_[b].j}) bonds_of_[end[i]++] = static_cast<int>(b);
   pieces_ = start_pieces_ = count_pieces();
   const Balance at_start = balance(start, scene);
   start_energy_ = given_energy_ = at_start.kinetic + at_start.strain;
@@ -130,8 +134,8 @@ bool Judge::bypassed(int bond, std::vector<int>& seen) const {
   for (int length = 0; length < around && !edge.empty(); ++length) {
     next.clear();
     for (const int from : edge) {
-      for (const int b : bonds_of_[static_cast<std::size_t>(from)]) {
-        const Bond& way = bonds_[static_cast<std::size_t>(b)];
+      for (int k = first_of_[from]; k < first_of_[from + 1]; ++k) {
+        const Bond& way = bonds_[bonds_of_[k]];
         const int to = way.i == from ? way.j : way.i;
         if (way.broken || seen[static_cast<std::size_t>(to)] == bond) continue;
         if (to == goal) return true;

@@ -89,7 +89,8 @@ class Judge {
   bool bypassed(int bond, std::vector<int>& seen) const;
 
   std::vector<Bond> bonds_;
-  std::vector<std::vector<int>> bonds_of_;  // [particle] indices
+  std::vector<int> first_of_;  // [particles + 1] where in bonds_of_ those of each begin
+  std::vector<int> bonds_of_;  // indices
   std::size_t particles_ = 0;
   double longest_ = 0;       // m, of an unbroken bond
   double start_energy_ = 0;  // J

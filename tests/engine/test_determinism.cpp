@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -74,6 +75,35 @@ TEST_SUITE("determinism") {
           CHECK(same(simulation->series().value[k], alone->series().value[k]));
       }
     });
+  }
+
+  TEST_CASE("threads: an expression of the scene is asked by one at a time") {
+    // as those of a scene file, whose parser keeps what it works with
+    static std::atomic<int> asking, together;
+    const auto alone = [](double value) {
+      if (asking.fetch_add(1) > 0) ++together;
+      for (int k = 0; k < 2000; ++k) asking.load();  // that another one may come in between
+      asking.fetch_sub(1);
+      return value;
+    };
+    for (Scene scene : {small_clamped_plate(), small_clamped_block()}) {
+      for (Body& body : scene.bodies) {
+        if (const auto held = body.held) body.held = [=](const Point& x) { return alone(held(x)); };
+        for (Expression& of_one : body.velocity) {
+          const auto velocity = of_one;
+          of_one = [=](const Point& x) { return alone(velocity ? velocity(x) : 0); };
+        }
+      }
+      for (const MethodInfo& method : methods()) {
+        if (greatest_dim(method.formulation) < scene.dim) continue;
+        CAPTURE(method.name);
+        Settings settings = with_method(std::string(method.name));
+        settings.threads = 4;
+        together = 0;
+        make_simulation(scene, settings);
+        CHECK(together.load() == 0);
+      }
+    }
   }
 
   TEST_CASE("threads: where nobody says how many, each has something to do") {

@@ -80,7 +80,7 @@ class Sector {
     double r;
   };
   Bond bond(int b) const {
-    const Vector X = vector(bonds_.X[b]);
+    const Vector X = vector(bonds_.rows[b].X);
     return {X, X.normalized(), X.norm()};
   }
   int begin() const { return bonds_.begin[first_]; }
@@ -164,7 +164,7 @@ void Sector::find_classes() {
 bool Sector::at_surface(int i) const {
   constexpr double widest = 100 * std::numbers::pi / 180;
   std::vector<double> angle;
-  for_each_bond(i, [&](int b) { angle.push_back(std::atan2(bonds_.X[b][1], bonds_.X[b][0])); });
+  for_each_bond(i, [&](int b) { angle.push_back(std::atan2(bonds_.rows[b].X[1], bonds_.rows[b].X[0])); });
   std::ranges::sort(angle);
   if (angle.size() < 3) return true;
   double gap = angle.front() + 2 * std::numbers::pi - angle.back();
@@ -251,8 +251,8 @@ void Sector::balance_areas() {
                });
   for (int b = begin(); b < end(); ++b) {
     const double along = 1 + change[pair(b)], across = change[pair(b) + 1];
-    const Point a = bonds_.area[b];
-    bonds_.area[b] = {along * a[0] - across * a[1], along * a[1] + across * a[0], 0};
+    const Point a = bonds_.rows[b].area;
+    bonds_.rows[b].area = {along * a[0] - across * a[1], along * a[1] + across * a[0], 0};
   }
 }
 
@@ -264,7 +264,7 @@ void Sector::add_area_rows(int i, int row, Entries& entries, std::vector<double>
   const bool inside = inside_[i - first_];
   Vector excess = Vector::Zero();
   for_each_bond(i, [&](int b) {
-    const Vector a = vector(bonds_.area[b]), X = bond(b).X, across{-a[1], a[0]};
+    const Vector a = vector(bonds_.rows[b].area), X = bond(b).X, across{-a[1], a[0]};
     const auto add = [&](int k, double of_along, double of_across) {
       entries.emplace_back(row + k, pair(b), of_along);
       entries.emplace_back(row + k, pair(b) + 1, of_across);
@@ -297,13 +297,13 @@ void Sector::add_force_rows(int i, int row, Entries& entries, std::vector<double
                              stretch(s, e) * of_unit_stretch[k] / spacing);
   };
   Vector of_itself = Vector::Zero();
-  for_each_bond(i, [&](int b) { of_itself += vector(bonds_.gradient[b]); });
+  for_each_bond(i, [&](int b) { of_itself += vector(bonds_.gradient(i, b)); });
   for_each_bond(i, [&](int b) {
     const auto [X, e, r] = bond(b);
     const int j = bonds_.j[b], back = reverse_[b - begin()];
     add(b, initial_.V0[i] * (1 / r - e.dot(of_itself)) * e, e);
     add(back, initial_.V0[j] / r * e, e);
-    const Vector g = vector(bonds_.gradient[back]);
+    const Vector g = vector(bonds_.gradient(j, back));
     for_each_bond(j, [&](int c) {
       const Vector d = bond(c).e;
       add(c, initial_.V0[j] * d.dot(g) * d, d);
@@ -318,13 +318,13 @@ void Sector::balance_weights() {
   for (int i = first_; i < last_; ++i)
     for_each_bond(i, [&](int b) {
       owner[class_[b - begin()]] = i;
-      w[class_[b - begin()]] = bonds_.weight[b];
+      w[class_[b - begin()]] = bonds_.rows[b].weight;
     });
   const Eigen::VectorXd omega = w.cwiseMax(0.5);  // a bond without weight may get one
   least_change(w, omega, owner, [&](int i, int row, Entries& entries, std::vector<double>& target) {
     add_force_rows(i, row, entries, target);
   });
-  for (int b = begin(); b < end(); ++b) bonds_.weight[b] = w[class_[b - begin()]];
+  for (int b = begin(); b < end(); ++b) bonds_.rows[b].weight = w[class_[b - begin()]];
 }
 
 }  // namespace

@@ -1,26 +1,51 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "engine/scene/initial_particles.hpp"
 
 namespace taut {
 
+/// As particle i sees it.
+struct Bond {
+  Point X;        // from i to the other end, m: particle j, or where the bond enters the clamp
+  double weight;  // w_ij; 0 where only j asked for the bond
+  Point area;     // a_ij = −a_ji, for an end at the clamp as for any other
+};
+
+/// B a_ij, of B column by column.
+inline Point gradient_of(const std::array<Point, 3>& B, const Bond& bond) {
+  Point g{};
+  for (std::size_t k = 0; k < g.size(); ++k)
+    g[k] = B[0][k] * bond.area[0] + B[1][k] * bond.area[1] + B[2][k] * bond.area[2];
+  return g;
+}
+
 /// The pairs of particles of one body that act on each other, seen from both sides. They never change: a body
 /// that does not break needs no search for neighbours. Held particles are rigid and have no bonds of their
 /// own, unless they stand on the face of a clamp.
 struct Bonds {
-  std::vector<int> begin;       // [n + 1] first bond of each particle
-  std::vector<int> j;           // the other particle
-  std::vector<Point> X;         // from i to the other end, m: particle j, or where the bond enters the clamp
-  std::vector<double> weight;   // w_ij, as seen from i; 0 where only j asked for the bond
-  std::vector<Point> area;      // a_ij = −a_ji, for an end at the clamp as for any other
-  std::vector<Point> gradient;  // g_ij = B_i a_ij, 1/m: Σ_j (f_j − f_i) g_ij is the gradient of f at i
+  std::vector<int> begin;  // [n + 1] first bond of each particle
+  std::vector<int> j;      // the other particle
+  std::vector<Bond> rows;  // of particles, each with its bonds one behind the other
+  std::vector<int>
+      row;  // [n] where in `rows` that of each begins, which a lattice shares; empty: at begin[i]
   // of each particle
   std::vector<std::array<Point, 3>> B;  // (Σ_j a_ij ⊗ X_ij)⁻¹, symmetric; 0 where the bonds lie on a line
   std::vector<double> volume;           // V, m^dim, with which its energy counts
   std::vector<double> mass;             // over the density, m^dim
+
+  /// Bond b, one of those of particle i.
+  const Bond& of(int i, int b) const { return rows[row.empty() ? b : row[i] + b - begin[i]]; }
+  /// g_ij = B_i a_ij, 1/m: Σ_j (f_j − f_i) g_ij is the gradient of f at i
+  Point gradient(int i, int b) const { return gradient_of(B[i], of(i, b)); }
+  /// f(j, bond) of each bond of i
+  template <class F>
+  void for_each(int i, const F& f) const {
+    for (int b = begin[i]; b < begin[i + 1]; ++b) f(j[b], of(i, b));
+  }
 };
 
 /// Bonds that sample the strain around a particle evenly in all directions, as near as a layout lets them,

@@ -82,9 +82,9 @@ std::optional<Place> InterfaceMaker::normal(int i, int other) const {
     for (int b = bonds_.begin[k]; b < bonds_.begin[k + 1]; ++b) {
       const int l = bonds_.j[b];
       if (!across(k, l) || initial_.material[l] != (own ? other : initial_.material[i])) continue;
-      middles.push_back(column(initial_.x[k]) - column(initial_.x[i]) + 0.5 * column(bonds_.X[b]));
+      middles.push_back(column(initial_.x[k]) - column(initial_.x[i]) + 0.5 * column(bonds_.of(k, b).X));
       mean += middles.back();
-      towards += (own ? 1 : -1) * column(bonds_.X[b]);
+      towards += (own ? 1 : -1) * column(bonds_.of(k, b).X);
     }
   };
   add_middles(i);
@@ -111,9 +111,9 @@ std::vector<Entry> InterfaceMaker::own_gradient(int i) const {
   std::vector<Entry> entries;
   for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
     const int j = bonds_.j[b];
-    if (across(i, j) || initial_.held[j] || bonds_.area[b] == Point{}) continue;
-    A += column(bonds_.area[b]) * column(bonds_.X[b]).transpose();
-    entries.push_back({j, column(bonds_.area[b])});
+    if (across(i, j) || initial_.held[j] || bonds_.of(i, b).area == Point{}) continue;
+    A += column(bonds_.of(i, b).area) * column(bonds_.of(i, b).X).transpose();
+    entries.push_back({j, column(bonds_.of(i, b).area)});
   }
   const double scale = A.trace() / initial_.dim;
   if (initial_.dim == 2) A(2, 2) = scale;
@@ -135,8 +135,8 @@ void InterfaceMaker::add_site(int i, int other) {
   for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
     const int k = bonds_.j[b];
     if (!across(i, k)) continue;
-    m += 0.5 * N->dot(column(bonds_.X[b])) * column(bonds_.gradient[b]);
-    const double weight = column(bonds_.area[b]).norm();
+    m += 0.5 * N->dot(column(bonds_.of(i, b).X)) * column(bonds_.gradient(i, b));
+    const double weight = column(bonds_.of(i, b).area).norm();
     if (!(weight > 0)) continue;
     std::vector<Entry> one = own_gradient(k);
     if (one.empty()) continue;
@@ -174,8 +174,10 @@ double InterfaceMaker::wave_speed() const {
         of.first += sign * own, of.second += sign * other;
       }
     };
-    for (int b = bonds_.begin[site.id]; b < bonds_.begin[site.id + 1]; ++b)
-      add(bonds_.j[b], column(bonds_.gradient[b]), column(bonds_.gradient[b]));
+    for (int b = bonds_.begin[site.id]; b < bonds_.begin[site.id + 1]; ++b) {
+      const Place g = column(bonds_.gradient(site.id, b));
+      add(bonds_.j[b], g, g);
+    }
     for (int b = out_.begin[s]; b < out_.begin[s + 1]; ++b)
       add(out_.j[b], out_.weight[b] * m, out_.weight[b] * beyond);
     double own = 0, other = 0;

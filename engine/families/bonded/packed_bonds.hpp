@@ -105,7 +105,7 @@ std::vector<int> PackedBonds<Dim>::add_places_at_clamp(const Bonds& bonds, const
     for (int b = bonds.begin[id]; b < bonds.begin[id + 1]; ++b) {
       if (!initial.held[bonds.j[b]] || seen_from(bonds, bonds.j[b], id) >= 0) continue;
       Point x = initial.x[id];
-      for (int k = 0; k < Dim; ++k) x[k] += bonds.X[b][k];
+      for (int k = 0; k < Dim; ++k) x[k] += bonds.of(id, b).X[k];
       x = displaced(scene.bodies[initial.body[id]], x);
       Vec<double, Dim>& place = places_at_clamp_.emplace_back();
       for (int k = 0; k < Dim; ++k) place[k] = x[k];
@@ -130,16 +130,17 @@ PackedBonds<Dim>::PackedBonds(const Bonds& bonds, const Scene& scene, const Init
       const int id = ids[first + lane];
       int place = size + at_clamp[first + lane];
       for (int b = bonds.begin[id]; b < bonds.begin[id + 1]; ++b) {
-        Bond bond{where[bonds.j[b]], 0, 0, 0, bonds.area[b]};
-        for (int d = 0; d < Dim; ++d) bond.r2 += bonds.X[b][d] * bonds.X[b][d];
+        const taut::Bond& own = bonds.of(id, b);
+        Bond bond{where[bonds.j[b]], 0, 0, 0, own.area};
+        for (int d = 0; d < Dim; ++d) bond.r2 += own.X[d] * own.X[d];
         const int back = seen_from(bonds, bonds.j[b], id);
         if (back < 0) bond.j = place++;
         // a place at a clamp has no energy of its own
         const double G = shear_modulus(bonds, initial, materials, id, b),
-                     w_ji = back < 0 ? 0 : bonds.weight[back];
-        bond.scale = G * initial.V0[id] * bonds.weight[b];
+                     w_ji = back < 0 ? 0 : bonds.of(bonds.j[b], back).weight;
+        bond.scale = G * initial.V0[id] * own.weight;
         bond.k = (bond.scale + G * initial.V0[bonds.j[b]] * w_ji) / bond.r2;  // the same bits from both ends
-        (bonds.area[b] != Point{} ? with_area : others)[lane].push_back(bond);
+        (own.area != Point{} ? with_area : others)[lane].push_back(bond);
       }
       std::ranges::sort(with_area[lane], {}, &Bond::j);
       std::ranges::sort(others[lane], {}, &Bond::j);

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <span>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include <Eigen/Core>
 
 #include "engine/core/least_squares.hpp"
 #include "engine/core/parallel.hpp"
-#include "engine/neighbors/initial_neighbors.hpp"
+#include "engine/neighbors/neighbors_of_one.hpp"
 
 namespace taut {
 namespace {
@@ -29,14 +32,15 @@ constexpr int linear = Dim;  // terms
 template <int Dim>
 constexpr int quadratic = Dim + Dim*(Dim + 1) / 2;
 
-/// Those of `near` that are of the same kind as i.
+/// Those of `near` that are of the same kind as i. X to 2^-40: on a lattice the same everywhere.
 template <int Dim>
 Neighborhood<Dim> alike(const InitialParticles& initial, int i, std::span<const int> near, double spacing) {
   Neighborhood<Dim> some;
   for (const int j : near) {
     if (initial.material[j] != initial.material[i] || initial.held[j] != initial.held[i]) continue;
     Eigen::Vector<double, Dim> X;
-    for (int a = 0; a < Dim; ++a) X[a] = (initial.x[j][a] - initial.x[i][a]) / spacing;
+    for (int a = 0; a < Dim; ++a)
+      X[a] = std::round((initial.x[j][a] - initial.x[i][a]) / spacing * 0x1p40) * 0x1p-40;
     some.push_back({j, X});
   }
   return some;
@@ -55,9 +59,13 @@ Neighborhood<Dim> within(const Neighborhood<Dim>& near, double reach) {
 template <int Dim>
 bool symmetric(const Neighborhood<Dim>& near) {
   constexpr double alike = 1e-6;
+  const auto opposite = [](const Neighbor<Dim>& one, const Neighbor<Dim>& other) {
+    return (one.X + other.X).squaredNorm() < alike * alike;
+  };
+  // in the order of a lattice the first is opposite to the last, and so on
+  if (std::equal(near.begin(), near.end(), near.rbegin(), opposite)) return true;
   return std::ranges::all_of(near, [&](const Neighbor<Dim>& one) {
-    return std::ranges::any_of(
-        near, [&](const Neighbor<Dim>& other) { return (one.X + other.X).squaredNorm() < alike * alike; });
+    return std::ranges::any_of(near, [&](const Neighbor<Dim>& other) { return opposite(one, other); });
   });
 }
 
@@ -86,54 +94,128 @@ Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, in
   return g;
 }
 
-/// The neighbours of a row and what they count, if there are any.
+/// The rows one after the other. In 3D most particles have the nearest of others in the same places as some
+/// other one has, and are not fitted again.
 template <int Dim>
-void add_row(const Neighborhood<Dim>& near, const std::vector<int>& where, double spacing,
-             RecoveredGradient& out) {
-  for (const int terms : {quadratic<Dim>, linear<Dim>}) {
-    for (double reach = least_reach; reach <= greatest_reach; reach += growth) {
-      const Neighborhood<Dim> some = within(near, reach);
-      const auto g = fit<Dim>(some, terms);
-      if (g.size() == 0) continue;
-      for (std::size_t b = 0; b < some.size(); ++b) {
-        Point g_j{};
-        for (int a = 0; a < Dim; ++a) g_j[a] = g(a, b) / spacing;
-        out.j.push_back(where[some[b].id]);
-        out.g.push_back(g_j);
-      }
-      return;
-    }
+class Rows {
+ public:
+  Rows(const InitialParticles& initial, const std::vector<int>& id, double spacing, double reach)
+      : initial_(initial),
+        id_(id),
+        spacing_(spacing),
+        where_(id.size()),
+        own_(initial, std::max((1 + 1e-9) * reach, least_reach * spacing)),
+        own_reach_((1 + 1e-9) * reach / spacing),
+        wide_(initial, greatest_reach * spacing) {
+    for (std::size_t k = 0; k < id.size(); ++k) where_[id[k]] = static_cast<int>(k);
+    out_.dim = Dim;
+    out_.begin.push_back(0);
   }
+
+  struct Row {
+    std::vector<int> j;
+    std::vector<double> g;
+    std::size_t hash = 0;  // of the places of the nearest, if they are all that there is in it
+    int same_as = -1;      // a particle whose nearest stand in the same places: g is its
+  };
+  Row make(int k) const;
+  void take(int k, const Row& row);
+  RecoveredGradient finish() {
+    out_.j.shrink_to_fit(), out_.g.shrink_to_fit();
+    return std::move(out_);
+  }
+
+ private:
+  Neighborhood<Dim> own(int i) const { return alike<Dim>(initial_, i, own_(i), spacing_); }
+  int known(std::size_t hash, const Neighborhood<Dim>& nearest) const;
+  bool fit_to(const Neighborhood<Dim>& near, int terms, Row& row) const;
+
+  const InitialParticles& initial_;
+  const std::vector<int>& id_;
+  double spacing_;
+  std::vector<int> where_;
+  NeighborsOfOne<Dim> own_;
+  double own_reach_;  // dp
+  NeighborsOfOne<Dim> wide_;
+  std::unordered_multimap<std::size_t, int> known_;  // hash → particle
+  RecoveredGradient out_;
+};
+
+template <int Dim>
+std::size_t hash_of(const Neighborhood<Dim>& near) {
+  std::vector<double> X;
+  for (const Neighbor<Dim>& one : near) X.insert(X.end(), one.X.begin(), one.X.end());
+  return std::hash<std::string_view>()({reinterpret_cast<const char*>(X.data()), X.size() * sizeof(double)});
+}
+
+/// −1 if there is none.
+template <int Dim>
+int Rows<Dim>::known(std::size_t hash, const Neighborhood<Dim>& nearest) const {
+  for (auto [at, end] = known_.equal_range(hash); at != end; ++at)
+    if (std::ranges::equal(within(own(id_[at->second]), least_reach), nearest, {}, &Neighbor<Dim>::X,
+                           &Neighbor<Dim>::X))
+      return at->second;
+  return -1;
+}
+
+/// On several threads, while no row is taken.
+template <int Dim>
+auto Rows<Dim>::make(int k) const -> Row {
+  Row row;
+  const int i = id_[k];
+  if (initial_.held[i]) return row;
+  const Neighborhood<Dim> own = this->own(i);
+  if (symmetric(within(own, own_reach_))) return row;
+  const Neighborhood<Dim> nearest = within(own, least_reach);
+  if constexpr (Dim == 3) {
+    row.hash = hash_of(nearest);
+    row.same_as = known(row.hash, nearest);
+  }
+  if (row.same_as >= 0) {
+    for (const Neighbor<Dim>& one : nearest) row.j.push_back(where_[one.id]);
+    return row;
+  }
+  if (fit_to(nearest, quadratic<Dim>, row)) return row;
+  row.hash = 0;
+  const Neighborhood<Dim> wide = alike<Dim>(initial_, i, wide_(i), spacing_);
+  for (const int terms : {quadratic<Dim>, linear<Dim>})
+    for (double reach = least_reach; reach <= greatest_reach; reach += growth)
+      if (fit_to(within(wide, reach), terms, row)) return row;
+  return row;
+}
+
+template <int Dim>
+bool Rows<Dim>::fit_to(const Neighborhood<Dim>& near, int terms, Row& row) const {
+  const auto g = fit<Dim>(near, terms);
+  if (g.size() == 0) return false;
+  for (std::size_t b = 0; b < near.size(); ++b) {
+    row.j.push_back(where_[near[b].id]);
+    for (int a = 0; a < Dim; ++a) row.g.push_back(g(a, b) / spacing_);
+  }
+  return true;
+}
+
+template <int Dim>
+void Rows<Dim>::take(int k, const Row& row) {
+  int same_as = row.same_as;
+  if (same_as < 0 && row.hash != 0)  // known since it was made?
+    same_as = known(row.hash, within(own(id_[k]), least_reach));
+  out_.j.insert(out_.j.end(), row.j.begin(), row.j.end());
+  out_.begin.push_back(static_cast<int>(out_.j.size()));
+  out_.row.push_back(same_as < 0 ? static_cast<int>(out_.g.size()) : out_.row[same_as]);
+  if (same_as >= 0) return;
+  out_.g.insert(out_.g.end(), row.g.begin(), row.g.end());
+  if (row.hash != 0) known_.emplace(row.hash, k);
 }
 
 template <int Dim>
 RecoveredGradient recovered(const InitialParticles& initial, const std::vector<int>& id, double spacing,
                             double reach, int threads) {
-  const int n = static_cast<int>(id.size());
-  std::vector<int> where(id.size());
-  for (int k = 0; k < n; ++k) where[id[k]] = k;
-  const NeighborLists near =
-      initial_neighbors(initial, std::max(1.001 * reach, greatest_reach * spacing), threads);
-  // chunk by chunk, so that threads make rows of their own and their order is that of the particles
-  constexpr int chunk = 1024;
-  std::vector<RecoveredGradient> parts((id.size() + chunk - 1) / chunk);
-  parallel_for(static_cast<int>(parts.size()), threads, [&](int part) {
-    for (int k = chunk * part; k < std::min(n, chunk * (part + 1)); ++k) {
-      const Neighborhood<Dim> kin = alike<Dim>(initial, id[k], near[id[k]], spacing);
-      if (!initial.held[id[k]] && !symmetric(within(kin, (1 + 1e-9) * reach / spacing)))
-        add_row(kin, where, spacing, parts[part]);
-      parts[part].begin.push_back(static_cast<int>(parts[part].j.size()));
-    }
-  });
-  RecoveredGradient out;
-  out.begin.push_back(0);
-  for (const RecoveredGradient& part : parts) {
-    const int before = static_cast<int>(out.j.size());
-    for (const int end : part.begin) out.begin.push_back(before + end);
-    out.j.insert(out.j.end(), part.j.begin(), part.j.end());
-    out.g.insert(out.g.end(), part.g.begin(), part.g.end());
-  }
-  return out;
+  Rows<Dim> rows(initial, id, spacing, reach);
+  make_in_order(
+      static_cast<int>(id.size()), threads, [&](int k) { return rows.make(k); },
+      [&](int k, const auto& row) { rows.take(k, row); });
+  return rows.finish();
 }
 
 }  // namespace

@@ -16,9 +16,14 @@ namespace taut {
 struct RecoveredGradient {
   std::vector<int> begin;  // [n + 1] of each particle; none where its own gradient stands
   std::vector<int> j;
-  std::vector<Point> g;  // 1/m
+  std::vector<int>
+      row;  // [n] where in `g` its own begin: of particles with the same neighbourhood at one place
+  std::vector<double> g;  // 1/m, dim numbers each
+  int dim = 0;
 
   bool empty() const { return begin.empty(); }
+  /// g_ij, of b from begin[i] to begin[i + 1] − 1.
+  const double* of(int i, int b) const { return &g[row[i] + dim * (b - begin[i])]; }
 };
 
 /// The particle that is stored at place k of the solver is id[k]; so are those of the rows. `reach` is that

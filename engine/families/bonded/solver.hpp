@@ -160,14 +160,14 @@ CancelledBonds<Dim> Bonded<M, Dim>::cancelled(const Bonds& bonds) const {
     std::vector<typename CancelledBonds<Dim>::Bond> of_particle;
     const int id = s_.id[i];
     for (int b = bonds.begin[id]; b < bonds.begin[id + 1]; ++b) {
-      const Point& X = bonds.X[b];
+      const auto& [X, weight, area] = bonds.of(id, b);
       double r2 = 0;
       for (int k = 0; k < Dim; ++k) r2 += X[k] * X[k];
       Sym<double, Dim> dyad;
       for (int a = 0; a < Dim; ++a)
         for (int k = a; k < Dim; ++k) dyad(a, k) = X[a] * X[k] / r2;
       const double G = shear_modulus(bonds, this->initial_, materials_, id, b);
-      of_particle.push_back({dyad, G * this->initial_.V0[id] * bonds.weight[b]});
+      of_particle.push_back({dyad, G * this->initial_.V0[id] * weight});
     }
     return of_particle;
   });
@@ -446,7 +446,7 @@ Mat<Pack, Dim> Bonded<M, Dim>::shown_deformations(int group, Mat<Pack, Dim> F) c
     for (int b = begin; b < end; ++b) {
       const Pack u = displacements_[recovered_.j[b]].value - displacements_[i].value;
 #pragma GCC unroll 3
-      for (int k = 0; k < Dim; ++k) column[k] += u * recovered_.g[b][k];
+      for (int k = 0; k < Dim; ++k) column[k] += u * recovered_.of(i, b)[k];
     }
     for (int a = 0; a < Dim; ++a)
       for (int k = 0; k < Dim; ++k) F(a, k)[lane] = column[k][a];

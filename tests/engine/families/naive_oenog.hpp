@@ -96,7 +96,7 @@ class NaiveOenogIn {
       }
       const auto F = gradient(at, i);
       for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b)
-        E += strength(i, b) * (phi(stretch(at, i, b)) - phi(std::sqrt(affine(b, duals(F)).value)));
+        E += strength(i, b) * (phi(stretch(at, i, b)) - phi(std::sqrt(affine(i, b, duals(F)).value)));
       E += bonds_.volume[i] * W(i, duals(F)).value;
     }
     return E;
@@ -114,7 +114,7 @@ class NaiveOenogIn {
       const auto F = duals(gradient(at, i));
       Number left = bonds_.volume[i] * W(i, F);
       for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
-        const Number s = affine(b, F);
+        const Number s = affine(i, b, F);
         left = left - strength(i, b) / 24 * (2.0 * s * s - 3.0 * s + 1 / s);
       }
       pull(at, i, left.slope, f);
@@ -135,10 +135,10 @@ class NaiveOenogIn {
       Square T = neo_hookean(i, F);
       for (double& component : T) component *= bonds_.volume[i];
       for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
-        const Point& X = bonds_.X[b];
+        const Point& X = bonds_.of(i, b).X;
         Place x{};  // F X
         for (int k = 0; k < components; ++k) x[k / Dim] += F[k] * X[k % Dim];
-        const double r0 = rest(b), s = squared(x) / (r0 * r0);
+        const double r0 = rest(i, b), s = squared(x) / (r0 * r0);
         const double slope = strength(i, b) / 24 * (4 * s - 3 - 1 / (s * s));  // of φ(λ°) in s = λ°²
         for (int k = 0; k < components; ++k) T[k] -= slope * 2 / (r0 * r0) * x[k / Dim] * X[k % Dim];
       }
@@ -158,7 +158,7 @@ class NaiveOenogIn {
       for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1] && !held(i); ++b) {
         const int j = bonds_.j[b];
         const auto d = way(x, i, b);
-        const double r0 = rest(b);
+        const double r0 = rest(i, b);
         double rate = 0;
         for (int a = 0; a < Dim; ++a) rate += d[a] * ((held(j) ? 0 : v[j][a]) - v[i][a]) / (r0 * r0);
         const double k = strength(i, b) / (r0 * r0);
@@ -230,7 +230,7 @@ class NaiveOenogIn {
   static double dphi(double l) { return (8 * std::pow(l, 3) - 6 * l - 2 * std::pow(l, -3)) / 24; }
 
   double strength(int i, int b) const {  // J
-    return initial_.V0[i] * modulus(i, b) * bonds_.weight[b];
+    return initial_.V0[i] * modulus(i, b) * bonds_.of(i, b).weight;
   }
   static constexpr int components = Dim * Dim;  // of F, row by row
   using Square = std::array<double, components>;
@@ -242,15 +242,15 @@ class NaiveOenogIn {
     return F;
   }
   /// s° of a bond, with its slopes in F
-  Number affine(int b, const Duals& F) const {
-    const Point& X = bonds_.X[b];
+  Number affine(int i, int b, const Duals& F) const {
+    const Point& X = bonds_.of(i, b).X;
     Number squared;
     for (int a = 0; a < Dim; ++a) {
       Number x_a;
       for (int k = 0; k < Dim; ++k) x_a = x_a + F[Dim * a + k] * X[k];
       squared = squared + x_a * x_a;
     }
-    return squared / Number(rest(b) * rest(b));
+    return squared / Number(rest(i, b) * rest(i, b));
   }
   /// The neo-Hookean energy with its slopes in F; J ≥ ½
   Number W(int i, const Duals& F) const { return neo_hookean_energy(material(i), F); }
@@ -274,14 +274,14 @@ class NaiveOenogIn {
     for (int k = 0; k < components; ++k) F[k] = F[k] + share * n[k % Dim] * b[k / Dim];
     return F;
   }
-  Wide squared_stretch(int b, const WideSquare& F) const {
+  Wide squared_stretch(int i, int b, const WideSquare& F) const {
     Wide squared;
     for (int a = 0; a < Dim; ++a) {
       Wide x_a;
-      for (int k = 0; k < Dim; ++k) x_a = x_a + bonds_.X[b][k] * F[Dim * a + k];
+      for (int k = 0; k < Dim; ++k) x_a = x_a + bonds_.of(i, b).X[k] * F[Dim * a + k];
       squared = squared + x_a * x_a;
     }
-    return 1 / (rest(b) * rest(b)) * squared;
+    return 1 / (rest(i, b) * rest(i, b)) * squared;
   }
   bool across(int i, int b) const {
     return material(bonds_.j[b]).youngs_modulus != material(i).youngs_modulus;
@@ -305,14 +305,15 @@ class NaiveOenogIn {
     const auto phi_of = [](const Wide& s) { return 1.0 / 24 * (2.0 * s * s - 3.0 * s + 1 / s); };
     const auto psi_of = [](const Wide& s) { return 1.0 / 12 * (4.0 * s - 3 - 1 / (s * s)); };
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
-      const Wide s_own = squared_stretch(b, own);
+      const Wide s_own = squared_stretch(i, b, own);
       if (!across(i, b)) {
         E = E - strength(i, b) * phi_of(s_own);
         continue;
       }
-      const Wide s_mid = squared_stretch(b, middle),
+      const Wide s_mid = squared_stretch(i, b, middle),
                  s = Wide::variable(std::pow(stretch(at, i, b), 2), components + Dim + b - bonds_.begin[i]);
-      const double alone = initial_.V0[i] * std::min(G(i), most_of_across * modulus(i, b)) * bonds_.weight[b];
+      const double alone =
+          initial_.V0[i] * std::min(G(i), most_of_across * modulus(i, b)) * bonds_.of(i, b).weight;
       E = E + 0.5 * (alone * psi_of(s_own) - strength(i, b) * psi_of(s_mid)) * (s - s_mid) -
           strength(i, b) * phi_of(s_mid);
     }
@@ -332,7 +333,8 @@ class NaiveOenogIn {
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
       const auto d = way(at, i, b);
       for (int k = 0; k < Dim; ++k) {
-        const double on_i = slope[components + Dim + b - bonds_.begin[i]] * 2 * d[k] / (rest(b) * rest(b));
+        const double on_i =
+            slope[components + Dim + b - bonds_.begin[i]] * 2 * d[k] / (rest(i, b) * rest(i, b));
         f[i][k] += on_i, f[bonds_.j[b]][k] -= on_i;
       }
     }
@@ -360,11 +362,11 @@ class NaiveOenogIn {
   void pull(const Places& at, int i, const Square& T, Places& f) const {
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
       const auto d = way(at, i, b);
-      const double r = length(d), r0 = rest(b);
+      const double r = length(d), r0 = rest(i, b);
       const double along = strength(i, b) * dphi(r / r0) / r0;
       for (int k = 0; k < Dim; ++k) {
         double on_i = along * d[k] / r;
-        for (int l = 0; l < Dim; ++l) on_i += T[Dim * k + l] * bonds_.gradient[b][l];
+        for (int l = 0; l < Dim; ++l) on_i += T[Dim * k + l] * bonds_.gradient(i, b)[l];
         f[i][k] += on_i;
         f[bonds_.j[b]][k] -= on_i;  // on a held particle: not used
       }
@@ -375,7 +377,8 @@ class NaiveOenogIn {
   Place way(const Places& at, int i, int b) const {
     const int j = bonds_.j[b];
     Place d;
-    for (int k = 0; k < Dim; ++k) d[k] = (held(j) ? initial_.x[i][k] + bonds_.X[b][k] : at[j][k]) - at[i][k];
+    for (int k = 0; k < Dim; ++k)
+      d[k] = (held(j) ? initial_.x[i][k] + bonds_.of(i, b).X[k] : at[j][k]) - at[i][k];
     return d;
   }
   static double squared(const Place& d) {
@@ -384,18 +387,18 @@ class NaiveOenogIn {
     return sum;
   }
   static double length(const Place& d) { return std::sqrt(squared(d)); }
-  double rest(int b) const {
+  double rest(int i, int b) const {
     Place X;
-    for (int k = 0; k < Dim; ++k) X[k] = bonds_.X[b][k];
+    for (int k = 0; k < Dim; ++k) X[k] = bonds_.of(i, b).X[k];
     return length(X);
   }
-  double stretch(const Places& at, int i, int b) const { return length(way(at, i, b)) / rest(b); }
+  double stretch(const Places& at, int i, int b) const { return length(way(at, i, b)) / rest(i, b); }
   Square gradient(const Places& at, int i) const {
     Square F{};
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
       const auto d = way(at, i, b);
       for (int a = 0; a < Dim; ++a)
-        for (int k = 0; k < Dim; ++k) F[Dim * a + k] += d[a] * bonds_.gradient[b][k];
+        for (int k = 0; k < Dim; ++k) F[Dim * a + k] += d[a] * bonds_.gradient(i, b)[k];
     }
     return F;
   }

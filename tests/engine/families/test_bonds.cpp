@@ -36,9 +36,9 @@ Bonds bonds_of(const Scene& scene, const InitialParticles& initial) {
 std::array<double, 5> fourth_moments(const Bonds& bonds, int i) {
   std::array<double, 5> sum{};
   for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) {
-    const double r = std::hypot(bonds.X[b][0], bonds.X[b][1]);
-    const double ex = bonds.X[b][0] / r, ey = bonds.X[b][1] / r;
-    for (int k = 0; k <= 4; ++k) sum[k] += bonds.weight[b] * std::pow(ex, 4 - k) * std::pow(ey, k);
+    const double r = std::hypot(bonds.of(i, b).X[0], bonds.of(i, b).X[1]);
+    const double ex = bonds.of(i, b).X[0] / r, ey = bonds.of(i, b).X[1] / r;
+    for (int k = 0; k <= 4; ++k) sum[k] += bonds.of(i, b).weight * std::pow(ex, 4 - k) * std::pow(ey, k);
   }
   return sum;
 }
@@ -169,7 +169,7 @@ TEST_SUITE("unit") {
         poor += !good;
       }
       CHECK(poor == corners);
-      for (double w : bonds.weight) CHECK(w > 0.5);
+      for (const Bond& bond : bonds.rows) CHECK(bond.weight > 0.5);
     }
   }
 
@@ -205,9 +205,9 @@ TEST_SUITE("unit") {
       if (initial.held[i]) continue;
       double gx = 0, gy = 0;
       for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) {
-        const double df = 3 * bonds.X[b][0] - 7 * bonds.X[b][1];
-        gx += df * bonds.gradient[b][0];
-        gy += df * bonds.gradient[b][1];
+        const double df = 3 * bonds.of(i, b).X[0] - 7 * bonds.of(i, b).X[1];
+        gx += df * bonds.gradient(i, b)[0];
+        gy += df * bonds.gradient(i, b)[1];
       }
       CHECK(gx == Approx(3).epsilon(1e-10));
       CHECK(gy == Approx(-7).epsilon(1e-10));
@@ -222,7 +222,7 @@ TEST_SUITE("unit") {
     for (int i = 0; i < initial.size(); ++i) {
       if (initial.held[i]) continue;
       CHECK(bonds.begin[i + 1] - bonds.begin[i] <= 8);
-      for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) CHECK(bonds.weight[b] > 0);
+      for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) CHECK(bonds.of(i, b).weight > 0);
     }
   }
 
@@ -245,7 +245,7 @@ TEST_SUITE("unit") {
       for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) {
         if (!initial.held[bonds.j[b]]) continue;
         ++ends;
-        CHECK(std::abs(initial.x[i][0] + bonds.X[b][0]) < 1e-9 * scene.spacing);
+        CHECK(std::abs(initial.x[i][0] + bonds.of(i, b).X[0]) < 1e-9 * scene.spacing);
       }
     }
     CHECK(ends == 3 * 5 - 2);  // of the five rows; the outermost have two

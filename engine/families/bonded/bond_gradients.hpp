@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include "engine/core/parallel.hpp"
+#include "engine/families/bonded/bonds.hpp"
+
+namespace taut {
+
+/// Of bonds for_each(i, f) calls f(j, bond) for each one of particle i.
+template <int Dim>
+Eigen::Vector<double, Dim> vector_of(const Point& p) {
+  return Eigen::Map<const Eigen::Vector<double, Dim>>(p.data());
+}
+template <int Dim>
+Point point_of(const Eigen::Vector<double, Dim>& v) {
+  Point p{};
+  for (int k = 0; k < Dim; ++k) p[k] = v[k];
+  return p;
+}
+
+/// B of each of n particles, 0 where its bonds do not span the space.
+template <int Dim, class AnyBonds>
+std::vector<std::array<Point, 3>> inverse_moments(const AnyBonds& bonds, int n, int threads) {
+  std::vector<std::array<Point, 3>> B(n);
+  parallel_for(n, threads, [&](int i) {
+    using Square = Eigen::Matrix<double, Dim, Dim>;
+    Square A = Square::Zero();
+    bonds.for_each(i, [&](int, const Bond& bond) {
+      A += vector_of<Dim>(bond.area) * vector_of<Dim>(bond.X).transpose();
+    });
+    const double scale = std::pow(A.trace() / Dim, Dim);
+    if (!(A.determinant() > 1e-6 * scale)) return;
+    const Square inverse = A.inverse();
+    for (int k = 0; k < Dim; ++k) B[i][k] = point_of<Dim>(inverse.col(k));
+  });
+  return B;
+}
+
+/// S_j of each particle (bonds.hpp), of volumes V, m^dim.
+template <class AnyBonds>
+std::vector<Point> surface_of(const AnyBonds& bonds, const std::vector<std::array<Point, 3>>& B,
+                              const std::vector<double>& V) {
+  std::vector<Point> S(V.size());
+  for (int i = 0; i < static_cast<int>(V.size()); ++i) {
+    bonds.for_each(i, [&](int j, const Bond& bond) {
+      const Point g = gradient_of(B[i], bond);
+      for (std::size_t k = 0; k < g.size(); ++k) {
+        S[j][k] += V[i] * g[k];
+        S[i][k] -= V[i] * g[k];
+      }
+    });
+  }
+  return S;
+}
+
+}  // namespace taut

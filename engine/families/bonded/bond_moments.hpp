@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "engine/core/least_squares.hpp"
+
+namespace taut {
+
+/// The products e_a e_b e_c e_d of the components of unit vectors: of bonds, and what they should add up to.
+template <int Dim>
+class Moments {
+ public:
+  Moments() {
+    std::array<int, Dim> powers{};
+    fill(powers, 0, 4);
+    for (int m = 0; m < count; ++m) target_[m] = isotropic(powers_[m]);
+  }
+
+  /// Makes of the weights w of the bonds X those of right moments that are nearest to them, and says whether
+  /// there are any that are not negative. The same where they are right to begin with.
+  bool make_right(const std::vector<Eigen::Vector<double, Dim>>& X, std::vector<double>& w) const {
+    std::vector<Vector> M(X.size());
+    for (std::size_t b = 0; b < X.size(); ++b) M[b] = of(X[b].normalized());
+    if (Dim == 3 && right(M, w)) return true;
+    correct(M, w);
+    return right(M, w);
+  }
+
+ private:
+  static constexpr int count = Dim == 2 ? 5 : 15;
+  using Vector = Eigen::Vector<double, count>;
+
+  void fill(std::array<int, Dim>& powers, int axis, int left) {
+    powers[axis] = left;
+    if (axis == Dim - 1) return powers_.push_back(powers);
+    for (; powers[axis] >= 0; --powers[axis]) fill(powers, axis + 1, left - powers[axis]);
+  }
+  /// δ_ab δ_cd + δ_ac δ_bd + δ_ad δ_bc: 3 for e_x⁴, 1 for e_x² e_y², 0 with an odd power.
+  static double isotropic(const std::array<int, Dim>& powers) {
+    double value = 1;
+    for (int p : powers) value *= p % 2 == 1 ? 0 : (p == 4 ? 3 : 1);
+    return value;
+  }
+  Vector of(const Eigen::Vector<double, Dim>& e) const {
+    std::array<std::array<double, 5>, Dim> power;
+    for (int k = 0; k < Dim; ++k)
+      power[k] = {1, e[k], e[k] * e[k], e[k] * e[k] * e[k], e[k] * e[k] * e[k] * e[k]};
+    Vector moments;
+    for (int m = 0; m < count; ++m) {
+      moments[m] = 1;
+      for (int k = 0; k < Dim; ++k) moments[m] *= power[k][powers_[m][k]];
+    }
+    return moments;
+  }
+  Vector missing(const std::vector<Vector>& M, const std::vector<double>& w) const {
+    Vector sum = target_;
+    for (std::size_t b = 0; b < M.size(); ++b) sum -= w[b] * M[b];
+    return sum;
+  }
+  bool right(const std::vector<Vector>& M, const std::vector<double>& w) const {
+    return missing(M, w).cwiseAbs().maxCoeff() < 1e-9;
+  }
+  /// w = ω ∘ (1 + Mᵀ α) with M w = target, the smallest such change of ω. Weights that come out negative are
+  /// set to 0 and the others solved for again.
+  void correct(const std::vector<Vector>& M, std::vector<double>& omega) const {
+    std::vector<double> w(omega.size());
+    for (std::size_t round = 0; round <= omega.size(); ++round) {
+      Eigen::Matrix<double, count, count> A = Eigen::Matrix<double, count, count>::Zero();
+      for (std::size_t b = 0; b < M.size(); ++b)
+        for (int k = 0; k < count; ++k) A.col(k) += omega[b] * M[b][k] * M[b];
+      const Vector alpha = least_squares(A, missing(M, omega)).x;
+      bool negative = false;
+      for (std::size_t b = 0; b < M.size(); ++b) {
+        w[b] = omega[b] + omega[b] * M[b].dot(alpha);
+        negative = negative || w[b] < 0;
+      }
+      if (!negative) return omega.swap(w);
+      for (std::size_t b = 0; b < M.size(); ++b)
+        if (w[b] < 0) omega[b] = 0;
+    }
+  }
+
+  std::vector<std::array<int, Dim>> powers_;
+  Vector target_;
+};
+
+/// To 2^-36, far finer than the moments are right: the last bits may differ in a mirror image.
+inline double rounded_weight(double weight) { return std::ldexp(std::round(std::ldexp(weight, 36)), -36); }
+
+}  // namespace taut

@@ -1,0 +1,162 @@
+#include "engine/families/bonded/layout_bonds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+
+#include "engine/core/parallel.hpp"
+#include "engine/families/bonded/balance.hpp"
+#include "engine/families/bonded/bond_gradients.hpp"
+#include "engine/families/bonded/bond_moments.hpp"
+#include "engine/neighbors/initial_neighbors.hpp"
+
+namespace taut {
+namespace {
+
+/// Makes the bonds step by step; what each step needs was made by the ones before.
+class LayoutBonds {
+ public:
+  LayoutBonds(const InitialParticles& initial, double spacing, double h, int threads)
+      : initial_(initial),
+        spacing_(spacing),
+        h_(h),
+        threads_(threads),
+        least_reach_(initial.first.size() - 1, least_bond_reach),
+        near_(initial_neighbors(initial, greatest_bond_reach * h, threads)) {}
+
+  Bonds make() {
+    make_balanced();
+    bool wide = false;
+    for (const int body : with_pair_below(least_strength)) least_reach_[body] = wide_bond_reach, wide = true;
+    if (wide) make_balanced();
+    for (const int body : with_pair_below(-least_strength))
+      for (int b = out_.begin[initial_.first[body]]; b < out_.begin[initial_.first[body + 1]]; ++b)
+        out_.rows[b].weight = unbalanced_[b];
+    return std::move(out_);
+  }
+
+ private:
+  /// Of (V_i w_ij + V_j w_ji)/V_i, which is about 2; of w_ij alone at a clamp.
+  static constexpr double least_strength = 0.4;
+  static constexpr double not_asked = -1;
+
+  /// a_ij over X_ij, of the spacing over r.
+  static double area_share(double per_r) {
+    const double squared = per_r * per_r, to_4 = squared * squared;
+    return to_4 * to_4;
+  }
+  void make_balanced() {
+    choose();
+    set_ends();
+    set_gradients();
+    balance_areas(initial_, out_, threads_);
+    set_gradients();
+    unbalanced_.resize(out_.rows.size());
+    std::ranges::transform(out_.rows, unbalanced_.begin(), &Bond::weight);
+    balance_weights(initial_, out_, threads_);
+  }
+  void choose();
+  void set_ends();
+  void set_gradients() { out_.B = inverse_moments<2>(out_, initial_.size(), threads_); }
+  std::vector<int> with_pair_below(double least) const;
+
+  const InitialParticles& initial_;
+  double spacing_, h_;
+  int threads_;
+  std::vector<double> least_reach_;  // [body] of the bonds, in h
+  NeighborLists near_;               // by id
+  std::vector<double> asked_;        // [pair of near_] w_ij
+  std::vector<double> unbalanced_;   // weights before they were balanced
+  Bonds out_;
+};
+
+/// Which others each particle asks for, and with which weights.
+void LayoutBonds::choose() {
+  const Moments<2> moments;
+  asked_.assign(near_.j.size(), not_asked);
+  parallel_for(initial_.size(), threads_, [&](int i) {
+    const std::span<const int> near = near_[i];
+    std::vector<Eigen::Vector2d> X;
+    std::vector<double> w;
+    std::vector<std::size_t> pairs;
+    const double least = least_reach_[initial_.body[i]];
+    for (double reach = least; reach <= greatest_bond_reach; reach += 0.125) {
+      X.clear(), w.clear(), pairs.clear();
+      for (std::size_t k = 0; k < near.size(); ++k) {
+        const Eigen::Vector2d one = vector_of<2>(initial_.x[near[k]]) - vector_of<2>(initial_.x[i]);
+        if (!(one.norm() < reach * h_ * (1 - 1e-9))) continue;
+        X.push_back(one);
+        w.push_back(initial_.V0[near[k]] / one.squaredNorm());
+        pairs.push_back(near_.begin[i] + k);
+      }
+      const bool right = moments.make_right(X, w);
+      if (!right && reach > least) continue;  // the first choice stands if none is right
+      std::fill_n(asked_.begin() + near_.begin[i], near.size(), not_asked);
+      for (std::size_t b = 0; b < pairs.size(); ++b) asked_[pairs[b]] = rounded_weight(w[b]);
+      if (right) break;
+    }
+  });
+}
+
+/// Every bond that one of its two ends asked for, with the particles for its ends.
+void LayoutBonds::set_ends() {
+  const auto asked = [&](std::size_t pair, std::size_t back) {
+    return asked_[pair] != not_asked || asked_[back] != not_asked;
+  };
+  const int n = initial_.size();
+  std::vector<std::size_t> back(near_.j.size());
+  out_ = {};
+  out_.begin.assign(n + 1, 0);
+  parallel_for(n, threads_, [&](int i) {
+    for (std::size_t pair = near_.begin[i]; pair < near_.begin[i + 1]; ++pair) {
+      back[pair] = near_.find(near_.j[pair], i);
+      out_.begin[i + 1] += asked(pair, back[pair]);
+    }
+  });
+  std::partial_sum(out_.begin.begin(), out_.begin.end(), out_.begin.begin());
+  out_.j.resize(out_.begin[n]);
+  out_.rows.resize(out_.j.size());
+  parallel_for(n, threads_, [&](int i) {
+    int b = out_.begin[i];
+    for (std::size_t pair = near_.begin[i]; pair < near_.begin[i + 1]; ++pair) {
+      if (!asked(pair, back[pair])) continue;
+      const int j = near_.j[pair];
+      const Eigen::Vector2d X = vector_of<2>(initial_.x[j]) - vector_of<2>(initial_.x[i]);
+      out_.j[b] = j;
+      out_.rows[b].weight = asked_[pair] == not_asked ? 0 : asked_[pair];
+      out_.rows[b].X = point_of<2>(X);
+      out_.rows[b].area = point_of<2>(area_share(spacing_ / X.norm()) * X);
+      ++b;
+    }
+  });
+}
+
+/// The bodies whose balance has left a pair of particles less than this strength.
+std::vector<int> LayoutBonds::with_pair_below(double least) const {
+  std::vector<int> bodies;
+  for (int i = 0; i < initial_.size(); ++i) {
+    if (initial_.held[i] || (!bodies.empty() && bodies.back() == initial_.body[i])) continue;
+    for (int b = out_.begin[i]; b < out_.begin[i + 1]; ++b) {
+      const int j = out_.j[b];
+      const int* last = out_.j.data() + out_.begin[j + 1];
+      const int* back = std::find(last - (out_.begin[j + 1] - out_.begin[j]), last, i);
+      const double of_other = initial_.V0[j] / initial_.V0[i] * out_.rows[back - out_.j.data()].weight;
+      const bool enough = initial_.held[j]
+                              ? out_.rows[b].weight >= std::min(least, 0.0)  // of others there are more
+                              : out_.rows[b].weight + of_other >= least;
+      if (enough) continue;
+      bodies.push_back(initial_.body[i]);
+      break;
+    }
+  }
+  return bodies;
+}
+
+}  // namespace
+
+Bonds layout_bonds(const InitialParticles& initial, double spacing, double h, int threads) {
+  return LayoutBonds(initial, spacing, h, threads).make();
+}
+
+}  // namespace taut

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "engine/core/tensor.hpp"
+#include "engine/neighbors/neighbors.hpp"
+#include "engine/scene/initial_particles.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// What initial_neighbors (initial_neighbors.hpp) gives, of one particle at a time: of a wide reach the lists of
+/// all would be most of what a simulation takes.
+template <int Dim>
+class NeighborsOfOne {
+ public:
+  /// reach in m
+  NeighborsOfOne(const InitialParticles& initial, double reach)
+      : initial_(initial), reach_(reach), x_(initial.size()) {
+    for (int i = 0; i < initial.size(); ++i) x_[i] = place(i);
+    order_ = grid_.sort(x_, reach);
+    std::ranges::transform(order_, x_.begin(), [this](int id) { return place(id); });
+  }
+
+  /// In the order of ids.
+  std::vector<int> operator()(int i) const {
+    std::vector<int> near;
+    near.reserve(Dim == 3 ? 256 : 64);
+    const Vec<double, Dim> x = place(i);
+    grid_.for_each_row(x, [&](int begin, int end) {
+      for (int k = begin; k < end; ++k) {
+        const Vec<double, Dim> d = x - x_[k];
+        const int j = order_[k];
+        if (dot(d, d) < reach_ * reach_ && j != i && initial_.body[j] == initial_.body[i]) near.push_back(j);
+      }
+    });
+    std::ranges::sort(near);
+    return near;
+  }
+
+ private:
+  Vec<double, Dim> place(int id) const {
+    Vec<double, Dim> x;
+    for (int k = 0; k < Dim; ++k) x[k] = initial_.x[id][k];
+    return x;
+  }
+
+  const InitialParticles& initial_;
+  double reach_;
+  std::vector<Vec<double, Dim>> x_;  // in the order of the grid, m
+  CellGrid<Dim> grid_;
+  std::vector<int> order_;  // ids
+};
+
+}  // namespace taut::inline TAUT_ISA
