@@ -352,7 +352,11 @@ RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress&
                     double setup_seconds) {
   const Stopwatch watch;
   progress.prepare(plan.file.scene.name + ", " + plan.file.settings.method + ", setting up ...");
-  std::unique_ptr<Simulation> simulation = start(plan.file);
+  std::unique_ptr<Simulation> simulation;
+  {
+    const Interrupts::AtOnce nothing_to_lose;
+    simulation = start(plan.file);
+  }
   RunRecord record = new_record(plan, *simulation);
   record.seconds.setup = setup_seconds + watch.seconds();
   return Run(plan, std::move(simulation), interrupts, progress, std::move(record)).execute();

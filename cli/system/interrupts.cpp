@@ -9,9 +9,14 @@ namespace {
 
 // what a signal handler may touch must live here
 std::atomic<int> last_signal = 0;
-static_assert(std::atomic<int>::is_always_lock_free);
+std::atomic<bool> at_once = false;
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
 extern "C" void on_signal(int number) {
+  if (at_once.load()) {
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, "\n", 1);  // where progress has a line
+    ::_exit(exit_interrupted);
+  }
   if (last_signal.load() == 0)
     last_signal.store(number);
   else if (number != SIGHUP)
@@ -40,6 +45,9 @@ Interrupts::~Interrupts() {
   ::sigaction(SIGHUP, &old_hang_up_, nullptr);
   ::sigaction(SIGPIPE, &old_pipe_, nullptr);
 }
+
+Interrupts::AtOnce::AtOnce() { at_once.store(true); }
+Interrupts::AtOnce::~AtOnce() { at_once.store(false); }
 
 bool Interrupts::asked_to_end() { return flag() == SIGTERM || flag() == SIGHUP; }
 

@@ -16,6 +16,16 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
 
+  /// While it lives, already the first ends the program: of work that takes long, looks at no flag, and has
+  /// touched no file yet.
+  class AtOnce {
+   public:
+    AtOnce();
+    ~AtOnce();
+    AtOnce(const AtOnce&) = delete;
+    AtOnce& operator=(const AtOnce&) = delete;
+  };
+
   /// Both keep what they say when it has gone, until there is a new one: who looks only before that misses
   /// the signal that comes meanwhile.
   static bool asked() { return flag() != 0; }

@@ -3,8 +3,11 @@
 #include <doctest/doctest.h>
 
 #include "cli/system/interrupts.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/terminal_program.hpp"
 
 using namespace taut::cli;
+using namespace taut::test;
 
 TEST_SUITE("unit") {
   TEST_CASE("a second hang-up, as a terminal that is closed may send, does not end the program at once") {
@@ -30,5 +33,20 @@ TEST_SUITE("unit") {
     const Interrupts interrupts;
     std::raise(SIGPIPE);
     CHECK_FALSE(interrupts.asked_to_end());
+  }
+}
+
+TEST_SUITE("cli") {
+  TEST_CASE("Ctrl-C while a run is setting up ends it at once, before it has touched anything") {
+    const TemporaryFolder folder;
+    // 89 000 particles, whose bonds take a second or more; the terminal says when that has begun
+    TerminalProgram program(
+        {"run", "colliding-balls", "--method", "oenog", "--spacing", "1.6e-3", "--out", folder.str("run")},
+        folder.str("state"));
+    program.wait_for("setting up");
+    program.send(SIGINT);
+    CHECK(program.exit_code() == 130);
+    CHECK_FALSE(std::filesystem::exists(folder / "run" / "run.json"));
+    CHECK_FALSE(std::filesystem::exists(folder / "run" / "scene.toml"));
   }
 }
