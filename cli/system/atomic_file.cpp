@@ -9,6 +9,8 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "engine/error.hpp"
@@ -58,13 +60,45 @@ int sync(const fs::path& path) {
 /// The folder that lists `path`.
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : "."; }
 
-/// A new file, whatever stands there: an older program's, or a link that somebody has laid.
+/// Holds the file until it is closed; where files cannot be locked, nothing.
+void wait_for_lock(int descriptor) {
+  while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
+  }
+}
+
+bool still_named(int descriptor, const std::string& path) {
+  struct stat own {
+  }, named{};
+  return ::fstat(descriptor, &own) == 0 && ::lstat(path.c_str(), &named) == 0 && own.st_dev == named.st_dev &&
+         own.st_ino == named.st_ino;
+}
+
+/// A new file, locked, whatever stands there: what a killed program has left, or a link that somebody has laid;
+/// but one that is being written by another process is waited for. −1 and errno on failure.
 int open_new(const std::string& path) {
-  constexpr int how = O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC;
-  const int descriptor = ::open(path.c_str(), how, 0666);
-  if (descriptor >= 0 || errno != EEXIST) return descriptor;
-  ::unlink(path.c_str());
-  return ::open(path.c_str(), how, 0666);
+  constexpr int most = 1000;  // others that come in between
+  for (int k = 0; k < most; ++k) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0 && errno != EEXIST) return descriptor;
+    if (descriptor >= 0) {
+      wait_for_lock(descriptor);
+      if (still_named(descriptor, path)) return descriptor;  // nobody took it for left behind before
+      ::close(descriptor);
+      continue;
+    }
+    const int other = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (other >= 0) wait_for_lock(other);
+    const bool left_behind = other < 0 || still_named(other, path);
+    if (left_behind && ::unlink(path.c_str()) != 0 && errno != ENOENT) {
+      const int error = errno;
+      if (other >= 0) ::close(other);
+      errno = error;
+      return -1;
+    }
+    if (other >= 0) ::close(other);
+  }
+  errno = EEXIST;
+  return -1;
 }
 
 /// A folder beside the one to be written, on the same file system; gone when done, with whatever is in it.
@@ -112,11 +146,22 @@ void write_atomically(const fs::path& path, std::string_view text, Kept kept) {
   if (descriptor < 0) fail(path, errno);
   int error = write_all(descriptor, text);
   if (error == 0 && kept == Kept::on_disk) error = sync(descriptor);
-  if (::close(descriptor) != 0 && error == 0) error = errno;
+  // what a file system says only now; the lock stays
+  if (::close(::dup(descriptor)) != 0 && error == 0) error = errno;
   if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
   if (error != 0) ::unlink(temporary.c_str());
+  ::close(descriptor);
   if (error == 0 && kept == Kept::on_disk) error = sync(folder_of(path));
   if (error != 0) fail(path, error);
+}
+
+WriteTurn::WriteTurn(const fs::path& path)
+    : temporary_(path.string() + ".tmp"), descriptor_(open_new(temporary_)) {
+  if (descriptor_ < 0) fail(path, errno);
+}
+WriteTurn::~WriteTurn() {
+  ::unlink(temporary_.c_str());
+  ::close(descriptor_);
 }
 
 void put_on_disk(const fs::path& path) {

@@ -18,6 +18,19 @@ enum class Kept { from_crashes, on_disk };
 void write_atomically(const std::filesystem::path& path, std::string_view text,
                       Kept kept = Kept::from_crashes);
 
+/// While it lives, others who write this file wait: for a file that another program makes. Throws OutputError.
+class WriteTurn {
+ public:
+  explicit WriteTurn(const std::filesystem::path& path);
+  ~WriteTurn();
+  WriteTurn(const WriteTurn&) = delete;
+  WriteTurn& operator=(const WriteTurn&) = delete;
+
+ private:
+  std::string temporary_;
+  int descriptor_;
+};
+
 /// Waits until what a file holds, or what a folder lists, is on disk; not where somebody has taken it away.
 /// Throws OutputError.
 void put_on_disk(const std::filesystem::path& path);

@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "cli/system/atomic_file.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
@@ -126,6 +127,7 @@ int make_file(const Maker& maker, const std::vector<std::string>& arguments, con
   std::vector<std::string> words{maker.name};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const Interrupts interrupts;
+  const WriteTurn turn(file);
   const ProcessResult result = run_process(words, folder, interrupts);
   std::error_code error;
   const bool good = result.found && !result.stopped && result.code == 0;

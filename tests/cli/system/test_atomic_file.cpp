@@ -1,0 +1,84 @@
+#include <atomic>
+#include <string>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "cli/system/atomic_file.hpp"
+#include "cli/system/external_program.hpp"
+#include "engine/error.hpp"
+#include "tests/support/files.hpp"
+
+using namespace taut;
+using namespace taut::test;
+
+TEST_SUITE("unit") {
+  TEST_CASE("of many who write one file at once each writes it whole, and nothing is left beside it") {
+    const TemporaryFolder folder;
+    const fs::path path = folder / "chart.dat";
+    constexpr int writers = 4, times = 30, size = 300'000;
+    std::atomic<int> failed = 0, torn = 0;
+    const auto whole = [&] {
+      const std::string text = text_of(path);
+      return text.size() == size && text.find_first_not_of(text[0]) == std::string::npos;
+    };
+    {
+      std::vector<std::jthread> all;
+      for (int writer = 0; writer < writers; ++writer)
+        all.emplace_back([&, writer] {
+          for (int k = 0; k < times; ++k) {
+            try {
+              cli::write_atomically(path, std::string(size, static_cast<char>('a' + writer)));
+            } catch (const OutputError&) {
+              ++failed;
+            }
+            if (!whole()) ++torn;
+          }
+        });
+    }
+    CHECK(failed.load() == 0);
+    CHECK(torn.load() == 0);
+    CHECK(files_in(folder.path()) == 1);
+  }
+
+  TEST_CASE("what a killed program has left beside a file is no hindrance, a folder there is one") {
+    const TemporaryFolder folder;
+    const fs::path path = folder / "chart.dat";
+    std::ofstream(path.string() + ".tmp") << "left";
+    cli::write_atomically(path, "new");
+    CHECK(text_of(path) == "new");
+    CHECK(files_in(folder.path()) == 1);
+    fs::create_directory(path.string() + ".tmp");
+    CHECK_THROWS_AS(cli::write_atomically(path, "newer"), OutputError);
+    CHECK(text_of(path) == "new");
+  }
+
+  TEST_CASE("of many who have a program make one file each has its own made, one after the other") {
+    const TemporaryFolder folder;
+    const fs::path path = folder / "chart.txt";
+    const cli::Maker shell{"sh", "a test", "dash"};
+    const std::vector<std::string> slowly{
+        "-c", "echo begun > chart.part.txt; sleep 0.05; echo done >> chart.part.txt"};
+    std::vector<pid_t> children;
+    for (int k = 0; k < 4; ++k) {
+      children.push_back(::fork());
+      if (children.back() > 0) continue;
+      int code = 1;
+      try {
+        code = cli::make_file(shell, slowly, folder.path(), path);
+      } catch (...) {
+      }
+      ::_exit(code);
+    }
+    for (const pid_t child : children) {
+      int status = 0;
+      ::waitpid(child, &status, 0);
+      CHECK(status == 0);
+    }
+    CHECK(text_of(path) == "begun\ndone\n");
+    CHECK(files_in(folder.path()) == 1);
+  }
+}
