@@ -196,7 +196,7 @@ no_rests() {
 }
 
 # stopped_by SIGNALS UNTOUCHED: how a program ends that was struck: with 130 in good order, by SIGKILL, or by the
-# signal itself while it still reads its input and UNTOUCHED, a command, says that it has written nothing
+# signal itself where UNTOUCHED, a command, says that it is not at work: it has written nothing, or all
 stopped_by() {
   ((struck)) || { is_one_of "$code" "0" || wrong "exit code $code without a signal: $(complaint)"; return; }
   case $1:$code in

@@ -23,6 +23,8 @@ older_run() {
 
 has_ended() { [[ ! -e out/checkpoint.bin && $(status out) == finished ]] && cmp -s out/scene.toml "$straight/scene.toml"; }
 untouched() { [[ $(sums out 2>/dev/null) == "$before" ]]; }
+# a signal may come before its handlers are there, or when all is done and they are gone
+not_under_way() { untouched || has_ended; }
 
 trial() {
   local round every threads range signals
@@ -39,7 +41,7 @@ trial() {
     before=$(sums out 2>/dev/null)
     choose KILL KILL KILL KILL TERM HUP INT "INT INT" "TERM INT"; signals=$chosen
     strike_at_random "$signals" "$took" "${again[@]}"
-    stopped_by "$signals" untouched
+    stopped_by "$signals" not_under_way
     [[ ! -d out ]] || part_of_run out "$straight" "$ground/older"
     has_ended && break
     if [[ $code == 130 && $signals != *" "* && $(status out) != interrupted ]] && ! untouched; then
