@@ -93,7 +93,7 @@ InitialPairSolver<Solver, M, Dim>::InitialPairSolver(const SolverInput& input)
   for (int i = 0; i < s_.size(); ++i) cells.push_back(V0_[i] / initial_.inside[i]);
   using K = Kernel<M.kernel>;
   initial_pairs_ = make_initial_pairs<K>(initial_neighbors(initial_, reach_of_pairs<K>(c_.h), input.threads),
-                                         X_, cells, c_.h, M.gradient, c_.normalised);
+                                         X_, cells, c_.h, M.gradient, c_.normalised, input.threads);
   check_pairs(input.scene);
   sites_.assign(groups(), Sites{});
   for (int i = 0; i < s_.size(); ++i) {

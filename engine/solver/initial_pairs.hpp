@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/core/columns.hpp"
+#include "engine/core/parallel.hpp"
 #include "engine/core/shared_rows.hpp"
 #include "engine/error.hpp"
 #include "engine/kernels/kernel.hpp"
@@ -47,9 +49,9 @@ class PairLanes {
   };
 
   PairLanes() = default;
-  /// `constants(p)` are those of pair p, an array.
+  /// `constants(p)` are those of pair p, an array; asked for on `threads` threads.
   template <class Of>
-  PairLanes(const InitialPairs<Dim>& pairs, const Of& constants);
+  PairLanes(const InitialPairs<Dim>& pairs, int threads, const Of& constants);
 
   /// `f`(slot, constants) of each neighbour of the four particles.
   template <class F>
@@ -162,37 +164,44 @@ double reach_of_pairs(double h) {
 template <class K, int Dim>
 InitialPairs<Dim> make_initial_pairs(const NeighborLists& near, const std::vector<Vec<double, Dim>>& X,
                                      const std::vector<double>& V, double h, GradientCorrection gradient,
-                                     double share = 1) {
+                                     double share = 1, int threads = 1) {
   InitialPairs<Dim> pairs;
-  pairs.begin.push_back(0);
+  pairs.begin.assign(near.begin.begin(), near.begin.end());
+  pairs.j = near.j;
+  pairs.k.resize(pairs.j.size());
+  pairs.B.resize(X.size());
   const double scale_W = K::alpha(Dim) / std::pow(h, Dim), scale_dW = scale_W / h;
-  for (int i = 0; i < static_cast<int>(X.size()); ++i) {
+  parallel_for(static_cast<int>(X.size()), threads, [&](int i) {
     double sum_W = V[i] * scale_W * K::w(0.0);
     Mat<double, Dim> moment{};
-    for (const int j : near[i]) {
+    for (int p = pairs.begin[i]; p < pairs.begin[i + 1]; ++p) {
+      const int j = pairs.j[p];
       const Vec<double, Dim> d = difference_on_grid(X[i], X[j], h);
       const double r = std::sqrt(dot(d, d));
       const Vec<double, Dim> k = (V[i] * V[j] * scale_dW * K::dw(r / h) / r) * d;
       sum_W += V[j] * scale_W * K::w(r / h);
       add_outer(moment, 1.0, X[j] - X[i], k);  // linear fields are exact of the places as they are
-      pairs.j.push_back(j);
-      pairs.k.push_back(k);
+      pairs.k[p] = k;
     }
-    pairs.begin.push_back(static_cast<int>(pairs.j.size()));
-    pairs.B.push_back(gradient_correction(gradient, moment, V[i], 1 + share * (sum_W - 1)));
-  }
+    pairs.B[i] = gradient_correction(gradient, moment, V[i], 1 + share * (sum_W - 1));
+  });
   return pairs;
 }
 
 template <int Dim, int Width>
 template <class Of>
-PairLanes<Dim, Width>::PairLanes(const InitialPairs<Dim>& pairs, const Of& constants) {
+PairLanes<Dim, Width>::PairLanes(const InitialPairs<Dim>& pairs, int threads, const Of& constants) {
   const int n = pairs.size(), padded = (n + lanes - 1) / lanes * lanes;
-  for (int first = 0; first < n; first += lanes) {
+  struct Row {
+    std::vector<LaneSlot> slots;
+    std::vector<Constants> constants;
+  };
+  const auto make = [&](int group) {
+    const int first = lanes * group;
     std::array<std::vector<int>, lanes> neighbors;
     for (int i = first; i < std::min(first + lanes, n); ++i)
       neighbors[i - first].assign(pairs.j.begin() + pairs.begin[i], pairs.j.begin() + pairs.begin[i + 1]);
-    const LaneSlots slots = lane_slots(first, neighbors, padded);
+    LaneSlots slots = lane_slots(first, neighbors, padded);
     std::vector<Constants> row(slots.slots.size(), Constants{});
     for (std::size_t b = 0; b < row.size(); ++b) {
       for (int lane = 0; lane < lanes; ++lane) {
@@ -201,8 +210,12 @@ PairLanes<Dim, Width>::PairLanes(const InitialPairs<Dim>& pairs, const Of& const
         for (int c = 0; c < Width; ++c) row[b].c[c][lane] = of_pair[c];
       }
     }
-    groups_.push_back({slots_.add(slots.slots), constants_.add(row), static_cast<int>(row.size())});
-  }
+    return Row{std::move(slots.slots), std::move(row)};
+  };
+  make_in_order(padded / lanes, threads, make, [this](int, const Row& row) {
+    groups_.push_back(
+        {slots_.add(row.slots), constants_.add(row.constants), static_cast<int>(row.slots.size())});
+  });
   slots_.close(), constants_.close();
 }
 

@@ -12,7 +12,6 @@
 
 namespace taut {
 
-/// Of bonds for_each(i, f) calls f(j, bond) for each one of particle i.
 template <int Dim>
 Eigen::Vector<double, Dim> vector_of(const Point& p) {
   return Eigen::Map<const Eigen::Vector<double, Dim>>(p.data());
@@ -24,7 +23,8 @@ Point point_of(const Eigen::Vector<double, Dim>& v) {
   return p;
 }
 
-/// B of each of n particles, 0 where its bonds do not span the space.
+/// B of each of n particles, 0 where its bonds do not span the space. Of bonds for_each(i, f) calls f(j, bond) for
+/// each one of particle i.
 template <int Dim, class AnyBonds>
 std::vector<std::array<Point, 3>> inverse_moments(const AnyBonds& bonds, int n, int threads) {
   std::vector<std::array<Point, 3>> B(n);

@@ -14,7 +14,7 @@ template <const Formulation& M, int Dim>
 class TlDisplacement final : public InitialPairSolver<TlDisplacement<M, Dim>, M, Dim> {
  public:
   explicit TlDisplacement(const SolverInput& input)
-      : Base(input), pair_lanes_(initial_pairs_, [&](int p) { return initial_pairs_.k[p]; }) {
+      : Base(input), pair_lanes_(initial_pairs_, input.threads, [&](int p) { return initial_pairs_.k[p]; }) {
     initial_pairs_ = {};
     displacement_.resize(s_.size());
     stress_.resize(s_.size());

@@ -17,10 +17,10 @@ namespace taut::inline TAUT_ISA {
 template <class K, int Dim>
 std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
                                         const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,
-                                        double h, double scale) {
+                                        double h, double scale, int threads = 1) {
   constexpr int N = Dim + 1;
   std::vector<double> w(pairs.j.size());
-  for (int i = 0; i < pairs.size(); ++i) {
+  parallel_for(pairs.size(), threads, [&](int i) {
     // lengths in h, so that the rows of the system are of one size; the last column is the right side
     double A[N][N + 1] = {};
     A[Dim][N] = 2 * Dim;
@@ -62,7 +62,7 @@ std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
       for (int k = 0; k < N; ++k) w[p] += V[pairs.j[p]] * r[k] * A[k][N] / A[k][k];
       w[p] *= scale / (h * h);
     }
-  }
+  });
   return w;
 }
 inline constexpr TermInfo corrected_laplacian_info{
@@ -74,15 +74,15 @@ inline constexpr TermInfo corrected_laplacian_info{
 /// Σ V_i g_i L[f]_i = Σ V_i f_i L*[g]_i.
 template <int Dim>
 std::vector<double> adjoint_weights(const InitialPairs<Dim>& pairs, const std::vector<double>& w,
-                                    const std::vector<double>& V) {
+                                    const std::vector<double>& V, int threads) {
   std::vector<double> adjoint(w.size());
-  for (int i = 0; i < pairs.size(); ++i) {
+  parallel_for(pairs.size(), threads, [&](int i) {
     for (int p = pairs.begin[i]; p < pairs.begin[i + 1]; ++p) {
       const int j = pairs.j[p];
       for (int q = pairs.begin[j]; q < pairs.begin[j + 1]; ++q)
         if (pairs.j[q] == i) adjoint[p] = V[j] * w[q] / V[i];
     }
-  }
+  });
   return adjoint;
 }
 
@@ -92,9 +92,9 @@ template <int Dim>
 using LaplacianLanes = PairLanes<Dim, Dim + 2>;
 template <int Dim>
 LaplacianLanes<Dim> with_laplacian(const InitialPairs<Dim>& pairs, const std::vector<double>& w,
-                                   const std::vector<double>& V, double adjoint) {
-  const std::vector<double> outer = adjoint_weights(pairs, w, V);
-  return {pairs, [&](int p) {
+                                   const std::vector<double>& V, double adjoint, int threads = 1) {
+  const std::vector<double> outer = adjoint_weights(pairs, w, V, threads);
+  return {pairs, threads, [&](int p) {
             Vec<double, Dim + 2> constants;
             for (int k = 0; k < Dim; ++k) constants[k] = pairs.k[p][k];
             constants[Dim] = w[p];

@@ -116,12 +116,12 @@ template <const Formulation& M, int Dim>
 TlMixed<M, Dim>::TlMixed(const SolverInput& input) : Base(input), v_start_(s_.size()) {
   if constexpr (M.jst) {
     const std::vector<double> w =
-        corrected_laplacian<Kernel<M.kernel>>(initial_pairs_, X_, V0_, c_.h, c_.dp * c_.dp);
-    pair_lanes_ = with_laplacian(initial_pairs_, w, V0_, c_.adjoint);
+        corrected_laplacian<Kernel<M.kernel>>(initial_pairs_, X_, V0_, c_.h, c_.dp * c_.dp, input.threads);
+    pair_lanes_ = with_laplacian(initial_pairs_, w, V0_, c_.adjoint, input.threads);
     once_.resize(s_.size());
     dissipation_limit_ = greatest_step_of_dissipation();
   } else {
-    pair_lanes_ = {initial_pairs_, [&](int p) { return initial_pairs_.k[p]; }};
+    pair_lanes_ = {initial_pairs_, input.threads, [&](int p) { return initial_pairs_.k[p]; }};
   }
   initial_pairs_.k = {};
   flow_.resize(s_.size());
@@ -160,7 +160,7 @@ void TlMixed<M, Dim>::set_start_gradients() {
 /// the waves that it damps. The paper's step is below it but at the edges of bodies of few layers.
 template <const Formulation& M, int Dim>
 double TlMixed<M, Dim>::greatest_step_of_dissipation() const {
-  const double square = biharmonic_spectral_radius(pair_lanes_, s_.size(), threads_now()),
+  const double square = biharmonic_spectral_radius(pair_lanes_, s_.size(), this->threads_),
                once = std::sqrt(square);
   const double rate = std::max(c_.eps_v2 * once + c_.eps_v4 * square, c_.eps_J2 * once + c_.eps_J4 * square);
   return 0.9 * 2 * c_.dp / (Base::wave_speed() * rate);

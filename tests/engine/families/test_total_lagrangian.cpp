@@ -51,7 +51,7 @@ struct Cloud {
 };
 
 PairLanes<2> four_at_a_time(const InitialPairs<2>& pairs) {
-  return {pairs, [&](int p) { return pairs.k[p]; }};
+  return {pairs, 1, [&](int p) { return pairs.k[p]; }};
 }
 
 /// ∇u of every particle.
