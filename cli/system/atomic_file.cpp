@@ -147,7 +147,7 @@ void write_atomically(const fs::path& path, std::string_view text, Kept kept) {
   int error = write_all(descriptor, text);
   if (error == 0 && kept == Kept::on_disk) error = sync(descriptor);
   // what a file system says only now; the lock stays
-  if (::close(::dup(descriptor)) != 0 && error == 0) error = errno;
+  if (const int other = ::dup(descriptor); other >= 0 && ::close(other) != 0 && error == 0) error = errno;
   if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
   if (error != 0) ::unlink(temporary.c_str());
   ::close(descriptor);
