@@ -19,7 +19,7 @@ TEST_SUITE("unit") {
   TEST_CASE("of many who write one file at once each writes it whole, and nothing is left beside it") {
     const TemporaryFolder folder;
     const fs::path path = folder / "chart.dat";
-    constexpr int writers = 4, times = 30, size = 300'000;
+    constexpr int writers = 4, times = 200, size = 20'000;
     std::atomic<int> failed = 0, torn = 0;
     const auto whole = [&] {
       const std::string text = text_of(path);
