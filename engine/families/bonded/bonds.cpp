@@ -1,6 +1,7 @@
 #include "engine/families/bonded/bonds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>

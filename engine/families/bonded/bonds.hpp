@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// As particle i sees it.
+/// A bond as one of its ends, i, sees it.
 struct Bond {
   Point X;        // from i to the other end, m: particle j, or where the bond enters the clamp
   double weight;  // w_ij; 0 where only j asked for the bond
@@ -30,8 +30,7 @@ struct Bonds {
   std::vector<int> begin;  // [n + 1] first bond of each particle
   std::vector<int> j;      // the other particle
   std::vector<Bond> rows;  // of particles, each with its bonds one behind the other
-  std::vector<int>
-      row;  // [n] where in `rows` that of each begins, which a lattice shares; empty: at begin[i]
+  std::vector<int> row;    // [n] where in `rows` its own begin: a lattice shares them; empty: at begin[i]
   // of each particle
   std::vector<std::array<Point, 3>> B;  // (Σ_j a_ij ⊗ X_ij)⁻¹, symmetric; 0 where the bonds lie on a line
   std::vector<double> volume;           // V, m^dim, with which its energy counts

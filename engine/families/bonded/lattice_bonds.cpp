@@ -1,7 +1,7 @@
 #include "engine/families/bonded/lattice_bonds.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 
 #include "engine/core/parallel.hpp"
 #include "engine/families/bonded/bond_gradients.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cmath>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -22,7 +22,6 @@ class LatticeBonds {
     const std::span<const int> near = near_[i];
     for (std::size_t k = 0; k < near.size(); ++k) f(near[k], bond(i, near[k], k));
   }
-  std::size_t count(int i) const { return near_[i].size(); }
 
  private:
   Bond bond(int i, int j, std::size_t k) const;
