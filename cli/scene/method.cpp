@@ -20,7 +20,7 @@ constexpr std::array contacts = {
     ContactChoice{ContactLaw::penalty, "a spring of the bulk modulus, [TranDuc2023] Eq. 2.13 to 2.15"},
     ContactChoice{ContactLaw::lennard_jones,
                   "a spring that hardens the nearer they come, [Zhang2020] Eq. 12"},
-    ContactChoice{ContactLaw::surface, "a spring between faces where they overlap, 2D, ours"},
+    ContactChoice{ContactLaw::surface, "a spring between faces where they overlap, ours"},
 };
 
 std::vector<std::string> names_of_contacts() {

@@ -46,7 +46,10 @@ Interrupts::~Interrupts() {
   ::sigaction(SIGPIPE, &old_pipe_, nullptr);
 }
 
-Interrupts::AtOnce::AtOnce() { at_once.store(true); }
+Interrupts::AtOnce::AtOnce() {
+  at_once.store(true);
+  if (last_signal.load() != 0) ::_exit(exit_interrupted);  // it came between what was said and this
+}
 Interrupts::AtOnce::~AtOnce() { at_once.store(false); }
 
 bool Interrupts::asked_to_end() { return flag() == SIGTERM || flag() == SIGHUP; }

@@ -9,8 +9,9 @@
 #include "engine/families/families.hpp"
 #include "engine/materials/laws.hpp"
 #include "engine/methods/all_methods.hpp"
-#include "engine/solver/motion_bound.hpp"
-#include "engine/solver/wall_contacts.hpp"
+#include "engine/scene/surface_mesh.hpp"
+#include "engine/solver/contact/motion_bound.hpp"
+#include "engine/solver/contact/wall_contacts.hpp"
 
 namespace taut {
 namespace {
@@ -138,12 +139,14 @@ std::string reason_against_law(const MethodInfo& method, std::string_view law) {
 std::span<const LawRow> laws() { return Laws::rows; }
 
 ContactLaw contact_law(const Scene& scene, const MethodInfo& method) {
-  if (scene.contact == ContactLaw::published)  // faces are of the plane
-    return scene.dim == 3 && method.contact == ContactLaw::surface ? ContactLaw::penalty : method.contact;
-  if (scene.dim == 3 && scene.contact == ContactLaw::surface)
-    throw SceneError("contact",
-                     "the contact law 'surface' is for scenes of 2 dimensions; of 3: penalty, impulse, "
-                     "lennard-jones");
+  const bool no_faces = scene.dim == 3 && !can_have_surface_mesh(scene);
+  if (scene.contact == ContactLaw::published)
+    return no_faces && method.contact == ContactLaw::surface ? ContactLaw::penalty : method.contact;
+  if (no_faces && scene.contact == ContactLaw::surface)
+    throw SceneError(
+        "contact",
+        "the contact law 'surface' needs bodies that are cut from a lattice, and in 3 dimensions "
+        "particles given one by one have no faces; of those: penalty, impulse, lennard-jones");
   std::string known;
   for (const ContactLaw law : method.contact_laws) {
     if (law == scene.contact) return law;

@@ -160,14 +160,10 @@ std::vector<InitialSite> own_sites(const Body& body, int dim, double dp) {
 /// A reflected layout about c is one about −c with the sign of its coordinates changed: the image of a round
 /// body at −c to the last bit.
 std::vector<InitialSite> body_sites(const Body& as_given, int dim, double dp) {
-  const Body body = before_reflection(as_given, dim);
+  const Body body = as_laid(as_given, dim);
   std::vector<InitialSite> sites = own_sites(body, dim, dp);
   if (sites.empty()) sites = lattice_sites(body, dim, dp);
-  for (int k = 0; k < dim; ++k)
-    if (body.mirror[k])
-      for (InitialSite& site : sites) site.x[k] = -site.x[k];
-  if (body.rotation)
-    for (InitialSite& site : sites) site.x = rotated(*body.rotation, site.x);
+  for (InitialSite& site : sites) site.x = placed(as_given, site.x, dim);
   return sites;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 #include <variant>
 
@@ -12,63 +11,7 @@
 namespace taut {
 namespace {
 
-// Of the particles whose mean a node is, in spacings: the fewer and the nearer, the less a face is smoothed.
-constexpr double least_reach = 2, greatest_reach = 4, reach_step = 0.25;
-/// Of Σ weight², which is how many times lighter a node is than a particle: heavier ones are sought further
-/// away. It is 2.5 at a face of a lattice, (3/2)² + (1/2)² from two layers.
-constexpr double greatest_square = 3;
-
 std::size_t as_index(int i) { return static_cast<std::size_t>(i); }
-
-/// The particles of one body by square cells, to find those around a point.
-class Cells {
- public:
-  Cells(const InitialParticles& initial, int body, double size) : size_(size) {
-    for (int i = initial.first[as_index(body)]; i < initial.first[as_index(body) + 1]; ++i)
-      cells_[key(initial.x[as_index(i)], 0, 0)].push_back(i);
-  }
-  /// Those of the nine cells around x, in rising order.
-  std::vector<int> around(const Point& x) const {
-    std::vector<int> found;
-    for (long dy = -1; dy <= 1; ++dy)
-      for (long dx = -1; dx <= 1; ++dx)
-        if (const auto cell = cells_.find(key(x, dx, dy)); cell != cells_.end())
-          found.insert(found.end(), cell->second.begin(), cell->second.end());
-    std::ranges::sort(found);
-    return found;
-  }
-
- private:
-  std::pair<long, long> key(const Point& x, long dx, long dy) const {
-    return {static_cast<long>(std::floor(x[0] / size_)) + dx,
-            static_cast<long>(std::floor(x[1] / size_)) + dy};
-  }
-
-  double size_;  // m
-  std::map<std::pair<long, long>, std::vector<int>> cells_;
-};
-
-/// Of a node at x: from the nearest particles that do not make it too light.
-std::vector<PointWeight> shares_of(const Cells& cells, const InitialParticles& initial, const Point& x,
-                                   double dp) {
-  const std::vector<int> near = cells.around(x);
-  std::vector<Point> places;
-  for (const int i : near) places.push_back(initial.x[as_index(i)]);
-  std::vector<PointWeight> best;
-  double least = 0;
-  for (double reach = least_reach; reach <= greatest_reach; reach += reach_step) {
-    std::vector<PointWeight> shares =
-        material_point(places, 0, static_cast<int>(places.size()), x, reach * dp, initial.dim);
-    double square = 0;
-    for (const PointWeight& share : shares) square += share.weight * share.weight;
-    if (shares.empty() || (!best.empty() && square >= least)) continue;
-    best = std::move(shares);
-    least = square;
-    if (least <= greatest_square) break;
-  }
-  for (PointWeight& share : best) share.particle = near[as_index(share.particle)];
-  return best;
-}
 
 bool any_holds(const std::vector<Shape>& shapes, const Point& x, double tolerance) {
   return std::ranges::any_of(shapes, [&](const Shape& shape) { return holds(shape, x, 2, tolerance); });
@@ -117,26 +60,25 @@ class OutlineMaker {
 
   Outline make() {
     for (std::size_t b = 0; b < scene_.bodies.size(); ++b) add(static_cast<int>(b));
-    out_.begin.push_back(static_cast<int>(out_.shares.size()));
     return std::move(out_);
   }
 
  private:
   /// A reflected or rotated outline is made as the layout is.
   void add(int b) {
-    const Body body = before_reflection(scene_.bodies[as_index(b)], scene_.dim);
-    const Cells cells(initial_, b, greatest_reach * scene_.spacing);
+    const Body body = as_laid(scene_.bodies[as_index(b)], scene_.dim);
+    const ParticlesAround particles(initial_, b, scene_.spacing);
     if (has_other_shapes(body)) {
       const auto all_are = [](const Point&, const Point&) { return true; };
       for (const Chain& chain : whole_outline(body, scene_.dim, scene_.spacing))
-        add(b, chain, cells, all_are);
+        add(b, chain, particles, all_are);
       return;
     }
     const auto add_all = [&](const std::vector<Shape>& shapes, bool cut) {
       for (std::size_t own = 0; own < shapes.size(); ++own) {
         for (Chain& chain : outline_of(shapes[own], scene_.dim, scene_.spacing)) {
           if (cut) std::ranges::reverse(chain);
-          add(b, chain, cells, [&](const Point& from, const Point& to) {
+          add(b, chain, particles, [&](const Point& from, const Point& to) {
             return is_face(body, cut, own, from, to, scene_.spacing);
           });
         }
@@ -147,13 +89,14 @@ class OutlineMaker {
   }
 
   template <class IsFace>
-  void add(int b, const Chain& chain, const Cells& cells, const IsFace& is_face) {
+  void add(int b, const Chain& chain, const ParticlesAround& particles, const IsFace& is_face) {
     const std::size_t n = chain.size();
     std::vector<int> node(n, Outline::none);
     for (std::size_t k = 0; k < n; ++k) {
       const Point &from = chain[k], &to = chain[(k + 1) % n];
       if (!is_face(from, to)) continue;
-      const int first = node_at(node[k], b, from, cells), second = node_at(node[(k + 1) % n], b, to, cells);
+      const int first = node_at(node[k], b, from, particles),
+                second = node_at(node[(k + 1) % n], b, to, particles);
       if (first == Outline::none || second == Outline::none) continue;
       const std::array<bool, 3>& mirror = scene_.bodies[as_index(b)].mirror;
       const double sense = (mirror[0] != mirror[1]) ? -1 : 1;
@@ -165,28 +108,23 @@ class OutlineMaker {
 
   /// The node of a place of a chain, made when it is first asked for; where the chains of two shapes meet, it
   /// is of both.
-  int node_at(int& known, int b, Point x, const Cells& cells) {
+  int node_at(int& known, int b, const Point& laid, const ParticlesAround& particles) {
     if (known != Outline::none) return known;
-    const Body& body = scene_.bodies[as_index(b)];
-    for (std::size_t k = 0; k < as_index(scene_.dim); ++k)
-      if (body.mirror[k]) x[k] = -x[k];
-    if (body.rotation) x = rotated(*body.rotation, x);
+    const Point x = placed(scene_.bodies[as_index(b)], laid, scene_.dim);
     std::erase_if(open_, [&](int n) {
       return out_.body[as_index(n)] != b || std::ranges::count(out_.beside[as_index(n)], Outline::none) == 0;
     });
     for (const int n : open_)
       if (distance_between(out_.x[as_index(n)], x, 2) < 1e-6 * scene_.spacing) return known = n;
-    const std::vector<PointWeight> shares = shares_of(cells, initial_, x, scene_.spacing);
+    const std::vector<PointWeight> shares = particles.shares_of(x);
     if (shares.empty()) return Outline::none;
     const PointWeight& greatest = *std::ranges::max_element(shares, {}, &PointWeight::weight);
     known = out_.size();
     open_.push_back(known);
-    out_.x.push_back(x);
+    out_.add(x, shares);
     out_.body.push_back(b);
     out_.material.push_back(initial_.material[as_index(greatest.particle)]);
     out_.beside.push_back({Outline::none, Outline::none});
-    out_.begin.push_back(static_cast<int>(out_.shares.size()));
-    out_.shares.insert(out_.shares.end(), shares.begin(), shares.end());
     return known;
   }
 

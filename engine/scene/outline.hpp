@@ -3,16 +3,14 @@
 #include <array>
 #include <vector>
 
+#include "engine/scene/face_nodes.hpp"
 #include "engine/scene/initial_particles.hpp"
-#include "engine/scene/material_point.hpp"
 #include "engine/scene/scene.hpp"
 
 namespace taut {
 
-/// The faces of all bodies: nodes that move with the particles, and elements between them. In 2D an element
-/// is a straight segment with one node at each end; a surface element of 3D would have more nodes and other
-/// shape functions, and nothing else would change.
-struct Outline {
+/// The faces of all bodies in 2D: nodes, and straight segments with one at each end.
+struct Outline : FaceNodes {
   static constexpr int none = -1;
 
   struct Segment {
@@ -21,22 +19,17 @@ struct Outline {
     double sense = 1;   // the outward normal is sense (t_y, −t_x), t from the first node to the second
   };
 
-  std::vector<Point> x;                    // [node] at the start, on the face, m
   std::vector<int> body;                   // [node]
   std::vector<int> material;               // [node] of the particle that counts most
   std::vector<std::array<int, 2>> beside;  // [node] the segment that ends there and the one that begins
-  std::vector<int> begin;                  // [node] its first share; and one past the last of all
-  std::vector<PointWeight> shares;         // x = Σ weight x_particle, exact for linear fields
   std::vector<Segment> segments;
 
-  int size() const { return static_cast<int>(x.size()); }
   int body_of(const Segment& segment) const { return body[static_cast<std::size_t>(segment.node[0])]; }
 };
 
 /// That of a body is the one of the union of its shapes, less what is cut out: no segment lies inside another
-/// shape. The nodes of a
-/// mirrored body are the mirror images, in the same order, to the last bit. Empty in 3D, of a shape that has
-/// none, and where too few particles lie around a node.
+/// shape. The nodes of a mirrored body are the mirror images, in the same order, to the last bit. Empty in 3D
+/// (see surface_mesh.hpp), of a shape that has none, and where too few particles lie around a node.
 Outline make_outline(const Scene& scene, const InitialParticles& initial);
 
 }  // namespace taut

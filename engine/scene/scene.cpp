@@ -39,13 +39,28 @@ Point rotated(const Rotation& rotation, const Point& x) {
   return y;
 }
 
-Body before_reflection(Body body, int dim) {
+Body as_laid(Body body, int dim) {
   const Point middle = middle_of(body.shapes.front());
   for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
     if (body.mirror[k])
       for (std::vector<Shape>* shapes : {&body.shapes, &body.without})
         for (Shape& shape : *shapes) shift(shape, k, -2 * middle[k]);
+  body.mirror = {};
+  body.rotation = {};
   return body;
+}
+
+Point placed(const Body& body, Point x, int dim) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
+    if (body.mirror[k]) x[k] = -x[k];
+  return body.rotation ? rotated(*body.rotation, x) : x;
+}
+
+Point laid_at(const Body& body, Point x, int dim) {
+  if (body.rotation) x = rotated({body.rotation->axis, body.rotation->about, -body.rotation->angle}, x);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
+    if (body.mirror[k]) x[k] = -x[k];
+  return x;
 }
 
 bool holds(const Body& body, const Point& x, int dim, double tolerance) {

@@ -123,8 +123,13 @@ struct Body {
 /// count.
 bool holds(const Body& body, const Point& x, int dim, double tolerance);
 
-/// The body with its shapes where they are laid before they are reflected: those about c stand about −c.
-Body before_reflection(Body body, int dim);
+/// The body as it is laid before it is reflected and rotated: shapes about c that are reflected stand about
+/// −c.
+Body as_laid(Body body, int dim);
+/// Where a place of the body as it is laid comes to.
+Point placed(const Body& body, Point x, int dim);
+/// The way back.
+Point laid_at(const Body& body, Point x, int dim);
 
 /// What of a Cauchy stress is looked at, Pa: a component, positive in tension, or an invariant.
 enum class StressPart : std::uint8_t { xx, yy, zz, xy, xz, yz, von_mises, pressure };

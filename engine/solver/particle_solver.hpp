@@ -16,7 +16,7 @@
 #include "engine/error.hpp"
 #include "engine/methods/constants.hpp"
 #include "engine/scene/initial_particles.hpp"
-#include "engine/solver/contact.hpp"
+#include "engine/solver/contact/contact.hpp"
 #include "engine/solver/drives.hpp"
 #include "engine/solver/loads.hpp"
 #include "engine/solver/probes.hpp"
@@ -198,7 +198,7 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
     recorder_.rebuilt(s_, Contact<Dim>::reach * c_.dp);
   }
 
-  FaceContacts<Dim>* faces() final { return contact_.faces(); }
+  ContactsOfFaces<Dim>* faces() final { return contact_.faces(); }
   V reaction(int i) final;
   V contact_force(const Probe& probe, double dt) override {
     return (1 / dt) * contact_.impulse(probe.bodies[0], probe.wall < 0 ? probe.bodies[1] : -1, probe.wall);

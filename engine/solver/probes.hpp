@@ -12,7 +12,7 @@
 #include "engine/scene/initial_particles.hpp"
 #include "engine/scene/material_point.hpp"
 #include "engine/snapshot.hpp"
-#include "engine/solver/face_contacts.hpp"
+#include "engine/solver/contact/contact.hpp"
 #include "engine/solver/running.hpp"
 #include "engine/solver/state.hpp"
 
@@ -25,8 +25,8 @@ class ProbeSource {
   using V = Vec<double, Dim>;
 
   virtual ~ProbeSource() = default;
-  virtual FaceContacts<Dim>* faces() = 0;  // that measure gaps, if there are any
-  virtual V reaction(int i) = 0;           // on stored particle i, of what holds it over the last step, N
+  virtual ContactsOfFaces<Dim>* faces() = 0;  // that measure gaps, if there are any
+  virtual V reaction(int i) = 0;              // on stored particle i, of what holds it over the last step, N
   virtual V contact_force(const Probe& probe, double dt) = 0;  // over the last step, of `dt`, N
   /// With the stresses of these stored particles as they are now.
   virtual const Snapshot& shown(const std::vector<int>& stored) = 0;
@@ -344,7 +344,7 @@ double ProbeRecorder<Dim>::value(const State<Dim>& s, const Probe& probe, const 
       return greatest;
     }
     case Probe::Kind::gap: {
-      if (FaceContacts<Dim>* const faces = source.faces())
+      if (ContactsOfFaces<Dim>* const faces = source.faces())
         return faces->gap(s, probe.bodies[0], probe.bodies[1]);
       double least = support_ - diameter_[first_[probe.bodies[0]]];  // at least this: nothing is in reach
       for (const auto& [i, j] : f.pairs) {

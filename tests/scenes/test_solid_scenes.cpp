@@ -96,8 +96,9 @@ TEST_SUITE("analytic") {
   TEST_CASE(
       "colliding balls: oenog flattens and rebounds as finite elements do, in mirror images to the bit") {
     const Run balls = run("colliding-balls", "oenog", {{"spacing", "0.0025"}});
-    CHECK(balls.error("rebound_ratio") < 0.02);        // 0.009
-    CHECK(balls.error("least_pole_distance") < 0.01);  // 0.006
+    CHECK(balls.error("rebound_ratio") < 0.005);        // 0.002; 0.008 where particles meet and not faces
+    CHECK(balls.error("least_pole_distance") < 0.005);  // 0.003
+    CHECK(balls.error("least_diameter") < 0.002);       // 0.001; 0.011 where particles meet
     CHECK(balls.error("touch_time") < 0.01);
     CHECK(std::abs(*balls.measure.at("separation_time").value - 5.69e-3) < 0.3e-3);
     CHECK(*balls.measure.at("mirror_asymmetry").value == 0);
@@ -106,11 +107,13 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE("ball and plate in 3D: oenog bends the plate as finite elements do, alike on all sides") {
-    const Run ball = run("ball-plate-3d", "oenog", {{"spacing", "0.0066667"}, {"until", "0.0075"}});
-    CHECK(ball.error("deflection") < 0.06);  // 0.049 with three layers
-    CHECK(ball.error("ball_lowest") < 0.06);
-    CHECK(*ball.measure.at("mirror_asymmetry_x").value < 1e-9);
-    CHECK(*ball.measure.at("mirror_asymmetry_z").value < 1e-9);
+    const Run ball = run("ball-plate-3d", "oenog", {{"spacing", "0.0066667"}, {"until", "0.012"}});
+    CHECK(ball.error("deflection") < 0.04);  // 0.032 with three layers
+    CHECK(ball.error("ball_lowest") < 0.04);
+    CHECK(ball.error("rebound_ratio") < 0.04);
+    // to the time when the ball has left the plate; particles that meet slip past each other, by 1e-3 m
+    CHECK(*ball.measure.at("mirror_asymmetry_x").value < 1e-12);
+    CHECK(*ball.measure.at("mirror_asymmetry_z").value < 1e-12);
     CHECK(ball.verdict == Verdict::stable);
   }
 }

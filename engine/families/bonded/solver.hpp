@@ -220,7 +220,7 @@ template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::step(double dt) {
   if (contact_.prepare(s_, vmax_ * dt)) Base::show_contacts_to_probes();
   half_drift(dt);
-  contact_.evaluate(s_, dt);
+  contact_.evaluate(s_, dt, threads_now());
   stress_pass();
   interfaces_.pass(s_.x, law_of_one(), threads_now(), Q_, bond_force_);
   Base::set_greatest_speed(force_pass(dt));

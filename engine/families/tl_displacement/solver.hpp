@@ -45,7 +45,7 @@ template <const Formulation& M, int Dim>
 void TlDisplacement<M, Dim>::step(double dt) {
   if (contact_.prepare(s_, vmax_ * dt)) this->show_contacts_to_probes();
   drift(0.5 * dt);
-  contact_.evaluate(s_, dt);
+  contact_.evaluate(s_, dt, threads_now());
   stress_pass();
   Base::set_greatest_speed(force_pass(dt));
   Base::stop_approach(0.5 * dt, [&](int i, const V& change) { s_.x[i] += (0.5 * dt) * change; });

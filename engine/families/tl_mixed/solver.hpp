@@ -231,7 +231,7 @@ inline constexpr TermInfo tl_mixed_time_info{"time", "TVD Runge–Kutta, two sta
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::find_rates(double dt) {
   set_columns();
-  contact_.evaluate(s_, 0.5 * dt);  // the two stages share the step
+  contact_.evaluate(s_, 0.5 * dt, threads_now());  // the two stages share the step
   gather_pass();
   if constexpr (M.jst) dissipation_pass();
   if (c_.projection != 0) project();

@@ -95,7 +95,7 @@ template <const Formulation& M, int Dim>
 void UlCauchy<M, Dim>::step(double dt) {
   if (2 * way_ > skin * c_.dp) rebuild();
   if (contact_.prepare(s_, vmax_ * dt)) show_neighbors_to_probes();
-  contact_.evaluate(s_, dt);
+  contact_.evaluate(s_, dt, threads_now());
   gradient_pass(f_, c_, threads_now(), [&](int i, const Gradients<Dim>& g) { set_stress(i, g); });
   accelerate(dt);
   transport(dt);

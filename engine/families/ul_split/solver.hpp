@@ -62,7 +62,7 @@ void UlSplit<M, Dim>::step(double dt) {
   contact_.prepare(s_, vmax_ * dt);
   half_drift(0.5 * dt);
   contact_geometry_pass<M>(s_, c_);
-  contact_.evaluate(s_, dt);
+  contact_.evaluate(s_, dt, threads_now());
   accelerate(dt);
   close_rates(0.5 * dt);
   advected_ += greatest_speed_ * dt;

@@ -147,7 +147,6 @@ TEST_SUITE("restart") {
           for (const ContactLaw law : info.contact_laws) {
             Scene scene = laid;
             scene.contact = law;
-            if (law == ContactLaw::surface && dim == 3) continue;
             CAPTURE(scene.name);
             CAPTURE(method);
             CAPTURE(name(law));

@@ -9,8 +9,8 @@
 #include "engine/diagnostics/balance.hpp"
 #include "engine/error.hpp"
 #include "engine/scene/outline.hpp"
-#include "engine/solver/contact.hpp"
 #include "engine/terms/surface_contact.hpp"
+#include "tests/support/pressed.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
@@ -25,93 +25,12 @@ using V = Vec<double, 2>;
 
 double modulus() { return ring_rubber().bulk_modulus() + 4.0 / 3 * ring_rubber().shear_modulus(); }
 
-Scene scene_of(const std::vector<Shape>& shapes) {
-  Scene scene;
-  scene.name = "faces";
-  scene.spacing = dp;
-  scene.materials = {ring_rubber()};
-  scene.contact = ContactLaw::surface;
-  for (const Shape& shape : shapes) {
-    Body body;
-    body.name = "body " + std::to_string(scene.bodies.size());
-    body.shapes = {shape};
-    scene.bodies.push_back(body);
-  }
-  return scene;
-}
-
-/// The particles of a scene and what its faces do to them, without a method.
-class Pressed {
- public:
-  explicit Pressed(const Scene& scene)
-      : scene_(scene), initial_(make_initial_particles(scene_)), walls_(scene_), faces_(input()) {
-    for (int i = 0; i < initial_.size(); ++i) {
-      s.x.push_back({initial_.x[i][0], initial_.x[i][1]});
-      s.v.push_back({});
-      s.m.push_back(1);
-      s.mobile.push_back(1);
-      s.id.push_back(i);
-      s.body.push_back(initial_.body[i]);
-    }
-  }
-
-  void shift(int body, const V& by) {
-    for (int i = 0; i < s.size(); ++i)
-      if (s.body[i] == body) s.x[i] += by;
-  }
-  /// Of every particle, N.
-  const std::vector<V>& forces() {
-    faces_.search(s, walls_);
-    return forces_as_found();
-  }
-  const std::vector<V>& forces_as_found() {
-    force_.assign(s.size(), V{});
-    faces_.evaluate(s, 1, walls_, force_);
-    return force_;
-  }
-  V force_on(int body) {
-    V sum{};
-    const std::vector<V>& f = forces();
-    for (int i = 0; i < s.size(); ++i)
-      if (s.body[i] == body) sum += f[i];
-    return sum;
-  }
-  double energy() { return faces_.energy(s, walls_); }
-  double gap() { return faces_.gap(s, 0, 1); }
-
-  State<2> s;
-
- private:
-  SolverInput input() {
-    constants_.dp = dp;
-    constants_.contact_stiffness = 2;
-    Elasticity e;
-    e.K = ring_rubber().bulk_modulus();
-    e.G = ring_rubber().shear_modulus();
-    return {find_method("oenog")->formulation,
-            scene_,
-            initial_,
-            constants_,
-            {e},
-            Law::none,
-            ContactLaw::surface,
-            true,
-            Stepping::dual,
-            1};
-  }
-
-  Scene scene_;
-  InitialParticles initial_;
-  Constants constants_;
-  WallContacts<2> walls_;
-  FaceContacts<2> faces_;
-  std::vector<V> force_;
-};
+Scene scene_of(const std::vector<Shape>& shapes) { return scene_of_shapes(shapes, 2, dp); }
 
 /// Two discs whose faces overlap by `depth`, m, along a direction that is none of the layout's.
-Pressed two_discs(double depth) {
+Pressed<2> two_discs(double depth) {
   const double r = 0.006, angle = 0.7, apart = 2 * r - depth;
-  return Pressed(
+  return Pressed<2>(
       scene_of({Disc{{0, 0, 0}, r}, Disc{{apart * std::cos(angle), apart * std::sin(angle), 0}, r}}));
 }
 
@@ -169,7 +88,7 @@ TEST_SUITE("term") {
 TEST_SUITE("analytic") {
   TEST_CASE("contact of faces: two blocks press each other by k times their overlap, corners included") {
     const double depth = 0.1 * dp, length = 6 * dp, k = modulus() / (2 * dp);
-    Pressed blocks(scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0}}, Box{{0, 0, 0}, {0.008, 0.006, 0}}}));
+    Pressed<2> blocks(scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0}}, Box{{0, 0, 0}, {0.008, 0.006, 0}}}));
     blocks.shift(1, {-depth, 0});
     const V force = blocks.force_on(1);
     CHECK(force[0] == Approx(k * depth * length).epsilon(1e-9));
@@ -182,7 +101,7 @@ TEST_SUITE("analytic") {
     const double depth = 0.1 * dp, length = 6 * dp, k = modulus() / (2 * dp);
     Scene scene = scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0}}});
     scene.walls = {{"wall", {0, 0, 0}, {-1, 0, 0}}};
-    Pressed block(scene);
+    Pressed<2> block(scene);
     CHECK(std::abs(block.force_on(0)[0]) < 1e-9 * k * depth * length);
     block.shift(0, {0.5 * depth, 0});
     CHECK(block.force_on(0)[0] == Approx(-k * depth * length).epsilon(1e-9));
@@ -192,7 +111,7 @@ TEST_SUITE("analytic") {
   TEST_CASE("contact of faces: nothing acts a micrometre before they meet, and nothing ever pulls") {
     for (const double depth : {-0.3e-3, -1e-6, 1e-6, 0.1e-3, 0.3e-3}) {
       CAPTURE(depth);
-      Pressed discs = two_discs(depth);
+      Pressed<2> discs = two_discs(depth);
       const V force = discs.force_on(1);
       // nodes of the one are not opposite to those of the other: chords lie inside their arcs
       const double sag = dp * dp / (8 * 0.006);
@@ -211,7 +130,7 @@ TEST_SUITE("analytic") {
 
 TEST_SUITE("conservation") {
   TEST_CASE("contact of faces: forces are the slope of the energy, without a sum or a moment") {
-    Pressed discs = two_discs(0.3 * dp);
+    Pressed<2> discs = two_discs(0.3 * dp);
     for (int i = 0; i < discs.s.size(); ++i)  // no symmetry is left
       discs.s.x[i] += 0.03 * dp *
                       V{shake({discs.s.x[i][0], discs.s.x[i][1], 0}, 7 * dp),

@@ -10,12 +10,12 @@
 
 #include "engine/error.hpp"
 #include "engine/scene/outline.hpp"
-#include "engine/solver/face_search.hpp"
-#include "engine/solver/motion_bound.hpp"
-#include "engine/solver/moving_faces.hpp"
+#include "engine/solver/contact/face_search.hpp"
+#include "engine/solver/contact/motion_bound.hpp"
+#include "engine/solver/contact/moving_faces.hpp"
+#include "engine/solver/contact/wall_contacts.hpp"
 #include "engine/solver/solver_input.hpp"
 #include "engine/solver/state.hpp"
-#include "engine/solver/wall_contacts.hpp"
 #include "engine/terms/surface_contact.hpp"
 
 namespace taut::inline TAUT_ISA {
@@ -44,7 +44,8 @@ class FaceContacts {
   const std::vector<int>& touching() const { return touching_; }
 
   /// Sets the forces on `touching`, N (per metre depth in 2D); what walls give in `dt`, s, is booked.
-  void evaluate(const State<Dim>& s, double dt, WallContacts<Dim>& walls, std::vector<V>& force);
+  /// On one thread, whatever there are: a touching face has too few nodes for a second one.
+  void evaluate(const State<Dim>& s, double dt, WallContacts<Dim>& walls, std::vector<V>& force, int threads);
   double energy(const State<Dim>& s, const WallContacts<Dim>& walls);  // J (per metre depth in 2D)
 
   /// On body `a` of body `b` or of a wall, N (per metre depth in 2D), at the positions that `s` has now.
@@ -309,7 +310,7 @@ void FaceContacts<Dim>::act_on_nodes(const State<Dim>& s, double dt, WallContact
 
 template <int Dim>
 void FaceContacts<Dim>::evaluate(const State<Dim>& s, double dt, WallContacts<Dim>& walls,
-                                 std::vector<V>& force) {
+                                 std::vector<V>& force, int) {
   for (const int n : watched_) faces_.place(s, n);
   act_on_nodes(s, dt, walls);
   for (const int i : touching_) force[i] = V{};

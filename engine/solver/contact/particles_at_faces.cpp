@@ -1,4 +1,4 @@
-#include "engine/solver/particles_at_faces.hpp"
+#include "engine/solver/contact/particles_at_faces.hpp"
 
 #include <algorithm>
 

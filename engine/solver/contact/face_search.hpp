@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/neighbors/neighbors.hpp"
-#include "engine/solver/moving_faces.hpp"
+#include "engine/solver/contact/moving_faces.hpp"
 
 namespace taut::inline TAUT_ISA {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/core/tensor.hpp"
+#include "engine/materials/rotated_piola.hpp"
 #include "engine/methods/term_info.hpp"
 
 namespace taut::inline TAUT_ISA {
@@ -13,7 +14,7 @@ namespace taut::inline TAUT_ISA {
 /// Decides when points of one and the same body have to be searched again: `holds` while none of them can
 /// have come nearer to another by more than what was free at the last search. The bound is twice the way of
 /// the fastest particle; where that is used up, twice the greatest way of a point beside that of its body as
-/// a rigid one, which tells flight, and in 2D spinning, from folding.
+/// a rigid one, which tells flight and spinning from folding.
 template <int Dim>
 class MotionBound {
  public:
@@ -45,18 +46,17 @@ class MotionBound {
         middle += x[last], from += from_[last];
       const double share = 1 / static_cast<double>(last - first);
       middle = share * middle, from = share * from;
-      V turn{};  // its cosine and sine, times a length
-      if constexpr (Dim == 2) {
-        for (std::size_t k = first; k < last; ++k) {
-          const V a = from_[k] - from, b = x[k] - middle;
-          turn += V{dot(a, b), a[0] * b[1] - a[1] * b[0]};
-        }
-      }
-      const double length = std::sqrt(dot(turn, turn));
+      Mat<double, Dim> turn{};
+      double square = 0;
       for (std::size_t k = first; k < last; ++k) {
-        V a = from_[k] - from;
-        if (Dim == 2 && length > 0)
-          a = (1 / length) * V{turn[0] * a[0] - turn[1] * a[1], turn[1] * a[0] + turn[0] * a[1]};
+        const V a = from_[k] - from, b = x[k] - middle;
+        square += dot(a, a);
+        for (int i = 0; i < Dim; ++i)
+          for (int j = 0; j < Dim; ++j) turn(i, j) += b[i] * a[j];
+      }
+      if (square > 0) turn = nearest_rotation((1 / square) * turn);
+      for (std::size_t k = first; k < last; ++k) {
+        const V a = turn * (from_[k] - from);
         const V d = x[k] - middle - a;
         gone_ = std::max(gone_, dot(d, d));
       }
@@ -80,7 +80,7 @@ class MotionBound {
 
 inline constexpr TermInfo self_contact_info{
     "self-contact", "by the law of contact, of what was further than 4 dp apart at the start", "ours",
-    "solver/motion_bound.hpp:MotionBound",
+    "solver/contact/motion_bound.hpp:MotionBound",
     "contact: a strip that folds meets itself, by every law, and does not pass through"};
 
 }  // namespace taut::inline TAUT_ISA

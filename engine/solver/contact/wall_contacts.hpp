@@ -86,6 +86,6 @@ class WallContacts {
 
 inline constexpr TermInfo wall_info{
     "wall", "as the own mirror image by the law of contact, sph: by the penalty", "ours",
-    "solver/wall_contacts.hpp:WallContacts", "wall: a body meets its mirror image"};
+    "solver/contact/wall_contacts.hpp:WallContacts", "wall: a body meets its mirror image"};
 
 }  // namespace taut::inline TAUT_ISA

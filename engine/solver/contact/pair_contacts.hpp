@@ -4,11 +4,11 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/solver/body_contacts.hpp"
-#include "engine/solver/own_pairs.hpp"
+#include "engine/solver/contact/body_contacts.hpp"
+#include "engine/solver/contact/own_pairs.hpp"
+#include "engine/solver/contact/wall_contacts.hpp"
 #include "engine/solver/solver_input.hpp"
 #include "engine/solver/state.hpp"
-#include "engine/solver/wall_contacts.hpp"
 #include "engine/terms/impulse_contact.hpp"
 #include "engine/terms/lennard_jones_contact.hpp"
 #include "engine/terms/penalty_contact.hpp"

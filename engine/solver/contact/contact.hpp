@@ -1,19 +1,24 @@
 #pragma once
 
+#include <type_traits>
 #include <vector>
 
-#include "engine/solver/face_contacts.hpp"
-#include "engine/solver/pair_contacts.hpp"
+#include "engine/solver/contact/face_contacts.hpp"
+#include "engine/solver/contact/facet_contacts.hpp"
+#include "engine/solver/contact/pair_contacts.hpp"
+#include "engine/solver/contact/wall_contacts.hpp"
 #include "engine/solver/solver_input.hpp"
 #include "engine/solver/state.hpp"
-#include "engine/solver/wall_contacts.hpp"
 
 namespace taut::inline TAUT_ISA {
 
+template <int Dim>
+using ContactsOfFaces = std::conditional_t<Dim == 3, FacetContacts, FaceContacts<Dim>>;
+
 /// What bodies do to each other, parts of one body that fold upon each other, and walls to them, by the law
-/// `surface` on faces (face_contacts.hpp) and by the others on pairs of particles (pair_contacts.hpp). With
-/// the law `sph`, which is the solver's own business, pairs act at walls only. What no other body, no wall
-/// and no fold can reach is not `active` and costs nothing.
+/// `surface` on faces (face_contacts.hpp, in 3D facet_contacts.hpp) and by the others on pairs of particles
+/// (pair_contacts.hpp). With the law `sph`, which is the solver's own business, pairs act at walls only. What
+/// no other body, no wall and no fold can reach is not `active` and costs nothing.
 ///
 /// Once a step: `prepare`; the positions go to where forces are wanted; `evaluate`; where it is `acting`,
 /// each particle takes its `force` for its new velocity; `stop_approach` changes the new velocities of those
@@ -60,9 +65,9 @@ class Contact {
   }
 
   /// The forces at the positions that `s` has now, which act for `dt`, s.
-  void evaluate(const State<Dim>& s, double dt) {
+  void evaluate(const State<Dim>& s, double dt, int threads) {
     if (!active_) return;
-    by_faces_ ? faces_.evaluate(s, dt, walls_, force_) : pairs_.evaluate(s, dt, walls_, force_);
+    by_faces_ ? faces_.evaluate(s, dt, walls_, force_, threads) : pairs_.evaluate(s, dt, walls_, force_);
     for (Asked& asked : asked_) asked.impulse += dt * force_now(s, asked);
   }
 
@@ -104,7 +109,7 @@ class Contact {
   /// Pairs of two bodies in the form in which probes look for neighbours.
   Neighbors neighbors(int particles) const { return pairs_.neighbors(particles); }
   /// Those who measure a gap from faces; null where they do from particles.
-  FaceContacts<Dim>* faces() { return by_faces_ ? &faces_ : nullptr; }
+  ContactsOfFaces<Dim>* faces() { return by_faces_ ? &faces_ : nullptr; }
 
   template <class Archive>
   void serialize(Archive& archive, int particles) {
@@ -134,7 +139,7 @@ class Contact {
   bool by_faces_, between_bodies_, active_;
   WallContacts<Dim> walls_;
   PairContacts<Dim> pairs_;
-  FaceContacts<Dim> faces_;
+  ContactsOfFaces<Dim> faces_;
   std::vector<V> force_;      // N
   std::vector<Asked> asked_;  // by probes
 };

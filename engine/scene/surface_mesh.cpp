@@ -1,0 +1,245 @@
+#include "engine/scene/surface_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <variant>
+
+#include "engine/core/parallel.hpp"
+#include "engine/scene/shape_members.hpp"
+
+namespace taut {
+namespace {
+
+constexpr int dim = 3;
+using Cell = std::array<long, dim>;
+
+std::size_t as_index(int i) { return static_cast<std::size_t>(i); }
+
+bool stands_on_boundary(const Body& body) { return body.on_boundary && body.without.empty(); }
+
+/// The lattice of a body as it is laid: cell n is around anchor + (n + ½) pitch.
+struct Cells {
+  Shape first;
+  Point anchor{}, pitch{};
+
+  Cells(const Body& body, double dp)
+      : first(body.shapes.front()), anchor(anchor_of(first)), pitch{dp, dp, dp} {
+    if (!stands_on_boundary(body)) return;
+    const Box& box = std::get<Box>(first);
+    for (std::size_t k = 0; k < dim; ++k) {
+      pitch[k] = (box.high[k] - box.low[k]) / static_cast<double>(box.cells(k, dp));
+      anchor[k] = box.low[k] - 0.5 * pitch[k];
+    }
+  }
+
+  Cell of(const Point& x) const {
+    const Point at = to_lattice(first, x);
+    Cell n{};
+    for (std::size_t k = 0; k < dim; ++k) n[k] = std::lround((at[k] - anchor[k]) / pitch[k] - 0.5);
+    return n;
+  }
+  /// The corner of cell n with the least coordinates.
+  Point corner(const Cell& n) const {
+    Point at{};
+    for (std::size_t k = 0; k < dim; ++k) at[k] = anchor[k] + static_cast<double>(n[k]) * pitch[k];
+    return from_lattice(first, at);
+  }
+};
+
+/// The faces of a body as it is laid, from what its shapes hold.
+class Faces {
+ public:
+  Faces(const Body& laid, double dp) : body_(laid), dp_(dp) {}
+
+  /// The place of a face near x, to a millionth of a spacing; x itself where none is found.
+  Point nearest(const Point& x) const {
+    constexpr int steps = 20;
+    Point at = x;
+    for (int step = 0; step < steps; ++step) {
+      const double off = height(at);
+      if (std::abs(off) < fine * dp_) return distance_between(at, x, dim) < farthest * dp_ ? at : x;
+      Point slope{};
+      double square = 0;
+      for (std::size_t k = 0; k < dim; ++k) {
+        Point more = at, less = at;
+        more[k] += aside * dp_, less[k] -= aside * dp_;
+        slope[k] = (height(more) - height(less)) / (2 * aside * dp_);
+        square += slope[k] * slope[k];
+      }
+      if (square < least_slope) return x;
+      for (std::size_t k = 0; k < dim; ++k) at[k] -= off / square * slope[k];
+    }
+    return x;
+  }
+
+ private:
+  // in spacings
+  static constexpr double fine = 1e-6, aside = 1e-3, farthest = 1.5;
+  static constexpr double least_slope = 0.1;  // squared, of the height along a way
+
+  /// Over the nearest face, m, below 0 inside: as much as the shapes have to be widened by to hold x.
+  double height(const Point& x) const {
+    if (on_face(x)) return 0;
+    double low = -2 * farthest * dp_, high = 2 * farthest * dp_;
+    while (high - low > 1e-3 * fine * dp_) {
+      const double middle = 0.5 * (low + high);
+      (holds(body_, x, dim, middle) ? high : low) = middle;
+    }
+    return 0.5 * (low + high);
+  }
+  bool on_face(const Point& x) const {
+    return holds(body_, x, dim, fine * dp_) && !holds(body_, x, dim, -fine * dp_);
+  }
+
+  const Body& body_;
+  double dp_;  // m
+};
+
+/// Adds the facets of one body.
+class BodyMesh {
+ public:
+  BodyMesh(const Scene& scene, const InitialParticles& initial, int body, SurfaceMesh& out)
+      : given_(scene.bodies[as_index(body)]),
+        laid_(as_laid(given_, dim)),
+        dp_(scene.spacing),
+        index_(body),
+        cells_(laid_, dp_),
+        faces_(laid_, dp_),
+        particles_(initial, body, dp_),
+        turned_inside_out_((given_.mirror[0] != given_.mirror[1]) != given_.mirror[2]),
+        out_(out) {
+    first_ = initial.first[as_index(body)];
+    for (int i = first_; i < initial.first[as_index(body) + 1]; ++i)
+      filled_.push_back(cells_.of(laid_at(given_, initial.x[as_index(i)], dim)));
+  }
+
+  void add(int threads) {
+    find_facets();
+    place_nodes(threads);
+    place_facets(threads);
+  }
+
+ private:
+  struct Node {
+    Point x{};
+    std::vector<PointWeight> shares;  // none where too few particles are around it
+  };
+
+  /// With corners in the place of nodes, against the clock in the lattice of the body as it is laid.
+  void find_facets() {
+    std::vector<Cell> sorted = filled_;
+    std::ranges::sort(sorted);
+    for (std::size_t i = 0; i < filled_.size(); ++i) {
+      for (std::size_t axis = 0; axis < dim; ++axis) {
+        for (const long side : {0L, 1L}) {
+          Cell beyond = filled_[i];
+          beyond[axis] += 2 * side - 1;
+          if (!std::ranges::binary_search(sorted, beyond))
+            facets_.push_back({.node = corners_of(filled_[i], axis, side),
+                               .body = index_,
+                               .particle = first_ + static_cast<int>(i)});
+        }
+      }
+    }
+  }
+  std::array<int, 4> corners_of(const Cell& cell, std::size_t axis, long side) {
+    const std::size_t u = (axis + 1) % dim, v = (axis + 2) % dim;
+    constexpr std::array<std::array<long, 2>, 4> around = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    std::array<int, 4> corners{};
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      Cell corner = cell;
+      corner[axis] += side, corner[u] += around[k][0], corner[v] += around[k][1];
+      const auto [found, is_new] = number_.try_emplace(corner, static_cast<int>(corner_.size()));
+      if (is_new) corner_.push_back(corner);
+      corners[k] = found->second;
+    }
+    if ((side == 0) != turned_inside_out_) std::swap(corners[1], corners[3]);
+    return corners;
+  }
+
+  void place_nodes(int threads) {
+    const auto make = [&](int k) {
+      const Point x = placed(given_, faces_.nearest(cells_.corner(corner_[as_index(k)])), dim);
+      return Node{x, particles_.shares_of(x)};
+    };
+    node_.assign(corner_.size(), -1);
+    make_in_order(static_cast<int>(corner_.size()), threads, make, [&](int k, const Node& node) {
+      if (node.shares.empty()) return;
+      node_[as_index(k)] = out_.size();
+      out_.add(node.x, node.shares);
+    });
+  }
+
+  void place_facets(int threads) {
+    const auto make = [&](int k) {
+      SurfaceMesh::Facet facet = facets_[as_index(k)];
+      std::array<Point, 4> at{};
+      for (std::size_t c = 0; c < at.size(); ++c) {
+        facet.node[c] = node_[as_index(facet.node[c])];
+        if (facet.node[c] < 0) return SurfaceMesh::Facet{};
+        at[c] = out_.x[as_index(facet.node[c])];
+      }
+      facet.area = distance_between(vector_area(at), {}, dim);
+      if (facet.area > 0) facet.bulge = bulge_of(at, facet.area);
+      return facet;
+    };
+    make_in_order(static_cast<int>(facets_.size()), threads, make, [&](int, const SurfaceMesh::Facet& facet) {
+      constexpr double least_area = 0.01;  // dp², of one that is left of a step of the lattice
+      if (facet.area > least_area * dp_ * dp_) out_.facets.push_back(facet);
+    });
+  }
+
+  double bulge_of(const std::array<Point, 4>& corner, double area) const {
+    Point mean{};
+    for (std::size_t k = 0; k < dim; ++k)
+      mean[k] = 0.25 * ((corner[0][k] + corner[2][k]) + (corner[1][k] + corner[3][k]));
+    const Point face = placed(given_, faces_.nearest(laid_at(given_, mean, dim)), dim),
+                out = vector_area(corner);
+    double along = 0;
+    for (std::size_t k = 0; k < dim; ++k) along += (face[k] - mean[k]) * out[k] / area;
+    return along;
+  }
+
+  const Body& given_;
+  Body laid_;
+  double dp_;  // m
+  int index_, first_ = 0;
+  Cells cells_;
+  Faces faces_;
+  ParticlesAround particles_;
+  bool turned_inside_out_;
+  SurfaceMesh& out_;
+  std::vector<Cell> filled_;  // by particle
+  std::vector<SurfaceMesh::Facet> facets_;
+  std::vector<Cell> corner_;
+  std::map<Cell, int> number_;  // of a corner
+  std::vector<int> node_;       // of a corner, −1: none
+};
+
+}  // namespace
+
+Point vector_area(const std::array<Point, 4>& corner) {
+  Point a{}, b{};
+  for (std::size_t k = 0; k < dim; ++k)
+    a[k] = corner[2][k] - corner[0][k], b[k] = corner[3][k] - corner[1][k];
+  return {0.5 * (a[1] * b[2] - a[2] * b[1]), 0.5 * (a[2] * b[0] - a[0] * b[2]),
+          0.5 * (a[0] * b[1] - a[1] * b[0])};
+}
+
+SurfaceMesh make_surface_mesh(const Scene& scene, const InitialParticles& initial, int threads) {
+  SurfaceMesh mesh;
+  if (scene.dim != dim) return mesh;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    BodyMesh(scene, initial, static_cast<int>(b), mesh).add(threads);
+  return mesh;
+}
+
+bool can_have_surface_mesh(const Scene& scene) {
+  return std::ranges::none_of(scene.bodies, [&](const Body& body) {
+    return !body.on_boundary && body.shapes.size() == 1 && body.without.empty() &&
+           !sites_of(body.shapes.front(), dim, scene.spacing).empty();
+  });
+}
+
+}  // namespace taut

@@ -1,0 +1,179 @@
+#pragma once
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "engine/solver/contact/motion_bound.hpp"
+#include "engine/solver/contact/moving_facets.hpp"
+#include "engine/solver/contact/point_search.hpp"
+#include "engine/solver/contact/wall_contacts.hpp"
+#include "engine/solver/solver_input.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// Which facets are near each other: those of two bodies, and those of one that folds upon itself, which were
+/// further apart at the start than `far_apart`, or `far_inside` with the body between them; and which are near
+/// walls. A search holds until the particles behind facets have gone as far as it looked further than needed.
+class FacetSearch {
+ public:
+  using V = Vec<double, 3>;
+
+  FacetSearch() = default;
+  /// Facets whose middles are less than `reach`, m, apart may act.
+  FacetSearch(const SolverInput& input, const MovingFacets& facets, double reach)
+      : dp_(input.constants.dp),
+        reach_(reach),
+        meets_itself_(input.meets_itself),
+        meets_others_(input.scene.bodies.size() > 1 || !input.scene.walls.empty()) {
+    for (int f = 0; f < facets.size(); ++f)
+      points_.add(facets[f].middle, facets.body(f)), normal_.push_back(facets[f].normal);
+    all_.resize(facets.size());
+    std::iota(all_.begin(), all_.end(), 0);
+  }
+
+  /// Pairs of facets, each in both orders, and facets with walls, in rising order.
+  std::vector<std::pair<int, int>> pairs, near_wall;
+
+  void search(const State<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
+    facets.follow(s, behind_);
+    if (meets_others_) search_others(s, facets, walls);
+    if (meets_itself_) search_own(s, facets);
+    join();
+  }
+  /// The same where the next way of the fastest particle, m, asks for it: true if it did.
+  bool prepare(const State<3>& s, MovingFacets& facets, const WallContacts<3>& walls, double way) {
+    const bool others = meets_others_ && !others_bound_.holds(way);
+    bool own = meets_itself_ && !own_bound_.holds(way);
+    if (others || own) facets.follow(s, behind_);
+    if (others) {
+      search_others(s, facets, walls);
+      others_bound_.holds(way);
+    }
+    own = own && !own_bound_.still_holds(behind_, points_.bodies(), way);
+    if (own) {
+      search_own(s, facets);
+      own_bound_.holds(way);
+    }
+    if (others || own) join();
+    return others || own;
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive, int walls) {
+    const int count = points_.size();
+    for (auto* list : {&others_, &own_}) {
+      archive.indices(*list, std::pair(count, count));
+      archive.check("the pairs of facets", [&] { return are_both_ways(*list); });
+    }
+    if constexpr (Archive::loads) join();
+    archive.indices(near_wall, std::pair(count, walls));
+    archive(others_bound_, own_bound_);
+  }
+
+ private:
+  // in spacings
+  static constexpr double skin = 1.5;        // longer: fewer searches, more pairs
+  static constexpr double horizon = 4;       // how far a search looks, for how long it may hold
+  static constexpr double far_apart = 4;     // along a face that bends, or through a gap
+  static constexpr double far_inside = 8;    // the two faces of a thinner wall do not act on each other
+  static constexpr double turn_slack = 0.5;  // of two facets around the particles behind them
+
+  void search_others(const State<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
+    const std::vector<char> near = near_others();
+    std::vector<int> candidates;
+    std::ranges::copy_if(all_, std::back_inserter(candidates), [&](int f) { return near[f]; });
+    others_bound_.restart(find<PairsOf::two_bodies>(
+                              s, facets, candidates, [](int, int) { return true; }, others_),
+                          {});
+    near_wall.clear();
+    for (const int f : all_)
+      for (int w = 0; w < walls.count(); ++w)
+        if (walls.height(w, behind_[f]) < horizon * dp_) near_wall.emplace_back(f, w);
+  }
+  void search_own(const State<3>& s, MovingFacets& facets) {
+    const auto wanted = [&](int f, int g) {
+      const V D = points_.start(f) - points_.start(g);
+      return dot(D, D) > far_inside * far_inside * dp_ * dp_ || dot(D, normal_[g] - normal_[f]) > 0;
+    };
+    own_bound_.restart(find<PairsOf::one_body>(s, facets, all_, wanted, own_), behind_);
+  }
+
+  /// How much nearer the nearest one that is not listed may come.
+  template <PairsOf kind, class Wanted>
+  double find(const State<3>& s, MovingFacets& facets, const std::vector<int>& candidates,
+              const Wanted& wanted, std::vector<std::pair<int, int>>& list) {
+    facets.place(s, facets.nodes_of(candidates), candidates, 1);
+    middle_.resize(all_.size());
+    for (const int f : candidates) middle_[f] = facets[f].middle;
+    found_.clear();
+    const double beyond =
+        points_.template find<kind>(middle_, candidates, reach_ + skin * dp_, horizon * dp_, far_apart * dp_,
+                                    wanted, [&](int f, int g) { found_.emplace_back(f, g); });
+    list_both_ways(list);
+    return beyond - reach_ - turn_slack * dp_;
+  }
+
+  /// What was found, sorted.
+  void list_both_ways(std::vector<std::pair<int, int>>& list) {
+    std::vector<int> end(all_.size() + 1);  // of the pairs of each facet
+    for (const auto& [f, g] : found_) ++end[f + 1], ++end[g + 1];
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    const std::vector<int> begin = end;
+    list.resize(2 * found_.size());
+    for (const auto& [f, g] : found_) list[end[f]++] = {f, g}, list[end[g]++] = {g, f};
+    for (std::size_t f = 0; f + 1 < begin.size(); ++f)
+      std::sort(list.begin() + begin[f], list.begin() + begin[f + 1]);
+  }
+
+  /// As `list_both_ways` makes them.
+  static bool are_both_ways(const std::vector<std::pair<int, int>>& list) {
+    return std::ranges::is_sorted(list) && std::ranges::all_of(list, [&](const auto& pair) {
+             return std::ranges::binary_search(list, std::pair(pair.second, pair.first));
+           });
+  }
+
+  /// Which facets are in the box of another body, widened by what a search looks at.
+  std::vector<char> near_others() const {
+    const std::vector<int>& body = points_.bodies();
+    std::vector<char> near(body.size());
+    if (body.empty()) return near;
+    std::vector<V> low(1 + body.back()), high(low.size());
+    std::vector<bool> begun(low.size());
+    for (const int f : all_) {
+      const V& x = behind_[f];
+      V &l = low[body[f]], &h = high[body[f]];
+      if (!begun[body[f]]) l = h = x;
+      begun[body[f]] = true;
+      for (int k = 0; k < 3; ++k) l[k] = std::min(l[k], x[k]), h[k] = std::max(h[k], x[k]);
+    }
+    const double margin = (horizon + 2) * dp_;  // 2: of two particles to their faces
+    for (const int f : all_) {
+      const V& x = behind_[f];
+      for (int b = 0; b <= body.back() && !near[f]; ++b) {
+        bool in = b != body[f] && begun[b];
+        for (int k = 0; k < 3 && in; ++k) in = x[k] > low[b][k] - margin && x[k] < high[b][k] + margin;
+        near[f] = in;
+      }
+    }
+    return near;
+  }
+
+  void join() {
+    pairs.clear();
+    std::merge(others_.begin(), others_.end(), own_.begin(), own_.end(), std::back_inserter(pairs));
+  }
+
+  double dp_ = 0, reach_ = 0;                         // m
+  bool meets_itself_ = false, meets_others_ = false;  // others: bodies or walls
+  PointSearch<3> points_;                             // the middles of facets
+  std::vector<V> normal_;                             // of facets at the start
+  std::vector<int> all_;                              // facets
+  std::vector<V> behind_, middle_;                    // [facet] m
+  std::vector<std::pair<int, int>> others_, own_, found_;
+  MotionBound<3> others_bound_, own_bound_;
+};
+
+}  // namespace taut::inline TAUT_ISA

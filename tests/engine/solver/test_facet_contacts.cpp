@@ -1,0 +1,304 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "engine/diagnostics/balance.hpp"
+#include "engine/error.hpp"
+#include "engine/scene/other_shapes.hpp"
+#include "engine/terms/surface_contact.hpp"
+#include "tests/support/pressed.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/runs.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace taut;
+using namespace taut::test;
+using doctest::Approx;
+
+namespace {
+
+constexpr double dp = 0.001;  // m
+using V = Vec<double, 3>;
+constexpr Point direction{0.64, 0.48, 0.6};  // of length 1
+
+double modulus() { return ring_rubber().bulk_modulus() + 4.0 / 3 * ring_rubber().shear_modulus(); }
+
+Scene scene_of(const std::vector<Shape>& shapes) { return scene_of_shapes(shapes, 3, dp); }
+
+/// Two balls whose faces overlap by `depth`, m, along a direction that is none of the layout's.
+Pressed<3> two_balls(double depth, double r = 0.006) {
+  const double apart = 2 * r - depth;
+  return Pressed<3>(scene_of(
+      {Disc{{0, 0, 0}, r}, Disc{{apart * direction[0], apart * direction[1], apart * direction[2]}, r}}));
+}
+
+double length(const V& v) { return std::sqrt(dot(v, v)); }
+
+/// Two arms on a common foot, which close with `speed`, over the sound speed. It is one body.
+Scene closing_arms(double speed) {
+  Scene scene = scene_of({Box{{-0.008, 0, 0}, {-0.003, 0.02, 0.005}}});
+  scene.name = "closing-arms";
+  Body& arms = scene.bodies[0];
+  arms.shapes.push_back(Box{{0.003, 0, 0}, {0.008, 0.02, 0.005}});
+  arms.shapes.push_back(Box{{-0.008, -0.005, 0}, {0.008, 0, 0.005}});
+  const double v = speed * ring_rubber().sound_speed();
+  arms.velocity[0] = [=](const Point& x) { return x[1] < 0 ? 0 : (x[0] < 0 ? v : -v) * x[1] / 0.02; };
+  return scene;
+}
+
+/// How far a particle of the left arm has come to the right of one of the right arm beside it, m.
+double crossed(const Snapshot& now) {
+  double most = -1;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (now.x0[3 * i] > 0 || now.x0[3 * i + 1] < 0.01) continue;
+    for (std::size_t j = 0; j < now.size(); ++j)
+      if (now.x0[3 * j] > 0 && now.x0[3 * j + 1] > 0.01 &&
+          std::hypot(now.x[3 * i + 1] - now.x[3 * j + 1], now.x[3 * i + 2] - now.x[3 * j + 2]) < dp)
+        most = std::max(most, now.x[3 * i] - now.x[3 * j]);
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_SUITE("term") {
+  TEST_CASE("surface contact: in 3D weights make one, and slopes are those of what they belong to") {
+    const double radius = 1.5 * dp, step = 1e-7;
+    double sum = 0;
+    constexpr int rings = 1000;
+    for (int k = 0; k < rings; ++k) {
+      const double l2 = (k + 0.5) / rings * radius * radius;
+      sum += lateral_weight(l2, radius) * std::numbers::pi * radius * radius / rings;
+    }
+    CHECK(sum == Approx(1).epsilon(1e-6));
+    CHECK(lateral_weight(radius * radius, radius) == 0);
+    for (const double at : {0.1, 0.4, 0.8}) {
+      const double l2 = at * radius * radius, d = step * radius * radius;
+      CHECK((lateral_weight(l2 + d, radius) - lateral_weight(l2 - d, radius)) / (2 * d) ==
+            Approx(lateral_slope(l2, radius)).epsilon(1e-6));
+      CHECK((covered_share(at + step) - covered_share(at - step)) / (2 * step) ==
+            Approx(covered_slope(at)).epsilon(1e-6));
+    }
+    CHECK(covered_share(0.5) == Approx(0.5));
+    CHECK(covered_share(0.15) == 0);
+    CHECK(covered_share(0.85) == Approx(1));
+    CHECK(covered_slope(0.1) == 0);
+    for (const double cosine : {-0.9, -0.4, -0.1})
+      CHECK((facing_share(cosine + step) - facing_share(cosine - step)) / (2 * step) ==
+            Approx(facing_slope(cosine)));
+  }
+}
+
+TEST_SUITE("analytic") {
+  TEST_CASE("contact of faces: in 3D two blocks press each other by k times their overlap") {
+    const double depth = 0.1 * dp, area = 64 * dp * dp, k = modulus() / (2 * dp);
+    Pressed<3> blocks(
+        scene_of({Box{{-0.006, 0, 0}, {0, 0.008, 0.008}}, Box{{0, 0, 0}, {0.006, 0.008, 0.008}}}));
+    CHECK(std::abs(blocks.force_on(1)[0]) < 1e-9 * k * depth * area);
+    blocks.shift(1, {-depth, 0, 0});
+    const V force = blocks.force_on(1);
+    // a cover of less than 0.85 in the outermost facets
+    CHECK(force[0] == Approx(k * depth * area).epsilon(0.03));
+    CHECK(std::hypot(force[1], force[2]) < 1e-9 * force[0]);
+    CHECK(blocks.energy() == Approx(0.5 * depth * force[0]).epsilon(1e-9));
+    CHECK(blocks.gap() == Approx(-depth).epsilon(1e-9));
+    CHECK(length(blocks.between(1, 0) - force) < 1e-9 * force[0]);
+    CHECK(length(blocks.between(0, 1) + force) < 1e-9 * force[0]);
+  }
+
+  TEST_CASE("contact of faces: in 3D a wall presses by k times twice the depth, and books what it gives") {
+    const double depth = 0.1 * dp, area = 36 * dp * dp, k = modulus() / (2 * dp);
+    Scene scene = scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0.006}}});
+    scene.walls = {{"wall", {0, 0, 0}, {-1, 0, 0}}};
+    Pressed<3> block(scene);
+    CHECK(std::abs(block.force_on(0)[0]) < 1e-9 * k * depth * area);
+    block.shift(0, {0.5 * depth, 0, 0});
+    const V force = block.force_on(0);
+    CHECK(force[0] == Approx(-k * depth * area).epsilon(1e-9));
+    CHECK(block.energy() == Approx(0.25 * k * depth * depth * area).epsilon(1e-9));  // half of the two
+    CHECK(length(block.of_wall(0) - force) < 1e-9 * length(force));
+    CHECK(block.of_walls().linear[0] == Approx(force[0]).epsilon(1e-9));
+    CHECK(block.of_walls().angular[2] == Approx(-0.003 * force[0]).epsilon(1e-9));
+  }
+
+  TEST_CASE("contact of faces: in 3D nothing acts before balls meet, and nothing ever pulls") {
+    for (const double depth : {-0.3e-3, -0.1e-3, 0.1e-3, 0.3e-3}) {
+      CAPTURE(depth);
+      Pressed<3> balls = two_balls(depth);
+      const V force = balls.force_on(1);
+      // of the third order in the spacing over the radius, and of the steps of the lattice
+      CHECK(std::abs(balls.gap() + depth) < 0.02 * dp);
+      const double away = force[0] * direction[0] + force[1] * direction[1] + force[2] * direction[2];
+      if (depth < 0)
+        CHECK((length(force) == 0 && balls.energy() == 0));
+      else
+        CHECK(away > 2 * modulus() * depth * depth);
+      CHECK(std::sqrt(std::max(0.0, dot(force, force) - away * away)) <= 0.1 * away);
+    }
+  }
+}
+
+TEST_SUITE("conservation") {
+  TEST_CASE("contact of faces: in 3D forces are the slope of the energy, without a sum or a moment") {
+    const Box low{{-0.004, 0, 0}, {0, 0.006, 0.006}};
+    Scene on_edge = scene_of({low, Box{{0, 0.003, 0.0017}, {0.004, 0.007, 0.0057}}});
+    on_edge.bodies[1].rotation = Rotation{{0, 0, 1}, {0, 0.003, 0}, -25};  // one side is 65° from facing
+    const Scene rims = scene_of({low, Box{{0, 0.0023, -0.0017}, {0.004, 0.0083, 0.0043}}});
+    const Scene* const none = nullptr;
+    for (const Scene* scene : {none, &rims, &std::as_const(on_edge)}) {
+      CAPTURE(scene == &on_edge);
+      Pressed<3> bodies = scene ? Pressed<3>(*scene) : two_balls(0.4 * dp, 0.004);
+      if (scene) bodies.shift(1, {(scene == &on_edge ? -0.6 : -0.3) * dp, 0, 0});
+      for (V& x : bodies.s.x) {  // no symmetry is left
+        const Point at{x[0], x[1], x[2]}, across{x[1], x[2], x[0]};
+        x += 0.03 * dp * V{shake(at, 7 * dp), shake(across, 5 * dp), shake({x[2], x[0], x[1]}, 6 * dp)};
+      }
+      const std::vector<V> force = bodies.forces();
+      double greatest = 0;
+      V sum{}, moment{};
+      for (int i = 0; i < bodies.s.size(); ++i) {
+        sum += force[i];
+        moment += cross(bodies.s.x[i], force[i]);
+        greatest = std::max(greatest, length(force[i]));
+      }
+      REQUIRE(greatest > 0.02 * modulus() * dp * dp);
+      CHECK(length(sum) < 1e-12 * greatest);
+      CHECK(length(moment) < 1e-12 * greatest * 0.01);
+      int pushed = 0;
+      for (int i = 0; i < bodies.s.size(); ++i) {
+        if (length(force[i]) < 0.02 * greatest || ++pushed % 4 != 0) continue;
+        for (int k = 0; k < 3; ++k) {
+          const double step = 1e-5 * dp, at = bodies.s.x[i][k];
+          bodies.s.x[i][k] = at + step;
+          const double more = bodies.energy();
+          bodies.s.x[i][k] = at - step;
+          const double less = bodies.energy();
+          bodies.s.x[i][k] = at;
+          CHECK(-(more - less) / (2 * step) == Approx(force[i][k]).scale(greatest).epsilon(1e-5));
+        }
+      }
+      CHECK(pushed > 15);
+    }
+  }
+
+  TEST_CASE("contact of faces: in 3D an oblique blow keeps both momenta and, undamped, the energy") {
+    Scene scene = small_solid_collision();
+    scene.contact = ContactLaw::surface;
+    for (const char* method : {"oenog", "tl", "pf-jst"}) {
+      CAPTURE(std::string(method));
+      Settings settings = with_method(method);
+      if (std::string(method) == "oenog") settings.constants["damping"] = 0;
+      settings.cfl = 0.2;
+      const auto simulation = make_simulation(scene, settings);
+      const Balance before = balance(simulation->snapshot(), scene);
+      double pressed = 0;
+      for (int k = 0; k < 12; ++k) {
+        make_steps(*simulation, 20);
+        const Snapshot& now = simulation->snapshot();
+        const Balance all = balance(now, scene);
+        pressed = std::max(pressed, now.contact_energy / before.kinetic);
+        if (std::string(method) == "oenog") CHECK(all.kinetic + all.strain == relative(before.kinetic, 3e-3));
+      }
+      CHECK(pressed > 0.005);
+      const Balance after = balance(simulation->snapshot(), scene);
+      for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(std::abs(after.linear_momentum[k] - before.linear_momentum[k]) < 1e-12 * before.momentum_scale);
+        CHECK(std::abs(after.angular_momentum[k] - before.angular_momentum[k]) <
+              1e-12 * before.angular_scale);
+      }
+    }
+  }
+
+  TEST_CASE("contact of faces: in 3D mirrored bodies stay mirrored to the last bit") {
+    Scene scene = scene_of({Disc{{-0.0042, 0, 0}, 0.004}, Disc{{0.0042, 0, 0}, 0.004}});
+    scene.bodies[1].mirror[0] = true;
+    for (Body& body : scene.bodies) {
+      const double v = (body.mirror[0] ? -0.1 : 0.1) * ring_rubber().sound_speed();
+      body.velocity[0] = constant(v);
+    }
+    const auto simulation = make_simulation(scene, with_method("oenog"));
+    make_steps(*simulation, 60);
+    const Snapshot& now = simulation->snapshot();
+    CHECK(now.contact_energy > 0);
+    const std::size_t half = now.size() / 2;
+    for (std::size_t i = 0; i < half; ++i) {
+      CHECK(now.x[3 * i] == -now.x[3 * (i + half)]);
+      CHECK(now.x[3 * i + 1] == now.x[3 * (i + half) + 1]);
+      CHECK(now.x[3 * i + 2] == now.x[3 * (i + half) + 2]);
+    }
+  }
+}
+
+TEST_SUITE("failure") {
+  TEST_CASE("contact: in 3D arms that close meet, by every law, and do not pass through each other") {
+    Scene scene = closing_arms(0.1);
+    for (const char* method : {"oenog", "tl", "pf-jst"}) {
+      for (const ContactLaw law : find_method(method)->contact_laws) {
+        CAPTURE(std::string(method));
+        CAPTURE(std::string(name(law)));
+        scene.contact = law;
+        const auto simulation = make_simulation(scene, with_method(method));
+        const double kinetic = balance(simulation->snapshot(), scene).kinetic;
+        double pressed = 0, most = -1;
+        for (int k = 1; k <= 20; ++k) {
+          simulation->advance_to(0.0001 * k);
+          pressed = std::max(pressed, simulation->snapshot().contact_energy / kinetic);
+          most = std::max(most, crossed(simulation->snapshot()));
+        }
+        CHECK(most < 0);
+        if (law != ContactLaw::impulse) CHECK(pressed > 0.001);  // they did meet
+      }
+    }
+  }
+}
+
+TEST_SUITE("restart") {
+  TEST_CASE("contact of faces: in 3D a saved run goes on to the same bytes, on any number of threads") {
+    Scene scene = small_solid_collision();
+    scene.contact = ContactLaw::surface;
+    std::get<Disc>(scene.bodies[1].shapes[0]).centre[0] += 5 * dp;  // out of reach of the first search
+    for (const char* method : {"oenog", "tl"}) {
+      CAPTURE(std::string(method));
+      Settings settings = with_method(method);
+      const auto before = make_simulation(scene, settings);
+      while (!(before->snapshot().contact_energy > 0) && before->steps() < 200) make_steps(*before, 1);
+      settings.threads = 2;
+      const auto after = make_simulation(scene, settings);
+      after->load(before->save());
+      make_steps(*before, 3), make_steps(*after, 3);
+      CHECK(before->snapshot().contact_energy > 0);
+      CHECK(after->snapshot().x == before->snapshot().x);
+      CHECK(after->snapshot().v == before->snapshot().v);
+    }
+  }
+}
+
+TEST_SUITE("unit") {
+  TEST_CASE(
+      "contact of faces: in 3D a body too thin to have faces is refused, and given particles with a reason") {
+    const Box block{{0, 0, 0.002}, {0.01, 0.01, 0.006}};
+    const std::vector<Point> places = {{0, 0, 0},  {dp, 0, 0},  {0, dp, 0},  {dp, dp, 0},
+                                       {0, 0, dp}, {dp, 0, dp}, {0, dp, dp}, {dp, dp, dp}};
+    const Shape given = AnyShape::of(GivenParticles(places, std::vector<double>(8, dp * dp * dp), 3));
+    const auto refusal = [&](const Shape& shape) -> std::string {
+      try {
+        make_simulation(scene_of({shape, block}), with_method("oenog"));
+      } catch (const SceneError& error) {
+        CHECK(error.key == "contact");
+        return error.what();
+      }
+      return "";
+    };
+    for (const char* part : {"'surface'", "'body 0'", "too thin", "smaller spacing"})
+      CHECK(refusal(Box{{0, 0, 0}, {0.01, 0.01, dp}}).find(part) != std::string::npos);
+    for (const char* part : {"'surface'", "one by one", "penalty"})
+      CHECK(refusal(given).find(part) != std::string::npos);
+    Scene scene = scene_of({given, block});
+    scene.contact = ContactLaw::published;  // which is the penalty then
+    CHECK_NOTHROW(make_simulation(scene, with_method("oenog")));
+  }
+}

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/families/catalogue.hpp"
+#include "engine/solver/contact/contact.hpp"
+#include "tests/support/runs.hpp"
+#include "tests/support/scenes.hpp"
+
+namespace taut::test {
+
+/// Bodies of one shape each, of the rubber of the rings.
+inline Scene scene_of_shapes(const std::vector<Shape>& shapes, int dim, double dp) {
+  Scene scene;
+  scene.name = "faces";
+  scene.dim = dim;
+  scene.spacing = dp;
+  scene.materials = {ring_rubber()};
+  scene.contact = ContactLaw::surface;
+  for (const Shape& shape : shapes) {
+    Body body;
+    body.name = "body " + std::to_string(scene.bodies.size());
+    body.shapes = {shape};
+    scene.bodies.push_back(body);
+  }
+  return scene;
+}
+
+/// The particles of a scene and what its faces do to them, without a method.
+template <int Dim>
+class Pressed {
+ public:
+  using V = Vec<double, Dim>;
+
+  explicit Pressed(const Scene& scene)
+      : scene_(scene), initial_(make_initial_particles(scene_)), walls_(scene_), faces_(input()) {
+    for (int i = 0; i < initial_.size(); ++i) {
+      V x;
+      for (int k = 0; k < Dim; ++k) x[k] = initial_.x[i][k];
+      s.x.push_back(x);
+      s.v.push_back({});
+      s.m.push_back(1);
+      s.mobile.push_back(1);
+      s.id.push_back(i);
+      s.body.push_back(initial_.body[i]);
+    }
+  }
+
+  void shift(int body, const V& by) {
+    for (int i = 0; i < s.size(); ++i)
+      if (s.body[i] == body) s.x[i] += by;
+  }
+  /// Of every particle, N.
+  const std::vector<V>& forces() {
+    faces_.search(s, walls_);
+    return forces_as_found();
+  }
+  const std::vector<V>& forces_as_found() {
+    force_.assign(s.size(), V{});
+    faces_.evaluate(s, 1, walls_, force_, 1);
+    return force_;
+  }
+  V force_on(int body) {
+    V sum{};
+    const std::vector<V>& f = forces();
+    for (int i = 0; i < s.size(); ++i)
+      if (s.body[i] == body) sum += f[i];
+    return sum;
+  }
+  double energy() { return faces_.energy(s, walls_); }
+  double gap() { return faces_.gap(s, 0, 1); }
+  V between(int a, int b) { return faces_.between(s, a, b); }
+  V of_wall(int a) { return faces_.of_wall(s, a, 0, walls_); }
+  const Impulse& of_walls() const { return walls_.given(); }
+
+  State<Dim> s;
+
+ private:
+  SolverInput input() {
+    constants_.dp = scene_.spacing;
+    constants_.contact_stiffness = 2;
+    Elasticity e;
+    e.K = ring_rubber().bulk_modulus();
+    e.G = ring_rubber().shear_modulus();
+    return {find_method("oenog")->formulation,
+            scene_,
+            initial_,
+            constants_,
+            {e},
+            Law::none,
+            ContactLaw::surface,
+            true,
+            Stepping::dual,
+            1};
+  }
+
+  Scene scene_;
+  InitialParticles initial_;
+  Constants constants_;
+  WallContacts<Dim> walls_;
+  ContactsOfFaces<Dim> faces_;
+  std::vector<V> force_;
+};
+
+}  // namespace taut::test
