@@ -351,10 +351,10 @@ std::unique_ptr<Simulation> start(const SceneFile& file) try {
 RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress& progress,
                     double setup_seconds) {
   const Stopwatch watch;
-  progress.prepare(plan.file.scene.name + ", " + plan.file.settings.method + ", setting up ...");
   std::unique_ptr<Simulation> simulation;
   {
     const Interrupts::AtOnce nothing_to_lose;
+    progress.prepare(plan.file.scene.name + ", " + plan.file.settings.method + ", setting up ...");
     simulation = start(plan.file);
   }
   RunRecord record = new_record(plan, *simulation);

@@ -48,7 +48,7 @@ Interrupts::~Interrupts() {
 
 Interrupts::AtOnce::AtOnce() {
   at_once.store(true);
-  if (last_signal.load() != 0) ::_exit(exit_interrupted);  // it came between what was said and this
+  if (last_signal.load() != 0) ::_exit(exit_interrupted);  // it came before this
 }
 Interrupts::AtOnce::~AtOnce() { at_once.store(false); }
 

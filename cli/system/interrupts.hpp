@@ -16,8 +16,8 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
 
-  /// While it lives, already the first ends the program: of work that takes long, looks at no flag, and has
-  /// touched no file yet.
+  /// While it lives, already the first ends the program, and one that has come before ends it here: for work
+  /// that takes long, looks at no flag, and has touched no file yet.
   class AtOnce {
    public:
     AtOnce();
