@@ -189,6 +189,16 @@ std::vector<std::string> texts_to_set(std::string_view name) {
   return name == "contact" ? names_of_contacts() : std::vector<std::string>();
 }
 
+void name_touching(TomlCursor& root, const SceneFile& file) {
+  const MethodInfo& method = *find_method(file.settings.method);
+  const ContactLaw law = file.scene.contact == ContactLaw::published ? published_contact(file.scene, method)
+                                                                     : file.scene.contact;
+  // particles that act on those of another body as on their own repel them before faces meet; with the other
+  // laws of particles faces that meet obliquely leave a tenth of a spacing
+  const double spacings = law == ContactLaw::surface ? 0 : law == ContactLaw::sph ? 0.9 : 0.1;
+  root.names()["touching"] = spacings * root.names().at("dp");
+}
+
 void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   const MethodInfo& of_file = file_method(root);
   const MethodInfo& method = changes.method ? changed_method(*changes.method) : of_file;
@@ -201,12 +211,7 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   const std::string contact = chosen(root, "contact", names_of_contacts(), changes.contact);
   file.scene.contact =
       std::ranges::find(contacts, contact, [](const ContactChoice& c) { return name(c.law); })->law;
-  const ContactLaw law = file.scene.contact == ContactLaw::published ? method.contact : file.scene.contact;
-  // the gap below which bodies are in touch: particles that act on those of another body as on their own
-  // repel them before faces meet; with the other laws of particles faces that meet obliquely leave a tenth of
-  // a spacing
-  const double touching = law == ContactLaw::surface ? 0 : law == ContactLaw::sph ? 0.9 : 0.1;
-  root.names()["touching"] = touching * root.names().at("dp");
+  name_touching(root, file);
 
   read_law(root, of_file, method, changes, file.settings, file.remark);
   // constants and CFL number of a file belong to the method of the file; another one takes its own

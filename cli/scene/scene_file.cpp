@@ -93,6 +93,7 @@ class SceneReading {
     read_outside(root_, file_.scene);
     read_materials(root_, file_.scene);
     read_bodies(root_, keeps_neighbors(find_method(file_.settings.method)->formulation), file_);
+    name_touching(root_, file_);
   }
 
   double fitted() const {

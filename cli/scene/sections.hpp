@@ -40,6 +40,8 @@ void read_parameters(TomlCursor& root, const Changes& changes, std::optional<dou
 std::set<std::string> names_that_need_dp(TomlCursor& root, const Changes& changes);
 /// Method, its constants and law, stepping, cfl, contact.
 void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file);
+/// `touching` in expressions: the gap below which bodies are in touch. Bodies may change what it is.
+void name_touching(TomlCursor& root, const SceneFile& file);
 /// Gravity and damping.
 void read_outside(TomlCursor& root, Scene& scene);
 void read_materials(TomlCursor& root, Scene& scene);

@@ -47,6 +47,8 @@ std::vector<LawChoice> laws(const Formulation& m) {
   return all;
 }
 
+bool has_faces(const Scene& scene) { return scene.dim != 3 || can_have_surface_mesh(scene); }
+
 MethodInfo info(const Formulation& m) {
   return {
       .formulation = m,
@@ -138,11 +140,13 @@ std::string reason_against_law(const MethodInfo& method, std::string_view law) {
 
 std::span<const LawRow> laws() { return Laws::rows; }
 
+ContactLaw published_contact(const Scene& scene, const MethodInfo& method) {
+  return method.contact == ContactLaw::surface && !has_faces(scene) ? ContactLaw::penalty : method.contact;
+}
+
 ContactLaw contact_law(const Scene& scene, const MethodInfo& method) {
-  const bool no_faces = scene.dim == 3 && !can_have_surface_mesh(scene);
-  if (scene.contact == ContactLaw::published)
-    return no_faces && method.contact == ContactLaw::surface ? ContactLaw::penalty : method.contact;
-  if (no_faces && scene.contact == ContactLaw::surface)
+  if (scene.contact == ContactLaw::published) return published_contact(scene, method);
+  if (scene.contact == ContactLaw::surface && !has_faces(scene))
     throw SceneError(
         "contact",
         "the contact law 'surface' needs bodies that are cut from a lattice, and in 3 dimensions "

@@ -60,5 +60,8 @@ std::string_view material_law(const MethodInfo& method, const Settings& settings
 /// How the bodies of the scene act on each other with this method, never `published`. Throws SceneError for a
 /// law that the method cannot run with.
 ContactLaw contact_law(const Scene& scene, const MethodInfo& method);
+/// How they do under `published`: by the law of the method, or by the penalty where that is `surface` and the
+/// scene has bodies without faces.
+ContactLaw published_contact(const Scene& scene, const MethodInfo& method);
 
 }  // namespace taut

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <utility>
 #include <variant>
 
 #include "engine/core/parallel.hpp"
@@ -39,10 +41,10 @@ struct Cells {
     for (std::size_t k = 0; k < dim; ++k) n[k] = std::lround((at[k] - anchor[k]) / pitch[k] - 0.5);
     return n;
   }
-  /// The corner of cell n with the least coordinates.
-  Point corner(const Cell& n) const {
+  /// The corner of cell n with the least coordinates, or what is so many pitches from it.
+  Point corner(const Cell& n, const Point& off = {}) const {
     Point at{};
-    for (std::size_t k = 0; k < dim; ++k) at[k] = anchor[k] + static_cast<double>(n[k]) * pitch[k];
+    for (std::size_t k = 0; k < dim; ++k) at[k] = anchor[k] + (static_cast<double>(n[k]) + off[k]) * pitch[k];
     return from_lattice(first, at);
   }
 };
@@ -52,13 +54,27 @@ class Faces {
  public:
   Faces(const Body& laid, double dp) : body_(laid), dp_(dp) {}
 
-  /// The place of a face near x, to a millionth of a spacing; x itself where none is found.
-  Point nearest(const Point& x) const {
+  /// The place of a face near x, to a millionth of a spacing; x itself where none is found. `outside` lies
+  /// outwards of x.
+  Point nearest(const Point& x, const Point& outside) const {
+    const std::optional<Point> at = down_the_height(x);
+    return at && is_face(*at) ? *at : on_the_line(x, outside);
+  }
+
+ private:
+  // in spacings
+  static constexpr double fine = 1e-6, aside = 1e-3, farthest = 1.5, stride = 0.05;
+  static constexpr double least_slope = 0.1;  // squared, of the height along a way
+
+  std::optional<Point> down_the_height(const Point& x) const {
     constexpr int steps = 20;
     Point at = x;
     for (int step = 0; step < steps; ++step) {
       const double off = height(at);
-      if (std::abs(off) < fine * dp_) return distance_between(at, x, dim) < farthest * dp_ ? at : x;
+      if (std::abs(off) < fine * dp_) {
+        if (distance_between(at, x, dim) < farthest * dp_) return at;
+        break;
+      }
       Point slope{};
       double square = 0;
       for (std::size_t k = 0; k < dim; ++k) {
@@ -67,18 +83,14 @@ class Faces {
         slope[k] = (height(more) - height(less)) / (2 * aside * dp_);
         square += slope[k] * slope[k];
       }
-      if (square < least_slope) return x;
+      if (square < least_slope) break;
       for (std::size_t k = 0; k < dim; ++k) at[k] -= off / square * slope[k];
     }
-    return x;
+    return std::nullopt;
   }
 
- private:
-  // in spacings
-  static constexpr double fine = 1e-6, aside = 1e-3, farthest = 1.5;
-  static constexpr double least_slope = 0.1;  // squared, of the height along a way
-
-  /// Over the nearest face, m, below 0 inside: as much as the shapes have to be widened by to hold x.
+  /// Over the nearest face, m, below 0 inside: as much as the shapes have to be widened by to hold x. It is 0
+  /// on a seam of two shapes too.
   double height(const Point& x) const {
     if (on_face(x)) return 0;
     double low = -2 * farthest * dp_, high = 2 * farthest * dp_;
@@ -90,6 +102,45 @@ class Faces {
   }
   bool on_face(const Point& x) const {
     return holds(body_, x, dim, fine * dp_) && !holds(body_, x, dim, -fine * dp_);
+  }
+
+  /// Seams of shapes do not count, nor those of what is cut away.
+  bool is_filled(const Point& x) const {
+    const auto any_holds = [&](const std::vector<Shape>& shapes) {
+      return std::ranges::any_of(shapes,
+                                 [&](const Shape& shape) { return holds(shape, x, dim, fine * dp_); });
+    };
+    return any_holds(body_.shapes) && !any_holds(body_.without);
+  }
+  /// The body and what is not of it are both around x.
+  bool is_face(const Point& x) const {
+    bool filled = false, empty = false;
+    for (const double a : {-aside, aside})
+      for (const double b : {-aside, aside})
+        for (const double c : {-aside, aside})
+          (is_filled({x[0] + a * dp_, x[1] + b * dp_, x[2] + c * dp_}) ? filled : empty) = true;
+    return filled && empty;
+  }
+  /// The first place on the way outwards at which the body ends, or on that inwards at which it begins.
+  Point on_the_line(const Point& x, const Point& outside) const {
+    const double length = distance_between(outside, x, dim);
+    if (!(length > 0)) return x;
+    const bool inside = is_filled(x);
+    const auto at = [&](double way) {
+      Point y = x;
+      for (std::size_t k = 0; k < dim; ++k)
+        y[k] += (inside ? way : -way) * dp_ / length * (outside[k] - x[k]);
+      return y;
+    };
+    double high = stride;
+    while (high < farthest && is_filled(at(high)) == inside) high += stride;
+    if (high >= farthest) return x;
+    double low = high - stride;
+    while (high - low > fine) {
+      const double middle = 0.5 * (low + high);
+      (is_filled(at(middle)) == inside ? low : high) = middle;
+    }
+    return at(low);
   }
 
   const Body& body_;
@@ -118,9 +169,14 @@ class BodyMesh {
     find_facets();
     place_nodes(threads);
     place_facets(threads);
+    out_.closed.push_back(std::ranges::count(node_, -1) == 0);
   }
 
  private:
+  struct Corner {
+    Cell cell{};
+    Point outwards{};  // the sum of the normals of the faces of cells that meet here
+  };
   struct Node {
     Point x{};
     std::vector<PointWeight> shares;  // none where too few particles are around it
@@ -151,7 +207,8 @@ class BodyMesh {
       Cell corner = cell;
       corner[axis] += side, corner[u] += around[k][0], corner[v] += around[k][1];
       const auto [found, is_new] = number_.try_emplace(corner, static_cast<int>(corner_.size()));
-      if (is_new) corner_.push_back(corner);
+      if (is_new) corner_.push_back({corner});
+      corner_[as_index(found->second)].outwards[axis] += static_cast<double>(2 * side - 1);
       corners[k] = found->second;
     }
     if ((side == 0) != turned_inside_out_) std::swap(corners[1], corners[3]);
@@ -160,7 +217,8 @@ class BodyMesh {
 
   void place_nodes(int threads) {
     const auto make = [&](int k) {
-      const Point x = placed(given_, faces_.nearest(cells_.corner(corner_[as_index(k)])), dim);
+      const auto& [cell, outwards] = corner_[as_index(k)];
+      const Point x = placed(given_, faces_.nearest(cells_.corner(cell), cells_.corner(cell, outwards)), dim);
       return Node{x, particles_.shares_of(x)};
     };
     node_.assign(corner_.size(), -1);
@@ -194,8 +252,11 @@ class BodyMesh {
     Point mean{};
     for (std::size_t k = 0; k < dim; ++k)
       mean[k] = 0.25 * ((corner[0][k] + corner[2][k]) + (corner[1][k] + corner[3][k]));
-    const Point face = placed(given_, faces_.nearest(laid_at(given_, mean, dim)), dim),
-                out = vector_area(corner);
+    const Point out = vector_area(corner);
+    Point outside = mean;
+    for (std::size_t k = 0; k < dim; ++k) outside[k] += dp_ / area * out[k];
+    const Point face =
+        placed(given_, faces_.nearest(laid_at(given_, mean, dim), laid_at(given_, outside, dim)), dim);
     double along = 0;
     for (std::size_t k = 0; k < dim; ++k) along += (face[k] - mean[k]) * out[k] / area;
     return along;
@@ -212,7 +273,7 @@ class BodyMesh {
   SurfaceMesh& out_;
   std::vector<Cell> filled_;  // by particle
   std::vector<SurfaceMesh::Facet> facets_;
-  std::vector<Cell> corner_;
+  std::vector<Corner> corner_;
   std::map<Cell, int> number_;  // of a corner
   std::vector<int> node_;       // of a corner, −1: none
 };

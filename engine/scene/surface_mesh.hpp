@@ -19,6 +19,7 @@ struct SurfaceMesh : FaceNodes {
     double bulge = 0;  // of the face over the mean of the corners, along the normal, m
   };
   std::vector<Facet> facets;  // by body
+  std::vector<bool> closed;   // [body] none is missing
 };
 
 /// ½ (x2 − x0) × (x3 − x1), m², of the corners of a facet: it points outwards.

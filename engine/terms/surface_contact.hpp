@@ -20,6 +20,12 @@ inline double surface_stiffness(double M1, double M2, double stiffness, double d
   return 0.5 * stiffness * (softer * (harder / (softer + harder))) / dp;
 }
 
+/// Its slope in M2, 1/m.
+inline double surface_stiffness_slope(double M1, double M2, double stiffness, double dp) {
+  const double share = M1 / (M1 + M2);
+  return 0.5 * stiffness * share * share / dp;
+}
+
 /// J (per metre depth in 2D), of a piece of a face, m (m² in 3D), that lies `depth`, m, behind another face:
 /// ½ · ½ k δ² A. Of two faces that overlap each is seen from the other, and each counts for half.
 inline double surface_energy(double depth, double area, double k) {
@@ -45,13 +51,14 @@ inline double facing_slope(double cosine) { return cosine > -0.5 && cosine < -0.
 
 // In 3D the depth of a piece f of a face, a facet, behind another face is a mean over facets g of that face,
 //
-//   δ = −Σ_g W p / Σ_g W,   p = ½ (x_f − x_g) · (n_g − n_f),   W = A_g s(n_f · n_g) w(ℓ²),
+//   δ = −Σ_g W p / Σ_g W,   p = ½ (x_f − x_g) · (n_g − n_f),   W = A_g s(n_f · n_g) w(ℓ²) c(p),
 //
-// with the height p over the plane half way between the two, the same seen from both, the facing share s and
-// a weight w of the distance ℓ beside each other, ℓ² = |x_f − x_g|² − p². On two flat faces it is the exact
-// depth, on round ones but for terms of the third order; it turns with the bodies and is smooth where faces
-// are, so that the force may be the slope of the energy to the last term: both momenta and the energy hold,
-// and what is symmetric stays so. A nearest point jumps from facet to facet, and with it the force.
+// with the height p over the plane half way between the two, the same seen from both, the facing share s, a
+// weight w of the distance ℓ beside each other, ℓ² = |x_f − x_g|² − p², and a share c of those that are not too
+// far off. On two flat faces that are parallel it is the exact depth, on round ones but for terms of the third
+// order; it turns with the bodies and is smooth where faces are, so that the force may be the slope of the energy
+// to the last term: both momenta and the energy hold, and what is symmetric stays so. A nearest point jumps from
+// facet to facet, and with it the force.
 //
 // Σ_g W covers f whole, 1, in the middle of the other face and half of it over its rim; `covered_share` of
 // the energy counts.  Ours
@@ -64,6 +71,16 @@ inline double lateral_weight(double l2, double radius) {
 inline double lateral_slope(double l2, double radius) {  // dw/dℓ², 1/m⁴
   const double square = radius * radius, u = 1 - l2 / square;
   return u > 0 ? -6 / (std::numbers::pi * square * square) * u : 0;
+}
+
+/// c, of a height |p| < reach, m: all of it up to 0.7 of the reach. Faces that lie deeper are let through.
+inline double near_share(double p, double reach) {
+  const double t = std::clamp((1 - std::abs(p) / reach) / 0.3, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+inline double near_slope(double p, double reach) {  // 1/m
+  const double t = std::clamp((1 - std::abs(p) / reach) / 0.3, 0.0, 1.0);
+  return (p < 0 ? 1 : -1) * 6 / (0.3 * reach) * t * (1 - t);
 }
 
 /// All of it from a cover of 0.85 on, so that a face of uneven facets counts whole.

@@ -70,8 +70,8 @@ class Pressed {
   }
   double energy() { return faces_.energy(s, walls_); }
   double gap() { return faces_.gap(s, 0, 1); }
-  V between(int a, int b) { return faces_.between(s, a, b); }
-  V of_wall(int a) { return faces_.of_wall(s, a, 0, walls_); }
+  V between(int a, int b) const { return faces_.between(a, b); }
+  V of_wall(int a) const { return faces_.of_wall(a, 0, walls_); }
   const Impulse& of_walls() const { return walls_.given(); }
 
   State<Dim> s;
@@ -80,14 +80,17 @@ class Pressed {
   SolverInput input() {
     constants_.dp = scene_.spacing;
     constants_.contact_stiffness = 2;
-    Elasticity e;
-    e.K = ring_rubber().bulk_modulus();
-    e.G = ring_rubber().shear_modulus();
+    std::vector<Elasticity> materials;
+    for (const Material& material : scene_.materials) {
+      Elasticity& e = materials.emplace_back();
+      e.K = material.bulk_modulus();
+      e.G = material.shear_modulus();
+    }
     return {find_method("oenog")->formulation,
             scene_,
             initial_,
             constants_,
-            {e},
+            materials,
             Law::none,
             ContactLaw::surface,
             true,

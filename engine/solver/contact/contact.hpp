@@ -125,13 +125,12 @@ class Contact {
     int body, other, wall;
     V impulse;  // N s
   };
-  V force_now(const State<Dim>& s, const Asked& asked) {
+  V force_now(const State<Dim>& s, const Asked& asked) const {
     if (asked.wall >= 0)
-      return by_faces_ ? faces_.of_wall(s, asked.body, asked.wall, walls_)
+      return by_faces_ ? faces_.of_wall(asked.body, asked.wall, walls_)
                        : pairs_.of_wall(s, asked.body, asked.wall, walls_);
     if (!between_bodies_) return {};
-    return by_faces_ ? faces_.between(s, asked.body, asked.other)
-                     : pairs_.between(s, asked.body, asked.other);
+    return by_faces_ ? faces_.between(asked.body, asked.other) : pairs_.between(s, asked.body, asked.other);
   }
 
   const std::vector<int>& touching() const { return by_faces_ ? faces_.touching() : pairs_.touching(); }

@@ -48,9 +48,9 @@ class FaceContacts {
   void evaluate(const State<Dim>& s, double dt, WallContacts<Dim>& walls, std::vector<V>& force, int threads);
   double energy(const State<Dim>& s, const WallContacts<Dim>& walls);  // J (per metre depth in 2D)
 
-  /// On body `a` of body `b` or of a wall, N (per metre depth in 2D), at the positions that `s` has now.
-  V between(const State<Dim>& s, int a, int b);
-  V of_wall(const State<Dim>& s, int a, int wall, const WallContacts<Dim>& walls);
+  /// On body `a` of body `b` or of a wall, N (per metre depth in 2D), as last evaluated.
+  V between(int a, int b) const;
+  V of_wall(int a, int wall, const WallContacts<Dim>& walls) const;
 
   /// Least signed distance of a node of one of two bodies from a face of the other, m, below 0 where they
   /// overlap; at least `reach` where they are further apart.
@@ -337,8 +337,7 @@ double FaceContacts<Dim>::energy(const State<Dim>& s, const WallContacts<Dim>& w
 }
 
 template <int Dim>
-auto FaceContacts<Dim>::between(const State<Dim>& s, int a, int b) -> V {
-  for (const int n : watched_) faces_.place(s, n);
+auto FaceContacts<Dim>::between(int a, int b) const -> V {
   V sum{};
   for_each_touch(others_, [&](int n, const Foot<Dim>& foot, const auto& touch) {
     if (touch.depth <= 0 || touch.depth >= reach * dp_) return;
@@ -351,8 +350,7 @@ auto FaceContacts<Dim>::between(const State<Dim>& s, int a, int b) -> V {
 }
 
 template <int Dim>
-auto FaceContacts<Dim>::of_wall(const State<Dim>& s, int a, int wall, const WallContacts<Dim>& walls) -> V {
-  for (const int n : watched_) faces_.place(s, n);
+auto FaceContacts<Dim>::of_wall(int a, int wall, const WallContacts<Dim>& walls) const -> V {
   double sum = 0;
   for_each_wall(walls, [&](int n, int met, double depth, double area, double k) {
     if (met == wall && faces_.outline().body[n] == a) sum += 2 * surface_force(depth, area, k);

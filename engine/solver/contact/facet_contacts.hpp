@@ -38,9 +38,9 @@ class FacetContacts {
   void evaluate(const State<3>& s, double dt, WallContacts<3>& walls, std::vector<V>& force, int threads);
   double energy(const State<3>& s, const WallContacts<3>& walls);  // J
 
-  /// On body `a` of body `b` or of a wall, N, at the positions that `s` has now.
-  V between(const State<3>& s, int a, int b);
-  V of_wall(const State<3>& s, int a, int wall, const WallContacts<3>& walls);
+  /// On body `a` of body `b` or of a wall, N, as last evaluated.
+  V between(int a, int b) const;
+  V of_wall(int a, int wall, const WallContacts<3>& walls) const;
 
   /// Least height of a facet of one of two bodies over a face of the other, m, below 0 where they overlap; at
   /// least `reach` where they are further apart.
@@ -65,18 +65,22 @@ class FacetContacts {
   };
   /// and what the facets of that body are to it now.
   struct Met {
-    int near = 0;                   // how many count
-    double height = 0, cover = 0;   // the mean of p, m, and the sum of A s w
-    double k = 0;                   // Pa/m
-    double per_p = 0, per_sum = 0;  // slopes of the energy in the p of one of them over its A s w, N, and in
-                                    // that sum with the mean kept, J
-    double per_one(double p) const { return per_p * (p - height) + per_sum; }  // in A s w of one of them, J
+    int near = 0;              // how many count
+    double cover = 0;          // the sum of their weights W
+    double height = 0, M = 0;  // the means of p, m, and of M, Pa
+    double k = 0;              // Pa/m
+    // slopes of the energy in that sum, J, and in the two of one of them, over its W, N and m³
+    double per_sum = 0, per_p = 0, per_M = 0;
+    double per_weight(double p, double modulus) const {  // in the W of one of them, J
+      return per_sum + per_p * (p - height) + per_M * (modulus - M);
+    }
   };
   struct Pair {
-    V d, middle;  // x_f − x_g, m; ½ (n_g − n_f)
-    double p, l2, cosine, share, weight;
+    V d, middle;                                // x_f − x_g, m; ½ (n_g − n_f)
+    double p, l2, cosine, share, weight, near;  // of W: s, w and c
   };
 
+  double weight_of(const Pair& pair) const { return pair.share * pair.weight * pair.near; }  // 1/m²
   double area_of(int facet) const { return facets_.mesh().facets[facet].area; }  // at the start, m²
   void refuse_thin(const Scene& scene) const;
   void list();
@@ -120,10 +124,9 @@ inline FacetContacts::FacetContacts(const SolverInput& input)
 
 inline void FacetContacts::refuse_thin(const Scene& scene) const {
   for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b) {
-    if (std::ranges::any_of(facets_.mesh().facets, [&](const auto& facet) { return facet.body == b; }))
-      continue;
+    if (facets_.mesh().closed[b]) continue;
     throw SceneError("contact", "the contact law 'surface' needs faces, and body '" + scene.bodies[b].name +
-                                    "' is too thin to have one: use a smaller spacing or another law");
+                                    "' is too thin to have them all: use a smaller spacing or another law");
   }
 }
 
@@ -187,6 +190,7 @@ void FacetContacts::for_each_pair(int row, const int* first, int count, const F&
     pair.l2 = d2 - pair.p * pair.p;
     if (pair.l2 >= widest || std::abs(pair.p) >= reach * dp_) continue;
     pair.weight = lateral_weight(pair.l2, radius * dp_);
+    pair.near = near_share(pair.p, reach * dp_);
     f(*o, pair);
   }
 }
@@ -214,42 +218,48 @@ inline void FacetContacts::place(const State<3>& s) {
 
 inline auto FacetContacts::measured(int r) -> Met {
   Met met;
-  double sum = 0, M = 0;
+  double sum = 0;
   int* const near = near_.data() + begin_[r];
   for_each_pair(r, other_.data() + begin_[r], begin_[r + 1] - begin_[r], [&](int other, const Pair& pair) {
     near[met.near++] = other;
-    const double W = facets_[rows_[other].facet].area * pair.share * pair.weight;
+    const double W = facets_[rows_[other].facet].area * weight_of(pair);
     sum += W * pair.p;
-    M += W * M_[rows_[other].facet];
+    met.M += W * M_[rows_[other].facet];
     met.cover += W;
   });
   if (!(met.cover > 0)) return met;
   met.height = sum / met.cover;
   if (met.height >= 0) return met;
+  met.M /= met.cover;
   const int facet = rows_[r].facet;
-  met.k = surface_stiffness(M_[facet], M / met.cover, stiffness_, dp_);
-  met.per_p = -surface_force(-met.height, area_of(facet) * covered_share(met.cover), met.k) / met.cover;
+  const double area = area_of(facet) * covered_share(met.cover),
+               k_per_M = surface_stiffness_slope(M_[facet], met.M, stiffness_, dp_);
+  met.k = surface_stiffness(M_[facet], met.M, stiffness_, dp_);
   met.per_sum = surface_energy(-met.height, area_of(facet) * covered_slope(met.cover), met.k);
+  met.per_p = -surface_force(-met.height, area, met.k) / met.cover;
+  met.per_M = surface_energy(-met.height, area, k_per_M) / met.cover;
   return met;
 }
 
 /// Of the energies of this facet and of those that it counts for, in where this one is.
 inline MovingFacets::Slope FacetContacts::slope_of(int r) const {
   const Met& own = met_[r];
-  const double area = facets_[rows_[r].facet].area;
+  const double area = facets_[rows_[r].facet].area, M = M_[rows_[r].facet];
   MovingFacets::Slope slope;
   for_each_pair(r, near_.data() + begin_[r], own.near, [&](int o, const Pair& pair) {
     const Met& other = met_[o];
     if (own.per_p == 0 && other.per_p == 0) return;
     const MovingFacets::Place& at = facets_[rows_[o].facet];
-    const double per_weight = own.per_one(pair.p) * at.area + other.per_one(pair.p) * area;
-    const double per_l2 = per_weight * pair.share * lateral_slope(pair.l2, radius * dp_);
-    const double per_share = per_weight * pair.weight;
-    const double per_p =
-        (own.per_p * at.area + other.per_p * area) * pair.share * pair.weight - 2 * pair.p * per_l2;
+    const double per_other = other.per_weight(pair.p, M);
+    const double per_weight = own.per_weight(pair.p, M_[rows_[o].facet]) * at.area + per_other * area;
+    const double per_l2 = per_weight * pair.share * pair.near * lateral_slope(pair.l2, radius * dp_);
+    const double per_share = per_weight * pair.weight * pair.near;
+    const double per_p = (own.per_p * at.area + other.per_p * area) * weight_of(pair) +
+                         per_weight * pair.share * pair.weight * near_slope(pair.p, reach * dp_) -
+                         2 * pair.p * per_l2;
     slope.middle += per_p * pair.middle + (2 * per_l2) * pair.d;
     slope.normal += (per_share * facing_slope(pair.cosine)) * at.normal - (0.5 * per_p) * pair.d;
-    slope.area += other.per_one(pair.p) * pair.share * pair.weight;
+    slope.area += per_other * weight_of(pair);
   });
   return slope;
 }
@@ -261,7 +271,7 @@ inline void FacetContacts::evaluate(const State<3>& s, double dt, WallContacts<3
   for (const int n : nodes_) force_[n] = V{};
   const auto share_out = [&](const auto& take) {
     for (const int n : nodes_)
-      if (dot(force_[n], force_[n]) > 0)
+      if (dot(force_[n], force_[n]) != 0)
         facets_.for_each_share(n, [&](int i, double weight) { take(i, weight * force_[n]); });
   };
   for_each_wall(walls, [&](int facet, int wall, double depth, double share, double k) {
@@ -292,16 +302,14 @@ inline double FacetContacts::energy(const State<3>& s, const WallContacts<3>& wa
   return sum;
 }
 
-inline auto FacetContacts::between(const State<3>& s, int a, int b) -> V {
-  place(s);
+inline auto FacetContacts::between(int a, int b) const -> V {
   V sum{};
   for (std::size_t r = 0; r < rows_.size(); ++r)
-    if (rows_[r].body == b && facets_.body(rows_[r].facet) == a) sum -= slope_of(static_cast<int>(r)).middle;
+    if (rows_[r].body == b && facets_.body(rows_[r].facet) == a) sum -= slopes_[r].middle;
   return sum;
 }
 
-inline auto FacetContacts::of_wall(const State<3>& s, int a, int wall, const WallContacts<3>& walls) -> V {
-  place(s);
+inline auto FacetContacts::of_wall(int a, int wall, const WallContacts<3>& walls) const -> V {
   double sum = 0;
   for_each_wall(walls, [&](int facet, int met, double depth, double share, double k) {
     if (met == wall && facets_.body(facet) == a) sum += 2 * surface_force(depth, area_of(facet) * share, k);

@@ -79,6 +79,7 @@ class FacetSearch {
   static constexpr double horizon = 4;       // how far a search looks, for how long it may hold
   static constexpr double far_apart = 4;     // along a face that bends, or through a gap
   static constexpr double far_inside = 8;    // the two faces of a thinner wall do not act on each other
+  static constexpr double flat = 1e-6;       // of two facets of one plane, but for round-off
   static constexpr double turn_slack = 0.5;  // of two facets around the particles behind them
 
   void search_others(const State<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
@@ -96,7 +97,7 @@ class FacetSearch {
   void search_own(const State<3>& s, MovingFacets& facets) {
     const auto wanted = [&](int f, int g) {
       const V D = points_.start(f) - points_.start(g);
-      return dot(D, D) > far_inside * far_inside * dp_ * dp_ || dot(D, normal_[g] - normal_[f]) > 0;
+      return dot(D, D) > far_inside * far_inside * dp_ * dp_ || dot(D, normal_[g] - normal_[f]) > -flat * dp_;
     };
     own_bound_.restart(find<PairsOf::one_body>(s, facets, all_, wanted, own_), behind_);
   }

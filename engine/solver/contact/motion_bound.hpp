@@ -79,8 +79,9 @@ class MotionBound {
 };
 
 inline constexpr TermInfo self_contact_info{
-    "self-contact", "by the law of contact, of what was further than 4 dp apart at the start", "ours",
-    "solver/contact/motion_bound.hpp:MotionBound",
+    "self-contact",
+    "by the law of contact, of what was further apart at the start than 4 dp (facets through the body: 8)",
+    "ours", "solver/contact/motion_bound.hpp:MotionBound",
     "contact: a strip that folds meets itself, by every law, and does not pass through"};
 
 }  // namespace taut::inline TAUT_ISA

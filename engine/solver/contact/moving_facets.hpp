@@ -30,7 +30,7 @@ class MovingFacets {
     V middle{}, normal{};  // m; of length 1, outwards
     double area = 0;       // m²
   };
-  /// The slope of an energy in each of these, N, N m, Pa.
+  /// The slope of an energy in each of these, N, N m, N/m.
   struct Slope {
     V middle{}, normal{};
     double area = 0;

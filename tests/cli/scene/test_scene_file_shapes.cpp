@@ -146,6 +146,29 @@ TEST_SUITE("cli") {
         {"greater than 0"});
   }
 
+  TEST_CASE("scene: given particles in 3D meet by the penalty, and are in touch when it acts") {
+    write_file("given.csv", "x,y,z\n0,0,0\n0.05,0,0\n");
+    const std::string_view asks = R"([[probe]]
+name = "tip"
+of = "displacement"
+body = "body"
+at = [0, 0, 0]
+component = "x"
+[[measure]]
+name = "met"
+of = "first_below"
+probe = "tip"
+threshold = "touching"
+unit = "s"
+)";
+    const auto touching = [&](const std::string& shape) {
+      const SceneFile file = read_text(scene_text(shape, std::string(asks), 3), {{"method", "oenog"}});
+      return file.scene.measures.at(0).threshold;
+    };
+    CHECK(touching(R"({ type = "particles", file = "given.csv" })") == relative(0.1 * 0.05));
+    CHECK(touching(R"({ type = "box", low = [0, 0, 0], high = [1, 1, 1] })") == 0);
+  }
+
   TEST_CASE("shapes: particles from a table") {
     write_file("given.csv", "# three\nx, y, volume\n0, 0, 0.001\n1, 0, 0.002\n0, 1, 0.003\n");
     const InitialParticles layout = laid(scene_text(R"({ type = "particles", file = "given.csv" })"));

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "engine/error.hpp"
 #include "engine/scene/other_shapes.hpp"
 #include "engine/terms/surface_contact.hpp"
+#include "tests/support/closing_arms.hpp"
 #include "tests/support/pressed.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
@@ -22,6 +24,7 @@ using doctest::Approx;
 namespace {
 
 constexpr double dp = 0.001;  // m
+constexpr double arm = 0.02;  // of those that close, m
 using V = Vec<double, 3>;
 constexpr Point direction{0.64, 0.48, 0.6};  // of length 1
 
@@ -37,31 +40,6 @@ Pressed<3> two_balls(double depth, double r = 0.006) {
 }
 
 double length(const V& v) { return std::sqrt(dot(v, v)); }
-
-/// Two arms on a common foot, which close with `speed`, over the sound speed. It is one body.
-Scene closing_arms(double speed) {
-  Scene scene = scene_of({Box{{-0.008, 0, 0}, {-0.003, 0.02, 0.005}}});
-  scene.name = "closing-arms";
-  Body& arms = scene.bodies[0];
-  arms.shapes.push_back(Box{{0.003, 0, 0}, {0.008, 0.02, 0.005}});
-  arms.shapes.push_back(Box{{-0.008, -0.005, 0}, {0.008, 0, 0.005}});
-  const double v = speed * ring_rubber().sound_speed();
-  arms.velocity[0] = [=](const Point& x) { return x[1] < 0 ? 0 : (x[0] < 0 ? v : -v) * x[1] / 0.02; };
-  return scene;
-}
-
-/// How far a particle of the left arm has come to the right of one of the right arm beside it, m.
-double crossed(const Snapshot& now) {
-  double most = -1;
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    if (now.x0[3 * i] > 0 || now.x0[3 * i + 1] < 0.01) continue;
-    for (std::size_t j = 0; j < now.size(); ++j)
-      if (now.x0[3 * j] > 0 && now.x0[3 * j + 1] > 0.01 &&
-          std::hypot(now.x[3 * i + 1] - now.x[3 * j + 1], now.x[3 * i + 2] - now.x[3 * j + 2]) < dp)
-        most = std::max(most, now.x[3 * i] - now.x[3 * j]);
-  }
-  return most;
-}
 
 }  // namespace
 
@@ -87,6 +65,15 @@ TEST_SUITE("term") {
     CHECK(covered_share(0.15) == 0);
     CHECK(covered_share(0.85) == Approx(1));
     CHECK(covered_slope(0.1) == 0);
+    for (const double at : {-0.97, -0.8, 0.5, 0.75, 0.9}) {
+      const double p = at * dp, d = step * dp;
+      CHECK((near_share(p + d, dp) - near_share(p - d, dp)) / (2 * d) ==
+            Approx(near_slope(p, dp)).epsilon(1e-6));
+    }
+    CHECK(near_share(0.6 * dp, dp) == 1);
+    CHECK(near_share(dp, dp) == 0);
+    CHECK((surface_stiffness(2e7, 3e7 + 1, 2, dp) - surface_stiffness(2e7, 3e7 - 1, 2, dp)) / 2 ==
+          Approx(surface_stiffness_slope(2e7, 3e7, 2, dp)).epsilon(1e-6));
     for (const double cosine : {-0.9, -0.4, -0.1})
       CHECK((facing_share(cosine + step) - facing_share(cosine - step)) / (2 * step) ==
             Approx(facing_slope(cosine)));
@@ -148,11 +135,25 @@ TEST_SUITE("conservation") {
     Scene on_edge = scene_of({low, Box{{0, 0.003, 0.0017}, {0.004, 0.007, 0.0057}}});
     on_edge.bodies[1].rotation = Rotation{{0, 0, 1}, {0, 0.003, 0}, -25};  // one side is 65° from facing
     const Scene rims = scene_of({low, Box{{0, 0.0023, -0.0017}, {0.004, 0.0083, 0.0043}}});
-    const Scene* const none = nullptr;
-    for (const Scene* scene : {none, &rims, &std::as_const(on_edge)}) {
-      CAPTURE(scene == &on_edge);
-      Pressed<3> bodies = scene ? Pressed<3>(*scene) : two_balls(0.4 * dp, 0.004);
-      if (scene) bodies.shift(1, {(scene == &on_edge ? -0.6 : -0.3) * dp, 0, 0});
+    Scene hard_in_part = rims;
+    hard_in_part.materials.push_back(ring_rubber());
+    hard_in_part.materials[1].youngs_modulus *= 10;
+    Part& hard = hard_in_part.bodies[1].parts.emplace_back();
+    hard.where = [](const Point& x) { return x[1] > 0.0045; };
+    hard.material = 1;
+    struct Case {
+      std::string name;
+      Pressed<3> bodies;
+      double depth;  // spacings
+    };
+    Case cases[] = {{"balls", two_balls(0.4 * dp, 0.004), 0},
+                    {"rims", Pressed<3>(rims), 0.3},
+                    {"almost let through", Pressed<3>(rims), 0.85},
+                    {"on edge", Pressed<3>(on_edge), 0.6},
+                    {"two materials", Pressed<3>(hard_in_part), 0.3}};
+    for (auto& [name, bodies, depth] : cases) {
+      CAPTURE(name);
+      bodies.shift(1, {-depth * dp, 0, 0});
       for (V& x : bodies.s.x) {  // no symmetry is left
         const Point at{x[0], x[1], x[2]}, across{x[1], x[2], x[0]};
         x += 0.03 * dp * V{shake(at, 7 * dp), shake(across, 5 * dp), shake({x[2], x[0], x[1]}, 6 * dp)};
@@ -235,7 +236,7 @@ TEST_SUITE("conservation") {
 
 TEST_SUITE("failure") {
   TEST_CASE("contact: in 3D arms that close meet, by every law, and do not pass through each other") {
-    Scene scene = closing_arms(0.1);
+    Scene scene = closing_arms(3, dp, 0.006, arm, 0.1);
     for (const char* method : {"oenog", "tl", "pf-jst"}) {
       for (const ContactLaw law : find_method(method)->contact_laws) {
         CAPTURE(std::string(method));
@@ -247,7 +248,7 @@ TEST_SUITE("failure") {
         for (int k = 1; k <= 20; ++k) {
           simulation->advance_to(0.0001 * k);
           pressed = std::max(pressed, simulation->snapshot().contact_energy / kinetic);
-          most = std::max(most, crossed(simulation->snapshot()));
+          most = std::max(most, crossed(simulation->snapshot(), 3, dp, arm));
         }
         CHECK(most < 0);
         if (law != ContactLaw::impulse) CHECK(pressed > 0.001);  // they did meet
@@ -295,6 +296,17 @@ TEST_SUITE("unit") {
     };
     for (const char* part : {"'surface'", "'body 0'", "too thin", "smaller spacing"})
       CHECK(refusal(Box{{0, 0, 0}, {0.01, 0.01, dp}}).find(part) != std::string::npos);
+    const auto refusal_of_fin = [&]() -> std::string {
+      Scene scene = scene_of({Box{{0, 0, 0.01}, {0.005, 0.005, 0.014}}, block});
+      scene.bodies[0].shapes.push_back(Box{{0.005, 0, 0.01}, {0.015, 0.005, 0.01 + dp}});
+      try {
+        make_simulation(scene, with_method("oenog"));
+      } catch (const SceneError& error) {
+        return error.what();
+      }
+      return "";
+    };
+    CHECK(refusal_of_fin().find("too thin") != std::string::npos);
     for (const char* part : {"'surface'", "one by one", "penalty"})
       CHECK(refusal(given).find(part) != std::string::npos);
     Scene scene = scene_of({given, block});
