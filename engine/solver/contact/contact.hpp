@@ -31,17 +31,7 @@ class Contact {
   /// How far probes see a gap before it closes, spacings.
   static constexpr double reach = PairContacts<Dim>::reach;
 
-  explicit Contact(const SolverInput& input)
-      : by_faces_(input.contact == ContactLaw::surface),
-        between_bodies_(input.contact != ContactLaw::sph && input.initial.first.size() > 2),
-        active_(between_bodies_ || input.meets_itself || !input.scene.walls.empty()),
-        walls_(input.scene),
-        pairs_(input),
-        faces_(input) {
-    for (const Probe& probe : input.scene.probes)
-      if (probe.kind == Probe::Kind::contact_force)
-        asked_.push_back({probe.bodies[0], probe.wall < 0 ? probe.bodies[1] : -1, probe.wall, {}});
-  }
+  explicit Contact(const SolverInput& input);
 
   /// Particles of two bodies act on each other here, not as those of one.
   bool between_bodies() const { return between_bodies_; }
@@ -50,26 +40,11 @@ class Contact {
 
   /// Searches anew what the fastest particle, whose next way is `way`, m, may have come out of. True if it
   /// did.
-  bool prepare(const State<Dim>& s, double way) {
-    if (!active_) return false;
-    for (Asked& asked : asked_) asked.impulse = V{};
-    const bool again = by_faces_ ? faces_.prepare(s, walls_, way) : pairs_.prepare(s, walls_, way);
-    if (again) force_.assign(s.size(), V{});
-    return again;
-  }
-
-  void search(const State<Dim>& s) {
-    if (!active_) return;
-    by_faces_ ? faces_.search(s, walls_) : pairs_.search(s, walls_);
-    force_.assign(s.size(), V{});
-  }
+  bool prepare(const State<Dim>& s, double way);
+  void search(const State<Dim>& s);
 
   /// The forces at the positions that `s` has now, which act for `dt`, s.
-  void evaluate(const State<Dim>& s, double dt, int threads) {
-    if (!active_) return;
-    by_faces_ ? faces_.evaluate(s, dt, walls_, force_, threads) : pairs_.evaluate(s, dt, walls_, force_);
-    for (Asked& asked : asked_) asked.impulse += dt * force_now(s, asked);
-  }
+  void evaluate(const State<Dim>& s, double dt, int threads);
 
   /// On particle i, N (per metre depth in 2D), as last evaluated.
   const V& force(int i) const { return force_[i]; }
@@ -90,24 +65,16 @@ class Contact {
 
   /// What a body got from another one, or from a wall where that is not below 0, in the last step, N s (per
   /// metre depth in 2D), if a probe asks for it.
-  V impulse(int body, int other, int wall) const {
-    for (const Asked& asked : asked_)
-      if (asked.body == body && asked.wall == wall && (wall >= 0 || asked.other == other))
-        return asked.impulse;
-    return {};
-  }
+  V impulse(int body, int other, int wall) const;
 
   /// What walls have given to the bodies so far.
   const Impulse& of_walls() const { return walls_.given(); }
 
   /// Of all contacts at the positions that `s` has now, J (per metre depth in 2D). Impulses have none.
-  double energy(const State<Dim>& s) {
-    if (!active_) return 0;
-    return by_faces_ ? faces_.energy(s, walls_) : pairs_.energy(s, walls_);
-  }
+  double energy(const State<Dim>& s);
 
   /// Pairs of two bodies in the form in which probes look for neighbours.
-  Neighbors neighbors(int particles) const { return pairs_.neighbors(particles); }
+  Neighbors neighbors(int particles) const;
   /// Those who measure a gap from faces; null where they do from particles.
   ContactsOfFaces<Dim>* faces() { return by_faces_ ? &faces_ : nullptr; }
 
@@ -125,14 +92,7 @@ class Contact {
     int body, other, wall;
     V impulse;  // N s
   };
-  V force_now(const State<Dim>& s, const Asked& asked) const {
-    if (asked.wall >= 0)
-      return by_faces_ ? faces_.of_wall(asked.body, asked.wall, walls_)
-                       : pairs_.of_wall(s, asked.body, asked.wall, walls_);
-    if (!between_bodies_) return {};
-    return by_faces_ ? faces_.between(asked.body, asked.other) : pairs_.between(s, asked.body, asked.other);
-  }
-
+  V force_now(const State<Dim>& s, const Asked& asked) const;
   const std::vector<int>& touching() const { return by_faces_ ? faces_.touching() : pairs_.touching(); }
 
   bool by_faces_, between_bodies_, active_;

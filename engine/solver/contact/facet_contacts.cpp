@@ -1,0 +1,233 @@
+// Compiled once per instruction set; see engine/CMakeLists.txt.
+#include "engine/solver/contact/facet_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/parallel.hpp"
+#include "engine/error.hpp"
+#include "engine/terms/surface_contact.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+FacetContacts::FacetContacts(const SolverInput& input)
+    : dp_(input.constants.dp), stiffness_(input.constants.contact_stiffness) {
+  if (input.contact != ContactLaw::surface) return;
+  facets_ = MovingFacets(make_surface_mesh(input.scene, input.initial, input.threads));
+  if (input.scene.bodies.size() > 1 || !input.scene.walls.empty()) refuse_thin(input.scene);
+  for (const SurfaceMesh::Facet& facet : facets_.mesh().facets) {
+    const Elasticity& e = input.materials[input.initial.material[facet.particle]];
+    M_.push_back(e.K + 4.0 / 3 * e.G);
+  }
+  find_ = FacetSearch(input, facets_, apart * dp_);
+  force_.resize(facets_.mesh().size());
+}
+
+void FacetContacts::refuse_thin(const Scene& scene) const {
+  for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b) {
+    if (facets_.mesh().closed[b]) continue;
+    throw SceneError("contact", "the contact law 'surface' needs faces, and body '" + scene.bodies[b].name +
+                                    "' is too thin to have them all: use a smaller spacing or another law");
+  }
+}
+
+void FacetContacts::search(const State<3>& s, const WallContacts<3>& walls) {
+  if (facets_.size() == 0) return;
+  facets_.renumber(s);
+  find_.search(s, facets_, walls);
+  list();
+}
+
+bool FacetContacts::prepare(const State<3>& s, const WallContacts<3>& walls, double way) {
+  if (facets_.size() == 0 || !find_.prepare(s, facets_, walls, way)) return false;
+  list();
+  return true;
+}
+
+/// Rows, watched facets, their nodes and particles, of what the search has found.
+void FacetContacts::list() {
+  rows_.clear();
+  begin_.assign(1, 0);
+  std::vector<char> watched(facets_.size());
+  const auto& pairs = find_.pairs;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const auto& [f, g] = pairs[k];
+    if (rows_.empty() || rows_.back().facet != f || rows_.back().body != facets_.body(g)) {
+      if (!rows_.empty()) begin_.push_back(static_cast<int>(k));
+      rows_.push_back({f, facets_.body(g)});
+    }
+    watched[f] = true;
+  }
+  if (!rows_.empty()) begin_.push_back(static_cast<int>(pairs.size()));
+  other_.clear();
+  for (const auto& [f, g] : pairs) {
+    const auto key = [](const Row& row) { return std::pair(row.facet, row.body); };
+    const auto found = std::ranges::lower_bound(rows_, std::pair(g, facets_.body(f)), {}, key);
+    other_.push_back(static_cast<int>(found - rows_.begin()));
+  }
+  for (const auto& [f, wall] : find_.near_wall) watched[f] = true;
+  watched_ = indices_of(watched);
+  nodes_ = facets_.nodes_of(watched_);
+  touching_ = facets_.particles_of(nodes_);
+}
+
+/// f(row of the other facet, what is between the two) for each of the `count` rows from `first` on that counts
+/// in the mean of a row.
+template <class F>
+void FacetContacts::for_each_pair(int row, const int* first, int count, const F& f) const {
+  const MovingFacets::Place& own = facets_[rows_[row].facet];
+  const double widest = radius * radius * dp_ * dp_, farthest = widest + reach * reach * dp_ * dp_;
+  for (const int* o = first; o < first + count; ++o) {
+    const MovingFacets::Place& other = facets_[rows_[*o].facet];
+    Pair pair;
+    pair.d = own.middle - other.middle;
+    const double d2 = dot(pair.d, pair.d);
+    if (d2 >= farthest) continue;
+    pair.cosine = dot(own.normal, other.normal);
+    pair.share = facing_share(pair.cosine);
+    if (pair.share == 0) continue;
+    pair.middle = 0.5 * (other.normal - own.normal);
+    pair.p = dot(pair.d, pair.middle);
+    pair.l2 = d2 - pair.p * pair.p;
+    if (pair.l2 >= widest || std::abs(pair.p) >= reach * dp_) continue;
+    pair.weight = lateral_weight(pair.l2, radius * dp_);
+    pair.near = near_share(pair.p, reach * dp_);
+    f(*o, pair);
+  }
+}
+
+/// f(facet, wall, depth, facing share, k): its mirror image lies twice as deep behind it, and half of the energy of
+/// the two is its own.
+template <class F>
+void FacetContacts::for_each_wall(const WallContacts<3>& walls, const F& f) const {
+  for (const auto& [facet, wall] : find_.near_wall) {
+    const double height = walls.height(wall, facets_[facet].middle);
+    if (height >= 0) continue;
+    const double share = facing_share(dot(facets_[facet].normal, walls.normal(wall)));
+    if (share > 0)
+      f(facet, wall, -2 * height, share, surface_stiffness(M_[facet], M_[facet], stiffness_, dp_));
+  }
+}
+
+/// Everything at the positions that `s` has now, from facets to what rows have met.
+void FacetContacts::place(const State<3>& s) {
+  facets_.place(s, nodes_, watched_, threads_);
+  near_.resize(other_.size());
+  met_.resize(rows_.size());
+  parallel_for(static_cast<int>(rows_.size()), threads_, [&](int r) { met_[r] = measured(r); });
+}
+
+auto FacetContacts::measured(int r) -> Met {
+  Met met;
+  double sum = 0;
+  int* const near = near_.data() + begin_[r];
+  for_each_pair(r, other_.data() + begin_[r], begin_[r + 1] - begin_[r], [&](int other, const Pair& pair) {
+    near[met.near++] = other;
+    const double W = facets_[rows_[other].facet].area * weight_of(pair);
+    sum += W * pair.p;
+    met.M += W * M_[rows_[other].facet];
+    met.cover += W;
+  });
+  if (!(met.cover > 0)) return met;
+  met.height = sum / met.cover;
+  if (met.height >= 0) return met;
+  met.M /= met.cover;
+  const int facet = rows_[r].facet;
+  const double area = area_of(facet) * covered_share(met.cover),
+               k_per_M = surface_stiffness_slope(M_[facet], met.M, stiffness_, dp_);
+  met.k = surface_stiffness(M_[facet], met.M, stiffness_, dp_);
+  met.per_sum = surface_energy(-met.height, area_of(facet) * covered_slope(met.cover), met.k);
+  met.per_p = -surface_force(-met.height, area, met.k) / met.cover;
+  met.per_M = surface_energy(-met.height, area, k_per_M) / met.cover;
+  return met;
+}
+
+/// Of the energies of this facet and of those that it counts for, in where this one is.
+MovingFacets::Slope FacetContacts::slope_of(int r) const {
+  const Met& own = met_[r];
+  const double area = facets_[rows_[r].facet].area, M = M_[rows_[r].facet];
+  MovingFacets::Slope slope;
+  for_each_pair(r, near_.data() + begin_[r], own.near, [&](int o, const Pair& pair) {
+    const Met& other = met_[o];
+    if (own.per_p == 0 && other.per_p == 0) return;
+    const MovingFacets::Place& at = facets_[rows_[o].facet];
+    const double per_other = other.per_weight(pair.p, M);
+    const double per_weight = own.per_weight(pair.p, M_[rows_[o].facet]) * at.area + per_other * area;
+    const double per_l2 = per_weight * pair.share * pair.near * lateral_slope(pair.l2, radius * dp_);
+    const double per_share = per_weight * pair.weight * pair.near;
+    const double per_p = (own.per_p * at.area + other.per_p * area) * weight_of(pair) +
+                         per_weight * pair.share * pair.weight * near_slope(pair.p, reach * dp_) -
+                         2 * pair.p * per_l2;
+    slope.middle += per_p * pair.middle + (2 * per_l2) * pair.d;
+    slope.normal += (per_share * facing_slope(pair.cosine)) * at.normal - (0.5 * per_p) * pair.d;
+    slope.area += per_other * weight_of(pair);
+  });
+  return slope;
+}
+
+void FacetContacts::evaluate(const State<3>& s, double dt, WallContacts<3>& walls, std::vector<V>& force,
+                             int threads) {
+  threads_ = threads;
+  place(s);
+  for (const int n : nodes_) force_[n] = V{};
+  const auto share_out = [&](const auto& take) {
+    for (const int n : nodes_)
+      if (dot(force_[n], force_[n]) != 0)
+        facets_.for_each_share(n, [&](int i, double weight) { take(i, weight * force_[n]); });
+  };
+  for_each_wall(walls, [&](int facet, int wall, double depth, double share, double k) {
+    const V& normal = walls.normal(wall);
+    const double area = area_of(facet), slope = facing_slope(dot(facets_[facet].normal, normal));
+    // 2: of the pass over the facet and of that over its image
+    facets_.push(facet,
+                 {.middle = (-2 * surface_force(depth, area * share, k)) * normal,
+                  .normal = (surface_energy(depth, area, k) * slope) * normal},
+                 force_);
+  });
+  share_out([&](int i, const V& f) { walls.book(s.x[i], (dt * s.mobile[i]) * f); });
+  slopes_.resize(rows_.size());
+  parallel_for(static_cast<int>(rows_.size()), threads_, [&](int r) { slopes_[r] = slope_of(r); });
+  for (std::size_t r = 0; r < rows_.size(); ++r) facets_.push(rows_[r].facet, slopes_[r], force_);
+  for (const int i : touching_) force[i] = V{};
+  share_out([&](int i, const V& f) { force[i] += f; });
+}
+
+double FacetContacts::energy(const State<3>& s, const WallContacts<3>& walls) {
+  place(s);
+  double sum = 0;
+  for (std::size_t r = 0; r < rows_.size(); ++r)
+    sum += surface_energy(-met_[r].height, area_of(rows_[r].facet) * covered_share(met_[r].cover), met_[r].k);
+  for_each_wall(walls, [&](int facet, int, double depth, double share, double k) {
+    sum += surface_energy(depth, area_of(facet) * share, k);  // both passes, half of them of the image
+  });
+  return sum;
+}
+
+auto FacetContacts::between(int a, int b) const -> V {
+  V sum{};
+  for (std::size_t r = 0; r < rows_.size(); ++r)
+    if (rows_[r].body == b && facets_.body(rows_[r].facet) == a) sum -= slopes_[r].middle;
+  return sum;
+}
+
+auto FacetContacts::of_wall(int a, int wall, const WallContacts<3>& walls) const -> V {
+  double sum = 0;
+  for_each_wall(walls, [&](int facet, int met, double depth, double share, double k) {
+    if (met == wall && facets_.body(facet) == a) sum += 2 * surface_force(depth, area_of(facet) * share, k);
+  });
+  return sum * walls.normal(wall);
+}
+
+double FacetContacts::gap(const State<3>& s, int a, int b) {
+  double least = reach * dp_;
+  if (rows_.empty()) return least;
+  place(s);
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    const int own = facets_.body(rows_[r].facet), other = rows_[r].body;
+    if (((own == a && other == b) || (own == b && other == a)) && covered_share(met_[r].cover) > 0)
+      least = std::min(least, met_[r].height);
+  }
+  return least;
+}
+
+}  // namespace taut::inline TAUT_ISA
