@@ -77,9 +77,13 @@ Eigen::MatrixXd quadratics(const Snapshot& start, std::span<const int> near, dou
 
 /// κ (I − P) e_i / |(I − P) e_i|; empty where the quadratics leave too little.
 Eigen::VectorXd row(const Eigen::MatrixXd& quadratics, double kappa) {
-  // a thin body leaves some monomials without effect: the rank may be less than their number
   const Eigen::VectorXd e_i = Eigen::VectorXd::Unit(quadratics.rows(), 0);
-  const Eigen::VectorXd left = e_i - quadratics * least_squares(quadratics, e_i).x;
+  const Gram G = quadratics.transpose().lazyProduct(quadratics);
+  const Gram fast = solved_by_gram(G, quadratics.row(0).transpose());
+  // a thin body leaves some monomials without effect: the rank may be less than their number
+  const Eigen::VectorXd coefficients =
+      fast.size() > 0 ? Eigen::VectorXd(fast) : Eigen::VectorXd(least_squares(quadratics, e_i).x);
+  const Eigen::VectorXd left = e_i - quadratics.lazyProduct(coefficients);
   if (left[0] < least_left) return {};  // also the square of its norm, since I − P is a projection
   return kappa / left.norm() * left;
 }

@@ -74,7 +74,9 @@ class Moments {
       Eigen::Matrix<double, count, count> A = Eigen::Matrix<double, count, count>::Zero();
       for (std::size_t b = 0; b < M.size(); ++b)
         for (int k = 0; k < count; ++k) A.col(k) += omega[b] * M[b][k] * M[b];
-      const Vector alpha = least_squares(A, missing(M, omega)).x;
+      const Vector short_of = missing(M, omega);
+      const Gram fast = solved_by_gram(A, short_of);
+      const Vector alpha = fast.size() > 0 ? Vector(fast) : Vector(least_squares(A, short_of).x);
       bool negative = false;
       for (std::size_t b = 0; b < M.size(); ++b) {
         w[b] = omega[b] + omega[b] * M[b].dot(alpha);

@@ -85,9 +85,15 @@ Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, in
     P.col(b) /= X.squaredNorm();
   }
   // the first rows of the pseudo-inverse of Pᵀ
-  const auto [rows, rank] = least_squares(P, Eigen::MatrixXd::Identity(terms, Dim));
-  if (rank < terms) return {};
-  Eigen::Matrix<double, Dim, Eigen::Dynamic> g = rows.transpose();
+  Eigen::Matrix<double, Dim, Eigen::Dynamic> g;
+  const Gram G = P.lazyProduct(P.transpose());
+  if (const Gram fast = solved_by_gram(G, Gram::Identity(terms, Dim)); fast.size() > 0) {
+    g = fast.transpose().lazyProduct(P);
+  } else {
+    const auto [rows, rank] = least_squares(P, Eigen::MatrixXd::Identity(terms, Dim));
+    if (rank < terms) return {};
+    g = rows.transpose();
+  }
   for (Eigen::Index b = 0; b < n; ++b) g.col(b) /= near[b].X.squaredNorm();
   for (int a = 0; a < Dim; ++a)
     if (!(g.row(a).cwiseAbs().sum() + std::abs(g.row(a).sum()) <= greatest_cost)) return {};

@@ -20,15 +20,10 @@ FaceContacts<Dim>::FaceContacts(const SolverInput& input)
   faces_ = MovingFaces<Dim>(make_outline(input.scene, input.initial));
   if (meets_others_) refuse_thin(input.scene);
   const Outline& outline = faces_.outline();
-  double per_way = 1;  // greatest way of a node where no particle goes further than 1
-  for (int n = 0; n < outline.size(); ++n) {
-    double way = 0;
-    for (int k = outline.begin[n]; k < outline.begin[n + 1]; ++k) way += std::abs(outline.shares[k].weight);
-    per_way = std::max(per_way, way);
-    const Elasticity& e = input.materials[outline.material[n]];
+  for (const int material : outline.material) {
+    const Elasticity& e = input.materials[material];
     M_.push_back(e.K + 4.0 / 3 * e.G);
   }
-  others_bound_ = own_bound_ = MotionBound<Dim>(per_way);
   all_nodes_.resize(outline.size());
   std::iota(all_nodes_.begin(), all_nodes_.end(), 0);
   all_segments_.resize(outline.segments.size());
@@ -52,7 +47,7 @@ void FaceContacts<Dim>::search(const State<Dim>& s, const WallContacts<Dim>& wal
   faces_.renumber(s);
   faces_.place_all(s);
   if (meets_others_) search_others(walls);
-  if (meets_itself_) search_own();
+  if (meets_itself_) search_own(s);
   watch();
 }
 
@@ -61,14 +56,15 @@ bool FaceContacts<Dim>::prepare(const State<Dim>& s, const WallContacts<Dim>& wa
   if (faces_.size() == 0) return false;
   const bool others = meets_others_ && !others_bound_.holds(way);
   bool own = meets_itself_ && !own_bound_.holds(way);
+  if (own) faces_.follow(s, behind_);
+  own = own && !own_bound_.still_holds(behind_, faces_.outline().body, way);
   if (others || own) faces_.place_all(s);
   if (others) {
     search_others(walls);
     others_bound_.holds(way);
   }
-  own = own && !own_bound_.still_holds(faces_.places(), faces_.outline().body, way);
   if (own) {
-    search_own();
+    search_own(s);
     own_bound_.holds(way);
   }
   if (others || own) watch();
@@ -114,7 +110,7 @@ void FaceContacts<Dim>::search_others(const WallContacts<Dim>& walls) {
   });
   const auto wanted = [&](int n, int k) { return faces_.body_of_segment(k) != faces_.outline().body[n]; };
   const double beyond = find_(faces_, nodes, segments, (reach + skin) * dp_, horizon * dp_, wanted, others_);
-  others_bound_.restart(beyond - reach * dp_, {});
+  others_bound_.restart(beyond - (reach + turn_slack) * dp_, {});
   near_wall_.clear();
   for (const int n : all_nodes_)
     for (int w = 0; w < walls.count(); ++w)
@@ -122,7 +118,7 @@ void FaceContacts<Dim>::search_others(const WallContacts<Dim>& walls) {
 }
 
 template <int Dim>
-void FaceContacts<Dim>::search_own() {
+void FaceContacts<Dim>::search_own(const State<Dim>& s) {
   const double least2 = far_apart * far_apart * dp_ * dp_;
   const auto wanted = [&](int n, int k) {
     if (faces_.body_of_segment(k) != faces_.outline().body[n]) return false;
@@ -134,7 +130,8 @@ void FaceContacts<Dim>::search_own() {
   };
   const double beyond =
       find_(faces_, all_nodes_, all_segments_, (reach + skin) * dp_, horizon * dp_, wanted, own_);
-  own_bound_.restart(beyond - reach * dp_, faces_.places());
+  faces_.follow(s, behind_);
+  own_bound_.restart(beyond - (reach + turn_slack) * dp_, behind_);
 }
 
 /// Nodes that are listed or stand beside one, and their particles.

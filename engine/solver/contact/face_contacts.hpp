@@ -64,15 +64,16 @@ class FaceContacts {
 
  private:
   // in spacings
-  static constexpr double reach = 1;      // a node that is further behind a face is not of this contact
-  static constexpr double skin = 1;       // longer: fewer searches, more pairs
-  static constexpr double horizon = 4;    // how far a search looks, for how long it may hold
-  static constexpr double far_apart = 4;  // the two faces of a thinner wall do not act on each other
+  static constexpr double reach = 1;         // a node that is further behind a face is not of this contact
+  static constexpr double skin = 1;          // longer: fewer searches, more pairs
+  static constexpr double horizon = 4;       // how far a search looks, for how long it may hold
+  static constexpr double far_apart = 4;     // the two faces of a thinner wall do not act on each other
+  static constexpr double turn_slack = 0.5;  // of two nodes around the particles behind them
 
   void refuse_thin(const Scene& scene) const;
   void search_others(const WallContacts<Dim>& walls);
   std::vector<char> near_others() const;
-  void search_own();
+  void search_own(const State<Dim>& s);
   void watch();
   template <class F>
   void for_each_touch(const NearFaces& near, const F& f) const;
@@ -94,6 +95,7 @@ class FaceContacts {
   NearFaces others_, own_;
   std::vector<std::pair<int, int>> near_wall_;  // (node, wall)
   MotionBound<Dim> others_bound_, own_bound_;
+  std::vector<V> behind_;      // [node] the particle behind it, m
   std::vector<int> watched_;   // nodes whose place counts, in rising order
   std::vector<int> touching_;  // particles
   // [node] N; apart, so that each is summed in the order of nodes, which mirrored bodies share

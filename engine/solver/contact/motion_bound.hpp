@@ -20,9 +20,6 @@ class MotionBound {
  public:
   using V = Vec<double, Dim>;
 
-  /// `per_way`: how far a point may go where each particle goes at most 1.
-  explicit MotionBound(double per_way = 1) : per_way_(per_way) {}
-
   /// Two points may come nearer by `free`, m, before the next search. `x` and their bodies, in rising order.
   void restart(double free, std::vector<V> x) {
     free_ = free;
@@ -32,7 +29,7 @@ class MotionBound {
 
   /// Before particles go by `way`, m, at most. False: look at `still_holds`.
   bool holds(double way) {
-    gone_ += per_way_ * way;
+    gone_ += way;
     return 2 * gone_ <= free_;
   }
 
@@ -73,7 +70,6 @@ class MotionBound {
   }
 
  private:
-  double per_way_;
   double free_ = 0, gone_ = 0;  // m
   std::vector<V> from_;         // m
 };

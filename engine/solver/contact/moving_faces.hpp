@@ -30,7 +30,14 @@ class MovingFaces {
   using V = Vec<double, Dim>;
 
   MovingFaces() = default;
-  explicit MovingFaces(Outline outline) : outline_(std::move(outline)), place_(outline_.size()) {}
+  explicit MovingFaces(Outline outline) : outline_(std::move(outline)), place_(outline_.size()) {
+    for (int n = 0; n < size(); ++n) {
+      const auto first = outline_.shares.begin() + outline_.begin[n],
+                 last = outline_.shares.begin() + outline_.begin[n + 1];
+      const auto most = std::ranges::max_element(first, last, {}, &PointWeight::weight);
+      behind_.push_back(static_cast<int>(most - outline_.shares.begin()));
+    }
+  }
 
   const Outline& outline() const { return outline_; }
   int size() const { return outline_.size(); }
@@ -60,6 +67,11 @@ class MovingFaces {
     for (int n = 0; n < size(); ++n) place(s, n);
   }
   const std::vector<V>& places() const { return place_; }  // [node] m
+  /// The place of the particle that counts most for each node, m.
+  void follow(const State<Dim>& s, std::vector<V>& x) const {
+    x.clear();
+    for (const int share : behind_) x.push_back(s.x[stored_[share]]);
+  }
 
   /// f(i, weight) for each stored particle that a node is a mean of.
   template <class F>
@@ -124,6 +136,7 @@ class MovingFaces {
  private:
   Outline outline_;
   std::vector<int> stored_;  // [share] where its particle is
+  std::vector<int> behind_;  // [node] the share of the particle behind it
   std::vector<V> place_;
 };
 
