@@ -61,6 +61,37 @@ class Faces {
     return at && is_face(*at) ? *at : on_the_line(x, outside);
   }
 
+  /// The body and what is not of it are both around x.
+  bool is_face(const Point& x) const {
+    bool filled = false, empty = false;
+    for (const double a : {-aside, aside})
+      for (const double b : {-aside, aside})
+        for (const double c : {-aside, aside})
+          (is_filled({x[0] + a * dp_, x[1] + b * dp_, x[2] + c * dp_}) ? filled : empty) = true;
+    return filled && empty;
+  }
+  /// The first place on the way outwards at which the body ends, or on that inwards at which it begins.
+  Point on_the_line(const Point& x, const Point& outside) const {
+    const double length = distance_between(outside, x, dim);
+    if (!(length > 0)) return x;
+    const bool inside = is_filled(x);
+    const auto at = [&](double way) {
+      Point y = x;
+      for (std::size_t k = 0; k < dim; ++k)
+        y[k] += (inside ? way : -way) * dp_ / length * (outside[k] - x[k]);
+      return y;
+    };
+    double high = stride;
+    while (high < farthest && is_filled(at(high)) == inside) high += stride;
+    if (high >= farthest) return x;
+    double low = high - stride;
+    while (high - low > 1e-5 * fine) {
+      const double middle = 0.5 * (low + high);
+      (is_filled(at(middle)) == inside ? low : high) = middle;
+    }
+    return at(inside ? low - fine : low + fine);  // by which shapes are widened
+  }
+
  private:
   // in spacings
   static constexpr double fine = 1e-6, aside = 1e-3, farthest = 1.5, stride = 0.05;
@@ -111,36 +142,6 @@ class Faces {
                                  [&](const Shape& shape) { return holds(shape, x, dim, fine * dp_); });
     };
     return any_holds(body_.shapes) && !any_holds(body_.without);
-  }
-  /// The body and what is not of it are both around x.
-  bool is_face(const Point& x) const {
-    bool filled = false, empty = false;
-    for (const double a : {-aside, aside})
-      for (const double b : {-aside, aside})
-        for (const double c : {-aside, aside})
-          (is_filled({x[0] + a * dp_, x[1] + b * dp_, x[2] + c * dp_}) ? filled : empty) = true;
-    return filled && empty;
-  }
-  /// The first place on the way outwards at which the body ends, or on that inwards at which it begins.
-  Point on_the_line(const Point& x, const Point& outside) const {
-    const double length = distance_between(outside, x, dim);
-    if (!(length > 0)) return x;
-    const bool inside = is_filled(x);
-    const auto at = [&](double way) {
-      Point y = x;
-      for (std::size_t k = 0; k < dim; ++k)
-        y[k] += (inside ? way : -way) * dp_ / length * (outside[k] - x[k]);
-      return y;
-    };
-    double high = stride;
-    while (high < farthest && is_filled(at(high)) == inside) high += stride;
-    if (high >= farthest) return x;
-    double low = high - stride;
-    while (high - low > fine) {
-      const double middle = 0.5 * (low + high);
-      (is_filled(at(middle)) == inside ? low : high) = middle;
-    }
-    return at(low);
   }
 
   const Body& body_;
@@ -215,10 +216,45 @@ class BodyMesh {
     return corners;
   }
 
+  /// Where faces along the lattice meet: the nearest place of one of them may be off the others.
+  std::optional<Point> on_rim(const Cell& cell, const Point& outwards) const {
+    Point off{};  // pitches
+    int faces = 0;
+    for (std::size_t a = 0; a < dim; ++a) {
+      if (outwards[a] == 0) continue;
+      ++faces;
+      std::array<double, 2> way{};  // of the face, half a cell and a whole one beside the rim
+      for (std::size_t n = 0; n < way.size(); ++n) {
+        Point beside{};
+        for (std::size_t b = 0; b < dim; ++b)
+          if (b != a && outwards[b] != 0)
+            beside[b] = std::copysign(0.5 * static_cast<double>(n + 1), -outwards[b]);
+        Point outside = beside;
+        outside[a] += std::copysign(1, outwards[a]);
+        const Point from = cells_.corner(cell, beside), out = cells_.corner(cell, outside);
+        const Point face = faces_.on_the_line(from, out);
+        double length2 = 0;
+        for (std::size_t k = 0; k < dim; ++k) {
+          way[n] += (face[k] - from[k]) * (out[k] - from[k]);
+          length2 += (out[k] - from[k]) * (out[k] - from[k]);
+        }
+        way[n] /= length2;
+      }
+      constexpr double alike = 1e-4, farthest = 0.6;  // pitches
+      if (std::abs(way[0] - way[1]) > alike || std::abs(way[0]) > farthest) return std::nullopt;
+      off[a] = way[0] * std::copysign(1, outwards[a]);
+    }
+    if (faces < 2) return std::nullopt;
+    const Point at = cells_.corner(cell, off);
+    return faces_.is_face(at) ? std::optional(at) : std::nullopt;
+  }
+
   void place_nodes(int threads) {
     const auto make = [&](int k) {
       const auto& [cell, outwards] = corner_[as_index(k)];
-      const Point x = placed(given_, faces_.nearest(cells_.corner(cell), cells_.corner(cell, outwards)), dim);
+      const std::optional<Point> rim = on_rim(cell, outwards);
+      const Point x = placed(
+          given_, rim ? *rim : faces_.nearest(cells_.corner(cell), cells_.corner(cell, outwards)), dim);
       return Node{x, particles_.shares_of(x)};
     };
     node_.assign(corner_.size(), -1);

@@ -49,7 +49,11 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
   }
 
   /// `by_speed`, s, or the one step that the settings ask for.
-  double fixed_or(double by_speed) const { return c_.step > 0 ? c_.step : by_speed; }
+  /// Shorter where a contact that has stiffened would be the fastest motion.
+  double fixed_or(double by_speed) const {
+    constexpr double spare = 1.5;
+    return c_.step > 0 ? c_.step : by_speed / std::sqrt(std::max(1.0, contact_.stiffening() / spare));
+  }
   double step_size() const { return fixed_or(c_.cfl * c_.h / (c_.c0 + vmax_)); }  // s, [Zhang2024] Eq. 22
   int threads_now() const { return team_.threads(); }
 

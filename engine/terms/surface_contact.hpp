@@ -33,7 +33,7 @@ inline double surface_energy(double depth, double area, double k) {
 }
 
 /// Its slope, N (per metre depth in 2D), ½ k δ A: it pushes the piece out of the other face and the other face
-/// back, 0 where they do not overlap. So it never pulls.  Ours
+/// back, 0 where they do not overlap.  Ours
 inline double surface_force(double depth, double area, double k) {
   return depth > 0 ? 0.5 * k * area * depth : 0;
 }
@@ -51,14 +51,15 @@ inline double facing_slope(double cosine) { return cosine > -0.5 && cosine < -0.
 
 // In 3D the depth of a piece f of a face, a facet, behind another face is a mean over facets g of that face,
 //
-//   δ = −Σ_g W p / Σ_g W,   p = ½ (x_f − x_g) · (n_g − n_f),   W = A_g s(n_f · n_g) w(ℓ²) c(p),
+//   δ = −Σ_g W p / Σ_g W,   p = (x_f − x_g) · (n_g − n_f)/|n_g − n_f|,   W = A_g s(n_f · n_g) w(ℓ²) c(p),
 //
-// with the height p over the plane half way between the two, the same seen from both, the facing share s, a
+// with the height p over the plane half way between the two, the same seen from both, the projected share s, a
 // weight w of the distance ℓ beside each other, ℓ² = |x_f − x_g|² − p², and a share c of those that are not too
-// far off. On two flat faces that are parallel it is the exact depth, on round ones but for terms of the third
-// order; it turns with the bodies and is smooth where faces are, so that the force may be the slope of the energy
-// to the last term: both momenta and the energy hold, and what is symmetric stays so. A nearest point jumps from
-// facet to facet, and with it the force.
+// far off. With ½ (n_g − n_f) in p a facet that tilts would lie less deep, and edges that press each other would
+// turn out of each other's way. On two flat faces that are parallel δ is the exact depth, on round ones but for
+// terms of the third order; it turns with the bodies and is smooth where faces are, so that the force may be the
+// slope of the energy to the last term: both momenta and the energy hold, and what is symmetric stays so. A
+// nearest point jumps from facet to facet, and with it the force.
 //
 // Σ_g W covers f whole, 1, in the middle of the other face and half of it over its rim; `covered_share` of
 // the energy counts.  Ours
@@ -73,7 +74,28 @@ inline double lateral_slope(double l2, double radius) {  // dw/dℓ², 1/m⁴
   return u > 0 ? -6 / (std::numbers::pi * square * square) * u : 0;
 }
 
-/// c, of a height |p| < reach, m: all of it up to 0.7 of the reach. Faces that lie deeper are let through.
+/// In 3D a depth that nears the spacing is resisted the more: ½ · ½ k δ² (1 + δ²/dp²) A. Under an edge the pressure
+/// has no bound that the spacing would not exceed.
+inline double hard_energy(double depth, double area, double k, double dp) {
+  const double u = depth / dp;
+  return (1 + u * u) * surface_energy(depth, area, k);
+}
+inline double hard_force(double depth, double area, double k, double dp) {
+  const double u = depth / dp;
+  return (1 + 2 * u * u) * surface_force(depth, area, k);
+}
+/// Of the slope of that force, over the one at 0.
+inline double hardening(double depth, double dp) {
+  const double u = depth / dp;
+  return 1 + 6 * u * u;
+}
+
+/// s: as `facing_share`, of the area that a facet has across the other normal. The faces of an edge or a corner
+/// that meet another face together press no harder than one that is flat.
+inline double projected_share(double cosine) { return -cosine * facing_share(cosine); }
+inline double projected_slope(double cosine) { return -facing_share(cosine) - cosine * facing_slope(cosine); }
+
+/// c, of a height p, m, over or behind, up to the reach, m: all of it up to 0.7 of the reach.
 inline double near_share(double p, double reach) {
   const double t = std::clamp((1 - std::abs(p) / reach) / 0.3, 0.0, 1.0);
   return t * t * (3 - 2 * t);

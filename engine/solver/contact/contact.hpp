@@ -46,6 +46,9 @@ class Contact {
   /// The forces at the positions that `s` has now, which act for `dt`, s.
   void evaluate(const State<Dim>& s, double dt, int threads);
 
+  /// How much stiffer than at first touch it is anywhere, as last evaluated.
+  double stiffening() const { return by_faces_ ? faces_.stiffening() : 1; }
+
   /// On particle i, N (per metre depth in 2D), as last evaluated.
   const V& force(int i) const { return force_[i]; }
 

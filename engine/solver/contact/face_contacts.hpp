@@ -42,6 +42,7 @@ class FaceContacts {
   /// On one thread, whatever there are: a touching face has too few nodes for a second one.
   void evaluate(const State<Dim>& s, double dt, WallContacts<Dim>& walls, std::vector<V>& force, int threads);
   double energy(const State<Dim>& s, const WallContacts<Dim>& walls);  // J (per metre depth in 2D)
+  double stiffening() const { return 1; }                              // as in 3D
 
   /// On body `a` of body `b` or of a wall, N (per metre depth in 2D), as last evaluated.
   V between(int a, int b) const;

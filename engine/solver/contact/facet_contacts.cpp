@@ -76,7 +76,7 @@ void FacetContacts::list() {
 template <class F>
 void FacetContacts::for_each_pair(int row, const int* first, int count, const F& f) const {
   const MovingFacets::Place& own = facets_[rows_[row].facet];
-  const double widest = radius * radius * dp_ * dp_, farthest = widest + reach * reach * dp_ * dp_;
+  const double widest = radius * radius * dp_ * dp_, farthest = widest + behind * behind * dp_ * dp_;
   for (const int* o = first; o < first + count; ++o) {
     const MovingFacets::Place& other = facets_[rows_[*o].facet];
     Pair pair;
@@ -84,26 +84,30 @@ void FacetContacts::for_each_pair(int row, const int* first, int count, const F&
     const double d2 = dot(pair.d, pair.d);
     if (d2 >= farthest) continue;
     pair.cosine = dot(own.normal, other.normal);
-    pair.share = facing_share(pair.cosine);
+    pair.share = projected_share(pair.cosine);
     if (pair.share == 0) continue;
-    pair.middle = 0.5 * (other.normal - own.normal);
-    pair.p = dot(pair.d, pair.middle);
+    const V between = other.normal - own.normal;
+    const double square = 2 - 2 * pair.cosine, height = dot(pair.d, between);  // |between|²; p |between|
+    if (d2 * square - height * height >= widest * square) continue;
+    const double inverse = 1 / std::sqrt(square);
+    pair.middle = inverse * between;
+    pair.p = inverse * height;
     pair.l2 = d2 - pair.p * pair.p;
-    if (pair.l2 >= widest || std::abs(pair.p) >= reach * dp_) continue;
+    if (std::abs(pair.p) >= reach_at(pair.p)) continue;
     pair.weight = lateral_weight(pair.l2, radius * dp_);
-    pair.near = near_share(pair.p, reach * dp_);
+    pair.near = near_share(pair.p, reach_at(pair.p));
     f(*o, pair);
   }
 }
 
-/// f(facet, wall, depth, facing share, k): its mirror image lies twice as deep behind it, and half of the energy of
-/// the two is its own.
+/// f(facet, wall, depth, projected share, k): its mirror image lies twice as deep behind it, and half of the
+/// energy of the two is its own. It does not harden, since nothing is let through a wall.
 template <class F>
 void FacetContacts::for_each_wall(const WallContacts<3>& walls, const F& f) const {
   for (const auto& [facet, wall] : find_.near_wall) {
     const double height = walls.height(wall, facets_[facet].middle);
     if (height >= 0) continue;
-    const double share = facing_share(dot(facets_[facet].normal, walls.normal(wall)));
+    const double share = projected_share(dot(facets_[facet].normal, walls.normal(wall)));
     if (share > 0)
       f(facet, wall, -2 * height, share, surface_stiffness(M_[facet], M_[facet], stiffness_, dp_));
   }
@@ -136,9 +140,9 @@ auto FacetContacts::measured(int r) -> Met {
   const double area = area_of(facet) * covered_share(met.cover),
                k_per_M = surface_stiffness_slope(M_[facet], met.M, stiffness_, dp_);
   met.k = surface_stiffness(M_[facet], met.M, stiffness_, dp_);
-  met.per_sum = surface_energy(-met.height, area_of(facet) * covered_slope(met.cover), met.k);
-  met.per_p = -surface_force(-met.height, area, met.k) / met.cover;
-  met.per_M = surface_energy(-met.height, area, k_per_M) / met.cover;
+  met.per_sum = hard_energy(-met.height, area_of(facet) * covered_slope(met.cover), met.k, dp_);
+  met.per_p = -hard_force(-met.height, area, met.k, dp_) / met.cover;
+  met.per_M = hard_energy(-met.height, area, k_per_M, dp_) / met.cover;
   return met;
 }
 
@@ -156,10 +160,12 @@ MovingFacets::Slope FacetContacts::slope_of(int r) const {
     const double per_l2 = per_weight * pair.share * pair.near * lateral_slope(pair.l2, radius * dp_);
     const double per_share = per_weight * pair.weight * pair.near;
     const double per_p = (own.per_p * at.area + other.per_p * area) * weight_of(pair) +
-                         per_weight * pair.share * pair.weight * near_slope(pair.p, reach * dp_) -
+                         per_weight * pair.share * pair.weight * near_slope(pair.p, reach_at(pair.p)) -
                          2 * pair.p * per_l2;
     slope.middle += per_p * pair.middle + (2 * per_l2) * pair.d;
-    slope.normal += (per_share * facing_slope(pair.cosine)) * at.normal - (0.5 * per_p) * pair.d;
+    const double square = 2 - 2 * pair.cosine;  // of the length of the sum of the two normals
+    slope.normal += (per_share * projected_slope(pair.cosine) + per_p * pair.p / square) * at.normal -
+                    (per_p / std::sqrt(square)) * pair.d;
     slope.area += per_other * weight_of(pair);
   });
   return slope;
@@ -177,7 +183,7 @@ void FacetContacts::evaluate(const State<3>& s, double dt, WallContacts<3>& wall
   };
   for_each_wall(walls, [&](int facet, int wall, double depth, double share, double k) {
     const V& normal = walls.normal(wall);
-    const double area = area_of(facet), slope = facing_slope(dot(facets_[facet].normal, normal));
+    const double area = area_of(facet), slope = projected_slope(dot(facets_[facet].normal, normal));
     // 2: of the pass over the facet and of that over its image
     facets_.push(facet,
                  {.middle = (-2 * surface_force(depth, area * share, k)) * normal,
@@ -190,13 +196,17 @@ void FacetContacts::evaluate(const State<3>& s, double dt, WallContacts<3>& wall
   for (std::size_t r = 0; r < rows_.size(); ++r) facets_.push(rows_[r].facet, slopes_[r], force_);
   for (const int i : touching_) force[i] = V{};
   share_out([&](int i, const V& f) { force[i] += f; });
+  stiffening_ = 1;
+  for (const Met& met : met_)
+    if (met.per_p != 0) stiffening_ = std::max(stiffening_, hardening(met.height, dp_));
 }
 
 double FacetContacts::energy(const State<3>& s, const WallContacts<3>& walls) {
   place(s);
   double sum = 0;
   for (std::size_t r = 0; r < rows_.size(); ++r)
-    sum += surface_energy(-met_[r].height, area_of(rows_[r].facet) * covered_share(met_[r].cover), met_[r].k);
+    sum +=
+        hard_energy(-met_[r].height, area_of(rows_[r].facet) * covered_share(met_[r].cover), met_[r].k, dp_);
   for_each_wall(walls, [&](int facet, int, double depth, double share, double k) {
     sum += surface_energy(depth, area_of(facet) * share, k);  // both passes, half of them of the image
   });
@@ -219,7 +229,7 @@ auto FacetContacts::of_wall(int a, int wall, const WallContacts<3>& walls) const
 }
 
 double FacetContacts::gap(const State<3>& s, int a, int b) {
-  double least = reach * dp_;
+  double least = before * dp_;
   if (rows_.empty()) return least;
   place(s);
   for (std::size_t r = 0; r < rows_.size(); ++r) {

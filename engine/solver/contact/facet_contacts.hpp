@@ -32,27 +32,31 @@ class FacetContacts {
   /// Sets the forces on `touching`, N; what walls give in `dt`, s, is booked.
   void evaluate(const State<3>& s, double dt, WallContacts<3>& walls, std::vector<V>& force, int threads);
   double energy(const State<3>& s, const WallContacts<3>& walls);  // J
+  /// How much stiffer than at first touch it is anywhere, as last evaluated.
+  double stiffening() const { return stiffening_; }
 
   /// On body `a` of body `b` or of a wall, N, as last evaluated.
   V between(int a, int b) const;
   V of_wall(int a, int wall, const WallContacts<3>& walls) const;
 
   /// Least height of a facet of one of two bodies over a face of the other, m, below 0 where they overlap; at
-  /// least `reach` where they are further apart.
+  /// least a spacing where they are further apart.
   double gap(const State<3>& s, int a, int b);
 
   template <class Archive>
   void serialize(Archive& archive, int particles, int walls) {
     facets_.serialize(archive, particles);
     find_.serialize(archive, walls);
+    archive(stiffening_);
     if constexpr (Archive::loads) list();
   }
 
  private:
   // in spacings
-  static constexpr double reach = 1;     // a facet that is further behind a face is not of this contact
-  static constexpr double radius = 1.5;  // of the mean over a face
-  static constexpr double apart = 1.81;  // √(reach² + radius²), of facets that act
+  static constexpr double before = 1, behind = 1.5;  // how far a face still counts for a facet
+  static constexpr double radius = 1.5;              // of the mean over a face
+  static constexpr double apart = 2.13;              // √(behind² + radius²), of facets that act
+  double reach_at(double p) const { return (p < 0 ? behind : before) * dp_; }
 
   /// A facet and a body, its own or another,
   struct Row {
@@ -87,7 +91,7 @@ class FacetContacts {
   template <class F>
   void for_each_wall(const WallContacts<3>& walls, const F& f) const;
 
-  double dp_, stiffness_;
+  double dp_, stiffness_, stiffening_ = 1;
   int threads_ = 1;
   MovingFacets facets_;
   std::vector<double> M_;  // [facet] K + 4G/3, Pa

@@ -75,8 +75,8 @@ class FacetSearch {
 
  private:
   // in spacings
-  static constexpr double skin = 1.5;        // longer: fewer searches, more pairs
-  static constexpr double horizon = 4;       // how far a search looks, for how long it may hold
+  static constexpr double skin = 1.4;        // longer: fewer searches, more pairs
+  static constexpr double horizon = 4.25;    // how far a search looks, for how long it may hold
   static constexpr double far_apart = 4;     // along a face that bends, or through a gap
   static constexpr double far_inside = 8;    // the two faces of a thinner wall do not act on each other
   static constexpr double flat = 1e-6;       // of two facets of one plane, but for round-off

@@ -100,7 +100,10 @@ TEST_SUITE("unit") {
     for (const Point& x : mesh.x) low = std::min(low, x[2]), high = std::max(high, x[2]);
     CHECK(low == Approx(0).scale(1).epsilon(1e-9));
     CHECK(high == Approx(0.0057).epsilon(1e-5));
-    CHECK(area_of(mesh) == Approx(2 * (4 * 5.3 + 5.3 * 5.7 + 5.7 * 4) * 1e-6).epsilon(1e-4));
+    CHECK(area_of(mesh) == Approx(2 * (4 * 5.3 + 5.3 * 5.7 + 5.7 * 4) * 1e-6).epsilon(1e-9));
+    const auto& [cornered, rims] = std::pair(Point{0.004, 0.0053, 0.0057}, mesh.x);
+    CHECK(std::ranges::any_of(rims,
+                              [&](const Point& x) { return distance_between(x, cornered, 3) < 1e-9 * dp; }));
   }
 
   TEST_CASE(
