@@ -49,7 +49,7 @@ inline constexpr double hourglass_threshold = 0.03;
 ///   cut once stays one piece.
 /// energy: kinetic + strain above twice what was given, or anything that is not finite = diverged. Given is
 ///   the start's and the work of drives, loads and gravity, at its greatest so far: what takes energy back
-///   may leave noise, not more. A scene that is given none is judged by finiteness only.
+///   may leave noise, not more. A scene that is given none but round-off is judged by finiteness only.
 class Judge {
  public:
   Judge(const Scene& scene, const Snapshot& start, double support);
@@ -95,6 +95,7 @@ class Judge {
   double longest_ = 0;       // m, of an unbroken bond
   double start_energy_ = 0;  // J
   double given_energy_ = 0;  // J, greatest so far
+  double nothing_ = 0;       // J, what round-off gives
   int start_pieces_ = 0;
   int pieces_ = 0;
   Penetration penetration_;

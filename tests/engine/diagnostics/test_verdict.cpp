@@ -289,6 +289,11 @@ TEST_SUITE("unit") {
     now.v[0] = 1;
     observe(judge, now, scene, 1);
     CHECK(judge.verdict() == Verdict::stable);
+    now.v[0] = 1e-10;  // round-off is nothing either
+    Judge other(scene, now, support);
+    now.v[0] = 1e-9;
+    observe(other, now, scene, 1);
+    CHECK(other.verdict() == Verdict::stable);
   }
 
   TEST_CASE("judge: the greatest work of drives so far counts as energy given") {
