@@ -8,8 +8,10 @@
 #include <doctest/doctest.h>
 
 #include "engine/families/catalogue.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut;
+using namespace taut::test;
 
 namespace {
 
@@ -95,7 +97,7 @@ TEST_SUITE("unit") {
       }
     }
     const auto spatial = method_constants(find_method("enog")->formulation, 3);
-    CHECK(std::ranges::find(spatial, "zeta", &MethodConstant::name)->value == doctest::Approx(4.2));
+    CHECK(std::ranges::find(spatial, "zeta", &MethodConstant::name)->value == Approx(4.2));
   }
 
   TEST_CASE("tests: no name has a semicolon, at which CMake would break it and run nothing") {

@@ -4,13 +4,14 @@
 #include <doctest/doctest.h>
 
 #include "render/camera.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut::render;
 
 namespace {
 
 void check_near(const Vector& a, const Vector& b) {
-  for (std::size_t k = 0; k < 3; ++k) CHECK(a[k] == doctest::Approx(b[k]).epsilon(1e-12));
+  for (std::size_t k = 0; k < 3; ++k) CHECK(a[k] == Approx(b[k]).scale(1).epsilon(1e-12));
 }
 
 }  // namespace
@@ -20,11 +21,11 @@ TEST_SUITE("unit") {
     for (const Camera& camera : {Camera{}, Camera{.from = {3, 0.1, -7}, .up = {0, 2, 0}},
                                  Camera{.from = {-1e-3, 2e-3, 0}, .up = {1, 1, 1}}}) {
       const auto [right, up, back] = axes_of(camera);
-      for (const Vector& axis : {right, up, back}) CHECK(dot(axis, axis) == doctest::Approx(1));
+      for (const Vector& axis : {right, up, back}) CHECK(dot(axis, axis) == Approx(1));
       check_near(cross(right, up), back);
-      CHECK(dot(right, camera.up) == doctest::Approx(0));
+      CHECK(dot(right, camera.up) == Approx(0));
       CHECK(dot(up, camera.up) > 0);
-      CHECK(dot(back, camera.from) == doctest::Approx(std::sqrt(dot(camera.from, camera.from))));
+      CHECK(dot(back, camera.from) == Approx(std::sqrt(dot(camera.from, camera.from))));
     }
   }
 
@@ -52,7 +53,7 @@ TEST_SUITE("unit") {
     // the camera is as far from the front as half of the view is high, 1 m: 1 m behind it all is half as
     // large
     const Projection::Seen seen = perspective({0.3, 0.75, 0.4});
-    CHECK(seen.scale == doctest::Approx(0.5));
+    CHECK(seen.scale == Approx(0.5));
     check_near(seen.at, {0.15, 0.5 - 0.05, -0.75});
     CHECK(perspective({0, -2, 0}).scale < 0);  // behind the camera
   }
@@ -66,7 +67,7 @@ TEST_SUITE("unit") {
       const Vector near = projection(x).at;
       const Vector seen = projection.way(way, projection(x));
       for (std::size_t k = 0; k < 3; ++k)
-        CHECK(seen[k] == doctest::Approx(far[k] - near[k]).scale(1e-6).epsilon(1e-4));
+        CHECK(seen[k] == Approx(far[k] - near[k]).scale(1e-6).epsilon(1e-4));
     }
   }
 }

@@ -7,8 +7,10 @@
 #include "render/colormap.hpp"
 #include "render/image/color_space.hpp"
 #include "render/renderer.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut;
+using namespace taut::test;
 using namespace taut::render;
 
 TEST_SUITE("unit") {
@@ -115,13 +117,13 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("the colour space") {
-    CHECK(lab_of({255, 255, 255}).L == doctest::Approx(100).epsilon(1e-4));
-    CHECK(lab_of({0, 0, 0}).L == doctest::Approx(0));
+    CHECK(lab_of({255, 255, 255}).L == Approx(100).epsilon(1e-4));
+    CHECK(lab_of({0, 0, 0}).L == Approx(0));
     // pure sRGB red: L* = 53.24, a* = 80.09, b* = 67.20
     const Lab red = lab_of({255, 0, 0});
-    CHECK(red.L == doctest::Approx(53.24).epsilon(1e-3));
-    CHECK(red.a == doctest::Approx(80.09).epsilon(1e-3));
-    CHECK(red.b == doctest::Approx(67.20).epsilon(1e-3));
-    CHECK(color_difference({0, 0, 0}, {255, 255, 255}) == doctest::Approx(100).epsilon(1e-4));
+    CHECK(red.L == Approx(53.24).epsilon(1e-3));
+    CHECK(red.a == Approx(80.09).epsilon(1e-3));
+    CHECK(red.b == Approx(67.20).epsilon(1e-3));
+    CHECK(color_difference({0, 0, 0}, {255, 255, 255}) == Approx(100).epsilon(1e-4));
   }
 }

@@ -4,6 +4,7 @@
 
 #include "engine/error.hpp"
 #include "render/panel.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/synthetic.hpp"
 
 using namespace taut;
@@ -66,7 +67,7 @@ TEST_SUITE("image") {
     CHECK(first.right - first.left == last.right - last.left);
     CHECK(first.bottom - first.top == last.bottom - last.top);
     // the rim of a disc is blended with the white behind it
-    CHECK(first.right - first.left == doctest::Approx(first.bottom - first.top).epsilon(0.05));
+    CHECK(first.right - first.left == Approx(first.bottom - first.top).epsilon(0.05));
   }
 
   TEST_CASE("every text of a panel is drawn, and the same panel has the same bytes") {

@@ -10,6 +10,7 @@
 #include "render/image/png.hpp"
 #include "render/renderer.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/synthetic.hpp"
 
 using namespace taut;
@@ -202,7 +203,7 @@ TEST_SUITE("image") {
       // viridis begins with 84 of 255 in blue: how much of a pixel is covered can be read off
       for (int column = 0; column < 200; ++column) area += (255 - image.at(column, row)[2]) / (255.0 - 84);
     }
-    CHECK(area == doctest::Approx(M_PI * 25 * 25).epsilon(0.005));
+    CHECK(area == Approx(M_PI * 25 * 25).epsilon(0.005));
   }
 
   TEST_CASE("a disc of a few pixels has its size, and one that is smaller fills its square") {
@@ -215,7 +216,7 @@ TEST_SUITE("image") {
       double area = 0;
       for (int row = 0; row < 100; ++row)
         for (int column = 0; column < 100; ++column) area += (255 - image.at(column, row)[2]) / (255.0 - 84);
-      CHECK(std::sqrt(area / M_PI) == doctest::Approx(drawn_as).scale(0).epsilon(0.03));
+      CHECK(std::sqrt(area / M_PI) == Approx(drawn_as).scale(0).epsilon(0.03));
     }
   }
 
@@ -228,7 +229,7 @@ TEST_SUITE("image") {
       }
       const Image image = drawn(corners, look(width, height, wide));
       const Rect rect = extent(image);
-      CHECK(rect.width == doctest::Approx(10.0 * rect.height).epsilon(0.15));
+      CHECK(rect.width == Approx(10.0 * rect.height).epsilon(0.15));
       CHECK(rect.width >= width - 1);
     }
   }

@@ -6,6 +6,7 @@
 
 #include "render/renderer.hpp"
 #include "render/wall_grid.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/synthetic.hpp"
 
 using namespace taut;
@@ -175,9 +176,9 @@ TEST_SUITE("unit") {
       for (const auto& [from, to] : lines)
         for (const Vector& end : {from, to}) {
           const Vector d{end[0] - wall.at[0], end[1] - wall.at[1], end[2] - wall.at[2]};
-          CHECK(dot(d, normal) == doctest::Approx(0).epsilon(1e-12));
+          CHECK(dot(d, normal) == Approx(0).scale(1).epsilon(1e-12));
           const double cells = dot(d, d) / (0.25 * 0.25);  // p² + q² of whole numbers
-          CHECK(cells == doctest::Approx(std::round(cells)).epsilon(1e-9));
+          CHECK(cells == Approx(std::round(cells)).epsilon(1e-9));
         }
     }
   }

@@ -16,8 +16,10 @@
 #include "engine/error.hpp"
 #include "engine/families/catalogue.hpp"
 #include "engine/simulation.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut;
+using namespace taut::test;
 using namespace taut::cli;
 
 /// The scenes that come with taut, run with the methods they were made for, against their own references.
@@ -149,8 +151,8 @@ TEST_SUITE("analytic") {
     REQUIRE(whole.measure.at("first_peak"));
     REQUIRE(half.measure.at("first_peak"));
     CHECK(*half.measure.at("first_peak") / *whole.measure.at("first_peak") ==
-          doctest::Approx(0.5).epsilon(1e-4));
-    CHECK(*half.measure.at("period") / *whole.measure.at("period") == doctest::Approx(1).epsilon(1e-5));
+          Approx(0.5).epsilon(1e-4));
+    CHECK(*half.measure.at("period") / *whole.measure.at("period") == Approx(1).epsilon(1e-5));
   }
 }
 

@@ -16,10 +16,11 @@
 #include "engine/error.hpp"
 #include "engine/families/catalogue.hpp"
 #include "engine/simulation.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut;
+using namespace taut::test;
 using namespace taut::cli;
-using doctest::Approx;
 
 /// The scenes that come to rest, coarse, against their own references.
 namespace {

@@ -10,6 +10,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/measures.hpp"
+#include "tests/support/relative.hpp"
 
 namespace taut::test {
 
@@ -61,7 +62,7 @@ inline std::optional<double> value(const std::string& kind, const std::vector<do
 
 inline void expect(const std::optional<double>& value, double expected, double tolerance = 1e-12) {
   REQUIRE(value);
-  CHECK(*value == doctest::Approx(expected).epsilon(tolerance));
+  CHECK(*value == Approx(expected).epsilon(tolerance));
 }
 
 }  // namespace taut::test

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "tests/support/program_runner.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut::cli;
 using namespace taut::test;
@@ -37,7 +38,7 @@ TEST_SUITE("cli") {
     CHECK(found < unstable);
     CHECK(unstable < found / (1 - 0.0101));
     CHECK(result["over_default"].get<double>() ==
-          doctest::Approx(found / result["default_step"].get<double>()));
+          Approx(found / result["default_step"].get<double>()));
     CHECK(result["limits"].size() == 2);
 
     // a run holds with a good part of it (a verdict minds the energy of the contact too), and not with more

@@ -5,6 +5,7 @@
 
 #include "render/image/png.hpp"
 #include "tests/support/program_runner.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut::cli;
 using namespace taut::test;
@@ -55,9 +56,9 @@ TEST_SUITE("cli") {
       CHECK(row[0] == (k <= 400 ? 1e-5 : 4.1e-5));
       squared += (row[4] - row[5]) * (row[4] - row[5]) / 800;
     }
-    CHECK(numbers(rows[1].substr(7))[2] == doctest::Approx(0.024));
-    CHECK(numbers(rows[400].substr(7))[2] == doctest::Approx(1.976));
-    CHECK(record["measures"]["stress_rmse"]["value"].get<double>() == doctest::Approx(std::sqrt(squared)));
+    CHECK(numbers(rows[1].substr(7))[2] == Approx(0.024));
+    CHECK(numbers(rows[400].substr(7))[2] == Approx(1.976));
+    CHECK(record["measures"]["stress_rmse"]["value"].get<double>() == Approx(std::sqrt(squared)));
     const auto other = run_with("late", "[4.7e-5, 1]");
     CHECK(other["steps"] == record["steps"]);
     CHECK(other["reached"] == record["reached"]);
@@ -116,7 +117,7 @@ TEST_SUITE("cli") {
     CHECK(record["measures"]["touch_time"]["reference"].is_null());
     CHECK(record["conservation"]["linear_momentum"].get<double>() < 1e-10);
     // lattice particles of dp² each: a disc's area to the accuracy of its staircase edge
-    CHECK(record["mass"].get<double>() == doctest::Approx(record["particles"].get<double>() * 4e-6 * 1000));
+    CHECK(record["mass"].get<double>() == Approx(record["particles"].get<double>() * 4e-6 * 1000));
   }
 
   TEST_CASE("history has a row for the start and the end and none twice") {
@@ -136,7 +137,7 @@ TEST_SUITE("cli") {
       REQUIRE(row.size() == 13);
       CHECK(row[1] > step);
       step = row[1];
-      CHECK(row[4] == doctest::Approx(row[2] + row[3]));
+      CHECK(row[4] == Approx(row[2] + row[3]));
     }
     const auto record = json_of(folder / "out/run.json");
     CHECK(numbers(lines[1])[0] == 0);
@@ -223,7 +224,7 @@ TEST_SUITE("cli") {
     REQUIRE(call(tiny_run(folder, "out", {"--no-render", "--spacing", "0.0021"})).code == 0);
     const auto record = json_of(folder / "out/run.json");
     CHECK(record["spacing_asked"] == 0.0021);
-    CHECK(record["spacing"].get<double>() == doctest::Approx(0.002));
+    CHECK(record["spacing"].get<double>() == Approx(0.002));
   }
 
   TEST_CASE("the folder of a run has in its name what is not as the scene has it") {

@@ -7,6 +7,7 @@
 #include "cli/drawing/options.hpp"
 #include "engine/error.hpp"
 #include "tests/support/program_runner.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut;
 using namespace taut::cli;
@@ -136,11 +137,11 @@ TEST_SUITE("unit") {
     shown.add(particles);
     const render::Look look = fitted(open, shown).look;
     const double margin = 0.05 * 3.2;
-    CHECK(look.view->x_min == doctest::Approx(-0.1 - margin));
-    CHECK(look.view->x_max == doctest::Approx(1.1 + margin));
-    CHECK(look.view->y_min == doctest::Approx(-0.1 - margin));
-    CHECK(look.view->y_max == doctest::Approx(3.1 + margin));
-    CHECK(look.camera->front == doctest::Approx(0.1));  // of the first, the second is 2 m behind
+    CHECK(look.view->x_min == Approx(-0.1 - margin));
+    CHECK(look.view->x_max == Approx(1.1 + margin));
+    CHECK(look.view->y_min == Approx(-0.1 - margin));
+    CHECK(look.view->y_max == Approx(3.1 + margin));
+    CHECK(look.camera->front == Approx(0.1));  // of the first, the second is 2 m behind
   }
 
   TEST_CASE("an open range leaves out outliers, but no end that is near, nor what happens in few places") {

@@ -6,8 +6,10 @@
 
 #include "cli/drawing/staging.hpp"
 #include "engine/error.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut;
+using namespace taut::test;
 using namespace taut::cli;
 
 namespace {
@@ -73,9 +75,9 @@ TEST_SUITE("unit") {
     SequenceBounds bounds;
     staging.extend(bounds, staged);
     const render::View view = *fitted(drawing, bounds).look.view;
-    CHECK(view.x_max == doctest::Approx(1.5 * 3.5));  // 3 m from the centre and half a diameter
-    CHECK(view.x_min == doctest::Approx(-1.5 * 3.5));
-    CHECK(view.y_max == doctest::Approx(1.5 * 2));
+    CHECK(view.x_max == Approx(1.5 * 3.5));  // 3 m from the centre and half a diameter
+    CHECK(view.x_min == Approx(-1.5 * 3.5));
+    CHECK(view.y_max == Approx(1.5 * 2));
     CHECK(bounds.range({}) == render::Range{1, 4});  // the other body is seen too
     drawing.cut = "y > 2";                           // the body is followed where nothing of it is seen, too
     drawing.is_cut = [](const Point& x) { return static_cast<double>(x[1] > 2); };
@@ -91,8 +93,8 @@ TEST_SUITE("unit") {
     CHECK(drawn.x == moved);
     CHECK(drawn.value == Numbers{1, 2, 3, 4});
     REQUIRE(drawn.cell.size() == 16);
-    CHECK(drawn.cell[8] == doctest::Approx(4));  // the second body is stretched to (4, 2)
-    CHECK(drawn.cell[9] == doctest::Approx(2));
+    CHECK(drawn.cell[8] == Approx(4));  // the second body is stretched to (4, 2)
+    CHECK(drawn.cell[9] == Approx(2));
   }
 
   TEST_CASE("cells beside a cut end half-way to who is cut away, on the boundary of a body too") {
@@ -114,8 +116,8 @@ TEST_SUITE("unit") {
       area += std::abs(edge[0] * edge[3] - edge[1] * edge[2]);
       right = std::max(right, drawn.x[2 * k] + 0.5 * (std::abs(edge[0]) + std::abs(edge[2])));
     }
-    CHECK(area == doctest::Approx(3));  // 1.5 m wide and 2 m high
-    CHECK(right == doctest::Approx(1.5));
+    CHECK(area == Approx(3));  // 1.5 m wide and 2 m high
+    CHECK(right == Approx(1.5));
   }
 
   TEST_CASE("walls stand where they are, and move past a body that is followed") {

@@ -12,6 +12,7 @@
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut;
 using namespace taut::cli;
@@ -182,15 +183,15 @@ TEST_SUITE("unit") {
     CHECK(read["vertices"] == 9000);
     CHECK(read["last_vertex"] == 8999);
     CHECK(read["time"] == now.time);
-    CHECK(read["x"] == doctest::Approx(sum(now.x, 0, 2)));
-    CHECK(read["y"] == doctest::Approx(sum(now.x, 1, 2)));
+    CHECK(read["x"] == Approx(sum(now.x, 0, 2)));
+    CHECK(read["y"] == Approx(sum(now.x, 1, 2)));
     CHECK(read.at("z") == 0);
-    CHECK(read["density"] == doctest::Approx(sum(now.rho)));
-    CHECK(read["speed"] == doctest::Approx(sum(evaluate(*find_field("speed"), now))));
-    CHECK(read["diameter"] == doctest::Approx(sum(now.diameter)));
+    CHECK(read["density"] == Approx(sum(now.rho)));
+    CHECK(read["speed"] == Approx(sum(evaluate(*find_field("speed"), now))));
+    CHECK(read["diameter"] == Approx(sum(now.diameter)));
     CHECK(read["body"] == 9000);
     CHECK(read["material"] == 4500);
     CHECK(read["held"] == 1800);
-    CHECK(read["vectors"] == doctest::Approx(sum(now.v)));
+    CHECK(read["vectors"] == Approx(sum(now.v)));
   }
 }

@@ -13,6 +13,7 @@
 #include "engine/diagnostics/conservation.hpp"
 #include "engine/error.hpp"
 #include "tests/support/program_runner.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut;
 using namespace taut::cli;
@@ -37,7 +38,7 @@ TEST_SUITE("unit") {
   TEST_CASE("output times hold both ends and survive rounding") {
     CHECK(times_in_parts(0.75, 3) == std::vector<double>{0, 0.25, 0.5, 0.75});
     CHECK(times_every(0.3, 0.1) == std::vector<double>{0, 0.1, 0.2, 0.3});  // but 0.3 / 0.1 < 3
-    CHECK(times_every(0.35, 0.1).back() == doctest::Approx(0.3));
+    CHECK(times_every(0.35, 0.1).back() == Approx(0.3));
     CHECK(times_every(1, 2) == std::vector<double>{0});
   }
 
@@ -55,7 +56,7 @@ TEST_SUITE("unit") {
     Pace pace(100);
     constexpr double seconds_per_time = 3;
     for (int k = 0; k < 40; ++k) pace.took(pace.slice(), pace.slice() * seconds_per_time);
-    CHECK(pace.slice() * seconds_per_time == doctest::Approx(0.2));
+    CHECK(pace.slice() * seconds_per_time == Approx(0.2));
   }
 
   TEST_CASE("the range of a sequence skips what is no number and is symmetric for signed fields") {
@@ -83,10 +84,10 @@ TEST_SUITE("unit") {
     CHECK(view.y_max > 2.2);
     CHECK(view.y_max < 2.5);
     // 5 % of the longer side, here the height of 2.2 with the particles' radii, on all sides
-    CHECK(view.x_min == doctest::Approx(-1.1 - 0.11));
-    CHECK(view.x_max == doctest::Approx(1.1 + 0.11));
-    CHECK(view.y_min == doctest::Approx(-0.1 - 0.11));
-    CHECK(view.y_max == doctest::Approx(2.1 + 0.11));
+    CHECK(view.x_min == Approx(-1.1 - 0.11));
+    CHECK(view.x_max == Approx(1.1 + 0.11));
+    CHECK(view.y_min == Approx(-0.1 - 0.11));
+    CHECK(view.y_max == Approx(2.1 + 0.11));
   }
 
   TEST_CASE("columns line up by what a terminal shows") {

@@ -12,12 +12,12 @@
 #include "cli/scene/shipped.hpp"
 #include "engine/families/catalogue.hpp"
 #include "engine/scene/initial_particles.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/scene_text.hpp"
 
 using namespace taut;
 using namespace taut::cli;
 using namespace taut::test;
-using doctest::Approx;
 
 namespace {
 

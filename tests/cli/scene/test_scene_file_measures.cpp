@@ -10,6 +10,7 @@
 #include "cli/scene/sections.hpp"
 #include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/error.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/scene_text.hpp"
 
 using namespace taut;
@@ -140,7 +141,7 @@ TEST_SUITE("cli") {
     CHECK(sum.kind == Probe::Kind::expression);
     CHECK(sum.bodies == std::vector{0});
     CHECK(unit_of(sum, 2).empty());
-    CHECK(sum.value({10, 0}, 3) == doctest::Approx(20 + 0.06 * 3 + 0.1));
+    CHECK(sum.value({10, 0}, 3) == Approx(20 + 0.06 * 3 + 0.1));
     CHECK(read_text(with("\"tip\"", "later-one")).scene.probes.size() == 2);  // no name of a variable
     const auto refused = [&](const std::string& text, const char* message) {
       CHECK_THROWS_WITH_AS(read_text(text), doctest::Contains(message), SceneError);

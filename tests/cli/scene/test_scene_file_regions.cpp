@@ -6,6 +6,7 @@
 #include "engine/error.hpp"
 #include "engine/scene/initial_particles.hpp"
 #include "engine/simulation.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/scene_text.hpp"
 
 using namespace taut;
@@ -152,7 +153,7 @@ TEST_SUITE("cli") {
     const SceneFile given = read_text(
         replaced(small_scene, "poisson_ratio = 0.4", "poisson_ratio = 0.4\nbulk_modulus = \"3*E\""));
     CHECK(given.scene.materials[0].bulk_modulus() == 3e7);
-    CHECK(given.scene.bodies[0].velocity[0]({1, 0, 0}) == doctest::Approx(0.06 * std::sqrt(3e7 / 1200)));
+    CHECK(given.scene.bodies[0].velocity[0]({1, 0, 0}) == Approx(0.06 * std::sqrt(3e7 / 1200)));
     check_error("poisson_ratio = 0.4", "poisson_ratio = 0.4\nbulk_modulus = @\"-E\"",
                 {"bulk_modulus = -1e+07 must be greater than 0"});
     check_error("poisson_ratio = 0.4", "poisson_ratio = 0.4\nbulk_modulus = \"@c0\"", {"unknown name 'c0'"});

@@ -4,6 +4,7 @@
 #include "cli/scene/shipped.hpp"
 #include "cli/text/format.hpp"
 #include "engine/scene/initial_particles.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/scene_text.hpp"
 
 using namespace taut;
@@ -180,7 +181,7 @@ TEST_SUITE("unit") {
     CHECK(again.scene.gravity[1](2) == -4.5);
     CHECK(again.scene.damping == 4);
     CHECK(again.scene.bodies[0].loads.at(0).ramp(1) == 0.25);
-    CHECK(again.scene.bodies[0].loads[0].value[0]({0, 3, 0}) == doctest::Approx(0.72));
+    CHECK(again.scene.bodies[0].loads[0].value[0]({0, 3, 0}) == Approx(0.72));
     CHECK(again.scene.contact == ContactLaw::impulse);
     CHECK(again.scene.materials[0].bulk_modulus() == 2e11);
     CHECK(again.scene.bodies[0].parts[0].material == 0);

@@ -7,6 +7,7 @@
 #include "cli/study/csv.hpp"
 #include "engine/error.hpp"
 #include "tests/support/path_variable.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/results_file.hpp"
 #include "tests/support/sweep_folder.hpp"
 
@@ -57,7 +58,7 @@ TEST_SUITE("cli") {
     REQUIRE(chart.series.size() == 2);
     const taut::cli::ChartSeries& tl = chart.series[0];
     CHECK(tl.name == "tl");
-    CHECK(*tl.order == doctest::Approx(2));
+    CHECK(*tl.order == Approx(2));
     CHECK_FALSE(chart.series[1].order.has_value());
     CHECK(chart.without_result == 1);
     CHECK(chart.references == Texts{"exact"});
@@ -68,7 +69,7 @@ TEST_SUITE("cli") {
     // through points that no straight line meets: slopes of 1 and 3 between neighbours
     const std::vector<taut::cli::ChartPoint> bent{
         {.spacing = 4, .error = 16}, {.spacing = 2, .error = 2}, {.spacing = 1, .error = 1}};
-    CHECK(*taut::cli::convergence_order(bent) == doctest::Approx(2));
+    CHECK(*taut::cli::convergence_order(bent) == Approx(2));
   }
 
   TEST_CASE("the default measure is the one that most runs have, times of events and units come last") {
@@ -253,8 +254,8 @@ TEST_SUITE("cli") {
     CHECK(chart.against == "oenog at 0.5 mm");
     REQUIRE(chart.series.size() == 2);
     REQUIRE(chart.series[0].points.size() == 2);
-    CHECK(*chart.series[0].points[0].error == doctest::Approx(0.1));
-    CHECK(*chart.series[1].points[0].error == doctest::Approx(0.3));
+    CHECK(*chart.series[0].points[0].error == Approx(0.1));
+    CHECK(*chart.series[1].points[0].error == Approx(0.3));
     REQUIRE(call({"chart", file, "--against", "oenog", "--out", folder.str("a.svg")}).code == 0);
     CHECK(contains(text_of(folder / "a.gp"), "Against oenog at 0.5 mm: no independent reference"));
     CHECK(contains(text_of(folder / "a.gp"), "bend, difference from oenog at 0.5 mm, %"));
@@ -266,7 +267,7 @@ TEST_SUITE("cli") {
     const Outcome json = call({"chart", file, "--json"});
     REQUIRE(json.code == 0);
     const auto tree = nlohmann::json::parse(json.out);
-    CHECK(tree["series"][0]["order"].get<double>() == doctest::Approx(2));
+    CHECK(tree["series"][0]["order"].get<double>() == Approx(2));
     CHECK(tree["series"][0]["runs"][2]["stable"] == false);
     CHECK(tree["series"][1]["runs"][1]["error"].is_null());
     const Outcome markdown = call({"chart", file, "--methods", "tl", "--markdown"});

@@ -8,9 +8,10 @@
 #include "engine/diagnostics/particle_loops.hpp"
 #include "engine/simulation.hpp"
 #include "tests/support/made_snapshot.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut;
-using doctest::Approx;
+using namespace taut::test;
 using test::made_scene;
 using test::made_snapshot;
 using test::unit_bulk;

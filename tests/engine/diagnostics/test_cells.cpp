@@ -7,8 +7,10 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/cells.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut;
+using namespace taut::test;
 
 namespace {
 
@@ -91,7 +93,7 @@ TEST_SUITE("unit") {
         REQUIRE(shapes.edge.size() == shapes.particle.size() * d * d);
         for (std::size_t i = 0; i < shapes.particle.size(); ++i) {
           for (std::size_t c = 0; c < d; ++c)
-            CHECK(shapes.centre[d * i + c] == doctest::Approx(now[d * shapes.particle[i] + c]));
+            CHECK(shapes.centre[d * i + c] == Approx(now[d * shapes.particle[i] + c]));
           Vector along{}, across{};
           for (std::size_t c = 0; c < d; ++c) {
             along[c] = dp * (map_of_space[c][0] * std::cos(angle) + map_of_space[c][1] * std::sin(angle));
@@ -133,8 +135,8 @@ TEST_SUITE("unit") {
       const double* e = &shapes.edge[4 * i];
       const double along = std::max(std::abs(e[1] * x - e[0] * y), std::abs(e[3] * x - e[2] * y)) / r;
       const double across = std::max(std::abs(e[0] * x + e[1] * y), std::abs(e[2] * x + e[3] * y)) / r;
-      CHECK(across == doctest::Approx(dr).epsilon(0.01));
-      CHECK(along == doctest::Approx(ring.diameter[i] * ring.diameter[i] / dr).epsilon(0.01));
+      CHECK(across == Approx(dr).epsilon(0.01));
+      CHECK(along == Approx(ring.diameter[i] * ring.diameter[i] / dr).epsilon(0.01));
     }
   }
 
@@ -168,7 +170,7 @@ TEST_SUITE("unit") {
       const CellShapes shapes = lattice.cells(static_cast<int>(dim)).at(lattice.x);
       double expected = std::pow((n - 1) * dp, dim);
       if (dim == 3) expected -= std::pow((n - 2) * dp, 3);  // those inside are not drawn
-      CHECK(sum_of_measures(shapes, dim) == doctest::Approx(expected));
+      CHECK(sum_of_measures(shapes, dim) == Approx(expected));
       for (std::size_t i = 0; i < shapes.particle.size(); ++i)
         for (std::size_t c = 0; c < dim; ++c) {
           double reach = 0;
@@ -182,7 +184,7 @@ TEST_SUITE("unit") {
   TEST_CASE("cells: particles without neighbours, and rows of them, have cells too") {
     Lattice single;
     single.x = {0.1, 0.2, 0.3}, single.diameter = {0.1}, single.body = {0};
-    CHECK(sum_of_measures(single.cells(3).at(single.x), 3) == doctest::Approx(1e-3));
+    CHECK(sum_of_measures(single.cells(3).at(single.x), 3) == Approx(1e-3));
     Lattice row;
     for (int i = 0; i < 4; ++i) {
       for (const double at : {0.1 * i, 0.0, 0.0}) row.x.push_back(at);
@@ -190,7 +192,7 @@ TEST_SUITE("unit") {
     }
     std::vector<double> longer = row.x;
     for (double& at : longer) at *= 1.5;
-    CHECK(sum_of_measures(row.cells(3).at(longer), 3) == doctest::Approx(4 * 1.5e-3));
+    CHECK(sum_of_measures(row.cells(3).at(longer), 3) == Approx(4 * 1.5e-3));
     CHECK(Cells(2, {}, {}, {}).at({}).particle.empty());
   }
 }

@@ -1,9 +1,10 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/conservation.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut;
-using doctest::Approx;
+using namespace taut::test;
 
 namespace {
 

@@ -6,12 +6,12 @@
 #include "engine/diagnostics/critical_step.hpp"
 #include "engine/diagnostics/step_limits.hpp"
 #include "engine/error.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
 using namespace taut;
 using namespace taut::test;
-using doctest::Approx;
 
 namespace {
 

@@ -6,8 +6,10 @@
 
 #include "engine/diagnostics/fields.hpp"
 #include "tests/support/made_snapshot.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut;
+using namespace taut::test;
 using test::made_snapshot;
 
 namespace {
@@ -69,7 +71,7 @@ TEST_SUITE("unit") {
     CHECK(value("stress_xy", now, 1) == 5);
     CHECK(value("stress_yy", now, 1) == -10 + 1);
     CHECK(value("pressure", now, 1) == 10);
-    CHECK(value("von_mises", now, 1) == doctest::Approx(std::sqrt(1.5 * (9 + 1 + 16 + 2 * 25))));
+    CHECK(value("von_mises", now, 1) == Approx(std::sqrt(1.5 * (9 + 1 + 16 + 2 * 25))));
     CHECK(value("von_mises", now, 0) == 0);
   }
 
@@ -79,9 +81,9 @@ TEST_SUITE("unit") {
     bar.s = {4, 0, -2, -2};
     CHECK(value("stress_xx", bar) == 6);
     CHECK(value("stress_yy", bar) == 0);
-    CHECK(value("von_mises", bar) == doctest::Approx(6));
+    CHECK(value("von_mises", bar) == Approx(6));
     bar.s = {0, 6, 0, 0};
-    CHECK(value("von_mises", bar) == doctest::Approx(6 * std::sqrt(3.0)));
+    CHECK(value("von_mises", bar) == Approx(6 * std::sqrt(3.0)));
   }
 
   TEST_CASE("fields: von Mises stress of the same state is the same in 3D and in any axes") {
@@ -89,8 +91,8 @@ TEST_SUITE("unit") {
     now.p = {1, 1};
     // a tension of 6 along x, and along (1, 1, 1)/√3: s = 6 (n n − I/3)
     now.s = {4, 0, 0, -2, 0, -2, 0, 2, 2, 0, 2, 0};  // xx, xy, xz, yy, yz, zz
-    CHECK(value("von_mises", now, 0) == doctest::Approx(6));
-    CHECK(value("von_mises", now, 1) == doctest::Approx(6));
+    CHECK(value("von_mises", now, 0) == Approx(6));
+    CHECK(value("von_mises", now, 1) == Approx(6));
     CHECK(value("stress_xx", now, 0) == 3);
     CHECK(value("stress_yy", now, 0) == -3);
     CHECK(value("stress_xy", now, 0) == 0);
@@ -107,21 +109,21 @@ TEST_SUITE("unit") {
     CHECK(value("stress_yy", now) == 4 - 7);
     CHECK(value("stress_yz", now) == 5);
     CHECK(value("stress_zz", now) == -5 - 7);
-    CHECK(value("principal_1", now, 1) == doctest::Approx(4 - 1));
-    CHECK(value("principal_2", now, 1) == doctest::Approx(-2 - 1));
-    CHECK(value("principal_3", now, 1) == doctest::Approx(-2 - 1));
+    CHECK(value("principal_1", now, 1) == Approx(4 - 1));
+    CHECK(value("principal_2", now, 1) == Approx(-2 - 1));
+    CHECK(value("principal_3", now, 1) == Approx(-2 - 1));
     now.s[1] = NAN;
     CHECK(std::isnan(value("principal_2", now)));
-    CHECK(value("principal_1", now, 1) == doctest::Approx(3));
+    CHECK(value("principal_1", now, 1) == Approx(3));
   }
 
   TEST_CASE("fields: principal stresses in 2D are those of the plane and σ_zz, the greatest first") {
     Snapshot now = made_snapshot(2, {{0, 0, 0}});
     now.p = {1};
     now.s = {3, 4, -3, 0.5};  // in the plane ±5 about −p
-    CHECK(value("principal_1", now) == doctest::Approx(4));
-    CHECK(value("principal_2", now) == doctest::Approx(-0.5));
-    CHECK(value("principal_3", now) == doctest::Approx(-6));
+    CHECK(value("principal_1", now) == Approx(4));
+    CHECK(value("principal_2", now) == Approx(-0.5));
+    CHECK(value("principal_3", now) == Approx(-6));
   }
 
   TEST_CASE("fields: what only 3D has is not there in 2D") {
@@ -140,11 +142,11 @@ TEST_SUITE("unit") {
     now.x = {9, 9, 9, 3, -1, 9};
     now.v = {0, 0, 0, 1, -2, 2};
     now.rho = {1, 7};
-    CHECK(value("displacement", now, 1) == doctest::Approx(7));  // (2, −3, 6)
+    CHECK(value("displacement", now, 1) == Approx(7));  // (2, −3, 6)
     CHECK(value("displacement_x", now, 1) == 2);
     CHECK(value("displacement_y", now, 1) == -3);
     CHECK(value("displacement_z", now, 1) == 6);
-    CHECK(value("speed", now, 1) == doctest::Approx(3));
+    CHECK(value("speed", now, 1) == Approx(3));
     CHECK(value("velocity_x", now, 1) == 1);
     CHECK(value("velocity_y", now, 1) == -2);
     CHECK(value("velocity_z", now, 1) == 2);
@@ -168,13 +170,13 @@ TEST_SUITE("unit") {
       const double e = std::log(third), mean = (a + b + e) / 3;
       const double square = (a - mean) * (a - mean) + (b - mean) * (b - mean) + (e - mean) * (e - mean);
       for (std::size_t i = 0; i < now.size(); ++i) {
-        CHECK(value("J", now, i) == doctest::Approx(1.5 * 0.8 * third).epsilon(1e-7));
-        CHECK(value("strain_xx", now, i) == doctest::Approx(c * c * a + s * s * b).epsilon(1e-7));
-        CHECK(value("strain_yy", now, i) == doctest::Approx(s * s * a + c * c * b).epsilon(1e-7));
-        CHECK(value("strain_xy", now, i) == doctest::Approx(c * s * (a - b)).epsilon(1e-7));
-        if (dim == 3) CHECK(value("strain_zz", now, i) == doctest::Approx(e).epsilon(1e-7));
+        CHECK(value("J", now, i) == Approx(1.5 * 0.8 * third).epsilon(1e-7));
+        CHECK(value("strain_xx", now, i) == Approx(c * c * a + s * s * b).epsilon(1e-7));
+        CHECK(value("strain_yy", now, i) == Approx(s * s * a + c * c * b).epsilon(1e-7));
+        CHECK(value("strain_xy", now, i) == Approx(c * s * (a - b)).epsilon(1e-7));
+        if (dim == 3) CHECK(value("strain_zz", now, i) == Approx(e).epsilon(1e-7));
         CHECK(value("equivalent_strain", now, i) ==
-              doctest::Approx(std::sqrt(2.0 / 3 * square)).epsilon(1e-7));
+              Approx(std::sqrt(2.0 / 3 * square)).epsilon(1e-7));
         for (const Field& field : fields(dim))
           if (field.of_map)  // the order of the neighbours may differ
             CHECK(std::abs(field.value(now, i) - value(field.key.data(), now, i)) < 1e-14);
@@ -201,7 +203,7 @@ TEST_SUITE("unit") {
       CAPTURE(key);
       for (std::size_t i = 0; i < n; ++i) CHECK(std::abs(value(key, now, i)) < 1e-7);
     }
-    for (std::size_t i = 0; i < n; ++i) CHECK(value("J", now, i) == doctest::Approx(1).epsilon(1e-7));
+    for (std::size_t i = 0; i < n; ++i) CHECK(value("J", now, i) == Approx(1).epsilon(1e-7));
     CHECK(value("body", now, 0) == 0);
     CHECK(value("body", now, n) == 1);
   }

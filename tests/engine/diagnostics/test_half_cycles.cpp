@@ -10,7 +10,6 @@
 
 using namespace taut;
 using namespace taut::test;
-using doctest::Approx;
 
 TEST_SUITE("unit") {
   TEST_CASE("period: of a sine of either sign with unequal steps") {

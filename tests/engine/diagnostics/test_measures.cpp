@@ -10,10 +10,10 @@
 #include "engine/diagnostics/measures.hpp"
 #include "engine/error.hpp"
 #include "tests/support/measured.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut;
 using namespace taut::test;
-using doctest::Approx;
 
 TEST_SUITE("unit") {
   TEST_CASE("rmse: of straight lines, over the common time only") {

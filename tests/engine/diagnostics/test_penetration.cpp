@@ -8,8 +8,10 @@
 #include "engine/diagnostics/penetration.hpp"
 #include "engine/diagnostics/verdict.hpp"
 #include "tests/support/made_snapshot.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut;
+using namespace taut::test;
 using test::made_scene;
 using test::made_snapshot;
 using test::unit_bulk;
@@ -119,9 +121,9 @@ TEST_SUITE("unit") {
     const auto gap = [](std::vector<double> directions) { return widest_gap(directions) / std::numbers::pi; };
     CHECK(gap({}) == 2);
     CHECK(gap({1}) == 2);
-    CHECK(gap({0.5, 0.5 - std::numbers::pi}) == doctest::Approx(1));
-    CHECK(gap({3, -3}) == doctest::Approx(6 / std::numbers::pi));  // over the cut at π too
-    CHECK(gap({-2, 0, 2}) == doctest::Approx(2 - 4 / std::numbers::pi));
+    CHECK(gap({0.5, 0.5 - std::numbers::pi}) == Approx(1));
+    CHECK(gap({3, -3}) == Approx(6 / std::numbers::pi));  // over the cut at π too
+    CHECK(gap({-2, 0, 2}) == Approx(2 - 4 / std::numbers::pi));
   }
 
   TEST_CASE("penetration: faces that touch, interlock by a row or dent each other are no penetration") {

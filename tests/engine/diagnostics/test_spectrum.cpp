@@ -6,9 +6,10 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/spectrum.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut;
-using doctest::Approx;
+using namespace taut::test;
 
 namespace {
 

@@ -26,7 +26,6 @@ namespace {
 
 using namespace taut;
 using namespace taut::test;
-using doctest::Approx;
 
 Bonds bonds_of(const Scene& scene, const InitialParticles& initial) {
   return make_bonds(scene, initial, oenog.h_over_dp * scene.spacing);

@@ -81,7 +81,7 @@ void check_cancelled() {
         expected += (Gw * cancelled_slope(s)) * dyad;
       }
       for (int k = 0; k < expected.size; ++k)
-        CHECK(S.c[k][lane] == doctest::Approx(expected.c[k]).epsilon(1e-12));
+        CHECK(S.c[k][lane] == Approx(expected.c[k]).epsilon(1e-12));
     }
   }
 }

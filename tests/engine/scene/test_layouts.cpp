@@ -106,7 +106,7 @@ TEST_SUITE("unit") {
     const InitialParticles swapped = make_initial_particles(scene);
     for (int i = 0; i < straight.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k)
-        CHECK(swapped.x[i][(k + 1) % 3] == doctest::Approx(straight.x[i][k]));
+        CHECK(swapped.x[i][(k + 1) % 3] == Approx(straight.x[i][k]));
     scene.bodies[0].rotation = Rotation{{0.6, 0, 0.8}, {1, 2, 3}, 33};
     const InitialParticles skew = make_initial_particles(scene);
     CHECK(greatest_change_of_distance(straight.x, skew.x) < 1e-14 * 10);

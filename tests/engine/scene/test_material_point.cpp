@@ -4,9 +4,10 @@
 #include <doctest/doctest.h>
 
 #include "engine/scene/material_point.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut;
-using doctest::Approx;
+using namespace taut::test;
 
 namespace {
 

@@ -7,11 +7,11 @@
 #include <doctest/doctest.h>
 
 #include "engine/scene/outline.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/scenes.hpp"
 
 using namespace taut;
 using namespace taut::test;
-using doctest::Approx;
 
 namespace {
 

@@ -9,10 +9,10 @@
 #include "engine/scene/other_shapes.hpp"
 #include "engine/scene/surface_mesh.hpp"
 #include "tests/support/pressed.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut;
 using namespace taut::test;
-using doctest::Approx;
 
 namespace {
 

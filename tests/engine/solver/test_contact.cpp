@@ -9,12 +9,12 @@
 #include "engine/error.hpp"
 #include "engine/terms/impulse_contact.hpp"
 #include "engine/terms/penalty_contact.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
 using namespace taut;
 using namespace taut::test;
-using doctest::Approx;
 
 namespace {
 

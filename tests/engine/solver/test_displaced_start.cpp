@@ -162,8 +162,8 @@ TEST_SUITE("analytic") {
       // s_yy = G J^(−5/3) (1 − (λ² + 2)/3)
       const double s_yy = G * std::pow(1.1, -5.0 / 3) * (1 - (1.21 + 2) / 3);
       for (std::size_t i = 0; i < pulled.size(); ++i) {
-        CHECK(pulled.deviator(i).yy == doctest::Approx(s_yy).epsilon(1e-6));
-        CHECK(pulled.p[i] == doctest::Approx(pulled.p[0]).epsilon(1e-9));
+        CHECK(pulled.deviator(i).yy == Approx(s_yy).epsilon(1e-6));
+        CHECK(pulled.p[i] == Approx(pulled.p[0]).epsilon(1e-9));
         CHECK(std::abs(spun.p[i]) < 1e-9 * K);
         CHECK(std::abs(spun.deviator(i).xy) < 1e-9 * G);
       }

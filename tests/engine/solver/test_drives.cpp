@@ -5,12 +5,12 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/balance.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
 using namespace taut;
 using namespace taut::test;
-using doctest::Approx;
 
 namespace {
 

@@ -21,7 +21,6 @@
 
 using namespace taut;
 using namespace taut::test;
-using doctest::Approx;
 
 namespace {
 

@@ -19,7 +19,6 @@
 
 using namespace taut;
 using namespace taut::test;
-using doctest::Approx;
 
 namespace {
 

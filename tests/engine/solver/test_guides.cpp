@@ -6,6 +6,7 @@
 
 #include "engine/diagnostics/balance.hpp"
 #include "engine/scene/initial_particles.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
@@ -84,7 +85,7 @@ TEST_SUITE("analytic") {
       }
       CHECK(off == 0);
       CHECK(slid > 0.01 * length);
-      CHECK(slid == doctest::Approx(pulled).epsilon(0.2));
+      CHECK(slid == Approx(pulled).epsilon(0.2));
       CHECK(contracted < -0.003 * height);
     }
   }
@@ -148,7 +149,7 @@ TEST_SUITE("conservation") {
       };
       const double before = energy();
       simulation->advance_to(period);
-      CHECK(energy() == doctest::Approx(before).epsilon(0.002));
+      CHECK(energy() == Approx(before).epsilon(0.002));
     }
   }
 

@@ -10,7 +10,6 @@
 
 using namespace taut;
 using namespace taut::test;
-using doctest::Approx;
 
 namespace {
 

@@ -17,7 +17,6 @@
 
 using namespace taut;
 using namespace taut::test;
-using doctest::Approx;
 
 namespace {
 

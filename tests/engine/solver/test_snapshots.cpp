@@ -246,7 +246,7 @@ TEST_SUITE("unit") {
       const Snapshot now = state_after(3, scene, with_method(std::string(method.name)));
       for (std::size_t i = 0; i < now.size(); ++i)
         REQUIRE(now.diameter[i] * now.diameter[i] * ring_rubber().density ==
-                doctest::Approx(now.m[i]).scale(0).epsilon(1e-12));
+                Approx(now.m[i]).scale(0).epsilon(1e-12));
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include "engine/error.hpp"
 #include "render/image/image_difference.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/synthetic.hpp"
 
 using namespace taut;
@@ -27,11 +28,11 @@ TEST_SUITE("unit") {
     b.set(10, 10, {254, 254, 254});  // one level: not to be seen
     for (int i = 0; i < 25; ++i) b.set(i, 49, {0, 0, 0});
     const ImageDifference difference = compare(a, b);
-    CHECK(difference.share == doctest::Approx(25.0 / 5000));
-    CHECK(difference.greatest == doctest::Approx(100).epsilon(1e-3));
+    CHECK(difference.share == Approx(25.0 / 5000));
+    CHECK(difference.greatest == Approx(100).epsilon(1e-3));
     CHECK_FALSE(alike(difference));
     CHECK(compare(a, b, 101).share == 0);
-    CHECK(compare(a, b, 0).share == doctest::Approx(26.0 / 5000));
+    CHECK(compare(a, b, 0).share == Approx(26.0 / 5000));
     CHECK(compare(b, a).share == difference.share);
   }
 
@@ -43,7 +44,7 @@ TEST_SUITE("unit") {
       for (int column = 150; column < 158; ++column) b.set(column, row, {0, 0, 0});
     }
     const ImageDifference difference = compare(a, b);
-    CHECK(difference.densest == doctest::Approx(32.0 / 256));
+    CHECK(difference.densest == Approx(32.0 / 256));
     CHECK(difference.column <= 150);
     CHECK(difference.column + 16 >= 158);
     CHECK(difference.row <= 70);
@@ -60,8 +61,8 @@ TEST_SUITE("unit") {
           along.set(30, i, {0, 0, 0});
         }
         const double expected = (apart < 16 ? 2.0 : 1.0) / 256;
-        CHECK(compare(a, across).densest == doctest::Approx(expected));
-        CHECK(compare(a, along).densest == doctest::Approx(expected));
+        CHECK(compare(a, across).densest == Approx(expected));
+        CHECK(compare(a, along).densest == Approx(expected));
       }
     }
   }
@@ -84,7 +85,7 @@ TEST_SUITE("unit") {
           Image b = a;
           b.set(column, row, {0, 0, 0});
           const ImageDifference difference = compare(a, b);
-          CHECK(difference.densest == doctest::Approx(1.0 / (std::min(width, 16) * std::min(height, 16))));
+          CHECK(difference.densest == Approx(1.0 / (std::min(width, 16) * std::min(height, 16))));
           CHECK(difference.column <= column);
           CHECK(difference.column + difference.width > column);
           CHECK(difference.row <= row);
@@ -96,9 +97,9 @@ TEST_SUITE("unit") {
 
   TEST_CASE("a difference is as many times its limit as in its worst respect") {
     const ImageDifference difference{.share = 0.01, .greatest = 30, .densest = 0.02};
-    CHECK(excess(difference, {.share = 0.005, .densest = 0.04}) == doctest::Approx(2));
-    CHECK(excess(difference, {.share = 0.02, .densest = 0.005}) == doctest::Approx(4));
-    CHECK(excess(difference, {.share = 1, .densest = 1, .greatest = 10}) == doctest::Approx(3));
+    CHECK(excess(difference, {.share = 0.005, .densest = 0.04}) == Approx(2));
+    CHECK(excess(difference, {.share = 0.02, .densest = 0.005}) == Approx(4));
+    CHECK(excess(difference, {.share = 1, .densest = 1, .greatest = 10}) == Approx(3));
     CHECK(alike(difference, {.share = 1, .densest = 1, .greatest = 30}));
     CHECK_FALSE(alike(difference, {.share = 1, .densest = 1, .greatest = 29}));
     CHECK_FALSE(alike(difference, {.share = 1, .densest = 1, .greatest = 0}));

@@ -4,8 +4,10 @@
 
 #include "render/page/page_layout.hpp"
 #include "render/renderer.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut;
+using namespace taut::test;
 using namespace taut::render;
 
 TEST_SUITE("unit") {
@@ -27,9 +29,9 @@ TEST_SUITE("unit") {
           CHECK(top >= -1e-6);
           CHECK(bottom <= layout.plot.height + 1e-6);
           const double spare = std::min(left, top);
-          CHECK(spare == doctest::Approx(0).epsilon(1e-6));
-          CHECK(left == doctest::Approx(layout.plot.width - right).epsilon(1e-6));
-          CHECK(top == doctest::Approx(layout.plot.height - bottom).epsilon(1e-6));
+          CHECK(spare == Approx(0).scale(1).epsilon(1e-6));
+          CHECK(left == Approx(layout.plot.width - right).scale(1).epsilon(1e-6));
+          CHECK(top == Approx(layout.plot.height - bottom).scale(1).epsilon(1e-6));
         }
       }
     }

@@ -3,8 +3,10 @@
 #include <doctest/doctest.h>
 
 #include "render/page/ticks.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut;
+using namespace taut::test;
 using namespace taut::render;
 
 namespace {
@@ -44,7 +46,7 @@ TEST_SUITE("unit") {
           CHECK(ticks.at.back().value <= low + length + 1e-6 * length);
           for (std::size_t i = 2; i < ticks.at.size(); ++i) {
             const double step = ticks.at[1].value - ticks.at[0].value;
-            CHECK(ticks.at[i].value - ticks.at[i - 1].value == doctest::Approx(step));
+            CHECK(ticks.at[i].value - ticks.at[i - 1].value == Approx(step));
             CHECK(ticks.at[i].label != ticks.at[i - 1].label);
           }
         }
@@ -83,9 +85,9 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("the length of a scale bar") {
-    CHECK(nice_length(0.037) == doctest::Approx(0.02));
-    CHECK(nice_length(0.05) == doctest::Approx(0.05));
-    CHECK(nice_length(0.1) == doctest::Approx(0.1));
-    CHECK(nice_length(9.99) == doctest::Approx(5));
+    CHECK(nice_length(0.037) == Approx(0.02));
+    CHECK(nice_length(0.05) == Approx(0.05));
+    CHECK(nice_length(0.1) == Approx(0.1));
+    CHECK(nice_length(9.99) == Approx(5));
   }
 }
