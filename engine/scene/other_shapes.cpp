@@ -150,6 +150,12 @@ std::vector<Chain> Turned::outline(int dim, double dp) const {
   return chains;
 }
 
+FacePatches Turned::patches(double dp) const {
+  FacePatches faces = patches_of(shape, dp);
+  for (Point& x : faces.node) x = rotated(rotation, x);
+  return faces;
+}
+
 Point Turned::from_lattice(const Point& x) const { return rotated(rotation, taut::from_lattice(shape, x)); }
 Point Turned::to_lattice(const Point& x) const { return taut::to_lattice(shape, back(x)); }
 Bounds Turned::lattice_bounds() const { return lattice_bounds_of(shape); }

@@ -90,6 +90,7 @@ struct Turned {
   void shift(std::size_t axis, double by);
   std::vector<InitialSite> sites(int dim, double dp) const;
   std::vector<Chain> outline(int dim, double dp) const;
+  FacePatches patches(double dp) const;
   Point from_lattice(const Point& x) const;
   Point to_lattice(const Point& x) const;
   Bounds lattice_bounds() const;

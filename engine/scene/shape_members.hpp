@@ -53,6 +53,14 @@ inline std::vector<Chain> outline_of(const Shape& shape, int dim, double dp) {
   return std::visit(lay, shape);
 }
 
+inline FacePatches patches_of(const Shape& shape, double dp) {
+  const auto lay = [&]([[maybe_unused]] const auto& s) -> FacePatches {
+    if constexpr (requires { s.patches(dp); }) return s.patches(dp);
+    return {};
+  };
+  return std::visit(lay, shape);
+}
+
 inline Point from_lattice(const Shape& shape, const Point& x) {
   const auto* other = std::get_if<AnyShape>(&shape);
   return other ? other->from_lattice(x) : x;

@@ -3,6 +3,8 @@
 #include <array>
 #include <numeric>
 
+#include "engine/scene/aligned_layers.hpp"
+
 namespace taut {
 namespace {
 
@@ -72,8 +74,9 @@ std::vector<InitialSite> Disc::sites(int dim, double dp) const {
 }
 
 std::vector<InitialSite> Ring::sites(int dim, double dp) const {
+  if (dim == 3) return layout == RoundLayout::aligned ? aligned_sites(*this, dp) : std::vector<InitialSite>{};
   std::vector<InitialSite> sites;
-  if (dim != 2 || layout == RoundLayout::lattice) return sites;
+  if (layout == RoundLayout::lattice) return sites;
   const std::vector<long> numbers = numbers_of(*this, dp);
   const double thickness = (outer - inner) / static_cast<double>(numbers.size());
   const long fold = std::accumulate(numbers.begin(), numbers.end(), 0L, std::gcd<long, long>);
@@ -112,6 +115,18 @@ std::vector<Chain> Ring::outline(int dim, double dp) const {
   std::vector<Chain> chains = {circle(centre, outer, std::max(3L, numbers.back()), true)};
   if (inner > 0) chains.push_back(circle(centre, inner, std::max(3L, numbers.front()), false));
   return chains;
+}
+
+FacePatches Ring::patches(double dp) const {
+  return layout == RoundLayout::aligned ? aligned_patches(*this, dp) : FacePatches{};
+}
+
+std::vector<InitialSite> Cylinder::sites(int, double dp) const {
+  return layout == RoundLayout::aligned ? aligned_sites(*this, dp) : std::vector<InitialSite>{};
+}
+
+FacePatches Cylinder::patches(double dp) const {
+  return layout == RoundLayout::aligned ? aligned_patches(*this, dp) : FacePatches{};
 }
 
 Bounds Cylinder::bounds() const {

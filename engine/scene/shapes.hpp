@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -31,6 +32,7 @@ namespace taut {
 //                             the lattice does it
 //   outline(dim, dp)          its faces: closed chains of points exactly on them, about dp apart, with the solid
 //                             to the left of the way from one to the next; corners are points. None in 3D
+//   patches(dp)               the same in 3D of one that lays its own particles there, else none
 //
 // A shape that follows its own faces with layers of particles keeps its strain smooth up to them: steps of a
 // lattice at a curved face leave a noise of the strain there that does not fall with the spacing.
@@ -48,6 +50,16 @@ struct Bounds {
 /// Points on a face, m, one after the other; the first follows the last.
 using Chain = std::vector<Point>;
 
+/// The faces of a body in 3D: quadrilaterals, whose corners lie exactly on them.
+struct FacePatches {
+  struct Patch {
+    std::array<int, 4> node{};  // against the clock, seen from outside
+    int site = 0;               // of `sites`, that it lies in front of
+  };
+  std::vector<Point> node;  // m
+  std::vector<Patch> patches;
+};
+
 /// The place of a particle at t = 0 and its volume, m^dim.
 struct InitialSite {
   Point x{};
@@ -60,7 +72,7 @@ struct InitialSite {
 /// best; those that search for neighbours, with one smoothing length for all directions, want particles that
 /// are equally far from each other in all.
 enum class RoundLayout : std::uint8_t {
-  aligned,  // in layers with the same number of particles on each, of a ring only
+  aligned,  // in layers with the same number of particles on each, of what is hollow only
   spaced,   // in layers whose particles are about a spacing apart on each
   lattice,  // cut from the square lattice
 };
@@ -158,10 +170,12 @@ struct Ring {
   /// Concentric layers at r = inner + (k + ½) dp, the first particle of each on the positive x axis. Aligned:
   /// on each as many as are a spacing apart in the middle of the ring, so that each has its neighbours where
   /// a lattice has them, on a grid of polar coordinates. Spaced: a whole number about dp apart on each, which
-  /// puts the neighbours of the next layer anywhere.
+  /// puts the neighbours of the next layer anywhere. In 3D aligned only: on each layer the six faces of a cube
+  /// made round, with n × n particles each, whose mean volume is dp³.
   std::vector<InitialSite> sites(int dim, double dp) const;
   /// One point for each particle of the innermost and of the outermost layer, at its angle.
   std::vector<Chain> outline(int dim, double dp) const;
+  FacePatches patches(double dp) const;
   bool operator==(const Ring&) const = default;
 };
 
@@ -169,6 +183,7 @@ struct Ring {
 struct Cylinder {
   Point from{}, to{};
   double radius = 0, inner = 0;
+  RoundLayout layout = RoundLayout::lattice;
 
   Bounds bounds() const;
   bool holds(const Point& x, int dim, double tolerance) const;
@@ -181,6 +196,9 @@ struct Cylinder {
     from[axis] += by;
     to[axis] += by;
   }
+  /// Of a hollow one that is aligned: slices, about dp apart, of what a ring has in 2D.
+  std::vector<InitialSite> sites(int dim, double dp) const;
+  FacePatches patches(double dp) const;
   bool operator==(const Cylinder&) const = default;
 };
 
@@ -201,6 +219,7 @@ class AnyShape {
   void shift(std::size_t axis, double by) { held_ = held_->shifted(axis, by); }
   std::vector<InitialSite> sites(int dim, double dp) const { return held_->sites(dim, dp); }
   std::vector<Chain> outline(int dim, double dp) const { return held_->outline(dim, dp); }
+  FacePatches patches(double dp) const { return held_->patches(dp); }
   Point from_lattice(const Point& x) const { return held_->from_lattice(x); }
   Point to_lattice(const Point& x) const { return held_->to_lattice(x); }
   Bounds lattice_bounds() const { return held_->lattice_bounds(); }
@@ -225,6 +244,7 @@ class AnyShape {
     virtual std::shared_ptr<const Members> shifted(std::size_t axis, double by) const = 0;
     virtual std::vector<InitialSite> sites(int dim, double dp) const = 0;
     virtual std::vector<Chain> outline(int dim, double dp) const = 0;
+    virtual FacePatches patches(double dp) const = 0;
     virtual Point from_lattice(const Point& x) const = 0;
     virtual Point to_lattice(const Point& x) const = 0;
     virtual Bounds lattice_bounds() const = 0;
@@ -252,6 +272,10 @@ class AnyShape {
       return {};
     }
     std::vector<Chain> outline(int dim, double dp) const override { return shape.outline(dim, dp); }
+    FacePatches patches([[maybe_unused]] double dp) const override {
+      if constexpr (requires { shape.patches(dp); }) return shape.patches(dp);
+      return {};
+    }
     Point from_lattice(const Point& x) const override {
       if constexpr (requires { shape.from_lattice(x); }) return shape.from_lattice(x);
       return x;

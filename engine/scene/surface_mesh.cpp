@@ -49,6 +49,12 @@ struct Cells {
   }
 };
 
+/// Of a body that a shape lays in layers.
+FacePatches own_patches(const Body& body, double dp) {
+  return body.shapes.size() == 1 && body.without.empty() ? patches_of(body.shapes.front(), dp)
+                                                         : FacePatches{};
+}
+
 /// The faces of a body as it is laid, from what its shapes hold.
 class Faces {
  public:
@@ -158,17 +164,23 @@ class BodyMesh {
         index_(body),
         cells_(laid_, dp_),
         faces_(laid_, dp_),
+        initial_(initial),
         particles_(initial, body, dp_),
         turned_inside_out_((given_.mirror[0] != given_.mirror[1]) != given_.mirror[2]),
         out_(out) {
     first_ = initial.first[as_index(body)];
-    for (int i = first_; i < initial.first[as_index(body) + 1]; ++i)
-      filled_.push_back(cells_.of(laid_at(given_, initial.x[as_index(i)], dim)));
   }
 
   void add(int threads) {
-    find_facets();
-    place_nodes(threads);
+    if (const FacePatches patches = own_patches(laid_, dp_); !patches.patches.empty()) {
+      take(patches);
+      add_nodes(static_cast<int>(patches.node.size()), threads,
+                [&](int k) { return patches.node[as_index(k)]; });
+    } else {
+      find_facets();
+      add_nodes(static_cast<int>(corner_.size()), threads,
+                [&](int k) { return place_of(corner_[as_index(k)]); });
+    }
     place_facets(threads);
     out_.closed.push_back(std::ranges::count(node_, -1) == 0);
   }
@@ -183,17 +195,27 @@ class BodyMesh {
     std::vector<PointWeight> shares;  // none where too few particles are around it
   };
 
+  void take(const FacePatches& patches) {
+    for (const FacePatches::Patch& patch : patches.patches) {
+      facets_.push_back({.node = patch.node, .body = index_, .particle = first_ + patch.site});
+      if (turned_inside_out_) std::swap(facets_.back().node[1], facets_.back().node[3]);
+    }
+  }
+
   /// With corners in the place of nodes, against the clock in the lattice of the body as it is laid.
   void find_facets() {
-    std::vector<Cell> sorted = filled_;
+    std::vector<Cell> filled;  // by particle
+    for (int i = first_; i < initial_.first[as_index(index_) + 1]; ++i)
+      filled.push_back(cells_.of(laid_at(given_, initial_.x[as_index(i)], dim)));
+    std::vector<Cell> sorted = filled;
     std::ranges::sort(sorted);
-    for (std::size_t i = 0; i < filled_.size(); ++i) {
+    for (std::size_t i = 0; i < filled.size(); ++i) {
       for (std::size_t axis = 0; axis < dim; ++axis) {
         for (const long side : {0L, 1L}) {
-          Cell beyond = filled_[i];
+          Cell beyond = filled[i];
           beyond[axis] += 2 * side - 1;
           if (!std::ranges::binary_search(sorted, beyond))
-            facets_.push_back({.node = corners_of(filled_[i], axis, side),
+            facets_.push_back({.node = corners_of(filled[i], axis, side),
                                .body = index_,
                                .particle = first_ + static_cast<int>(i)});
         }
@@ -249,16 +271,21 @@ class BodyMesh {
     return faces_.is_face(at) ? std::optional(at) : std::nullopt;
   }
 
-  void place_nodes(int threads) {
+  Point place_of(const Corner& corner) const {
+    const auto& [cell, outwards] = corner;
+    if (const std::optional<Point> rim = on_rim(cell, outwards)) return *rim;
+    return faces_.nearest(cells_.corner(cell), cells_.corner(cell, outwards));
+  }
+
+  /// `number` of them, the k-th at place(k) of the body as it is laid
+  template <class Place>
+  void add_nodes(int number, int threads, const Place& place) {
     const auto make = [&](int k) {
-      const auto& [cell, outwards] = corner_[as_index(k)];
-      const std::optional<Point> rim = on_rim(cell, outwards);
-      const Point x = placed(
-          given_, rim ? *rim : faces_.nearest(cells_.corner(cell), cells_.corner(cell, outwards)), dim);
+      const Point x = placed(given_, place(k), dim);
       return Node{x, particles_.shares_of(x)};
     };
-    node_.assign(corner_.size(), -1);
-    make_in_order(static_cast<int>(corner_.size()), threads, make, [&](int k, const Node& node) {
+    node_.assign(as_index(number), -1);
+    make_in_order(number, threads, make, [&](int k, const Node& node) {
       if (node.shares.empty()) return;
       node_[as_index(k)] = out_.size();
       out_.add(node.x, node.shares);
@@ -304,14 +331,14 @@ class BodyMesh {
   int index_, first_ = 0;
   Cells cells_;
   Faces faces_;
+  const InitialParticles& initial_;
   ParticlesAround particles_;
   bool turned_inside_out_;
   SurfaceMesh& out_;
-  std::vector<Cell> filled_;  // by particle
   std::vector<SurfaceMesh::Facet> facets_;
   std::vector<Corner> corner_;
   std::map<Cell, int> number_;  // of a corner
-  std::vector<int> node_;       // of a corner, −1: none
+  std::vector<int> node_;       // of a corner or of a patch's node, −1: none
 };
 
 }  // namespace
@@ -335,7 +362,8 @@ SurfaceMesh make_surface_mesh(const Scene& scene, const InitialParticles& initia
 bool can_have_surface_mesh(const Scene& scene) {
   return std::ranges::none_of(scene.bodies, [&](const Body& body) {
     return !body.on_boundary && body.shapes.size() == 1 && body.without.empty() &&
-           !sites_of(body.shapes.front(), dim, scene.spacing).empty();
+           !sites_of(body.shapes.front(), dim, scene.spacing).empty() &&
+           own_patches(body, scene.spacing).patches.empty();
   });
 }
 

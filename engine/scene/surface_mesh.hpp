@@ -25,8 +25,9 @@ struct SurfaceMesh : FaceNodes {
 /// ½ (x2 − x0) × (x3 − x1), m², of the corners of a facet: it points outwards.
 Point vector_area(const std::array<Point, 4>& corner);
 
-/// A facet for each face of a cell of the lattice that no other cell of the body shares, its corners brought to
-/// the nearest face of the shapes: so steps at a curved face are laid smooth. That of a mirrored body is the
+/// The patches of a body that a shape lays in layers (FacePatches). Of others a facet for each face of a cell of
+/// the lattice that no other cell of the body shares, its corners brought to the nearest face of the shapes: so
+/// steps at a curved face are laid smooth. That of a mirrored body is the
 /// mirror image, in the same order, to the last bit. What lies in front of a body that is too thin to tell
 /// where its faces are has none. Empty in 2D.
 SurfaceMesh make_surface_mesh(const Scene& scene, const InitialParticles& initial, int threads = 1);

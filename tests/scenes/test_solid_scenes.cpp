@@ -98,9 +98,11 @@ TEST_SUITE("analytic") {
     const Run balls = run("colliding-balls", "oenog", {{"spacing", "0.0025"}});
     CHECK(balls.error("rebound_ratio") < 0.005);        // 0.002; 0.008 where particles meet and not faces
     CHECK(balls.error("least_pole_distance") < 0.005);  // 0.003
-    CHECK(balls.error("least_diameter") < 0.002);       // 0.001; 0.011 where particles meet
-    CHECK(balls.error("touch_time") < 0.01);
-    CHECK(std::abs(*balls.measure.at("separation_time").value - 5.69e-3) < 0.3e-3);
+    CHECK(balls.error("least_diameter") < 0.005);       // 0.004; 0.010 where particles meet
+    CHECK(balls.error("touch_time") < 0.015);
+    CHECK(balls.error("separation_time") < 0.02);  // 0.015; 0.043 of shells that are cut from a lattice
+    CHECK(*balls.measure.at("diameter_rmse").value < 0.017);  // 0.014; 0.072
+    CHECK(*balls.measure.at("speed_rmse").value < 0.005);     // 0.0038; 0.031
     CHECK(*balls.measure.at("mirror_asymmetry").value == 0);
     CHECK(balls.verdict == Verdict::stable);
     CHECK(balls.pieces == 2);

@@ -105,9 +105,9 @@ TEST_SUITE("cli") {
     CHECK(volume(layout("{ type = \"ball\", centre = [1, 2, 3], radius = 1 }")) == relative(ball, 0.01));
     CHECK(volume(layout("{ type = \"shell\", centre = [1, 2, 3], inner = 0.5, outer = 1 }")) ==
           relative(ball * 7 / 8, 0.01));
-    CHECK(volume(
-              layout("{ type = \"cylinder\", from = [0, 0, 0], to = [0, 3, 0], radius = 1, inner = 0.5 }")) ==
-          relative(2.25 * std::numbers::pi, 0.02));
+    const std::string pipe =
+        "{ type = \"cylinder\", from = [0, 0, 0], to = [0, 3, 0], radius = 1, inner = 0.5";
+    CHECK(volume(layout(pipe + " }")) == relative(2.25 * std::numbers::pi, 0.02));
     check_solid_error(solid_scene("{ type = \"cylinder\", from = [1, 2, 3], to = @[1, 2, 3], radius = 1 }"),
                       {"from and to are the same point"});
     check_solid_error(
@@ -120,6 +120,37 @@ TEST_SUITE("cli") {
         {"unknown key 'layout'"});
     check_solid_error(solid_scene("{ type = \"box\", low = @[0, 0, 1], high = [1, 1, 0] }"),
                       {"low.z = 1 must be less than high.z = 0"});
+  }
+
+  TEST_CASE("scene in 3D: hollow round bodies are laid in layers for methods that keep their neighbours") {
+    const auto volume_of = [](const std::string& shape, const std::string& method) {
+      const SceneFile file = read_text("method = \"" + method + "\"\n" + solid_scene(shape));
+      check_resolved(file);
+      return volume(make_initial_particles(file.scene));
+    };
+    const double ball = 4.0 / 3 * std::numbers::pi * 0.784, bar = 1.92 * std::numbers::pi;
+    const std::string shell = "{ type = \"shell\", centre = [1, 2, 3], inner = 0.6, outer = 1",
+                      pipe =
+                          "{ type = \"cylinder\", from = [0, 0, 0], to = [0, 3, 0], radius = 1, inner = 0.6";
+    for (const auto& [shape, exact] : {std::pair{shell, ball}, std::pair{pipe, bar}}) {
+      CHECK(volume_of(shape + " }", "oenog") == relative(exact, 1e-12));
+      CHECK(volume_of(shape + " }", "tl") == relative(exact, 1e-12));
+      CHECK_FALSE(volume_of(shape + " }", "enog") == relative(exact, 1e-6));
+      CHECK(volume_of(shape + ", layout = \"aligned\" }", "enog") == relative(exact, 1e-12));
+      CHECK(volume_of(shape + ", layout = \"lattice\" }", "oenog") == volume_of(shape + " }", "enog"));
+      check_solid_error(solid_scene(shape + ", layout = @\"spaced\" }"),
+                        {"unknown layout 'spaced'", "aligned", "lattice"});
+    }
+    CHECK_FALSE(volume_of("{ type = \"shell\", centre = [1, 2, 3], inner = 0.5, outer = 1 }", "oenog") ==
+                relative(4.0 / 3 * std::numbers::pi * 7 / 8, 1e-6));
+    const std::string thick = "{ type = \"shell\", centre = [1, 2, 3], inner = 0.3, outer = 1";
+    CHECK_FALSE(volume_of(thick + " }", "oenog") == relative(4.0 / 3 * std::numbers::pi * 0.973, 1e-6));
+    check_solid_error(solid_scene(thick + ", layout = @\"aligned\" }"),
+                      {"layout = \"aligned\" would put", "take \"lattice\""});
+    check_solid_error(
+        solid_scene(
+            "{ type = \"cylinder\", from = [0, 0, 0], to = [0, 3, 0], radius = 1, layout = @\"aligned\" }"),
+        {"layout", "inner"});
   }
 
   TEST_CASE("scene: a shape of the other dimension is refused with the one that comes nearest") {
@@ -189,7 +220,7 @@ TEST_SUITE("cli") {
     check_resolved(faces);
     const InitialParticles layout = make_initial_particles(faces.scene);
     CHECK(layout.size() == 21 * 11 * 6);
-    CHECK(layout.start.back()[1] == doctest::Approx(1 + 0.1 * 2 * 0.5));
+    CHECK(layout.start.back()[1] == Approx(1 + 0.1 * 2 * 0.5));
     CHECK(resolved_text(file, scratch_folder()).find("on_boundary") == std::string::npos);
     check_solid_error(solid_scene(brick, "rotate = { axis = @[0, 0, 0], angle = 3 }"), {"has no length"});
     check_solid_error(solid_scene(brick, "rotate = @{ axis = [0, 0, 1] }"), {"'angle' is missing"});
