@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "engine/core/index.hpp"
+
 namespace taut {
 namespace {
 
@@ -13,8 +15,6 @@ constexpr double least_reach = 2, greatest_reach = 4, reach_step = 0.25;
 /// Of Σ weight², which is how many times lighter a node is than a particle: heavier ones are sought further
 /// away. It is 2.5 at a face of a lattice, (3/2)² + (1/2)² from two layers.
 constexpr double greatest_square = 3;
-
-std::size_t as_index(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

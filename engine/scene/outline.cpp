@@ -5,13 +5,12 @@
 #include <utility>
 #include <variant>
 
+#include "engine/core/index.hpp"
 #include "engine/scene/other_shapes.hpp"
 #include "engine/scene/shape_members.hpp"
 
 namespace taut {
 namespace {
-
-std::size_t as_index(int i) { return static_cast<std::size_t>(i); }
 
 bool any_holds(const std::vector<Shape>& shapes, const Point& x, double tolerance) {
   return std::ranges::any_of(shapes, [&](const Shape& shape) { return holds(shape, x, 2, tolerance); });

@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "engine/core/index.hpp"
 #include "engine/core/parallel.hpp"
 #include "engine/scene/shape_members.hpp"
 
@@ -15,8 +16,6 @@ namespace {
 
 constexpr int dim = 3;
 using Cell = std::array<long, dim>;
-
-std::size_t as_index(int i) { return static_cast<std::size_t>(i); }
 
 bool stands_on_boundary(const Body& body) { return body.on_boundary && body.without.empty(); }
 
@@ -240,11 +239,10 @@ class BodyMesh {
 
   /// Where faces along the lattice meet: the nearest place of one of them may be off the others.
   std::optional<Point> on_rim(const Cell& cell, const Point& outwards) const {
+    if (std::ranges::count(outwards, 0.0) > dim - 2) return std::nullopt;
     Point off{};  // pitches
-    int faces = 0;
     for (std::size_t a = 0; a < dim; ++a) {
       if (outwards[a] == 0) continue;
-      ++faces;
       std::array<double, 2> way{};  // of the face, half a cell and a whole one beside the rim
       for (std::size_t n = 0; n < way.size(); ++n) {
         Point beside{};
@@ -266,7 +264,6 @@ class BodyMesh {
       if (std::abs(way[0] - way[1]) > alike || std::abs(way[0]) > farthest) return std::nullopt;
       off[a] = way[0] * std::copysign(1, outwards[a]);
     }
-    if (faces < 2) return std::nullopt;
     const Point at = cells_.corner(cell, off);
     return faces_.is_face(at) ? std::optional(at) : std::nullopt;
   }
