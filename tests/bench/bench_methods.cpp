@@ -22,7 +22,7 @@
 #include "engine/families/catalogue.hpp"
 #include "engine/simulation.hpp"
 #include "tests/bench/benchmarks.hpp"
-#include "tests/engine/families/naive_oenog.hpp"
+#include "tests/engine/families/bonded/naive_oenog.hpp"
 #include "tests/engine/families/naive_runs.hpp"
 
 namespace taut::bench {

@@ -9,8 +9,8 @@
 #include "engine/core/parallel.hpp"
 #include "engine/core/shared_rows.hpp"
 #include "engine/families/bonded/bond_gradients.hpp"
-#include "engine/families/bonded/lattice_bonds.hpp"
 #include "engine/families/bonded/layout_bonds.hpp"
+#include "engine/families/bonded/solid_bonds.hpp"
 
 namespace taut {
 namespace {
@@ -53,7 +53,7 @@ class BondMaker {
   std::vector<double> with_end_correction(const AnyBonds& bonds, const std::vector<std::array<Point, 3>>& B,
                                           const std::vector<Point>& S, const EndCorrection& correction) const;
   void cut_at_clamp(Bonds&& uncut, Bonds& out) const;
-  void cut_at_clamp(LatticeBonds&& uncut, Bonds& out) const;
+  void cut_at_clamp(SolidBonds&& uncut, Bonds& out) const;
   template <class AnyBonds>
   void cut(const AnyBonds& uncut, int i, std::vector<int>& ends, std::vector<Bond>& row) const;
   void straighten(int i, Bonds& out) const;
@@ -139,13 +139,14 @@ void BondMaker<Dim>::cut_at_clamp(Bonds&& uncut, Bonds& out) const {
 }
 
 template <int Dim>
-void BondMaker<Dim>::cut_at_clamp(LatticeBonds&& uncut, Bonds& out) const {
+void BondMaker<Dim>::cut_at_clamp(SolidBonds&& uncut, Bonds& out) const {
   struct Ends {
     std::vector<int> j;
     std::vector<Bond> row;
     bool waits = false;
   };
   SharedRows<Bond> rows;
+  out.off_lattice = uncut.off_lattice();
   out.begin.push_back(0);
   const auto make = [&](int i) {
     Ends of_one;
@@ -189,7 +190,7 @@ std::vector<Point> surface(const Bonds& bonds, const std::vector<double>& V) {
 
 Bonds make_bonds(const Scene& scene, const InitialParticles& initial, double h, int threads) {
   if (scene.dim == 3)
-    return BondMaker<3>(scene, initial, threads).make(LatticeBonds(initial, scene.spacing, h, threads));
+    return BondMaker<3>(scene, initial, threads).make(SolidBonds(initial, scene.spacing, h, threads));
   return BondMaker<2>(scene, initial, threads).make(layout_bonds(initial, scene.spacing, h, threads));
 }
 

@@ -27,10 +27,11 @@ inline Point gradient_of(const std::array<Point, 3>& B, const Bond& bond) {
 /// that does not break needs no search for neighbours. Held particles are rigid and have no bonds of their
 /// own, unless they stand on the face of a clamp.
 struct Bonds {
-  std::vector<int> begin;  // [n + 1] first bond of each particle
-  std::vector<int> j;      // the other particle
-  std::vector<Bond> rows;  // of particles, each with its bonds one behind the other
-  std::vector<int> row;    // [n] where in `rows` its own begin: a lattice shares them; empty: at begin[i]
+  std::vector<int> begin;    // [n + 1] first bond of each particle
+  std::vector<int> j;        // the other particle
+  std::vector<Bond> rows;    // of particles, each with its bonds one behind the other
+  std::vector<int> row;      // [n] where in `rows` its own begin: a lattice shares them; empty: at begin[i]
+  bool off_lattice = false;  // in 3D; the stiffest swing is then not known beforehand
   // of each particle
   std::vector<std::array<Point, 3>> B;  // (Σ_j a_ij ⊗ X_ij)⁻¹, symmetric; 0 where the bonds lie on a line
   std::vector<double> volume;           // V, m^dim, with which its energy counts
@@ -63,11 +64,17 @@ struct Bonds {
 /// the nearest on the axes, whose strain is that of its own place. With r0⁻⁴ in place of r0⁻⁸ the period of
 /// the plate at ten particles across was off by 0.18 %.
 ///
-/// In 3D bodies are cubic lattices, and simpler: a particle takes the 26 nearest, with weights (½ + 4t/9,
-/// 1 − 8t/9, t) along axes, across faces and across the cube, t = 3/8, and the gradient from those on the
-/// axes alone. At a surface a missing neighbour is a missing bond; nothing is reweighted or balanced. Weights
-/// that are right at a surface too bend and twist worse there: they move strain inwards, and edges and
-/// corners have none that are right.
+/// In 3D bodies are cubic lattices, or layers that are nearly ones, and simpler: a particle takes the 26
+/// nearest, with weights (½ + 4t/9, 1 − 8t/9, t) along axes, across faces and across the cube, t = 3/8, and
+/// the gradient from those on the axes alone. At a surface a missing neighbour is a missing bond; nothing is
+/// balanced. Weights that are right at a surface too bend and twist worse there: they move strain inwards, and
+/// edges and corners have none that are right.
+///
+/// Off a lattice in 3D a particle inside takes the right weights nearest to those, from within 2h or the least
+/// multiple of h/8 up to 3h that has any. Of another one weights become less where its bonds would be stiffer in
+/// some strain than the solid with λ = μ that they stand for: nowhere may more be cancelled of them than W gives
+/// (for ν ≥ 1/4), or the body has no least energy and flies apart. Who has too little of a gradient from the
+/// nearest takes it from all its bonds, by r0⁻⁸ as in 2D. A homogeneous strain leaves forces there.
 ///
 /// Clamp. A bond from a free particle into a held region ends where it meets the region's face. Held on to
 /// the held particles themselves, half a spacing behind the face, a cantilever is longer by that half

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/core/parallel.hpp"
+#include "engine/core/point.hpp"
 #include "engine/core/shared_rows.hpp"
 #include "engine/core/tensor.hpp"
 #include "engine/families/bonded/cancelled_on_lattice.hpp"
@@ -23,6 +24,16 @@ class CancelledBonds {
     Sym<double, Dim> dyad;  // e ⊗ e
     double Gw;              // G V0_i w_ij, J
   };
+
+  /// One along X.
+  static Bond along(const Point& X, double Gw) {
+    double r2 = 0;
+    for (int k = 0; k < Dim; ++k) r2 += X[k] * X[k];
+    Bond bond{{}, Gw};
+    for (int a = 0; a < Dim; ++a)
+      for (int k = a; k < Dim; ++k) bond.dyad(a, k) = X[a] * X[k] / r2;
+    return bond;
+  }
 
   CancelledBonds() = default;
   /// Of particle i < n those that bonds_of(i) gives, a vector of Bond; it is called on `threads` threads.

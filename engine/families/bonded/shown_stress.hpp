@@ -1,7 +1,12 @@
 #pragma once
 
+#include <algorithm>
+#include <vector>
+
 #include "engine/core/cube_root.hpp"
+#include "engine/core/shared_rows.hpp"
 #include "engine/core/tensor.hpp"
+#include "engine/families/bonded/recovered_gradient.hpp"
 #include "engine/materials/law.hpp"
 
 namespace taut::inline TAUT_ISA {
@@ -37,6 +42,37 @@ ShownStress<double, Dim> shown_stress(const L& law, const Mat<double, Dim>& F) {
   const double p = -(trace(sigma) + zz) / 3;
   for (int k = 0; k < Dim; ++k) sigma(k, k) += p;
   return {J, p, sigma, zz + p};
+}
+
+/// The F of four particles, from `first` on, with those of the recovered gradient of displacements u, m, in place
+/// where there are any.
+template <int Dim>
+Mat<Pack, Dim> recovered_deformations(const RecoveredGradient& recovered, const std::vector<StoredPack>& u,
+                                      int first, Mat<Pack, Dim> F) {
+  const int count = std::min(lanes, static_cast<int>(u.size()) - first);
+  for (int lane = 0; lane < count; ++lane) {
+    const int i = first + lane, begin = recovered.begin[i], end = recovered.begin[i + 1];
+    if (begin == end) continue;
+    Pack column[Dim]{};  // of F
+    for (int k = 0; k < Dim; ++k) column[k][k] = 1;
+    for (int b = begin; b < end; ++b) {
+      const Pack step = u[recovered.j[b]].value - u[i].value;
+#pragma GCC unroll 3
+      for (int k = 0; k < Dim; ++k) column[k] += step * recovered.of(i, b)[k];
+    }
+    for (int a = 0; a < Dim; ++a)
+      for (int k = 0; k < Dim; ++k) F(a, k)[lane] = column[k][a];
+  }
+  return F;
+}
+
+/// Scales F to the volume of another one.
+template <int Dim>
+void keep_volume(Mat<Pack, Dim>& F, const Mat<Pack, Dim>& own) {
+  const Pack least = filled<Pack>(0.05);  // what is crushed or inside out has none to keep
+  const Pack ratio = max(determinant(own), least) / max(determinant(F), least);
+  const Pack root = inverse_cube_root(ratio);
+  F = (ratio * root * root) * F;
 }
 
 }  // namespace taut::inline TAUT_ISA

@@ -9,6 +9,7 @@
 #include "engine/families/bonded/cancelled.hpp"
 #include "engine/families/bonded/closed_law.hpp"
 #include "engine/families/bonded/interface_sites.hpp"
+#include "engine/families/bonded/layout_stiffness.hpp"
 #include "engine/families/bonded/packed_bonds.hpp"
 #include "engine/families/bonded/recovered_gradient.hpp"
 #include "engine/families/bonded/shown_stress.hpp"
@@ -51,6 +52,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     wave_speed_ = std::max(wave_speed_, interfaces.wave_speed);
     interfaces_ = InterfaceSites<Dim>(interfaces, bonds, this->initial_, materials_, s_.id);
     make_columns();
+    if (bonds.off_lattice) find_stiffest_swing();
     for (const int id : s_.id) material_.push_back(this->initial_.material[id]);
     material_.resize(lanes * group_count());
     // not what a corner takes from a uniform stress, since there the bonds have no choice that is right
@@ -95,6 +97,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   void add_sites(const Bonds& bonds);
   void make_columns();
   void take_masses(const Bonds& bonds);
+  void find_stiffest_swing();
   void half_drift(double dt);
   void stress_pass();
   Vec<Pack, Dim> force(int group) const;
@@ -104,13 +107,6 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   void set_stress(int group, const Strained& now);
   [[gnu::noinline]] Mat<Pack, Dim> piola_of_chosen_law(int group, const Mat<Pack, Dim>& F) const;
   Pack energy_of_four(int group, const Mat<Pack, Dim>& F) const;
-  Mat<Pack, Dim> shown_deformations(int group, Mat<Pack, Dim> F) const;
-  static void keep_volume(Mat<Pack, Dim>& F, const Mat<Pack, Dim>& own) {
-    const Pack least = filled<Pack>(0.05);  // what is crushed or inside out has none to keep
-    const Pack ratio = max(determinant(own), least) / max(determinant(F), least);
-    const Pack root = inverse_cube_root(ratio);
-    F = (ratio * root * root) * F;
-  }
   void show_stress(int group, const Mat<Pack, Dim>& F);
   [[gnu::noinline]] void watch_clamps(double dt);
   LawOfOne<M> law_of_one() const { return {materials_, own_law_, laws_}; }
@@ -131,7 +127,8 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   Pack least_r2_;              // m²: bonds shorter than a hundredth of a spacing are taken for that long
   double wave_speed_ = 0;      // m/s, of compression in the stiffest material, or at an interface
   double ahead_ = 0;           // s, 3 τ of the bonds
-  double stiffest_ = 1;        // greatest of all bonds and particles in the last step, over that at rest
+  double layout_ = 1;    // ω² of the stiffest swing at the start over that of a lattice, if it is greater
+  double stiffest_ = 1;  // greatest of all bonds and particles in the last step, over that at rest
   SharedRows<Sites> sites_;
   SharedRows<Sym<Pack, Dim>> B_;
   std::vector<Group> groups_;
@@ -160,14 +157,9 @@ CancelledBonds<Dim> Bonded<M, Dim>::cancelled(const Bonds& bonds) const {
     std::vector<typename CancelledBonds<Dim>::Bond> of_particle;
     const int id = s_.id[i];
     for (int b = bonds.begin[id]; b < bonds.begin[id + 1]; ++b) {
-      const auto& [X, weight, area] = bonds.of(id, b);
-      double r2 = 0;
-      for (int k = 0; k < Dim; ++k) r2 += X[k] * X[k];
-      Sym<double, Dim> dyad;
-      for (int a = 0; a < Dim; ++a)
-        for (int k = a; k < Dim; ++k) dyad(a, k) = X[a] * X[k] / r2;
+      const taut::Bond& bond = bonds.of(id, b);
       const double G = shear_modulus(bonds, this->initial_, materials_, id, b);
-      of_particle.push_back({dyad, G * this->initial_.V0[id] * weight});
+      of_particle.push_back(CancelledBonds<Dim>::along(bond.X, G * this->initial_.V0[id] * bond.weight));
     }
     return of_particle;
   });
@@ -207,13 +199,34 @@ void Bonded<M, Dim>::make_columns() {
 
 /// s. [Zhang2024] Eq. 22 with the speed of compression waves, for any ν, and with dp, on which the limit
 /// depends and not on h. A bond that is pressed or pulled gets stiffer, and so does a particle whose J is
-/// below one half; steps get shorter once that takes up most of what a `cfl` of 0.64 leaves to the limit of
-/// 0.97.
+/// below one half; steps get shorter once that, and a layout whose stiffest swing is faster than a lattice's,
+/// take up most of what a `cfl` of 0.64 leaves to the limit of 0.97.
 template <const Formulation& M, int Dim>
 double Bonded<M, Dim>::step_size() const {
   constexpr double spare = 1.5;
-  const double stiffer = std::sqrt(std::max(1.0, stiffest_ / spare));
+  const double stiffer = std::sqrt(std::max(1.0, layout_ * stiffest_ / spare));
   return Base::fixed_or(c_.cfl * c_.dp / (wave_speed_ + vmax_) / stiffer);
+}
+
+template <const Formulation& M, int Dim>
+void Bonded<M, Dim>::find_stiffest_swing() {
+  constexpr double small = 1e-5, limit = 0.97;  // spacings; of cfl, of a lattice
+  const std::vector<V> at = s_.x;
+  const double square = stiffest_swing<Dim>(s_.size(), small * c_.dp, [&](std::vector<V> u) {
+    for (int i = 0; i < s_.size(); ++i) s_.x[i] = at[i] + u[i], set_place(i);
+    stress_pass();
+    parallel_for(group_count(), threads_now(), [&](int group) {
+      const Vec<Pack, Dim> f = force(group);
+      for (int i = lanes * group, lane = 0; lane < lanes && i < s_.size(); ++i, ++lane)
+        for (int k = 0; k < Dim; ++k) u[i][k] = mobility_[0][i] * f[k][lane];
+    });
+    return u;
+  });
+  const double of_lattice = 2 * wave_speed_ / (limit * c_.dp);
+  layout_ = std::max(1.0, square / (of_lattice * of_lattice));
+  stiffest_ = 1;
+  s_.x = at;
+  for (int i = 0; i < s_.size(); ++i) set_place(i);
 }
 
 template <const Formulation& M, int Dim>
@@ -434,26 +447,6 @@ void Bonded<M, Dim>::watch_clamps(double dt) {
   }
 }
 
-/// Four F with those of the recovered gradient, where there are any.
-template <const Formulation& M, int Dim>
-Mat<Pack, Dim> Bonded<M, Dim>::shown_deformations(int group, Mat<Pack, Dim> F) const {
-  const int first = group * lanes, count = std::min(lanes, s_.size() - first);
-  for (int lane = 0; lane < count; ++lane) {
-    const int i = first + lane, begin = recovered_.begin[i], end = recovered_.begin[i + 1];
-    if (begin == end) continue;
-    Pack column[Dim]{};  // of F
-    for (int k = 0; k < Dim; ++k) column[k][k] = 1;
-    for (int b = begin; b < end; ++b) {
-      const Pack u = displacements_[recovered_.j[b]].value - displacements_[i].value;
-#pragma GCC unroll 3
-      for (int k = 0; k < Dim; ++k) column[k] += u * recovered_.of(i, b)[k];
-    }
-    for (int a = 0; a < Dim; ++a)
-      for (int k = 0; k < Dim; ++k) F(a, k)[lane] = column[k][a];
-  }
-  return F;
-}
-
 /// The stress shown is that of the recovered F; none of a held particle, which is rigid. In 3D F is scaled to
 /// the method's own volume: near incompressibility that of the recovered F, which no force keeps, is off.
 template <const Formulation& M, int Dim>
@@ -491,7 +484,7 @@ void Bonded<M, Dim>::show(int group) {
   for (int i = lanes * group, lane = 0; lane < lanes && i < s_.size(); ++i, ++lane)
     this->snapshot_.strain_energy[s_.id[i]] =
         energy[lane] + interfaces_.energy_of_kink(i, s_.x, law_of_one());
-  Mat<Pack, Dim> F = shown_deformations(group, now.F);
+  Mat<Pack, Dim> F = recovered_deformations(recovered_, displacements_, lanes * group, now.F);
   if constexpr (Dim == 3) keep_volume(F, now.F);
   for (int k = 0; k < Dim; ++k) F(k, k) = sites(group).V > 0 ? F(k, k) : filled<Pack>(1);
   show_stress(group, F);

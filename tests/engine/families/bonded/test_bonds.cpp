@@ -17,7 +17,7 @@
 #include "engine/methods/oenog.hpp"
 #include "engine/terms/bond.hpp"
 #include "engine/terms/penalty_contact.hpp"
-#include "tests/engine/families/naive_oenog.hpp"
+#include "tests/engine/families/bonded/naive_oenog.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"

@@ -17,7 +17,8 @@
 #include "engine/diagnostics/verdict.hpp"
 #include "engine/families/bonded/bonds.hpp"
 #include "engine/methods/oenog.hpp"
-#include "tests/engine/families/naive_oenog.hpp"
+#include "tests/engine/families/bonded/cantilever_3d.hpp"
+#include "tests/engine/families/bonded/naive_oenog.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
@@ -144,12 +145,6 @@ Scene two_blocks() {
   return scene;
 }
 
-Settings with_damping(double damping) {
-  Settings settings = with_method("oenog");
-  settings.constants["damping"] = damping;
-  return settings;
-}
-
 bool same_bytes(const Snapshot& a, const Snapshot& b) {
   const auto same = [](const std::vector<double>& of_a, const std::vector<double>& of_b) {
     return of_a.size() == of_b.size() &&
@@ -159,34 +154,6 @@ bool same_bytes(const Snapshot& a, const Snapshot& b) {
          same(a.strain_energy, b.strain_energy);
 }
 
-/// A beam of square section that is held at one end, `across` particles thick, without its initial velocity.
-Scene square_cantilever(int across) {
-  const double L = 0.2, H = 0.02;
-  Scene scene;
-  scene.name = "square-cantilever";
-  scene.dim = 3;
-  scene.spacing = H / across;
-  scene.materials = {plate_elastic()};
-  Body beam;
-  beam.name = "beam";
-  beam.shapes = {Box{{-3 * scene.spacing, -H / 2, -H / 2}, {L, H / 2, H / 2}}};
-  beam.held = [](const Point& x) { return x[0] < 0 ? 1.0 : 0.0; };
-  scene.bodies = {beam};
-  scene.probes = {make_probe("tip", Probe::Kind::displacement)};
-  scene.probes[0].at = {L, 0, 0};
-  scene.probes[0].axis = 1;
-  Measure period;
-  period.kind = "period";
-  period.probes = {"tip"};
-  scene.measures = {period};
-  return scene;
-}
-/// As oscillating_plate.
-Scene bending_cantilever(int across) {
-  Scene scene = square_cantilever(across);
-  scene.bodies[0].velocity[1] = oscillating_plate(0.001, across).bodies[0].velocity[1];
-  return scene;
-}
 /// Turned about its axis, by a quarter of a sine.
 Scene twisting_cantilever(int across) {
   Scene scene = square_cantilever(across);
@@ -196,15 +163,6 @@ Scene twisting_cantilever(int across) {
   scene.probes[0].at[1] = 0.01 - scene.spacing / 2;
   scene.probes[0].axis = 2;
   return scene;
-}
-
-/// Of the undamped period from that of finite elements, s.
-double error_of_period(const Scene& scene, double reference) {
-  const auto simulation = make_simulation(scene, with_damping(0));
-  simulation->advance_to(1.15 * reference);
-  const auto result = measure(scene, simulation->series(), "neo_hookean");
-  REQUIRE(result[0].value);
-  return *result[0].value / reference - 1;
 }
 
 }  // namespace

@@ -16,7 +16,7 @@
 #include "engine/families/bonded/cancelled.hpp"
 #include "engine/families/bonded/packed_bonds.hpp"
 #include "engine/methods/oenog.hpp"
-#include "tests/engine/families/naive_oenog.hpp"
+#include "tests/engine/families/bonded/naive_oenog.hpp"
 #include "tests/support/agreement.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
