@@ -124,6 +124,7 @@ void BondMaker<Dim>::cut(const AnyBonds& uncut, int i, std::vector<int>& ends, s
 
 template <int Dim>
 void BondMaker<Dim>::cut_at_clamp(Bonds&& uncut, Bonds& out) const {
+  out.off_lattice = uncut.off_lattice;
   bool all_deform = true;
   for (int i = 0; i < initial_.size() && all_deform; ++i) all_deform = deforms(i);
   if (all_deform) {

@@ -27,11 +27,12 @@ inline Point gradient_of(const std::array<Point, 3>& B, const Bond& bond) {
 /// that does not break needs no search for neighbours. Held particles are rigid and have no bonds of their
 /// own, unless they stand on the face of a clamp.
 struct Bonds {
-  std::vector<int> begin;    // [n + 1] first bond of each particle
-  std::vector<int> j;        // the other particle
-  std::vector<Bond> rows;    // of particles, each with its bonds one behind the other
-  std::vector<int> row;      // [n] where in `rows` its own begin: a lattice shares them; empty: at begin[i]
-  bool off_lattice = false;  // in 3D; the stiffest swing is then not known beforehand
+  std::vector<int> begin;  // [n + 1] first bond of each particle
+  std::vector<int> j;      // the other particle
+  std::vector<Bond> rows;  // of particles, each with its bonds one behind the other
+  std::vector<int> row;    // [n] where in `rows` its own begin: a lattice shares them; empty: at begin[i]
+  bool off_lattice =
+      false;  // some lie otherwise than on a lattice: how fast their stiffest swing is, is not known
   // of each particle
   std::vector<std::array<Point, 3>> B;  // (Σ_j a_ij ⊗ X_ij)⁻¹, symmetric; 0 where the bonds lie on a line
   std::vector<double> volume;           // V, m^dim, with which its energy counts

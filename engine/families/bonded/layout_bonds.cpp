@@ -33,6 +33,7 @@ class LayoutBonds {
     for (const int body : with_pair_below(-least_strength))
       for (int b = out_.begin[initial_.first[body]]; b < out_.begin[initial_.first[body + 1]]; ++b)
         out_.rows[b].weight = unbalanced_[b];
+    out_.off_lattice = changed_by_balance_;
     return std::move(out_);
   }
 
@@ -55,6 +56,7 @@ class LayoutBonds {
     unbalanced_.resize(out_.rows.size());
     std::ranges::transform(out_.rows, unbalanced_.begin(), &Bond::weight);
     balance_weights(initial_, out_, threads_);
+    changed_by_balance_ = !std::ranges::equal(out_.rows, unbalanced_, {}, &Bond::weight);
   }
   void choose();
   void set_ends();
@@ -68,6 +70,7 @@ class LayoutBonds {
   NeighborLists near_;               // by id
   std::vector<double> asked_;        // [pair of near_] w_ij
   std::vector<double> unbalanced_;   // weights before they were balanced
+  bool changed_by_balance_ = false;
   Bonds out_;
 };
 

@@ -52,9 +52,9 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     wave_speed_ = std::max(wave_speed_, interfaces.wave_speed);
     interfaces_ = InterfaceSites<Dim>(interfaces, bonds, this->initial_, materials_, s_.id);
     make_columns();
-    if (bonds.off_lattice) find_stiffest_swing();
     for (const int id : s_.id) material_.push_back(this->initial_.material[id]);
     material_.resize(lanes * group_count());
+    if (bonds.off_lattice) find_stiffest_swing();
     // not what a corner takes from a uniform stress, since there the bonds have no choice that is right
     this->loads_.act_on_faces(input.scene, this->initial_, FaceRule::by_column, surface(bonds),
                               this->support_);

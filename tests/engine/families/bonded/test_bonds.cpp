@@ -192,7 +192,7 @@ TEST_SUITE("unit") {
     CHECK(unbalanced(ring, of_ring, depths(of_ring, 0.01, 0.028), 7) < 1e-9);
     const Box box{{0, 0, 0}, {0.02, 0.018, 0}};
     const Scene block = alone(box, dp);
-    const InitialParticles jittered = jittered_by(0.2, make_initial_particles(block), dp);
+    const InitialParticles jittered = jittered_by(0.05, make_initial_particles(block), dp);
     CHECK(unbalanced(block, jittered, depths(jittered, box), 7) < 1e-9);
   }
 
