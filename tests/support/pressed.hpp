@@ -73,6 +73,7 @@ class Pressed {
   V between(int a, int b) const { return faces_.between(a, b); }
   V of_wall(int a) const { return faces_.of_wall(a, 0, walls_); }
   const Impulse& of_walls() const { return walls_.given(); }
+  const std::vector<int>& touching() const { return faces_.touching(); }
 
   State<Dim> s;
 

@@ -193,7 +193,8 @@ void FacetContacts::evaluate(const State<3>& s, double dt, WallContacts<3>& wall
   share_out([&](int i, const V& f) { walls.book(s.x[i], (dt * s.mobile[i]) * f); });
   slopes_.resize(rows_.size());
   parallel_for(static_cast<int>(rows_.size()), threads_, [&](int r) { slopes_[r] = slope_of(r); });
-  for (std::size_t r = 0; r < rows_.size(); ++r) facets_.push(rows_[r].facet, slopes_[r], force_);
+  for (std::size_t r = 0; r < rows_.size(); ++r)
+    if (met_[r].near > 0) facets_.push(rows_[r].facet, slopes_[r], force_);
   for (const int i : touching_) force[i] = V{};
   share_out([&](int i, const V& f) { force[i] += f; });
   stiffening_ = 1;

@@ -80,6 +80,7 @@ class FacetSearch {
   static constexpr double far_apart = 4;     // along a face that bends, or through a gap
   static constexpr double far_inside = 8;    // the two faces of a thinner wall do not act on each other
   static constexpr double flat = 1e-6;       // of two facets of one plane, but for round-off
+  static constexpr double aside = 0.5;       // cosine of normals from which on two facets are far from facing
   static constexpr double turn_slack = 0.5;  // of two facets around the particles behind them
 
   void search_others(const State<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
@@ -102,7 +103,10 @@ class FacetSearch {
     own_bound_.restart(find<PairsOf::one_body>(s, facets, all_, wanted, own_), behind_);
   }
 
-  /// How much nearer the nearest one that is not listed may come.
+  /// How much nearer the nearest one that is not listed may come. Two facets that look the same way now, as
+  /// those of a face that is pressed along itself do, are not of them: to act on each other
+  /// (terms/surface_contact.hpp:facing_share) they would have to turn by 44° before the next search, up to
+  /// which no point goes as far as a spacing, within a body beside the body. If they do, they act from then on.
   template <PairsOf kind, class Wanted>
   double find(const State<3>& s, MovingFacets& facets, const std::vector<int>& candidates,
               const Wanted& wanted, std::vector<std::pair<int, int>>& list) {
@@ -110,9 +114,12 @@ class FacetSearch {
     middle_.resize(all_.size());
     for (const int f : candidates) middle_[f] = facets[f].middle;
     found_.clear();
+    const auto may_act = [&](int f, int g) {
+      return dot(facets[f].normal, facets[g].normal) < aside && wanted(f, g);
+    };
     const double beyond =
         points_.template find<kind>(middle_, candidates, reach_ + skin * dp_, horizon * dp_, far_apart * dp_,
-                                    wanted, [&](int f, int g) { found_.emplace_back(f, g); });
+                                    may_act, [&](int f, int g) { found_.emplace_back(f, g); });
     list_both_ways(list);
     return beyond - reach_ - turn_slack * dp_;
   }

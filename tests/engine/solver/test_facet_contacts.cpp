@@ -341,6 +341,30 @@ TEST_SUITE("restart") {
 
 TEST_SUITE("unit") {
   TEST_CASE(
+      "contact of faces: in 3D a body that is pressed or bent but not folded costs no contact") {
+    constexpr double height = 0.02, width = 0.006;  // m
+    const Scene column = scene_of({Box{{0, 0, 0}, {width, height, width}}});
+    const auto touching = [&](const auto& motion) {
+      Pressed<3> body(column);
+      for (V& x : body.s.x) x = motion(x);
+      body.forces();
+      return body.touching().size();
+    };
+    CHECK(touching([](const V& x) { return V{x[0], 0.6 * x[1], x[2]}; }) == 0);
+    CHECK(touching([](const V& x) {  // to a quarter of a circle
+            const double angle = x[1] / (2 * height / std::numbers::pi),
+                         r = 2 * height / std::numbers::pi - x[0];
+            return V{-r * std::cos(angle), r * std::sin(angle), x[2]};
+          }) == 0);
+    // one that is closed to a ring meets itself
+    CHECK(touching([](const V& x) {
+            const double angle = x[1] / (0.48 * height / std::numbers::pi),
+                         r = 0.48 * height / std::numbers::pi + x[0];
+            return V{-r * std::cos(angle), r * std::sin(angle), x[2]};
+          }) > 0);
+  }
+
+  TEST_CASE(
       "contact of faces: in 3D a body too thin to have faces is refused, and given particles with a reason") {
     const Box block{{0, 0, 0.002}, {0.01, 0.01, 0.006}};
     const std::vector<Point> places = {{0, 0, 0},  {dp, 0, 0},  {0, dp, 0},  {dp, dp, 0},
