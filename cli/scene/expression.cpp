@@ -111,10 +111,11 @@ void refuse_unit(const std::string& text) {
       static_cast<std::size_t>(rest.data() - text.data()));
 }
 
-/// Words that other languages have where this one has signs.
+/// What other languages have where this one has signs.
 void refuse_words(const std::string& text, const std::string& token) {
   constexpr std::pair<std::string_view, std::string_view> words[] = {
-      {"and", "&&"}, {"or", "||"}, {"AND", "&&"}, {"OR", "||"}};
+      {"and", "&&"},  {"or", "||"},  {"AND", "&&"},  {"OR", "||"}, {"if", "CONDITION ? A : B"},
+      {"pow", "A^B"}, {"true", "1"}, {"false", "0"}, {"**", "^"}};
   const std::string word = token.substr(0, token.find_first_of(" ("));
   for (const auto& [given, sign] : words)
     if (word == given)
@@ -129,6 +130,7 @@ void refuse_words(const std::string& text, const std::string& token) {
 
 [[noreturn]] void explain(const Formula& formula, const std::string& text, const mu::ParserError& error) {
   const std::size_t offset = error.GetPos() > 0 ? static_cast<std::size_t>(error.GetPos()) : 0;
+  if (text.find("**") != std::string::npos) refuse_words(text, "**");
   if (error.GetCode() != mu::ecUNASSIGNABLE_TOKEN)
     throw ExpressionError(in_quotes(text) + " is not an expression: " + shown(error.GetMsg()), offset);
   const std::string& token = error.GetToken();

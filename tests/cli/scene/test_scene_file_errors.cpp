@@ -353,6 +353,12 @@ TEST_SUITE("cli") {
                 {"for 'and' write '&&'"});
     check_error("velocity = [\"v0*c0*x\", 0]", "velocity = [\"x > 0 @or y > 0\", 0]",
                 {"for 'or' write '||'"});
+    check_error("velocity = [\"v0*c0*x\", 0]", "velocity = [\"@if(x > 0, 1, 2)\", 0]",
+                {"for 'if' write 'CONDITION ? A : B'"});
+    check_error("velocity = [\"v0*c0*x\", 0]", "velocity = [\"@pow(x, 2)\", 0]", {"for 'pow' write 'A^B'"});
+    check_error("velocity = [\"v0*c0*x\", 0]", "velocity = [\"x@**2\", 0]", {"for '**' write '^'"});
+    check_error("velocity = [\"v0*c0*x\", 0]", "velocity = [\"x > 0 ? @true : 0\", 0]",
+                {"for 'true' write '1'"});
     check_error("until = 2", "until = @\"sqrt(-1)\"", {"until is nan;"});
     const auto message = [](std::string_view old_part, std::string_view new_part) {
       try {
