@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -106,5 +108,27 @@ class Pressed {
   ContactsOfFaces<Dim> faces_;
   std::vector<V> force_;
 };
+
+/// Where a point of a column along y goes as the face x = 0 is laid on a circle of radius |r|, m, with what is
+/// at x > 0 inside it, or outside if r < 0.
+template <int Dim>
+Vec<double, Dim> bent(Vec<double, Dim> x, double r) {
+  const double angle = x[1] / r, away = r - x[0];
+  x[0] = r - away * std::cos(angle), x[1] = away * std::sin(angle);
+  return x;
+}
+
+/// How many particles of a column, 20 mm along y and 6 mm across, a contact has to look at after a motion of it,
+/// of those that were at least `inside`, m, from its ends.
+template <int Dim, class Motion>
+int touching_after(const Motion& motion, double dp, double inside) {
+  constexpr double height = 0.02;
+  Pressed<Dim> body(scene_of_shapes({Box{{0, 0, 0}, {0.006, height, Dim == 3 ? 0.006 : 0}}}, Dim, dp));
+  const auto start = body.s.x;
+  for (auto& x : body.s.x) x = motion(x);
+  body.forces();
+  return static_cast<int>(std::ranges::count_if(
+      body.touching(), [&](int i) { return std::min(start[i][1], height - start[i][1]) >= inside; }));
+}
 
 }  // namespace taut::test

@@ -117,8 +117,24 @@ void FaceContacts<Dim>::search_others(const WallContacts<Dim>& walls) {
       if (walls.height(w, faces_.places()[n]) < 0.5 * horizon * dp_) near_wall_.emplace_back(n, w);
 }
 
+/// No segment beside the node will act on this one before the next search (facet_search.hpp:find). What
+/// started within four spacings is of this contact only from when it has begun to face each other: so near
+/// there are right angles in many a body, which would ask for a search every few steps.
+template <int Dim>
+bool FaceContacts<Dim>::looks_aside(int node, int segment) const {
+  constexpr double near = 4, beyond_right = -0.1;  // spacings; cosine
+  const auto& [a, b] = faces_.segment(segment).node;
+  const V D = faces_.x0(node) - 0.5 * (faces_.x0(a) + faces_.x0(b));
+  const double least = dot(D, D) < near * near * dp_ * dp_ ? beyond_right : aside;
+  return std::ranges::all_of(faces_.outline().beside[node], [&](int k) {
+    return k == Outline::none || dot(normal_[k], normal_[segment]) >= least;
+  });
+}
+
 template <int Dim>
 void FaceContacts<Dim>::search_own(const State<Dim>& s) {
+  normal_.clear();
+  for (const int k : all_segments_) normal_.push_back(faces_.normal_of(k));
   const double least2 = far_apart * far_apart * dp_ * dp_;
   const auto wanted = [&](int n, int k) {
     if (faces_.body_of_segment(k) != faces_.outline().body[n]) return false;
@@ -126,7 +142,7 @@ void FaceContacts<Dim>::search_own(const State<Dim>& s) {
       const V d = faces_.x0(n) - faces_.x0(end);
       if (dot(d, d) <= least2) return false;
     }
-    return true;
+    return !looks_aside(n, k);
   };
   const double beyond =
       find_(faces_, all_nodes_, all_segments_, (reach + skin) * dp_, horizon * dp_, wanted, own_);

@@ -68,13 +68,15 @@ class FaceContacts {
   static constexpr double reach = 1;         // a node that is further behind a face is not of this contact
   static constexpr double skin = 1;          // longer: fewer searches, more pairs
   static constexpr double horizon = 4;       // how far a search looks, for how long it may hold
-  static constexpr double far_apart = 4;     // the two faces of a thinner wall do not act on each other
+  static constexpr double far_apart = 3;     // the two faces of a thinner wall do not act on each other
+  static constexpr double aside = 0.5;       // cosine of normals from which on two faces are far from facing
   static constexpr double turn_slack = 0.5;  // of two nodes around the particles behind them
 
   void refuse_thin(const Scene& scene) const;
   void search_others(const WallContacts<Dim>& walls);
   std::vector<char> near_others() const;
   void search_own(const State<Dim>& s);
+  bool looks_aside(int node, int segment) const;
   void watch();
   template <class F>
   void for_each_touch(const NearFaces& near, const F& f) const;
@@ -92,6 +94,7 @@ class FaceContacts {
   std::vector<double> M_;  // [node] K + 4G/3, Pa
   std::vector<int> all_nodes_, all_segments_;
   FaceSearch<Dim> find_;
+  std::vector<V> normal_;  // [segment] at a search
 
   NearFaces others_, own_;
   std::vector<std::pair<int, int>> near_wall_;  // (node, wall)

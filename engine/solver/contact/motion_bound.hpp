@@ -76,7 +76,8 @@ class MotionBound {
 
 inline constexpr TermInfo self_contact_info{
     "self-contact",
-    "by the law of contact, of what was further apart at the start than 4 dp (facets through the body: 8)",
+    "by the law of contact, of what was further apart at the start than 4 dp (faces in 2D: 3; facets through "
+    "the body: 8)",
     "ours", "solver/contact/motion_bound.hpp:MotionBound",
     "contact: a strip that folds meets itself, by every law, and does not pass through"};
 

@@ -204,6 +204,14 @@ TEST_SUITE("failure") {
 }
 
 TEST_SUITE("unit") {
+  TEST_CASE("contact of faces: a body that is pressed or bent but not folded costs no contact") {
+    constexpr double inside = 0.008;  // m; at the corners faces do not look the same way
+    CHECK(touching_after<2>([](const V& x) { return V{x[0], 0.5 * x[1]}; }, dp, inside) == 0);
+    CHECK(touching_after<2>([](const V& x) { return bent(x, 0.012); }, dp, inside) == 0);
+    // closed to a ring it meets itself
+    CHECK(touching_after<2>([](const V& x) { return bent(x, -0.003); }, dp, 0) > 0);
+  }
+
   TEST_CASE("contact of faces: a body too thin to have faces is refused") {
     const Scene scene = scene_of({Box{{0, 0, 0}, {0.02, dp, 0}}, Box{{0, 0.002, 0}, {0.02, 0.008, 0}}});
     try {
