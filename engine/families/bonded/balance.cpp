@@ -249,7 +249,8 @@ void Sector::balance_areas() {
                [&](int i, int row, Entries& entries, std::vector<double>& target) {
                  add_area_rows(i, row, entries, target);
                });
-  constexpr double greatest = 6;  // times an area; beyond, gradients get so steep that corrected volumes turn negative
+  constexpr double greatest =
+      6;  // times an area; beyond, gradients get so steep that corrected volumes turn negative
   if (change.size() > 0 && change.cwiseAbs().maxCoeff() > greatest) return;
   for (int b = begin(); b < end(); ++b) {
     const double along = 1 + change[pair(b)], across = change[pair(b) + 1];

@@ -37,8 +37,7 @@ TEST_SUITE("cli") {
     const double found = result["critical_step"], unstable = result["unstable_step"];
     CHECK(found < unstable);
     CHECK(unstable < found / (1 - 0.0101));
-    CHECK(result["over_default"].get<double>() ==
-          Approx(found / result["default_step"].get<double>()));
+    CHECK(result["over_default"].get<double>() == Approx(found / result["default_step"].get<double>()));
     CHECK(result["limits"].size() == 2);
 
     // a run holds with a good part of it (a verdict minds the energy of the contact too), and not with more
