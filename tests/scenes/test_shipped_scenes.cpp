@@ -150,8 +150,7 @@ TEST_SUITE("analytic") {
     const Outcome half = run("ringing-ring", "oenog", 0.002, {}, {{"v0", "5e-5"}});
     REQUIRE(whole.measure.at("first_peak"));
     REQUIRE(half.measure.at("first_peak"));
-    CHECK(*half.measure.at("first_peak") / *whole.measure.at("first_peak") ==
-          Approx(0.5).epsilon(2e-4));
+    CHECK(*half.measure.at("first_peak") / *whole.measure.at("first_peak") == Approx(0.5).epsilon(2e-4));
     CHECK(*half.measure.at("period") / *whole.measure.at("period") == Approx(1).epsilon(1e-5));
   }
 }

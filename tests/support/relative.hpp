@@ -11,6 +11,8 @@ class Approx : public doctest::Approx {
   explicit Approx(double value) : doctest::Approx(value) { scale(1e-290); }  // 0 is 0
 };
 
-inline doctest::Approx relative(double value, double epsilon = 1e-9) { return Approx(value).epsilon(epsilon); }
+inline doctest::Approx relative(double value, double epsilon = 1e-9) {
+  return Approx(value).epsilon(epsilon);
+}
 
 }  // namespace taut::test

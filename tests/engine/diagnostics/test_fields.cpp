@@ -175,8 +175,7 @@ TEST_SUITE("unit") {
         CHECK(value("strain_yy", now, i) == Approx(s * s * a + c * c * b).epsilon(1e-7));
         CHECK(value("strain_xy", now, i) == Approx(c * s * (a - b)).epsilon(1e-7));
         if (dim == 3) CHECK(value("strain_zz", now, i) == Approx(e).epsilon(1e-7));
-        CHECK(value("equivalent_strain", now, i) ==
-              Approx(std::sqrt(2.0 / 3 * square)).epsilon(1e-7));
+        CHECK(value("equivalent_strain", now, i) == Approx(std::sqrt(2.0 / 3 * square)).epsilon(1e-7));
         for (const Field& field : fields(dim))
           if (field.of_map)  // the order of the neighbours may differ
             CHECK(std::abs(field.value(now, i) - value(field.key.data(), now, i)) < 1e-14);

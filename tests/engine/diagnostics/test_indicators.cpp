@@ -349,8 +349,7 @@ TEST_SUITE("unit") {
   TEST_CASE("indicators: a single row, two particles and one are no reason to fail") {
     const Sample row = lattice(20, 1, 1);
     CHECK(pressure_share(row, [](const Point& X) { return 1 + X[0] * X[0]; }) < 1e-12);
-    CHECK(pressure_share(row, [](const Point& X) { return sign(X, 1, 1, 0); }) ==
-          Approx(1).epsilon(0.2));
+    CHECK(pressure_share(row, [](const Point& X) { return sign(X, 1, 1, 0); }) == Approx(1).epsilon(0.2));
     for (const int n : {1, 2})
       CHECK(pressure_share(lattice(n, 1, 1), [](const Point& X) { return 1 + X[0]; }) == 0);
   }

@@ -105,8 +105,7 @@ TEST_SUITE("unit") {
     scene.bodies[0].rotation = Rotation{{third, third, third}, {1, 1, 1}, 120};
     const InitialParticles swapped = make_initial_particles(scene);
     for (int i = 0; i < straight.size(); ++i)
-      for (std::size_t k = 0; k < 3; ++k)
-        CHECK(swapped.x[i][(k + 1) % 3] == Approx(straight.x[i][k]));
+      for (std::size_t k = 0; k < 3; ++k) CHECK(swapped.x[i][(k + 1) % 3] == Approx(straight.x[i][k]));
     scene.bodies[0].rotation = Rotation{{0.6, 0, 0.8}, {1, 2, 3}, 33};
     const InitialParticles skew = make_initial_particles(scene);
     CHECK(greatest_change_of_distance(straight.x, skew.x) < 1e-14 * 10);

@@ -80,8 +80,7 @@ void check_cancelled() {
           for (int k = 0; k < Dim; ++k) s += dyad(a, k) * C(a, k)[lane];
         expected += (Gw * cancelled_slope(s)) * dyad;
       }
-      for (int k = 0; k < expected.size; ++k)
-        CHECK(S.c[k][lane] == Approx(expected.c[k]).epsilon(1e-12));
+      for (int k = 0; k < expected.size; ++k) CHECK(S.c[k][lane] == Approx(expected.c[k]).epsilon(1e-12));
     }
   }
 }
