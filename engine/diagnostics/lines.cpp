@@ -27,8 +27,8 @@ Point line_point(const SampleLine& line, int k) {
   return point;
 }
 
-LineRecorder::LineRecorder(const Scene& scene, const Snapshot& start, double reach)
-    : lines_(scene.lines), reach_(reach), samples_(scene.lines.size()) {
+LineRecorder::LineRecorder(const Scene& scene, const Snapshot& start, double support)
+    : lines_(scene.lines), reach_(reach_of_points(support, scene.spacing)), samples_(scene.lines.size()) {
   for (const SampleLine& line : lines_) {
     field_of(line, start.dim);
     points_.push_back(line.in_space ? Points{} : points_of(line, start, &scene));

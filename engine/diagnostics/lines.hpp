@@ -28,9 +28,9 @@ Point line_point(const SampleLine& line, int k);
 /// Samples the lines of a scene.
 class LineRecorder {
  public:
-  /// `start` is the state at t = 0 and `reach` the radius within which particles count, m. Throws SceneError
-  /// for a line that leaves its body.
-  LineRecorder(const Scene& scene, const Snapshot& start, double reach);
+  /// `start` is the state at t = 0 and `support` the radius within which particles act on each other, m. Throws
+  /// SceneError for a line that leaves its body.
+  LineRecorder(const Scene& scene, const Snapshot& start, double support);
 
   /// The next time that is not sampled yet, s; infinity when there is none.
   double next() const;

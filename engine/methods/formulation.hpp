@@ -107,6 +107,7 @@ struct Formulation {
   bool several_materials = false;        // in one scene
   double beta_least = 1;       // of the dissipation in P*: 1 = linear, 0 = limited; see terms/riemann.hpp
   double h_over_dp = 1.3;      // smoothing length over spacing
+  double h_over_dp_3d = 0;     // 0: as in the plane
   double cfl = 0.4;            // acoustic, [Zhang2024] Eq. 22
   double cfl_advection = 0.2;  // [Zhang2024] Eq. 21
 };
@@ -157,8 +158,8 @@ constexpr bool consistent(const Formulation& m) {
          m.artificial_stress == (m.epsilon > 0) && (m.corrected || !second_order) &&
          (!m.tensile_control || m.artificial_stress) &&             // which the surface keeps
          (m.pair_stress == PairStress::product || !m.corrected) &&  // no paper has both
-         (!follows_volume_ratio(m) || takes_volume_ratio(m.law)) && m.h_over_dp > 0 && m.cfl > 0 &&
-         m.cfl_advection > 0 && !m.name.empty();
+         (!follows_volume_ratio(m) || takes_volume_ratio(m.law)) && m.h_over_dp > 0 && m.h_over_dp_3d >= 0 &&
+         m.cfl > 0 && m.cfl_advection > 0 && !m.name.empty();
 }
 
 }  // namespace taut

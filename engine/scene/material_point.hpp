@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "engine/scene/scene.hpp"
@@ -11,6 +12,10 @@ struct PointWeight {
   int particle;
   double weight;
 };
+
+/// Reach of those that tell of a point, m: of the particles that act on each other, at least two spacings,
+/// since beyond a face or a corner fewer lie on a line.
+constexpr double reach_of_points(double support, double dp) { return std::max(support, 2 * dp); }
 
 /// A material point as a mean of the particles around it, with weights of moving least squares,
 ///   w_k = W_k (1, d_k)·A⁻¹·(1, 0),  A = Σ W_k (1, d_k) ⊗ (1, d_k),  d_k = X_k − X,

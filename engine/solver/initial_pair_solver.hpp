@@ -151,8 +151,9 @@ void InitialPairSolver<Solver, M, Dim>::store(int i, const Mat& F, double J) {
 }
 
 /// The constant h of these methods.
-constexpr MethodConstant smoothing_length(const Formulation& m, double least) {
-  return {"h", &Constants::h, m.h_over_dp, least, 3.0, "smoothing length over the spacing", true};
+constexpr MethodConstant smoothing_length(const Formulation& m, int dim, double least) {
+  const double h = dim == 3 && m.h_over_dp_3d > 0 ? m.h_over_dp_3d : m.h_over_dp;
+  return {"h", &Constants::h, h, least, 3.0, "smoothing length over the spacing", true};
 }
 
 }  // namespace taut::inline TAUT_ISA

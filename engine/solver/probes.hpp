@@ -36,8 +36,9 @@ class ProbeSource {
 template <int Dim>
 class ProbeRecorder {
  public:
-  /// Throws SceneError for a probe that is not in its body.
-  ProbeRecorder(const Scene& scene, const InitialParticles& initial, double reach);
+  /// `support`: the radius within which particles act on each other, m. Throws SceneError for a probe that is
+  /// not in its body.
+  ProbeRecorder(const Scene& scene, const InitialParticles& initial, double support);
 
   /// Where each particle is stored now; refreshes what is only looked at between rebuilds.
   void rebuilt(const State<Dim>& s, double support);
@@ -115,8 +116,9 @@ class ProbeRecorder {
 };
 
 template <int Dim>
-ProbeRecorder<Dim>::ProbeRecorder(const Scene& scene, const InitialParticles& initial, double reach)
+ProbeRecorder<Dim>::ProbeRecorder(const Scene& scene, const InitialParticles& initial, double support)
     : probes_(scene.probes), first_(initial.first) {
+  const double reach = reach_of_points(support, scene.spacing);
   for (double V0 : initial.V0) diameter_.push_back(std::pow(V0, 1.0 / Dim));
   for (const Probe& probe : probes_) {
     Follower f;

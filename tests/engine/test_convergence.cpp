@@ -61,7 +61,7 @@ TEST_SUITE("convergence") {
       std::array<double, 3> tip{};
       for (std::size_t k = 0; k < tip.size(); ++k) {
         Settings settings = with_method(name, Stepping::single);
-        settings.cfl = 0.4 / static_cast<double>(1 << k);
+        settings.cfl = 0.2 / static_cast<double>(1 << k);
         const auto simulation = make_simulation(oscillating_plate(0.01, 5), settings);
         simulation->advance_to(0.0201);
         tip[k] = value_at(simulation->series(), 0.02);

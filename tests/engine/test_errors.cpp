@@ -192,6 +192,8 @@ TEST_SUITE("unit") {
       CAPTURE(std::string(method.name));
       Settings settings = with_method(std::string(method.name));
       settings.cfl = 5;
+      for (const MethodConstant& constant : method.constants)  // which a step of its own keeps stable
+        if (constant.name.starts_with("eps_")) settings.constants[std::string(constant.name)] = 0;
       const auto simulation = make_simulation(scene, settings);
       const auto particles = static_cast<long>(simulation->snapshot().size());
       try {

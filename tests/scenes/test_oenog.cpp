@@ -166,7 +166,7 @@ TEST_SUITE("failure") {
     CHECK(fast("pf-jst", 0.001).verdict() < Verdict::penetrated);
     const Judge tl = fast("tl", 0.001);
     REQUIRE(tl.since().contains(Verdict::penetrated));
-    CHECK(std::abs(tl.since().at(Verdict::penetrated) - 4.45e-3) < 0.1e-3);  // s
+    CHECK(std::abs(tl.since().at(Verdict::penetrated) - 4.15e-3) < 0.1e-3);  // s
   }
 
   TEST_CASE("colliding rings: at 0.16 c0 and 0.8 mm the sides of the crease keep each other apart") {
@@ -175,15 +175,20 @@ TEST_SUITE("failure") {
     CHECK(name(judged(file).verdict()) == "stable");
   }
 
-  TEST_CASE(
-      "colliding rings: at 0.16 c0 the mixed methods hold in the crease with the dissipation of shocks") {
-    const auto fastest = [](const char* method, const char* eps) {
-      SceneFile file = scene("colliding-rings", 0.00125, {{"v0", "0.16"}, {"method.eps_v2", eps}}, method);
+  TEST_CASE("colliding rings: at 0.16 c0 the mixed methods hold in the crease with a short kernel") {
+    const auto fastest = [](const char* method, const char* h, const char* eps) {
+      SceneFile file = scene("colliding-rings", 0.00125,
+                             {{"v0", "0.16"}, {"method.h", h}, {"method.eps_v2", eps}}, method);
       file.scene.until = 0.005;  // the crease is at its sharpest at 4.1 ms
       return judged(file);
     };
-    CHECK(name(fastest("pf-jst", "0.125").verdict()) == "stable");
-    CHECK(name(fastest("pfj-jst", "0.125").verdict()) == "stable");
-    CHECK(name(fastest("pf-jst", "0").verdict()) == "penetrated");
+    for (const char* method : {"pf-jst", "pfj-jst"}) {
+      CAPTURE(std::string(method));
+      CHECK(fastest(method, "0.8", "0").verdict() < Verdict::penetrated);
+      // the dissipation of shocks takes the zigzags of the crease, and holds with a longer kernel too
+      CHECK(name(fastest(method, "0.8", "0.125").verdict()) == "stable");
+      CHECK(name(fastest(method, "1.05", "0.125").verdict()) == "stable");
+    }
+    CHECK(name(fastest("pf-jst", "1.05", "0").verdict()) == "penetrated");
   }
 }

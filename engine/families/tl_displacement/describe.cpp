@@ -9,9 +9,9 @@ std::vector<TermInfo> terms(const Formulation& m) {
           tl_displacement_time_info};
 }
 
-std::vector<MethodConstant> constants(const Formulation& m, int) {
-  if (m.gradient == GradientCorrection::corrected) return {smoothing_length(m, 0.8)};
-  return {smoothing_length(m, 0.36),  // no more neighbours than the four nearest are asked for
+std::vector<MethodConstant> constants(const Formulation& m, int dim) {
+  if (m.gradient == GradientCorrection::corrected) return {smoothing_length(m, dim, 0.8)};
+  return {smoothing_length(m, dim, 0.36),  // no more neighbours than the four nearest are asked for
           {"normalised", &Constants::normalised, 1.0, 0.0, 1.0,
            "1: gradients over the sum of kernels, 0: as they come"}};
 }

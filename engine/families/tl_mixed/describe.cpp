@@ -1,7 +1,6 @@
 #include "engine/families/tl_mixed/describe.hpp"
 
 #include "engine/families/tl_mixed/solver.hpp"
-#include "engine/methods/lee2016.hpp"
 
 namespace taut::tl_mixed {
 
@@ -17,8 +16,7 @@ std::vector<TermInfo> terms(const Formulation& m) {
 
 std::vector<MethodConstant> constants(const Formulation& m, int dim) {
   using C = Constants;
-  std::vector<MethodConstant> c{smoothing_length(m, 0.8)};
-  if (dim == 3) c.front().value = lee2016_h_over_dp_3d;
+  std::vector<MethodConstant> c{smoothing_length(m, dim, 0.8)};
   if (m.jst) {
     c.push_back({"eps_v2", &C::eps_v2, 0.0, 0.0, 1.0, "ε₂ of the momentum, for shocks"});
     c.push_back({"eps_v4", &C::eps_v4, 0.125, 0.0, 1.0, "ε₄ of the momentum, against zigzags"});

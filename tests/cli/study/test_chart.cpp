@@ -152,13 +152,13 @@ TEST_SUITE("cli") {
                                      "--quiet", "--out", folder.str("plate")});
     CAPTURE(outcome.err);
     REQUIRE(outcome.code == 0);
-    // measured: 1.92 and 1.61; with 6 to 12 particles across the plate
+    // measured: 1.92 and 1.29; with 6 to 12 particles across the plate
     const taut::cli::Chart chart = chart_of(folder.str("plate"), {"period", taut::cli::Cost::seconds});
     REQUIRE(chart.series.size() == 2);
     CHECK(*chart.series[0].order > 1.8);
     CHECK(*chart.series[0].order < 2.2);
-    CHECK(*chart.series[1].order > 1.4);
-    CHECK(*chart.series[1].order < 1.75);
+    CHECK(*chart.series[1].order > 1.15);
+    CHECK(*chart.series[1].order < 1.45);
   }
 
   TEST_CASE("a parameter that was swept to the scene's default is that of a run that was not asked") {

@@ -43,16 +43,22 @@ TEST_SUITE("unit") {
   TEST_CASE("lines: a linear field is exact up to the faces and corners") {
     Scene scene = rotating_plate(0.01);
     scene.lines = {line_across_plate({0})};
-    const auto simulation = make_simulation(scene, with_method("oenog"));
-    LineRecorder lines(scene, simulation->snapshot(), simulation->support());
-    CHECK(lines.next() == 0);
-    lines.sample(simulation->snapshot());
-    CHECK(lines.next() == std::numeric_limits<double>::infinity());
-    REQUIRE(lines.samples().at(0).size() == 1);
     const double omega = scene.bodies[0].velocity[1]({1, 0, 0});
-    for (int k = 0; k < 7; ++k)
-      CHECK(lines.samples()[0][0].value[k] ==
-            Approx(omega * line_point(scene.lines[0], k)[0]).scale(omega * 0.01).epsilon(1e-12));
+    Settings four_nearest =
+        with_method("tl-small-strain");  // a corner has three in reach, two of them on a line
+    four_nearest.constants["h"] = 0.5;
+    for (const Settings& settings : {with_method("oenog"), with_method("tl"), four_nearest}) {
+      CAPTURE(settings.method);
+      const auto simulation = make_simulation(scene, settings);
+      LineRecorder lines(scene, simulation->snapshot(), simulation->support());
+      CHECK(lines.next() == 0);
+      lines.sample(simulation->snapshot());
+      CHECK(lines.next() == std::numeric_limits<double>::infinity());
+      REQUIRE(lines.samples().at(0).size() == 1);
+      for (int k = 0; k < 7; ++k)
+        CHECK(lines.samples()[0][0].value[k] ==
+              Approx(omega * line_point(scene.lines[0], k)[0]).scale(omega * 0.01).epsilon(1e-12));
+    }
     CHECK(line_point(scene.lines[0], 6) == Point{0.01, -0.01, 0});
     CHECK(line_point(scene.lines[0], 3)[1] == relative((0.0037 - 0.01) / 2));
   }

@@ -201,7 +201,6 @@ TEST_SUITE("term") {
       CAPTURE(law_row(law).choice);
       const auto first = [&]<int Dim>(const std::string& method) {
         Settings settings = with_law(method, law);
-        settings.constants["h"] = 1.05;
         if (method != "tl") settings.constants["projection"] = 0;  // which the linear law would need
         for (const MethodConstant& constant : find_method(method)->constants)
           if (constant.name.starts_with("eps")) settings.constants[std::string(constant.name)] = 0;

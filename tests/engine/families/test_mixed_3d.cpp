@@ -133,7 +133,7 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE("JST: in 3D every wave decays at the default h, and the default step bears it") {
-    const Cube cube(7, lee2016_h_over_dp_3d);
+    const Cube cube(7, pf_jst.h_over_dp_3d);
     const int i = cube.middle();
     double slowest = 1e9, shortest = 1e9, steepest = 0;
     constexpr int n = 12;
@@ -152,12 +152,12 @@ TEST_SUITE("analytic") {
     CHECK(slowest == relative(0.99, 0.01));    // of (π, π, π), c/dp
     CHECK(steepest == relative(1.36, 0.01));   // 1/dp
     CHECK(shortest == relative(0.405, 0.01));  // dp/c
-    CHECK(pf_jst.cfl * lee2016_h_over_dp_3d < shortest);
+    CHECK(pf_jst.cfl * pf_jst.h_over_dp_3d < shortest);
   }
 
   TEST_CASE(
       "JST: the Laplacian in a cube is exact but at its corners, where it still ignores linear fields") {
-    const Cube cube(5, lee2016_h_over_dp_3d);
+    const Cube cube(5, pf_jst.h_over_dp_3d);
     int corners = 0;
     const LaplacianLanes<3> of_four = with_laplacian(cube.pairs, cube.laplacian, cube.V, 1);
     Columns<3> U;
@@ -181,7 +181,7 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE("JST: the spectral radius of the biharmonic term is the greatest eigenvalue of its matrix") {
-    const Cube cube(4, lee2016_h_over_dp_3d);
+    const Cube cube(4, pf_jst.h_over_dp_3d);
     const int n = cube.pairs.size();
     Eigen::MatrixXd L = Eigen::MatrixXd::Zero(n, n);
     for (int i = 0; i < n; ++i)

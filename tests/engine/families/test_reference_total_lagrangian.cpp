@@ -19,7 +19,7 @@ using namespace taut::test;
 namespace {
 
 constexpr int steps = 60;
-constexpr int mixed_steps = 45;
+constexpr int mixed_steps = 60;
 
 void check_method(const Scene& scene, const std::string& name, const std::string& law) {
   CAPTURE(name);

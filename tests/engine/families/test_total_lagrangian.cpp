@@ -12,6 +12,7 @@
 #include "engine/families/tl_mixed/corrected_laplacian.hpp"
 #include "engine/families/tl_mixed/momentum_projection.hpp"
 #include "engine/materials/laws.hpp"
+#include "engine/methods/lee2016.hpp"
 #include "engine/scene/initial_particles.hpp"
 #include "engine/solver/initial_pairs.hpp"
 #include "tests/support/relative.hpp"
@@ -44,7 +45,7 @@ struct Cloud {
     for (const Point& p : initial.x) X.push_back({p[0], p[1]});
   }
   InitialPairs<2> pairs(GradientCorrection gradient = GradientCorrection::corrected) const {
-    const double h = 1.05 * dp;
+    const double h = tl.h_over_dp * dp;
     return make_initial_pairs<Wendland>(initial_neighbors(initial, reach_of_pairs<Wendland>(h)), X, V, h,
                                         gradient);
   }
@@ -73,6 +74,27 @@ void project_all(std::vector<V2>& a, const std::vector<V2>& Z, const std::vector
   for (std::size_t i = 0; i < a.size(); ++i) columns[0][i] = a[i][0], columns[1][i] = a[i][1];
   project_on_momenta(columns, Z, V, first, last);
   for (std::size_t i = 0; i < a.size(); ++i) a[i] = {columns[0][i], columns[1][i]};
+}
+
+/// What L makes of the wave cos(k·X) inside a square lattice with dp = 1, over the wave: dp² L̂(k).
+double symbol_on_lattice(double h, const V2& k) {
+  constexpr int n = 9;
+  std::vector<V2> X;
+  InitialParticles initial;
+  initial.body.resize(n * n);
+  for (int i = 0; i < n * n; ++i) {
+    X.push_back({1.0 * (i % n), 1.0 * (i / n)});
+    initial.x.push_back({X[i][0], X[i][1]});
+  }
+  const std::vector<double> V(n * n, 1);
+  const auto pairs = make_initial_pairs<Wendland>(initial_neighbors(initial, reach_of_pairs<Wendland>(h)), X,
+                                                  V, h, GradientCorrection::corrected);
+  const std::vector<double> w = corrected_laplacian<Wendland>(pairs, X, V, h, 1);
+  constexpr int middle = n * n / 2;
+  double sum = 0;
+  for (int p = pairs.begin[middle]; p < pairs.begin[middle + 1]; ++p)
+    sum += w[p] * (std::cos(dot(k, X[pairs.j[p]] - X[middle])) - 1);
+  return sum;
 }
 
 /// Greatest stress of a cloud that is turned as a whole, Pa.
@@ -134,7 +156,7 @@ TEST_SUITE("term") {
       }
     }
     CHECK(seen == static_cast<long>(pairs.j.size()));
-    CHECK(seen > 10 * pairs.size());
+    CHECK(seen > 6 * pairs.size());
   }
 
   TEST_CASE("pairs of the start: the force is minus the derivative of the energy") {
@@ -179,8 +201,8 @@ TEST_SUITE("term") {
   TEST_CASE("corrected Laplacian: 0 of linear fields, 2 d of the square of the distance, at surfaces too") {
     const Cloud cloud;
     const InitialPairs<2> pairs = cloud.pairs();
-    const std::vector<double> w =
-        corrected_laplacian<Wendland>(pairs, cloud.X, cloud.V, 1.05 * cloud.dp, cloud.dp * cloud.dp);
+    const std::vector<double> w = corrected_laplacian<Wendland>(
+        pairs, cloud.X, cloud.V, pf_jst.h_over_dp * cloud.dp, cloud.dp * cloud.dp);
     const LaplacianLanes<2> of_four = with_laplacian(pairs, w, cloud.V, 1);
     Columns<4> U;
     U.resize(pairs.size());
@@ -227,6 +249,14 @@ TEST_SUITE("term") {
 }
 
 TEST_SUITE("analytic") {
+  TEST_CASE(
+      "JST: what zigzags decay by in the plane: 16 times as fast with the eight nearest as with twelve") {
+    constexpr double pi = std::numbers::pi;
+    CHECK(symbol_on_lattice(pf_jst.h_over_dp, {pi, 0}) == relative(-4, 0.001));
+    CHECK(symbol_on_lattice(1.05, {pi, 0}) == relative(-3.66, 0.002));
+    CHECK(symbol_on_lattice(pf_jst.h_over_dp, {pi, pi}) == relative(-7.78, 0.002));  // its square is the rate
+    CHECK(symbol_on_lattice(1.05, {pi, pi}) == relative(-1.93, 0.002));
+  }
   TEST_CASE("total Lagrangian: a turn by any angle creates no stress but with the linear law") {
     for (const double angle : {0.4, 1.6, 3.1, -2.0}) {
       CAPTURE(angle);
@@ -256,7 +286,7 @@ TEST_SUITE("failure") {
       settings.cfl = 0.3;  // [Lee2016] §5; with 0.25 they grow three times as slowly
       const auto simulation = make_simulation(scene, settings);
       const Balance before = balance(simulation->snapshot(), scene);
-      make_steps(*simulation, 800);
+      make_steps(*simulation, 2400);
       const Balance after = balance(simulation->snapshot(), scene);
       return (after.kinetic + after.strain) / before.kinetic;
     };
@@ -293,7 +323,7 @@ TEST_SUITE("conservation") {
       CHECK(kept.angular < 1e-12);
     }
     const Kept printed = change(0, 0), with_adjoint = change(0, 1);
-    CHECK(printed.linear > 1e-5);
+    CHECK(printed.linear > 1e-6);
     CHECK(printed.angular > 1e-4);
     CHECK(with_adjoint.linear < 1e-12);  // the adjoint keeps it: all constants have no Laplacian
     CHECK(with_adjoint.angular > 1e-6);

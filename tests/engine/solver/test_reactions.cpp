@@ -302,7 +302,8 @@ TEST_SUITE("unit") {
       for (std::size_t k = 0; k < looks.size(); ++k) {
         StressTensor sigma;
         for (const PointWeight& w :
-             material_point(x, 0, static_cast<int>(x.size()), looks[k].first, simulation->support(), dim)) {
+             material_point(x, 0, static_cast<int>(x.size()), looks[k].first,
+                            reach_of_points(simulation->support(), scene.spacing), dim)) {
           const StressTensor one = now.stress(static_cast<std::size_t>(w.particle));
           sigma.xx += w.weight * one.xx, sigma.yy += w.weight * one.yy, sigma.zz += w.weight * one.zz;
           sigma.xy += w.weight * one.xy, sigma.xz += w.weight * one.xz, sigma.yz += w.weight * one.yz;
