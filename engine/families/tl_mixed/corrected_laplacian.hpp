@@ -11,14 +11,17 @@ namespace taut::inline TAUT_ISA {
 /// L[f]_i = Σ_j w_ij (f_j − f_i) on the pairs of the start, with
 ///   w_ij = V_j (ΔW + α_i·r_ij + β_i r_ij²),   r_ij = X_i − X_j,            [Lee2016] Eq. A.1, A.2
 /// and α, β such that L of a linear field is 0 and that of |X − X_i|² is 2 Dim (A.3–A.5, printed for 3D).
-/// ΔW = W″ + (Dim − 1) W′/r. The w_ij are stored times `scale`, m². Where the neighbours cannot tell |X −
-/// X_i|² from a linear field, as those at the corner of a cube of particles (all within dp along each axis)
-/// cannot, β is 0 and the second condition is left out. Not symmetric: Σ V_i L[f]_i ≠ 0.
+/// ΔW = W″ + (Dim − 1) W′/r. The w_ij are stored times `scale`, m². Where the neighbours hardly tell |X −
+/// X_i|² from a linear field, β is 0 and the second condition is left out: those at the corner of a lattice
+/// that are all within dp along each axis do not at all, jittered ones so little that w_ij would shrink the step
+/// a thousandfold. Not symmetric: Σ V_i L[f]_i ≠ 0.
 template <class K, int Dim>
 std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
                                         const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,
                                         double h, double scale, int threads = 1) {
   constexpr int N = Dim + 1;
+  // of Σ V r⁴, of what no linear field has: on lattices 0.03 at least, at corners, and 1 inside
+  constexpr double least_told = 0.02;
   std::vector<double> w(pairs.j.size());
   parallel_for(pairs.size(), threads, [&](int i) {
     // lengths in h, so that the rows of the system are of one size; the last column is the right side
@@ -46,7 +49,7 @@ std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
     }
     const double squares = A[Dim][Dim];
     for (int k = 0; k < N; ++k) {  // A is positive definite: no pivots
-      if (k == Dim && A[Dim][Dim] < 1e-9 * squares) {
+      if (k == Dim && A[Dim][Dim] < least_told * squares) {
         A[Dim][Dim] = 1, A[Dim][N] = 0;
         break;
       }

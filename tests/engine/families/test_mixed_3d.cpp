@@ -14,6 +14,7 @@
 #include "engine/families/tl_mixed/momentum_projection.hpp"
 #include "engine/methods/lee2016.hpp"
 #include "engine/solver/initial_pairs.hpp"
+#include "tests/support/jittered.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
@@ -193,6 +194,20 @@ TEST_SUITE("analytic") {
     CHECK(greatest > 40);
     CHECK(biharmonic_spectral_radius(of_four, n, 1) == relative(greatest, 0.01));
     CHECK(biharmonic_spectral_radius(of_four, n, 1) == biharmonic_spectral_radius(of_four, n, 3));
+  }
+
+  TEST_CASE("JST: on jittered particles steps are as long as on the lattice, or nearly") {
+    const auto step = [](const Scene& scene) {
+      const auto simulation = make_simulation(scene, with_method("pf-jst"));
+      make_steps(*simulation, 1);
+      return simulation->time();
+    };
+    for (const Scene& scene : {oscillating_plate(0.01, 5), pressed_block(1)})
+      for (const double share : {0.05, 0.1, 0.2}) {
+        CAPTURE(scene.dim);
+        CAPTURE(share);
+        CHECK(step(jittered(scene, share)) > 0.5 * step(scene));
+      }
   }
 
   TEST_CASE("projection: in 3D the nearest accelerations without force and torque") {

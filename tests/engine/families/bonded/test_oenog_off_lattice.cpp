@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -14,6 +13,7 @@
 #include "engine/families/bonded/off_lattice.hpp"
 #include "engine/scene/other_shapes.hpp"
 #include "tests/engine/families/bonded/cantilever_3d.hpp"
+#include "tests/support/jittered.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
@@ -30,20 +30,6 @@ Scene block(int n) {
   Scene scene = small_solid_collision();
   scene.bodies.pop_back();
   scene.bodies[0].shapes = {Box{{0, 0, 0}, {n * dp, n * dp, n * dp}}};
-  return scene;
-}
-
-/// The particles of a scene as a body of given ones, each moved by up to `share` of a spacing along each axis.
-Scene jittered(Scene scene, double share) {
-  std::mt19937 random(5);
-  const InitialParticles initial = make_initial_particles(scene);
-  std::vector<Point> places = initial.x;
-  for (int i = 0; i < initial.size(); ++i) {
-    if (initial.held[i]) continue;
-    for (int k = 0; k < scene.dim; ++k)
-      places[i][k] += share * scene.spacing * (2 * std::generate_canonical<double, 53>(random) - 1);
-  }
-  scene.bodies[0].shapes = {AnyShape::of(GivenParticles(std::move(places), initial.V0, scene.dim))};
   return scene;
 }
 
