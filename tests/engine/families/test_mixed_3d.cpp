@@ -14,7 +14,7 @@
 #include "engine/families/tl_mixed/momentum_projection.hpp"
 #include "engine/methods/lee2016.hpp"
 #include "engine/solver/initial_pairs.hpp"
-#include "tests/support/jittered.hpp"
+#include "tests/engine/families/jittered.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
