@@ -305,9 +305,9 @@ TEST_SUITE("conservation") {
     struct Kept {
       double linear, angular;
     };
-    const auto change = [&](double projection, double adjoint) {
+    const auto change = [&](double projection, double adjoint, double h) {
       Settings settings = with_method("pf-jst");
-      settings.constants = {{"projection", projection}, {"adjoint", adjoint}};
+      settings.constants = {{"projection", projection}, {"adjoint", adjoint}, {"h", h}};
       const auto simulation = make_simulation(scene, settings);
       const Balance before = balance(simulation->snapshot(), scene);
       make_steps(*simulation, 400);
@@ -317,13 +317,15 @@ TEST_SUITE("conservation") {
                       before.momentum_scale,
                   std::abs(after.angular_momentum[2] - before.angular_momentum[2]) / before.angular_scale};
     };
-    for (const double adjoint : {0.0, 1.0}) {
-      const Kept kept = change(1, adjoint);
-      CHECK(kept.linear < 1e-12);
-      CHECK(kept.angular < 1e-12);
+    for (const double h : {pf_jst.h_over_dp, 1.05}) {
+      for (const double adjoint : {0.0, 1.0}) {
+        const Kept kept = change(1, adjoint, h);
+        CHECK(kept.linear < 1e-12);
+        CHECK(kept.angular < 1e-12);
+      }
     }
-    const Kept printed = change(0, 0), with_adjoint = change(0, 1);
-    CHECK(printed.linear > 1e-6);
+    const Kept printed = change(0, 0, 1.05), with_adjoint = change(0, 1, 1.05);
+    CHECK(printed.linear > 1e-5);
     CHECK(printed.angular > 1e-4);
     CHECK(with_adjoint.linear < 1e-12);  // the adjoint keeps it: all constants have no Laplacian
     CHECK(with_adjoint.angular > 1e-6);

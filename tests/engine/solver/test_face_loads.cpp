@@ -273,7 +273,8 @@ TEST_SUITE("analytic") {
     CHECK(oenog_fine < 0.6 * oenog_coarse);  // 0.63 and 0.35 %
     const double tl_coarse = across("tl", 5), tl_fine = across("tl", 10);
     CHECK(tl_coarse < 0.01);
-    CHECK(tl_fine < 0.7 * tl_coarse);  // 0.82 and 0.51 %
+    CHECK(tl_fine < 0.7 * tl_coarse);
+    CHECK(across("tl", 20) < 0.5 * tl_fine);  // 0.82, 0.51 and 0.17 %
     CHECK(across("pf-jst", 10) < 0.006);
     CHECK(across("pfj-jst", 10) < 0.006);
     // a longer kernel is more one-sided at a face: 2.7 % with the twelve nearest, for the eight
