@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "engine/solver/contact/facet_pairs.hpp"
 #include "engine/solver/contact/motion_bound.hpp"
 #include "engine/solver/contact/moving_facets.hpp"
-#include "engine/solver/contact/point_search.hpp"
 #include "engine/solver/contact/wall_contacts.hpp"
 #include "engine/solver/solver_input.hpp"
 
@@ -27,11 +27,10 @@ class FacetSearch {
       : dp_(input.constants.dp),
         reach_(reach),
         meets_itself_(input.meets_itself),
-        meets_others_(input.scene.bodies.size() > 1 || !input.scene.walls.empty()) {
-    for (int f = 0; f < facets.size(); ++f)
-      points_.add(facets[f].middle, facets.body(f)), normal_.push_back(facets[f].normal);
-    all_.resize(facets.size());
-    std::iota(all_.begin(), all_.end(), 0);
+        meets_others_(input.scene.bodies.size() > 1 || !input.scene.walls.empty()),
+        near_(facets, cluster * input.constants.dp),
+        nodes_(facets.nodes_of(near_.order())) {
+    for (int f = 0; f < facets.size(); ++f) normal_.push_back(facets[f].normal);
   }
 
   /// Pairs of facets, each in both orders, and facets with walls, in rising order.
@@ -52,7 +51,7 @@ class FacetSearch {
       search_others(s, facets, walls);
       others_bound_.holds(way);
     }
-    own = own && !own_bound_.still_holds(behind_, points_.bodies(), way);
+    own = own && !own_bound_.still_holds(behind_, near_.bodies(), way);
     if (own) {
       search_own(s, facets);
       own_bound_.holds(way);
@@ -63,7 +62,7 @@ class FacetSearch {
 
   template <class Archive>
   void serialize(Archive& archive, int walls) {
-    const int count = points_.size();
+    const int count = near_.size();
     for (auto* list : {&others_, &own_}) {
       archive.indices(*list, std::pair(count, count));
       archive.check("the pairs of facets", [&] { return are_both_ways(*list); });
@@ -77,6 +76,7 @@ class FacetSearch {
   // in spacings
   static constexpr double skin = 1.4;        // longer: fewer searches, more pairs
   static constexpr double horizon = 4.25;    // how far a search looks, for how long it may hold
+  static constexpr double cluster = 4;       // of facets that a search looks at together first
   static constexpr double far_apart = 4;     // along a face that bends, or through a gap
   static constexpr double far_inside = 8;    // the two faces of a thinner wall do not act on each other
   static constexpr double flat = 1e-6;       // of two facets of one plane, but for round-off
@@ -84,23 +84,23 @@ class FacetSearch {
   static constexpr double turn_slack = 0.5;  // of two facets around the particles behind them
 
   void search_others(const State<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
-    const std::vector<char> near = near_others();
-    std::vector<int> candidates;
-    std::ranges::copy_if(all_, std::back_inserter(candidates), [&](int f) { return near[f]; });
+    const std::vector<int> candidates = near_others();
+    facets.place(s, facets.nodes_of(candidates), candidates, 1);
     others_bound_.restart(find<PairsOf::two_bodies>(
-                              s, facets, candidates, [](int, int) { return true; }, others_),
+                              facets, candidates, [](int, int) { return true; }, others_),
                           {});
     near_wall.clear();
-    for (const int f : all_)
+    for (int f = 0; f < near_.size(); ++f)
       for (int w = 0; w < walls.count(); ++w)
         if (walls.height(w, behind_[f]) < horizon * dp_) near_wall.emplace_back(f, w);
   }
   void search_own(const State<3>& s, MovingFacets& facets) {
     const auto wanted = [&](int f, int g) {
-      const V D = points_.start(f) - points_.start(g);
+      const V D = near_.start(f) - near_.start(g);
       return dot(D, D) > far_inside * far_inside * dp_ * dp_ || dot(D, normal_[g] - normal_[f]) > -flat * dp_;
     };
-    own_bound_.restart(find<PairsOf::one_body>(s, facets, all_, wanted, own_), behind_);
+    facets.place(s, nodes_, near_.order(), 1);
+    own_bound_.restart(find<PairsOf::one_body>(facets, near_.order(), wanted, own_), behind_);
   }
 
   /// How much nearer the nearest one that is not listed may come. Two facets that look the same way now, as
@@ -108,25 +108,20 @@ class FacetSearch {
   /// (terms/surface_contact.hpp:facing_share) they would have to turn by 44° before the next search, up to
   /// which no point goes as far as a spacing, within a body beside the body. If they do, they act from then on.
   template <PairsOf kind, class Wanted>
-  double find(const State<3>& s, MovingFacets& facets, const std::vector<int>& candidates,
-              const Wanted& wanted, std::vector<std::pair<int, int>>& list) {
-    facets.place(s, facets.nodes_of(candidates), candidates, 1);
-    middle_.resize(all_.size());
-    for (const int f : candidates) middle_[f] = facets[f].middle;
+  double find(const MovingFacets& facets, const std::vector<int>& candidates, const Wanted& wanted,
+              std::vector<std::pair<int, int>>& list) {
     found_.clear();
-    const auto may_act = [&](int f, int g) {
-      return dot(facets[f].normal, facets[g].normal) < aside && wanted(f, g);
-    };
-    const double beyond =
-        points_.template find<kind>(middle_, candidates, reach_ + skin * dp_, horizon * dp_, far_apart * dp_,
-                                    may_act, [&](int f, int g) { found_.emplace_back(f, g); });
+    const double beyond = near_.template find<kind>(
+        facets, candidates,
+        {.listed = reach_ + skin * dp_, .horizon = horizon * dp_, .far = far_apart * dp_, .cosine = aside},
+        wanted, [&](int f, int g) { found_.emplace_back(f, g); });
     list_both_ways(list);
     return beyond - reach_ - turn_slack * dp_;
   }
 
   /// What was found, sorted.
   void list_both_ways(std::vector<std::pair<int, int>>& list) {
-    std::vector<int> end(all_.size() + 1);  // of the pairs of each facet
+    std::vector<int> end(near_.size() + 1);  // of the pairs of each facet
     for (const auto& [f, g] : found_) ++end[f + 1], ++end[g + 1];
     std::partial_sum(end.begin(), end.end(), end.begin());
     const std::vector<int> begin = end;
@@ -143,14 +138,14 @@ class FacetSearch {
            });
   }
 
-  /// Which facets are in the box of another body, widened by what a search looks at.
-  std::vector<char> near_others() const {
-    const std::vector<int>& body = points_.bodies();
-    std::vector<char> near(body.size());
+  /// The facets in the box of another body, widened by what a search looks at.
+  std::vector<int> near_others() const {
+    const std::vector<int>& body = near_.bodies();
+    std::vector<int> near;
     if (body.empty()) return near;
     std::vector<V> low(1 + body.back()), high(low.size());
     std::vector<bool> begun(low.size());
-    for (const int f : all_) {
+    for (int f = 0; f < near_.size(); ++f) {
       const V& x = behind_[f];
       V &l = low[body[f]], &h = high[body[f]];
       if (!begun[body[f]]) l = h = x;
@@ -158,13 +153,16 @@ class FacetSearch {
       for (int k = 0; k < 3; ++k) l[k] = std::min(l[k], x[k]), h[k] = std::max(h[k], x[k]);
     }
     const double margin = (horizon + 2) * dp_;  // 2: of two particles to their faces
-    for (const int f : all_) {
+    const auto is_near = [&](int f, int b) {
       const V& x = behind_[f];
-      for (int b = 0; b <= body.back() && !near[f]; ++b) {
-        bool in = b != body[f] && begun[b];
-        for (int k = 0; k < 3 && in; ++k) in = x[k] > low[b][k] - margin && x[k] < high[b][k] + margin;
-        near[f] = in;
-      }
+      bool in = b != body[f] && begun[b];
+      for (int k = 0; k < 3 && in; ++k) in = x[k] > low[b][k] - margin && x[k] < high[b][k] + margin;
+      return in;
+    };
+    for (const int f : near_.order()) {
+      bool in = false;
+      for (int b = 0; b <= body.back() && !in; ++b) in = is_near(f, b);
+      if (in) near.push_back(f);
     }
     return near;
   }
@@ -176,10 +174,10 @@ class FacetSearch {
 
   double dp_ = 0, reach_ = 0;                         // m
   bool meets_itself_ = false, meets_others_ = false;  // others: bodies or walls
-  PointSearch<3> points_;                             // the middles of facets
-  std::vector<V> normal_;                             // of facets at the start
-  std::vector<int> all_;                              // facets
-  std::vector<V> behind_, middle_;                    // [facet] m
+  FacetPairs near_;
+  std::vector<int> nodes_;  // of all facets
+  std::vector<V> normal_;   // [facet] at the start
+  std::vector<V> behind_;   // [facet] the place of the particle behind it, m
   std::vector<std::pair<int, int>> others_, own_, found_;
   MotionBound<3> others_bound_, own_bound_;
 };

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -31,8 +30,6 @@ class OwnPairs {
       for (int k = 0; k < Dim; ++k) x[k] = input.initial.x[id][k];
       search_.add(x, input.initial.body[id]);
     }
-    all_.resize(ids_.size());
-    std::iota(all_.begin(), all_.end(), 0);
   }
 
   bool any() const { return !ids_.empty(); }
@@ -81,9 +78,8 @@ class OwnPairs {
 
   void find(const State<Dim>& s) {
     found_.clear();
-    const double beyond = search_.template find<PairsOf::one_body>(
-        x_, all_, reach_ + skin * dp_, horizon * dp_, far_apart * dp_, [](int, int) { return true; },
-        [&](int a, int b) {
+    const double beyond =
+        search_.find(x_, reach_ + skin * dp_, horizon * dp_, far_apart * dp_, [&](int a, int b) {
           found_.emplace_back(stored_[a], b);
           found_.emplace_back(stored_[b], a);
         });
@@ -108,8 +104,7 @@ class OwnPairs {
   double dp_, reach_;     // m
   std::vector<int> ids_;  // in rising order
   PointSearch<Dim> search_;
-  std::vector<int> all_;  // of its points
-  std::vector<V> x_;      // now, m
+  std::vector<V> x_;  // now, m
   std::vector<int> stored_;
   MotionBound<Dim> bound_;
   std::vector<std::pair<int, int>> found_;  // stored i, and j in the order of creation

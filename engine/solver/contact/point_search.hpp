@@ -12,13 +12,7 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// Which pairs of points a search finds.
-enum class PairsOf {
-  one_body,    // that were further apart at the start than a given distance
-  two_bodies,  // all
-};
-
-/// Finds the pairs of points that are near each other, four at a time.
+/// Finds the pairs of points of one body that are near each other, four at a time.
 template <int Dim>
 class PointSearch {
  public:
@@ -30,21 +24,18 @@ class PointSearch {
     body_.push_back(body);
   }
   int size() const { return static_cast<int>(X_.size()); }
-  const V& start(int point) const { return X_[point]; }
   const std::vector<int>& bodies() const { return body_; }
 
-  /// found(a, b) for the pairs nearer than `listed`, m, each once, if `wanted(a, b)`; how near the nearest
-  /// other one is, m, up to `horizon`. Those of one body were more than `far`, m, apart at the start. `x` are
-  /// the places now, of those of `points` at least, whose order counts.
-  template <PairsOf kind, class Wanted, class Found>
-  double find(const std::vector<V>& x, const std::vector<int>& points, double listed, double horizon,
-              double far, const Wanted& wanted, const Found& found) {
-    if (points.empty()) return horizon;
-    sort_columns(x, points, horizon);
-    const int n = static_cast<int>(points.size());
+  /// found(a, b) for the pairs nearer than `listed`, m, each once, of those more than `far`, m, apart at the
+  /// start; how near the nearest other one is, m, up to `horizon`. `x` are the places now, whose order counts.
+  template <class Found>
+  double find(const std::vector<V>& x, double listed, double horizon, double far, const Found& found) {
+    if (x.empty()) return horizon;
+    sort_columns(x, horizon);
+    const int n = size();
     double beyond2 = horizon * horizon;
     for (int p = 0; p < n; ++p) {
-      grid_.for_each_row(x_[order_[p]], [&](int first, int last) {
+      grid_.for_each_row(x[order_[p]], [&](int first, int last) {
         for (int q = std::max(first, p + 1); q < last; q += lanes) {
           Pack d2{}, D2{};
           for (int k = 0; k < Dim; ++k) {
@@ -53,16 +44,11 @@ class PointSearch {
           }
           const unsigned in_row = (1u << std::min(last - q, lanes)) - 1;
           const Pack body = load(&of_body_[q]);
-          unsigned near =
-              in_row & (kind == PairsOf::one_body
-                            ? lanes_where((D2 > far * far) & (d2 < beyond2) & (body == of_body_[p]))
-                            : lanes_where((d2 < beyond2) & (body != of_body_[p])));
+          unsigned near = in_row & lanes_where((D2 > far * far) & (d2 < beyond2) & (body == of_body_[p]));
           for (; near != 0; near &= near - 1) {
             const int lane = std::countr_zero(near);
-            const int a = points[order_[p]], b = points[order_[q + lane]];
-            if (!wanted(a, b)) continue;
             if (d2[lane] < listed * listed)
-              found(a, b);
+              found(order_[p], order_[q + lane]);
             else
               beyond2 = std::min(beyond2, d2[lane]);
           }
@@ -74,15 +60,13 @@ class PointSearch {
 
  private:
   /// The order of the grid's cells, and in it the columns that a search reads.
-  void sort_columns(const std::vector<V>& x, const std::vector<int>& points, double horizon) {
-    x_.clear();
-    for (const int point : points) x_.push_back(x[point]);
-    order_ = grid_.sort(x_, horizon);
-    const std::size_t n = points.size();
+  void sort_columns(const std::vector<V>& x, double horizon) {
+    order_ = grid_.sort(x, horizon);
+    const std::size_t n = x.size();
     for (int k = 0; k < Dim; ++k) now_[k].resize(n + lanes), start_[k].resize(n + lanes);
     of_body_.resize(n + lanes);
     for (std::size_t p = 0; p < n; ++p) {
-      const int a = points[order_[p]];
+      const int a = order_[p];
       for (int k = 0; k < Dim; ++k) now_[k][p] = x[a][k], start_[k][p] = X_[a][k];
       of_body_[p] = body_[a];
     }
@@ -92,7 +76,6 @@ class PointSearch {
   std::vector<int> body_;  // in rising order
   // of a search
   CellGrid<Dim> grid_;
-  std::vector<V> x_;  // m
   std::vector<int> order_;
   std::array<std::vector<double>, Dim> now_, start_;  // m
   std::vector<double> of_body_;
