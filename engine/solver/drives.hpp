@@ -48,19 +48,7 @@ class Drives {
  public:
   using V = Vec<double, Dim>;
 
-  Drives(const Scene& scene, const InitialParticles& initial) {
-    std::vector<int> first;  // of each body
-    for (const Body& body : scene.bodies) {
-      first.push_back(static_cast<int>(drives_.size()));
-      for (const Drive& drive : body.drives) drives_.push_back({drive.velocity, drive.until});
-    }
-    if (drives_.empty()) return;
-    for (int id = 0; id < initial.size(); ++id)
-      drive_.push_back(initial.drive[id] < 0 ? -1 : first[initial.body[id]] + initial.drive[id]);
-    work_.assign(drive_.size(), 0);
-    active_ = true;
-    set_time(0);
-  }
+  Drives(const Scene& scene, const InitialParticles& initial);
 
   /// False without drives, and once all of them are over.
   bool active() const { return active_; }
@@ -69,15 +57,7 @@ class Drives {
   /// the way with the old and half with the new ones, in its middle for one that takes all of it with the
   /// new. So the way of a driven particle is the integral of its velocity to second order in either. Not for
   /// use inside a pass: expressions serve one thread.
-  void set_time(double t) {
-    if (!active_) return;
-    active_ = false;
-    for (Timed& drive : drives_) {
-      drive.on = t <= drive.until;
-      active_ |= drive.on;
-      for (int k = 0; k < Dim && drive.on; ++k) drive.now[k] = drive.velocity[k] ? drive.velocity[k](t) : 0;
-    }
-  }
+  void set_time(double t);
 
   bool moves(int id) const { return active_ && drive_[id] >= 0 && drives_[drive_[id]].on; }
   const V& velocity(int id) const { return drives_[drive_[id]].now; }  // m/s, of one that is moved

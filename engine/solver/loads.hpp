@@ -1,14 +1,11 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <functional>
 #include <numeric>
 #include <utility>
 #include <vector>
 
-#include "engine/error.hpp"
-#include "engine/neighbors/initial_neighbors.hpp"
 #include "engine/scene/initial_particles.hpp"
 #include "engine/solver/face_loads.hpp"
 #include "engine/solver/state.hpp"
@@ -27,17 +24,8 @@ class Loads {
  public:
   using V = Vec<double, Dim>;
 
-  Loads(const Scene& scene, const InitialParticles& initial)
-      : gravity_(scene.gravity), damping_(scene.damping) {
-    active_ = has_loads(scene) || damping_ > 0;
-    if (!active_) return;
-    work_.assign(initial.size(), 0);
-    damped_.assign(initial.size(), 0);
-    force_.assign(initial.size(), V{});
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-      for (const Load& load : scene.bodies[b].loads)
-        regions_.push_back({load.ramp, shares(load, scene, initial, static_cast<int>(b))});
-  }
+  /// Throws SceneError where all particles of a region are held.
+  Loads(const Scene& scene, const InitialParticles& initial);
 
   /// Tractions act on the face instead of the outermost layer, for methods whose neighbours are those of the
   /// start: see solver/face_loads.hpp. A region that is no layer keeps what it has. `surface` is S by id,
@@ -49,21 +37,7 @@ class Loads {
 
   /// `t`, s, is the middle of the time that the velocities of a step go through. Not for use inside a pass:
   /// expressions serve one thread.
-  void set_time(double t) {
-    if (!active_) return;
-    for (int k = 0; k < Dim; ++k) g_[k] = gravity_[k] ? gravity_[k](t) : 0;
-    bool changed = false;
-    for (Region& region : regions_) {
-      const double now = region.ramp ? region.ramp(t) : 1;
-      changed |= now != region.now;
-      region.now = now;
-    }
-    if (!changed) return;
-    for (const Region& region : regions_)
-      for (const auto& [id, share] : region.shares) force_[id] = V{};
-    for (const Region& region : regions_)
-      for (const auto& [id, share] : region.shares) force_[id] += region.now * share;
-  }
+  void set_time(double t);
 
   /// On particle i, m/s²: of gravity alone where it is held or driven, which does not feel loads.
   V pull(const State<Dim>& s, int i, bool free) const { return free && active_ ? push(s, i) : g_; }
@@ -114,59 +88,5 @@ class Loads {
   std::vector<V> force_;               // [id] of all regions, N
   std::vector<double> work_, damped_;  // [id] J
 };
-
-template <int Dim>
-void Loads<Dim>::act_on_faces(const Scene& scene, const InitialParticles& initial, FaceRule rule,
-                              const std::vector<Point>& surface, double reach) {
-  if constexpr (Dim == 3) return;  // a layer of particles carries what acts on its face
-  NeighborLists near;
-  auto region = regions_.begin();
-  for (const Body& body : scene.bodies) {
-    for (const Load& load : body.loads) {
-      std::vector<std::pair<int, V>>& shares = (region++)->shares;
-      if (load.kind != Load::Kind::traction) continue;
-      if (near.empty()) near = initial_neighbors(initial, 2 * reach);
-      std::vector<int> ids;
-      for (const auto& [id, force] : shares) ids.push_back(id);
-      const FaceLayer layer = face_layer(load, initial, near, std::move(ids), scene.spacing);
-      if (layer.id.empty()) continue;
-      shares.clear();
-      for (const auto& [id, force] : face_shares(rule, layer, initial, near, surface, scene.spacing)) {
-        V f;
-        for (int k = 0; k < Dim; ++k) f[k] = force[k];
-        shares.emplace_back(id, f);
-      }
-    }
-  }
-}
-
-/// Throws SceneError where all particles of the region are held.
-template <int Dim>
-auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParticles& initial, int body)
-    -> std::vector<std::pair<int, V>> {
-  std::vector<int> free;
-  double volume = 0;
-  for (int id = initial.first[body]; id < initial.first[body + 1]; ++id) {
-    if (initial.held[id] || load.where(initial.x[id]) == 0) continue;
-    free.push_back(id);
-    volume += initial.V0[id];
-  }
-  const std::string& name = scene.bodies[body].name;
-  if (free.empty())
-    throw SceneError("body." + name + ".loaded",
-                     "a load of body '" + name + "' is on held particles only, which do not feel it");
-  // volumes that a unit of the load stands for: of all of the region, of a cubic metre, of a layer's face
-  const double over = load.kind == Load::Kind::force      ? volume
-                      : load.kind == Load::Kind::traction ? scene.spacing
-                                                          : 1;
-  std::vector<std::pair<int, V>> shares;
-  for (const int id : free) {
-    V force{};
-    for (int k = 0; k < Dim; ++k)
-      if (load.value[k]) force[k] = initial.V0[id] / over * load.value[k](initial.x[id]);
-    shares.emplace_back(id, force);
-  }
-  return shares;
-}
 
 }  // namespace taut::inline TAUT_ISA
