@@ -9,10 +9,11 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/measures.hpp"
+#include "tests/engine/dense.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
@@ -109,9 +110,9 @@ std::vector<double> frequencies(const Grid& grid) {
         add_point(grid.material, id, x, place[p / 3], place[p % 3], weight[p / 3] * weight[p % 3], K, M);
     }
   }
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(K, M, Eigen::EigenvaluesOnly);
+  const Eigen::VectorXd modes = eigenvalues(K, M);
   std::vector<double> f;
-  for (int k = 3; k < 12; ++k) f.push_back(std::sqrt(modes.eigenvalues()[k]) / (2 * std::numbers::pi));
+  for (int k = 3; k < 12; ++k) f.push_back(std::sqrt(modes[k]) / (2 * std::numbers::pi));
   return f;
 }
 
@@ -135,9 +136,9 @@ double annulus_frequency(const Elastic& material, double inner, double outer, in
     K += r * E / (1 - nu * nu) * B.transpose() * D * B;
     M += r * rho * N.transpose() * N;
   }
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(K, M, Eigen::EigenvaluesOnly);
+  const Eigen::VectorXd modes = eigenvalues(K, M);
   const int rigid = n < 2 ? 1 : 0;  // a turn, a shift
-  return std::sqrt(modes.eigenvalues()[rigid]) / (2 * std::numbers::pi);
+  return std::sqrt(modes[rigid]) / (2 * std::numbers::pi);
 }
 
 Measure frequency(const char* name, const char* probe, double low, double high) {

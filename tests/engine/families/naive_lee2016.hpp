@@ -11,8 +11,10 @@
 #include <numbers>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
 
+#include "tests/engine/dense.hpp"
 #include "tests/support/neighbor_sweep.hpp"
 
 namespace taut::test::naive_lee {
@@ -123,17 +125,14 @@ struct Run {
         right -= b.V * plain_laplacian(a, b) * dp * dp * basis;
       }
       a.L = M.inverse();
-      Eigen::FullPivLU<Mat<Dim + 1>> lu(A);
-      lu.setThreshold(1e-10);
-      Field solution = lu.solve(right);
-      if (!lu.isInvertible()) {  // at the corner of a cube
-        solution.setZero();
-        solution.template head<Dim>() =
-            A.template topLeftCorner<Dim, Dim>().llt().solve(right.template head<Dim>());
+      Eigen::VectorXd terms = solution(A, right, 1e-10);
+      if (terms.size() == 0) {  // at the corner of a cube
+        terms = Field::Zero();
+        terms.head<Dim>() = A.template topLeftCorner<Dim, Dim>().llt().solve(right.template head<Dim>());
         ++corners;
       }
-      a.alpha = solution.template head<Dim>() / (dp * dp * dp);
-      a.beta = solution[Dim] / (dp * dp * dp * dp);
+      a.alpha = terms.head<Dim>() / (dp * dp * dp);
+      a.beta = terms[Dim] / (dp * dp * dp * dp);
     }
   }
 
@@ -202,7 +201,7 @@ struct Run {
       A += particles[a].V * C.transpose() * C;
       right -= particles[a].V * C.transpose() * T[a];
     }
-    const Vec<unknowns> lambda = A.fullPivLu().solve(right);
+    const Vec<unknowns> lambda = solution(A, right);
     for (std::size_t a = 0; a < T.size(); ++a)
       if (particles[a].body == body)
         T[a] += turns(Z[a]) * lambda.template head<unknowns - Dim>() + lambda.template tail<Dim>();

@@ -15,8 +15,9 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
+#include "tests/engine/dense.hpp"
 #include "tests/support/neighbor_sweep.hpp"
 
 namespace taut::test::naive_reference {
@@ -149,8 +150,7 @@ struct Run {
   /// [TranDuc2023] §2.3: R ← E(v, α) R with v = Σ r_j × a_j / Σ r_j·a_j, in the plane.
   static Matrix rotation(const Matrix& A) {
     if constexpr (Dim == 3) {
-      const Eigen::JacobiSVD<Matrix> svd(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
-      return svd.matrixU() * svd.matrixV().transpose();
+      return rotation_by_singular_values(A);
     } else {
       double angle = std::atan2(A(1, 0), A(0, 0));
       for (int k = 0; k < 60; ++k) {

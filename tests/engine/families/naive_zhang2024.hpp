@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
+#include "tests/engine/dense.hpp"
 #include "tests/support/neighbor_sweep.hpp"
 
 /// The methods of [Zhang2024] in two and three dimensions, written a second time, straight from the paper:
@@ -207,11 +208,11 @@ class Run {
     Eigen::Matrix<double, Dim, Dim> sigma;
     for (int k = 0; k < Dim; ++k)
       for (int l = 0; l < Dim; ++l) sigma(k, l) = a.s[k][l] - (k == l ? a.p : 0);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Dim, Dim>> principal(sigma);
+    const PrincipalAxes<Dim> principal = axes_of(sigma);
     Matrix R{};
     for (int axis = 0; axis < Dim; ++axis) {
-      const auto n = principal.eigenvectors().col(axis);
-      const double tension = std::max(principal.eigenvalues()[axis], 0.0);
+      const auto n = principal.vectors.col(axis);
+      const double tension = std::max(principal.values[axis], 0.0);
       for (int k = 0; k < Dim; ++k)
         for (int l = 0; l < Dim; ++l) R[k][l] -= epsilon * tension / (a.rho * a.rho) * n[k] * n[l];
     }

@@ -3,11 +3,12 @@
 #include <random>
 #include <string>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <doctest/doctest.h>
 
 #include "engine/families/tl_mixed/boundary_projection.hpp"
 #include "engine/methods/lee2016.hpp"
+#include "tests/engine/dense.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
@@ -36,7 +37,7 @@ std::vector<std::pair<int, double>> seen_at(int i, const std::vector<Point>& X, 
     W.emplace_back(a, std::pow(1 - 0.5 * q, 4) * (1 + 2 * q));
     M += V[a] * W.back().second * basis(a) * basis(a).transpose();
   }
-  const Eigen::VectorXd c = M.inverse().col(0);
+  const Eigen::VectorXd c = solution(M, Eigen::VectorXd::Unit(1 + dim, 0));
   for (auto& [a, value] : W) value *= V[a] * c.dot(basis(a));
   return W;
 }

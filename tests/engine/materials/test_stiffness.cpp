@@ -4,10 +4,11 @@
 #include <cmath>
 #include <random>
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <doctest/doctest.h>
 
 #include "engine/materials/laws.hpp"
+#include "tests/engine/dense.hpp"
 #include "tests/support/relative.hpp"
 
 using namespace taut;
@@ -38,7 +39,7 @@ class Dice {
   Square<Dim> turn() {
     Square<Dim> Q;
     for (int k = 0; k < Dim; ++k) Q.col(k) = direction<Dim>();
-    Q = Eigen::HouseholderQR<Square<Dim>>(Q).householderQ() * Square<Dim>::Identity();
+    Q = orthogonal_factor(Q);
     if (Q.determinant() < 0) Q.col(0) *= -1;
     return Q;
   }
@@ -84,7 +85,7 @@ class Tangent {
       for (int b = 0; b < Dim; ++b)
         for (int c = 0; c < Dim; ++c)
           for (int k = 0; k < Dim; ++k) Q(a, b) += A_(a * Dim + c, b * Dim + k) * n[c] * n[k];
-    return Eigen::SelfAdjointEigenSolver<Square<Dim>>(0.5 * (Q + Q.transpose())).eigenvalues();
+    return eigenvalues(0.5 * (Q + Q.transpose()));
   }
   /// The greatest of all directions: of many, and then of ones near the best.
   double greatest(Dice& dice) const {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/balance.hpp"
