@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include <Eigen/SparseCholesky>
 
 #include "engine/core/parallel.hpp"
+#include "engine/families/bonded/off_lattice.hpp"
 
 namespace taut {
 namespace {
@@ -60,9 +60,10 @@ using Entries = std::vector<Eigen::Triplet<double>>;
 /// The bonds of one body, those that a turn maps onto each other as one unknown.
 class Sector {
  public:
-  Sector(const InitialParticles& initial, Bonds& bonds, int body, int threads)
+  Sector(const InitialParticles& initial, Bonds& bonds, int body, bool irregular, int threads)
       : initial_(initial),
         bonds_(bonds),
+        irregular_(irregular),
         threads_(threads),
         first_(initial.first[body]),
         last_(initial.first[body + 1]) {
@@ -94,7 +95,7 @@ class Sector {
   void find_reverse();
   void find_classes();
   void find_inside();
-  bool at_surface(int i) const;
+  void find_faces();
   /// f(b), b a bond of particle i
   template <class F>
   void for_each_bond(int i, const F& f) const {
@@ -116,13 +117,16 @@ class Sector {
 
   const InitialParticles& initial_;
   Bonds& bonds_;
+  bool irregular_;
   int threads_;
   int first_, last_;                  // particles of the body
   std::vector<int> turned_;           // InitialParticles::turned, or each itself
   std::vector<int> reverse_, class_;  // [bond − begin()]
   int classes_ = 0;
-  std::vector<unsigned char> inside_;  // [particle − first_]
-  std::vector<int> chosen_;            // one of the particles that a turn maps onto each other
+  // [particle − first_]
+  std::vector<unsigned char> at_surface_, inside_;
+  std::vector<Vector> along_face_;  // of length 1, of those near a flat face of an irregular body; others 0
+  std::vector<int> chosen_;         // one of the particles that a turn maps onto each other
 };
 
 void Sector::find_reverse() {
@@ -160,28 +164,56 @@ void Sector::find_classes() {
   }
 }
 
-/// No bond within a hundred degrees of directions
-bool Sector::at_surface(int i) const {
-  constexpr double widest = 100 * std::numbers::pi / 180;
-  std::vector<double> angle;
-  for_each_bond(i, [&](int b) { angle.push_back(std::atan2(bonds_.rows[b].X[1], bonds_.rows[b].X[0])); });
-  std::ranges::sort(angle);
-  if (angle.size() < 3) return true;
-  double gap = angle.front() + 2 * std::numbers::pi - angle.back();
-  for (std::size_t k = 1; k < angle.size(); ++k) gap = std::max(gap, angle[k] - angle[k - 1]);
-  return gap > widest;
-}
-
 void Sector::find_inside() {
-  std::vector<unsigned char> surface(last_ - first_);
-  parallel_for(last_ - first_, threads_,
-               [&](int k) { surface[k] = initial_.held[first_ + k] || at_surface(first_ + k); });
+  at_surface_.resize(last_ - first_);
+  parallel_for(last_ - first_, threads_, [&](int k) {
+    std::vector<Vector> X;
+    for_each_bond(first_ + k, [&](int b) { X.push_back(vector(bonds_.rows[b].X)); });
+    at_surface_[k] = initial_.held[first_ + k] || at_surface(X);
+  });
   inside_.assign(last_ - first_, 1);
   for (int i = first_; i < last_; ++i) {
-    if (surface[i - first_]) inside_[i - first_] = 0;
+    if (at_surface_[i - first_]) inside_[i - first_] = 0;
     for_each_bond(i, [&](int b) {
-      if (surface[bonds_.j[b] - first_]) inside_[i - first_] = 0;
+      if (at_surface_[bonds_.j[b] - first_]) inside_[i - first_] = 0;
     });
+  }
+}
+
+/// The face near a particle is across the sum of the surfaces (bonds.hpp) of those at it up to some bonds away,
+/// and flat where these point the same way.
+void Sector::find_faces() {
+  const int n = last_ - first_;
+  along_face_.assign(n, Vector::Zero());
+  if (!irregular_) return;
+  struct Face {
+    Vector sum = Vector::Zero();
+    double lengths = 0;
+  };
+  std::vector<Face> face(n), wider;
+  for (int i = first_; i < last_; ++i)
+    for_each_bond(i, [&](int b) {
+      const Vector g = initial_.V0[i] * vector(bonds_.gradient(i, b));
+      face[bonds_.j[b] - first_].sum += g, face[i - first_].sum -= g;
+    });
+  for (int k = 0; k < n; ++k) {
+    if (!at_surface_[k] || initial_.held[first_ + k]) face[k].sum.setZero();
+    face[k].lengths = face[k].sum.norm();
+  }
+  constexpr int away = 3;
+  for (int round = 0; round < away; ++round, face.swap(wider)) {
+    wider = face;
+    for (int i = first_; i < last_; ++i)
+      for_each_bond(i, [&](int b) {
+        const Face& other = face[bonds_.j[b] - first_];
+        wider[i - first_].sum += other.sum, wider[i - first_].lengths += other.lengths;
+      });
+  }
+  constexpr double flat = 0.93;
+  for (int k = 0; k < n; ++k) {
+    const Vector& N = face[k].sum;
+    if (inside_[k] || at_surface_[k] || !(N.norm() > flat * face[k].lengths)) continue;
+    along_face_[k] = Vector(-N[1], N[0]).normalized();
   }
 }
 
@@ -241,6 +273,7 @@ void Sector::least_change(Eigen::VectorXd& x, const Eigen::VectorXd& omega, cons
 
 /// Unknowns ξ, η of each pair: a_ij = (1 + ξ) α X + η α X⊥, seen from either side.
 void Sector::balance_areas() {
+  find_faces();
   std::vector<int> owner(2 * classes_, first_);
   for (int i = first_; i < last_; ++i)
     for_each_bond(i, [&](int b) { owner[pair(b)] = owner[pair(b) + 1] = i; });
@@ -249,9 +282,11 @@ void Sector::balance_areas() {
                [&](int i, int row, Entries& entries, std::vector<double>& target) {
                  add_area_rows(i, row, entries, target);
                });
-  constexpr double greatest =
-      6;  // times an area; beyond, gradients get so steep that corrected volumes turn negative
-  if (change.size() > 0 && change.cwiseAbs().maxCoeff() > greatest) return;
+  // of an area by itself; beyond, gradients get so steep that corrected volumes turn negative
+  constexpr double greatest = 6, greatest_irregular = 2.25;
+  const double most = change.size() > 0 ? change.cwiseAbs().maxCoeff() : 0;
+  if (!irregular_ && most > greatest) return;
+  if (irregular_ && most > greatest_irregular) change *= std::pow(greatest_irregular / most, 2);
   for (int b = begin(); b < end(); ++b) {
     const double along = 1 + change[pair(b)], across = change[pair(b) + 1];
     const Point a = bonds_.rows[b].area;
@@ -259,12 +294,14 @@ void Sector::balance_areas() {
   }
 }
 
-/// Σ_j a_ij ⊗ X_ij as it is, and where i is inside Σ_j (V_i B_i + V_j B_j) a_ij = 0.
+/// Σ_j a_ij ⊗ X_ij as it is, and where i is inside Σ_j (V_i B_i + V_j B_j) a_ij = 0, or its part along the face.
 void Sector::add_area_rows(int i, int row, Entries& entries, std::vector<double>& target) const {
   const Eigen::Matrix2d mine = area_of_unit(i);
   const double scale = mine.trace() / (2 * initial_.V0[i]);  // of B
   const double spacing = std::sqrt(initial_.V0[i]);
   const bool inside = inside_[i - first_];
+  const Vector& along_face = along_face_[i - first_];
+  const bool near_face = !along_face.isZero();
   Vector excess = Vector::Zero();
   for_each_bond(i, [&](int b) {
     const Vector a = vector(bonds_.rows[b].area), X = bond(b).X, across{-a[1], a[0]};
@@ -273,14 +310,16 @@ void Sector::add_area_rows(int i, int row, Entries& entries, std::vector<double>
       entries.emplace_back(row + k, pair(b) + 1, of_across);
     };
     for (int k = 0; k < 4; ++k) add(k, scale * a[k / 2] * X[k % 2], scale * across[k / 2] * X[k % 2]);
-    if (!inside) return;
+    if (!inside && !near_face) return;
     const Eigen::Matrix2d both = (mine + area_of_unit(bonds_.j[b])) / spacing;
     const Vector along = both * a, beside = both * across;
     excess += along;
+    if (near_face) return add(4, along_face.dot(along), along_face.dot(beside));
     for (int k = 0; k < 2; ++k) add(4 + k, along[k], beside[k]);
   });
   target.insert(target.end(), 4, 0.0);
   if (inside) target.insert(target.end(), {-excess[0], -excess[1]});
+  if (near_face) target.push_back(-along_face.dot(excess));
 }
 
 constexpr int strains = 3;
@@ -289,9 +328,10 @@ double stretch(int strain, const Vector& e) {  // e·H e of ε_xx, ε_yy, ε_xy
   return strain == 0 ? e[0] * e[0] : strain == 1 ? e[1] * e[1] : e[0] * e[1];
 }
 
-/// The force on i, if it is inside, of the bonds and of what is cancelled of them, over G and the spacing.
+/// The force on i, if it is inside, or of an irregular body not at the surface, of the bonds and of what is cancelled
+/// of them, over G and the spacing.
 void Sector::add_force_rows(int i, int row, Entries& entries, std::vector<double>& target) const {
-  if (!inside_[i - first_]) return;
+  if (irregular_ ? at_surface_[i - first_] : !inside_[i - first_]) return;
   const double spacing = std::sqrt(initial_.V0[i]);
   const auto add = [&](int b, const Vector& of_unit_stretch, const Vector& e) {
     for (int s = 0; s < strains; ++s)
@@ -332,14 +372,16 @@ void Sector::balance_weights() {
 
 }  // namespace
 
-void balance_areas(const InitialParticles& initial, Bonds& bonds, int threads) {
-  for (std::size_t body = 0; body + 1 < initial.first.size(); ++body)
-    Sector(initial, bonds, static_cast<int>(body), threads).balance_areas();
+void balance_areas(const InitialParticles& initial, const std::vector<bool>& irregular, Bonds& bonds,
+                   int threads) {
+  for (std::size_t body = 0; body < irregular.size(); ++body)
+    Sector(initial, bonds, static_cast<int>(body), irregular[body], threads).balance_areas();
 }
 
-void balance_weights(const InitialParticles& initial, Bonds& bonds, int threads) {
-  for (std::size_t body = 0; body + 1 < initial.first.size(); ++body)
-    Sector(initial, bonds, static_cast<int>(body), threads).balance_weights();
+void balance_weights(const InitialParticles& initial, const std::vector<bool>& irregular, Bonds& bonds,
+                     int threads) {
+  for (std::size_t body = 0; body < irregular.size(); ++body)
+    Sector(initial, bonds, static_cast<int>(body), irregular[body], threads).balance_weights();
 }
 
 }  // namespace taut

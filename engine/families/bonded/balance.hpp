@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "engine/families/bonded/bonds.hpp"
 #include "engine/scene/initial_particles.hpp"
 
@@ -18,12 +20,19 @@ namespace taut {
 /// the first term is the surface's share, which a traction balances. Of a body whose layout a turn maps onto
 /// itself (InitialParticles::turned) one sector is solved for: of an aligned ring one particle a layer.
 ///
-/// Layouts so irregular that an a_ij would change by more than six times itself, as of particles jittered by
-/// 0.1 dp, are left as they are: the gradients that balance them are steep, steps short and volumes negative.
+/// Of an irregular body (bonds.hpp) weights are balanced at each particle that is not itself at a surface or held,
+/// and of the first term of those nearer to one the part along the face is made 0 where the face is flat: what
+/// is left there pushes across it, as a traction does, and not along it.
+///
+/// Where an a_ij would change by more than six times itself, all of the body are left as they are: the gradients that
+/// balance them are steep, steps short and volumes negative. Of an irregular body where that is more than 2.25, as
+/// of particles jittered by 0.15 dp and more, all change by a part of it only, or it would fly apart.
 ///
 /// That is the force of first order in H. Of the second order a rest is left where a bond has no counterpart
 /// on the other side; on an aligned ring it falls with dp².
-void balance_areas(const InitialParticles& initial, Bonds& bonds, int threads = 1);
-void balance_weights(const InitialParticles& initial, Bonds& bonds, int threads = 1);
+void balance_areas(const InitialParticles& initial, const std::vector<bool>& irregular, Bonds& bonds,
+                   int threads);
+void balance_weights(const InitialParticles& initial, const std::vector<bool>& irregular, Bonds& bonds,
+                     int threads);
 
 }  // namespace taut

@@ -65,6 +65,13 @@ struct Bonds {
 /// the nearest on the axes, whose strain is that of its own place. With r0⁻⁴ in place of r0⁻⁸ the period of
 /// the plate at ten particles across was off by 0.18 %.
 ///
+/// Irregular bodies. Where most particles are not in the middle between two others, as far as round-off tells them
+/// apart, as of jittered ones, of packings and of a lattice that was written with six digits, bonds reach two
+/// spacings from the start. a_ij = X_ij/(1 + (r0/1.3 dp)⁸) sees the nearest alike: with r0⁻⁸ those that are a
+/// little nearer count several times as much. At the surface a missing neighbour is a missing bond, as in 3D: right
+/// weights of bonds to one side are far from even, and a homogeneous strain leaves forces there. The ring mode at
+/// dp = 1 mm jittered by 0.1 and 0.2 dp: 0.8 and 2.4 % too slow, with the rules of layers 4.5 and 10 %.
+///
 /// In 3D bodies are cubic lattices, or layers that are nearly ones, and simpler: a particle takes the 26
 /// nearest, with weights (½ + 4t/9, 1 − 8t/9, t) along axes, across faces and across the cube, t = 3/8, and
 /// the gradient from those on the axes alone. At a surface a missing neighbour is a missing bond; nothing is

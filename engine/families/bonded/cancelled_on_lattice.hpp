@@ -26,7 +26,8 @@ struct CancelledOnLattice {
   Face face[faces];
   Across across;  // in 3D
 
-  /// One more bond of the particle of this lane; false if it has no place here.
+  /// One more bond of the particle of this lane, which may lie along one that it has but for round-off; false if it
+  /// has no place here.
   bool add(int lane, const Sym<double, Dim>& dyad, double Gw);
   /// G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e under C
   Sym<Pack, Dim> slopes(const Sym<Pack, Dim>& C) const;
@@ -48,12 +49,12 @@ bool CancelledOnLattice<Dim>::add(int lane, const Sym<double, Dim>& dyad, double
   int axes = 0;
   for (int k = 0; k < Dim; ++k) axes += along(k);
   for (int k = 0; k < Dim && axes == 1; ++k)
-    if (along(k)) axis[k][lane] = Gw / 3;
+    if (along(k)) axis[k][lane] += Gw / 3;
   for (int n = 0; n < faces && axes == 2; ++n) {
     const auto [a, b] = plane(n);
     if (!along(a) || !along(b)) continue;
     Face& own = face[n];
-    own.third[dyad(a, b) > 0 ? 0 : 1][lane] = Gw / 3;
+    own.third[dyad(a, b) > 0 ? 0 : 1][lane] += Gw / 3;
     if (!agree(own.aa, lane, dyad(a, a)) || !agree(own.bb, lane, dyad(b, b)) ||
         !agree(own.ab, lane, std::abs(dyad(a, b))))
       return false;
@@ -61,7 +62,7 @@ bool CancelledOnLattice<Dim>::add(int lane, const Sym<double, Dim>& dyad, double
   if constexpr (Dim == 3) {
     if (axes < 3) return true;
     const bool xy = dyad(0, 1) > 0, xz = dyad(0, 2) > 0;
-    across.third[xy ? (xz ? 0 : 1) : (xz ? 2 : 3)][lane] = Gw / 3;
+    across.third[xy ? (xz ? 0 : 1) : (xz ? 2 : 3)][lane] += Gw / 3;
     for (int k = 0; k < dyad.size; ++k)
       if (!agree(across.dyad.c[k], lane, std::abs(dyad.c[k]))) return false;
   }

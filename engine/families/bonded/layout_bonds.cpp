@@ -9,6 +9,7 @@
 #include "engine/families/bonded/balance.hpp"
 #include "engine/families/bonded/bond_gradients.hpp"
 #include "engine/families/bonded/bond_moments.hpp"
+#include "engine/families/bonded/off_lattice.hpp"
 #include "engine/neighbors/initial_neighbors.hpp"
 
 namespace taut {
@@ -22,17 +23,24 @@ class LayoutBonds {
         spacing_(spacing),
         h_(h),
         threads_(threads),
-        least_reach_(initial.first.size() - 1, least_bond_reach),
-        near_(initial_neighbors(initial, greatest_bond_reach * h, threads)) {}
+        near_(initial_neighbors(initial, greatest_bond_reach * h, threads)) {
+    for (std::size_t body = 0; body + 1 < initial.first.size(); ++body) {
+      irregular_.push_back(is_irregular(body));
+      least_reach_.push_back(irregular_[body] ? wide_bond_reach : least_bond_reach);
+    }
+  }
 
   Bonds make() {
     make_balanced();
     bool wide = false;
-    for (const int body : with_pair_below(least_strength)) least_reach_[body] = wide_bond_reach, wide = true;
+    for (const int body : with_pair_below(least_strength))
+      if (!irregular_[body]) least_reach_[body] = wide_bond_reach, wide = true;
     if (wide) make_balanced();
-    for (const int body : with_pair_below(-least_strength))
+    for (const int body : with_pair_below(-least_strength)) {
+      if (irregular_[body]) continue;
       for (int b = out_.begin[initial_.first[body]]; b < out_.begin[initial_.first[body + 1]]; ++b)
         out_.rows[b].weight = unbalanced_[b];
+    }
     out_.off_lattice = changed_by_balance_;
     return std::move(out_);
   }
@@ -41,21 +49,29 @@ class LayoutBonds {
   /// Of (V_i w_ij + V_j w_ji)/V_i, which is about 2; of w_ij alone at a clamp.
   static constexpr double least_strength = 0.4;
   static constexpr double not_asked = -1;
+  static constexpr double weight_on_lattice = 1;  // of each of the eight nearest
 
-  /// a_ij over X_ij, of the spacing over r.
-  static double area_share(double per_r) {
-    const double squared = per_r * per_r, to_4 = squared * squared;
+  static constexpr double reach_of_nearest = 1.3;  // spacings
+
+  static double to_8(double a) {
+    const double squared = a * a, to_4 = squared * squared;
     return to_4 * to_4;
   }
+  /// a_ij over X_ij, of the spacing over r.
+  static double area_share(double per_r, bool irregular) {
+    return irregular ? 1 / (1 + 1 / to_8(reach_of_nearest * per_r)) : to_8(per_r);
+  }
+  bool is_irregular(std::size_t body) const;
+  bool is_between_two(int i) const;
   void make_balanced() {
     choose();
     set_ends();
     set_gradients();
-    balance_areas(initial_, out_, threads_);
+    balance_areas(initial_, irregular_, out_, threads_);
     set_gradients();
     unbalanced_.resize(out_.rows.size());
     std::ranges::transform(out_.rows, unbalanced_.begin(), &Bond::weight);
-    balance_weights(initial_, out_, threads_);
+    balance_weights(initial_, irregular_, out_, threads_);
     changed_by_balance_ = !std::ranges::equal(out_.rows, unbalanced_, {}, &Bond::weight);
   }
   void choose();
@@ -64,6 +80,7 @@ class LayoutBonds {
   std::vector<int> with_pair_below(double least) const;
 
   const InitialParticles& initial_;
+  std::vector<bool> irregular_;  // [body]
   double spacing_, h_;
   int threads_;
   std::vector<double> least_reach_;  // [body] of the bonds, in h
@@ -74,7 +91,33 @@ class LayoutBonds {
   Bonds out_;
 };
 
-/// Which others each particle asks for, and with which weights.
+/// Whether two others are as far on opposite sides, as in a row or a layer that a shape has laid.
+bool LayoutBonds::is_between_two(int i) const {
+  constexpr double alike = 1e-11, farthest = 1.5;  // spacings
+  constexpr double opposite = -0.4;                // cosine: the innermost layers of discs bend
+  std::vector<Eigen::Vector2d> near;
+  for (const int j : near_[i]) {
+    const Eigen::Vector2d X = vector_of<2>(initial_.x[j]) - vector_of<2>(initial_.x[i]);
+    if (X.norm() > farthest * spacing_) continue;
+    for (const Eigen::Vector2d& other : near)
+      if (std::abs(X.norm() - other.norm()) < alike * spacing_ && X.dot(other) < opposite * X.squaredNorm())
+        return true;
+    near.push_back(X);
+  }
+  return false;
+}
+
+/// Hardly any of jittered particles are; even of a lattice that is written with six digits.
+bool LayoutBonds::is_irregular(std::size_t body) const {
+  const int first = initial_.first[body], count = initial_.first[body + 1] - first;
+  std::vector<unsigned char> between(count);
+  parallel_for(count, threads_, [&](int k) { between[k] = is_between_two(first + k); });
+  return 2 * std::accumulate(between.begin(), between.end(), 0L) < count;
+}
+
+/// Which others each particle asks for, and with which weights. At the surface of an irregular body a missing
+/// neighbour is a missing bond; the others weigh what they do on a lattice, or less where they would be stiffer
+/// in some strain than the solid.
 void LayoutBonds::choose() {
   const Moments<2> moments;
   asked_.assign(near_.j.size(), not_asked);
@@ -84,6 +127,10 @@ void LayoutBonds::choose() {
     std::vector<double> w;
     std::vector<std::size_t> pairs;
     const double least = least_reach_[initial_.body[i]];
+    const auto ask = [&] {
+      std::fill_n(asked_.begin() + near_.begin[i], near.size(), not_asked);
+      for (std::size_t b = 0; b < pairs.size(); ++b) asked_[pairs[b]] = rounded_weight(w[b]);
+    };
     for (double reach = least; reach <= greatest_bond_reach; reach += 0.125) {
       X.clear(), w.clear(), pairs.clear();
       for (std::size_t k = 0; k < near.size(); ++k) {
@@ -93,10 +140,15 @@ void LayoutBonds::choose() {
         w.push_back(initial_.V0[near[k]] / one.squaredNorm());
         pairs.push_back(near_.begin[i] + k);
       }
+      if (irregular_[initial_.body[i]] && at_surface(X)) {
+        w.assign(X.size(), weight_on_lattice);
+        const double too_stiff = std::max(1.0, excess(X, w));
+        for (double& one : w) one /= too_stiff;
+        return ask();
+      }
       const bool right = moments.make_right(X, w);
       if (!right && reach > least) continue;  // the first choice stands if none is right
-      std::fill_n(asked_.begin() + near_.begin[i], near.size(), not_asked);
-      for (std::size_t b = 0; b < pairs.size(); ++b) asked_[pairs[b]] = rounded_weight(w[b]);
+      ask();
       if (right) break;
     }
   });
@@ -129,7 +181,7 @@ void LayoutBonds::set_ends() {
       out_.j[b] = j;
       out_.rows[b].weight = asked_[pair] == not_asked ? 0 : asked_[pair];
       out_.rows[b].X = point_of<2>(X);
-      out_.rows[b].area = point_of<2>(area_share(spacing_ / X.norm()) * X);
+      out_.rows[b].area = point_of<2>(area_share(spacing_ / X.norm(), irregular_[initial_.body[i]]) * X);
       ++b;
     }
   });

@@ -19,6 +19,20 @@ std::vector<Eigen::Vector3d> make_directions() {
   return all;
 }
 
+/// The greatest eigenvalue of what energies of strain bonds add up to; of_bond(e) is a strain along e in the basis
+/// in which the isotropic solid has 1.
+template <int Strains, int Dim, class OfBond>
+double greatest_ratio(const std::vector<Eigen::Vector<double, Dim>>& X, const std::vector<double>& w,
+                      const OfBond& of_bond) {
+  using Square = Eigen::Matrix<double, Strains, Strains>;
+  Square ratio = Square::Zero();
+  for (std::size_t b = 0; b < X.size(); ++b) {
+    const Eigen::Vector<double, Strains> one = of_bond(X[b].normalized());
+    ratio += w[b] * one * one.transpose();
+  }
+  return Eigen::SelfAdjointEigenSolver<Square>(ratio, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+}
+
 }  // namespace
 
 bool on_lattice(const std::vector<Eigen::Vector3d>& X, double spacing) {
@@ -27,6 +41,17 @@ bool on_lattice(const std::vector<Eigen::Vector3d>& X, double spacing) {
     const double r2 = one.squaredNorm() / (spacing * spacing);
     return std::abs(r2 - std::round(r2)) < alike;
   });
+}
+
+bool at_surface(const std::vector<Eigen::Vector2d>& X) {
+  constexpr double widest = 100 * std::numbers::pi / 180;
+  if (X.size() < 3) return true;
+  std::vector<double> angle;
+  for (const Eigen::Vector2d& one : X) angle.push_back(std::atan2(one[1], one[0]));
+  std::ranges::sort(angle);
+  double gap = angle.front() + 2 * std::numbers::pi - angle.back();
+  for (std::size_t k = 1; k < angle.size(); ++k) gap = std::max(gap, angle[k] - angle[k - 1]);
+  return gap > widest;
 }
 
 bool at_surface(const std::vector<Eigen::Vector3d>& X) {
@@ -38,21 +63,23 @@ bool at_surface(const std::vector<Eigen::Vector3d>& X) {
   });
 }
 
+double excess(const std::vector<Eigen::Vector2d>& X, const std::vector<double>& w) {
+  return greatest_ratio<3>(X, w, [](const Eigen::Vector2d& e) {
+    const double dilation = 1 / (2 * std::numbers::sqrt2);
+    return Eigen::Vector3d{dilation, e[0] * e[0] - 0.5, e[0] * e[1]};
+  });
+}
+
 double excess(const std::vector<Eigen::Vector3d>& X, const std::vector<double>& w) {
-  using Six = Eigen::Matrix<double, 6, 6>;
-  Six ratio = Six::Zero();  // in the basis in which the isotropic solid has 1
-  for (std::size_t b = 0; b < X.size(); ++b) {
-    const Eigen::Vector3d e = X[b].normalized();
+  return greatest_ratio<6>(X, w, [](const Eigen::Vector3d& e) {
     const double dilation = 1 / (3 * std::sqrt(5.0)), shear = 1 / std::numbers::sqrt2;
-    const Eigen::Vector<double, 6> of_bond{(e[0] * e[0] - 1.0 / 3) * shear + dilation,
-                                           (e[1] * e[1] - 1.0 / 3) * shear + dilation,
-                                           (e[2] * e[2] - 1.0 / 3) * shear + dilation,
-                                           e[1] * e[2],
-                                           e[0] * e[2],
-                                           e[0] * e[1]};
-    ratio += w[b] * of_bond * of_bond.transpose();
-  }
-  return Eigen::SelfAdjointEigenSolver<Six>(ratio, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+    return Eigen::Vector<double, 6>{(e[0] * e[0] - 1.0 / 3) * shear + dilation,
+                                    (e[1] * e[1] - 1.0 / 3) * shear + dilation,
+                                    (e[2] * e[2] - 1.0 / 3) * shear + dilation,
+                                    e[1] * e[2],
+                                    e[0] * e[2],
+                                    e[0] * e[1]};
+  });
 }
 
 }  // namespace taut

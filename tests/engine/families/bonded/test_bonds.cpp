@@ -185,15 +185,18 @@ TEST_SUITE("unit") {
     CHECK(unbalanced(disc, of_disc, depths(of_disc, 0, 0.018), 10) < 1e-10);
   }
 
-  TEST_CASE("bonds: nor does it on layers that are not aligned and on a jittered lattice") {
+  TEST_CASE("bonds: nor does it on layers that are not aligned and on jittered lattices") {
     constexpr double dp = 0.001;
     const Scene ring = alone(Ring{{}, 0.01, 0.028, RoundLayout::spaced}, dp);
     const InitialParticles of_ring = make_initial_particles(ring);
     CHECK(unbalanced(ring, of_ring, depths(of_ring, 0.01, 0.028), 7) < 1e-9);
     const Box box{{0, 0, 0}, {0.02, 0.018, 0}};
     const Scene block = alone(box, dp);
-    const InitialParticles jittered = jittered_by(0.05, make_initial_particles(block), dp);
-    CHECK(unbalanced(block, jittered, depths(jittered, box), 7) < 1e-9);
+    for (const double share : {1e-7, 0.05, 0.2}) {
+      CAPTURE(share);
+      const InitialParticles jittered = jittered_by(share, make_initial_particles(block), dp);
+      CHECK(unbalanced(block, jittered, depths(jittered, box), 7) < 1e-9);
+    }
   }
 
   TEST_CASE("bonds: the gradient of a linear field is exact at every particle") {
