@@ -36,7 +36,11 @@ Eigen::MatrixXd orthogonal_factor(const Eigen::MatrixXd& A) {
          Eigen::MatrixXd::Identity(A.rows(), A.rows());
 }
 
-Eigen::VectorXd solution(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, double threshold) {
+Eigen::VectorXd solution(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
+  return A.fullPivLu().solve(b);
+}
+
+Eigen::VectorXd solution_if_any(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, double threshold) {
   Eigen::FullPivLU<Eigen::MatrixXd> lu(A);
   lu.setThreshold(threshold);
   if (!lu.isInvertible()) return {};

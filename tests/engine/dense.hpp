@@ -22,7 +22,9 @@ Eigen::Matrix3d rotation_by_singular_values(const Eigen::Matrix3d& A);
 /// Q of A = Q R.
 Eigen::MatrixXd orthogonal_factor(const Eigen::MatrixXd& A);
 
-/// x of A x = b by full pivoting; empty where pivots are less than `threshold` of the greatest.
-Eigen::VectorXd solution(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, double threshold = 1e-14);
+/// x of A x = b by full pivoting.
+Eigen::VectorXd solution(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
+/// Empty where pivots are less than `threshold` of the greatest.
+Eigen::VectorXd solution_if_any(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, double threshold);
 
 }  // namespace taut::test

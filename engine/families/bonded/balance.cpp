@@ -282,10 +282,11 @@ void Sector::balance_areas() {
                [&](int i, int row, Entries& entries, std::vector<double>& target) {
                  add_area_rows(i, row, entries, target);
                });
-  // of an area by itself; beyond, gradients get so steep that corrected volumes turn negative
+  // of a_ij over itself; beyond, gradients get so steep that corrected volumes turn negative
   constexpr double greatest = 6, greatest_irregular = 2.25;
   const double most = change.size() > 0 ? change.cwiseAbs().maxCoeff() : 0;
   if (!irregular_ && most > greatest) return;
+  // squared: the more a layout asks for, the less of it goes well
   if (irregular_ && most > greatest_irregular) change *= std::pow(greatest_irregular / most, 2);
   for (int b = begin(); b < end(); ++b) {
     const double along = 1 + change[pair(b)], across = change[pair(b) + 1];
@@ -302,7 +303,7 @@ void Sector::add_area_rows(int i, int row, Entries& entries, std::vector<double>
   const bool inside = inside_[i - first_];
   const Vector& along_face = along_face_[i - first_];
   const bool near_face = !along_face.isZero();
-  Vector excess = Vector::Zero();
+  Vector left_over = Vector::Zero();
   for_each_bond(i, [&](int b) {
     const Vector a = vector(bonds_.rows[b].area), X = bond(b).X, across{-a[1], a[0]};
     const auto add = [&](int k, double of_along, double of_across) {
@@ -313,13 +314,13 @@ void Sector::add_area_rows(int i, int row, Entries& entries, std::vector<double>
     if (!inside && !near_face) return;
     const Eigen::Matrix2d both = (mine + area_of_unit(bonds_.j[b])) / spacing;
     const Vector along = both * a, beside = both * across;
-    excess += along;
+    left_over += along;
     if (near_face) return add(4, along_face.dot(along), along_face.dot(beside));
     for (int k = 0; k < 2; ++k) add(4 + k, along[k], beside[k]);
   });
   target.insert(target.end(), 4, 0.0);
-  if (inside) target.insert(target.end(), {-excess[0], -excess[1]});
-  if (near_face) target.push_back(-along_face.dot(excess));
+  if (inside) target.insert(target.end(), {-left_over[0], -left_over[1]});
+  if (near_face) target.push_back(-along_face.dot(left_over));
 }
 
 constexpr int strains = 3;

@@ -26,7 +26,7 @@ namespace taut {
 ///
 /// Where an a_ij would change by more than six times itself, all of the body are left as they are: the gradients that
 /// balance them are steep, steps short and volumes negative. Of an irregular body where that is more than 2.25, as
-/// of particles jittered by 0.15 dp and more, all change by a part of it only, or it would fly apart.
+/// of particles jittered by 0.15 dp and more, all change by (2.25/that)² of it: by all of it the body would fly apart.
 ///
 /// That is the force of first order in H. Of the second order a rest is left where a bond has no counterpart
 /// on the other side; on an aligned ring it falls with dp².

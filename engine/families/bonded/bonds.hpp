@@ -65,11 +65,12 @@ struct Bonds {
 /// the nearest on the axes, whose strain is that of its own place. With r0⁻⁴ in place of r0⁻⁸ the period of
 /// the plate at ten particles across was off by 0.18 %.
 ///
-/// Irregular bodies. Where most particles are not in the middle between two others, as far as round-off tells them
-/// apart, as of jittered ones, of packings and of a lattice that was written with six digits, bonds reach two
-/// spacings from the start. a_ij = X_ij/(1 + (r0/1.3 dp)⁸) sees the nearest alike: with r0⁻⁸ those that are a
-/// little nearer count several times as much. At the surface a missing neighbour is a missing bond, as in 3D: right
-/// weights of bonds to one side are far from even, and a homogeneous strain leaves forces there. The ring mode at
+/// Irregular bodies. Where most free particles have no two others near them that are equally far, to round-off, as
+/// of jittered ones, of packings and of a lattice that was written with six digits, bonds reach two spacings from
+/// the start. a_ij = X_ij/(1 + (r0/1.3 dp)⁸) sees the nearest alike: with r0⁻⁸ those that are a
+/// little nearer count several times as much. At the surface a missing neighbour is a missing bond, as in 3D, and
+/// the others have one weight: right weights of bonds to one side are far from even, and a homogeneous strain
+/// leaves forces there. The ring mode at
 /// dp = 1 mm jittered by 0.1 and 0.2 dp: 0.8 and 2.4 % too slow, with the rules of layers 4.5 and 10 %.
 ///
 /// In 3D bodies are cubic lattices, or layers that are nearly ones, and simpler: a particle takes the 26
@@ -82,7 +83,7 @@ struct Bonds {
 /// multiple of h/8 up to 3h that has any. Of another one weights become less where its bonds would be stiffer in
 /// some strain than the solid with λ = μ that they stand for: nowhere may more be cancelled of them than W gives
 /// (for ν ≥ 1/4), or the body has no least energy and flies apart. Who has too little of a gradient from the
-/// nearest takes it from all its bonds, by r0⁻⁸ as in 2D. A homogeneous strain leaves forces there.
+/// nearest takes it from all its bonds, by r0⁻⁸ as on layers in 2D. A homogeneous strain leaves forces there.
 ///
 /// Clamp. A bond from a free particle into a held region ends where it meets the region's face. Held on to
 /// the held particles themselves, half a spacing behind the face, a cantilever is longer by that half

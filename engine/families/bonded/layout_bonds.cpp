@@ -33,15 +33,12 @@ class LayoutBonds {
   Bonds make() {
     make_balanced();
     bool wide = false;
-    for (const int body : with_pair_below(least_strength))
-      if (!irregular_[body]) least_reach_[body] = wide_bond_reach, wide = true;
+    for (const int body : with_pair_below(least_strength)) least_reach_[body] = wide_bond_reach, wide = true;
     if (wide) make_balanced();
-    for (const int body : with_pair_below(-least_strength)) {
-      if (irregular_[body]) continue;
+    for (const int body : with_pair_below(-least_strength))
       for (int b = out_.begin[initial_.first[body]]; b < out_.begin[initial_.first[body + 1]]; ++b)
         out_.rows[b].weight = unbalanced_[b];
-    }
-    out_.off_lattice = changed_by_balance_;
+    out_.off_lattice = changed_by_balance_ || std::ranges::count(irregular_, true) > 0;
     return std::move(out_);
   }
 
@@ -49,7 +46,8 @@ class LayoutBonds {
   /// Of (V_i w_ij + V_j w_ji)/V_i, which is about 2; of w_ij alone at a clamp.
   static constexpr double least_strength = 0.4;
   static constexpr double not_asked = -1;
-  static constexpr double weight_on_lattice = 1;  // of each of the eight nearest
+  static constexpr double greatest_at_surface =
+      1;  // w of an irregular body, that of the eight nearest of a lattice
 
   static constexpr double reach_of_nearest = 1.3;  // spacings
 
@@ -62,7 +60,7 @@ class LayoutBonds {
     return irregular ? 1 / (1 + 1 / to_8(reach_of_nearest * per_r)) : to_8(per_r);
   }
   bool is_irregular(std::size_t body) const;
-  bool is_between_two(int i) const;
+  bool has_equal_neighbors(int i) const;
   void make_balanced() {
     choose();
     set_ends();
@@ -91,33 +89,33 @@ class LayoutBonds {
   Bonds out_;
 };
 
-/// Whether two others are as far on opposite sides, as in a row or a layer that a shape has laid.
-bool LayoutBonds::is_between_two(int i) const {
+/// Whether two others near it are equally far, as in a row or a layer that a shape has laid.
+bool LayoutBonds::has_equal_neighbors(int i) const {
   constexpr double alike = 1e-11, farthest = 1.5;  // spacings
-  constexpr double opposite = -0.4;                // cosine: the innermost layers of discs bend
-  std::vector<Eigen::Vector2d> near;
-  for (const int j : near_[i]) {
-    const Eigen::Vector2d X = vector_of<2>(initial_.x[j]) - vector_of<2>(initial_.x[i]);
-    if (X.norm() > farthest * spacing_) continue;
-    for (const Eigen::Vector2d& other : near)
-      if (std::abs(X.norm() - other.norm()) < alike * spacing_ && X.dot(other) < opposite * X.squaredNorm())
-        return true;
-    near.push_back(X);
-  }
-  return false;
+  constexpr double ulps = 8;                       // of where it is
+  const auto at = [&](int k) { return vector_of<2>(initial_.x[k]); };
+  const double tolerance = alike * spacing_ + ulps * 0x1p-52 * at(i).cwiseAbs().maxCoeff();
+  std::vector<double> r;
+  for (const int j : near_[i])
+    if (const double one = (at(j) - at(i)).norm(); one < farthest * spacing_) r.push_back(one);
+  std::ranges::sort(r);
+  return std::ranges::adjacent_find(r, [&](double a, double b) { return b - a < tolerance; }) != r.end();
 }
 
-/// Hardly any of jittered particles are; even of a lattice that is written with six digits.
+/// Hardly any particle of a jittered body has them, nor of a lattice that was written with six digits; what is held
+/// may have been laid otherwise.
 bool LayoutBonds::is_irregular(std::size_t body) const {
   const int first = initial_.first[body], count = initial_.first[body + 1] - first;
-  std::vector<unsigned char> between(count);
-  parallel_for(count, threads_, [&](int k) { between[k] = is_between_two(first + k); });
-  return 2 * std::accumulate(between.begin(), between.end(), 0L) < count;
+  std::vector<unsigned char> equal(count);
+  parallel_for(count, threads_,
+               [&](int k) { equal[k] = initial_.held[first + k] == 0 && has_equal_neighbors(first + k); });
+  const auto free = std::count(&initial_.held[first], &initial_.held[first] + count, 0);
+  return 2 * std::ranges::count(equal, 1) < free;
 }
 
 /// Which others each particle asks for, and with which weights. At the surface of an irregular body a missing
-/// neighbour is a missing bond; the others weigh what they do on a lattice, or less where they would be stiffer
-/// in some strain than the solid.
+/// neighbour is a missing bond; the others weigh the same, as much as leaves them no stiffer than the solid in any
+/// strain.
 void LayoutBonds::choose() {
   const Moments<2> moments;
   asked_.assign(near_.j.size(), not_asked);
@@ -141,7 +139,7 @@ void LayoutBonds::choose() {
         pairs.push_back(near_.begin[i] + k);
       }
       if (irregular_[initial_.body[i]] && at_surface(X)) {
-        w.assign(X.size(), weight_on_lattice);
+        w.assign(X.size(), greatest_at_surface);
         const double too_stiff = std::max(1.0, excess(X, w));
         for (double& one : w) one /= too_stiff;
         return ask();
@@ -187,11 +185,14 @@ void LayoutBonds::set_ends() {
   });
 }
 
-/// The bodies whose balance has left a pair of particles less than this strength.
+/// The bodies whose balance has left a pair of particles less than this strength. Not irregular ones, which reach
+/// far already and where a few pairs that push when they are pulled do less harm than no balance does.
 std::vector<int> LayoutBonds::with_pair_below(double least) const {
   std::vector<int> bodies;
   for (int i = 0; i < initial_.size(); ++i) {
-    if (initial_.held[i] || (!bodies.empty() && bodies.back() == initial_.body[i])) continue;
+    if (initial_.held[i] || irregular_[initial_.body[i]] ||
+        (!bodies.empty() && bodies.back() == initial_.body[i]))
+      continue;
     for (int b = out_.begin[i]; b < out_.begin[i + 1]; ++b) {
       const int j = out_.j[b];
       const int* last = out_.j.data() + out_.begin[j + 1];

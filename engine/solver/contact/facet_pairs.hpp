@@ -21,6 +21,7 @@ enum class PairsOf {
 
 /// Finds the pairs of facets that are near each other and do not look the same way: of clusters of neighbouring
 /// facets first, by the boxes around them and how much their normals spread, then of facets, four at a time.
+/// All pairs of clusters are gone through, of which 25 000 facets have some 2 000.
 class FacetPairs {
  public:
   using V = Vec<double, 3>;
@@ -170,7 +171,8 @@ class FacetPairs {
   std::vector<int> body_, cluster_;
   std::vector<int> order_;
   // of a search
-  std::array<std::vector<double>, 3> now_, then_, normal_;  // [candidate] m
+  std::array<std::vector<double>, 3> now_, then_;  // [candidate] m
+  std::array<std::vector<double>, 3> normal_;      // [candidate]
   std::vector<int> of_body_;
   std::vector<int> begin_;  // [cluster] its candidates
   std::vector<Cluster> clusters_;

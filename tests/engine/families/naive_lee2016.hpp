@@ -125,7 +125,7 @@ struct Run {
         right -= b.V * plain_laplacian(a, b) * dp * dp * basis;
       }
       a.L = M.inverse();
-      Eigen::VectorXd terms = solution(A, right, 1e-10);
+      Eigen::VectorXd terms = solution_if_any(A, right, 1e-10);
       if (terms.size() == 0) {  // at the corner of a cube
         terms = Field::Zero();
         terms.head<Dim>() = A.template topLeftCorner<Dim, Dim>().llt().solve(right.template head<Dim>());

@@ -10,7 +10,8 @@
 #include <set>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/balance.hpp"

@@ -68,6 +68,7 @@ double half_period(const Scene& scene, double until) {
   const std::vector<double>&t = simulation->series().time, &y = simulation->series().value[0];
   for (std::size_t k = 2; k < t.size(); ++k)
     if ((y[k - 1] > 0) != (y[k] > 0)) return t[k - 1] + (t[k] - t[k - 1]) * y[k - 1] / (y[k - 1] - y[k]);
+  FAIL("it does not come back");
   return 0;
 }
 
@@ -160,21 +161,25 @@ TEST_SUITE("analytic") {
     // balanced like layers they were 1 to 5 % too slow from 1e-9 on
     for (const double share : {1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-7, 1e-5, 1e-3}) {
       CAPTURE(share);
-      CHECK(half_period(jittered(plate, share), 0.15) == relative(lattice, share < 1e-9 ? 1e-5 : 0.01));
+      CHECK(half_period(jittered(plate, share), 0.2) == relative(lattice, share < 1e-11 ? 1e-5 : 0.01));
     }
   }
 
   TEST_CASE("oenog: a jittered ring and plate swing a little too slowly, the finer the less") {
     const auto too_slow = [](const Scene& scene, double share, double lattice) {
-      return half_period(jittered(scene, share), 1.2 * lattice) / lattice - 1;
+      return half_period(jittered(scene, share), 1.5 * lattice) / lattice - 1;
     };
     const Scene coarse = ringing(0.002), fine = ringing(0.001), plate = oscillating_plate(0.01, 10);
     const double of_coarse = half_period(coarse, 0.006), of_fine = half_period(fine, 0.006),
                  of_plate = half_period(plate, 0.15);
-    CHECK(too_slow(coarse, 0.1, of_coarse) < 0.02);
-    CHECK(too_slow(fine, 0.1, of_fine) < 0.01);
-    CHECK(too_slow(coarse, 0.2, of_coarse) < 0.05);
-    CHECK(too_slow(fine, 0.2, of_fine) < 0.03);
+    for (const auto& [share, most] : {std::pair(0.1, 0.01), std::pair(0.2, 0.03)}) {
+      CAPTURE(share);
+      const double of_two = too_slow(coarse, share, of_coarse), of_one = too_slow(fine, share, of_fine);
+      CHECK(of_one > 0);
+      CHECK(of_one < most);
+      CHECK(of_one < of_two);
+      CHECK(of_two < 2 * most);
+    }
     CHECK(too_slow(plate, 0.1, of_plate) < 0.015);
     CHECK(too_slow(plate, 0.2, of_plate) < 0.04);
   }
@@ -215,6 +220,8 @@ TEST_SUITE("failure") {
       make_steps(*simulation, 20);
       return simulation->time();
     };
+    const Scene plate = oscillating_plate(0.01, 5);
+    CHECK(time_of(jittered(plate, 0.2)) == relative(time_of(plate), 0.01));
     const double lattice = time_of(block(6));
     CHECK(time_of(jittered(block(6), 0.05)) == relative(lattice, 0.05));
     const double jumbled = time_of(jittered(block(6), 0.2)) / lattice;
