@@ -122,10 +122,9 @@ void FaceContacts<Dim>::search_others(const WallContacts<Dim>& walls) {
 /// there are right angles in many a body, which would ask for a search every few steps.
 template <int Dim>
 bool FaceContacts<Dim>::looks_aside(int node, int segment) const {
-  constexpr double near = 4, beyond_right = -0.1;  // spacings; cosine
   const auto& [a, b] = faces_.segment(segment).node;
   const V D = faces_.x0(node) - 0.5 * (faces_.x0(a) + faces_.x0(b));
-  const double least = dot(D, D) < near * near * dp_ * dp_ ? beyond_right : aside;
+  const double least = dot(D, D) < close_by * close_by * dp_ * dp_ ? folded : aside;
   return std::ranges::all_of(faces_.outline().beside[node], [&](int k) {
     return k == Outline::none || dot(normal_[k], normal_[segment]) >= least;
   });

@@ -70,6 +70,8 @@ class FaceContacts {
   static constexpr double horizon = 4;       // how far a search looks, for how long it may hold
   static constexpr double far_apart = 3;     // the two faces of a thinner wall do not act on each other
   static constexpr double aside = 0.5;       // cosine of normals from which on two faces are far from facing
+  static constexpr double close_by = 4;      // at the start: such faces face each other only where the body
+  static constexpr double folded = -0.1;     // has folded, below this cosine of normals
   static constexpr double turn_slack = 0.5;  // of two nodes around the particles behind them
 
   void refuse_thin(const Scene& scene) const;
