@@ -46,10 +46,8 @@ class LayoutBonds {
   /// Of (V_i w_ij + V_j w_ji)/V_i, which is about 2; of w_ij alone at a clamp.
   static constexpr double least_strength = 0.4;
   static constexpr double not_asked = -1;
-  static constexpr double greatest_at_surface =
-      1;  // w of an irregular body, that of the eight nearest of a lattice
-
-  static constexpr double reach_of_nearest = 1.3;  // spacings
+  static constexpr double greatest_at_surface = 1;  // w of irregular bodies, as of a lattice's eight nearest
+  static constexpr double reach_of_nearest = 1.3;   // spacings, of irregular bodies
 
   static double to_8(double a) {
     const double squared = a * a, to_4 = squared * squared;
