@@ -222,7 +222,7 @@ const Texts sweep_rules{
     "my-sweep.toml`.",
     "What can be set: the parameters of the scene; method.NAME, a constant of the method; method, spacing, "
     "until, "
-    "cfl, stepping, contact, law.",
+    "cfl, stepping, contact, law, jitter, jitter_seed.",
     "A study is a sweep with a [chart], a [map] or a [history]: pictures of its results."};
 
 }  // namespace

@@ -44,6 +44,9 @@ std::vector<Remark> remarks_on(const SceneFile& file) {
     remarks.push_back(
         {p.name, p.name + " = " + brief(p.value) + (p.unit.empty() || p.unit == "1" ? "" : " " + p.unit)});
   remarks.push_back({"spacing", spacing_text(file.scene.spacing)});
+  if (const Jitter& jitter = file.scene.jitter; jitter.share > 0)
+    remarks.push_back({"jitter", "jittered by " + brief(jitter.share) + " dp" +
+                                     (jitter.seed == 1 ? "" : ", seed " + std::to_string(jitter.seed))});
   add_settings(remarks, file);
   return remarks;
 }

@@ -64,6 +64,8 @@ std::string value_in(const SceneFile& file, const Setting& setting) {
     return exact(file.settings.constants.at(setting.name.substr(prefix.size())));
   if (setting.name == "until") return exact(file.scene.until);
   if (setting.name == "cfl") return exact(file.settings.cfl);
+  if (setting.name == "jitter") return exact(file.scene.jitter.share);
+  if (setting.name == "jitter_seed") return std::to_string(file.scene.jitter.seed);
   if (setting.name == "law") return file.settings.law;
   if (setting.name == "contact") return std::string(name(file.scene.contact));
   if (setting.name == "stepping") return file.settings.stepping == Stepping::single ? "single" : "dual";

@@ -20,12 +20,12 @@ struct Target {
 constexpr Target targets[] = {
     {"method", &Changes::method}, {"spacing", &Changes::spacing},   {"until", &Changes::until},
     {"cfl", &Changes::cfl},       {"stepping", &Changes::stepping}, {"contact", &Changes::contact},
-    {"law", &Changes::law}};
+    {"law", &Changes::law},       {"jitter", &Changes::jitter},     {"jitter_seed", &Changes::jitter_seed}};
 
 // what a scene's own expressions and --set give a meaning to
 const std::vector<std::string> reserved_names = {
-    "dp", "pi", "x",      "y",       "z",     "t",   "c0",       "E",       "nu",       "rho",
-    "K",  "G",  "method", "spacing", "until", "cfl", "stepping", "contact", "touching", "law"};
+    "dp", "pi",     "x",       "y",     "z",   "t",        "c0",      "E",        "nu",  "rho",    "K",
+    "G",  "method", "spacing", "until", "cfl", "stepping", "contact", "touching", "law", "jitter", "jitter_seed"};
 
 std::string bounds_text(const Parameter& parameter) {
   const std::string low = parameter.low ? exact(*parameter.low) : "any",

@@ -1,6 +1,7 @@
 #include "cli/scene/scene_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "cli/scene/sections.hpp"
@@ -66,6 +67,38 @@ void read_times(TomlCursor& root, const Changes& changes, double dp, SceneFile& 
   root.table().set("history", TomlValue(*file.history));
 }
 
+std::string check_jitter(double share) {
+  return share >= 0 && share < Jitter::least_unusable
+             ? ""
+             : "jitter = " + exact(share) + " must be at least 0 and below " + exact(Jitter::least_unusable) +
+                   ": in spacings, by how much each particle is moved at random to either side along each axis";
+}
+
+std::string check_seed(double seed) {
+  constexpr double greatest = 1e9;
+  return seed == std::floor(seed) && seed >= 1 && seed <= greatest
+             ? ""
+             : "jitter_seed = " + exact(seed) + " must be a whole number from 1 to " + exact(greatest);
+}
+
+/// The number `key`, as it was changed; `check` says what is wrong with one, in the file or in the change.
+double checked_number(TomlCursor& root, const char* key, double otherwise,
+                      const std::optional<std::string>& change, std::string (*check)(double)) {
+  double value = root.number(key, otherwise);
+  if (const std::string wrong = check(value); !wrong.empty()) root.fail(root.need(key), key, wrong);
+  if (!change) return value;
+  value = changed_number(key, *change, root.names());
+  if (const std::string wrong = check(value); !wrong.empty()) throw UsageError(wrong);
+  root.table().set(key, TomlValue(value));
+  return value;
+}
+
+void read_jitter(TomlCursor& root, const Changes& changes, Jitter& jitter) {
+  jitter.share = checked_number(root, "jitter", jitter.share, changes.jitter, check_jitter);
+  jitter.seed = static_cast<int>(
+      checked_number(root, "jitter_seed", jitter.seed, changes.jitter_seed, check_seed));
+}
+
 /// A parameter with a `default` comes from a resolved scene, where an override may have replaced what used
 /// it.
 void refuse_unused_parameters(TomlCursor& root, const TomlValue& original, const TomlSource& source) {
@@ -90,6 +123,7 @@ class SceneReading {
     read_parameters(root_, changes, dp, file_);
     read_settings(root_, changes, file_);
     read_times(root_, changes, dp, file_);
+    read_jitter(root_, changes, file_.scene.jitter);
     read_outside(root_, file_.scene);
     read_materials(root_, file_.scene);
     read_bodies(root_, keeps_neighbors(find_method(file_.settings.method)->formulation), file_);

@@ -26,8 +26,8 @@ struct Parameter {
 };
 
 /// One thing that is changed about a scene file, whose other values stand: what `--set name=value` says. The
-/// name is a parameter, "method.CONSTANT" or one of method, spacing, until, cfl, stepping, contact, law; the
-/// value is a number, an expression of the parameters before it, or a name.
+/// name is a parameter, "method.CONSTANT" or one of method, spacing, until, cfl, stepping, contact, law, jitter,
+/// jitter_seed; the value is a number, an expression of the parameters before it, or a name.
 struct Setting {
   std::string name, value;
   FilePlace place = {};  // in a sweep file; unknown for the command line

@@ -22,7 +22,7 @@ namespace taut::cli {
 
 /// Settings by what they change.
 struct Changes {
-  std::optional<std::string> method, stepping, contact, law, cfl, spacing, until;
+  std::optional<std::string> method, stepping, contact, law, cfl, spacing, until, jitter, jitter_seed;
   std::map<std::string, std::string> parameters;
   std::map<std::string, std::string> constants;  // of the method
 };

@@ -36,7 +36,7 @@ std::string reason_against(const std::string& name, const SceneFile& file) {
   if (is("until")) return "the session goes on as long as it is told to; `run until T`";
   for (const Parameter& parameter : file.parameters)
     if (name == parameter.name) return "the bodies of t = 0 were made from it";
-  return is("spacing") ? "the particles stand already" : "";
+  return is("spacing") || is("jitter") || is("jitter_seed") ? "the particles stand already" : "";
 }
 
 }  // namespace

@@ -73,8 +73,8 @@ void declare_sweep_options(CLI::App& app, SweepOptions& o) {
       ->option_text(" ")
       ->required();
   app.add_option("--grid", o.grid,
-                 "what to vary: a name that --set takes, or method, spacing, until, cfl, stepping, contact; "
-                 "the values "
+                 "what to vary: a name that --set takes, or method, spacing, until, cfl, stepping, contact, "
+                 "law, jitter; the values "
                  "are v1,v2,... or lo:hi:step with both ends. Several --grid: every combination")
       ->option_text("NAME=VALUES ...")
       ->allow_extra_args(false);

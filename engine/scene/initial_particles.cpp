@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 #include <span>
 #include <variant>
 
 #include <fmt/format.h>
 
+#include "engine/core/index.hpp"
 #include "engine/error.hpp"
 #include "engine/scene/overlap.hpp"
 #include "engine/scene/shape_members.hpp"
@@ -142,6 +144,7 @@ std::vector<InitialSite> sites_on_boundary(const Box& box, int dim, double dp) {
           site.x[a] = at[a] == last[a] ? box.high[a] : box.low[a] + static_cast<double>(at[a]) * pitch[a];
           site.V0 *= on_face ? 0.5 * pitch[a] : pitch[a];
           if (on_face) site.inside *= 0.5;
+          site.on_face[as_index(a)] = on_face;
         }
         sites.push_back(site);
       }
@@ -157,12 +160,28 @@ std::vector<InitialSite> own_sites(const Body& body, int dim, double dp) {
   return sites_of(body.shapes.front(), dim, dp);
 }
 
+/// Particles on faces stay on them. The numbers are the same with every compiler.
+void jitter_sites(std::vector<InitialSite>& sites, const Jitter& jitter, int dim, double dp) {
+  if (jitter.share == 0) return;
+  std::mt19937_64 random(static_cast<std::uint64_t>(jitter.seed));
+  for (InitialSite& site : sites) {
+    site.turned = -1;
+    for (std::size_t k = 0; k < as_index(dim); ++k) {
+      const double even = 2 * (static_cast<double>(random() >> 11) * 0x1p-53) - 1;
+      if (!site.on_face[k]) site.x[k] += even * jitter.share * dp;
+    }
+  }
+}
+
 /// A reflected layout about c is one about −c with the sign of its coordinates changed: the image of a round
 /// body at −c to the last bit.
-std::vector<InitialSite> body_sites(const Body& as_given, int dim, double dp) {
+std::vector<InitialSite> body_sites(const Body& as_given, const Scene& scene) {
+  const int dim = scene.dim;
   const Body body = as_laid(as_given, dim);
-  std::vector<InitialSite> sites = own_sites(body, dim, dp);
-  if (sites.empty()) sites = lattice_sites(body, dim, dp);
+  std::vector<InitialSite> sites = own_sites(body, dim, scene.spacing);
+  if (sites.empty()) sites = lattice_sites(body, dim, scene.spacing);
+  for (InitialSite& site : sites) site.middle = placed(as_given, site.x, dim);
+  jitter_sites(sites, scene.jitter, dim, scene.spacing);
   for (InitialSite& site : sites) site.x = placed(as_given, site.x, dim);
   return sites;
 }
@@ -182,7 +201,7 @@ template <class Region>
 void refuse_empty(const std::vector<Region>& regions, const std::vector<InitialSite>& sites, const Body& body,
                   const std::string& key) {
   for (std::size_t k = 0; k < regions.size(); ++k) {
-    const auto holds = [&](const InitialSite& site) { return value_of(regions[k].where, site.x) != 0; };
+    const auto holds = [&](const InitialSite& site) { return value_of(regions[k].where, site.middle) != 0; };
     if (std::ranges::none_of(sites, holds))
       throw SceneError("body." + body.name + "." + key, key + ": no particle of body '" + body.name +
                                                             "' is in region " + std::to_string(k + 1) +
@@ -193,7 +212,8 @@ void refuse_empty(const std::vector<Region>& regions, const std::vector<InitialS
 /// The same of `held`, whole or of one component.
 void refuse_idle_hold(const Body& body, const std::vector<InitialSite>& sites) {
   const auto is_idle = [&](const Expression& where) {
-    return where && std::ranges::none_of(sites, [&](const InitialSite& site) { return where(site.x) != 0; });
+    return where &&
+           std::ranges::none_of(sites, [&](const InitialSite& site) { return where(site.middle) != 0; });
   };
   const auto refuse = [&](const std::string& what) {
     throw SceneError("body." + body.name + ".held",
@@ -264,9 +284,8 @@ void weigh_box(InitialParticles& layout, const Body& body, int first, int dim, d
   }
 }
 
-void append(InitialParticles& layout, const Scene& scene, int b) {
-  const Body& body = scene.bodies[b];
-  const std::vector<InitialSite> sites = body_sites(body, scene.dim, scene.spacing);
+/// Throws SceneError for what the body asks of no particle, or of particles that cannot do it.
+void check_sites(const Body& body, const std::vector<InitialSite>& sites) {
   if (sites.empty())
     throw SceneError("body." + body.name, "body '" + body.name +
                                               "' holds no particle: its shapes are smaller than the spacing; "
@@ -280,26 +299,36 @@ void append(InitialParticles& layout, const Scene& scene, int b) {
     throw SceneError("body." + body.name + ".loaded",
                      "a traction acts on a layer of whole particles, and those of body '" + body.name +
                          "' stand on its faces (on_boundary): give the force of the face as 'force'");
+}
+
+void append(InitialParticles& layout, const Scene& scene, int b) {
+  const Body& body = scene.bodies[b];
+  const std::vector<InitialSite> sites = body_sites(body, scene);
+  check_sites(body, sites);
   const int first = layout.size();
   for (const InitialSite& site : sites) {
     layout.turned.push_back(site.turned < 0 ? layout.size() : first + site.turned);
-    layout.x.push_back(site.x);
     layout.V0.push_back(site.V0);
     layout.inside.push_back(site.inside);
     layout.body.push_back(b);
-    const int part = last_that_holds(body.parts, site.x);
+    const int part = last_that_holds(body.parts, site.middle);
     layout.material.push_back(part < 0 ? body.material : body.parts[part].material);
-    layout.drive.push_back(last_that_holds(body.drives, site.x));
-    layout.held.push_back(value_of(body.held, site.x) != 0);
-    if (layout.held.back() && layout.drive.back() >= 0)
+    const int drive = last_that_holds(body.drives, site.middle);
+    layout.drive.push_back(drive);
+    const bool held = value_of(body.held, site.middle) != 0;
+    layout.held.push_back(held);
+    if (held && drive >= 0)
       throw SceneError("body." + body.name + ".driven",
                        "particles of body '" + body.name +
                            "' are both held and driven; let 'held' and the 'where' of 'driven' not overlap");
-    layout.guided.push_back(layout.held.back() ? 0 : guide_at(body, site.x));
-    Point v{};
-    if (!layout.held.back())
-      for (int k = 0; k < scene.dim; ++k)
-        if ((layout.guided.back() >> k & 1) == 0) v[k] = value_of(body.velocity[k], site.x);
+    layout.guided.push_back(held ? 0 : guide_at(body, site.middle));
+    const auto is_free = [&](int k) { return !held && (layout.guided.back() >> k & 1) == 0; };
+    Point x = site.x, v{};
+    for (int k = 0; k < scene.dim; ++k)
+      if (!is_free(k) || drive >= 0) x[k] = site.middle[k];
+    for (int k = 0; k < scene.dim; ++k)
+      if (is_free(k)) v[k] = value_of(body.velocity[k], x);
+    layout.x.push_back(x);
     layout.v.push_back(v);
   }
   layout.first.push_back(layout.size());

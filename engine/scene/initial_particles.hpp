@@ -35,8 +35,8 @@ inline constexpr double greatest_particle_number = 20e6;
 /// degree 2 exactly (Simpson's rule for n = 2 and 3, Gregory's for many). So mass, moments of inertia and the
 /// resistance to bending are the body's; with halves all would be too great by 2/n². A face that slides along
 /// itself or is held in all but its normal may be a plane of symmetry: there it is the half cell, as it must
-/// be in a body and its image. Then they are reflected, rotated, and displaced to where they start. Throws
-/// SceneError: no particles, too many, bodies that overlap.
+/// be in a body and its image. Then they are jittered (volumes stay), reflected, rotated, and displaced to where
+/// they start. Throws SceneError: no particles, too many, bodies that overlap.
 InitialParticles make_initial_particles(const Scene& scene);
 
 }  // namespace taut

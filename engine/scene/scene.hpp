@@ -101,6 +101,14 @@ struct Rotation {
 /// Where the point x comes to. Quarters of a turn and mirror images are exact to the last bit.
 Point rotated(const Rotation& rotation, const Point& x);
 
+/// Particles that lie at random: each free component of a place of the layout is moved by a number that is
+/// evenly distributed up to `share` of the spacing to either side.
+struct Jitter {
+  static constexpr double least_unusable = 0.5;  // share at which two particles can meet
+  double share = 0;
+  int seed = 1;  // others give other numbers; bodies of the same shape get the same ones
+};
+
 struct Body {
   std::string name;
   std::vector<Shape> shapes;   // their union; the first one anchors the lattice
@@ -225,6 +233,7 @@ struct Scene {
   std::string source;
   int dim = 2;
   double spacing = 0;  // dp, m; divides the first body (see fitted_spacing)
+  Jitter jitter;
   double until = 0;    // s
   std::vector<Material> materials;
   std::vector<Body> bodies;

@@ -200,4 +200,10 @@ inline Scene small_clamped_block() {
   return scene;
 }
 
+/// The scene with each particle moved by up to `share` of a spacing along each axis.
+inline Scene jittered(Scene scene, double share) {
+  scene.jitter = {share, 5};
+  return scene;
+}
+
 }  // namespace taut::test

@@ -56,6 +56,8 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE("scene: unknown, misspelt and missing keys") {
+    check_error("until = 2", "until = 2\njitter = @0.5", {"jitter = 0.5 must be at least 0 and below 0.5"});
+    check_error("until = 2", "until = 2\njitter_seed = @0", {"jitter_seed = 0 must be a whole number"});
     check_error("until = 2", "until = 2\n@methd = \"enog\"",
                 {"unknown key 'methd' in the scene", "did you mean 'method'"});
     check_error("[[body]]\nname = \"ring\"", "[[@bdy]]\nname = \"ring\"", {"unknown key 'bdy'", "'body'"});
@@ -379,7 +381,7 @@ TEST_SUITE("cli") {
     CHECK(says(set_error("vo", "1"), "did you mean 'v0'"));
     CHECK(says(set_error("speed", "1"), "what can be set: v0, method."));
     CHECK(says(set_error("speed", "1"), "method.damping, "));
-    CHECK(says(set_error("speed", "1"), ", method, spacing, until, cfl, stepping, contact"));
+    CHECK(says(set_error("speed", "1"), ", method, spacing, until, cfl, stepping, contact, law, jitter, jitter_seed"));
     CHECK(says(set_error("method.dampng", "1"), "did you mean 'method.damping'"));
     CHECK(says(set_error("method", "enogg"), "did you mean 'enog'"));
     CHECK(says(set_error("stepping", "duel"), "dual, single"));
@@ -395,6 +397,12 @@ TEST_SUITE("cli") {
     CHECK(says(set_error("spacing", "0"), "spacing = 0 must be greater than 0"));
     CHECK(says(set_error("until", "-1"), "until = -1 must be greater than 0"));
     CHECK(says(set_error("cfl", "v0 - 1"), "cfl = v0 - 1 must be greater than 0"));
+    CHECK(says(set_error("jitter", "0.5"), "jitter = 0.5 must be at least 0 and below 0.5: in spacings"));
+    CHECK(says(set_error("jitter", "-0.1"), "jitter = -0.1 must be at least 0"));
+    CHECK(says(set_error("jitter", "much"), "unknown name 'much'"));
+    CHECK(says(set_error("jitter_seed", "1.5"), "jitter_seed = 1.5 must be a whole number from 1 to 1e+09"));
+    CHECK(says(set_error("jitter_seed", "0"), "whole number from 1"));
+    CHECK(says(set_error("jiter", "0.1"), "did you mean 'jitter'"));
     CHECK(says(usage_error({{"method", "enogg"}}), "did you mean 'enog'"));
     CHECK(says(usage_error({{"until", "0"}}), "until = 0 must be greater than 0"));
   }

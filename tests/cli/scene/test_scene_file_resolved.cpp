@@ -195,6 +195,8 @@ TEST_SUITE("unit") {
                                                                             {"vf", "0.03/3"},
                                                                             {"stepping", "single"},
                                                                             {"cfl", "0.1/3"},
+                                                                            {"jitter", "8*vf"},
+                                                                            {"jitter_seed", "7"},
                                                                             {"until", "1/3"}}));
     CHECK(file.scene.spacing == 0.02 / 6);
     CHECK(file.parameters[0].value == 0.01);
@@ -203,6 +205,8 @@ TEST_SUITE("unit") {
     CHECK(again.scene.references.at("2d_deviator").value.at("period") == 0.25682);
     CHECK(again.settings.cfl == 0.1 / 3);
     CHECK(again.settings.stepping == Stepping::single);
+    CHECK(again.scene.jitter.share == 8 * (0.03 / 3));
+    CHECK(again.scene.jitter.seed == 7);
     CHECK(again.scene.until == 1.0 / 3);
     CHECK(*again.history == 1.0 / 3 / 1000);
   }

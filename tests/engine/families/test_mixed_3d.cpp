@@ -15,7 +15,6 @@
 #include "engine/methods/lee2016.hpp"
 #include "engine/solver/initial_pairs.hpp"
 #include "tests/engine/dense.hpp"
-#include "tests/engine/families/jittered.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"

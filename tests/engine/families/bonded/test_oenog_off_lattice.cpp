@@ -13,7 +13,6 @@
 #include "engine/families/bonded/off_lattice.hpp"
 #include "engine/scene/other_shapes.hpp"
 #include "tests/engine/families/bonded/cantilever_3d.hpp"
-#include "tests/engine/families/jittered.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
