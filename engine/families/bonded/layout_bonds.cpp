@@ -23,11 +23,10 @@ class LayoutBonds {
         spacing_(spacing),
         h_(h),
         threads_(threads),
-        near_(initial_neighbors(initial, greatest_bond_reach * h, threads)) {
-    for (std::size_t body = 0; body + 1 < initial.first.size(); ++body) {
-      irregular_.push_back(is_irregular(body));
-      least_reach_.push_back(irregular_[body] ? wide_bond_reach : least_bond_reach);
-    }
+        near_(initial_neighbors(initial, greatest_bond_reach * h, threads)),
+        irregular_(irregular_bodies(initial, near_, spacing, threads)) {
+    for (const bool irregular : irregular_)
+      least_reach_.push_back(irregular ? wide_bond_reach : least_bond_reach);
   }
 
   Bonds make() {
@@ -47,18 +46,7 @@ class LayoutBonds {
   static constexpr double least_strength = 0.4;
   static constexpr double not_asked = -1;
   static constexpr double greatest_at_surface = 1;  // w of irregular bodies, as of a lattice's eight nearest
-  static constexpr double reach_of_nearest = 1.3;   // spacings, of irregular bodies
 
-  static double to_8(double a) {
-    const double squared = a * a, to_4 = squared * squared;
-    return to_4 * to_4;
-  }
-  /// a_ij over X_ij, of the spacing over r.
-  static double area_share(double per_r, bool irregular) {
-    return irregular ? 1 / (1 + 1 / to_8(reach_of_nearest * per_r)) : to_8(per_r);
-  }
-  bool is_irregular(std::size_t body) const;
-  bool has_equal_neighbors(int i) const;
   void make_balanced() {
     choose();
     set_ends();
@@ -76,40 +64,16 @@ class LayoutBonds {
   std::vector<int> with_pair_below(double least) const;
 
   const InitialParticles& initial_;
-  std::vector<bool> irregular_;  // [body]
   double spacing_, h_;
   int threads_;
-  std::vector<double> least_reach_;  // [body] of the bonds, in h
   NeighborLists near_;               // by id
+  std::vector<bool> irregular_;      // [body]
+  std::vector<double> least_reach_;  // [body] of the bonds, in h
   std::vector<double> asked_;        // [pair of near_] w_ij
   std::vector<double> unbalanced_;   // weights before they were balanced
   bool changed_by_balance_ = false;
   Bonds out_;
 };
-
-/// Whether two others near it are equally far, as in a row or a layer that a shape has laid.
-bool LayoutBonds::has_equal_neighbors(int i) const {
-  constexpr double alike = 1e-11, farthest = 1.5;  // spacings
-  constexpr double ulps = 8;                       // of where it is
-  const auto at = [&](int k) { return vector_of<2>(initial_.x[k]); };
-  const double tolerance = alike * spacing_ + ulps * 0x1p-52 * at(i).cwiseAbs().maxCoeff();
-  std::vector<double> r;
-  for (const int j : near_[i])
-    if (const double one = (at(j) - at(i)).norm(); one < farthest * spacing_) r.push_back(one);
-  std::ranges::sort(r);
-  return std::ranges::adjacent_find(r, [&](double a, double b) { return b - a < tolerance; }) != r.end();
-}
-
-/// Hardly any particle of a jittered body has them, nor of a lattice that was written with six digits; what is held
-/// may have been laid otherwise.
-bool LayoutBonds::is_irregular(std::size_t body) const {
-  const int first = initial_.first[body], count = initial_.first[body + 1] - first;
-  std::vector<unsigned char> equal(count);
-  parallel_for(count, threads_,
-               [&](int k) { equal[k] = initial_.held[first + k] == 0 && has_equal_neighbors(first + k); });
-  const auto free = std::count(&initial_.held[first], &initial_.held[first] + count, 0);
-  return 2 * std::ranges::count(equal, 1) < free;
-}
 
 /// Which others each particle asks for, and with which weights. At the surface of an irregular body a missing
 /// neighbour is a missing bond; the others weigh the same, as much as leaves them no stiffer than the solid in any
@@ -177,7 +141,9 @@ void LayoutBonds::set_ends() {
       out_.j[b] = j;
       out_.rows[b].weight = asked_[pair] == not_asked ? 0 : asked_[pair];
       out_.rows[b].X = point_of<2>(X);
-      out_.rows[b].area = point_of<2>(area_share(spacing_ / X.norm(), irregular_[initial_.body[i]]) * X);
+      const double per_r = spacing_ / X.norm();
+      out_.rows[b].area =
+          point_of<2>((irregular_[initial_.body[i]] ? even_share(per_r) : steep_share(per_r)) * X);
       ++b;
     }
   });

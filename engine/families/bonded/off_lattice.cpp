@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include <Eigen/Eigenvalues>
+
+#include "engine/core/parallel.hpp"
+#include "engine/scene/shapes.hpp"
 
 namespace taut {
 namespace {
@@ -33,7 +37,51 @@ double greatest_ratio(const std::vector<Eigen::Vector<double, Dim>>& X, const st
   return Eigen::SelfAdjointEigenSolver<Square>(ratio, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
 }
 
+/// Whether two others near it are equally far, as in a row or a layer that a shape has laid.
+bool has_equal_neighbors(const InitialParticles& initial, std::span<const int> near, int i, double spacing) {
+  constexpr double alike = 1e-11, farthest = 1.5;  // spacings
+  constexpr double ulps = 8;                       // of where it is
+  const Point& at = initial.x[i];
+  double greatest = 0;
+  for (const double coordinate : at) greatest = std::max(greatest, std::abs(coordinate));
+  const double tolerance = alike * spacing + ulps * 0x1p-52 * greatest;
+  std::vector<double> r;
+  for (const int j : near)
+    if (const double one = distance_between(initial.x[j], at, initial.dim); one < farthest * spacing)
+      r.push_back(one);
+  std::ranges::sort(r);
+  return std::ranges::adjacent_find(r, [&](double a, double b) { return b - a < tolerance; }) != r.end();
+}
+
 }  // namespace
+
+std::vector<bool> irregular_bodies(const InitialParticles& initial, const NeighborLists& near, double spacing,
+                                   int threads) {
+  std::vector<unsigned char> regular(initial.size());
+  parallel_for(initial.size(), threads, [&](int i) {
+    regular[i] = initial.held[i] != 0 || has_equal_neighbors(initial, near[i], i, spacing);
+  });
+  std::vector<bool> irregular;
+  for (std::size_t body = 0; body + 1 < initial.first.size(); ++body) {
+    const int first = initial.first[body], end = initial.first[body + 1];
+    const auto held = std::count_if(&initial.held[first], &initial.held[first] + (end - first),
+                                    [](unsigned char h) { return h != 0; });
+    const auto free = end - first - held,
+               equal = std::count(&regular[first], &regular[first] + (end - first), 1) - held;
+    irregular.push_back(2 * equal < free);
+  }
+  return irregular;
+}
+
+double steep_share(double per_r) {
+  const double squared = per_r * per_r, to_4 = squared * squared;
+  return to_4 * to_4;
+}
+
+double even_share(double per_r) {
+  constexpr double reach_of_nearest = 1.3;  // spacings
+  return 1 / (1 + 1 / steep_share(reach_of_nearest * per_r));
+}
 
 bool on_lattice(const std::vector<Eigen::Vector3d>& X, double spacing) {
   constexpr double alike = 1e-3;

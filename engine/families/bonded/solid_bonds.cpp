@@ -26,7 +26,10 @@ double lattice_weight(double r) {
 }  // namespace
 
 SolidBonds::SolidBonds(const InitialParticles& initial, double spacing, double h, int threads)
-    : initial_(initial), spacing_(spacing), near_(initial_neighbors(initial, least_bond_reach * h, threads)) {
+    : initial_(initial),
+      spacing_(spacing),
+      near_(initial_neighbors(initial, least_bond_reach * h, threads)),
+      lies_irregular_(irregular_bodies(initial, near_, spacing, threads)) {
   look_further(h, threads);
   weigh_irregular(threads);
   help_who_lack_an_axis(threads);
@@ -43,9 +46,10 @@ Bond SolidBonds::bond(int i, int j, std::size_t k) const {
   }
   const double per_r = spacing_ / std::sqrt(r2);
   one.weight = irregular_[i] < 0 ? lattice_weight(1 / per_r) : weights_[irregular_[i] + k];
-  const double share = !helped_.empty() && (helped_[i] != 0 || helped_[j] != 0) ? std::pow(per_r, 8)
-                       : per_r > 0.83                                           ? 1
-                                                                                : 0;
+  const bool helped = !helped_.empty() && (helped_[i] != 0 || helped_[j] != 0);
+  const double share = helped         ? (lies_irregular(i) ? even_share(per_r) : std::pow(per_r, 8))
+                       : per_r > 0.83 ? 1
+                                      : 0;
   for (std::size_t a = 0; a < one.X.size(); ++a) one.area[a] = share * one.X[a];
   return one;
 }
@@ -131,13 +135,15 @@ void SolidBonds::weigh_irregular(int threads) {
 /// A particle whose nearest say little of the gradient along one of the axes, or nothing, as those of the tips
 /// of round bodies, takes it from all its bonds, and so do their other ends of them.
 void SolidBonds::help_who_lack_an_axis(int threads) {
-  constexpr double least = 0.5;  // of det A over that of as great an A that is the same for all directions
+  // of det A over that of as great an A that is the same for all directions
+  constexpr double least = 0.5, least_of_irregular = 0.7;
   std::vector<unsigned char> lack(initial_.size());
   parallel_for(initial_.size(), threads, [&](int i) {
     Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
     for_each(i,
              [&](int, const Bond& bond) { A += vector_of<3>(bond.area) * vector_of<3>(bond.X).transpose(); });
-    lack[i] = !(A.determinant() > least * std::pow(A.trace() / 3, 3));
+    lack[i] =
+        !(A.determinant() > (lies_irregular(i) ? least_of_irregular : least) * std::pow(A.trace() / 3, 3));
   });
   helped_.swap(lack);
 }

@@ -34,6 +34,7 @@ class SolidBonds {
     std::vector<double> w;        // those of a lattice
   };
 
+  bool lies_irregular(int i) const { return lies_irregular_[initial_.body[i]]; }
   Bond bond(int i, int j, std::size_t k) const;
   Asked asked(int i) const;
   void look_further(double h, int threads);
@@ -43,8 +44,9 @@ class SolidBonds {
 
   const InitialParticles& initial_;
   double spacing_;
-  NeighborLists near_;           // by id
-  std::vector<double> reach_;    // [n] m, of the bonds each has asked for; empty: they all ask for all
+  NeighborLists near_;                // by id
+  std::vector<bool> lies_irregular_;  // [body]
+  std::vector<double> reach_;         // [n] m, of the bonds each has asked for; empty: they all ask for all
   std::vector<int> irregular_;   // [n] where in `weights_` those of a particle begin that does not have the
   std::vector<double> weights_;  // weights of a lattice; −1 of all others
   std::vector<unsigned char> helped_;  // [n]

@@ -142,14 +142,14 @@ TEST_SUITE("unit") {
 TEST_SUITE("analytic") {
   TEST_CASE("oenog: off a lattice a jittered bar bends a little too slowly") {
     constexpr double period = 0.27691;  // s, finite elements
-    // with another jitter 0.6, 1.7 and 7.5 %
+    // 0.6, 1.6 and 6 %; where a third of the particles takes its gradient from the nearest alone 7 %
     const double lattice = error_of_period(bending_cantilever(5), period),
                  little = error_of_period(jittered(bending_cantilever(5), 0.1), period),
                  much = error_of_period(jittered(bending_cantilever(5), 0.2), period);
     CHECK(lattice < little);
     CHECK(little < 0.025);
     CHECK(little < much);
-    CHECK(much < 0.09);
+    CHECK(much < 0.066);
   }
 }
 
@@ -192,7 +192,7 @@ TEST_SUITE("failure") {
   }
 
   TEST_CASE("oenog: off a lattice a shaken block lives with the steps of its layout, and keeps its energy") {
-    for (const double share : {0.1, 0.2}) {
+    for (const double share : {0.1, 0.2, 0.3, 0.4, 0.45}) {
       CAPTURE(share);
       const Scene scene = jittered(block(7), share);
       const auto simulation = make_simulation(scene, with_damping(0));
@@ -219,7 +219,7 @@ TEST_SUITE("failure") {
     }
   }
 
-  TEST_CASE("oenog: off a lattice steps are as long as the layout lets them be") {
+  TEST_CASE("oenog: off a lattice steps are hardly shorter") {
     const auto time_of = [](const Scene& scene) {
       const auto simulation = make_simulation(scene, with_method("oenog"));
       make_steps(*simulation, 20);
@@ -229,8 +229,11 @@ TEST_SUITE("failure") {
     CHECK(time_of(jittered(plate, 0.2)) == relative(time_of(plate), 0.01));
     const double lattice = time_of(block(6));
     CHECK(time_of(jittered(block(6), 0.05)) == relative(lattice, 0.05));
-    const double jumbled = time_of(jittered(block(6), 0.2)) / lattice;
-    CHECK(jumbled < 0.75);
-    CHECK(jumbled > 0.4);
+    // 0.5 of it by 0.2 dp where a third of the particles takes its gradient from the nearest alone
+    for (const double share : {0.2, 0.45}) {
+      const double jumbled = time_of(jittered(block(6), share)) / lattice;
+      CHECK(jumbled > 0.8);
+      CHECK(jumbled < 1.05);
+    }
   }
 }
