@@ -165,8 +165,10 @@ class NeighborSearch {
     for (int i = first; i < last; ++i) {
       const std::size_t before = size;
       grid.for_each_row(x[i], [&](int begin, int end) {
-        if (found.size() < size + (end - begin) + 2 * lanes)
-          found.resize(2 * (size + (end - begin) + 2 * lanes));
+        if (const std::size_t needed = size + (end - begin) + 2 * lanes; found.size() < needed) {
+          found.reserve(needed + needed / 8);  // resize alone would take twice as much
+          found.resize(found.capacity());
+        }
         int* to = found.data() + size;
         for (int j = begin; j < end; j += lanes) {
           unsigned near = lanes_where(squared_distances(x[i], j) < support * support);

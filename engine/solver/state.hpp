@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "engine/kernels/kernel.hpp"
 #include "engine/methods/constants.hpp"
 #include "engine/neighbors/neighbors.hpp"
+#include "engine/solver/held_pairs.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -116,13 +118,7 @@ struct State {
   std::vector<int> meets;                     // 1: not all neighbours of i are of its own body
   std::vector<std::pair<int, int>> contacts;  // (i, pack) of pairs between bodies, if they act as in one
 
-  // Geometry of the pairs of each pack, held till the next rebuild; 0 in the filling. Gradients are opposite
-  // in (i, j) and (j, i) to the last bit.
-  std::vector<Vec<Pack, Dim>> gradients;   // ∇_i W = ∂W/∂r e_ij, 1/m^(Dim+1)
-  std::vector<StoredPack> inverse_slopes;  // 1/(∂W/∂r)
-  std::vector<StoredPack>
-      inverse_distances;              // (1/r)/(∂W/∂r); 0 for pairs of two bodies: no shear between them
-  std::vector<StoredPack> closeness;  // (W/W(dp))ⁿ, where the method has artificial stress
+  HeldPairs<Dim> pairs;
 
   int size() const { return static_cast<int>(x.size()); }
 
@@ -134,12 +130,8 @@ struct State {
     archive.fixed(meets);
     const int packs = meets.empty() ? 0 : neighbors.begin.back();  // whose geometry is held
     archive.indices(contacts, std::pair(size(), packs));
-    archive(gradients, inverse_slopes, inverse_distances, closeness);
-    archive.check("the geometry of pairs", [&] {
-      const auto of_all = [&](const auto& list) { return std::cmp_equal(list.size(), packs); };
-      return of_all(gradients) && of_all(inverse_slopes) && of_all(inverse_distances) &&
-             (repulsion.empty() ? closeness.empty() : of_all(closeness));
-    });
+    pairs.serialize(archive);
+    archive.check("the geometry of pairs", [&] { return pairs.are_of(packs, !repulsion.empty()); });
   }
 
   /// Stores the particles in another order: what stood at order[i] comes to i.

@@ -9,9 +9,9 @@
 
 namespace taut::test {
 
-/// The engine's values are those expected, within 1e-10 of the greatest magnitude of the field.
+/// The engine's values are those expected, within a share of the greatest magnitude of the field.
 inline void check_field(const std::string& field, const std::vector<double>& engine,
-                        const std::vector<double>& expected) {
+                        const std::vector<double>& expected, double share = 1e-10) {
   CAPTURE(field);
   REQUIRE(engine.size() == expected.size());
   double greatest = 0, difference = 0;
@@ -20,7 +20,7 @@ inline void check_field(const std::string& field, const std::vector<double>& eng
     difference = std::max(difference, std::abs(engine[k] - expected[k]));
   }
   CHECK(greatest > 0);
-  CHECK(difference <= 1e-10 * greatest);
+  CHECK(difference <= share * greatest);
 }
 
 /// The components of places one after the other.

@@ -16,29 +16,27 @@
 /// Every loop over neighbours. All of them gather over i, so that no result depends on the number of threads.
 namespace taut::inline TAUT_ISA {
 
-/// Geometry of four pairs as State holds it.
-template <int Dim>
-struct PairGeometry {
-  Vec<Pack, Dim> gradient;
-  Pack inverse_slope, inverse_distance;
-};
-
-/// Works it out.
+/// Works out the geometry of pairs.
 template <const Formulation& M, int Dim>
 class PairKernel {
  public:
   explicit PairKernel(const Constants& c)
       : per_h_(1 / c.h),
-        alpha_(K::alpha(Dim) / power<Dim + 1>(c.h)),
+        alpha_(steepness(c)),
+        least_(HeldPairs<Dim>::least * alpha_ * c.h),
         per_w_dp_(1 / K::w(c.dp / c.h)),
         exponent_(c.exponent) {}
+
+  /// α/h^(Dim+1)
+  static double steepness(const Constants& c) { return K::alpha(Dim) / power<Dim + 1>(c.h); }
 
   /// With x_i − x_j = d. Coincident particles have no force on each other, as the filling.
   PairGeometry<Dim> geometry(const Vec<Pack, Dim>& d) const {
     const Pack r = root(dot(d, d));
     const Pack dW = alpha_ * K::dw(Pack(per_h_ * r));
-    const PackIndex acting = dW < 0;
-    const Pack inverse = 1 / (acting ? Pack(r * dW) : filled<Pack>(1));  // one division for both
+    const Pack product = r * dW;
+    const PackIndex acting = product < -least_;
+    const Pack inverse = 1 / (acting ? product : filled<Pack>(1));  // one division for both
     const Pack inv_r = inverse * dW, inv_dW = inverse * r, none{};
     return {(acting ? Pack(dW * inv_r) : none) * d, acting ? inv_dW : none, acting ? inverse : none};
   }
@@ -49,18 +47,14 @@ class PairKernel {
 
  private:
   using K = Kernel<M.kernel>;
-  double per_h_, alpha_, per_w_dp_, exponent_;
+  double per_h_, alpha_, least_, per_w_dp_, exponent_;
 };
 
 /// The geometry of every pair, and the list of packs that hold pairs of two bodies which act as one.
 template <const Formulation& M, int Dim>
 void geometry_pass(State<Dim>& s, const Constants& c, int threads) {
-  const std::size_t packs = s.neighbors.begin.back();
   s.meets.resize(s.size());
-  s.gradients.resize(packs);
-  s.inverse_slopes.resize(packs);
-  s.inverse_distances.resize(packs);
-  if constexpr (M.artificial_stress) s.closeness.resize(packs);
+  s.pairs.make_room(s.neighbors.begin.back(), M.artificial_stress, PairKernel<M, Dim>::steepness(c), c.h);
   // places and bodies, in rows that stand ready to be gathered
   parallel_for(s.size(), threads, [&](int i) { s.flow[i].set(s.x[i], s.body[i], 0); });
   parallel_for(s.size(), threads, [&, kernel = PairKernel<M, Dim>(c)](int i) TAUT_FLATTEN {
@@ -77,10 +71,8 @@ void geometry_pass(State<Dim>& s, const Constants& c, int threads) {
         for (int k = 0; k < Dim; ++k) pair.gradient[k] = inside ? pair.gradient[k] : Pack{};
         pair.inverse_slope = inside ? pair.inverse_slope : Pack{};
       }
-      s.gradients[b] = pair.gradient;
-      s.inverse_slopes[b].value = pair.inverse_slope;
-      s.inverse_distances[b].value = pair.inverse_distance;
-      if constexpr (M.artificial_stress) s.closeness[b].value = kernel.closeness(d);
+      s.pairs.set(b, pair);
+      if constexpr (M.artificial_stress) s.pairs.set_closeness(b, kernel.closeness(d));
     }
     s.meets[i] = any(outside);
   });
@@ -103,25 +95,26 @@ void contact_geometry_pass(State<Dim>& s, const Constants& c) {
   const PairKernel<M, Dim> kernel(c);
   for (const auto& [i, b] : s.contacts) {
     const int* j = s.neighbors.pack(b);
-    Vec<Pack, Dim> d, &gradient = s.gradients[b];
+    PairGeometry<Dim> pair = s.pairs[b];
+    Vec<Pack, Dim> d;
     PackIndex inside;
     for (int lane = 0; lane < lanes; ++lane) {
       for (int k = 0; k < Dim; ++k) d[k][lane] = s.x[i][k] - s.x[j[lane]][k];
       inside[lane] = s.body[j[lane]] == s.body[i] ? -1 : 0;
     }
     const PairGeometry<Dim> now = kernel.geometry(d);
-    for (int k = 0; k < Dim; ++k) gradient[k] = inside ? gradient[k] : now.gradient[k];
-    StoredPack& inverse_slope = s.inverse_slopes[b];
-    inverse_slope.value = inside ? inverse_slope.value : now.inverse_slope;
+    for (int k = 0; k < Dim; ++k) pair.gradient[k] = inside ? pair.gradient[k] : now.gradient[k];
+    pair.inverse_slope = inside ? pair.inverse_slope : now.inverse_slope;
+    s.pairs.set(b, pair);
   }
 }
 
 /// ∇_i W of pairs within a body, 0 for the others.
 template <int Dim>
 Vec<Pack, Dim> gradient_inside(const State<Dim>& s, int i, int b) {
-  Vec<Pack, Dim> g = s.gradients[b];
+  Vec<Pack, Dim> g = s.pairs.gradient(b);
   if (s.meets[i])
-    for (int k = 0; k < Dim; ++k) g[k] = s.inverse_distances[b].value < 0 ? g[k] : Pack{};
+    for (int k = 0; k < Dim; ++k) g[k] = s.pairs.inverse_distance(b) < 0 ? g[k] : Pack{};
   return g;
 }
 
@@ -140,16 +133,16 @@ double momentum_pass(State<Dim>& s, const Constants& c, int threads, const Use& 
     [[maybe_unused]] Vec<Pack, Dim> repulsion{};
     for (int b = s.neighbors.begin[i]; b < s.neighbors.begin[i + 1]; ++b) {
       const int* j = s.neighbors.pack(b);
-      const Vec<Pack, Dim>& grad_W = s.gradients[b];
+      const Vec<Pack, Dim> grad_W = s.pairs.gradient(b);
       const Flow<Dim, Pack> f_j = gather_flow(s.flow, j);
-      const Pack closing_speed = s.inverse_slopes[b].value * dot(f_j.v - f_i.v, grad_W);
+      const Pack closing_speed = s.pairs.inverse_slope(b) * dot(f_j.v - f_i.v, grad_W);
       const Pack p = riemann_pressure(f_i.p, f_j.p, closing_speed, dissipation);
       force -= Pack(2 * f_j.V * p) * grad_W;  // −2 Σ m_j P*/ρ_j ∇W, [Zhang2024] Eq. 12
       if constexpr (carries_stress(M))
         force += nested_shear_term(s_i.s, gather_tensor(s.stress, j).s, f_j.V, one, gradient_inside(s, i, b));
       if constexpr (M.artificial_stress) {
         const Tensor<Dim> R_j = gather_tensor(s.repulsion, j);
-        repulsion += artificial_stress_term(R_i.s, R_j.s, R_j.a, s.closeness[b].value, one, grad_W);
+        repulsion += artificial_stress_term(R_i.s, R_j.s, R_j.a, s.pairs.closeness(b), one, grad_W);
       }
     }
     const double inv_rho = s.flow[i].c[Dim + 1] / s.m[i];
@@ -169,17 +162,17 @@ Vec<double, Dim> force_between(const State<Dim>& s, const Constants& c, int a, i
   for (const auto& [i, pack] : s.contacts) {
     if (s.body[i] != a) continue;
     const int* j = s.neighbors.pack(pack);
-    Vec<Pack, Dim> grad_W = s.gradients[pack];
+    Vec<Pack, Dim> grad_W = s.pairs.gradient(pack);
     for (int lane = 0; lane < lanes; ++lane)
       for (int k = 0; k < Dim && s.body[j[lane]] != b; ++k) grad_W[k][lane] = 0;
     const Flow<Dim, Pack> f_i = spread_flow(s.flow[i]), f_j = gather_flow(s.flow, j);
-    const Pack closing_speed = s.inverse_slopes[pack].value * dot(f_j.v - f_i.v, grad_W);
+    const Pack closing_speed = s.pairs.inverse_slope(pack) * dot(f_j.v - f_i.v, grad_W);
     const Pack p = riemann_pressure(f_i.p, f_j.p, closing_speed, dissipation);
     total -= sum(Pack(2 * f_i.V * f_j.V * p) * grad_W);
     if constexpr (M.artificial_stress) {
       const Tensor<Dim> R_i = spread_tensor(s.repulsion[i]), R_j = gather_tensor(s.repulsion, j);
       total +=
-          s.m[i] * sum(artificial_stress_term(R_i.s, R_j.s, R_j.a, s.closeness[pack].value, one, grad_W));
+          s.m[i] * sum(artificial_stress_term(R_i.s, R_j.s, R_j.a, s.pairs.closeness(pack), one, grad_W));
     }
   }
   return total;
@@ -195,7 +188,7 @@ void rate_pass(State<Dim>& s, const Constants& c, int threads, const Use& use) {
     [[maybe_unused]] Mat<Pack, Dim> L{};
     [[maybe_unused]] Vec<Pack, Dim> laplacian{};
     for (int b = s.neighbors.begin[i]; b < s.neighbors.begin[i + 1]; ++b) {
-      const Vec<Pack, Dim>& grad_W = s.gradients[b];
+      const Vec<Pack, Dim> grad_W = s.pairs.gradient(b);
       const Flow<Dim, Pack> f_j = gather_flow(s.flow_new, s.neighbors.pack(b));
       const Vec<Pack, Dim> v_ij = f_i.v - f_j.v;
       compression += compression_term(f_j.V, one, Pack(-dot(v_ij, grad_W)));
@@ -207,10 +200,10 @@ void rate_pass(State<Dim>& s, const Constants& c, int threads, const Use& use) {
       if constexpr (M.shear == Shear::nested_stress)
         add_velocity_gradient(L, f_j.V, one, v_ij, gradient_inside(s, i, b));
       if constexpr (M.shear == Shear::laplacian_velocity)
-        laplacian += laplacian_term(v_ij, f_j.V, one, s.inverse_distances[b].value, grad_W);
+        laplacian += laplacian_term(v_ij, f_j.V, one, s.pairs.inverse_distance(b), grad_W);
       if constexpr (M.shear == Shear::laplacian_velocity_nonconservative)
         laplacian +=
-            laplacian_term_nonconservative(v_ij, f_j.V, dot(grad_W, grad_W), s.inverse_distances[b].value);
+            laplacian_term_nonconservative(v_ij, f_j.V, dot(grad_W, grad_W), s.pairs.inverse_distance(b));
     }
     s.drho[i] = s.rho[i] * sum(compression);
     if constexpr (!strains_what_is_held(M)) s.drho[i] *= s.mobile[i];
@@ -237,7 +230,7 @@ Sym<double, Dim> recovered_stress(const State<Dim>& s, const Constants& c, int i
   for (int b = s.neighbors.begin[i]; b < s.neighbors.begin[i + 1]; ++b) {
     const Flow<Dim, Pack> f_j = gather_flow(s.flow_new, s.neighbors.pack(b));
     const Vec<Pack, Dim> grad_W = gradient_inside(s, i, b);
-    const Pack inv_dW = s.inverse_slopes[b].value, inv_r_dW = s.inverse_distances[b].value;
+    const Pack inv_dW = s.pairs.inverse_slope(b), inv_r_dW = s.pairs.inverse_distance(b);
     const Pack r_over_dW = inv_r_dW < 0 ? Pack(inv_dW * inv_dW / inv_r_dW) : Pack{};  // r/(∂W/∂r)
     add_velocity_gradient(gradient, f_j.V, one, f_i.v - f_j.v, grad_W);
     add_gradient_moment(moment, f_j.V, one, r_over_dW, grad_W);
