@@ -21,9 +21,11 @@ constexpr KeyInfo top_keys[] = {
     {"dim", "2 or 3", "2", "dimensions; 2 is plane strain"},
     {"spacing", "number, m", "", "dp, the distance of particles; changed to divide the first body"},
     {"jitter", "number, dp", "0",
-     "how far each particle is moved at random, at most, to either side along each axis; not where it is held, "
+     "how far each particle is moved at random, at most, in spacings, to either side along each axis; not "
+     "where it is held, "
      "driven or on a face (on_boundary), and its volume stays"},
-    {"jitter_seed", "whole number", "1", "another one moves them otherwise; bodies of one shape are alike"},
+    {"jitter_seed", "whole number", "1",
+     "another seed, other moves; bodies of the same shape are moved alike"},
     {"until", "number, s", "", "end of the run"},
     {"history", "number, s", "until/1000", "time between rows of history.csv"},
     {"method", "METHOD", default_method, "`taut list methods`"},

@@ -160,16 +160,20 @@ std::vector<InitialSite> own_sites(const Body& body, int dim, double dp) {
   return sites_of(body.shapes.front(), dim, dp);
 }
 
-/// Particles on faces stay on them. The numbers are the same with every compiler.
-void jitter_sites(std::vector<InitialSite>& sites, const Jitter& jitter, int dim, double dp) {
+/// Along the axes of the lattice, which the first shape may have turned. Particles on faces stay on them. The numbers
+/// are the same with every compiler.
+void jitter_sites(std::vector<InitialSite>& sites, const Jitter& jitter, const Shape& first, int dim,
+                  double dp) {
   if (jitter.share == 0) return;
   std::mt19937_64 random(static_cast<std::uint64_t>(jitter.seed));
   for (InitialSite& site : sites) {
     site.turned = -1;
+    Point x = to_lattice(first, site.x);
     for (std::size_t k = 0; k < as_index(dim); ++k) {
       const double even = 2 * (static_cast<double>(random() >> 11) * 0x1p-53) - 1;
-      if (!site.on_face[k]) site.x[k] += even * jitter.share * dp;
+      if (!site.on_face[k]) x[k] += even * jitter.share * dp;
     }
+    site.x = from_lattice(first, x);
   }
 }
 
@@ -181,7 +185,7 @@ std::vector<InitialSite> body_sites(const Body& as_given, const Scene& scene) {
   std::vector<InitialSite> sites = own_sites(body, dim, scene.spacing);
   if (sites.empty()) sites = lattice_sites(body, dim, scene.spacing);
   for (InitialSite& site : sites) site.middle = placed(as_given, site.x, dim);
-  jitter_sites(sites, scene.jitter, dim, scene.spacing);
+  jitter_sites(sites, scene.jitter, body.shapes.front(), dim, scene.spacing);
   for (InitialSite& site : sites) site.x = placed(as_given, site.x, dim);
   return sites;
 }
@@ -329,6 +333,7 @@ void append(InitialParticles& layout, const Scene& scene, int b) {
     for (int k = 0; k < scene.dim; ++k)
       if (is_free(k)) v[k] = value_of(body.velocity[k], x);
     layout.x.push_back(x);
+    if (scene.jitter.share > 0) layout.middle.push_back(site.middle);
     layout.v.push_back(v);
   }
   layout.first.push_back(layout.size());

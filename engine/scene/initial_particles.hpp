@@ -9,9 +9,11 @@ namespace taut {
 /// The particles of a scene at t = 0, body after body.
 struct InitialParticles {
   int dim = 2;
-  std::vector<Point> x, v;     // in the reference configuration, m; m/s
-  std::vector<Point> start;    // where each starts, m; empty where that is x for all
-  std::vector<double> V0;      // m^dim
+  std::vector<Point> x, v;  // in the reference configuration, m; m/s
+  std::vector<Point>
+      middle;                // of their cells, m, which regions and images are told by; empty where that is x
+  std::vector<Point> start;  // where each starts, m; empty where that is x for all
+  std::vector<double> V0;    // m^dim
   std::vector<double> inside;  // V0 over its cell: less than 1 on a face, a little more behind a free one
   std::vector<int> body;       // index into Scene::bodies
   std::vector<int> material;   // index into Scene::materials
@@ -23,6 +25,7 @@ struct InitialParticles {
   std::vector<int> first;             // first particle of each body, and one past the last of all
 
   int size() const { return static_cast<int>(x.size()); }
+  const Point& cell(int i) const { return middle.empty() ? x[i] : middle[i]; }
   const Point& at_start(int i) const { return start.empty() ? x[i] : start[i]; }
 };
 

@@ -104,7 +104,7 @@ Point rotated(const Rotation& rotation, const Point& x);
 /// Particles that lie at random: each free component of a place of the layout is moved by a number that is
 /// evenly distributed up to `share` of the spacing to either side.
 struct Jitter {
-  static constexpr double least_unusable = 0.5;  // share at which two particles can meet
+  static constexpr double least_unusable = 0.5;  // share at which two particles of a square lattice can meet
   double share = 0;
   int seed = 1;  // others give other numbers; bodies of the same shape get the same ones
 };
@@ -234,7 +234,7 @@ struct Scene {
   int dim = 2;
   double spacing = 0;  // dp, m; divides the first body (see fitted_spacing)
   Jitter jitter;
-  double until = 0;    // s
+  double until = 0;  // s
   std::vector<Material> materials;
   std::vector<Body> bodies;
   std::vector<Wall> walls;

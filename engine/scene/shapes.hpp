@@ -65,9 +65,9 @@ struct InitialSite {
   Point x{};
   double V0 = 0;
   int turned = -1;  // the site that this one comes to when all are turned onto each other, -1: they cannot be
-  double inside = 1;  // the part of its cell that is inside the body
+  double inside = 1;              // the part of its cell that is inside the body
   std::array<bool, 3> on_face{};  // across this axis, as the body is laid
-  Point middle{};  // of its cell, where x is but for jitter: regions of a body are those of the cells
+  Point middle{};                 // where x is but for jitter, as the body is placed: regions are told by it
 };
 
 /// How a round body is laid. Methods that keep the neighbours of the start take the layers that fit its faces

@@ -70,7 +70,7 @@ auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParti
   std::vector<int> free;
   double volume = 0;
   for (int id = initial.first[body]; id < initial.first[body + 1]; ++id) {
-    if (initial.held[id] || load.where(initial.x[id]) == 0) continue;
+    if (initial.held[id] || load.where(initial.cell(id)) == 0) continue;
     free.push_back(id);
     volume += initial.V0[id];
   }

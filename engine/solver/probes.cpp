@@ -83,7 +83,7 @@ auto ProbeRecorder<Dim>::held_particles(const InitialParticles& initial, const P
   for (int id = first_[probe.bodies[0]]; id < first_[probe.bodies[0] + 1]; ++id) {
     const bool guided = !initial.guided.empty() && (initial.guided[id] >> probe.axis & 1);
     if (!initial.held[id] && initial.drive[id] < 0 && !guided) continue;
-    if (!probe.where || probe.where(initial.x[id]) != 0) found.push_back({id, 1});
+    if (!probe.where || probe.where(initial.cell(id)) != 0) found.push_back({id, 1});
   }
   if (found.empty())
     throw SceneError("probe." + probe.name, "the probe '" + probe.name + "' finds nothing that is held" +
@@ -130,9 +130,9 @@ std::vector<int> ProbeRecorder<Dim>::images(const Scene& scene, const InitialPar
     return Cell{std::lround(x[0] / side), std::lround(x[1] / side), std::lround(x[2] / side)};
   };
   std::map<Cell, int> at;
-  for (const int id : images) at[cell(initial.x[id])] = id;
+  for (const int id : images) at[cell(initial.cell(id))] = id;
   for (int& id : images) {
-    Point mirrored = initial.x[id];
+    Point mirrored = initial.cell(id);
     mirrored[probe.axis] = 2 * probe.at[probe.axis] - mirrored[probe.axis];
     Cell near = cell(mirrored);
     auto found = at.find(near);

@@ -23,8 +23,9 @@ Point point_of(const Eigen::Vector<double, Dim>& v) {
   return p;
 }
 
-/// B of each of n particles, 0 where its bonds do not span the space. Of bonds for_each(i, f) calls f(j, bond) for
-/// each one of particle i.
+/// B of each of n particles, 0 where its bonds do not span the space, or hardly, as at the tip of a jittered body,
+/// three in a line or nearly: gradients would be so steep that it flies away. Of bonds for_each(i, f) calls f(j, bond)
+/// for each one of particle i.
 template <int Dim, class AnyBonds>
 std::vector<std::array<Point, 3>> inverse_moments(const AnyBonds& bonds, int n, int threads) {
   std::vector<std::array<Point, 3>> B(n);
@@ -34,8 +35,9 @@ std::vector<std::array<Point, 3>> inverse_moments(const AnyBonds& bonds, int n, 
     bonds.for_each(i, [&](int, const Bond& bond) {
       A += vector_of<Dim>(bond.area) * vector_of<Dim>(bond.X).transpose();
     });
-    const double scale = std::pow(A.trace() / Dim, Dim);
-    if (!(A.determinant() > 1e-6 * scale)) return;
+    const double of_all_alike = std::pow(A.trace() / Dim, Dim);  // the determinant of as great an A
+    constexpr double least = 0.1;
+    if (!(A.determinant() > least * of_all_alike)) return;
     const Square inverse = A.inverse();
     for (int k = 0; k < Dim; ++k) B[i][k] = point_of<Dim>(inverse.col(k));
   });

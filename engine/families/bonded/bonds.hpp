@@ -34,7 +34,7 @@ struct Bonds {
   bool off_lattice =
       false;  // some lie otherwise than on a lattice: how fast their stiffest swing is, is not known
   // of each particle
-  std::vector<std::array<Point, 3>> B;  // (Σ_j a_ij ⊗ X_ij)⁻¹, symmetric; 0 where the bonds lie on a line
+  std::vector<std::array<Point, 3>> B;  // (Σ_j a_ij ⊗ X_ij)⁻¹, symmetric; 0 where the bonds lie on a line or nearly
   std::vector<double> volume;           // V, m^dim, with which its energy counts
   std::vector<double> mass;             // over the density, m^dim
 

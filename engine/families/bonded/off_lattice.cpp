@@ -68,7 +68,8 @@ std::vector<bool> irregular_bodies(const InitialParticles& initial, const Neighb
                                     [](unsigned char h) { return h != 0; });
     const auto free = end - first - held,
                equal = std::count(&regular[first], &regular[first] + (end - first), 1) - held;
-    irregular.push_back(2 * equal < free);
+    // of a hollow ball in layers, a cube made round, half have them
+    irregular.push_back((initial.dim == 3 ? 10 : 2) * equal < free);
   }
   return irregular;
 }

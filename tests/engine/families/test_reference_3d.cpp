@@ -21,7 +21,7 @@ using namespace taut::test;
 namespace {
 
 constexpr int steps = 40;
-/// The methods that search for neighbours keep their pairs in single precision: 6e-8 of each number.
+/// The methods of [Zhang2024] keep their pairs in single precision: 6e-8 of each number.
 constexpr double single_precision = 3e-7;
 
 void check_ulsph(const Scene& scene, const std::string& name, Stepping stepping) {

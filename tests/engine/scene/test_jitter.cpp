@@ -7,9 +7,12 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/diagnostics/balance.hpp"
 #include "engine/scene/initial_particles.hpp"
+#include "engine/scene/other_shapes.hpp"
 #include "engine/scene/shapes.hpp"
 #include "tests/support/relative.hpp"
+#include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
 using namespace taut;
@@ -68,6 +71,7 @@ TEST_SUITE("unit") {
         CHECK(moves.mean_size == relative(0.5 * share, 0.15));
       }
       CHECK(moved.V0 == lattice.V0);
+      CHECK(moved.middle == lattice.x);
       CHECK(places(scene) == moved.x);
       scene.jitter.seed = 4;
       CHECK(places(scene) != moved.x);
@@ -109,6 +113,23 @@ TEST_SUITE("unit") {
     for (int i = 0; i < moved.size(); ++i) CHECK(moved.v[i][0] == moved.x[i][1]);
   }
 
+  TEST_CASE("jitter: a load acts on the particles that it acts on without") {
+    Scene scene = brick(2);
+    Load load;
+    load.kind = Load::Kind::force_density;
+    load.where = [](const Point& x) { return x[0] > 1 - 0.6 * dp ? 1.0 : 0.0; };
+    load.value[0] = constant(1000);
+    scene.bodies[0].loads = {load};
+    for (const double by : {0.0, 0.45}) {
+      CAPTURE(by);
+      scene.jitter = {by, 1};
+      const auto simulation = make_simulation(scene, with_method("oenog"));
+      make_steps(*simulation, 10);
+      const double momentum = balance(simulation->snapshot(), scene).linear_momentum[0];
+      CHECK(momentum / simulation->time() == relative(1000 * 10 * dp * dp, 1e-9));
+    }
+  }
+
   TEST_CASE("jitter: particles on a face stay on it, of a body that is turned too") {
     for (const double angle : {0.0, 30.0}) {
       Scene scene = brick(3);
@@ -120,7 +141,8 @@ TEST_SUITE("unit") {
       CHECK(moved.V0 == lattice.V0);
       int on_faces = 0, free = 0;
       for (int i = 0; i < moved.size(); ++i) {
-        const Point was = laid_at(scene.bodies[0], lattice.x[i], 3), is = laid_at(scene.bodies[0], moved.x[i], 3);
+        const Point was = laid_at(scene.bodies[0], lattice.x[i], 3),
+                    is = laid_at(scene.bodies[0], moved.x[i], 3);
         for (int k = 0; k < 3; ++k) {
           const bool on_face = std::abs(was[k] - 0.5) > 0.5 - 1e-9;
           (on_face ? on_faces : free) += 1;
@@ -130,6 +152,20 @@ TEST_SUITE("unit") {
       CHECK(on_faces == 3 * 2 * 11 * 11);
       CHECK(free == 3 * 9 * 11 * 11);
     }
+  }
+
+  TEST_CASE("jitter: a turned shape and a turned body lay the same particles") {
+    Scene scene = brick(2);
+    scene.jitter = {share, 1};
+    scene.bodies[0].rotation = Rotation{.about = {0.5, 0.5, 0}, .angle = 40};
+    const std::vector<Point> of_body = places(scene);
+    scene.bodies[0].rotation.reset();
+    scene.bodies[0].shapes = {
+        AnyShape::of(Turned{scene.bodies[0].shapes[0], Rotation{.about = {0.5, 0.5, 0}, .angle = 40}})};
+    const std::vector<Point> of_shape = places(scene);
+    REQUIRE(of_shape.size() == of_body.size());
+    for (std::size_t i = 0; i < of_body.size(); ++i)
+      CHECK(distance_between(of_body[i], of_shape[i], 2) < 1e-9);
   }
 
   TEST_CASE("jitter: mirrored rings are images to the last bit, and nothing is turned onto anything else") {

@@ -219,6 +219,28 @@ TEST_SUITE("failure") {
     }
   }
 
+  TEST_CASE("oenog: a jittered body with a tip of one particle after the other stays whole") {
+    Scene scene = oscillating_plate(0.01, 5);
+    const double spacing = scene.spacing, L = 0.05;
+    scene.bodies[0].shapes = {Box{{0, 0, 0}, {L, 10 * spacing, 0}},
+                              Box{{L, 4 * spacing, 0}, {L + 3 * spacing, 5 * spacing, 0}}};
+    scene.probes.clear();
+    scene.bodies[0].held = {};
+    scene.bodies[0].velocity[0] = scene.bodies[0].velocity[1] = [](const Point& x) {
+      return 0.5 * std::sin(x[1] / 0.01 + x[0] / 0.02);
+    };
+    for (const int seed : {1, 2, 3}) {
+      CAPTURE(seed);
+      scene.jitter = {0.1, seed};
+      const auto simulation = make_simulation(scene, with_damping(0));
+      const double start = balance(simulation->snapshot(), scene).kinetic;
+      make_steps(*simulation, 1000);
+      const Balance now = balance(simulation->snapshot(), scene);
+      CHECK(now.kinetic + now.strain == relative(start, 0.01));
+      CHECK(now.strain > 0.1 * start);
+    }
+  }
+
   TEST_CASE("oenog: off a lattice steps are hardly shorter") {
     const auto time_of = [](const Scene& scene) {
       const auto simulation = make_simulation(scene, with_method("oenog"));
