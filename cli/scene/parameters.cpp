@@ -24,8 +24,9 @@ constexpr Target targets[] = {
 
 // what a scene's own expressions and --set give a meaning to
 const std::vector<std::string> reserved_names = {
-    "dp", "pi",     "x",       "y",     "z",   "t",        "c0",      "E",        "nu",  "rho",    "K",
-    "G",  "method", "spacing", "until", "cfl", "stepping", "contact", "touching", "law", "jitter", "jitter_seed"};
+    "dp",       "pi",      "x",        "y",   "z",      "t",          "c0",    "E",
+    "nu",       "rho",     "K",        "G",   "method", "spacing",    "until", "cfl",
+    "stepping", "contact", "touching", "law", "jitter", "jitter_seed"};
 
 std::string bounds_text(const Parameter& parameter) {
   const std::string low = parameter.low ? exact(*parameter.low) : "any",

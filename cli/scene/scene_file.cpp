@@ -71,7 +71,8 @@ std::string check_jitter(double share) {
   return share >= 0 && share < Jitter::least_unusable
              ? ""
              : "jitter = " + exact(share) + " must be at least 0 and below " + exact(Jitter::least_unusable) +
-                   ": in spacings, by how much each particle is moved at random to either side along each axis";
+                   ": in spacings, by how much each particle is moved at random to either side along each "
+                   "axis";
 }
 
 std::string check_seed(double seed) {
@@ -95,8 +96,8 @@ double checked_number(TomlCursor& root, const char* key, double otherwise,
 
 void read_jitter(TomlCursor& root, const Changes& changes, Jitter& jitter) {
   jitter.share = checked_number(root, "jitter", jitter.share, changes.jitter, check_jitter);
-  jitter.seed = static_cast<int>(
-      checked_number(root, "jitter_seed", jitter.seed, changes.jitter_seed, check_seed));
+  jitter.seed =
+      static_cast<int>(checked_number(root, "jitter_seed", jitter.seed, changes.jitter_seed, check_seed));
 }
 
 /// A parameter with a `default` comes from a resolved scene, where an override may have replaced what used

@@ -34,9 +34,10 @@ struct Bonds {
   bool off_lattice =
       false;  // some lie otherwise than on a lattice: how fast their stiffest swing is, is not known
   // of each particle
-  std::vector<std::array<Point, 3>> B;  // (Σ_j a_ij ⊗ X_ij)⁻¹, symmetric; 0 where the bonds lie on a line or nearly
-  std::vector<double> volume;           // V, m^dim, with which its energy counts
-  std::vector<double> mass;             // over the density, m^dim
+  std::vector<std::array<Point, 3>>
+      B;  // (Σ_j a_ij ⊗ X_ij)⁻¹, symmetric; 0 where the bonds lie on a line or nearly
+  std::vector<double> volume;  // V, m^dim, with which its energy counts
+  std::vector<double> mass;    // over the density, m^dim
 
   /// Bond b, one of those of particle i.
   const Bond& of(int i, int b) const { return rows[row.empty() ? b : row[i] + b - begin[i]]; }

@@ -381,7 +381,8 @@ TEST_SUITE("cli") {
     CHECK(says(set_error("vo", "1"), "did you mean 'v0'"));
     CHECK(says(set_error("speed", "1"), "what can be set: v0, method."));
     CHECK(says(set_error("speed", "1"), "method.damping, "));
-    CHECK(says(set_error("speed", "1"), ", method, spacing, until, cfl, stepping, contact, law, jitter, jitter_seed"));
+    CHECK(says(set_error("speed", "1"),
+               ", method, spacing, until, cfl, stepping, contact, law, jitter, jitter_seed"));
     CHECK(says(set_error("method.dampng", "1"), "did you mean 'method.damping'"));
     CHECK(says(set_error("method", "enogg"), "did you mean 'enog'"));
     CHECK(says(set_error("stepping", "duel"), "dual, single"));
