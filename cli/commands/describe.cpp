@@ -156,6 +156,8 @@ void describe_scene(const std::string& name, std::ostream& out) {
             {"spacing", brief(scene.spacing) + " m"},
             {"until", brief(scene.until) + " s"},
             {"method", file.settings.method + " unless --method says otherwise"}};
+  if (scene.jitter.share > 0)
+    head.push_back({"jitter", brief(scene.jitter.share) + " dp, seed " + std::to_string(scene.jitter.seed)});
   if (scene.bodies.size() > 1 || !scene.walls.empty()) head.push_back({"contact", contact_text(file)});
   if (has_gravity(scene)) head.push_back({"gravity", gravity_text(scene)});
   if (scene.damping > 0) head.push_back({"damping", brief(scene.damping) + " 1/s, until it comes to rest"});

@@ -113,6 +113,10 @@ Json to_json(const RunRecord& record) {
   json["dim"] = record.dim;
   json["spacing"] = number(record.spacing);
   if (record.spacing_asked) json["spacing_asked"] = number(record.spacing_asked);
+  if (record.jitter.share > 0) {
+    json["jitter"] = number(record.jitter.share);
+    json["jitter_seed"] = record.jitter.seed;
+  }
   json["particles"] = record.particles;
   json["mass"] = number(record.mass);
   json["until"] = number(record.until);

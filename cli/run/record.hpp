@@ -31,6 +31,7 @@ struct RunRecord {
   int dim = 2;
   double spacing = 0;                   // m, as used
   std::optional<double> spacing_asked;  // m, where it is not the one used
+  Jitter jitter;
   long particles = 0;
   double mass = 0;                // kg (per metre depth in 2D)
   double until = 0, reached = 0;  // s

@@ -332,6 +332,7 @@ RunRecord new_record(const RunPlan& plan, const Simulation& simulation) {
   if (const auto asked = plan.spacing_asked;
       asked && std::abs(*asked - record.spacing) > 1e-9 * record.spacing)
     record.spacing_asked = asked;
+  record.jitter = file.scene.jitter;
   record.particles = static_cast<long>(start.size());
   record.mass = std::accumulate(start.m.begin(), start.m.end(), 0.0);
   record.until = file.scene.until;

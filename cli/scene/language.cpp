@@ -22,8 +22,7 @@ constexpr KeyInfo top_keys[] = {
     {"spacing", "number, m", "", "dp, the distance of particles; changed to divide the first body"},
     {"jitter", "number, dp", "0",
      "how far each particle is moved at random, at most, in spacings, to either side along each axis; not "
-     "where it is held, "
-     "driven or on a face (on_boundary), and its volume stays"},
+     "where it is held, driven or on a face (on_boundary), and its volume stays"},
     {"jitter_seed", "whole number", "1",
      "another seed, other moves; bodies of the same shape are moved alike"},
     {"until", "number, s", "", "end of the run"},

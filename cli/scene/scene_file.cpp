@@ -90,11 +90,18 @@ double checked_number(TomlCursor& root, const char* key, double otherwise,
   if (!change) return value;
   value = changed_number(key, *change, root.names());
   if (const std::string wrong = check(value); !wrong.empty()) throw UsageError(wrong);
-  root.table().set(key, TomlValue(value));
+  TomlValue written(value);
+  written.whole = root.need(key).whole;
+  root.table().set(key, std::move(written));
   return value;
 }
 
 void read_jitter(TomlCursor& root, const Changes& changes, Jitter& jitter) {
+  if (!root.find("jitter_seed")) {
+    TomlValue seed(static_cast<double>(jitter.seed));
+    seed.whole = true;
+    root.table().set("jitter_seed", std::move(seed));
+  }
   jitter.share = checked_number(root, "jitter", jitter.share, changes.jitter, check_jitter);
   jitter.seed =
       static_cast<int>(checked_number(root, "jitter_seed", jitter.seed, changes.jitter_seed, check_seed));

@@ -72,10 +72,10 @@ void declare_sweep_options(CLI::App& app, SweepOptions& o) {
          "a sweep file, or the name of one in scenes/studies/; with --grid a scene, as for `taut run`")
       ->option_text(" ")
       ->required();
-  app.add_option("--grid", o.grid,
-                 "what to vary: a name that --set takes, or method, spacing, until, cfl, stepping, contact, "
-                 "law, jitter; the values "
-                 "are v1,v2,... or lo:hi:step with both ends. Several --grid: every combination")
+  app.add_option(
+         "--grid", o.grid,
+         "what to vary: a name that --set takes, such as a parameter, method, spacing or jitter; the values "
+         "are v1,v2,... or lo:hi:step with both ends. Several --grid: every combination")
       ->option_text("NAME=VALUES ...")
       ->allow_extra_args(false);
   app.add_flag("--list", o.list, "say what would run, and what is done already");

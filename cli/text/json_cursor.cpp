@@ -64,6 +64,8 @@ const std::vector<KeyOfRun>& keys_of_run() {
       {{"dim"}, number},
       {{"spacing"}, number},
       {{"spacing_asked"}, number},
+      {{"jitter"}, number},
+      {{"jitter_seed"}, number},
       {{"particles"}, number},
       {{"mass"}, number},
       {{"until"}, number},

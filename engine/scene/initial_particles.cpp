@@ -327,9 +327,11 @@ void append(InitialParticles& layout, const Scene& scene, int b) {
                            "' are both held and driven; let 'held' and the 'where' of 'driven' not overlap");
     layout.guided.push_back(held ? 0 : guide_at(body, site.middle));
     const auto is_free = [&](int k) { return !held && (layout.guided.back() >> k & 1) == 0; };
+    // across a face of a turned body what is free along another axis would leave it
+    const bool stays = drive >= 0 || (body.rotation && layout.guided.back() != 0);
     Point x = site.x, v{};
     for (int k = 0; k < scene.dim; ++k)
-      if (!is_free(k) || drive >= 0) x[k] = site.middle[k];
+      if (!is_free(k) || stays) x[k] = site.middle[k];
     for (int k = 0; k < scene.dim; ++k)
       if (is_free(k)) v[k] = value_of(body.velocity[k], x);
     layout.x.push_back(x);

@@ -120,6 +120,25 @@ TEST_SUITE("cli") {
     CHECK(record["mass"].get<double>() == Approx(record["particles"].get<double>() * 4e-6 * 1000));
   }
 
+  TEST_CASE("a jittered run says so: in run.json, in scene.toml, and when that is described and run again") {
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_run(folder, "out", {"--no-render", "--set", "jitter=0.1", "--set", "jitter_seed=4"}))
+                .code == 0);
+    const auto record = json_of(folder / "out/run.json");
+    CHECK(record["jitter"] == 0.1);
+    CHECK(record["jitter_seed"] == 4);
+    const std::string scene = text_of(folder / "out/scene.toml");
+    CHECK(contains(scene, "jitter = 0.1\n"));
+    CHECK(contains(scene, "jitter_seed = 4\n"));
+    CHECK(contains(call({"describe", (folder / "out/scene.toml").string()}).out, "0.1 dp, seed 4"));
+    REQUIRE(call({"run", (folder / "out/scene.toml").string(), "--no-render", "--out",
+                  (folder / "again").string()})
+                .code == 0);
+    CHECK(text_of(folder / "again/history.csv") == text_of(folder / "out/history.csv"));
+    REQUIRE(call(tiny_run(folder, "lattice", {"--no-render"})).code == 0);
+    CHECK(text_of(folder / "lattice/history.csv") != text_of(folder / "out/history.csv"));
+  }
+
   TEST_CASE("history has a row for the start and the end and none twice") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "out", {"--no-render"})).code == 0);

@@ -99,6 +99,16 @@ TEST_SUITE("unit") {
       CHECK((moved.x[i][0] == lattice.x[i][0]) == (row < 2 * dp));
       CHECK((moved.x[i][1] == lattice.x[i][1]) == (row < 2 * dp || row > 1 - dp));
     }
+    body.rotation =
+        Rotation{.about = {0.5, 0.5, 0}, .angle = 90};  // what is guided would leave a face that it stands on
+    const InitialParticles turned = make_initial_particles(scene);
+    int guided = 0;
+    for (int i = 0; i < turned.size(); ++i) {
+      if (turned.guided[i] == 0) continue;
+      CHECK(turned.x[i] == turned.middle[i]);
+      ++guided;
+    }
+    CHECK(guided > 5);
   }
 
   TEST_CASE("jitter: regions are those of the cells, velocities those of the places") {
