@@ -46,7 +46,7 @@ void parallel_for(int n, int threads, const F& f) {
 /// of it are there at a time.
 template <class Make, class Take>
 void make_in_order(int n, int threads, const Make& make, const Take& take) {
-  constexpr int most = 4096;
+  constexpr int most = 1024;
   std::vector<decltype(make(0))> made(static_cast<std::size_t>(std::clamp(n, 0, most)));
   for (int first = 0; first < n; first += most) {
     const int count = std::min(most, n - first);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/growth.hpp"
 #include "engine/core/isa.hpp"
 
 namespace taut::inline TAUT_ISA {
@@ -15,10 +16,15 @@ namespace taut::inline TAUT_ISA {
 template <class T>
 class SharedRows {
  public:
+  SharedRows() = default;
+  /// For so many of them, as far as one knows.
+  explicit SharedRows(int rows) : rows_(static_cast<std::size_t>(rows)) {}
+
   /// Where it begins.
   int add(const std::vector<T>& row) {
     const std::string_view bytes(reinterpret_cast<const char*>(row.data()), row.size() * sizeof(T));
     const std::size_t hash = std::hash<std::string_view>()(bytes);
+    ++added_;
     if (2 * known_ >= table_.size()) grow();
     std::size_t at = first_of(hash);
     for (; table_[at].begin >= 0; at = next(at))
@@ -26,17 +32,13 @@ class SharedRows {
     const int begin = static_cast<int>(all_.size());
     table_[at] = {hash, begin};
     ++known_;
+    make_room(all_, row.size(), added_ - 1, rows_);
     all_.insert(all_.end(), row.begin(), row.end());
     return begin;
   }
   const T& operator[](int k) const { return all_[k]; }
   /// Nothing will be added any more.
-  void close() { table_ = {}, all_.shrink_to_fit(); }
-  /// All of them.
-  std::vector<T> take() {
-    close();
-    return std::move(all_);
-  }
+  void close() { table_ = {}; }
 
  private:
   struct Known {
@@ -65,7 +67,7 @@ class SharedRows {
 
   std::vector<T> all_;
   std::vector<Known> table_;  // at most half full
-  std::size_t known_ = 0;
+  std::size_t known_ = 0, added_ = 0, rows_ = 0;
 };
 
 }  // namespace taut::inline TAUT_ISA

@@ -36,6 +36,13 @@ T dot(const Vec<T, Dim>& a, const Vec<T, Dim>& b) {
   return s;
 }
 
+template <class Kept, int Dim>
+Vec<Pack, Dim> unpacked(const Vec<Kept, Dim>& a) {
+  Vec<Pack, Dim> out;
+  for (int k = 0; k < Dim; ++k) out[k] = unpacked(a[k]);
+  return out;
+}
+
 template <class T>
 Vec<T, 3> cross(const Vec<T, 3>& a, const Vec<T, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -165,8 +172,8 @@ void add_outer(Sym<T, Dim>& A, const T& s, const Vec<T, Dim>& a) {
 }
 
 /// A · B
-template <class T, int Dim>
-[[gnu::always_inline]] inline Mat<T, Dim> product(const Mat<T, Dim>& A, const Sym<T, Dim>& B) {
+template <class T, int Dim, template <class, int> class Tensor>
+[[gnu::always_inline]] inline Mat<T, Dim> product(const Mat<T, Dim>& A, const Tensor<T, Dim>& B) {
   Mat<T, Dim> C;
 #pragma GCC unroll 3
   for (int a = 0; a < Dim; ++a)
@@ -177,6 +184,24 @@ template <class T, int Dim>
       for (int k = 1; k < Dim; ++k) C(a, b) += A(a, k) * B(k, b);
     }
   return C;
+}
+/// A Bᵀ
+template <class T, int Dim>
+[[gnu::always_inline]] inline Mat<T, Dim> product_transposed(const Mat<T, Dim>& A, const Mat<T, Dim>& B) {
+  Mat<T, Dim> C;
+#pragma GCC unroll 3
+  for (int a = 0; a < Dim; ++a)
+#pragma GCC unroll 3
+    for (int b = 0; b < Dim; ++b) {
+      C(a, b) = A(a, 0) * B(b, 0);
+#pragma GCC unroll 3
+      for (int k = 1; k < Dim; ++k) C(a, b) += A(a, k) * B(b, k);
+    }
+  return C;
+}
+template <class T, int Dim>
+[[gnu::always_inline]] inline Mat<T, Dim> product_transposed(const Mat<T, Dim>& A, const Sym<T, Dim>& B) {
+  return product(A, B);
 }
 
 /// A · B, which is not symmetric unless they commute

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <functional>
 #include <numeric>
+#include <optional>
 #include <span>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include <Eigen/Core>
 
+#include "engine/core/growth.hpp"
 #include "engine/core/least_squares.hpp"
 #include "engine/core/parallel.hpp"
 #include "engine/neighbors/close_pairs.hpp"
@@ -111,26 +115,25 @@ class Rows {
 
   /// What can be known of a row beside others.
   struct Made {
-    Eigen::VectorXd weights;        // in 2D
-    std::vector<int> surroundings;  // in 3D
+    std::vector<int> surroundings;           // in 3D
+    std::optional<Eigen::VectorXd> weights;  // unless another row is likely to have the same
   };
   /// `near` begins with the particle itself; in 3D it is sorted.
   Made make(std::span<int> near) const {
-    if (start_.dim == 2) return {weights(near), {}};
+    if (start_.dim == 2) return {{}, weights(near)};
     std::ranges::sort(near.begin() + 1, near.end());
-    return {{}, surroundings(start_, near, spacing_)};
+    Made made{surroundings(start_, near, spacing_), {}};
+    if (!known_.empty() && known(made.surroundings) < 0) made.weights = weights(near);
+    return made;
   }
 
   void add(std::span<const int> near, const Made& made) {
-    int first = 0;
-    if (start_.dim == 3) {
-      const auto [known, is_new] = shared_.try_emplace(made.surroundings);
-      if (is_new) known->second = add_weights(weights(near));
-      first = known->second;
-    } else {
-      first = add_weights(made.weights);
-    }
+    const int like = start_.dim == 3 ? known(made.surroundings) : -1;
+    const int first = like >= 0      ? part_.first_weight[static_cast<std::size_t>(like)]
+                      : made.weights ? add_weights(*made.weights)
+                                     : add_weights(weights(near));
     if (first < 0) return;
+    if (start_.dim == 3 && like < 0) known_.emplace(hash_of(made.surroundings), part_.rows());
     std::ranges::copy(near, near_.all.begin() + part_.begin.back());
     part_.first_weight.push_back(first);
     part_.begin.push_back(part_.begin.back() + static_cast<int>(near.size()));
@@ -149,15 +152,31 @@ class Rows {
   /// Where they begin; −1 if there are none.
   int add_weights(const Eigen::VectorXd& w) {
     if (w.size() == 0) return -1;
+    make_room(part_.weight, static_cast<std::size_t>(w.size()), part_.first_weight.size(), start_.size());
     part_.weight.insert(part_.weight.end(), w.begin(), w.end());
     return static_cast<int>(part_.weight.size()) - static_cast<int>(w.size());
+  }
+
+  static std::size_t hash_of(const std::vector<int>& places) {
+    return std::hash<std::string_view>()(
+        {reinterpret_cast<const char*>(places.data()), places.size() * sizeof(int)});
+  }
+  /// The row of the same surroundings; −1 if there is none.
+  int known(const std::vector<int>& places) const {
+    for (auto [at, end] = known_.equal_range(hash_of(places)); at != end; ++at) {
+      const auto row = static_cast<std::size_t>(at->second);
+      const std::span<const int> near(near_.all.begin() + part_.begin[row],
+                                      near_.all.begin() + part_.begin[row + 1]);
+      if (surroundings(start_, near, spacing_) == places) return at->second;
+    }
+    return -1;
   }
 
   const Snapshot& start_;
   double spacing_, kappa_;
   Neighborhoods& near_;
   AlternatingPart part_{{0}, {}, {}, {}};
-  std::map<std::vector<int>, int> shared_;  // surroundings → first weight
+  std::unordered_multimap<std::size_t, int> known_;  // hash of surroundings → row
 };
 
 }  // namespace

@@ -63,6 +63,7 @@ struct Around<3> {
   void add(const Vec<double, 3>& d) {
     static const std::array<Vec<double, 3>, 98> spread = spread_directions();
     static const double nearest = std::cos(widest_inside / 2);
+    if (has_one.all()) return;
     const double least = nearest * std::sqrt(dot(d, d));
     for (std::size_t k = 0; k < spread.size(); ++k)
       if (const double along = dot(spread[k], d); along > 0 && along >= least) has_one.set(k);

@@ -212,6 +212,7 @@ PairLanes<Dim, Width>::PairLanes(const InitialPairs<Dim>& pairs, int threads, co
     }
     return Row{std::move(slots.slots), std::move(row)};
   };
+  slots_ = SharedRows<LaneSlot>(padded / lanes), constants_ = SharedRows<Constants>(padded / lanes);
   make_in_order(padded / lanes, threads, make, [this](int, const Row& row) {
     groups_.push_back(
         {slots_.add(row.slots), constants_.add(row.constants), static_cast<int>(row.slots.size())});

@@ -23,6 +23,7 @@ class ParticleSolver : public SolverParts<Dim> {
     const bool outdated = this->outdated_;
     const long first = this->step_;
     this->outdated_ = this->snapshot_.m.empty();  // a run that breaks off keeps the last one
+    this->stepping_ = true;
     this->team_.resume();
     this->refuse_divergence();  // of the last call
     try {

@@ -49,7 +49,7 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
     return c_.step > 0 ? c_.step : by_speed / std::sqrt(std::max(1.0, contact_.stiffening() / spare));
   }
   double step_size() const { return fixed_or(c_.cfl * c_.h / (c_.c0 + vmax_)); }  // s, [Zhang2024] Eq. 22
-  int threads_now() const { return team_.threads(); }
+  int threads_now() const { return stepping_ ? team_.threads() : threads_; }
 
   void finish_step(double dt) {
     time_ += dt;
@@ -232,6 +232,7 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
   Loads<Dim> loads_;
   Reactions<Dim> reactions_;
   ProbeRecorder<Dim> recorder_;
+  bool stepping_ = false;  // the set-up takes all threads
   TeamSize team_;
   double vmax_ = 0;  // m/s
 

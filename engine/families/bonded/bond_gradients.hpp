@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
@@ -21,6 +23,13 @@ Point point_of(const Eigen::Vector<double, Dim>& v) {
   Point p{};
   for (int k = 0; k < Dim; ++k) p[k] = v[k];
   return p;
+}
+
+/// The nearest number that a float holds. By its bits, since GCC 12 leaves a cast to float and back away where it
+/// makes vectors of a loop.
+inline double single_precision(double a) {
+  constexpr std::uint64_t dropped = 1ULL << 29;
+  return std::bit_cast<double>((std::bit_cast<std::uint64_t>(a) + dropped / 2) & ~(dropped - 1));
 }
 
 /// B of each of n particles, 0 where its bonds do not span the space, or hardly, as at the tip of a jittered body,

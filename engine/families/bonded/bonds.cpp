@@ -4,10 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
-#include "engine/core/parallel.hpp"
-#include "engine/core/shared_rows.hpp"
 #include "engine/families/bonded/bond_gradients.hpp"
 #include "engine/families/bonded/layout_bonds.hpp"
 #include "engine/families/bonded/solid_bonds.hpp"
@@ -55,7 +54,7 @@ class BondMaker {
   void cut_at_clamp(Bonds&& uncut, Bonds& out) const;
   void cut_at_clamp(SolidBonds&& uncut, Bonds& out) const;
   template <class AnyBonds>
-  void cut(const AnyBonds& uncut, int i, std::vector<int>& ends, std::vector<Bond>& row) const;
+  void cut(const AnyBonds& uncut, int i, Bonds& out) const;
   void straighten(int i, Bonds& out) const;
   double share_before_clamp(int i, const Point& X) const;
 
@@ -107,7 +106,7 @@ double BondMaker<Dim>::share_before_clamp(int i, const Point& X) const {
 /// face of a clamp keep theirs: the half of their cell before it is strained like any other.
 template <int Dim>
 template <class AnyBonds>
-void BondMaker<Dim>::cut(const AnyBonds& uncut, int i, std::vector<int>& ends, std::vector<Bond>& row) const {
+void BondMaker<Dim>::cut(const AnyBonds& uncut, int i, Bonds& out) const {
   if (!deforms(i)) return;
   uncut.for_each(i, [&](int j, Bond bond) {
     const bool to_clamp = !deforms(j);
@@ -115,10 +114,11 @@ void BondMaker<Dim>::cut(const AnyBonds& uncut, int i, std::vector<int>& ends, s
     const double share = to_clamp ? share_before_clamp(i, bond.X) : 1;
     for (int k = 0; k < Dim; ++k) {
       bond.X[k] *= share;
-      if (Dim == 3) bond.area[k] *= 1 / share;
+      if (Dim == 3) bond.area[k] /= share;
+      if (Dim == 3 && out.off_lattice) bond.area[k] = single_precision(bond.area[k]);
     }
-    ends.push_back(j);
-    row.push_back(bond);
+    out.j.push_back(j);
+    out.rows.push_back(bond);
   });
 }
 
@@ -133,7 +133,7 @@ void BondMaker<Dim>::cut_at_clamp(Bonds&& uncut, Bonds& out) const {
   }
   out.begin.push_back(0);
   for (int i = 0; i < initial_.size(); ++i) {
-    cut(uncut, i, out.j, out.rows);
+    cut(uncut, i, out);
     out.begin.push_back(static_cast<int>(out.j.size()));
   }
   for (int i = 0; i < initial_.size(); ++i) straighten(i, out);
@@ -141,28 +141,19 @@ void BondMaker<Dim>::cut_at_clamp(Bonds&& uncut, Bonds& out) const {
 
 template <int Dim>
 void BondMaker<Dim>::cut_at_clamp(SolidBonds&& uncut, Bonds& out) const {
-  struct Ends {
-    std::vector<int> j;
-    std::vector<Bond> row;
-    bool waits = false;
-  };
-  SharedRows<Bond> rows;
-  out.off_lattice = uncut.off_lattice();
+  out.off_lattice = uncut.geometry().off_lattice;
   out.begin.push_back(0);
-  const auto make = [&](int i) {
-    Ends of_one;
-    uncut.for_each(i, [&](int j, const Bond&) { of_one.waits = of_one.waits || !deforms(j); });
-    if (!of_one.waits) cut(uncut, i, of_one.j, of_one.row);
-    return of_one;
-  };
-  make_in_order(initial_.size(), threads_, make, [&](int i, Ends of_one) {
-    // where a clamp begins an expression says, and those are no good on two threads at once
-    if (of_one.waits) cut(uncut, i, of_one.j, of_one.row);
-    out.j.insert(out.j.end(), of_one.j.begin(), of_one.j.end());
+  for (int i = 0; i < initial_.size(); ++i) {
+    const std::span<const int> near = uncut.near(i);
+    const bool whole = deforms(i) && std::ranges::all_of(near, [&](int j) { return deforms(j); });
+    out.row.push_back(whole ? -1 : static_cast<int>(out.rows.size()));
+    if (whole)
+      out.j.insert(out.j.end(), near.begin(), near.end());
+    else
+      cut(uncut, i, out);
     out.begin.push_back(static_cast<int>(out.j.size()));
-    out.row.push_back(rows.add(of_one.row));
-  });
-  out.rows = rows.take();
+  }
+  out.solid = std::make_shared<const SolidGeometry>(std::move(uncut).take_geometry());
 }
 
 /// Where a_ij has a part across X_ij, a shortened X makes Σ_j a_ij ⊗ X_ij skew. Bonds into the clamp, which
@@ -184,6 +175,10 @@ void BondMaker<Dim>::straighten(int i, Bonds& out) const {
 }
 
 }  // namespace
+
+Bond Bonds::in_solid(int i, int b) const {
+  return solid->bond(i, j[b], static_cast<std::size_t>(b - begin[i]));
+}
 
 std::vector<Point> surface(const Bonds& bonds, const std::vector<double>& V) {
   return surface_of(bonds, bonds.B, V);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "engine/scene/initial_particles.hpp"
@@ -12,7 +13,8 @@ namespace taut {
 struct Bond {
   Point X;        // from i to the other end, m: particle j, or where the bond enters the clamp
   double weight;  // w_ij; 0 where only j asked for the bond
-  Point area;     // a_ij = −a_ji, for an end at the clamp as for any other
+  Point area;     // a_ij = −a_ji, for an end at the clamp as for any other; in 3D off a lattice of single
+                  // precision, in which it is kept
 };
 
 /// B a_ij, of B column by column.
@@ -23,6 +25,8 @@ inline Point gradient_of(const std::array<Point, 3>& B, const Bond& bond) {
   return g;
 }
 
+struct SolidGeometry;
+
 /// The pairs of particles of one body that act on each other, seen from both sides. They never change: a body
 /// that does not break needs no search for neighbours. Held particles are rigid and have no bonds of their
 /// own, unless they stand on the face of a clamp.
@@ -30,17 +34,20 @@ struct Bonds {
   std::vector<int> begin;  // [n + 1] first bond of each particle
   std::vector<int> j;      // the other particle
   std::vector<Bond> rows;  // of particles, each with its bonds one behind the other
-  std::vector<int> row;    // [n] where in `rows` its own begin: a lattice shares them; empty: at begin[i]
+  std::vector<int> row;    // [n] where in `rows` its own begin; −1: `solid` has them; empty: at begin[i]
+  std::shared_ptr<const SolidGeometry> solid;  // in 3D
   bool off_lattice =
       false;  // some lie otherwise than on a lattice: how fast their stiffest swing is, is not known
   // of each particle
   std::vector<std::array<Point, 3>>
-      B;  // (Σ_j a_ij ⊗ X_ij)⁻¹, symmetric; 0 where the bonds lie on a line or nearly
+      B;  // (Σ_j a_ij ⊗ X_ij)⁻¹, column by column; 0 where the bonds lie on a line or nearly
   std::vector<double> volume;  // V, m^dim, with which its energy counts
   std::vector<double> mass;    // over the density, m^dim
 
   /// Bond b, one of those of particle i.
-  const Bond& of(int i, int b) const { return rows[row.empty() ? b : row[i] + b - begin[i]]; }
+  Bond of(int i, int b) const {
+    return row.empty() ? rows[b] : row[i] < 0 ? in_solid(i, b) : rows[row[i] + b - begin[i]];
+  }
   /// g_ij = B_i a_ij, 1/m: Σ_j (f_j − f_i) g_ij is the gradient of f at i
   Point gradient(int i, int b) const { return gradient_of(B[i], of(i, b)); }
   /// f(j, bond) of each bond of i
@@ -48,6 +55,9 @@ struct Bonds {
   void for_each(int i, const F& f) const {
     for (int b = begin[i]; b < begin[i + 1]; ++b) f(j[b], of(i, b));
   }
+
+ private:
+  Bond in_solid(int i, int b) const;
 };
 
 /// Bonds that sample the strain around a particle evenly in all directions, as near as a layout lets them,

@@ -15,8 +15,8 @@ namespace taut::inline TAUT_ISA {
 
 /// What is cancelled of the bonds (terms/bond.hpp), for four particles at once and no neighbour: of an affine
 /// displacement all that counts of a bond is its direction, and its stretch is s° = e·C e. Bond after bond of
-/// each of the four; two that are each other's continuation are one.
-template <int Dim>
+/// each of the four; two that are each other's continuation are one. Kept as those of PackedBonds.
+template <int Dim, class Kept = StoredPack>
 class CancelledBonds {
  public:
   /// A bond as seen from one end.
@@ -50,7 +50,7 @@ class CancelledBonds {
   /// Of one bond of each of four particles e ⊗ e, but for the last component: 1 less the others of the
   /// diagonal.
   struct Dyad {
-    Pack c[dyad_size];
+    Kept c[dyad_size];
   };
   class Stretch;
 
@@ -62,13 +62,13 @@ class CancelledBonds {
   };
   std::vector<Group> groups_;
   SharedRows<Dyad> dyads_;
-  SharedRows<StoredPack> thirds_;  // ⅓ G V0_i w_ij, J
+  SharedRows<Kept> thirds_;  // ⅓ G V0_i w_ij, J
   SharedRows<CancelledOnLattice<Dim>> on_lattice_;
 };
 
 /// s° of bonds: of the components of e ⊗ e that are kept, what C gives them.
-template <int Dim>
-class CancelledBonds<Dim>::Stretch {
+template <int Dim, class Kept>
+class CancelledBonds<Dim, Kept>::Stretch {
  public:
   [[gnu::always_inline]] explicit Stretch(const Sym<Pack, Dim>& C) : factor_(C) {
     constexpr int last = Dim - 1;
@@ -82,7 +82,7 @@ class CancelledBonds<Dim>::Stretch {
   [[gnu::always_inline]] Pack of(const Dyad& dyad) const {
     Pack s = factor_.c[dyad_size];
 #pragma GCC unroll 5
-    for (int k = 0; k < dyad_size; ++k) s += factor_.c[k] * dyad.c[k];
+    for (int k = 0; k < dyad_size; ++k) s += factor_.c[k] * unpacked(dyad.c[k]);
     return s;
   }
 
@@ -90,22 +90,22 @@ class CancelledBonds<Dim>::Stretch {
   Sym<Pack, Dim> factor_;
 };
 
-template <int Dim>
-Sym<Pack, Dim> CancelledBonds<Dim>::slopes(int group, const Sym<Pack, Dim>& C) const {
+template <int Dim, class Kept>
+Sym<Pack, Dim> CancelledBonds<Dim, Kept>::slopes(int group, const Sym<Pack, Dim>& C) const {
   const Group& own = groups_[group];
   if (own.on_lattice >= 0) return on_lattice_[own.on_lattice].slopes(C);
   Sym<Pack, Dim> S{};
   const Stretch stretch(C);
   const Dyad* const dyads = &dyads_[own.dyad];
-  const StoredPack* const thirds = &thirds_[own.third];
+  const Kept* const thirds = &thirds_[own.third];
   const auto add = [&](const Dyad& dyad, const Pack& pull) {
 #pragma GCC unroll 5
-    for (int k = 0; k < dyad_size; ++k) S.c[k] += pull * dyad.c[k];
+    for (int k = 0; k < dyad_size; ++k) S.c[k] += pull * unpacked(dyad.c[k]);
     S.c[dyad_size] += pull;
   };
   for (int b = 0; b < own.count; b += 2) {
-    const auto [p, q] =
-        cancelled_pulls(stretch.of(dyads[b]), stretch.of(dyads[b + 1]), thirds[b].value, thirds[b + 1].value);
+    const auto [p, q] = cancelled_pulls(stretch.of(dyads[b]), stretch.of(dyads[b + 1]), unpacked(thirds[b]),
+                                        unpacked(thirds[b + 1]));
     add(dyads[b], p);
     add(dyads[b + 1], q);
   }
@@ -113,18 +113,18 @@ Sym<Pack, Dim> CancelledBonds<Dim>::slopes(int group, const Sym<Pack, Dim>& C) c
   return S;
 }
 
-template <int Dim>
-Pack CancelledBonds<Dim>::energy(int group, const Sym<Pack, Dim>& C) const {
+template <int Dim, class Kept>
+Pack CancelledBonds<Dim, Kept>::energy(int group, const Sym<Pack, Dim>& C) const {
   Pack energy{};
   const Stretch stretch(C);
   const Group& own = groups_[group];
   for (int b = 0; b < own.count; ++b)
-    energy += thirds_[own.third + b].value * cancelled_energy(stretch.of(dyads_[own.dyad + b]));
+    energy += unpacked(thirds_[own.third + b]) * cancelled_energy(stretch.of(dyads_[own.dyad + b]));
   return 3 * energy;
 }
 
-template <int Dim>
-auto CancelledBonds<Dim>::merged(const std::vector<Bond>& bonds) -> std::vector<Bond> {
+template <int Dim, class Kept>
+auto CancelledBonds<Dim, Kept>::merged(const std::vector<Bond>& bonds) -> std::vector<Bond> {
   std::vector<Bond> all;
   for (const Bond& one : bonds) {
     const auto same = std::ranges::find_if(all, [&](const Bond& other) {
@@ -140,12 +140,12 @@ auto CancelledBonds<Dim>::merged(const std::vector<Bond>& bonds) -> std::vector<
   return all;
 }
 
-template <int Dim>
+template <int Dim, class Kept>
 template <class BondsOf>
-CancelledBonds<Dim>::CancelledBonds(int n, int threads, const BondsOf& bonds_of) {
+CancelledBonds<Dim, Kept>::CancelledBonds(int n, int threads, const BondsOf& bonds_of) {
   struct Four {
     std::vector<Dyad> dyads;
-    std::vector<StoredPack> thirds;
+    std::vector<Kept> thirds;
     CancelledOnLattice<Dim> on_lattice{};
     bool fits = true;
   };
@@ -156,14 +156,17 @@ CancelledBonds<Dim>::CancelledBonds(int n, int threads, const BondsOf& bonds_of)
       const std::size_t count = std::max(four.dyads.size(), (bonds.size() + 1) / 2 * 2);
       four.dyads.resize(count), four.thirds.resize(count);
       for (std::size_t b = 0; b < bonds.size(); ++b) {
-        for (int k = 0; k < dyad_size; ++k) four.dyads[b].c[k][lane] = bonds[b].dyad.c[k];
+        for (int k = 0; k < dyad_size; ++k) four.dyads[b].c[k].value[lane] = bonds[b].dyad.c[k];
         four.thirds[b].value[lane] = bonds[b].Gw / 3;
         four.fits = four.fits && four.on_lattice.add(lane, bonds[b].dyad, bonds[b].Gw);
       }
     }
     return four;
   };
-  make_in_order((n + lanes - 1) / lanes, threads, make, [&](int, const Four& four) {
+  const int groups = (n + lanes - 1) / lanes;
+  dyads_ = SharedRows<Dyad>(groups), thirds_ = SharedRows<Kept>(groups);
+  on_lattice_ = SharedRows<CancelledOnLattice<Dim>>(groups);
+  make_in_order(groups, threads, make, [&](int, const Four& four) {
     groups_.push_back({dyads_.add(four.dyads), thirds_.add(four.thirds), static_cast<int>(four.dyads.size()),
                        four.fits ? on_lattice_.add({four.on_lattice}) : -1});
   });

@@ -69,7 +69,7 @@ class InterfaceSites {
     int i, own, other;  // where it is stored; materials
     double V, share;
     Direction N, m;
-    Sym<double, Dim> B;  // of Bonds
+    Square B;  // of Bonds
     int bond, bonds, kink, kinks;
   };
   struct Deformations {
@@ -129,7 +129,7 @@ InterfaceSites<Dim>::InterfaceSites(const Interfaces& interfaces, const Bonds& b
     site.V = bonds.volume[from.id], site.share = from.share;
     site.N = vector(from.N), site.m = vector(from.m);
     for (int a = 0; a < Dim; ++a)
-      for (int k = a; k < Dim; ++k) site.B(a, k) = bonds.B[from.id][a][k];
+      for (int k = 0; k < Dim; ++k) site.B(k, a) = bonds.B[from.id][a][k];
     site.bond = static_cast<int>(bonds_.size()), site.kink = static_cast<int>(kinks_.size());
     for (int b = bonds.begin[from.id]; b < bonds.begin[from.id + 1]; ++b) {
       const taut::Bond& own = bonds.of(from.id, b);

@@ -24,17 +24,48 @@ inline double shear_modulus(const Bonds& bonds, const InitialParticles& initial,
   return 2 * G_i * G_j / (G_i + G_j);
 }
 
+/// One bond of each of four particles; the filling has 0.
+template <class Kept>
+struct Spring {
+  Pack third_of_k;       // ⅓ G (V0_i w_ij + V0_j w_ji)/r0², N/m (per metre depth in 2D)
+  Pack per_r0_squared;   // 1/r0², 1/m²
+  Pack half_r0_squared;  // ½ r0², m²
+
+  static Spring of(const Pack& third_of_k, const Pack& per_r0_squared, const Pack& half_r0_squared) {
+    return {third_of_k, per_r0_squared, half_r0_squared};
+  }
+  Pack third() const { return third_of_k; }
+  Pack per_r02() const { return per_r0_squared; }
+  /// 1/(2s) of s = r²/r0²
+  Pack half_inverse(const Pack& r2) const { return half_r0_squared / r2; }
+};
+
+/// The same in half the bytes. Not 1/r0², though: a bond at rest would pull.
+template <>
+struct Spring<HalfPack> {
+  HalfPack third_of_k;
+  double per_r0_squared[lanes];
+
+  static Spring of(const Pack& third_of_k, const Pack& per_r0_squared, const Pack&) {
+    Spring spring;
+    pack_into(spring.third_of_k, third_of_k);
+    store(per_r0_squared, spring.per_r0_squared);
+    return spring;
+  }
+  Pack third() const { return unpacked(third_of_k); }
+  Pack per_r02() const { return load(per_r0_squared); }
+  Pack half_inverse(const Pack& r2) const {
+    const Pack s = r2 * per_r02();
+    return s > 0 ? Pack(0.5 / s) : Pack{};
+  }
+};
+
 /// The bonds of groups of four particles that are stored one behind the other, with the constants of each. A
 /// particle sums over its bonds in the order in which their other ends are stored, those with an a_ij first.
-template <int Dim>
+/// Kept as StoredPack, or, where no two groups have the same, as HalfPack.
+template <int Dim, class Kept>
 class PackedBonds {
  public:
-  /// One bond of each of four particles; the filling has 0.
-  struct Spring {
-    Pack third_of_k;       // ⅓ G (V0_i w_ij + V0_j w_ji)/r0², N/m (per metre depth in 2D)
-    Pack per_r0_squared;   // 1/r0², 1/m²
-    Pack half_r0_squared;  // ½ r0², m²
-  };
   /// Where its bonds begin.
   struct Group {
     int slot, count, spring, scale;
@@ -48,10 +79,10 @@ class PackedBonds {
 
   const Group& of(int group) const { return groups_[group]; }
   const LaneSlot* slots(const Group& own) const { return &slots_[own.slot]; }
-  const Spring* springs(const Group& own) const { return &springs_[own.spring]; }
-  const Vec<Pack, Dim>* a_ij(const Group& own) const { return &a_ij_[own.a]; }
+  const Spring<Kept>* springs(const Group& own) const { return &springs_[own.spring]; }
+  const Vec<Kept, Dim>* a_ij(const Group& own) const { return &a_ij_[own.a]; }
   /// As far as a bond is an energy of this end: G V0_i w_ij, J
-  const StoredPack* energy_scales(const Group& own) const { return &energy_scales_[own.scale]; }
+  const Kept* energy_scales(const Group& own) const { return &energy_scales_[own.scale]; }
   /// Where bonds enter a clamp: they lead to what is stored from a whole number of groups on.
   const std::vector<Vec<double, Dim>>& places_at_clamp() const { return places_at_clamp_; }
   /// Where the held particle behind one of them is stored.
@@ -66,9 +97,9 @@ class PackedBonds {
   using Four = std::array<std::vector<Bond>, lanes>;
   struct Packed {  // of a group
     std::vector<LaneSlot> slots;
-    std::vector<Spring> springs;
-    std::vector<StoredPack> scales;
-    std::vector<Vec<Pack, Dim>> areas;
+    std::vector<Spring<Kept>> springs;
+    std::vector<Kept> scales;
+    std::vector<Vec<Kept, Dim>> areas;
 
     void append(int first, const Four& bonds, int size);
   };
@@ -79,9 +110,9 @@ class PackedBonds {
 
   std::vector<Group> groups_;
   SharedRows<LaneSlot> slots_;
-  SharedRows<Spring> springs_;
-  SharedRows<Vec<Pack, Dim>> a_ij_;  // times a constant that B takes out again
-  SharedRows<StoredPack> energy_scales_;
+  SharedRows<Spring<Kept>> springs_;
+  SharedRows<Vec<Kept, Dim>> a_ij_;  // times a constant that B takes out again
+  SharedRows<Kept> energy_scales_;
   std::vector<Vec<double, Dim>> places_at_clamp_;
   std::vector<int> held_behind_;
 };
@@ -94,11 +125,11 @@ inline int seen_from(const Bonds& bonds, int other, int id) {
 }
 
 /// Where those of each stored particle begin: in the order of its bonds.
-template <int Dim>
-std::vector<int> PackedBonds<Dim>::add_places_at_clamp(const Bonds& bonds, const Scene& scene,
-                                                       const InitialParticles& initial,
-                                                       const std::vector<int>& ids,
-                                                       const std::vector<int>& where) {
+template <int Dim, class Kept>
+std::vector<int> PackedBonds<Dim, Kept>::add_places_at_clamp(const Bonds& bonds, const Scene& scene,
+                                                             const InitialParticles& initial,
+                                                             const std::vector<int>& ids,
+                                                             const std::vector<int>& where) {
   std::vector<int> begin;
   for (const int id : ids) {
     begin.push_back(static_cast<int>(places_at_clamp_.size()));
@@ -115,10 +146,10 @@ std::vector<int> PackedBonds<Dim>::add_places_at_clamp(const Bonds& bonds, const
   return begin;
 }
 
-template <int Dim>
-PackedBonds<Dim>::PackedBonds(const Bonds& bonds, const Scene& scene, const InitialParticles& initial,
-                              const std::vector<Elasticity>& materials, const std::vector<int>& ids,
-                              int threads) {
+template <int Dim, class Kept>
+PackedBonds<Dim, Kept>::PackedBonds(const Bonds& bonds, const Scene& scene, const InitialParticles& initial,
+                                    const std::vector<Elasticity>& materials, const std::vector<int>& ids,
+                                    int threads) {
   const int n = static_cast<int>(ids.size()), groups = (n + lanes - 1) / lanes, size = groups * lanes;
   std::vector<int> where(ids.size());
   for (int i = 0; i < n; ++i) where[ids[i]] = i;
@@ -152,6 +183,8 @@ PackedBonds<Dim>::PackedBonds(const Bonds& bonds, const Scene& scene, const Init
     packed.areas.resize(a_count);
     return packed;
   };
+  slots_ = SharedRows<LaneSlot>(groups), springs_ = SharedRows<Spring<Kept>>(groups);
+  a_ij_ = SharedRows<Vec<Kept, Dim>>(groups), energy_scales_ = SharedRows<Kept>(groups);
   make_in_order(groups, threads, make, [&](int, const Packed& packed) {
     groups_.push_back({slots_.add(packed.slots), static_cast<int>(packed.slots.size()),
                        springs_.add(packed.springs), energy_scales_.add(packed.scales),
@@ -160,26 +193,29 @@ PackedBonds<Dim>::PackedBonds(const Bonds& bonds, const Scene& scene, const Init
   slots_.close(), springs_.close(), a_ij_.close(), energy_scales_.close();
 }
 
-template <int Dim>
-void PackedBonds<Dim>::Packed::append(int first, const Four& bonds, int size) {
+template <int Dim, class Kept>
+void PackedBonds<Dim, Kept>::Packed::append(int first, const Four& bonds, int size) {
   std::array<std::vector<int>, lanes> neighbors;
   for (int lane = 0; lane < lanes; ++lane)
     for (const Bond& bond : bonds[lane]) neighbors[lane].push_back(bond.j);
   const LaneSlots found = lane_slots(first, neighbors, size);
   for (std::size_t b = 0; b < found.slots.size(); ++b) {
     slots.push_back(found.slots[b]);
-    Spring& spring = springs.emplace_back();
-    Pack& scale = scales.emplace_back().value;
-    Vec<Pack, Dim>& area = areas.emplace_back();
+    Pack third_of_k{}, per_r0_squared{}, half_r0_squared{}, scale{};
+    Vec<Pack, Dim> area{};
     for (int lane = 0; lane < lanes; ++lane) {
       if (found.taken[b][lane] < 0) continue;
       const Bond& bond = bonds[lane][found.taken[b][lane]];
-      spring.third_of_k[lane] = bond.k / 3;
-      spring.per_r0_squared[lane] = 1 / bond.r2;
-      spring.half_r0_squared[lane] = 0.5 * bond.r2;
+      third_of_k[lane] = bond.k / 3;
+      per_r0_squared[lane] = 1 / bond.r2;
+      half_r0_squared[lane] = 0.5 * bond.r2;
       scale[lane] = bond.scale;
       for (int k = 0; k < Dim; ++k) area[k][lane] = bond.a[k];
     }
+    springs.push_back(Spring<Kept>::of(third_of_k, per_r0_squared, half_r0_squared));
+    pack_into(scales.emplace_back(), scale);
+    Vec<Kept, Dim>& kept = areas.emplace_back();
+    for (int k = 0; k < Dim; ++k) pack_into(kept[k], area[k]);
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include "engine/core/growth.hpp"
 #include "engine/core/least_squares.hpp"
 #include "engine/core/parallel.hpp"
 #include "engine/neighbors/neighbors_of_one.hpp"
@@ -105,10 +106,11 @@ Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, in
 template <int Dim>
 class Rows {
  public:
-  Rows(const InitialParticles& initial, const std::vector<int>& id, double spacing, double reach)
+  Rows(const InitialParticles& initial, const std::vector<int>& id, double spacing, double reach, bool halved)
       : initial_(initial),
         id_(id),
         spacing_(spacing),
+        halved_(halved),
         where_(id.size()),
         own_(initial, std::max((1 + 1e-9) * reach, least_reach * spacing)),
         own_reach_((1 + 1e-9) * reach / spacing),
@@ -126,10 +128,7 @@ class Rows {
   };
   Row make(int k) const;
   void take(int k, const Row& row);
-  RecoveredGradient finish() {
-    out_.j.shrink_to_fit(), out_.g.shrink_to_fit();
-    return std::move(out_);
-  }
+  RecoveredGradient finish() { return std::move(out_); }
 
  private:
   Neighborhood<Dim> own(int i) const { return alike<Dim>(initial_, i, own_(i), spacing_); }
@@ -139,6 +138,7 @@ class Rows {
   const InitialParticles& initial_;
   const std::vector<int>& id_;
   double spacing_;
+  bool halved_;
   std::vector<int> where_;
   NeighborsOfOne<Dim> own_;
   double own_reach_;  // dp
@@ -206,18 +206,25 @@ void Rows<Dim>::take(int k, const Row& row) {
   int same_as = row.same_as;
   if (same_as < 0 && row.hash != 0)  // known since it was made?
     same_as = known(row.hash, within(own(id_[k]), least_reach));
+  const auto done = static_cast<std::size_t>(k);
+  make_room(out_.j, row.j.size(), done, id_.size());
   out_.j.insert(out_.j.end(), row.j.begin(), row.j.end());
   out_.begin.push_back(static_cast<int>(out_.j.size()));
-  out_.row.push_back(same_as < 0 ? static_cast<int>(out_.g.size()) : out_.row[same_as]);
+  const std::size_t begin = halved_ ? out_.halved.size() : out_.g.size();
+  out_.row.push_back(same_as < 0 ? static_cast<int>(begin) : out_.row[same_as]);
   if (same_as >= 0) return;
-  out_.g.insert(out_.g.end(), row.g.begin(), row.g.end());
+  const auto append = [&](auto& list) {
+    make_room(list, row.g.size(), done, id_.size());
+    list.insert(list.end(), row.g.begin(), row.g.end());
+  };
+  halved_ ? append(out_.halved) : append(out_.g);
   if (row.hash != 0) known_.emplace(row.hash, k);
 }
 
 template <int Dim>
 RecoveredGradient recovered(const InitialParticles& initial, const std::vector<int>& id, double spacing,
-                            double reach, int threads) {
-  Rows<Dim> rows(initial, id, spacing, reach);
+                            double reach, int threads, bool halved) {
+  Rows<Dim> rows(initial, id, spacing, reach, halved);
   make_in_order(
       static_cast<int>(id.size()), threads, [&](int k) { return rows.make(k); },
       [&](int k, const auto& row) { rows.take(k, row); });
@@ -227,9 +234,9 @@ RecoveredGradient recovered(const InitialParticles& initial, const std::vector<i
 }  // namespace
 
 RecoveredGradient recovered_gradient(const InitialParticles& initial, const std::vector<int>& id,
-                                     double spacing, double reach, int threads) {
-  return initial.dim == 3 ? recovered<3>(initial, id, spacing, reach, threads)
-                          : recovered<2>(initial, id, spacing, reach, threads);
+                                     double spacing, double reach, int threads, bool halved) {
+  return initial.dim == 3 ? recovered<3>(initial, id, spacing, reach, threads, halved)
+                          : recovered<2>(initial, id, spacing, reach, threads, halved);
 }
 
 }  // namespace taut

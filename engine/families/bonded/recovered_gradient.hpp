@@ -18,11 +18,12 @@ struct RecoveredGradient {
   std::vector<int> j;
   std::vector<int>
       row;  // [n] where in `g` its own begin: of particles with the same neighbourhood at one place
-  std::vector<double> g;  // 1/m, dim numbers each
+  std::vector<double> g;      // 1/m, dim numbers each
+  std::vector<float> halved;  // the same in single precision, in place of g if asked for
   int dim = 0;
 
   bool empty() const { return begin.empty(); }
-  /// g_ij, of b from begin[i] to begin[i + 1] − 1.
+  /// g_ij, of b from begin[i] to begin[i + 1] − 1; of g, or of halved.
   const double* of(int i, int b) const { return &g[row[i] + dim * (b - begin[i])]; }
 };
 
@@ -33,7 +34,8 @@ struct RecoveredGradient {
 /// the same body and material that are held like i, within 2.2 spacings or the least reach up to 3.4 that
 /// does: in a row an error of ε in each place may cost a strain of 8 ε/dp at most, and three points on a line
 /// cost 4. Where a body is too thin for that, the fit is linear, and where for that too, there is none.
+/// `halved`: for layouts with a row for each particle.
 RecoveredGradient recovered_gradient(const InitialParticles& initial, const std::vector<int>& id,
-                                     double spacing, double reach, int threads = 1);
+                                     double spacing, double reach, int threads = 1, bool halved = false);
 
 }  // namespace taut

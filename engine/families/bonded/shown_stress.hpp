@@ -55,11 +55,15 @@ Mat<Pack, Dim> recovered_deformations(const RecoveredGradient& recovered, const 
     if (begin == end) continue;
     Pack column[Dim]{};  // of F
     for (int k = 0; k < Dim; ++k) column[k][k] = 1;
-    for (int b = begin; b < end; ++b) {
-      const Pack step = u[recovered.j[b]].value - u[i].value;
+    const auto add_steps = [&](const auto* g) {
+      for (int b = begin; b < end; ++b, g += Dim) {
+        const Pack step = u[recovered.j[b]].value - u[i].value;
 #pragma GCC unroll 3
-      for (int k = 0; k < Dim; ++k) column[k] += step * recovered.of(i, b)[k];
-    }
+        for (int k = 0; k < Dim; ++k) column[k] += step * g[k];
+      }
+    };
+    const int row = recovered.row[i];
+    recovered.halved.empty() ? add_steps(&recovered.g[row]) : add_steps(&recovered.halved[row]);
     for (int a = 0; a < Dim; ++a)
       for (int k = 0; k < Dim; ++k) F(a, k)[lane] = column[k][a];
   }

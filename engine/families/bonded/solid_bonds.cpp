@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/growth.hpp"
 #include "engine/core/parallel.hpp"
 #include "engine/families/bonded/bond_gradients.hpp"
 #include "engine/families/bonded/bond_moments.hpp"
@@ -29,28 +30,31 @@ SolidBonds::SolidBonds(const InitialParticles& initial, double spacing, double h
     : initial_(initial),
       spacing_(spacing),
       near_(initial_neighbors(initial, least_bond_reach * h, threads)),
-      lies_irregular_(irregular_bodies(initial, near_, spacing, threads)) {
+      lies_irregular_(irregular_bodies(initial, near_, spacing, threads)),
+      geometry_{initial.x, spacing, {}, {}, {}, false} {
   look_further(h, threads);
   weigh_irregular(threads);
   help_who_lack_an_axis(threads);
 }
 
 /// X to 2^-40 of a spacing, so that the bonds of a lattice are the same wherever they are.
-Bond SolidBonds::bond(int i, int j, std::size_t k) const {
-  const Point &from = initial_.x[i], &to = initial_.x[j];
+Bond SolidGeometry::bond(int i, int j, std::size_t k) const {
+  const Point &from = x[i], &to = x[j];
   Bond one{};
   double r2 = 0;
   for (std::size_t a = 0; a < one.X.size(); ++a) {
-    one.X[a] = std::round((to[a] - from[a]) / spacing_ * 0x1p40) * 0x1p-40 * spacing_ + 0.0;
+    one.X[a] = std::round((to[a] - from[a]) / spacing * 0x1p40) * 0x1p-40 * spacing + 0.0;
     r2 += one.X[a] * one.X[a];
   }
-  const double per_r = spacing_ / std::sqrt(r2);
-  one.weight = irregular_[i] < 0 ? lattice_weight(1 / per_r) : weights_[irregular_[i] + k];
-  const bool helped = !helped_.empty() && (helped_[i] != 0 || helped_[j] != 0);
-  const double share = helped         ? (lies_irregular(i) ? even_share(per_r) : std::pow(per_r, 8))
-                       : per_r > 0.83 ? 1
-                                      : 0;
-  for (std::size_t a = 0; a < one.X.size(); ++a) one.area[a] = share * one.X[a];
+  const double per_r = spacing / std::sqrt(r2);
+  one.weight = irregular[i] < 0 ? lattice_weight(1 / per_r) : weights[irregular[i] + k];
+  const Gradient rule = std::max(gradient[i], gradient[j]);
+  const double share = rule == Gradient::even    ? even_share(per_r)
+                       : rule == Gradient::steep ? steep_share(per_r)
+                       : per_r > 0.83            ? 1
+                                                 : 0;
+  for (std::size_t a = 0; a < one.X.size(); ++a)
+    one.area[a] = off_lattice ? single_precision(share * one.X[a] / spacing) : share * one.X[a];
   return one;
 }
 
@@ -58,7 +62,7 @@ SolidBonds::Asked SolidBonds::asked(int i) const {
   Asked out;
   for (std::size_t k = 0; k < near_[i].size(); ++k) {
     const Eigen::Vector3d X = vector_of<3>(initial_.x[near_[i][k]]) - vector_of<3>(initial_.x[i]);
-    if (off_lattice() && !(X.norm() < reach_[i])) continue;
+    if (geometry_.off_lattice && !(X.norm() < reach_[i])) continue;
     out.X.push_back(X), out.of.push_back(k), out.w.push_back(lattice_weight(X.norm() / spacing_));
   }
   return out;
@@ -91,6 +95,7 @@ void SolidBonds::look_further(double h, int threads) {
     }
   });
   reach_.swap(reach);
+  geometry_.off_lattice = true;
   NeighborLists chosen;
   chosen.begin.push_back(0);
   for (int i = 0; i < n; ++i) {
@@ -111,9 +116,9 @@ std::vector<double> SolidBonds::own_weights(int i) const {
   Asked own = asked(i);
   if (own.X.size() == near_[i].size() && on_lattice(own.X, spacing_)) return {};
   const std::vector<double> of_lattice = own.w;
-  const bool inside = own.X.size() == whole || (off_lattice() && !at_surface(own.X));
+  const bool inside = own.X.size() == whole || (geometry_.off_lattice && !at_surface(own.X));
   const bool right = inside && moments.make_right(own.X, own.w);
-  if (off_lattice() && !right) {
+  if (geometry_.off_lattice && !right) {
     own.w = of_lattice;
     const double too_stiff = excess(own.X, own.w);
     for (double& w : own.w) w /= std::max(1.0, too_stiff);
@@ -124,11 +129,14 @@ std::vector<double> SolidBonds::own_weights(int i) const {
 }
 
 void SolidBonds::weigh_irregular(int threads) {
-  irregular_.assign(initial_.size(), -1);
+  std::vector<int>& irregular = geometry_.irregular;
+  std::vector<double>& weights = geometry_.weights;
+  irregular.assign(initial_.size(), -1);
   const auto make = [&](int i) { return own_weights(i); };
   make_in_order(initial_.size(), threads, make, [&](int i, const std::vector<double>& w) {
-    if (!w.empty()) irregular_[i] = static_cast<int>(weights_.size());
-    weights_.insert(weights_.end(), w.begin(), w.end());
+    if (!w.empty()) irregular[i] = static_cast<int>(weights.size());
+    make_room(weights, w.size(), static_cast<std::size_t>(i), irregular.size());
+    weights.insert(weights.end(), w.begin(), w.end());
   });
 }
 
@@ -137,15 +145,18 @@ void SolidBonds::weigh_irregular(int threads) {
 void SolidBonds::help_who_lack_an_axis(int threads) {
   // of det A over that of as great an A that is the same for all directions
   constexpr double least = 0.5, least_of_irregular = 0.7;
-  std::vector<unsigned char> lack(initial_.size());
+  using enum SolidGeometry::Gradient;
+  geometry_.gradient.assign(initial_.size(), of_axes);
+  std::vector<SolidGeometry::Gradient> needed(initial_.size());
   parallel_for(initial_.size(), threads, [&](int i) {
     Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
     for_each(i,
              [&](int, const Bond& bond) { A += vector_of<3>(bond.area) * vector_of<3>(bond.X).transpose(); });
-    lack[i] =
-        !(A.determinant() > (lies_irregular(i) ? least_of_irregular : least) * std::pow(A.trace() / 3, 3));
+    const bool has_all =
+        A.determinant() > (lies_irregular(i) ? least_of_irregular : least) * std::pow(A.trace() / 3, 3);
+    needed[i] = has_all ? of_axes : lies_irregular(i) ? even : steep;
   });
-  helped_.swap(lack);
+  geometry_.gradient.swap(needed);
 }
 
 }  // namespace taut

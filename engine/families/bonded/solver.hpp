@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "engine/core/shared_rows.hpp"
+#include "engine/families/bonded/bond_sums.hpp"
 #include "engine/families/bonded/bonds.hpp"
-#include "engine/families/bonded/cancelled.hpp"
 #include "engine/families/bonded/closed_law.hpp"
 #include "engine/families/bonded/interface_sites.hpp"
 #include "engine/families/bonded/layout_stiffness.hpp"
-#include "engine/families/bonded/packed_bonds.hpp"
 #include "engine/families/bonded/recovered_gradient.hpp"
 #include "engine/families/bonded/shown_stress.hpp"
 #include "engine/solver/particle_solver.hpp"
@@ -45,8 +46,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     this->pairs_ = static_cast<long>(bonds.j.size());
     take_masses(bonds);
     Base::go_to_start();
-    bonds_ = PackedBonds<Dim>(bonds, input.scene, this->initial_, materials_, s_.id, this->threads_);
-    cancelled_ = cancelled(bonds);
+    hold(bonds, input.scene);
     add_sites(bonds);
     const Interfaces interfaces = make_interfaces(this->initial_, materials_, bonds, c_.dp);
     wave_speed_ = std::max(wave_speed_, interfaces.wave_speed);
@@ -82,6 +82,8 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     Pack V;       // m^Dim, with which the energy counts
     ClosedNeoHookean<Pack> law;
   };
+  // off a lattice a_ij is along X_ij but for single precision only
+  using GradientMoment = std::conditional_t<Dim == 2, Sym<Pack, Dim>, Mat<Pack, Dim>>;
   struct Group {  // where to find its
     int sites, B;
   };
@@ -93,25 +95,34 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     Pack root;             // of the law, if it is the own one
   };
 
-  CancelledBonds<Dim> cancelled(const Bonds& bonds) const;
+  // in 3D off a lattice, where each particle has constants of its own, in half the bytes
+  using AnyBonds = std::conditional_t<Dim == 2, std::variant<HeldBonds<Dim, StoredPack>>,
+                                      std::variant<HeldBonds<Dim, StoredPack>, HeldBonds<Dim, HalfPack>>>;
+
+  void hold(const Bonds& bonds, const Scene& scene);
+  template <class Kept>
+  HeldBonds<Dim, Kept> held(const Bonds& bonds, const Scene& scene) const;
   void add_sites(const Bonds& bonds);
   void make_columns();
   void take_masses(const Bonds& bonds);
   void find_stiffest_swing();
   void half_drift(double dt);
   void stress_pass();
-  Vec<Pack, Dim> force(int group) const;
+  template <class Kept>
+  Vec<Pack, Dim> force(const HeldBonds<Dim, Kept>& bonds, int group) const;
   double force_pass(double dt);
-  template <bool WithEnergy>
-  void strain(int group, Strained& out) const;
-  void set_stress(int group, const Strained& now);
+  template <bool WithEnergy, class Kept>
+  void strain(const HeldBonds<Dim, Kept>& bonds, int group, Strained& out) const;
+  template <class Kept>
+  void set_stress(const HeldBonds<Dim, Kept>& bonds, int group, const Strained& now);
   [[gnu::noinline]] Mat<Pack, Dim> piola_of_chosen_law(int group, const Mat<Pack, Dim>& F) const;
-  Pack energy_of_four(int group, const Mat<Pack, Dim>& F) const;
+  template <class Kept>
+  Pack energy_of_four(const HeldBonds<Dim, Kept>& bonds, int group, const Mat<Pack, Dim>& F) const;
   void show_stress(int group, const Mat<Pack, Dim>& F);
   [[gnu::noinline]] void watch_clamps(double dt);
   LawOfOne<M> law_of_one() const { return {materials_, own_law_, laws_}; }
   const Sites& sites(int group) const { return sites_[groups_[group].sites]; }
-  const Sym<Pack, Dim>& B(int group) const { return B_[groups_[group].B]; }
+  const GradientMoment& B(int group) const { return B_[groups_[group].B]; }
   void set_place(int i) {
     const V x = s_.x[i], v = s_.v[i];
     for (int k = 0; k < Dim; ++k) places_[k][i] = x[k], places_[Dim + k][i] = x[k] + ahead_ * v[k];
@@ -130,10 +141,9 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   double layout_ = 1;    // ω² of the stiffest swing at the start over that of a lattice, if it is greater
   double stiffest_ = 1;  // greatest of all bonds and particles in the last step, over that at rest
   SharedRows<Sites> sites_;
-  SharedRows<Sym<Pack, Dim>> B_;
+  SharedRows<GradientMoment> B_;
   std::vector<Group> groups_;
-  PackedBonds<Dim> bonds_;
-  CancelledBonds<Dim> cancelled_;
+  AnyBonds bonds_;
   InterfaceSites<Dim> interfaces_;
   Columns<2 * Dim> places_;                 // x, x + 3 τ v
   Columns<Dim * Dim> Q_;                    // row by row
@@ -152,30 +162,41 @@ void Bonded<M, Dim>::take_masses(const Bonds& bonds) {
 }
 
 template <const Formulation& M, int Dim>
-CancelledBonds<Dim> Bonded<M, Dim>::cancelled(const Bonds& bonds) const {
-  return CancelledBonds<Dim>(s_.size(), this->threads_, [&](int i) {
-    std::vector<typename CancelledBonds<Dim>::Bond> of_particle;
+void Bonded<M, Dim>::hold(const Bonds& bonds, const Scene& scene) {
+  if constexpr (Dim == 3)
+    if (bonds.off_lattice) bonds_ = held<HalfPack>(bonds, scene);
+  if (bonds_.index() == 0) bonds_ = held<StoredPack>(bonds, scene);
+}
+
+template <const Formulation& M, int Dim>
+template <class Kept>
+HeldBonds<Dim, Kept> Bonded<M, Dim>::held(const Bonds& bonds, const Scene& scene) const {
+  using Cancelled = CancelledBonds<Dim, Kept>;
+  const auto cancelled = [&](int i) {
+    std::vector<typename Cancelled::Bond> of_particle;
     const int id = s_.id[i];
     for (int b = bonds.begin[id]; b < bonds.begin[id + 1]; ++b) {
       const taut::Bond& bond = bonds.of(id, b);
       const double G = shear_modulus(bonds, this->initial_, materials_, id, b);
-      of_particle.push_back(CancelledBonds<Dim>::along(bond.X, G * this->initial_.V0[id] * bond.weight));
+      of_particle.push_back(Cancelled::along(bond.X, G * this->initial_.V0[id] * bond.weight));
     }
     return of_particle;
-  });
+  };
+  return {PackedBonds<Dim, Kept>(bonds, scene, this->initial_, materials_, s_.id, this->threads_),
+          Cancelled(s_.size(), this->threads_, cancelled)};
 }
 
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::add_sites(const Bonds& bonds) {
   for (int group = 0; group < group_count(); ++group) {
     Sites four{};
-    Sym<Pack, Dim> B{};
+    GradientMoment B{};
     for (int lane = 0; lane < lanes && lanes * group + lane < s_.size(); ++lane) {
       const int id = s_.id[lanes * group + lane];
       const Elasticity& material = materials_[this->initial_.material[id]];
       four.law.K[lane] = material.K, four.law.G[lane] = material.G;
       for (int a = 0; a < Dim; ++a)
-        for (int k = a; k < Dim; ++k) B(a, k)[lane] = bonds.B[id][a][k];
+        for (int k = Dim == 2 ? a : 0; k < Dim; ++k) B(k, a)[lane] = bonds.B[id][a][k];
       if (B(0, 0)[lane] > 0) four.V[lane] = bonds.volume[id];
     }
     groups_.push_back({sites_.add({four}), B_.add({B})});
@@ -186,7 +207,8 @@ void Bonded<M, Dim>::add_sites(const Bonds& bonds) {
 /// Past the particles stand the places at a clamp, which have no stress.
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::make_columns() {
-  const std::vector<V>& clamped = bonds_.places_at_clamp();
+  const std::vector<V>& clamped = std::visit(
+      [](const auto& bonds) -> const auto& { return bonds.packed.places_at_clamp(); }, bonds_);
   const int first = lanes * group_count(), clamps = static_cast<int>(clamped.size());
   places_.resize(first + clamps);
   Q_.resize(first + clamps);
@@ -215,11 +237,15 @@ void Bonded<M, Dim>::find_stiffest_swing() {
   const double square = stiffest_swing<Dim>(s_.size(), small * c_.dp, [&](std::vector<V> u) {
     for (int i = 0; i < s_.size(); ++i) s_.x[i] = at[i] + u[i], set_place(i);
     stress_pass();
-    parallel_for(group_count(), threads_now(), [&](int group) {
-      const Vec<Pack, Dim> f = force(group);
-      for (int i = lanes * group, lane = 0; lane < lanes && i < s_.size(); ++i, ++lane)
-        for (int k = 0; k < Dim; ++k) u[i][k] = mobility_[0][i] * f[k][lane];
-    });
+    std::visit(
+        [&](const auto& bonds) {
+          parallel_for(group_count(), threads_now(), [&](int group) {
+            const Vec<Pack, Dim> f = force(bonds, group);
+            for (int i = lanes * group, lane = 0; lane < lanes && i < s_.size(); ++i, ++lane)
+              for (int k = 0; k < Dim; ++k) u[i][k] = mobility_[0][i] * f[k][lane];
+          });
+        },
+        bonds_);
     return u;
   });
   const double of_lattice = 2 * wave_speed_ / (limit * c_.dp);
@@ -272,65 +298,32 @@ void Bonded<M, Dim>::half_drift(double dt) {
   });
 }
 
-/// F = Σ_j (x_j − x_i) ⊗ a_ij B, and of the bonds the force Σ_j k (φ′(λ)/λ + τ q̇) (x_j − x_i) and, if asked
-/// for, the energy. With d = x_j − x_i and the same of places ahead, x + 3 τ v, d·ahead/r0² is s + 3 τ q̇,
-/// which in the place of s in 3 φ′/λ = s − ¾ − 1/(4s²) makes it 3 (φ′/λ + τ q̇).
 template <const Formulation& M, int Dim>
-template <bool WithEnergy>
-void Bonded<M, Dim>::strain(int group, Strained& out) const {
-  const int first = group * lanes;
-  Vec<Pack, Dim> x_i, ahead_i;
-  for (int k = 0; k < Dim; ++k)
-    x_i[k] = load(places_[k] + first), ahead_i[k] = load(places_[Dim + k] + first);
-  Mat<Pack, Dim> A{};
-  Vec<Pack, Dim> f{};
-  Pack energy{}, stiffest{};
-  const auto& own = bonds_.of(group);
-  const auto* slots = bonds_.slots(own);
-  const auto* springs = bonds_.springs(own);
-  const auto add_bond = [&](int b) {  // gives x_j − x_i
-    Pack place[2 * Dim];              // of j
-    gather(places_, first, slots[b], place);
-    Vec<Pack, Dim> d, ahead;
-    for (int k = 0; k < Dim; ++k) d[k] = place[k] - x_i[k], ahead[k] = place[Dim + k] - ahead_i[k];
-    const auto& spring = springs[b];
-    const Pack r2 = max(dot(d, d), least_r2_), half_inverse = spring.half_r0_squared / r2;
-    stiffest = max(stiffest, Pack(r2 * spring.per_r0_squared + half_inverse * half_inverse));
-    const Pack s_ahead = dot(d, ahead) * spring.per_r0_squared;  // s + 3 τ q̇
-    const Pack pull = spring.third_of_k * three_bond_slopes(s_ahead, half_inverse);
-    for (int k = 0; k < Dim; ++k) f[k] += pull * d[k];
-    if constexpr (WithEnergy) {
-      const Pack s = r2 * spring.per_r0_squared, scale = bonds_.energy_scales(own)[b].value;
-      energy += scale * bond_energy(s > 0 ? s : filled<Pack>(1));
-    }
-    return d;
-  };
-  for (int b = 0; b < own.a_count; ++b) add_outer(A, filled<Pack>(1), add_bond(b), bonds_.a_ij(own)[b]);
-  for (int b = own.a_count; b < own.count; ++b) add_bond(b);
-  const Mat<Pack, Dim> F = product(A, B(group));
+template <bool WithEnergy, class Kept>
+void Bonded<M, Dim>::strain(const HeldBonds<Dim, Kept>& bonds, int group, Strained& out) const {
+  const BondSums<Dim> sums = bond_sums<WithEnergy>(bonds.packed, places_, group, least_r2_);
+  const Mat<Pack, Dim> F = product_transposed(sums.A, B(group));
   for (int a = 0; a < Dim; ++a) {
-    out.force[a] = f[a];
+    out.force[a] = sums.force[a];
     for (int k = 0; k < Dim; ++k) out.F(a, k) = F(a, k);
   }
-  if constexpr (WithEnergy) out.energy = energy;
+  if constexpr (WithEnergy) out.energy = sums.energy;
   const Pack closing = sites(group).V > 0 ? closing_stiffness(determinant(F)) : Pack{};
-  out.stiffest = max(Pack(stiffest + bond_stiffness_offset), closing);
+  out.stiffest = max(Pack(sums.stiffest + bond_stiffness_offset), closing);
 }
-inline constexpr TermInfo bonded_damping_info{
-    "damping", "f_i = Σ_j k_ij τ q̇_ij (x_j − x_i), q = ½ (λ² − 1), τ = damping dp √(ρ0/G)", "ours",
-    "families/bonded/solver.hpp:strain",
-    "oenog: the damping takes a zigzag away and leaves the first mode alone"};
 
 /// V_i W(F_i) less what is cancelled of the bonds, of four particles, J
 template <const Formulation& M, int Dim>
-Pack Bonded<M, Dim>::energy_of_four(int group, const Mat<Pack, Dim>& F) const {
+template <class Kept>
+Pack Bonded<M, Dim>::energy_of_four(const HeldBonds<Dim, Kept>& bonds, int group,
+                                    const Mat<Pack, Dim>& F) const {
   const Sites& own = sites(group);
   Sym<Pack, Dim> C = right_cauchy_green(F);
   for (int k = 0; k < Dim; ++k) C(k, k) = own.V > 0 ? C(k, k) : filled<Pack>(1);
   const Pack W = own_law_ ? own.law.energy(F) : laws_.visit([&](const auto& laws) {
     return closed_energy(laws, &material_[lanes * group], F);
   });
-  return own.V * W - cancelled_.energy(group, C);
+  return own.V * W - bonds.cancelled.energy(group, C);
 }
 
 /// P of four particles, one after the other.
@@ -341,11 +334,12 @@ Mat<Pack, Dim> Bonded<M, Dim>::piola_of_chosen_law(int group, const Mat<Pack, Di
 
 /// Q = T B
 template <const Formulation& M, int Dim>
-void Bonded<M, Dim>::set_stress(int group, const Strained& now) {
+template <class Kept>
+void Bonded<M, Dim>::set_stress(const HeldBonds<Dim, Kept>& bonds, int group, const Strained& now) {
   const Sites& own = sites(group);
   const Mat<Pack, Dim>& F = now.F;
   const Mat<Pack, Dim> P = own_law_ ? own.law.piola(F, now.root) : piola_of_chosen_law(group, F);
-  const Mat<Pack, Dim> FS = product(F, cancelled_.slopes(group, right_cauchy_green(F)));
+  const Mat<Pack, Dim> FS = product(F, bonds.cancelled.slopes(group, right_cauchy_green(F)));
   Mat<Pack, Dim> T;
   for (int a = 0; a < Dim; ++a)
     for (int k = 0; k < Dim; ++k) T(a, k) = own.V * P(a, k) - FS(a, k);
@@ -358,42 +352,31 @@ void Bonded<M, Dim>::set_stress(int group, const Strained& now) {
 /// group, those of others are begun, but not if all their bonds come in between.
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::stress_pass() {
-  stiffest_ = parallel_max(block_count(), threads_now(), [&](int n) TAUT_FLATTEN {
-    const int first = block * n, count = std::min(block, group_count() - first);
-    Strained of[block];
-    Pack stiffest{};
-    for (int k = 0; k < count; ++k) {
-      strain<false>(first + k, of[k]);
-      for (int a = 0; a < Dim; ++a) bond_force_[first + k][a] = of[k].force[a];
-      stiffest = max(stiffest, of[k].stiffest);
-    }
-    for (int k = 0; own_law_ && k < count; ++k)
-      of[k].root = ClosedNeoHookean<Pack>::root(determinant(of[k].F));
-    for (int k = 0; k < count; ++k) set_stress(first + k, of[k]);
-    return greatest(stiffest);
-  });
+  const auto pass = [&](const auto& bonds) {
+    return parallel_max(block_count(), threads_now(), [&](int n) TAUT_FLATTEN {
+      const int first = block * n, count = std::min(block, group_count() - first);
+      Strained of[block];
+      Pack stiffest{};
+      for (int k = 0; k < count; ++k) {
+        strain<false>(bonds, first + k, of[k]);
+        for (int a = 0; a < Dim; ++a) bond_force_[first + k][a] = of[k].force[a];
+        stiffest = max(stiffest, of[k].stiffest);
+      }
+      for (int k = 0; own_law_ && k < count; ++k)
+        of[k].root = ClosedNeoHookean<Pack>::root(determinant(of[k].F));
+      for (int k = 0; k < count; ++k) set_stress(bonds, first + k, of[k]);
+      return greatest(stiffest);
+    });
+  };
+  stiffest_ = std::visit(pass, bonds_);
 }
 
 /// f_i = that of the bonds + Σ_j (Q_i + Q_j) a_ij, of four particles.
 template <const Formulation& M, int Dim>
-Vec<Pack, Dim> Bonded<M, Dim>::force(int group) const {
-  const int first = lanes * group;
-  Pack Q_i[Dim * Dim];
-  for (int k = 0; k < Dim * Dim; ++k) Q_i[k] = load(Q_[k] + first);
-  Vec<Pack, Dim> f;
-  for (int k = 0; k < Dim; ++k) f[k] = bond_force_[group][k];
-  const auto& own = bonds_.of(group);
-  const auto* slots = bonds_.slots(own);
-  for (int b = 0; b < own.a_count; ++b) {
-    Pack Q_j[Dim * Dim];
-    gather(Q_, first, slots[b], Q_j);
-    const Vec<Pack, Dim>& a_ij = bonds_.a_ij(own)[b];
-    for (int a = 0; a < Dim; ++a) {
-      Pack of_bond = (Q_i[a * Dim] + Q_j[a * Dim]) * a_ij[0];
-      for (int k = 1; k < Dim; ++k) of_bond += (Q_i[a * Dim + k] + Q_j[a * Dim + k]) * a_ij[k];
-      f[a] += of_bond;
-    }
-  }
+template <class Kept>
+Vec<Pack, Dim> Bonded<M, Dim>::force(const HeldBonds<Dim, Kept>& bonds, int group) const {
+  Vec<Pack, Dim> f = bond_force_[group];
+  add_stress_force(bonds.packed, Q_, group, f);
   return f;
 }
 
@@ -401,50 +384,38 @@ Vec<Pack, Dim> Bonded<M, Dim>::force(int group) const {
 template <const Formulation& M, int Dim>
 double Bonded<M, Dim>::force_pass(double dt) {
   const typename Base::Kick kick(*this, dt, this->time_ + dt);
-  if (kick.watched())
-    parallel_for(group_count(), threads_now(), [&](int group) { kick.note(lanes * group, force(group)); });
-  return parallel_max(block_count(), threads_now(), [&](int n) TAUT_FLATTEN {
-    Pack fastest{};
-    for (int group = block * n; group < std::min(block * (n + 1), group_count()); ++group) {
-      const int first = lanes * group;
-      Vec<Pack, Dim> f = force(group);
-      kick.add_contact(first, f);
-      const Pack mobility = dt * load(mobility_[0] + first);
-      Pack change[Dim];
-      for (int k = 0; k < Dim; ++k) change[k] = mobility * f[k];
-      fastest = max_or_nan(fastest, kick.by_changes(first, change, 0.5 * dt));
-    }
-    return greatest(fastest);
-  });
+  const auto pass = [&](const auto& bonds) {
+    if (kick.watched())
+      parallel_for(group_count(), threads_now(),
+                   [&](int group) { kick.note(lanes * group, force(bonds, group)); });
+    return parallel_max(block_count(), threads_now(), [&](int n) TAUT_FLATTEN {
+      Pack fastest{};
+      for (int group = block * n; group < std::min(block * (n + 1), group_count()); ++group) {
+        const int first = lanes * group;
+        Vec<Pack, Dim> f = force(bonds, group);
+        kick.add_contact(first, f);
+        const Pack mobility = dt * load(mobility_[0] + first);
+        Pack change[Dim];
+        for (int k = 0; k < Dim; ++k) change[k] = mobility * f[k];
+        fastest = max_or_nan(fastest, kick.by_changes(first, change, 0.5 * dt));
+      }
+      return greatest(fastest);
+    });
+  };
+  return std::visit(pass, bonds_);
 }
 
 /// For the probes of reactions: what a bond into a clamp pulls at a free particle it pulls at the held one.
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::watch_clamps(double dt) {
-  const int clamps = lanes * group_count();  // where the places at clamps begin
-  for (int group = 0; group < group_count(); ++group) {
-    const int first = lanes * group;
-    const auto& own = bonds_.of(group);
-    for (int b = 0; b < own.count; ++b) {
-      const LaneSlot& slot = bonds_.slots(own)[b];
-      const auto& spring = bonds_.springs(own)[b];
-      for (int lane = 0; lane < lanes; ++lane) {
-        const int i = first + lane, j = first + slot.step[lane];
-        if (i >= s_.size() || j < clamps) continue;
-        V d, ahead, pull{};
-        for (int k = 0; k < Dim; ++k) {
-          d[k] = places_[k][j] - places_[k][i], ahead[k] = places_[Dim + k][j] - places_[Dim + k][i];
-          for (int l = 0; l < Dim && b < own.a_count; ++l)
-            pull[k] += Q_[k * Dim + l][i] * bonds_.a_ij(own)[b][l][lane];
-        }
-        const double r2 = std::max(dot(d, d), least_r2_[0]);
-        pull += (spring.third_of_k[lane] * three_bond_slopes(dot(d, ahead) * spring.per_r0_squared[lane],
-                                                             spring.half_r0_squared[lane] / r2)) *
-                d;
-        this->reactions_.add(bonds_.held_behind(j - clamps), -dt * pull);
-      }
-    }
-  }
+  std::visit(
+      [&](const auto& bonds) {
+        for_each_pull_at_clamps(bonds.packed, places_, Q_, s_.size(), least_r2_[0],
+                                [&](int place, const V& pull) {
+                                  this->reactions_.add(bonds.packed.held_behind(place), -dt * pull);
+                                });
+      },
+      bonds_);
 }
 
 /// The stress shown is that of the recovered F; none of a held particle, which is rigid. In 3D F is scaled to
@@ -467,7 +438,8 @@ void Bonded<M, Dim>::show_stress(int group, const Mat<Pack, Dim>& F) {
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::prepare_to_show() {
   if (recovered_.empty())
-    recovered_ = recovered_gradient(this->initial_, s_.id, c_.dp, this->support_, this->threads_);
+    recovered_ = recovered_gradient(this->initial_, s_.id, c_.dp, this->support_, this->threads_,
+                                    /*halved*/ bonds_.index() > 0);
   this->snapshot_.strain_energy.resize(s_.size());
   displacements_.resize(s_.size());
   parallel_for(s_.size(), threads_now(), [&](int i) {
@@ -479,8 +451,13 @@ void Bonded<M, Dim>::prepare_to_show() {
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::show(int group) {
   Strained now;
-  strain<true>(group, now);
-  const Pack energy = now.energy + energy_of_four(group, now.F);
+  Pack energy;
+  std::visit(
+      [&](const auto& bonds) {
+        strain<true>(bonds, group, now);
+        energy = now.energy + energy_of_four(bonds, group, now.F);
+      },
+      bonds_);
   for (int i = lanes * group, lane = 0; lane < lanes && i < s_.size(); ++i, ++lane)
     this->snapshot_.strain_energy[s_.id[i]] =
         energy[lane] + interfaces_.energy_of_kink(i, s_.x, law_of_one());

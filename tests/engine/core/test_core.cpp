@@ -10,6 +10,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/core/cube_root.hpp"
+#include "engine/core/growth.hpp"
 #include "engine/core/parallel.hpp"
 #include "engine/core/team_size.hpp"
 #include "engine/core/tensor.hpp"
@@ -262,6 +263,32 @@ TEST_SUITE("unit") {
       }
       CHECK(parallel_max(0, threads, [](int) { return 1.0; }) == 0);
     }
+  }
+
+  TEST_CASE("growth: a list of which a share foretells the rest is copied no more") {
+    std::vector<int> list;
+    constexpr std::size_t rows = 6400, of_each = 10;
+    const int* place = nullptr;
+    for (std::size_t done = 0; done < rows; ++done) {
+      make_room(list, of_each, done, rows);
+      CHECK(list.capacity() >= list.size() + of_each);
+      if (done > 1000 && place != nullptr) CHECK(list.data() == place);
+      list.resize(list.size() + of_each);
+      place = list.data();
+    }
+    CHECK(list.capacity() < 1.2 * rows * of_each);
+  }
+
+  TEST_CASE("growth: a list that outgrows what was foretold still grows by shares") {
+    std::vector<int> list;
+    int copies = 0;
+    for (std::size_t done = 0; done < 1000; ++done) {
+      const std::size_t before = list.capacity();
+      make_room(list, done, done, 1000);
+      copies += list.capacity() != before;
+      list.resize(list.size() + done);
+    }
+    CHECK(copies < 60);
   }
 
   TEST_CASE(

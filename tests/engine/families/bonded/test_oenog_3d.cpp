@@ -241,12 +241,13 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("oenog: in 3D the bonds of a cube are of as many kinds as there are places by its faces") {
-    // three places along each axis: beside either face and all between
-    const Scene scene = block(12, 12, 12);
-    const Bonds bonds = make_bonds(scene, make_initial_particles(scene), h_over_dp * dp);
-    CHECK(std::set(bonds.row.begin(), bonds.row.end()).size() == 27);
-    CHECK(bonds.rows.size() < 27 * 26);
+  TEST_CASE("oenog: in 3D no bonds are kept but those of particles beside a clamp") {
+    Scene scene = block(12, 12, 12);
+    CHECK(make_bonds(scene, make_initial_particles(scene), h_over_dp * dp).rows.empty());
+    scene.bodies[0].held = [](const Point& X) { return X[0] < 2 * dp ? 1.0 : 0.0; };
+    // of three layers along x and, along y and z, of the place itself and those beside it
+    CHECK(make_bonds(scene, make_initial_particles(scene), h_over_dp * dp).rows.size() ==
+          3 * 34 * 34 - 12 * 12);
   }
 }
 

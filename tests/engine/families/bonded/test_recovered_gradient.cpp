@@ -5,6 +5,7 @@
 #include <functional>
 #include <numeric>
 #include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -43,11 +44,11 @@ Scene block_of_two() {
   return scene;
 }
 
-RecoveredGradient recovered(const Scene& scene, const InitialParticles& initial) {
+RecoveredGradient recovered(const Scene& scene, const InitialParticles& initial, bool halved = false) {
   std::vector<int> id(initial.size());
   std::iota(id.begin(), id.end(), 0);
   const double h = oenog.h_over_dp * scene.spacing;
-  return recovered_gradient(initial, id, scene.spacing, greatest_bond_reach * h);
+  return recovered_gradient(initial, id, scene.spacing, greatest_bond_reach * h, /*threads*/ 1, halved);
 }
 
 /// Greatest error of the gradients of all monomials of the degree at a particle, over what they are in dp.
@@ -104,6 +105,18 @@ TEST_SUITE("unit") {
       CHECK(own < 1e-3);  // what balances the bonds near a re-entrant corner is left of it
       CHECK(shown > 0);
     }
+  }
+
+  TEST_CASE("recovered gradient: in half the bytes it is the same in single precision") {
+    const Scene cube = jittered(small_clamped_block(), 0.2);
+    const InitialParticles initial = make_initial_particles(cube);
+    const RecoveredGradient whole = recovered(cube, initial), half = recovered(cube, initial, true);
+    CHECK(half.j == whole.j);
+    CHECK(half.row == whole.row);
+    CHECK(half.g.empty());
+    REQUIRE(whole.g.size() > 0);
+    const std::vector<float> rounded(whole.g.begin(), whole.g.end());
+    CHECK(half.halved == rounded);
   }
 
   TEST_CASE("recovered gradient: of a larger cube there are more rows, but not more that differ") {

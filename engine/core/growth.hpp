@@ -1,0 +1,24 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include "engine/core/isa.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// Makes room in a list for `more`, of which `done` of `all` have added their share, and once that foretells
+/// something for the rest: while a list is copied to where it can grow, it is there twice; room that nobody uses
+/// takes no memory.
+template <class List>
+void make_room(List& list, std::size_t more, std::size_t done, std::size_t all) {
+  constexpr std::size_t telling = 16;  // a part of all
+  const std::size_t needed = list.size() + more;
+  if (needed <= list.capacity()) return;
+  if (telling * done < all) return list.reserve(2 * needed);
+  const double each = static_cast<double>(needed) / static_cast<double>(done + 1);
+  const auto in_all = static_cast<std::size_t>(1.1 * each * static_cast<double>(all));
+  list.reserve(std::max(in_all, needed + needed / 8));
+}
+
+}  // namespace taut::inline TAUT_ISA

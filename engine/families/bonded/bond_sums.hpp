@@ -1,0 +1,123 @@
+#pragma once
+
+#include "engine/core/columns.hpp"
+#include "engine/families/bonded/cancelled.hpp"
+#include "engine/families/bonded/packed_bonds.hpp"
+#include "engine/methods/term_info.hpp"
+#include "engine/terms/bond.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// The bonds of a body and what is cancelled of them.
+template <int Dim, class Kept>
+struct HeldBonds {
+  PackedBonds<Dim, Kept> packed;
+  CancelledBonds<Dim, Kept> cancelled;
+};
+
+/// What the stress pass adds up over the bonds of four particles.
+template <int Dim>
+struct BondSums {
+  Mat<Pack, Dim> A{};      // Σ_j (x_j − x_i) ⊗ a_ij
+  Vec<Pack, Dim> force{};  // N
+  Pack energy{};           // J; if asked for
+  Pack stiffest{};         // greatest s + 1/(4s²)
+};
+
+/// Of the bonds Σ_j (x_j − x_i) ⊗ a_ij, the force Σ_j k (φ′(λ)/λ + τ q̇) (x_j − x_i) and, if asked for, the
+/// energy. `places`: x and x + 3 τ v. With d = x_j − x_i and the same of places ahead, d·ahead/r0² is
+/// s + 3 τ q̇, which in the place of s in 3 φ′/λ = s − ¾ − 1/(4s²) makes it 3 (φ′/λ + τ q̇). Bonds shorter than
+/// the root of `least_r2`, m², are taken for that long.
+template <bool WithEnergy, int Dim, class Kept>
+[[gnu::always_inline]] inline BondSums<Dim> bond_sums(const PackedBonds<Dim, Kept>& bonds,
+                                                      const Columns<2 * Dim>& places, int group,
+                                                      const Pack& least_r2) {
+  const int first = group * lanes;
+  Vec<Pack, Dim> x_i, ahead_i;
+  for (int k = 0; k < Dim; ++k) x_i[k] = load(places[k] + first), ahead_i[k] = load(places[Dim + k] + first);
+  Mat<Pack, Dim> A{};
+  Vec<Pack, Dim> force{};
+  Pack energy{}, stiffest{};
+  const auto& own = bonds.of(group);
+  const auto* slots = bonds.slots(own);
+  const auto* springs = bonds.springs(own);
+  const auto* areas = bonds.a_ij(own);
+  const auto add_bond = [&](int b) {  // gives x_j − x_i
+    Pack place[2 * Dim];              // of j
+    gather(places, first, slots[b], place);
+    Vec<Pack, Dim> d, ahead;
+    for (int k = 0; k < Dim; ++k) d[k] = place[k] - x_i[k], ahead[k] = place[Dim + k] - ahead_i[k];
+    const auto& spring = springs[b];
+    const Pack r2 = max(dot(d, d), least_r2), half_inverse = spring.half_inverse(r2);
+    stiffest = max(stiffest, Pack(r2 * spring.per_r02() + half_inverse * half_inverse));
+    const Pack s_ahead = dot(d, ahead) * spring.per_r02();  // s + 3 τ q̇
+    const Pack pull = spring.third() * three_bond_slopes(s_ahead, half_inverse);
+    for (int k = 0; k < Dim; ++k) force[k] += pull * d[k];
+    if constexpr (WithEnergy) {
+      const Pack s = r2 * spring.per_r02(), scale = unpacked(bonds.energy_scales(own)[b]);
+      energy += scale * bond_energy(s > 0 ? s : filled<Pack>(1));
+    }
+    return d;
+  };
+  for (int b = 0; b < own.a_count; ++b) add_outer(A, filled<Pack>(1), add_bond(b), unpacked(areas[b]));
+  for (int b = own.a_count; b < own.count; ++b) add_bond(b);
+  return {A, force, energy, stiffest};
+}
+inline constexpr TermInfo bonded_damping_info{
+    "damping", "f_i = Σ_j k_ij τ q̇_ij (x_j − x_i), q = ½ (λ² − 1), τ = damping dp √(ρ0/G)", "ours",
+    "families/bonded/bond_sums.hpp:bond_sums",
+    "oenog: the damping takes a zigzag away and leaves the first mode alone"};
+
+/// f_i += Σ_j (Q_i + Q_j) a_ij, of four particles.
+template <int Dim, class Kept>
+[[gnu::always_inline]] inline void add_stress_force(const PackedBonds<Dim, Kept>& bonds,
+                                                    const Columns<Dim * Dim>& Q, int group,
+                                                    Vec<Pack, Dim>& f) {
+  const int first = lanes * group;
+  Pack Q_i[Dim * Dim];
+  for (int k = 0; k < Dim * Dim; ++k) Q_i[k] = load(Q[k] + first);
+  const auto& own = bonds.of(group);
+  const auto* slots = bonds.slots(own);
+  for (int b = 0; b < own.a_count; ++b) {
+    Pack Q_j[Dim * Dim];
+    gather(Q, first, slots[b], Q_j);
+    const Vec<Pack, Dim> a_ij = unpacked(bonds.a_ij(own)[b]);
+    for (int a = 0; a < Dim; ++a) {
+      Pack of_bond = (Q_i[a * Dim] + Q_j[a * Dim]) * a_ij[0];
+      for (int k = 1; k < Dim; ++k) of_bond += (Q_i[a * Dim + k] + Q_j[a * Dim + k]) * a_ij[k];
+      f[a] += of_bond;
+    }
+  }
+}
+
+/// What bonds into a clamp pull at free particles with: f(place at the clamp, force, N) for each.
+template <int Dim, class Kept, class Use>
+void for_each_pull_at_clamps(const PackedBonds<Dim, Kept>& bonds, const Columns<2 * Dim>& places,
+                             const Columns<Dim * Dim>& Q, int particles, double least_r2, const Use& use) {
+  const int groups = (particles + lanes - 1) / lanes, clamps = lanes * groups;  // where the places begin
+  for (int group = 0; group < groups; ++group) {
+    const auto& own = bonds.of(group);
+    for (int b = 0; b < own.count; ++b) {
+      const auto& spring = bonds.springs(own)[b];
+      for (int lane = 0; lane < lanes; ++lane) {
+        const int i = lanes * group + lane, j = lanes * group + bonds.slots(own)[b].step[lane];
+        if (i >= particles || j < clamps) continue;
+        Vec<double, Dim> d, ahead, pull{};
+        for (int k = 0; k < Dim; ++k)
+          d[k] = places[k][j] - places[k][i], ahead[k] = places[Dim + k][j] - places[Dim + k][i];
+        if (b < own.a_count) {
+          const Vec<double, Dim> a_ij = lane_of(unpacked(bonds.a_ij(own)[b]), lane);
+          for (int k = 0; k < Dim; ++k)
+            for (int l = 0; l < Dim; ++l) pull[k] += Q[k * Dim + l][i] * a_ij[l];
+        }
+        const Pack r2 = filled<Pack>(std::max(dot(d, d), least_r2));
+        const double slopes =
+            three_bond_slopes(dot(d, ahead) * spring.per_r02()[lane], spring.half_inverse(r2)[lane]);
+        pull += (spring.third()[lane] * slopes) * d;
+        use(j - clamps, pull);
+      }
+    }
+  }
+}
+
+}  // namespace taut::inline TAUT_ISA
