@@ -199,6 +199,23 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE("bonds: those of steps and angles are numbers, wherever they stand") {
+    const auto step = [](double x, double width, double height, double low, double high) {
+      Scene scene = alone(Box{{x, 0, 0}, {x + width, low, 0}}, 0.002);
+      scene.bodies[0].shapes.push_back(Box{{x, 0, 0}, {x + high, height, 0}});
+      return scene;
+    };
+    // by their re-entrant corners what is asked for contradicts itself by round-off: those of three places were no numbers
+    for (const double x : {0.0, 0.005, 0.05, 0.1, 0.15, 0.2})
+      for (const Scene& scene : {step(x, 0.056, 0.04, 0.018, 0.028), step(x, 0.06, 0.05, 0.02, 0.02)}) {
+        CAPTURE(x);
+        const InitialParticles initial = make_initial_particles(scene);
+        const Bonds bonds = bonds_of(scene, initial);
+        for (const Bond& bond : bonds.rows) CHECK(std::isfinite(bond.weight + bond.area[0] + bond.area[1]));
+        CHECK(std::ranges::all_of(bonds.volume, [](double V) { return V > 0; }));
+      }
+  }
+
   TEST_CASE("bonds: the gradient of a linear field is exact at every particle") {
     const Scene scene = small_clamped_plate();
     const InitialParticles initial = make_initial_particles(scene);
