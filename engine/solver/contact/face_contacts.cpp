@@ -211,6 +211,14 @@ void FaceContacts<Dim>::act_on_nodes(const State<Dim>& s, double dt, WallContact
       own_force_[n] += size * touch.out;
       reaction[end[0]] -= ((1 - foot.xi) * size) * touch.out;
       reaction[end[1]] -= (foot.xi * size) * touch.out;
+      if (foot.slope == 0) return;
+      // the slope of the energy along the segment, t of length 1, and, since that turns, across it
+      const double by = surface_energy(touch.depth, foot.slope, stiffness(n, foot.segment));
+      const auto [along, turning] = faces_.pushes(foot);
+      own_force_[n] -= by * along;
+      reaction[end[foot.xi > 0.5]] += by * along;
+      reaction[end[0]] += by * turning;
+      reaction[end[1]] -= by * turning;
     };
   };
   for_each_touch(others_, push_back_to(reaction_));
