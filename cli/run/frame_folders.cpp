@@ -29,12 +29,13 @@ render::ImageDifference compare_files(const fs::path& a, const fs::path& b) {
 using Rows = std::vector<std::vector<std::string>>;
 
 Rows rows_of(const render::ImageDifference& d) {
-  return {{"pixels that differ visibly", percent(d.share)},
-          {"greatest difference",
-           brief(d.greatest) + " of 100 (ΔE*ab; an eye notices " + brief(render::just_noticeable) + ")"},
-          {"densest window", percent(d.densest) + " of " + std::to_string(d.width) + "x" +
-                                 std::to_string(d.height) + " pixels at " + std::to_string(d.column) + "," +
-                                 std::to_string(d.row)}};
+  return {
+      {"pixels that differ visibly", percent(d.share)},
+      {"greatest difference", brief(d.greatest) + " (ΔE*ab; white and black differ by 100; an eye notices " +
+                                  brief(render::just_noticeable) + ")"},
+      {"densest window", percent(d.densest) + " of " + std::to_string(d.width) + "x" +
+                             std::to_string(d.height) + " pixels at " + std::to_string(d.column) + "," +
+                             std::to_string(d.row)}};
 }
 
 std::string verdict(bool same) { return same ? "alike\n" : "different\n"; }

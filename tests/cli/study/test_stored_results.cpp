@@ -87,6 +87,20 @@ TEST_SUITE("cli") {
     }
   }
 
+  TEST_CASE("a run on its lattice is one with a jitter of 0, asked for or not") {
+    const auto run = [](const std::string& jitter) {
+      StoredRun one;
+      one.cells = {{"status", "finished"}, {"method", "oenog"}, {"spacing", "0.002"}};
+      if (!jitter.empty()) one.cells.emplace_back("set.jitter", jitter);
+      return one;
+    };
+    CHECK(distinguishing_columns({run(""), run("0")}, "spacing").empty());
+    const std::vector<std::string> told = distinguishing_columns({run(""), run("0"), run("0.05")}, "spacing");
+    CHECK(told == std::vector<std::string>{"set.jitter"});
+    CHECK(series_name(run(""), told) == "oenog, jitter=0");
+    CHECK(series_name(run("0.05"), told) == "oenog, jitter=0.05");
+  }
+
   TEST_CASE("a run.json that is nested without end is refused") {
     const TemporaryFolder folder;
     write(folder / "run.json", with("\"until\": 1", "\"until\": " + deep(100000)));
