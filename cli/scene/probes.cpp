@@ -41,7 +41,10 @@ const std::vector<ProbeKind> kinds{
     {"mean_position", Probe::Kind::mean_position, "m", "of the mass centre", {key::body, key::component}},
     {"greatest_position", Probe::Kind::greatest_position, "m", "of any of its particles",
      {key::body, key::component}},
-    {"gap", Probe::Kind::gap, "m", "least distance of the surfaces of two bodies, below 0 where they overlap; further apart than the contact law looks, a spacing or two, that distance", {key::bodies}},
+    {"gap", Probe::Kind::gap, "m",
+     "least distance of the surfaces of two bodies, below 0 where they overlap; at most as far as contact looks, a "
+     "spacing or two",
+     {key::bodies}},
     {"mirror_asymmetry", Probe::Kind::mirror_asymmetry, "m",
      "greatest deviation of a body from the mirror image of the other one, or of itself",
      {key::images, key::own_image, key::component}},
