@@ -45,6 +45,23 @@ std::string long_time_left(double done, double left, double elapsed) {
                            : brief(std::round(seconds / hour)) + " hours";
 }
 
+std::string bar_line(const std::string& what, double share, const std::string& left,
+                     const std::string& detail, std::size_t width) {
+  constexpr std::size_t least_cells = 10, most_cells = 40, of_name = 12;
+  constexpr std::size_t kept_free =
+      26;  // for the per cent and the time left, so that the bar keeps its length
+  const std::size_t taken = what.size() + kept_free;
+  const std::size_t cells = std::clamp(width > taken ? width - taken : 0, least_cells, most_cells);
+  const auto full = static_cast<std::size_t>(share * static_cast<double>(cells));
+  std::string tail = " [" + std::string(full, '#') + std::string(cells - full, '.') + "] " +
+                     std::to_string(static_cast<int>(100 * share)) + " %";
+  if (!left.empty()) tail += "  " + left;
+  const std::size_t room = width > tail.size() ? width - tail.size() : 0;
+  const std::string name = what.size() <= room ? what : what.substr(0, std::max(room, of_name) - 2) + "..";
+  const bool fits = name.size() + tail.size() + 2 + detail.size() <= width;
+  return name + tail + (fits && !detail.empty() ? "  " + detail : "");
+}
+
 Progress::~Progress() { clear(); }
 
 void Progress::prepare(const std::string& what) {
@@ -106,15 +123,7 @@ void Progress::print_line(double share, const std::string& detail) {
 }
 
 void Progress::draw_bar(double share, const std::string& detail) {
-  const std::string tail = "] " + std::to_string(static_cast<int>(100 * share)) + " %  " +
-                           time_left(share, since_begin_.seconds()) + "  " + detail;
-  const std::size_t width = line_width();
-  const std::string line = what_ + " [";
-  const std::size_t taken = line.size() + tail.size();
-  // what does not fit is cut off at the end: the bar is what one looks at
-  const std::size_t cells = std::clamp<std::size_t>(width > taken ? width - taken : 0, 10, 40);
-  const auto full = static_cast<std::size_t>(share * static_cast<double>(cells));
-  draw(line + std::string(full, '#') + std::string(cells - full, '.') + tail);
+  draw(bar_line(what_, share, time_left(share, since_begin_.seconds()), detail, line_width()));
 }
 
 void Progress::draw(const std::string& line) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <iosfwd>
 #include <string>
 
@@ -48,6 +49,11 @@ class Progress {
 /// "17 hours" for work whose share `done` took `elapsed` s while `left` is left; nothing if that is below half a
 /// day, or cannot be told yet.
 std::string long_time_left(double done, double left, double elapsed);
+
+/// "rings, 4398 particles [####......] 40 %  0:12 left  2.1 M particle-steps/s" in so many columns. Where they do
+/// not suffice the detail is left away, then the end of the name: per cent and time left are what one looks for.
+std::string bar_line(const std::string& what, double share, const std::string& left,
+                     const std::string& detail, std::size_t width);
 
 /// A bar if `err` is the terminal's stderr.
 Progress::Style progress_style(const std::ostream& err, bool quiet);

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <sstream>
+#include <string>
 
 #include <doctest/doctest.h>
 
@@ -18,6 +20,23 @@ TEST_SUITE("cli") {
     // the first of a sweep's runs goes on for long
     CHECK(long_time_left(0, 1, 60).empty());
     CHECK(long_time_left(0, 1, day).empty());
+  }
+
+  TEST_CASE("progress: in few columns the name is cut, and not how much is left") {
+    const std::string name = "oscillating-plate-3d, enog-nonconservative, 43923 particles";
+    for (const std::size_t width : {30, 40, 79, 100, 200}) {
+      CAPTURE(width);
+      const std::string line = bar_line(name, 0.4, "0:12 left", "2.1 M particle-steps/s", width);
+      CHECK(line.size() <= std::max<std::size_t>(width, 48));
+      CHECK(line.starts_with("oscillatin"));
+      CHECK(line.find("] 40 %  0:12 left") != std::string::npos);
+      CHECK((line.find("particle-steps/s") != std::string::npos) == (width >= 200));
+      // as long before and after the time left is known
+      CHECK(bar_line(name, 0.4, "", "", width).find(']') - bar_line(name, 0.4, "", "", width).find('[') ==
+            line.find(']') - line.find('['));
+    }
+    CHECK(bar_line("rings", 1, "0:00 left", "", 60) ==
+          "rings [" + std::string(29, '#') + "] 100 %  0:00 left");
   }
 
   TEST_CASE("progress: a terminal says what is set up, until the work begins") {
