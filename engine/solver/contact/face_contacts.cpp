@@ -288,6 +288,7 @@ double FaceContacts<Dim>::gap(const State<Dim>& s, int a, int b) {
   for (const int n : watched_) faces_.place(s, n);
   double least = reach * dp_;
   for_each_touch(others_, [&](int n, const Foot<Dim>& foot, const auto& touch) {
+    if (touch.depth >= reach * dp_) return;
     const int own = faces_.outline().body[n], other = faces_.body_of_segment(foot.segment);
     if ((own == a && other == b) || (own == b && other == a)) least = std::min(least, -touch.depth);
   });

@@ -17,9 +17,9 @@ namespace taut::inline TAUT_ISA {
 
 /// What faces of bodies do to each other where they overlap, by the law of terms/surface_contact.hpp: each
 /// node of a face is pushed to its closest point of the other face, which is pushed back; that force goes to
-/// the ends of its segment by ξ, and from nodes to particles by their weights. So both momenta are kept, and
-/// the force is the slope of an energy but for what the share of a corner (facing_share) does where it
-/// changes.
+/// the ends of its segment by ξ, and from nodes to particles by their weights. A node presses with the length of
+/// its face that lies over the other one. So both momenta are kept, and the force is the slope of an energy but
+/// for what facing_share does where a corner turns.
 ///
 /// Own faces of a body count, if the input says so, for segments that were further than `far_apart` from a
 /// node at the start: a body that folds meets itself.
@@ -49,7 +49,7 @@ class FaceContacts {
   V of_wall(int a, int wall, const WallContacts<Dim>& walls) const;
 
   /// Least signed distance of a node of one of two bodies from a face of the other, m, below 0 where they
-  /// overlap; at least `reach` where they are further apart.
+  /// overlap, by less than `reach`; that where they are further apart.
   double gap(const State<Dim>& s, int a, int b);
 
   template <class Archive>

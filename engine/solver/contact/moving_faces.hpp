@@ -176,8 +176,9 @@ class MovingFaces {
       if (!sharp_[k][end]) continue;
       const double from = (end == 0 ? xi : 1 - xi) * length, to = from + (end == 0 ? over : -over);
       const double u = std::clamp(std::max(from, to) / std::abs(over), 0.0, 1.0);
-      cover.share *= u * u * (3 - 2 * u);  // faces of one length that lie on each other slide nowhere
-      cover.slope += (end == 0 ? 6 : -6) * u * (1 - u) / std::abs(over);
+      const double share = u * u * (3 - 2 * u);  // faces of one length that lie on each other slide nowhere
+      const double slope = (end == 0 ? 6 : -6) * u * (1 - u) / std::abs(over);
+      cover = {cover.share * share, cover.slope * share + cover.share * slope};
     }
     return cover;
   }

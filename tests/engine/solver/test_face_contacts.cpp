@@ -199,6 +199,24 @@ TEST_SUITE("conservation") {
     }
   }
 
+  TEST_CASE("contact of faces: the gap of two tips is that of what touches") {
+    const double half = 0.008;
+    Scene scene =
+        scene_of({Box{{-half, 0.0078, 0}, {half, 0.0238, 0}}, Box{{-half, -0.0238, 0}, {half, -0.0078, 0}}});
+    scene.probes = {make_probe("gap", Probe::Kind::gap)};
+    scene.probes[0].bodies = {0, 1};
+    for (const int b : {0, 1}) {
+      Body& body = scene.bodies[b];
+      body.rotation = Rotation{{0, 0, 1}, {0, b == 0 ? 0.0158 : -0.0158, 0}, 45};
+      body.velocity[1] = [b](const Point&) { return b == 0 ? -5.0 : 5.0; };
+    }
+    const auto simulation = make_simulation(scene, with_method("oenog"));
+    simulation->advance_to(0.003);
+    const std::vector<double>& gap = simulation->series().value[0];
+    CHECK(*std::ranges::min_element(gap) < 0);
+    CHECK(*std::ranges::min_element(gap) > -dp);  // of faces that look away, -2.3 dp
+  }
+
   TEST_CASE("contact of faces: mirrored bodies stay mirrored to the last bit") {
     Scene scene = colliding_rings(0.14, 0.002);
     scene.contact = ContactLaw::surface;
