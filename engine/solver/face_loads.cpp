@@ -122,6 +122,45 @@ std::map<int, Below> below(const FaceLayer& layer, const InitialParticles& initi
   return all;
 }
 
+/// The nearest beside i in the direction `along`, of unit length; −1 if there is none.
+int beside(int i, const Place& along, const InitialParticles& initial, std::span<const int> near,
+           double spacing) {
+  int found = -1;
+  double least = 2 * spacing;
+  for (const int j : near) {
+    const Place d = place(initial.x[j]) - place(initial.x[i]);
+    const double distance = d.dot(along);
+    if (distance < 0.5 * spacing || distance > least || (d - distance * along).norm() > aside * spacing)
+      continue;
+    found = j, least = distance;
+  }
+  return found;
+}
+
+/// By how much more than its area each particle of the layer stands for: at a corner of the body the end correction of
+/// the midpoint rule, without which the moment of a traction that is linear along the face is short by 1/n².
+std::vector<double> end_weights(const FaceLayer& layer, const InitialParticles& initial,
+                                const NeighborLists& near, double spacing) {
+  std::vector<double> weights(layer.id.size(), 1);
+  const auto position = [&](int i) {
+    const auto found = std::ranges::lower_bound(layer.id, i);
+    return found != layer.id.end() && *found == i ? static_cast<int>(found - layer.id.begin()) : -1;
+  };
+  for (std::size_t k = 0; k < layer.id.size(); ++k)
+    for (const double side : {1, -1}) {
+      const Place along(side * -layer.normal[k][1], side * layer.normal[k][0]);
+      const int i = layer.id[k];
+      if (beside(i, along, initial, near[i], spacing) >= 0) continue;
+      const int second = beside(i, -along, initial, near[i], spacing),
+                third = second < 0 ? -1 : beside(second, -along, initial, near[second], spacing);
+      if (third < 0 || position(second) < 0 || position(third) < 0) continue;
+      constexpr double share = 1.0 / 24;
+      weights[k] += 1.25 * share, weights[position(second)] -= 1.5 * share,
+          weights[position(third)] += 0.25 * share;
+    }
+  return weights;
+}
+
 }  // namespace
 
 FaceLayer face_layer(const Load& load, const InitialParticles& initial, const NeighborLists& near,
@@ -152,6 +191,11 @@ std::vector<FaceShare> face_shares(FaceRule rule, const FaceLayer& layer, const 
   for (std::size_t k = 0; k < layer.id.size(); ++k)
     columns.push_back(column(layer.id[k], place(layer.normal[k]), initial, near, spacing));
   const std::map<int, Below> belows = below(layer, initial, near, spacing);
+  std::vector<double> whole_area = layer.area;
+  if (rule == FaceRule::by_column) {
+    const std::vector<double> weights = end_weights(layer, initial, near, spacing);
+    for (std::size_t k = 0; k < weights.size(); ++k) whole_area[k] *= weights[k];
+  }
   const auto own_area = [&](int j, const Below& b) {
     const double from_middle = b.depth - columns[b.k].middle;
     const double part = from_middle < -0.25 * spacing ? 1 : from_middle < 0.25 * spacing ? 0.5 : 0;
@@ -167,7 +211,7 @@ std::vector<FaceShare> face_shares(FaceRule rule, const FaceLayer& layer, const 
   std::vector<FaceShare> shares;
   for (const auto& [j, b] : belows) {
     const Column& c = columns[b.k];
-    const double whole = layer.area[b.k];
+    const double whole = whole_area[b.k];
     double area = own_area(j, b);
     if (!c.thin && rule == FaceRule::by_column)
       area = c.area > least_scaled * whole ? area * (whole / c.area) : j == layer.id[b.k] ? whole : 0;

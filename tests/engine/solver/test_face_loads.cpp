@@ -127,7 +127,8 @@ TEST_SUITE("unit") {
     const auto by_column = sums(shares_of(FaceRule::by_column, scene, load), initial);
     CHECK(by_column[0] == relative(3 * H));
     CHECK(by_column[1] == 0);
-    CHECK(by_column[2] == relative(-200 * H * H * H / 12 * (1 - 0.01)));  // −∫ y t_x dy by the midpoint rule
+    // −∫ y t_x dy; by the midpoint rule alone it is short by 1 %
+    CHECK(by_column[2] == relative(-200 * H * H * H / 12 * (1 - 0.0015)));
     load.value[0] = constant(3);
     load.value[1] = constant(2);
     const auto uniform = sums(shares_of(FaceRule::uniform, scene, load), initial);
@@ -171,7 +172,7 @@ TEST_SUITE("unit") {
         CHECK(sum[1] == relative(t * A));
         // columns at the ends of a thick bar, scaled, differ in depth: not exact along the face
         CHECK(sum[2] == relative(t * A * (0.5 * A - 0.5 * rows * scene.spacing),
-                                 rule == FaceRule::uniform ? 1e-9 : 1e-5));
+                                 rule == FaceRule::uniform ? 1e-9 : 2e-5));
         for (const auto& [i, f] : shares)
           if (rows > 3 && initial.x[i][1] < scene.spacing) REQUIRE(f[1] == 0);
       }
@@ -192,7 +193,9 @@ TEST_SUITE("unit") {
     CHECK(shares.size() == id.size());
     for (const auto& [i, f] : shares) {
       CHECK(load.where(initial.x[i]) != 0);
-      CHECK(f[1] == relative(scene.spacing));
+      const double from_corner = std::min(initial.x[i][0], 0.03 - initial.x[i][0]) / scene.spacing;
+      const double more = from_corner < 1 ? 1.25 : from_corner < 2 ? -1.5 : from_corner < 3 ? 0.25 : 0;
+      CHECK(f[1] == relative(scene.spacing * (1 + more / 24)));  // of the end correction
     }
   }
 
@@ -269,8 +272,12 @@ TEST_SUITE("analytic") {
       return error(at_rest(pulled_block(rows, L, sigma, omega), method, constants), sigma, L / 6);
     };
     const double oenog_coarse = across("oenog", 5), oenog_fine = across("oenog", 10);
-    CHECK(oenog_coarse < 0.01);
-    CHECK(oenog_fine < 0.6 * oenog_coarse);  // 0.63 and 0.35 %
+    CHECK(oenog_fine < 0.006);
+    CHECK(oenog_fine < 0.4 * oenog_coarse);  // 1.4 and 0.52 %, of the rows at the faces
+    const Snapshot bent = at_rest(pulled_block(10, L, sigma, omega), "oenog", {});
+    for (std::size_t i = 0; i < bent.size(); ++i)
+      if (const Point X = bent.initial(i); std::abs(X[0]) < L / 6 && std::abs(X[1]) < 0.3 * H)
+        CHECK(bent.stress(i).xx == relative(sigma(X[1]), 1e-3));  // it is bent as far as it should be
     const double tl_coarse = across("tl", 5), tl_fine = across("tl", 10);
     CHECK(tl_coarse < 0.01);
     CHECK(tl_fine < 0.7 * tl_coarse);

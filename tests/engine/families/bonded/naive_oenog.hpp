@@ -96,7 +96,9 @@ class NaiveOenogIn {
       }
       const auto F = gradient(at, i);
       for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b)
-        E += strength(i, b) * (phi(stretch(at, i, b)) - phi(std::sqrt(affine(i, b, duals(F)).value)));
+        E += strength(i, b) * phi(stretch(at, i, b));
+      for (const auto& [X, strength] : cancelled(i))
+        E -= strength * phi(std::sqrt(affine(X, duals(F)).value));
       E += bonds_.volume[i] * W(i, duals(F)).value;
     }
     return E;
@@ -113,9 +115,9 @@ class NaiveOenogIn {
       }
       const auto F = duals(gradient(at, i));
       Number left = bonds_.volume[i] * W(i, F);
-      for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
-        const Number s = affine(i, b, F);
-        left = left - strength(i, b) / 24 * (2.0 * s * s - 3.0 * s + 1 / s);
+      for (const auto& [X, strength] : cancelled(i)) {
+        const Number s = affine(X, F);
+        left = left - strength / 24 * (2.0 * s * s - 3.0 * s + 1 / s);
       }
       pull(at, i, left.slope, f);
     }
@@ -134,13 +136,12 @@ class NaiveOenogIn {
       const Square F = gradient(at, i);
       Square T = neo_hookean(i, F);
       for (double& component : T) component *= bonds_.volume[i];
-      for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
-        const Point& X = bonds_.of(i, b).X;
+      for (const auto& [X, strength] : cancelled(i)) {
         Place x{};  // F X
         for (int k = 0; k < components; ++k) x[k / Dim] += F[k] * X[k % Dim];
-        const double r0 = rest(i, b), s = squared(x) / (r0 * r0);
-        const double slope = strength(i, b) / 24 * (4 * s - 3 - 1 / (s * s));  // of φ(λ°) in s = λ°²
-        for (int k = 0; k < components; ++k) T[k] -= slope * 2 / (r0 * r0) * x[k / Dim] * X[k % Dim];
+        const double r2 = squared(X), s = squared(x) / r2;
+        const double slope = strength / 24 * (4 * s - 3 - 1 / (s * s));  // of φ(λ°) in s = λ°²
+        for (int k = 0; k < components; ++k) T[k] -= slope * 2 / r2 * x[k / Dim] * X[k % Dim];
       }
       pull(at, i, T, f);
     }
@@ -241,16 +242,24 @@ class NaiveOenogIn {
     for (int k = 0; k < components; ++k) F[k] = Number::variable(F_now[k], k);
     return F;
   }
-  /// s° of a bond, with its slopes in F
-  Number affine(int i, int b, const Duals& F) const {
-    const Point& X = bonds_.of(i, b).X;
-    Number squared;
+  /// What is cancelled of a particle: along X, with strength, J.
+  std::vector<std::pair<Point, double>> cancelled(int i) const {
+    std::vector<std::pair<Point, double>> all;
+    for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b)
+      all.emplace_back(bonds_.of(i, b).X, strength(i, b));
+    for (const FaceTerm& term : bonds_.face_terms_of(i))
+      all.emplace_back(term.t, initial_.V0[i] * G(i) * term.weight);
+    return all;
+  }
+  /// s° along X, with its slopes in F
+  Number affine(const Point& X, const Duals& F) const {
+    Number sum;
     for (int a = 0; a < Dim; ++a) {
       Number x_a;
       for (int k = 0; k < Dim; ++k) x_a = x_a + F[Dim * a + k] * X[k];
-      squared = squared + x_a * x_a;
+      sum = sum + x_a * x_a;
     }
-    return squared / Number(rest(i, b) * rest(i, b));
+    return sum / Number(squared(X));
   }
   /// The neo-Hookean energy with its slopes in F; J ≥ ½
   Number W(int i, const Duals& F) const { return neo_hookean_energy(material(i), F); }
@@ -381,7 +390,8 @@ class NaiveOenogIn {
       d[k] = (held(j) ? initial_.x[i][k] + bonds_.of(i, b).X[k] : at[j][k]) - at[i][k];
     return d;
   }
-  static double squared(const Place& d) {
+  template <std::size_t N>
+  static double squared(const std::array<double, N>& d) {
     double sum = 0;
     for (const double component : d) sum += component * component;
     return sum;

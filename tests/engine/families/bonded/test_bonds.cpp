@@ -472,26 +472,3 @@ TEST_SUITE("failure") {
     CHECK(judge.verdict() == Verdict::stable);
   }
 }
-
-TEST_SUITE("convergence") {
-  TEST_CASE("plate: the period of oenog comes nearer to the neo-Hookean reference with the spacing") {
-    constexpr double reference = 0.25522;  // s, finite elements, neo-Hookean, v_f = 0.001
-    std::array<double, 2> error{};
-    for (int k = 0; k < 2; ++k) {
-      Scene scene = oscillating_plate(0.001, 5 << k);
-      Measure period;
-      period.kind = "period";
-      period.probes = {scene.probes[0].name};
-      scene.measures = {period};
-      const auto simulation = make_simulation(scene, with_method("oenog"));
-      simulation->advance_to(0.28);
-      const auto result = measure(scene, simulation->series(), "neo_hookean");
-      REQUIRE(result[0].value);
-      error[k] = *result[0].value / reference - 1;
-    }
-    CHECK(error[0] < 0.002);
-    CHECK(error[0] > 0);
-    CHECK(error[1] > 0);
-    CHECK(std::log2(error[0] / error[1]) > 1.4);  // 0.17 and 0.058 %; 0.009 % at twenty, as near as is known
-  }
-}
