@@ -77,8 +77,9 @@ LockedPlan planned(const RunArguments& options, std::ostream& err) {
   return all;
 }
 
-/// What can be done about a run that diverged.
-std::string advice(const SceneFile& file) {
+/// What can be done about a run that diverged in so many steps.
+std::string advice(const SceneFile& file, long steps) {
+  if (steps == 0) return "no step was made: look at the velocity and displacement that the scene starts with";
   const double usual = find_method(file.settings.method)->cfl, cfl = file.settings.cfl;
   if (cfl > usual)
     return "cfl = " + brief(cfl) + " is above " + brief(usual) +
@@ -104,7 +105,8 @@ int run(const RunArguments& options, Streams streams) {
   streams.out << run_report(plan, result);
   if (const std::string& all = result.record.remark; all.size() > plan.file.remark.size())
     streams.err << "taut: " << all.substr(plan.file.remark.empty() ? 0 : plan.file.remark.size() + 2) << '\n';
-  if (!result.failure.empty()) streams.err << "taut: " << result.failure << "; " << advice(plan.file) << '\n';
+  if (!result.failure.empty())
+    streams.err << "taut: " << result.failure << "; " << advice(plan.file, result.record.steps) << '\n';
   return exit_code(result, fail_on);
 }
 

@@ -22,9 +22,14 @@ std::string error(const MeasureResult& m) {
 std::string share(std::optional<double> value) { return value ? brief(*value) : "not kept"; }
 
 std::string verdict_line(const RunRecord& record) {
-  std::string text(name(record.verdict));
+  const auto since = [](Verdict verdict, double time) {
+    return std::string(name(verdict)) + " since t = " + brief(time) + " s";
+  };
+  const auto own = record.since.find(record.verdict);
+  std::string text =
+      own == record.since.end() ? std::string(name(record.verdict)) : since(own->first, own->second);
   for (const auto& [verdict, time] : record.since)
-    text += ", " + std::string(name(verdict)) + " since t = " + brief(time) + " s";
+    if (verdict != record.verdict) text += ", " + since(verdict, time);
   return text;
 }
 

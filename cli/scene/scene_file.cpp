@@ -102,6 +102,9 @@ void read_jitter(TomlCursor& root, const Changes& changes, Jitter& jitter) {
     seed.whole = true;
     root.table().set("jitter_seed", std::move(seed));
   }
+  if (changes.jitter && changes.jitter->find("dp") != std::string::npos)
+    throw UsageError("jitter = " + *changes.jitter +
+                     ": a jitter is in spacings dp already; write jitter=0.1 for a tenth");
   jitter.share = checked_number(root, "jitter", jitter.share, changes.jitter, check_jitter);
   jitter.seed =
       static_cast<int>(checked_number(root, "jitter_seed", jitter.seed, changes.jitter_seed, check_seed));

@@ -70,7 +70,8 @@ TomlValue& TomlCursor::need(std::string_view key) {
   std::vector<std::string> others;
   for (const TomlEntry& entry : table_.entries)
     if (!may_have(entry.key)) others.push_back(entry.key);
-  const std::vector<std::string> near = nearest(key, others);
+  std::vector<std::string> near = nearest(key, others);
+  if (near.empty() && others.size() == 1) near = others;
   const FilePlace place = near.empty() ? table_.place : table_.find(near.front())->place;
   fail(place, key,
        quote(key) + " is missing in " + what_ + (near.empty() ? "" : "; there is " + quote(near.front())));

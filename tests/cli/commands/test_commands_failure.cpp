@@ -131,6 +131,15 @@ TEST_SUITE("cli") {
     CHECK(json_of(folder / "out/run.json").contains("status"));
   }
 
+  TEST_CASE("a run that starts too fast is told to look at its start, not at the time step") {
+    const TemporaryFolder folder;
+    const Outcome outcome = call(tiny_run(folder, "out", {"--set", "speed=1e6", "--no-render"}));
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 3);
+    CHECK(contains(outcome.err, "look at the velocity and displacement"));
+    CHECK(!contains(outcome.err, "cfl"));
+  }
+
   TEST_CASE("a run that diverges keeps its output and ends with exit code 3") {
     const TemporaryFolder folder;
     const Outcome outcome = call(tiny_run(folder, "out", {"--set", "cfl=20", "--until", "0.02"}));
@@ -139,6 +148,8 @@ TEST_SUITE("cli") {
     CHECK(contains(outcome.err, "diverged at t = "));
     CHECK(contains(outcome.err, " s, step "));
     CHECK(contains(outcome.err, "particle"));
+    CHECK(contains(outcome.out, "diverged since t = "));
+    CHECK(!contains(outcome.out, "diverged, diverged"));
     const auto record = json_of(folder / "out/run.json");
     CHECK(record["status"] == "failed");
     CHECK(record["verdict"] == "diverged");

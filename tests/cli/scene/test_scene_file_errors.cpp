@@ -74,8 +74,10 @@ TEST_SUITE("cli") {
     check_error("name = \"made up\"", "name = \"made up\"\n@wehn = {}", {"unknown key 'wehn'", "'when'"});
     check_error("color = \"von_mises\"", "color = \"von_mises\"\n@frame = 3",
                 {"unknown key 'frame'", "'frames'"});
-    check_error("[[body]]\nname = \"ring\"\nshape", "@[[body]]\nname = \"ring\"\nform",
-                {"'shape' is missing in body 'ring'"});
+    check_error("[[body]]\nname = \"ring\"\nshape", "[[body]]\nname = \"ring\"\n@form",
+                {"'shape' is missing in body 'ring'; there is 'form'"});
+    check_error("outer = 2 }", "@diameter = 4 }",
+                {"'outer' is missing in the shape of body 'ring'", "there is 'diameter'"});
   }
 
   TEST_CASE("scene: a key that is known and has no effect here") {
@@ -399,6 +401,7 @@ TEST_SUITE("cli") {
     CHECK(says(set_error("until", "-1"), "until = -1 must be greater than 0"));
     CHECK(says(set_error("cfl", "v0 - 1"), "cfl = v0 - 1 must be greater than 0"));
     CHECK(says(set_error("jitter", "0.5"), "jitter = 0.5 must be at least 0 and below 0.5: in spacings"));
+    CHECK(says(set_error("jitter", "0.1*dp"), "jitter = 0.1*dp: a jitter is in spacings dp already"));
     CHECK(says(set_error("jitter", "-0.1"), "jitter = -0.1 must be at least 0"));
     CHECK(says(set_error("jitter", "much"), "unknown name 'much'"));
     CHECK(says(set_error("jitter_seed", "1.5"), "jitter_seed = 1.5 must be a whole number from 1 to 1e+09"));
