@@ -148,17 +148,16 @@ TEST_SUITE("cli") {
   TEST_CASE("on the oscillating plate oenog converges with an order of 1.6, tl with less") {
     const TemporaryFolder folder;
     const auto series = [&](const std::string& method, const std::string& h) {
-      const Outcome outcome =
-          program({"sweep", "oscillating-plate", "--grid", "method=" + method, "--grid",
-                   "spacing=0.0033333333,0.0025,0.002,0.0016666667", "--set", "method.h=" + h, "--until",
-                   "0.28", "--quiet", "--out", folder.str(method + h)});
+      const Outcome outcome = program({"sweep", "oscillating-plate", "--grid", "method=" + method, "--grid",
+                                       "spacing=0.0033333333,0.0025,0.002", "--set", "method.h=" + h,
+                                       "--until", "0.28", "--quiet", "--out", folder.str(method + h)});
       CAPTURE(outcome.err);
       REQUIRE(outcome.code == 0);
       const taut::cli::Chart chart = chart_of(folder.str(method + h), {"period", taut::cli::Cost::seconds});
       REQUIRE(chart.series.size() == 1);
       return chart.series[0];
     };
-    // with 6 to 12 particles across the plate: 1.56, 1.29 and 1.61
+    // with 6 to 10 particles across the plate: 1.60, 1.30 and 1.62
     const auto oenog = series("oenog", "0.8"), tl = series("tl", "0.8"), tl_of_twelve = series("tl", "1.05");
     CHECK(*oenog.order > 1.5);
     CHECK(*oenog.order < 1.7);
