@@ -1,6 +1,7 @@
 #include "cli/scene/scene_file.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -96,15 +97,30 @@ double checked_number(TomlCursor& root, const char* key, double otherwise,
   return value;
 }
 
+/// Whether an expression has the name dp in it.
+bool has_spacing(const std::string& expression) {
+  const auto in_a_name = [&](std::size_t k) {
+    return k < expression.size() &&
+           (std::isalnum(static_cast<unsigned char>(expression[k])) != 0 || expression[k] == '_');
+  };
+  for (std::size_t at = expression.find("dp"); at != std::string::npos; at = expression.find("dp", at + 1))
+    if (!in_a_name(at + 2) && (at == 0 || !in_a_name(at - 1))) return true;
+  return false;
+}
+
+std::string in_spacings_already(const std::string& given) {
+  return "jitter = " + given + ": a jitter is in spacings dp already; write jitter=0.1 for a tenth";
+}
+
 void read_jitter(TomlCursor& root, const Changes& changes, Jitter& jitter) {
   if (!root.find("jitter_seed")) {
     TomlValue seed(static_cast<double>(jitter.seed));
     seed.whole = true;
     root.table().set("jitter_seed", std::move(seed));
   }
-  if (changes.jitter && changes.jitter->find("dp") != std::string::npos)
-    throw UsageError("jitter = " + *changes.jitter +
-                     ": a jitter is in spacings dp already; write jitter=0.1 for a tenth");
+  if (const TomlValue* given = root.find("jitter"); given && has_spacing(given->text))
+    root.fail(*given, "jitter", in_spacings_already(given->text));
+  if (changes.jitter && has_spacing(*changes.jitter)) throw UsageError(in_spacings_already(*changes.jitter));
   jitter.share = checked_number(root, "jitter", jitter.share, changes.jitter, check_jitter);
   jitter.seed =
       static_cast<int>(checked_number(root, "jitter_seed", jitter.seed, changes.jitter_seed, check_seed));

@@ -136,7 +136,7 @@ struct Bonds {
 ///   w_t = −c, 6/5 c, −1/5 c of the layers from the outermost one on, c = 5/16 (3/2 − ν′ − 3/2 ν′²) V0/|X|²,
 /// times 1.1, since the gradient sees a sixteenth of the diagonals. Along faces only: what is cancelled across them must
 /// be that of the bonds, or a homogeneous strain leaves a force. The bending period of five rows was off by +8.2, +2.8
-/// and −4.1 % for ν = 0, 0.3 and 0.49, now by +1.4, +0.7 and −2.6 %; at ν = 0.4 c is next to nothing. Not where a body
+/// and −4.1 % for ν = 0, 0.3 and 0.49, now by +1.5, +0.5 and −2.6 %; at ν = 0.4 c is next to nothing. Not where a body
 /// has other bonds than the eight nearest, nor in 3D, where faces are strained along two axes.
 Bonds make_bonds(const Scene& scene, const InitialParticles& initial, double h, int threads = 1);
 

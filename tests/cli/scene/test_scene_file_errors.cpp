@@ -57,6 +57,7 @@ TEST_SUITE("cli") {
 
   TEST_CASE("scene: unknown, misspelt and missing keys") {
     check_error("until = 2", "until = 2\njitter = @0.5", {"jitter = 0.5 must be at least 0 and below 0.5"});
+    check_error("until = 2", "until = 2\njitter = @\"0.1*dp\"", {"a jitter is in spacings dp already"});
     check_error("until = 2", "until = 2\njitter_seed = @0", {"jitter_seed = 0 must be a whole number"});
     check_error("until = 2", "until = 2\n@methd = \"enog\"",
                 {"unknown key 'methd' in the scene", "did you mean 'method'"});
