@@ -58,7 +58,7 @@ std::vector<std::string> stored_results(const std::string& scene) {
   return files;
 }
 
-int choose(const ChooseArguments& options, std::ostream& out) {
+int choose(const ChooseArguments& options, Streams streams) {
   std::optional<double> error;
   if (options.error) error = share(*options.error);
   const std::string scene = read_scene(find_scene(options.scene)).scene.name;
@@ -69,10 +69,13 @@ int choose(const ChooseArguments& options, std::ostream& out) {
   if (error && !chart.unit.empty() && options.error->ends_with('%'))
     throw UsageError("errors of " + chart.measure + " are in " + chart.unit +
                      ", not shares; give --error in " + chart.unit);
+  if (error && chart.unit.empty() && *error >= 1 && !options.error->ends_with('%'))
+    streams.err << "taut: --error " << *options.error << " allows " << brief(100 * *error) << " %; "
+                << *options.error << "% would be " << *options.error << " %\n";
   const bool granted =
       error ? !grants(chart, {*error, options.seconds}).empty() : !front(chart, options.seconds).empty();
-  out << (error ? advice(chart, {*error, options.seconds}) : price_list(chart, options.seconds))
-      << "Results: " << join(files) << '\n';
+  streams.out << (error ? advice(chart, {*error, options.seconds}) : price_list(chart, options.seconds))
+              << "Results: " << join(files) << '\n';
   return granted ? exit_fine : exit_not_granted;
 }
 
@@ -90,7 +93,7 @@ std::function<int(Streams)> declare_choose(CLI::App& app) {
   declare_measure(app, options->measure);
   app.add_option("--from", options->from, "results.csv of sweeps, or their folders; default: all below out/")
       ->option_text("FILE ...");
-  return [options](Streams streams) { return choose(*options, streams.out); };
+  return [options](Streams streams) { return choose(*options, streams); };
 }
 
 }  // namespace taut::cli

@@ -246,7 +246,8 @@ bool describe_language(const std::string& name, bool json, std::ostream& out) {
   for (const MethodInfo& m : methods()) names.emplace_back(m.name);
   for (const std::string& topic : topic_names()) names.push_back(topic);
   names.insert(names.end(), {"scene-file", "sweep-file"});
-  throw UsageError(unknown_name("scene, method or part of scene files", name, names));
+  throw UsageError(unknown_name("scene, method or part of scene files", name, names) +
+                   "; `taut list` has laws, fields, colour maps and what else there is");
 }
 
 /// A path is a scene, whether or not it exists.

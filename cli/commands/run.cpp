@@ -98,16 +98,21 @@ int run(const RunArguments& options, Streams streams) {
   const std::optional<Verdict> fail_on = parse_verdict(options.fail_on);
   const auto [lock, plan] = planned(options, streams.err);
   tell(plan.file, streams.err);
-  tell_what_is_replaced(options, plan, streams.err);
   const Interrupts interrupts;
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
-  const RunResult result = run_scene(plan, interrupts, progress, setup.seconds());
+  const RunResult result =
+      run_scene(plan, interrupts, progress, setup.seconds(),
+                [&options, &plan = plan, &streams] { tell_what_is_replaced(options, plan, streams.err); });
   streams.out << run_report(plan, result);
   if (const std::string& all = result.record.remark; all.size() > plan.file.remark.size())
     streams.err << "taut: " << all.substr(plan.file.remark.empty() ? 0 : plan.file.remark.size() + 2) << '\n';
   if (!result.failure.empty())
     streams.err << "taut: " << result.failure << "; " << advice(plan.file, result.record.steps) << '\n';
-  return exit_code(result, fail_on);
+  const int code = exit_code(result, fail_on);
+  if (code == exit_diverged && result.failure.empty())
+    streams.err << "taut: exit code " << code << ", since the verdict is " << name(result.record.verdict)
+                << " and --fail-on is " << name(*fail_on) << '\n';
+  return code;
 }
 
 }  // namespace

@@ -72,6 +72,15 @@ std::string value_in(const SceneFile& file, const Setting& setting) {
   return setting.value;  // of the spacing what was asked for
 }
 
+/// The folder of the run that has left this scene.toml, if one has.
+std::optional<std::filesystem::path> left_by(const SceneFile& file) {
+  const RunFolder folder(std::filesystem::absolute(file.path).parent_path());
+  std::error_code error;
+  if (file.path.filename() != folder.scene().filename() || !std::filesystem::exists(folder.record(), error))
+    return std::nullopt;
+  return folder.path();
+}
+
 /// "-v0=0.08-spacing=0.002": what is not as the scene has it by itself, the method's constants not as
 /// published. Runs that differ go into folders that differ.
 std::string changes_text(const RunOptions& options, const SceneFile& file) {
@@ -84,7 +93,7 @@ std::string changes_text(const RunOptions& options, const SceneFile& file) {
     else
       last[setting.name] = setting;
   for (const Parameter& parameter : file.parameters)  // of a scene.toml that a run with --set has left
-    if (parameter.value != parameter.default_value)
+    if (!left_by(file) && parameter.value != parameter.default_value)
       last.try_emplace(parameter.name, Setting{parameter.name, ""});
   if (last.empty()) return "";
   const SceneFile as_it_is = read_scene(file.path, method);
@@ -101,6 +110,10 @@ std::string changes_text(const RunOptions& options, const SceneFile& file) {
 }
 
 std::string default_folder(const RunOptions& options, const SceneFile& file) {
+  if (const auto left = left_by(file))
+    return "out/" + left->filename().string() + "-again" +
+           (file.settings.method == read_scene(file.path).settings.method ? "" : "-" + file.settings.method) +
+           changes_text(options, file);
   return "out/" + file.scene.name + "-" + file.settings.method + changes_text(options, file);
 }
 

@@ -101,7 +101,7 @@ std::string run_report(const RunPlan& plan, const RunResult& result) {
                       brief(seconds.render) + ", writing " + brief(seconds.write)}};
   if (record.spacing_asked)
     rows.push_back({"spacing", brief(*record.spacing_asked) + " m does not divide the first body; used " +
-                                   exact(record.spacing) + " m"});
+                                   brief(record.spacing) + " m"});
   rows.push_back({"run", plan.folder.path().string()});
   if (plan.drawing)
     rows.push_back({"frames", plan.folder.frames().string() + " (" + std::to_string(result.frames) + ")"});

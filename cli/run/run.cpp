@@ -350,13 +350,17 @@ std::unique_ptr<Simulation> start(const SceneFile& file) try {
 }
 
 RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress& progress,
-                    double setup_seconds) {
+                    double setup_seconds, const std::function<void()>& before_it_begins) {
   const Stopwatch watch;
   std::unique_ptr<Simulation> simulation;
   {
     const Interrupts::AtOnce nothing_to_lose;
     progress.prepare(plan.file.scene.name + ", " + plan.file.settings.method + ", setting up ...");
     simulation = start(plan.file);
+  }
+  if (before_it_begins) {
+    progress.clear();
+    before_it_begins();
   }
   RunRecord record = new_record(plan, *simulation);
   record.seconds.setup = setup_seconds + watch.seconds();

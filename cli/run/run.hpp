@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,8 +41,9 @@ struct RunResult {
 };
 
 /// Simulates `plan` and leaves its run folder. Throws OutputError, and what make_simulation throws before the
-/// folder is touched. `setup_seconds` is what the caller has spent on reading the scene.
+/// folder is touched. `setup_seconds` is what the caller has spent on reading the scene; `before_it_begins` is called
+/// when nothing stands in the way of the run any more, and the folder is as it was.
 RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress& progress,
-                    double setup_seconds);
+                    double setup_seconds, const std::function<void()>& before_it_begins = {});
 
 }  // namespace taut::cli

@@ -161,6 +161,8 @@ void suit(Drawing& drawing, const SceneFile& file) {
       throw UsageError(fmt::format("{}: {}", key, error.what()));
     }
   };
+  if (file.scene.dim == 2 && !names.contains("z") && names_in(drawing.cut).contains("z"))
+    throw UsageError("cut: there is no z in '" + drawing.cut + "', which cuts a scene with dim = 2");
   if (!drawing.cut.empty()) with_key("cut", [&] { drawing.is_cut = compile(drawing.cut, names); });
   if (!drawing.formula.empty())
     with_key("color", [&] { drawing.of_formula = color_formula(drawing.formula, file.scene.dim, names); });

@@ -81,7 +81,8 @@ void read_threshold(TomlCursor& cursor, const Scene&, Measure& measure) {
 
 void read_scale(TomlCursor& cursor, const Scene&, Measure& measure) {
   measure.scale = cursor.number("scale", measure.scale);
-  if (measure.scale == 0)
+  // an expression may come to 0 with some parameters, for which the measure has no value
+  if (measure.scale == 0 && cursor.need("scale").kind != TomlValue::Kind::text)
     cursor.fail(cursor.need("scale"), "scale", "scale is 0; the ratio to it would be infinite");
 }
 

@@ -31,7 +31,7 @@ const std::vector<std::string> reserved_names = {
 std::string bounds_text(const Parameter& parameter) {
   const std::string low = parameter.low ? exact(*parameter.low) : "any",
                     high = parameter.high ? exact(*parameter.high) : "any";
-  return low + " to " + high + (parameter.unit.empty() ? "" : " " + parameter.unit);
+  return low + " to " + high + (parameter.unit.empty() || parameter.unit == "1" ? "" : " " + parameter.unit);
 }
 
 bool within_bounds(const Parameter& parameter, double value) {

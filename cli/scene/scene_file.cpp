@@ -147,6 +147,7 @@ class SceneReading {
         source_(source),
         root_(start(path, original), "", "the scene", keys_of("scene"), {}, source) {
     read_head(root_, file_);
+    source_.dim = file_.scene.dim;
     read_parameters(root_, changes, dp, file_);
     read_settings(root_, changes, file_);
     read_times(root_, changes, dp, file_);
@@ -187,6 +188,19 @@ class SceneReading {
   TomlCursor root_;
 };
 
+/// Of a spacing that would be fitted to one row of the first body, and a much finer one.
+void refuse_too_coarse(double asked, double fitted, const TomlValue& tree, const Changes& changes,
+                       const TomlSource& source) {
+  constexpr double coarse = 2;
+  if (!(asked > coarse * fitted)) return;
+  const std::string what = "spacing = " + brief(asked) +
+                           " m is more than twice the thickness of the first body, " + brief(fitted) +
+                           " m: a body needs several rows of particles";
+  if (changes.spacing) throw UsageError(what);
+  const FilePlace place = tree.find("spacing")->value.place;
+  throw SceneError(source.file, place.line, place.column, "spacing", what);
+}
+
 }  // namespace
 
 SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings) {
@@ -199,6 +213,7 @@ SceneFile read_scene(const std::filesystem::path& path, const std::vector<Settin
   for (int round = 0; round < most_rounds; ++round) {
     SceneReading reading(dp, path, tree, changes, source);
     if (reading.fitted() == dp) return reading.finish();
+    refuse_too_coarse(dp, reading.fitted(), tree, changes, source);
     dp = reading.fitted();
   }
   const FilePlace place = tree.find("spacing")->value.place;

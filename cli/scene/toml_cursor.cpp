@@ -212,7 +212,15 @@ std::function<double(Arguments...)> TomlCursor::function(const TomlValue& value,
   };
 }
 
+/// Of an expression of the place.
+void TomlCursor::refuse_third_axis(const TomlValue& value, std::string_view key) const {
+  if (source_.dim == 2 && value.kind == Kind::text && !names_.contains("z") &&
+      names_in(value.text).contains("z"))
+    fail(value, key, std::string(key) + " = '" + value.text + "': there is no z in a scene with dim = 2");
+}
+
 Expression TomlCursor::function_of(const TomlValue& value, std::string_view key) {
+  refuse_third_axis(value, key);
   return function<const Point&>(value, key, compile, place_text);
 }
 
@@ -221,6 +229,7 @@ std::function<double(double)> TomlCursor::function_of_time(const TomlValue& valu
 }
 
 Solution TomlCursor::solution(const TomlValue& value, std::string_view key) {
+  refuse_third_axis(value, key);
   const Solution solution = function<const Point&, double>(
       value, key, compile_in_time,
       [](const Point& x, double t) { return place_text(x) + ", " + time_text(t); });

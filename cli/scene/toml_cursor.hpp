@@ -17,6 +17,7 @@ namespace taut::cli {
 /// What all cursors of one file share.
 struct TomlSource {
   std::string file;
+  int dim = 3;                 // of the scene: in 2D no place has a z
   std::set<std::string> used;  // names that some expression has asked for
 };
 
@@ -100,6 +101,7 @@ class TomlCursor {
   template <class... Arguments, class Compile, class Show>
   std::function<double(Arguments...)> function(const TomlValue& value, std::string_view key,
                                                const Compile& compile, const Show& show);
+  void refuse_third_axis(const TomlValue& value, std::string_view key) const;
   std::string full_path(std::string_view key) const;
   bool may_have(std::string_view key) const;
 

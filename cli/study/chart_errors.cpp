@@ -62,8 +62,25 @@ std::string default_measure(const StoredResults& results, const Names& charted, 
   return *std::ranges::min_element(charted, {}, rank);
 }
 
+/// The methods that others can be compared with.
 std::string hint(const StoredResults& results) {
-  return "; --against METHOD charts against the finest run of one: " + join(methods_in(results));
+  Names names = methods_in(results);
+  std::erase_if(names, [&](const std::string& method) {
+    return std::ranges::none_of(
+        results.runs, [&](const StoredRun& run) { return run.method() == method && run.is_stable(); });
+  });
+  return names.empty()
+             ? ""
+             : "; `taut chart --against METHOD` charts against the finest run of one: " + join(names);
+}
+
+/// Of runs that have none yet.
+std::string not_ended(const StoredResults& results) {
+  const auto count =
+      std::ranges::count_if(results.runs, [](const StoredRun& run) { return !run.has_result(); });
+  return count == 0 ? ""
+                    : "; " + std::to_string(count) + " of " + std::to_string(results.runs.size()) +
+                          " runs have not ended";
 }
 
 /// Why there is no error of any measure.
@@ -73,19 +90,22 @@ std::string nothing_charted(const StoredResults& results, const ChartRequest& re
            " has a value to compare other runs with";
   return "no measure in the results of " + results.scene +
          " has an error: it has no references for these parameters, or the runs were too short" +
-         hint(results);
+         not_ended(results) + hint(results);
 }
 
 std::string no_error_of(const StoredResults& results, const ChartRequest& request, const Names& charted) {
   const bool referenced = std::ranges::any_of(results.runs, [&](const StoredRun& run) {
-    return run.number(measure_column(request.measure, "reference")).has_value();
+    return run.has_result() && run.number(measure_column(request.measure, "reference")).has_value();
   });
   std::string why = "no stable run of " + request.against + " has a value of it, or no other run has";
-  if (request.against.empty())
-    why = referenced ? "all ended before it could be measured"
+  if (methods_in(results).empty())
+    why = "no run has a result yet";
+  else if (request.against.empty())
+    why = referenced ? "those with a reference ended before it could be measured"
                      : "the scene has no reference for it with these parameters";
   return "no run has an error of " + request.measure + ": " + why +
-         "; measures with an error: " + join(charted) + (request.against.empty() ? hint(results) : "");
+         (charted.empty() ? "" : "; measures with an error: " + join(charted)) + not_ended(results) +
+         (request.against.empty() ? hint(results) : "");
 }
 
 }  // namespace

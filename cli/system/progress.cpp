@@ -23,15 +23,17 @@ std::size_t line_width() {
   return (known ? size.ws_col : 80) - 1;
 }
 
-std::string time_left(double share, double elapsed) {
-  return share > 0.005 ? clock_time(elapsed * (1 - share) / share) + " left" : "";
-}
-
 }  // namespace
 
 Progress::Style progress_style(const std::ostream& err, bool quiet) {
   if (quiet) return Progress::Style::none;
   return &err == &std::cerr && ::isatty(STDERR_FILENO) ? Progress::Style::bar : Progress::Style::lines;
+}
+
+std::string time_left(double share, double before, double elapsed) {
+  constexpr double too_little = 0.005;
+  const double done = share - before;
+  return done > too_little ? clock_time(elapsed * (1 - share) / done) + " left" : "";
 }
 
 std::string long_time_left(double done, double left, double elapsed) {
@@ -119,11 +121,12 @@ void Progress::clear() {
 
 void Progress::print_line(double share, const std::string& detail) {
   err_ << "  " << static_cast<int>(100 * share) << " %  " << detail << "  "
-       << time_left(share, since_begin_.seconds()) << std::endl;
+       << time_left(share, std::max(share_at_begin_, 0.0), since_begin_.seconds()) << std::endl;
 }
 
 void Progress::draw_bar(double share, const std::string& detail) {
-  draw(bar_line(what_, share, time_left(share, since_begin_.seconds()), detail, line_width()));
+  draw(bar_line(what_, share, time_left(share, std::max(share_at_begin_, 0.0), since_begin_.seconds()),
+                detail, line_width()));
 }
 
 void Progress::draw(const std::string& line) {

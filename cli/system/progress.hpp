@@ -46,6 +46,10 @@ class Progress {
   double share_at_begin_ = -1;  // what was done before, of work that goes on
 };
 
+/// "0:12 left" of work whose `share` is done, `before` of it by a run that this one goes on with, and the rest in
+/// `elapsed` s; nothing as long as that says nothing.
+std::string time_left(double share, double before, double elapsed);
+
 /// "17 hours" for work whose share `done` took `elapsed` s while `left` is left; nothing if that is below half a
 /// day, or cannot be told yet.
 std::string long_time_left(double done, double left, double elapsed);

@@ -184,9 +184,10 @@ Value given_then(const Source& source) {
 
 /// An extreme at the end may still be ahead. What is no quantity but a fault that grows counts as it is.
 Measured extreme(const Source& source, double value) {
-  if (source.turns && source.curve[0].y.back() == value)
-    return none("the series ends at it, at {:g} s: it may go on", source.curve[0].t.back());
-  return value;
+  const auto& [t, y] = source.curve[0];
+  if (!source.turns || y.back() != value) return value;
+  if (std::ranges::min(y) == std::ranges::max(y)) return none("it is {:g} at all times", value);
+  return none("the series ends at it, at {:g} s: it may go on", t.back());
 }
 
 Measured minimum(const Source& source) { return extreme(source, std::ranges::min(source.curve[0].y)); }
@@ -217,12 +218,11 @@ Measured final_ratio(const Source& source) {
   const double ratio = source.curve[0].y.back() / source.measure->scale;
   if (!source.free) return ratio;
   const auto& gap = source.free->y;
-  const double threshold = source.measure->threshold;
+  const double threshold = source.measure->threshold, end = source.free->t.back();
   const bool touched = std::ranges::any_of(gap, [&](double y) { return y <= threshold; });
-  if (!touched) return none("the bodies have not met until {:g} s", source.free->t.back());
-  if (gap.back() <= threshold)
-    return none("the bodies are in touch at the end, {:g} s", source.free->t.back());
-  if (ratio < 0) return none("the bodies go on as before at the end, {:g} s", source.free->t.back());
+  if (!touched) return none("the bodies have not met until {:g} s", end);
+  if (gap.back() <= threshold) return none("the bodies are in touch at the end, {:g} s", end);
+  if (ratio < 0) return none("the bodies go on as before at the end, {:g} s", end);
   return ratio;
 }
 

@@ -94,7 +94,9 @@ std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std
     if (reference) add_reference(source, *reference);
     const auto no_sample = [](const Curve& curve) { return curve.size() == 0; };
     const bool seen = std::ranges::none_of(source.curve, no_sample);
-    const Measured found = seen ? kind.value(source) : Measured("the series has no finite value");
+    const Measured found = !seen             ? Measured("the series has no finite value")
+                           : each.scale == 0 ? Measured("its scale is 0")
+                                             : kind.value(source);
     result.value = found.value;
     result.why = found.why;
     for (std::size_t k = 0; k < source.curve.size() && seen && !found.value; ++k)

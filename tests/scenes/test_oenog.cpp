@@ -17,9 +17,11 @@
 #include "engine/diagnostics/verdict.hpp"
 #include "engine/families/catalogue.hpp"
 #include "engine/simulation.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut;
 using namespace taut::cli;
+using taut::test::relative;
 
 /// What is claimed of `oenog` in the shipped scenes with motion, and how its errors fall with the spacing.
 namespace {
@@ -167,6 +169,15 @@ TEST_SUITE("failure") {
     const Judge tl = fast("tl", 0.001);
     REQUIRE(tl.since().contains(Verdict::penetrated));
     CHECK(std::abs(tl.since().at(Verdict::penetrated) - 4.15e-3) < 0.1e-3);  // s
+  }
+
+  TEST_CASE(
+      "colliding rings: walls that meet at 0.1 c0 come apart again with oenog, and grow together with enog") {
+    const auto rebound = [](const char* method) {
+      return Whole(scene("colliding-rings", 0.002, {{"v0", "0.1"}}, method)).measured("rebound_ratio");
+    };
+    CHECK(rebound("oenog") == relative(0.784, 0.01));
+    CHECK(rebound("enog") < 0.3);
   }
 
   TEST_CASE("colliding rings: at 0.16 c0 and 0.8 mm the sides of the crease keep each other apart") {

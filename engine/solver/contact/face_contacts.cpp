@@ -36,8 +36,9 @@ template <int Dim>
 void FaceContacts<Dim>::refuse_thin(const Scene& scene) const {
   for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b) {
     if (std::ranges::binary_search(faces_.outline().body, b)) continue;
-    throw SceneError("contact", "the contact law 'surface' needs faces, and body '" + scene.bodies[b].name +
-                                    "' is too thin to have one: use a smaller spacing or another law");
+    throw SceneError("body." + scene.bodies[b].name,
+                     "the contact law 'surface' needs faces, and body '" + scene.bodies[b].name +
+                         "' is too thin to have one: use a smaller spacing or another law");
   }
 }
 

@@ -26,8 +26,9 @@ FacetContacts::FacetContacts(const SolverInput& input)
 void FacetContacts::refuse_thin(const Scene& scene) const {
   for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b) {
     if (facets_.mesh().closed[b]) continue;
-    throw SceneError("contact", "the contact law 'surface' needs faces, and body '" + scene.bodies[b].name +
-                                    "' is too thin to have them all: use a smaller spacing or another law");
+    throw SceneError("body." + scene.bodies[b].name,
+                     "the contact law 'surface' needs faces, and body '" + scene.bodies[b].name +
+                         "' is too thin to have them all: use a smaller spacing or another law");
   }
 }
 

@@ -171,7 +171,9 @@ TEST_SUITE("cli") {
     CHECK(record["since"]["fractured"].get<double>() > 0);
     std::vector<std::string> strict = torn;
     strict.insert(strict.end(), {"--fail-on", "fractured"});
-    CHECK(call(tiny_run(folder, "out", strict)).code == 3);
+    const Outcome failed = call(tiny_run(folder, "out", strict));
+    CHECK(failed.code == 3);
+    CHECK(contains(failed.err, "exit code 3, since the verdict is fractured and --fail-on is fractured"));
     strict.back() = "diverged";
     CHECK(call(tiny_run(folder, "out", strict)).code == 0);
   }

@@ -260,13 +260,22 @@ TEST_SUITE("cli") {
     CHECK(fs::exists("out/discs-enog-speed=2.5-until=1e-05/run.json"));
     const Outcome again = run({"--set", "speed=5/2", "--until", "1e-5"});
     CHECK(contains(again.err, "the older run in 'out/discs-enog-speed=2.5-until=1e-05' is replaced"));
+    // not where the new one cannot begin
+    const Outcome refused =
+        run({"--method", "oenog", "--spacing", "0.03", "--out", "out/discs-enog-speed=2.5-until=1e-05"});
+    CHECK(refused.code == 2);
+    CHECK_FALSE(contains(refused.err, "is replaced"));
     CHECK(run({"--set", "speed=2", "--spacing", "0.002", "--until", "0.002"}).code == 0);
     CHECK(fs::exists("out/discs-enog/run.json"));
     CHECK(run({"--method", "oenog", "--set", "method.damping=0", "--spacing", "0.004"}).code == 0);
     CHECK(fs::exists("out/discs-oenog-method.damping=0-spacing=0.004/run.json"));
     CHECK(call({"run", "out/discs-enog-speed=2.5-until=1e-05/scene.toml", "--no-render", "--quiet"}).code ==
           0);
-    CHECK(fs::exists("out/discs-enog-speed=2.5/run.json"));
+    CHECK(fs::exists("out/discs-enog-speed=2.5-until=1e-05-again/run.json"));
+    CHECK(call({"run", "out/discs-enog/scene.toml", "--no-render", "--quiet", "--method", "oenog", "--set",
+                "speed=2.5"})
+              .code == 0);
+    CHECK(fs::exists("out/discs-enog-again-oenog-speed=2.5/run.json"));
     fs::current_path(before);
   }
 

@@ -56,6 +56,9 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE("scene: unknown, misspelt and missing keys") {
+    check_error("spacing = 0.1", "spacing = @3", {"spacing = 3 m is more than twice the thickness", "1 m"});
+    check_error("velocity = [\"v0*c0*x\", 0]", "velocity = [@\"v0*z\", 0]",
+                {"there is no z in a scene with dim = 2"});
     check_error("until = 2", "until = 2\njitter = @0.5", {"jitter = 0.5 must be at least 0 and below 0.5"});
     check_error("until = 2", "until = 2\njitter = @\"0.1*dp\"", {"a jitter is in spacings dp already"});
     check_error("until = 2", "until = 2\njitter_seed = @0", {"jitter_seed = 0 must be a whole number"});

@@ -259,7 +259,8 @@ TEST_SUITE("cli") {
     const std::string file = folder.str("results.csv");
     const Outcome without = call({"chart", file, "--out", folder.str("a.png")});
     CHECK(without.code == 2);
-    CHECK(contains(without.err, "--against METHOD charts against the finest run of one: oenog, tl"));
+    CHECK(contains(without.err,
+                   "; `taut chart --against METHOD` charts against the finest run of one: oenog, tl"));
     const auto chart = chart_of(file, {.measure = "", .against = "oenog"});
     CHECK(chart.against == "oenog at 0.5 mm");
     REQUIRE(chart.series.size() == 2);

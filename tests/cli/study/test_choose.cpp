@@ -66,6 +66,8 @@ TEST_SUITE("cli") {
     CHECK(contains(found.out, "Finer runs that confirm it: 1."));
     CHECK(contains(found.out, "  tl      0.1"));
     CHECK(contains(choose({"0.01", "--seconds", "40"}).out, "take  icb at a spacing of 0.4"));
+    CHECK(contains(choose({"2"}).err, "--error 2 allows 200 %; 2% would be 2 %"));
+    CHECK(choose({"0.5"}).err.empty());
     const Outcome far = choose({"0.1%"});
     CHECK(far.code == 1);
     CHECK(contains(far.out, "do not reach that far"));

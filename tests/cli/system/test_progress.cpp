@@ -22,6 +22,12 @@ TEST_SUITE("cli") {
     CHECK(long_time_left(0, 1, day).empty());
   }
 
+  TEST_CASE("progress: the time left is that at the pace of this run, not of the one that it goes on with") {
+    CHECK(time_left(0.5, 0, 10) == "0:10 left");
+    CHECK(time_left(0.5, 0.4, 10) == "0:50 left");
+    CHECK(time_left(0.403, 0.4, 10).empty());
+  }
+
   TEST_CASE("progress: in few columns the name is cut, and not how much is left") {
     const std::string name = "oscillating-plate-3d, enog-nonconservative, 43923 particles";
     for (const std::size_t width : {30, 40, 79, 100, 200}) {

@@ -273,7 +273,7 @@ TEST_SUITE("unit") {
       make_simulation(scene, with_method("oenog"));
       FAIL("nothing was thrown");
     } catch (const SceneError& error) {
-      CHECK(error.key == "contact");
+      CHECK(error.key == "body.body 0");
       for (const char* part : {"'surface'", "'body 0'", "too thin", "smaller spacing"})
         CHECK(std::string(error.what()).find(part) != std::string::npos);
     }
