@@ -129,18 +129,6 @@ T trace(const Mat<T, Dim>& A) {
   return s;
 }
 
-/// A : B
-template <class T, int Dim>
-[[gnu::always_inline]] inline T contraction(const Sym<T, Dim>& A, const Sym<T, Dim>& B) {
-  T s = A(0, 0) * B(0, 0);
-#pragma GCC unroll 3
-  for (int a = 0; a < Dim; ++a)
-#pragma GCC unroll 3
-    for (int b = 0; b < Dim; ++b)
-      if (a + b > 0) s += A(a, b) * B(a, b);
-  return s;
-}
-
 /// C = Fᵀ F
 template <class T, int Dim>
 Sym<T, Dim> right_cauchy_green(const Mat<T, Dim>& F) {
@@ -284,19 +272,6 @@ Mat<T, 3> tensor_cross(const Mat<T, 3>& A, const Mat<T, 3>& B) {
       const int b1 = (b + 1) % 3, b2 = (b + 2) % 3;
       C(a, b) = A(a1, b1) * B(a2, b2) - A(a1, b2) * B(a2, b1) + A(a2, b2) * B(a1, b1) - A(a2, b1) * B(a1, b2);
     }
-  }
-  return C;
-}
-
-template <class T>
-[[gnu::always_inline]] inline Sym<T, 3> tensor_cross(const Sym<T, 3>& A, const Sym<T, 3>& B) {
-  Sym<T, 3> C;
-#pragma GCC unroll 3
-  for (int a = 0; a < 3; ++a) {
-    const int b = (a + 1) % 3, c = (a + 2) % 3;
-    const T AB = A(b, c) * B(b, c);
-    C(a, a) = A(b, b) * B(c, c) + A(c, c) * B(b, b) - (AB + AB);
-    C(b, c) = A(a, b) * B(a, c) + A(a, c) * B(a, b) - A(a, a) * B(b, c) - A(b, c) * B(a, a);
   }
   return C;
 }

@@ -105,19 +105,6 @@ template <class T>
   return {third_of_s * three_bond_slopes(a, T(half_inverse * b)),
           third_of_t * three_bond_slopes(b, T(half_inverse * a))};
 }
-/// ψ(s) and 2 ψ′ of what is cancelled of an area at a face (families/bonded/face_terms.hpp), s its square over that at
-/// rest: ½ tr² of a small strain, as φ of a bond is, and bounded, or a face that is drawn out would have no least energy:
-/// s grows with the fourth power of the stretch, W with the second.
-template <class T>
-T area_energy(const T& s) {
-  const T x = (s - 1) / (s + 1);
-  return 0.5 * x * x;
-}
-template <class T>
-T area_slope(const T& s) {
-  const T per = 1 / (s + 1);
-  return 4 * (s - 1) * (per * per * per);
-}
 inline constexpr TermInfo cancelled_info{
     "cancelled",
     "T_i = V_i ∂W/∂F − G V0_i F_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e, s° = e·C e, linear in s° outside [¼, 4]", "ours",

@@ -69,7 +69,7 @@ Run run(const std::string& name, const std::string& method, std::vector<Setting>
 TEST_SUITE("analytic") {
   TEST_CASE("oscillating plate in 3D: oenog swings as finite elements do with three layers of particles") {
     const Run plate = run("oscillating-plate-3d", "oenog", {{"side", "0.2"}, {"until", "0.0074"}});
-    CHECK(plate.error("first_peak") < 0.013);  // 0.012 and, with five layers, 0.006: too low
+    CHECK(plate.error("first_peak") < 0.01);  // 0.005
     CHECK(plate.verdict == Verdict::stable);
   }
 
@@ -110,10 +110,8 @@ TEST_SUITE("analytic") {
 
   TEST_CASE("ball and plate in 3D: oenog bends the plate as finite elements do, alike on all sides") {
     const Run ball = run("ball-plate-3d", "oenog", {{"spacing", "0.0066667"}, {"until", "0.012"}});
-    // with three layers; with four, which take four times as long, 0.017 and 0.006
-    CHECK(ball.error("deflection") < 0.04);                    // 0.038
-    CHECK(ball.error("ball_lowest") < 0.06);                   // 0.052
-    CHECK(*ball.measure.at("deflection_rmse").value < 0.015);  // 0.013
+    CHECK(ball.error("deflection") < 0.04);  // 0.032 with three layers
+    CHECK(ball.error("ball_lowest") < 0.04);
     CHECK(ball.error("rebound_ratio") < 0.04);
     // to the time when the ball has left the plate; particles that meet slip past each other, by 1e-3 m
     CHECK(*ball.measure.at("mirror_asymmetry_x").value < 1e-12);

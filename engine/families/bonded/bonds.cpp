@@ -14,6 +14,24 @@
 namespace taut {
 namespace {
 
+/// c |X|²/V0 of bonds.hpp, Faces.
+double lacking_along_free_face(const Material& material) {
+  const double G = material.shear_modulus(), lambda = material.bulk_modulus() - 2.0 / 3 * G,
+               thinner = lambda / (lambda + 2 * G);
+  return 1.1 * 5 / 16 * (1.5 - thinner - 1.5 * thinner * thinner);
+}
+
+/// Which neighbour of i lies in the direction d, −1 if there is none.
+int neighbor_towards(const Bonds& bonds, int i, const Eigen::Vector2d& d) {
+  constexpr double nearly = 0.99;  // the cosine
+  int found = -1;
+  bonds.for_each(i, [&](int j, const Bond& bond) {
+    const Eigen::Vector2d X = vector_of<2>(bond.X);
+    if (X.dot(d) > nearly * X.norm() * d.norm()) found = j;
+  });
+  return found;
+}
+
 /// Makes of bonds as if nothing were held those that there are.
 template <int Dim>
 class BondMaker {
@@ -32,7 +50,7 @@ class BondMaker {
       };
       out.mass = Dim == 2 ? initial_.V0 : corrected({.cells = 24, .on_faces = none});
       out.volume = corrected({.cells = Dim == 2 ? 24 : 15, .on_faces = -25});
-      out.face_terms = face_terms(scene_, initial_, uncut, S);
+      if constexpr (Dim == 2) out.face_terms = face_terms(uncut, S);
     }
     cut_at_clamp(std::move(uncut), out);
     out.B = inverse_moments<Dim>(out, initial_.size(), threads_);
@@ -52,6 +70,7 @@ class BondMaker {
   template <class AnyBonds>
   std::vector<double> with_end_correction(const AnyBonds& bonds, const std::vector<std::array<Point, 3>>& B,
                                           const std::vector<Point>& S, const EndCorrection& correction) const;
+  std::vector<FaceTerm> face_terms(const Bonds& uncut, const std::vector<Point>& S) const;
   void cut_at_clamp(Bonds&& uncut, Bonds& out) const;
   void cut_at_clamp(SolidBonds&& uncut, Bonds& out) const;
   template <class AnyBonds>
@@ -84,6 +103,38 @@ std::vector<double> BondMaker<Dim>::with_end_correction(const AnyBonds& bonds,
     });
   }
   return V;
+}
+
+/// Of particles that have five of the eight nearest, as a straight face has, away from other materials.
+template <int Dim>
+std::vector<FaceTerm> BondMaker<Dim>::face_terms(const Bonds& uncut, const std::vector<Point>& S) const {
+  constexpr int inside = 8, at_face = 5;
+  const auto count = [&](int i) { return uncut.begin[i + 1] - uncut.begin[i]; };
+  const auto alike = [&](int i) {
+    bool all = true;
+    uncut.for_each(i, [&](int j, const Bond&) { all = all && initial_.material[j] == initial_.material[i]; });
+    return all;
+  };
+  std::vector<bool> of_nearest(scene_.bodies.size(), true);
+  for (int i = 0; i < initial_.size(); ++i)
+    if (count(i) > inside) of_nearest[initial_.body[i]] = false;
+  std::vector<FaceTerm> terms;
+  for (int i = 0; i < initial_.size(); ++i) {
+    if (!of_nearest[initial_.body[i]] || count(i) != at_face) continue;
+    const Eigen::Vector2d inwards = -vector_of<2>(S[i]);
+    const int second = neighbor_towards(uncut, i, inwards),
+              third = second < 0 ? -1 : neighbor_towards(uncut, second, inwards);
+    if (third < 0 || !alike(i) || !alike(second) || !alike(third)) continue;
+    const Eigen::Vector2d X = vector_of<2>(initial_.x[second]) - vector_of<2>(initial_.x[i]);
+    const Material& material = scene_.materials[initial_.material[i]];
+    const double c = lacking_along_free_face(material) * initial_.V0[i] / X.squaredNorm();
+    const Point t{-X[1], X[0]};
+    terms.push_back({i, t, -c});
+    terms.push_back({second, t, 1.2 * c});
+    terms.push_back({third, t, -0.2 * c});
+  }
+  std::ranges::stable_sort(terms, {}, &FaceTerm::i);
+  return terms;
 }
 
 /// Share of the way X from free particle i that lies before the held region.

@@ -15,8 +15,7 @@ namespace taut::inline TAUT_ISA {
 
 /// What is cancelled of the bonds (terms/bond.hpp), for four particles at once and no neighbour: of an affine
 /// displacement all that counts of a bond is its direction, and its stretch is s° = e·C e. Bond after bond of
-/// each of the four; two that are each other's continuation are one. What is cancelled of areas at faces
-/// (face_terms.hpp) is ψ of s° = e·(cof C) e. Kept as those of PackedBonds.
+/// each of the four; two that are each other's continuation are one. Kept as those of PackedBonds.
 template <int Dim, class Kept = StoredPack>
 class CancelledBonds {
  public:
@@ -24,14 +23,13 @@ class CancelledBonds {
   struct Bond {
     Sym<double, Dim> dyad;  // e ⊗ e
     double Gw;              // G V0_i w_ij, J
-    bool across = false;    // of the area across e; in 3D
   };
 
-  /// One along X, or across it.
-  static Bond along(const Point& X, double Gw, bool across = false) {
+  /// One along X.
+  static Bond along(const Point& X, double Gw) {
     double r2 = 0;
     for (int k = 0; k < Dim; ++k) r2 += X[k] * X[k];
-    Bond bond{{}, Gw, across};
+    Bond bond{{}, Gw};
     for (int a = 0; a < Dim; ++a)
       for (int k = a; k < Dim; ++k) bond.dyad(a, k) = X[a] * X[k] / r2;
     return bond;
@@ -56,19 +54,12 @@ class CancelledBonds {
   };
   class Stretch;
 
-  static std::vector<Bond> merged(const std::vector<Bond>& bonds, bool across);
-  /// N ⨯ C of an area with N = e ⊗ e: twice e·(cof C) e is its product with C, and itself the slope of that once.
-  static Sym<Pack, Dim> of_area(const Dyad& dyad, const Sym<Pack, Dim>& C);
+  static std::vector<Bond> merged(const std::vector<Bond>& bonds);
 
-  struct Row {
-    int dyad, third, count;  // where its bonds begin; they are filled up to pairs with what has no strength
-  };
   struct Group {
-    Row bonds, areas;
-    int on_lattice;  // −1 if its bonds are not
+    int dyad, third, count;  // where its bonds begin; they are filled up to pairs with what has no strength
+    int on_lattice;          // −1 if they are not
   };
-  Sym<Pack, Dim> of_bonds(const Row& own, const Sym<Pack, Dim>& C) const;
-
   std::vector<Group> groups_;
   SharedRows<Dyad> dyads_;
   SharedRows<Kept> thirds_;  // ⅓ G V0_i w_ij, J
@@ -102,18 +93,7 @@ class CancelledBonds<Dim, Kept>::Stretch {
 template <int Dim, class Kept>
 Sym<Pack, Dim> CancelledBonds<Dim, Kept>::slopes(int group, const Sym<Pack, Dim>& C) const {
   const Group& own = groups_[group];
-  Sym<Pack, Dim> S = own.on_lattice >= 0 ? on_lattice_[own.on_lattice].slopes(C) : of_bonds(own.bonds, C);
-  if constexpr (Dim == 3)
-    for (int b = 0; b < own.areas.count; ++b) {
-      const Sym<Pack, Dim> D = of_area(dyads_[own.areas.dyad + b], C);
-      const Pack s = 0.5 * contraction(D, C), third = unpacked(thirds_[own.areas.third + b]);
-      S += (3 * third * area_slope(s)) * D;
-    }
-  return S;
-}
-
-template <int Dim, class Kept>
-Sym<Pack, Dim> CancelledBonds<Dim, Kept>::of_bonds(const Row& own, const Sym<Pack, Dim>& C) const {
+  if (own.on_lattice >= 0) return on_lattice_[own.on_lattice].slopes(C);
   Sym<Pack, Dim> S{};
   const Stretch stretch(C);
   const Dyad* const dyads = &dyads_[own.dyad];
@@ -134,34 +114,19 @@ Sym<Pack, Dim> CancelledBonds<Dim, Kept>::of_bonds(const Row& own, const Sym<Pac
 }
 
 template <int Dim, class Kept>
-Sym<Pack, Dim> CancelledBonds<Dim, Kept>::of_area(const Dyad& dyad, const Sym<Pack, Dim>& C) {
-  Sym<Pack, Dim> N;
-  N.c[dyad_size] = filled<Pack>(1);
-  for (int k = 0; k < dyad_size; ++k) N.c[k] = unpacked(dyad.c[k]);
-  for (int k = 0; k < Dim - 1; ++k) N(Dim - 1, Dim - 1) -= N(k, k);
-  return tensor_cross(N, C);
-}
-
-template <int Dim, class Kept>
 Pack CancelledBonds<Dim, Kept>::energy(int group, const Sym<Pack, Dim>& C) const {
   Pack energy{};
   const Stretch stretch(C);
-  const auto& [bonds, areas, on_lattice] = groups_[group];
-  for (int b = 0; b < bonds.count; ++b)
-    energy += unpacked(thirds_[bonds.third + b]) * cancelled_energy(stretch.of(dyads_[bonds.dyad + b]));
-  if constexpr (Dim == 3)
-    for (int b = 0; b < areas.count; ++b) {
-      const Pack s = 0.5 * contraction(of_area(dyads_[areas.dyad + b], C), C);
-      energy += unpacked(thirds_[areas.third + b]) * area_energy(s);
-    }
+  const Group& own = groups_[group];
+  for (int b = 0; b < own.count; ++b)
+    energy += unpacked(thirds_[own.third + b]) * cancelled_energy(stretch.of(dyads_[own.dyad + b]));
   return 3 * energy;
 }
 
 template <int Dim, class Kept>
-auto CancelledBonds<Dim, Kept>::merged(const std::vector<Bond>& bonds, bool across) -> std::vector<Bond> {
+auto CancelledBonds<Dim, Kept>::merged(const std::vector<Bond>& bonds) -> std::vector<Bond> {
   std::vector<Bond> all;
   for (const Bond& one : bonds) {
-    if (one.across != across) continue;
     const auto same = std::ranges::find_if(all, [&](const Bond& other) {
       double off = 0;
       for (int k = 0; k <= dyad_size; ++k) off = std::max(off, std::abs(one.dyad.c[k] - other.dyad.c[k]));
@@ -178,44 +143,32 @@ auto CancelledBonds<Dim, Kept>::merged(const std::vector<Bond>& bonds, bool acro
 template <int Dim, class Kept>
 template <class BondsOf>
 CancelledBonds<Dim, Kept>::CancelledBonds(int n, int threads, const BondsOf& bonds_of) {
-  struct Constants {
+  struct Four {
     std::vector<Dyad> dyads;
     std::vector<Kept> thirds;
-
-    void put(int lane, const std::vector<Bond>& bonds, std::size_t size) {
-      const std::size_t count = std::max(dyads.size(), size);
-      dyads.resize(count), thirds.resize(count);
-      for (std::size_t b = 0; b < bonds.size(); ++b) {
-        for (int k = 0; k < dyad_size; ++k) dyads[b].c[k].value[lane] = bonds[b].dyad.c[k];
-        thirds[b].value[lane] = bonds[b].Gw / 3;
-      }
-    }
-  };
-  struct Four {
-    Constants bonds, areas;
     CancelledOnLattice<Dim> on_lattice{};
     bool fits = true;
   };
   const auto make = [&](int group) {
     Four four;
     for (int lane = 0; lane < lanes && lanes * group + lane < n; ++lane) {
-      const std::vector<Bond> all = bonds_of(lanes * group + lane), bonds = merged(all, false),
-                              areas = merged(all, true);
-      four.bonds.put(lane, bonds, (bonds.size() + 1) / 2 * 2);
-      four.areas.put(lane, areas, areas.size());
-      for (const Bond& bond : bonds) four.fits = four.fits && four.on_lattice.add(lane, bond.dyad, bond.Gw);
+      const std::vector<Bond> bonds = merged(bonds_of(lanes * group + lane));
+      const std::size_t count = std::max(four.dyads.size(), (bonds.size() + 1) / 2 * 2);
+      four.dyads.resize(count), four.thirds.resize(count);
+      for (std::size_t b = 0; b < bonds.size(); ++b) {
+        for (int k = 0; k < dyad_size; ++k) four.dyads[b].c[k].value[lane] = bonds[b].dyad.c[k];
+        four.thirds[b].value[lane] = bonds[b].Gw / 3;
+        four.fits = four.fits && four.on_lattice.add(lane, bonds[b].dyad, bonds[b].Gw);
+      }
     }
     return four;
   };
   const int groups = (n + lanes - 1) / lanes;
   dyads_ = SharedRows<Dyad>(groups), thirds_ = SharedRows<Kept>(groups);
   on_lattice_ = SharedRows<CancelledOnLattice<Dim>>(groups);
-  const auto add = [&](const Constants& row) -> Row {
-    return {dyads_.add(row.dyads), thirds_.add(row.thirds), static_cast<int>(row.dyads.size())};
-  };
   make_in_order(groups, threads, make, [&](int, const Four& four) {
-    groups_.push_back(
-        {add(four.bonds), add(four.areas), four.fits ? on_lattice_.add({four.on_lattice}) : -1});
+    groups_.push_back({dyads_.add(four.dyads), thirds_.add(four.thirds), static_cast<int>(four.dyads.size()),
+                       four.fits ? on_lattice_.add({four.on_lattice}) : -1});
   });
   dyads_.close(), thirds_.close(), on_lattice_.close();
 }

@@ -180,9 +180,9 @@ HeldBonds<Dim, Kept> Bonded<M, Dim>::held(const Bonds& bonds, const Scene& scene
       const double G = shear_modulus(bonds, this->initial_, materials_, id, b);
       of_particle.push_back(Cancelled::along(bond.X, G * this->initial_.V0[id] * bond.weight));
     }
-    const double GV = materials_[this->initial_.material[id]].G * this->initial_.V0[id];
     for (const FaceTerm& term : bonds.face_terms_of(id))
-      of_particle.push_back(Cancelled::along(term.d, GV * term.weight, term.across));
+      of_particle.push_back(Cancelled::along(
+          term.t, materials_[this->initial_.material[id]].G * this->initial_.V0[id] * term.weight));
     return of_particle;
   };
   return {PackedBonds<Dim, Kept>(bonds, scene, this->initial_, materials_, s_.id, this->threads_),

@@ -156,21 +156,6 @@ Scene clamped_block_of_two_materials() {
   return scene;
 }
 
-/// It turns and is bent and twisted; of each face four particles are far from its edges.
-Scene plate_that_bends() {
-  Scene scene = small_solid_collision();
-  const double dp = scene.spacing, c0 = scene.materials[0].sound_speed();
-  scene.name = "plate-that-bends";
-  scene.bodies.pop_back();
-  scene.bodies[0].shapes = {Box{{0, 0, 0}, {10 * dp, 10 * dp, 3 * dp}}};
-  scene.bodies[0].velocity = {};
-  scene.bodies[0].velocity[0] = [=](const Point& X) { return c0 * (0.02 * X[1] / dp - 0.1); };
-  scene.bodies[0].velocity[2] = [=](const Point& X) {
-    return c0 * (0.01 * std::pow(X[0] / dp - 5, 2) + 0.006 * X[0] * X[1] / (dp * dp));
-  };
-  return scene;
-}
-
 }  // namespace
 
 TEST_SUITE("reference") {
@@ -199,12 +184,5 @@ TEST_SUITE("reference") {
     check_oenog(small_solid_collision(), true);
     check_oenog(small_clamped_block(), true);
     check_oenog(clamped_block_of_two_materials(), false);
-  }
-
-  TEST_CASE("oenog: in 3D 40 steps of a plate, whose faces have terms, are those of the formulas") {
-    const Scene plate = plate_that_bends();
-    CHECK(make_bonds(plate, make_initial_particles(plate), 0.9 * plate.spacing).face_terms.size() ==
-          2 * 4 * 3 * 9);
-    check_oenog(plate, false);
   }
 }

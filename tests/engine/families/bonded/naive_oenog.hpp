@@ -97,8 +97,8 @@ class NaiveOenogIn {
       const auto F = gradient(at, i);
       for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b)
         E += strength(i, b) * phi(stretch(at, i, b));
-      for (const Cancelled& one : cancelled(i))
-        E -= one.strength * cancelled_energy(one, affine(one, duals(F))).value;
+      for (const auto& [X, strength] : cancelled(i))
+        E -= strength * phi(std::sqrt(affine(X, duals(F)).value));
       E += bonds_.volume[i] * W(i, duals(F)).value;
     }
     return E;
@@ -115,8 +115,9 @@ class NaiveOenogIn {
       }
       const auto F = duals(gradient(at, i));
       Number left = bonds_.volume[i] * W(i, F);
-      for (const Cancelled& one : cancelled(i)) {
-        left = left - one.strength * cancelled_energy(one, affine(one, F));
+      for (const auto& [X, strength] : cancelled(i)) {
+        const Number s = affine(X, F);
+        left = left - strength / 24 * (2.0 * s * s - 3.0 * s + 1 / s);
       }
       pull(at, i, left.slope, f);
     }
@@ -135,14 +136,7 @@ class NaiveOenogIn {
       const Square F = gradient(at, i);
       Square T = neo_hookean(i, F);
       for (double& component : T) component *= bonds_.volume[i];
-      for (const Cancelled& one : cancelled(i)) {
-        const auto& [X, strength, across] = one;
-        if (across) {
-          const Number s = affine(one, duals(F));
-          const double slope = 2 * (s.value - 1) / std::pow(s.value + 1, 3);
-          for (int k = 0; k < components; ++k) T[k] -= strength * slope * s.slope[k];
-          continue;
-        }
+      for (const auto& [X, strength] : cancelled(i)) {
         Place x{};  // F X
         for (int k = 0; k < components; ++k) x[k / Dim] += F[k] * X[k % Dim];
         const double r2 = squared(X), s = squared(x) / r2;
@@ -248,41 +242,17 @@ class NaiveOenogIn {
     for (int k = 0; k < components; ++k) F[k] = Number::variable(F_now[k], k);
     return F;
   }
-  /// What is cancelled of a particle along X, or of the area across it.
-  struct Cancelled {
-    Point X;
-    double strength;  // J
-    bool across = false;
-  };
-  std::vector<Cancelled> cancelled(int i) const {
-    std::vector<Cancelled> all;
+  /// What is cancelled of a particle: along X, with strength, J.
+  std::vector<std::pair<Point, double>> cancelled(int i) const {
+    std::vector<std::pair<Point, double>> all;
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b)
-      all.push_back({bonds_.of(i, b).X, strength(i, b)});
+      all.emplace_back(bonds_.of(i, b).X, strength(i, b));
     for (const FaceTerm& term : bonds_.face_terms_of(i))
-      all.push_back({term.d, initial_.V0[i] * G(i) * term.weight, term.across});
+      all.emplace_back(term.t, initial_.V0[i] * G(i) * term.weight);
     return all;
   }
-  /// φ(λ°), or of an area ½ ((s° − 1)/(s° + 1))²
-  static Number cancelled_energy(const Cancelled& one, const Number& s) {
-    const Number x = (s - 1) / (s + 1);
-    return one.across ? 0.5 * (x * x) : 1.0 / 24 * (2.0 * s * s - 3.0 * s + 1 / s);
-  }
-  /// s° with its slopes in F. An area across X grows as the cofactor of F maps X.
-  Number affine(const Cancelled& one, const Duals& F) const {
-    if constexpr (Dim == 3)
-      if (one.across) return along(one.X, cofactor(F));
-    return along(one.X, F);
-  }
-  static Duals cofactor(const Duals& F) {
-    Duals H;
-    for (int a = 0; a < 3; ++a)
-      for (int k = 0; k < 3; ++k) {
-        const int b = (a + 1) % 3, c = (a + 2) % 3, l = (k + 1) % 3, m = (k + 2) % 3;
-        H[3 * a + k] = F[3 * b + l] * F[3 * c + m] - F[3 * b + m] * F[3 * c + l];
-      }
-    return H;
-  }
-  Number along(const Point& X, const Duals& F) const {
+  /// s° along X, with its slopes in F
+  Number affine(const Point& X, const Duals& F) const {
     Number sum;
     for (int a = 0; a < Dim; ++a) {
       Number x_a;
