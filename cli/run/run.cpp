@@ -193,8 +193,9 @@ void Run::simulate() {
 }
 
 void Run::step_through() {
-  progress_.begin(plan_.file.scene.name + ", " + record_.method + ", " + std::to_string(record_.particles) +
-                  " particles");
+  progress_.begin(
+      plan_.file.scene.name + ", " + record_.method + ", " + std::to_string(record_.particles) + " particles",
+      record_.reached / record_.until);
   if (!plan_.state)
     for (const auto& output : outputs_) output->take();
   for (bool going = result_.failure.empty(); going;) {

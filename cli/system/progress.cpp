@@ -70,20 +70,19 @@ void Progress::prepare(const std::string& what) {
   if (style_ == Style::bar) draw(what);
 }
 
-void Progress::begin(const std::string& what) {
+void Progress::begin(const std::string& what, double done_before) {
   what_ = what;
   since_begin_ = {};
   since_shown_ = {};
   quarters_ = 0;
-  share_at_begin_ = -1;
+  done_before_ = done_before;
   if (style_ == Style::lines) err_ << what_ << std::endl;
-  if (style_ == Style::bar) draw_bar(0, "");
+  if (style_ == Style::bar) draw_bar(done_before, "");
 }
 
 void Progress::warn_of_length(double share) {
-  if (share_at_begin_ < 0) share_at_begin_ = share;
   if (warned_) return;
-  const std::string length = long_time_left(share - share_at_begin_, 1 - share, since_begin_.seconds());
+  const std::string length = long_time_left(share - done_before_, 1 - share, since_begin_.seconds());
   if (length.empty()) return;
   warned_ = true;
   clear();
@@ -121,12 +120,11 @@ void Progress::clear() {
 
 void Progress::print_line(double share, const std::string& detail) {
   err_ << "  " << static_cast<int>(100 * share) << " %  " << detail << "  "
-       << time_left(share, std::max(share_at_begin_, 0.0), since_begin_.seconds()) << std::endl;
+       << time_left(share, done_before_, since_begin_.seconds()) << std::endl;
 }
 
 void Progress::draw_bar(double share, const std::string& detail) {
-  draw(bar_line(what_, share, time_left(share, std::max(share_at_begin_, 0.0), since_begin_.seconds()),
-                detail, line_width()));
+  draw(bar_line(what_, share, time_left(share, done_before_, since_begin_.seconds()), detail, line_width()));
 }
 
 void Progress::draw(const std::string& line) {

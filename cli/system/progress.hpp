@@ -21,7 +21,8 @@ class Progress {
 
   /// What is under way before the work begins, on a terminal.
   void prepare(const std::string& what);
-  void begin(const std::string& what);
+  /// `done_before`: the share that an earlier run has done, of work that goes on
+  void begin(const std::string& what, double done_before = 0);
   /// `share` of the work is done, 0 to 1. May be called as often as one likes. Work that will take half a day
   /// or more is said to after a second, whatever the style.
   void show(double share, const std::string& detail);
@@ -42,8 +43,8 @@ class Progress {
   Stopwatch since_begin_, since_shown_;
   int quarters_ = 0;  // quarters of the work that a line has been printed for
   bool bar_shown_ = false;
-  bool warned_ = false;         // that it takes long
-  double share_at_begin_ = -1;  // what was done before, of work that goes on
+  bool warned_ = false;     // that it takes long
+  double done_before_ = 0;  // a share
 };
 
 /// "0:12 left" of work whose `share` is done, `before` of it by a run that this one goes on with, and the rest in
