@@ -209,7 +209,7 @@ const Texts scene_rules{
     "In two dimensions forces and masses are per metre of depth.",
     "A key that is unknown or unused, a wrong type or a value out of bounds is an error with its place, what "
     "is "
-    "allowed and the nearest known name. So are a parameter, a material and a probe that nothing uses.",
+    "allowed and the nearest known name. So are a parameter and a material that nothing uses.",
     "At most 20 million particles, 500 parameters, 20 000 letters in an expression, 100 in a name of one, "
     "200 bytes "
     "in a title or a help; all bounds are in cli/PROMISES.md of the sources.",

@@ -34,7 +34,7 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
         simulation_(simulation),
         result_(result),
         agenda_(plan.history_times),
-        judge_(scene_, simulation.snapshot(), simulation.support()),
+        judge_(scene_, simulation),
         gauge_(scene_, simulation.snapshot(), simulation.threads()),
         conservation_(scene_, simulation.snapshot()) {}
 

@@ -257,7 +257,7 @@ std::span<const Section> scene_sections() {
       {"driven", "driven = [{ ... }]", "of a body; where several hold the last one counts", driven_keys},
       {"loaded", "loaded = [{ ... }]", "of a body; loads of several regions add up", loaded_keys},
       {"wall", "[[wall]]", "a rigid half-space", wall_keys},
-      {"probe", "[[probe]]", "a quantity followed at every step; some measure must use it", probe_keys},
+      {"probe", "[[probe]]", "a quantity followed at every step, a column of history.csv", probe_keys},
       {"line", "[[line]]", "a field along a straight line of points, into lines.csv", line_keys},
       {"measure", "[[measure]]", "one number of a run, in run.json", measure_keys},
       {"reference", "[[reference]]", "what is known of the measures, for one law of elasticity",

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <set>
 #include <stdexcept>
 
 #include "cli/scene/sections.hpp"
@@ -211,22 +210,6 @@ const KeyInfo& measure_key(std::string_view name) {
 void read_measures(TomlCursor& root, Scene& scene) {
   read_each(root, "measure",
             [&](TomlCursor& cursor) { scene.measures.push_back(read_measure(cursor, scene)); });
-  std::set<std::string> used;
-  for (const Measure& measure : scene.measures) {
-    used.insert(measure.free);
-    used.insert(measure.probes.begin(), measure.probes.end());
-  }
-  for (TomlValue& value : root.list("probe"))
-    if (const TomlEntry* of_others = value.find("value");
-        of_others != nullptr && of_others->value.kind == TomlValue::Kind::text)
-      used.merge(names_in(of_others->value.text));
-  for (TomlValue& value : root.list("probe")) {
-    const TomlEntry& name = *value.find("name");
-    if (!used.contains(name.value.text))
-      root.fail(name.value, "probe." + name.value.text,
-                "the probe '" + name.value.text +
-                    "' is unused: no [[measure]] follows it; remove it or measure it");
-  }
 }
 
 }  // namespace taut::cli

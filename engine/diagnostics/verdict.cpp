@@ -37,9 +37,10 @@ std::vector<std::string> names_of_failures() {
   return names;
 }
 
-Judge::Judge(const Scene& scene, const Snapshot& start, double support)
+Judge::Judge(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors)
     : particles_(start.size()),
       longest_(std::max(support, 2 * scene.spacing)),
+      keeps_neighbors_(keeps_neighbors),
       penetration_(start, scene.spacing) {
   // 1.5 dp: the eight nearest of a square lattice (√2 dp), the six of a hexagonal one, no second row
   for_each_close_pair(start, 1.5 * scene.spacing, [this](int i, int j) { bonds_.push_back({i, j, false}); });
@@ -95,11 +96,44 @@ bool Judge::update_broken_in(const Snapshot& now) {
     const double *a = x + std::ptrdiff_t{Dim} * bond.i, *b = x + std::ptrdiff_t{Dim} * bond.j;
     double squared = 0;
     for (int k = 0; k < Dim; ++k) squared += (a[k] - b[k]) * (a[k] - b[k]);
-    if ((squared > longest2) == bond.broken) continue;
-    bond.broken = !bond.broken;
+    const bool broken = squared > longest2 && (!keeps_neighbors_ || stands_out<Dim>(bond, now));
+    if (broken == bond.broken) continue;
+    bond.broken = broken;
     changed = true;
   }
   return changed;
+}
+
+/// Of bonds that go on from one another (within 25°) a crack opens one, and a smooth displacement stretches all
+/// about alike. One that nothing goes on from stands out.
+template <int Dim>
+bool Judge::stands_out(const Bond& bond, const Snapshot& now) const {
+  constexpr double jump = 1.5, opposite = -0.9;  // of stretches; cosine
+  using V = std::array<double, Dim>;
+  const auto from_to = [](const std::vector<double>& x, int i, int j) {
+    V d;
+    for (int k = 0; k < Dim; ++k) d[k] = x[std::size_t(Dim) * j + k] - x[std::size_t(Dim) * i + k];
+    return d;
+  };
+  const auto dot = [](const V& a, const V& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+  };
+  const auto squared_stretch = [&](int i, int j) {
+    const V X = from_to(now.x0, i, j), x = from_to(now.x, i, j);
+    return dot(x, x) / dot(X, X);
+  };
+  double greatest = 0;  // squared, of what goes on from it
+  for (const auto& [i, j] : {std::pair(bond.i, bond.j), std::pair(bond.j, bond.i)}) {
+    const V X = from_to(now.x0, i, j);
+    for (int k = first_of_[i]; k < first_of_[i + 1]; ++k) {
+      const Bond& other = bonds_[bonds_of_[k]];
+      const int to = other.i == i ? other.j : other.i;
+      const V Y = from_to(now.x0, i, to);
+      if (dot(X, Y) < opposite * std::sqrt(dot(X, X) * dot(Y, Y)))
+        greatest = std::max(greatest, squared_stretch(i, to));
+    }
+  }
+  return squared_stretch(bond.i, bond.j) > jump * jump * greatest;
 }
 
 int Judge::count_pieces() const {

@@ -13,6 +13,7 @@
 #include "engine/diagnostics/penetration.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/snapshot.hpp"
+#include "engine/solver/running.hpp"
 
 namespace taut {
 
@@ -43,16 +44,20 @@ inline constexpr double hourglass_threshold = 0.03;
 /// hourglass: the hourglass error is above its threshold.
 /// penetrated: a particle lies inside another body, or inside a far part of its own; see Penetration.
 /// connectivity: a bond joins two particles of one body that are at most 1.5 dp apart at the start; it is
-///   broken while it is longer than max(support, 2 dp). Fractured = more pieces of the graph of unbroken
-///   bonds than at the start ("at the start", not "bodies": a body may consist of parts), or a broken bond
-///   whose ends are more than 8 unbroken bonds apart: a crack at least five particles deep. A ring that is
-///   cut once stays one piece.
+///   broken while it is longer than max(support, 2 dp), since a method that searches its neighbours has lost
+///   it then. Where they are kept a body may be drawn out as far as its law allows: a bond of that length is
+///   broken if it stands out, stretched by more than 1.5 times what those are that go on from its ends.
+///   Fractured = more pieces of the graph of unbroken bonds than at the start ("at the start", not "bodies":
+///   a body may consist of parts), or a broken bond whose ends are more than 8 unbroken bonds apart: a crack
+///   at least five particles deep. A ring that is cut once stays one piece.
 /// energy: kinetic + strain above twice what was given, or anything that is not finite = diverged. Given is
 ///   the start's and the work of drives, loads and gravity, at its greatest so far: what takes energy back
 ///   may leave noise, not more. A scene that is given none but round-off is judged by finiteness only.
 class Judge {
  public:
-  Judge(const Scene& scene, const Snapshot& start, double support);
+  Judge(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors = false);
+  Judge(const Scene& scene, const Simulation& simulation)
+      : Judge(scene, simulation.snapshot(), simulation.support(), simulation.keeps_neighbors()) {}
   /// Takes the state at one time into account and remembers when each failure began. Without readings its
   /// zigzags are not judged.
   void observe(const Snapshot& now, const Balance& balance, const Readings& readings = {});
@@ -84,6 +89,8 @@ class Judge {
   bool update_broken(const Snapshot& now);
   template <int Dim>
   bool update_broken_in(const Snapshot& now);
+  template <int Dim>
+  bool stands_out(const Bond& bond, const Snapshot& now) const;
   int count_pieces() const;
   bool has_crack() const;
   bool bypassed(int bond, std::vector<int>& seen) const;
@@ -92,7 +99,8 @@ class Judge {
   std::vector<int> first_of_;  // [particles + 1] where in bonds_of_ those of each begin
   std::vector<int> bonds_of_;  // indices
   std::size_t particles_ = 0;
-  double longest_ = 0;       // m, of an unbroken bond
+  double longest_ = 0;  // m, of a bond that is not asked whether it is broken
+  bool keeps_neighbors_ = false;
   double start_energy_ = 0;  // J
   double given_energy_ = 0;  // J, greatest so far
   double nothing_ = 0;       // J, what round-off gives

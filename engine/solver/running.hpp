@@ -63,6 +63,8 @@ class Simulation {
   /// Directed pairs of neighbours, as of the last rebuild.
   long pairs() const { return pairs_; }
   double support() const { return support_; }  // radius of interaction, m
+  /// The neighbours of a particle inside its body are those of the start.
+  bool keeps_neighbors() const { return keeps_neighbors_; }
   /// Greatest number of threads in use.
   int threads() const { return threads_; }
 
@@ -77,6 +79,7 @@ class Simulation {
   Series series_;
   long pairs_ = 0;
   double support_ = 0;
+  bool keeps_neighbors_ = false;
   int threads_ = 1;
 
  private:

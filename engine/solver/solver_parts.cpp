@@ -24,6 +24,7 @@ SolverParts<Dim>::SolverParts(const SolverInput& input, double support)
       team_(input.threads) {
   threads_ = input.threads;
   support_ = support;
+  keeps_neighbors_ = taut::keeps_neighbors(input.method);
   const auto point = [](const Point& p) {
     V v;
     for (int k = 0; k < Dim; ++k) v[k] = p[k];

@@ -19,7 +19,7 @@ namespace {
 /// The run looked at every half millisecond until `until`.
 Judge judged(const Scene& scene, const std::string& method, double until) {
   const auto simulation = make_simulation(scene, with_method(method));
-  Judge judge(scene, simulation->snapshot(), simulation->support());
+  Judge judge(scene, *simulation);
   const double every = 0.0005;
   for (int k = 1; k * every < until + 0.5 * every; ++k) {
     simulation->advance_to(k * every);

@@ -81,7 +81,7 @@ Run run(const std::string& name, const std::string& method, std::vector<Setting>
   file.settings.threads = 1;
   const auto simulation = make_simulation(file.scene, file.settings);
   const Snapshot& now = simulation->snapshot();
-  Judge judge(file.scene, now, simulation->support());
+  Judge judge(file.scene, *simulation);
   IndicatorGauge gauge(file.scene, now);
   ConservationWatch watch(file.scene, now);
   LineRecorder lines(file.scene, now, simulation->support());

@@ -74,7 +74,7 @@ SceneFile askew_rings(double spacing, double across) {
 Judge judged(const SceneFile& file) {
   constexpr int looks = 1000;  // as the history of a run
   const auto simulation = make_simulation(file.scene, file.settings);
-  Judge judge(file.scene, simulation->snapshot(), simulation->support());
+  Judge judge(file.scene, *simulation);
   IndicatorGauge gauge(file.scene, simulation->snapshot());
   for (int k = 1; k <= looks && judge.verdict() != Verdict::diverged; ++k) {
     simulation->advance_to(file.scene.until * k / looks);

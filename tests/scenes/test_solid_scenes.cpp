@@ -46,7 +46,7 @@ Run run(const std::string& name, const std::string& method, std::vector<Setting>
   SceneFile file = read_scene(find_scene(name), settings);
   file.settings.threads = 1;
   const auto simulation = make_simulation(file.scene, file.settings);
-  Judge judge(file.scene, simulation->snapshot(), simulation->support());
+  Judge judge(file.scene, *simulation);
   IndicatorGauge gauge(file.scene, simulation->snapshot());
   Run run;
   constexpr int looks = 20;

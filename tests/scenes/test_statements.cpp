@@ -132,7 +132,7 @@ Verdict verdict_of(const Statement& statement) {
   SceneFile file = read_scene(find_scene(statement.scene), settings);
   file.settings.threads = 1;
   const auto simulation = make_simulation(file.scene, file.settings);
-  Judge judge(file.scene, simulation->snapshot(), simulation->support());
+  Judge judge(file.scene, *simulation);
   IndicatorGauge gauge(file.scene, simulation->snapshot());
   constexpr int looks = 40;
   for (int k = 1; k <= looks && judge.verdict() != diverged; ++k) {

@@ -51,7 +51,7 @@ SceneFile scene(const std::string& name, const std::string& method, double spaci
 Rest run(const SceneFile& file) {
   constexpr int looks = 40;
   const auto simulation = make_simulation(file.scene, file.settings);
-  Judge judge(file.scene, simulation->snapshot(), simulation->support());
+  Judge judge(file.scene, *simulation);
   Rest rest;
   try {
     for (int k = 1; k <= looks && judge.verdict() != Verdict::diverged; ++k) {

@@ -104,8 +104,8 @@ Sym<Pack, Dim> CancelledBonds<Dim, Kept>::slopes(int group, const Sym<Pack, Dim>
     S.c[dyad_size] += pull;
   };
   for (int b = 0; b < own.count; b += 2) {
-    const auto [p, q] = cancelled_pulls(stretch.of(dyads[b]), stretch.of(dyads[b + 1]), unpacked(thirds[b]),
-                                        unpacked(thirds[b + 1]));
+    const auto [p, q] = cancelled_pulls<Dim>(stretch.of(dyads[b]), stretch.of(dyads[b + 1]),
+                                             unpacked(thirds[b]), unpacked(thirds[b + 1]));
     add(dyads[b], p);
     add(dyads[b + 1], q);
   }
@@ -119,7 +119,7 @@ Pack CancelledBonds<Dim, Kept>::energy(int group, const Sym<Pack, Dim>& C) const
   const Stretch stretch(C);
   const Group& own = groups_[group];
   for (int b = 0; b < own.count; ++b)
-    energy += unpacked(thirds_[own.third + b]) * cancelled_energy(stretch.of(dyads_[own.dyad + b]));
+    energy += unpacked(thirds_[own.third + b]) * cancelled_energy<Dim>(stretch.of(dyads_[own.dyad + b]));
   return 3 * energy;
 }
 

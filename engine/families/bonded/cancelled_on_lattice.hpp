@@ -72,15 +72,15 @@ bool CancelledOnLattice<Dim>::add(int lane, const Sym<double, Dim>& dyad, double
 template <int Dim>
 Sym<Pack, Dim> CancelledOnLattice<Dim>::slopes(const Sym<Pack, Dim>& C) const {
   Sym<Pack, Dim> S{};
-  const auto [x, y] = cancelled_pulls(C(0, 0), C(1, 1), axis[0], axis[1]);
+  const auto [x, y] = cancelled_pulls<Dim>(C(0, 0), C(1, 1), axis[0], axis[1]);
   S(0, 0) = x, S(1, 1) = y;
-  if constexpr (Dim == 3) S(2, 2) = cancelled_pulls(C(2, 2), filled<Pack>(1), axis[2], axis[2])[0];
+  if constexpr (Dim == 3) S(2, 2) = cancelled_pulls<Dim>(C(2, 2), filled<Pack>(1), axis[2], axis[2])[0];
 #pragma GCC unroll 3
   for (int n = 0; n < faces; ++n) {
     const auto [a, b] = plane(n);
     const Face& own = face[n];
     const Pack even = own.aa * C(a, a) + own.bb * C(b, b), odd = own.ab * (C(a, b) + C(a, b));
-    const auto [p, q] = cancelled_pulls(even + odd, even - odd, own.third[0], own.third[1]);
+    const auto [p, q] = cancelled_pulls<Dim>(even + odd, even - odd, own.third[0], own.third[1]);
     S(a, a) += (p + q) * own.aa, S(b, b) += (p + q) * own.bb, S(a, b) += (p - q) * own.ab;
   }
   if constexpr (Dim == 3) {
@@ -89,8 +89,10 @@ Sym<Pack, Dim> CancelledOnLattice<Dim>::slopes(const Sym<Pack, Dim>& C) const {
     const Pack xy = e(0, 1) * (C(0, 1) + C(0, 1)), xz = e(0, 2) * (C(0, 2) + C(0, 2)),
                yz = e(1, 2) * (C(1, 2) + C(1, 2));
     const Pack* const third = across.third;
-    const auto [p, q] = cancelled_pulls(even + xy + (xz + yz), even + xy - (xz + yz), third[0], third[1]);
-    const auto [r, s] = cancelled_pulls(even - xy + (xz - yz), even - xy - (xz - yz), third[2], third[3]);
+    const auto [p, q] =
+        cancelled_pulls<Dim>(even + xy + (xz + yz), even + xy - (xz + yz), third[0], third[1]);
+    const auto [r, s] =
+        cancelled_pulls<Dim>(even - xy + (xz - yz), even - xy - (xz - yz), third[2], third[3]);
     const Pack all = (p + q) + (r + s);
 #pragma GCC unroll 3
     for (int k = 0; k < 3; ++k) S(k, k) += all * e(k, k);

@@ -203,14 +203,12 @@ auto InterfaceSites<Dim>::deformations(const Site& site, const Column& x) const 
 /// φ(s) is that of the spring, which PackedBonds has, and not counted here.
 template <int Dim>
 auto InterfaceSites<Dim>::stored_across(const Bond& bond, double s, double across, double own) -> Stored {
-  const auto rate = [](double at) {  // of cancelled_slope
-    return at < 0.25 || at > 4 ? 0 : (1 + 0.5 / (at * at * at)) / 3;
-  };
   const double difference =
-      bond.own_strength * cancelled_slope(own) - bond.strength * cancelled_slope(across);
-  return {0.5 * difference * (s - across) - bond.strength * cancelled_energy(across), 0.5 * difference,
-          -0.5 * (bond.own_strength * cancelled_slope(own) + bond.strength * rate(across) * (s - across)),
-          0.5 * bond.own_strength * rate(own) * (s - across)};
+      bond.own_strength * cancelled_slope<Dim>(own) - bond.strength * cancelled_slope<Dim>(across);
+  return {0.5 * difference * (s - across) - bond.strength * cancelled_energy<Dim>(across), 0.5 * difference,
+          -0.5 * (bond.own_strength * cancelled_slope<Dim>(own) +
+                  bond.strength * cancelled_slope_rate<Dim>(across) * (s - across)),
+          0.5 * bond.own_strength * cancelled_slope_rate<Dim>(own) * (s - across)};
 }
 
 template <int Dim>
@@ -225,7 +223,7 @@ Mat<double, Dim> InterfaceSites<Dim>::stress(int n, const Column& x, const Law& 
     const Direction pulled = at.own * bond.e;
     const double s_own = dot(pulled, pulled);
     if (bond.pull < 0) {
-      own = with(own, -bond.strength * cancelled_slope(s_own), pulled, bond.e);
+      own = with(own, -bond.strength * cancelled_slope<Dim>(s_own), pulled, bond.e);
       continue;
     }
     const Direction middle = at.across * bond.e, d = x[bond.j] - x[site.i];
@@ -251,10 +249,10 @@ double InterfaceSites<Dim>::energy_of_kink(int i, const Column& x, const Law& la
     const Bond& bond = bonds_[k];
     const Direction own = at.own * bond.e, middle = at.across * bond.e, plain = at.mean * bond.e,
                     d = x[bond.j] - x[site.i];
-    E += bond.strength * cancelled_energy(dot(plain, plain));
+    E += bond.strength * cancelled_energy<Dim>(dot(plain, plain));
     E +=
         bond.pull < 0
-            ? -bond.strength * cancelled_energy(dot(own, own))
+            ? -bond.strength * cancelled_energy<Dim>(dot(own, own))
             : stored_across(bond, bond.per_r0_squared * dot(d, d), dot(middle, middle), dot(own, own)).energy;
   }
   return E;

@@ -226,9 +226,6 @@ TEST_SUITE("cli") {
     check_error("[[body]]", "[material.@steel]\ndensity = 1\nyoungs_modulus = 1\npoisson_ratio = 0\n[[body]]",
                 {"the material 'steel' is unused"});
     check_error("[[probe]]",
-                "[[probe]]\nname = @\"gap\"\nof = \"gap\"\nbodies = [\"block\", \"ring\"]\n[[probe]]",
-                {"the probe 'gap' is unused"});
-    check_error("[[probe]]",
                 "[[probe]]\nname = \"gap\"\nof = \"gap\"\nbodies = @[\"block\", \"block\"]\n[[probe]]",
                 {"two different"});
     check_error("[render]", "@[[reference]]\nlaw = \"neo_hookean\"\nname = \"twin\"\n[render]",

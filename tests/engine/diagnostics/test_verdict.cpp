@@ -201,6 +201,41 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE(
+      "judge: where neighbours are kept a body may be drawn out, and a crack in it is found all the same") {
+    for (const int dim : {2, 3}) {
+      CAPTURE(dim);
+      const Scene scene = one_body(dim);
+      const Snapshot start = lattice(dim, 16, 6, dim == 3 ? 4 : 1);
+      const auto verdict = [&](bool keeps_neighbors, auto place) {
+        Snapshot now = start;
+        for (std::size_t i = 0; i < now.size(); ++i) place(&now.x[static_cast<std::size_t>(dim) * i]);
+        Judge judge(scene, start, support, keeps_neighbors);
+        observe(judge, now, scene, 1);
+        return judge.verdict();
+      };
+      const auto drawn = [](double* x) { x[0] *= 3, x[1] *= 0.6; };
+      CHECK(verdict(true, drawn) == Verdict::stable);
+      CHECK(verdict(false, drawn) == Verdict::fractured);
+      // the next bond is always stretched 1.4 times as much
+      const auto ever_more = [](double* x) { x[0] = dp * (std::pow(1.4, x[0] / dp) - 1) / 0.4; };
+      CHECK(verdict(true, ever_more) == Verdict::stable);
+      for (const double opened : {1.3, 1.8}) {  // times the bonds about it, through the whole body
+        const auto cracked = [=](double* x) {
+          x[0] = 2 * x[0] + (x[0] > 7.5 * dp ? 2 * (opened - 1) * dp : 0);
+        };
+        CHECK(verdict(true, cracked) == (opened > 1.5 ? Verdict::fractured : Verdict::stable));
+      }
+    }
+    // two particles: nothing says that they are part of something drawn out
+    const Scene scene = one_body(2);
+    Snapshot two = lattice(2, 2, 1);
+    Judge judge(scene, two, support, /*keeps_neighbors*/ true);
+    part(two, 0, 1.61 * dp);
+    observe(judge, two, scene, 1);
+    CHECK(judge.verdict() == Verdict::fractured);
+  }
+
   TEST_CASE("judge: a ring that is cut once is fractured, though it is one piece") {
     std::vector<Point> places;
     constexpr double turn = 6.283185307179586;

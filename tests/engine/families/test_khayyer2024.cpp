@@ -153,7 +153,7 @@ TEST_SUITE("failure") {
     // [Khayyer2024] Fig. 10; with 25 particles across it does not
     const Scene scene = spinning_plate(50);
     const auto simulation = make_simulation(scene, with_method("d-ulsph-r-as"));
-    Judge judge(scene, simulation->snapshot(), simulation->support());
+    Judge judge(scene, *simulation);
     const Noise as = noise(scene, *simulation), tic = noise("d-ulsph-r-tic", 50);
     CHECK(as.pressure > 3 * noise("d-ulsph-r-as", 25).pressure);  // 0.23 and 0.0114
     CHECK(tic.pressure < noise("d-ulsph-r-tic", 25).pressure);    // 0.0056 and 0.0155

@@ -161,7 +161,7 @@ TEST_SUITE("conservation") {
         Settings settings = with_method(std::string(method.name));
         settings.cfl = 0.1;
         const auto simulation = make_simulation(scene, settings);
-        Judge judge(scene, simulation->snapshot(), simulation->support());
+        Judge judge(scene, *simulation);
         simulation->advance_to(2e-4);
         const Balance now = balance(simulation->snapshot(), scene);
         judge.observe(simulation->snapshot(), now);

@@ -365,22 +365,29 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("bond: what is cancelled is the bond's own within [1/4, 4], and goes on with its slope") {
-    for (const double s : {0.25, 0.5, 1.0, 2.0, 4.0}) {
-      CHECK(cancelled_energy(s) == bond_energy(s));
-      CHECK(cancelled_slope(s) == bond_slope(s));
+  TEST_CASE_TEMPLATE(
+      "bond: what is cancelled is the bond's own within [1/4, 25/4], in 3D 4, and goes on with its slope",
+      Dimension, std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
+    constexpr int Dim = Dimension::value;
+    constexpr double end = Dim == 2 ? 6.25 : 4;
+    for (const double s : {0.25, 0.5, 1.0, 2.0, end}) {
+      CHECK(cancelled_energy<Dim>(s) == bond_energy(s));
+      CHECK(cancelled_slope<Dim>(s) == bond_slope(s));
     }
-    const auto [p, q] = cancelled_pulls(0.1, 1.3, 2.0 / 3, 5.0 / 3);
-    CHECK(p == Approx(2 * cancelled_slope(0.1)).epsilon(1e-14));
-    CHECK(q == Approx(5 * cancelled_slope(1.3)).epsilon(1e-14));
-    for (const double s : {0.01, 0.1, 0.24, 4.5, 30.0}) {
-      const double step = 1e-6, edge = s < 1 ? 0.25 : 4;
+    const auto [p, q] = cancelled_pulls<Dim>(0.1, 1.3, 2.0 / 3, 5.0 / 3);
+    CHECK(p == Approx(2 * cancelled_slope<Dim>(0.1)).epsilon(1e-14));
+    CHECK(q == Approx(5 * cancelled_slope<Dim>(1.3)).epsilon(1e-14));
+    const double step = 1e-6;
+    for (const double s : {0.01, 0.1, 0.24, end + 0.25, 30.0}) {
       // dφ/ds = φ′/(2 λ)
-      CHECK((cancelled_energy(s + step) - cancelled_energy(s - step)) / (2 * step) ==
-            Approx(0.5 * cancelled_slope(s)).epsilon(1e-7));
-      CHECK(cancelled_slope(s) == bond_slope(edge));
-      CHECK(bond_energy(s) > cancelled_energy(s));
+      CHECK((cancelled_energy<Dim>(s + step) - cancelled_energy<Dim>(s - step)) / (2 * step) ==
+            Approx(0.5 * cancelled_slope<Dim>(s)).epsilon(1e-7));
+      CHECK(cancelled_slope<Dim>(s) == bond_slope(s < 1 ? 0.25 : end));
+      CHECK(bond_energy(s) > cancelled_energy<Dim>(s));
     }
+    for (const double s : {0.1, 0.3, 1.0, end - 0.1, end + 0.1})
+      CHECK((cancelled_slope<Dim>(s + step) - cancelled_slope<Dim>(s - step)) / (2 * step) ==
+            Approx(cancelled_slope_rate<Dim>(s)).epsilon(1e-7));
   }
 
   TEST_CASE("bond: four particles at once have what each has alone, below J = 1/2 too") {
@@ -464,7 +471,7 @@ TEST_SUITE("failure") {
   TEST_CASE("rings: oenog neither fractures nor diverges at twice the speed that oas does not survive") {
     const Scene scene = colliding_rings(0.12, 0.002);
     const auto simulation = make_simulation(scene, with_method("oenog"));
-    Judge judge(scene, simulation->snapshot(), simulation->support());
+    Judge judge(scene, *simulation);
     for (int k = 1; k <= 24; ++k) {
       simulation->advance_to(0.0005 * k);
       judge.observe(simulation->snapshot(), balance(simulation->snapshot(), scene));

@@ -426,7 +426,7 @@ TEST_SUITE("failure") {
   TEST_CASE("oenog: in 3D a cube that meets a wall at 0.9 sound speeds stays whole and finite") {
     const Scene scene = cube_at_wall();
     const auto simulation = make_simulation(scene, with_method("oenog"));
-    Judge judge(scene, simulation->snapshot(), simulation->support());
+    Judge judge(scene, *simulation);
     double most_strained = 0, start = balance(simulation->snapshot(), scene).kinetic;
     for (int k = 0; k < 30; ++k) {
       make_steps(*simulation, 20);
