@@ -85,7 +85,8 @@ std::string motion_text(const Body& body) {
     add("held in part");
   if (const std::string along = axes_of(body.displacement); !along.empty())
     add("displaced along " + along + " at the start");
-  for (const Drive& drive : body.drives) add("driven in part until " + brief(drive.until) + " s");
+  for (const Drive& drive : body.drives)
+    add("driven in part" + (drive.until ? " until " + brief(*drive.until) + " s" : ""));
   for (const Load& load : body.loads) add("loaded in part: " + std::string(name(load.kind)));
   return text;
 }

@@ -72,6 +72,7 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
     result_.record.pieces = judge_.pieces();
     result_.record.verdict = judge_.verdict();
     result_.record.since = judge_.since();
+    result_.record.beyond_law = judge_.beyond_law();
   }
 
   const Scene& scene_;

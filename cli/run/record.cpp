@@ -133,6 +133,9 @@ Json to_json(const RunRecord& record) {
   json["particle_steps_per_second"] = number(record.particle_steps_per_second());
   json["verdict"] = name(record.verdict);
   json["since"] = since(record);
+  if (record.beyond_law.share > 0)
+    json["beyond_law"] = {{"since", number(record.beyond_law.since)},
+                          {"share", number(record.beyond_law.share)}};
   json["indicators"] = all_indicators(record);
   json["conservation"] = {{"linear_momentum", number(record.conservation.linear_momentum)},
                           {"angular_momentum", number(record.conservation.angular_momentum)},

@@ -43,6 +43,7 @@ struct RunRecord {
   Seconds seconds;
   Verdict verdict = Verdict::stable;
   std::map<Verdict, double> since;  // s
+  BeyondLaw beyond_law;
   int pieces = 0;
   std::array<IndicatorRecord, indicators.size()> indicator;
   Conservation conservation;

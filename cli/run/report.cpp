@@ -99,6 +99,9 @@ std::string run_report(const RunPlan& plan, const RunResult& result) {
                     std::to_string(record.threads) + (record.threads == 1 ? " thread" : " threads")},
       {"seconds", "set-up " + brief(seconds.setup) + ", solving " + brief(seconds.solve) + ", drawing " +
                       brief(seconds.render) + ", writing " + brief(seconds.write)}};
+  if (const BeyondLaw& beyond = record.beyond_law; beyond.share > 0)
+    rows.push_back({"law", "not followed since t = " + brief(beyond.since) + " s by up to " +
+                               percent(beyond.share) + " of the bonds: drawn out too far, they are stiffer"});
   if (record.spacing_asked)
     rows.push_back({"spacing", brief(*record.spacing_asked) + " m does not divide the first body; used " +
                                    brief(record.spacing) + " m"});

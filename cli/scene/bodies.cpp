@@ -129,8 +129,7 @@ void read_drives(TomlCursor& cursor, const Scene& scene, Body& body) {
     std::size_t axis = 0;
     for (const TomlValue& component : components(entry, "velocity", scene.dim))
       drive.velocity[axis++] = entry.function_of_time(component, "velocity");
-    if (!entry.find("until")) entry.table().set("until", TomlValue(scene.until));
-    drive.until = entry.positive("until");
+    if (entry.find("until")) drive.until = entry.positive("until");
     entry.finish();
     body.drives.push_back(std::move(drive));
   }

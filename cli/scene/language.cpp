@@ -104,7 +104,7 @@ constexpr KeyInfo part_keys[] = {
 constexpr KeyInfo driven_keys[] = {
     {"where", "expression of the place", "", "the region: where it is not 0"},
     {"velocity", "[x, y] of t, m/s", "", "of its particles"},
-    {"until", "number, s", "the run's end", "free from then on"},
+    {"until", "number, s", "never", "free from then on, if that is before the run's end"},
 };
 
 constexpr KeyInfo loaded_keys[] = {
@@ -112,8 +112,8 @@ constexpr KeyInfo loaded_keys[] = {
     {"force", "[x, y] of the place, N", "one of three", "spread over the region by volume; 2D: N per metre"},
     {"force_density", "[x, y] of the place, N/m³", "one of three", "of the initial volume"},
     {"traction", "[x, y] of the place, Pa", "one of three",
-     "on the outer face of a layer one spacing deep; methods without fixed neighbours, and tl-small-strain, "
-     "take it in the layer"},
+     "on the outer face of a layer one spacing deep; in 3D, and by methods without fixed neighbours and "
+     "tl-small-strain, in the layer"},
     {"ramp", "expression of t", "1", "factor of it"},
 };
 

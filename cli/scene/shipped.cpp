@@ -96,6 +96,8 @@ fs::path find_scene(const std::string& scene) {
   std::error_code error;
   const bool exists = fs::exists(scene, error);
   if (exists && !fs::is_directory(scene, error)) return scene;
+  if (!exists && scene.ends_with(".toml") && scene_folders().empty())
+    throw UsageError("there is no scene file '" + scene + "'");
   const std::vector<std::string> names = scene_names();
   if (std::ranges::find(names, scene) != names.end()) return file_of(scene);
   if (exists) return scene;

@@ -65,10 +65,10 @@ Neighborhoods neighborhoods(const Snapshot& start, double radius) {
 /// Every monomial up to the second degree at every particle of `near`, about its first, in units of dp.
 Eigen::MatrixXd quadratics(const Snapshot& start, std::span<const int> near, double spacing) {
   const int dim = start.dim;
-  const Point xi = start.position(static_cast<std::size_t>(near[0]));
+  const Point xi = start.initial(static_cast<std::size_t>(near[0]));
   Eigen::MatrixXd M(near.size(), (dim + 1) * (dim + 2) / 2);
   for (Eigen::Index k = 0; k < M.rows(); ++k) {
-    const Point xj = start.position(static_cast<std::size_t>(near[k]));
+    const Point xj = start.initial(static_cast<std::size_t>(near[k]));
     Eigen::Index column = 0;
     M(k, column++) = 1;
     for (std::size_t a = 0; a < static_cast<std::size_t>(dim); ++a)
@@ -95,10 +95,10 @@ Eigen::VectorXd row(const Eigen::MatrixXd& quadratics, double kappa) {
 /// Where the particles of `near` are from its first, alike for the same places but for round-off.
 std::vector<int> surroundings(const Snapshot& start, std::span<const int> near, double spacing) {
   constexpr double fine = 1e6;  // parts of a spacing
-  const Point xi = start.position(static_cast<std::size_t>(near[0]));
+  const Point xi = start.initial(static_cast<std::size_t>(near[0]));
   std::vector<int> places;
   for (const int j : near) {
-    const Point xj = start.position(static_cast<std::size_t>(j));
+    const Point xj = start.initial(static_cast<std::size_t>(j));
     for (std::size_t a = 0; a < 3; ++a)
       places.push_back(static_cast<int>(std::lround(fine * (xj[a] - xi[a]) / spacing)));
   }

@@ -24,9 +24,9 @@ constexpr double skin = reach - near;
 constexpr double widest_inside = 2 * std::numbers::pi / 3;
 
 template <int Dim>
-Vec<double, Dim> place(const Snapshot& now, int i) {
+Vec<double, Dim> place(const std::vector<double>& places, int i) {
   Vec<double, Dim> x;
-  std::copy_n(now.x.data() + std::ptrdiff_t{Dim} * i, Dim, &x[0]);
+  std::copy_n(places.data() + std::ptrdiff_t{Dim} * i, Dim, &x[0]);
   return x;
 }
 
@@ -75,8 +75,9 @@ template <int Dim>
 std::vector<int> surface_particles(const Snapshot& start, double radius) {
   std::vector<Around<Dim>> around(start.size());
   for_each_close_pair(start, radius, [&](int i, int j) {
-    around[static_cast<std::size_t>(i)].add(place<Dim>(start, j) - place<Dim>(start, i));
-    around[static_cast<std::size_t>(j)].add(place<Dim>(start, i) - place<Dim>(start, j));
+    const Vec<double, Dim> d = place<Dim>(start.x0, j) - place<Dim>(start.x0, i);
+    around[static_cast<std::size_t>(i)].add(d);
+    around[static_cast<std::size_t>(j)].add(-1.0 * d);
   });
   std::vector<int> surface;
   for (std::size_t i = 0; i < around.size(); ++i)
@@ -90,7 +91,7 @@ class Cells {
  public:
   Cells(const Snapshot& now, const std::vector<int>& particles, double radius) : radius_(radius) {
     std::vector<Vec<double, Dim>> x;
-    for (const int i : particles) x.push_back(place<Dim>(now, i));
+    for (const int i : particles) x.push_back(place<Dim>(now.x, i));
     for (const int k : grid_.sort(x, radius)) {
       const auto at = static_cast<std::size_t>(k);
       stored_.push_back({x[at], particles[at]});
@@ -207,7 +208,7 @@ void Penetration::search(const Snapshot& now) {
   const Cells<Dim> around(now, particles_around<Dim>(now, ask, radius), radius);
   for (const int i : ask) {
     const int begin = static_cast<int>(near_.size());
-    around.for_each_around(place<Dim>(now, i), [&](int j) {
+    around.for_each_around(place<Dim>(now.x, i), [&](int j) {
       if (is_far<Dim>(now, i, j)) near_.push_back(j);
     });
     asked_.push_back({i, begin, static_cast<int>(near_.size())});
@@ -221,7 +222,7 @@ std::vector<int> Penetration::to_ask(const Snapshot& now) const {
   std::vector<int> ask;
   for (const int i : surface_) {
     bool any = false;
-    surface.for_each_around(place<Dim>(now, i), [&](int j) { any = any || is_far<Dim>(now, i, j); });
+    surface.for_each_around(place<Dim>(now.x, i), [&](int j) { any = any || is_far<Dim>(now, i, j); });
     if (any) ask.push_back(i);
   }
   return ask;
@@ -231,12 +232,8 @@ template <int Dim>
 bool Penetration::is_far(const Snapshot& now, int i, int j) const {
   const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
   if (now.body[a] != now.body[b]) return true;
-  double squared = 0;
-  for (std::size_t k = 0; k < Dim; ++k) {
-    const double d = now.x0[Dim * a + k] - now.x0[Dim * b + k];
-    squared += d * d;
-  }
-  return squared > far * far * spacing_ * spacing_;
+  const Vec<double, Dim> d = place<Dim>(now.x0, i) - place<Dim>(now.x0, j);
+  return dot(d, d) > far * far * spacing_ * spacing_;
 }
 
 template <int Dim, class Around>
@@ -245,8 +242,9 @@ bool Penetration::is_inside(const Snapshot& now, const Asked& asked, Around& aro
   bool at_surface = false;
   for (int k = asked.begin; k < asked.end; ++k) {
     const int j = near_[static_cast<std::size_t>(k)];
-    if (squared_distance(now, asked.particle, j) >= near * near * spacing_ * spacing_) continue;
-    around.add(place<Dim>(now, j) - place<Dim>(now, asked.particle));
+    const Vec<double, Dim> d = place<Dim>(now.x, j) - place<Dim>(now.x, asked.particle);
+    if (dot(d, d) >= near * near * spacing_ * spacing_) continue;
+    around.add(d);
     at_surface = at_surface || on_surface_[static_cast<std::size_t>(j)];
   }
   return at_surface && !around.leaves_gap();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -18,6 +19,19 @@ constexpr std::array<std::pair<Verdict, std::string_view>, 5> verdicts = {{
     {Verdict::fractured, "fractured"},
     {Verdict::diverged, "diverged"},
 }};
+
+/// The vector from one particle to another, of the places `x`.
+template <int Dim>
+std::array<double, Dim> between(const std::vector<double>& x, int i, int j) {
+  std::array<double, Dim> d;
+  for (std::size_t k = 0; k < Dim; ++k)
+    d[k] = x[Dim * static_cast<std::size_t>(j) + k] - x[Dim * static_cast<std::size_t>(i) + k];
+  return d;
+}
+template <std::size_t Dim>
+double dot(const std::array<double, Dim>& a, const std::array<double, Dim>& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
 
 }  // namespace
 
@@ -62,6 +76,18 @@ Judge::Judge(const Scene& scene, const Snapshot& start, double support, bool kee
   nothing_ = round_off * c2 * std::accumulate(start.m.begin(), start.m.end(), 0.0);
 }
 
+Judge::Judge(const Scene& scene, const Simulation& simulation)
+    : Judge(scene, simulation.snapshot(), simulation.support(), simulation.keeps_neighbors()) {
+  lawful_stretch_ = simulation.lawful_stretch();
+  const Snapshot& start = simulation.snapshot();
+  shortest_ = std::numeric_limits<double>::infinity();
+  for (const Bond& bond : bonds_) {
+    const Point X = start.initial(static_cast<std::size_t>(bond.i)),
+                Y = start.initial(static_cast<std::size_t>(bond.j));
+    shortest_ = std::min(shortest_, std::hypot(X[0] - Y[0], X[1] - Y[1], X[2] - Y[2]));
+  }
+}
+
 void Judge::observe(const Snapshot& now, const Balance& balance, const Readings& readings) {
   const double energy = balance.kinetic + balance.strain;
   // the angular scale contains every position, the energies every other value
@@ -90,50 +116,54 @@ bool Judge::update_broken(const Snapshot& now) {
 template <int Dim>
 bool Judge::update_broken_in(const Snapshot& now) {
   const double* const x = now.x.data();
-  const double longest2 = longest_ * longest_;
+  const double longest2 = longest_ * longest_, lawful2 = lawful_stretch_ * lawful_stretch_,
+               least2 = lawful2 * shortest_ * shortest_;
   bool changed = false;
+  std::size_t beyond = 0;
   for (Bond& bond : bonds_) {
-    const double *a = x + std::ptrdiff_t{Dim} * bond.i, *b = x + std::ptrdiff_t{Dim} * bond.j;
+    const double *from = x + std::ptrdiff_t{Dim} * bond.i, *to = x + std::ptrdiff_t{Dim} * bond.j;
     double squared = 0;
-    for (int k = 0; k < Dim; ++k) squared += (a[k] - b[k]) * (a[k] - b[k]);
+    for (int k = 0; k < Dim; ++k) squared += (to[k] - from[k]) * (to[k] - from[k]);
+    if (squared > least2 && squared_stretch<Dim>(bond, now) > lawful2) ++beyond;
     const bool broken = squared > longest2 && (!keeps_neighbors_ || stands_out<Dim>(bond, now));
     if (broken == bond.broken) continue;
     bond.broken = broken;
     changed = true;
   }
+  if (beyond > 0 && beyond_law_.share == 0) beyond_law_.since = now.time;
+  if (beyond > 0)
+    beyond_law_.share =
+        std::max(beyond_law_.share, static_cast<double>(beyond) / static_cast<double>(bonds_.size()));
   return changed;
 }
 
-/// Of bonds that go on from one another (within 25°) a crack opens one, and a smooth displacement stretches all
-/// about alike. One that nothing goes on from stands out.
+template <int Dim>
+double Judge::squared_stretch(const Bond& bond, const Snapshot& now) {
+  const auto X = between<Dim>(now.x0, bond.i, bond.j), x = between<Dim>(now.x, bond.i, bond.j);
+  return dot(x, x) / dot(X, X);
+}
+
+/// A crack stretches a bond and not what goes on from it, within 26° at the start and now (beside a ragged crack
+/// bonds lie back to back that did not); a smooth displacement stretches all of them alike.
 template <int Dim>
 bool Judge::stands_out(const Bond& bond, const Snapshot& now) const {
-  constexpr double jump = 1.5, opposite = -0.9;  // of stretches; cosine
-  using V = std::array<double, Dim>;
-  const auto from_to = [](const std::vector<double>& x, int i, int j) {
-    V d;
-    for (int k = 0; k < Dim; ++k) d[k] = x[std::size_t(Dim) * j + k] - x[std::size_t(Dim) * i + k];
-    return d;
+  constexpr double jump = 1.5, straight = 0.9;  // of stretches; cosine
+  const auto go_on = [](const std::array<double, Dim>& a, const std::array<double, Dim>& b) {
+    const double along = dot(a, b);
+    return along < 0 && along * along > straight * straight * dot(a, a) * dot(b, b);
   };
-  const auto dot = [](const V& a, const V& b) {
-    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-  };
-  const auto squared_stretch = [&](int i, int j) {
-    const V X = from_to(now.x0, i, j), x = from_to(now.x, i, j);
-    return dot(x, x) / dot(X, X);
-  };
-  double greatest = 0;  // squared, of what goes on from it
+  const double least = squared_stretch<Dim>(bond, now) / (jump * jump);
   for (const auto& [i, j] : {std::pair(bond.i, bond.j), std::pair(bond.j, bond.i)}) {
-    const V X = from_to(now.x0, i, j);
+    const auto X = between<Dim>(now.x0, i, j), x = between<Dim>(now.x, i, j);
     for (int k = first_of_[i]; k < first_of_[i + 1]; ++k) {
       const Bond& other = bonds_[bonds_of_[k]];
       const int to = other.i == i ? other.j : other.i;
-      const V Y = from_to(now.x0, i, to);
-      if (dot(X, Y) < opposite * std::sqrt(dot(X, X) * dot(Y, Y)))
-        greatest = std::max(greatest, squared_stretch(i, to));
+      if (go_on(X, between<Dim>(now.x0, i, to)) && go_on(x, between<Dim>(now.x, i, to)) &&
+          squared_stretch<Dim>(other, now) >= least)
+        return false;
     }
   }
-  return squared_stretch(bond.i, bond.j) > jump * jump * greatest;
+  return true;
 }
 
 int Judge::count_pieces() const {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -39,14 +41,21 @@ std::vector<std::string> names_of_failures();
 /// for another reason the hourglass error is above 0.03 too.
 inline constexpr double hourglass_threshold = 0.03;
 
+/// Where bonds are drawn out further than the method follows its law of elasticity.
+struct BeyondLaw {
+  double share = 0;  // of the bonds, the greatest so far
+  double since = 0;  // s
+};
+
 /// Watches a run at history times.
 ///
 /// hourglass: the hourglass error is above its threshold.
 /// penetrated: a particle lies inside another body, or inside a far part of its own; see Penetration.
-/// connectivity: a bond joins two particles of one body that are at most 1.5 dp apart at the start; it is
+/// connectivity: a bond joins two particles of one body that are at most 1.5 dp apart as they are laid; it is
 ///   broken while it is longer than max(support, 2 dp), since a method that searches its neighbours has lost
-///   it then. Where they are kept a body may be drawn out as far as its law allows: a bond of that length is
-///   broken if it stands out, stretched by more than 1.5 times what those are that go on from its ends.
+///   it then. Where they are kept a body of three rows and more may be drawn out as far as its law allows: a
+///   bond of that length is broken if it stands out, stretched over 1.5 times as much as what goes on straight
+///   from its ends. Cracks one row apart, between which all bonds are opened alike, are not seen so.
 ///   Fractured = more pieces of the graph of unbroken bonds than at the start ("at the start", not "bodies":
 ///   a body may consist of parts), or a broken bond whose ends are more than 8 unbroken bonds apart: a crack
 ///   at least five particles deep. A ring that is cut once stays one piece.
@@ -55,9 +64,8 @@ inline constexpr double hourglass_threshold = 0.03;
 ///   may leave noise, not more. A scene that is given none but round-off is judged by finiteness only.
 class Judge {
  public:
-  Judge(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors = false);
-  Judge(const Scene& scene, const Simulation& simulation)
-      : Judge(scene, simulation.snapshot(), simulation.support(), simulation.keeps_neighbors()) {}
+  Judge(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors);
+  Judge(const Scene& scene, const Simulation& simulation);
   /// Takes the state at one time into account and remembers when each failure began. Without readings its
   /// zigzags are not judged.
   void observe(const Snapshot& now, const Balance& balance, const Readings& readings = {});
@@ -66,12 +74,13 @@ class Judge {
   /// The first time of each failure, s; those that never held are absent.
   const std::map<Verdict, double>& since() const { return since_; }
   int pieces() const { return pieces_; }  // of the graph of unbroken bonds, when last observed
+  const BeyondLaw& beyond_law() const { return beyond_law_; }
 
   /// What it has seen so far; the rest comes from the start.
   template <class Archive>
   void serialize(Archive& archive) {
     for (Bond& bond : bonds_) archive(bond.broken);
-    archive(given_energy_, pieces_, since_);
+    archive(given_energy_, pieces_, beyond_law_.share, beyond_law_.since, since_);
     archive.check("a verdict", [&] {
       const auto is_failure = [](const auto& failure) {
         return failure.first > Verdict::stable && failure.first <= Verdict::diverged;
@@ -91,6 +100,8 @@ class Judge {
   bool update_broken_in(const Snapshot& now);
   template <int Dim>
   bool stands_out(const Bond& bond, const Snapshot& now) const;
+  template <int Dim>
+  static double squared_stretch(const Bond& bond, const Snapshot& now);
   int count_pieces() const;
   bool has_crack() const;
   bool bypassed(int bond, std::vector<int>& seen) const;
@@ -99,13 +110,16 @@ class Judge {
   std::vector<int> first_of_;  // [particles + 1] where in bonds_of_ those of each begin
   std::vector<int> bonds_of_;  // indices
   std::size_t particles_ = 0;
-  double longest_ = 0;  // m, of a bond that is not asked whether it is broken
+  double longest_ = 0;  // m, up to which a bond is never broken
   bool keeps_neighbors_ = false;
   double start_energy_ = 0;  // J
   double given_energy_ = 0;  // J, greatest so far
   double nothing_ = 0;       // J, what round-off gives
   int start_pieces_ = 0;
   int pieces_ = 0;
+  double lawful_stretch_ = std::numeric_limits<double>::infinity();
+  double shortest_ = 0;  // m, of a bond before any displacement
+  BeyondLaw beyond_law_;
   Penetration penetration_;
   std::map<Verdict, double> since_;
 };

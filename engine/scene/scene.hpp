@@ -45,7 +45,7 @@ struct Part {
 struct Drive {
   Expression where;                                       // particles where it is not 0
   std::array<std::function<double(double)>, 3> velocity;  // m/s, of the time in s; empty = 0
-  double until = 0;                                       // s
+  std::optional<double> until;                            // s; none = never let go
 };
 
 /// Forces from outside on a region of a body, which move with its particles. Loads of several regions add up.

@@ -65,6 +65,8 @@ class Simulation {
   double support() const { return support_; }  // radius of interaction, m
   /// The neighbours of a particle inside its body are those of the start.
   bool keeps_neighbors() const { return keeps_neighbors_; }
+  /// Of two particles beside each other, up to which the method follows its law of elasticity.
+  double lawful_stretch() const { return lawful_stretch_; }
   /// Greatest number of threads in use.
   int threads() const { return threads_; }
 
@@ -80,6 +82,7 @@ class Simulation {
   long pairs_ = 0;
   double support_ = 0;
   bool keeps_neighbors_ = false;
+  double lawful_stretch_ = std::numeric_limits<double>::infinity();
   int threads_ = 1;
 
  private:

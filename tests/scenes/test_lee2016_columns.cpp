@@ -26,7 +26,6 @@ namespace {
 struct Run {
   std::map<std::string, MeasureResult> measure;
   Verdict verdict = Verdict::stable;
-  double zigzag = 0;        // greatest hourglass error
   double checkerboard = 0;  // greatest, of the pressure
   double gain = 0;          // greatest energy above what was given, over what was given
   Snapshot end;
@@ -51,7 +50,7 @@ Run run(const std::string& name, const std::string& method, std::vector<Setting>
   const auto simulation = make_simulation(file.scene, file.settings);
   Judge judge(file.scene, *simulation);
   IndicatorGauge gauge(file.scene, simulation->snapshot());
-  IndicatorRecord zigzag, record;  // of the place, of the pressure
+  IndicatorRecord record;  // of the pressure
   const Balance start = balance(simulation->snapshot(), file.scene);
   Run run;
   constexpr int looks = 40;
@@ -66,13 +65,13 @@ Run run(const std::string& name, const std::string& method, std::vector<Setting>
     const Snapshot& now = simulation->snapshot();
     const Balance sums = balance(now, file.scene);
     const Readings readings = gauge(now);
-    zigzag.take(readings[0], now.time), record.take(readings[1], now.time);
+    record.take(readings[1], now.time);
     judge.observe(now, sums, readings);
     const double given = start.kinetic + start.strain + sums.work;
     run.gain = std::max(run.gain, (sums.kinetic + sums.strain) / given - 1);
   }
   run.verdict = lost ? Verdict::diverged : judge.verdict();
-  run.zigzag = zigzag.greatest(), run.checkerboard = record.greatest();
+  run.checkerboard = record.greatest();
   run.end = simulation->snapshot();
   const std::string_view law = material_law(*find_method(method), file.settings, 3);
   for (const MeasureResult& result : measure(file.scene, simulation->series(), law, {}, &run.end))
@@ -159,17 +158,16 @@ TEST_SUITE("failure") {
   }
 
   // §8.7, Fig. 18, 20
-  TEST_CASE("punch cube: tl is lost and pf without dissipation a heap of zigzags, pf-jst goes through it") {
+  TEST_CASE("punch cube: tl and pf without dissipation come apart, pf-jst goes through it") {
     const Run smooth = run("punch-cube", "pf-jst");
     CHECK(smooth.verdict <= Verdict::hourglass);
     CHECK(smooth.gain < 1e-9);
     CHECK(smooth.value("mirror_asymmetry_x") < 1e-12);
     for (const std::string method : {"tl", "pf"}) {
       CAPTURE(method);
-      const Run rough = run("punch-cube", method);
-      CHECK((rough.verdict == Verdict::diverged) == (method == "tl"));
-      if (method == "pf") CHECK(rough.zigzag > 2 * smooth.zigzag);
-      CHECK(rough.checkerboard > smooth.checkerboard);
+      const Run torn = run("punch-cube", method);
+      CHECK(torn.verdict >= Verdict::fractured);
+      CHECK(torn.checkerboard > smooth.checkerboard);
     }
   }
 
@@ -179,7 +177,7 @@ TEST_SUITE("failure") {
         {"law", "mooney-rivlin"}, {"poisson_ratio", "0.495"}, {"until", "0.0125"}, smoothed_J};
     const Run with_J = run("punch-cube", "pfj-jst", rubber), with_H = run("punch-cube", "pfhj-jst", rubber);
     for (const Run& cube : {with_J, with_H}) {
-      CHECK(cube.verdict < Verdict::diverged);
+      CHECK(cube.verdict <= Verdict::hourglass);  // what is drawn out beside the punch is no crack
       CHECK(cube.gain < 1e-9);
     }
     CHECK(apart(with_J, with_H) < 1e-3);

@@ -135,12 +135,14 @@ InterfaceSites<Dim>::InterfaceSites(const Interfaces& interfaces, const Bonds& b
       const taut::Bond& own = bonds.of(from.id, b);
       const Direction X = vector(own.X);
       const int other = bonds.j[b];
-      const double G = shear_modulus(bonds, initial, materials, from.id, b),
+      const double G = bond_modulus<Dim>(bonds, initial, materials, from.id, b),
                    V0_w = initial.V0[from.id] * own.weight, r2 = dot(X, X);
       const bool across = is_across(initial, materials, from.id, other);
-      bonds_.push_back({where[other], vector(bonds.gradient(from.id, b)), 1 / std::sqrt(r2) * X, 1 / r2,
-                        G * V0_w, std::min(materials[site.own].G, most_of_across * G) * V0_w,
-                        across ? pulls++ : -1});
+      bonds_.push_back(
+          {where[other], vector(bonds.gradient(from.id, b)), 1 / std::sqrt(r2) * X, 1 / r2, G * V0_w,
+           std::min(bond_modulus<Dim>(materials[site.own].K, materials[site.own].G), most_of_across * G) *
+               V0_w,
+           across ? pulls++ : -1});
     }
     for (int b = interfaces.begin[s]; b < interfaces.begin[s + 1]; ++b)
       kinks_.push_back({where[interfaces.j[b]], interfaces.weight[b]});

@@ -17,10 +17,15 @@ namespace taut::inline TAUT_ISA {
 
 /// G of a bond, Pa. Halves of two materials stand one behind the other in it, as two springs do: the harmonic
 /// mean. What is held is as stiff as who holds on to it.
-inline double shear_modulus(const Bonds& bonds, const InitialParticles& initial,
-                            const std::vector<Elasticity>& materials, int id, int b) {
+template <int Dim>
+double bond_modulus(const Bonds& bonds, const InitialParticles& initial,
+                    const std::vector<Elasticity>& materials, int id, int b) {
   const int other = initial.held[bonds.j[b]] ? id : bonds.j[b];
-  const double G_i = materials[initial.material[id]].G, G_j = materials[initial.material[other]].G;
+  const auto of = [&](int particle) {
+    const Elasticity& material = materials[initial.material[particle]];
+    return bond_modulus<Dim>(material.K, material.G);
+  };
+  const double G_i = of(id), G_j = of(other);
   return 2 * G_i * G_j / (G_i + G_j);
 }
 
@@ -167,7 +172,7 @@ PackedBonds<Dim, Kept>::PackedBonds(const Bonds& bonds, const Scene& scene, cons
         const int back = seen_from(bonds, bonds.j[b], id);
         if (back < 0) bond.j = place++;
         // a place at a clamp has no energy of its own
-        const double G = shear_modulus(bonds, initial, materials, id, b),
+        const double G = bond_modulus<Dim>(bonds, initial, materials, id, b),
                      w_ji = back < 0 ? 0 : bonds.of(bonds.j[b], back).weight;
         bond.scale = G * initial.V0[id] * own.weight;
         bond.k = (bond.scale + G * initial.V0[bonds.j[b]] * w_ji) / bond.r2;  // the same bits from both ends

@@ -36,12 +36,15 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
         own_law_(input.law == M.law),
         laws_(input.law, input.materials),
         least_r2_(filled<Pack>(1e-4 * c_.dp * c_.dp)) {
-    double shear_speed = 0;
+    double shear_speed = 0, of_G = 0;  // of_G: the greatest share of G that bonds have
     for (const int used : this->initial_.material) {
-      wave_speed_ = std::max(wave_speed_, compression_wave_speed(materials_[used]));
-      shear_speed = std::max(shear_speed, std::sqrt(materials_[used].G / materials_[used].rho0));
+      const Elasticity& m = materials_[used];
+      wave_speed_ = std::max(wave_speed_, compression_wave_speed(m));
+      shear_speed = std::max(shear_speed, std::sqrt(m.G / m.rho0));
+      of_G = std::max(of_G, bond_modulus<Dim>(m.K, m.G) / m.G);
     }
-    ahead_ = 3 * c_.damping * c_.dp / shear_speed;
+    ahead_ = 3 * c_.damping * c_.dp / (shear_speed * of_G);
+    this->lawful_stretch_ = std::sqrt(cancelled_range<Dim>[1]);
     const Bonds bonds = make_bonds(input.scene, this->initial_, c_.h, input.threads);
     this->pairs_ = static_cast<long>(bonds.j.size());
     take_masses(bonds);
@@ -177,12 +180,13 @@ HeldBonds<Dim, Kept> Bonded<M, Dim>::held(const Bonds& bonds, const Scene& scene
     const int id = s_.id[i];
     for (int b = bonds.begin[id]; b < bonds.begin[id + 1]; ++b) {
       const taut::Bond& bond = bonds.of(id, b);
-      const double G = shear_modulus(bonds, this->initial_, materials_, id, b);
+      const double G = bond_modulus<Dim>(bonds, this->initial_, materials_, id, b);
       of_particle.push_back(Cancelled::along(bond.X, G * this->initial_.V0[id] * bond.weight));
     }
+    const Elasticity& own = materials_[this->initial_.material[id]];
     for (const FaceTerm& term : bonds.face_terms_of(id))
-      of_particle.push_back(Cancelled::along(
-          term.t, materials_[this->initial_.material[id]].G * this->initial_.V0[id] * term.weight));
+      of_particle.push_back(
+          Cancelled::along(term.t, bond_modulus<Dim>(own.K, own.G) * this->initial_.V0[id] * term.weight));
     return of_particle;
   };
   return {PackedBonds<Dim, Kept>(bonds, scene, this->initial_, materials_, s_.id, this->threads_),

@@ -150,7 +150,7 @@ TEST_SUITE("cli") {
     refused(with("\"2*sum\""), "unknown name 'sum'");  // of itself
     refused(with("\"2*tip +\""), "is not an expression");
     CHECK(read_text(with("\"3*t\"")).scene.probes.size() ==
-          2);  // what no measure follows is a column all the same
+          2);  // though nothing follows the first
     refused(replaced(with("\"tip\""), "v0 = {", "tip = { value = 1 }\nv0 = {"),
             "name of a probe and of a number");
   }

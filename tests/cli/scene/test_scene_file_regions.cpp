@@ -80,6 +80,10 @@ TEST_SUITE("cli") {
     CHECK(drive.velocity[0](2) == 0.24);
     CHECK(drive.velocity[1](2) == -3);
     CHECK(drive.until == 0.25);
+    CHECK_FALSE(read_text(with_block("driven = [{ where = 1, velocity = [1, 0] }]"))
+                    .scene.bodies[0]
+                    .drives.at(0)
+                    .until);
     const InitialParticles layout = make_initial_particles(file.scene);
     for (int i = 0; i < layout.size(); ++i) CHECK(layout.drive[i] == (layout.x[i][0] < 0.1 ? 0 : -1));
     check_block_error("driven = [{ where = 1, velocity = [\"@x\", 0] }]", {"unknown name 'x'", "t"});

@@ -262,14 +262,14 @@ TEST_SUITE("unit") {
       put(now, 0, up);
       judge.observe(now, balance(now, scene));
     };
-    Judge judge(scene, start, 2.6 * dp);
+    Judge judge(scene, start, 2.6 * dp, /*keeps_neighbors*/ false);
     observe(judge, 1, dp);
     CHECK(judge.verdict() == Verdict::stable);
 
     Saver saver;
     saver(judge);
     const std::string before = saver.take();
-    Judge resumed(scene, start, 2.6 * dp);
+    Judge resumed(scene, start, 2.6 * dp, false);
     Loader from_before(before);
     from_before(resumed);
     for (Judge* each : {&judge, &resumed}) {
@@ -281,7 +281,7 @@ TEST_SUITE("unit") {
     }
     saver(judge);
     const std::string after = saver.take();
-    Judge late(scene, start, 2.6 * dp);
+    Judge late(scene, start, 2.6 * dp, false);
     Loader from_after(after);
     from_after(late);
     CHECK(late.since() == judge.since());

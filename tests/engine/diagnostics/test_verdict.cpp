@@ -6,16 +6,19 @@
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/verdict.hpp"
 #include "tests/support/made_snapshot.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace taut;
 using test::made_scene;
 using test::made_snapshot;
+using test::relative;
 using test::unit_bulk;
 
 namespace {
 
 constexpr double dp = 0.1;
 constexpr double support = 2.6 * dp;
+constexpr bool kept = true, searched = false;  // neighbours
 
 /// columns × rows (× layers) particles on a square lattice.
 Snapshot lattice(int dim, int columns, int rows, int layers = 1) {
@@ -67,7 +70,7 @@ TEST_SUITE("unit") {
     const auto verdict = [&](auto place) {
       Snapshot now = start;
       for (std::size_t i = 0; i < now.size(); ++i) place(i, now.x0[2 * i], now.x0[2 * i + 1], &now.x[2 * i]);
-      Judge judge(scene, start, support);
+      Judge judge(scene, start, support, searched);
       judge.observe(now, balance(now, scene), gauge(now));
       return judge.verdict();
     };
@@ -107,7 +110,7 @@ TEST_SUITE("unit") {
   TEST_CASE("judge: a chain of particles breaks when a bond outgrows the support") {
     const Scene scene = one_body(2);
     Snapshot now = lattice(2, 6, 1);
-    Judge judge(scene, now, support);
+    Judge judge(scene, now, support, searched);
     CHECK(judge.pieces() == 1);
     part(now, 2.5 * dp, 1.59 * dp);  // a bond of 2.59 dp
     observe(judge, now, scene, 1);
@@ -127,7 +130,7 @@ TEST_SUITE("unit") {
   TEST_CASE("judge: a bond holds to 2 dp however small the support") {
     const Scene scene = one_body(2);
     Snapshot now = lattice(2, 2, 1);
-    Judge judge(scene, now, 1.2 * dp);
+    Judge judge(scene, now, 1.2 * dp, searched);
     part(now, 0, 0.99 * dp);
     observe(judge, now, scene, 1);
     CHECK(judge.pieces() == 1);
@@ -139,16 +142,17 @@ TEST_SUITE("unit") {
   TEST_CASE("judge: diagonals are bonds, the second row is not") {
     const Scene scene = one_body(3);
     const Snapshot corner = made_snapshot(3, {{0, 0, 0}, {dp, dp, 0}, {-dp, 0, -dp}});
-    CHECK(Judge(scene, corner, support).pieces() == 1);
-    CHECK(Judge(scene, lattice(3, 3, 3, 3), support).pieces() == 1);
-    CHECK(Judge(scene, made_snapshot(3, {{0, 0, 0}, {2 * dp, 0, 0}}), support).pieces() == 2);
-    CHECK(Judge(scene, made_snapshot(3, {{0, 0, 0}, {dp, dp, dp}}), support).pieces() == 2);  // √3 dp
+    CHECK(Judge(scene, corner, support, searched).pieces() == 1);
+    CHECK(Judge(scene, lattice(3, 3, 3, 3), support, searched).pieces() == 1);
+    CHECK(Judge(scene, made_snapshot(3, {{0, 0, 0}, {2 * dp, 0, 0}}), support, searched).pieces() == 2);
+    CHECK(Judge(scene, made_snapshot(3, {{0, 0, 0}, {dp, dp, dp}}), support, searched).pieces() ==
+          2);  // √3 dp
   }
 
   TEST_CASE("judge: bonds reach 1.5 spacings and no further") {
     const Scene scene = one_body(2);
-    CHECK(Judge(scene, made_snapshot(2, {{0, 0, 0}, {1.49 * dp, 0, 0}}), support).pieces() == 1);
-    CHECK(Judge(scene, made_snapshot(2, {{0, 0, 0}, {1.51 * dp, 0, 0}}), support).pieces() == 2);
+    CHECK(Judge(scene, made_snapshot(2, {{0, 0, 0}, {1.49 * dp, 0, 0}}), support, searched).pieces() == 1);
+    CHECK(Judge(scene, made_snapshot(2, {{0, 0, 0}, {1.51 * dp, 0, 0}}), support, searched).pieces() == 2);
   }
 
   TEST_CASE("judge: the ends of a broken bond may be eight bonds apart, not nine") {
@@ -160,7 +164,7 @@ TEST_SUITE("unit") {
       for (int k = 0; k < n; ++k)
         places.push_back({radius * std::cos(turn * k), radius * std::sin(turn * k), 0});
       Snapshot now = made_snapshot(2, places);
-      Judge judge(scene, now, support);
+      Judge judge(scene, now, support, searched);
       for (int k = 0; k < n; ++k) now.x[2 * static_cast<std::size_t>(k)] = k * dp;
       for (int k = 0; k < n; ++k) now.x[2 * static_cast<std::size_t>(k) + 1] = 0;
       observe(judge, now, scene, 1);
@@ -178,7 +182,7 @@ TEST_SUITE("unit") {
         Snapshot now = lattice(dim, 8, 5, dim == 3 ? 4 : 1);
         for (double& x : now.x0) x += origin;
         now.x = now.x0;
-        Judge judge(scene, now, support);
+        Judge judge(scene, now, support, searched);
         CHECK(judge.pieces() == 1);
         part(now, origin + 3.5 * dp, 2 * dp);
         observe(judge, now, scene, 0.5);
@@ -192,7 +196,7 @@ TEST_SUITE("unit") {
     const Scene scene = one_body(2);
     for (const int deep : {4, 5}) {
       Snapshot now = lattice(2, 10, 10);
-      Judge judge(scene, now, support);
+      Judge judge(scene, now, support, searched);
       for (std::size_t i = 0; i < now.size(); ++i)
         if (now.x0[2 * i] > 4.5 * dp && now.x0[2 * i + 1] > (9.5 - deep) * dp) now.x[2 * i] += 2 * dp;
       observe(judge, now, scene, 1);
@@ -215,25 +219,77 @@ TEST_SUITE("unit") {
         return judge.verdict();
       };
       const auto drawn = [](double* x) { x[0] *= 3, x[1] *= 0.6; };
-      CHECK(verdict(true, drawn) == Verdict::stable);
-      CHECK(verdict(false, drawn) == Verdict::fractured);
+      CHECK(verdict(kept, drawn) == Verdict::stable);
+      CHECK(verdict(searched, drawn) == Verdict::fractured);
       // the next bond is always stretched 1.4 times as much
       const auto ever_more = [](double* x) { x[0] = dp * (std::pow(1.4, x[0] / dp) - 1) / 0.4; };
-      CHECK(verdict(true, ever_more) == Verdict::stable);
+      CHECK(verdict(kept, ever_more) == Verdict::stable);
       for (const double opened : {1.3, 1.8}) {  // times the bonds about it, through the whole body
         const auto cracked = [=](double* x) {
           x[0] = 2 * x[0] + (x[0] > 7.5 * dp ? 2 * (opened - 1) * dp : 0);
         };
-        CHECK(verdict(true, cracked) == (opened > 1.5 ? Verdict::fractured : Verdict::stable));
+        CHECK(verdict(kept, cracked) == (opened > 1.5 ? Verdict::fractured : Verdict::stable));
       }
+    }
+    // a ragged crack: beside it bonds lie back to back that did not
+    const Scene flat = one_body(2);
+    for (const bool ragged : {false, true}) {
+      Snapshot now = lattice(2, 16, 6);
+      Judge judge(flat, now, support, kept);
+      for (std::size_t i = 0; i < now.size(); ++i) {
+        const bool tip = ragged && std::abs(now.x0[2 * i + 1] - 2 * dp) < 0.1 * dp;
+        now.x[2 * i] += now.x0[2 * i] > (tip ? 8.5 : 7.5) * dp ? 10 * dp : 0;
+      }
+      observe(judge, now, flat, 1);
+      CHECK(judge.verdict() == Verdict::fractured);
+      CHECK(judge.pieces() == 2);
     }
     // two particles: nothing says that they are part of something drawn out
     const Scene scene = one_body(2);
     Snapshot two = lattice(2, 2, 1);
-    Judge judge(scene, two, support, /*keeps_neighbors*/ true);
+    Judge judge(scene, two, support, kept);
     part(two, 0, 1.61 * dp);
     observe(judge, two, scene, 1);
     CHECK(judge.verdict() == Verdict::fractured);
+  }
+
+  TEST_CASE(
+      "judge: bonds are those of the particles as they are laid, however they are displaced at the start") {
+    const Scene scene = one_body(2);
+    for (const bool cut : {false, true}) {
+      Snapshot now = lattice(2, 10, 10);
+      for (double& x : now.x) x *= 1.8;
+      Judge judge(scene, now, support, kept);
+      CHECK(judge.pieces() == 1);
+      for (std::size_t i = 0; i < now.size(); ++i)
+        if (cut && now.x0[2 * i] > 4.5 * dp) now.x[2 * i] += 4 * dp;
+      observe(judge, now, scene, 1);
+      CHECK(judge.verdict() == (cut ? Verdict::fractured : Verdict::stable));
+    }
+  }
+
+  TEST_CASE(
+      "judge: bonds that are drawn out beyond the law of the method are counted, since when and how many") {
+    Scene scene = made_scene(2, 0.001, {{"rubber", 1000, 1e6, 0.3}});
+    scene.bodies[0].shapes = {Box{{0, 0, 0}, {0.008, 0.006, 0}}};
+    Settings settings;
+    settings.method = "oenog";
+    const auto simulation = make_simulation(scene, settings);
+    Judge judge(scene, *simulation);
+    Snapshot now = simulation->snapshot();
+    const auto draw_out = [&](double stretch, double time) {
+      for (std::size_t i = 0; i < now.size(); ++i) now.x[2 * i] = stretch * now.x0[2 * i];
+      observe(judge, now, scene, time);
+    };
+    draw_out(2.4, 1);
+    CHECK(judge.beyond_law().share == 0);
+    draw_out(2.6, 2);
+    draw_out(1, 3);
+    // 7 × 6 bonds along x of 8 × 6 particles, 8 × 5 across, 2 × 7 × 5 diagonals, whose stretch is 1.97
+    CHECK(judge.beyond_law().share == relative(42.0 / 152, 1e-12));
+    CHECK(judge.beyond_law().since == 2);
+    settings.method = "tl";
+    CHECK(std::isinf(make_simulation(scene, settings)->lawful_stretch()));
   }
 
   TEST_CASE("judge: a ring that is cut once is fractured, though it is one piece") {
@@ -244,7 +300,7 @@ TEST_SUITE("unit") {
         places.push_back({r * std::cos(turn * (k + 0.5) / 120), r * std::sin(turn * (k + 0.5) / 120), 0});
     const Scene scene = one_body(2);
     Snapshot now = made_snapshot(2, places);
-    Judge judge(scene, now, support);
+    Judge judge(scene, now, support, searched);
     CHECK(judge.pieces() == 1);
     for (std::size_t i = 0; i < now.size(); ++i)  // opens at (20 dp, 0) as a jaw does
       if (now.x0[2 * i + 1] > 0) now.x[2 * i + 1] += 0.1 * (now.x0[2 * i] + 20 * dp);
@@ -257,7 +313,7 @@ TEST_SUITE("unit") {
     const Scene scene = made_scene(2, dp, {unit_bulk(), unit_bulk()});
     Snapshot now = lattice(2, 6, 4);
     for (std::size_t i = 0; i < now.size(); ++i) now.body[i] = now.x0[2 * i] > 2.5 * dp;
-    Judge judge(scene, now, support);
+    Judge judge(scene, now, support, searched);
     CHECK(judge.pieces() == 2);
     part(now, 2.5 * dp, 5);
     observe(judge, now, scene, 1);
@@ -270,7 +326,7 @@ TEST_SUITE("unit") {
     Snapshot now = lattice(2, 9, 2);
     part(now, 5.5 * dp, 3 * dp);
     now.x0 = now.x;
-    Judge judge(scene, now, support);
+    Judge judge(scene, now, support, searched);
     CHECK(judge.pieces() == 2);
     part(now, 7 * dp, 4);
     observe(judge, now, scene, 1);
@@ -284,7 +340,7 @@ TEST_SUITE("unit") {
   TEST_CASE("judge: what heals has been broken") {
     const Scene scene = one_body(2);
     Snapshot now = lattice(2, 6, 2);
-    Judge judge(scene, now, support);
+    Judge judge(scene, now, support, searched);
     for (const double time : {1.0, 3.0}) {
       part(now, 2.5 * dp, 3 * dp);
       observe(judge, now, scene, time);
@@ -302,7 +358,7 @@ TEST_SUITE("unit") {
     Snapshot now = lattice(2, 6, 1);
     now.v[0] = 1;
     now.p[1] = 2;  // 0.5 J kinetic + 2 J strain
-    Judge judge(scene, now, support);
+    Judge judge(scene, now, support, searched);
     now.p[1] = std::sqrt(2 * 4.49);
     observe(judge, now, scene, 1);
     CHECK(judge.verdict() == Verdict::stable);
@@ -320,12 +376,12 @@ TEST_SUITE("unit") {
   TEST_CASE("judge: a scene that starts without energy may gain some") {
     const Scene scene = one_body(2);
     Snapshot now = lattice(2, 6, 1);
-    Judge judge(scene, now, support);
+    Judge judge(scene, now, support, searched);
     now.v[0] = 1;
     observe(judge, now, scene, 1);
     CHECK(judge.verdict() == Verdict::stable);
     now.v[0] = 1e-10;  // round-off is nothing either
-    Judge other(scene, now, support);
+    Judge other(scene, now, support, searched);
     now.v[0] = 1e-9;
     observe(other, now, scene, 1);
     CHECK(other.verdict() == Verdict::stable);
@@ -334,7 +390,7 @@ TEST_SUITE("unit") {
   TEST_CASE("judge: the greatest work of drives so far counts as energy given") {
     const Scene scene = one_body(2);
     Snapshot now = lattice(2, 6, 1);
-    Judge judge(scene, now, support);
+    Judge judge(scene, now, support, searched);
     now.v[0] = 1;  // 0.5 J
     now.work = 0.26;
     observe(judge, now, scene, 1);
@@ -355,7 +411,7 @@ TEST_SUITE("unit") {
          {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity()}) {
       for (const auto member : spoil) {
         if (member == &Snapshot::rho && std::isinf(bad)) continue;  // no volume: not a state a solver reaches
-        Judge judge(scene, start, support);
+        Judge judge(scene, start, support, searched);
         Snapshot now = start;
         now.p.assign(now.size(), 1);
         (now.*member)[3] = bad;

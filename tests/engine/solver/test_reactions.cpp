@@ -143,6 +143,26 @@ TEST_SUITE("conservation") {
     CHECK(free > 10);
   }
 
+  TEST_CASE(
+      "reaction: what is driven for ever, or to the end of the run, is so in the last step, which ends "
+      "later") {
+    const double acceleration = 300;
+    for (const std::optional<double> until : {std::optional<double>(), std::optional<double>(3e-4)}) {
+      Scene scene = hanging(2);
+      scene.until = 3e-4;
+      scene.bodies[0].held = {};
+      Drive drive;
+      drive.where = constant(1);
+      drive.velocity[1] = [=](double t) { return acceleration * t; };
+      drive.until = until;
+      scene.bodies[0].drives = {drive};
+      const auto simulation = make_simulation(scene, with_method("tl"));
+      simulation->advance_to(scene.until);
+      const double mass = mass_of(simulation->snapshot(), 0);
+      CHECK(simulation->series().value[1].back() == relative(mass * (acceleration + g), 1e-9));
+    }
+  }
+
   TEST_CASE("reaction: a roller gives a force along its axis only, and regions of one body their own") {
     Scene scene = hanging(2);
     scene.bodies[0].held = {};

@@ -150,10 +150,12 @@ class NaiveOenogIn {
 
   /// Of the dashpots, V0 G w τ q̇/r0² (x_j − x_i) for each bond from either side, q = ½ (r²/r0² − 1)
   Places drag(double damping) const {
-    double shear_speed = 0;
-    for (int i = 0; i < size(); ++i)
+    double shear_speed = 0, share = 0;
+    for (int i = 0; i < size(); ++i) {
       shear_speed = std::max(shear_speed, std::sqrt(G(i) / material(i).density));
-    const double tau = damping * scene_.spacing / shear_speed;
+      share = std::max(share, of_bonds(i) / G(i));
+    }
+    const double tau = damping * scene_.spacing / (shear_speed * share);
     Places f(x.size());
     for (int i = 0; i < size(); ++i) {
       for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1] && !held(i); ++b) {
@@ -222,9 +224,14 @@ class NaiveOenogIn {
   const Material& material(int i) const { return scene_.materials[initial_.material[i]]; }
   double K(int i) const { return material(i).bulk_modulus(); }
   double G(int i) const { return material(i).shear_modulus(); }
+  /// In the place of G in bonds: less where λ is below 0.
+  double of_bonds(int i) const {
+    const double lambda = K(i) - 2.0 / 3 * G(i);
+    return lambda < 0 ? G(i) + (Dim == 2 ? 1 : 1.5) * lambda : G(i);
+  }
   double modulus(int i, int b) const {
     const int j = bonds_.j[b];
-    return held(j) ? G(i) : 1 / (0.5 / G(i) + 0.5 / G(j));
+    return held(j) ? of_bonds(i) : 1 / (0.5 / of_bonds(i) + 0.5 / of_bonds(j));
   }
 
   static double phi(double l) { return (2 * std::pow(l, 4) - 3 * l * l + std::pow(l, -2)) / 24; }
@@ -248,7 +255,7 @@ class NaiveOenogIn {
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b)
       all.emplace_back(bonds_.of(i, b).X, strength(i, b));
     for (const FaceTerm& term : bonds_.face_terms_of(i))
-      all.emplace_back(term.t, initial_.V0[i] * G(i) * term.weight);
+      all.emplace_back(term.t, initial_.V0[i] * of_bonds(i) * term.weight);
     return all;
   }
   /// s° along X, with its slopes in F
@@ -322,7 +329,7 @@ class NaiveOenogIn {
       const Wide s_mid = squared_stretch(i, b, middle),
                  s = Wide::variable(std::pow(stretch(at, i, b), 2), components + Dim + b - bonds_.begin[i]);
       const double alone =
-          initial_.V0[i] * std::min(G(i), most_of_across * modulus(i, b)) * bonds_.of(i, b).weight;
+          initial_.V0[i] * std::min(of_bonds(i), most_of_across * modulus(i, b)) * bonds_.of(i, b).weight;
       E = E + 0.5 * (alone * psi_of(s_own) - strength(i, b) * psi_of(s_mid)) * (s - s_mid) -
           strength(i, b) * phi_of(s_mid);
     }

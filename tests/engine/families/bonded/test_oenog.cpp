@@ -99,7 +99,8 @@ void check_both_ends(const Scene& scene) {
   std::vector<int> ids(initial.size());
   std::iota(ids.begin(), ids.end(), 0);
   std::vector<Elasticity> materials(scene.materials.size());
-  for (std::size_t k = 0; k < materials.size(); ++k) materials[k].G = scene.materials[k].shear_modulus();
+  for (std::size_t k = 0; k < materials.size(); ++k)
+    materials[k].K = scene.materials[k].bulk_modulus(), materials[k].G = scene.materials[k].shear_modulus();
   const Bonds bonds = make_bonds(scene, initial, oenog.h_over_dp * scene.spacing);
   const Packed packed(bonds, scene, initial, materials, ids);
   std::map<std::pair<int, int>, std::pair<double, Vec<double, Dim>>> seen;  // strength and area
