@@ -149,8 +149,7 @@ TEST_SUITE("cli") {
     refused(with("\"2*tp\""), "unknown name 'tp'");
     refused(with("\"2*sum\""), "unknown name 'sum'");  // of itself
     refused(with("\"2*tip +\""), "is not an expression");
-    CHECK(read_text(with("\"3*t\"")).scene.probes.size() ==
-          2);  // though nothing follows the first
+    CHECK(read_text(with("\"3*t\"")).scene.probes.size() == 2);  // though nothing follows the first
     refused(replaced(with("\"tip\""), "v0 = {", "tip = { value = 1 }\nv0 = {"),
             "name of a probe and of a number");
   }
