@@ -176,15 +176,31 @@ void FaceContacts<Dim>::watch() {
   touching_.erase(std::unique(touching_.begin(), touching_.end()), touching_.end());
 }
 
-/// f(node, foot, touch) of each listed node that faces something.
+/// f(node, foot, touch) of each listed node that faces something. Half and half of two sides of a corner where the
+/// node is inside and as far from both: by one alone what is symmetric would be pushed aside.
 template <int Dim>
 template <class F>
 void FaceContacts<Dim>::for_each_touch(const NearFaces& near, const F& f) const {
   for (std::size_t k = 0; k < near.node.size(); ++k) {
-    Foot<Dim> foot;
-    for (int l = near.begin[k]; l < near.begin[k + 1]; ++l)
-      faces_.measure(near.node[k], near.segment[l], foot);
-    if (foot.segment != Outline::none) f(near.node[k], foot, faces_.touch(foot));
+    const int n = near.node[k];
+    Foot<Dim> foot, twin;
+    for (int l = near.begin[k]; l < near.begin[k + 1]; ++l) faces_.measure(n, near.segment[l], foot);
+    if (foot.segment == Outline::none) continue;
+    const auto touch = faces_.touch(foot);
+    for (int l = near.begin[k]; l < near.begin[k + 1] && touch.depth > 0; ++l) {
+      if (!faces_.beside(near.segment[l], foot.segment)) continue;
+      Foot<Dim> other;
+      faces_.measure(n, near.segment[l], other);
+      if (std::abs(other.rank - foot.rank) < tie * dp_) twin = other;
+    }
+    if (twin.segment == Outline::none) {
+      f(n, foot, touch);
+      continue;
+    }
+    for (Foot<Dim>* half : {&foot, &twin}) {
+      half->area *= 0.5, half->slope *= 0.5;
+      f(n, *half, faces_.touch(*half));
+    }
   }
 }
 

@@ -73,6 +73,7 @@ class FaceContacts {
   static constexpr double close_by = 4;      // at the start: such faces face each other only where the body
   static constexpr double folded = -0.1;     // has folded, below this cosine of normals
   static constexpr double turn_slack = 0.5;  // of two nodes around the particles behind them
+  static constexpr double tie = 1e-6;        // of distances that are the same but for round-off
 
   void refuse_thin(const Scene& scene) const;
   void search_others(const WallContacts<Dim>& walls);

@@ -44,6 +44,11 @@ class MovingFaces {
   const Outline& outline() const { return outline_; }
   int size() const { return outline_.size(); }
   const Outline::Segment& segment(int k) const { return outline_.segments[k]; }
+  /// One begins where the other ends.
+  bool beside(int k, int l) const {
+    const auto &a = outline_.segments[k].node, &b = outline_.segments[l].node;
+    return a[0] == b[1] || a[1] == b[0];
+  }
   int body_of_segment(int k) const { return outline_.body_of(outline_.segments[k]); }
   V x0(int node) const {  // m
     V x;

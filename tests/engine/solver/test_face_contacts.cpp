@@ -217,6 +217,18 @@ TEST_SUITE("conservation") {
     CHECK(*std::ranges::min_element(gap) > -dp);  // of faces that look away, -2.3 dp
   }
 
+  TEST_CASE("contact of faces: a round body on a flat one is not pushed aside where corner meets corner") {
+    const double r = 0.02, depth = 0.1 * dp;  // a node of each lies on the line of symmetry
+    Pressed<2> bodies(scene_of(
+        {Disc{{0, -r, 0}, r, RoundLayout::spaced}, Box{{-0.03, -depth, 0}, {0.03, 0.006 - depth, 0}}}));
+    const std::vector<V> force = bodies.forces();
+    V on_disc{};
+    for (int i = 0; i < bodies.s.size(); ++i)
+      if (bodies.s.body[i] == 0) on_disc += force[i];
+    REQUIRE(on_disc[1] < -0.01 * modulus() * dp);
+    CHECK(std::abs(on_disc[0]) < 1e-9 * -on_disc[1]);  // by one side of the corner alone 0.013
+  }
+
   TEST_CASE("contact of faces: mirrored bodies stay mirrored to the last bit") {
     Scene scene = colliding_rings(0.14, 0.002);
     scene.contact = ContactLaw::surface;
