@@ -79,6 +79,19 @@ void for_each_method(const std::function<void(const std::string&, int)>& f) {
   }
 }
 
+/// A block that is driven upwards as a whole, ever faster.
+constexpr double acceleration = 300;  // m/s²
+Scene lifted(std::optional<double> until) {
+  Scene scene = hanging(2);
+  scene.bodies[0].held = {};
+  Drive drive;
+  drive.where = constant(1);
+  drive.velocity[1] = [](double t) { return acceleration * t; };
+  drive.until = until;
+  scene.bodies[0].drives = {drive};
+  return scene;
+}
+
 }  // namespace
 
 TEST_SUITE("conservation") {
@@ -117,14 +130,8 @@ TEST_SUITE("conservation") {
   }
 
   TEST_CASE("reaction: a driven body carries its inertia and weight, and nothing once it is let go") {
-    Scene scene = hanging(2);
-    scene.bodies[0].held = {};
-    const double acceleration = 300, until = 3e-4;
-    Drive drive;
-    drive.where = constant(1);
-    drive.velocity[1] = [=](double t) { return acceleration * t; };
-    drive.until = until;
-    scene.bodies[0].drives = {drive};
+    const double until = 3e-4;
+    const Scene scene = lifted(until);
     const auto simulation = make_simulation(scene, with_method("tl"));
     simulation->advance_to(2 * until);
     const Series& series = simulation->series();
@@ -146,16 +153,9 @@ TEST_SUITE("conservation") {
   TEST_CASE(
       "reaction: what is driven for ever, or to the end of the run, is so in the last step, which ends "
       "later") {
-    const double acceleration = 300;
     for (const std::optional<double> until : {std::optional<double>(), std::optional<double>(3e-4)}) {
-      Scene scene = hanging(2);
+      Scene scene = lifted(until);
       scene.until = 3e-4;
-      scene.bodies[0].held = {};
-      Drive drive;
-      drive.where = constant(1);
-      drive.velocity[1] = [=](double t) { return acceleration * t; };
-      drive.until = until;
-      scene.bodies[0].drives = {drive};
       const auto simulation = make_simulation(scene, with_method("tl"));
       simulation->advance_to(scene.until);
       const double mass = mass_of(simulation->snapshot(), 0);

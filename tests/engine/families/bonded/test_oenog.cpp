@@ -39,6 +39,14 @@ Scene clamped_plate_of_two_materials() {
   return scene;
 }
 
+/// The same of materials with a negative Poisson's ratio, whose bonds have less than G.
+Scene auxetic_plate() {
+  Scene scene = clamped_plate_of_two_materials();
+  scene.name = "auxetic-plate";
+  scene.materials[0].poisson_ratio = -0.3, scene.materials[1].poisson_ratio = -0.1;
+  return scene;
+}
+
 Scene ring_alone() {
   Scene scene = small_collision();
   scene.bodies.pop_back();
@@ -129,7 +137,7 @@ void check_both_ends(const Scene& scene) {
 
 TEST_SUITE("reference") {
   TEST_CASE("oenog: 40 steps are those of the formulas, with a clamp, two materials and on a ring") {
-    for (const Scene& scene : {clamped_plate_of_two_materials(), ring_alone()}) {
+    for (const Scene& scene : {clamped_plate_of_two_materials(), auxetic_plate(), ring_alone()}) {
       CAPTURE(scene.name);
       NaiveOenog naive(scene, oenog.h_over_dp);
       for (int step = 0; step < 40; ++step) naive.step(oenog.cfl, damping);
