@@ -7,60 +7,82 @@
 #include <span>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include "engine/neighbors/neighbors_of_one.hpp"
 
 namespace taut {
 namespace {
 
-constexpr int Dim = 2;  // of the scenes of this version; the code below is for 3 too
+template <int Dim>
 using Place = Eigen::Vector<double, Dim>;
 
 constexpr double layer_reach = 2.1;  // dp, of what tells the direction of a layer
+constexpr double close_reach = 2.2;  // dp, of what is looked at along the face
 constexpr double aside = 0.75;       // dp, along the face, of a particle that stands below another one
 
 constexpr double least_scaled =
     0.5;  // of its area, n · S of a column that can share a force; ends of bars have 0.95 to 1.5
 
-Place place(const Point& p) { return Eigen::Map<const Place>(p.data()); }
+template <int Dim>
+Place<Dim> place(const Point& p) {
+  return Eigen::Map<const Place<Dim>>(p.data());
+}
 
-Point point(const Place& v) {
+template <int Dim>
+Point point(const Place<Dim>& v) {
   Point p{};
   for (int k = 0; k < Dim; ++k) p[k] = v[k];
   return p;
 }
 
+/// From i to j, m.
+template <int Dim>
+Place<Dim> way(const InitialParticles& initial, int i, int j) {
+  return place<Dim>(initial.x[j]) - place<Dim>(initial.x[i]);
+}
+
+/// Where in the layer particle i is; −1 if it is not of it.
+int position(const std::vector<int>& layer, int i) {
+  const auto found = std::ranges::lower_bound(layer, i);
+  return found != layer.end() && *found == i ? static_cast<int>(found - layer.begin()) : -1;
+}
+
 /// The direction in which the layer is thin, away from the rest of the body; 0 where there is none.
-Place outwards(int i, const InitialParticles& initial, std::span<const int> near,
-               const std::vector<int>& layer, double spacing) {
+template <int Dim>
+Place<Dim> outwards(int i, const InitialParticles& initial, std::span<const int> near,
+                    const std::vector<int>& layer, double spacing) {
   constexpr double thin = 0.1;  // mean square across the layer over that along it
   Eigen::Matrix<double, Dim, Dim> spread = Eigen::Matrix<double, Dim, Dim>::Zero();
-  Place away = Place::Zero();
+  Place<Dim> away = Place<Dim>::Zero();
   for (const int j : near) {
-    const Place d = (place(initial.x[j]) - place(initial.x[i])) / spacing;
+    const Place<Dim> d = way<Dim>(initial, i, j) / spacing;
     if (d.norm() > layer_reach) continue;
-    if (std::ranges::binary_search(layer, j))
+    if (position(layer, j) >= 0)
       spread += d * d.transpose();
     else
       away -= d;
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Dim, Dim>> axes(spread);
-  const Place n = axes.eigenvectors().col(0);
+  const Place<Dim> n = axes.eigenvectors().col(0);
   const double side = n.dot(away);
-  if (!(axes.eigenvalues()[0] < thin * axes.eigenvalues()[1]) || side == 0) return Place::Zero();
-  return side > 0 ? n : Place(-n);
+  if (!(axes.eigenvalues()[0] < thin * axes.eigenvalues()[1]) || side == 0) return Place<Dim>::Zero();
+  return side > 0 ? n : Place<Dim>(-n);
 }
 
-/// How much longer the face is than the layer below it, from the chords to those beside i in the layer.
+/// How much larger the face is than the layer below it, from the chords to those beside i in the layer.
+template <int Dim>
 double stretch(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
                std::span<const int> near, double spacing) {
   double inside = 0, outside = 0;
   for (const int j : near) {
-    const auto found = std::ranges::lower_bound(layer.id, j);
-    if (found == layer.id.end() || *found != j) continue;
-    const Place d = place(initial.x[j]) - place(initial.x[layer.id[k]]);
+    const int other = position(layer.id, j);
+    if (other < 0) continue;
+    const Place<Dim> d = way<Dim>(initial, layer.id[k], j);
     if (d.norm() > layer_reach * spacing) continue;
-    const Place& n = place(layer.normal[static_cast<std::size_t>(found - layer.id.begin())]);
+    const Place<Dim> turn = place<Dim>(layer.normal[other]) - place<Dim>(layer.normal[k]);
     inside += d.norm();
-    outside += (d + 0.5 * spacing * (n - place(layer.normal[k]))).norm();
+    outside += (d + 0.5 * spacing * turn).norm();
   }
   return std::pow(inside > 0 ? outside / inside : 1, Dim - 1);
 }
@@ -74,11 +96,12 @@ struct Column {
 };
 
 /// The particle farthest below i, by `near`, and how far, m.
-std::pair<int, double> deepest(int i, const Place& n, const InitialParticles& initial,
-                               const NeighborLists& near, double spacing) {
+template <int Dim>
+std::pair<int, double> deepest(int i, const Place<Dim>& n, const InitialParticles& initial,
+                               const NeighborsOfOne<Dim>& near, double spacing) {
   std::pair<int, double> known{i, 0};
-  for (const int j : near[i]) {
-    const Place d = place(initial.x[i]) - place(initial.x[j]);
+  for (const int j : near(i)) {
+    const Place<Dim> d = way<Dim>(initial, j, i);
     if ((d - d.dot(n) * n).norm() > aside * spacing) continue;
     if (d.dot(n) > known.second + 1e-6 * spacing) known = {j, d.dot(n)};
   }
@@ -86,11 +109,12 @@ std::pair<int, double> deepest(int i, const Place& n, const InitialParticles& in
 }
 
 /// Faces are felt as far as `near` goes, so that two of them meet where they are less than twice that apart.
-Column column(int i, const Place& n, const InitialParticles& initial, const NeighborLists& near,
+template <int Dim>
+Column column(int i, const Place<Dim>& n, const InitialParticles& initial, const NeighborsOfOne<Dim>& near,
               double spacing) {
   double depth = 0, enough = std::numeric_limits<double>::infinity();
   while (depth < enough) {
-    const auto [j, step] = deepest(i, n, initial, near, spacing);
+    const auto [j, step] = deepest<Dim>(i, n, initial, near, spacing);
     if (step == 0) return {.thin = true, .middle = 0.5 * depth};
     if (depth == 0) enough = 2 * step - 0.5 * spacing;
     depth += step;
@@ -106,15 +130,16 @@ struct Below {
 };
 
 /// Of each free particle below the layer the nearest of the layer that stands above it.
-std::map<int, Below> below(const FaceLayer& layer, const InitialParticles& initial, const NeighborLists& near,
-                           double spacing) {
+template <int Dim>
+std::map<int, Below> below(const FaceLayer& layer, const InitialParticles& initial,
+                           const NeighborsOfOne<Dim>& near, double spacing) {
   std::map<int, Below> all;
   for (std::size_t k = 0; k < layer.id.size(); ++k) {
     const int i = layer.id[k];
-    const Place n = place(layer.normal[k]);
+    const Place<Dim> n = place<Dim>(layer.normal[k]);
     all[i] = {0, k, 0};
-    for (const int j : near[i]) {
-      const Place d = place(initial.x[i]) - place(initial.x[j]);
+    for (const int j : near(i)) {
+      const Place<Dim> d = way<Dim>(initial, j, i);
       if (initial.held[j] || (d - d.dot(n) * n).norm() > aside * spacing) continue;
       if (Below& known = all[j]; d.norm() < known.distance) known = {d.norm(), k, d.dot(n)};
     }
@@ -123,12 +148,13 @@ std::map<int, Below> below(const FaceLayer& layer, const InitialParticles& initi
 }
 
 /// The nearest beside i in the direction `along`, of unit length; −1 if there is none.
-int beside(int i, const Place& along, const InitialParticles& initial, std::span<const int> near,
+template <int Dim>
+int beside(int i, const Place<Dim>& along, const InitialParticles& initial, const NeighborsOfOne<Dim>& near,
            double spacing) {
   int found = -1;
   double least = 2 * spacing;
-  for (const int j : near) {
-    const Place d = place(initial.x[j]) - place(initial.x[i]);
+  for (const int j : near(i)) {
+    const Place<Dim> d = way<Dim>(initial, i, j);
     const double distance = d.dot(along);
     if (distance < 0.5 * spacing || distance > least || (d - distance * along).norm() > aside * spacing)
       continue;
@@ -137,40 +163,54 @@ int beside(int i, const Place& along, const InitialParticles& initial, std::span
   return found;
 }
 
-/// By how much more than its area each particle of the layer stands for: at a corner of the body the end correction of
-/// the midpoint rule, without which the moment of a traction that is linear along the face is short by 1/n².
+/// The directions along the face in which particle k of the layer has others beside it, or not, of unit length.
+template <int Dim>
+std::vector<Place<Dim>> directions(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
+                                   const NeighborsOfOne<Dim>& near) {
+  const Place<Dim> n = place<Dim>(layer.normal[k]);
+  if constexpr (Dim == 2) {
+    return {Place<2>(-n[1], n[0]), Place<2>(n[1], -n[0])};
+  } else {
+    Place<3> nearest = Place<3>::Zero();
+    for (const int j : near(layer.id[k])) {
+      Place<3> d = way<3>(initial, layer.id[k], j);
+      d -= d.dot(n) * n;
+      if (position(layer.id, j) >= 0 && (nearest.isZero() || d.norm() < nearest.norm())) nearest = d;
+    }
+    const Place<3> one = nearest.normalized(), other = n.cross(one);
+    return {one, other, -one, -other};
+  }
+}
+
+/// By how much more than its area each particle of the layer stands for: at a corner or an edge of the body the end
+/// correction of the midpoint rule, without which the moment of a traction that is linear along the face is short by
+/// 1/n².
+template <int Dim>
 std::vector<double> end_weights(const FaceLayer& layer, const InitialParticles& initial,
-                                const NeighborLists& near, double spacing) {
+                                const NeighborsOfOne<Dim>& near, double spacing) {
   std::vector<double> weights(layer.id.size(), 1);
-  const auto position = [&](int i) {
-    const auto found = std::ranges::lower_bound(layer.id, i);
-    return found != layer.id.end() && *found == i ? static_cast<int>(found - layer.id.begin()) : -1;
-  };
   for (std::size_t k = 0; k < layer.id.size(); ++k)
-    for (const double side : {1, -1}) {
-      const Place along(side * -layer.normal[k][1], side * layer.normal[k][0]);
-      const int i = layer.id[k];
-      if (beside(i, along, initial, near[i], spacing) >= 0) continue;
-      const int second = beside(i, -along, initial, near[i], spacing),
-                third = second < 0 ? -1 : beside(second, -along, initial, near[second], spacing);
-      if (third < 0 || position(second) < 0 || position(third) < 0) continue;
+    for (const Place<Dim>& along : directions<Dim>(layer, k, initial, near)) {
+      if (beside<Dim>(layer.id[k], along, initial, near, spacing) >= 0) continue;
+      const int second = beside<Dim>(layer.id[k], -along, initial, near, spacing),
+                third = second < 0 ? -1 : beside<Dim>(second, -along, initial, near, spacing);
+      const int at_second = position(layer.id, second), at_third = position(layer.id, third);
+      if (at_second < 0 || at_third < 0) continue;
       constexpr double share = 1.0 / 24;
-      weights[k] += 1.25 * share, weights[position(second)] -= 1.5 * share,
-          weights[position(third)] += 0.25 * share;
+      weights[k] += 1.25 * share, weights[at_second] -= 1.5 * share, weights[at_third] += 0.25 * share;
     }
   return weights;
 }
 
-}  // namespace
-
-FaceLayer face_layer(const Load& load, const InitialParticles& initial, const NeighborLists& near,
-                     std::vector<int> id, double spacing) {
+template <int Dim>
+FaceLayer layer_of(const Load& load, const InitialParticles& initial, std::vector<int> id, double spacing) {
+  const NeighborsOfOne<Dim> near(initial, close_reach * spacing);
   FaceLayer layer{.id = std::move(id), .normal = {}, .traction = {}, .area = {}};
   std::ranges::sort(layer.id);
   for (const int i : layer.id) {
-    const Place n = outwards(i, initial, near[i], layer.id, spacing);
+    const Place<Dim> n = outwards<Dim>(i, initial, near(i), layer.id, spacing);
     if (n.isZero()) return {};
-    layer.normal.push_back(point(n));
+    layer.normal.push_back(point<Dim>(n));
   }
   for (std::size_t k = 0; k < layer.id.size(); ++k) {
     const int i = layer.id[k];
@@ -179,27 +219,29 @@ FaceLayer face_layer(const Load& load, const InitialParticles& initial, const Ne
     for (int a = 0; a < Dim; ++a)
       if (load.value[a]) t[a] = load.value[a](at);
     layer.traction.push_back(t);
-    layer.area.push_back(initial.V0[i] / spacing * stretch(layer, k, initial, near[i], spacing));
+    layer.area.push_back(initial.V0[i] / spacing * stretch<Dim>(layer, k, initial, near(i), spacing));
   }
   return layer;
 }
 
-std::vector<FaceShare> face_shares(FaceRule rule, const FaceLayer& layer, const InitialParticles& initial,
-                                   const NeighborLists& near, const std::vector<Point>& surface,
-                                   double spacing) {
+template <int Dim>
+std::vector<FaceShare> shares_of(FaceRule rule, const FaceLayer& layer, const InitialParticles& initial,
+                                 double reach, const std::vector<Point>& surface, double spacing) {
+  const NeighborsOfOne<Dim> near(initial, 2 * reach);
   std::vector<Column> columns;
   for (std::size_t k = 0; k < layer.id.size(); ++k)
-    columns.push_back(column(layer.id[k], place(layer.normal[k]), initial, near, spacing));
-  const std::map<int, Below> belows = below(layer, initial, near, spacing);
+    columns.push_back(column<Dim>(layer.id[k], place<Dim>(layer.normal[k]), initial, near, spacing));
+  const std::map<int, Below> belows = below<Dim>(layer, initial, near, spacing);
   std::vector<double> whole_area = layer.area;
   if (rule == FaceRule::by_column) {
-    const std::vector<double> weights = end_weights(layer, initial, near, spacing);
+    const NeighborsOfOne<Dim> close(initial, close_reach * spacing);
+    const std::vector<double> weights = end_weights<Dim>(layer, initial, close, spacing);
     for (std::size_t k = 0; k < weights.size(); ++k) whole_area[k] *= weights[k];
   }
   const auto own_area = [&](int j, const Below& b) {
     const double from_middle = b.depth - columns[b.k].middle;
     const double part = from_middle < -0.25 * spacing ? 1 : from_middle < 0.25 * spacing ? 0.5 : 0;
-    return part * place(layer.normal[b.k]).dot(place(surface[j]));
+    return part * place<Dim>(layer.normal[b.k]).dot(place<Dim>(surface[j]));
   };
   const auto is_middle = [&](const Below& b) {
     return std::abs(b.depth - columns[b.k].middle) < 0.75 * spacing;
@@ -217,9 +259,22 @@ std::vector<FaceShare> face_shares(FaceRule rule, const FaceLayer& layer, const 
       area = c.area > least_scaled * whole ? area * (whole / c.area) : j == layer.id[b.k] ? whole : 0;
     else if (c.thin && (c.at_middle > 0 ? is_middle(b) : j == layer.id[b.k]))
       area += (whole - c.area) / std::max(1, c.at_middle);
-    if (area != 0) shares.emplace_back(j, point(area * place(layer.traction[b.k])));
+    if (area != 0) shares.emplace_back(j, point<Dim>(area * place<Dim>(layer.traction[b.k])));
   }
   return shares;
+}
+
+}  // namespace
+
+FaceLayer face_layer(const Load& load, const InitialParticles& initial, std::vector<int> id, double spacing) {
+  return initial.dim == 3 ? layer_of<3>(load, initial, std::move(id), spacing)
+                          : layer_of<2>(load, initial, std::move(id), spacing);
+}
+
+std::vector<FaceShare> face_shares(FaceRule rule, const FaceLayer& layer, const InitialParticles& initial,
+                                   double reach, const std::vector<Point>& surface, double spacing) {
+  return initial.dim == 3 ? shares_of<3>(rule, layer, initial, reach, surface, spacing)
+                          : shares_of<2>(rule, layer, initial, reach, surface, spacing);
 }
 
 }  // namespace taut

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "engine/error.hpp"
-#include "engine/neighbors/initial_neighbors.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -41,20 +40,17 @@ void Loads<Dim>::set_time(double t) {
 template <int Dim>
 void Loads<Dim>::act_on_faces(const Scene& scene, const InitialParticles& initial, FaceRule rule,
                               const std::vector<Point>& surface, double reach) {
-  if constexpr (Dim == 3) return;  // a layer of particles carries what acts on its face
-  NeighborLists near;
   auto region = regions_.begin();
   for (const Body& body : scene.bodies) {
     for (const Load& load : body.loads) {
       std::vector<std::pair<int, V>>& shares = (region++)->shares;
       if (load.kind != Load::Kind::traction) continue;
-      if (near.empty()) near = initial_neighbors(initial, 2 * reach);
       std::vector<int> ids;
       for (const auto& [id, force] : shares) ids.push_back(id);
-      const FaceLayer layer = face_layer(load, initial, near, std::move(ids), scene.spacing);
+      const FaceLayer layer = face_layer(load, initial, std::move(ids), scene.spacing);
       if (layer.id.empty()) continue;
       shares.clear();
-      for (const auto& [id, force] : face_shares(rule, layer, initial, near, surface, scene.spacing)) {
+      for (const auto& [id, force] : face_shares(rule, layer, initial, reach, surface, scene.spacing)) {
         V f;
         for (int k = 0; k < Dim; ++k) f[k] = force[k];
         shares.emplace_back(id, f);

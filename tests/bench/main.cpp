@@ -1,10 +1,13 @@
 //   taut_bench --benchmark_filter=enog/2d --benchmark_repetitions=5
 
+#include <cstdlib>
+
 #include <benchmark/benchmark.h>
 
 #include "tests/bench/benchmarks.hpp"
 
 int main(int argc, char** argv) {
+  setenv("TAUT_SCENES", TAUT_SCENE_FOLDER, /*overwrite*/ 0);  // none stand beside this program
   taut::bench::register_methods();
   taut::bench::register_program();
   benchmark::Initialize(&argc, argv);

@@ -14,7 +14,6 @@
 #include "engine/diagnostics/balance.hpp"
 #include "engine/families/bonded/bonds.hpp"
 #include "engine/methods/oenog.hpp"
-#include "engine/neighbors/initial_neighbors.hpp"
 #include "engine/solver/face_loads.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
@@ -107,13 +106,13 @@ std::array<double, 3> sums(const std::vector<FaceShare>& shares, const InitialPa
 std::vector<FaceShare> shares_of(FaceRule rule, const Scene& scene, const Load& load) {
   const InitialParticles initial = make_initial_particles(scene);
   const double dp = scene.spacing, h = oenog.h_over_dp * dp;
-  const auto near = initial_neighbors(initial, 2 * greatest_bond_reach * h);
   std::vector<int> id;
   for (int i = 0; i < initial.size(); ++i)
     if (load.where(initial.x[i]) != 0) id.push_back(i);
-  const FaceLayer layer = face_layer(load, initial, near, id, dp);
+  const FaceLayer layer = face_layer(load, initial, id, dp);
   REQUIRE(layer.id.size() == id.size());
-  return face_shares(rule, layer, initial, near, surface(make_bonds(scene, initial, h)), dp);
+  return face_shares(rule, layer, initial, greatest_bond_reach * h, surface(make_bonds(scene, initial, h)),
+                     dp);
 }
 
 }  // namespace
@@ -183,13 +182,13 @@ TEST_SUITE("unit") {
     const Scene scene = thin_bar(12, {0, 1, 0}, false);
     const InitialParticles initial = make_initial_particles(scene);
     const Load& load = scene.bodies[0].loads[0];
-    const auto near = initial_neighbors(initial, 4.8 * scene.spacing);
     std::vector<int> id;
     for (int i = 0; i < initial.size(); ++i)
       if (load.where(initial.x[i]) != 0) id.push_back(i);
-    const FaceLayer layer = face_layer(load, initial, near, id, scene.spacing);
+    const FaceLayer layer = face_layer(load, initial, id, scene.spacing);
     const std::vector<Point> none(initial.size());
-    const auto shares = face_shares(FaceRule::by_column, layer, initial, near, none, scene.spacing);
+    const auto shares =
+        face_shares(FaceRule::by_column, layer, initial, 2.4 * scene.spacing, none, scene.spacing);
     CHECK(shares.size() == id.size());
     for (const auto& [i, f] : shares) {
       CHECK(load.where(initial.x[i]) != 0);
@@ -232,16 +231,15 @@ TEST_SUITE("unit") {
     const Scene scene = pulled_block(
         10, 0.03, [](double) { return 1.0; }, 1);
     const InitialParticles initial = make_initial_particles(scene);
-    const auto near = initial_neighbors(initial, 4 * scene.spacing);
     std::vector<int> deep, corner;
     for (int i = 0; i < initial.size(); ++i) {
       if (initial.x[i][0] > 0.009) deep.push_back(i);
       if (initial.x[i][0] > 0.013 || initial.x[i][1] > 0.008) corner.push_back(i);
     }
     const Load& load = scene.bodies[0].loads[1];
-    CHECK(face_layer(load, initial, near, deep, scene.spacing).id.empty());
-    CHECK(face_layer(load, initial, near, corner, scene.spacing).id.empty());
-    CHECK(face_layer(load, initial, near, {deep[0]}, scene.spacing).id.empty());
+    CHECK(face_layer(load, initial, deep, scene.spacing).id.empty());
+    CHECK(face_layer(load, initial, corner, scene.spacing).id.empty());
+    CHECK(face_layer(load, initial, {deep[0]}, scene.spacing).id.empty());
   }
 }
 
