@@ -7,6 +7,7 @@
 #include "engine/core/machine.hpp"
 #include "engine/error.hpp"
 #include "engine/families/catalogue.hpp"
+#include "engine/families/families.hpp"
 #include "engine/families/make_solver.hpp"
 #include "engine/scene/initial_particles.hpp"
 
@@ -147,8 +148,11 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Settings& 
                           method->meets_itself,
                           settings.stepping,
                           threads};
-#ifdef TAUT_HAS_X86_64_V3
-  if (settings.instruction_set == InstructionSet::best && has_x86_64_v3())
+#ifdef TAUT_KNOWS_X86_64_LEVELS
+  if (settings.instruction_set >= InstructionSet::x86_64_v4 && has_x86_64_v4() &&
+      row_of(method->formulation.family).short_of_registers)
+    return x86_64_v4::make_solver(input);
+  if (settings.instruction_set >= InstructionSet::x86_64_v3 && has_x86_64_v3())
     return x86_64_v3::make_solver(input);
 #endif
   return make_solver(input);

@@ -5,7 +5,7 @@
 #ifndef TAUT_ISA
 #define TAUT_ISA baseline
 #if defined(__x86_64__)
-#define TAUT_HAS_X86_64_V3  // what is built for any machine chooses, and knows the other one
+#define TAUT_KNOWS_X86_64_LEVELS  // what is built for any machine chooses, and knows the others
 #endif
 #endif
 

@@ -27,4 +27,15 @@ inline bool has_x86_64_v3() {
 #endif
 }
 
+/// The same of x86-64-v4.
+inline bool has_x86_64_v4() {
+#if defined(__x86_64__)
+  return has_x86_64_v3() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+         __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") &&
+         __builtin_cpu_supports("avx512dq");
+#else
+  return false;
+#endif
+}
+
 }  // namespace taut

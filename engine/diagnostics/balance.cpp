@@ -6,7 +6,7 @@
 namespace taut {
 
 Balance balance(const Snapshot& now, const Scene& scene) {
-#ifdef TAUT_HAS_X86_64_V3
+#ifdef TAUT_KNOWS_X86_64_LEVELS
   if (has_x86_64_v3()) return x86_64_v3::sums_of(now, scene);
 #endif
   return sums_of(now, scene);

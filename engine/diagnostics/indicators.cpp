@@ -13,7 +13,7 @@ constexpr double least_strain = 1e-8;  // over Young's modulus: stress of round-
 
 AlternatingSums sums(const AlternatingPart& part, const Snapshot& now, double spacing,
                      std::vector<double>& table) {
-#ifdef TAUT_HAS_X86_64_V3
+#ifdef TAUT_KNOWS_X86_64_LEVELS
   if (has_x86_64_v3()) return x86_64_v3::alternating_sums(part, now, spacing, table);
 #endif
   return alternating_sums(part, now, spacing, table);

@@ -30,7 +30,7 @@ AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& no
 Balance sums_of(const Snapshot& now, const Scene& scene);
 }  // namespace TAUT_ISA
 
-#ifdef TAUT_HAS_X86_64_V3
+#ifdef TAUT_KNOWS_X86_64_LEVELS
 namespace x86_64_v3 {
 AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing,
                                  std::vector<double>& table);

@@ -17,8 +17,11 @@ template <Family F>
 std::unique_ptr<Simulation> make_solver_of(const SolverInput& input);
 }  // namespace TAUT_ISA
 
-#ifdef TAUT_HAS_X86_64_V3
+#ifdef TAUT_KNOWS_X86_64_LEVELS
 namespace x86_64_v3 {
+std::unique_ptr<Simulation> make_solver(const SolverInput& input);
+}
+namespace x86_64_v4 {  // of families that gain from it only
 std::unique_ptr<Simulation> make_solver(const SolverInput& input);
 }
 #endif
