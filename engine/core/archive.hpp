@@ -118,8 +118,9 @@ class Archive {
     if (is_copied<T> || values.size() > size) values.resize(size);
     elements(values, size);
   }
+  /// Not inlined: what one build of the solver alone emits is shared, and must run on any machine.
   template <class T>
-  void one_fixed(std::vector<T>& values) {
+  [[gnu::noinline]] void one_fixed(std::vector<T>& values) {
     const std::size_t size = side().length(values.size(), 1);
     check("the length of a list", [&] { return size == values.size(); });
     elements(values, size);

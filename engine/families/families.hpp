@@ -15,7 +15,7 @@ namespace taut {
 struct FamilyRow {
   Family family;
   bool searches;            // particles act on what comes near, and not just on their initial neighbours
-  bool short_of_registers;  // of the 16 of AVX2: it is built for the 32 of x86-64-v4 too
+  bool short_of_registers;  // of the 16 of AVX2, and worth compiling for the 32 of x86-64-v4 too
   std::vector<TermInfo> (*terms)(const Formulation& m);
   std::vector<MethodConstant> (*constants)(const Formulation& m, int dim);
 };
@@ -26,7 +26,7 @@ inline constexpr std::array families{
     FamilyRow{Family::ul_cauchy, true, true, ul_cauchy::terms, ul_cauchy::constants},
     FamilyRow{Family::bonded, false, false, bonded::terms, bonded::constants},
     FamilyRow{Family::tl_displacement, false, true, tl_displacement::terms, tl_displacement::constants},
-    FamilyRow{Family::tl_mixed, false, true, tl_mixed::terms, tl_mixed::constants},
+    FamilyRow{Family::tl_mixed, false, false, tl_mixed::terms, tl_mixed::constants},
 };
 
 inline const FamilyRow& row_of(Family family) {
