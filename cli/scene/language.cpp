@@ -112,7 +112,8 @@ constexpr KeyInfo loaded_keys[] = {
     {"force", "[x, y] of the place, N", "one of three", "spread over the region by volume; 2D: N per metre"},
     {"force_density", "[x, y] of the place, N/m³", "one of three", "of the initial volume"},
     {"traction", "[x, y] of the place, Pa", "one of three",
-     "on the outer face of a layer one spacing deep; by methods without fixed neighbours and tl-small-strain, and "
+     "on the outer face of a layer one spacing deep; by methods without fixed neighbours and "
+     "tl-small-strain, and "
      "where a curved face is cut from a lattice, in the layer"},
     {"ramp", "expression of t", "1", "factor of it"},
 };

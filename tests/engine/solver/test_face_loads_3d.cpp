@@ -1,6 +1,7 @@
 // Tractions on faces in three dimensions.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
