@@ -65,7 +65,7 @@ class BondMaker {
   static constexpr double none = std::numeric_limits<double>::infinity();
 
   bool on_faces(int i) const { return scene_.bodies[initial_.body[i]].on_boundary; }
-  bool deforms(int i) const { return !initial_.held[i] || (Dim == 3 && on_faces(i)); }
+  bool deforms(int i) const { return !initial_.held[i] || on_faces(i); }
 
   template <class AnyBonds>
   std::vector<double> with_end_correction(const AnyBonds& bonds, const std::vector<std::array<Point, 3>>& B,
@@ -75,7 +75,6 @@ class BondMaker {
   void cut_at_clamp(SolidBonds&& uncut, Bonds& out) const;
   template <class AnyBonds>
   void cut(const AnyBonds& uncut, int i, Bonds& out) const;
-  void straighten(int i, Bonds& out) const;
   double share_before_clamp(int i, const Point& X) const;
 
   const Scene& scene_;
@@ -152,10 +151,10 @@ double BondMaker<Dim>::share_before_clamp(int i, const Point& X) const {
   return std::min(1.0, std::max(inside, shortest * scene_.spacing / vector_of<Dim>(X).norm()));
 }
 
-/// Takes away the bonds of held particles and shortens those that lead to them. Their a_ij stay as they are
-/// in 2D; in 3D they grow as much, so that F is what it would be had the particle behind the face gone on
-/// linearly, and a uniform stress leaves no force on the particles before it. Particles that stand on the
-/// face of a clamp keep theirs: the half of their cell before it is strained like any other.
+/// Takes away the bonds of held particles and shortens those that lead to them. Their a_ij grow as much, so that F is
+/// what it would be had the particle behind the face gone on linearly, and a uniform stress leaves no force on the
+/// particles before it. Particles that stand on the face of a clamp keep theirs: the half of their cell before it is
+/// strained like any other.
 template <int Dim>
 template <class AnyBonds>
 void BondMaker<Dim>::cut(const AnyBonds& uncut, int i, Bonds& out) const {
@@ -166,7 +165,7 @@ void BondMaker<Dim>::cut(const AnyBonds& uncut, int i, Bonds& out) const {
     const double share = to_clamp ? share_before_clamp(i, bond.X) : 1;
     for (int k = 0; k < Dim; ++k) {
       bond.X[k] *= share;
-      if (Dim == 3) bond.area[k] /= share;
+      bond.area[k] /= share;
       if (Dim == 3 && out.off_lattice) bond.area[k] = single_precision(bond.area[k]);
     }
     out.j.push_back(j);
@@ -188,7 +187,6 @@ void BondMaker<Dim>::cut_at_clamp(Bonds&& uncut, Bonds& out) const {
     cut(uncut, i, out);
     out.begin.push_back(static_cast<int>(out.j.size()));
   }
-  for (int i = 0; i < initial_.size(); ++i) straighten(i, out);
 }
 
 template <int Dim>
@@ -206,24 +204,6 @@ void BondMaker<Dim>::cut_at_clamp(SolidBonds&& uncut, Bonds& out) const {
     out.begin.push_back(static_cast<int>(out.j.size()));
   }
   out.solid = std::make_shared<const SolidGeometry>(std::move(uncut).take_geometry());
-}
-
-/// Where a_ij has a part across X_ij, a shortened X makes Σ_j a_ij ⊗ X_ij skew. Bonds into the clamp, which
-/// have no other side to agree with, take that back.
-template <int Dim>
-void BondMaker<Dim>::straighten(int i, Bonds& out) const {
-  double skew = 0, into_clamp = 0;
-  for (int b = out.begin[i]; b < out.begin[i + 1]; ++b) {
-    const Point &a = out.rows[b].area, &X = out.rows[b].X;
-    skew += a[0] * X[1] - a[1] * X[0];
-    if (initial_.held[out.j[b]]) into_clamp += X[0] * X[0] + X[1] * X[1];
-  }
-  for (int b = out.begin[i]; b < out.begin[i + 1] && into_clamp > 0; ++b) {
-    if (!initial_.held[out.j[b]]) continue;
-    Point &a = out.rows[b].area, &X = out.rows[b].X;
-    a[0] += skew / into_clamp * -X[1];
-    a[1] += skew / into_clamp * X[0];
-  }
 }
 
 }  // namespace

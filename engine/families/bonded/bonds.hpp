@@ -15,7 +15,7 @@ namespace taut {
 struct Bond {
   Point X;        // from i to the other end, m: particle j, or where the bond enters the clamp
   double weight;  // w_ij; 0 where only j asked for the bond
-  Point area;     // a_ij = −a_ji, for an end at the clamp as for any other; in 3D off a lattice of single
+  Point area;     // a_ij = −a_ji, over the share of X_ij before a clamp; in 3D off a lattice of single
                   // precision, in which it is kept
 };
 
@@ -126,8 +126,8 @@ struct Bonds {
 /// there: with equal ones a section's moment of inertia is short by 1/n², and twisting 2 % fast at five
 /// particles across. Where particles stand on the faces (Body::on_boundary, 3D) the layout has an end
 /// correction already; volumes have −dp²/25 more, with which the square cantilever of six cells across bends
-/// in the right time and twists 0.3 % fast. What is held there keeps its bonds and its energy: the half cells
-/// before the clamp are part of the body.
+/// in the right time and twists 0.3 % fast. What is held there, in 2D too, keeps its bonds and its energy:
+/// the half cells before the clamp are part of the body.
 ///
 /// Faces, in 2D. Where a strain is not homogeneous a bond stores what its middle is strained by, and what is cancelled
 /// of it is the mean of its ends, one-sided at a face. Of a strain that is linear over the eight nearest, ε_t along the

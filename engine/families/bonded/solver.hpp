@@ -12,6 +12,7 @@
 #include "engine/families/bonded/closed_law.hpp"
 #include "engine/families/bonded/interface_sites.hpp"
 #include "engine/families/bonded/layout_stiffness.hpp"
+#include "engine/families/bonded/pins.hpp"
 #include "engine/families/bonded/recovered_gradient.hpp"
 #include "engine/families/bonded/shown_stress.hpp"
 #include "engine/solver/particle_solver.hpp"
@@ -45,6 +46,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     }
     ahead_ = 3 * c_.damping * c_.dp / (shear_speed * of_G);
     this->lawful_stretch_ = std::sqrt(cancelled_range<Dim>[1]);
+    for (const int pin : pins(this->initial_, c_.dp)) this->initial_.held[pin] = 0;  // it keeps its place
     const Bonds bonds = make_bonds(input.scene, this->initial_, c_.h, input.threads);
     this->pairs_ = static_cast<long>(bonds.j.size());
     take_masses(bonds);

@@ -1,0 +1,120 @@
+// oenog: bodies that turn about what is held of them, and clamps, about which they do not.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "engine/families/bonded/pins.hpp"
+#include "engine/scene/initial_particles.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/runs.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace taut;
+using namespace taut::test;
+
+namespace {
+
+constexpr double dp = 0.02, omega = 1, length = 0.7, half = 0.05;  // m, rad/s
+
+/// Held where x² + y² < held_to², in 3D along the whole of z, and thrown about the origin.
+Scene bar(int dim, double held_to) {
+  Scene scene;
+  scene.dim = dim;
+  scene.spacing = dp;
+  scene.materials = {{"stiff", /*ρ0*/ 1000, /*E*/ 3e7, /*ν*/ 0.3}};
+  Body body;
+  body.shapes = {Box{{-half, -half, -half}, {length - half, half, half}}};
+  body.held = [=](const Point& x) { return x[0] * x[0] + x[1] * x[1] < held_to * held_to ? 1.0 : 0.0; };
+  body.velocity[0] = [](const Point& x) { return -omega * x[1]; };
+  body.velocity[1] = [](const Point& x) { return omega * x[0]; };
+  scene.bodies = {body};
+  Probe turn = make_probe("turn", Probe::Kind::turn), pull = make_probe("pull", Probe::Kind::reaction);
+  turn.at = {length - 2 * half, 0, 0};
+  turn.turns_about = {0, 0, 1};
+  scene.probes = {turn, pull};
+  return scene;
+}
+
+double turned(const Scene& scene, const char* method, double t) {
+  const auto simulation = make_simulation(scene, with_method(method));
+  simulation->advance_to(t);
+  return simulation->series().value[0].back();
+}
+
+}  // namespace
+
+TEST_SUITE("analytic") {
+  TEST_CASE("pins: a bar thrown about one of its particles turns on, in 3D about a row of them") {
+    const double t = 0.4;  // several periods of its first bending
+    for (const int dim : {2, 3}) {
+      CAPTURE(dim);
+      const Scene scene = bar(dim, 0.3 * dp);
+      CHECK(turned(scene, "oenog", t) == relative(omega * t, 2e-3));
+      CHECK(turned(scene, "tl", t) == relative(omega * t, 2e-3));
+    }
+    CHECK(std::abs(turned(bar(2, 1.2 * dp), "oenog", t)) < 0.2 * omega * t);  // five particles are a clamp
+  }
+
+  TEST_CASE("pins: the pull at one is what it takes to keep the bar's mass on its circle") {
+    const auto simulation = make_simulation(bar(2, 0.3 * dp), with_method("oenog"));
+    simulation->advance_to(0.3);
+    const Series& series = simulation->series();
+    double impulse = 0;
+    for (std::size_t n = 1; n < series.time.size(); ++n)
+      impulse += series.value[1][n] * (series.time[n] - series.time[n - 1]);
+    // of the mass centre, which stands beside the pin and moves with ω x e_y
+    const double mass = 1000 * length * 2 * half, centre = 0.5 * length - half;
+    CHECK(impulse == relative(mass * omega * centre * -std::sin(omega * 0.3), 0.03));
+  }
+}
+
+TEST_SUITE("term") {
+  TEST_CASE("clamp: a uniform strain leaves no force on the particles before its face") {
+    constexpr double size = 1e-3;  // of strains that leave the face where it is
+    for (const int dim : {2, 3}) {
+      for (const std::size_t along : {0, 1}) {
+        CAPTURE(dim);
+        CAPTURE(along);
+        Scene scene = bar(dim, 0);
+        scene.bodies[0].shapes = {Box{{-3 * dp, -0.1, -0.1}, {0.2, 0.1, 0.1}}};
+        scene.bodies[0].held = [](const Point& x) { return x[0] < 0 ? 1.0 : 0.0; };
+        scene.bodies[0].velocity = {};
+        scene.bodies[0].displacement[along] = [](const Point& x) { return std::max(size * x[0], 0.0); };
+        scene.probes.clear();
+        const auto simulation = make_simulation(scene, with_method("oenog"));
+        make_steps(*simulation, 1);
+        const Snapshot& now = simulation->snapshot();
+        const double unit =
+            size * scene.materials[0].shear_modulus() / (scene.materials[0].density * dp);  // m/s²
+        double greatest = 0;
+        for (std::size_t i = 0; i < now.size(); ++i) {
+          const Point X = now.initial(i);
+          const bool before =
+              X[0] > 0 && X[0] < 3 * dp && std::abs(X[1]) < dp && (dim == 2 || std::abs(X[2]) < dp);
+          if (before) greatest = std::max(greatest, std::abs(now.velocity(i)[along]) / (unit * now.time));
+        }
+        CHECK(greatest < 1e-3);
+      }
+    }
+  }
+}
+
+TEST_SUITE("unit") {
+  TEST_CASE("pins: one particle in 2D, a row in 3D, and neither a block nor a face") {
+    const auto count = [](const Scene& scene) {
+      const InitialParticles initial = make_initial_particles(scene);
+      return pins(initial, scene.spacing).size();
+    };
+    CHECK(count(bar(2, 0.3 * dp)) == 1);
+    CHECK(count(bar(3, 0.3 * dp)) == 5);
+    CHECK(count(bar(2, 1.2 * dp)) == 0);
+    CHECK(count(bar(3, 1.2 * dp)) == 0);
+    Scene face = bar(2, 0);
+    face.bodies[0].held = [](const Point& x) { return x[0] < -half + dp ? 1.0 : 0.0; };
+    CHECK(count(face) == 0);
+  }
+}
