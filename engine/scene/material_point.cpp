@@ -97,4 +97,22 @@ std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, 
   return material_point(x, begin, end, at, reach, scene.dim);
 }
 
+FreeParticles::FreeParticles(const std::vector<Point>& all, const std::vector<unsigned char>& held, int begin,
+                             int end) {
+  for (int i = begin; i < end; ++i) {
+    if (held[i]) continue;
+    id.push_back(i);
+    x.push_back(all[i]);
+  }
+}
+
+std::vector<PointWeight> point_of_stress(std::vector<PointWeight> point,
+                                         const std::vector<unsigned char>& held, const FreeParticles& free,
+                                         const Point& at, double reach, int dim) {
+  if (std::ranges::none_of(point, [&](const PointWeight& w) { return held[w.particle] != 0; })) return point;
+  point = material_point(free.x, 0, static_cast<int>(free.x.size()), at, reach, dim);
+  for (PointWeight& w : point) w.particle = free.id[w.particle];
+  return point;
+}
+
 }  // namespace taut

@@ -31,4 +31,18 @@ std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, 
 std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
                                         double reach, const Scene& scene, int body);
 
+/// Those of the particles from `begin` to before `end` that are not held.
+struct FreeParticles {
+  std::vector<int> id;
+  std::vector<Point> x;  // m
+
+  FreeParticles(const std::vector<Point>& all, const std::vector<unsigned char>& held, int begin, int end);
+};
+
+/// What is held has no stress of its own in most methods: `point`, which may have some of it, or instead a point of
+/// the free particles, whose stress goes on linearly to `at`; empty where these are too few.
+std::vector<PointWeight> point_of_stress(std::vector<PointWeight> point,
+                                         const std::vector<unsigned char>& held, const FreeParticles& free,
+                                         const Point& at, double reach, int dim);
+
 }  // namespace taut

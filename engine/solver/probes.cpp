@@ -23,9 +23,7 @@ ProbeRecorder<Dim>::ProbeRecorder(const Scene& scene, const InitialParticles& in
     Follower f;
     const int body = probe.bodies.empty() ? 0 : probe.bodies[0];
     if (of_whole_body(probe.kind)) {
-      double total = 0;
-      for (int i = first_[body]; i < first_[body + 1]; ++i) total += initial.V0[i];
-      for (int i = first_[body]; i < first_[body + 1]; ++i) f.at.push_back({i, initial.V0[i] / total});
+      for (int i = first_[body]; i < first_[body + 1]; ++i) f.at.push_back({i, 1});
     } else if (probe.kind == Probe::Kind::mirror_asymmetry) {
       f.image = images(scene, initial, probe);
     } else if (probe.kind == Probe::Kind::stress) {
@@ -53,26 +51,16 @@ auto ProbeRecorder<Dim>::point(const Scene& scene, const InitialParticles& initi
   return point;
 }
 
-/// What is held has no stress of its own in most methods: where there is some around the point, the stress of
-/// the free particles goes on linearly.
 template <int Dim>
 auto ProbeRecorder<Dim>::point_of_stress(const Scene& scene, const InitialParticles& initial,
                                          const Probe& probe, double reach) const -> std::vector<PointWeight> {
-  std::vector<PointWeight> all = point(scene, initial, probe, probe.at, reach);
-  if (std::ranges::none_of(all, [&](const PointWeight& w) { return initial.held[w.particle]; })) return all;
-  std::vector<int> free;
-  std::vector<Point> x;
-  for (int id = first_[probe.bodies[0]]; id < first_[probe.bodies[0] + 1]; ++id) {
-    if (initial.held[id]) continue;
-    free.push_back(id);
-    x.push_back(initial.x[id]);
-  }
-  std::vector<PointWeight> near =
-      material_point(x, 0, static_cast<int>(x.size()), probe.at, reach, scene.dim);
+  const int body = probe.bodies[0];
+  std::vector<PointWeight> near = taut::point_of_stress(
+      point(scene, initial, probe, probe.at, reach), initial.held,
+      FreeParticles(initial.x, initial.held, first_[body], first_[body + 1]), probe.at, reach, scene.dim);
   if (near.empty())
     throw SceneError("probe." + probe.name, "the probe '" + probe.name +
                                                 "' has too few particles that are not held around its point");
-  for (PointWeight& w : near) w.particle = free[w.particle];
   return near;
 }
 
@@ -163,6 +151,17 @@ double ProbeRecorder<Dim>::mirror_asymmetry(const State<Dim>& s, const Probe& pr
   return std::sqrt(greatest2);
 }
 
+template <int Dim>
+double ProbeRecorder<Dim>::mean(const State<Dim>& s, const Follower& f,
+                                const std::vector<Vec<double, Dim>>& of, int axis) const {
+  double moment = 0, mass = 0;
+  for (const PointWeight& w : f.at) {
+    const int i = where_[w.particle];
+    moment += s.m[i] * of[i][axis], mass += s.m[i];
+  }
+  return moment / mass;
+}
+
 /// From where the point is at the start, −π to π, right-handed about the axis.
 template <int Dim>
 double ProbeRecorder<Dim>::angle(const State<Dim>& s, const Probe& probe, const Follower& f) const {
@@ -227,14 +226,16 @@ double ProbeRecorder<Dim>::value(const State<Dim>& s, const Probe& probe, const 
     case Probe::Kind::displacement:
       return place(s, f.at)[probe.axis] - probe.at[probe.axis];
     case Probe::Kind::position:
-    case Probe::Kind::mean_position:
       return place(s, f.at)[probe.axis];
+    case Probe::Kind::mean_position:
+      return mean(s, f, s.x, probe.axis);
+    case Probe::Kind::mean_velocity:
+      return mean(s, f, s.v, probe.axis);
     case Probe::Kind::distance: {
       const Vec<double, Dim> d = place(s, f.to) - place(s, f.at);
       return std::sqrt(dot(d, d));
     }
-    case Probe::Kind::velocity:
-    case Probe::Kind::mean_velocity: {
+    case Probe::Kind::velocity: {
       double v = 0;
       for (const PointWeight& w : f.at) v += w.weight * s.v[where_[w.particle]][probe.axis];
       return v;

@@ -61,7 +61,7 @@ class ProbeRecorder {
  private:
   struct Follower {
     std::vector<PointWeight> at,
-        to;  // material points, or the particles of a body with their share of its mass, or those that are held
+        to;  // material points, or the particles of a body, or those of it that are held
     std::vector<std::pair<int, int>> pairs;  // gap: stored particles of the two bodies within the support
     double held_value = 0;                   // of what is looked at between rebuilds only, m; of a turn, rad
     std::vector<int> image;                  // [particle of a body] id of the one that is its mirror image
@@ -83,6 +83,9 @@ class ProbeRecorder {
   }
   static std::vector<int> images(const Scene& scene, const InitialParticles& initial, const Probe& probe);
   double mirror_asymmetry(const State<Dim>& s, const Probe& probe, const Follower& f) const;
+  /// By mass.
+  double mean(const State<Dim>& s, const Follower& f, const std::vector<Vec<double, Dim>>& of,
+              int axis) const;
   double angle(const State<Dim>& s, const Probe& probe, const Follower& f) const;
   double stress(const Snapshot& shown, const Probe& probe, const Follower& f) const;
   double force(const Probe& probe, const Follower& f, double dt, ProbeSource<Dim>& source) const;

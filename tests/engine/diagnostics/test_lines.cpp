@@ -63,6 +63,35 @@ TEST_SUITE("unit") {
     CHECK(line_point(scene.lines[0], 3)[1] == relative((0.0037 - 0.01) / 2));
   }
 
+  TEST_CASE("lines: a stress goes on linearly into what is held, as the probe's does") {
+    Scene scene = rotating_plate(0.01);
+    scene.bodies[0].velocity = {};
+    scene.bodies[0].held = [](const Point& x) { return x[1] > 0.008 ? 1.0 : 0.0; };
+    scene.bodies[0].displacement[1] = [](const Point& x) { return 1e-3 * (x[1] - 20 * x[1] * x[1]); };
+    SampleLine line;
+    line.name = "down";
+    line.field = "stress_yy";
+    line.from = {0.001, -0.005, 0}, line.to = {0.001, 0.0082, 0};
+    line.points = 10;
+    line.times = {0};
+    scene.lines = {line};
+    for (int k = 0; k < line.points; ++k) {
+      scene.probes.push_back(make_probe("stress", Probe::Kind::stress));
+      scene.probes.back().at = line_point(line, k);
+      scene.probes.back().part = StressPart::yy;
+    }
+    for (const char* method : {"oenog", "tl"}) {
+      CAPTURE(method);
+      const auto simulation = make_simulation(scene, with_method(method));
+      LineRecorder lines(scene, simulation->snapshot(), simulation->support());
+      lines.sample(simulation->snapshot());
+      const std::vector<double>& on_line = lines.samples().at(0).at(0).value;
+      for (std::size_t k = 0; k < on_line.size(); ++k)
+        CHECK(on_line[k] == relative(simulation->series().value[k][0], 1e-12));
+      CHECK(on_line[8] - on_line[7] == relative(on_line[5] - on_line[4], 0.1));  // to the clamp
+    }
+  }
+
   TEST_CASE("lines: a sample shows its time, between the steps, and no step is altered") {
     Scene scene = rotating_plate(0.01);
     const auto plain = make_simulation(scene, with_method("oenog"));

@@ -156,6 +156,27 @@ TEST_SUITE("unit") {
     CHECK(std::abs(series.value[1].back()) < 1e-15);
   }
 
+  TEST_CASE("probes: a mass centre of two densities") {
+    for (const char* method : {"oenog", "tl"}) {
+      CAPTURE(method);
+      Scene scene = block({0.004, 0.002, 0.002});
+      Material heavy = scene.materials[0];
+      heavy.name = "heavy", heavy.density *= 9;
+      scene.materials.push_back(heavy);
+      const auto right = [](const Point& x) { return x[0] > 0 ? 1.0 : 0.0; };
+      scene.bodies[0].parts = {{1, right}};
+      scene.bodies[0].velocity[0] = right;
+      scene.probes = {at_point(Probe::Kind::mean_position, 0, {}, 0),
+                      at_point(Probe::Kind::mean_velocity, 0, {}, 0)};
+      const auto simulation = make_simulation(scene, with_method(method));
+      make_steps(*simulation, 20);
+      const Series& series = simulation->series();
+      CHECK(series.value[0].front() == relative(0.8 * 0.002, 6e-3));  // in 3D oenog's mass is nearer to faces
+      CHECK(series.value[1].front() == relative(0.9));
+      CHECK(series.value[1].back() == relative(0.9, 1e-9));  // nothing acts from outside
+    }
+  }
+
   TEST_CASE("probes: velocity of a material point, and how far a body reaches") {
     const double rate = 50;  // 1/s
     Scene scene = block({0.005, 0.003, 0.002});
