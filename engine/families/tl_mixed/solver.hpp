@@ -320,8 +320,10 @@ Vec<Pack, Dim> TlMixed<M, Dim>::acceleration(int group) {
   if (contact_.acting()) a += sites_[group].per_m * four_of(&contact_.force(first), s_.size() - first);
   if (reactions_.active()) watch(group, a);
   if (loads_.active())
-    Base::each_of(group,
-                  [&](int i) { set_lane(a, i % lanes, lane_of(a, i % lanes) + loads_.acceleration(s_, i)); });
+    Base::each_of(group, [&](int i) {
+      if (drives_.moves(s_.id[i])) return;  // it does not feel them, and they do no work on it
+      set_lane(a, i % lanes, lane_of(a, i % lanes) + loads_.acceleration(s_, i));
+    });
   return sites_[group].mobile * a;
 }
 

@@ -100,6 +100,22 @@ TEST_SUITE("conservation") {
 }
 
 TEST_SUITE("determinism") {
+  TEST_CASE("driven: at one speed through gravity there is no work, in every method") {
+    Scene scene = pushed_bar();
+    constexpr double speed = 0.3, g = 1000;
+    scene.gravity[1] = [](double) { return -g; };
+    scene.bodies[0].drives[0] = {constant(1), {nullptr, [](double) { return speed; }, nullptr}, scene.until};
+    scene.bodies[0].velocity[1] = constant(speed);
+    for (const MethodInfo& method : methods()) {
+      CAPTURE(std::string(method.name));
+      const auto simulation = make_simulation(scene, with_method(std::string(method.name)));
+      simulation->advance_to(scene.until);
+      const Balance now = balance(simulation->snapshot(), scene);
+      const double against_weight = ring_rubber().density * length * 5 * dp * g * speed * scene.until;
+      CHECK(std::abs(now.work) < 1e-9 * against_weight);
+    }
+  }
+
   TEST_CASE("driven: neither the state nor the work depends on the threads") {
     const Scene scene = pushed_bar();
     for (const char* method : {"enog", "oenog"}) {
