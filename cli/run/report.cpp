@@ -124,8 +124,9 @@ std::string describe_divergence(const NumericalError& error) {
 
 std::string describe_divergence(const Snapshot& now, const Balance& sums) {
   const std::size_t worst = worst_particle(now);
-  return when(now.time, now.step) + "the energy is " + brief(sums.kinetic + sums.strain) + " J; particle " +
-         std::to_string(worst) + " is the fastest, at " + brief(speed(now, worst)) + " m/s";
+  return when(now.time, now.step) + "the energy is " + brief(sums.kinetic + sums.strain) +
+         " J, that of motion " + brief(sums.kinetic) + " J; particle " + std::to_string(worst) +
+         " is the fastest, at " + brief(speed(now, worst)) + " m/s";
 }
 
 }  // namespace taut::cli

@@ -38,7 +38,7 @@ void ConservationWatch::follow(const Balance& now) {
 Conservation ConservationWatch::so_far() const {
   Conservation result;
   if (!start_) return result;
-  result.energy = ratio(energy_, energy_scale_);
+  if (energy_scale_ > nothing_) result.energy = ratio(energy_, energy_scale_);
   if (exchanges_momentum_) return result;
   result.linear_momentum = ratio(linear_, linear_scale_);
   result.angular_momentum = ratio(angular_, angular_scale_);

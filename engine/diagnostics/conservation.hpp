@@ -14,7 +14,7 @@ struct Conservation {
   std::optional<double> linear_momentum;   // |Δp| over the greatest Σ|m v|; none where it is exchanged
   std::optional<double> angular_momentum;  // |ΔL| over the greatest Σ m|x||v|; none there either
   /// Greatest |E + D − W − E0| over the greatest E0 + W, W the work of drives, loads and gravity, D what the
-  /// scene's damping has taken; none when there is no energy.
+  /// scene's damping has taken; none when there is no energy but that of rounding.
   std::optional<double> energy;
 };
 
@@ -26,7 +26,7 @@ bool exchanges_momentum(const Scene& scene, const Snapshot& start);
 class ConservationWatch {
  public:
   ConservationWatch(const Scene& scene, const Snapshot& start)
-      : exchanges_momentum_(exchanges_momentum(scene, start)) {}
+      : exchanges_momentum_(exchanges_momentum(scene, start)), nothing_(energy_of_rounding(scene, start)) {}
 
   /// The first sums are what the others drift from.
   void follow(const Balance& now);
@@ -40,6 +40,7 @@ class ConservationWatch {
 
  private:
   bool exchanges_momentum_;
+  double nothing_;  // of energies, J
   std::optional<Balance> start_;
   double linear_ = 0, angular_ = 0, energy_ = 0;  // greatest |change|
   double linear_scale_ = 0, angular_scale_ = 0, energy_scale_ = 0;

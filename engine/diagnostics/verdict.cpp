@@ -69,11 +69,7 @@ Judge::Judge(const Scene& scene, const Snapshot& start, double support, bool kee
   pieces_ = start_pieces_ = count_pieces();
   const Balance at_start = balance(start, scene);
   start_energy_ = given_energy_ = at_start.kinetic + at_start.strain;
-  double c2 = 0;  // m²/s²
-  for (const Material& material : scene.materials)
-    c2 = std::max(c2, material.bulk_modulus() / material.density);
-  constexpr double round_off = 1e-16;  // of speeds, over the sound speed, squared
-  nothing_ = round_off * c2 * std::accumulate(start.m.begin(), start.m.end(), 0.0);
+  nothing_ = energy_of_rounding(scene, start);
 }
 
 Judge::Judge(const Scene& scene, const Simulation& simulation)
@@ -93,7 +89,8 @@ void Judge::observe(const Snapshot& now, const Balance& balance, const Readings&
   // the angular scale contains every position, the energies every other value
   const bool finite = std::isfinite(energy) && std::isfinite(balance.angular_scale);
   given_energy_ = std::max(given_energy_, start_energy_ + balance.work);
-  if (!finite || (given_energy_ > nothing_ && energy > 2 * given_energy_)) {
+  // where the strain energy has no least value, that of motion grows out of it while their sum is kept
+  if (!finite || (given_energy_ > nothing_ && std::max(energy, balance.kinetic) > 2 * given_energy_)) {
     since_.try_emplace(Verdict::diverged, now.time);
   }
   if (!finite) return;

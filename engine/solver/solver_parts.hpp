@@ -20,8 +20,11 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// Beyond this multiple of the sound speed the steps shrink without end: the run has diverged.
+/// A particle that is faster than its body by more than this multiple of the sound speed: the run has diverged, and
+/// steps would shrink without end.
 inline constexpr double greatest_mach_number = 10;
+/// The same of a whole body, whose steps are shorter as many times.
+inline constexpr double greatest_mach_number_of_bodies = 1000;
 /// No run gets as far; a state that says so is damaged.
 inline constexpr long most_steps = 1L << 53;
 
@@ -61,7 +64,7 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
     refuse_divergence();
   }
   void refuse_divergence() const {
-    if (!is_within_bounds(vmax_)) fail();
+    if (!is_within_bounds(vmax_)) refuse_speeds();
   }
 
   /// Once in each step of `dt`, before `act_from_outside`: `t` is where in time the new velocities stand.
@@ -216,7 +219,7 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
                                                  : std::cmp_equal(series_.time.size() - 1, step_) &&
                                                        series_.time.back() == time_;
       return std::isfinite(time_) && time_ >= 0 && step_ >= 0 && step_ < most_steps && counted &&
-             is_within_bounds(vmax_);
+             (is_within_bounds(vmax_) || vmax_ <= 2 * fastest());
     });
   }
   /// Time and sizes of the snapshot; then every particle is to be stored.
@@ -239,7 +242,8 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
  private:
   /// m/s; not a number is not.
   bool is_within_bounds(double speed) const { return speed >= 0 && speed <= greatest_mach_number * c_.c0; }
-  [[noreturn]] void fail() const;
+  void refuse_speeds() const;
+  double fastest() const;  // m/s
   bool are_of_this_scene() const;
   bool are_numbers() const;
 };

@@ -75,6 +75,22 @@ TEST_SUITE("unit") {
     CHECK(*damped.so_far().energy == Approx(0.75));
   }
 
+  TEST_CASE("conservation: where there is no energy but that of rounding nothing is said of its drift") {
+    Scene scene;
+    scene.materials = {{"rubber", /*ρ0*/ 1000, /*E*/ 1e6, /*ν*/ 0.3}};
+    Balance start, later;
+    start.strain = 1e-22, later.strain = 1e-19;
+    Snapshot body = particle(false);
+    body.m = {2};  // kg
+    ConservationWatch watch(scene, body);
+    watch.follow(start);
+    watch.follow(later);
+    CHECK_FALSE(watch.so_far().energy);
+    later.kinetic = 1e-6, later.work = 1e-6;
+    watch.follow(later);
+    CHECK(watch.so_far().energy);
+  }
+
   TEST_CASE("conservation: momentum is exchanged with what is held, driven, loaded, pulled or damped") {
     const Snapshot free = particle(false);
     Scene scene;

@@ -373,6 +373,22 @@ TEST_SUITE("unit") {
     CHECK(judge.since() == std::map<Verdict, double>{{Verdict::fractured, 3.0}, {Verdict::diverged, 2.0}});
   }
 
+  TEST_CASE(
+      "judge: motion with more than twice the energy there was is divergence, whatever its sum with the "
+      "strain's") {
+    const Scene scene = one_body(2);
+    Snapshot now = lattice(2, 6, 1);
+    now.strain_energy.assign(now.size(), 0);
+    now.v[0] = 2;  // 2 J
+    Judge judge(scene, now, support, searched);
+    now.v[0] = std::sqrt(2 * 3.99), now.strain_energy[1] = -2;
+    observe(judge, now, scene, 1);
+    CHECK(judge.verdict() == Verdict::stable);
+    now.v[0] = std::sqrt(2 * 4.01), now.strain_energy[1] = -2.01;
+    observe(judge, now, scene, 2);
+    CHECK(judge.verdict() == Verdict::diverged);
+  }
+
   TEST_CASE("judge: a scene that starts without energy may gain some") {
     const Scene scene = one_body(2);
     Snapshot now = lattice(2, 6, 1);
