@@ -24,7 +24,7 @@ std::pair<double, double> vertex(const Curve& c, std::size_t k) {
 Curve finite_part(Curve curve) {
   const auto end = std::ranges::find_if_not(curve.y, [](double y) { return std::isfinite(y); });
   const auto kept = static_cast<std::size_t>(end - curve.y.begin());
-  return {curve.t.first(kept), curve.y.first(kept)};
+  return {curve.t.first(kept), curve.y.first(kept), curve.of_steps};
 }
 
 double value_at(const Curve& curve, double time) {
@@ -97,8 +97,13 @@ std::optional<double> mean_of_periods(const Curve& curve) {
 }
 
 double integral(const Curve& curve, double begin, double end) {
-  const std::vector<double> times = joint_times(std::span(&curve, 1), begin, end);
   double sum = 0;
+  if (curve.of_steps) {
+    for (std::size_t k = 1; k < curve.size(); ++k)
+      sum += curve.y[k] * std::max(std::min(curve.t[k], end) - std::max(curve.t[k - 1], begin), 0.0);
+    return sum;
+  }
+  const std::vector<double> times = joint_times(std::span(&curve, 1), begin, end);
   for (std::size_t k = 1; k < times.size(); ++k)
     sum += 0.5 * (times[k] - times[k - 1]) * (value_at(curve, times[k - 1]) + value_at(curve, times[k]));
   return sum;

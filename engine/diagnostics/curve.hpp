@@ -10,6 +10,7 @@ namespace taut {
 /// A quantity over time: straight between its samples. The times increase; both spans are equally long.
 struct Curve {
   std::span<const double> t, y;
+  bool of_steps = false;  // a sample is the mean since the one before, as that of a force
 
   std::size_t size() const { return t.size(); }
 };
@@ -40,7 +41,7 @@ std::vector<HalfCycle> half_cycles(const Curve& curve, double level = 0);
 /// whole period.
 std::optional<double> mean_of_periods(const Curve& curve);
 
-/// ∫ y dt, exact; begin < end lie within the curve.
+/// ∫ y dt, exact for either kind of samples; begin < end lie within the curve.
 double integral(const Curve& curve, double begin, double end);
 
 /// Begin, end and the samples of all curves in between: each curve is straight from one to the next.

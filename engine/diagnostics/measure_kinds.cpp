@@ -184,7 +184,7 @@ Value given_then(const Source& source) {
 
 /// An extreme at the end may still be ahead. What is no quantity but a fault that grows counts as it is.
 Measured extreme(const Source& source, double value) {
-  const auto& [t, y] = source.curve[0];
+  const auto &t = source.curve[0].t, &y = source.curve[0].y;
   if (!source.turns || y.back() != value) return value;
   if (std::ranges::min(y) == std::ranges::max(y)) return none("it is {:g} at all times", value);
   return none("the series ends at it, at {:g} s: it may go on", t.back());

@@ -186,6 +186,18 @@ TEST_SUITE("unit") {
     CHECK(result(scene, series).why.find("its beginning, 1 s, is not before") == 0);
   }
 
+  TEST_CASE("integral: of a force, whose samples are means over the steps before, its impulse to rounding") {
+    Scene scene = scene_of("integral");
+    scene.probes[0].kind = Probe::Kind::reaction;
+    const Series series{{0, 0.1, 0.5, 0.9, 1.2}, {{0, 3, -1, 2, 5}}};
+    expect(result(scene, series).value, 0.3 - 0.4 + 0.8 + 0.5);  // until 1
+    scene.measures[0].from = 0.2;
+    scene.measures[0].until = 0.6;
+    expect(result(scene, series).value, -0.3 + 0.2);
+    scene.measures[0].kind = "mean";
+    expect(result(scene, series).value, -0.1 / 0.4);
+  }
+
   TEST_CASE("why: a series that is not finite from some time on says so") {
     const Series broken{{0, 1, 2, 3}, {{0, 1, std::nan(""), 1}}};
     CHECK(result(scene_of("period"), broken).why == "y is not finite from 2 s on");
