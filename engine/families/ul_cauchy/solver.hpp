@@ -15,7 +15,7 @@ namespace taut::inline TAUT_ISA {
 /// the current-configuration ones of [TranDuc2023].
 ///
 /// Lists of neighbours reach a skin farther than the kernel, and hold until a particle has gone half the skin
-/// against the mean motion of its body; what lies beyond the kernel's support has no weight.
+/// against the motion of its body as a rigid one; what lies beyond the kernel's support has no weight.
 template <const Formulation& M, int Dim>
 class UlCauchy final : public ParticleSolver<UlCauchy<M, Dim>, Dim> {
  public:
@@ -41,7 +41,7 @@ class UlCauchy final : public ParticleSolver<UlCauchy<M, Dim>, Dim> {
   void serialize(Archive& archive) {
     Base::serialize(archive);
     archive(f_);
-    archive.fixed(drift_);
+    archive.fixed(drift_, spin_, centre_);
     archive(way_);
   }
 
@@ -61,6 +61,7 @@ class UlCauchy final : public ParticleSolver<UlCauchy<M, Dim>, Dim> {
   void show_neighbors_to_probes();
   void mark_materials();
   void set_motion();
+  void set_rigid_motion();
   void set_stress(int i, const Gradients<Dim>& g);
   void accelerate(double dt);
   void transport(double dt);
@@ -71,8 +72,11 @@ class UlCauchy final : public ParticleSolver<UlCauchy<M, Dim>, Dim> {
   CellGrid<Dim> grid_;
   NeighborSearch<Dim> search_;
   CauchyFields<M, Dim> f_;
-  std::vector<V> drift_;  // of each body when neighbours were last searched, m/s
-  double way_ = 0;        // against it since, of the particle that goes farthest, m
+  // of each body as a rigid one, when neighbours were last searched; several that act as one have none
+  std::vector<V> drift_;      // m/s
+  std::vector<double> spin_;  // 1/s
+  std::vector<V> centre_;     // where it has drifted to since, m
+  double way_ = 0;            // against that motion since, of the particle that goes farthest, m
 };
 
 /// Bodies that act on each other as one do so by all of their stress, in the sums over all neighbours.
@@ -164,7 +168,10 @@ void UlCauchy<M, Dim>::transport(double dt) {
     V x = s_.x[i];
     x += (c_.geometry * dt) * u;
     f_.transported[i].set(u, s_.rho[i], s_.m[i] / s_.rho[i], x);
-    const V against = s_.sph_contact ? u : u - drift_[s_.body[i]];
+    const int body = s_.body[i];
+    V against = u - drift_[body];
+    const V arm = s_.x[i] - centre_[body];
+    against[0] += spin_[body] * arm[1], against[1] -= spin_[body] * arm[0];
     return dot(against, against);
   };
   double fastest2 = 0;
@@ -173,6 +180,10 @@ void UlCauchy<M, Dim>::transport(double dt) {
   else
     fastest2 = parallel_max(s_.size(), threads_now(), [&](int i) { return use(i, V{}); });
   way_ += dt * std::sqrt(fastest2);
+  for (std::size_t body = 0; body < drift_.size(); ++body) centre_[body] += dt * drift_[body];
+  // a pair that turns by ω dt along its tangents parts by the square of that: each end by a quarter
+  const double turn = dt * *std::ranges::max_element(spin_, {}, [](double spin) { return std::abs(spin); });
+  way_ += 0.25 * turn * turn * (support_ + skin * c_.dp);
 }
 
 /// Densities, stresses and positions with the rates of the new velocities.
@@ -200,6 +211,7 @@ void UlCauchy<M, Dim>::rebuild() {
   f_.resize_pairs();
   mark_materials();
   set_motion();
+  set_rigid_motion();
   contact_.search(s_);
   show_neighbors_to_probes();
   way_ = 0;
@@ -224,18 +236,35 @@ void UlCauchy<M, Dim>::mark_materials() {
   });
 }
 
-/// The rows of the particles in their new order, and the mean velocity of each body.
+/// The rows of the particles in their new order.
 template <const Formulation& M, int Dim>
 void UlCauchy<M, Dim>::set_motion() {
-  std::vector<double> mass(this->initial_.first.size());
-  drift_.assign(mass.size(), V{});
+  for (int i = 0; i < s_.size(); ++i) f_.motion[i].set(s_.v[i], s_.rho[i], s_.m[i] / s_.rho[i], s_.x[i]);
+}
+
+/// Of each body its velocity and spin, from both momenta; any other would be as right, with more searches.
+template <const Formulation& M, int Dim>
+void UlCauchy<M, Dim>::set_rigid_motion() {
+  static_assert(Dim == 2);
+  const std::size_t bodies = this->initial_.first.size() - 1;
+  std::vector<double> mass(bodies), inertia(bodies);
+  drift_.assign(bodies, V{}), centre_.assign(bodies, V{}), spin_.assign(bodies, 0);
+  if (s_.sph_contact) return;
   for (int i = 0; i < s_.size(); ++i) {
-    f_.motion[i].set(s_.v[i], s_.rho[i], s_.m[i] / s_.rho[i], s_.x[i]);
-    mass[s_.body[i]] += s_.m[i];
-    drift_[s_.body[i]] += s_.m[i] * s_.v[i];
+    const int body = s_.body[i];
+    mass[body] += s_.m[i];
+    drift_[body] += s_.m[i] * s_.v[i], centre_[body] += s_.m[i] * s_.x[i];
   }
-  for (std::size_t b = 0; b < mass.size(); ++b)
-    if (mass[b] > 0) drift_[b] = (1 / mass[b]) * drift_[b];
+  for (std::size_t body = 0; body < bodies; ++body)
+    drift_[body] = (1 / mass[body]) * drift_[body], centre_[body] = (1 / mass[body]) * centre_[body];
+  for (int i = 0; i < s_.size(); ++i) {
+    const int body = s_.body[i];
+    const V arm = s_.x[i] - centre_[body], v = s_.v[i] - drift_[body];
+    inertia[body] += s_.m[i] * dot(arm, arm);
+    spin_[body] += s_.m[i] * (arm[0] * v[1] - arm[1] * v[0]);
+  }
+  for (std::size_t body = 0; body < bodies; ++body)
+    spin_[body] = inertia[body] > 0 ? spin_[body] / inertia[body] : 0;
 }
 
 template <const Formulation& M, int Dim>
