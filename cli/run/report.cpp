@@ -1,9 +1,13 @@
 #include "cli/run/report.hpp"
 
 #include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "cli/system/exit_code.hpp"
 #include "cli/text/format.hpp"
+#include "engine/scene/other_shapes.hpp"
 
 namespace taut::cli {
 namespace {
@@ -93,8 +97,8 @@ std::string run_report(const RunPlan& plan, const RunResult& result) {
   std::vector<std::vector<std::string>> rows{
       {"verdict", verdict_line(record)},
       {"indicators", indicators_line(record)},
-      {"drift", "energy " + share(drift.energy) + ", linear momentum " + share(drift.linear_momentum) +
-                    ", angular momentum " + share(drift.angular_momentum)},
+      {"drift", (drift.energy ? "energy " + brief(*drift.energy) : "no energy") + ", linear momentum " +
+                    share(drift.linear_momentum) + ", angular momentum " + share(drift.angular_momentum)},
       {"speed", with_prefix(record.particle_steps_per_second().value_or(0)) + " particle-steps/s on " +
                     std::to_string(record.threads) + (record.threads == 1 ? " thread" : " threads")},
       {"seconds", "set-up " + brief(seconds.setup) + ", solving " + brief(seconds.solve) + ", drawing " +
@@ -116,6 +120,25 @@ int exit_code(const RunResult& result, const std::optional<Verdict>& fail_on) {
   if (!result.failure.empty()) return exit_diverged;
   if (result.record.status == RunRecord::Status::interrupted) return exit_interrupted;
   return fail_on && result.record.verdict >= *fail_on ? exit_diverged : exit_fine;
+}
+
+std::string describe_masses(const Scene& scene, const Snapshot& start) {
+  constexpr double worth_telling = 0.02;
+  std::vector<double> volume(scene.bodies.size());  // at rest
+  for (std::size_t i = 0; i < start.size(); ++i)
+    volume[static_cast<std::size_t>(start.body[i])] +=
+        start.m[i] / scene.materials[static_cast<std::size_t>(start.material[i])].density;
+  std::string text;
+  for (std::size_t b = 0; b < volume.size(); ++b) {
+    const std::optional<double> exact = exact_measure(scene.bodies[b], scene.dim);
+    if (!exact || std::abs(volume[b] / *exact - 1) < worth_telling) continue;
+    const double excess = volume[b] / *exact - 1;
+    text += (text.empty() ? "" : "; ") +
+            ("the particles of body '" + scene.bodies[b].name + "' weigh " + percent(std::abs(excess)) +
+             (excess > 0 ? " more" : " less") +
+             " than its shape, which the lattice meets in part: a smaller spacing comes nearer");
+  }
+  return text;
 }
 
 std::string describe_divergence(const NumericalError& error) {

@@ -15,6 +15,9 @@ std::string run_report(const RunPlan& plan, const RunResult& result);
 /// What a run tells the shell. `fail_on`: the mildest verdict that fails; without it only divergence does.
 int exit_code(const RunResult& result, const std::optional<Verdict>& fail_on = {});
 
+/// Of bodies whose particles weigh more or less than their shape, by 2 % or more; mostly empty.
+std::string describe_masses(const Scene& scene, const Snapshot& start);
+
 /// What the user is told of a run that ended in an error of the solver.
 std::string describe_divergence(const NumericalError& error);
 /// The same of a state that was judged to have diverged: its energy, and the particle to look at first.

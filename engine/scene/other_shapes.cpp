@@ -304,4 +304,21 @@ std::vector<Chain> GivenParticles::outline(int dim, double dp) const {
   return all_evenly_spaced(contours(grid_over(bounds(), 0.25 * dp), is_in), dp);
 }
 
+namespace {
+
+std::optional<double> exact_measure(const Shape& shape, int dim) {
+  const AnyShape* const other = std::get_if<AnyShape>(&shape);
+  if (other == nullptr) return measure_of(shape, dim);
+  if (const Turned* const turned = other->as<Turned>()) return exact_measure(turned->shape, dim);
+  if (other->as<Implicit>() != nullptr || other->as<Combined>() != nullptr) return std::nullopt;
+  return measure_of(shape, dim);
+}
+
+}  // namespace
+
+std::optional<double> exact_measure(const Body& body, int dim) {
+  if (body.shapes.size() != 1 || !body.without.empty()) return std::nullopt;
+  return exact_measure(body.shapes[0], dim);
+}
+
 }  // namespace taut

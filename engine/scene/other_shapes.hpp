@@ -148,4 +148,7 @@ class GivenParticles {
   std::vector<std::pair<std::array<long, 3>, int>> sorted_;  // by the cell of the search
 };
 
+/// Area or volume of a body of one shape, m^dim; none where the shape knows a bound only, and of several.
+std::optional<double> exact_measure(const Body& body, int dim);
+
 }  // namespace taut

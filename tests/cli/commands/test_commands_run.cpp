@@ -28,6 +28,34 @@ std::vector<double> numbers(const std::string& row) {
 }  // namespace
 
 TEST_SUITE("cli") {
+  TEST_CASE("a body whose particles weigh other than its shape is told of, one that has its mass is not") {
+    const TemporaryFolder folder;
+    const auto told = [&](const std::string& shape) {
+      std::ofstream(folder / "scene.toml") << R"(title = "Still"
+spacing = 0.1
+until = 1e-6
+[material.rubber]
+density = 1000
+youngs_modulus = 1e6
+poisson_ratio = 0.3
+[[body]]
+name = "b"
+material = "rubber"
+)" << shape;
+      const Outcome outcome =
+          call({"run", folder.str("scene.toml"), "--no-render", "--quiet", "--out", folder.str("out")});
+      CHECK(outcome.code == 0);
+      return outcome.err;
+    };
+    const std::string of_lattice =
+        "shape = { type = \"disc\", centre = [0, 0], radius = 0.3, layout = \"lattice\" }\n";
+    CHECK(contains(told(of_lattice), "the particles of body 'b' weigh 13.2 % more than its shape"));
+    CHECK(contains(json_of(folder / "out/run.json")["remark"], "weigh 13.2 % more"));
+    CHECK_FALSE(contains(told("shape = { type = \"disc\", centre = [0, 0], radius = 0.3 }\n"), "weigh"));
+    CHECK_FALSE(contains(
+        told(of_lattice + "without = [{ type = \"disc\", centre = [0, 0], radius = 0.1 }]\n"), "weigh"));
+  }
+
   TEST_CASE("a scene with lines leaves lines.csv, and its steps do not depend on them") {
     const TemporaryFolder folder;
     std::string scene = text_of(fs::path(TAUT_SOURCE_DIR) / "scenes/heterogeneous-cable.toml");
