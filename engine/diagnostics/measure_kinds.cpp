@@ -25,7 +25,7 @@ Measured none(fmt::format_string<Args...> why, Args&&... args) {
 Measured too_short(double wanted, double reached) {
   return none("the run ends at {:g} s, before {:g} s", reached, wanted);
 }
-constexpr const char* no_reference = "there is no reference to compare with";
+
 /// The time that a run and the reference's curves both cover, up to the end of the run; nothing while the run
 /// goes on within it.
 std::optional<std::pair<double, double>> common_time(const Source& source) {

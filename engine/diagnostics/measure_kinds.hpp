@@ -70,4 +70,7 @@ std::span<const MeasureKind> measure_kinds();
 /// nullptr if there is none of that name.
 const MeasureKind* find_measure_kind(std::string_view name);
 
+/// Why a measure that needs one has no value.
+inline constexpr const char* no_reference = "there is no reference to compare with";
+
 }  // namespace taut

@@ -101,6 +101,8 @@ std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std
                                              : kind.value(source);
     result.value = found.value;
     result.why = found.why;
+    if (reference && found.why == no_reference)
+      result.why = fmt::format("the reference that holds here, '{}', has nothing for it", reference->name);
     for (std::size_t k = 0; k < source.curve.size() && seen && !found.value; ++k)
       if (const std::size_t kept = source.curve[k].size(); kept < series.time.size())
         result.why = fmt::format("{} is not finite from {:g} s on", each.probes[k], series.time[kept]);

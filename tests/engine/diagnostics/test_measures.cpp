@@ -57,6 +57,10 @@ TEST_SUITE("unit") {
     const Series series{{0, 0.5, 0.95}, {{1, 1, 1}}};
     CHECK_FALSE(result(scene, series).value);
     CHECK_FALSE(result(scene, series).reference);
+    CHECK(result(scene, series).why == "there is no reference to compare with");
+    scene.references["neo_hookean"] = {"of another measure", {{"other", 1}}};
+    CHECK(result(scene, series).why ==
+          "the reference that holds here, 'of another measure', has nothing for it");
     scene.references["neo_hookean"] = {"zero", {}, {{"number", {{0, 9}, {{0, 0}}}}}};
     CHECK_FALSE(result(scene, series).value);  // until = 1
     CHECK(result(scene, series).reference == 0.0);
