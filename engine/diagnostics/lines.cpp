@@ -48,16 +48,17 @@ LineRecorder::Points LineRecorder::points_of(const SampleLine& line, const Snaps
   const auto [first, last] = std::equal_range(now.body.begin(), now.body.end(), line.body);
   const int begin = static_cast<int>(first - now.body.begin());
   const int end = static_cast<int>(last - now.body.begin());
-  const FreeParticles free(x, now.held, begin, end);
   const bool of_stress = field_of(line, now.dim).unit == "Pa";
+  const double link = scene ? link_of_neighbors * scene->spacing : std::numeric_limits<double>::infinity();
+  const Surroundings all{x, now.held, now.material, begin, end, reach_, link, now.dim};
   Points points;
   for (int k = 0; k < line.points; ++k) {
     const Point at = line_point(line, k);
     std::vector<PointWeight>& point =
         points.emplace_back(scene ? material_point(x, begin, end, at, reach_, *scene, line.body)
                                   : material_point(x, begin, end, at, reach_, now.dim));
-    if (!of_stress) continue;
-    std::vector<PointWeight> of_free = point_of_stress(point, now.held, free, at, reach_, now.dim);
+    if (!of_stress || point.empty()) continue;
+    std::vector<PointWeight> of_free = point_of_stress(point, all, at);
     if (!of_free.empty()) point = std::move(of_free);  // deep in a clamp there is nothing but what is held
   }
   return points;

@@ -54,6 +54,47 @@ std::vector<PointWeight> point_in_cell(const std::vector<Point>& x, int begin, i
   return point;
 }
 
+double squared_distance(const Point& a, const Point& b) {
+  double r2 = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) r2 += (a[k] - b[k]) * (a[k] - b[k]);
+  return r2;
+}
+
+std::vector<int> within_reach(const std::vector<Point>& x, int begin, int end, const Point& at,
+                              double reach) {
+  std::vector<int> near;
+  for (int i = begin; i < end; ++i)
+    if (squared_distance(x[i], at) < reach * reach) near.push_back(i);
+  return near;
+}
+
+int nearest_of(const std::vector<Point>& x, const std::vector<int>& some, const Point& at) {
+  return *std::ranges::min_element(some, {}, [&](int i) { return squared_distance(x[i], at); });
+}
+
+/// Those of `some` that a chain of steps of `link` among them leads to from `first`, in their order.
+std::vector<int> linked(const std::vector<Point>& x, const std::vector<int>& some, int first, double link) {
+  std::vector<int> found = {first}, left = some;
+  std::erase(left, first);
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const auto beyond = [&](int i) { return squared_distance(x[i], x[found[k]]) > link * link; };
+    const auto reached = std::stable_partition(left.begin(), left.end(), beyond);
+    found.insert(found.end(), reached, left.end());
+    left.erase(reached, left.end());
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+std::vector<PointWeight> point_of(const std::vector<Point>& x, const std::vector<int>& some, const Point& at,
+                                  double reach, int dim) {
+  std::vector<Point> places;
+  for (const int i : some) places.push_back(x[i]);
+  std::vector<PointWeight> point = material_point(places, 0, static_cast<int>(places.size()), at, reach, dim);
+  for (PointWeight& w : point) w.particle = some[w.particle];
+  return point;
+}
+
 }  // namespace
 
 std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
@@ -94,24 +135,24 @@ std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, 
     std::vector<PointWeight> point = point_in_cell(x, begin, end, at, pitch, scene.dim);
     if (!point.empty()) return point;
   }
-  return material_point(x, begin, end, at, reach, scene.dim);
+  const std::vector<int> near = within_reach(x, begin, end, at, reach);
+  if (near.empty()) return {};
+  return point_of(x, linked(x, near, nearest_of(x, near, at), link_of_neighbors * scene.spacing), at, reach,
+                  scene.dim);
 }
 
-FreeParticles::FreeParticles(const std::vector<Point>& all, const std::vector<unsigned char>& held, int begin,
-                             int end) {
-  for (int i = begin; i < end; ++i) {
-    if (held[i]) continue;
-    id.push_back(i);
-    x.push_back(all[i]);
-  }
-}
-
-std::vector<PointWeight> point_of_stress(std::vector<PointWeight> point,
-                                         const std::vector<unsigned char>& held, const FreeParticles& free,
-                                         const Point& at, double reach, int dim) {
-  if (std::ranges::none_of(point, [&](const PointWeight& w) { return held[w.particle] != 0; })) return point;
-  point = material_point(free.x, 0, static_cast<int>(free.x.size()), at, reach, dim);
-  for (PointWeight& w : point) w.particle = free.id[w.particle];
+std::vector<PointWeight> point_of_stress(std::vector<PointWeight> point, const Surroundings& all,
+                                         const Point& at) {
+  const auto is_free = [&](int i) { return all.held[i] == 0; };
+  std::vector<int> near = within_reach(all.x, all.begin, all.end, at, all.reach);
+  std::erase_if(near, [&](int i) { return !is_free(i); });
+  if (near.empty()) return {};
+  const int nearest = nearest_of(all.x, near, at);
+  const auto alike = [&](int i) { return is_free(i) && all.material[i] == all.material[nearest]; };
+  if (std::ranges::all_of(point, [&](const PointWeight& w) { return alike(w.particle); })) return point;
+  std::erase_if(near, [&](int i) { return !alike(i); });
+  point = point_of(all.x, linked(all.x, near, nearest, all.link), at, all.reach, all.dim);
+  if (point.empty()) point = {{nearest, 1}};
   return point;
 }
 

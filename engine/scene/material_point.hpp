@@ -25,24 +25,32 @@ constexpr double reach_of_points(double support, double dp) { return std::max(su
 std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
                                         double reach, int dim);
 
-/// The same of a point of this body. Where its particles stand on its faces (Body::on_boundary) the point is
+/// The longest step of a chain of neighbours, in spacings: across the corner of a cell, not across a slot.
+inline constexpr double link_of_neighbors = 1.8;
+
+/// The same of a point of this body, without those that no chain of neighbours leads to from the nearest one: beyond a
+/// slot. Where its particles stand on its faces (Body::on_boundary) the point is
 /// in a cell between some of them and counts these only, linearly along each edge: on a particle it is that
 /// particle, so that what is held there is seen to be.
 std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
                                         double reach, const Scene& scene, int body);
 
-/// Those of the particles from `begin` to before `end` that are not held.
-struct FreeParticles {
-  std::vector<int> id;
-  std::vector<Point> x;  // m
-
-  FreeParticles(const std::vector<Point>& all, const std::vector<unsigned char>& held, int begin, int end);
+/// The particles of a body, among which a point of it is looked for.
+struct Surroundings {
+  const std::vector<Point>& x;  // m
+  const std::vector<unsigned char>& held;
+  const std::vector<int>& material;
+  int begin, end;
+  double reach;  // m
+  double link;   // m: a particle counts that a chain of such steps leads to; infinite: any
+  int dim;
 };
 
-/// What is held has no stress of its own in most methods: `point`, which may have some of it, or instead a point of
-/// the free particles, whose stress goes on linearly to `at`; empty where these are too few.
-std::vector<PointWeight> point_of_stress(std::vector<PointWeight> point,
-                                         const std::vector<unsigned char>& held, const FreeParticles& free,
-                                         const Point& at, double reach, int dim);
+/// What is held has no stress of its own in most methods, and across an interface stresses jump: `point`, which may
+/// have some of either, or instead a point of the free particles of the material that the nearest of them has, whose
+/// stress goes on linearly to `at`. Where these are too few for a slope it is the nearest one; empty where there is
+/// none.
+std::vector<PointWeight> point_of_stress(std::vector<PointWeight> point, const Surroundings& all,
+                                         const Point& at);
 
 }  // namespace taut

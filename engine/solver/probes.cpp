@@ -55,9 +55,11 @@ template <int Dim>
 auto ProbeRecorder<Dim>::point_of_stress(const Scene& scene, const InitialParticles& initial,
                                          const Probe& probe, double reach) const -> std::vector<PointWeight> {
   const int body = probe.bodies[0];
-  std::vector<PointWeight> near = taut::point_of_stress(
-      point(scene, initial, probe, probe.at, reach), initial.held,
-      FreeParticles(initial.x, initial.held, first_[body], first_[body + 1]), probe.at, reach, scene.dim);
+  std::vector<PointWeight> near =
+      taut::point_of_stress(point(scene, initial, probe, probe.at, reach),
+                            {initial.x, initial.held, initial.material, first_[body], first_[body + 1], reach,
+                             link_of_neighbors * scene.spacing, scene.dim},
+                            probe.at);
   if (near.empty())
     throw SceneError("probe." + probe.name, "the probe '" + probe.name +
                                                 "' has too few particles that are not held around its point");

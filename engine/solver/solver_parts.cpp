@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/median.hpp"
 #include "engine/error.hpp"
 
 namespace taut::inline TAUT_ISA {
@@ -62,16 +63,13 @@ namespace {
 template <int Dim>
 std::vector<Vec<double, Dim>> middle_velocities(const State<Dim>& s, int bodies) {
   std::vector<Vec<double, Dim>> middle(bodies);
-  std::vector<double> v;
+  std::vector<double> v(s.v.size());
   for (int body = 0; body < bodies; ++body) {
     for (int k = 0; k < Dim; ++k) {
-      v.clear();
+      std::size_t count = 0;
       for (int i = 0; i < s.size(); ++i)
-        if (s.body[i] == body && std::isfinite(s.v[i][k])) v.push_back(s.v[i][k]);
-      if (v.empty()) continue;
-      const auto half = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-      std::nth_element(v.begin(), half, v.end());
-      middle[body][k] = *half;
+        if (s.body[i] == body && std::isfinite(s.v[i][k])) v[count++] = s.v[i][k];
+      if (count > 0) middle[body][k] = median({v.data(), count});
     }
   }
   return middle;

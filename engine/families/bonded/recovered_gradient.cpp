@@ -14,6 +14,7 @@
 #include "engine/core/least_squares.hpp"
 #include "engine/core/parallel.hpp"
 #include "engine/neighbors/neighbors_of_one.hpp"
+#include "engine/scene/material_point.hpp"
 
 namespace taut {
 namespace {
@@ -33,6 +34,27 @@ constexpr int linear = Dim;  // terms
 template <int Dim>
 constexpr int quadratic = Dim + Dim*(Dim + 1) / 2;
 
+template <int Dim>
+Neighborhood<Dim> within(const Neighborhood<Dim>& near, double reach) {
+  Neighborhood<Dim> some;
+  some.reserve(near.size());
+  std::ranges::copy_if(near, std::back_inserter(some),
+                       [=](const Neighbor<Dim>& one) { return one.X.squaredNorm() < reach * reach; });
+  return some;
+}
+
+/// Without those that no step from one beside i leads to: beyond a slot.
+template <int Dim>
+void leave_out_unlinked(Neighborhood<Dim>& near) {
+  constexpr double link2 = link_of_neighbors * link_of_neighbors;
+  const Neighborhood<Dim> beside = within(near, link_of_neighbors);
+  std::erase_if(near, [&](const Neighbor<Dim>& one) {
+    return one.X.squaredNorm() >= link2 && std::ranges::none_of(beside, [&](const Neighbor<Dim>& other) {
+             return (one.X - other.X).squaredNorm() < link2;
+           });
+  });
+}
+
 /// Those of `near` that are of the same kind as i. X to 2^-40: on a lattice the same everywhere.
 template <int Dim>
 Neighborhood<Dim> alike(const InitialParticles& initial, int i, std::span<const int> near, double spacing) {
@@ -44,15 +66,7 @@ Neighborhood<Dim> alike(const InitialParticles& initial, int i, std::span<const 
       X[a] = std::round((initial.x[j][a] - initial.x[i][a]) / spacing * 0x1p40) * 0x1p-40;
     some.push_back({j, X});
   }
-  return some;
-}
-
-template <int Dim>
-Neighborhood<Dim> within(const Neighborhood<Dim>& near, double reach) {
-  Neighborhood<Dim> some;
-  some.reserve(near.size());
-  std::ranges::copy_if(near, std::back_inserter(some),
-                       [=](const Neighbor<Dim>& one) { return one.X.squaredNorm() < reach * reach; });
+  leave_out_unlinked(some);
   return some;
 }
 

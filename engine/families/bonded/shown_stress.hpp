@@ -70,13 +70,13 @@ Mat<Pack, Dim> recovered_deformations(const RecoveredGradient& recovered, const 
   return F;
 }
 
-/// Scales F to the volume of another one.
+/// Scales F to the volume of another one, but where `not_here` is not 0.
 template <int Dim>
-void keep_volume(Mat<Pack, Dim>& F, const Mat<Pack, Dim>& own) {
+void keep_volume(Mat<Pack, Dim>& F, const Mat<Pack, Dim>& own, const Pack& not_here) {
   const Pack least = filled<Pack>(0.05);  // what is crushed or inside out has none to keep
   const Pack ratio = max(determinant(own), least) / max(determinant(F), least);
   const Pack root = inverse_cube_root(ratio);
-  F = (ratio * root * root) * F;
+  F = (not_here == 0 ? Pack(ratio * root * root) : filled<Pack>(1)) * F;
 }
 
 }  // namespace taut::inline TAUT_ISA

@@ -21,10 +21,10 @@ class UlCauchy final : public ParticleSolver<UlCauchy<M, Dim>, Dim> {
  public:
   explicit UlCauchy(const SolverInput& input)
       : Base(input, Kernel<M.kernel>::support * input.constants.h), materials_(input.materials) {
+    const std::size_t n = s_.v.size();
+    s_.rho.assign(n, 0), s_.drho.assign(n, 0), s_.s.assign(n, {});
     for (int i = 0; i < s_.size(); ++i) {
-      s_.rho.push_back(material(i).rho0);
-      s_.drho.push_back(0);
-      s_.s.push_back({});
+      s_.rho[i] = material(i).rho0;
       if (s_.material[i] != s_.material[0]) several_materials_ = true;
     }
     if (s_.sph_contact) refuse_contact_forces(input.scene);

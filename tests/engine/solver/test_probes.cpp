@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/diagnostics/lines.hpp"
 #include "engine/error.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
@@ -174,6 +175,53 @@ TEST_SUITE("unit") {
       CHECK(series.value[0].front() == relative(0.8 * 0.002, 6e-3));  // in 3D oenog's mass is nearer to faces
       CHECK(series.value[1].front() == relative(0.9));
       CHECK(series.value[1].back() == relative(0.9, 1e-9));  // nothing acts from outside
+    }
+  }
+
+  TEST_CASE(
+      "probes: a stress beside an interface is that of its own side, what is beyond a slot does not count") {
+    constexpr double dp = 0.001, strain = 1e-3;
+    Scene scene;
+    scene.spacing = dp;
+    scene.materials = {ring_rubber(), ring_rubber()};
+    scene.materials[1].name = "stiff", scene.materials[1].youngs_modulus *= 5;
+    Body body;
+    body.shapes = {Box{{0, 0, 0}, {11 * dp, 20 * dp, 0}}};
+    body.without = {Box{{5 * dp, 2 * dp, 0}, {6 * dp, 21 * dp, 0}}};  // two arms
+    body.parts = {{1, [](const Point& x) { return x[0] < 2 * dp ? 1.0 : 0.0; }}};
+    body.displacement[1] = [](const Point& x) { return x[0] < 5.5 * dp ? strain * x[1] : 0.0; };
+    scene.bodies = {body};
+    const Point beside[] = {{1.5 * dp, 10.5 * dp, 0},
+                            {2.5 * dp, 10.5 * dp, 0},
+                            {4.5 * dp, 10.5 * dp, 0},
+                            {6.5 * dp, 10.5 * dp, 0}};
+    for (const Point& at : beside) {
+      scene.probes.push_back(at_point(Probe::Kind::stress, 0, at, 1));
+      scene.probes.back().part = StressPart::yy;
+      scene.probes.push_back(at_point(Probe::Kind::displacement, 0, at, 1));
+    }
+    SampleLine line;
+    line.name = "across", line.field = "stress_yy", line.points = 2, line.times = {0};
+    line.from = beside[0], line.to = beside[1];
+    scene.lines = {line};
+    for (const char* method : {"oenog", "tl"}) {
+      CAPTURE(method);
+      const auto simulation = make_simulation(scene, with_method(method));
+      const Snapshot& now = simulation->snapshot();
+      const auto value = [&](std::size_t probe) { return simulation->series().value[probe][0]; };
+      for (std::size_t k = 0; k < std::size(beside); ++k) {
+        std::size_t i = 0;
+        while (std::hypot(now.initial(i)[0] - beside[k][0], now.initial(i)[1] - beside[k][1]) > 0.1 * dp) ++i;
+        CHECK(std::abs(value(2 * k) - now.stress(i).yy) < 1e-9 * 1e4);
+        CHECK(std::abs(value(2 * k + 1) - (k < 3 ? strain * beside[k][1] : 0)) < 1e-9 * strain * dp);
+      }
+      CHECK(value(0) == relative(5 * value(2), 0.01));
+      CHECK(value(4) == relative(value(2), 0.01));
+      CHECK(std::abs(value(6)) < 1e-6 * value(2));
+      LineRecorder lines(scene, now, simulation->support());
+      lines.sample(now);
+      CHECK(lines.samples()[0][0].value[0] == relative(value(0)));
+      CHECK(lines.samples()[0][0].value[1] == relative(value(2)));
     }
   }
 

@@ -141,6 +141,20 @@ TEST_SUITE("analytic") {
     }
   }
 
+  TEST_CASE("oenog: in 3D the stress that is shown beside an interface is that of its own side") {
+    constexpr double strain = 1e-3, dp = 0.001, ratio = 5;
+    Scene scene = bar(ratio, 0, 0, dp);
+    scene.dim = 3;
+    scene.materials[1].poisson_ratio = 0;
+    scene.bodies[0].shapes = {Box{{-8 * dp, -3 * dp, -3 * dp}, {8 * dp, 3 * dp, 3 * dp}}};
+    scene.bodies[0].displacement[0] = [](const Point& x) { return strain * x[0] / (x[0] > 0 ? ratio : 1); };
+    const Snapshot now = make_simulation(scene, with_method("oenog"))->snapshot();
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      CHECK(std::abs(now.stress(i).xx / (strain * soft) - 1) < 2 * strain);
+      CHECK(std::abs(now.stress(i).yy) < 2 * strain * strain * soft);
+    }
+  }
+
   TEST_CASE("oenog: a bar whose halves differ in stiffness swings with its own frequency") {
     for (const double ratio : {10.0, 100.0}) {
       CAPTURE(ratio);
