@@ -80,8 +80,7 @@ constexpr KeyInfo body_keys[] = {
     {"held", "expression of the place", "none",
      "particles where it is not 0 stay where they are; or one for each component, [\"x < dp\", \"\"]: that "
      "component of the velocity stays 0; an empty text holds nothing; a body turns about one particle that "
-     "is held "
-     "alone, in 3D about a row of them"},
+     "is held alone, in 3D about a row of them"},
     {"displacement", "[x, y] of the place, m", "0",
      "where particles start less where they are laid, which is the stressless state; for methods that keep "
      "the neighbours of the start"},

@@ -219,7 +219,7 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
                                                  : std::cmp_equal(series_.time.size() - 1, step_) &&
                                                        series_.time.back() == time_;
       return std::isfinite(time_) && time_ >= 0 && step_ >= 0 && step_ < most_steps && counted &&
-             (is_within_bounds(vmax_) || vmax_ <= 2 * fastest());
+             (is_within_bounds(vmax_) || (vmax_ > 0 && vmax_ <= 2 * fastest()));
     });
   }
   /// Time and sizes of the snapshot; then every particle is to be stored.
