@@ -18,6 +18,9 @@ int exit_code(const RunResult& result, const std::optional<Verdict>& fail_on = {
 /// Of bodies whose particles weigh more or less than their shape, by 2 % or more; mostly empty.
 std::string describe_masses(const Scene& scene, const Snapshot& start);
 
+/// Of contacts that hold energy before anything has moved; mostly empty.
+std::string describe_start_in_contact(const Scene& scene, const Snapshot& start);
+
 /// What the user is told of a run that ended in an error of the solver.
 std::string describe_divergence(const NumericalError& error);
 /// The same of a state that was judged to have diverged: its energy, and the particle to look at first.

@@ -323,8 +323,9 @@ RunRecord new_record(const RunPlan& plan, const Simulation& simulation) {
   const MethodInfo& method = *find_method(record.method);
   record.material_law = material_law(method, plan.file.settings, plan.file.scene.dim);
   record.remark = file.remark;
-  if (const std::string masses = describe_masses(file.scene, start); !masses.empty())
-    record.remark += (record.remark.empty() ? "" : "; ") + masses;
+  for (const std::string& of_start :
+       {describe_masses(file.scene, start), describe_start_in_contact(file.scene, start)})
+    if (!of_start.empty()) record.remark += (record.remark.empty() ? "" : "; ") + of_start;
   if (plan.file.scene.bodies.size() > 1 || !plan.file.scene.walls.empty())
     record.contact = std::string(name(contact_law(plan.file.scene, method)));
   record.stepping = file.settings.stepping == Stepping::single ? "single" : "dual";

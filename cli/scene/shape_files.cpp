@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -75,12 +76,14 @@ auto with_place(TomlCursor& shape, const Read& read) {
 struct GivenSites {
   std::vector<Point> places;    // m
   std::vector<double> volumes;  // m², m³
+  bool weighed = true;          // the file gives the volumes; else all are dp^dim
 };
 
 GivenSites tabled_sites(const std::filesystem::path& file, const ShapeSetting& setting) {
   const std::vector<std::string> axes(axis_names.begin(), axis_names.begin() + setting.dim);
   const ColumnTable table = read_columns(file, axes, {"volume"});
   GivenSites given{std::vector<Point>(table.rows()), table.columns.back()};
+  given.weighed = !given.volumes.empty();
   for (std::size_t i = 0; i < given.places.size(); ++i)
     for (std::size_t k = 0; k < axes.size(); ++k) given.places[i][k] = table.columns[k][i];
   given.volumes.resize(given.places.size(), std::pow(setting.dp, setting.dim));
@@ -156,17 +159,58 @@ void refuse_other_spacing(std::vector<double> volumes, const std::filesystem::pa
                                  apart, setting.dp));
 }
 
-/// Refuses particles at one place, of which no method could make anything.
-void refuse_twins(const std::vector<Point>& places, const std::filesystem::path& file) {
+/// Ids of particles by their places: along x, then y, then z.
+std::vector<std::size_t> in_order(const std::vector<Point>& places) {
   std::vector<std::size_t> order(places.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::ranges::sort(order, {}, [&](std::size_t i) { return places[i]; });
+  return order;
+}
+
+/// Refuses particles at one place, of which no method could make anything.
+void refuse_twins(const std::vector<Point>& places, const std::vector<std::size_t>& order,
+                  const std::filesystem::path& file) {
   for (std::size_t k = 1; k < order.size(); ++k)
     if (places[order[k]] == places[order[k - 1]])
       throw SceneError(file.string(), 0, 0, "",
                        fmt::format("particles {} and {} are at the same place, ({:g}, {:g}, {:g}) m",
                                    std::min(order[k], order[k - 1]) + 1, std::max(order[k], order[k - 1]) + 1,
                                    places[order[k]][0], places[order[k]][1], places[order[k]][2]));
+}
+
+/// Median distance from a particle to the nearest other one, m, of about a thousand of them.
+double usual_distance(const std::vector<Point>& places, const std::vector<std::size_t>& order) {
+  constexpr std::size_t asked = 1000;
+  std::vector<double> nearest;
+  const auto look = [&](std::size_t k, std::size_t other, double& squared) {
+    const Point &a = places[order[k]], &b = places[order[other]];
+    const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
+    squared = std::min(squared, x * x + y * y + z * z);
+    return x * x < squared;
+  };
+  for (std::size_t k = 0; k < order.size(); k += 1 + order.size() / asked) {
+    double squared = std::numeric_limits<double>::infinity();
+    for (std::size_t other = k + 1; other < order.size() && look(k, other, squared); ++other) {
+    }
+    for (std::size_t other = k; other > 0 && look(k, other - 1, squared); --other) {
+    }
+    nearest.push_back(std::sqrt(squared));
+  }
+  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+  std::ranges::nth_element(nearest, middle);
+  return *middle;
+}
+
+/// Particles without volumes weigh a cell of the scene's spacing each, whatever lies between them: one at which
+/// they would have another mass is refused. Lattices have 1 to 1.12 dp, disordered particles down to 0.75.
+void refuse_other_mass(double apart, const std::filesystem::path& file, const ShapeSetting& setting) {
+  if (std::isfinite(apart) && (apart < 0.7 * setting.dp || apart > 1.3 * setting.dp))
+    throw SceneError(
+        file.string(), 0, 0, "",
+        fmt::format("its particles are about {:.3g} m apart and stay so, and the scene's spacing is "
+                    "{:g} m: without a column volume each would weigh as much as a cell of that "
+                    "spacing. Give the volumes, or a spacing that fits",
+                    apart, setting.dp));
 }
 
 }  // namespace
@@ -228,7 +272,9 @@ Shape read_particles(TomlCursor& shape, const ShapeSetting& setting) {
                            : tabled_sites(file, setting);
   refuse_far(given, file, setting);
   refuse_other_spacing(given.volumes, file, setting);
-  refuse_twins(given.places, file);
+  const std::vector<std::size_t> order = in_order(given.places);
+  refuse_twins(given.places, order, file);
+  if (!given.weighed) refuse_other_mass(usual_distance(given.places, order), file, setting);
   return AnyShape::of(GivenParticles(std::move(given.places), std::move(given.volumes), setting.dim));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/neighbors/neighbors_of_one.hpp"
+#include "engine/scene/material_point.hpp"
 
 namespace taut {
 namespace {
@@ -19,10 +20,9 @@ bool in_one_row(const std::vector<Vec<double, Dim>>& beside) {
 
 template <int Dim>
 std::vector<int> pins_of(const InitialParticles& initial, double spacing) {
-  constexpr double reach = 1.8;  // spacings: those across the corner of a cell too
   std::vector<int> found;
   if (std::ranges::count(initial.held, 1) == 0) return found;
-  const NeighborsOfOne<Dim> neighbors(initial, reach * spacing);
+  const NeighborsOfOne<Dim> neighbors(initial, link_of_neighbors * spacing);
   for (int i = 0; i < initial.size(); ++i) {
     if (!initial.held[i]) continue;
     std::vector<Vec<double, Dim>> beside;

@@ -55,19 +55,50 @@ void leave_out_unlinked(Neighborhood<Dim>& near) {
   });
 }
 
+enum class Motion : unsigned char { free, held, driven };
+
+/// How each particle moves, by id. Driven: with nothing but such ones of its drive beside it; what moves with one
+/// velocity is rigid, and where it begins the gradient jumps, as at a clamp. Its outermost particles are where the
+/// free ones see it, and count among these.
+template <int Dim>
+std::vector<Motion> motions(const InitialParticles& initial, double spacing) {
+  std::vector<Motion> motion(initial.size());
+  for (int i = 0; i < initial.size(); ++i) motion[i] = initial.held[i] ? Motion::held : Motion::free;
+  if (std::ranges::all_of(initial.drive, [](int drive) { return drive < 0; })) return motion;
+  const NeighborsOfOne<Dim> neighbors(initial, link_of_neighbors * spacing);
+  for (int i = 0; i < initial.size(); ++i)
+    if (initial.drive[i] >= 0 &&
+        std::ranges::all_of(neighbors(i), [&](int j) { return initial.drive[j] == initial.drive[i]; }))
+      motion[i] = Motion::driven;
+  return motion;
+}
+
 /// Those of `near` that are of the same kind as i. X to 2^-40: on a lattice the same everywhere.
 template <int Dim>
-Neighborhood<Dim> alike(const InitialParticles& initial, int i, std::span<const int> near, double spacing) {
+Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<Motion>& motion, int i,
+                        std::span<const int> near, double spacing) {
   Neighborhood<Dim> some;
   for (const int j : near) {
-    if (initial.material[j] != initial.material[i] || initial.held[j] != initial.held[i]) continue;
+    if (initial.material[j] != initial.material[i] || motion[j] != motion[i]) continue;
     Eigen::Vector<double, Dim> X;
     for (int a = 0; a < Dim; ++a)
       X[a] = std::round((initial.x[j][a] - initial.x[i][a]) / spacing * 0x1p40) * 0x1p-40;
     some.push_back({j, X});
   }
-  leave_out_unlinked(some);
   return some;
+}
+
+/// Its own gradient is a mean of this side and of another: of another material, or of what is driven.
+template <int Dim>
+bool sees_another_side(const InitialParticles& initial, const std::vector<Motion>& motion, int i,
+                       std::span<const int> near, double reach) {
+  return std::ranges::any_of(near, [&](int j) {
+    const bool other = initial.material[j] != initial.material[i] ||
+                       (motion[j] != motion[i] && !initial.held[j] && !initial.held[i]);
+    double r2 = 0;
+    for (int a = 0; other && a < Dim; ++a) r2 += std::pow(initial.x[j][a] - initial.x[i][a], 2);
+    return other && r2 < reach * reach;
+  });
 }
 
 /// Each neighbour has another one on the opposite side.
@@ -125,6 +156,7 @@ class Rows {
         id_(id),
         spacing_(spacing),
         halved_(halved),
+        motion_(motions<Dim>(initial, spacing)),
         where_(id.size()),
         own_(initial, std::max((1 + 1e-9) * reach, least_reach * spacing)),
         own_reach_((1 + 1e-9) * reach / spacing),
@@ -139,13 +171,20 @@ class Rows {
     std::vector<double> g;
     std::size_t hash = 0;  // of the places of the nearest, if they are all that there is in it
     int same_as = -1;      // a particle whose nearest stand in the same places: g is its
+    bool between = false;  // see RecoveredGradient
   };
   Row make(int k) const;
   void take(int k, const Row& row);
   RecoveredGradient finish() { return std::move(out_); }
 
  private:
-  Neighborhood<Dim> own(int i) const { return alike<Dim>(initial_, i, own_(i), spacing_); }
+  Neighborhood<Dim> alike(int i, std::span<const int> near) const {
+    return taut::alike<Dim>(initial_, motion_, i, near, spacing_);
+  }
+  Neighborhood<Dim> nearest(Neighborhood<Dim> own) const {
+    leave_out_unlinked(own);
+    return within(own, least_reach);
+  }
   int known(std::size_t hash, const Neighborhood<Dim>& nearest) const;
   bool fit_to(const Neighborhood<Dim>& near, int terms, Row& row) const;
 
@@ -153,6 +192,7 @@ class Rows {
   const std::vector<int>& id_;
   double spacing_;
   bool halved_;
+  std::vector<Motion> motion_;
   std::vector<int> where_;
   NeighborsOfOne<Dim> own_;
   double own_reach_;  // dp
@@ -172,8 +212,8 @@ std::size_t hash_of(const Neighborhood<Dim>& near) {
 template <int Dim>
 int Rows<Dim>::known(std::size_t hash, const Neighborhood<Dim>& nearest) const {
   for (auto [at, end] = known_.equal_range(hash); at != end; ++at)
-    if (std::ranges::equal(within(own(id_[at->second]), least_reach), nearest, {}, &Neighbor<Dim>::X,
-                           &Neighbor<Dim>::X))
+    if (std::ranges::equal(this->nearest(alike(id_[at->second], own_(id_[at->second]))), nearest, {},
+                           &Neighbor<Dim>::X, &Neighbor<Dim>::X))
       return at->second;
   return -1;
 }
@@ -184,9 +224,12 @@ auto Rows<Dim>::make(int k) const -> Row {
   Row row;
   const int i = id_[k];
   if (initial_.held[i]) return row;
-  const Neighborhood<Dim> own = this->own(i);
-  if (symmetric(within(own, own_reach_))) return row;
-  const Neighborhood<Dim> nearest = within(own, least_reach);
+  const std::vector<int> near = own_(i);
+  const Neighborhood<Dim> own = alike(i, near);
+  row.between = sees_another_side<Dim>(initial_, motion_, i, near, own_reach_ * spacing_);
+  // on both sides of it the same is beyond slots, if there are any
+  if (symmetric(within(own, std::max(own_reach_, link_of_neighbors)))) return row;
+  const Neighborhood<Dim> nearest = this->nearest(own);
   if constexpr (Dim == 3) {
     row.hash = hash_of(nearest);
     row.same_as = known(row.hash, nearest);
@@ -197,7 +240,8 @@ auto Rows<Dim>::make(int k) const -> Row {
   }
   if (fit_to(nearest, quadratic<Dim>, row)) return row;
   row.hash = 0;
-  const Neighborhood<Dim> wide = alike<Dim>(initial_, i, wide_(i), spacing_);
+  Neighborhood<Dim> wide = alike(i, wide_(i));
+  leave_out_unlinked(wide);
   for (const int terms : {quadratic<Dim>, linear<Dim>})
     for (double reach = least_reach; reach <= greatest_reach; reach += growth)
       if (fit_to(within(wide, reach), terms, row)) return row;
@@ -219,11 +263,15 @@ template <int Dim>
 void Rows<Dim>::take(int k, const Row& row) {
   int same_as = row.same_as;
   if (same_as < 0 && row.hash != 0)  // known since it was made?
-    same_as = known(row.hash, within(own(id_[k]), least_reach));
+    same_as = known(row.hash, nearest(alike(id_[k], own_(id_[k]))));
   const auto done = static_cast<std::size_t>(k);
   make_room(out_.j, row.j.size(), done, id_.size());
   out_.j.insert(out_.j.end(), row.j.begin(), row.j.end());
   out_.begin.push_back(static_cast<int>(out_.j.size()));
+  if (row.between) {
+    out_.between.resize(id_.size());
+    out_.between[done] = 1;
+  }
   const std::size_t begin = halved_ ? out_.halved.size() : out_.g.size();
   out_.row.push_back(same_as < 0 ? static_cast<int>(begin) : out_.row[same_as]);
   if (same_as >= 0) return;

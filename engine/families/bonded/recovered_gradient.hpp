@@ -20,6 +20,9 @@ struct RecoveredGradient {
       row;  // [n] where in `g` its own begin: of particles with the same neighbourhood at one place
   std::vector<double> g;      // 1/m, dim numbers each
   std::vector<float> halved;  // the same in single precision, in place of g if asked for
+  std::vector<unsigned char>
+      between;  // [n] 1: its own gradient is a mean of this material and another, or of what is
+                // driven; empty where none is
   int dim = 0;
 
   bool empty() const { return begin.empty(); }
@@ -31,7 +34,7 @@ struct RecoveredGradient {
 /// of the method's own gradient, m.
 ///
 /// A row is the fit of a quadratic polynomial through f_i, of least Σ r⁻⁴ |residual|², to the particles of
-/// the same body and material that are held like i and not beyond a slot, within 2.2 spacings or the least
+/// the same body and material that are held or driven like i and not beyond a slot, within 2.2 spacings or the least
 /// reach up to 3.4 that does: in a row an error of ε in each place may cost a strain of 8 ε/dp at most, and
 /// three points on a line cost 4. Where a body is too thin for that, the fit is linear, and where for that
 /// too, there is none.

@@ -70,13 +70,17 @@ Mat<Pack, Dim> recovered_deformations(const RecoveredGradient& recovered, const 
   return F;
 }
 
-/// Scales F to the volume of another one, but where `not_here` is not 0.
+/// Scales the F of four particles, from `first` on, to the volume of their own, but where that is a mean of two sides.
 template <int Dim>
-void keep_volume(Mat<Pack, Dim>& F, const Mat<Pack, Dim>& own, const Pack& not_here) {
+void keep_volume(const RecoveredGradient& recovered, int first, Mat<Pack, Dim>& F,
+                 const Mat<Pack, Dim>& own) {
   const Pack least = filled<Pack>(0.05);  // what is crushed or inside out has none to keep
   const Pack ratio = max(determinant(own), least) / max(determinant(F), least);
   const Pack root = inverse_cube_root(ratio);
-  F = (not_here == 0 ? Pack(ratio * root * root) : filled<Pack>(1)) * F;
+  Pack scale = ratio * root * root;
+  for (int lane = 0; lane < lanes && first + lane < static_cast<int>(recovered.between.size()); ++lane)
+    if (recovered.between[first + lane]) scale[lane] = 1;
+  F = scale * F;
 }
 
 }  // namespace taut::inline TAUT_ISA

@@ -63,7 +63,6 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     // not what a corner takes from a uniform stress, since there the bonds have no choice that is right
     this->loads_.act_on_faces(input.scene, this->initial_, FaceRule::by_column, surface(bonds),
                               this->support_);
-    if (Dim == 3) mark_interfaces(bonds);
     contact_.search(s_);
     Base::show_contacts_to_probes();
     Base::record();
@@ -112,7 +111,6 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   void make_columns();
   void take_masses(const Bonds& bonds);
   void find_stiffest_swing();
-  void mark_interfaces(const Bonds& bonds);
   void half_drift(double dt);
   void stress_pass();
   template <class Kept>
@@ -157,9 +155,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   Columns<1> mobility_;                     // 1/m of what may move, 1/kg
   std::vector<Vec<Pack, Dim>> bond_force_;  // N, of each group
   RecoveredGradient recovered_;             // once a snapshot has asked for it
-  std::vector<StoredPack>
-      beside_another_;  // 1: bonded to another material; of each group; empty where none is
-  std::vector<StoredPack> displacements_;  // of the last snapshot, m; the last lanes are 0
+  std::vector<StoredPack> displacements_;   // of the last snapshot, m; the last lanes are 0
 };
 
 /// In 2D a particle is as heavy as its cell; in 3D see bonds.hpp.
@@ -266,18 +262,6 @@ void Bonded<M, Dim>::find_stiffest_swing() {
   stiffest_ = 1;
   s_.x = at;
   for (int i = 0; i < s_.size(); ++i) set_place(i);
-}
-
-template <const Formulation& M, int Dim>
-void Bonded<M, Dim>::mark_interfaces(const Bonds& bonds) {
-  const std::vector<int>& material = this->initial_.material;
-  for (int i = 0; i < s_.size(); ++i) {
-    const int id = s_.id[i];
-    const auto other = [&](int j) { return material[j] != material[id]; };
-    if (std::none_of(bonds.j.data() + bonds.begin[id], bonds.j.data() + bonds.begin[id + 1], other)) continue;
-    beside_another_.resize(group_count());
-    beside_another_[i / lanes].value[i % lanes] = 1;
-  }
 }
 
 template <const Formulation& M, int Dim>
@@ -444,8 +428,8 @@ void Bonded<M, Dim>::watch_clamps(double dt) {
 }
 
 /// The stress shown is that of the recovered F; none of a held particle, which is rigid. In 3D F is scaled to
-/// the method's own volume: near incompressibility that of the recovered F, which no force keeps, is off. Not beside
-/// another material, where the own F is a mean of both sides.
+/// the method's own volume: near incompressibility that of the recovered F, which no force keeps, is off. Not where the
+/// own F is a mean of two sides.
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::show_stress(int group, const Mat<Pack, Dim>& F) {
   const int first = group * lanes, count = std::min(lanes, s_.size() - first);
@@ -488,8 +472,7 @@ void Bonded<M, Dim>::show(int group) {
     this->snapshot_.strain_energy[s_.id[i]] =
         energy[lane] + interfaces_.energy_of_kink(i, s_.x, law_of_one());
   Mat<Pack, Dim> F = recovered_deformations(recovered_, displacements_, lanes * group, now.F);
-  if constexpr (Dim == 3)
-    keep_volume(F, now.F, beside_another_.empty() ? Pack{} : beside_another_[group].value);
+  if constexpr (Dim == 3) keep_volume(recovered_, lanes * group, F, now.F);
   for (int k = 0; k < Dim; ++k) F(k, k) = sites(group).V > 0 ? F(k, k) : filled<Pack>(1);
   show_stress(group, F);
 }

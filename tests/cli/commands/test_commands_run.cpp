@@ -56,6 +56,35 @@ material = "rubber"
         told(of_lattice + "without = [{ type = \"disc\", centre = [0, 0], radius = 0.1 }]\n"), "weigh"));
   }
 
+  TEST_CASE("a wall that begins inside a body is told of, one that touches it is not") {
+    const TemporaryFolder folder;
+    const auto told = [&](double floor, const std::string& velocity) {
+      std::ofstream(folder / "scene.toml") << R"(title = "Laid"
+spacing = 0.002
+until = 1e-6
+[material.rubber]
+density = 1200
+youngs_modulus = 1e7
+poisson_ratio = 0.4
+[[body]]
+name = "disc"
+shape = { type = "disc", centre = [0, 0.02], radius = 0.02 }
+material = "rubber"
+velocity = [0, ")" << velocity << R"("]
+[[wall]]
+name = "floor"
+normal = [0, 1]
+at = [0, )" << floor << "]\n";
+      const Outcome outcome =
+          call({"run", folder.str("scene.toml"), "--no-render", "--quiet", "--out", folder.str("out")});
+      CHECK(outcome.code == 0);
+      return outcome.err;
+    };
+    CHECK(contains(told(0.0008, "0"), "J at the start: bodies or walls begin inside one another"));
+    CHECK(contains(told(0.0008, "-1"), "% of the energy of motion: bodies or walls begin inside"));
+    CHECK_FALSE(contains(told(0, "0"), "contacts hold"));
+  }
+
   TEST_CASE("a scene with lines leaves lines.csv, and its steps do not depend on them") {
     const TemporaryFolder folder;
     std::string scene = text_of(fs::path(TAUT_SOURCE_DIR) / "scenes/heterogeneous-cable.toml");

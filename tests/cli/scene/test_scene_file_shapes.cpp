@@ -174,7 +174,7 @@ unit = "s"
     const InitialParticles layout = laid(scene_text(R"({ type = "particles", file = "given.csv" })"));
     CHECK(layout.x == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     CHECK(layout.V0 == std::vector<double>{0.001, 0.002, 0.003});
-    write_file("plain.csv", "z,y,x\n0,1,2\n0,1,3\n");
+    write_file("plain.csv", "z,y,x\n0,1,2\n0,1,2.05\n");
     CHECK(laid(scene_text(R"({ type = "particles", file = "plain.csv" })", "", 3)).V0[1] ==
           relative(1.25e-4));
     check_shape_error(R"({ type = "particles", file = @"absent.csv" })",
@@ -199,6 +199,9 @@ unit = "s"
       CHECK(error_of(far, 0).find("too far apart, or too far out") != std::string::npos);
     CHECK(error_of("x,y,volume\n0,0,6e-4\n.1,.1,6e-4\n", 0).find("about 0.0245 m apart") !=
           std::string::npos);
+    // without volumes each would weigh 0.05² m², whatever lies between them
+    for (const auto* other : {"x,y\n0,0\n.1,0\n.2,0\n0,.1\n", "x,y\n0,0\n.025,0\n.025,.025\n"})
+      CHECK(error_of(other, 0).find("without a column volume") != std::string::npos);
     CHECK(error_of("x,y,volume\n0,0,1e-300\n1,1,1\n", 0).find("does not fit a spacing") != std::string::npos);
   }
 

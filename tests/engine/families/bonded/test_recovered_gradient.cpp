@@ -176,4 +176,27 @@ TEST_SUITE("analytic") {
       }
     }
   }
+
+  TEST_CASE(
+      "oenog: the stress before a driven end is that of what is free, up to the outermost driven particles") {
+    const double dp = H / 5, kink = 4.5 * dp, rate = 1e3, step = 1e-9;  // m, 1/s, s
+    for (const int dim : {2, 3}) {
+      CAPTURE(dim);
+      Scene scene = block(5, 14 * dp);
+      scene.dim = dim;
+      if (dim == 3) scene.bodies[0].shapes = {Box{{-7 * dp, -H / 2, -H / 2}, {7 * dp, H / 2, H / 2}}};
+      Drive still;
+      still.where = [=](const Point& X) { return X[0] > 4 * dp ? 1.0 : 0.0; };
+      scene.bodies[0].drives = {still};
+      scene.bodies[0].velocity[0] = [=](const Point& X) { return rate * std::min(X[0] - kink, 0.0); };
+      Settings settings = with_method("oenog");
+      settings.step = step;
+      const Snapshot now = state_after(1, scene, settings);
+      const double M = 2e6 * 0.7 / (1.3 * 0.4);  // Pa, of strain along one axis
+      for (std::size_t i = 0; i < now.size(); ++i) {
+        const double should = now.x0[dim * i] < kink + 0.1 * dp ? 1 : 0;
+        CHECK(now.stress(i).xx / (M * rate * step) == Approx(should).scale(1).epsilon(1e-3));
+      }
+    }
+  }
 }
