@@ -118,8 +118,13 @@ int wall_index(TomlCursor& cursor, const Scene& scene) {
 void read_probes_in(TomlCursor& cursor, const Scene& scene, Probe& probe) {
   const TomlValue& value = cursor.need("value");
   const std::set<std::string> used = names_in(value.kind == TomlValue::Kind::text ? value.text : "0");
-  for (const Probe& other : scene.probes)
-    if (probe.bodies.empty() && used.contains(other.name)) probe.bodies = other.bodies;
+  probe.of_forces = !used.contains("t");
+  for (const Probe& other : scene.probes) {
+    if (!used.contains(other.name)) continue;
+    if (probe.bodies.empty()) probe.bodies = other.bodies;
+    probe.of_forces = probe.of_forces && is_of_steps(other);
+  }
+  probe.of_forces = probe.of_forces && !probe.bodies.empty();
   if (probe.bodies.empty()) probe.bodies = {0};
   const int material = scene.bodies[static_cast<std::size_t>(probe.bodies.front())].material;
   add_names(cursor.names(), scene.materials[static_cast<std::size_t>(material)]);

@@ -57,10 +57,9 @@ MeasureSource source_of(const Measure& measure, const Scene& scene, const Series
   source.measure = &measure;
   for (const std::string& name : measure.probes) {
     const std::size_t probe = probe_index(scene, name, key + ".probe");
-    const Probe::Kind kind = scene.probes[probe].kind;
-    const bool is_force = kind == Probe::Kind::reaction || kind == Probe::Kind::contact_force;
-    source.curve.push_back(finite_part({series.time, series.value.at(probe), is_force}));
-    if (kind == Probe::Kind::mirror_asymmetry) source.turns = false;
+    const Probe& of = scene.probes[probe];
+    source.curve.push_back(finite_part({series.time, series.value.at(probe), is_of_steps(of)}));
+    if (of.kind == Probe::Kind::mirror_asymmetry) source.turns = false;
   }
   if (!measure.free.empty()) {
     source.free =

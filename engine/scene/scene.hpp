@@ -175,7 +175,14 @@ struct Probe {
   int wall = -1;     // index into Scene::walls
   /// Of the values that the probes before this one have at a time, s.
   std::function<double(const std::vector<double>&, double)> value;
+  bool of_forces = false;  // `value` is of forces alone
 };
+
+constexpr bool is_force(Probe::Kind kind) {
+  return kind == Probe::Kind::reaction || kind == Probe::Kind::contact_force;
+}
+/// Its samples are means over the steps before, and not values at their times.
+inline bool is_of_steps(const Probe& probe) { return is_force(probe.kind) || probe.of_forces; }
 
 /// Points of a body, evenly spaced along a straight line, at which a field is sampled.
 struct SampleLine {

@@ -90,9 +90,6 @@ class ProbeRecorder {
   double stress(const Snapshot& shown, const Probe& probe, const Follower& f) const;
   double force(const Probe& probe, const Follower& f, double dt, ProbeSource<Dim>& source) const;
   double value(const State<Dim>& s, const Probe& probe, const Follower& f, ProbeSource<Dim>& source) const;
-  static bool is_force(Probe::Kind kind) {
-    return kind == Probe::Kind::reaction || kind == Probe::Kind::contact_force;
-  }
   std::vector<int> stored(std::vector<int> ids) const {
     for (int& id : ids) id = where_[id];
     return ids;

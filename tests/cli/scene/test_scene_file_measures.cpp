@@ -131,6 +131,25 @@ TEST_SUITE("cli") {
                          doctest::Contains("von_mises"), SceneError);
   }
 
+  TEST_CASE("scene: an expression of forces alone is a mean over the step before, as they are") {
+    const auto of_steps = [](const std::string& value) {
+      const std::string
+          force = "[[probe]]\nname = \"push\"\nof = \"reaction\"\nbody = \"ring\"\ncomponent = \"y\"\n",
+          old = "[[measure]]\nname = \"peak\"\nof = \"maximum\"\nprobe = \"tip\"";
+      const Scene scene =
+          read_text(replaced(small_scene, old,
+                             force + "[[probe]]\nname = \"sum\"\nof = \"expression\"\nvalue = \"" + value +
+                                 "\"\n" + replaced(old, "tip", "sum")))
+              .scene;
+      CHECK(is_of_steps(scene.probes.at(1)));
+      return is_of_steps(scene.probes.at(2));
+    };
+    CHECK(of_steps("2*push - v0"));
+    CHECK_FALSE(of_steps("push + t"));
+    CHECK_FALSE(of_steps("push*tip"));
+    CHECK_FALSE(of_steps("v0"));
+  }
+
   TEST_CASE("scene: an expression of probes knows those before it, t and the numbers of the scene") {
     const auto with = [](const std::string& value, const std::string& name = "sum") {
       return replaced(small_scene, "[[measure]]\nname = \"peak\"\nof = \"maximum\"\nprobe = \"tip\"",
