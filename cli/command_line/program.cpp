@@ -23,9 +23,9 @@ void print_help(std::span<const Command> commands, std::ostream& out) {
   out << "\nOptions:\n"
          "  --help      this text; `taut COMMAND --help` shows the options and examples of a command\n"
          "  --version   the version of the program\n\n"
-         "Exit codes: 0 fine, 1 a bug of taut (diff, snapshot: different; choose: no run does),\n"
-         "2 wrong command line or scene, 3 the simulation diverged, 4 output could not be written,\n"
-         "130 interrupted.\n\n"
+         "Exit codes: 0 fine, 1 a bug of taut (diff, snapshot: different; check: something has moved;\n"
+         "choose: no run does), 2 wrong command line or scene, 3 the simulation diverged,\n"
+         "4 output could not be written, 130 interrupted.\n\n"
          "Environment: TAUT_SCENES names folders with scenes of one's own, with ':' between them.\n\n"
          "Example:\n  taut run colliding-rings\n";
 }

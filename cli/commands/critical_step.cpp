@@ -112,7 +112,8 @@ std::function<int(Streams)> declare_critical_step(CLI::App& app) {
       ->required();
   declare_setting_options(app, *options);
   app.add_option("--steps", options->steps,
-                 "default steps whose time each trial covers, if the scene lasts so long; default: " +
+                 "default steps whose time each trial covers, if the scene lasts so long, and 300 of its own "
+                 "at least; default: " +
                      std::to_string(options->steps))
       ->option_text("N")
       ->check(positive_whole_number);

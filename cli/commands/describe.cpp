@@ -60,9 +60,8 @@ Rows rows_of_measures(const Scene& scene) {
   for (const Measure& m : scene.measures) {
     std::string names;
     for (const auto& [law, reference] : scene.references)
-      if (reference.value.contains(m.name) || reference.table.contains(m.name) ||
-          reference.solution.contains(m.name))
-        names += (names.empty() ? "" : "; ") + reference.name + " (" + law_name(law) + ")";
+      if (reference.has(m.name))
+        names += (names.empty() ? "" : "; ") + reference.name_for(m.name) + " (" + law_name(law) + ")";
     rows.push_back({m.name, m.kind, m.unit.empty() ? "-" : m.unit, names.empty() ? "none" : names});
   }
   return rows;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "cli/drawing/keys.hpp"
+#include "cli/run/history.hpp"
 #include "cli/run/schedule.hpp"
 #include "cli/scene/shipped.hpp"
 #include "cli/text/checks.hpp"
@@ -138,6 +139,25 @@ void check_threads(int threads) {
                      std::to_string(cores()) + " cores; at most " + std::to_string(most) + " are allowed");
 }
 
+/// A probe named like another column of history.csv.
+void refuse_second_columns(const SceneFile& file) {
+  std::vector<std::string> columns = history_columns(file.scene);
+  for (const Probe& probe : file.scene.probes)
+    if (std::ranges::count(columns, probe.name) > 1)
+      throw locate(file, SceneError("probe." + probe.name, "history.csv has a column '" + probe.name +
+                                                               "' already; name the probe otherwise"));
+}
+
+std::string lines_without_samples(const Scene& scene) {
+  std::string text;
+  for (const SampleLine& line : scene.lines)
+    if (line.times.front() > scene.until)
+      text += (text.empty() ? "" : "; ") +
+              ("the line '" + line.name + "' has no sample: its times begin at " + brief(line.times.front()) +
+               " s, and the run ends at " + brief(scene.until) + " s");
+  return text;
+}
+
 }  // namespace
 
 std::vector<const Field*> particle_fields(const RunOptions& options, int dim) {
@@ -233,9 +253,11 @@ RunPlan make_plan(const RunOptions& options) {
   suit(file.drawing, file);
   file.drawing.frames = frame_count(options, file);
   file.history = history_interval(options, file);
+  if (options.out && options.out->empty()) throw UsageError("--out is empty; name a folder");
   plan.folder = RunFolder(options.out ? *options.out : default_folder(options, file));
-  if (const std::string remark = no_use(options); !remark.empty())
-    file.remark += (file.remark.empty() ? "" : "; ") + remark;
+  refuse_second_columns(file);
+  for (const std::string& remark : {no_use(options), lines_without_samples(file.scene)})
+    if (!remark.empty()) file.remark += (file.remark.empty() ? "" : "; ") + remark;
   plan.spacing_asked = options.spacing;
   plan.checkpoint_every = options.checkpoint_every;
   if (!options.no_render) plan.drawing = file.drawing;

@@ -362,13 +362,14 @@ RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress&
     progress.prepare(plan.file.scene.name + ", " + plan.file.settings.method + ", setting up ...");
     simulation = start(plan.file);
   }
+  RunRecord record = new_record(plan, *simulation);
+  record.seconds.setup = setup_seconds + watch.seconds();
+  Run run(plan, std::move(simulation), interrupts, progress, std::move(record));
   if (before_it_begins) {
     progress.clear();
     before_it_begins();
   }
-  RunRecord record = new_record(plan, *simulation);
-  record.seconds.setup = setup_seconds + watch.seconds();
-  return Run(plan, std::move(simulation), interrupts, progress, std::move(record)).execute();
+  return run.execute();
 }
 
 }  // namespace taut::cli

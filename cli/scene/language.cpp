@@ -164,7 +164,7 @@ constexpr KeyInfo reference_keys[] = {
     {"tables", "{ MEASURE = { file, column } }", "none", "what the series should be"},
     {"solutions", "{ MEASURE = expression of t }", "none",
      "the same as a formula, of lines and fields also of the place; an array for several probes or fields; "
-     "holds for any parameters"},
+     "holds for any parameters that `when` does not name"},
     {"let", "{ NAME = number }", "none", "names for the solutions, each of the ones before"},
 };
 

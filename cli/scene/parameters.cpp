@@ -60,6 +60,10 @@ Parameter read_parameter(TomlCursor& entry, const std::string& name, const Chang
   parameter.help = entry.line("help", "");
   if (entry.find("min")) parameter.low = entry.number("min");
   if (entry.find("max")) parameter.high = entry.number("max");
+  if (parameter.low && parameter.high && *parameter.low > *parameter.high)
+    entry.fail(entry.need("min"), "min",
+               "min = " + exact(*parameter.low) + " is above max = " + exact(*parameter.high) +
+                   ": no value is allowed");
   entry.finish();
   const auto complain = [&](double number) {
     return name + " = " + exact(number) + " is out of bounds; allowed: " + bounds_text(parameter);

@@ -30,8 +30,10 @@ struct Rows {
   std::size_t next = 0;
   int line = 0;
 
-  /// The next line that is no comment; nothing at the end.
+  /// The next line that is no comment; nothing at the end. Spreadsheets begin a file with a byte order mark.
   std::optional<std::vector<std::string>> read() {
+    if (constexpr std::string_view mark = "\xEF\xBB\xBF"; next == 0 && text.starts_with(mark))
+      next = mark.size();
     while (next < text.size()) {
       const std::size_t end = std::min(text.find('\n', next), text.size());
       const std::string_view row = std::string_view(text).substr(next, end - next);

@@ -35,12 +35,14 @@ bool alike(double a, double b) {
   return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
 }
 
-/// A reference was made for one set of parameters: those of `when`, and the scene's own for the rest. One
-/// that only has solutions, which are expressions of the parameters, holds for all but those of `when`.
-bool holds(TomlCursor& reference, const std::vector<Parameter>& parameters) {
+/// For which parameters what a reference has is so.
+struct Validity {
+  bool values = false;     // and tables: made for one set, those of `when` and the scene's own for the rest
+  bool solutions = false;  // expressions of the parameters: for all but those of `when`
+};
+
+Validity validity(TomlCursor& reference, const std::vector<Parameter>& parameters) {
   std::map<std::string, double> wanted;
-  if (reference.find("values") || reference.find("tables"))
-    for (const Parameter& parameter : parameters) wanted[parameter.name] = parameter.default_value;
   if (TomlValue* value = reference.find("when")) {
     TomlCursor when = reference.enter(*value, "when", "'when' of " + reference.what(), named_by_user);
     for (const TomlEntry& entry : when.table().entries) {
@@ -49,10 +51,15 @@ bool holds(TomlCursor& reference, const std::vector<Parameter>& parameters) {
       wanted[entry.key] = when.number(entry.key);
     }
   }
-  return std::all_of(parameters.begin(), parameters.end(), [&](const Parameter& parameter) {
+  Validity valid{true, true};
+  for (const Parameter& parameter : parameters) {
     const auto found = wanted.find(parameter.name);
-    return found == wanted.end() || alike(parameter.value, found->second);
-  });
+    const bool asked = found != wanted.end();
+    const bool as_made = alike(parameter.value, asked ? found->second : parameter.default_value);
+    valid.values = valid.values && as_made;
+    valid.solutions = valid.solutions && (as_made || !asked);
+  }
+  return valid;
 }
 
 /// Numbers for the expressions of a reference, each of the ones before.
@@ -176,13 +183,6 @@ bool is_for(TomlCursor& reference, const std::string& method) {
   return named;
 }
 
-/// Of several references that hold, one for the method counts before one for any, and then one made for these
-/// very parameters before one whose solutions hold for any.
-int precedence(TomlCursor& reference) {
-  const bool for_any = reference.find("solutions") && !reference.find("values") && !reference.find("tables");
-  return 2 * (reference.find("methods") != nullptr) + !for_any;
-}
-
 /// A measure is compared with one thing.
 void refuse_second_curve(TomlCursor& cursor, const TomlValue& value, const Reference& reference) {
   for (const auto& entry : reference.solution)
@@ -191,33 +191,101 @@ void refuse_second_curve(TomlCursor& cursor, const TomlValue& value, const Refer
                   "the measure '" + entry.first + "' has a table and a solution; leave one out");
 }
 
+/// Some of a [[reference]] that holds: its values and tables, or its solutions.
+struct Part {
+  std::string law;
+  bool of_method;
+  int of_parameters;      // 2: made for these, 1: for those of `when`, 0: for any
+  const TomlValue* from;  // the [[reference]]
+  Reference what;
+};
+
+/// Of several that have something for a measure one for the method counts before one for any, and then one made for
+/// these very parameters before one that holds for any.
+bool counts_before(const Part& a, const Part& b) {
+  return std::pair(a.of_method, a.of_parameters) > std::pair(b.of_method, b.of_parameters);
+}
+
+/// The parts of one law, of which those that count come first, put together measure by measure.
+class Merged {
+ public:
+  void add(const Part& part) {
+    take(part, part.what.value, merged_.value);
+    take(part, part.what.table, merged_.table);
+    take(part, part.what.solution, merged_.solution);
+  }
+  /// Of a measure that two have something for, none of which counts before the other: the latter's [[reference]].
+  const TomlValue* ambiguous() const { return ambiguous_; }
+  const std::string& ambiguous_measure() const { return measure_; }
+  Reference finish() {
+    merged_.name = join(names_, "; ");
+    if (names_.size() > 1)
+      for (const auto& [measure, part] : owner_) merged_.names[measure] = part->what.name;
+    return std::move(merged_);
+  }
+
+ private:
+  template <class Map>
+  void take(const Part& part, const Map& from, Map& to) {
+    for (const auto& [measure, what] : from) {
+      const auto [found, is_new] = owner_.emplace(measure, &part);
+      const Part* owner = found->second;
+      if (is_new && std::ranges::find(names_, part.what.name) == names_.end())
+        names_.push_back(part.what.name);
+      if (owner->from == part.from) {
+        to.emplace(measure, what);
+      } else if (!counts_before(*owner, part) && !ambiguous_) {
+        ambiguous_ = part.from;
+        measure_ = measure;
+      }
+    }
+  }
+
+  Reference merged_;
+  std::vector<std::string> names_;
+  std::map<std::string, const Part*> owner_;  // of each measure
+  const TomlValue* ambiguous_ = nullptr;
+  std::string measure_;
+};
+
 }  // namespace
 
 void read_references(TomlCursor& root, SceneFile& file) {
-  std::map<std::string, int> taken;  // precedence of each law's reference
+  std::vector<Part> parts;
   for (TomlValue& value : root.list("reference")) {
     TomlCursor cursor = root.enter(value, "reference", "a reference", keys_of("reference"));
     const std::string law = read_law(cursor);
     read_names(cursor);
-    const Reference reference{.name = cursor.line("name"),
-                              .value = read_values(cursor, file.scene),
-                              .table = read_tables(cursor, file),
-                              .solution = read_solutions(cursor, file.scene)};
-    refuse_second_curve(cursor, value, reference);
-    const bool for_parameters = holds(cursor, file.parameters);
-    const bool applies = is_for(cursor, file.settings.method) && for_parameters;
+    const Reference all{.name = cursor.line("name"),
+                        .value = read_values(cursor, file.scene),
+                        .table = read_tables(cursor, file),
+                        .solution = read_solutions(cursor, file.scene)};
+    refuse_second_curve(cursor, value, all);
+    if (all.value.size() + all.table.size() + all.solution.size() == 0)
+      cursor.fail(value, "reference",
+                  "the reference '" + all.name + "' is empty; it needs values, tables or solutions");
+    const Validity valid = validity(cursor, file.parameters);
+    const bool applies = is_for(cursor, file.settings.method), of_method = cursor.find("methods") != nullptr;
+    const int for_some = cursor.find("when") ? 1 : 0;
     cursor.finish();
     if (!applies) continue;
-    const int rank = precedence(cursor);
-    const auto before = taken.find(law);
-    if (before != taken.end() && before->second == rank)
-      cursor.fail(
-          value, "law",
-          "two references of the law '" + law + "' hold for these parameters; tell them apart with 'when'");
-    if (before != taken.end() && before->second > rank) continue;
-    taken[law] = rank;
-    file.scene.references[law] = reference;
+    if (valid.values && all.value.size() + all.table.size() > 0)
+      parts.push_back(
+          {law, of_method, 2, &value, {.name = all.name, .value = all.value, .table = all.table}});
+    if (valid.solutions && !all.solution.empty())
+      parts.push_back({law, of_method, for_some, &value, {.name = all.name, .solution = all.solution}});
   }
+  std::ranges::stable_sort(parts, counts_before);
+  std::map<std::string, Merged> merged;
+  for (const Part& part : parts) {
+    Merged& of_law = merged[part.law];
+    of_law.add(part);
+    if (const TomlValue* twin = of_law.ambiguous())
+      root.fail(*twin, "law",
+                "two references of the law '" + part.law + "' hold for the measure '" +
+                    of_law.ambiguous_measure() + "' with these parameters; tell them apart with 'when'");
+  }
+  for (auto& [law, of_law] : merged) file.scene.references[law] = of_law.finish();
 }
 
 }  // namespace taut::cli

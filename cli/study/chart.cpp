@@ -24,6 +24,7 @@ ChartPoint point_of(const StoredRun& run, const ChartErrors& errors, Cost cost) 
   ChartPoint point;
   point.spacing = run.number("spacing").value_or(0);
   point.error = errors.of(run);
+  point.measured = errors.measured(run);
   const double steps = run.number("particles").value_or(0) * run.number("steps").value_or(0);
   point.cost = cost == Cost::seconds ? run.number("seconds.solve").value_or(0) : steps;
   if (!std::isfinite(point.cost) || point.cost < 0) point.cost = 0;
@@ -123,6 +124,12 @@ Cost find_cost(const std::string& name) {
 }
 
 std::string label(Cost cost) { return std::string(std::ranges::find(costs, cost, &CostName::cost)->label); }
+
+std::string without_error(const ChartSeries& series) {
+  for (const ChartPoint& point : series.points)
+    if (!point.error) return point.measured ? "no reference" : point.stable ? "no value" : point.verdict;
+  return "";
+}
 
 std::string shown_error(const Chart& chart, double error) {
   return chart.unit.empty() ? percent(error) : brief(error) + " " + chart.unit;

@@ -32,7 +32,8 @@ struct ChartRequest {
 /// One run.
 struct ChartPoint {
   double spacing = 0;           // m
-  std::optional<double> error;  // as in run.json; none: the run ended before
+  std::optional<double> error;  // as in run.json; none: the run ended before, or has nothing to compare with
+  bool measured = true;         // there is a value, whether or not it has an error
   double cost = 0;              // s, or particle-steps; 0: not known
   std::string verdict{}, folder{};
   std::string cfl{}, stepping{};  // of the time step, where the results tell
@@ -60,6 +61,9 @@ struct Chart {
   std::vector<std::string> machines;    // "AMD EPYC, 1 thread"
   int without_result = 0;               // runs that have not ended
 };
+
+/// Why some of its points have no error: "no reference", or the verdict; empty where all have one.
+std::string without_error(const ChartSeries& series);
 
 /// "1.2 %" or "3 mm", as errors of this chart are.
 std::string shown_error(const Chart& chart, double error);

@@ -18,7 +18,7 @@ constexpr std::size_t most_series = 24;  // whose names the picture has room for
 // pixels: of the field, of a row of the strip above it, of title, of axis and notes
 // of an axis: gnuplot computes with room beyond both ends
 constexpr double least = 1e-290, greatest = 1e290;
-constexpr double field = 520, row = 17, above = 52, below = 132;
+constexpr double field = 520, row = 17, above = 52, below = 69, note = 21;
 
 /// Least and greatest of positive numbers; what has no logarithm stands at the edge of the field.
 struct Range {
@@ -31,7 +31,7 @@ struct Range {
   }
   /// With a margin on both sides, and wide enough for two ticks.
   Range wide() const {
-    if (high == 0) return {0.1, 10};
+    if (high == 0) return {0.13, 13};  // no tick at an end
     const double margin = std::max(1.4, std::sqrt(6 / (high / low)));
     return {std::clamp(low / margin, least, greatest / 6), std::clamp(high * margin, least * 6, greatest)};
   }
@@ -42,7 +42,7 @@ struct Range {
 /// Errors as drawn: shares in percent.
 double scale(const Chart& chart) { return chart.unit.empty() ? 100 : 1; }
 
-bool without_error(const ChartPoint& point) { return !point.error; }
+bool has_no_error(const ChartPoint& point) { return !point.error; }
 
 struct Layout {
   Range error, cost;
@@ -50,8 +50,10 @@ struct Layout {
   std::vector<CurveStyle> styles;  // of them
   std::vector<int> strip_row;      // of each series, -1: none
   int strip_rows = 0;
+  int notes = 0;
 
-  double height() const { return above + row * strip_rows + field + below; }
+  double foot() const { return below + note * notes; }
+  double height() const { return above + row * strip_rows + field + foot(); }
   /// The error at which a row of the strip stands; the topmost is the first.
   double in_strip(double rows_above_field) const {
     return error.high * std::pow(10, error.decades() * row * rows_above_field / field);
@@ -61,6 +63,7 @@ struct Layout {
 
 Layout layout_of(const Chart& chart) {
   Layout layout;
+  layout.notes = static_cast<int>(footnotes(chart).size());
   std::vector<std::string> methods;
   for (const ChartSeries& series : chart.series) {
     methods.push_back(series.method);
@@ -69,7 +72,7 @@ Layout layout_of(const Chart& chart) {
       layout.cost.include(point.cost);
       if (point.error) layout.error.include(scale(chart) * *point.error);
     }
-    const bool none = std::ranges::any_of(series.points, without_error);
+    const bool none = std::ranges::any_of(series.points, has_no_error);
     layout.strip_row.push_back(none ? layout.strip_rows++ : -1);
   }
   layout.styles = curve_styles(methods);
@@ -98,10 +101,10 @@ std::string frame(const Chart& chart, const Layout& layout) {
   const double height = layout.height();
   std::string text = plot_title(chart.title);
   text += fmt::format("set tmargin screen {}\nset bmargin screen {}\nset lmargin screen 0.075\n",
-                      1 - above / height, below / height);
+                      1 - above / height, layout.foot() / height);
   text += fmt::format("set rmargin screen {}\n", right_margin(layout.names));
   text += fmt::format("set key at screen {}, screen {} left top Left reverse samplen 4 spacing 1.2\n",
-                      right_margin(layout.names) + 0.008, (below + field) / height);
+                      right_margin(layout.names) + 0.008, (layout.foot() + field) / height);
   text += "set border 3 back linecolor '#444444'\nset logscale xy\n";
   text += "set grid back linetype 1 linecolor '#e4e4e4'\nset tics nomirror\n";
   text += "set xrange [" + exact(layout.cost.low) + ":" + exact(layout.cost.high) + "]\n";
@@ -111,7 +114,7 @@ std::string frame(const Chart& chart, const Layout& layout) {
   text += "set xlabel " + plot_text(label(chart.cost)) + "\n";
   text += "set ylabel " + plot_text(error_label(chart)) + "\n";
   for (std::size_t k = 0; k < notes.size(); ++k)
-    text += plot_note(notes[k], (58 - 21 * static_cast<double>(k)) / height);
+    text += plot_note(notes[k], (16 + note * static_cast<double>(notes.size() - 1 - k)) / height);
   return text;
 }
 
@@ -120,7 +123,7 @@ std::string strip(const Layout& layout) {
   if (layout.strip_rows == 0) return "";
   std::string text = "set object rectangle from graph 0, first " + exact(layout.error.high) +
                      " to graph 1, graph 1 behind fillcolor '#f3f3f3' fillstyle solid noborder\n";
-  text += "set label 'no value' at graph -0.01, first " + exact(layout.in_strip(0.5 * layout.strip_rows)) +
+  text += "set label 'no error' at graph -0.01, first " + exact(layout.in_strip(0.5 * layout.strip_rows)) +
           " right font ',9' textcolor '#555555'\n";
   for (std::size_t k = 0; k < layout.names.size(); ++k)
     if (const int place = layout.strip_row[k]; place >= 0)
@@ -165,7 +168,7 @@ std::vector<std::string> curve(const Chart& chart, const Layout& layout, std::si
     return all;
   };
   std::vector<std::string> all;
-  if (!std::ranges::all_of(points, without_error)) {
+  if (!std::ranges::all_of(points, has_no_error)) {
     if (!std::ranges::all_of(points, &ChartPoint::stable))
       all.push_back(at("$5 == 1", y) + " with lines linewidth 0.7 " + style.line() + " notitle");
     all.push_back(at("$5 == 1 && $4 == 1", y) + " with lines linewidth 2 " + style.line() + " notitle");
@@ -185,7 +188,7 @@ std::vector<std::string> legend(const Chart& chart, const Layout& layout) {
     const CurveStyle& style = layout.styles[k];
     const auto& points = chart.series[k].points;
     all_stable &= std::ranges::all_of(points, &ChartPoint::stable);
-    if (std::ranges::all_of(points, without_error)) continue;  // its name stands beside its row of the strip
+    if (std::ranges::all_of(points, has_no_error)) continue;  // its name stands beside its row of the strip
     all.push_back("keyentry with linespoints linewidth 2 pointsize 1.3 " + style.line() + " pointtype " +
                   std::to_string(style.filled) + " title " + plot_text(layout.names[k]));
   }

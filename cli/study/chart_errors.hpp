@@ -13,6 +13,8 @@ struct ChartErrors {
   const StoredRun* against = nullptr;  // stands for the reference
 
   std::optional<double> of(const StoredRun& run) const;
+  /// There is a value, with or without something to compare it with.
+  bool measured(const StoredRun& run) const;
   /// They are shares of a reference.
   bool relative(const StoredRun& run) const;
   /// Empty: a share of the reference or of a length.

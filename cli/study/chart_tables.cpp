@@ -73,10 +73,11 @@ std::string orders_table(const Chart& chart) {
   for (const ChartSeries& series : chart.series) {
     const ChartPoint& finest = series.points.back();
     const auto unstable = std::ranges::count(series.points, false, &ChartPoint::stable);
-    rows.push_back(
-        {series.name, series.order ? brief(*series.order) : "-", std::to_string(series.points.size()),
-         brief(finest.spacing), finest.error ? shown_error(chart, *finest.error) : "-",
-         finest.cost > 0 ? brief(finest.cost) : "-", unstable == 0 ? "" : std::to_string(unstable)});
+    rows.push_back({series.name, series.order ? brief(*series.order) : "-",
+                    std::to_string(series.points.size()), brief(finest.spacing),
+                    finest.error ? shown_error(chart, *finest.error) : "- (" + without_error(series) + ")",
+                    finest.cost > 0 ? brief(finest.cost) : "-",
+                    unstable == 0 ? "" : std::to_string(unstable)});
   }
   return in_columns(rows);
 }
@@ -142,6 +143,11 @@ std::vector<std::string> footnotes(const Chart& chart) {
                                         : "no independent one, which would be " + references));
   else if (!references.empty())
     notes.push_back("Reference: " + references);
+  std::vector<std::string> without;
+  for (const ChartSeries& series : chart.series)
+    if (const std::string why = without_error(series); !why.empty())
+      without.push_back(series.name + " (" + why + ")");
+  if (!without.empty()) notes.push_back("Without an error, in part or at all: " + join(without));
   if (chart.cost == Cost::seconds) notes.push_back("Time: " + join(chart.machines, "; "));
   return notes;
 }

@@ -90,7 +90,19 @@ std::string plot_head(const PlotFiles& files, int width, int height) {
       vector ? "'DejaVu Sans,14' background 'white'" : "'DejaVu Sans,11'");
 }
 
-std::string plot_title(std::string_view title) { return "set title " + plot_text(title) + " font ',15'\n"; }
+std::string plot_title(std::string_view title) { return "set title " + titled(title) + "\n"; }
+
+std::string titled(std::string_view title) {
+  return plot_text(title) + fmt::format(" font ',{}'", font_that_fits(title, plot_width, 15));
+}
+
+int font_that_fits(std::string_view text, double room, int size) {
+  constexpr double width = 0.62, smallest = 6;  // of a letter, of its size in points at 96 dots an inch
+  const auto letters =
+      static_cast<double>(std::ranges::count_if(text, [](unsigned char c) { return (c & 0xC0) != 0x80; }));
+  const double fits = room / (std::max(letters, 1.0) * width * 96 / 72);
+  return static_cast<int>(std::clamp(std::floor(fits), smallest, static_cast<double>(size)));
+}
 
 std::string plot_note(std::string_view note, double height) {
   return fmt::format("set label {} at screen 0.015, screen {} font ',9' textcolor '#555555'\n",

@@ -33,6 +33,10 @@ std::string plot_head(const PlotFiles& files, int width, int height);
 std::string plot_title(std::string_view title);
 /// The same for a note in small print at its left edge; `height` is 0 at the bottom, 1 at the top.
 std::string plot_note(std::string_view note, double height);
+/// A title and its font, smaller where it is long.
+std::string titled(std::string_view title);
+/// The size of a font, in points and `size` at the most, in which a text is `room` pixels long or less.
+int font_that_fits(std::string_view text, double room, int size);
 
 /// A comment line of data or of a script.
 std::string plot_comment(std::string_view text);

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <map>
 
+#include <fmt/format.h>
+
 #include "cli/study/csv.hpp"
 #include "cli/study/curve_style.hpp"
 #include "cli/text/format.hpp"
@@ -92,19 +94,30 @@ std::string history_data(const HistoryPlot& plot) {
 
 std::string history_script(const HistoryPlot& plot, const PlotFiles& files) {
   constexpr int around = 70, greatest_height = 300, least_height = 140, most_together = 2400;  // pixels
-  const auto panels = static_cast<int>(plot.columns.size());
-  const int height = std::clamp(most_together / panels, least_height, greatest_height);
+  constexpr int name_height = 21, most_named = 100;
+  const auto panels = static_cast<int>(plot.columns.size()), curves = static_cast<int>(plot.curves.size());
+  const bool named = curves <= most_named;
+  const int of_names = named ? name_height * (curves + 1) : 0;
+  const int height =
+      std::max(std::clamp(most_together / panels, least_height, greatest_height), of_names / panels);
+  const int total = around + height * panels;
   std::vector<std::string> names, methods;
   for (const HistoryPlot::Curve& curve : plot.curves) {
     names.push_back(shortened(curve.name));
     methods.push_back(curve.method);
   }
   const std::vector<CurveStyle> styles = curve_styles(methods);
-  std::string text = plot_head(files, plot_width, around + height * panels);
-  text += "set multiplot layout " + std::to_string(panels) + ",1 title " + plot_text(plot.title) +
-          " font ',15'\n";
-  text += "set key outside right top Left reverse samplen 4 spacing 1.25\nset lmargin screen 0.085\n";
-  text += "set rmargin screen " + exact(right_margin(names)) + "\nset border 3 back linecolor '#444444'\n";
+  std::string text = plot_head(files, plot_width, total);
+  text += "set multiplot layout " + std::to_string(panels) + ",1 title " + titled(plot.title) + "\n";
+  text +=
+      named ? fmt::format(
+                  "set key at screen {}, screen {} left top Left reverse samplen 4 spacing 1.25 maxrows {}\n",
+                  right_margin(names) + 0.008, 1 - 45.0 / total, curves)
+            : "unset key\n" + plot_note(std::to_string(curves) + " runs; their names are in " +
+                                            files.data().filename().string(),
+                                        8.0 / total);
+  text += "set lmargin screen 0.085\nset rmargin screen " + exact(right_margin(names)) +
+          "\nset border 3 back linecolor '#444444'\n";
   text += "set grid back linetype 1 linecolor '#e4e4e4'\nset tics nomirror\nset autoscale xfix\n";
   for (int column = 0; column < panels; ++column) {
     std::vector<std::string> lines;
@@ -112,9 +125,11 @@ std::string history_script(const HistoryPlot& plot, const PlotFiles& files) {
       lines.push_back("data index " + std::to_string(k) + " using 1:" + std::to_string(column + 2) +
                       " with lines linewidth 1.5 " + styles[k].line() + " title " + plot_text(names[k]));
     if (column + 1 == panels) text += "set xlabel " + plot_text(plot.x.label) + "\n";
-    text += "set ylabel " + plot_text(plot.columns[static_cast<std::size_t>(column)].label) + "\nplot " +
+    const std::string& label = plot.columns[static_cast<std::size_t>(column)].label;
+    text += "set ylabel " + plot_text(label) +
+            fmt::format(" font ',{}'\nplot ", font_that_fits(label, 0.8 * height, 11)) +
             join(lines, ", \\\n     ") + "\n";
-    text += "unset key\n";
+    text += "unset key\nunset label\n";
   }
   return text + "unset multiplot\n";
 }

@@ -121,7 +121,7 @@ std::string map_script(const StabilityMap& map, const PlotFiles& files) {
                     "linecolor '#ffffff' fillcolor '" +
                     all[kind].color + "' title " + plot_text(all[kind].name));
     plots.push_back(block + "1:2:6 with labels font ',10' textcolor '" +
-                    (kind + 2 < all.size() ? "#222222" : "#ffffff") + "' notitle");
+                    (kind + 2 == all.size() ? "#ffffff" : "#222222") + "' notitle");
   }
   std::string text = plot_head(files, 1280, around + row_height * rows);
   text += plot_title(map.title) + "set key outside right top Left reverse spacing 1.4\n";

@@ -141,12 +141,13 @@ std::string StoredRun::folder() const {
 }
 
 std::vector<std::string> StoredResults::measures() const {
-  constexpr std::string_view prefix = "measures.", suffix = ".unit";
+  constexpr std::string_view prefix = "measures.";
   std::vector<std::string> names;
   for (const StoredRun& run : runs)
     for (const auto& [column, value] : run.cells) {
-      if (!column.starts_with(prefix) || !column.ends_with(suffix)) continue;
-      const std::string name = column.substr(prefix.size(), column.size() - prefix.size() - suffix.size());
+      if (!column.starts_with(prefix)) continue;
+      const std::size_t end = column.find('.', prefix.size());  // a name has no point
+      const std::string name = column.substr(prefix.size(), end - prefix.size());
       if (std::ranges::find(names, name) == names.end()) names.push_back(name);
     }
   return names;

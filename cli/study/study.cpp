@@ -8,6 +8,7 @@
 #include "cli/study/chart_tables.hpp"
 #include "cli/study/map_drawing.hpp"
 #include "cli/system/exit_code.hpp"
+#include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
 
@@ -25,25 +26,44 @@ std::vector<std::pair<std::string, FilePlace>> texts(TomlCursor& section, std::s
   return all;
 }
 
-std::vector<StudyPictures::Charted> read_charts(TomlCursor& section) {
+void read_charts(TomlCursor& section, StudyPictures& pictures) {
   const auto measures = texts(section, "measure");
   const Cost cost =
       section.find("cost") ? find_cost(section.choice("cost", cost_names())) : ChartRequest{}.cost;
   ChartRequest request{.measure = "", .cost = cost};
-  for (const auto& method : texts(section, "methods")) request.methods.push_back(method.first);
+  for (const auto& [method, place] : texts(section, "methods")) {
+    request.methods.push_back(method);
+    pictures.methods.push_back({method, place});
+  }
   request.against = section.text("against", "");
+  if (!request.against.empty()) pictures.methods.push_back({request.against, section.need("against").place});
   section.finish();
-  std::vector<StudyPictures::Charted> charts{{request, {}}};
+  std::vector<StudyPictures::Charted>& charts = pictures.charts;
+  charts = {{request, {}}};
   if (!measures.empty()) charts.assign(measures.size(), {request, {}});
   for (std::size_t k = 0; k < measures.size(); ++k)
     std::tie(charts[k].request.measure, charts[k].place) = measures[k];
-  return charts;
 }
 
 void check_name(const std::filesystem::path& file, std::string_view kind, const std::string& name,
-                FilePlace place, const std::vector<std::string>& known) {
-  if (name.empty() || std::ranges::find(known, name) != known.end()) return;
-  throw SceneError(file.string(), place.line, place.column, name, unknown_name(kind, name, known));
+                FilePlace place, const std::set<std::string>& known) {
+  if (name.empty() || known.contains(name)) return;
+  throw SceneError(file.string(), place.line, place.column, name,
+                   unknown_name(kind, name, {known.begin(), known.end()}));
+}
+
+/// A map has one parameter, which must be told where several are swept.
+void check_map(const StudyPictures::Mapped& map, const std::filesystem::path& file, const Shown& shown) {
+  const std::string& wanted = map.request.parameter;
+  check_name(file, "swept parameter", wanted, map.place, {shown.swept.begin(), shown.swept.end()});
+  if (!wanted.empty()) return;
+  std::vector<std::string> all = shown.varied.empty() ? shown.swept : shown.varied;
+  std::erase(all, "method");
+  if (all.size() != 1)
+    throw SceneError(file.string(), map.place.line, map.place.column, "map",
+                     all.empty() ? "nothing but the method is swept: there is no parameter to map"
+                                 : "several parameters are swept (" + join(all) +
+                                       "); name one of them, such as parameter = \"" + all.front() + "\"");
 }
 
 void print_files(const char* kind, const PlotFiles& files, const std::string& remark, Streams streams) {
@@ -58,7 +78,7 @@ StudyPictures read_pictures(TomlCursor& root) {
   StudyPictures pictures;
   if (TomlValue* chart = root.find("chart")) {
     TomlCursor section = root.enter(*chart, "chart", "[chart]", keys_of("chart"));
-    pictures.charts = read_charts(section);
+    read_charts(section, pictures);
   }
   if (TomlValue* map = root.find("map")) {
     TomlCursor section = root.enter(*map, "map", "[map]", keys_of("map"));
@@ -76,15 +96,21 @@ StudyPictures read_pictures(TomlCursor& root) {
   return pictures;
 }
 
-void check_pictures(const StudyPictures& pictures, const std::filesystem::path& file,
-                    const std::vector<std::string>& measures, const std::vector<std::string>& swept,
-                    const std::vector<std::string>& history_columns) {
-  for (const StudyPictures::Charted& chart : pictures.charts)
-    check_name(file, "measure of the scene", chart.request.measure, chart.place, measures);
-  if (pictures.map)
-    check_name(file, "swept parameter", pictures.map->request.parameter, pictures.map->place, swept);
+void check_pictures(const StudyPictures& pictures, const std::filesystem::path& file, const Shown& shown) {
+  for (const auto& [request, place] : pictures.charts) {
+    check_name(file, "measure of the scene", request.measure, place, shown.measures);
+    if (!request.measure.empty() && request.against.empty() && !shown.referenced.contains(request.measure))
+      throw SceneError(
+          file.string(), place.line, place.column, request.measure,
+          "no [[reference]] has something for '" + request.measure +
+              "' with these parameters, so that no run has an error; against = METHOD charts against the "
+              "finest run of a method");
+  }
+  for (const StudyPictures::Named& method : pictures.methods)
+    check_name(file, "method of the sweep", method.name, method.place, shown.methods);
+  if (pictures.map) check_map(*pictures.map, file, shown);
   for (const HistoryColumn& column : pictures.history)
-    check_name(file, "column of history.csv", column.name, column.place, history_columns);
+    check_name(file, "column of history.csv", column.name, column.place, shown.columns);
 }
 
 int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& folder, Streams streams) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,10 @@ namespace taut::cli {
 ///     [history]                                        history.png: over time, of all runs,
 ///     tip = "tip, m"                                   columns of history.csv with the labels of their axes
 struct StudyPictures {
+  struct Named {
+    std::string name;
+    FilePlace place;
+  };
   struct Charted {
     ChartRequest request;
     FilePlace place;
@@ -36,6 +41,7 @@ struct StudyPictures {
     FilePlace place;
   };
   std::vector<Charted> charts;
+  std::vector<Named> methods;  // that the charts name
   std::optional<Mapped> map;
   std::vector<HistoryColumn> history;  // empty: no such picture
 };
@@ -43,11 +49,18 @@ struct StudyPictures {
 /// The sections of a study as they stand. Throws SceneError.
 StudyPictures read_pictures(TomlCursor& root);
 
-/// Throws SceneError, before anything runs, for a measure that the scene has not, a parameter that is not
-/// swept and a column that history.csv will not have.
-void check_pictures(const StudyPictures& pictures, const std::filesystem::path& file,
-                    const std::vector<std::string>& measures, const std::vector<std::string>& swept,
-                    const std::vector<std::string>& history_columns);
+/// What the runs of a study will have.
+struct Shown {
+  std::set<std::string> measures;
+  std::set<std::string> referenced;  // measures that a reference has something for, of some run
+  std::set<std::string> methods;
+  std::set<std::string> columns;   // of history.csv
+  std::vector<std::string> swept;  // names of the grid, and those of them with several values
+  std::vector<std::string> varied;
+};
+
+/// Throws SceneError, before anything runs, for what the pictures ask for and the runs will not have.
+void check_pictures(const StudyPictures& pictures, const std::filesystem::path& file, const Shown& shown);
 
 /// Draws them from results.csv in `folder`, into `folder`. Gives the exit code. Throws UsageError,
 /// OutputError.

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+
+#include <fmt/format.h>
 
 #include "cli/run/history.hpp"
 #include "cli/system/atomic_file.hpp"
+#include "cli/text/format.hpp"
 #include "engine/error.hpp"
 #include "engine/simulation.hpp"
 
@@ -86,13 +90,44 @@ void check_folder(const fs::path& folder) {
                      "' holds files that no sweep left there; name another folder with --out");
 }
 
-/// Refuses pictures of what the scene does not measure or the sweep does not vary.
-void check_study(const SweepRequest& request, const std::vector<Swept>& swept, const Scene& scene) {
-  std::vector<std::string> measures, names;
-  for (const Measure& measure : scene.measures) measures.push_back(measure.name);
-  for (const Swept& s : swept) names.push_back(s.name);
-  check_pictures(request.pictures, request.file, measures, names, history_columns(scene));
+/// What pictures of a run of the sweep can show.
+void add_shown(Shown& shown, const SceneFile& file) {
+  for (const Measure& measure : file.scene.measures) {
+    shown.measures.insert(measure.name);
+    for (const auto& [law, reference] : file.scene.references)
+      if (reference.has(measure.name)) shown.referenced.insert(measure.name);
+  }
+  shown.methods.insert(file.settings.method);
+  for (const std::string& column : history_columns(file.scene)) shown.columns.insert(column);
 }
+
+void add_swept(Shown& shown, const std::string& name, const std::vector<GridRow>& rows) {
+  std::set<std::string> values;
+  for (const GridRow& row : rows)
+    for (const Setting& setting : row)
+      if (setting.name == name) values.insert(setting.value);
+  shown.swept.push_back(name);
+  if (values.size() > 1) shown.varied.push_back(name);
+}
+
+/// Two spacings of a grid may be rounded to one, which is then run twice.
+class Spacings {
+ public:
+  /// What there is to say of it, mostly nothing.
+  std::string add(const GridRow& row, double fitted) {
+    GridRow others = row;
+    std::erase_if(others, [](const Setting& s) { return s.name == "spacing"; });
+    if (others.size() == row.size()) return {};
+    const auto [before, is_new] = before_.emplace(std::pair(text_of(others), exact(fitted)), &row);
+    if (is_new) return {};
+    return fmt::format(
+        "the runs {} and {} are the same: both have a spacing of {} m, which divides the first body",
+        text_of(*before->second), text_of(row), brief(fitted));
+  }
+
+ private:
+  std::map<std::pair<std::string, std::string>, const GridRow*> before_;
+};
 
 std::vector<Swept> swept_names(const std::vector<GridRow>& rows, const SceneFile& file) {
   std::vector<Swept> all;
@@ -144,12 +179,13 @@ void SweepRun::read_folder() {
   // a run that failed without diverging could not write its files
   const bool ended = found->status == Status::finished || (failed && found->verdict == Verdict::diverged);
   std::error_code error;
-  const bool drawn = last_frame < 0 || failed || fs::exists(files.frame(last_frame), error);
+  const bool drawn = last_frame < 0 || fs::exists(files.frame(failed ? 0 : last_frame), error);
   const bool saved = !options.save_particles || fs::exists(files.particle_index(), error);
+  const bool followed = fs::exists(files.history(), error);
   if (!same) {
     state = ended ? RunState::outdated : RunState::interrupted;
   } else if (ended) {
-    state = drawn && saved ? RunState::done : RunState::to_do;
+    state = drawn && saved && followed ? RunState::done : RunState::to_do;
   } else {
     state = RunState::interrupted;
   }
@@ -170,6 +206,8 @@ SweepPlan plan_sweep(const SweepRequest& request) {
                  .remarks = {}};
   plan.fixed.insert(plan.fixed.end(), request.set.begin(), request.set.end());
   std::set<std::pair<std::string, ContactLaw>> combinations;
+  Shown shown;
+  Spacings spacings;
   for (const GridRow& row : request.rows) {
     SweepRun run;
     run.index = static_cast<int>(plan.runs.size());
@@ -182,6 +220,8 @@ SweepPlan plan_sweep(const SweepRequest& request) {
       // whether a method can run the scene at all takes particles to tell
       if (combinations.emplace(file.settings.method, file.scene.contact).second) check_particles(file);
       if (!file.remark.empty()) plan.remarks.insert(file.remark);
+      if (const std::string same = spacings.add(row, file.scene.spacing); !same.empty())
+        plan.remarks.insert(same);
       run.scene = planned.scene_text();
       run.last_frame = run.options.no_render ? -1 : file.drawing.frames;
       run.work = work_of(file);
@@ -190,7 +230,7 @@ SweepPlan plan_sweep(const SweepRequest& request) {
         if (plan.title.empty()) plan.title = file.scene.title;
         plan.swept = swept_names(request.rows, file);
       }
-      check_study(request, plan.swept, file.scene);
+      add_shown(shown, file);
     } catch (const SceneError& error) {
       throw SceneError(error.file, error.line, error.column, error.key,
                        error.what() + (" (in the run " + text_of(row) + ")"));
@@ -201,6 +241,8 @@ SweepPlan plan_sweep(const SweepRequest& request) {
     plan.runs.push_back(std::move(run));
   }
   if (plan.title.empty()) plan.title = plan.scene;
+  for (const Swept& s : plan.swept) add_swept(shown, s.name, request.rows);
+  check_pictures(request.pictures, request.file, shown);
   return plan;
 }
 

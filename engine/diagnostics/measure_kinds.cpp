@@ -54,7 +54,8 @@ Measured of_half_cycles(const Source& source, std::size_t needed, const Number& 
     return none("no whole cycle about its mean until {:g} s: a longer run may have one", curve.t.back());
   const std::vector<HalfCycle> cycles = half_cycles(curve, *level);
   if (cycles.size() >= needed) return number(cycles);
-  if (cycles.empty() && !source.measure->about_mean)
+  const auto [low, high] = std::ranges::minmax(curve.y);
+  if (std::max(low - *level, *level - high) >= -1e-9 * (high - low) && !source.measure->about_mean)
     return none("stays on one side of {:g} until {:g} s: if it swings about another level, about = \"mean\"",
                 *level, curve.t.back());
   return none("has {} of {} half cycles about {:g} until {:g} s: a longer run may have them", cycles.size(),
@@ -74,8 +75,7 @@ Measured peak_time(const Source& s) {
 
 double decay_of(const std::vector<HalfCycle>& cycles) {
   const std::size_t periods = (cycles.size() - 1) / 2;  // between the first and the last peak of its side
-  const double kept = cycles[2 * periods].peak / cycles.front().peak;
-  return 1 - std::pow(kept, 1 / static_cast<double>(periods));
+  return 1 - std::pow(cycles[2 * periods].peak / cycles.front().peak, 1 / static_cast<double>(periods));
 }
 
 Measured decay(const Source& source) { return of_half_cycles(source, 3, decay_of); }
@@ -230,8 +230,8 @@ Measured frequency(const Source& source) {
   const Curve& curve = source.curve.front();
   if (curve.t.back() < source.until) return too_short(source.until, curve.t.back());
   const std::array<double, 2>& band = source.measure->band;
-  const Value peak = peak_frequency(curve, source.measure->from, source.until, band);
-  return peak ? Measured(*peak) : none("the spectrum has no peak between {:g} and {:g} Hz", band[0], band[1]);
+  if (const Value peak = peak_frequency(curve, source.measure->from, source.until, band)) return *peak;
+  return none("no swing between {:g} and {:g} Hz has a peak in the spectrum", band[0], band[1]);
 }
 
 /// Of a line's difference from its reference, and of the reference.

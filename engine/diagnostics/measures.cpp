@@ -95,7 +95,7 @@ std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std
     if (reference) add_reference(source, *reference);
     const auto no_sample = [](const Curve& curve) { return curve.size() == 0; };
     const bool seen = std::ranges::none_of(source.curve, no_sample);
-    const Measured found = !seen             ? Measured("the series has no finite value")
+    const Measured found = !seen             ? Measured("the series has no finite value at its beginning")
                            : each.scale == 0 ? Measured("its scale is 0")
                                              : kind.value(source);
     result.value = found.value;
@@ -104,9 +104,9 @@ std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std
       result.why = fmt::format("the reference that holds here, '{}', has nothing for it", reference->name);
     for (std::size_t k = 0; k < source.curve.size() && seen && !found.value; ++k)
       if (const std::size_t kept = source.curve[k].size(); kept < series.time.size())
-        result.why = fmt::format("{} is not finite from {:g} s on", each.probes[k], series.time[kept]);
+        result.why = fmt::format("{} is not finite at {:g} s", each.probes[k], series.time[kept]);
     if (reference) result.reference = kind.reference(source);
-    if (result.reference) result.reference_name = reference->name;
+    if (result.reference) result.reference_name = reference->name_for(each.name);
     result.error = error_of(result.value, result.reference);
     results.push_back(std::move(result));
   }

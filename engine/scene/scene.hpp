@@ -224,13 +224,23 @@ struct ReferenceTable {
   std::vector<std::vector<double>> value;  // [probe], the probe's unit
 };
 
-/// Independent values for the measures of this very scene (the parameters as they stand).
+/// Independent values for the measures of this very scene (the parameters as they stand), of one law.
 struct Reference {
-  std::string name;                       // "finite elements, 2d deviator, ..."
+  std::string name;                       // "finite elements, 2d deviator, ..."; of several, all of them
   std::map<std::string, double> value{};  // measure → value in the measure's unit
   std::map<std::string, ReferenceTable> table{};
   std::map<std::string, std::vector<Solution>>
       solution{};  // measure → exact solution, [probe], of the line or [field]
+  std::map<std::string, std::string>
+      names{};  // measure → which of `name` it is compared with, where these are several
+
+  bool has(const std::string& measure) const {
+    return value.contains(measure) || table.contains(measure) || solution.contains(measure);
+  }
+  const std::string& name_for(const std::string& measure) const {
+    const auto own = names.find(measure);
+    return own == names.end() ? name : own->second;
+  }
 };
 
 /// What is simulated. Plain data: every expression of a scene file has been evaluated or bound.

@@ -133,9 +133,12 @@ TEST_SUITE("unit") {
     const std::string when = replaced(text, "let =", "when = { v0 = 0.06 }\nlet =");
     CHECK(peak(when) == Approx(16.2).epsilon(1e-14));
     CHECK(read_text(when, set({{"v0", "0.5"}})).scene.references.empty());
-    // with a value beside it, it is of these parameters again
+    // with a value beside it too, which is of these parameters
     const std::string valued = replaced(text, "let =", "values = { peak = 3 }\nlet =");
-    CHECK(read_text(valued, set({{"v0", "0.5"}})).scene.references.empty());
+    CHECK(read_text(valued).scene.references.at("neo_hookean").value.at("peak") == 3);
+    CHECK(peak(valued) == Approx(16.2).epsilon(1e-14));
+    CHECK(peak(valued, set({{"v0", "0.5"}})) == Approx(25).epsilon(1e-14));
+    CHECK(read_text(valued, set({{"v0", "0.5"}})).scene.references.at("neo_hookean").value.empty());
   }
 
   TEST_CASE("scenes are found by name and by path") {

@@ -228,8 +228,11 @@ TEST_SUITE("cli") {
     check_error("[[probe]]",
                 "[[probe]]\nname = \"gap\"\nof = \"gap\"\nbodies = @[\"block\", \"block\"]\n[[probe]]",
                 {"two different"});
-    check_error("[render]", "@[[reference]]\nlaw = \"neo_hookean\"\nname = \"twin\"\n[render]",
-                {"two references of the law 'neo_hookean'", "when"});
+    check_error("[render]",
+                "@[[reference]]\nlaw = \"neo_hookean\"\nname = \"twin\"\nvalues = { peak = 4 }\n[render]",
+                {"two references of the law 'neo_hookean'", "measure 'peak'", "when"});
+    check_error("[render]", "@[[reference]]\nlaw = \"neo_hookean\"\nname = \"bare\"\n[render]",
+                {"'bare' is empty", "values, tables or solutions"});
     const std::string no_bodies = small_scene.substr(0, small_scene.find("[[body]]"));
     CHECK_THROWS_WITH_AS(read_text(no_bodies), doctest::Contains("no bodies"), SceneError);
   }

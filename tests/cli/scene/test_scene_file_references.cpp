@@ -22,7 +22,7 @@ std::string reference(const std::string& name, const std::string& keys) {
 
 std::string chosen(const std::string& text, const std::string& method, const std::string& v0) {
   const auto references = read_text(text, {{"method", method}, {"v0", v0}}).scene.references;
-  return references.contains("neo_hookean") ? references.at("neo_hookean").name : "none";
+  return references.contains("neo_hookean") ? references.at("neo_hookean").name_for("peak") : "none";
 }
 
 }  // namespace
@@ -41,6 +41,15 @@ TEST_SUITE("cli") {
     CHECK(chosen(with_references(own), "enog", "0.1") == "none");
     CHECK_THROWS_WITH_AS(read_text(with_references(any + any)), doctest::Contains("two references"),
                          SceneError);
+    // each measure for itself
+    const std::string more = "[[measure]]\nname = \"least\"\nof = \"minimum\"\nprobe = \"tip\"\n";
+    const Reference both =
+        read_text(with_references(more + any + reference("other", "values = { least = 1 }")))
+            .scene.references.at("neo_hookean");
+    CHECK(both.name_for("peak") == "any");
+    CHECK(both.name_for("least") == "other");
+    CHECK(both.solution.contains("peak"));
+    CHECK(both.value.at("least") == 1);
     const Reference found = read_text(with_references(any)).scene.references.at("neo_hookean");
     CHECK(found.solution.at("peak").at(0)({}, 2) == 0.06);
   }

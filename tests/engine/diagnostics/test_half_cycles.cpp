@@ -126,7 +126,7 @@ TEST_SUITE("unit") {
     CHECK(none.why.find("no whole cycle about its mean until 0.9") == 0);
     CHECK_FALSE(result(scene, sampled({0, 1, 2, 3}, [](double) { return 5; })).value);
     CHECK_FALSE(result(scene, sampled({0, 1, 2, 3}, [](double t) { return t; })).value);
-    CHECK(result(scene, Series{{}, {{}, {}}}).why == "the series has no finite value");
+    CHECK(result(scene, Series{{}, {{}, {}}}).why == "the series has no finite value at its beginning");
   }
 
   TEST_CASE("period: noise of a fiftieth about the level is no crossing") {
@@ -200,6 +200,6 @@ TEST_SUITE("unit") {
 
   TEST_CASE("why: a series that is not finite from some time on says so") {
     const Series broken{{0, 1, 2, 3}, {{0, 1, std::nan(""), 1}}};
-    CHECK(result(scene_of("period"), broken).why == "y is not finite from 2 s on");
+    CHECK(result(scene_of("period"), broken).why == "y is not finite at 2 s");
   }
 }

@@ -1,4 +1,6 @@
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -66,5 +68,43 @@ TEST_SUITE("analytic") {
     CHECK(!curve.peak(151.5, 154));
     CHECK(!peak_frequency({}, 0, 1, {1, 2}));
     CHECK(!curve.peak(75, 250, 0.1, 0.1));
+  }
+
+  TEST_CASE("spectrum: what does not swing has no line, whatever the band") {
+    using Signal = double (*)(double);
+    const Signal signals[] = {[](double) { return 3.0; },
+                              [](double t) { return t - 0.01; },
+                              [](double t) { return 4.9 * t * t; },
+                              [](double t) { return std::exp(-t / 0.01); },
+                              [](double t) { return std::exp(-std::pow((t - 0.02) / 0.002, 2)); },
+                              [](double t) { return t > 0.013 ? 1.0 : 0.0; }};
+    for (const double end : {0.04, 0.2, 0.5})
+      for (std::size_t signal = 0; signal < std::size(signals); ++signal) {
+        CAPTURE(end);
+        CAPTURE(signal);
+        std::vector<double> t, y;
+        for (int k = 0; k <= 4000; ++k) t.push_back(end * k / 4000), y.push_back(signals[signal](t.back()));
+        for (const double low : {0.0, 20.0, 200.0})
+          CHECK(peak_frequency({t, y}, 0, end, {low, 1000}).value_or(0) == 0);
+        if (end < 0.1) continue;  // nor does it hide one, of 60 periods and more
+        for (std::size_t k = 0; k < t.size(); ++k) y[k] += 0.1 * std::sin(2 * std::numbers::pi * 300 * t[k]);
+        CHECK(*peak_frequency({t, y}, 0, end, {200, 400}) == Approx(300).epsilon(2e-3));
+      }
+  }
+
+  TEST_CASE("spectrum: few periods, and a swing that soon dies away") {
+    for (const double f : {12.0, 15.0, 22.0, 30.0, 60.0})  // 2.4 periods and more
+      for (const double decay : {0.0, 5.0, 20.0}) {
+        CAPTURE(f);
+        CAPTURE(decay);
+        std::vector<double> t, y;
+        for (int k = 0; k <= 2000; ++k) {
+          t.push_back(0.2 * k / 2000);
+          y.push_back(1 + std::exp(-decay * t.back()) * std::cos(2 * std::numbers::pi * f * t.back()));
+        }
+        const auto found = peak_frequency({t, y}, 0, 0.2, {5, 100});
+        REQUIRE(found);
+        CHECK(*found == Approx(f).epsilon(0.06));
+      }
   }
 }
