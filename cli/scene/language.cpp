@@ -87,8 +87,11 @@ constexpr KeyInfo body_keys[] = {
     {"mirror", "axis or an array of them", "none",
      "\"x\", \"y\", \"z\": the layout is reflected along the axis, so that two bodies are images to the bit"},
     {"parts", "[{ material, where }]", "none", "regions of another material"},
-    {"driven", "[{ where, velocity, until }]", "none", "regions that move as they are told"},
-    {"loaded", "[{ where, force, ramp }]", "none", "forces on regions, which follow the particles"},
+    {"driven", "[{ where, velocity, until }]", "none",
+     "regions that move as they are told, along all axes, whatever `held` says of some"},
+    {"loaded", "[{ where, force, ramp }]", "none",
+     "forces on regions, which go along with the particles; their directions stay, so that a body that is "
+     "pressed may tip over"},
 };
 
 constexpr KeyInfo rotate_keys[] = {

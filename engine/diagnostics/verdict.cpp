@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "engine/diagnostics/conservation.hpp"
 #include "engine/neighbors/close_pairs.hpp"
 
 namespace taut {
@@ -68,8 +69,11 @@ Judge::Judge(const Scene& scene, const Snapshot& start, double support, bool kee
     for (const int i : {bonds_[b].i, bonds_[b].j}) bonds_of_[end[i]++] = static_cast<int>(b);
   pieces_ = start_pieces_ = count_pieces();
   const Balance at_start = balance(start, scene);
-  start_energy_ = given_energy_ = at_start.kinetic + at_start.strain;
-  nothing_ = energy_of_rounding(scene, start);
+  if (scene.walls.empty() && !exchanges_momentum(scene, start))
+    closed_mass_ = std::accumulate(start.m.begin(), start.m.end(), 0.0);
+  start_energy_ = given_energy_ = motion(at_start) + at_start.strain;
+  constexpr double rounding = 1e-12;  // of what is taken off
+  nothing_ = energy_of_rounding(scene, start) + rounding * at_start.kinetic;
 }
 
 Judge::Judge(const Scene& scene, const Simulation& simulation)
@@ -85,14 +89,14 @@ Judge::Judge(const Scene& scene, const Simulation& simulation)
 }
 
 void Judge::observe(const Snapshot& now, const Balance& balance, const Readings& readings) {
-  const double energy = balance.kinetic + balance.strain;
+  const double kinetic = motion(balance), energy = kinetic + balance.strain;
   // the angular scale contains every position, the energies every other value
   const bool finite = std::isfinite(energy) && std::isfinite(balance.angular_scale);
   given_energy_ = std::max(given_energy_, start_energy_ + balance.work);
   // where the strain energy has no least value, that of motion grows out of it while their sum is kept
-  if (!finite || (given_energy_ > nothing_ && std::max(energy, balance.kinetic) > 2 * given_energy_)) {
-    since_.try_emplace(Verdict::diverged, now.time);
-  }
+  const bool moves = keeps_neighbors_ || kinetic > 0.5 * given_energy_;
+  const bool doubled = std::max(moves ? energy : 0, kinetic) > 2 * given_energy_;
+  if (!finite || (given_energy_ > nothing_ && doubled)) since_.try_emplace(Verdict::diverged, now.time);
   if (!finite) return;
   static_assert(indicators[0].key == "hourglass_error");
   if (readings[0].share() > hourglass_threshold) since_.try_emplace(Verdict::hourglass, now.time);
@@ -102,6 +106,15 @@ void Judge::observe(const Snapshot& now, const Balance& balance, const Readings&
   pieces_ = count_pieces();
   if (!since_.contains(Verdict::fractured) && (pieces_ > start_pieces_ || has_crack()))
     since_.emplace(Verdict::fractured, now.time);
+}
+
+/// Kinetic energy, J; where nothing acts from outside without that of the common motion, which an observer who goes along
+/// does not see.
+double Judge::motion(const Balance& balance) const {
+  if (closed_mass_ == 0) return balance.kinetic;
+  double squared = 0;
+  for (const double p : balance.linear_momentum) squared += p * p;
+  return std::max(balance.kinetic - squared / (2 * closed_mass_), 0.0);
 }
 
 Verdict Judge::verdict() const { return since_.empty() ? Verdict::stable : since_.rbegin()->first; }

@@ -61,7 +61,9 @@ struct BeyondLaw {
 ///   at least five particles deep. A ring that is cut once stays one piece.
 /// energy: kinetic + strain above twice what was given, or anything that is not finite = diverged. Given is
 ///   the start's and the work of drives, loads and gravity, at its greatest so far: what takes energy back
-///   may leave noise, not more. A scene that is given none but round-off is judged by finiteness only.
+///   may leave noise, not more. A scene that is given none but round-off is judged by finiteness only. Where nothing
+///   acts from outside the energy of the common motion does not count. Methods that search their neighbours have no
+///   strain energy that their forces keep; where next to nothing moves, theirs may be what it is.
 class Judge {
  public:
   Judge(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors);
@@ -102,6 +104,7 @@ class Judge {
   bool stands_out(const Bond& bond, const Snapshot& now) const;
   template <int Dim>
   static double squared_stretch(const Bond& bond, const Snapshot& now);
+  double motion(const Balance& balance) const;
   int count_pieces() const;
   bool has_crack() const;
   bool bypassed(int bond, std::vector<int>& seen) const;
@@ -112,6 +115,7 @@ class Judge {
   std::size_t particles_ = 0;
   double longest_ = 0;  // m, up to which a bond is never broken
   bool keeps_neighbors_ = false;
+  double closed_mass_ = 0;   // kg, of all; 0 where something acts from outside
   double start_energy_ = 0;  // J
   double given_energy_ = 0;  // J, greatest so far
   double nothing_ = 0;       // J, what round-off gives

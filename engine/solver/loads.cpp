@@ -59,6 +59,22 @@ void Loads<Dim>::act_on_faces(const Scene& scene, const InitialParticles& initia
   }
 }
 
+template <int Dim>
+void Loads<Dim>::spread_by(const std::vector<double>& volume, const Scene& scene,
+                           const InitialParticles& initial) {
+  auto region = regions_.begin();
+  for (const Body& body : scene.bodies) {
+    for (const Load& load : body.loads) {
+      std::vector<std::pair<int, V>>& shares = (region++)->shares;
+      if (load.kind == Load::Kind::traction) continue;
+      double cells = 0, all = 0;
+      for (const auto& [id, force] : shares) cells += initial.V0[id], all += volume[id];
+      const double kept = load.kind == Load::Kind::force ? cells / all : 1;
+      for (auto& [id, force] : shares) force = (kept * volume[id] / initial.V0[id]) * force;
+    }
+  }
+}
+
 /// Throws SceneError where all particles of the region are held.
 template <int Dim>
 auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParticles& initial, int body)

@@ -33,6 +33,10 @@ class Loads {
   void act_on_faces(const Scene& scene, const InitialParticles& initial, FaceRule rule,
                     const std::vector<Point>& surface, double reach);
 
+  /// Forces and their densities are spread by these volumes, by id, m^Dim, in place of those of the cells, for a method
+  /// whose particles are as heavy as they are: so a density moves all alike, as gravity does.
+  void spread_by(const std::vector<double>& volume, const Scene& scene, const InitialParticles& initial);
+
   bool active() const { return active_; }
 
   /// `t`, s, is the middle of the time that the velocities of a step go through. Not for use inside a pass:

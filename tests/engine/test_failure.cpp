@@ -43,6 +43,20 @@ double greatest_distance(const Series& a, const Series& b) {
   return distance;
 }
 
+/// A free body of 0.2 m × 0.2 m, so many particles across.
+Scene free_square(int across) {
+  Scene scene;
+  scene.name = "square";
+  scene.spacing = 0.2 / across;
+  scene.until = 10;
+  scene.materials = {{"elastic", /*ρ0*/ 1000, /*E*/ 1e5, /*ν*/ 0.3}};
+  Body body;
+  body.name = "square";
+  body.shapes = {Box{{-0.1, -0.1, 0}, {0.1, 0.1, 0}}};
+  scene.bodies = {body};
+  return scene;
+}
+
 }  // namespace
 
 TEST_SUITE("failure") {
@@ -73,6 +87,72 @@ TEST_SUITE("failure") {
     CHECK(peak == relative(0.114, 0.02));  // finite elements: 0.107 m
     CHECK(stiff_peak > 0.001);
     CHECK(stiff_peak < 0.5 * peak);  // 0.0087 m
+  }
+
+  TEST_CASE("free body: gradients without correction resist a rotation, which those with one let go on") {
+    const double rate = 0.01, until = 2;  // 1/s, s
+    Scene scene = free_square(10);
+    scene.bodies[0].velocity = {[=](const Point& x) { return -rate * x[1]; },
+                                [=](const Point& x) { return rate * x[0]; }};
+    Probe turn;
+    turn.name = "turn";
+    turn.kind = Probe::Kind::turn;
+    turn.bodies = {0};
+    turn.at = {0.08, 0.04, 0};
+    scene.probes = {turn};
+    const auto greatest_turn = [&](const std::string& method) {
+      const auto simulation = make_simulation(scene, with_method(method));
+      simulation->advance_to(until);
+      return std::ranges::max(simulation->series().value[0]) / (rate * until);
+    };
+    for (const std::string method :
+         {"og", "oas", "ccb", "ccbwat", "ulsph-av-as-uncorrected", "tl-small-strain"}) {
+      CAPTURE(method);
+      CHECK(greatest_turn(method) < 0.3);  // 0.16 to 0.28
+    }
+    CHECK(greatest_turn("enog-nonconservative") < 0.02);
+    for (const std::string method :
+         {"enog", "ulsph-av-as", "d-ulsph-r-tic", "tl", "icb", "pf-jst", "oenog"}) {
+      CAPTURE(method);
+      CHECK(greatest_turn(method) == relative(1, 0.01));
+    }
+  }
+
+  TEST_CASE("enog: pressed it is too stiff and sheared too soft, by tens of per cent") {
+    const double E = 1e6, nu = 0.3, K = E / (3 * (1 - 2 * nu)), G = E / (2 * (1 + nu)), p = 100;  // Pa
+    const auto strain = [&](const std::string& method, bool sheared) {
+      Scene scene = free_square(10);
+      scene.damping = 100;
+      scene.materials[0].youngs_modulus = E;
+      for (const int axis : {0, 1})
+        for (const double side : {-1.0, 1.0}) {
+          Load load;
+          load.kind = Load::Kind::traction;
+          load.where = [=](const Point& x) { return side * x[axis] > 0.1 - 0.018 ? 1.0 : 0.0; };
+          const int along = sheared ? 1 - axis : axis;
+          load.value[along] = [=](const Point&) { return sheared ? side * p : -side * p; };
+          load.ramp = [](double t) { return std::min(t / 0.1, 1.0); };
+          scene.bodies[0].loads.push_back(load);
+        }
+      const auto distance = [](const Point& a, const Point& b) {
+        Probe probe;
+        probe.kind = Probe::Kind::distance;
+        probe.bodies = {0};
+        probe.at = a, probe.to = b;
+        return probe;
+      };
+      scene.probes = {sheared ? distance({0.07, 0.07, 0}, {-0.07, -0.07, 0})
+                              : distance({0.1, 0, 0}, {-0.1, 0, 0})};
+      const auto simulation = make_simulation(scene, with_method(method));
+      simulation->advance_to(0.5);
+      const std::vector<double>& d = simulation->series().value[0];
+      const double exact = sheared ? p / (2 * G) : -p / (2 * (K + G / 3));
+      return (d.back() / d.front() - 1) / exact;
+    };
+    CHECK(strain("enog", false) == relative(0.72, 0.03));
+    CHECK(strain("enog", true) == relative(1.60, 0.03));
+    for (const bool sheared : {false, true})
+      for (const std::string method : {"tl", "oenog"}) CHECK(strain(method, sheared) == relative(1, 0.01));
   }
 
   TEST_CASE("plate: og and enog agree while strains are small") {

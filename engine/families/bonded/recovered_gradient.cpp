@@ -1,6 +1,7 @@
 #include "engine/families/bonded/recovered_gradient.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <span>
@@ -55,27 +56,39 @@ void leave_out_unlinked(Neighborhood<Dim>& near) {
   });
 }
 
-enum class Motion : unsigned char { free, held, driven };
-
-/// How each particle moves, by id. Driven: with nothing but such ones of its drive beside it; what moves with one
-/// velocity is rigid, and where it begins the gradient jumps, as at a clamp. Its outermost particles are where the
-/// free ones see it, and count among these.
+/// How each particle moves, by id: 0 freely, 1 held, else a number for each drive and each guide. What moves with
+/// one velocity, or along one axis, is rigid in that way, and where it begins the gradient jumps, as at a clamp.
+/// Its outermost particles, beside freer ones, are where these see it, and count among them.
 template <int Dim>
-std::vector<Motion> motions(const InitialParticles& initial, double spacing) {
-  std::vector<Motion> motion(initial.size());
-  for (int i = 0; i < initial.size(); ++i) motion[i] = initial.held[i] ? Motion::held : Motion::free;
-  if (std::ranges::all_of(initial.drive, [](int drive) { return drive < 0; })) return motion;
+std::vector<int> motions(const InitialParticles& initial, double spacing) {
+  constexpr int held = 1, first = 2, guides = 8;
+  const auto guide = [&](int i) { return initial.guided.empty() ? 0U : initial.guided[i]; };
+  const auto told = [&](int i) {
+    const int number = static_cast<int>(guide(i)) + guides * (initial.drive[i] + 1);
+    return number == 0 ? 0 : first + number;
+  };
+  const auto bound = [&](int i) { return initial.drive[i] >= 0 ? Dim + 1 : std::popcount(guide(i)); };
+  std::vector<int> motion(initial.size());
+  bool any = false;
+  for (int i = 0; i < initial.size(); ++i) {
+    motion[i] = initial.held[i] ? held : told(i);
+    any |= motion[i] > held;
+  }
+  if (!any) return motion;
   const NeighborsOfOne<Dim> neighbors(initial, link_of_neighbors * spacing);
-  for (int i = 0; i < initial.size(); ++i)
-    if (initial.drive[i] >= 0 &&
-        std::ranges::all_of(neighbors(i), [&](int j) { return initial.drive[j] == initial.drive[i]; }))
-      motion[i] = Motion::driven;
+  for (int i = 0; i < initial.size(); ++i) {
+    if (initial.held[i] || bound(i) == 0) continue;
+    int freest = i;
+    for (const int j : neighbors(i))
+      if (!initial.held[j] && bound(j) < bound(freest)) freest = j;
+    motion[i] = told(freest);
+  }
   return motion;
 }
 
 /// Those of `near` that are of the same kind as i. X to 2^-40: on a lattice the same everywhere.
 template <int Dim>
-Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<Motion>& motion, int i,
+Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>& motion, int i,
                         std::span<const int> near, double spacing) {
   Neighborhood<Dim> some;
   for (const int j : near) {
@@ -88,9 +101,9 @@ Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<Motio
   return some;
 }
 
-/// Its own gradient is a mean of this side and of another: of another material, or of what is driven.
+/// Its own gradient is a mean of this side and of another: of another material, or of what is driven or guided.
 template <int Dim>
-bool sees_another_side(const InitialParticles& initial, const std::vector<Motion>& motion, int i,
+bool sees_another_side(const InitialParticles& initial, const std::vector<int>& motion, int i,
                        std::span<const int> near, double reach) {
   return std::ranges::any_of(near, [&](int j) {
     const bool other = initial.material[j] != initial.material[i] ||
@@ -192,7 +205,7 @@ class Rows {
   const std::vector<int>& id_;
   double spacing_;
   bool halved_;
-  std::vector<Motion> motion_;
+  std::vector<int> motion_;
   std::vector<int> where_;
   NeighborsOfOne<Dim> own_;
   double own_reach_;  // dp

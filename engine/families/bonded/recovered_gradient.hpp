@@ -34,7 +34,8 @@ struct RecoveredGradient {
 /// of the method's own gradient, m.
 ///
 /// A row is the fit of a quadratic polynomial through f_i, of least Σ r⁻⁴ |residual|², to the particles of
-/// the same body and material that are held or driven like i and not beyond a slot, within 2.2 spacings or the least
+/// the same body and material that are held, driven or guided like i (its outermost particles as the free ones
+/// beside them) and not beyond a slot, within 2.2 spacings or the least
 /// reach up to 3.4 that does: in a row an error of ε in each place may cost a strain of 8 ε/dp at most, and
 /// three points on a line cost 4. Where a body is too thin for that, the fit is linear, and where for that
 /// too, there is none.

@@ -50,6 +50,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     const Bonds bonds = make_bonds(input.scene, this->initial_, c_.h, input.threads);
     this->pairs_ = static_cast<long>(bonds.j.size());
     take_masses(bonds);
+    if (Dim == 3) this->loads_.spread_by(bonds.mass, input.scene, this->initial_);
     Base::go_to_start();
     hold(bonds, input.scene);
     add_sites(bonds);

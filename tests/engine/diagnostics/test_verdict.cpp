@@ -356,9 +356,9 @@ TEST_SUITE("unit") {
   TEST_CASE("judge: energy above twice the start's is divergence, the worst verdict") {
     const Scene scene = one_body(2);
     Snapshot now = lattice(2, 6, 1);
-    now.v[0] = 1;
+    now.v[0] = std::sqrt(0.5), now.v[2] = -std::sqrt(0.5);
     now.p[1] = 2;  // 0.5 J kinetic + 2 J strain
-    Judge judge(scene, now, support, searched);
+    Judge judge(scene, now, support, kept);
     now.p[1] = std::sqrt(2 * 4.49);
     observe(judge, now, scene, 1);
     CHECK(judge.verdict() == Verdict::stable);
@@ -414,9 +414,50 @@ TEST_SUITE("unit") {
     now.work = -0.3;
     observe(judge, now, scene, 2);
     CHECK(judge.verdict() == Verdict::stable);
-    now.v[0] = 1.03;  // 0.53 J
+    now.v[0] = 1.13;  // 0.64 J, 0.53 J beside the common motion
     observe(judge, now, scene, 3);
     CHECK(judge.since() == std::map<Verdict, double>{{Verdict::diverged, 3.0}});
+  }
+
+  TEST_CASE("judge: divergence is the same to who goes along, but for what holds a body") {
+    Scene scene = one_body(2);
+    const auto verdict = [&](double common) {
+      Snapshot now = lattice(2, 6, 1);
+      for (std::size_t i = 0; i < now.size(); ++i) now.v[2 * i] = common;
+      now.v[1] = 1;
+      Judge judge(scene, now, support, searched);
+      now.v[1] = 1.5;
+      observe(judge, now, scene, 1);
+      return judge.verdict();
+    };
+    for (const double common : {0.0, 3.0, -1e3}) CHECK(verdict(common) == Verdict::diverged);
+    Wall wall;
+    wall.normal = {0, 1, 0};
+    wall.at = {0, -100, 0};
+    scene.walls = {wall};  // which may turn the common motion into another
+    CHECK(verdict(0) == Verdict::diverged);
+    CHECK(verdict(3) == Verdict::stable);
+  }
+
+  TEST_CASE(
+      "judge: the energy of a stress that is no method's own is no divergence where next to nothing moves") {
+    const Scene scene = one_body(2);
+    for (const bool keeps : {false, true})
+      for (const double speed : {0.1, 1.5}) {
+        CAPTURE(keeps);
+        CAPTURE(speed);
+        Snapshot now = lattice(2, 6, 1);
+        now.strain_energy.assign(now.size(), 0);
+        Judge judge(scene, now, support, keeps);
+        now.work = 1;
+        now.strain_energy[2] = 1.9;
+        now.v[1] = speed;
+        observe(judge, now, scene, 1);
+        CHECK((judge.verdict() == Verdict::diverged) == (speed > 1));
+        now.strain_energy[2] = 2.1;
+        observe(judge, now, scene, 2);
+        CHECK((judge.verdict() == Verdict::diverged) == (keeps || speed > 1));
+      }
   }
 
   TEST_CASE("judge: a value that is not finite is divergence, wherever it stands") {

@@ -108,6 +108,28 @@ TEST_SUITE("analytic") {
     }
   }
 
+  TEST_CASE("loads: a force all over a solid moves all of it alike, however heavy its particles are") {
+    Scene scene = bar();
+    scene.dim = 3;
+    scene.bodies[0].shapes = {Box{{0, 0, 0}, {length, H, H}}};
+    Load all = load(Load::Kind::force_density, 0, 1e5);
+    all.where = constant(1);
+    const double volume = length * H * H;
+    for (const Load::Kind kind : {Load::Kind::force_density, Load::Kind::force}) {
+      all.kind = kind;
+      all.value[1] = constant(kind == Load::Kind::force ? 1e5 * volume : 1e5);
+      scene.bodies[0].loads = {all};
+      for (const std::string method : {"oenog", "tl", "enog"}) {
+        CAPTURE(method);
+        const auto simulation = make_simulation(scene, with_method(method));
+        simulation->advance_to(1e-4);
+        const Snapshot& now = simulation->snapshot();
+        const double v = 1e5 / ring_rubber().density * now.time;
+        for (std::size_t i = 0; i < now.size(); ++i) CHECK(now.v[3 * i + 1] == relative(v, 1e-9));
+      }
+    }
+  }
+
   TEST_CASE("loads: what grows with time acts as in the middle of the time that velocities go through") {
     const double g = 3e6, q = 4e9;  // m/s³, N/(m³ s)
     const int steps = 20;
