@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <ostream>
+#include <span>
 
 #include <CLI/CLI.hpp>
 
@@ -85,17 +86,43 @@ Drawing wish(const std::vector<SavedRun>& runs, const CompareArguments& options)
   return drawing;
 }
 
+/// Whether the scenes' own view bounds what is seen: nobody has chosen another, not even `--view auto`.
+bool is_bounded(const Drawing& wish, const CompareArguments& options) {
+  const auto typed = options.typed.find("view");
+  const bool chosen = typed != options.typed.end() && typed->second;
+  return !chosen && !wish.look.view && !wish.look.camera && !wish.followed;
+}
+
 /// With the range and the view that nobody has chosen, over what the panel shows.
-Drawing fitted_to(const Drawing& wish, const std::vector<SavedRun>& runs,
+Drawing fitted_to(const Drawing& wish, bool bounded, const std::vector<SavedRun>& runs,
                   const std::vector<Column>& columns) {
   SequenceBounds shown(wish.look.camera);
   for (const auto& [staging, cells] : columns)
     for (const PanelCell& cell : cells)
       if (cell.particles) staging.extend(shown, staging(cell.particles->view()));
   Drawing drawing = fitted(wish, shown);
-  if (!wish.look.view && !wish.look.camera && !wish.followed)
-    drawing.look.view = within(*drawing.look.view, common_view(runs));
+  if (bounded) drawing.look.view = within(*drawing.look.view, common_view(runs));
   return drawing;
+}
+
+/// Of bodies that the scenes' view cuts off.
+void tell_what_is_outside(const render::View& view, const std::vector<SavedRun>& runs,
+                          const std::vector<Column>& columns, std::ostream& err) {
+  constexpr double worth_telling = 0.02;  // of the particles; single ones fly away
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    double most = 0;
+    for (const PanelCell& cell : columns[k].cells) {
+      if (!cell.particles) continue;
+      const std::span<const double> x = cell.particles->view().x;
+      double outside = 0;
+      for (std::size_t i = 0; i < x.size(); i += 2)
+        outside += x[i] < view.x_min || x[i] > view.x_max || x[i + 1] < view.y_min || x[i + 1] > view.y_max;
+      most = std::max(most, 2 * outside / static_cast<double>(x.size()));
+    }
+    if (most > worth_telling)
+      err << "taut: up to " << percent(most) << " of the particles of " << runs[k].folder.path().string()
+          << " lie outside of the view of the scene; --view auto shows them\n";
+  }
 }
 
 void draw(render::Panel& panel, const std::vector<Column>& columns) {
@@ -124,7 +151,7 @@ render::PanelOptions panel_options(const Drawing& drawing, RunLabels labels) {
   return panel;
 }
 
-int compare_runs(const CompareArguments& options, std::ostream& out) {
+int compare_runs(const CompareArguments& options, Streams streams) {
   const std::vector<SavedRun> runs = open_runs(options.runs);
   const Drawing wished = wish(runs, options);
   const double until = longest(runs);
@@ -138,13 +165,16 @@ int compare_runs(const CompareArguments& options, std::ostream& out) {
     for (const double time : times)
       columns.back().cells.push_back(cell_at(run, time, until, drawing, origins));
   }
-  render::PanelOptions about = panel_options(fitted_to(wished, runs, columns), label_runs(runs));
+  const bool bounded = is_bounded(wished, options);
+  const Drawing fitted = fitted_to(wished, bounded, runs, columns);
+  if (bounded) tell_what_is_outside(*fitted.look.view, runs, columns, streams.err);
+  render::PanelOptions about = panel_options(fitted, label_runs(runs));
   about.rows = time_labels(times, until);
   render::Panel panel(about);
   draw(panel, columns);
   const render::Image& image = panel.finish();
   render::write_png(image, options.out);
-  out << "panel  " << options.out << " (" << image.width << "x" << image.height << ")\n";
+  streams.out << "panel  " << options.out << " (" << image.width << "x" << image.height << ")\n";
   return exit_fine;
 }
 
@@ -163,7 +193,7 @@ std::function<int(Streams)> declare_compare(CLI::App& app) {
       ->allow_extra_args(false)
       ->check(not_negative_number);
   declare_drawing_options(app, *options);
-  return [options](Streams streams) { return compare_runs(*options, streams.out); };
+  return [options](Streams streams) { return compare_runs(*options, streams); };
 }
 
 }  // namespace taut::cli

@@ -127,7 +127,10 @@ std::string label(Cost cost) { return std::string(std::ranges::find(costs, cost,
 
 std::string without_error(const ChartSeries& series) {
   for (const ChartPoint& point : series.points)
-    if (!point.error) return point.measured ? "no reference" : point.stable ? "no value" : point.verdict;
+    if (!point.error)
+      return point.measured ? "no reference" + (point.stable ? "" : ", " + point.verdict)
+             : point.stable ? "no value"
+                            : point.verdict;
   return "";
 }
 

@@ -97,7 +97,7 @@ std::string titled(std::string_view title) {
 }
 
 int font_that_fits(std::string_view text, double room, int size) {
-  constexpr double width = 0.62, smallest = 6;  // of a letter, of its size in points at 96 dots an inch
+  constexpr double width = 0.56, smallest = 6;  // of a letter, of its size in points at 96 dots an inch
   const auto letters =
       static_cast<double>(std::ranges::count_if(text, [](unsigned char c) { return (c & 0xC0) != 0x80; }));
   const double fits = room / (std::max(letters, 1.0) * width * 96 / 72);

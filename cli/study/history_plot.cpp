@@ -92,44 +92,63 @@ std::string history_data(const HistoryPlot& plot) {
   return text;
 }
 
+namespace {
+
+constexpr int above = 45, below = 30;            // pixels, around all panels
+constexpr int inside_top = 8, inside_foot = 34;  // of a panel
+constexpr int name_height = 21, most_named = 100;
+
+/// A picture without panels whose legend may be as high as all of it.
+std::string legend(const std::vector<std::string>& names, const std::vector<CurveStyle>& styles, int total) {
+  std::vector<std::string> entries{"NaN notitle"};
+  for (std::size_t k = 0; k < names.size(); ++k)
+    entries.push_back("keyentry with lines linewidth 1.5 " + styles[k].line() + " title " +
+                      plot_text(names[k]));
+  return fmt::format(
+             "set key at screen {}, screen {} left top Left reverse samplen 4 spacing 1.25 maxrows {}\n"
+             "set margins 0, 0, 0, 0\nunset border\nunset tics\n",
+             right_margin(names) + 0.008, 1 - static_cast<double>(above) / total, names.size()) +
+         "plot [0:1] [0:1] " + join(entries, ", \\\n     ") + "\nunset key\nset tics\n";
+}
+
+}  // namespace
+
 std::string history_script(const HistoryPlot& plot, const PlotFiles& files) {
-  constexpr int around = 70, greatest_height = 300, least_height = 140, most_together = 2400;  // pixels
-  constexpr int name_height = 21, most_named = 100;
+  constexpr int greatest_height = 300, least_height = 140, most_together = 2400;  // pixels
   const auto panels = static_cast<int>(plot.columns.size()), curves = static_cast<int>(plot.curves.size());
   const bool named = curves <= most_named;
   const int of_names = named ? name_height * (curves + 1) : 0;
   const int height =
       std::max(std::clamp(most_together / panels, least_height, greatest_height), of_names / panels);
-  const int total = around + height * panels;
+  const double total = above + height * panels + below;
   std::vector<std::string> names, methods;
   for (const HistoryPlot::Curve& curve : plot.curves) {
     names.push_back(shortened(curve.name));
     methods.push_back(curve.method);
   }
   const std::vector<CurveStyle> styles = curve_styles(methods);
-  std::string text = plot_head(files, plot_width, total);
-  text += "set multiplot layout " + std::to_string(panels) + ",1 title " + titled(plot.title) + "\n";
-  text +=
-      named ? fmt::format(
-                  "set key at screen {}, screen {} left top Left reverse samplen 4 spacing 1.25 maxrows {}\n",
-                  right_margin(names) + 0.008, 1 - 45.0 / total, curves)
-            : "unset key\n" + plot_note(std::to_string(curves) + " runs; their names are in " +
-                                            files.data().filename().string(),
-                                        8.0 / total);
-  text += "set lmargin screen 0.085\nset rmargin screen " + exact(right_margin(names)) +
+  std::string text = plot_head(files, plot_width, static_cast<int>(total));
+  if (!named)
+    text += plot_note(
+        std::to_string(curves) + " runs; their names are in " + files.data().filename().string(), 8 / total);
+  text += "set multiplot title " + titled(plot.title) + "\n";
+  text += named ? legend(names, styles, static_cast<int>(total)) : "unset key\n";
+  text += "set lmargin at screen 0.085\nset rmargin at screen " + exact(right_margin(names)) +
           "\nset border 3 back linecolor '#444444'\n";
   text += "set grid back linetype 1 linecolor '#e4e4e4'\nset tics nomirror\nset autoscale xfix\n";
   for (int column = 0; column < panels; ++column) {
+    const double top = above + height * column;
+    text += fmt::format("set tmargin at screen {}\nset bmargin at screen {}\n",
+                        1 - (top + inside_top) / total, 1 - (top + height - inside_foot) / total);
     std::vector<std::string> lines;
     for (std::size_t k = 0; k < plot.curves.size(); ++k)
       lines.push_back("data index " + std::to_string(k) + " using 1:" + std::to_string(column + 2) +
-                      " with lines linewidth 1.5 " + styles[k].line() + " title " + plot_text(names[k]));
+                      " with lines linewidth 1.5 " + styles[k].line() + " notitle");
     if (column + 1 == panels) text += "set xlabel " + plot_text(plot.x.label) + "\n";
     const std::string& label = plot.columns[static_cast<std::size_t>(column)].label;
     text += "set ylabel " + plot_text(label) +
             fmt::format(" font ',{}'\nplot ", font_that_fits(label, 0.8 * height, 11)) +
-            join(lines, ", \\\n     ") + "\n";
-    text += "unset key\nunset label\n";
+            join(lines, ", \\\n     ") + "\nunset label\n";
   }
   return text + "unset multiplot\n";
 }

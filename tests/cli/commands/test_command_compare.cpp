@@ -35,6 +35,28 @@ RunLabels labels(const TemporaryFolder& folder, const std::vector<std::string>& 
 }  // namespace
 
 TEST_SUITE("cli") {
+  TEST_CASE("a panel says what the view of the scene cuts off, and --view auto shows it") {
+    const TemporaryFolder folder;
+    const auto panel = [&](const std::string& left, const std::vector<std::string>& more = {}) {
+      const std::string scene = write_tiny_scene(folder), text = text_of(scene), view = "view = [-0.03";
+      std::ofstream(scene) << text.substr(0, text.find(view)) << "view = [" << left
+                           << text.substr(text.find(view) + view.size());
+      const Outcome run = call({"run", scene, "--out", folder.str("r"), "--quiet", "--no-render",
+                                "--save-particles", "--until", "1e-4"});
+      REQUIRE_MESSAGE(run.code == 0, run.err);
+      const Outcome outcome = compare(folder, {"r"}, more);
+      CHECK(outcome.code == 0);
+      return outcome.err;
+    };
+    const std::string told =
+        "of the particles of " + folder.str("r") + " lie outside of the view of the scene";
+    CHECK(contains(panel("-0.01"), told));
+    const render::Image cut = render::read_png(folder / "panel.png");
+    CHECK(panel("-0.01", {"--view", "auto"}).empty());
+    CHECK(render::read_png(folder / "panel.png").width != cut.width);
+    CHECK(panel("-0.03").empty());
+  }
+
   TEST_CASE("a panel shows every run at every time and says what it cannot show") {
     const TemporaryFolder folder;
     make_run(folder, "slow");

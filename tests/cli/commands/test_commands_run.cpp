@@ -85,6 +85,42 @@ at = [0, )" << floor << "]\n";
     CHECK_FALSE(contains(told(0, "0"), "contacts hold"));
   }
 
+  TEST_CASE("what history.csv cannot name twice is refused, and what a run will not sample is told of") {
+    const TemporaryFolder folder;
+    const auto run = [&](const std::string& more) {
+      const std::string scene = write_tiny_scene(folder);
+      std::ofstream(scene, std::ios::app) << more;
+      return call({"run", scene, "--out", folder.str("out"), "--quiet", "--no-render", "--until", "1e-4"});
+    };
+    for (const std::string column : {"t", "kinetic_energy", "pieces"}) {
+      const Outcome twice =
+          run("[[probe]]\nname = \"" + column + "\"\nof = \"gap\"\nbodies = [\"left\", \"right\"]\n");
+      CHECK(twice.code == 2);
+      CHECK(contains(twice.err, "history.csv has a column '" + column + "' already"));
+    }
+    const std::string line =
+        "[[line]]\nname = \"cut\"\nbody = \"left\"\nfield = \"pressure\"\nfrom = [-0.015, 0]\nto = [-0.007, "
+        "0]\n"
+        "points = 3\ntimes = ";
+    const Outcome late = run(line + "[0.5]\n");
+    CHECK(late.code == 0);
+    CHECK(contains(late.err,
+                   "the line 'cut' has no sample: its times begin at 0.5 s, and the run ends at 0.0001 s"));
+    CHECK_FALSE(contains(run(line + "[1e-4]\n").err, "no sample"));
+    const Outcome nowhere = call({"run", write_tiny_scene(folder), "--out", ""});
+    CHECK(nowhere.code == 2);
+    CHECK(contains(nowhere.err, "--out is empty"));
+  }
+
+  TEST_CASE("an older run is said to be replaced by a run that will begin") {
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_run(folder, "out", {"--no-render", "--until", "1e-4"})).code == 0);
+    const Outcome hidden = call(tiny_run(folder, "out", {"--cut", "x > -1", "--until", "1e-4"}));
+    CHECK(hidden.code == 2);
+    CHECK_FALSE(contains(hidden.err, "is replaced"));
+    CHECK(contains(call(tiny_run(folder, "out", {"--no-render", "--until", "1e-4"})).err, "is replaced"));
+  }
+
   TEST_CASE("a scene with lines leaves lines.csv, and its steps do not depend on them") {
     const TemporaryFolder folder;
     std::string scene = text_of(fs::path(TAUT_SOURCE_DIR) / "scenes/heterogeneous-cable.toml");

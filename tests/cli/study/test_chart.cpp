@@ -272,6 +272,40 @@ TEST_SUITE("cli") {
     CHECK(contains(text_of(folder / "a.gp"), "bend, difference from oenog at 0.5 mm, %"));
   }
 
+  TEST_CASE("a run without an error says why, and a measure without a unit is one") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "results.csv")
+        << "status,method,scene,particles,steps,spacing,verdict,seconds.solve,measures.period.value,"
+           "measures.period.unit,measures.period.reference,measures.period.error\n"
+           "finished,tl,rod,9,9,0.2,stable,1,2,,2.5,0.2\nfinished,og,rod,9,9,0.2,stable,1,3,,,\n"
+           "failed,enog,rod,9,9,0.2,diverged,1,,,,\nfailed,oas,rod,9,9,0.2,diverged,1,4,,,\n"
+           "finished,icb,rod,9,9,0.2,stable,1,,,,\n";
+    const taut::cli::Chart chart = chart_of(folder.str("results.csv"));
+    CHECK(chart.measure == "period");
+    Texts why;
+    for (const taut::cli::ChartSeries& series : chart.series) why.push_back(without_error(series));
+    CHECK(why == Texts{"", "no reference", "diverged", "no reference, diverged", "no value"});
+    const Outcome outcome = call({"chart", folder.str("results.csv"), "--out", folder.str("c.png")});
+    CHECK(outcome.code == 0);
+    CHECK(contains(outcome.out, "- (no reference)"));
+    CHECK(contains(text_of(folder / "c.gp"),
+                   "Without an error, in part or at all: og (no reference), enog (diverged)"));
+  }
+
+  TEST_CASE("errors are not compared with errors") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "results.csv")
+        << "status,method,scene,particles,steps,spacing,verdict,seconds.solve,measures.rmse.value,"
+           "measures.rmse.reference,measures.rmse.error,measures.peak.value,measures.peak.reference,measures."
+           "peak.error\n"
+           "finished,tl,rod,9,9,0.2,stable,1,0.01,0,0.01,3,2,0.5\nfinished,og,rod,9,9,0.2,stable,1,0.02,0,0."
+           "02,2,2,0\n";
+    CHECK(chart_of(folder.str("results.csv"), {.measure = "peak", .against = "og"}).measure == "peak");
+    CHECK(chart_of(folder.str("results.csv"), {.measure = "", .against = "og"}).measure == "peak");
+    CHECK_THROWS_WITH_AS(chart_of(folder.str("results.csv"), {.measure = "rmse", .against = "og"}),
+                         doctest::Contains("is itself an error"), taut::UsageError);
+  }
+
   TEST_CASE("tables of a chart stand on stdout alone") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", converging);

@@ -112,6 +112,40 @@ TEST_SUITE("cli") {
     CHECK(sweep({"--set", "pull=1", "--force"}).at("speed=2") > other.at("speed=2"));
   }
 
+  TEST_CASE("a run whose history is gone, or a diverged one without the frames asked for, is done again") {
+    const TemporaryFolder folder;
+    const auto sweep = [&](const Texts& more) {
+      Texts words{"--grid", "speed=1", "--set", "cfl=2", "--set", "method.zeta=50"};
+      words.insert(words.end(), more.begin(), more.end());
+      const Outcome outcome = program(tiny_sweep(folder, "out", words));
+      CAPTURE(outcome.err);
+      REQUIRE(outcome.code == 0);
+      return fs::last_write_time(folder / "out/speed=1/run.json");
+    };
+    const auto first = sweep({});
+    REQUIRE(json_of(folder / "out/results.json")["runs"][0]["verdict"] == "diverged");
+    CHECK(sweep({}) == first);
+    fs::remove(folder / "out/speed=1/history.csv");
+    const auto second = sweep({});
+    CHECK(second > first);
+    CHECK(fs::exists(folder / "out/speed=1/history.csv"));
+    const auto drawn = sweep({"--render"});
+    CHECK(drawn > second);
+    CHECK(files_in(folder / "out/speed=1/frames") > 0);
+    CHECK(sweep({"--render"}) == drawn);
+  }
+
+  TEST_CASE("spacings of a grid that are rounded to one are told of") {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        program(tiny_sweep(folder, "out", {"--grid", "spacing=0.002,0.00201,0.004", "--set", "until=1e-5"}));
+    CHECK(outcome.code == 0);
+    CHECK(
+        contains(outcome.err,
+                 "the runs spacing=0.002 and spacing=0.00201 are the same: both have a spacing of 0.002 m"));
+    CHECK_FALSE(contains(outcome.err, "0.004"));
+  }
+
   TEST_CASE("a sweep that is moved with its scene and its references has nothing to do") {
     const TemporaryFolder folder;
     fs::create_directories(folder / "here/tables");
