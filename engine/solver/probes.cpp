@@ -43,6 +43,17 @@ template <int Dim>
 auto ProbeRecorder<Dim>::point(const Scene& scene, const InitialParticles& initial, const Probe& probe,
                                const Point& at, double reach) const -> std::vector<PointWeight> {
   const int body = probe.bodies[0];
+  constexpr double farthest = 1.5;  // spacings: beyond the corner of a face that lies across the layout
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = first_[body]; i < first_[body + 1]; ++i) {
+    double squared = 0;
+    for (int k = 0; k < Dim; ++k) squared += std::pow(initial.x[i][k] - at[k], 2);
+    nearest = std::min(nearest, std::sqrt(squared) / scene.spacing);
+  }
+  if (nearest > farthest)
+    throw SceneError("probe." + probe.name, "the point of the probe '" + probe.name +
+                                                "' lies beside its body, more than 1.5 spacings from "
+                                                "its nearest particle");
   std::vector<PointWeight> point =
       material_point(initial.x, first_[body], first_[body + 1], at, reach, scene, body);
   if (point.empty())

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -77,6 +78,35 @@ TEST_SUITE("unit") {
       CHECK(series.value[5][k] == 0);
     }
     CHECK(series.time.back() * speed > 0.0001);  // it did fly
+  }
+
+  TEST_CASE("probes: a point on a face is one of the body, one in a hole or beside a face is none") {
+    Scene scene = colliding_rings();
+    Probe probe;
+    probe.name = "p";
+    probe.kind = Probe::Kind::displacement;
+    probe.bodies = {0};
+    const auto takes = [&](const Point& at, double spacing) {
+      scene.spacing = spacing;
+      probe.at = at;
+      scene.probes = {probe};
+      try {
+        make_simulation(scene, with_method("oenog"));
+        return true;
+      } catch (const SceneError& error) {
+        CHECK(std::string(error.what()).find("the point of the probe 'p' lies beside") == 0);
+        return false;
+      }
+    };
+    Body& body = scene.bodies[0];
+    scene.bodies.resize(1);
+    body.velocity = {};
+    body.shapes = {Box{{0, 0, 0}, {0.02, 0.02, 0}}};
+    body.without = {Box{{0.008, 0.008, 0}, {0.012, 0.012, 0}}};
+    for (const double x : {0.0, 0.008, 0.02}) CHECK(takes({x, 0, 0}, 0.001));
+    CHECK(takes({0.008, 0.008, 0}, 0.001));
+    CHECK_FALSE(takes({0.01, 0.01, 0}, 0.001));  // 2.12 spacings from four corners
+    CHECK_FALSE(takes({-0.0011, 0.01, 0}, 0.001));
   }
 
   TEST_CASE("probes: a point follows a linear field exactly") {
