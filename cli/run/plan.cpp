@@ -150,11 +150,14 @@ void refuse_second_columns(const SceneFile& file) {
 
 std::string lines_without_samples(const Scene& scene) {
   std::string text;
-  for (const SampleLine& line : scene.lines)
-    if (line.times.front() > scene.until)
+  for (const SampleLine& line : scene.lines) {
+    const auto late = std::ranges::count_if(line.times, [&](double t) { return t > scene.until; });
+    if (late > 0)
       text += (text.empty() ? "" : "; ") +
-              ("the line '" + line.name + "' has no sample: its times begin at " + brief(line.times.front()) +
-               " s, and the run ends at " + brief(scene.until) + " s");
+              fmt::format(
+                  "the line '{}' has {} of its {} times beyond the end of the run, {} s, and no sample there",
+                  line.name, late, line.times.size(), brief(scene.until));
+  }
   return text;
 }
 

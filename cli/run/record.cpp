@@ -82,6 +82,7 @@ Json measures(const RunRecord& record) {
   Json all = Json::object();
   for (const MeasureResult& m : record.measures) {
     Json& one = all[m.name];
+    one["kind"] = m.kind;
     one["value"] = number(m.value);
     one["unit"] = m.unit;
     one["reference"] = number(m.reference);

@@ -151,7 +151,7 @@ std::string describe_start_in_contact(const Scene& scene, const Snapshot& start)
     stiffness += start.m[i] / material.density * material.youngs_modulus;
   }
   const double held = start.contact_energy;
-  if (start.step > 0 || !(held > of_motion * kinetic + of_stiffness * stiffness)) return {};
+  if (!(held > of_motion * kinetic + of_stiffness * stiffness)) return {};
   return "contacts hold " + brief(held) + " J at the start" +
          (kinetic > 0 ? ", " + percent(held / kinetic) + " of the energy of motion" : "") +
          ": bodies or walls begin inside one another and will be pushed apart";

@@ -118,7 +118,7 @@ int wall_index(TomlCursor& cursor, const Scene& scene) {
 void read_probes_in(TomlCursor& cursor, const Scene& scene, Probe& probe) {
   const TomlValue& value = cursor.need("value");
   const std::set<std::string> used = names_in(value.kind == TomlValue::Kind::text ? value.text : "0");
-  probe.of_forces = !used.contains("t");
+  probe.of_forces = !used.contains("t");  // their means; exact where it is linear in them
   for (const Probe& other : scene.probes) {
     if (!used.contains(other.name)) continue;
     if (probe.bodies.empty()) probe.bodies = other.bodies;

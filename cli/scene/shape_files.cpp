@@ -159,17 +159,11 @@ void refuse_other_spacing(std::vector<double> volumes, const std::filesystem::pa
                                  apart, setting.dp));
 }
 
-/// Ids of particles by their places: along x, then y, then z.
-std::vector<std::size_t> in_order(const std::vector<Point>& places) {
+/// Refuses particles at one place, of which no method could make anything.
+void refuse_twins(const std::vector<Point>& places, const std::filesystem::path& file) {
   std::vector<std::size_t> order(places.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::ranges::sort(order, {}, [&](std::size_t i) { return places[i]; });
-  return order;
-}
-
-/// Refuses particles at one place, of which no method could make anything.
-void refuse_twins(const std::vector<Point>& places, const std::vector<std::size_t>& order,
-                  const std::filesystem::path& file) {
   for (std::size_t k = 1; k < order.size(); ++k)
     if (places[order[k]] == places[order[k - 1]])
       throw SceneError(file.string(), 0, 0, "",
@@ -179,20 +173,27 @@ void refuse_twins(const std::vector<Point>& places, const std::vector<std::size_
 }
 
 /// Median distance from a particle to the nearest other one, m, of about a thousand of them.
-double usual_distance(const std::vector<Point>& places, const std::vector<std::size_t>& order) {
+double usual_distance(std::vector<Point> places) {
   constexpr std::size_t asked = 1000;
+  std::size_t longest = 0;  // the axis along which fewest lie beside each other
+  double length = -1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto [low, high] = std::ranges::minmax(places, {}, [k](const Point& x) { return x[k]; });
+    if (high[k] - low[k] > length) longest = k, length = high[k] - low[k];
+  }
+  std::ranges::sort(places, {}, [longest](const Point& x) { return x[longest]; });
   std::vector<double> nearest;
-  const auto look = [&](std::size_t k, std::size_t other, double& squared) {
-    const Point &a = places[order[k]], &b = places[order[other]];
-    const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
+  const auto look = [&](const Point& a, const Point& b, double& squared) {
+    const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2], along = b[longest] - a[longest];
     squared = std::min(squared, x * x + y * y + z * z);
-    return x * x < squared;
+    return along * along < squared;
   };
-  for (std::size_t k = 0; k < order.size(); k += 1 + order.size() / asked) {
+  for (std::size_t k = 0; k < places.size(); k += 1 + places.size() / asked) {
     double squared = std::numeric_limits<double>::infinity();
-    for (std::size_t other = k + 1; other < order.size() && look(k, other, squared); ++other) {
+    for (std::size_t other = k + 1; other < places.size() && look(places[k], places[other], squared);
+         ++other) {
     }
-    for (std::size_t other = k; other > 0 && look(k, other - 1, squared); --other) {
+    for (std::size_t other = k; other > 0 && look(places[k], places[other - 1], squared); --other) {
     }
     nearest.push_back(std::sqrt(squared));
   }
@@ -272,9 +273,8 @@ Shape read_particles(TomlCursor& shape, const ShapeSetting& setting) {
                            : tabled_sites(file, setting);
   refuse_far(given, file, setting);
   refuse_other_spacing(given.volumes, file, setting);
-  const std::vector<std::size_t> order = in_order(given.places);
-  refuse_twins(given.places, order, file);
-  if (!given.weighed) refuse_other_mass(usual_distance(given.places, order), file, setting);
+  refuse_twins(given.places, file);
+  if (!given.weighed) refuse_other_mass(usual_distance(given.places), file, setting);
   return AnyShape::of(GivenParticles(std::move(given.places), std::move(given.volumes), setting.dim));
 }
 

@@ -90,7 +90,7 @@ std::string TomlCursor::line(std::string_view key) {
   const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
   if (given.size() > longest)
     fail(*find(key), key,
-         std::string(key) + " has " + std::to_string(given.size()) + " letters; at most " +
+         std::string(key) + " has " + std::to_string(given.size()) + " bytes; at most " +
              std::to_string(longest) + " are allowed");
   if (std::ranges::any_of(given, is_control) || !is_utf8(given))
     fail(*find(key), key,

@@ -125,13 +125,10 @@ Cost find_cost(const std::string& name) {
 
 std::string label(Cost cost) { return std::string(std::ranges::find(costs, cost, &CostName::cost)->label); }
 
-std::string without_error(const ChartSeries& series) {
-  for (const ChartPoint& point : series.points)
-    if (!point.error)
-      return point.measured ? "no reference" + (point.stable ? "" : ", " + point.verdict)
-             : point.stable ? "no value"
-                            : point.verdict;
-  return "";
+std::string without_error(const ChartPoint& point) {
+  if (point.error) return "";
+  if (!point.measured) return point.stable ? "no value" : point.verdict;
+  return "no reference" + (point.stable ? "" : ", " + point.verdict);
 }
 
 std::string shown_error(const Chart& chart, double error) {

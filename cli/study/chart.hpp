@@ -62,8 +62,8 @@ struct Chart {
   int without_result = 0;               // runs that have not ended
 };
 
-/// Why some of its points have no error: "no reference", or the verdict; empty where all have one.
-std::string without_error(const ChartSeries& series);
+/// Why a point has no error: "no reference", "no value", the verdict; empty where it has one.
+std::string without_error(const ChartPoint& point);
 
 /// "1.2 %" or "3 mm", as errors of this chart are.
 std::string shown_error(const Chart& chart, double error);

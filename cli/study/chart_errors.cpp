@@ -5,6 +5,7 @@
 
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
+#include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {
@@ -51,16 +52,11 @@ bool has_errors(const StoredResults& results, const std::string& measure, const 
   return std::ranges::any_of(results.runs, [&](const StoredRun& run) { return errors.of(run).has_value(); });
 }
 
-/// Its reference is 0 in all runs that have one, as that of a distance from a reference: it would be a difference of
-/// errors that --against has of it.
+/// It would be a difference of errors that --against has of it.
 bool is_error(const StoredResults& results, const std::string& measure) {
-  bool any = false;
-  for (const StoredRun& run : results.runs) {
-    const auto reference = run.number(measure_column(measure, "reference"));
-    if (reference && *reference != 0) return false;
-    any |= reference.has_value();
-  }
-  return any;
+  return std::ranges::any_of(results.runs, [&](const StoredRun& run) {
+    return is_difference(run.text(measure_column(measure, "kind")));
+  });
 }
 
 std::string default_measure(const StoredResults& results, const Names& charted, const ChartRequest& request) {
@@ -158,16 +154,17 @@ ChartErrors chosen_errors(const StoredResults& results, const ChartRequest& requ
     throw UsageError(unknown_name("method in the results", request.against, methods));
   Names charted = all;
   std::erase_if(charted, [&](const std::string& m) { return !has_errors(results, m, request); });
-  if (!request.against.empty())
+  if (!request.against.empty()) {
     std::erase_if(charted, [&](const std::string& m) { return is_error(results, m); });
+    if (!request.measure.empty() && is_error(results, request.measure))
+      throw UsageError(request.measure +
+                       " is itself an error, from a reference of the scene: chart it without --against" +
+                       (charted.empty() ? "" : "; measures that can be compared: " + join(charted)));
+  }
   if (charted.empty()) throw UsageError(nothing_charted(results, request));
   if (request.measure.empty()) return errors_of(results, default_measure(results, charted, request), request);
   if (std::ranges::find(charted, request.measure) != charted.end())
     return errors_of(results, request.measure, request);
-  if (!request.against.empty() && is_error(results, request.measure))
-    throw UsageError(request.measure +
-                     " is itself an error, from a reference of the scene: chart it without --against" +
-                     (charted.empty() ? "" : "; measures that can be compared: " + join(charted)));
   throw UsageError(no_error_of(results, request, charted));
 }
 

@@ -75,7 +75,7 @@ std::string orders_table(const Chart& chart) {
     const auto unstable = std::ranges::count(series.points, false, &ChartPoint::stable);
     rows.push_back({series.name, series.order ? brief(*series.order) : "-",
                     std::to_string(series.points.size()), brief(finest.spacing),
-                    finest.error ? shown_error(chart, *finest.error) : "- (" + without_error(series) + ")",
+                    finest.error ? shown_error(chart, *finest.error) : "- (" + without_error(finest) + ")",
                     finest.cost > 0 ? brief(finest.cost) : "-",
                     unstable == 0 ? "" : std::to_string(unstable)});
   }
@@ -144,10 +144,20 @@ std::vector<std::string> footnotes(const Chart& chart) {
   else if (!references.empty())
     notes.push_back("Reference: " + references);
   std::vector<std::string> without;
-  for (const ChartSeries& series : chart.series)
-    if (const std::string why = without_error(series); !why.empty())
-      without.push_back(series.name + " (" + why + ")");
-  if (!without.empty()) notes.push_back("Without an error, in part or at all: " + join(without));
+  for (const ChartSeries& series : chart.series) {
+    std::vector<std::string> reasons;
+    for (const ChartPoint& point : series.points)
+      if (const std::string why = without_error(point);
+          !why.empty() && std::ranges::find(reasons, why) == reasons.end())
+        reasons.push_back(why);
+    if (!reasons.empty()) without.push_back(series.name + " (" + join(reasons, "; ") + ")");
+  }
+  constexpr std::size_t few = 6;  // on one line
+  const std::size_t more = without.size() - std::min(without.size(), few);
+  without.resize(without.size() - more);
+  if (!without.empty())
+    notes.push_back("Without an error, in part or at all: " + join(without) +
+                    (more == 0 ? "" : " and " + std::to_string(more) + " more"));
   if (chart.cost == Cost::seconds) notes.push_back("Time: " + join(chart.machines, "; "));
   return notes;
 }

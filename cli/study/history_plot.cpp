@@ -133,7 +133,7 @@ std::string history_script(const HistoryPlot& plot, const PlotFiles& files) {
         std::to_string(curves) + " runs; their names are in " + files.data().filename().string(), 8 / total);
   text += "set multiplot title " + titled(plot.title) + "\n";
   text += named ? legend(names, styles, static_cast<int>(total)) : "unset key\n";
-  text += "set lmargin at screen 0.085\nset rmargin at screen " + exact(right_margin(names)) +
+  text += "set lmargin at screen 0.085\nset rmargin at screen " + exact(named ? right_margin(names) : 0.97) +
           "\nset border 3 back linecolor '#444444'\n";
   text += "set grid back linetype 1 linecolor '#e4e4e4'\nset tics nomirror\nset autoscale xfix\n";
   for (int column = 0; column < panels; ++column) {

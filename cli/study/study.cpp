@@ -26,7 +26,7 @@ std::vector<std::pair<std::string, FilePlace>> texts(TomlCursor& section, std::s
   return all;
 }
 
-void read_charts(TomlCursor& section, StudyPictures& pictures) {
+void read_charts(TomlCursor& section, FilePlace begins, StudyPictures& pictures) {
   const auto measures = texts(section, "measure");
   const Cost cost =
       section.find("cost") ? find_cost(section.choice("cost", cost_names())) : ChartRequest{}.cost;
@@ -39,7 +39,7 @@ void read_charts(TomlCursor& section, StudyPictures& pictures) {
   if (!request.against.empty()) pictures.methods.push_back({request.against, section.need("against").place});
   section.finish();
   std::vector<StudyPictures::Charted>& charts = pictures.charts;
-  charts = {{request, {}}};
+  charts = {{request, begins}};
   if (!measures.empty()) charts.assign(measures.size(), {request, {}});
   for (std::size_t k = 0; k < measures.size(); ++k)
     std::tie(charts[k].request.measure, charts[k].place) = measures[k];
@@ -52,18 +52,39 @@ void check_name(const std::filesystem::path& file, std::string_view kind, const 
                    unknown_name(kind, name, {known.begin(), known.end()}));
 }
 
-/// A map has one parameter, which must be told where several are swept.
-void check_map(const StudyPictures::Mapped& map, const std::filesystem::path& file, const Shown& shown) {
+/// A map has one parameter, which must be told where several are swept, and rows of methods.
+void check_map(const StudyPictures::Mapped& map, const std::filesystem::path& file, Shown shown) {
   const std::string& wanted = map.request.parameter;
+  for (auto* names : {&shown.swept, &shown.varied}) std::erase(*names, "method");
   check_name(file, "swept parameter", wanted, map.place, {shown.swept.begin(), shown.swept.end()});
   if (!wanted.empty()) return;
-  std::vector<std::string> all = shown.varied.empty() ? shown.swept : shown.varied;
-  std::erase(all, "method");
+  const std::vector<std::string>& all = shown.varied.empty() ? shown.swept : shown.varied;
   if (all.size() != 1)
     throw SceneError(file.string(), map.place.line, map.place.column, "map",
                      all.empty() ? "nothing but the method is swept: there is no parameter to map"
                                  : "several parameters are swept (" + join(all) +
                                        "); name one of them, such as parameter = \"" + all.front() + "\"");
+}
+
+/// Some run has an error of what is charted.
+void check_chart(const StudyPictures::Charted& chart, const std::filesystem::path& file, const Shown& shown) {
+  const auto& [request, place] = chart;
+  const auto fail = [&](const std::string& why) {
+    throw SceneError(file.string(), place.line, place.column,
+                     request.measure.empty() ? "chart" : request.measure, why);
+  };
+  check_name(file, "measure of the scene", request.measure, place, shown.measures);
+  if (!request.against.empty() && shown.differences.contains(request.measure))
+    fail("'" + request.measure +
+         "' is itself an error, from a reference of the scene: chart it without `against`");
+  if (!request.against.empty()) return;
+  const std::string way_out = "; against = METHOD charts against the finest run of a method";
+  if (request.measure.empty() && shown.referenced.empty())
+    fail("no [[reference]] has something for a measure with these parameters, so that no run has an error" +
+         way_out);
+  if (!request.measure.empty() && !shown.referenced.contains(request.measure))
+    fail("no [[reference]] has something for '" + request.measure +
+         "' with these parameters, so that no run has an error" + way_out);
 }
 
 void print_files(const char* kind, const PlotFiles& files, const std::string& remark, Streams streams) {
@@ -78,7 +99,7 @@ StudyPictures read_pictures(TomlCursor& root) {
   StudyPictures pictures;
   if (TomlValue* chart = root.find("chart")) {
     TomlCursor section = root.enter(*chart, "chart", "[chart]", keys_of("chart"));
-    read_charts(section, pictures);
+    read_charts(section, chart->place, pictures);
   }
   if (TomlValue* map = root.find("map")) {
     TomlCursor section = root.enter(*map, "map", "[map]", keys_of("map"));
@@ -97,15 +118,7 @@ StudyPictures read_pictures(TomlCursor& root) {
 }
 
 void check_pictures(const StudyPictures& pictures, const std::filesystem::path& file, const Shown& shown) {
-  for (const auto& [request, place] : pictures.charts) {
-    check_name(file, "measure of the scene", request.measure, place, shown.measures);
-    if (!request.measure.empty() && request.against.empty() && !shown.referenced.contains(request.measure))
-      throw SceneError(
-          file.string(), place.line, place.column, request.measure,
-          "no [[reference]] has something for '" + request.measure +
-              "' with these parameters, so that no run has an error; against = METHOD charts against the "
-              "finest run of a method");
-  }
+  for (const StudyPictures::Charted& chart : pictures.charts) check_chart(chart, file, shown);
   for (const StudyPictures::Named& method : pictures.methods)
     check_name(file, "method of the sweep", method.name, method.place, shown.methods);
   if (pictures.map) check_map(*pictures.map, file, shown);

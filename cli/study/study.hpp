@@ -52,7 +52,8 @@ StudyPictures read_pictures(TomlCursor& root);
 /// What the runs of a study will have.
 struct Shown {
   std::set<std::string> measures;
-  std::set<std::string> referenced;  // measures that a reference has something for, of some run
+  std::set<std::string> referenced;   // measures that a reference has something for, of some run
+  std::set<std::string> differences;  // measures that are one from a reference
   std::set<std::string> methods;
   std::set<std::string> columns;   // of history.csv
   std::vector<std::string> swept;  // names of the grid, and those of them with several values

@@ -10,6 +10,7 @@
 #include "cli/run/history.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/text/format.hpp"
+#include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/error.hpp"
 #include "engine/simulation.hpp"
 
@@ -94,6 +95,7 @@ void check_folder(const fs::path& folder) {
 void add_shown(Shown& shown, const SceneFile& file) {
   for (const Measure& measure : file.scene.measures) {
     shown.measures.insert(measure.name);
+    if (is_difference(measure.kind)) shown.differences.insert(measure.name);
     for (const auto& [law, reference] : file.scene.references)
       if (reference.has(measure.name)) shown.referenced.insert(measure.name);
   }

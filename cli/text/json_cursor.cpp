@@ -84,6 +84,7 @@ const std::vector<KeyOfRun>& keys_of_run() {
       {{"measures", "*", "value"}, number},
       {{"measures", "*", "unit"}, text},
       {{"measures", "*", "reference"}, number},
+      {{"measures", "*", "kind"}, text},
       {{"measures", "*", "reference_name"}, text},
       {{"measures", "*", "error"}, number},
       {{"measures", "*", "why"}, text},

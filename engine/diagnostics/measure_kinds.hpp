@@ -70,6 +70,11 @@ std::span<const MeasureKind> measure_kinds();
 /// nullptr if there is none of that name.
 const MeasureKind* find_measure_kind(std::string_view name);
 
+/// A difference from a reference, which there must be for a value: the reference of the measure itself is 0.
+constexpr bool is_difference(std::string_view kind) {
+  return kind == "rmse" || kind == "path_error" || kind.starts_with("line_") || kind.starts_with("field_");
+}
+
 /// Why a measure that needs one has no value.
 inline constexpr const char* no_reference = "there is no reference to compare with";
 

@@ -89,6 +89,7 @@ std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std
     const MeasureKind& kind = kind_of(each);
     MeasureResult result;
     result.name = each.name;
+    result.kind = each.kind;
     result.unit = each.unit;
     MeasureSource source = source_of(each, scene, series, lines);
     source.now = now;

@@ -13,7 +13,7 @@
 namespace taut {
 
 struct MeasureResult {
-  std::string name, unit;
+  std::string name, kind, unit;
   std::optional<double> value;      // none: `why` says why
   std::optional<double> reference;  // none: no reference for these parameters and this material; 0 of what is
                                     // a difference from it

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <ranges>
 #include <unsupported/Eigen/FFT>
+#include <utility>
 #include <vector>
 
 namespace taut {
@@ -15,18 +17,23 @@ namespace {
 
 constexpr std::size_t padding = 4;
 
-/// `n` values at even times, the mean under the window taken off, under the window.
+/// `n` values at even times, the straight line that fits them under the window taken off, under the window.
 std::vector<double> windowed(const Curve& curve, double begin, double end, std::size_t n) {
   std::vector<double> window(n), y(n);
-  double sum = 0, weights = 0;
+  double weights = 0, sum = 0, moment = 0, square = 0;  // of the window; of y, s y, s² with s from −1 to 1
+  const auto place = [n](std::size_t k) { return 2 * static_cast<double>(k) / static_cast<double>(n) - 1; };
   for (std::size_t k = 0; k < n; ++k) {
     const double share = static_cast<double>(k) / static_cast<double>(n);
     window[k] = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * share);
     y[k] = value_at(curve, begin + share * (end - begin));
-    sum += window[k] * y[k];
     weights += window[k];
+    sum += window[k] * y[k];
+    moment += window[k] * place(k) * y[k];
+    square += window[k] * place(k) * place(k);
   }
-  for (std::size_t k = 0; k < n; ++k) y[k] = window[k] * (y[k] - sum / weights);
+  const double mean = sum / weights,
+               slope = square > 0 ? moment / square : 0;  // the window is even about s = 0
+  for (std::size_t k = 0; k < n; ++k) y[k] = window[k] * (y[k] - mean - slope * place(k));
   return y;
 }
 
@@ -46,20 +53,51 @@ std::vector<double> without_zeros(std::size_t n, const Height& height) {
   return hull;
 }
 
-/// A line is a summit: on both sides, beyond its own width, it goes down to half of its height or less. What a trend
-/// leaves goes down to one side alone, and what a blow leaves to none for long. Of a few periods only, between which
-/// and the mean there is no room, nothing slower may be higher, and what is faster is low at once.
-bool stands_out(const std::vector<double>& hull, std::size_t k) {
-  constexpr std::size_t width = 3 * padding, slowest = 2 * padding;
-  const auto low = [=](double height) { return height <= 0.5 * hull[k]; };
-  const auto at = [&](std::size_t place) {
-    return hull.begin() + static_cast<std::ptrdiff_t>(std::min(place, hull.size()));
-  };
-  if (k <= slowest + width)
-    return *std::max_element(hull.begin(), at(k)) <= hull[k] && k + width < hull.size() &&
-           low(hull[k + width]);
-  return std::any_of(at(slowest), at(k - width), low) && std::any_of(at(k + width), hull.end(), low);
-}
+/// Tells lines from what else a spectrum has.
+class Lines {
+ public:
+  explicit Lines(std::vector<double> hull)
+      : hull_(std::move(hull)), below_(hull_.size()), above_(hull_.size()) {
+    double least = std::numeric_limits<double>::infinity(), most = 0;
+    for (std::size_t k = 0; k < hull_.size(); ++k) {
+      if (k >= slowest) least = std::min(least, hull_[k]);
+      below_[k] = least;
+      most = std::max(most, hull_[k]);
+    }
+    highest_ =
+        static_cast<std::size_t>(std::ranges::max_element(hull_) - hull_.begin()) + padding;  // its middle
+    floor_ = 1e-9 * most;
+    least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = hull_.size(); k-- > 0;) above_[k] = least = std::min(least, hull_[k]);
+  }
+
+  /// A line is a summit: on both sides, beyond its own width, it goes down to half of its height or less. What a trend
+  /// leaves goes down to one side alone, and what a blow leaves to none for long. Of a few periods only, between which
+  /// and the mean there is no room, nothing slower may be higher, and what is faster is low at once.
+  bool have(std::size_t k, double height) const {
+    if (height <= floor_ || height <= of_highest(k) || k + width >= hull_.size()) return false;
+    if (k <= slowest + width)
+      return *std::max_element(hull_.begin(), hull_.begin() + static_cast<std::ptrdiff_t>(k)) <= hull_[k] &&
+             hull_[k + width] <= 0.5 * hull_[k];
+    return below_[k - width] <= 0.5 * hull_[k] && above_[k + width] <= 0.5 * hull_[k];
+  }
+
+  static constexpr std::size_t width = 3 * padding, slowest = 2 * padding;
+
+ private:
+  /// What the window leaves of the highest line beyond its own width: |sin(π d)/(π d (1 − d²))|², d from it in
+  /// 1/(end − begin), of which twice the greatest nearby.
+  double of_highest(std::size_t k) const {
+    const double d = std::abs(static_cast<double>(k) - static_cast<double>(highest_)) / padding;
+    if (d <= 2.5) return 0;
+    const double near = d - 0.5, side = 1 / (std::numbers::pi * near * (near * near - 1));
+    return 2 * side * side * hull_[highest_];
+  }
+
+  std::vector<double> hull_, below_, above_;  // least up to a place from `slowest` on, and from a place on
+  std::size_t highest_ = 0;
+  double floor_ = 0;
+};
 
 }  // namespace
 
@@ -79,14 +117,13 @@ std::optional<double> peak_frequency(const Curve& curve, double begin, double en
   Eigen::FFT<double>().fwd(spectrum, y);
   const double line = 1 / (static_cast<double>(padding) * (end - begin));  // Hz from one point to the next
   const auto height = [&](std::size_t k) { return std::norm(spectrum[k]); };
-  const std::vector<double> hull = without_zeros(y.size() / 2, height);
-  constexpr double least = 1e-9;  // of the highest
-  const double floor = least * std::ranges::max(hull);
+  const Lines lines(without_zeros(y.size() / 2, height));
   std::size_t top = 0;
-  for (std::size_t k = 2 * padding; k + 1 < y.size() / 2; ++k) {
+  for (std::size_t k = Lines::slowest; k + 1 < y.size() / 2; ++k) {
     const double f = static_cast<double>(k) * line;
-    const bool peak = height(k) > height(k - 1) && height(k) >= height(k + 1) && height(k) > floor;
-    if (peak && f >= band[0] && f <= band[1] && (top == 0 || height(k) > height(top)) && stands_out(hull, k))
+    const bool peak = height(k) > height(k - 1) && height(k) >= height(k + 1);
+    if (peak && f >= band[0] && f <= band[1] && (top == 0 || height(k) > height(top)) &&
+        lines.have(k, height(k)))
       top = k;
   }
   if (top == 0) return std::nullopt;

@@ -71,6 +71,7 @@ Judge::Judge(const Scene& scene, const Snapshot& start, double support, bool kee
   const Balance at_start = balance(start, scene);
   if (scene.walls.empty() && !exchanges_momentum(scene, start))
     closed_mass_ = std::accumulate(start.m.begin(), start.m.end(), 0.0);
+  start_momentum_ = at_start.linear_momentum;
   start_energy_ = given_energy_ = motion(at_start) + at_start.strain;
   constexpr double rounding = 1e-12;  // of what is taken off
   nothing_ = energy_of_rounding(scene, start) + rounding * at_start.kinetic;
@@ -94,9 +95,13 @@ void Judge::observe(const Snapshot& now, const Balance& balance, const Readings&
   const bool finite = std::isfinite(energy) && std::isfinite(balance.angular_scale);
   given_energy_ = std::max(given_energy_, start_energy_ + balance.work);
   // where the strain energy has no least value, that of motion grows out of it while their sum is kept
-  const bool moves = keeps_neighbors_ || kinetic > 0.5 * given_energy_;
+  constexpr double next_to_nothing = 0.1;  // of what was given
+  const bool moves = keeps_neighbors_ || kinetic > next_to_nothing * given_energy_;
   const bool doubled = std::max(moves ? energy : 0, kinetic) > 2 * given_energy_;
-  if (!finite || (given_energy_ > nothing_ && doubled)) since_.try_emplace(Verdict::diverged, now.time);
+  // a strained body has more energy than a free one, but by a law that has no least value
+  const bool fell = keeps_neighbors_ && balance.strain < -next_to_nothing * given_energy_;
+  if (!finite || (given_energy_ > nothing_ && (doubled || fell)))
+    since_.try_emplace(Verdict::diverged, now.time);
   if (!finite) return;
   static_assert(indicators[0].key == "hourglass_error");
   if (readings[0].share() > hourglass_threshold) since_.try_emplace(Verdict::hourglass, now.time);
@@ -108,13 +113,15 @@ void Judge::observe(const Snapshot& now, const Balance& balance, const Readings&
     since_.emplace(Verdict::fractured, now.time);
 }
 
-/// Kinetic energy, J; where nothing acts from outside without that of the common motion, which an observer who goes along
-/// does not see.
+/// Kinetic energy, J; where nothing acts from outside, to an observer who goes along with all bodies as they began.
 double Judge::motion(const Balance& balance) const {
   if (closed_mass_ == 0) return balance.kinetic;
-  double squared = 0;
-  for (const double p : balance.linear_momentum) squared += p * p;
-  return std::max(balance.kinetic - squared / (2 * closed_mass_), 0.0);
+  double own = balance.kinetic;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double V = start_momentum_[k] / closed_mass_;
+    own += V * (0.5 * start_momentum_[k] - balance.linear_momentum[k]);
+  }
+  return std::max(own, 0.0);
 }
 
 Verdict Judge::verdict() const { return since_.empty() ? Verdict::stable : since_.rbegin()->first; }

@@ -62,8 +62,9 @@ struct BeyondLaw {
 /// energy: kinetic + strain above twice what was given, or anything that is not finite = diverged. Given is
 ///   the start's and the work of drives, loads and gravity, at its greatest so far: what takes energy back
 ///   may leave noise, not more. A scene that is given none but round-off is judged by finiteness only. Where nothing
-///   acts from outside the energy of the common motion does not count. Methods that search their neighbours have no
-///   strain energy that their forces keep; where next to nothing moves, theirs may be what it is.
+///   acts from outside the energy of the common motion at the start does not count. Methods that search their
+///   neighbours have no strain energy that their forces keep: while less than a tenth of what was given moves, theirs
+///   may be what it is; that of the others below 0 by as much is divergence too.
 class Judge {
  public:
   Judge(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors);
@@ -116,6 +117,7 @@ class Judge {
   double longest_ = 0;  // m, up to which a bond is never broken
   bool keeps_neighbors_ = false;
   double closed_mass_ = 0;   // kg, of all; 0 where something acts from outside
+  Point start_momentum_{};   // kg m/s
   double start_energy_ = 0;  // J
   double given_energy_ = 0;  // J, greatest so far
   double nothing_ = 0;       // J, what round-off gives

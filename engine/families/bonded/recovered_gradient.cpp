@@ -58,31 +58,33 @@ void leave_out_unlinked(Neighborhood<Dim>& near) {
 
 /// How each particle moves, by id: 0 freely, 1 held, else a number for each drive and each guide. What moves with
 /// one velocity, or along one axis, is rigid in that way, and where it begins the gradient jumps, as at a clamp.
-/// Its outermost particles, beside freer ones, are where these see it, and count among them.
+/// Its outermost particles, beside freer ones of their material, are where these see it, and count among them.
 template <int Dim>
-std::vector<int> motions(const InitialParticles& initial, double spacing) {
+std::vector<int> motions(const InitialParticles& initial, double spacing, int threads) {
   constexpr int held = 1, first = 2, guides = 8;
   const auto guide = [&](int i) { return initial.guided.empty() ? 0U : initial.guided[i]; };
-  const auto told = [&](int i) {
-    const int number = static_cast<int>(guide(i)) + guides * (initial.drive[i] + 1);
-    return number == 0 ? 0 : first + number;
+  const auto told = [&](int i) {  // a drive replaces what guides
+    if (initial.drive[i] >= 0) return first + guides * (initial.drive[i] + 1);
+    return guide(i) == 0 ? 0 : first + static_cast<int>(guide(i));
   };
   const auto bound = [&](int i) { return initial.drive[i] >= 0 ? Dim + 1 : std::popcount(guide(i)); };
   std::vector<int> motion(initial.size());
-  bool any = false;
+  bool any = false, all = true;  // told; and alike
   for (int i = 0; i < initial.size(); ++i) {
     motion[i] = initial.held[i] ? held : told(i);
     any |= motion[i] > held;
+    all &= motion[i] == motion[0];
   }
-  if (!any) return motion;
+  if (!any || all) return motion;
   const NeighborsOfOne<Dim> neighbors(initial, link_of_neighbors * spacing);
-  for (int i = 0; i < initial.size(); ++i) {
-    if (initial.held[i] || bound(i) == 0) continue;
+  parallel_for(initial.size(), threads, [&](int i) {
+    if (initial.held[i] || bound(i) == 0) return;
     int freest = i;
     for (const int j : neighbors(i))
-      if (!initial.held[j] && bound(j) < bound(freest)) freest = j;
+      if (!initial.held[j] && initial.material[j] == initial.material[i] && bound(j) < bound(freest))
+        freest = j;
     motion[i] = told(freest);
-  }
+  });
   return motion;
 }
 
@@ -164,12 +166,13 @@ Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, in
 template <int Dim>
 class Rows {
  public:
-  Rows(const InitialParticles& initial, const std::vector<int>& id, double spacing, double reach, bool halved)
+  Rows(const InitialParticles& initial, const std::vector<int>& id, double spacing, double reach, bool halved,
+       int threads)
       : initial_(initial),
         id_(id),
         spacing_(spacing),
         halved_(halved),
-        motion_(motions<Dim>(initial, spacing)),
+        motion_(motions<Dim>(initial, spacing, threads)),
         where_(id.size()),
         own_(initial, std::max((1 + 1e-9) * reach, least_reach * spacing)),
         own_reach_((1 + 1e-9) * reach / spacing),
@@ -239,7 +242,9 @@ auto Rows<Dim>::make(int k) const -> Row {
   if (initial_.held[i]) return row;
   const std::vector<int> near = own_(i);
   const Neighborhood<Dim> own = alike(i, near);
-  row.between = sees_another_side<Dim>(initial_, motion_, i, near, own_reach_ * spacing_);
+  if constexpr (Dim == 3)  // bonds are those of a lattice, or hardly longer
+    row.between = sees_another_side<Dim>(initial_, motion_, i, near,
+                                         std::min(own_reach_, link_of_neighbors) * spacing_);
   // on both sides of it the same is beyond slots, if there are any
   if (symmetric(within(own, std::max(own_reach_, link_of_neighbors)))) return row;
   const Neighborhood<Dim> nearest = this->nearest(own);
@@ -299,7 +304,7 @@ void Rows<Dim>::take(int k, const Row& row) {
 template <int Dim>
 RecoveredGradient recovered(const InitialParticles& initial, const std::vector<int>& id, double spacing,
                             double reach, int threads, bool halved) {
-  Rows<Dim> rows(initial, id, spacing, reach, halved);
+  Rows<Dim> rows(initial, id, spacing, reach, halved, threads);
   make_in_order(
       static_cast<int>(id.size()), threads, [&](int k) { return rows.make(k); },
       [&](int k, const auto& row) { rows.take(k, row); });

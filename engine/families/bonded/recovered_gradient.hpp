@@ -21,8 +21,8 @@ struct RecoveredGradient {
   std::vector<double> g;      // 1/m, dim numbers each
   std::vector<float> halved;  // the same in single precision, in place of g if asked for
   std::vector<unsigned char>
-      between;  // [n] 1: its own gradient is a mean of this material and another, or of what is
-                // driven; empty where none is
+      between;  // [n] in 3D, 1: its own gradient is a mean of two sides, of another material or
+                // of what is driven or guided; empty where none is
   int dim = 0;
 
   bool empty() const { return begin.empty(); }

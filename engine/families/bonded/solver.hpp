@@ -448,6 +448,12 @@ void Bonded<M, Dim>::show_stress(int group, const Mat<Pack, Dim>& F) {
 
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::prepare_to_show() {
+  // what a drive has let go is rigid no longer
+  for (std::size_t id = 0; id < this->initial_.drive.size(); ++id)
+    if (int& drive = this->initial_.drive[id]; drive >= 0 && !this->drives_.moves(static_cast<int>(id))) {
+      drive = -1;
+      recovered_ = {};
+    }
   if (recovered_.empty())
     recovered_ = recovered_gradient(this->initial_, s_.id, c_.dp, this->support_, this->threads_,
                                     /*halved*/ bonds_.index() > 0);

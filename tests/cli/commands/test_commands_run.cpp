@@ -104,8 +104,9 @@ at = [0, )" << floor << "]\n";
         "points = 3\ntimes = ";
     const Outcome late = run(line + "[0.5]\n");
     CHECK(late.code == 0);
-    CHECK(contains(late.err,
-                   "the line 'cut' has no sample: its times begin at 0.5 s, and the run ends at 0.0001 s"));
+    CHECK(contains(
+        late.err,
+        "the line 'cut' has 1 of its 1 times beyond the end of the run, 0.0001 s, and no sample there"));
     CHECK_FALSE(contains(run(line + "[1e-4]\n").err, "no sample"));
     const Outcome nowhere = call({"run", write_tiny_scene(folder), "--out", ""});
     CHECK(nowhere.code == 2);

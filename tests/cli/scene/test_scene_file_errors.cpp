@@ -121,11 +121,11 @@ TEST_SUITE("cli") {
     const std::string name(101, 'v'), title(201, 'a');
     check_error("[parameters]", "[parameters]\n@" + name + " = { value = 1 }", {"at most 100 letters"});
     check_error("name = \"tip\"", "name = @\"" + name + "\"", {"at most 100 letters"});
-    check_error("\"Small\"", "@\"" + title + "\"", {"title has 201 letters", "at most 200"});
+    check_error("\"Small\"", "@\"" + title + "\"", {"title has 201 bytes", "at most 200"});
     check_error("\"Small\"", "@\"a\\nb\"", {"title", "one line", "'a\\x0ab'"});
     check_error("title =", "name = @\"../../evil\"\ntitle =", {"name = '../../evil' must have no '/'"});
     check_error("title =", "name = @\"..\"\ntitle =", {"must have no '/'"});
-    check_error("help = \"speed\"", "help = @\"" + title + "\"", {"help has 201 letters"});
+    check_error("help = \"speed\"", "help = @\"" + title + "\"", {"help has 201 bytes"});
     std::string parts;
     for (int k = 0; k < 100000; ++k) parts += "a.";
     check_error("[render]", "[@" + parts + "b]\n[render]", {"a key of more than 16 parts"});

@@ -81,6 +81,10 @@ TEST_SUITE("cli") {
         {"[history]\ntip = 3\n", ":8:7: "},
         {"[history]\ndiametre = \"d, m\"\n",
          ":8:1: unknown column of history.csv 'diametre' (did you mean 'diameter'"},
+        {"[map]\nparameter = \"method\"\n", ":8:13: unknown swept parameter 'method'"},
+        {"v0 = [0.07, 0.09]\n[chart]\n", ":8:1: no [[reference]] has something for a measure"},
+        {"[chart]\nmeasure = \"diameter_rmse\"\nagainst = \"og\"\n",
+         ":8:11: 'diameter_rmse' is itself an error"},
         {"[histroy]\n", "did you mean 'history'"},
     };
     for (const auto& [sections, message] : wrong) {

@@ -92,6 +92,29 @@ TEST_SUITE("analytic") {
       }
   }
 
+  TEST_CASE("spectrum: a swing on a drift, of few periods too, and none beside a line") {
+    for (const double periods : {2.5, 3.0, 4.0, 5.25, 6.0, 9.0}) {
+      CAPTURE(periods);
+      std::vector<double> t, y, line;
+      for (int k = 0; k <= 4000; ++k) {
+        t.push_back(k / 4000.0);
+        y.push_back(t.back() + 0.1 * std::sin(2 * std::numbers::pi * periods * t.back()));
+        line.push_back(std::sin(2 * std::numbers::pi * 100.3 * t.back()));
+      }
+      const auto found = peak_frequency({t, y}, 0, 1, {1, 20});
+      REQUIRE(found);
+      CHECK(*found == Approx(periods).epsilon(0.06));
+      for (const double low : {10.0, 40.0, 90.0}) CHECK(!peak_frequency({t, line}, 0, 1, {low, 97}));
+    }
+  }
+
+  TEST_CASE("spectrum: of many samples without a line it is done at once") {
+    std::vector<double> t, y;
+    for (int k = 0; k <= 300000; ++k)
+      t.push_back(k / 3e5), y.push_back((t.back() > 0.3) + 0.7 * (t.back() > 0.7));
+    CHECK(peak_frequency({t, y}, 0, 1, {10, 1e9}).value_or(10) >= 10);  // a second, not hours
+  }
+
   TEST_CASE("spectrum: few periods, and a swing that soon dies away") {
     for (const double f : {12.0, 15.0, 22.0, 30.0, 60.0})  // 2.4 periods and more
       for (const double decay : {0.0, 5.0, 20.0}) {

@@ -379,14 +379,23 @@ TEST_SUITE("unit") {
     const Scene scene = one_body(2);
     Snapshot now = lattice(2, 6, 1);
     now.strain_energy.assign(now.size(), 0);
-    now.v[0] = 2;  // 2 J
+    const auto set = [&](double joule) { now.v[0] = std::sqrt(joule), now.v[2] = -std::sqrt(joule); };
+    set(2);
     Judge judge(scene, now, support, searched);
-    now.v[0] = std::sqrt(2 * 3.99), now.strain_energy[1] = -2;
+    set(3.99), now.strain_energy[1] = -2;
     observe(judge, now, scene, 1);
     CHECK(judge.verdict() == Verdict::stable);
-    now.v[0] = std::sqrt(2 * 4.01), now.strain_energy[1] = -2.01;
+    set(4.01), now.strain_energy[1] = -2.01;
     observe(judge, now, scene, 2);
     CHECK(judge.verdict() == Verdict::diverged);
+    now.strain_energy[1] = 0, set(2);
+    Judge other(scene, now, support, kept);
+    set(2.1), now.strain_energy[1] = -0.19;
+    observe(other, now, scene, 1);
+    CHECK(other.verdict() == Verdict::stable);
+    set(1.5), now.strain_energy[1] = -0.21;  // of a law that has no least energy
+    observe(other, now, scene, 2);
+    CHECK(other.verdict() == Verdict::diverged);
   }
 
   TEST_CASE("judge: a scene that starts without energy may gain some") {

@@ -128,6 +128,16 @@ TEST_SUITE("analytic") {
         for (std::size_t i = 0; i < now.size(); ++i) CHECK(now.v[3 * i + 1] == relative(v, 1e-9));
       }
     }
+    // on a part it is all there, whatever the part weighs
+    all.where = [](const Point& at) { return at[0] > 0.6 * length ? 1.0 : 0.0; };
+    scene.bodies[0].loads = {all};
+    for (const std::string method : {"oenog", "tl"}) {
+      CAPTURE(method);
+      const auto simulation = make_simulation(scene, with_method(method));
+      simulation->advance_to(1e-4);
+      const Snapshot& now = simulation->snapshot();
+      CHECK(balance(now, scene).linear_momentum[1] == relative(1e5 * volume * now.time, 1e-9));
+    }
   }
 
   TEST_CASE("loads: what grows with time acts as in the middle of the time that velocities go through") {

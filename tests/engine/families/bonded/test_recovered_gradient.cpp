@@ -5,6 +5,7 @@
 #include <functional>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -134,6 +135,21 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE(
+      "recovered gradient: in a solid the layers beside another material, and no others, see both sides") {
+    const double dp = H / 5;
+    Scene scene = block(5, 14 * dp);
+    scene.dim = 3;
+    scene.bodies[0].shapes = {Box{{-7 * dp, -H / 2, -H / 2}, {7 * dp, H / 2, H / 2}}};
+    CHECK(recovered(scene, make_initial_particles(scene)).between.empty());
+    scene.materials.push_back({"soft", 900, 4e6, 0.3});
+    scene.bodies[0].parts = {{1, [](const Point& x) { return x[0] > 0 ? 1.0 : 0.0; }}};
+    const InitialParticles initial = make_initial_particles(scene);
+    const RecoveredGradient rows = recovered(scene, initial);
+    REQUIRE(rows.between.size() == static_cast<std::size_t>(initial.size()));
+    for (int i = 0; i < initial.size(); ++i) CHECK(rows.between[i] == (std::abs(initial.x[i][0]) < dp));
+  }
+
+  TEST_CASE(
       "recovered gradient: linear where a body is two particles thick, the method's own where it is one") {
     Scene thin = block(2);
     InitialParticles initial = make_initial_particles(thin);
@@ -180,11 +196,17 @@ TEST_SUITE("analytic") {
   TEST_CASE(
       "oenog: the stress before a driven end is that of what is free, up to the outermost driven particles") {
     const double dp = H / 5, kink = 4.5 * dp, rate = 1e3, step = 1e-9;  // m, 1/s, s
-    for (const int dim : {2, 3}) {
-      CAPTURE(dim);
+    for (const auto& [dim, grip_of_steel] : {std::pair(2, false), {3, false}, {2, true}, {3, true}}) {
+      const int dim_now = dim;
+      CAPTURE(dim_now);
+      CAPTURE(grip_of_steel);
       Scene scene = block(5, 14 * dp);
       scene.dim = dim;
       if (dim == 3) scene.bodies[0].shapes = {Box{{-7 * dp, -H / 2, -H / 2}, {7 * dp, H / 2, H / 2}}};
+      if (grip_of_steel) {
+        scene.materials.push_back({"steel", 7800, 2e8, 0.3});
+        scene.bodies[0].parts = {{1, [=](const Point& X) { return X[0] > 4 * dp ? 1.0 : 0.0; }}};
+      }
       Drive still;
       still.where = [=](const Point& X) { return X[0] > 4 * dp ? 1.0 : 0.0; };
       scene.bodies[0].drives = {still};
@@ -194,7 +216,8 @@ TEST_SUITE("analytic") {
       const Snapshot now = state_after(1, scene, settings);
       const double M = 2e6 * 0.7 / (1.3 * 0.4);  // Pa, of strain along one axis
       for (std::size_t i = 0; i < now.size(); ++i) {
-        const double should = now.x0[dim * i] < kink + 0.1 * dp ? 1 : 0;
+        const double last = grip_of_steel ? kink - dp : kink;  // that has the stress
+        const double should = now.x0[dim * i] < last + 0.1 * dp ? 1 : 0;
         CHECK(now.stress(i).xx / (M * rate * step) == Approx(should).scale(1).epsilon(1e-3));
       }
     }
