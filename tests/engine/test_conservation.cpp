@@ -9,6 +9,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -197,3 +199,5 @@ TEST_SUITE("conservation") {
     }
   }
 }
+
+}  // namespace of_this_file

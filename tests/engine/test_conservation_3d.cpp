@@ -8,6 +8,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -112,3 +114,5 @@ TEST_SUITE("conservation") {
     }
   }
 }
+
+}  // namespace of_this_file

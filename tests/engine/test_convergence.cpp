@@ -9,6 +9,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -77,3 +79,5 @@ TEST_SUITE("convergence") {
     }
   }
 }
+
+}  // namespace of_this_file

@@ -10,6 +10,8 @@
 #include "engine/families/catalogue.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -121,3 +123,5 @@ TEST_SUITE("unit") {
     CHECK(test_sources().find("TEST_CASE(\"equations: there is no such test") == std::string::npos);
   }
 }
+
+}  // namespace of_this_file

@@ -12,6 +12,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -269,3 +271,5 @@ TEST_SUITE("unit") {
     CHECK(where(3) == where(1));
   }
 }
+
+}  // namespace of_this_file

@@ -11,6 +11,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -178,3 +180,5 @@ TEST_SUITE("failure") {
     CHECK(energy_ratio("oas") < 1);
   }
 }
+
+}  // namespace of_this_file

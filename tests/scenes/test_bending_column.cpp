@@ -2,6 +2,8 @@
 
 #include "tests/support/program_runner.hpp"
 
+namespace of_this_file {
+
 using namespace taut::cli;
 using namespace taut::test;
 
@@ -33,3 +35,5 @@ TEST_SUITE("failure") {
     }
   }
 }
+
+}  // namespace of_this_file

@@ -16,6 +16,8 @@
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::cli;
 using namespace taut::test;
@@ -124,3 +126,5 @@ TEST_SUITE("analytic") {
     }
   }
 }
+
+}  // namespace of_this_file

@@ -17,6 +17,8 @@
 #include "engine/families/catalogue.hpp"
 #include "engine/simulation.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::cli;
 
@@ -214,3 +216,5 @@ TEST_SUITE("failure") {
     CHECK(run("twisting-column", "pf-jst", stiff).checkerboard > 4 * smooth.checkerboard);
   }
 }
+
+}  // namespace of_this_file

@@ -19,6 +19,8 @@
 #include "engine/families/catalogue.hpp"
 #include "engine/simulation.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::cli;
 
@@ -211,3 +213,5 @@ TEST_SUITE("failure") {
     }
   }
 }
+
+}  // namespace of_this_file

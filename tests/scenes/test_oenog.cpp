@@ -19,6 +19,8 @@
 #include "engine/simulation.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::cli;
 using taut::test::relative;
@@ -203,3 +205,5 @@ TEST_SUITE("failure") {
     CHECK(name(fastest("pf-jst", "1.05", "0").verdict()) == "penetrated");
   }
 }
+
+}  // namespace of_this_file

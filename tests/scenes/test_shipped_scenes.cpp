@@ -18,6 +18,8 @@
 #include "engine/simulation.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 using namespace taut::cli;
@@ -175,3 +177,5 @@ TEST_SUITE("failure") {
     CHECK((late.diverged || energy > 2 * (late.start.kinetic + late.start.strain)));
   }
 }
+
+}  // namespace of_this_file

@@ -20,6 +20,8 @@
 #include "engine/families/catalogue.hpp"
 #include "engine/simulation.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::cli;
 
@@ -119,3 +121,5 @@ TEST_SUITE("analytic") {
     CHECK(ball.verdict == Verdict::stable);
   }
 }
+
+}  // namespace of_this_file

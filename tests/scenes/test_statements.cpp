@@ -13,6 +13,8 @@
 #include "engine/diagnostics/verdict.hpp"
 #include "engine/simulation.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::cli;
 
@@ -169,3 +171,5 @@ TEST_SUITE("failure") {
     check("rotating-plate");
   }
 }
+
+}  // namespace of_this_file

@@ -18,6 +18,8 @@
 #include "engine/simulation.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 using namespace taut::cli;
@@ -257,3 +259,5 @@ TEST_SUITE("failure") {
     CHECK(verdict("ccbwat", "-7000") == Verdict::stable);
   }
 }
+
+}  // namespace of_this_file

@@ -5,6 +5,8 @@
 
 #include "tests/support/program_runner.hpp"
 
+namespace of_this_file {
+
 using namespace taut::cli;
 using namespace taut::test;
 
@@ -97,3 +99,5 @@ TEST_SUITE("cli") {
     CHECK(contains(moved.out, "MOVED"));
   }
 }
+
+}  // namespace of_this_file

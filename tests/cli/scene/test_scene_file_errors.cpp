@@ -166,6 +166,8 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE("scene: parameters") {
+    check_error("min = 0, max = 0.5", "min = @1, max = 0.5",
+                {"min = 1 is above max = 0.5", "no value is allowed"});
     check_error("value = 0.06", "value = @0.6", {"v0 = 0.6 is out of bounds", "0 to 0.5 c0"});
     check_error("[material", "@c0 = { value = 3 }\n[material", {"'c0' has a meaning already"});
     check_error("[material", "@sin = { value = 3 }\n[material", {"'sin' has a meaning already"});

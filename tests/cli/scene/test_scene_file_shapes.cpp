@@ -174,7 +174,7 @@ unit = "s"
     const InitialParticles layout = laid(scene_text(R"({ type = "particles", file = "given.csv" })"));
     CHECK(layout.x == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     CHECK(layout.V0 == std::vector<double>{0.001, 0.002, 0.003});
-    write_file("plain.csv", "z,y,x\n0,1,2\n0,1,2.05\n");
+    write_file("plain.csv", "\xEF\xBB\xBFz,y,x\n0,1,2\n0,1,2.05\n");
     CHECK(laid(scene_text(R"({ type = "particles", file = "plain.csv" })", "", 3)).V0[1] ==
           relative(1.25e-4));
     check_shape_error(R"({ type = "particles", file = @"absent.csv" })",

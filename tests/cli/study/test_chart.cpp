@@ -300,7 +300,8 @@ TEST_SUITE("cli") {
            "rmse.value,"
            "measures.rmse.reference,measures.rmse.error,measures.peak.value,measures.peak.reference,measures."
            "peak.error\n"
-           "finished,tl,rod,9,9,0.2,stable,1,rmse,0.01,0,0.01,3,0,0.5\nfinished,og,rod,9,9,0.2,stable,1,rmse,0.02,"
+           "finished,tl,rod,9,9,0.2,stable,1,rmse,0.01,0,0.01,3,0,0.5\nfinished,og,rod,9,9,0.2,stable,1,rmse,"
+           "0.02,"
            "0,0."
            "02,2,0,0\n";
     CHECK(chart_of(folder.str("results.csv"), {.measure = "peak", .against = "og"}).measure == "peak");

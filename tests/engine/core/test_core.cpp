@@ -16,6 +16,8 @@
 #include "engine/core/tensor.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -339,3 +341,5 @@ TEST_SUITE("unit") {
     }
   }
 }
+
+}  // namespace of_this_file

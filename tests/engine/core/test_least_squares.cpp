@@ -2,6 +2,8 @@
 
 #include "engine/core/least_squares.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 
 TEST_SUITE("unit") {
@@ -22,3 +24,5 @@ TEST_SUITE("unit") {
     CHECK(by_gram().size() == 0);
   }
 }
+
+}  // namespace of_this_file

@@ -16,6 +16,8 @@
 #include "engine/terms/artificial_stress.hpp"
 #include "tests/engine/dense.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -150,3 +152,5 @@ TEST_SUITE("unit") {
     }
   }
 }
+
+}  // namespace of_this_file

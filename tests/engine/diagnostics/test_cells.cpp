@@ -9,6 +9,8 @@
 #include "engine/diagnostics/cells.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -196,3 +198,5 @@ TEST_SUITE("unit") {
     CHECK(Cells(2, {}, {}, {}).at({}).particle.empty());
   }
 }
+
+}  // namespace of_this_file

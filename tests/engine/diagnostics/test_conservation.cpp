@@ -3,6 +3,8 @@
 #include "engine/diagnostics/conservation.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -107,3 +109,5 @@ TEST_SUITE("unit") {
     CHECK_FALSE(exchanges_momentum(scene, free));
   }
 }
+
+}  // namespace of_this_file

@@ -10,6 +10,8 @@
 #include "tests/support/made_snapshot.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -169,3 +171,5 @@ TEST_SUITE("unit") {
     }
   }
 }
+
+}  // namespace of_this_file

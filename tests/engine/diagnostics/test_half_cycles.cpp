@@ -8,6 +8,8 @@
 #include "engine/diagnostics/curve.hpp"
 #include "tests/support/measured.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -203,3 +205,5 @@ TEST_SUITE("unit") {
     CHECK(result(scene_of("period"), broken).why == "y is not finite at 2 s");
   }
 }
+
+}  // namespace of_this_file

@@ -13,6 +13,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 using test::made_scene;
@@ -388,3 +390,5 @@ TEST_SUITE("failure") {
     CHECK(enog[hourglass].share() < 0.01);
   }
 }
+
+}  // namespace of_this_file

@@ -11,6 +11,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -239,3 +241,5 @@ TEST_SUITE("unit") {
     CHECK(*result(rescaled).value == relative(1e-6 * std::sqrt(2.5)));
   }
 }
+
+}  // namespace of_this_file

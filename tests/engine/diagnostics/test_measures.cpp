@@ -12,6 +12,8 @@
 #include "tests/support/measured.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -379,3 +381,5 @@ TEST_SUITE("unit") {
     }
   }
 }
+
+}  // namespace of_this_file

@@ -10,6 +10,8 @@
 #include "tests/support/made_snapshot.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 using test::made_scene;
@@ -288,3 +290,5 @@ TEST_SUITE("unit") {
     CHECK(late.verdict() == Verdict::penetrated);
   }
 }
+
+}  // namespace of_this_file

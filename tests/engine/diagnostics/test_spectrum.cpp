@@ -10,6 +10,8 @@
 #include "engine/diagnostics/spectrum.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -131,3 +133,5 @@ TEST_SUITE("analytic") {
       }
   }
 }
+
+}  // namespace of_this_file

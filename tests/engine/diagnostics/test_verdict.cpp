@@ -8,6 +8,8 @@
 #include "tests/support/made_snapshot.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using test::made_scene;
 using test::made_snapshot;
@@ -487,3 +489,5 @@ TEST_SUITE("unit") {
     }
   }
 }
+
+}  // namespace of_this_file

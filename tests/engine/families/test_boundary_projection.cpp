@@ -12,6 +12,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -256,3 +258,5 @@ TEST_SUITE("determinism") {
     CHECK(second->snapshot().v == once.v);
   }
 }
+
+}  // namespace of_this_file

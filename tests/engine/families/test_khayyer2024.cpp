@@ -12,6 +12,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -163,3 +165,5 @@ TEST_SUITE("failure") {
     CHECK(judge.verdict() == Verdict::fractured);
   }
 }
+
+}  // namespace of_this_file

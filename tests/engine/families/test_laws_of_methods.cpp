@@ -16,6 +16,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -247,3 +249,5 @@ TEST_SUITE("conservation") {
     CHECK(drift(plane, "oenog", Law::linear_elastic) > 1e-4);  // takes turns for strains
   }
 }
+
+}  // namespace of_this_file

@@ -19,6 +19,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -326,3 +328,5 @@ TEST_SUITE("convergence") {
     CHECK(a.p == b.p);
   }
 }
+
+}  // namespace of_this_file

@@ -11,6 +11,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -86,3 +88,5 @@ TEST_SUITE("reference") {
     check_agreement(state_after(steps, scene, settings), run, c0);
   }
 }
+
+}  // namespace of_this_file

@@ -15,6 +15,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -186,3 +188,5 @@ TEST_SUITE("reference") {
     check_oenog(clamped_block_of_two_materials(), false);
   }
 }
+
+}  // namespace of_this_file

@@ -12,6 +12,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -131,3 +133,5 @@ TEST_SUITE("unit") {
     }
   }
 }
+
+}  // namespace of_this_file

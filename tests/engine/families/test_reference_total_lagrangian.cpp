@@ -13,6 +13,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -106,3 +108,5 @@ TEST_SUITE("reference") {
     check_mixed(small_clamped_plate(), "pfj-jst", settings);
   }
 }
+
+}  // namespace of_this_file

@@ -19,6 +19,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -352,3 +354,5 @@ TEST_SUITE("conservation") {
     CHECK(drift[1] < 0.35 * drift[0]);
   }
 }
+
+}  // namespace of_this_file

@@ -8,6 +8,8 @@
 #include "engine/kernels/kernel.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -112,3 +114,5 @@ TEST_SUITE("unit") {
     });
   }
 }
+
+}  // namespace of_this_file

@@ -11,6 +11,8 @@
 #include "engine/methods/all_methods.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -367,3 +369,5 @@ TEST_SUITE("term") {
     CHECK(greatest(minus(nearest_rotation(nothing), M2{{{1, 0}, {0, 1}}})) == 0);
   }
 }
+
+}  // namespace of_this_file

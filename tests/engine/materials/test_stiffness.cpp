@@ -11,6 +11,8 @@
 #include "tests/engine/dense.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -186,3 +188,5 @@ TEST_SUITE("term") {
     CHECK_FALSE(neo.stiffness_bound(diagonal(0, 1, 1), 0.0) < 1e300);
   }
 }
+
+}  // namespace of_this_file

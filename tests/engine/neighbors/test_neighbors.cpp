@@ -13,6 +13,8 @@
 #include "engine/neighbors/lane_neighbors.hpp"
 #include "engine/neighbors/neighbors.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 
 namespace {
@@ -278,3 +280,5 @@ TEST_SUITE("neighbors") {
     CHECK(in_line > 0.8 * slots);  // of the ring: but for where it closes
   }
 }
+
+}  // namespace of_this_file

@@ -12,6 +12,8 @@
 #include "tests/support/pressed.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -159,3 +161,5 @@ TEST_SUITE("unit") {
     }
   }
 }
+
+}  // namespace of_this_file

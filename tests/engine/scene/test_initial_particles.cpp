@@ -13,6 +13,8 @@
 #include "tests/support/relative.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -197,3 +199,5 @@ TEST_SUITE("unit") {
     CHECK(scene_error([] { make_initial_particles(colliding_rings(0.06, 1e-300)); }).key == "spacing");
   }
 }
+
+}  // namespace of_this_file

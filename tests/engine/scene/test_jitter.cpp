@@ -15,6 +15,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -195,3 +197,5 @@ TEST_SUITE("unit") {
     CHECK(moved.x[0] != layers.x[0]);
   }
 }
+
+}  // namespace of_this_file

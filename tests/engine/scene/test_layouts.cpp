@@ -12,6 +12,8 @@
 #include "tests/support/relative.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -234,3 +236,5 @@ TEST_SUITE("unit") {
     CHECK(length == relative(20 + 2 * std::numbers::pi, 0.02));
   }
 }
+
+}  // namespace of_this_file

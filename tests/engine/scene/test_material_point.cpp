@@ -6,6 +6,8 @@
 #include "engine/scene/material_point.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -78,3 +80,5 @@ TEST_SUITE("analytic") {
     CHECK(point({2.5 * dp, 0, 0}).size() == material_point(x, 0, 25, {2.5 * dp, 0, 0}, 2.6 * dp, 2).size());
   }
 }
+
+}  // namespace of_this_file

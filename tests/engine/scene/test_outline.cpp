@@ -10,6 +10,8 @@
 #include "tests/support/relative.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -120,3 +122,5 @@ TEST_SUITE("unit") {
     }
   }
 }
+
+}  // namespace of_this_file

@@ -14,6 +14,8 @@
 #include "tests/support/relative.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -280,3 +282,5 @@ TEST_SUITE("unit") {
     CHECK(has(overlap_of(scene), "places of the lattice"));
   }
 }
+
+}  // namespace of_this_file

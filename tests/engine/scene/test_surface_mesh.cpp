@@ -11,6 +11,8 @@
 #include "tests/support/pressed.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -191,3 +193,5 @@ TEST_SUITE("unit") {
     CHECK_FALSE(can_have_surface_mesh(of(AnyShape::of(GivenParticles(places, volumes, 3)))));
   }
 }
+
+}  // namespace of_this_file

@@ -13,6 +13,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -227,3 +229,5 @@ TEST_SUITE("unit") {
     refused("enog", ContactLaw::surface, {"'enog'", "'surface'", "may leave", "sph, impulse"});
   }
 }
+
+}  // namespace of_this_file

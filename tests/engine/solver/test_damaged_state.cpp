@@ -13,6 +13,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -175,3 +177,5 @@ TEST_SUITE("restart") {
     CHECK(count.went_on > 0);
   }
 }
+
+}  // namespace of_this_file

@@ -10,6 +10,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -217,3 +219,5 @@ TEST_SUITE("convergence") {
     check("pfhj-jst", 0);
   }
 }
+
+}  // namespace of_this_file

@@ -16,6 +16,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -291,3 +293,5 @@ TEST_SUITE("unit") {
     }
   }
 }
+
+}  // namespace of_this_file

@@ -19,6 +19,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -286,3 +288,5 @@ TEST_SUITE("analytic") {
     CHECK(across("tl", 10, {{"h", 1.05}}) > 0.02);
   }
 }
+
+}  // namespace of_this_file

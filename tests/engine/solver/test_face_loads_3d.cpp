@@ -18,6 +18,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -187,3 +189,5 @@ TEST_SUITE("analytic") {
           relative(length(drawn_out("tl", sigma)) - undrawn, 3e-3));
   }
 }
+
+}  // namespace of_this_file

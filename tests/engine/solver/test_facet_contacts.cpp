@@ -17,6 +17,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -382,3 +384,5 @@ TEST_SUITE("unit") {
     CHECK_NOTHROW(make_simulation(scene, with_method("oenog")));
   }
 }
+
+}  // namespace of_this_file

@@ -12,6 +12,8 @@
 #include "engine/solver/contact/facet_pairs.hpp"
 #include "tests/support/pressed.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -114,3 +116,5 @@ TEST_SUITE("unit") {
     }
   }
 }
+
+}  // namespace of_this_file

@@ -10,6 +10,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -169,3 +171,5 @@ TEST_SUITE("conservation") {
     }
   }
 }
+
+}  // namespace of_this_file

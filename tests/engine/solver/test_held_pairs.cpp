@@ -9,6 +9,8 @@
 #include "engine/families/ul_split/passes.hpp"
 #include "engine/methods/zhang2024.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 
 namespace {
@@ -92,3 +94,5 @@ TEST_SUITE("unit") {
     }
   }
 }
+
+}  // namespace of_this_file

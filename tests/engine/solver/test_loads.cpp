@@ -10,6 +10,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -265,3 +267,5 @@ TEST_SUITE("determinism") {
     }
   }
 }
+
+}  // namespace of_this_file

@@ -10,6 +10,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -328,3 +330,5 @@ TEST_SUITE("unit") {
     CHECK(simulation->series().value[0].back() == relative(omega * simulation->time(), 1e-3));
   }
 }
+
+}  // namespace of_this_file

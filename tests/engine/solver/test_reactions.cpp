@@ -15,6 +15,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -376,3 +378,5 @@ TEST_SUITE("unit") {
       CHECK(series.value[3][k] == series.value[1][k] - 2 * series.value[2][k] + series.time[k]);
   }
 }
+
+}  // namespace of_this_file

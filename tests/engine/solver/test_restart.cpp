@@ -16,6 +16,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -221,3 +223,5 @@ TEST_SUITE("restart") {
     CHECK_THROWS_AS(Loader(bytes).match(6), UsageError);
   }
 }
+
+}  // namespace of_this_file

@@ -13,6 +13,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -250,3 +252,5 @@ TEST_SUITE("unit") {
     }
   }
 }
+
+}  // namespace of_this_file

@@ -13,6 +13,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -210,3 +212,5 @@ TEST_SUITE("unit") {
     CHECK_NOTHROW(make_simulation(scene, with_method("tl")));
   }
 }
+
+}  // namespace of_this_file

@@ -18,6 +18,8 @@
 #include "tests/support/made_pair.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -220,3 +222,5 @@ TEST_SUITE("term") {
     for (int k = 0; k < 3; ++k) CHECK((next.c[k] - s.c[k]) / dt == Approx(rate.c[k]).epsilon(1e-5));
   }
 }
+
+}  // namespace of_this_file

@@ -10,6 +10,8 @@
 #include "tests/support/made_pair.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -228,3 +230,5 @@ TEST_SUITE("term") {
     }
   }
 }
+
+}  // namespace of_this_file

@@ -16,6 +16,8 @@
 #include "tests/support/made_pair.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -233,3 +235,5 @@ TEST_SUITE("term") {
     CHECK(push(0.5) == Approx(0.5 * push(1)));
   }
 }
+
+}  // namespace of_this_file

@@ -13,6 +13,8 @@
 #include "tests/support/made_pair.hpp"
 #include "tests/support/relative.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -97,3 +99,5 @@ TEST_SUITE("term") {
     }
   }
 }
+
+}  // namespace of_this_file

@@ -22,10 +22,12 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
-namespace {
+namespace of_this_file {
 
 using namespace taut;
 using namespace taut::test;
+
+namespace {
 
 Bonds bonds_of(const Scene& scene, const InitialParticles& initial) {
   return make_bonds(scene, initial, oenog.h_over_dp * scene.spacing);
@@ -479,3 +481,5 @@ TEST_SUITE("failure") {
     CHECK(judge.verdict() == Verdict::stable);
   }
 }
+
+}  // namespace of_this_file

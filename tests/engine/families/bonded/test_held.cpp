@@ -13,6 +13,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -118,3 +120,5 @@ TEST_SUITE("unit") {
     CHECK(count(face) == 0);
   }
 }
+
+}  // namespace of_this_file

@@ -11,6 +11,8 @@
 
 #include "tests/support/runs.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -163,3 +165,5 @@ TEST_SUITE("analytic") {
     }
   }
 }
+
+}  // namespace of_this_file

@@ -23,6 +23,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -473,3 +475,5 @@ TEST_SUITE("convergence") {
     }
   }
 }
+
+}  // namespace of_this_file

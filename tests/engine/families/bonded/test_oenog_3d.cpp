@@ -24,6 +24,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -440,3 +442,5 @@ TEST_SUITE("failure") {
     CHECK(balance(simulation->snapshot(), scene).linear_momentum[0] > 0);  // it came back
   }
 }
+
+}  // namespace of_this_file

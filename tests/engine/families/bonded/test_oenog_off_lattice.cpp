@@ -17,6 +17,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -280,3 +282,5 @@ TEST_SUITE("failure") {
     }
   }
 }
+
+}  // namespace of_this_file

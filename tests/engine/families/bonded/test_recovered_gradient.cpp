@@ -17,6 +17,8 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
+namespace of_this_file {
+
 using namespace taut;
 using namespace taut::test;
 
@@ -223,3 +225,5 @@ TEST_SUITE("analytic") {
     }
   }
 }
+
+}  // namespace of_this_file
