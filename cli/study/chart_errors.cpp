@@ -134,7 +134,10 @@ std::optional<double> ChartErrors::of(const StoredRun& run) const {
   return std::abs(*value - *reference) / (*reference != 0 ? std::abs(*reference) : 1);
 }
 
-bool ChartErrors::measured(const StoredRun& run) const { return value_of(run, measure).has_value(); }
+bool ChartErrors::measured(const StoredRun& run) const {
+  return value_of(run, measure) ||
+         run.text(measure_column(measure, "why")).find("reference") != std::string::npos;
+}
 
 bool ChartErrors::relative(const StoredRun& run) const {
   return against ? value_of(*against, measure).value_or(0) != 0

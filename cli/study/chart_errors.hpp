@@ -13,7 +13,7 @@ struct ChartErrors {
   const StoredRun* against = nullptr;  // stands for the reference
 
   std::optional<double> of(const StoredRun& run) const;
-  /// There is a value, with or without something to compare it with.
+  /// There is a value, with or without something to compare it with, or there would be but for a reference.
   bool measured(const StoredRun& run) const;
   /// They are shares of a reference.
   bool relative(const StoredRun& run) const;

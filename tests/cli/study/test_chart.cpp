@@ -276,16 +276,19 @@ TEST_SUITE("cli") {
     const TemporaryFolder folder;
     std::ofstream(folder / "results.csv")
         << "status,method,scene,particles,steps,spacing,verdict,seconds.solve,measures.period.value,"
-           "measures.period.unit,measures.period.reference,measures.period.error\n"
-           "finished,tl,rod,9,9,0.2,stable,1,2,,2.5,0.2\nfinished,og,rod,9,9,0.2,stable,1,3,,,\n"
-           "failed,enog,rod,9,9,0.2,diverged,1,,,,\nfailed,oas,rod,9,9,0.2,diverged,1,4,,,\n"
-           "finished,icb,rod,9,9,0.2,stable,1,,,,\n";
+           "measures.period.unit,measures.period.reference,measures.period.error,measures.period.why\n"
+           "finished,tl,rod,9,9,0.2,stable,1,2,,2.5,0.2,\n"
+           "finished,og,rod,9,9,0.2,stable,1,3,,,,\n"
+           "failed,enog,rod,9,9,0.2,diverged,1,,,,,too short\n"
+           "failed,oas,rod,9,9,0.2,diverged,1,4,,,,\n"
+           "finished,icb,rod,9,9,0.2,stable,1,,,,,too short\n"
+           "finished,pf,rod,9,9,0.2,stable,1,,,,,there is no reference to compare with\n";
     const taut::cli::Chart chart = chart_of(folder.str("results.csv"));
     CHECK(chart.measure == "period");
     Texts why;
     for (const taut::cli::ChartSeries& series : chart.series)
       why.push_back(without_error(series.points.back()));
-    CHECK(why == Texts{"", "no reference", "diverged", "no reference, diverged", "no value"});
+    CHECK(why == Texts{"", "no reference", "diverged", "no reference, diverged", "no value", "no reference"});
     const Outcome outcome = call({"chart", folder.str("results.csv"), "--out", folder.str("c.png")});
     CHECK(outcome.code == 0);
     CHECK(contains(outcome.out, "- (no reference)"));
