@@ -152,9 +152,9 @@ std::vector<std::string> footnotes(const Chart& chart) {
         reasons.push_back(why);
     if (!reasons.empty()) without.push_back(series.name + " (" + join(reasons, "; ") + ")");
   }
-  constexpr std::size_t few = 6;  // on one line
-  const std::size_t more = without.size() - std::min(without.size(), few);
-  without.resize(without.size() - more);
+  constexpr std::size_t longest = 130;  // letters, on one line with the rest of it
+  std::size_t more = 0;
+  for (; without.size() > 1 && join(without).size() > longest; ++more) without.pop_back();
   if (!without.empty())
     notes.push_back("Without an error, in part or at all: " + join(without) +
                     (more == 0 ? "" : " and " + std::to_string(more) + " more"));
