@@ -144,13 +144,12 @@ std::string describe_masses(const Scene& scene, const Snapshot& start) {
 std::string describe_start_in_contact(const Scene& scene, const Snapshot& start) {
   constexpr double of_motion = 1e-3;
   constexpr double of_stiffness = 1e-9;  // what a strain of some 1e-5 all over would hold
-  double kinetic = 0, stiffness = 0;     // J
+  const double kinetic = balance(start, scene).kinetic, held = start.contact_energy;  // J
+  double stiffness = 0;                                                               // J
   for (std::size_t i = 0; i < start.size(); ++i) {
     const Material& material = scene.materials[static_cast<std::size_t>(start.material[i])];
-    kinetic += 0.5 * start.m[i] * std::pow(speed(start, i), 2);
     stiffness += start.m[i] / material.density * material.youngs_modulus;
   }
-  const double held = start.contact_energy;
   if (!(held > of_motion * kinetic + of_stiffness * stiffness)) return {};
   return "contacts hold " + brief(held) + " J at the start" +
          (kinetic > 0 ? ", " + percent(held / kinetic) + " of the energy of motion" : "") +

@@ -195,10 +195,9 @@ constexpr KeyInfo expression_keys[] = {
 };
 constexpr KeyInfo particles_keys[] = {
     {"file", "path", "",
-     "CSV with columns x, y (z in 3D) and, if it has them, volume (m², m³; else dp², dp³, and they lie about "
-     "dp "
-     "apart); or particles that a run has saved (.vtp), where they are then, without strain, each with the "
-     "volume that it began with"},
+     "CSV with columns x, y (z in 3D) and, if it has them, volume (m², m³; else dp², dp³, and they lie "
+     "about dp apart); or particles that a run has saved (.vtp), where they are then, without strain, each "
+     "with the volume that it began with"},
     {"of_body", "whole number", "all",
      "of a .vtp of several bodies: the one whose particles are taken, from 0"},
 };

@@ -25,27 +25,24 @@ std::vector<double> numbers(const std::string& row) {
   return values;
 }
 
+/// What a run of hardly a step says on stderr, of a scene of rubber; `text` begins with what stands above its sections.
+std::string said_of(const std::string& text, const TemporaryFolder& folder) {
+  std::ofstream(folder / "scene.toml")
+      << "title = \"Still\"\nuntil = 1e-6\n"
+      << text << "[material.rubber]\ndensity = 1000\nyoungs_modulus = 1e7\npoisson_ratio = 0.4\n";
+  const Outcome outcome =
+      call({"run", folder.str("scene.toml"), "--no-render", "--quiet", "--out", folder.str("out")});
+  CHECK(outcome.code == 0);
+  return outcome.err;
+}
+
 }  // namespace
 
 TEST_SUITE("cli") {
   TEST_CASE("a body whose particles weigh other than its shape is told of, one that has its mass is not") {
     const TemporaryFolder folder;
     const auto told = [&](const std::string& shape) {
-      std::ofstream(folder / "scene.toml") << R"(title = "Still"
-spacing = 0.1
-until = 1e-6
-[material.rubber]
-density = 1000
-youngs_modulus = 1e6
-poisson_ratio = 0.3
-[[body]]
-name = "b"
-material = "rubber"
-)" << shape;
-      const Outcome outcome =
-          call({"run", folder.str("scene.toml"), "--no-render", "--quiet", "--out", folder.str("out")});
-      CHECK(outcome.code == 0);
-      return outcome.err;
+      return said_of("spacing = 0.1\n[[body]]\nname = \"b\"\nmaterial = \"rubber\"\n" + shape, folder);
     };
     const std::string of_lattice =
         "shape = { type = \"disc\", centre = [0, 0], radius = 0.3, layout = \"lattice\" }\n";
@@ -58,31 +55,16 @@ material = "rubber"
 
   TEST_CASE("a wall that begins inside a body is told of, one that touches it is not") {
     const TemporaryFolder folder;
-    const auto told = [&](double floor, const std::string& velocity) {
-      std::ofstream(folder / "scene.toml") << R"(title = "Laid"
-spacing = 0.002
-until = 1e-6
-[material.rubber]
-density = 1200
-youngs_modulus = 1e7
-poisson_ratio = 0.4
-[[body]]
-name = "disc"
-shape = { type = "disc", centre = [0, 0.02], radius = 0.02 }
-material = "rubber"
-velocity = [0, ")" << velocity << R"("]
-[[wall]]
-name = "floor"
-normal = [0, 1]
-at = [0, )" << floor << "]\n";
-      const Outcome outcome =
-          call({"run", folder.str("scene.toml"), "--no-render", "--quiet", "--out", folder.str("out")});
-      CHECK(outcome.code == 0);
-      return outcome.err;
+    const auto told = [&](const std::string& floor, const std::string& velocity) {
+      return said_of(
+          "spacing = 0.002\n[[body]]\nname = \"disc\"\nmaterial = \"rubber\"\n"
+          "shape = { type = \"disc\", centre = [0, 0.02], radius = 0.02 }\nvelocity = [0, " +
+              velocity + "]\n[[wall]]\nname = \"floor\"\nnormal = [0, 1]\nat = [0, " + floor + "]\n",
+          folder);
     };
-    CHECK(contains(told(0.0008, "0"), "J at the start: bodies or walls begin inside one another"));
-    CHECK(contains(told(0.0008, "-1"), "% of the energy of motion: bodies or walls begin inside"));
-    CHECK_FALSE(contains(told(0, "0"), "contacts hold"));
+    CHECK(contains(told("0.0008", "0"), "J at the start: bodies or walls begin inside one another"));
+    CHECK(contains(told("0.0008", "-1"), "% of the energy of motion: bodies or walls begin inside"));
+    CHECK_FALSE(contains(told("0", "0"), "contacts hold"));
   }
 
   TEST_CASE("what history.csv cannot name twice is refused, and what a run will not sample is told of") {

@@ -114,7 +114,7 @@ TEST_SUITE("analytic") {
     std::vector<double> t, y;
     for (int k = 0; k <= 300000; ++k)
       t.push_back(k / 3e5), y.push_back((t.back() > 0.3) + 0.7 * (t.back() > 0.7));
-    CHECK(peak_frequency({t, y}, 0, 1, {10, 1e9}).value_or(10) >= 10);  // a second, not hours
+    CHECK(!peak_frequency({t, y}, 0, 1, {10, 1e9}));  // in a second, not hours
   }
 
   TEST_CASE("spectrum: few periods, and a swing that soon dies away") {
