@@ -17,7 +17,9 @@ struct Settings {
   std::map<std::string, double> constants;  // a method's own constants by name, e.g. {"zeta", 4.0}
   std::string law;  // of elasticity, for a method that leaves it open (MethodInfo::laws); empty = its first
   Stepping stepping = Stepping::dual;
-  double cfl = 0;   // acoustic step over h/(c0 + |v|max) (oenog: dp/(c_p + |v|max)); 0 = the method's default
+  double cfl =
+      0;  // step over h (oenog: dp) by the fastest wave, and particle where the paper has it so; 0 = the
+          // method's default
   double step = 0;  // s, of every step; 0 = by cfl
   int threads = 0;  // 0 = all cores, fewer in small scenes
   InstructionSet instruction_set = InstructionSet::x86_64_v4;

@@ -106,11 +106,12 @@ void check_walls(const Scene& scene, const InitialParticles& initial) {
   }
 }
 
-Constants constants_of(const std::vector<Elasticity>& materials, int first, const Scene& scene,
-                       const Settings& settings, const MethodInfo& method) {
+/// `material` is that of each particle.
+Constants constants_of(const std::vector<Elasticity>& materials, const std::vector<int>& material,
+                       const Scene& scene, const Settings& settings, const MethodInfo& method) {
   check_constants(method, settings, scene.dim);
-  Constants c{materials[first]};
-  for (const Elasticity& material : materials) c.c0 = std::max(c.c0, material.c0);
+  Constants c{materials[material.front()]};
+  for (const int used : material) c.c0 = std::max(c.c0, materials[used].c0);
   c.dp = scene.spacing;
   c.cfl = settings.cfl > 0 ? settings.cfl : method.cfl;
   c.step = settings.step;
@@ -141,7 +142,7 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Settings& 
   const SolverInput input{method->formulation,
                           scene,
                           initial,
-                          constants_of(materials, initial.material.front(), scene, settings, *method),
+                          constants_of(materials, initial.material, scene, settings, *method),
                           materials,
                           law ? law->law : Law::none,
                           contact_law(scene, *method),

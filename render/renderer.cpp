@@ -79,7 +79,7 @@ Look checked(const Look& look) {
 /// Of lines among solids: stands out from the background a little; bytes R, G, B, 255 in memory.
 std::uint32_t line_color(Rgb background) {
   constexpr double contrast = 0.4;
-  const double most = background[0] + background[1] + background[2] > 1.5 * 255 ? 0 : 255;
+  const double most = is_light(background) ? 0 : 255;
   std::array<std::uint8_t, 4> bytes{0, 0, 0, 255};
   for (std::size_t k = 0; k < 3; ++k)
     bytes[k] = static_cast<std::uint8_t>(std::lround(std::lerp(background[k], most, contrast)));

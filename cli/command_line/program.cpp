@@ -53,9 +53,18 @@ void refuse_unknown(const CLI::App& app) {
   if (!rest.empty()) throw UsageError("'" + rest.front() + "' is one argument too many");
 }
 
+/// Of the options that take several words, the one that took more than one; nullptr if none did.
+const CLI::Option* greedy_option(const CLI::App& app) {
+  for (const CLI::Option* o : app.get_options())
+    if (!o->get_positional() && o->get_items_expected_max() > 1 && o->count() > 1) return o;
+  return nullptr;
+}
+
 /// CLI11 speaks of "1 required FLOAT missing".
-std::string what_is_wrong(const CLI::ParseError& e) {
+std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& e) {
   const std::string text = e.what();
+  if (const CLI::Option* taker = greedy_option(app); taker && dynamic_cast<const CLI::RequiredError*>(&e))
+    return text + ": " + taker->get_name() + " took all words behind it, so that it must stand before that";
   if (!dynamic_cast<const CLI::ArgumentMismatch*>(&e)) return text;
   const bool too_many = text.find("received") != std::string::npos;
   return text.substr(0, text.find(':')) + (too_many ? " may be given once only" : " needs a value");
@@ -77,7 +86,7 @@ int run_command(const Command& command, const std::vector<std::string>& argument
     return exit_fine;
   } catch (const CLI::ParseError& e) {
     refuse_unknown(app);  // a misspelt option is the better explanation of "SCENE is required"
-    throw UsageError(what_is_wrong(e) + "; see `taut " + std::string(command.name) + " --help`");
+    throw UsageError(what_is_wrong(app, e) + "; see `taut " + std::string(command.name) + " --help`");
   }
   return action(streams);
 }

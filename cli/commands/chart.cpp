@@ -44,7 +44,8 @@ std::function<int(Streams)> declare_chart(CLI::App& app) {
       ->option_text(join(cost_names(), "|"));
   app.add_option("--methods", options->request.methods, "those to draw; default: all")
       ->option_text("METHOD,...")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   app.add_option("--against", options->request.against,
                  "a method whose finest stable run stands for a reference, where the scene has none")
       ->option_text("METHOD");

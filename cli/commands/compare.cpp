@@ -160,6 +160,10 @@ int compare_runs(const CompareArguments& options, Streams streams) {
   for (const SavedRun& run : runs) {
     Drawing drawing = wished;
     suit(drawing, run.file);  // a body of this name has another number there
+    if (drawing.look.categories != wished.look.categories)
+      throw UsageError("'" + runs.front().folder.path().string() + "' has " + join(wished.look.categories) +
+                       ", '" + run.folder.path().string() + "' has " + join(drawing.look.categories) +
+                       ": one legend cannot serve both; choose another --color");
     const Origins origins = origins_of(run.file.scene);
     columns.push_back({Staging(drawing, origins), {}});
     for (const double time : times)

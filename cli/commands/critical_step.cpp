@@ -103,6 +103,12 @@ int find(const CriticalStepArguments& options, Streams streams) {
   return found.interrupted ? exit_interrupted : exit_fine;
 }
 
+/// A finer one is below what rounding tells apart, a wider one says nothing.
+std::string tolerance_in_bounds(const std::string& text) {
+  const auto value = parsed<double>(text);
+  return value && *value >= 1e-9 && *value <= 0.5 ? "" : "'" + text + "' is not a share from 1e-9 to 0.5";
+}
+
 }  // namespace
 
 std::function<int(Streams)> declare_critical_step(CLI::App& app) {
@@ -121,7 +127,7 @@ std::function<int(Streams)> declare_critical_step(CLI::App& app) {
                  "how close the largest stable and the least unstable step come, as a share; default: " +
                      brief(options->tolerance))
       ->option_text("X")
-      ->check(positive_number);
+      ->check(tolerance_in_bounds);
   app.add_option("--threads", options->threads, "default: all cores, fewer in small scenes")
       ->option_text("N")
       ->check(positive_whole_number);

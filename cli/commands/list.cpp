@@ -25,12 +25,17 @@ struct Listing {
   Json (*rows)();
 };
 
+/// A file of a scene folder that is none, or damaged, keeps nobody from the others.
+Json scene_row(const std::string& name) try {
+  const Scene scene = read_scene(find_scene(name)).scene;
+  return {{"name", name}, {"title", scene.title}, {"source", scene.source}};
+} catch (const std::runtime_error& error) {
+  return {{"name", name}, {"title", "cannot be read: " + std::string(error.what())}, {"source", ""}};
+}
+
 Json scene_rows() {
   Json rows = Json::array();
-  for (const std::string& name : scene_names()) {
-    const Scene scene = read_scene(find_scene(name)).scene;
-    rows.push_back({{"name", name}, {"title", scene.title}, {"source", scene.source}});
-  }
+  for (const std::string& name : scene_names()) rows.push_back(scene_row(name));
   return rows;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include <CLI/CLI.hpp>
 
@@ -45,11 +46,12 @@ int plot(const PlotArguments& options, Streams streams) {
   const PlotFiles files = plot_files(options.out);
   StoredResults results;
   Scene first;
+  std::set<std::string> named;
   for (const std::string& path : options.runs) {
     results.runs.push_back(read_stored_run(path));
     const Scene scene = scene_of(results.runs.back());
     if (results.runs.size() == 1) first = scene;
-    if (results.scene.find(scene.name) == std::string::npos) {
+    if (named.insert(scene.name).second) {
       results.scene += (results.scene.empty() ? "" : "; ") + scene.name;
       results.title += (results.title.empty() ? "" : "; ") + scene.title;
     }
@@ -69,7 +71,8 @@ std::function<int(Streams)> declare_plot(CLI::App& app) {
       ->required();
   app.add_option("--columns", options->columns, "of history.csv, a panel each; default: the probes")
       ->option_text("COLUMN,...")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   app.add_option("--x", options->x, "what they are drawn over; default: t")->option_text("COLUMN");
   app.add_option("--out", options->out, "the picture; its .gp and .dat stand beside it")
       ->option_text("plot.png|plot.svg")

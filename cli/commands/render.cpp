@@ -6,6 +6,7 @@
 #include "cli/command_line/command.hpp"
 #include "cli/drawing/frames.hpp"
 #include "cli/drawing/options.hpp"
+#include "cli/run/plan.hpp"
 #include "cli/run/redraw.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/system/exit_code.hpp"
@@ -32,6 +33,7 @@ bool is_lock(const fs::path& file) { return file.filename() == run_lock_name; }
 /// A folder for frames alone: they would be lost among other files, and other files among them.
 void check_for_frames(const fs::path& folder) {
   if (!fs::exists(folder)) return;
+  if (!fs::is_directory(folder)) throw UsageError("'" + folder.string() + "' is not a folder");
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (!is_frame(entry.path()) && !is_lock(entry.path()))
       throw UsageError("'" + folder.string() + "' holds " + entry.path().filename().string() +
@@ -51,8 +53,15 @@ fs::path prepare(const RenderArguments& options, SavedRun& run) {
     clear_for_frames(*options.out);
     return *options.out;
   }
+  run.folder.check();
+  const std::string scene = resolved_text(run.file, run.folder.path());
+  // its next frames would be drawn otherwise than those
+  if (fs::exists(run.folder.checkpoint()) && read_whole(run.folder.scene()) != scene)
+    throw UsageError(
+        "the run in '" + run.folder.path().string() +
+        "' can go on (`taut run --resume`), with its frames as they are; draw others with --out");
   run.folder.clear_frames();
-  write_atomically(run.folder.scene(), resolved_text(run.file, run.folder.path()), Kept::on_disk);
+  write_atomically(run.folder.scene(), scene, Kept::on_disk);
   return run.folder.frames();
 }
 
@@ -64,6 +73,7 @@ fs::path folder_to_lock(const RenderArguments& options) {
 }
 
 int render(const RenderArguments& options, Streams streams) {
+  check_threads(options.threads);
   SavedRun run = open_saved_run(options.run);  // nothing is locked in a folder of somebody else
   const FolderLock lock(folder_to_lock(options), FolderLock::Of::run, "taut render", streams.err);
   run = open_saved_run(options.run);  // another program may have been here

@@ -46,6 +46,11 @@ void RunFolder::check() const {
   if (!fs::is_directory(path_, error))
     throw UsageError("'" + path_.string() + "' is not a folder; name another with --out");
   if (fs::is_empty(path_, error) || error) return;
+  for (const fs::path& inner : {frames(), particles()})
+    if (fs::is_symlink(inner, error))
+      throw UsageError("'" + inner.string() +
+                       "' is a link: files would be written and removed where it leads; " +
+                       "remove it or name another folder with --out");
   // killed in the making it holds the first files alone
   const bool begun = holds_only({run_lock_name, record().filename().string() + ".tmp"});
   if (!read_record(record()) && !begun && !is_damaged())

@@ -25,7 +25,10 @@ class OutputOf : public RunOutput {
   void load(Loader& loader) final { loader(static_cast<Kind&>(*this)); }
 };
 
-/// history.csv; and what its rows say of the run: indicators, drift, verdict.
+/// How often a run is judged at least, whatever rows are asked for.
+constexpr int least_looks = 200;
+
+/// history.csv; and what the states say that it is taken at, or that are looked at between: indicators, drift, verdict.
 class HistoryOutput final : public OutputOf<HistoryOutput> {
  public:
   HistoryOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)
@@ -34,24 +37,26 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
         simulation_(simulation),
         result_(result),
         agenda_(plan.history_times),
+        looks_(times_in_parts(plan.file.scene.until, least_looks)),
         judge_(scene_, simulation),
         gauge_(scene_, simulation.snapshot(), simulation.threads()),
         conservation_(scene_, simulation.snapshot()) {}
 
   void open(AppendFile::Start start) override { history_.emplace(path_, scene_, start); }
-  double next() const override { return agenda_.next(); }
+  double next() const override { return std::min(agenda_.next(), looks_.next()); }
   bool is_at_its_time() const override { return false; }
   bool lacks_the_end() const override { return history_->last_step() != simulation_.steps(); }
 
   void take() override {
     const Timed timed(result_.record.seconds.write);
     const Snapshot& now = simulation_.snapshot();
-    agenda_.reached(now.time);
+    const bool row = !agenda_.reached(now.time).empty(), look = !looks_.reached(now.time).empty();
     const Balance sums = balance(now, scene_);
     const Readings readings = gauge_(now);
     judge_.observe(now, sums, readings);
     conservation_.follow(sums);
-    history_->add(simulation_, sums, judge_.pieces(), readings);
+    const bool at_end = !row && !look;
+    if (row || at_end) history_->add(simulation_, sums, judge_.pieces(), readings);
     for (std::size_t k = 0; k < readings.size(); ++k) result_.record.indicator[k].take(readings[k], now.time);
     take_verdict();
     if (judge_.verdict() == Verdict::diverged) result_.failure = describe_divergence(now, sums);
@@ -63,7 +68,7 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(agenda_, judge_, conservation_, *history_, result_.record.indicator);
+    archive(agenda_, looks_, judge_, conservation_, *history_, result_.record.indicator);
     if constexpr (std::is_same_v<Archive, Loader>) take_verdict();
   }
 
@@ -79,7 +84,7 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
   std::filesystem::path path_;
   const Simulation& simulation_;
   RunResult& result_;
-  Agenda agenda_;
+  Agenda agenda_, looks_;
   Judge judge_;
   IndicatorGauge gauge_;
   ConservationWatch conservation_;

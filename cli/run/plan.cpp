@@ -70,7 +70,8 @@ std::string value_in(const SceneFile& file, const Setting& setting) {
   if (setting.name == "law") return file.settings.law;
   if (setting.name == "contact") return std::string(name(file.scene.contact));
   if (setting.name == "stepping") return file.settings.stepping == Stepping::single ? "single" : "dual";
-  return setting.value;  // of the spacing what was asked for
+  // of the spacing what was asked for
+  return parsed<double>(setting.value) ? setting.value : exact(file.spacing_asked);
 }
 
 /// The folder of the run that has left this scene.toml, if one has.
@@ -129,14 +130,6 @@ std::string no_use(const RunOptions& options) {
     if (options.every) names.emplace_back("--every");
   }
   return names.empty() ? "" : "of no effect, since no frames are drawn: " + join(names);
-}
-
-void check_threads(int threads) {
-  constexpr int few = 8;  // per core: more only wait for each other
-  const int most = std::max(2 * few, few * cores());
-  if (threads > most)
-    throw UsageError("--threads " + std::to_string(threads) + " is too many: this machine has " +
-                     std::to_string(cores()) + " cores; at most " + std::to_string(most) + " are allowed");
 }
 
 /// A probe named like another column of history.csv.
@@ -218,8 +211,9 @@ void declare_output_options(CLI::App& app, RunOptions& o) {
       ->option_text("DT")
       ->check(positive_number)
       ->excludes(frames);
-  app.add_option("--history", o.history,
-                 "time between rows of history.csv, s; default: a thousandth of the run")
+  app.add_option(
+         "--history", o.history,
+         "time between rows of history.csv, s; default: that of the scene, or a thousandth of the run")
       ->option_text("DT")
       ->check(positive_number);
   declare_drawing_options(app, o.drawing);
@@ -234,6 +228,14 @@ void declare_particle_options(CLI::App& app, RunOptions& o) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->needs(save);
+}
+
+void check_threads(int threads) {
+  constexpr int few = 8;  // per core: more only wait for each other
+  const int most = std::max(2 * few, few * cores());
+  if (threads > most)
+    throw UsageError("--threads " + std::to_string(threads) + " is too many: this machine has " +
+                     std::to_string(cores()) + " cores; at most " + std::to_string(most) + " are allowed");
 }
 
 SceneFile scene_to_run(const RunOptions& options) {
@@ -261,7 +263,7 @@ RunPlan make_plan(const RunOptions& options) {
   refuse_second_columns(file);
   for (const std::string& remark : {no_use(options), lines_without_samples(file.scene)})
     if (!remark.empty()) file.remark += (file.remark.empty() ? "" : "; ") + remark;
-  plan.spacing_asked = options.spacing;
+  plan.spacing_asked = file.spacing_asked;
   plan.checkpoint_every = options.checkpoint_every;
   if (!options.no_render) plan.drawing = file.drawing;
   plan.particle_fields = particle_fields(options, file.scene.dim);

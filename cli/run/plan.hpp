@@ -38,6 +38,8 @@ void declare_output_options(CLI::App& app, RunOptions& options);
 /// --save-particles, --fields.
 void declare_particle_options(CLI::App& app, RunOptions& options);
 
+/// Throws UsageError for far more threads than there are cores.
+void check_threads(int threads);
 /// The scene with what the options change about what is simulated. Throws UsageError and SceneError.
 SceneFile scene_to_run(const RunOptions& options);
 

@@ -18,12 +18,6 @@ Json number(std::optional<double> value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
-std::vector<std::string> names_of_verdicts() {
-  std::vector<std::string> names = names_of_failures();
-  names.insert(names.begin(), std::string(name(Verdict::stable)));
-  return names;
-}
-
 std::string_view name(RunRecord::Status status) {
   switch (status) {
     case RunRecord::Status::running:

@@ -18,7 +18,7 @@ namespace taut::cli {
 /// What a run is to do, checked: nothing in it can be wrong any more.
 struct RunPlan {
   SceneFile file;
-  std::optional<double> spacing_asked;        // m, on the command line
+  std::optional<double> spacing_asked;        // m, by the scene or the command line
   std::optional<Drawing> drawing;             // none: no frames
   std::vector<const Field*> particle_fields;  // none: particles are not saved
   std::vector<double> frame_times,

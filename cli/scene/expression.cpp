@@ -6,6 +6,7 @@
 #include <charconv>
 #include <initializer_list>
 #include <memory>
+#include <mutex>
 #include <numbers>
 #include <string_view>
 #include <utility>
@@ -20,11 +21,12 @@
 namespace taut::cli {
 namespace {
 
-/// A parser and the values that it points to.
+/// A parser and the values that it points to: one thread at a time may use them.
 struct Formula {
   mu::Parser parser;
   Names names;
   std::array<double, 4> variables{};
+  std::mutex used;
 
   double value() const try { return parser.Eval(); } catch (const mu::ParserError& error) {
     throw ExpressionError(shown(parser.GetExpr()) + " has no value: " + shown(error.GetMsg()), 0);
@@ -183,6 +185,7 @@ double evaluate(const std::string& text, const Names& names) { return parse(text
 
 Expression compile(const std::string& text, const Names& names) {
   return [formula = std::shared_ptr<Formula>(parse(text, names, {"x", "y", "z"}))](const Point& position) {
+    const std::lock_guard alone(formula->used);
     std::ranges::copy(position, formula->variables.begin());
     return formula->value();
   };
@@ -191,6 +194,7 @@ Expression compile(const std::string& text, const Names& names) {
 Solution compile_in_time(const std::string& text, const Names& names) {
   return [formula = std::shared_ptr<Formula>(parse(text, names, {"x", "y", "z", "t"}))](const Point& position,
                                                                                         double t) {
+    const std::lock_guard alone(formula->used);
     std::ranges::copy(position, formula->variables.begin());
     formula->variables.back() = t;
     return formula->value();
@@ -199,6 +203,7 @@ Solution compile_in_time(const std::string& text, const Names& names) {
 
 std::function<double(double)> compile_of_time(const std::string& text, const Names& names) {
   return [formula = std::shared_ptr<Formula>(parse(text, names, {"t"}))](double t) {
+    const std::lock_guard alone(formula->used);
     formula->variables[0] = t;
     return formula->value();
   };
@@ -218,6 +223,7 @@ std::function<double(const std::vector<double>&, double)> compile_of_values(
   for (std::size_t k = 0; k < values.size(); ++k)
     if (is_variable(values[k])) places.emplace_back(k, &formula->names[values[k]]);
   return [formula, places](const std::vector<double>& now, double t) {
+    const std::lock_guard alone(formula->used);
     for (const auto& [k, place] : places) *place = now[k];
     formula->variables[0] = t;
     return formula->value();

@@ -27,8 +27,8 @@ class ExpressionError : public std::runtime_error {
 /// muParser are always known; comparisons and && || give 1 or 0; ? : chooses.
 double evaluate(const std::string& text, const Names& names);
 
-/// `text` as a function of the position: x, y, z are known besides `names`. Copies share their state, so
-/// only one thread at a time may call it.
+/// `text` as a function of the position: x, y, z are known besides `names`. Copies share their state; any
+/// number of threads may call them, one of which at a time gets in.
 Expression compile(const std::string& text, const Names& names);
 /// The same as a function of the time; t is known besides `names`.
 std::function<double(double)> compile_of_time(const std::string& text, const Names& names);

@@ -118,7 +118,7 @@ constexpr KeyInfo loaded_keys[] = {
     {"traction", "[x, y] of the place, Pa", "one of three",
      "on the outer face of a layer one spacing deep; by methods without fixed neighbours and "
      "tl-small-strain, and "
-     "where a curved face is cut from a lattice, in the layer"},
+     "where a curved face is cut from a lattice, in the layer; up to 7.5 % off on a hexagonal lattice"},
     {"ramp", "expression of t", "1", "factor of it"},
 };
 

@@ -123,23 +123,39 @@ std::vector<std::string> column_names(TomlCursor& entry, const Measure& measure)
   return names;
 }
 
-ReferenceTable read_one_table(TomlCursor entry, const Measure& measure, const std::filesystem::path& folder) {
+/// A table along a line is of one time, and of the whole line.
+void check_covers(TomlCursor& entry, const ReferenceTable& table, const SampleLine& line) {
+  const TomlValue& file = entry.need("file");
+  if (line.times.size() > 1)
+    entry.fail(file, "file",
+               "a table is of one time; the line '" + line.name + "' has " +
+                   std::to_string(line.times.size()) + ": give a solution, or make a line of each time");
+  const double length = length_of(line), slack = 1e-9 * length;
+  if (table.t.empty() || table.t.front() > slack || table.t.back() < length - slack)
+    entry.fail(file, "file",
+               "the table must go from s = 0 to " + exact(length) + " m, as the line '" + line.name + "'");
+}
+
+ReferenceTable read_one_table(TomlCursor entry, const Measure& measure, const SceneFile& file) {
   const std::vector<std::string> columns = column_names(entry, measure);
+  const std::filesystem::path folder = std::filesystem::absolute(file.path).parent_path();
   const std::filesystem::path path = named_file(entry, folder, "table");
   entry.finish();
-  return read_table(path, measure.line.empty() ? "t" : "s", columns);
+  if (measure.line.empty()) return read_table(path, "t", columns);
+  ReferenceTable table = read_table(path, "s", columns);
+  check_covers(entry, table, *std::ranges::find(file.scene.lines, measure.line, &SampleLine::name));
+  return table;
 }
 
 std::map<std::string, ReferenceTable> read_tables(TomlCursor& reference, const SceneFile& file) {
   std::map<std::string, ReferenceTable> tables;
   TomlValue* table = reference.find("tables");
   if (!table) return tables;
-  const std::filesystem::path folder = std::filesystem::absolute(file.path).parent_path();
   TomlCursor cursor = reference.enter(*table, "tables", "'tables' of " + reference.what(), named_by_user);
   for (TomlEntry& entry : cursor.table().entries) {
     const Measure& measure = measure_taking(&MeasureKind::table, "table", cursor, entry, file.scene);
     TomlCursor one = cursor.enter(entry.value, entry.key, "table '" + entry.key + "'", keys_of("tables"));
-    tables[entry.key] = read_one_table(std::move(one), measure, folder);
+    tables[entry.key] = read_one_table(std::move(one), measure, file);
   }
   return tables;
 }

@@ -209,10 +209,15 @@ SceneFile read_scene(const std::filesystem::path& path, const std::vector<Settin
   const TomlValue tree = parse_toml(file_text(path), source.file);
   const Changes changes = by_target(settings);
   constexpr int most_rounds = 10;
-  double dp = asked_spacing(tree, changes, source);
+  const double asked = asked_spacing(tree, changes, source);
+  double dp = asked;
   for (int round = 0; round < most_rounds; ++round) {
     SceneReading reading(dp, path, tree, changes, source);
-    if (reading.fitted() == dp) return reading.finish();
+    if (reading.fitted() == dp) {
+      SceneFile file = reading.finish();
+      file.spacing_asked = asked;
+      return file;
+    }
     refuse_too_coarse(dp, reading.fitted(), tree, changes, source);
     dp = reading.fitted();
   }
@@ -239,6 +244,13 @@ std::string resolved_text(const SceneFile& scene, const std::filesystem::path& f
   if (scene.history) tree.set("history", TomlValue(*scene.history));
   tree.set("render", drawing_table(scene.drawing));
   see_files_from(folder, tree);
+  return print_toml(tree);
+}
+
+std::string undrawn(const std::string& scene) {
+  TomlValue tree = parse_toml(scene, "scene.toml");
+  if (TomlEntry* render = tree.find("render"))
+    render->value.entries.remove_if([](const TomlEntry& entry) { return entry.key != "frames"; });
   return print_toml(tree);
 }
 

@@ -43,6 +43,7 @@ struct SceneFile {
   Scene scene;
   Settings settings;  // method, all its constants, stepping, cfl
   Drawing drawing;
+  double spacing_asked = 0;       // m; that of the scene is the nearest one that divides the first body
   std::string remark;             // what the user is told of the reading, in one line; mostly empty
   std::optional<double> history;  // interval of history.csv, s; until / 1000 where the file says nothing
   std::vector<Parameter> parameters;
@@ -66,5 +67,8 @@ SceneError locate(const SceneFile& scene, const SceneError& error);
 /// The scene as run, in TOML, every default written out, history and drawing as they stand in `scene` now;
 /// reading it from `folder` gives the same scene.
 std::string resolved_text(const SceneFile& scene, const std::filesystem::path& folder);
+/// Of such a text what makes a run: without the drawing, which may be changed afterwards, but for the number of its
+/// frames. Throws SceneError for what is no TOML.
+std::string undrawn(const std::string& scene);
 
 }  // namespace taut::cli

@@ -159,7 +159,7 @@ void Session::load(const std::filesystem::path& path) {
   if (checkpoint.method != file_.settings.method)
     throw UsageError("'" + path.string() + "' is of method '" + checkpoint.method + "'; this session has '" +
                      file_.settings.method + "'");
-  if (checkpoint.scene != resolved_text(file_, file_.path.parent_path()))
+  if (undrawn(checkpoint.scene) != undrawn(resolved_text(file_, file_.path.parent_path())))
     throw UsageError("'" + path.string() + "' is of another scene, or of other parameters or constants");
   std::unique_ptr<Simulation> simulation = start_heedful(file_);
   try {

@@ -96,8 +96,7 @@ std::string common(const StoredResults& results, std::string_view column) {
 std::vector<std::string> fixed_in(const StoredResults& results) {
   std::vector<std::string> all;
   const auto is_set = [&](std::string_view name) {
-    return std::ranges::any_of(results.fixed,
-                               [&](const std::string& text) { return text.starts_with(name); });
+    return std::ranges::any_of(results.fixed, [&](const auto& set) { return set.first == name; });
   };
   if (const std::string stepping = common(results, "stepping"); !stepping.empty() && !is_set("stepping"))
     all.push_back(stepping + " stepping");
@@ -105,7 +104,7 @@ std::vector<std::string> fixed_in(const StoredResults& results) {
     all.push_back("cfl " + cfl);
   if (const auto until = parsed<double>(common(results, "until")); until && !is_set("until"))
     all.push_back("to t = " + brief(*until) + " s");
-  all.insert(all.end(), results.fixed.begin(), results.fixed.end());
+  for (const auto& [name, value] : results.fixed) all.push_back(name + " = " + value);
   return all;
 }
 
@@ -180,6 +179,8 @@ Chart make_chart(const StoredResults& given, const ChartRequest& request) {
     if (errors.of(run)) describe_errors(chart, errors, run);
     add_once(chart.machines, machine_of(run));
   }
+  if (chart.series.empty())
+    throw UsageError("no run is left to be compared with " + chart.against + "; name more methods");
   for (ChartSeries& series : chart.series) {
     std::ranges::sort(series.points, std::greater(), &ChartPoint::spacing);
     series.order = convergence_order(series.points);

@@ -140,9 +140,7 @@ Finding find_out(const StoredRun& run, const Expectation& e) {
 
 Finding find_out_verdict(const StoredRun& run, const std::string& worst) {
   const auto is = find_verdict(run.text("verdict")), allowed = find_verdict(worst);
-  std::vector<std::string> names = names_of_failures();
-  names.insert(names.begin(), std::string(name(Verdict::stable)));
-  if (!allowed) throw UsageError(unknown_name("verdict", worst, names));
+  if (!allowed) throw UsageError(unknown_name("verdict", worst, names_of_verdicts()));
   return {"verdict", *allowed == Verdict::stable ? worst : worst + " or better",
           is ? run.text("verdict") : "no value", "", is && *is <= *allowed};
 }

@@ -20,8 +20,7 @@ struct Kind {
 /// From calm to alarming, and ever darker, so that grey will do; cells without a verdict come last.
 std::vector<Kind> kinds() {
   constexpr std::array colors = {"#cfe8f3", "#fbdc7f", "#c9b0e6", "#ee8f4f", "#a3303f"};
-  std::vector<std::string> names = names_of_failures();
-  names.insert(names.begin(), std::string(name(Verdict::stable)));
+  const std::vector<std::string> names = names_of_verdicts();
   std::vector<Kind> all;
   for (std::size_t k = 0; k < names.size(); ++k)
     all.push_back({names[k], colors[k * (colors.size() - 1) / (names.size() - 1)]});

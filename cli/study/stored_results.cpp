@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t longest_title = 200;  // of scenes and sweeps
 constexpr std::string_view parameter_prefix = "parameters.";
+constexpr std::string_view fixed_prefix = "fixed.";  // of what a sweep set for all of its runs
 
 fs::path results_file(const std::string& given) {
   std::error_code error;
@@ -58,11 +59,11 @@ std::vector<StoredRun> read_runs(const fs::path& file) {
   return runs;
 }
 
-/// What a table does not say: the title, the units of what was swept, and what was set for all.
-void add_names(const fs::path& table, StoredResults& results) {
+/// What a table does not say: the title, the units of what was swept, and, given back, what was set for all.
+StoredSettings add_names(const fs::path& table, StoredResults& results) {
   const std::string file = (table.parent_path() / "results.json").string();
   const auto text = read_whole(file);
-  if (!text) return;
+  if (!text) return {};
   const auto json = parse_json(*text, file);
   const JsonCursor top(json, file);
   if (const std::string title = top.at("title").text(); results.title.empty())
@@ -71,10 +72,10 @@ void add_names(const fs::path& table, StoredResults& results) {
     const std::string unit = swept.at("unit").text(), name = swept.at("name").text();
     if (!unit.empty() && unit != "1") results.units[name] = unit;
   }
-  for (const auto& [name, value] : top.at("fixed").members()) {
-    const std::string set = name + " = " + value.number_or_text();
-    if (std::ranges::find(results.fixed, set) == results.fixed.end()) results.fixed.push_back(set);
-  }
+  StoredSettings fixed;
+  for (const auto& [name, value] : top.at("fixed").members())
+    fixed.emplace_back(name, value.number_or_text());
+  return fixed;
 }
 
 void add_scene(StoredResults& results, const StoredRun& run) {
@@ -87,7 +88,7 @@ void add_scene(StoredResults& results, const StoredRun& run) {
 }
 
 std::string without_prefix(const std::string& column) {
-  for (const std::string_view prefix : {set_prefix, parameter_prefix})
+  for (const std::string_view prefix : {set_prefix, fixed_prefix, parameter_prefix})
     if (column.starts_with(prefix)) return column.substr(prefix.size());
   return column;
 }
@@ -97,10 +98,11 @@ std::vector<std::string> candidates(const std::vector<StoredRun>& runs) {
   std::vector<std::string> set, parameters;
   for (const StoredRun& run : runs)
     for (const auto& cell : run.cells)
-      for (auto [prefix, columns] : {std::pair{set_prefix, &set}, {parameter_prefix, &parameters}})
+      for (auto [prefix, columns] :
+           {std::pair{set_prefix, &set}, {fixed_prefix, &set}, {parameter_prefix, &parameters}})
         if (cell.first.starts_with(prefix) && std::ranges::find(*columns, cell.first) == columns->end())
           columns->push_back(cell.first);
-  set.insert(set.end(), {"spacing", "stepping", "cfl", "contact", "until"});
+  set.insert(set.end(), {"spacing", "stepping", "cfl", "contact", "until", "material_law", "jitter"});
   set.insert(set.end(), parameters.begin(), parameters.end());
   return set;
 }
@@ -111,7 +113,8 @@ std::string effective(const StoredRun& run, const std::string& column) {
   const std::string name = without_prefix(column);
   for (const std::string& told : {std::string(parameter_prefix) + name, name})
     if (const std::string value = run.text(told); !value.empty()) return value;
-  const std::string asked = run.text(column);
+  std::string asked = run.text(std::string(set_prefix) + name);
+  if (asked.empty()) asked = run.text(std::string(fixed_prefix) + name);
   return asked.empty() && name == "jitter" ? "0" : asked;  // which no table tells of layouts without
 }
 
@@ -166,11 +169,15 @@ StoredResults read_results(const std::vector<std::string>& files) {
     const fs::path file = results_file(given);
     if (!seen.insert(file.lexically_normal()).second)
       throw UsageError("'" + file.string() + "' is given twice");
+    const StoredSettings fixed = add_names(file, results);
+    if (seen.size() == 1) results.fixed = fixed;
+    std::erase_if(results.fixed,
+                  [&](const auto& set) { return std::ranges::find(fixed, set) == fixed.end(); });
     for (StoredRun& run : read_runs(file)) {
+      for (const auto& [name, value] : fixed) run.cells.emplace_back(std::string(fixed_prefix) + name, value);
       results.runs.push_back(std::move(run));
       add_scene(results, results.runs.back());
     }
-    add_names(file, results);
   }
   if (std::ranges::none_of(results.runs, &StoredRun::has_result))
     throw UsageError("no run in " + join(files) + " has a result");
@@ -183,9 +190,7 @@ StoredRun read_stored_run(const std::string& path) {
   const fs::path file = fs::is_directory(path, error) ? fs::path(path) / "run.json" : fs::path(path);
   const auto text = read_whole(file);
   if (!text) throw UsageError("'" + path + "' is not the folder of a run, nor its run.json");
-  std::vector<std::string> verdicts = names_of_failures();
-  verdicts.insert(verdicts.begin(), std::string(name(Verdict::stable)));
-  const auto json = parse_run_json(*text, file.string(), verdicts);
+  const auto json = parse_run_json(*text, file.string(), names_of_verdicts());
   StoredRun run{.file = file.string(), .cells = {{"folder", "."}}};
   const auto leaves = json.flatten();
   for (const auto& [pointer, value] : leaves.items()) {
@@ -221,10 +226,11 @@ std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& ru
   std::vector<std::string> chosen;
   for (const std::string& column : candidates(runs)) {
     const std::string name = without_prefix(column);
-    if (name == without_prefix(x) || column == "set.method") continue;
+    if (name == without_prefix(x) || name == "method") continue;
     std::map<std::vector<std::string>, std::string> seen;
     const bool differs = std::ranges::any_of(runs, [&](const StoredRun& run) {
-      if (!run.has_result() && !column.starts_with(set_prefix)) return false;
+      if (!run.has_result() && !column.starts_with(set_prefix) && !column.starts_with(fixed_prefix))
+        return false;
       std::vector<std::string> key{run.method(), run.text(x)};
       for (const std::string& c : chosen) key.push_back(effective(run, c));
       const std::string value = effective(run, column);

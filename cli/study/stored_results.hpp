@@ -12,10 +12,14 @@ namespace taut::cli {
 /// Before the name of what was set, in the columns of results.csv: "set.v0".
 inline constexpr std::string_view set_prefix = "set.";
 
+/// Names with their values, as they were given.
+using StoredSettings = std::vector<std::pair<std::string, std::string>>;
+
 /// A row of the results.csv of a sweep.
 struct StoredRun {
-  std::string file;                                        // results.csv
-  std::vector<std::pair<std::string, std::string>> cells;  // by column, "set.v0"; none that is empty
+  std::string file;  // results.csv
+  StoredSettings
+      cells;  // by column, "set.v0", and "fixed.until" of what the sweep set for all; none that is empty
 
   /// Empty where there is nothing.
   std::string text(std::string_view column) const;
@@ -32,7 +36,7 @@ struct StoredResults {
   std::string title;                         // of the first sweep; else the scene
   std::string scene;                         // its name
   std::map<std::string, std::string> units;  // of swept parameters, as far as a results.json beside tells
-  std::vector<std::string> fixed;            // what was set for all runs, from there: "until = 0.3"
+  StoredSettings fixed;                      // what all of the sweeps set for all of their runs, from there
   std::vector<StoredRun> runs;
 
   /// The measures of the scene, in its order.

@@ -19,6 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Two scene.toml. How it would be drawn makes no other run where nothing is drawn; `taut render` leaves it there.
+bool are_of_one_run(const std::string& one, const std::string& other, bool drawn) try {
+  return one == other || (!drawn && undrawn(one) == undrawn(other));
+} catch (const SceneError&) {
+  return false;
+}
+
 /// The options of one run, `without` one of its settings.
 RunOptions options_of(const SweepRequest& request, const GridRow& row, const Setting* without = nullptr) {
   RunOptions options = request.base;
@@ -176,7 +183,8 @@ void SweepRun::read_folder() {
   const std::optional<StoredRecord> found = read_record(files.record());
   if (!found && files.is_damaged()) state = RunState::damaged;
   if (!found) return;
-  const bool same = found->version == TAUT_VERSION && read_whole(files.scene()) == scene;
+  const bool same = found->version == TAUT_VERSION &&
+                    are_of_one_run(read_whole(files.scene()).value_or(""), scene, last_frame >= 0);
   const bool failed = found->status == Status::failed;
   // a run that failed without diverging could not write its files
   const bool ended = found->status == Status::finished || (failed && found->verdict == Verdict::diverged);

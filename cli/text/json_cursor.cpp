@@ -79,6 +79,7 @@ const std::vector<KeyOfRun>& keys_of_run() {
       {{"particle_steps_per_second"}, number},
       {{"verdict"}, choice_of_verdict},
       {{"since", "*"}, number},
+      {{"beyond_law", "*"}, number},
       {{"indicators"}, object},
       {{"conservation", "*"}, number},
       {{"measures", "*", "value"}, number},

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <cstring>
 #include <type_traits>
 
 #include "engine/core/isa.hpp"
@@ -147,13 +146,6 @@ inline Pack halves(const double* a, const double* b) {
 #endif
 }
 
-/// Four doubles from `a` on, which need not be aligned.
-inline Pack loaded(const double* a) {
-  Pack pack;
-  std::memcpy(&pack, a, sizeof(pack));
-  return pack;
-}
-
 /// Four rows of a table with an even number of doubles a row, aligned to 16 bytes, of which columns are
 /// wanted as packs. Two neighbouring columns cost little more than one.
 struct RowsOfFour {
@@ -179,23 +171,6 @@ template <int Columns, int Stride = Columns>
   const RowsOfFour rows(table, Stride, j);
 #pragma GCC unroll 16
   for (int k = 0; k < Columns; ++k) out[k] = rows.column(k);
-}
-
-/// The reverse: row n of the four from `row` on holds in[0][n], in[1][n], …
-template <int Width>
-inline void scatter(const Pack* in, double* row) {
-  static_assert(Width % lanes == 0);
-  for (int k = 0; k < Width; k += lanes) {
-    const Pack ab_even = __builtin_shufflevector(in[k], in[k + 1], 0, 4, 2, 6);
-    const Pack ab_odd = __builtin_shufflevector(in[k], in[k + 1], 1, 5, 3, 7);
-    const Pack cd_even = __builtin_shufflevector(in[k + 2], in[k + 3], 0, 4, 2, 6);
-    const Pack cd_odd = __builtin_shufflevector(in[k + 2], in[k + 3], 1, 5, 3, 7);
-    Pack* const at = reinterpret_cast<Pack*>(row + k);
-    at[0] = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
-    at[Width / lanes] = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
-    at[2 * Width / lanes] = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
-    at[3 * Width / lanes] = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
-  }
 }
 
 }  // namespace taut::inline TAUT_ISA

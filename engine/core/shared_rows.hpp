@@ -37,6 +37,8 @@ class SharedRows {
     return begin;
   }
   const T& operator[](int k) const { return all_[k]; }
+  /// The row that begins at k; an empty one may begin where all ends.
+  const T* from(int k) const { return all_.data() + k; }
   /// Nothing will be added any more.
   void close() { table_ = {}; }
 

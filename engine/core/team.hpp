@@ -30,7 +30,7 @@ class Team {
   /// That of the calling thread. Its helpers start when they are needed first.
   static Team& own();
   /// work(of, chunk) once for each chunk, on at most `threads` threads, in any order; on this one alone if
-  /// that is within such a loop.
+  /// that is within such a loop of its own.
   void run(int threads, int chunks, Work work, const void* of);
 
  private:

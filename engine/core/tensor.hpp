@@ -371,11 +371,5 @@ Mat<Pack, Dim> spread(const Mat<double, Dim>& a) {
     for (int l = 0; l < Dim; ++l) r(k, l) = filled<Pack>(a(k, l));
   return r;
 }
-template <int Dim>
-Sym<Pack, Dim> spread(const Sym<double, Dim>& a) {
-  Sym<Pack, Dim> r;
-  for (int k = 0; k < Sym<double, Dim>::size; ++k) r.c[k] = filled<Pack>(a.c[k]);
-  return r;
-}
 
 }  // namespace taut::inline TAUT_ISA

@@ -20,7 +20,7 @@ struct Balance {
 
 Balance balance(const Snapshot& now, const Scene& scene);
 
-/// That of particles as fast as 1e-8 sound speeds, J: what rounding makes of bodies without any.
+/// m c² times 1e-16, of speeds of 1e-8 sound speeds, J: more than what rounding makes of bodies without any.
 double energy_of_rounding(const Scene& scene, const Snapshot& start);
 
 }  // namespace taut

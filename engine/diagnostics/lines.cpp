@@ -27,6 +27,10 @@ Point line_point(const SampleLine& line, int k) {
   return point;
 }
 
+double length_of(const SampleLine& line) {
+  return std::hypot(line.to[0] - line.from[0], line.to[1] - line.from[1], line.to[2] - line.from[2]);
+}
+
 LineRecorder::LineRecorder(const Scene& scene, const Snapshot& start, double support)
     : lines_(scene.lines), reach_(reach_of_points(support, scene.spacing)), samples_(scene.lines.size()) {
   for (const SampleLine& line : lines_) {

@@ -24,6 +24,7 @@ struct LineSample {
 /// A point of a line, at t = 0 where it is a material one, from the first one at `from` to the last one at
 /// `to`.
 Point line_point(const SampleLine& line, int k);
+double length_of(const SampleLine& line);  // m
 
 /// Samples the lines of a scene.
 class LineRecorder {

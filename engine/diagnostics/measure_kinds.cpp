@@ -5,10 +5,8 @@
 #include <utility>
 
 #include <Eigen/Dense>
-#include <fmt/format.h>
 
-#include "engine/diagnostics/field_error.hpp"
-#include "engine/diagnostics/lattice_volume.hpp"
+#include "engine/diagnostics/measures_in_space.hpp"
 #include "engine/diagnostics/spectrum.hpp"
 
 namespace taut {
@@ -16,15 +14,6 @@ namespace {
 
 using Source = MeasureSource;
 using Value = std::optional<double>;  // of a reference
-
-/// Written like a value.
-template <class... Args>
-Measured none(fmt::format_string<Args...> why, Args&&... args) {
-  return Measured(fmt::format(why, std::forward<Args>(args)...));
-}
-Measured too_short(double wanted, double reached) {
-  return none("the run ends at {:g} s, before {:g} s", reached, wanted);
-}
 
 /// The time that a run and the reference's curves both cover, up to the end of the run; nothing while the run
 /// goes on within it.
@@ -121,7 +110,7 @@ Measured path_error(const Source& source) {
     double squared = 0;
     for (std::size_t k = 0; k < source.curve.size(); ++k)
       squared += std::pow(value_at(source.curve[k], t) - reference.at(k, t), 2);
-    greatest = std::max(greatest.value_or(0), std::sqrt(squared) / source.measure->scale);
+    greatest = std::max(greatest.value_or(0), std::sqrt(squared) / std::abs(source.measure->scale));
   }
   return greatest ? Measured(*greatest) : none("no time of the reference lies within the run");
 }
@@ -217,6 +206,8 @@ Measured last_below(const Source& source) {
 Measured final_ratio(const Source& source) {
   const double ratio = source.curve[0].y.back() / source.measure->scale;
   if (!source.free) return ratio;
+  if (source.free->t.back() < source.curve[0].t.back())
+    return none("{} is not finite beyond {:g} s", source.measure->free, source.free->t.back());
   const auto& gap = source.free->y;
   const double threshold = source.measure->threshold, end = source.free->t.back();
   const bool touched = std::ranges::any_of(gap, [&](double y) { return y <= threshold; });
@@ -234,53 +225,6 @@ Measured frequency(const Source& source) {
   return none("no swing between {:g} and {:g} Hz has a peak in the spectrum", band[0], band[1]);
 }
 
-/// Of a line's difference from its reference, and of the reference.
-struct LineSquares {
-  double difference = 0, reference = 0;  // √ of the mean
-};
-
-/// The reference at the time of the step that was sampled, or a table, at its only time; none before the last
-/// sample, and where a point has left the body.
-std::optional<LineSquares> line_squares(const Source& source) {
-  if (source.reference.empty() || !source.samples) return std::nullopt;
-  const SampleLine& line = *source.line;
-  if (source.samples->size() < line.times.size() || source.samples->empty()) return std::nullopt;
-  const double apart = std::hypot(std::hypot(line.to[0] - line.from[0], line.to[1] - line.from[1]),
-                                  line.to[2] - line.from[2]) /
-                       (line.points - 1);
-  LineSquares mean;
-  for (const LineSample& sample : *source.samples) {
-    for (int k = 0; k < line.points; ++k) {
-      const ReferenceCurves& reference = source.reference;
-      const double is = sample.value[static_cast<std::size_t>(k)];
-      const double should = reference.exact ? reference.exact->front()(line_point(line, k), sample.time)
-                                            : value_at(reference.table.front(), k * apart);
-      mean.difference += (is - should) * (is - should);
-      mean.reference += should * should;
-    }
-  }
-  const double number = static_cast<double>(line.points) * static_cast<double>(line.times.size());
-  if (!std::isfinite(mean.difference)) return std::nullopt;
-  return LineSquares{std::sqrt(mean.difference / number), std::sqrt(mean.reference / number)};
-}
-
-Measured without_line(const Source& source) {
-  return source.reference.empty() ? none(no_reference)
-                                  : none("the line lacks samples, or a point of it has left the body");
-}
-
-Measured line_rmse(const Source& source) {
-  const auto mean = line_squares(source);
-  return mean ? Measured(mean->difference) : without_line(source);
-}
-
-Measured line_error(const Source& source) {
-  const auto mean = line_squares(source);
-  if (!mean) return without_line(source);
-  return mean->reference > 0 ? Measured(mean->difference / mean->reference)
-                             : none("the reference is 0 everywhere");
-}
-
 Measured at_rest(const Source& source) {
   constexpr double last = 0.1, still = 1e-3;  // of the run, of the greatest size of the series
   const Curve& curve = source.curve.front();
@@ -296,35 +240,6 @@ Measured at_rest(const Source& source) {
   return none(
       "it moves by {:g} of its greatest size in the last tenth of the run: a longer one may come to rest",
       (high - low) / size);
-}
-
-/// Particles that are not held, in their places at the start; none before the end of the run.
-std::optional<FieldError> error_at_end(const Source& source) {
-  if (!source.reference.exact || !source.now || source.now->time < source.until) return std::nullopt;
-  return field_error(*source.measure, *source.now, *source.reference.exact);
-}
-
-Measured without_end(const Source& source) {
-  if (!source.now) return none("only the whole run knows it");
-  if (source.now->time < source.until) return too_short(source.until, source.now->time);
-  return none(no_reference);
-}
-
-Measured field_rmse(const Source& source) {
-  const auto error = error_at_end(source);
-  return error ? Measured(error->rms) : without_end(source);
-}
-
-Measured greatest_field_error(const Source& source) {
-  const auto error = error_at_end(source);
-  return error ? Measured(error->greatest) : without_end(source);
-}
-
-Measured volume_change(const Source& source) {
-  if (!source.now || source.now->time < source.until) return without_end(source);
-  const double before = lattice_volume(*source.now, source.measure->body, source.now->x0);
-  if (!(before > 0)) return none("the body is no lattice along the axes");
-  return lattice_volume(*source.now, source.measure->body, source.now->x) / before - 1;
 }
 
 /// Of a measure that is a difference from its reference: it is its own error.

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "engine/diagnostics/curve.hpp"
 #include "engine/diagnostics/lines.hpp"
 #include "engine/scene/scene.hpp"
@@ -51,6 +53,18 @@ struct Measured {
   explicit Measured(std::string reason) : why(std::move(reason)) {}
 };
 
+/// Written like a value.
+template <class... Args>
+Measured none(fmt::format_string<Args...> why, Args&&... args) {
+  return Measured(fmt::format(why, std::forward<Args>(args)...));
+}
+inline Measured too_short(double wanted, double reached) {
+  return none("the run ends at {:g} s, before {:g} s", reached, wanted);
+}
+
+/// Why a measure that needs one has no value.
+inline constexpr const char* no_reference = "there is no reference to compare with";
+
 /// A kind of measure. A new one is a function and a row in measure_kinds.cpp.
 struct MeasureKind {
   using Value = Measured (*)(const MeasureSource&);
@@ -74,8 +88,5 @@ const MeasureKind* find_measure_kind(std::string_view name);
 constexpr bool is_difference(std::string_view kind) {
   return kind == "rmse" || kind == "path_error" || kind.starts_with("line_") || kind.starts_with("field_");
 }
-
-/// Why a measure that needs one has no value.
-inline constexpr const char* no_reference = "there is no reference to compare with";
 
 }  // namespace taut

@@ -95,7 +95,8 @@ std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std
     source.now = now;
     if (reference) add_reference(source, *reference);
     const auto no_sample = [](const Curve& curve) { return curve.size() == 0; };
-    const bool seen = std::ranges::none_of(source.curve, no_sample);
+    const bool seen =
+        std::ranges::none_of(source.curve, no_sample) && !(source.free && no_sample(*source.free));
     const Measured found = !seen             ? Measured("the series has no finite value at its beginning")
                            : each.scale == 0 ? Measured("its scale is 0")
                                              : kind.value(source);

@@ -45,10 +45,16 @@ std::optional<Verdict> find_verdict(std::string_view name) {
   return found == verdicts.end() ? std::nullopt : std::optional(found->first);
 }
 
-std::vector<std::string> names_of_failures() {
+std::vector<std::string> names_of_verdicts() {
   std::vector<std::string> names;
-  for (int v = static_cast<int>(Verdict::stable) + 1; v <= static_cast<int>(Verdict::diverged); ++v)
+  for (int v = static_cast<int>(Verdict::stable); v <= static_cast<int>(Verdict::diverged); ++v)
     names.emplace_back(name(static_cast<Verdict>(v)));
+  return names;
+}
+
+std::vector<std::string> names_of_failures() {
+  std::vector<std::string> names = names_of_verdicts();
+  names.erase(names.begin());
   return names;
 }
 

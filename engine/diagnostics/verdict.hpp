@@ -24,7 +24,8 @@ enum class Verdict { stable, hourglass, penetrated, fractured, diverged };
 std::string_view name(Verdict);
 /// None if there is no verdict of that name.
 std::optional<Verdict> find_verdict(std::string_view name);
-/// All but `stable`, from the mildest to the worst.
+/// From `stable` to the worst; and without `stable`.
+std::vector<std::string> names_of_verdicts();
 std::vector<std::string> names_of_failures();
 
 /// Hourglass error (engine/diagnostics/indicators.hpp) from which particles zigzag. What the papers show as

@@ -22,6 +22,17 @@ inline Mat<double, 3> turned_by(const Vec<double, 3>& omega, double angle, const
   return result;
 }
 
+/// Of a symmetric RᵀF with a positive determinant: whether two of its eigenvalues are negative.
+inline bool is_half_turn(const Mat<double, 3>& R, const Mat<double, 3>& F) {
+  Mat<double, 3> U{};
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b)
+      for (int c = 0; c < 3; ++c) U(a, b) += R(c, a) * F(c, b);
+  double minors = 0;
+  for (int a = 0, b = 1; a < 3; ++a, b = (b + 1) % 3) minors += U(a, a) * U(b, b) - U(a, b) * U(b, a);
+  return determinant(F) > 0 && !(trace(U) > 0 && minors > 0);
+}
+
 /// The rotation nearest to F: that of its polar decomposition F = R U where det F > 0. In the plane it is
 /// known in closed form, R ∝ F + cof F. Differs from [TranDuc2023] §2.3, which iterates towards the same R.
 template <class T>
@@ -36,7 +47,8 @@ Mat<T, 2> nearest_rotation(const Mat<T, 2>& F) {
 /// In 3D by Müller's iteration, from R = I: turned by the torque of the columns of F upon those of R,
 ///   ω = Σ_k R_k × F_k/(|Σ_k R_k · F_k| + ε),  R ← exp(ω) R.                       [TranDuc2023] §2.3
 /// Differs from the paper, which prints the sum of products without the bars: where it is negative, beyond
-/// 90°, the rotation would run away.
+/// 90°, the rotation would run away. And the torque vanishes too where two axes are turned by 180°: from there it
+/// goes on with a turn about any axis.
 inline Mat<double, 3> nearest_rotation(const Mat<double, 3>& F) {
   Mat<double, 3> R{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   constexpr int most = 100;
@@ -51,8 +63,12 @@ inline Mat<double, 3> nearest_rotation(const Mat<double, 3>& F) {
     }
     const Vec<double, 3> omega = (1 / (std::abs(along) + 1e-9)) * torque;
     const double angle = std::sqrt(dot(omega, omega));
-    if (!(angle > 1e-15)) break;
-    R = turned_by(omega, angle, R);
+    if (angle > 1e-15) {
+      R = turned_by(omega, angle, R);
+      continue;
+    }
+    if (!is_half_turn(R, F)) break;
+    R = turned_by({1, 2, 3}, std::sqrt(14.0), R);
   }
   return R;
 }

@@ -13,7 +13,6 @@ struct NeighborLists {
   std::vector<std::size_t> begin;  // [n + 1]
   std::vector<int> j;
 
-  bool empty() const { return begin.empty(); }
   std::span<const int> operator[](int i) const { return {j.data() + begin[i], begin[i + 1] - begin[i]}; }
   /// Where in j the list of i has `other`, which must be there.
   std::size_t find(int i, int other) const;

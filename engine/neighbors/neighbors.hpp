@@ -116,7 +116,7 @@ struct Neighbors {
   }
 };
 
-/// All pairs with 0 < r < support, of particles stored in the grid's order, that `wanted(i, j)`. The lists do
+/// All pairs nearer than the support, of particles stored in the grid's order, that `wanted(i, j)`. The lists do
 /// not depend on the number of threads.
 template <int Dim>
 class NeighborSearch {
@@ -190,7 +190,7 @@ class NeighborSearch {
 
   Pack squared_distances(const Vec<double, Dim>& x_i, int j) const {
     Vec<Pack, Dim> d;
-    for (int k = 0; k < Dim; ++k) d[k] = x_i[k] - loaded(&x_[k][j]);
+    for (int k = 0; k < Dim; ++k) d[k] = x_i[k] - load(&x_[k][j]);
     return dot(d, d);
   }
 

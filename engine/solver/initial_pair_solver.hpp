@@ -107,7 +107,8 @@ InitialPairSolver<Solver, M, Dim>::InitialPairSolver(const SolverInput& input)
   if constexpr (M.gradient == GradientCorrection::corrected)
     loads_.act_on_faces(input.scene, initial_, FaceRule::uniform, surface(), this->support_);
   this->pairs_ = static_cast<long>(initial_pairs_.j.size());
-  for (const Elasticity& e : input.materials) c_p_ = std::max(c_p_, compression_wave_speed(e));
+  for (const int used : initial_.material)
+    c_p_ = std::max(c_p_, compression_wave_speed(input.materials[used]));
   this->go_to_start();
   contact_.search(s_);
   this->show_contacts_to_probes();

@@ -57,8 +57,8 @@ class PairLanes {
   template <class F>
   [[gnu::always_inline]] void for_each(int group, const F& f) const {
     const Group& own = groups_[group];
-    const LaneSlot* const slots = &slots_[own.slots];
-    const Constants* const constants = &constants_[own.constants];
+    const LaneSlot* const slots = slots_.from(own.slots);
+    const Constants* const constants = constants_.from(own.constants);
     for (int b = 0; b < own.size; ++b) f(slots[b], constants[b]);
   }
 

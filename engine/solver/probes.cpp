@@ -96,8 +96,7 @@ auto ProbeRecorder<Dim>::held_particles(const InitialParticles& initial, const P
 template <int Dim>
 void ProbeRecorder<Dim>::rebuilt(const State<Dim>& s, double support) {
   support_ = support;
-  where_.resize(s.size());
-  for (int i = 0; i < s.size(); ++i) where_[s.id[i]] = i;
+  where_ = s.places_of_ids();
   for (std::size_t k = 0; k < probes_.size(); ++k) {
     if (probes_[k].kind == Probe::Kind::gap) find_close_pairs(s, probes_[k], followers_[k]);
     if (probes_[k].kind == Probe::Kind::mirror_asymmetry)
@@ -124,6 +123,12 @@ std::vector<int> ProbeRecorder<Dim>::images(const Scene& scene, const InitialPar
   const int a = probe.bodies[0], b = probe.bodies[1];
   std::vector<int> images(initial.first[a + 1] - initial.first[a]);
   std::iota(images.begin(), images.end(), initial.first[b]);
+  if (initial.first[b + 1] - initial.first[b] != static_cast<int>(images.size()))
+    throw SceneError("probe." + probe.name,
+                     "the probe '" + probe.name +
+                         "' compares two bodies that are no images of each other: they have " +
+                         std::to_string(images.size()) + " and " +
+                         std::to_string(initial.first[b + 1] - initial.first[b]) + " particles");
   if (a != b) return images;
   using Cell = std::array<long, 3>;
   // a quarter of a spacing: mirrored places are found in the same cell or, by round-off, in the next one

@@ -88,8 +88,8 @@ Tensor<Dim> spread_tensor(const TensorRow<Dim>& row) {
   return t;
 }
 
-/// The particles in the order of their cells, and what a method integrates for each. Arrays that a method
-/// does not use stay empty.
+/// The particles, in the order of their cells where a method searches neighbours, else of creation, and what a
+/// method integrates for each. Arrays that a method does not use stay empty.
 template <int Dim>
 struct State {
   using V = Vec<double, Dim>;
@@ -121,6 +121,13 @@ struct State {
   HeldPairs<Dim> pairs;
 
   int size() const { return static_cast<int>(x.size()); }
+
+  /// Where the particle of each id is stored.
+  std::vector<int> places_of_ids() const {
+    std::vector<int> where(id.size());
+    for (int i = 0; i < size(); ++i) where[id[i]] = i;
+    return where;
+  }
 
   /// What lasts from one step to the next; what the passes gather is made anew.
   template <class Archive>

@@ -89,12 +89,11 @@ inline constexpr TermInfo bond_force_info{
     "ours, from [Zhang2024] Eq. 20", "terms/bond.hpp:bond_slope",
     "bond: the slopes are those of the energies, and rise"};
 
-/// φ″(λ) of s = λ²: 1 at rest. What a bond resists its own stretch with. Its ¼ less than s + 1/(4s²).
+/// φ″(λ), less the offset, of s = λ² and ½/s: 1 at rest with it. What a bond resists its own stretch with.
 inline constexpr double bond_stiffness_offset = -0.25;
 template <class T>
-T bond_stiffness(const T& s) {
-  const T half_inverse = 0.5 / s;
-  return s + half_inverse * half_inverse + bond_stiffness_offset;
+T bond_stiffness(const T& s, const T& half_inverse) {
+  return s + half_inverse * half_inverse;
 }
 
 /// Of s, where φ_c is φ

@@ -8,14 +8,6 @@
 
 namespace taut::render {
 
-namespace {
-
-/// As black on it is easier to read than white. Weights: ITU-R BT.709, of the values as stored; At 118 the
-/// contrasts with black and with white are about the same.
-bool is_light(Rgb color) { return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2] > 118; }
-
-}  // namespace
-
 double line_width(double em) { return std::max(1.0, std::round(em / 14)); }
 
 Canvas::Canvas(Image& image, Rgb background)

@@ -63,7 +63,7 @@ class NormalMatrix {
 /// α of A Ω Aᵀ α = r by conjugate gradients, led by a Cholesky factor of the matrix, a little off where it is
 /// singular; of a large one, whose factor would cost minutes, by its diagonal, so far as that comes. Where the rows
 /// contradict each other by round-off, as by a re-entrant corner, what is left of r is what no α takes away: steps
-/// along it have no end, and the best α that was met is the answer.
+/// along it have no end, and the best α before r grew is the answer.
 Eigen::VectorXd solve_normal(const Rows& A, const Eigen::VectorXd& omega, Eigen::VectorXd r, int threads) {
   constexpr Eigen::Index largest_factor = 12000;
   NormalMatrix N(A, omega, threads);

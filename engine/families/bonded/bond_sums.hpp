@@ -49,7 +49,7 @@ template <bool WithEnergy, int Dim, class Kept>
     for (int k = 0; k < Dim; ++k) d[k] = place[k] - x_i[k], ahead[k] = place[Dim + k] - ahead_i[k];
     const auto& spring = springs[b];
     const Pack r2 = max(dot(d, d), least_r2), half_inverse = spring.half_inverse(r2);
-    stiffest = max(stiffest, Pack(r2 * spring.per_r02() + half_inverse * half_inverse));
+    stiffest = max(stiffest, bond_stiffness(Pack(r2 * spring.per_r02()), half_inverse));
     const Pack s_ahead = dot(d, ahead) * spring.per_r02();  // s + 3 τ q̇
     const Pack pull = spring.third() * three_bond_slopes(s_ahead, half_inverse);
     for (int k = 0; k < Dim; ++k) force[k] += pull * d[k];

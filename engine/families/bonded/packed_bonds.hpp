@@ -83,11 +83,11 @@ class PackedBonds {
               const std::vector<Elasticity>& materials, const std::vector<int>& ids, int threads = 1);
 
   const Group& of(int group) const { return groups_[group]; }
-  const LaneSlot* slots(const Group& own) const { return &slots_[own.slot]; }
-  const Spring<Kept>* springs(const Group& own) const { return &springs_[own.spring]; }
-  const Vec<Kept, Dim>* a_ij(const Group& own) const { return &a_ij_[own.a]; }
+  const LaneSlot* slots(const Group& own) const { return slots_.from(own.slot); }
+  const Spring<Kept>* springs(const Group& own) const { return springs_.from(own.spring); }
+  const Vec<Kept, Dim>* a_ij(const Group& own) const { return a_ij_.from(own.a); }
   /// As far as a bond is an energy of this end: G V0_i w_ij, J
-  const Kept* energy_scales(const Group& own) const { return &energy_scales_[own.scale]; }
+  const Kept* energy_scales(const Group& own) const { return energy_scales_.from(own.scale); }
   /// Where bonds enter a clamp: they lead to what is stored from a whole number of groups on.
   const std::vector<Vec<double, Dim>>& places_at_clamp() const { return places_at_clamp_; }
   /// Where the held particle behind one of them is stored.

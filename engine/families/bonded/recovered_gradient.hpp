@@ -26,7 +26,7 @@ struct RecoveredGradient {
   int dim = 0;
 
   bool empty() const { return begin.empty(); }
-  /// g_ij, of b from begin[i] to begin[i + 1] − 1; of g, or of halved.
+  /// g_ij, of b from begin[i] to begin[i + 1] − 1, where it is not halved.
   const double* of(int i, int b) const { return &g[row[i] + dim * (b - begin[i])]; }
 };
 

@@ -70,12 +70,12 @@ Mat<Pack, Dim> recovered_deformations(const RecoveredGradient& recovered, const 
   return F;
 }
 
-/// Scales the F of four particles, from `first` on, to the volume of their own, but where that is a mean of two sides.
+/// Scales the F of four particles, from `first` on, to the volume ratio J of their own, but where that is a mean of two
+/// sides.
 template <int Dim>
-void keep_volume(const RecoveredGradient& recovered, int first, Mat<Pack, Dim>& F,
-                 const Mat<Pack, Dim>& own) {
+void keep_volume(const RecoveredGradient& recovered, int first, Mat<Pack, Dim>& F, const Pack& J) {
   const Pack least = filled<Pack>(0.05);  // what is crushed or inside out has none to keep
-  const Pack ratio = max(determinant(own), least) / max(determinant(F), least);
+  const Pack ratio = max(J, least) / max(determinant(F), least);
   const Pack root = inverse_cube_root(ratio);
   Pack scale = ratio * root * root;
   for (int lane = 0; lane < lanes && first + lane < static_cast<int>(recovered.between.size()); ++lane)

@@ -478,9 +478,12 @@ void Bonded<M, Dim>::show(int group) {
   for (int i = lanes * group, lane = 0; lane < lanes && i < s_.size(); ++i, ++lane)
     this->snapshot_.strain_energy[s_.id[i]] =
         energy[lane] + interfaces_.energy_of_kink(i, s_.x, law_of_one());
+  // bonds of a particle that is held, or at a tip where they hardly span the space, give it no F
+  const PackIndex has_own = sites(group).V > 0;
+  for (int k = 0; k < Dim; ++k) now.F(k, k) = has_own ? now.F(k, k) : filled<Pack>(1);
   Mat<Pack, Dim> F = recovered_deformations(recovered_, displacements_, lanes * group, now.F);
-  if constexpr (Dim == 3) keep_volume(recovered_, lanes * group, F, now.F);
-  for (int k = 0; k < Dim; ++k) F(k, k) = sites(group).V > 0 ? F(k, k) : filled<Pack>(1);
+  if constexpr (Dim == 3)
+    keep_volume(recovered_, lanes * group, F, has_own ? determinant(now.F) : determinant(F));
   show_stress(group, F);
 }
 

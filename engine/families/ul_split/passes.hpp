@@ -106,6 +106,8 @@ void contact_geometry_pass(State<Dim>& s, const Constants& c) {
     for (int k = 0; k < Dim; ++k) pair.gradient[k] = inside ? pair.gradient[k] : now.gradient[k];
     pair.inverse_slope = inside ? pair.inverse_slope : now.inverse_slope;
     s.pairs.set(b, pair);
+    if constexpr (M.artificial_stress)
+      s.pairs.set_closeness(b, inside ? s.pairs.closeness(b) : kernel.closeness(d));
   }
 }
 

@@ -283,7 +283,10 @@ auto FaceContacts<Dim>::between(int a, int b) const -> V {
   for_each_touch(others_, [&](int n, const Foot<Dim>& foot, const auto& touch) {
     if (touch.depth <= 0 || touch.depth >= reach * dp_) return;
     const int own = faces_.outline().body[n], other = faces_.body_of_segment(foot.segment);
-    const V f = surface_force(touch.depth, foot.area, stiffness(n, foot.segment)) * touch.out;
+    const double k = stiffness(n, foot.segment);
+    // what turns the face acts on one body alone, as a pair
+    const V f = surface_force(touch.depth, foot.area, k) * touch.out -
+                surface_energy(touch.depth, foot.slope, k) * faces_.pushes(foot)[0];
     if (own == a && other == b) sum += f;
     if (own == b && other == a) sum -= f;
   });

@@ -164,7 +164,7 @@ MovingFacets::Slope FacetContacts::slope_of(int r) const {
                          per_weight * pair.share * pair.weight * near_slope(pair.p, reach_at(pair.p)) -
                          2 * pair.p * per_l2;
     slope.middle += per_p * pair.middle + (2 * per_l2) * pair.d;
-    const double square = 2 - 2 * pair.cosine;  // of the length of the sum of the two normals
+    const double square = 2 - 2 * pair.cosine;  // of the length of the difference of the two normals
     slope.normal += (per_share * projected_slope(pair.cosine) + per_p * pair.p / square) * at.normal -
                     (per_p / std::sqrt(square)) * pair.d;
     slope.area += per_other * weight_of(pair);

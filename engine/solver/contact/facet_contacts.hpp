@@ -39,8 +39,8 @@ class FacetContacts {
   V between(int a, int b) const;
   V of_wall(int a, int wall, const WallContacts<3>& walls) const;
 
-  /// Least height of a facet of one of two bodies over a face of the other, m, below 0 where they overlap; at
-  /// least a spacing where they are further apart.
+  /// Least height of a facet of one of two bodies over a face of the other, m, below 0 where they overlap; a
+  /// spacing where they are further apart.
   double gap(const State<3>& s, int a, int b);
 
   template <class Archive>
@@ -75,7 +75,7 @@ class FacetContacts {
     }
   };
   struct Pair {
-    V d, middle;                                // x_f − x_g, m; ½ (n_g − n_f)
+    V d, middle;                                // x_f − x_g, m; (n_g − n_f)/|n_g − n_f|
     double p, l2, cosine, share, weight, near;  // of W: s, w and c
   };
 

@@ -58,8 +58,7 @@ class MovingFaces {
 
   /// After particles were stored in another order.
   void renumber(const State<Dim>& s) {
-    std::vector<int> where(s.size());
-    for (int i = 0; i < s.size(); ++i) where[s.id[i]] = i;
+    const std::vector<int> where = s.places_of_ids();
     stored_.clear();
     for (const PointWeight& share : outline_.shares) stored_.push_back(where[share.particle]);
   }
@@ -113,7 +112,8 @@ class MovingFaces {
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
     const double along = dot(d, t) / dot(t, t);
     // beside a sharp end the face goes on, as far as it covers something
-    const double xi = std::clamp(along, sharp_[k][0] ? along : 0.0, sharp_[k][1] ? along : 1.0);
+    const double xi = std::clamp(along, sharp_[k][0] ? std::min(along, 0.0) : 0.0,
+                                 sharp_[k][1] ? std::max(along, 1.0) : 1.0);
     const V offset = d - xi * t;
     const double distance2 = dot(offset, offset);
     const double distance = std::sqrt(distance2);

@@ -62,8 +62,7 @@ class MovingFacets {
 
   /// After particles were stored in another order.
   void renumber(const State<3>& s) {
-    std::vector<int> where(s.size());
-    for (int i = 0; i < s.size(); ++i) where[s.id[i]] = i;
+    const std::vector<int> where = s.places_of_ids();
     stored_.clear();
     for (const PointWeight& share : mesh_.shares) stored_.push_back(where[share.particle]);
     behind_.clear();

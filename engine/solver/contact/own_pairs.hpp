@@ -32,8 +32,6 @@ class OwnPairs {
     }
   }
 
-  bool any() const { return !ids_.empty(); }
-
   /// Searches where the next way of the fastest particle, m, asks for it: true if it did.
   bool prepare(const State<Dim>& s, double way) {
     if (ids_.empty() || bound_.holds(way)) return false;
@@ -70,8 +68,7 @@ class OwnPairs {
 
   void place(const State<Dim>& s) {
     stored_.resize(ids_.size());
-    std::vector<int> where(s.size());
-    for (int i = 0; i < s.size(); ++i) where[s.id[i]] = i;
+    const std::vector<int> where = s.places_of_ids();
     x_.clear();
     for (std::size_t k = 0; k < ids_.size(); ++k) x_.push_back(s.x[stored_[k] = where[ids_[k]]]);
   }

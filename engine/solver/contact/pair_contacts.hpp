@@ -49,7 +49,6 @@ class PairContacts {
     for (const int material : input.initial.material) K_.push_back(input.materials[material].K);
   }
 
-  bool between_bodies() const { return between_bodies_; }
   bool impulses() const { return law_ == ContactLaw::impulse; }
 
   void search(const State<Dim>& s, WallContacts<Dim>& walls) {

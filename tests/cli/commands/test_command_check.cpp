@@ -100,6 +100,18 @@ TEST_SUITE("cli") {
     }
   }
 
+  TEST_CASE(
+      "what an option with several words has taken from behind it is said, a list with commas takes one") {
+    const TemporaryFolder folder;
+    const std::string run = write_record(folder, "run", 0.255);
+    const Outcome taken = call({"check", "--measure", "period<1", run, "--verdict", "stable"});
+    CHECK(taken.code == 2);
+    CHECK(contains(taken.err, "DIR is required: --measure took all words behind it"));
+    CHECK(call({"check", "--verdict", "stable", run, "--measure", "period<1", "period>0"}).code == 0);
+    REQUIRE(call(tiny_run(folder, "a", {"--no-render"})).code == 0);
+    CHECK(call({"plot", "--columns", "step", folder.str("a"), "--out", folder.str("p.png")}).code == 0);
+  }
+
   TEST_CASE("plot draws the columns of several runs with their units, by default the probes") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "a", {"--no-render"})).code == 0);

@@ -4,6 +4,7 @@
 #include "cli/run/panel_cells.hpp"
 #include "render/image/png.hpp"
 #include "tests/support/program_runner.hpp"
+#include "tests/support/scene_text.hpp"
 
 using namespace taut;
 using namespace taut::cli;
@@ -55,6 +56,24 @@ TEST_SUITE("cli") {
     CHECK(panel("-0.01", {"--view", "auto"}).empty());
     CHECK(render::read_png(folder / "panel.png").width != cut.width);
     CHECK(panel("-0.03").empty());
+  }
+
+  TEST_CASE("runs whose bodies have other names are not drawn by one legend") {
+    const TemporaryFolder folder;
+    make_run(folder, "a", {"--until", "1e-4"});
+    const std::string scene = write_tiny_scene(folder);
+    const std::string text =
+        replaced(replaced(text_of(scene), "name = \"left\"", "name = \"first\""), "[\"left\"", "[\"first\"");
+    std::ofstream(folder / "other.toml") << text;
+    REQUIRE(call({"run", folder.str("other.toml"), "--out", folder.str("b"), "--quiet", "--no-render",
+                  "--save-particles", "--until", "1e-4"})
+                .code == 0);
+    const Outcome refused = compare(folder, {"a", "b"}, {"--color", "body"});
+    CHECK(refused.code == 2);
+    CHECK(contains(refused.err, "has left, right"));
+    CHECK(contains(refused.err, "has first, right"));
+    CHECK(compare(folder, {"a", "b"}, {"--color", "material"}).code == 0);
+    CHECK(compare(folder, {"a", "b"}).code == 0);
   }
 
   TEST_CASE("a panel shows every run at every time and says what it cannot show") {

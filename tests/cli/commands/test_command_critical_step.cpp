@@ -54,8 +54,9 @@ TEST_SUITE("cli") {
   TEST_CASE("critical-step: what is wrong is refused with exit code 2 before the first trial") {
     const TemporaryFolder folder;
     const std::vector<std::vector<std::string>> cases{
-        {"--steps", "0"},   {"--steps", "2.5"},   {"--tolerance", "-1"}, {"--method", "tll"},
-        {"--set", "pul=1"}, {"--spacing", "0.2"}, {"--cfll", "1"}};
+        {"--steps", "0"},         {"--steps", "2.5"},   {"--tolerance", "-1"},
+        {"--tolerance", "1e-17"}, {"--tolerance", "5"}, {"--method", "tll"},
+        {"--set", "pul=1"},       {"--spacing", "0.2"}, {"--cfll", "1"}};
     for (const auto& arguments : cases) {
       CAPTURE(arguments.front());
       const Outcome outcome = search(folder, arguments);

@@ -215,6 +215,56 @@ TEST_SUITE("cli") {
     CHECK(text_of(folder / "lattice/history.csv") != text_of(folder / "out/history.csv"));
   }
 
+  TEST_CASE("the verdict does not hang on the rows that are asked for") {
+    const TemporaryFolder folder;
+    const auto record = [&](const std::string& name, const std::string& history) {
+      REQUIRE(call(tiny_run(folder, name, {"--no-render", "--history", history, "--set", "speed=3"})).code ==
+              0);
+      return json_of(folder / name / "run.json");
+    };
+    const auto few = record("few", "1"), many = record("many", "1e-5");  // s; a 200th of the run
+    CHECK(lines_of(folder / "few/history.csv").size() == 3);
+    CHECK(lines_of(folder / "many/history.csv").size() > 80);
+    for (const char* key : {"verdict", "since", "indicators", "conservation"}) CHECK(few[key] == many[key]);
+    CHECK(few["indicators"]["hourglass_error"]["at"] != few["reached"]);
+  }
+
+  TEST_CASE(
+      "a spacing names the folder by its value, and one that was rounded is told of, however it was given") {
+    const TemporaryFolder folder;
+    const std::string scene = write_tiny_scene(folder);
+    const fs::path before = fs::current_path();
+    fs::current_path(folder.path());
+    const Outcome divided =
+        call({"run", scene, "--no-render", "--quiet", "--until", "1e-5", "--set", "spacing=0.005/2"});
+    const Outcome rounded =
+        call({"run", scene, "--no-render", "--quiet", "--until", "1e-5", "--set", "spacing=0.0021"});
+    fs::current_path(before);
+    CHECK(divided.code == 0);
+    CHECK(fs::exists(folder / "out/discs-enog-spacing=0.0025-until=1e-05/run.json"));
+    CHECK_FALSE(contains(divided.out, "does not divide"));
+    CHECK(contains(rounded.out, "0.0021 m does not divide the first body"));
+    CHECK(json_of(folder / "out/discs-enog-spacing=0.0021-until=1e-05/run.json")["spacing_asked"] == 0.0021);
+  }
+
+  TEST_CASE("a link in the place of a run's frames or particles is refused, and nothing behind it touched") {
+    for (const char* inner : {"frames", "particles"}) {
+      CAPTURE(inner);
+      const TemporaryFolder folder;
+      REQUIRE(call(tiny_run(folder, "out", {"--until", "1e-5", "--save-particles"})).code == 0);
+      fs::remove_all(folder / "out" / inner);
+      fs::create_directory(folder / "elsewhere");
+      std::ofstream(folder / "elsewhere/frame_00000.png") << "mine";
+      fs::create_directory_symlink(folder / "elsewhere", folder / "out" / inner);
+      const Outcome again = call(tiny_run(folder, "out", {"--until", "1e-5", "--save-particles"}));
+      CHECK(again.code == 2);
+      CHECK(contains(again.err, std::string(inner) + "' is a link"));
+      CHECK(call({"render", folder.str("out"), "--quiet"}).code == 2);
+      CHECK(text_of(folder / "elsewhere/frame_00000.png") == "mine");
+      CHECK(files_in(folder / "elsewhere") == 1);
+    }
+  }
+
   TEST_CASE("history has a row for the start and the end and none twice") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_run(folder, "out", {"--no-render"})).code == 0);

@@ -96,6 +96,17 @@ TEST_SUITE("cli") {
       }
   }
 
+  TEST_CASE("language: a file in a scene folder that is no scene keeps nobody from the others") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "pyproject.toml") << "[project]\nname = \"other\"\n";
+    ::setenv("TAUT_SCENES", folder.path().c_str(), 1);
+    const Outcome listed = call({"list", "scenes"});
+    ::unsetenv("TAUT_SCENES");
+    CHECK(listed.code == 0);
+    CHECK(contains(listed.out, "colliding-rings"));
+    CHECK(contains(listed.out, "cannot be read: "));
+  }
+
   TEST_CASE("language: the page in scenes/ is what the program says") {
     const std::filesystem::path page = std::filesystem::path(TAUT_SOURCE_DIR) / "scenes/LANGUAGE.md";
     if (std::getenv("TAUT_UPDATE_GOLDEN")) std::ofstream(page, std::ios::binary) << language_page();

@@ -307,6 +307,26 @@ normal = [0, 1]
     CHECK(refused < 24);
   }
 
+  TEST_CASE("a run that can go on is drawn in another way elsewhere only, and goes on") {
+    const TemporaryFolder folder;
+    const Arguments all = long_run + Arguments{"--save-particles"};
+    REQUIRE(call(tiny_run(folder, "straight", all)).code == 0);
+    {
+      ChildProgram child(tiny_run(folder, "out", all + with_checkpoints));
+      ChildProgram::wait_for(folder / "out/particles/particles_00000.vtp");
+      child.send(SIGINT);
+      REQUIRE(child.exit_code() == 130);
+    }
+    const Outcome refused = call({"render", folder.str("out"), "--color", "pressure", "--quiet"});
+    CHECK(refused.code == 2);
+    CHECK(contains(refused.err, "can go on (`taut run --resume`)"));
+    CHECK(call({"render", folder.str("out"), "--color", "pressure", "--quiet", "--out", folder.str("other")})
+              .code == 0);
+    CHECK(call({"render", folder.str("out"), "--quiet"}).code == 0);  // as it is
+    CHECK(call(resume(folder, "out")).code == 0);
+    check_same_run(folder / "straight", folder / "out");
+  }
+
   TEST_CASE("a link in a stranger's folder leads the rows of a run that goes on nowhere") {
     const TemporaryFolder folder;
     leave_interrupted(folder);

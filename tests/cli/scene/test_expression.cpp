@@ -1,5 +1,6 @@
 #include <cmath>
 #include <numbers>
+#include <thread>
 
 #include <doctest/doctest.h>
 
@@ -93,6 +94,25 @@ TEST_SUITE("cli") {
     CHECK(says(error_of("  "), "empty"));
     CHECK(says(error_of("a = 2", {{"a", 1}}), "write '=='"));
     CHECK_THROWS_AS(taut::cli::compile("x = 2", {}), ExpressionError);
+  }
+
+  TEST_CASE("copies of a function may be called by two threads at once") {
+    const auto function = taut::cli::compile("2*x + y*z", {});
+    const auto in_time = taut::cli::compile_in_time("x - t", {});
+    const auto wrong_of = [](const auto f, auto g, double from) {
+      int wrong = 0;
+      for (int k = 0; k < 20000; ++k) {
+        const double x = from + k;
+        wrong += f({x, 1, 3}) != 2 * x + 3 || g({x, 0, 0}, 1) != x - 1;
+      }
+      return wrong;
+    };
+    int other = 0;
+    std::thread second([&] { other = wrong_of(function, in_time, 1e6); });
+    const int own = wrong_of(function, in_time, 0);
+    second.join();
+    CHECK(own == 0);
+    CHECK(other == 0);
   }
 
   TEST_CASE("names and texts beyond the bounds of muParser are errors like others") {

@@ -1,3 +1,5 @@
+#include <fstream>
+
 #include <doctest/doctest.h>
 
 #include "cli/scene/scene_file.hpp"
@@ -28,6 +30,24 @@ std::string chosen(const std::string& text, const std::string& method, const std
 }  // namespace
 
 TEST_SUITE("cli") {
+  TEST_CASE("references: a table along a line is of its one time, and of all of it") {
+    const auto with = [](const std::string& times, const std::string& rows) {
+      std::ofstream(scratch_folder() / "line.csv") << "s,p\n" << rows;
+      const std::string line =
+          "[[line]]\nname = \"cut\"\nbody = \"block\"\nfield = \"pressure\"\nfrom = [0, 0.5]\nto = [2, 0.5]\n"
+          "points = 5\ntimes = " +
+          times + "\n[[measure]]\nname = \"error\"\nof = \"line_rmse\"\nline = \"cut\"\n";
+      return with_references(
+          line + reference("a table", "tables = { error = { file = \"line.csv\", column = \"p\" } }"));
+    };
+    CHECK_NOTHROW(read_text(with("[1]", "0,1\n2,3\n")));
+    CHECK_THROWS_WITH_AS(read_text(with("[1, 2]", "0,1\n2,3\n")),
+                         doctest::Contains("a table is of one time; the line 'cut' has 2"), SceneError);
+    for (const char* rows : {"0,1\n1.9,3\n", "0.1,1\n2,3\n"})
+      CHECK_THROWS_WITH_AS(read_text(with("[1]", rows)), doctest::Contains("must go from s = 0 to 2 m"),
+                           SceneError);
+  }
+
   TEST_CASE("references: the one made for the method, then for the parameters, counts before one for any") {
     const std::string any = reference("any", "solutions = { peak = \"v0\" }");
     const std::string these = reference("these", "values = { peak = 3 }");

@@ -52,6 +52,16 @@ std::vector<std::vector<std::string>> data_of(const fs::path& file) {
 }  // namespace
 
 TEST_SUITE("cli") {
+  TEST_CASE("a chart from which nothing is left but what it compares with is refused") {
+    const TemporaryFolder folder;
+    REQUIRE(program(tiny_sweep(folder, "out", {"--grid", "method=enog,og"})).code == 0);
+    const Outcome outcome =
+        call({"chart", folder.str("out"), "--against", "enog", "--methods", "enog", "--markdown"});
+    CHECK(outcome.code == 2);
+    CAPTURE(outcome.err);
+    CHECK(contains(outcome.err, "no run is left to be compared with enog"));
+  }
+
   TEST_CASE("orders are slopes of log error over log spacing, by least squares") {
     const TemporaryFolder folder;
     const taut::cli::Chart chart = chart_of(write_results(folder.path(), converging));

@@ -137,9 +137,35 @@ TEST_SUITE("cli") {
     const StoredResults results = read_results({table});
     CHECK(results.title == "T");
     CHECK(results.label("v0") == "v0, c0");
-    CHECK(results.fixed == std::vector<std::string>{"a = 1"});
+    CHECK(results.fixed == StoredSettings{{"a", "1"}});
     fs::remove(file);
     CHECK(read_results({table}).title == "rod");
+  }
+
+  TEST_CASE("runs of sweeps that set other things for all of theirs are not taken for each other") {
+    const TemporaryFolder folder;
+    const auto sweep = [&](const std::string& name, const std::string& error, const std::string& fixed) {
+      const std::string table =
+          write_results(folder / name, "finished,tl,tl,0.4,10,stable,," + error + ",2,1,\n");
+      write(folder / name / "results.json", R"({"title": "", "swept": [], "fixed": {)" + fixed + "}}");
+      return table;
+    };
+    const std::string plain = sweep("plain", "0.01", R"("until": 0.3)"),
+                      law = sweep("law", "0.5", R"("until": 0.3, "law": "mooney-rivlin", "method.h": 1.2)"),
+                      moved = sweep("moved", "0.7", R"("jitter": 0.1, "until": 0.3)");
+    const StoredResults both = read_results({law, plain, moved});
+    CHECK(both.fixed == StoredSettings{{"until", "0.3"}});
+    const Chart chart = make_chart(both, {});
+    REQUIRE(chart.series.size() == 3);
+    CHECK(chart.series[0].name == "tl, law=mooney-rivlin, jitter=0");
+    CHECK(chart.series[1].name == "tl, jitter=0");
+    CHECK(chart.series[2].name == "tl, jitter=0.1");
+    CHECK(chart.fixed == std::vector<std::string>{"until = 0.3"});
+    CHECK(read_results({law}).fixed.size() == 3);
+    CHECK(make_chart(read_results({law}), {}).series[0].name == "tl");
+    // a table without a results.json says nothing of what was set for all
+    fs::remove(folder / "plain/results.json");
+    CHECK(read_results({law, plain}).fixed.empty());
   }
 
   TEST_CASE("a table larger than any of taut is refused, not read") {

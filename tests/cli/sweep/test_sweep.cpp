@@ -28,6 +28,21 @@ TEST_SUITE("cli") {
     CHECK(contains(text_of(folder / "out/sweep.slurm"), "exec " TAUT_BINARY_DIR "/taut sweep "));
   }
 
+  TEST_CASE("a run of a sweep that was drawn afterwards is not done again") {
+    const TemporaryFolder folder;
+    const Texts grid{"--grid", "speed=1,2", "--set", "until=1e-4", "--save-particles"};
+    REQUIRE(program(tiny_sweep(folder, "out", grid)).code == 0);
+    const auto before = ends(folder / "out");
+    REQUIRE(program({"render", folder.str("out/speed=1"), "--color", "pressure", "--quiet"}).code == 0);
+    REQUIRE(program(tiny_sweep(folder, "out", grid)).code == 0);
+    CHECK(ends(folder / "out") == before);
+    // another way to compute is another run
+    Texts other = grid;
+    other.insert(other.end(), {"--set", "cfl=0.3"});
+    REQUIRE(program(tiny_sweep(folder, "out", other)).code == 0);
+    CHECK(ends(folder / "out") != before);
+  }
+
   TEST_CASE("runs of an earlier grid are said to remain, and are not in the results") {
     const TemporaryFolder folder;
     const Texts wide{"--grid", "speed=1,2,3", "--set", "until=1e-5"};

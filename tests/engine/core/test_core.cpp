@@ -109,10 +109,6 @@ void check_gather() {
     gather<Width>(table, j.data(), out);
     for (int lane = 0; lane < lanes; ++lane)
       for (int k = 0; k < Width; ++k) CHECK(double{out[k][lane]} == table[j[lane] * Width + k]);
-    alignas(sizeof(Pack)) double back[lanes * Width];
-    scatter<Width>(out, back);
-    for (int lane = 0; lane < lanes; ++lane)
-      for (int k = 0; k < Width; ++k) CHECK(back[lane * Width + k] == double{out[k][lane]});
   }
 }
 
@@ -164,9 +160,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("tensor: what is spread over the lanes adds up to four times itself") {
     const Vec<double, 3> v = {1.5, -2, 0.25};
-    const Sym<double, 2> s = some_sym<2>(9);
     for (int k = 0; k < 3; ++k) CHECK(sum(spread(v))[k] == 4 * v[k]);
-    for (int k = 0; k < 3; ++k) CHECK(sum(spread(s)).c[k] == Approx(4 * s.c[k]));
     const Vec<Pack, 3> lane_by_lane{Pack{1, 2, 3, 4}, Pack{10, 20, 30, 40}, Pack{100, 200, 300, 400}};
     for (int k = 0; k < 3; ++k) CHECK(sum(lane_by_lane)[k] == sum(lane_by_lane[k]));
     CHECK(sum(Vec<Pack, 2>{lane_by_lane[0], lane_by_lane[1]})[1] == 100);
@@ -176,7 +170,7 @@ TEST_SUITE("unit") {
     CHECK(sum(m)(1, 0) == 10 * 6);
   }
 
-  TEST_CASE("pack: gathers and transposes four rows, and back") {
+  TEST_CASE("pack: gathers and transposes four rows") {
     check_gather<4>();
     check_gather<8>();
   }

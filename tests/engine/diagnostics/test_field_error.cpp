@@ -3,9 +3,9 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/diagnostics/field_error.hpp"
 #include "engine/diagnostics/lattice_volume.hpp"
 #include "engine/diagnostics/measures.hpp"
+#include "engine/diagnostics/measures_in_space.hpp"
 #include "engine/error.hpp"
 #include "tests/support/made_snapshot.hpp"
 #include "tests/support/relative.hpp"
@@ -57,6 +57,11 @@ TEST_SUITE("unit") {
     CHECK(error->rms == Approx(0.05 / 0.2 / std::sqrt(5.0)));
     now.time = 0;
     CHECK_FALSE(field_error(displacement(), now, shear()));  // there is nothing to compare with
+    Scene scene;
+    scene.measures = {displacement()};
+    scene.references["neo_hookean"].solution["displacement"] = shear();
+    CHECK(measure(scene, {{0}, {}}, "neo_hookean", {}, &now)[0].why ==
+          "the reference is 0 everywhere, and the error a share of it");
     Measure misspelt = displacement();
     misspelt.fields[0] = "displacement_z";
     CHECK_THROWS_AS(field_error(misspelt, now, shear()), SceneError);

@@ -111,6 +111,8 @@ TEST_SUITE("unit") {
     scene.until = 0.75;  // the row at 0.5 s alone
     expect(result(scene, series).value, 0.5);
     expect(result(scene, series).error, 0.5);
+    scene.measures[0].scale = -10;
+    expect(result(scene, series).value, 0.5);
     scene.until = 1.25;
     CHECK_FALSE(result(scene, series).value);
     scene.references.clear();
@@ -238,6 +240,10 @@ TEST_SUITE("unit") {
     expect(result(scene, Series{t, {speed, {1, -1, 1}}}).value, 0.75);
     CHECK_FALSE(result(scene, Series{t, {speed, {1, -1, 0}}}).value);
     CHECK_FALSE(result(scene, Series{t, {speed, {1, 0.1, 1}}}).value);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK(result(scene, Series{t, {speed, {1, -1, nan}}}).why == "gap is not finite beyond 1 s");
+    CHECK(result(scene, Series{t, {speed, {nan, -1, 1}}}).why ==
+          "the series has no finite value at its beginning");
   }
 
   TEST_CASE("value: of the series at a time, none before it, and of a solution at the same time") {

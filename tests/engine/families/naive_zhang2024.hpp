@@ -22,9 +22,8 @@
 ///   25);
 ///   - Eq. 19 with ζ = 3.5; Eq. 18 without;
 ///   - Gray's artificial stress with ε = 0.3, n = 4;
-///   - between two bodies no shear stress acts, and e_ij and ∂W/∂r are those of the middle of each step,
-///   while
-///     which pairs there are and their W/W(dp) are those of the advection step;
+///   - between two bodies no shear stress acts, and e_ij, ∂W/∂r and W/W(dp) are those of the middle of each
+///     step, while which pairs there are is that of the advection step;
 ///   - in 3D Eq. 8 takes a third of the trace, and Gray's stress the principal axes of all three;
 ///   - held particles do not move; their density changes only in the methods that compute with a stress.
 namespace taut::test::naive {
@@ -165,6 +164,7 @@ class Run {
     g.r = length(d);
     for (int k = 0; k < Dim; ++k) g.e[k] = d[k] / g.r;
     g.dW = W_slope(g.r);
+    g.closeness = std::pow(W(g.r) / W(dp_), exponent);
   }
 
   /// The configuration of an advection step.
@@ -178,7 +178,6 @@ class Run {
         PairGeometry& g = pairs_[i].emplace_back();
         g.j = j;
         set_geometry(i, g);
-        g.closeness = std::pow(W(g.r) / W(dp_), exponent);
       }
     }
     way_ = 0;

@@ -248,6 +248,20 @@ TEST_SUITE("conservation") {
     CHECK(drift(space, "pfhj-jst", Law::mooney_rivlin) < 1e-12);
     CHECK(drift(plane, "oenog", Law::linear_elastic) > 1e-4);  // takes turns for strains
   }
+  TEST_CASE("laws: a material that no particle has does not shorten the steps") {
+    for (const char* method : {"enog", "d-ulsph-r-tic", "tl", "pf-jst", "oenog"}) {
+      CAPTURE(method);
+      Scene scene = strained_block(Mat<double, 2>{{{1, 0}, {0, 1}}}, 0);
+      for (Expression& component : scene.bodies[0].displacement) component = {};
+      const double alone = state_after(1, scene, with_method(method)).time;
+      Material steel = scene.materials[0];
+      steel.name = "steel", steel.youngs_modulus *= 1e4;
+      scene.materials.push_back(steel);
+      scene.bodies[0].material = 1;
+      scene.bodies[0].parts = {{0, constant(1)}};
+      CHECK(state_after(1, scene, with_method(method)).time == alone);
+    }
+  }
 }
 
 }  // namespace of_this_file

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -358,13 +359,23 @@ TEST_SUITE("term") {
     }
   }
 
-  TEST_CASE("laws: the rotation nearest to F, in closed form") {
+  TEST_CASE("laws: the rotation nearest to F, in closed form, in 3D by iteration") {
     for (const double angle : {0.0, 0.4, 2.0, 3.1, -1.7}) {
       const M2 R = rotation(angle), U{{{1.4, 0.2}, {0.2, 0.6}}};
       CHECK(greatest(minus(nearest_rotation(times(R, U)), R)) < 1e-14);
     }
     const M2 reflection{{{1, 0}, {0, -1}}};  // two rotations are as near
     CHECK(greatest(minus(nearest_rotation(reflection), M2{{{1, 0}, {0, 1}}})) == 0);
+    // a half turn about any axis, with no torque to begin with, and what is hardly off it
+    const M3 U{{{1.4, 0.2, 0.1}, {0.2, 0.6, -0.1}, {0.1, -0.1, 0.9}}};
+    for (const Vec<double, 3>& axis : {Vec<double, 3>{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.36, -0.48, 0.8}}) {
+      for (const double off : {0.0, 1e-7, -1e-3}) {
+        const double angle = std::numbers::pi + off;
+        const M3 R = turned_by(angle * axis, angle, identity<3>());
+        for (const M3& stretch : {identity<3>(), U})
+          CHECK(greatest(minus(nearest_rotation(times(R, stretch)), R)) < 1e-12);
+      }
+    }
     const M2 nothing{};
     CHECK(greatest(minus(nearest_rotation(nothing), M2{{{1, 0}, {0, 1}}})) == 0);
   }

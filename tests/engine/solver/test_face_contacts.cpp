@@ -79,6 +79,28 @@ void check_slopes(Pressed<2>& bodies, double within) {
 
 }  // namespace
 
+TEST_SUITE("conservation") {
+  TEST_CASE(
+      "surface contact: a disc pressed onto a narrow block stays its own mirror image, as the block does") {
+    for (const double half_width : {0.003, 0.004}) {  // corners of the block beside the contact
+      CAPTURE(half_width);
+      Scene scene =
+          scene_of({Disc{{0, 0.00392, 0}, 0.00382}, Box{{-half_width, -0.006, 0}, {half_width, 0, 0}}});
+      scene.bodies[0].velocity[1] = constant(-8);
+      scene.bodies[1].held = [](const Point& x) { return x[1] < -0.004 ? 1.0 : 0.0; };
+      for (const int body : {0, 1})
+        scene.probes.push_back(
+            make_probe(body == 0 ? "disc" : "block", Probe::Kind::mirror_asymmetry, {body, body}));
+      const auto simulation = make_simulation(scene, with_method("oenog"));
+      simulation->advance_to(1e-4);
+      CHECK(simulation->snapshot().contact_energy > 0);
+      simulation->advance_to(6e-4);
+      for (const std::vector<double>& asymmetry : simulation->series().value)
+        CHECK(*std::ranges::max_element(asymmetry) < 1e-15);  // m
+    }
+  }
+}
+
 TEST_SUITE("term") {
   TEST_CASE("surface contact: none before faces meet, and the slope of its energy") {
     const double k = surface_stiffness(2e7, 3e7, 2, dp), depth = 0.2 * dp, step = 1e-6 * dp;

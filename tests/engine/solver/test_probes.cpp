@@ -175,6 +175,9 @@ TEST_SUITE("unit") {
     CHECK(make_simulation(scene, with_method("enog"))->series().value[0][0] < 1e-16);
     scene.probes[0].at[0] = 0.0005;
     CHECK(make_simulation(scene, with_method("enog"))->series().value[0][0] == relative(0.001));
+    scene.bodies[1].shapes = {Ring{{0.045, 0, 0}, 0.02, 0.04}};
+    CHECK_THROWS_WITH_AS(make_simulation(scene, with_method("enog")),
+                         doctest::Contains("no images of each other"), SceneError);
   }
 
   TEST_CASE("probes: a mass centre goes where its body flies") {

@@ -11,6 +11,7 @@
 
 #include "engine/error.hpp"
 #include "engine/scene/material_point.hpp"
+#include "tests/support/pressed.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
@@ -220,6 +221,25 @@ TEST_SUITE("conservation") {
         CHECK(gained < 0);
         CHECK(summed(series, 0) == relative(gained, 1e-9));
       }
+    }
+  }
+
+  TEST_CASE("contact_force: faces that meet in part give each other what is along them too") {
+    Scene scene = scene_of_shapes(
+        {Box{{-0.008, 0, 0}, {0, 0.006, 0}}, Box{{0.00005, 0.0048, 0}, {0.00805, 0.0108, 0}}}, 2, dp);
+    scene.bodies[1].velocity[0] = constant(-8);
+    scene.probes = {
+        component(Probe::Kind::contact_force, {1, 0}, 0), component(Probe::Kind::contact_force, {1, 0}, 1),
+        component(Probe::Kind::mean_velocity, {1}, 0), component(Probe::Kind::mean_velocity, {1}, 1)};
+    const auto simulation = make_simulation(scene, with_method("oenog"));
+    const double mass = mass_of(simulation->snapshot(), 1);
+    simulation->advance_to(4e-4);
+    const Series& series = simulation->series();
+    for (const int k : {0, 1}) {
+      CAPTURE(k);
+      const double gained = mass * (series.value[2 + k].back() - series.value[2 + k].front());
+      CHECK(std::abs(gained) > 0.1 * mass * 8 * (k == 0 ? 1 : 0.1));
+      CHECK(summed(series, k) == relative(gained, 1e-9));
     }
   }
 

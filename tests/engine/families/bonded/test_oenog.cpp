@@ -17,6 +17,7 @@
 #include "engine/families/bonded/cancelled.hpp"
 #include "engine/families/bonded/packed_bonds.hpp"
 #include "engine/methods/oenog.hpp"
+#include "engine/scene/other_shapes.hpp"
 #include "tests/engine/families/bonded/naive_oenog.hpp"
 #include "tests/support/agreement.hpp"
 #include "tests/support/relative.hpp"
@@ -370,6 +371,24 @@ TEST_SUITE("analytic") {
       close(s.yy, scale * (yy - mean));
       close(s.zz, scale * (1 - mean));
       CHECK(std::abs(s.xy) > 0.01 * G);
+    }
+  }
+
+  TEST_CASE(
+      "oenog: a wedge that is turned has no stress, not at its tip either, whose bonds hardly span the "
+      "plane") {
+    Scene scene = ring_alone();
+    const Chain wedge{{0, 0, 0}, {0.02, -0.0035, 0}, {0.02, 0.0035, 0}};
+    scene.bodies[0].shapes = {AnyShape::of(Polygon({wedge}))};
+    scene.bodies[0].velocity = {};
+    scene.spacing = 0.001;
+    scene.bodies[0].displacement[0] = [](const Point& X) { return -X[1] - X[0]; };
+    scene.bodies[0].displacement[1] = [](const Point& X) { return X[0] - X[1]; };
+    const Snapshot now = make_simulation(scene, with_method("oenog"))->snapshot();
+    const double K = ring_rubber().bulk_modulus();
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      CHECK(std::abs(now.p[i]) < 1e-9 * K);
+      CHECK(now.rho[i] == relative(ring_rubber().density, 1e-9));
     }
   }
 

@@ -1,4 +1,4 @@
-#include "engine/diagnostics/field_error.hpp"
+#include "engine/diagnostics/measures_in_space.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 
 #include "engine/core/least_squares.hpp"
 #include "engine/diagnostics/fields.hpp"
+#include "engine/diagnostics/lattice_volume.hpp"
 #include "engine/error.hpp"
 
 namespace taut {
@@ -107,6 +108,92 @@ std::optional<FieldError> field_error(const Measure& measure, const Snapshot& no
     greatest = std::max(greatest, squared(site.difference));
   }
   return FieldError{std::sqrt(sum / static_cast<double>(sites.size()) / scale), std::sqrt(greatest / scale)};
+}
+
+namespace {
+
+using Source = MeasureSource;
+
+/// Of a line's difference from its reference, and of the reference.
+struct LineSquares {
+  double difference = 0, reference = 0;  // √ of the mean
+};
+
+/// The reference at the time of the step that was sampled, or a table, at its only time; none before the last
+/// sample, and where a point has left the body.
+std::optional<LineSquares> line_squares(const Source& source) {
+  if (source.reference.empty() || !source.samples) return std::nullopt;
+  const SampleLine& line = *source.line;
+  if (source.samples->size() < line.times.size() || source.samples->empty()) return std::nullopt;
+  const double apart = length_of(line) / (line.points - 1);
+  LineSquares mean;
+  for (const LineSample& sample : *source.samples) {
+    for (int k = 0; k < line.points; ++k) {
+      const ReferenceCurves& reference = source.reference;
+      const double is = sample.value[static_cast<std::size_t>(k)];
+      const double should = reference.exact ? reference.exact->front()(line_point(line, k), sample.time)
+                                            : value_at(reference.table.front(), k * apart);
+      mean.difference += (is - should) * (is - should);
+      mean.reference += should * should;
+    }
+  }
+  const double number = static_cast<double>(line.points) * static_cast<double>(line.times.size());
+  if (!std::isfinite(mean.difference)) return std::nullopt;
+  return LineSquares{std::sqrt(mean.difference / number), std::sqrt(mean.reference / number)};
+}
+
+Measured without_line(const Source& source) {
+  return source.reference.empty() ? none(no_reference)
+                                  : none("the line lacks samples, or a point of it has left the body");
+}
+
+/// Particles that are not held, in their places at the start; none before the end of the run.
+std::optional<FieldError> error_at_end(const Source& source) {
+  if (!source.reference.exact || !source.now || source.now->time < source.until) return std::nullopt;
+  return field_error(*source.measure, *source.now, *source.reference.exact);
+}
+
+Measured without_end(const Source& source) {
+  if (!source.now) return none("only the whole run knows it");
+  if (source.now->time < source.until) return too_short(source.until, source.now->time);
+  return none(no_reference);
+}
+
+Measured without_field(const Source& source) {
+  const bool at_end = source.now && source.now->time >= source.until;
+  return at_end && source.reference.exact ? none("the reference is 0 everywhere, and the error a share of it")
+                                          : without_end(source);
+}
+
+}  // namespace
+
+Measured line_rmse(const Source& source) {
+  const auto mean = line_squares(source);
+  return mean ? Measured(mean->difference) : without_line(source);
+}
+
+Measured line_error(const Source& source) {
+  const auto mean = line_squares(source);
+  if (!mean) return without_line(source);
+  return mean->reference > 0 ? Measured(mean->difference / mean->reference)
+                             : none("the reference is 0 everywhere");
+}
+
+Measured field_rmse(const Source& source) {
+  const auto error = error_at_end(source);
+  return error ? Measured(error->rms) : without_field(source);
+}
+
+Measured greatest_field_error(const Source& source) {
+  const auto error = error_at_end(source);
+  return error ? Measured(error->greatest) : without_field(source);
+}
+
+Measured volume_change(const Source& source) {
+  if (!source.now || source.now->time < source.until) return without_end(source);
+  const double before = lattice_volume(*source.now, source.measure->body, source.now->x0);
+  if (!(before > 0)) return none("the body is no lattice along the axes");
+  return lattice_volume(*source.now, source.measure->body, source.now->x) / before - 1;
 }
 
 }  // namespace taut

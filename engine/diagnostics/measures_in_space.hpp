@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/snapshot.hpp"
 
@@ -20,5 +21,16 @@ struct FieldError {
 /// everywhere. Throws SceneError for a field that does not exist.
 std::optional<FieldError> field_error(const Measure& measure, const Snapshot& now,
                                       const std::vector<Solution>& exact);
+
+/// Along a line at its times: √ of the mean of (field − reference)², and that over the same of the reference.
+Measured line_rmse(const MeasureSource& source);
+Measured line_error(const MeasureSource& source);
+
+/// Over a body at the end, as shares of the greatest size of the reference (field_error).
+Measured field_rmse(const MeasureSource& source);
+Measured greatest_field_error(const MeasureSource& source);
+
+/// Of a body at the end, over its volume at the start (lattice_volume.hpp).
+Measured volume_change(const MeasureSource& source);
 
 }  // namespace taut
