@@ -64,6 +64,15 @@ void check_dimension(const Scene& scene, const MethodInfo& method) {
       "dim", fmt::format("method '{}' runs scenes of 2 dimensions only; of 3: {}", method.name, others));
 }
 
+/// The methods that take several materials in as many dimensions.
+std::string of_several(int dim) {
+  std::string names;
+  for (const MethodInfo& method : methods())
+    if (method.several_materials && greatest_dim(method.formulation) >= dim)
+      names += (names.empty() ? "" : ", ") + std::string(method.name);
+  return names;
+}
+
 /// Throws SceneError if the scene has several materials and the method takes one.
 void check_materials(const Scene& scene, const InitialParticles& initial, const MethodInfo& method) {
   if (method.several_materials) return;
@@ -74,7 +83,8 @@ void check_materials(const Scene& scene, const InitialParticles& initial, const 
     throw SceneError("body." + body, "method '" + std::string(method.name) + "' takes one material; body '" +
                                          body + "' has '" + scene.materials[initial.material[i]].name +
                                          "' where body '" + scene.bodies.front().name + "' has '" +
-                                         scene.materials[first].name + "'");
+                                         scene.materials[first].name +
+                                         "'; of several: " + of_several(scene.dim));
   }
 }
 

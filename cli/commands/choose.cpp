@@ -1,6 +1,7 @@
 #include "cli/study/choose.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <ostream>
 
@@ -22,6 +23,7 @@ namespace fs = std::filesystem;
 
 struct ChooseArguments {
   std::string scene, measure;
+  std::vector<Setting> settings;
   std::optional<std::string> error;
   std::optional<double> seconds;
   std::vector<std::string> from;
@@ -58,13 +60,49 @@ std::vector<std::string> stored_results(const std::string& scene) {
   return files;
 }
 
+/// What the scene has of a name that sweeps set; empty: nothing is known.
+std::string value_in(const SceneFile& file, const std::string& name) {
+  const auto parameter = std::ranges::find(file.parameters, name, &Parameter::name);
+  if (parameter != file.parameters.end()) return exact(parameter->value);
+  if (name == "until") return exact(file.scene.until);
+  if (name == "law") return file.settings.law.empty() ? "neo-hookean" : file.settings.law;
+  return "";
+}
+
+bool is_same(const std::string& a, const std::string& b) {
+  const auto x = parsed<double>(a), y = parsed<double>(b);
+  return x && y ? std::abs(*x - *y) <= 1e-9 * std::abs(*y) : a == b;
+}
+
+/// Leaves away runs of other parameters, of another law or length; their names, "" where all stay.
+std::string keep_those_of(const SceneFile& file, StoredResults& results) {
+  std::vector<std::string> others;
+  for (const std::string& name : names_of_scene(results.runs)) {
+    const std::string wanted = value_in(file, name);
+    if (wanted.empty()) continue;
+    const auto left = std::erase_if(results.runs, [&](const StoredRun& run) {
+      const std::string value = value_of(run, name);
+      return !value.empty() && !is_same(value, wanted);
+    });
+    if (left > 0) others.push_back(name + " = " + wanted);
+  }
+  return join(others);
+}
+
 int choose(const ChooseArguments& options, Streams streams) {
   std::optional<double> error;
   if (options.error) error = share(*options.error);
-  const std::string scene = read_scene(find_scene(options.scene)).scene.name;
+  const SceneFile file = read_scene(find_scene(options.scene), options.settings);
+  const std::string& scene = file.scene.name;
   const std::vector<std::string> files = options.from.empty() ? stored_results(scene) : options.from;
-  const StoredResults results = read_results(files);
+  StoredResults results = read_results(files);
   if (results.scene != scene) throw UsageError("the results are of " + results.scene + ", not of " + scene);
+  const std::string wanted = keep_those_of(file, results);
+  if (std::ranges::none_of(results.runs, &StoredRun::has_result))
+    throw UsageError("no run in " + join(files) + " has " + wanted +
+                     ", as the scene; --set names other values");
+  if (!wanted.empty())
+    streams.err << "taut: only runs with " << wanted << " count; --set names other values\n";
   const Chart chart = make_chart(results, {options.measure, Cost::seconds});
   if (error && !chart.unit.empty() && options.error->ends_with('%'))
     throw UsageError("errors of " + chart.measure + " are in " + chart.unit +
@@ -87,6 +125,15 @@ std::function<int(Streams)> declare_choose(CLI::App& app) {
   app.add_option("--error", options->error,
                  "the greatest error to accept, such as 1% or 0.01; default: what each costs")
       ->option_text("X");
+  app.add_option_function<std::vector<std::string>>(
+         "--set",
+         [options](const std::vector<std::string>& assignments) {
+           for (const std::string& text : assignments) options->settings.push_back(parse_setting(text));
+         },
+         "a parameter of the scene: runs with other values do not count")
+      ->option_text("NAME=VALUE ...")
+      ->allow_extra_args(false)
+      ->check(assignment);
   app.add_option("--seconds", options->seconds, "the longest time to solve, s")
       ->option_text("T")
       ->check(positive_number);

@@ -202,7 +202,8 @@ const Texts scene_rules{
         join(function_names()) + ".",
     "Names in expressions: the parameters, `dp` (the spacing), `pi`, `touching` (the gap below which bodies "
     "are "
-    "in touch); about a body also `c0`, `E`, `nu`, `rho`, `K`, `G` of its material; \"of the place\": `x`, "
+    "in touch); about a body, or bodies of one material, also `c0`, `E`, `nu`, `rho`, `K`, `G` of its "
+    "material; \"of the place\": `x`, "
     "`y`, "
     "in 3D `z`, in m, where the particle is at the start; \"of t\": the time `t`, s.",
     "A place or a vector has a component for each axis: [x, y], with dim = 3 [x, y, z].",

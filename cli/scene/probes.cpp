@@ -114,20 +114,28 @@ int wall_index(TomlCursor& cursor, const Scene& scene) {
   return static_cast<int>(wall);
 }
 
-/// Its body, which says which material its numbers know, is that of the first probe in it.
+/// Its body is that of the first probe in it. Its numbers know the material that all bodies of its probes have, of
+/// several none.
 void read_probes_in(TomlCursor& cursor, const Scene& scene, Probe& probe) {
   const TomlValue& value = cursor.need("value");
   const std::set<std::string> used = names_in(value.kind == TomlValue::Kind::text ? value.text : "0");
   probe.of_forces = !used.contains("t");  // their means; exact where it is linear in them
+  std::set<int> materials;
+  const auto add_material = [&](int body) {
+    materials.insert(scene.bodies[static_cast<std::size_t>(body)].material);
+  };
   for (const Probe& other : scene.probes) {
     if (!used.contains(other.name)) continue;
+    std::ranges::for_each(other.bodies, add_material);
     if (probe.bodies.empty()) probe.bodies = other.bodies;
     probe.of_forces = probe.of_forces && is_of_steps(other);
   }
   probe.of_forces = probe.of_forces && !probe.bodies.empty();
   if (probe.bodies.empty()) probe.bodies = {0};
-  const int material = scene.bodies[static_cast<std::size_t>(probe.bodies.front())].material;
-  add_names(cursor.names(), scene.materials[static_cast<std::size_t>(material)]);
+  if (materials.empty())
+    for (const Body& body : scene.bodies) materials.insert(body.material);
+  if (materials.size() == 1)
+    add_names(cursor.names(), scene.materials[static_cast<std::size_t>(*materials.begin())]);
   probe.value = cursor.function_of_probes(value, "value", names_of(scene.probes));
 }
 

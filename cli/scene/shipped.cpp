@@ -101,6 +101,9 @@ fs::path find_scene(const std::string& scene) {
   const std::vector<std::string> names = scene_names();
   if (std::ranges::find(names, scene) != names.end()) return file_of(scene);
   if (exists) return scene;
+  if (fs::is_regular_file(scene + ".toml", error))
+    throw UsageError("there is no scene of the name '" + scene + "'; did you mean the file '" + scene +
+                     ".toml'?");
   throw UsageError("there is no scene file '" + scene + "' and no scene of that name" +
                    did_you_mean(scene, names) + "; scenes: " + join(names));
 }

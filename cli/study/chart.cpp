@@ -161,11 +161,15 @@ Chart make_chart(const StoredResults& given, const ChartRequest& request) {
   chart.cost = request.cost;
   chart.fixed = fixed_in(results);
   const std::vector<std::string> columns = distinguishing_columns(results.runs, "spacing");
-  if (errors.against)
-    chart.against = series_name(*errors.against, columns) + " at " +
-                    shown_spacing(errors.against->number("spacing").value_or(0));
+  if (errors.against.size() == 1)
+    chart.against = series_name(*errors.against[0], columns) + " at " +
+                    shown_spacing(errors.against[0]->number("spacing").value_or(0));
+  else if (!errors.against.empty())
+    chart.against = request.against + ", the finest run of each " + join(errors.swept);
   const auto is_reference = [&](const StoredRun& run) {
-    return errors.against && run.file == errors.against->file && run.cells == errors.against->cells;
+    return std::ranges::any_of(errors.against, [&](const StoredRun* one) {
+      return run.file == one->file && run.cells == one->cells;
+    });
   };
   for (const StoredRun& run : results.runs) {
     if (!run.has_result()) ++chart.without_result;

@@ -17,7 +17,7 @@ std::optional<double> finite(std::optional<double> value) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-std::optional<double> value_of(const StoredRun& run, const std::string& measure) {
+std::optional<double> measured_of(const StoredRun& run, const std::string& measure) {
   return finite(run.number(measure_column(measure, "value")));
 }
 
@@ -29,26 +29,37 @@ Names methods_in(const StoredResults& results) {
   return names;
 }
 
-/// The finest stable run of a method that has a value; of several the costliest. nullptr: there is none.
-const StoredRun* finest(const StoredResults& results, const std::string& method, const std::string& measure) {
-  const StoredRun* best = nullptr;
+/// Of each scene that was swept the finest stable run of a method that has a value; of several the costliest.
+ChartErrors against_finest(const StoredResults& results, const std::string& method,
+                           const std::string& measure) {
+  ChartErrors errors{measure, {}, names_of_scene(results.runs)};
   const auto rank = [](const StoredRun& run) {
     return std::pair(-run.number("spacing").value_or(0), run.number("steps").value_or(0));
   };
-  for (const StoredRun& run : results.runs)
-    if (run.method() == method && run.is_stable() && value_of(run, measure) && run.number("spacing") &&
-        (!best || rank(run) > rank(*best)))
-      best = &run;
-  return best;
+  for (const StoredRun& run : results.runs) {
+    if (run.method() != method || !run.is_stable() || !measured_of(run, measure) || !run.number("spacing"))
+      continue;
+    const StoredRun* const before = errors.reference_of(run);
+    if (!before)
+      errors.against.push_back(&run);
+    else if (rank(run) > rank(*before))
+      std::ranges::replace(errors.against, before, &run);
+  }
+  std::erase_if(errors.swept, [&](const std::string& name) {
+    return std::ranges::all_of(results.runs, [&](const StoredRun& run) {
+      return !run.has_result() || value_of(run, name) == value_of(results.runs.front(), name);
+    });
+  });
+  return errors;
 }
 
 ChartErrors errors_of(const StoredResults& results, const std::string& measure, const ChartRequest& request) {
-  return {measure, request.against.empty() ? nullptr : finest(results, request.against, measure)};
+  return request.against.empty() ? ChartErrors{measure} : against_finest(results, request.against, measure);
 }
 
 bool has_errors(const StoredResults& results, const std::string& measure, const ChartRequest& request) {
   const ChartErrors errors = errors_of(results, measure, request);
-  if (!request.against.empty() && !errors.against) return false;
+  if (!request.against.empty() && errors.against.empty()) return false;
   return std::ranges::any_of(results.runs, [&](const StoredRun& run) { return errors.of(run).has_value(); });
 }
 
@@ -126,22 +137,33 @@ std::string shown_spacing(double spacing) {
   return spacing < 0.1 ? brief(1e3 * spacing) + " mm" : brief(spacing) + " m";
 }
 
+const StoredRun* ChartErrors::reference_of(const StoredRun& run) const {
+  const auto found = std::ranges::find_if(against, [&](const StoredRun* one) {
+    return std::ranges::all_of(
+        swept, [&](const std::string& name) { return value_of(*one, name) == value_of(run, name); });
+  });
+  return found == against.end() ? nullptr : *found;
+}
+
 std::optional<double> ChartErrors::of(const StoredRun& run) const {
-  if (!run.has_result() || &run == against) return std::nullopt;
-  if (!against) return finite(run.number(measure_column(measure, "error")));
-  const auto value = value_of(run, measure), reference = value_of(*against, measure);
+  if (!run.has_result()) return std::nullopt;
+  if (against.empty()) return finite(run.number(measure_column(measure, "error")));
+  const StoredRun* const judge = reference_of(run);
+  if (!judge || judge == &run) return std::nullopt;
+  const auto value = measured_of(run, measure), reference = measured_of(*judge, measure);
   if (!value || !reference) return std::nullopt;
   return std::abs(*value - *reference) / (*reference != 0 ? std::abs(*reference) : 1);
 }
 
 bool ChartErrors::measured(const StoredRun& run) const {
-  return value_of(run, measure) ||
+  return measured_of(run, measure) ||
          run.text(measure_column(measure, "why")).find("reference") != std::string::npos;
 }
 
 bool ChartErrors::relative(const StoredRun& run) const {
-  return against ? value_of(*against, measure).value_or(0) != 0
-                 : run.number(measure_column(measure, "reference")).value_or(0) != 0;
+  const StoredRun* const judge = reference_of(run);
+  return judge ? measured_of(*judge, measure).value_or(0) != 0
+               : run.number(measure_column(measure, "reference")).value_or(0) != 0;
 }
 
 std::string ChartErrors::unit(const StoredRun& run) const {

@@ -2,16 +2,20 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/study/chart.hpp"
 
 namespace taut::cli {
 
-/// What the runs of a chart are judged by: one measure, against the references of the scene or against a run.
+/// What the runs of a chart are judged by: one measure, against the references of the scene or against runs.
 struct ChartErrors {
   std::string measure;
-  const StoredRun* against = nullptr;  // stands for the reference
+  std::vector<const StoredRun*> against{};  // stand for references, one for each scene that was swept
+  std::vector<std::string> swept{};         // the names in which those scenes differ
 
+  /// nullptr: there is none of this run's scene.
+  const StoredRun* reference_of(const StoredRun& run) const;
   std::optional<double> of(const StoredRun& run) const;
   /// There is a value, with or without something to compare it with, or there would be but for a reference.
   bool measured(const StoredRun& run) const;

@@ -107,17 +107,6 @@ std::vector<std::string> candidates(const std::vector<StoredRun>& runs) {
   return set;
 }
 
-/// What a run had, whether it was asked for or the scene's default: only what was asked for is known of one
-/// that has not ended.
-std::string effective(const StoredRun& run, const std::string& column) {
-  const std::string name = without_prefix(column);
-  for (const std::string& told : {std::string(parameter_prefix) + name, name})
-    if (const std::string value = run.text(told); !value.empty()) return value;
-  std::string asked = run.text(std::string(set_prefix) + name);
-  if (asked.empty()) asked = run.text(std::string(fixed_prefix) + name);
-  return asked.empty() && name == "jitter" ? "0" : asked;  // which no table tells of layouts without
-}
-
 }  // namespace
 
 std::string StoredRun::text(std::string_view column) const {
@@ -222,6 +211,26 @@ void keep_methods(StoredResults& results, const std::vector<std::string>& method
     throw UsageError("no run of " + join(methods) + " has a result");
 }
 
+std::vector<std::string> names_of_scene(const std::vector<StoredRun>& runs) {
+  const std::set<std::string> of_the_way{"method",  "spacing", "stepping",   "cfl",
+                                         "contact", "jitter",  "jitter_seed"};
+  std::vector<std::string> names;
+  for (const std::string& column : candidates(runs)) {
+    const std::string name = without_prefix(column);
+    if (column.starts_with(parameter_prefix) || name == column) continue;  // not asked for
+    if (of_the_way.contains(name) || name.starts_with("method.")) continue;
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+/// Only what was asked for is known of a run that has not ended.
+std::string value_of(const StoredRun& run, const std::string& name) {
+  for (const std::string_view prefix : {parameter_prefix, std::string_view(), set_prefix, fixed_prefix})
+    if (const std::string value = run.text(std::string(prefix) + name); !value.empty()) return value;
+  return name == "jitter" ? "0" : "";  // which no table tells of layouts without
+}
+
 std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& runs, const std::string& x) {
   std::vector<std::string> chosen;
   for (const std::string& column : candidates(runs)) {
@@ -232,8 +241,8 @@ std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& ru
       if (!run.has_result() && !column.starts_with(set_prefix) && !column.starts_with(fixed_prefix))
         return false;
       std::vector<std::string> key{run.method(), run.text(x)};
-      for (const std::string& c : chosen) key.push_back(effective(run, c));
-      const std::string value = effective(run, column);
+      for (const std::string& c : chosen) key.push_back(value_of(run, without_prefix(c)));
+      const std::string value = value_of(run, name);
       return seen.emplace(key, value).first->second != value;
     });
     if (differs) chosen.push_back(column);
@@ -244,7 +253,7 @@ std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& ru
 std::string series_name(const StoredRun& run, const std::vector<std::string>& columns) {
   std::string name = run.method();
   for (const std::string& column : columns)
-    if (const std::string value = effective(run, column); !value.empty())
+    if (const std::string value = value_of(run, without_prefix(column)); !value.empty())
       name += ", " + without_prefix(column) + "=" + value;
   return name;
 }

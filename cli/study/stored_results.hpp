@@ -60,6 +60,10 @@ void keep_methods(StoredResults& results, const std::vector<std::string>& method
 /// The columns in which runs differ although they agree in method and in `x`: "set.cfl", ... What makes a
 /// parameter differ (because it was set, or another one that it depends on) stands for it.
 std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& runs, const std::string& x);
+/// The names of what runs were asked for of the scene itself, not of how it is simulated: "v0", "until", "law".
+std::vector<std::string> names_of_scene(const std::vector<StoredRun>& runs);
+/// What a run had of such a name, asked for or not; empty where no table tells.
+std::string value_of(const StoredRun& run, const std::string& name);
 /// "enog, cfl=0.5": the method of a run and its cells in these columns.
 std::string series_name(const StoredRun& run, const std::vector<std::string>& columns);
 

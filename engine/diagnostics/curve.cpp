@@ -41,12 +41,14 @@ double crossing_time(const Curve& curve, std::size_t k, double level) {
 }
 
 std::vector<HalfCycle> half_cycles(const Curve& curve, double level) {
-  constexpr double round_off = 1e-9;  // of the greatest value so far: counts as 0
+  constexpr double round_off = 1e-9;  // of the greatest value: counts as 0, as does what runs ahead of a wave
   constexpr double least =
       1.0 / 20;  // of the peak before: less is no half cycle, nor a start away from the level
   std::vector<HalfCycle> found;
   const auto deviation = [&](std::size_t k) { return curve.y[k] - level; };
-  double greatest = 0, begin = curve.t.empty() ? 0 : curve.t.front();
+  double greatest = 0;
+  for (std::size_t k = 0; k < curve.size(); ++k) greatest = std::max(greatest, std::abs(deviation(k)));
+  double begin = curve.t.empty() ? 0 : curve.t.front();
   std::size_t top = 0, over = 0;  // of the half cycle in progress and of one that may have begun; 0 before
   std::size_t crossed = 0;        // the first sample of that
   const auto end_half_cycle = [&] {
@@ -61,7 +63,6 @@ std::vector<HalfCycle> half_cycles(const Curve& curve, double level) {
   };
   for (std::size_t k = 1; k < curve.size(); ++k) {  // a start at the level is there, whatever its round-off
     const double y = deviation(k);
-    greatest = std::max(greatest, std::abs(y));
     if (std::abs(y) <= round_off * greatest) continue;
     if (top == 0) {
       top = k;

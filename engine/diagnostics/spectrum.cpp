@@ -89,7 +89,7 @@ class Lines {
   /// 1/(end − begin), of which twice the greatest nearby.
   double of_highest(std::size_t k) const {
     const double d = std::abs(static_cast<double>(k) - static_cast<double>(highest_)) / padding;
-    if (d <= 2.5) return 0;
+    if (d <= 2) return 0;
     const double near = d - 0.5, side = 1 / (std::numbers::pi * near * (near * near - 1));
     return 2 * side * side * hull_[highest_];
   }

@@ -49,7 +49,7 @@ std::vector<int> ParticlesAround::near(const Point& x) const {
 }
 
 std::vector<PointWeight> ParticlesAround::shares_of(const Point& x) const {
-  const std::vector<int> around = near(x);
+  const std::vector<int> around = linked_to_nearest(initial_.x, near(x), x, link_of_neighbors * dp_);
   std::vector<Point> places;
   for (const int i : around) places.push_back(initial_.x[as_index(i)]);
   std::vector<PointWeight> best;

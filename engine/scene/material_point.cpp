@@ -127,6 +127,11 @@ std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, 
   return point;
 }
 
+std::vector<int> linked_to_nearest(const std::vector<Point>& x, const std::vector<int>& some, const Point& at,
+                                   double link) {
+  return some.empty() ? some : linked(x, some, nearest_of(x, some, at), link);
+}
+
 std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
                                         double reach, const Scene& scene, int body) {
   const Body& of = scene.bodies[static_cast<std::size_t>(body)];
@@ -153,6 +158,23 @@ std::vector<PointWeight> point_of_stress(std::vector<PointWeight> point, const S
   std::erase_if(near, [&](int i) { return !alike(i); });
   point = point_of(all.x, linked(all.x, near, nearest, all.link), at, all.reach, all.dim);
   if (point.empty()) point = {{nearest, 1}};
+  return point;
+}
+
+std::vector<PointWeight> point_of_motion(std::vector<PointWeight> point, const Surroundings& all,
+                                         const std::vector<int>& moves_with, const Point& at) {
+  std::vector<int> near = within_reach(all.x, all.begin, all.end, at, all.reach);
+  if (near.empty()) return point;
+  const double least = squared_distance(all.x[nearest_of(all.x, near, at)], at);
+  // what is as far as the nearest counts, so that the face of a clamp is held
+  const auto steered = std::ranges::find_if(near, [&](int i) {
+    return moves_with[i] != 0 && squared_distance(all.x[i], at) <= least + 1e-6 * all.link * all.link;
+  });
+  if (steered == near.end()) return point;
+  const int first = *steered;
+  std::erase_if(near, [&](int i) { return moves_with[i] != moves_with[first]; });
+  point = point_of(all.x, linked(all.x, near, first, all.link), at, all.reach, all.dim);
+  if (point.empty()) point = {{first, 1}};
   return point;
 }
 

@@ -28,6 +28,10 @@ std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, 
 /// The longest step of a chain of neighbours, in spacings: across the corner of a cell, not across a slot.
 inline constexpr double link_of_neighbors = 1.8;
 
+/// Those of `some` that a chain of steps of `link`, m, among them leads to from the one nearest to `at`, in rising order.
+std::vector<int> linked_to_nearest(const std::vector<Point>& x, const std::vector<int>& some, const Point& at,
+                                   double link);
+
 /// The same of a point of this body, without those that no chain of neighbours leads to from the nearest one: beyond a
 /// slot. Where its particles stand on its faces (Body::on_boundary) the point is
 /// in a cell between some of them and counts these only, linearly along each edge: on a particle it is that
@@ -52,5 +56,11 @@ struct Surroundings {
 /// none.
 std::vector<PointWeight> point_of_stress(std::vector<PointWeight> point, const Surroundings& all,
                                          const Point& at);
+
+/// What is held or driven moves as a whole, with a kink before it: `point`, or, where the nearest particle is such a one,
+/// a point of those alone that move with it, of which one is enough. `moves_with[i]` is one number for all that do; 0
+/// for what is free.
+std::vector<PointWeight> point_of_motion(std::vector<PointWeight> point, const Surroundings& all,
+                                         const std::vector<int>& moves_with, const Point& at);
 
 }  // namespace taut

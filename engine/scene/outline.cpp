@@ -117,12 +117,10 @@ class OutlineMaker {
       if (distance_between(out_.x[as_index(n)], x, 2) < 1e-6 * scene_.spacing) return known = n;
     const std::vector<PointWeight> shares = particles.shares_of(x);
     if (shares.empty()) return Outline::none;
-    const PointWeight& greatest = *std::ranges::max_element(shares, {}, &PointWeight::weight);
     known = out_.size();
     open_.push_back(known);
     out_.add(x, shares);
     out_.body.push_back(b);
-    out_.material.push_back(initial_.material[as_index(greatest.particle)]);
     out_.beside.push_back({Outline::none, Outline::none});
     return known;
   }

@@ -20,7 +20,6 @@ struct Outline : FaceNodes {
   };
 
   std::vector<int> body;                   // [node]
-  std::vector<int> material;               // [node] of the particle that counts most
   std::vector<std::array<int, 2>> beside;  // [node] the segment that ends there and the one that begins
   std::vector<Segment> segments;
 

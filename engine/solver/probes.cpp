@@ -32,8 +32,12 @@ ProbeRecorder<Dim>::ProbeRecorder(const Scene& scene, const InitialParticles& in
     } else if (probe.kind == Probe::Kind::reaction) {
       f.at = held_particles(initial, probe);
     } else if (of_a_point(probe.kind)) {
-      f.at = point(scene, initial, probe, probe.at, reach);
-      if (probe.kind == Probe::Kind::distance) f.to = point(scene, initial, probe, probe.to, reach);
+      f.at = point_of_motion(scene, initial, probe, probe.at, reach);
+      f.beside = beside(initial, f.at, probe.at);
+      if (probe.kind == Probe::Kind::distance) {
+        f.to = point_of_motion(scene, initial, probe, probe.to, reach);
+        f.to_beside = beside(initial, f.to, probe.to);
+      }
     }
     followers_.push_back(std::move(f));
   }
@@ -60,6 +64,31 @@ auto ProbeRecorder<Dim>::point(const Scene& scene, const InitialParticles& initi
     throw SceneError("probe." + probe.name,
                      "the probe '" + probe.name + "' has too few particles of its body around its point");
   return point;
+}
+
+template <int Dim>
+auto ProbeRecorder<Dim>::beside(const InitialParticles& initial, const std::vector<PointWeight>& point,
+                                const Point& at) -> Vec<double, Dim> {
+  Vec<double, Dim> way{};
+  if (point.size() != 1) return way;  // several are where they say
+  for (int k = 0; k < Dim; ++k) way[k] = at[k] - initial.x[point.front().particle][k];
+  return way;
+}
+
+template <int Dim>
+auto ProbeRecorder<Dim>::point_of_motion(const Scene& scene, const InitialParticles& initial,
+                                         const Probe& probe, const Point& at, double reach) const
+    -> std::vector<PointWeight> {
+  const int body = probe.bodies[0];
+  std::vector<int> moves_with(initial.held.size());
+  for (std::size_t id = 0; id < moves_with.size(); ++id)
+    moves_with[id] = initial.held[id] ? -1 : initial.drive[id] + 1;
+  std::vector<PointWeight> by_all = point(scene, initial, probe, at, reach);
+  if (scene.bodies[body].on_boundary) return by_all;  // on a particle it is that particle
+  return taut::point_of_motion(std::move(by_all),
+                               {initial.x, initial.held, initial.material, first_[body], first_[body + 1],
+                                reach, link_of_neighbors * scene.spacing, scene.dim},
+                               moves_with, at);
 }
 
 template <int Dim>
@@ -184,7 +213,7 @@ double ProbeRecorder<Dim>::mean(const State<Dim>& s, const Follower& f,
 template <int Dim>
 double ProbeRecorder<Dim>::angle(const State<Dim>& s, const Probe& probe, const Follower& f) const {
   const Point& a = probe.turns_about;
-  const Vec<double, Dim> now = place(s, f.at);
+  const Vec<double, Dim> now = place(s, f.at) + f.beside;
   Point x{};
   for (int k = 0; k < Dim; ++k) x[k] = now[k];
   const auto dot3 = [](const Point& u, const Point& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; };
@@ -242,15 +271,15 @@ double ProbeRecorder<Dim>::value(const State<Dim>& s, const Probe& probe, const 
                                  ProbeSource<Dim>& source) const {
   switch (probe.kind) {
     case Probe::Kind::displacement:
-      return place(s, f.at)[probe.axis] - probe.at[probe.axis];
+      return (place(s, f.at) + f.beside)[probe.axis] - probe.at[probe.axis];
     case Probe::Kind::position:
-      return place(s, f.at)[probe.axis];
+      return (place(s, f.at) + f.beside)[probe.axis];
     case Probe::Kind::mean_position:
       return mean(s, f, s.x, probe.axis);
     case Probe::Kind::mean_velocity:
       return mean(s, f, s.v, probe.axis);
     case Probe::Kind::distance: {
-      const Vec<double, Dim> d = place(s, f.to) - place(s, f.at);
+      const Vec<double, Dim> d = (place(s, f.to) + f.to_beside) - (place(s, f.at) + f.beside);
       return std::sqrt(dot(d, d));
     }
     case Probe::Kind::velocity: {

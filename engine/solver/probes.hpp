@@ -62,6 +62,7 @@ class ProbeRecorder {
   struct Follower {
     std::vector<PointWeight> at,
         to;  // material points, or the particles of a body, or those of it that are held
+    Vec<double, Dim> beside{}, to_beside{};  // from one particle that stands for a point to it, m
     std::vector<std::pair<int, int>> pairs;  // gap: stored particles of the two bodies within the support
     double held_value = 0;                   // of what is looked at between rebuilds only, m; of a turn, rad
     std::vector<int> image;                  // [particle of a body] id of the one that is its mirror image
@@ -69,6 +70,10 @@ class ProbeRecorder {
 
   std::vector<PointWeight> point(const Scene& scene, const InitialParticles& initial, const Probe& probe,
                                  const Point& at, double reach) const;
+  static Vec<double, Dim> beside(const InitialParticles& initial, const std::vector<PointWeight>& point,
+                                 const Point& at);
+  std::vector<PointWeight> point_of_motion(const Scene& scene, const InitialParticles& initial,
+                                           const Probe& probe, const Point& at, double reach) const;
   std::vector<PointWeight> point_of_stress(const Scene& scene, const InitialParticles& initial,
                                            const Probe& probe, double reach) const;
   std::vector<PointWeight> held_particles(const InitialParticles& initial, const Probe& probe) const;

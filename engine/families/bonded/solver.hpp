@@ -88,8 +88,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     Pack V;       // m^Dim, with which the energy counts
     ClosedNeoHookean<Pack> law;
   };
-  // off a lattice a_ij is along X_ij but for single precision only
-  using GradientMoment = std::conditional_t<Dim == 2, Sym<Pack, Dim>, Mat<Pack, Dim>>;
+  using GradientMoment = Mat<Pack, Dim>;
   struct Group {  // where to find its
     int sites, B;
   };
@@ -206,7 +205,7 @@ void Bonded<M, Dim>::add_sites(const Bonds& bonds) {
       const Elasticity& material = materials_[this->initial_.material[id]];
       four.law.K[lane] = material.K, four.law.G[lane] = material.G;
       for (int a = 0; a < Dim; ++a)
-        for (int k = Dim == 2 ? a : 0; k < Dim; ++k) B(k, a)[lane] = bonds.B[id][a][k];
+        for (int k = 0; k < Dim; ++k) B(k, a)[lane] = bonds.B[id][a][k];
       if (B(0, 0)[lane] > 0) four.V[lane] = bonds.volume[id];
     }
     groups_.push_back({sites_.add({four}), B_.add({B})});

@@ -8,6 +8,7 @@ Contact<Dim>::Contact(const SolverInput& input)
     : by_faces_(input.contact == ContactLaw::surface),
       between_bodies_(input.contact != ContactLaw::sph && input.initial.first.size() > 2),
       active_(between_bodies_ || input.meets_itself || !input.scene.walls.empty()),
+      stiffer_(std::max(1.0, input.constants.contact_stiffness / 2)),
       walls_(input.scene),
       pairs_(input),
       faces_(input) {

@@ -46,8 +46,8 @@ class Contact {
   /// The forces at the positions that `s` has now, which act for `dt`, s.
   void evaluate(const State<Dim>& s, double dt, int threads);
 
-  /// How much stiffer than at first touch it is anywhere, as last evaluated.
-  double stiffening() const { return by_faces_ ? faces_.stiffening() : 1; }
+  /// How much stiffer than the material at rest it is anywhere, as last evaluated.
+  double stiffening() const { return by_faces_ && acting() ? stiffer_ * faces_.stiffening() : 1; }
 
   /// On particle i, N (per metre depth in 2D), as last evaluated.
   const V& force(int i) const { return force_[i]; }
@@ -99,6 +99,7 @@ class Contact {
   const std::vector<int>& touching() const { return by_faces_ ? faces_.touching() : pairs_.touching(); }
 
   bool by_faces_, between_bodies_, active_;
+  double stiffer_;  // springs between faces than the material, 1 at least
   WallContacts<Dim> walls_;
   PairContacts<Dim> pairs_;
   ContactsOfFaces<Dim> faces_;

@@ -4,11 +4,28 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numeric>
 
 #include "engine/error.hpp"
 
 namespace taut::inline TAUT_ISA {
+
+namespace {
+
+/// K + 4G/3 at a node, Pa: between two materials a mean, as its place is.
+double modulus(const Outline& outline, int node, const SolverInput& input) {
+  double sum = 0, weights = 0, least = std::numeric_limits<double>::infinity(), most = 0;
+  for (int k = outline.begin[node]; k < outline.begin[node + 1]; ++k) {
+    const Elasticity& e = input.materials[input.initial.material[outline.shares[k].particle]];
+    const double M = e.K + 4.0 / 3 * e.G, weight = std::abs(outline.shares[k].weight);
+    sum += weight * M, weights += weight;
+    least = std::min(least, M), most = std::max(most, M);
+  }
+  return least == most ? most : sum / weights;
+}
+
+}  // namespace
 
 template <int Dim>
 FaceContacts<Dim>::FaceContacts(const SolverInput& input)
@@ -20,10 +37,7 @@ FaceContacts<Dim>::FaceContacts(const SolverInput& input)
   faces_ = MovingFaces<Dim>(make_outline(input.scene, input.initial));
   if (meets_others_) refuse_thin(input.scene);
   const Outline& outline = faces_.outline();
-  for (const int material : outline.material) {
-    const Elasticity& e = input.materials[material];
-    M_.push_back(e.K + 4.0 / 3 * e.G);
-  }
+  for (int n = 0; n < outline.size(); ++n) M_.push_back(modulus(outline, n, input));
   all_nodes_.resize(outline.size());
   std::iota(all_nodes_.begin(), all_nodes_.end(), 0);
   all_segments_.resize(outline.segments.size());
@@ -198,7 +212,7 @@ void FaceContacts<Dim>::for_each_touch(const NearFaces& near, const F& f) const 
       continue;
     }
     for (Foot<Dim>* half : {&foot, &twin}) {
-      half->area *= 0.5, half->slope *= 0.5;
+      half->weight = 0.5;
       f(n, *half, faces_.touch(*half));
     }
   }
@@ -223,19 +237,9 @@ void FaceContacts<Dim>::act_on_nodes(const State<Dim>& s, double dt, WallContact
   const auto push_back_to = [&](std::vector<V>& reaction) {
     return [&](int n, const Foot<Dim>& foot, const auto& touch) {
       if (touch.depth <= 0 || touch.depth >= reach * dp_) return;
-      const double size = surface_force(touch.depth, foot.area, stiffness(n, foot.segment));
-      const std::array<int, 2>& end = faces_.segment(foot.segment).node;
-      own_force_[n] += size * touch.out;
-      reaction[end[0]] -= ((1 - foot.xi) * size) * touch.out;
-      reaction[end[1]] -= (foot.xi * size) * touch.out;
-      if (foot.slope == 0) return;
-      // the slope of the energy along the segment, t of length 1, and, since that turns, across it
-      const double by = surface_energy(touch.depth, foot.slope, stiffness(n, foot.segment));
-      const auto [along, turning] = faces_.pushes(foot);
-      own_force_[n] -= by * along;
-      reaction[end[foot.xi > 0.5]] += by * along;
-      reaction[end[0]] += by * turning;
-      reaction[end[1]] -= by * turning;
+      faces_.push(
+          foot, touch, stiffness(n, foot.segment), [&](int node, const V& f) { own_force_[node] += f; },
+          [&](int node, const V& f) { reaction[node] += f; });
     };
   };
   for_each_touch(others_, push_back_to(reaction_));
@@ -268,7 +272,7 @@ double FaceContacts<Dim>::energy(const State<Dim>& s, const WallContacts<Dim>& w
   for (const NearFaces* near : {&others_, &own_}) {
     for_each_touch(*near, [&](int n, const Foot<Dim>& foot, const auto& touch) {
       if (touch.depth < reach * dp_)
-        sum += surface_energy(touch.depth, foot.area, stiffness(n, foot.segment));
+        sum += surface_energy(touch.depth, foot.area(), stiffness(n, foot.segment));
     });
   }
   for_each_wall(walls, [&](int, int, double depth, double area, double k) {
@@ -283,10 +287,10 @@ auto FaceContacts<Dim>::between(int a, int b) const -> V {
   for_each_touch(others_, [&](int n, const Foot<Dim>& foot, const auto& touch) {
     if (touch.depth <= 0 || touch.depth >= reach * dp_) return;
     const int own = faces_.outline().body[n], other = faces_.body_of_segment(foot.segment);
-    const double k = stiffness(n, foot.segment);
-    // what turns the face acts on one body alone, as a pair
-    const V f = surface_force(touch.depth, foot.area, k) * touch.out -
-                surface_energy(touch.depth, foot.slope, k) * faces_.pushes(foot)[0];
+    V f{};
+    faces_.push(
+        foot, touch, stiffness(n, foot.segment), [&](int, const V& on_own) { f += on_own; },
+        [](int, const V&) {});
     if (own == a && other == b) sum += f;
     if (own == b && other == a) sum -= f;
   });

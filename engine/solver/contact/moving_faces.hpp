@@ -12,15 +12,35 @@
 
 namespace taut::inline TAUT_ISA {
 
+/// The half of one of a node's two sides that belongs to the node, as far as it lies over a segment and faces it.
+template <int Dim>
+struct FacingHalf {
+  int side = Outline::none;
+  double half = 0;                   // its length at the start, m
+  double share = 0, slope = 0;       // facing_share and its slope
+  std::array<double, 2> at{};        // where it crosses the segment's ends: 0 at the node, 1 at its other end
+  std::array<double, 2> over{1, 1};  // the share of it within each end
+  std::array<double, 2> rise{};      // the slope of that in `at`
+  double past = 1;                   // beyond an end: as far as the face that goes on there does not face it
+  double past_slope = 0;             // of that in the cosine of the two
+  int next = Outline::none;          // that face
+
+  double covered() const { return over[0] * over[1]; }
+  double area() const { return half * share * covered() * past; }  // m
+};
+
 /// The closest point of a segment to a node.
 template <int Dim>
 struct Foot {
-  int segment = Outline::none;
+  int node = Outline::none, segment = Outline::none;
   double xi = 0;                                          // from the first end to the second
   double distance2 = 0;                                   // m²
   double rank = std::numeric_limits<double>::infinity();  // m: the least is the foot
-  double area = 0, slope = 0;  // that of the node, m, and what more of it a step along the segment brings
+  double weight = 1;                                      // of two that are as near
+  std::array<FacingHalf<Dim>, 2> halves{};
   Vec<double, Dim> offset{}, normal{};  // node − point, m; outwards
+
+  double area() const { return weight * (halves[0].area() + halves[1].area()); }  // m
 };
 
 /// Where the faces of scene/outline.hpp are now: a node is a mean of particles, and what acts on a node acts
@@ -106,38 +126,38 @@ class MovingFaces {
   /// Takes a segment's point for the foot of a node if it is nearer and the node faces it. A face that no side of
   /// the node looks at straight counts as up to half its length further off: a corner that comes upon a corner is
   /// pushed back by the face before it. By the one beside it, which is as near, two tips went into each other, and
-  /// the energy jumped when they had turned.
+  /// the energy jumped when they had turned. A node beyond a sharp end presses with what its side has over the
+  /// segment, as deep as the side is at the end.
   void measure(int node, int k, Foot<Dim>& best) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
     const double along = dot(d, t) / dot(t, t);
-    // beside a sharp end the face goes on, as far as it covers something
     const double xi = std::clamp(along, sharp_[k][0] ? std::min(along, 0.0) : 0.0,
                                  sharp_[k][1] ? std::max(along, 1.0) : 1.0);
-    const V offset = d - xi * t;
-    const double distance2 = dot(offset, offset);
-    const double distance = std::sqrt(distance2);
-    if (distance >= best.rank) return;
-    const V normal = normal_of(k);
-    double area = 0, straight = 0, slope = 0;
-    for (const int side : outline_.beside[node]) {
-      if (side == Outline::none) continue;
-      const double share = facing_share(dot(normal_of(side), normal));
-      const double half = 0.5 * outline_.segments[side].length * share;
-      const Cover cover = covered(node, side, k, xi, t);
-      area += half * cover.share, slope += half * cover.slope;
-      straight = std::max(straight, share);
-    }
-    const double rank = distance + 0.5 * (1 - straight) * outline_.segments[k].length;
-    if (area > 0 && rank < best.rank) best = {k, xi, distance2, rank, area, slope, offset, normal};
+    Foot<Dim> foot;
+    foot.node = node, foot.segment = k, foot.xi = xi, foot.offset = d - xi * t, foot.normal = normal_of(k);
+    foot.distance2 = dot(foot.offset, foot.offset);
+    auto& [one, two] = foot.halves;
+    one = facing_half(node, outline_.beside[node][0], k, xi);
+    two = facing_half(node, outline_.beside[node][1], k, xi);
+    if (!(foot.area() > 0)) return;
+    if (is_beyond(foot)) (one.area() > two.area() ? two : one) = {};  // one of them comes in over the end
+    const double straight = std::max(one.share, two.share);
+    const double distance = is_beyond(foot) ? std::abs(touch(foot).depth) : std::sqrt(foot.distance2);
+    foot.rank = distance + 0.5 * (1 - straight) * outline_.segments[k].length;
+    if (foot.rank < best.rank) best = foot;
   }
 
   struct Touch {
-    double depth;  // of the node behind the face, m; below 0 before it
+    double depth;  // of the node, or its side, behind the face, m; below 0 before it
     V out;         // unit vector along which the node is pushed, if it is behind
   };
   /// Beside an end that is not sharp, where two segments meet, the mean of their normals says which side is inside.
   Touch touch(const Foot<Dim>& foot) const {
+    if (is_beyond(foot)) {
+      const FacingHalf<Dim>& half = foot.halves[foot.halves[0].side == Outline::none ? 1 : 0];
+      return {depth_at(foot, half, foot.xi > 1), foot.normal};
+    }
     const bool second = foot.xi >= 1;
     if ((foot.xi > 0 && foot.xi < 1) || sharp_[foot.segment][second])
       return {-dot(foot.offset, foot.normal), foot.normal};
@@ -148,12 +168,30 @@ class MovingFaces {
     return {distance, (-1 / distance) * foot.offset};
   }
 
-  /// Of the place along a foot's segment: its slope in the node, and over that in the second end.
-  std::array<V, 2> pushes(const Foot<Dim>& foot) const {
+  /// What the energy of a node at its foot, k the stiffness, pushes each node with: own(n, f) of the node's face, and
+  /// other(n, f) of the segment's, N (per metre depth in 2D). The slopes of the depth, of how much of the sides lies over
+  /// the segment, and of how they face each other.
+  template <class Own, class Other>
+  void push(const Foot<Dim>& foot, const Touch& touch, double k, const Own& own, const Other& other) const {
     const std::array<int, 2>& end = outline_.segments[foot.segment].node;
-    const V t = place_[end[1]] - place_[end[0]];
-    const double length = std::sqrt(dot(t, t));
-    return {(1 / length) * t, (1 / length) * foot.offset};
+    const double size = surface_force(touch.depth, foot.area(), k);
+    if (!is_beyond(foot)) {
+      own(foot.node, size * touch.out);
+      other(end[0], (-(1 - foot.xi) * size) * touch.out);
+      other(end[1], (-foot.xi * size) * touch.out);
+    }
+    for (const FacingHalf<Dim>& h : foot.halves) {
+      if (!(h.share > 0)) continue;
+      const double per_length = surface_energy(touch.depth, foot.weight, k) * h.half;
+      if (is_beyond(foot)) push_at_end(foot, h, touch.depth, size, own, other);
+      for (const int e : {0, 1})
+        if (h.rise[e] != 0)
+          push_along(foot, h, e, per_length * h.share * h.past * h.over[1 - e] * h.rise[e], own, other);
+      if (h.slope != 0)
+        push_turning(h.side, foot.segment, per_length * h.slope * h.covered() * h.past, own, other);
+      if (h.past_slope != 0)
+        push_turning(h.side, h.next, per_length * h.share * h.covered() * h.past_slope, own, other);
+    }
   }
 
   template <class Archive>
@@ -165,28 +203,93 @@ class MovingFaces {
   }
 
  private:
-  struct Cover {
-    double share = 1, slope = 0;  // slope: 1/m, along the segment
-  };
-  /// Of the half of segment `side` that belongs to a node, the share that lies over segment k, as far as that has
-  /// sharp ends: two faces that slide off each other press with what there is of both.
-  Cover covered(int node, int side, int k, double xi, const V& t) const {
-    Cover cover;
-    if (!sharp_[k][0] && !sharp_[k][1]) return cover;
-    const double length = std::sqrt(dot(t, t));
+  /// Whether the foot lies past an end of its segment, on the line through it.
+  static bool is_beyond(const Foot<Dim>& foot) { return foot.xi < 0 || foot.xi > 1; }
+
+  int other_end(int node, int side) const {
     const auto& ends = outline_.segments[side].node;
-    const V way = place_[ends[0] == node ? ends[1] : ends[0]] - place_[node];
-    const double over = std::copysign(0.5 * outline_.segments[side].length, dot(way, t));  // along t, m
-    for (const int end : {0, 1}) {
-      if (!sharp_[k][end]) continue;
-      const double from = (end == 0 ? xi : 1 - xi) * length, to = from + (end == 0 ? over : -over);
-      const double u = std::clamp(std::max(from, to) / std::abs(over), 0.0, 1.0);
-      const double share = u * u * (3 - 2 * u);  // faces of one length that lie on each other slide nowhere
-      const double slope = (end == 0 ? 6 : -6) * u * (1 - u) / std::abs(over);
-      cover = {cover.share * share, cover.slope * share + cover.share * slope};
-    }
-    return cover;
+    return ends[ends[0] == node ? 1 : 0];
   }
+  /// From the node along one of its sides to that one's other end.
+  V way(int node, int side) const { return place_[other_end(node, side)] - place_[node]; }
+
+  FacingHalf<Dim> facing_half(int node, int side, int k, double xi) const {
+    FacingHalf<Dim> h;
+    if (side == Outline::none) return h;
+    const V normal = normal_of(side);
+    const double cosine = dot(normal, normal_of(k));
+    h.side = side, h.half = 0.5 * outline_.segments[side].length;
+    h.share = facing_share(cosine), h.slope = facing_slope(cosine);
+    if (!(h.share > 0)) return h;
+    const auto& ends = outline_.segments[k].node;
+    const V t = place_[ends[1]] - place_[ends[0]], w = way(node, side);
+    const double along = dot(t, w);
+    for (const int e : {0, 1}) {
+      if (!sharp_[k][e]) continue;
+      h.at[e] = -dot(t, place_[node] - place_[ends[e]]) / along;
+      const bool ahead = (along > 0) == (e == 0);  // the side comes in over this end
+      const double u = std::clamp(ahead ? 1 - 2 * h.at[e] : 2 * h.at[e], 0.0, 1.0);
+      h.over[e] = u * u * (3 - 2 * u);  // faces of one length that lie on each other slide nowhere
+      h.rise[e] = (ahead ? -12 : 12) * u * (1 - u);
+    }
+    if (xi >= 0 && xi <= 1) return h;
+    const bool e = xi > 1;
+    h.next = outline_.beside[ends[e]][e];
+    const double to_next = dot(normal, normal_of(h.next));
+    h.past = 1 - facing_share(to_next), h.past_slope = -facing_slope(to_next);
+    return h;
+  }
+
+  /// How deep a side is behind the segment where it crosses the line across its end e, m.
+  double depth_at(const Foot<Dim>& foot, const FacingHalf<Dim>& h, int e) const {
+    const V place = place_[foot.node] + h.at[e] * way(foot.node, h.side);
+    return -dot(place - place_[outline_.segments[foot.segment].node[e]], foot.normal);
+  }
+
+  /// With δ of the segment t, its end e and the side w from x to z, r = n·w/t·w and s where the side crosses the end:
+  ///   δdepth = −(n − r t)·((1 − s) δx + s δz − δe) − r depth n·δt
+  template <class Own, class Other>
+  void push_at_end(const Foot<Dim>& foot, const FacingHalf<Dim>& h, double depth, double size, const Own& own,
+                   const Other& other) const {
+    const auto& ends = outline_.segments[foot.segment].node;
+    const int e = foot.xi > 1;
+    const V t = place_[ends[1]] - place_[ends[0]], w = way(foot.node, h.side);
+    const double r = dot(foot.normal, w) / dot(t, w);
+    const V out = foot.normal - r * t;
+    own(foot.node, ((1 - h.at[e]) * size) * out);
+    own(other_end(foot.node, h.side), (h.at[e] * size) * out);
+    other(ends[e], -size * out);
+    other(ends[1], (r * depth * size) * foot.normal);
+    other(ends[0], (-r * depth * size) * foot.normal);
+  }
+
+  /// By the slope of the energy in s: δs = −(t·((1 − s) δx + s δz − δe) − depth n·δt)/t·w, the depth that of the
+  /// side at the end.
+  template <class Own, class Other>
+  void push_along(const Foot<Dim>& foot, const FacingHalf<Dim>& h, int e, double slope, const Own& own,
+                  const Other& other) const {
+    const auto& ends = outline_.segments[foot.segment].node;
+    const V t = place_[ends[1]] - place_[ends[0]];
+    const double by = slope / dot(t, way(foot.node, h.side)), turning = by * depth_at(foot, h, e);
+    own(foot.node, ((1 - h.at[e]) * by) * t);
+    own(other_end(foot.node, h.side), (h.at[e] * by) * t);
+    other(ends[e], -by * t);
+    other(ends[1], -turning * foot.normal);
+    other(ends[0], turning * foot.normal);
+  }
+
+  /// By the slope of the energy in the cosine of two normals: δn = −t n·δt/|t|², the δ of each segment.
+  template <class Own, class Other>
+  void push_turning(int side, int segment, double slope, const Own& own, const Other& other) const {
+    const auto turn = [&](int one, int facing, const auto& give) {
+      const auto& ends = outline_.segments[one].node;
+      const V t = place_[ends[1]] - place_[ends[0]];
+      const V f = (slope * dot(t, normal_of(facing)) / dot(t, t)) * normal_of(one);
+      give(ends[1], f), give(ends[0], -1.0 * f);
+    };
+    turn(side, segment, own), turn(segment, side, other);
+  }
+
   /// Ends where the face turns by more than 60 degrees, outwards.
   void find_sharp_ends() {
     for (int k = 0; k < static_cast<int>(outline_.segments.size()); ++k) {

@@ -1,3 +1,4 @@
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <thread>
@@ -99,9 +100,11 @@ TEST_SUITE("cli") {
   TEST_CASE("copies of a function may be called by two threads at once") {
     const auto function = taut::cli::compile("2*x + y*z", {});
     const auto in_time = taut::cli::compile_in_time("x - t", {});
-    const auto wrong_of = [](const auto f, auto g, double from) {
+    std::atomic<int> ready = 0;
+    const auto wrong_of = [&ready](const auto f, auto g, double from) {
       int wrong = 0;
-      for (int k = 0; k < 20000; ++k) {
+      for (++ready; ready < 2;) std::this_thread::yield();
+      for (int k = 0; k < 200000; ++k) {
         const double x = from + k;
         wrong += f({x, 1, 3}) != 2 * x + 3 || g({x, 0, 0}, 1) != x - 1;
       }

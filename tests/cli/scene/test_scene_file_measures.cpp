@@ -166,6 +166,17 @@ TEST_SUITE("cli") {
       CHECK_THROWS_WITH_AS(read_text(text), doctest::Contains(message), SceneError);
     };
     refused(with("\"2*tp\""), "unknown name 'tp'");
+    // numbers of a material where there is one to ask
+    CHECK(read_text(with("\"0*t + K/G\"")).scene.probes.at(1).value({0, 0}, 0) == Approx(14.0 / 3));
+    const std::string soft =
+        "[material.soft]\ndensity = 1000\nyoungs_modulus = 1e6\npoisson_ratio = 0.3\n[[body]]\nname = "
+        "\"block\"";
+    const std::string two = replaced(with("\"0*t + K\""), "[[body]]\nname = \"block\"", soft);
+    refused(replaced(two, "outer = 2 }\nmaterial = \"rubber\"", "outer = 2 }\nmaterial = \"soft\""),
+            "unknown name 'K'");
+    CHECK_NOTHROW(
+        read_text(replaced(replaced(with("\"tip + 0*K\""), "[[body]]\nname = \"block\"", soft),
+                           "outer = 2 }\nmaterial = \"rubber\"", "outer = 2 }\nmaterial = \"soft\"")));
     refused(with("\"2*sum\""), "unknown name 'sum'");  // of itself
     refused(with("\"2*tip +\""), "is not an expression");
     CHECK(read_text(with("\"3*t\"")).scene.probes.size() == 2);  // though nothing follows the first

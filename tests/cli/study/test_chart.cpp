@@ -282,6 +282,32 @@ TEST_SUITE("cli") {
     CHECK(contains(text_of(folder / "a.gp"), "bend, difference from oenog at 0.5 mm, %"));
   }
 
+  TEST_CASE("what runs are compared with has the same parameters as they") {
+    const TemporaryFolder folder;
+    const std::string head =
+        "status,method,scene,particles,steps,spacing,verdict,seconds.solve,measures.bend.value,"
+        "measures.bend.unit,set.nu\n";
+    const auto row = [](const std::string& method, const char* spacing, const char* value, const char* nu) {
+      return "finished," + method + ",rod,9,9," + spacing + ",stable,1," + value + ",m," + nu + "\n";
+    };
+    std::ofstream(folder / "results.csv")
+        << head << row("oenog", "0.002", "1.1", "0.3") << row("oenog", "0.0005", "1", "0.3")
+        << row("oenog", "0.001", "2", "0.4") << row("tl", "0.002", "0.7", "0.3")
+        << row("tl", "0.002", "2.2", "0.4") << row("tl", "0.002", "3", "0.45");
+    const auto chart = chart_of(folder.str("results.csv"), {.measure = "", .against = "oenog"});
+    CHECK(chart.against == "oenog, the finest run of each nu");
+    REQUIRE(chart.series.size() == 4);
+    const std::map<std::string, std::optional<double>> errors{
+        {"oenog, nu=0.3", 0.1}, {"tl, nu=0.3", 0.3}, {"tl, nu=0.4", 0.1}, {"tl, nu=0.45", std::nullopt}};
+    for (const taut::cli::ChartSeries& series : chart.series) {
+      CAPTURE(series.name);
+      REQUIRE(series.points.size() == 1);
+      const std::optional<double> error = errors.at(series.name);
+      REQUIRE(series.points[0].error.has_value() == error.has_value());
+      if (error) CHECK(*series.points[0].error == Approx(*error));
+    }
+  }
+
   TEST_CASE("a run without an error says why, and a measure without a unit is one") {
     const TemporaryFolder folder;
     std::ofstream(folder / "results.csv")

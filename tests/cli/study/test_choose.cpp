@@ -101,6 +101,25 @@ TEST_SUITE("cli") {
     CHECK(contains(none.out, "No stable run with a measured error is there in that time."));
   }
 
+  TEST_CASE("choose leaves away runs of other parameters than the scene has, or --set") {
+    const TemporaryFolder folder;
+    const std::string file = write_results(folder / "a",
+                                           "finished,tl,tl,0.2,20,stable,,0.001,2,1,0.02\n"
+                                           "finished,icb,icb,0.2,20,stable,,0.004,2,90,0.06\n",
+                                           "colliding-rings", "v0");
+    const Outcome own = call({"choose", "colliding-rings", "--error", "1%", "--from", file});
+    CHECK(own.code == 0);
+    CHECK(contains(own.out, "icb at a spacing of 0.2 m"));
+    CHECK(contains(own.err, "only runs with v0 = 0.06 count; --set names other values"));
+    const Outcome slow =
+        call({"choose", "colliding-rings", "--set", "v0=0.02", "--error", "1%", "--from", file});
+    CHECK(contains(slow.out, "tl at a spacing of 0.2 m"));
+    const Outcome none =
+        call({"choose", "colliding-rings", "--set", "v0=0.1", "--error", "1%", "--from", file});
+    CHECK(none.code == 2);
+    CHECK(contains(none.err, "has v0 = 0.1, as the scene"));
+  }
+
   TEST_CASE("choose refuses what is no error, no result or of another scene") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", runs, "colliding-rings");

@@ -25,6 +25,14 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE("first_peak: what runs ahead of a wave by rounding is no swing") {
+    const std::vector<double> times = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+    const std::vector<double> wave = {0, 1e-18, -1e-17, 2e-13, -1e-12, 0, 1, 2, 1, -1};
+    expect(value("first_peak", times, wave), 2);
+    expect(value("peak_time", times, wave), 7);
+    CHECK_FALSE(value("period", times, wave));
+  }
+
   TEST_CASE("period: linear between steps") {
     expect(value("period", {0, 1, 2, 4, 5}, {0, 3, -1, -1, 3}), 4.25);
   }

@@ -69,6 +69,15 @@ TEST_SUITE("analytic") {
     CHECK(!curve.peak(146, 149));  // only rises towards 150.3
     CHECK(!curve.peak(151.5, 154));
     CHECK(!peak_frequency({}, 0, 1, {1, 2}));
+    // the first side lobe of the window lies 2.4 of its widths from the line
+    std::vector<double> t, y;
+    for (int k = 0; k <= 2000; ++k) {
+      t.push_back(1e-4 * k);
+      y.push_back(std::sin(2 * std::numbers::pi * 50 * t.back()) +
+                  0.3 * std::sin(2 * std::numbers::pi * 120 * t.back()));
+    }
+    CHECK(!peak_frequency({t, y}, 0, 0.2, {60, 80}));
+    CHECK(*peak_frequency({t, y}, 0, 0.2, {100, 200}) == Approx(120).epsilon(1e-3));
     CHECK(!curve.peak(75, 250, 0.1, 0.1));
   }
 

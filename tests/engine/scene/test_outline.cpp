@@ -73,6 +73,18 @@ void check_faces(const Scene& scene, double length) {
 }  // namespace
 
 TEST_SUITE("unit") {
+  TEST_CASE("outline: a node at a slot is a mean of particles of its own side, in the plane") {
+    const Scene scene = of({Box{{0, 0, 0}, {6 * dp, 6 * dp, 0}}, Box{{7 * dp, 0, 0}, {13 * dp, 6 * dp, 0}}});
+    const InitialParticles initial = make_initial_particles(scene);
+    const Outline outline = make_outline(scene, initial);
+    REQUIRE(outline.size() > 40);
+    for (int n = 0; n < outline.size(); ++n)
+      for (int k = outline.begin[n]; k < outline.begin[n + 1]; ++k)
+        CHECK((initial.x[outline.shares[k].particle][0] < 6.5 * dp) == (outline.x[n][0] < 6.5 * dp));
+  }
+}
+
+TEST_SUITE("unit") {
   TEST_CASE("outline: of a box, a disc and a ring in each of their layouts") {
     check_faces(of({Box{{0, 0, 0}, {0.02, 0.007, 0}}}), 0.054);
     for (const RoundLayout layout : {RoundLayout::spaced, RoundLayout::lattice}) {

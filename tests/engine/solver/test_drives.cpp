@@ -48,6 +48,34 @@ double energy(const Balance& sums) { return sums.kinetic + sums.strain; }
 }  // namespace
 
 TEST_SUITE("analytic") {
+  TEST_CASE("driven: a point of what is driven or held goes its way to rounding, up to its face") {
+    for (const int layers : {1, 2}) {
+      for (const char* method : {"oenog", "enog"}) {
+        CAPTURE(layers);
+        CAPTURE(method);
+        Scene scene = pushed_bar();
+        scene.bodies[0].drives[0].where = [=](const Point& x) { return x[0] < layers * dp ? 1.0 : 0.0; };
+        scene.bodies[0].held = [=](const Point& x) { return x[0] > length - layers * dp ? 1.0 : 0.0; };
+        const std::vector<Point> driven = {
+            {0, 2.5 * dp, 0}, {0.5 * dp, 0.5 * dp, 0}, {layers * dp, 2 * dp, 0}};
+        for (const Point& at : driven) {
+          for (const double place : {at[0], length - at[0]}) {
+            Probe probe = make_probe("x", Probe::Kind::displacement);
+            probe.at = {place, at[1], 0};
+            scene.probes.push_back(probe);
+          }
+        }
+        const auto simulation = make_simulation(scene, with_method(method));
+        simulation->advance_to(0.6 * push);
+        const Snapshot& now = simulation->snapshot();
+        const double way = now.x[0] - now.x0[0];  // of a driven particle
+        CHECK(way > 0.5 * stroke);
+        for (std::size_t k = 0; k < scene.probes.size(); ++k)
+          CHECK(std::abs(simulation->series().value[k].back() - (k % 2 == 0 ? way : 0)) < 1e-12 * dp);
+      }
+    }
+  }
+
   TEST_CASE("driven: a piston goes its way to second order, in every method, and is free then") {
     const Scene scene = pushed_bar();
     for (const MethodInfo& method : methods()) {

@@ -8,6 +8,7 @@
 
 #include "engine/diagnostics/balance.hpp"
 #include "engine/error.hpp"
+#include "engine/scene/other_shapes.hpp"
 #include "engine/scene/outline.hpp"
 #include "engine/terms/surface_contact.hpp"
 #include "tests/support/closing_arms.hpp"
@@ -36,6 +37,12 @@ Pressed<2> two_discs(double depth) {
   const double r = 0.006, angle = 0.7, apart = 2 * r - depth;
   return Pressed<2>(
       scene_of({Disc{{0, 0, 0}, r}, Disc{{apart * std::cos(angle), apart * std::sin(angle), 0}, r}}));
+}
+
+Scene two_blocks_that_meet() {
+  Scene scene = scene_of({Box{{-0.008, 0, 0}, {0, 0.006, 0}}, Box{{0.0001, 0, 0}, {0.0081, 0.006, 0}}});
+  scene.bodies[1].velocity[0] = constant(-8);
+  return scene;
 }
 
 double total_energy(const Simulation& simulation, const Scene& scene) {
@@ -98,6 +105,51 @@ TEST_SUITE("conservation") {
       for (const std::vector<double>& asymmetry : simulation->series().value)
         CHECK(*std::ranges::max_element(asymmetry) < 1e-15);  // m
     }
+  }
+}
+
+TEST_SUITE("conservation") {
+  TEST_CASE("surface contact: a tilted block that comes upon a flat one by a corner keeps the energy") {
+    for (const double degrees : {5.0, 10.0, 20.0, 32.0, 38.0, 44.0}) {
+      CAPTURE(degrees);
+      const double angle = degrees * std::numbers::pi / 180;
+      Chain corners;
+      for (const auto& [x, y] :
+           {std::pair(-4.0, -2.5), std::pair(4.0, -2.5), std::pair(4.0, 2.5), std::pair(-4.0, 2.5)})
+        corners.push_back({dp * (x * std::cos(angle) - y * std::sin(angle)),
+                           dp * (x * std::sin(angle) + y * std::cos(angle) + 4.8), 0});
+      Scene scene = scene_of({Box{{-0.012, -0.006, 0}, {0.012, 0, 0}}, AnyShape::of(Polygon({corners}))});
+      scene.bodies[1].velocity[1] = constant(-0.75);
+      Settings settings = with_method("oenog");
+      settings.constants["damping"] = 0;
+      const auto simulation = make_simulation(scene, settings);
+      const double start = total_energy(*simulation, scene);
+      bool met = false;
+      for (int k = 1; k <= 100; ++k) {
+        simulation->advance_to(8e-5 * k);
+        met = met || simulation->snapshot().contact_energy > 0;
+        CHECK(std::abs(total_energy(*simulation, scene) / start - 1) < 0.01);
+      }
+      CHECK(met);
+    }
+  }
+}
+
+TEST_SUITE("stability") {
+  TEST_CASE("surface contact: as stiff as it may be asked for it shortens the steps, and the energy stays") {
+    Scene scene = two_blocks_that_meet();
+    Settings settings = with_method("oenog");
+    const auto run = [&](double stiffness) {
+      settings.constants["contact_stiffness"] = stiffness;
+      const auto simulation = make_simulation(scene, settings);
+      const double start = total_energy(*simulation, scene);
+      simulation->advance_to(4e-4);
+      CHECK(std::abs(total_energy(*simulation, scene) / start - 1) < 0.1);
+      return simulation->steps();
+    };
+    const long published = run(2);
+    CHECK(run(1) <= published);
+    CHECK(run(100) > 2 * published);
   }
 }
 
