@@ -246,10 +246,13 @@ void FaceContacts<Dim>::act_on_nodes(const State<Dim>& s, double dt, WallContact
   for_each_touch(own_, push_back_to(own_force_));
   for_each_wall(walls, [&](int n, int wall, double depth, double area, double k) {
     // 2: of the pass over the node and of that over its image
-    const V f = (2 * surface_force(depth, area, k)) * walls.normal(wall);
-    own_force_[n] += f;
-    faces_.for_each_share(n,
-                          [&](int i, double weight) { walls.book(s.x[i], (dt * s.mobile[i] * weight) * f); });
+    const auto give = [&](int node, const V& f) {
+      own_force_[node] += f;
+      faces_.for_each_share(
+          node, [&](int i, double weight) { walls.book(s.x[i], (dt * s.mobile[i] * weight) * f); });
+    };
+    give(n, (2 * surface_force(depth, area, k)) * walls.normal(wall));
+    faces_.push_facing(n, walls.normal(wall), surface_energy(depth, 1, k), give);
   });
 }
 

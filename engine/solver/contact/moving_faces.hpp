@@ -123,6 +123,15 @@ class MovingFaces {
     return area;
   }
 
+  /// What an energy per length of that turns a node's sides with: give(n, f), N (per metre depth in 2D).
+  template <class Give>
+  void push_facing(int node, const V& normal, double energy, const Give& give) const {
+    for (const int k : outline_.beside[node])
+      if (k != Outline::none)
+        if (const double slope = facing_slope(dot(normal_of(k), normal)); slope != 0)
+          turn(k, normal, energy * 0.5 * outline_.segments[k].length * slope, give);
+  }
+
   /// Takes a segment's point for the foot of a node if it is nearer and the node faces it. A face that no side of
   /// the node looks at straight counts as up to half its length further off: a corner that comes upon a corner is
   /// pushed back by the face before it. By the one beside it, which is as near, two tips went into each other, and
@@ -278,16 +287,17 @@ class MovingFaces {
     other(ends[0], turning * foot.normal);
   }
 
-  /// By the slope of the energy in the cosine of two normals: δn = −t n·δt/|t|², the δ of each segment.
+  /// By the slope of the energy in the cosine of a side's normal and another one: δn = −t n·δt/|t|².
+  template <class Give>
+  void turn(int side, const V& normal, double slope, const Give& give) const {
+    const auto& ends = outline_.segments[side].node;
+    const V t = place_[ends[1]] - place_[ends[0]];
+    const V f = (slope * dot(t, normal) / dot(t, t)) * normal_of(side);
+    give(ends[1], f), give(ends[0], -1.0 * f);
+  }
   template <class Own, class Other>
   void push_turning(int side, int segment, double slope, const Own& own, const Other& other) const {
-    const auto turn = [&](int one, int facing, const auto& give) {
-      const auto& ends = outline_.segments[one].node;
-      const V t = place_[ends[1]] - place_[ends[0]];
-      const V f = (slope * dot(t, normal_of(facing)) / dot(t, t)) * normal_of(one);
-      give(ends[1], f), give(ends[0], -1.0 * f);
-    };
-    turn(side, segment, own), turn(segment, side, other);
+    turn(side, normal_of(segment), slope, own), turn(segment, normal_of(side), slope, other);
   }
 
   /// Ends where the face turns by more than 60 degrees, outwards.
