@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 #include "engine/scene/outline.hpp"
@@ -143,12 +144,15 @@ class MovingFaces {
     const double along = dot(d, t) / dot(t, t);
     const double xi = std::clamp(along, sharp_[k][0] ? std::min(along, 0.0) : 0.0,
                                  sharp_[k][1] ? std::max(along, 1.0) : 1.0);
+    const V offset = d - xi * t;
+    const double distance2 = dot(offset, offset);
+    if (xi >= 0 && xi <= 1 && distance2 >= best.rank * best.rank) return;
     Foot<Dim> foot;
-    foot.node = node, foot.segment = k, foot.xi = xi, foot.offset = d - xi * t, foot.normal = normal_of(k);
-    foot.distance2 = dot(foot.offset, foot.offset);
+    foot.node = node, foot.segment = k, foot.xi = xi, foot.distance2 = distance2;
+    foot.offset = offset, foot.normal = normal_of(k);
     auto& [one, two] = foot.halves;
-    one = facing_half(node, outline_.beside[node][0], k, xi);
-    two = facing_half(node, outline_.beside[node][1], k, xi);
+    one = facing_half(foot, outline_.beside[node][0]);
+    two = facing_half(foot, outline_.beside[node][1]);
     if (!(foot.area() > 0)) return;
     if (is_beyond(foot)) (one.area() > two.area() ? two : one) = {};  // one of them comes in over the end
     const double straight = std::max(one.share, two.share);
@@ -222,14 +226,15 @@ class MovingFaces {
   /// From the node along one of its sides to that one's other end.
   V way(int node, int side) const { return place_[other_end(node, side)] - place_[node]; }
 
-  FacingHalf<Dim> facing_half(int node, int side, int k, double xi) const {
+  FacingHalf<Dim> facing_half(const Foot<Dim>& foot, int side) const {
     FacingHalf<Dim> h;
     if (side == Outline::none) return h;
+    const auto [node, k, xi] = std::tuple(foot.node, foot.segment, foot.xi);
     const V normal = normal_of(side);
-    const double cosine = dot(normal, normal_of(k));
+    const double cosine = dot(normal, foot.normal);
     h.side = side, h.half = 0.5 * outline_.segments[side].length;
     h.share = facing_share(cosine), h.slope = facing_slope(cosine);
-    if (!(h.share > 0)) return h;
+    if (!(h.share > 0) || !(sharp_[k][0] || sharp_[k][1])) return h;
     const auto& ends = outline_.segments[k].node;
     const V t = place_[ends[1]] - place_[ends[0]], w = way(node, side);
     const double along = dot(t, w);
