@@ -16,6 +16,8 @@
 #include "engine/core/least_squares.hpp"
 #include "engine/core/parallel.hpp"
 #include "engine/neighbors/close_pairs.hpp"
+#include "engine/neighbors/linked.hpp"
+#include "engine/scene/shapes.hpp"
 
 namespace taut {
 namespace {
@@ -44,7 +46,31 @@ struct Neighborhoods {
   std::span<int> operator[](std::size_t i) { return {&all[begin[i]], begin[i + 1] - begin[i]}; }
 };
 
-Neighborhoods neighborhoods(const Snapshot& start, double radius) {
+/// Parts that a slot separates may move apart: that is no zigzag.
+void leave_out_beyond_slots(const Snapshot& start, double spacing, Neighborhoods& near) {
+  const auto squared = [&](int i, int j) {
+    const double r = distance_between(start.initial(static_cast<std::size_t>(i)),
+                                      start.initial(static_cast<std::size_t>(j)), start.dim) /
+                     spacing;
+    return r * r;
+  };
+  std::size_t end = 0;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    const std::span<const int> own = near[i];
+    std::vector<int> linked(own.begin() + 1, own.end());
+    leave_out_unlinked(
+        linked, [&](int j) { return squared(static_cast<int>(i), j); }, squared);
+    near.begin[i] = end;
+    near.all[end++] = static_cast<int>(i);
+    end = static_cast<std::size_t>(
+        std::ranges::copy(linked, near.all.begin() + static_cast<std::ptrdiff_t>(end)).out -
+        near.all.begin());
+  }
+  near.begin.back() = end;
+}
+
+Neighborhoods neighborhoods(const Snapshot& start, double spacing) {
+  const double radius = reach * spacing;
   const auto for_each_pair = [&](const auto& visit) {
     for_each_close_pair(start, radius, [&](int i, int j) {
       if (alike(start, static_cast<std::size_t>(i), static_cast<std::size_t>(j))) visit(i, j);
@@ -59,6 +85,7 @@ Neighborhoods neighborhoods(const Snapshot& start, double radius) {
   std::vector<std::size_t> end(near.begin.begin(), near.begin.end() - 1);
   for (std::size_t i = 0; i < start.size(); ++i) near.all[end[i]++] = static_cast<int>(i);
   for_each_pair([&](int i, int j) { near.all[end[i]++] = j, near.all[end[j]++] = i; });
+  leave_out_beyond_slots(start, spacing, near);
   return near;
 }
 
@@ -182,7 +209,7 @@ class Rows {
 }  // namespace
 
 AlternatingPart alternating_part(const Snapshot& start, double spacing, int threads) {
-  Neighborhoods near = neighborhoods(start, reach * spacing);
+  Neighborhoods near = neighborhoods(start, spacing);
   Rows rows(start, spacing, near);
   std::vector<std::size_t> moving;
   for (std::size_t i = 0; i < start.size(); ++i)

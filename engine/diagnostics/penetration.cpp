@@ -21,6 +21,8 @@ constexpr double far = 4;      // at the start: as far as what contact keeps apa
 constexpr double reach = 2.5;  // of the lists; below `far` a body with little strain has nobody in them
 constexpr double skin = reach - near;
 
+constexpr double shallow(int dim) { return dim == 3 ? 0.41 : 0.29; }  // of penetration.hpp
+
 constexpr double widest_inside = 2 * std::numbers::pi / 3;
 
 template <int Dim>
@@ -243,8 +245,9 @@ bool Penetration::is_inside(const Snapshot& now, const Asked& asked, Around& aro
   for (int k = asked.begin; k < asked.end; ++k) {
     const int j = near_[static_cast<std::size_t>(k)];
     const Vec<double, Dim> d = place<Dim>(now.x, j) - place<Dim>(now.x, asked.particle);
-    if (dot(d, d) >= near * near * spacing_ * spacing_) continue;
-    around.add(d);
+    const double r2 = dot(d, d) / (spacing_ * spacing_);
+    if (r2 >= near * near) continue;
+    if (r2 > shallow(Dim) * shallow(Dim)) around.add(d);
     at_surface = at_surface || on_surface_[static_cast<std::size_t>(j)];
   }
   return at_surface && !around.leaves_gap();

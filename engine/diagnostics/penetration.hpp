@@ -15,7 +15,8 @@ double widest_gap(std::span<double> directions);
 /// of 98 directions spread over the sphere has one of them within π/3. Far are particles of another body, and
 /// those of its own that were more than 4 dp away at the start. A face that touches another one has it on one
 /// side: the gap is near π, dented or interlocked by a row too. Behind two particles of a surface that are 1
-/// dp apart the gap is 2π/3 at a depth of 0.29 dp; in 3D behind the middle of four it is at 0.41 dp.
+/// dp apart the gap is 2π/3 at a depth of 0.29 dp; in 3D behind the middle of four it is at 0.41 dp. One that is
+/// nearer than that tells no direction: of two faces that touch particle on particle the one is a hair behind the other.
 ///
 /// Only particles of a surface are asked, those that their own neighbours of the start leave such a gap, and
 /// of them only those with a far one of a surface within 1.5 dp: where two parts overlap their outlines

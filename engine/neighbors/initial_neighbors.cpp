@@ -4,7 +4,10 @@
 #include <numeric>
 #include <span>
 
+#include "engine/core/parallel.hpp"
+#include "engine/neighbors/linked.hpp"
 #include "engine/neighbors/neighbors.hpp"
+#include "engine/scene/shapes.hpp"
 
 namespace taut {
 
@@ -53,6 +56,28 @@ std::size_t NeighborLists::find(int i, int other) const {
 NeighborLists initial_neighbors(const InitialParticles& initial, double reach, int threads) {
   return initial.dim == 3 ? neighbors_of<3>(initial, reach, threads)
                           : neighbors_of<2>(initial, reach, threads);
+}
+
+NeighborLists linked_neighbors(const InitialParticles& initial, double reach, double spacing, int threads) {
+  NeighborLists all = initial_neighbors(initial, reach, threads), kept;
+  const auto squared = [&](int i, int j) {
+    const double r = distance_between(initial.x[i], initial.x[j], initial.dim) / spacing;
+    return r * r;
+  };
+  kept.begin.push_back(0);
+  make_in_order(
+      initial.size(), threads,
+      [&](int i) {
+        std::vector<int> near(all[i].begin(), all[i].end());
+        leave_out_unlinked(
+            near, [&](int j) { return squared(i, j); }, squared);
+        return near;
+      },
+      [&](int, const std::vector<int>& near) {
+        kept.j.insert(kept.j.end(), near.begin(), near.end());
+        kept.begin.push_back(kept.j.size());
+      });
+  return kept;
 }
 
 }  // namespace taut

@@ -20,5 +20,8 @@ struct NeighborLists {
 
 /// The other particles of its own body nearer than `reach`, m, to each particle at the start.
 NeighborLists initial_neighbors(const InitialParticles& initial, double reach, int threads = 1);
+/// The same without those beyond a slot (linked.hpp).
+NeighborLists linked_neighbors(const InitialParticles& initial, double reach, double spacing,
+                               int threads = 1);
 
 }  // namespace taut

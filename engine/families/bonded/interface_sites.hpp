@@ -207,10 +207,14 @@ template <int Dim>
 auto InterfaceSites<Dim>::stored_across(const Bond& bond, double s, double across, double own) -> Stored {
   const double difference =
       bond.own_strength * cancelled_slope<Dim>(own) - bond.strength * cancelled_slope<Dim>(across);
-  return {0.5 * difference * (s - across) - bond.strength * cancelled_energy<Dim>(across), 0.5 * difference,
-          -0.5 * (bond.own_strength * cancelled_slope<Dim>(own) +
-                  bond.strength * cancelled_slope_rate<Dim>(across) * (s - across)),
-          0.5 * bond.own_strength * cancelled_slope_rate<Dim>(own) * (s - across)};
+  const double astray = s - across, lacking = 0.25 * std::max(0.0, bond.own_strength - bond.strength);
+  return {
+      (0.5 * difference + 0.5 * lacking * astray) * astray - bond.strength * cancelled_energy<Dim>(across),
+      0.5 * difference + lacking * astray,
+      -0.5 * (bond.own_strength * cancelled_slope<Dim>(own) +
+              bond.strength * cancelled_slope_rate<Dim>(across) * astray) -
+          lacking * astray,
+      0.5 * bond.own_strength * cancelled_slope_rate<Dim>(own) * astray};
 }
 
 template <int Dim>

@@ -16,11 +16,15 @@ inline constexpr double most_of_across = 8;  // see below
 /// of the layers it stands for,
 ///   E_i = V_i [(1 − θ) W_own(F_own) + θ W_other(F_other)] − V0_i Σ_within G w_ij φ_c(s_own) + Σ_across E_ij,
 ///   F_own = F_i + b ⊗ m,   F_other = F_own − b ⊗ N,   m = ½ Σ_across (N·X_ij) g_ij,   θ = N·m,
-///   E_ij = V0_i w_ij [(G ψ(s_own) − G_ij ψ(s_mid))(s_ij − s_mid)/2 − G_ij φ_c(s_mid)],   ψ = φ′/λ = 2 dφ/ds,
+///   E_ij = V0_i w_ij [(G ψ(s_own) − G_ij ψ(s_mid))(s_ij − s_mid)/2 − G_ij φ_c(s_mid)
+///                     + max(G − G_ij, 0) (s_ij − s_mid)²/8],   ψ = φ′/λ = 2 dφ/ds,
 /// beside the springs. s_own and s_mid are those of F_own and of F_own − ½ b ⊗ N, since one half of a bond
 /// across lies in either material; its spring has the strength of both in series, and E_ij adds what it lacks
 /// for the force that the bonds of the own material would have, of which G counts up to most_of_across G_ij:
-/// a bond across is as weak as the weaker side, and what it lacks must not outweigh it. The kink is that of
+/// a bond across is as weak as the weaker side, and what it lacks must not outweigh it. Its last part, 0 where each
+/// side is linear, holds a bond to the deformation of the layers as stiffly as G would: without it a neighbour that
+/// gives way frees more of G ψ(s_own) than its spring takes, and bodies flew apart from rest (a stiff ball in a soft
+/// box at a ratio of 15, half discs at 4). The kink is that of
 /// the gradients of the two sides, each from its own particles,
 ///   b = Σ_j β_ij (x_j − x_i) = (∇_own x − ∇_other x) N,
 /// the other side's at the neighbours across. It is 0 for a linear displacement. A displacement that is

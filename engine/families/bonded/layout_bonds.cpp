@@ -23,7 +23,7 @@ class LayoutBonds {
         spacing_(spacing),
         h_(h),
         threads_(threads),
-        near_(initial_neighbors(initial, greatest_bond_reach * h, threads)),
+        near_(linked_neighbors(initial, greatest_bond_reach * h, spacing, threads)),
         irregular_(irregular_bodies(initial, near_, spacing, threads)) {
     for (const bool irregular : irregular_)
       least_reach_.push_back(irregular ? wide_bond_reach : least_bond_reach);

@@ -14,6 +14,7 @@
 #include "engine/core/growth.hpp"
 #include "engine/core/least_squares.hpp"
 #include "engine/core/parallel.hpp"
+#include "engine/neighbors/linked.hpp"
 #include "engine/neighbors/neighbors_of_one.hpp"
 #include "engine/scene/material_point.hpp"
 
@@ -44,16 +45,11 @@ Neighborhood<Dim> within(const Neighborhood<Dim>& near, double reach) {
   return some;
 }
 
-/// Without those that no step from one beside i leads to: beyond a slot.
 template <int Dim>
 void leave_out_unlinked(Neighborhood<Dim>& near) {
-  constexpr double link2 = link_of_neighbors * link_of_neighbors;
-  const Neighborhood<Dim> beside = within(near, link_of_neighbors);
-  std::erase_if(near, [&](const Neighbor<Dim>& one) {
-    return one.X.squaredNorm() >= link2 && std::ranges::none_of(beside, [&](const Neighbor<Dim>& other) {
-             return (one.X - other.X).squaredNorm() < link2;
-           });
-  });
+  taut::leave_out_unlinked(
+      near, [](const Neighbor<Dim>& one) { return one.X.squaredNorm(); },
+      [](const Neighbor<Dim>& one, const Neighbor<Dim>& other) { return (one.X - other.X).squaredNorm(); });
 }
 
 /// How each particle moves, by id: 0 freely, 1 held, else a number for each drive and each guide. What moves with

@@ -79,7 +79,7 @@ void SolidBonds::look_further(double h, int threads) {
     further[i] = !on_lattice(own.X, spacing_) && !at_surface(own.X);
   });
   if (std::ranges::count(further, 0) == n) return;
-  near_ = initial_neighbors(initial_, greatest_bond_reach * h, threads);
+  near_ = linked_neighbors(initial_, greatest_bond_reach * h, spacing_, threads);
   const Moments<3> moments;
   std::vector<double> reach(n, least_bond_reach * h);
   parallel_for(n, threads, [&](int i) {

@@ -159,6 +159,20 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE("hourglass error: parts that move apart across a slot are free of it") {
+    constexpr double dp = 0.1;
+    Sample body = lattice(20, 12, dp);
+    const auto shift_right = [&](double by) {
+      for (std::size_t i = 0; i < body.start.size(); ++i)
+        if (body.start.x0[2 * i] > 0) body.start.x0[2 * i] += by, body.start.x[2 * i] += by;
+    };
+    shift_right(dp);
+    const Map apart = [](const Point& X) { return Point{X[0] + (X[0] > 0 ? 5 * dp : 0), X[1], 0}; };
+    CHECK(hourglass_error(body, apart) < 1e-12);
+    shift_right(-dp);  // as one it is torn
+    CHECK(hourglass_error(body, apart) > 0.1);
+  }
+
   TEST_CASE("hourglass error: a zigzag of amplitude a is a/dp") {
     const double dp = 0.01, a = 0.2 * dp;
     const Sample body = lattice(40, 40, dp);

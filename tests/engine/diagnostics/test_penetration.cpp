@@ -161,6 +161,8 @@ TEST_SUITE("unit") {
     CHECK(inside(0.5 * dp, -1.01 * depth) > 0);
     CHECK(inside(0.5 * dp, -2 * dp) > 0);
     CHECK(inside(0.1 * dp, -4 * dp) > 0);
+    CHECK(inside(0, -0.99 * depth) == 0);  // behind one of its particles too
+    CHECK(inside(0, -1.01 * depth) > 0);
     CHECK(inside(30 * dp, -2 * dp) == 0);  // beside it
   }
 
@@ -241,6 +243,8 @@ TEST_SUITE("unit") {
     };
     CHECK(inside(0.5 * dp, -0.3 * dp) == 0);
     CHECK(inside(0.5 * dp, -0.5 * dp) > 0);
+    CHECK(inside(0, -0.3 * dp) == 0);  // behind one of its particles too
+    CHECK(inside(0, -0.5 * dp) > 0);
     CHECK(inside(0.5 * dp, -2 * dp) > 0);
     CHECK(inside(0.1 * dp, -3 * dp) > 0);
     CHECK(inside(0.1 * dp, -3 * dp, 0.5) > 0);

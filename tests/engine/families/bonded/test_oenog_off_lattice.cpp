@@ -287,6 +287,19 @@ TEST_SUITE("failure") {
     }
   }
 
+  TEST_CASE("oenog: parts of a body that a slot of one spacing separates do not hold on to each other") {
+    Scene scene = square(10);
+    scene.bodies[0].shapes = {Box{{-20 * dp, 0, 0}, {0, 10 * dp, 0}}, Box{{dp, 0, 0}, {21 * dp, 10 * dp, 0}}};
+    scene.bodies[0].velocity[0] = [](const Point& x) { return x[0] > 0 ? 1.0 : 0.0; };
+    SUBCASE("of a hexagonal lattice") { scene.bodies[0].lattice = Lattice::hexagonal; }
+    SUBCASE("of bonds that reach two spacings") { scene.jitter.share = 1e-6; }
+    const auto simulation = make_simulation(scene, with_method("oenog"));
+    simulation->advance_to(0.01);
+    const Snapshot now = simulation->snapshot();
+    for (std::size_t i = 0; i < now.size(); ++i)
+      REQUIRE(std::abs(now.v[2 * i] - (now.x0[2 * i] > 0 ? 1 : 0)) < 1e-6);
+  }
+
   TEST_CASE("oenog: off a lattice steps are hardly shorter") {
     const auto time_of = [](const Scene& scene) {
       const auto simulation = make_simulation(scene, with_method("oenog"));
