@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "engine/core/pack.hpp"
@@ -54,8 +55,9 @@ inline double facing_slope(double cosine) { return cosine > -0.5 && cosine < -0.
 //   δ = −Σ_g W p / Σ_g W,   p = (x_f − x_g) · (n_g − n_f)/|n_g − n_f|,   W = A_g s(n_f · n_g) w(ℓ²) c(p),
 //
 // with the height p over the plane half way between the two, the same seen from both, the projected share s, a
-// weight w of the distance ℓ beside each other, ℓ² = |x_f − x_g|² − p², and a share c of those that are not too
-// far off. With ½ (n_g − n_f) in p a facet that tilts would lie less deep, and edges that press each other would
+// weight w of the distance ℓ beside each other, ℓ² = |x_f − x_g|² − p², within a radius R(p), and a share c of those
+// that are not too far off. What lies deep counts only where it overlaps: beside a step as high as the spacing the
+// rim above is no face that the foot of a body lies behind. With ½ (n_g − n_f) in p a facet that tilts would lie less deep, and edges that press each other would
 // turn out of each other's way. On two flat faces that are parallel δ is the exact depth, on round ones but for
 // terms of the third order; it turns with the bodies and is smooth where faces are, so that the force may be the
 // slope of the energy to the last term: both momenta and the energy hold, and what is symmetric stays so. A
@@ -63,6 +65,17 @@ inline double facing_slope(double cosine) { return cosine > -0.5 && cosine < -0.
 //
 // Σ_g W covers f whole, 1, in the middle of the other face and half of it over its rim; `covered_share` of
 // the energy counts.  Ours
+
+/// R, m, of the height p, m: 1.5 spacings above, 1.05 from a depth of one spacing on. Less lets edges and corners go
+/// deeper (0.85: 10 of 60 pairs of tilted boxes that collide diverge), more sees the rim of a step.
+inline double lateral_radius(double p, double dp) {
+  const double t = std::clamp(-p / dp, 0.0, 1.0);
+  return (1.5 - 0.45 * t * t * (3 - 2 * t)) * dp;
+}
+inline double lateral_radius_slope(double p, double dp) {  // dR/dp
+  const double t = std::clamp(-p / dp, 0.0, 1.0);
+  return 0.45 * 6 * t * (1 - t);
+}
 
 /// w, 1/m², of which ∫ w dA is 1, of the distance ℓ < radius, m.
 inline double lateral_weight(double l2, double radius) {
@@ -72,6 +85,10 @@ inline double lateral_weight(double l2, double radius) {
 inline double lateral_slope(double l2, double radius) {  // dw/dℓ², 1/m⁴
   const double square = radius * radius, u = 1 - l2 / square;
   return u > 0 ? -6 / (std::numbers::pi * square * square) * u : 0;
+}
+inline double lateral_slope_in_radius(double l2, double radius) {  // dw/dR, 1/m³
+  const double square = radius * radius, u = 1 - l2 / square;
+  return u > 0 ? 6 / (std::numbers::pi * square * radius) * u * (2 - 3 * u) : 0;
 }
 
 /// In 3D a depth that nears the spacing is resisted the more: ½ · ½ k δ² (1 + δ²/dp²) A. Under an edge the pressure
@@ -84,12 +101,6 @@ inline double hard_force(double depth, double area, double k, double dp) {
   const double u = depth / dp;
   return (1 + 2 * u * u) * surface_force(depth, area, k);
 }
-/// Of the slope of that force, over the one at 0.
-inline double hardening(double depth, double dp) {
-  const double u = depth / dp;
-  return 1 + 6 * u * u;
-}
-
 /// s: as `facing_share`, of the area that a facet has across the other normal. The faces of an edge or a corner
 /// that meet another face together press no harder than one that is flat.
 inline double projected_share(double cosine) { return -cosine * facing_share(cosine); }
@@ -113,6 +124,23 @@ inline double covered_share(double cover) {
 inline double covered_slope(double cover) {
   const double t = std::clamp((cover - 0.15) / 0.7, 0.0, 1.0);
   return 6 / 0.7 * t * (1 - t);
+}
+
+inline double covered_bend(double cover) {
+  const double t = (cover - 0.15) / 0.7;
+  return t > 0 && t < 1 ? 6 / 0.49 * (1 - 2 * t) : 0;
+}
+
+/// How stiff that energy is in where a facet is, over what it is at first touch, ½ k A: in its depth, and, as edges
+/// and corners slip past each other, in its cover, which changes by less than 1.2 a spacing, its slope by some 4;
+/// twice, since facets share their nodes. A cover that is about to count, too. With the first part alone three of
+/// 60 pairs of tilted boxes gained more than a third of their energy.
+inline double hardening(double depth, double cover, double dp) {
+  constexpr double soon = 0.1, first = 0.2, steepest = 1.2, bend = 4;
+  if (cover < soon) return 1;
+  const double u2 = depth * depth / (dp * dp), W = std::max(cover, first), slope = covered_slope(W);
+  return (1 + 6 * u2) * covered_share(W) + 4 * depth / dp * (1 + 2 * u2) * slope * steepest +
+         u2 * (1 + u2) * (std::abs(covered_bend(W)) * steepest * steepest + slope * bend);
 }
 
 }  // namespace taut::inline TAUT_ISA

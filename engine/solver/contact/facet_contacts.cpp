@@ -95,7 +95,9 @@ void FacetContacts::for_each_pair(int row, const int* first, int count, const F&
     pair.p = inverse * height;
     pair.l2 = d2 - pair.p * pair.p;
     if (std::abs(pair.p) >= reach_at(pair.p)) continue;
-    pair.weight = lateral_weight(pair.l2, radius * dp_);
+    pair.radius = lateral_radius(pair.p, dp_);
+    if (pair.l2 >= pair.radius * pair.radius) continue;
+    pair.weight = lateral_weight(pair.l2, pair.radius);
     pair.near = near_share(pair.p, reach_at(pair.p));
     f(*o, pair);
   }
@@ -158,11 +160,13 @@ MovingFacets::Slope FacetContacts::slope_of(int r) const {
     const MovingFacets::Place& at = facets_[rows_[o].facet];
     const double per_other = other.per_weight(pair.p, M);
     const double per_weight = own.per_weight(pair.p, M_[rows_[o].facet]) * at.area + per_other * area;
-    const double per_l2 = per_weight * pair.share * pair.near * lateral_slope(pair.l2, radius * dp_);
+    const double per_w = per_weight * pair.share * pair.near,
+                 per_l2 = per_w * lateral_slope(pair.l2, pair.radius),
+                 per_radius = per_w * lateral_slope_in_radius(pair.l2, pair.radius);
     const double per_share = per_weight * pair.weight * pair.near;
     const double per_p = (own.per_p * at.area + other.per_p * area) * weight_of(pair) +
-                         per_weight * pair.share * pair.weight * near_slope(pair.p, reach_at(pair.p)) -
-                         2 * pair.p * per_l2;
+                         per_weight * pair.share * pair.weight * near_slope(pair.p, reach_at(pair.p)) +
+                         per_radius * lateral_radius_slope(pair.p, dp_) - 2 * pair.p * per_l2;
     slope.middle += per_p * pair.middle + (2 * per_l2) * pair.d;
     const double square = 2 - 2 * pair.cosine;  // of the length of the difference of the two normals
     slope.normal += (per_share * projected_slope(pair.cosine) + per_p * pair.p / square) * at.normal -
@@ -200,7 +204,7 @@ void FacetContacts::evaluate(const State<3>& s, double dt, WallContacts<3>& wall
   share_out([&](int i, const V& f) { force[i] += f; });
   stiffening_ = 1;
   for (const Met& met : met_)
-    if (met.per_p != 0) stiffening_ = std::max(stiffening_, hardening(met.height, dp_));
+    if (met.height < 0) stiffening_ = std::max(stiffening_, hardening(-met.height, met.cover, dp_));
 }
 
 double FacetContacts::energy(const State<3>& s, const WallContacts<3>& walls) {

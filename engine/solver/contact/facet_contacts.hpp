@@ -54,7 +54,7 @@ class FacetContacts {
  private:
   // in spacings
   static constexpr double before = 1, behind = 1.5;  // how far a face still counts for a facet
-  static constexpr double radius = 1.5;              // of the mean over a face
+  static constexpr double radius = 1.5;              // of the mean over a face, at most
   static constexpr double apart = 2.13;              // √(behind² + radius²), of facets that act
   double reach_at(double p) const { return (p < 0 ? behind : before) * dp_; }
 
@@ -75,8 +75,8 @@ class FacetContacts {
     }
   };
   struct Pair {
-    V d, middle;                                // x_f − x_g, m; (n_g − n_f)/|n_g − n_f|
-    double p, l2, cosine, share, weight, near;  // of W: s, w and c
+    V d, middle;                                        // x_f − x_g, m; (n_g − n_f)/|n_g − n_f|
+    double p, l2, radius, cosine, share, weight, near;  // of W: R, s, w and c
   };
 
   double weight_of(const Pair& pair) const { return pair.share * pair.weight * pair.near; }  // 1/m²

@@ -71,8 +71,17 @@ TEST_SUITE("term") {
       CHECK((hard_energy(depth + d, 1, 1, dp) - hard_energy(depth - d, 1, 1, dp)) / (2 * d) ==
             Approx(hard_force(depth, 1, 1, dp)).epsilon(1e-6));
       CHECK((hard_force(depth + d, 1, 1, dp) - hard_force(depth - d, 1, 1, dp)) / (2 * d) ==
-            Approx(0.5 * hardening(depth, dp)).epsilon(1e-6));
+            Approx(0.5 * hardening(depth, 1, dp)).epsilon(1e-6));
+      CHECK((lateral_radius(d - depth, dp) - lateral_radius(-d - depth, dp)) / (2 * d) ==
+            Approx(lateral_radius_slope(-depth, dp)).epsilon(1e-6));
+      const double l2 = 0.5 * at * radius * radius, change = step * radius;
+      CHECK((lateral_weight(l2, radius + change) - lateral_weight(l2, radius - change)) / (2 * change) ==
+            Approx(lateral_slope_in_radius(l2, radius)).epsilon(1e-6));
     }
+    for (const double cover : {0.3, 0.5, 0.8})
+      CHECK((covered_slope(cover + step) - covered_slope(cover - step)) / (2 * step) ==
+            Approx(covered_bend(cover)).epsilon(1e-6));
+    CHECK(hardening(dp, 0.09, dp) == 1);
     for (const double at : {-0.97, -0.8, 0.5, 0.75, 0.9}) {
       const double p = at * dp, d = step * dp;
       CHECK((near_share(p + d, dp) - near_share(p - d, dp)) / (2 * d) ==
@@ -107,6 +116,19 @@ TEST_SUITE("analytic") {
     CHECK(blocks.gap() == Approx(-depth).epsilon(1e-9));
     CHECK(length(blocks.between(1, 0) - force) < 1e-9 * force[0]);
     CHECK(length(blocks.between(0, 1) + force) < 1e-9 * force[0]);
+  }
+
+  TEST_CASE("contact of faces: in 3D a step beside a body presses it no further than it overlaps") {
+    for (const double step : {1.0, 1.3, 2.0}) {
+      CAPTURE(step);
+      Scene scene = scene_of({Box{{0, 0, -4 * dp}, {12 * dp, 12 * dp, 0}},
+                              Box{{0.1 * dp, 3 * dp, 0}, {6.1 * dp, 9 * dp, 6 * dp}}});
+      scene.bodies[0].shapes.push_back(Box{{-4 * dp, 0, -4 * dp}, {0, 12 * dp, step * dp}});
+      Pressed<3> blocks(scene);
+      const double k = modulus() / (2 * dp), of_a_tenth = 0.25 * k * 0.01 * dp * dp * 36 * dp * dp;
+      CHECK(length(blocks.force_on(1)) < 1e-6 * k * 0.1 * dp * 36 * dp * dp);
+      CHECK(std::abs(blocks.energy()) < 1e-6 * of_a_tenth);
+    }
   }
 
   TEST_CASE("contact of faces: in 3D a wall presses by k times twice the depth, and books what it gives") {
@@ -223,6 +245,47 @@ TEST_SUITE("conservation") {
         CHECK(std::abs(after.angular_momentum[k] - before.angular_momentum[k]) <
               1e-12 * before.angular_scale);
       }
+    }
+  }
+
+  TEST_CASE("contact of faces: in 3D corners and edges that slip past each other gain no energy") {
+    struct Pair {
+      Point middle;  // of the upper cube, m
+      Rotation upper, lower;
+      double half, speed;  // m, m/s
+    };
+    const double root = 1 / std::sqrt(2.0), on_corner = 54.735610317245346;
+    const Pair past_edge{{0.00332, 0.001098, 0.009745},
+                         {{root, -root, 0}, {}, 46.4456717},
+                         {{0.99891, -0.01099, 0.04524}, {}, 44.2344639},
+                         0.003,
+                         1},
+        corners{{0, 0, 0.0141564},
+                {{root, -root, 0}, {}, on_corner},
+                {{root, -root, 0}, {}, on_corner},
+                0.004,
+                3};
+    for (Pair pair : {past_edge, corners}) {
+      CAPTURE(pair.speed);
+      const double half = pair.half;
+      const Point &m = pair.middle, low{m[0] - half, m[1] - half, m[2] - half},
+                  high{m[0] + half, m[1] + half, m[2] + half};
+      Scene scene = scene_of({Box{low, high}, Box{{-half, -half, -half}, {half, half, half}}});
+      scene.materials = {{"rubber", 1000, 1e6, 0.3}};
+      pair.upper.about = m;
+      scene.bodies[0].rotation = pair.upper, scene.bodies[1].rotation = pair.lower;
+      scene.bodies[0].velocity[2] = constant(-pair.speed), scene.bodies[1].velocity[2] = constant(pair.speed);
+      const auto simulation = make_simulation(scene, with_method("oenog"));
+      const double given = balance(simulation->snapshot(), scene).kinetic;
+      double most = 0, touched = 0;
+      while (simulation->time() < 0.006 / pair.speed) {
+        make_steps(*simulation, 5);
+        const Balance now = balance(simulation->snapshot(), scene);
+        most = std::max(most, (now.kinetic + now.strain) / given);
+        touched = std::max(touched, simulation->snapshot().contact_energy / given);
+      }
+      CHECK(most < 1.005);
+      CHECK(touched > 0.001);
     }
   }
 
