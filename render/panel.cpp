@@ -66,9 +66,19 @@ Grid empty_grid(const PanelOptions& options, double em) {
   const bool title = !options.title.empty() || !options.note.empty();
   grid.left = pixels((margin + row_label) * em);
   grid.top = pixels((0.4 + (title ? title_height : 0) + heading_height + (notes ? note_height : 0)) * em);
-  grid.right = pixels((margin + Coloring(options.look).key().width() + key_margin + 0.15) * em);
   grid.bottom = pixels(footer * em);
   return grid;
+}
+
+/// Of what the colours mean, em.
+double key_width(const PanelOptions& options, const Grid& grid) {
+  return Coloring(options.look).key().width(grid.grid_height(), grid.em, options.unit);
+}
+
+/// To be called when the height of the pictures is known.
+void make_room_for_key(Grid& grid, const PanelOptions& options) {
+  if (options.look.bare) return;
+  grid.right = pixels((margin + key_width(options, grid) + key_margin + 0.15) * grid.em);
 }
 
 /// Pictures of the view's shape, as large as a page takes.
@@ -81,6 +91,7 @@ Grid own_grid(const PanelOptions& options) {
   const double least_height = (least_bar * grid.em - (grid.rows - 1) * grid.gap_size) / grid.rows;
   grid.cell_width = std::max(pixels(width), least_size);
   grid.cell_height = std::max({pixels(width * aspect), pixels(least_height), least_size});
+  make_room_for_key(grid, options);
   return grid;
 }
 
@@ -88,8 +99,9 @@ Grid fitted_grid(const PanelOptions& options) {
   const Size size = options.look.size.value();
   Grid grid =
       empty_grid(options, std::max(9.0, own_font * std::sqrt(size.width / 1280.0 * size.height / 720.0)));
-  grid.cell_width = (size.width - grid.left - grid.right - (grid.columns - 1) * grid.gap_size) / grid.columns;
   grid.cell_height = (size.height - grid.top - grid.bottom - (grid.rows - 1) * grid.gap_size) / grid.rows;
+  make_room_for_key(grid, options);
+  grid.cell_width = (size.width - grid.left - grid.right - (grid.columns - 1) * grid.gap_size) / grid.columns;
   if (grid.cell_width < least_size || grid.cell_height < least_size)
     throw UsageError("a panel of " + std::to_string(size.width) + "x" + std::to_string(size.height) +
                      " pixels is too small for " + std::to_string(grid.columns) + " x " +
@@ -237,7 +249,7 @@ const Image& Panel::finish() {
   parts.draw_headings();
   parts.draw_row_labels();
   const Rect key{grid.left + grid.grid_width() + pixels(margin * em), grid.top,
-                 pixels(parts.key.width() * em), grid.grid_height()};
+                 pixels(key_width(parts.options, grid) * em), grid.grid_height()};
   parts.key.draw(parts.canvas, key, em, parts.options.field, parts.options.unit);
   parts.key.draw_ends(parts.canvas, key, em, parts.clipped);
   const auto& camera = parts.options.look.camera;

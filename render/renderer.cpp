@@ -76,6 +76,11 @@ Look checked(const Look& look) {
   return look;
 }
 
+double width_of(const ColorKey& key, const Look& look) {
+  const TextSize size = text_size(look.size->width, look.size->height);
+  return size.font > 0 ? key.width(size.key_height, size.font, look.unit) : 0;
+}
+
 /// Of lines among solids: stands out from the background a little; bytes R, G, B, 255 in memory.
 std::uint32_t line_color(Rgb background) {
   constexpr double contrast = 0.4;
@@ -90,6 +95,7 @@ std::uint32_t line_color(Rgb background) {
 
 struct Renderer::Parts {
   Coloring coloring;
+  double key_width;  // em
   PageLayout layout;
   Image image;
   std::optional<Projection> projection;       // in 3D
@@ -113,8 +119,8 @@ struct Renderer::Parts {
 
 Renderer::Parts::Parts(const Look& look, double until)
     : coloring(look),
-      layout(
-          make_layout(look.size->width, look.size->height, *look.view, !look.bare, coloring.key().width())),
+      key_width(width_of(coloring.key(), look)),
+      layout(make_layout(look.size->width, look.size->height, *look.view, !look.bare, key_width)),
       image(look.size->width, look.size->height),
       background(look.background),
       glyph(look.glyph),
@@ -215,8 +221,8 @@ void Renderer::Parts::draw_solids(const FrameView& frame) {
 void Renderer::look_from(const Camera& camera, const View& view) {
   check_camera(camera);
   Parts& parts = *parts_;
-  parts.layout = make_layout(parts.image.width, parts.image.height, view, parts.layout.font > 0,
-                             parts.coloring.key().width());
+  parts.layout =
+      make_layout(parts.image.width, parts.image.height, view, parts.layout.font > 0, parts.key_width);
   parts.projection.emplace(camera, view);
   parts.solids = Solids(parts.layout, parts.glyph);
   if (parts.annotation) parts.annotation->show(marker_of(camera));

@@ -130,8 +130,10 @@ render::Range at_least(double width, render::Range range, std::optional<double> 
 
 Drawing fitted(Drawing drawing, const SequenceBounds& shown) {
   render::Look& look = drawing.look;
+  const ColorMeaning colors = meaning(drawing);
+  look.unit = colors.unit;
   if (look.categories.empty()) {
-    const std::optional<double> middle = meaning(drawing).middle;
+    const std::optional<double> middle = colors.middle;
     // the first map of the table that suits what the colours stand for
     if (!look.colormap)
       look.colormap =

@@ -12,29 +12,24 @@ constexpr double title_size = 1.3;
 constexpr double baseline_of_header = 1.8;
 constexpr double end_of_header = 2.4;  // below the title's letters and above the number at the bar's end
 
-constexpr double bar_width = 1.15;
 constexpr double most_room_of_legend = 14;
-
-/// The numbers and the label stand to its right.
-Rect bar_in(const Rect& room, double em) {
-  return {room.x, room.y, static_cast<int>(std::lround(bar_width * em)), room.height};
-}
 
 }  // namespace
 
 void ColorKey::draw(Canvas& canvas, const Rect& room, double em, std::string_view field,
                     std::string_view unit) {
   if (const auto* legend = std::get_if<Legend>(&key_)) return legend->draw(canvas, room, em, field);
-  std::get<ColorBar>(key_).draw(canvas, bar_in(room, em), em, field, unit);
+  std::get<ColorBar>(key_).draw(canvas, room, em, field, unit);
 }
 
 void ColorKey::draw_ends(Canvas& canvas, const Rect& room, double em, Clipped clipped) {
-  if (const auto* bar = std::get_if<ColorBar>(&key_)) bar->draw_ends(canvas, bar_in(room, em), em, clipped);
+  if (const auto* bar = std::get_if<ColorBar>(&key_)) bar->draw_ends(canvas, room, em, clipped);
 }
 
-double ColorKey::width() const {
-  const auto* legend = std::get_if<Legend>(&key_);
-  return legend ? std::clamp(legend->width(), room_of_bar, most_room_of_legend) : room_of_bar;
+double ColorKey::width(int height, double em, std::string_view unit) const {
+  if (const auto* legend = std::get_if<Legend>(&key_))
+    return std::clamp(legend->width(), room_of_bar, most_room_of_legend);
+  return std::max(std::get<ColorBar>(key_).width(height, em, unit), room_of_bar);
 }
 
 Annotation::Annotation(Image& image, const PageLayout& layout, ColorKey key, double until, Rgb background)

@@ -22,8 +22,8 @@ class ColorKey {
   /// At the left of `room`, as high as it.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view field, std::string_view unit);
   void draw_ends(Canvas& canvas, const Rect& room, double em, Clipped clipped);
-  /// How much room it needs, em.
-  double width() const;
+  /// How much room it needs where it is `height` pixels high and what is coloured is in `unit`, em.
+  double width(int height, double em, std::string_view unit) const;
 
  private:
   std::variant<ColorBar, Legend> key_;

@@ -33,13 +33,19 @@ void place_all(PageLayout& layout, int width, int height, double room) {
 
 }  // namespace
 
+TextSize text_size(int width, int height) {
+  if (width < least_text_width || height < least_text_height) return {};
+  // 16 pixels at 1280 × 720
+  const double scale = std::min(width / 1280.0, height / 720.0);
+  const double area = std::sqrt((width / 1280.0) * (height / 720.0));
+  const double em = std::max(16.0 * std::min(area, 1.3 * scale), least_font);
+  return {em, height - pixels(footer * em) - pixels(header * em)};
+}
+
 PageLayout make_layout(int width, int height, const View& view, bool texts, double room) {
   PageLayout layout;
-  if (texts && width >= least_text_width && height >= least_text_height) {
-    // 16 pixels at 1280 × 720
-    const double scale = std::min(width / 1280.0, height / 720.0);
-    const double area = std::sqrt((width / 1280.0) * (height / 720.0));
-    layout.font = std::max(16.0 * std::min(area, 1.3 * scale), least_font);
+  if (texts) layout.font = text_size(width, height).font;
+  if (layout.font > 0) {
     place_all(layout, width, height, room);
   } else {
     layout.plot = {0, 0, width, height};

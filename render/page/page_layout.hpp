@@ -30,8 +30,16 @@ struct PageLayout {
   double row(double y) const { return y_origin - y * pixels_per_metre; }     // in the plot, downwards
 };
 
-/// What a colour bar needs with its numbers and its label, em.
+/// What a colour bar has at least for its numbers and its label, em.
 inline constexpr double room_of_bar = 5.75;
+
+/// Of the texts, in pixels, and how high what says what the colours mean is then; both 0 in a picture too
+/// small for them.
+struct TextSize {
+  double font = 0;
+  int key_height = 0;
+};
+TextSize text_size(int width, int height);
 
 /// Without `texts`, or in a picture too small for them, the plot is all of it. What says what the colours
 /// mean has `room` em, but no more than a good third of the width.

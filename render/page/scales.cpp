@@ -7,21 +7,63 @@ namespace taut::render {
 namespace {
 
 // Lengths in em.
+constexpr double bar_width = 1.15;
 constexpr double small_size = 0.94;
 constexpr double tick_length = 0.3;
 constexpr double tick_gap = 0.25;      // between tick and number
 constexpr double tick_spacing = 3.8;   // least distance between numbers
 constexpr double label_gap = 0.75;     // between the widest number and the turned label
+constexpr double most_beyond = 0.3;    // of numbers and label, into the margin
 constexpr double arrow_height = 0.42;  // these two fit between the bar and the header
 constexpr double arrow_gap = 0.13;
 
+/// The numbers and the label stand to its right.
+Rect bar_in(const Rect& room, double em) {
+  return {room.x, room.y, static_cast<int>(std::lround(bar_width * em)), room.height};
+}
+
+/// Of a number in DejaVu Sans, per size.
+double width_of_number(std::string_view label) {
+  constexpr double digit = 0.636, point = 0.318, minus = 0.838;
+  double width = label.starts_with("−") ? minus : 0;
+  for (const char c : label) width += c == '.' ? point : c >= '0' && c <= '9' ? digit : 0;
+  return width;
+}
+
+/// Of a bar whose widest number is so wide; em.
+double width_with(double widest) {
+  return bar_width + tick_length + tick_gap + widest + label_gap + cap_height;
+}
+
 }  // namespace
+
+std::string label_of_bar(Canvas& canvas, std::string_view field, const std::string& unit, double room) {
+  const std::string end = unit.empty() ? "" : "(" + unit + ")";
+  const double left = room - canvas.width_of(end);
+  if (left < 0) return "";
+  std::string name = canvas.fitted(std::string(field), end.empty() ? left : left - canvas.width_of(" "));
+  if (!name.empty() && !end.empty()) name += " ";
+  return name + end;
+}
 
 ColorBar::ColorBar(double low, double high, const std::array<Rgb, 256>& colors)
     : low_(low), high_(high), colors_(colors) {}
 
-void ColorBar::draw(Canvas& canvas, const Rect& bar, double em, std::string_view field,
+Ticks ColorBar::ticks(int height, double em, std::string_view unit) const {
+  const int room = std::clamp(static_cast<int>(height / (tick_spacing * em)), 3, 12);
+  Ticks all = nice_ticks(low_, high_, unit, room);
+  return all.at.size() < 2 ? nice_ticks(low_, high_, unit, 5) : all;  // one number says nothing
+}
+
+double ColorBar::width(int height, double em, std::string_view unit) const {
+  double widest = 0;
+  for (const Tick& tick : ticks(height, em, unit).at) widest = std::max(widest, width_of_number(tick.label));
+  return width_with(small_size * widest);
+}
+
+void ColorBar::draw(Canvas& canvas, const Rect& room, double em, std::string_view field,
                     std::string_view unit) {
+  const Rect bar = bar_in(room, em);
   for (int row = 0; row < bar.height; ++row) {
     const double t = 1 - (row + 0.5) / bar.height;
     canvas.color(colors_[static_cast<std::size_t>(std::lround(t * 255))]);
@@ -29,13 +71,22 @@ void ColorBar::draw(Canvas& canvas, const Rect& bar, double em, std::string_view
   }
   if (ticks_.at.empty() || tick_unit_ != unit) {
     tick_unit_ = unit;
-    const int room = std::clamp(static_cast<int>(bar.height / (tick_spacing * em)), 3, 12);
-    ticks_ = nice_ticks(low_, high_, unit, room);
-    if (ticks_.at.size() < 2) ticks_ = nice_ticks(low_, high_, unit, 5);  // one number says nothing
+    ticks_ = ticks(bar.height, em, unit);
   }
-  const double line = line_width(em);
-  double widest = 0;
   canvas.gray(ink);
+  canvas.use(Weight::regular, small_size * em);
+  double widest = 0;
+  for (const Tick& tick : ticks_.at) widest = std::max(widest, canvas.width_of(tick.label));
+  canvas.use(Weight::regular, em);
+  const std::string label = label_of_bar(canvas, field, ticks_.unit, bar.height);
+  const double right = bar.width + (width_with(widest / em) - bar_width) * em;  // whole pixels of bar
+  if (right > room.width + most_beyond * em || (label.empty() && !ticks_.unit.empty())) return;
+  canvas.turned_text(label, bar.x + right, bar.y + 0.5 * bar.height);
+  draw_ticks(canvas, bar, em);
+}
+
+void ColorBar::draw_ticks(Canvas& canvas, const Rect& bar, double em) const {
+  const double line = line_width(em);
   canvas.use(Weight::regular, small_size * em);
   for (const Tick& tick : ticks_.at) {
     const double y = bar.y + bar.height * (high_ - tick.value) / (high_ - low_);
@@ -43,17 +94,11 @@ void ColorBar::draw(Canvas& canvas, const Rect& bar, double em, std::string_view
     canvas.fill(bar.x + bar.width, top, std::round(tick_length * em), line);
     canvas.text(tick.label, bar.x + bar.width + (tick_length + tick_gap) * em,
                 y + 0.5 * cap_height * small_size * em, Canvas::Align::left);
-    widest = std::max(widest, canvas.width_of(tick.label));
   }
-  canvas.use(Weight::regular, em);
-  std::string label(field);
-  if (!ticks_.unit.empty()) label += " (" + ticks_.unit + ")";
-  canvas.turned_text(canvas.fitted(label, bar.height),
-                     bar.x + bar.width + (tick_length + tick_gap + label_gap + cap_height) * em + widest,
-                     bar.y + 0.5 * bar.height);
 }
 
-void ColorBar::draw_ends(Canvas& canvas, const Rect& bar, double em, Clipped clipped) const {
+void ColorBar::draw_ends(Canvas& canvas, const Rect& room_of_all, double em, Clipped clipped) const {
+  const Rect bar = bar_in(room_of_all, em);
   const double gap = std::max(2.0, std::round(arrow_gap * em));
   const double room = std::ceil(arrow_height * em + gap) + 1;
   const auto draw_end = [&](double edge, double way, bool arrow, Rgb color) {

@@ -1,0 +1,92 @@
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "render/panel.hpp"
+#include "tests/support/synthetic.hpp"
+
+using namespace taut;
+using namespace taut::render;
+using namespace taut::test;
+
+namespace {
+
+/// Of all that is not white at or right of a column.
+int painted_from(const Image& image, int left, int bottom) {
+  int count = 0;
+  for (int row = 0; row < bottom; ++row)
+    for (int column = left; column < image.width; ++column) count += image.at(column, row) != white;
+  return count;
+}
+
+}  // namespace
+
+TEST_SUITE("image") {
+  TEST_CASE("the label of a bar is shortened in its name, and keeps its unit with the power of ten") {
+    const Particles none;
+    FrameView frame = none.frame();
+    const std::string name(80, 'x');
+    frame.field = name;
+    Look with = look(320, 180, unit_view);
+    const auto drawn = [&](double factor, std::string_view unit) {
+      with.range = {0, factor}, frame.unit = unit;
+      return Image(Renderer(with).draw(frame));
+    };
+    // numbers are the same: what they are numbers of is seen
+    for (const std::string_view unit : {"", "1/s"}) CHECK_FALSE(drawn(1e6, unit) == drawn(1e9, unit));
+    CHECK_FALSE(drawn(1, "kg/m³") == drawn(1, "1/s"));
+    CHECK_FALSE(drawn(1e6, "Pa") == drawn(1e3, "Pa"));
+    const PageLayout layout = make_layout(320, 180, unit_view);
+    const Image image = drawn(1e6, "kg/m³");
+    int beyond = 0;  // of what the bar has beside it
+    for (int row = layout.key.y + layout.key.height + 4; row < 180; ++row)
+      for (int column = layout.key.x + 20; column < 320; ++column) beyond += image.at(column, row) != white;
+    CHECK(beyond == 0);
+  }
+
+  TEST_CASE("a bar whose unit finds no room has no numbers either") {
+    Particles none;
+    FrameView frame = none.frame();
+    frame.field = "von Mises stress",
+    frame.unit = std::string_view("a unit that is as long as no unit ever was");
+    const Look with = look(320, 180, unit_view);
+    Renderer renderer(with);
+    const PageLayout layout = make_layout(320, 180, unit_view);
+    const int beside_bar = layout.key.x + static_cast<int>(std::lround(1.15 * layout.font));
+    const Image& image = renderer.draw(frame);
+    int painted = 0;
+    for (int row = layout.key.y; row < layout.key.y + layout.key.height; ++row)
+      for (int column = beside_bar; column < 320; ++column) painted += image.at(column, row) != white;
+    CHECK(painted == 0);
+  }
+
+  TEST_CASE("numbers of any width and the label stand in the picture, beside each other") {
+    Particles none;
+    const auto right_of = [&](const Range& range, std::string_view unit, int width, int height) {
+      Look with = look(width, height, unit_view);
+      with.range = range, with.unit = unit;
+      FrameView frame = none.frame();
+      frame.field = "density", frame.unit = unit;
+      const Image image = Renderer(with).draw(frame);
+      const double em = text_size(width, height).font;
+      return painted_from(image, static_cast<int>(width - 0.7 * em), height);
+    };
+    for (const auto& [width, height] : {std::pair(320, 180), {640, 360}, {1280, 720}, {240, 400}}) {
+      CHECK(right_of({1200, 1200.06}, "kg/m³", width, height) == 0);
+      CHECK(right_of({-1000.004, -1000}, "kg/m³", width, height) == 0);
+      CHECK(right_of({0.0100001, 0.0100002}, "", width, height) == 0);
+    }
+  }
+
+  TEST_CASE("a panel too has room for wide numbers") {
+    PanelOptions options;
+    options.columns = {{"a", ""}}, options.rows = {"t = 1 s"};
+    options.field = "density", options.unit = "kg/m³";
+    for (const std::optional<Size> size : {std::optional(Size{640, 360}), std::optional<Size>()}) {
+      options.look = look(640, 360, unit_view);
+      options.look.range = {1200, 1200.06}, options.look.size = size;
+      const Image image = Panel(options).finish();
+      CHECK(painted_from(image, image.width - 3, image.height) == 0);
+    }
+  }
+}
