@@ -25,9 +25,18 @@ std::optional<Range> range_of(const Look& look) {
   return look.categories.empty() ? std::optional(widened(*look.range)) : std::nullopt;
 }
 
+/// From low to high. A diverging map has its middle where what it diverges from is, and of its shorter side
+/// no more than the range reaches: equal distances to both sides are equally strong colours.
+std::array<Rgb, 256> colors_of(const Look& look, const Range& range) {
+  const double below = look.middle - range.low, above = range.high - look.middle;
+  if (!look.colormap->diverging || !(below > 0 && above > 0)) return look.colormap->table();
+  const double most = std::max(below, above);
+  return look.colormap->table(0.5 - 0.5 * below / most, 0.5 + 0.5 * above / most);
+}
+
 ColorKey key_of(const Look& look) {
   if (const auto range = range_of(look))
-    return ColorKey(ColorBar(range->low, range->high, look.colormap->table()));
+    return ColorKey(ColorBar(range->low, range->high, colors_of(look, *range)));
   std::vector<Legend::Entry> entries;
   for (const std::string& name : look.categories) entries.push_back({name, category_color(entries.size())});
   return ColorKey(Legend(std::move(entries)));
@@ -37,7 +46,7 @@ ColorKey key_of(const Look& look) {
 
 Coloring::Coloring(const Look& look) : range_(range_of(look)), key_(key_of(look)) {
   if (range_)
-    for (const Rgb color : look.colormap->table()) colors_.push_back(packed(color));
+    for (const Rgb color : colors_of(look, *range_)) colors_.push_back(packed(color));
   for (std::size_t k = 0; k < look.categories.size(); ++k) colors_.push_back(packed(category_color(k)));
 }
 

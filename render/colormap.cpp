@@ -60,9 +60,10 @@ Rgb Colormap::at(double t) const {
   return {mix(16), mix(8), mix(0)};
 }
 
-std::array<Rgb, 256> Colormap::table() const {
+std::array<Rgb, 256> Colormap::table(double from, double to) const {
   std::array<Rgb, 256> colors;
-  for (std::size_t i = 0; i < colors.size(); ++i) colors[i] = at(static_cast<double>(i) / 255.0);
+  for (std::size_t i = 0; i < colors.size(); ++i)
+    colors[i] = at(from + (to - from) * (static_cast<double>(i) / 255.0));
   return colors;
 }
 

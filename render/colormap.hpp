@@ -16,14 +16,14 @@ inline constexpr Rgb not_a_number_color = {255, 0, 255};
 struct Colormap {
   std::string_view key;
   std::string_view help;
-  bool diverging;  // has a neutral middle: for signed fields, with a range symmetric about zero
+  bool diverging;                        // has a neutral middle: for signed fields
   std::span<const std::uint32_t> stops;  // 0xRRGGBB from low to high
 
   /// The colour at t in [0, 1]; t beyond the ends is clamped, NaN gives the low end.
   Rgb at(double t) const;
 
-  /// 256 colours from low to high.
-  std::array<Rgb, 256> table() const;
+  /// 256 colours from low to high, of the part between these two.
+  std::array<Rgb, 256> table(double from = 0, double to = 1) const;
 };
 
 /// The colour of the `k`-th of some things that have no order; of two near each other in the sequence they

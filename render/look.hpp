@@ -36,6 +36,7 @@ struct Look {
   std::optional<Camera> camera{};      // of scenes in 3D; in 2D there is none
   std::optional<Range> range;          // of the colours; values beyond it take the colour of the end
   const Colormap* colormap = nullptr;  // nullptr: open
+  double middle = 0;                   // what a diverging map's middle stands for, if it is in the range
   std::string unit{};                  // of the values: numbers beside the bar have room as they are in it
   std::optional<Size> size = Size{};   // each from least_size to greatest_size
   bool bare = false;                   // particles only, over the whole picture

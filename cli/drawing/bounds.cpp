@@ -134,6 +134,7 @@ Drawing fitted(Drawing drawing, const SequenceBounds& shown) {
   look.unit = colors.unit;
   if (look.categories.empty()) {
     const std::optional<double> middle = colors.middle;
+    look.middle = middle.value_or(0);
     // the first map of the table that suits what the colours stand for
     if (!look.colormap)
       look.colormap =
