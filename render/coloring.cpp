@@ -36,7 +36,7 @@ std::array<Rgb, 256> colors_of(const Look& look, const Range& range) {
 
 ColorKey key_of(const Look& look) {
   if (const auto range = range_of(look))
-    return ColorKey(ColorBar(range->low, range->high, colors_of(look, *range)));
+    return ColorKey(ColorBar(range->low, range->high, colors_of(look, *range), not_a_number_color));
   std::vector<Legend::Entry> entries;
   for (const std::string& name : look.categories) entries.push_back({name, category_color(entries.size())});
   return ColorKey(Legend(std::move(entries)));
@@ -57,15 +57,11 @@ std::uint32_t Coloring::operator()(double value) const {
   return colors_[static_cast<std::size_t>(std::lround(std::clamp(place, 0.0, last)))];
 }
 
-Clipped Coloring::clipped(std::span<const double> values) const {
-  Clipped found;
-  if (!range_) return found;
+OffScale Coloring::off_scale(double value) const {
+  if (!range_) return {};
   const double half = (range_->high - range_->low) / static_cast<double>(colors_.size()) / 2;
-  for (const double value : values) {
-    found.below |= value < range_->low - half;
-    found.above |= value > range_->high + half;
-  }
-  return found;
+  return {.below = value<range_->low - half, .above = value> range_->high + half,
+          .no_number = std::isnan(value)};
 }
 
 }  // namespace taut::render

@@ -17,8 +17,8 @@ class Coloring {
   explicit Coloring(const Look& look);
 
   std::uint32_t operator()(double value) const;  // bytes R, G, B, 255 in memory
-  /// Whether some of these lie beyond the ends by more than half a colour.
-  Clipped clipped(std::span<const double> values) const;
+  /// Whether it lies beyond an end by more than half a colour, or is no number.
+  OffScale off_scale(double value) const;
   /// The bar or the legend.
   const ColorKey& key() const { return key_; }
 

@@ -141,9 +141,8 @@ struct Panel::Parts {
   Image image;
   Canvas canvas;
   Renderer renderer;
-  Coloring coloring;
   ColorKey key;
-  Clipped clipped;  // in any of the pictures
+  OffScale off_scale;  // in any of the pictures
 
   explicit Parts(const PanelOptions& options_)
       : options(options_),
@@ -151,8 +150,7 @@ struct Panel::Parts {
         image(empty_image(options, grid)),
         canvas(image, options.look.background),
         renderer(look_of_cells(options.look, grid)),
-        coloring(options.look),
-        key(coloring.key()) {
+        key(Coloring(options.look).key()) {
     image.fill(options.look.background);
   }
   void draw_frames();
@@ -207,9 +205,8 @@ Panel::Panel(const PanelOptions& options) : parts_(std::make_unique<Parts>(optio
 Panel::~Panel() = default;
 
 void Panel::draw(int column, int row, const FrameView& particles) {
-  const Clipped here = parts_->coloring.clipped(particles.value);
-  parts_->clipped.below |= here.below, parts_->clipped.above |= here.above;
   copy_into(parts_->image, parts_->grid.cell(column, row), parts_->renderer.draw(particles));
+  parts_->off_scale |= parts_->renderer.off_scale();
 }
 
 void Panel::write_corner(int column, int row, const std::string& text) {
@@ -251,7 +248,7 @@ const Image& Panel::finish() {
   const Rect key{grid.left + grid.grid_width() + pixels(margin * em), grid.top,
                  pixels(key_width(parts.options, grid) * em), grid.grid_height()};
   parts.key.draw(parts.canvas, key, em, parts.options.field, parts.options.unit);
-  parts.key.draw_ends(parts.canvas, key, em, parts.clipped);
+  parts.key.draw_off_scale(parts.canvas, key, em, parts.off_scale);
   const auto& camera = parts.options.look.camera;
   const PageLayout layout = make_layout(grid.cell_width, grid.cell_height, *parts.options.look.view, false);
   if (!camera || camera->field_of_view == 0)

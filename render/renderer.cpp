@@ -108,6 +108,7 @@ struct Renderer::Parts {
   double glyph;
   std::vector<Dot> discs;
   Solids solids;
+  OffScale off_scale;  // of what is placed in the picture
 
   Parts(const Look& look, double until);
   void check(const FrameView& frame) const;
@@ -148,6 +149,7 @@ void Renderer::Parts::place_discs(const FrameView& frame) {
   const double height = layout.plot.height;
   discs.clear();
   discs.reserve(frame.value.size());
+  off_scale = {};
   for (std::size_t i = 0; i < frame.value.size(); ++i) {
     // doubles up to here: single precision would not tell the particles of a view far from the origin apart
     const double x = layout.column(frame.x[2 * i]);
@@ -158,6 +160,7 @@ void Renderer::Parts::place_discs(const FrameView& frame) {
     // written so that a NaN is left out
     const bool seen = size > 0 && x > -reach && x < width + reach && y > -reach && y < height + reach;
     if (!seen) continue;
+    off_scale |= coloring.off_scale(frame.value[i]);
     discs.push_back(
         {static_cast<float>(x), static_cast<float>(y), static_cast<float>(radius), coloring(frame.value[i])});
   }
@@ -193,8 +196,7 @@ void Renderer::Parts::draw_discs(const FrameView& frame) {
   disc_painter->draw(image, discs);
   draw_walls(frame);
   if (!annotation) return;
-  page_stands ? annotation->draw_again(frame, coloring.clipped(frame.value))
-              : annotation->draw(frame, coloring.clipped(frame.value));
+  page_stands ? annotation->draw_again(frame, off_scale) : annotation->draw(frame, off_scale);
 }
 
 void Renderer::Parts::draw_solids(const FrameView& frame) {
@@ -206,6 +208,8 @@ void Renderer::Parts::draw_solids(const FrameView& frame) {
     solids.place_balls(frame, *projection, color);
   else
     solids.place_boxes(frame, *projection, color);
+  off_scale = {};
+  for (const std::size_t i : solids.placed()) off_scale |= coloring.off_scale(frame.value[i]);
   if (projection) solids.place_walls(frame, *projection, line_color(background));
   disc_painter.reset();
   if (!context) context.emplace(image.width, image.height);
@@ -215,7 +219,7 @@ void Renderer::Parts::draw_solids(const FrameView& frame) {
     solid_painter->draw(current.framebuffer(), solids.balls(), solids.corners());
   }
   if (!projection) draw_walls(frame);
-  if (annotation) annotation->draw(frame, coloring.clipped(frame.value));
+  if (annotation) annotation->draw(frame, off_scale);
 }
 
 void Renderer::look_from(const Camera& camera, const View& view) {
@@ -227,6 +231,8 @@ void Renderer::look_from(const Camera& camera, const View& view) {
   parts.solids = Solids(parts.layout, parts.glyph);
   if (parts.annotation) parts.annotation->show(marker_of(camera));
 }
+
+const OffScale& Renderer::off_scale() const { return parts_->off_scale; }
 
 const Image& Renderer::draw(const FrameView& frame) {
   Parts& parts = *parts_;

@@ -8,6 +8,8 @@
 
 namespace taut::render {
 
+struct OffScale;
+
 /// Draws frames into one image, that it keeps.
 class Renderer {
  public:
@@ -24,6 +26,8 @@ class Renderer {
   /// Valid until the next call. The same frame gives the same bytes. Particles whose position or size is not
   /// finite are left out.
   const Image& draw(const FrameView& frame);
+  /// What the picture that was drawn last shows beyond its range, or of no number.
+  const OffScale& off_scale() const;
 
  private:
   struct Parts;

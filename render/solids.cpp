@@ -53,16 +53,22 @@ bool Solids::in_picture(double x, double y, double reach) const {
          y < layout_.plot.height + reach;
 }
 
-void Solids::place_balls(const FrameView& frame, const Projection& projection,
-                         std::span<const std::uint32_t> colors) {
+void Solids::clear() {
+  placed_.clear();
   balls_.clear();
   corners_.clear();
+}
+
+void Solids::place_balls(const FrameView& frame, const Projection& projection,
+                         std::span<const std::uint32_t> colors) {
+  clear();
   for (std::size_t i = 0; i < frame.value.size(); ++i) {
     const Projection::Seen seen = projection(at(frame.x, i));
     const double x = layout_.column(seen.at[0]), y = layout_.row(seen.at[1]);
     const double size = 0.5 * glyph_ * frame.diameter[i] * seen.scale * layout_.pixels_per_metre;
     const double radius = drawn_radius(size);
     if (!(size > 0) || !in_picture(x, y, radius) || !std::isfinite(seen.at[2])) continue;
+    placed_.push_back(i);
     balls_.push_back({static_cast<float>(x), static_cast<float>(y),
                       static_cast<float>(seen.at[2] * layout_.pixels_per_metre), static_cast<float>(radius),
                       colors[i]});
@@ -101,8 +107,7 @@ void Solids::sort_roughly() {
 
 void Solids::place_boxes(const FrameView& frame, const Projection& projection,
                          std::span<const std::uint32_t> colors) {
-  balls_.clear();
-  corners_.clear();
+  clear();
   const double scale = layout_.pixels_per_metre, half_scale = 0.5 * scale;
   for (std::size_t i = 0; i < frame.value.size(); ++i) {
     const Projection::Seen seen = projection(at(frame.x, i));
@@ -116,6 +121,7 @@ void Solids::place_boxes(const FrameView& frame, const Projection& projection,
       reach += std::hypot(half[k][0], half[k][1], half[k][2]);
     }
     if (!in_picture(centre[0], centre[1], reach)) continue;
+    placed_.push_back(i);
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector &a = half[(k + 1) % 3], &b = half[(k + 2) % 3];
       Vector normal = cross(a, b);
@@ -172,8 +178,7 @@ void Solids::add_line(const Vector& from, const Vector& to, const Projection& pr
 }
 
 void Solids::place_parallelograms(const FrameView& frame, std::span<const std::uint32_t> colors) {
-  balls_.clear();
-  corners_.clear();
+  clear();
   const double half_scale = 0.5 * layout_.pixels_per_metre;
   for (std::size_t i = 0; i < frame.value.size(); ++i) {
     const Vector centre{layout_.column(frame.x[2 * i]), layout_.row(frame.x[2 * i + 1]), 0};
@@ -184,7 +189,9 @@ void Solids::place_parallelograms(const FrameView& frame, std::span<const std::u
       half[k] = widened({half_scale * way[0], -half_scale * way[1], 0});
       reach += std::hypot(half[k][0], half[k][1]);
     }
-    if (in_picture(centre[0], centre[1], reach)) add_face(centre, half[0], half[1], colors[i]);
+    if (!in_picture(centre[0], centre[1], reach)) continue;
+    placed_.push_back(i);
+    add_face(centre, half[0], half[1], colors[i]);
   }
 }
 

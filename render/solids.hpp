@@ -30,11 +30,14 @@ class Solids {
   /// The cells of a frame in 2D.
   void place_parallelograms(const FrameView& frame, std::span<const std::uint32_t> colors);
 
+  /// Numbers of the particles that reach into the picture, hidden ones too.
+  std::span<const std::size_t> placed() const { return placed_; }
   std::span<const Ball> balls() const { return balls_; }
   std::span<const Corner> corners() const { return corners_; }
 
  private:
   bool in_picture(double x, double y, double reach) const;
+  void clear();
   void drop_hidden();
   void sort_roughly();
   void add_line(const Vector& from, const Vector& to, const Projection& projection, std::uint32_t color);
@@ -42,6 +45,7 @@ class Solids {
 
   PageLayout layout_;
   double glyph_;
+  std::vector<std::size_t> placed_;
   std::vector<Ball> balls_;
   std::vector<Corner> corners_;
   Cover cover_;

@@ -22,8 +22,8 @@ void ColorKey::draw(Canvas& canvas, const Rect& room, double em, std::string_vie
   std::get<ColorBar>(key_).draw(canvas, room, em, field, unit);
 }
 
-void ColorKey::draw_ends(Canvas& canvas, const Rect& room, double em, Clipped clipped) {
-  if (const auto* bar = std::get_if<ColorBar>(&key_)) bar->draw_ends(canvas, room, em, clipped);
+void ColorKey::draw_off_scale(Canvas& canvas, const Rect& room, double em, const OffScale& off_scale) {
+  if (const auto* bar = std::get_if<ColorBar>(&key_)) bar->draw_off_scale(canvas, room, em, off_scale);
 }
 
 double ColorKey::width(int height, double em, std::string_view unit) const {
@@ -35,25 +35,25 @@ double ColorKey::width(int height, double em, std::string_view unit) const {
 Annotation::Annotation(Image& image, const PageLayout& layout, ColorKey key, double until, Rgb background)
     : layout_(layout), until_(until), canvas_(image, background), key_(std::move(key)) {}
 
-void Annotation::draw(const FrameView& frame, Clipped clipped) {
+void Annotation::draw(const FrameView& frame, const OffScale& off_scale) {
   canvas_.begin();  // OpenGL wrote into it
   draw_header(frame);
   key_.draw(canvas_, layout_.key, layout_.font, frame.field, frame.unit);
-  key_.draw_ends(canvas_, layout_.key, layout_.font, clipped);
+  key_.draw_off_scale(canvas_, layout_.key, layout_.font, off_scale);
   if (has_scale_bar_) draw_scale_bar(canvas_, layout_.plot, layout_.pixels_per_metre, layout_.font);
   if (axes_) draw_axes_marker(canvas_, layout_.plot, *axes_, layout_.font);
   canvas_.end();
   field_ = frame.field, unit_ = frame.unit;
-  clipped_ = clipped;
+  off_scale_ = off_scale;
 }
 
-void Annotation::draw_again(const FrameView& frame, Clipped clipped) {
+void Annotation::draw_again(const FrameView& frame, const OffScale& off_scale) {
   canvas_.begin();
   canvas_.gray(1);
   canvas_.fill(0, 0, layout_.right + layout_.font, std::floor(end_of_header * layout_.font));
   draw_header(frame);
-  if (clipped != clipped_) key_.draw_ends(canvas_, layout_.key, layout_.font, clipped);
-  clipped_ = clipped;
+  if (off_scale != off_scale_) key_.draw_off_scale(canvas_, layout_.key, layout_.font, off_scale);
+  off_scale_ = off_scale;
   canvas_.end();
 }
 

@@ -21,7 +21,7 @@ class ColorKey {
 
   /// At the left of `room`, as high as it.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view field, std::string_view unit);
-  void draw_ends(Canvas& canvas, const Rect& room, double em, Clipped clipped);
+  void draw_off_scale(Canvas& canvas, const Rect& room, double em, const OffScale& off_scale);
   /// How much room it needs where it is `height` pixels high and what is coloured is in `unit`, em.
   double width(int height, double em, std::string_view unit) const;
 
@@ -41,11 +41,12 @@ class Annotation {
   /// Lengths are not the same all over the picture.
   void leave_out_scale_bar() { has_scale_bar_ = false; }
 
-  void draw(const FrameView& frame, Clipped clipped);
-  /// Whether what was drawn last would be the same for this frame, but for the header and the bar's ends.
+  void draw(const FrameView& frame, const OffScale& off_scale);
+  /// Whether what was drawn last would be the same for this frame, but for the header and what is off the bar's
+  /// scale.
   bool stands_for(const FrameView& frame) const { return frame.field == field_ && frame.unit == unit_; }
-  /// Title, method, time and the bar's ends, in place of those that were drawn last.
-  void draw_again(const FrameView& frame, Clipped clipped);
+  /// Title, method, time and what is off the bar's scale, in place of those that were drawn last.
+  void draw_again(const FrameView& frame, const OffScale& off_scale);
 
  private:
   void draw_header(const FrameView& frame);
@@ -54,7 +55,7 @@ class Annotation {
   double until_;
   Canvas canvas_;
   ColorKey key_;
-  Clipped clipped_;  // as it was drawn last
+  OffScale off_scale_;  // as it was drawn last
   std::optional<AxesMarker> axes_;
   bool has_scale_bar_ = true;
   std::string field_, unit_;  // of the bar that was drawn last

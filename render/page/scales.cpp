@@ -16,6 +16,9 @@ constexpr double label_gap = 0.75;     // between the widest number and the turn
 constexpr double most_beyond = 0.3;    // of numbers and label, into the margin
 constexpr double arrow_height = 0.42;  // these two fit between the bar and the header
 constexpr double arrow_gap = 0.13;
+constexpr double swatch_size = 0.75;     // of what is no number, below the arrow
+constexpr double swatch_gap = 0.35;      // before the words beside it
+constexpr double width_of_swatch = 6.6;  // with the words
 
 /// The numbers and the label stand to its right.
 Rect bar_in(const Rect& room, double em) {
@@ -46,8 +49,8 @@ std::string label_of_bar(Canvas& canvas, std::string_view field, const std::stri
   return name + end;
 }
 
-ColorBar::ColorBar(double low, double high, const std::array<Rgb, 256>& colors)
-    : low_(low), high_(high), colors_(colors) {}
+ColorBar::ColorBar(double low, double high, const std::array<Rgb, 256>& colors, Rgb no_number)
+    : low_(low), high_(high), colors_(colors), no_number_(no_number) {}
 
 Ticks ColorBar::ticks(int height, double em, std::string_view unit) const {
   const int room = std::clamp(static_cast<int>(height / (tick_spacing * em)), 3, 12);
@@ -97,7 +100,8 @@ void ColorBar::draw_ticks(Canvas& canvas, const Rect& bar, double em) const {
   }
 }
 
-void ColorBar::draw_ends(Canvas& canvas, const Rect& room_of_all, double em, Clipped clipped) const {
+void ColorBar::draw_off_scale(Canvas& canvas, const Rect& room_of_all, double em,
+                              const OffScale& found) const {
   const Rect bar = bar_in(room_of_all, em);
   const double gap = std::max(2.0, std::round(arrow_gap * em));
   const double room = std::ceil(arrow_height * em + gap) + 1;
@@ -113,8 +117,18 @@ void ColorBar::draw_ends(Canvas& canvas, const Rect& room_of_all, double em, Cli
     canvas.color(color);
     cairo_fill(canvas.cairo());
   };
-  draw_end(bar.y, -1, clipped.above, colors_.back());
-  draw_end(bar.y + bar.height, 1, clipped.below, colors_.front());
+  draw_end(bar.y, -1, found.above, colors_.back());
+  draw_end(bar.y + bar.height, 1, found.below, colors_.front());
+  const double top = bar.y + bar.height + room, side = std::round(swatch_size * em);
+  canvas.gray(1);
+  canvas.fill(bar.x - 1, top, width_of_swatch * em, side + 2 * gap);
+  if (!found.no_number) return;
+  canvas.color(no_number_);
+  canvas.fill(bar.x, top + gap, side, side);
+  canvas.gray(ink);
+  canvas.use(Weight::regular, small_size * em);
+  canvas.text("no number", bar.x + side + swatch_gap * em,
+              top + gap + 0.5 * side + 0.5 * cap_height * small_size * em, Canvas::Align::left);
 }
 
 void draw_scale_bar(Canvas& canvas, const Rect& plot, double pixels_per_metre, double em) {

@@ -8,25 +8,31 @@
 
 namespace taut::render {
 
-/// Whether something is drawn in the colour of an end, and lies beyond it.
-struct Clipped {
-  bool below = false, above = false;
-  bool operator==(const Clipped&) const = default;
+/// What a picture shows that its bar has no place for.
+struct OffScale {
+  bool below = false, above = false;  // drawn in the colour of an end, and lies beyond it
+  bool no_number = false;
+  bool operator==(const OffScale&) const = default;
+  OffScale& operator|=(const OffScale& other) {
+    below |= other.below, above |= other.above, no_number |= other.no_number;
+    return *this;
+  }
 };
 
 /// The colours from low to high with numbers beside them, and what they stand for.
 class ColorBar {
  public:
-  /// `colors` are evenly spaced from `low` to `high`.
-  ColorBar(double low, double high, const std::array<Rgb, 256>& colors);
+  /// `colors` are evenly spaced from `low` to `high`; what is no number has a colour of its own.
+  ColorBar(double low, double high, const std::array<Rgb, 256>& colors, Rgb no_number);
 
   /// How much room it needs where it is `height` pixels high and its values are of this unit, em.
   double width(int height, double em, std::string_view unit) const;
   /// At the left of `room`, as high as it. Without numbers where there is no room for them or for what they
   /// are numbers of.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view field, std::string_view unit);
-  /// Arrows at the ends beyond which something lies, in place of those that were drawn before.
-  void draw_ends(Canvas& canvas, const Rect& room, double em, Clipped clipped) const;
+  /// Arrows at the ends beyond which something lies, and below what is no number, in place of what was drawn
+  /// before.
+  void draw_off_scale(Canvas& canvas, const Rect& room, double em, const OffScale& found) const;
 
  private:
   Ticks ticks(int height, double em, std::string_view unit) const;
@@ -34,6 +40,7 @@ class ColorBar {
 
   double low_, high_;
   std::array<Rgb, 256> colors_;
+  Rgb no_number_;
   Ticks ticks_;
   std::string tick_unit_;  // the unit that ticks_ were made for
 };

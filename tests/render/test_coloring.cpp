@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -60,5 +61,85 @@ TEST_SUITE("image") {
     Look with = look(100, 100, unit_view);  // other maps go from end to end
     with.range = {-1, 4};
     CHECK(color_at(picture(particle(0, 0, 0.4, -1), with), unit_view, 0, 0) == with.colormap->at(0));
+  }
+
+  TEST_CASE(
+      "only what is in the picture puts an arrow at the bar's end, in 2D, in cells, in 3D and in a panel") {
+    const PageLayout layout = make_layout(640, 360, unit_view);
+    const int middle = layout.key.x + static_cast<int>(0.5 * 1.15 * layout.font), above = layout.key.y - 4;
+    const std::vector<double> cell{0.1, 0, 0, 0.1}, cell_in_space{0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1};
+    for (const bool seen : {true, false})
+      for (const int dim : {2, 3})
+        for (const bool cells : {false, true}) {
+          CAPTURE(dim);
+          CAPTURE(cells);
+          const std::vector<double> x{seen ? 0.0 : 9.0, 0, 0}, diameter{0.1}, value{2};
+          FrameView frame;
+          frame.dim = dim, frame.x = std::span(x).first(static_cast<std::size_t>(dim));
+          frame.diameter = diameter, frame.value = value;
+          if (cells) frame.cell = dim == 2 ? cell : cell_in_space;
+          Look with = look(640, 360, unit_view);
+          if (dim == 3) with.camera = Camera{.from = {0, 0, 1}, .up = {0, 1, 0}};
+          CHECK((Renderer(with).draw(frame).at(middle, above) == with.colormap->at(1)) == seen);
+          if (dim == 3 || cells) continue;
+          PanelOptions options;
+          options.look = with, options.columns = {{"a", ""}}, options.rows = {"t = 1 s"};
+          Panel empty(options), panel(options);
+          panel.draw(0, 0, frame);
+          CHECK((panel.finish() == empty.finish()) == !seen);
+        }
+  }
+
+  TEST_CASE("what is no number has its colour explained below the bar, in the same page") {
+    const Look with = look(640, 360, unit_view);
+    const PageLayout layout = make_layout(640, 360, unit_view);
+    const int bottom =
+        layout.key.y + layout.key.height + 6;  // below the least number, of which half hangs out
+    const Rect below{layout.key.x, bottom, 640 - layout.key.x, 360 - bottom};
+    struct Found {
+      int swatch = 0, other = 0, at_edge = 0;
+    };
+    const auto key_of = [&](const Image& image) {
+      Found found;
+      for (int row = below.y; row < below.y + below.height; ++row)
+        for (int column = below.x; column < 640; ++column) {
+          const Rgb color = image.at(column, row);
+          found.swatch += color == not_a_number_color;
+          found.other += color != white && color != not_a_number_color;
+          found.at_edge += color != white && column > 637;
+        }
+      return found;
+    };
+    const Image some = picture(particle(0, 0, 0.1, NAN), with),
+                none = picture(particle(0, 0, 0.1, 0.5), with);
+    CHECK(key_of(some).swatch >= 30);
+    CHECK(key_of(some).other > 30);
+    CHECK(key_of(some).at_edge == 0);
+    CHECK(key_of(none).swatch + key_of(none).other == 0);
+    CHECK(key_of(picture(particle(9, 0, 0.1, NAN), with)).swatch == 0);  // is not in the picture
+    int elsewhere = 0;
+    for (int row = 0; row < below.y; ++row)
+      for (int column = layout.plot.x + layout.plot.width; column < 640; ++column)
+        elsewhere += some.at(column, row) != none.at(column, row);
+    CHECK(elsewhere == 0);
+    Renderer renderer(with);  // frame after frame
+    for (const double value : std::vector<double>{NAN, 0.5, NAN, -3}) {
+      const Particles one = particle(0, 0, 0.1, value);
+      CHECK(renderer.draw(one.frame()) == picture(one, with));
+    }
+    PanelOptions options;
+    options.look = with, options.columns = {{"a", ""}}, options.rows = {"t = 1 s"};
+    options.look.size.reset();
+    Panel panel(options);
+    const Particles one = particle(0, 0, 0.1, NAN);
+    panel.draw(0, 0, one.frame());
+    const Image& image = panel.finish();
+    int swatch = 0;
+    for (int row = image.height - 37; row < image.height; ++row)
+      for (int column = 0; column < image.width; ++column) {
+        swatch += image.at(column, row) == not_a_number_color;
+        if (column > image.width - 3) CHECK(image.at(column, row) == white);
+      }
+    CHECK(swatch >= 100);
   }
 }
