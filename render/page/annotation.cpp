@@ -12,6 +12,8 @@ constexpr double title_size = 1.3;
 constexpr double baseline_of_header = 1.8;
 constexpr double end_of_header = 2.4;  // below the title's letters and above the number at the bar's end
 
+constexpr double most_of_note = 0.5;  // of the room of a title, where the title is long too
+
 constexpr double most_room_of_legend = 14;
 
 }  // namespace
@@ -28,7 +30,7 @@ void ColorKey::draw_off_scale(Canvas& canvas, const Rect& room, double em, const
 
 double ColorKey::width(int height, double em, std::string_view unit) const {
   if (const auto* legend = std::get_if<Legend>(&key_))
-    return std::clamp(legend->width(), room_of_bar, most_room_of_legend);
+    return std::clamp(legend->width(height, em), room_of_bar, most_room_of_legend);
   return std::max(std::get<ColorBar>(key_).width(height, em, unit), room_of_bar);
 }
 
@@ -71,9 +73,11 @@ void Annotation::draw_header(const FrameView& frame) {
 
 void draw_title(Canvas& canvas, const std::string& title, const std::string& note, double left, double y,
                 double room, double em) {
+  canvas.use(Weight::regular, em);
+  const double of_note = note.empty() ? 0 : em + std::min(canvas.width_of(note), most_of_note * room);
   canvas.use(Weight::bold, title_size * em);
   canvas.gray(ink);
-  const std::string shown = canvas.fitted(title, room);
+  const std::string shown = canvas.fitted(title, room - of_note);
   canvas.text(shown, left, y, Canvas::Align::left);
   const double note_left = left + (shown.empty() ? 0 : canvas.width_of(shown) + em);
   canvas.use(Weight::regular, em);

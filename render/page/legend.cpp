@@ -22,8 +22,19 @@ double length_of(std::string_view text) {
 
 }  // namespace
 
-double Legend::width() const {
-  double longest = 0;
+/// Of the entries, so that what tells of the others has a line too.
+std::size_t Legend::shown(int height, double em) const {
+  const auto lines =
+      static_cast<std::size_t>(std::max((height - title_height * em) / (line_height * em), 1.0));
+  return entries_.size() <= lines ? entries_.size() : lines - 1;
+}
+
+std::string Legend::rest(std::size_t shown) const {
+  return shown < entries_.size() ? "and " + std::to_string(entries_.size() - shown) + " more" : "";
+}
+
+double Legend::width(int height, double em) const {
+  double longest = length_of(rest(shown(height, em)));
   for (const Entry& entry : entries_) longest = std::max(longest, length_of(entry.name));
   return text_left + letter_width * longest;
 }
@@ -33,9 +44,7 @@ void Legend::draw(Canvas& canvas, const Rect& room, double em, std::string_view 
   canvas.gray(faint);
   canvas.text(canvas.fitted(std::string(title), room.width), room.x, room.y + cap_height * em,
               Canvas::Align::left);
-  const auto lines =
-      static_cast<std::size_t>(std::max((room.height - title_height * em) / (line_height * em), 1.0));
-  const std::size_t shown = entries_.size() <= lines ? entries_.size() : lines - 1;
+  const std::size_t written = shown(room.height, em);
   canvas.use(Weight::regular, small_size * em);
   double middle = room.y + (title_height + 0.5 * line_height) * em;
   const auto write = [&](const std::string& text) {
@@ -43,7 +52,7 @@ void Legend::draw(Canvas& canvas, const Rect& room, double em, std::string_view 
                 middle + 0.5 * cap_height * small_size * em, Canvas::Align::left);
     middle += line_height * em;
   };
-  for (std::size_t k = 0; k < shown; ++k) {
+  for (std::size_t k = 0; k < written; ++k) {
     canvas.color(entries_[k].color);
     cairo_arc(canvas.cairo(), room.x + disc_radius * em, middle, disc_radius * em, 0, 2 * std::numbers::pi);
     cairo_fill(canvas.cairo());
@@ -51,7 +60,7 @@ void Legend::draw(Canvas& canvas, const Rect& room, double em, std::string_view 
     write(entries_[k].name);
   }
   canvas.gray(faint);
-  if (shown < entries_.size()) write("and " + std::to_string(entries_.size() - shown) + " more");
+  write(rest(written));
 }
 
 }  // namespace taut::render

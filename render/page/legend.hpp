@@ -19,10 +19,13 @@ class Legend {
 
   /// Names that are too long are shortened; for entries that find no room a line says how many they are.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view title) const;
-  /// About as wide as its names are, em.
-  double width() const;
+  /// About as wide as what is written where it is `height` pixels high, em.
+  double width(int height, double em) const;
 
  private:
+  std::size_t shown(int height, double em) const;
+  std::string rest(std::size_t shown) const;
+
   std::vector<Entry> entries_;
 };
 

@@ -142,4 +142,39 @@ TEST_SUITE("image") {
       }
     CHECK(swatch >= 100);
   }
+
+  TEST_CASE("a legend of more things than lines says how many more, whatever their names") {
+    Look with = look(320, 180, unit_view);
+    with.range.reset(), with.colormap = nullptr;
+    const auto drawn = [&](std::size_t count, const std::string& name) {
+      with.categories.assign(count, name);
+      return picture(particle(0, 0, 0.1, 0), with);
+    };
+    const Image image = drawn(20, "a");
+    CHECK_FALSE(image == drawn(25, "a"));  // 13 and 18 more
+    // "and 13 more" is longer than any name, and has the room that a name of its length would have
+    const auto left_of_legend = [](const Image& of) {
+      int column = of.width / 2;
+      while (of.at(column, 30) == white) ++column;
+      return column;
+    };
+    CHECK(left_of_legend(image) == left_of_legend(drawn(2, "and 13 more")));
+  }
+
+  TEST_CASE("a method's name stands behind the longest title") {
+    const std::string title(200, 'T');
+    for (const auto& [width, height] : {std::pair(320, 180), {1280, 720}}) {
+      Particles none;
+      FrameView with = none.frame(), without = none.frame();
+      with.title = without.title = title;
+      without.method = "";
+      const Look of_both = look(width, height, unit_view);
+      FrameView other = with;
+      other.method = "enoh";
+      Renderer renderer(of_both);
+      const Image method = renderer.draw(with);
+      CHECK_FALSE(method == Image(renderer.draw(without)));
+      CHECK_FALSE(method == Image(renderer.draw(other)));  // to its last letter
+    }
+  }
 }
