@@ -11,8 +11,14 @@ constexpr double outside = 0.01;       // of the values, that a range may clip a
 constexpr double not_far = 0.25;       // of the width between these two places
 constexpr std::size_t most = 1 << 22;  // values that are looked at; of more each second, each fourth, …
 
+/// Pictures are computed with widths and their squares: what is beyond counts as not finite.
+bool counts(double value) {
+  constexpr double greatest = 1e100;
+  return std::abs(value) < greatest;
+}
+
 /// The ends that clip so many of the values.
-render::Range ends_of(std::vector<float> values) {
+render::Range ends_of(std::vector<double> values) {
   const auto place = static_cast<std::ptrdiff_t>(outside * static_cast<double>(values.size()));
   std::nth_element(values.begin(), values.begin() + place, values.end());
   const double low = values[static_cast<std::size_t>(place)];
@@ -27,14 +33,14 @@ SequenceBounds::SequenceBounds(const std::optional<render::Camera>& camera) {
 }
 
 void SequenceBounds::Interval::add(double value, double margin) {
-  if (!std::isfinite(value)) return;
+  if (!counts(value)) return;
   low = std::min(low, value - margin);
   high = std::max(high, value + margin);
 }
 
-void SequenceBounds::add_values(std::span<const float> values) {
-  for (const float value : values) {
-    if (!std::isfinite(value)) continue;
+void SequenceBounds::add_values(std::span<const double> values) {
+  for (const double value : values) {
+    if (!counts(value)) continue;
     values_.add(value);
     if (seen_++ % stride_ == 0) sample_.push_back(value);
     if (sample_.size() < most) continue;
@@ -44,7 +50,7 @@ void SequenceBounds::add_values(std::span<const float> values) {
   }
 }
 
-void SequenceBounds::add_positions(std::span<const float> x, int dim, double diameter) {
+void SequenceBounds::add_positions(std::span<const double> x, int dim, double diameter) {
   const auto stride = static_cast<std::size_t>(dim);
   for (std::size_t i = 0; i + 1 < x.size(); i += stride) {
     if (!axes_) {
@@ -61,9 +67,8 @@ void SequenceBounds::add_positions(std::span<const float> x, int dim, double dia
 
 void SequenceBounds::add(const FrameView& particles) {
   if (particles.value.empty()) return;
-  add_values(std::vector<float>(particles.value.begin(), particles.value.end()));
-  add_positions(std::vector<float>(particles.x.begin(), particles.x.end()), particles.dim,
-                std::ranges::max(particles.diameter));
+  add_values(particles.value);
+  add_positions(particles.x, particles.dim, std::ranges::max(particles.diameter));
 }
 
 render::Range SequenceBounds::range(std::optional<double> middle) const {
@@ -71,8 +76,8 @@ render::Range SequenceBounds::range(std::optional<double> middle) const {
   if (!sample_.empty()) {
     const render::Range all = ends_of(sample_);
     low = all.low, high = all.high;
-    std::vector<float> moved = sample_;
-    std::erase(moved, 0.0f);
+    std::vector<double> moved = sample_;
+    std::erase(moved, 0.0);
     if (const render::Range some = moved.empty() ? all : ends_of(std::move(moved)); true)
       low = std::min(low, some.low), high = std::max(high, some.high);
     const double room = not_far * (high - low);
@@ -83,9 +88,12 @@ render::Range SequenceBounds::range(std::optional<double> middle) const {
     const double half = std::max(std::abs(low - *middle), std::abs(high - *middle));
     low = *middle - half, high = *middle + half;
   }
-  // a field that is the same everywhere still needs a scale to be drawn on
-  if (high <= low) high = low + (low != 0 ? std::abs(low) : 1.0);
-  return {low, high};
+  if (high > low) return {low, high};
+  // a field that is the same everywhere still needs a scale to be drawn on, with its value in the middle; one
+  // of nothing is at the low end, as where nothing has happened yet
+  if (low == 0 && !middle) return {0, 1};
+  const double half = low != 0 ? 0.5 * std::abs(low) : 1;
+  return {low - half, low + half};
 }
 
 render::View SequenceBounds::view() const {

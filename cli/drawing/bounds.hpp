@@ -16,10 +16,10 @@ class SequenceBounds {
   /// A camera, in 3D, decides which way the view lies.
   explicit SequenceBounds(const std::optional<render::Camera>& camera = {});
 
-  void add_values(std::span<const float> values);
+  void add_values(std::span<const double> values);
   /// Positions, `dim` coordinates each; particles of diameter `diameter` (m) at most.
-  void add_positions(std::span<const float> x, int dim, double diameter);
-  /// Both, in the single precision that kept frames have.
+  void add_positions(std::span<const double> x, int dim, double diameter);
+  /// Both.
   void add(const FrameView& particles);
 
   /// At most a hundredth of the values lies below it, and a hundredth above: of those that are not 0, as they
@@ -47,7 +47,7 @@ class SequenceBounds {
     void add(double value, double margin = 0);
   };
   Interval values_, x_, y_, z_;  // the last three in the plane of the picture, and towards the camera
-  std::vector<float> sample_;    // each `stride_`-th of the values
+  std::vector<double> sample_;   // each `stride_`-th of the values
   std::size_t stride_ = 1, seen_ = 0;
   std::optional<render::CameraAxes> axes_;  // of the camera
 };

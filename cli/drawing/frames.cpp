@@ -106,25 +106,22 @@ void Frames::add(const FrameView& particles) {
   if (renderers_.front())
     draw(std::move(staged));
   else
-    keep(staged);
+    keep(std::move(staged));
 }
 
-void Frames::keep(const StagedParticles& particles) {
+void Frames::keep(StagedParticles particles) {
   const Timed timed(seconds_.render);
   dim_ = particles.dim;
-  diameter_ = particles.diameter;
-  kept_.push_back({particles.time,
-                   particles.origin,
-                   {particles.x.begin(), particles.x.end()},
-                   {particles.value.begin(), particles.value.end()}});
+  diameter_ = std::move(particles.diameter);
+  kept_.push_back({particles.time, particles.origin, std::move(particles.x), std::move(particles.value)});
 }
 
 StagedParticles Frames::staged(const Kept& frame) const {
   return {.dim = dim_,
           .time = frame.time,
-          .x = {frame.x.begin(), frame.x.end()},
+          .x = frame.x,
           .diameter = diameter_,
-          .value = {frame.value.begin(), frame.value.end()},
+          .value = frame.value,
           .origin = frame.origin};
 }
 

@@ -75,7 +75,7 @@ class Frames {
     archive.check("a frame that was kept", [&] {
       const std::size_t n = staging_.size(), d = static_cast<std::size_t>(staging_.dim());
       const auto fits = [&](const Kept& frame) {
-        const auto is_finite = [](float x) { return std::isfinite(x); };
+        const auto is_finite = [](double x) { return std::isfinite(x); };
         return frame.x.size() == d * n && frame.value.size() == n &&
                std::ranges::all_of(frame.x, is_finite) && std::ranges::all_of(frame.origin, is_finite);
       };
@@ -86,11 +86,11 @@ class Frames {
   }
 
  private:
-  /// What one frame shows, in single precision: a picture has no more.
+  /// What one frame shows. Single precision would not tell particles apart that are far from the origin.
   struct Kept {
     double time;   // s
     Point origin;  // m
-    std::vector<float> x, value;
+    std::vector<double> x, value;
 
     template <class Archive>
     void serialize(Archive& archive) {
@@ -102,7 +102,7 @@ class Frames {
     render::Camera camera;
     render::View view;
   };
-  void keep(const StagedParticles& particles);
+  void keep(StagedParticles particles);
   StagedParticles staged(const Kept& frame) const;
   SequenceBounds bounds_of_kept() const;
   void begin_drawing(const SequenceBounds& shown);

@@ -99,6 +99,8 @@ StagedParticles Staging::operator()(const FrameView& particles) const {
                      std::to_string(origins_.size()));
   const Point origin = followed_ ? middle(particles) : Point{};
   StagedParticles staged{.dim = particles.dim, .time = particles.time, .origin = origin};
+  staged.x.reserve(shown_.size() * static_cast<std::size_t>(particles.dim));  // frames are kept in memory
+  staged.value.reserve(shown_.size());
   for (const std::size_t i : shown_) {
     const Point x = point(particles.x, particles.dim, i);
     for (std::size_t k = 0; k < static_cast<std::size_t>(particles.dim); ++k)
@@ -131,8 +133,8 @@ StagedParticles Staging::dressed(StagedParticles staged) const {
 void Staging::extend(SequenceBounds& bounds, const StagedParticles& staged) const {
   FrameView view = staged.view();
   if (!followed_) return bounds.add(view);
-  bounds.add_values(std::vector<float>(view.value.begin(), view.value.end()));
-  std::vector<float> x;
+  bounds.add_values(view.value);
+  std::vector<double> x;
   double diameter = 0;
   for (std::size_t k = 0; k < shown_.size(); ++k) {
     if (origins_.body[shown_[k]] != *followed_) continue;

@@ -145,31 +145,37 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("an open range leaves out outliers, but no end that is near, nor what happens in few places") {
-    const auto range_of = [](const std::vector<float>& values, std::optional<double> middle = {}) {
+    const auto range_of = [](const std::vector<double>& values, std::optional<double> middle = {}) {
       SequenceBounds shown;
       shown.add_values(values);
       return shown.range(middle);
     };
-    std::vector<float> values;
-    for (int k = 0; k <= 1000; ++k) values.push_back(static_cast<float>(k));
+    std::vector<double> values;
+    for (int k = 0; k <= 1000; ++k) values.push_back(k);
     CHECK(range_of(values) == render::Range{0, 1000});  // within a quarter of the width from 990
     CHECK(range_of(values, 0.0) == render::Range{-1000, 1000});
     CHECK(range_of(values, 1.0) == render::Range{-998, 1000});
-    values.push_back(1e9f);
+    values.push_back(1e9);
     CHECK(range_of(values) == render::Range{0, 991});
-    values.push_back(-1e9f);
+    values.push_back(-1e9);
     CHECK(range_of(values) == render::Range{9, 991});
-    values.insert(values.end(), 500000, 0.0f);  // a body that nothing has reached yet
+    values.insert(values.end(), 500000, 0.0);  // a body that nothing has reached yet
     CHECK(range_of(values) == render::Range{0, 991});
-    values.assign(10, 0.0f);
+    values.assign(10, 0.0);
     CHECK(range_of(values) == render::Range{0, 1});
-    CHECK(range_of({5, 5}) == render::Range{5, 10});
+    CHECK(range_of({5, 5}) == render::Range{2.5, 7.5});  // of the middle colour
+    CHECK(range_of({-4}) == render::Range{-6, -2});
+    CHECK(range_of({1, 1}, 1.0) == render::Range{0.5, 1.5});
+    CHECK(range_of({0, 0}, 0.0) == render::Range{-1, 1});  // as gray as zero always is
     CHECK(range_of({NAN, INFINITY}) == render::Range{0, 1});
     CHECK(range_of({NAN, 2, INFINITY, 0}) == render::Range{0, 2});
+    CHECK(range_of({1e300, 2, -1e300, 0}) ==
+          render::Range{0, 2});  // nothing can be computed with such a width
+    CHECK(range_of({1200, 1200.000001}) == render::Range{1200, 1200.000001});
     // more than are kept: a sample of them gives the same
-    std::vector<float> many;
-    for (int k = 0; k < 9000000; ++k) many.push_back(static_cast<float>(k % 1000));
-    many.insert(many.end(), 10, 1e9f);
+    std::vector<double> many;
+    for (int k = 0; k < 9000000; ++k) many.push_back(k % 1000);
+    many.insert(many.end(), 10, 1e9);
     CHECK(std::abs(range_of(many).high - 989) < 2);
   }
 

@@ -63,20 +63,20 @@ TEST_SUITE("unit") {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float infinity = std::numeric_limits<float>::infinity();
     SequenceBounds bounds;
-    bounds.add_values(std::vector<float>{1, nan, infinity, -2});
-    bounds.add_values(std::vector<float>{3});
+    bounds.add_values(std::vector<double>{1, nan, infinity, -2});
+    bounds.add_values(std::vector<double>{3});
     CHECK(bounds.range({}) == render::Range{-2, 3});
     CHECK(bounds.range(0.0) == render::Range{-3, 3});
     SequenceBounds flat;
-    flat.add_values(std::vector<float>{0, 0});
+    flat.add_values(std::vector<double>{0, 0});
     CHECK(flat.range(0.0).low < flat.range(0.0).high);
     CHECK(SequenceBounds().range({}).low < SequenceBounds().range({}).high);
   }
 
   TEST_CASE("the view of a sequence holds every particle") {
     SequenceBounds bounds;
-    bounds.add_positions(std::vector<float>{0, 0, 1, 2}, 2, 0.2);
-    bounds.add_positions(std::vector<float>{-1, 0, 1, 1}, 2, 0.2);
+    bounds.add_positions(std::vector<double>{0, 0, 1, 2}, 2, 0.2);
+    bounds.add_positions(std::vector<double>{-1, 0, 1, 1}, 2, 0.2);
     const render::View view = bounds.view();
     CHECK(view.x_min < -1.1);
     CHECK(view.x_max > 1.1);
