@@ -178,7 +178,9 @@ StoredRun read_stored_run(const std::string& path) {
   std::error_code error;
   const fs::path file = fs::is_directory(path, error) ? fs::path(path) / "run.json" : fs::path(path);
   const auto text = read_whole(file);
-  if (!text) throw UsageError("'" + path + "' is not the folder of a run, nor its run.json");
+  // such as the results.csv beside the runs of a sweep
+  const bool is_other = text && file.filename() != "run.json" && !text->starts_with('{');
+  if (!text || is_other) throw UsageError("'" + path + "' is not the folder of a run, nor its run.json");
   const auto json = parse_run_json(*text, file.string(), names_of_verdicts());
   StoredRun run{.file = file.string(), .cells = {{"folder", "."}}};
   const auto leaves = json.flatten();

@@ -135,6 +135,11 @@ TEST_SUITE("cli") {
     CHECK(typo.code == 2);
     CHECK(contains(typo.err, "unknown column of history.csv 'total_enery' (did you mean 'total_energy'?)"));
     CHECK(call({"plot", folder.str("none"), "--out", folder.str("t.png")}).code == 2);
+    const std::string table = folder.str("results.csv");  // as DIR/* of a sweep has it
+    std::ofstream(table) << "status,scene\nfinished,tiny\n";
+    const Outcome other = call({"plot", a, table, "--out", folder.str("t.png")});
+    CHECK(other.code == 2);
+    CHECK(contains(other.err, "'" + table + "' is not the folder of a run, nor its run.json"));
     CHECK(call({"plot", a, "--out", folder.str("t.jpg")}).code == 2);
   }
 }
