@@ -153,16 +153,16 @@ std::vector<std::string> curve(const Chart& chart, const Layout& layout, std::si
   };
   const auto markers = [&](const std::string& with, const std::string& height, const char* size,
                            const std::string& offset) {
-    const std::string open = at(with + " && $4 == 0", height);
+    const std::string open = at(with + " && $4 == 0", height), of_size = point_size(size);
     std::vector<std::string> all;
     if (std::ranges::any_of(points, [](const ChartPoint& p) { return p.stable; }))
-      all.push_back(at(with + " && $4 == 1", height) + " with points " + style.marker() + " pointsize " +
-                    size + " notitle");
+      all.push_back(at(with + " && $4 == 1", height) + " with points " + style.marker() + of_size +
+                    " notitle");
     if (std::ranges::all_of(points, [](const ChartPoint& p) { return p.stable; })) return all;
-    all.push_back(open + " with points pointtype " + std::to_string(style.filled) +
-                  " linecolor '#ffffff' pointsize " + size + " notitle");
+    all.push_back(open + " with points pointtype " + std::to_string(style.filled) + " linecolor '#ffffff'" +
+                  of_size + " notitle");
     all.push_back(open + " with points pointtype " + std::to_string(style.open) +
-                  " linewidth 1.5 linecolor '" + style.color + "' pointsize " + size + " notitle");
+                  " linewidth 1.5 linecolor '" + style.color + "'" + of_size + " notitle");
     all.push_back(open + ":('×') with labels offset character " + offset +
                   " font ',11' textcolor '#d00000' notitle");
     return all;
@@ -189,14 +189,12 @@ std::vector<std::string> legend(const Chart& chart, const Layout& layout) {
     const auto& points = chart.series[k].points;
     all_stable &= std::ranges::all_of(points, &ChartPoint::stable);
     if (std::ranges::all_of(points, has_no_error)) continue;  // its name stands beside its row of the strip
-    all.push_back("keyentry with linespoints linewidth 2 pointsize 1.3 " + style.line() + " pointtype " +
-                  std::to_string(style.filled) + " title " + plot_text(layout.names[k]));
+    all.push_back("keyentry with linespoints linewidth 2" + point_size("1.3") + " " + style.line() +
+                  " pointtype " + std::to_string(style.filled) + " title " + plot_text(layout.names[k]));
   }
   if (!all_stable)
-    all.emplace_back(
-        "keyentry with points pointtype 6 linewidth 1.5 pointsize 1.3 linecolor '#555555' title 'open, ×: "
-        "not "
-        "stable'");
+    all.push_back("keyentry with points pointtype 6 linewidth 1.5" + point_size("1.3") +
+                  " linecolor '#555555' title 'open, ×: not stable'");
   return all;
 }
 

@@ -20,6 +20,9 @@ std::string one_line(std::string_view text) {
   return line;
 }
 
+/// Not one of the bytes that continue a letter.
+bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
+
 /// The name of a file in the script's folder, as a string of gnuplot: a '|' or '<' in front would make it a
 /// command, a '-' an option; a line break would end the line.
 std::string plot_file(const fs::path& file) {
@@ -61,34 +64,51 @@ std::string data_text(std::string_view text) {
 }
 
 std::string shortened(const std::string& name) {
-  constexpr std::size_t longest = 46;
-  if (name.size() <= longest) return name;
-  std::size_t end = longest;
-  while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) --end;  // no half letter
-  return name.substr(0, end) + "…";
+  constexpr std::size_t longest = 46, head = 18;  // letters
+  std::vector<std::size_t> begins;
+  for (std::size_t k = 0; k < name.size(); ++k)
+    if (begins_letter(name[k])) begins.push_back(k);
+  if (begins.size() <= longest) return name;
+  return name.substr(0, begins[head]) + "…" + name.substr(begins[begins.size() - (longest - head - 1)]);
+}
+
+double text_width(std::string_view text, double size) {
+  constexpr double letter = 0.62;  // of DejaVu Sans, on average and a little more, of its size
+  return static_cast<double>(std::ranges::count_if(text, begins_letter)) * letter * size * 96 / 72;
+}
+
+double text_width(const std::vector<std::string>& texts, double size) {
+  double widest = 0;
+  for (const std::string& text : texts) widest = std::max(widest, text_width(text, size));
+  return widest;
 }
 
 double right_margin(const std::vector<std::string>& names) {
   constexpr double letter = 8.0, sample = 78;  // pixels
   std::size_t longest = 20;                    // "open, ×: not stable"
-  for (const std::string& name : names) longest = std::max(longest, name.size());
+  for (const std::string& name : names)
+    longest = std::max(longest, static_cast<std::size_t>(std::ranges::count_if(name, begins_letter)));
   return 1 - (sample + letter * static_cast<double>(longest)) / plot_width;
 }
 
 std::string plot_head(const PlotFiles& files, int width, int height) {
   const bool vector = files.picture.extension() == ".svg";
+  // SVG counts pixels where PNG counts points of 96 dots an inch, and its markers are as much larger
   return fmt::format(
       "{}"
       "data = {}\n"
+      "points = {}\n"
       "if (!exists('picture')) picture = {}\n"
-      "set terminal {} noenhanced size {},{} font {}\n"
+      "set terminal {} noenhanced size {},{} font 'DejaVu Sans,11'{}\n"
       "set encoding utf8\n"
       "set output picture\n",
       plot_comment("gnuplot " + files.script().filename().string() + " draws this again, from " +
                    files.data().filename().string()),
-      plot_file(files.data()), plot_file(files.picture), vector ? "svg" : "pngcairo", width, height,
-      vector ? "'DejaVu Sans,14' background 'white'" : "'DejaVu Sans,11'");
+      plot_file(files.data()), vector ? 0.75 : 1.0, plot_file(files.picture), vector ? "svg" : "pngcairo",
+      width, height, vector ? " fontscale 1.3333 background 'white'" : "");
 }
+
+std::string point_size(std::string_view size) { return fmt::format(" pointsize {}*points", size); }
 
 std::string plot_title(std::string_view title) { return "set title " + titled(title) + "\n"; }
 
@@ -97,11 +117,10 @@ std::string titled(std::string_view title) {
 }
 
 int font_that_fits(std::string_view text, double room, int size) {
-  constexpr double width = 0.56, smallest = 6;  // of a letter, of its size in points at 96 dots an inch
-  const auto letters =
-      static_cast<double>(std::ranges::count_if(text, [](unsigned char c) { return (c & 0xC0) != 0x80; }));
+  constexpr double width = 0.56;  // of a letter, of its size in points at 96 dots an inch
+  const auto letters = static_cast<double>(std::ranges::count_if(text, begins_letter));
   const double fits = room / (std::max(letters, 1.0) * width * 96 / 72);
-  return static_cast<int>(std::clamp(std::floor(fits), smallest, static_cast<double>(size)));
+  return static_cast<int>(std::clamp(std::floor(fits), smallest_font, static_cast<double>(size)));
 }
 
 std::string plot_note(std::string_view note, double height) {

@@ -29,6 +29,8 @@ std::string plot_text(std::string_view text);
 
 /// The start of a script: a picture of `width` × `height` pixels in the format of its name.
 std::string plot_head(const PlotFiles& files, int width, int height);
+/// " pointsize SIZE", as large in each of the formats.
+std::string point_size(std::string_view size);
 /// The line of a script that prints the title of the picture.
 std::string plot_title(std::string_view title);
 /// The same for a note in small print at its left edge; `height` is 0 at the bottom, 1 at the top.
@@ -43,9 +45,15 @@ std::string plot_comment(std::string_view text);
 /// A text in a line of data: in double quotes, in which nothing has a meaning.
 std::string data_text(std::string_view text);
 
-inline constexpr int plot_width = 1280;  // pixels
-/// A name as a legend has room for it.
+inline constexpr int plot_width = 1280;     // pixels
+inline constexpr double axis_font = 11;     // points: of what has no size of its own
+inline constexpr double smallest_font = 6;  // points
+
+/// A name as a legend has room for it: what tells it from others is at its ends.
 std::string shortened(const std::string& name);
+/// About how long a text is, or the longest of some, in pixels, at a size in points.
+double text_width(std::string_view text, double size);
+double text_width(const std::vector<std::string>& texts, double size);
 /// Where a picture ends and its legend of these names begins, as a share of the width.
 double right_margin(const std::vector<std::string>& names);
 

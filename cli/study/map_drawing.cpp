@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -65,6 +66,39 @@ std::vector<std::size_t> kinds_in(const StabilityMap& map, const std::vector<Kin
   return found;
 }
 
+/// What stands in a cell: since when its verdict holds, or why it has none.
+std::string shown(const MapCell& cell, const TimeUnit& unit) {
+  if (cell.since) return fmt::format("{:.3g}", *cell.since * unit.scale);
+  return cell.verdict.empty() ? cell.status : "";
+}
+
+/// Where things are, pixels.
+struct Page {
+  double left = 0, right = 0;  // of the cells
+  double cell = 0;             // width
+  int tick_step = 1;           // cells from one value that is written below to the next
+  int font = 0;                // of what stands in the cells, points; 0: nothing
+  int most_letters = 0;        // of it
+};
+
+Page page_of(const StabilityMap& map) {
+  constexpr double of_key = 178, of_marker = 46, most_left = 0.45 * plot_width, most_font = 10, gap = 6;
+  Page page;
+  std::vector<std::string> rows, numbers;
+  for (const std::string& row : map.rows) rows.push_back(shortened(row));
+  page.left = std::min(text_width(rows, axis_font) + of_marker, most_left);
+  page.right = plot_width - of_key;
+  page.cell = (page.right - page.left) / static_cast<double>(map.values.size());
+  page.tick_step = static_cast<int>(std::ceil((text_width(map.values, axis_font) + gap) / page.cell));
+  each_cell(map, [&](std::size_t, std::size_t, const MapCell& cell) {
+    if (cell.since) numbers.push_back(shown(cell, time_unit(map)));
+  });
+  for (int size = most_font; size >= smallest_font && page.font == 0; --size)
+    if (text_width(numbers, size) + gap <= page.cell) page.font = size;
+  if (page.font > 0) page.most_letters = static_cast<int>((page.cell - gap) / text_width("0", page.font));
+  return page;
+}
+
 /// The marker of each row's method, as charts have it.
 std::string row_markers(const StabilityMap& map) {
   std::vector<std::string> methods;
@@ -72,16 +106,16 @@ std::string row_markers(const StabilityMap& map) {
   const std::vector<CurveStyle> styles = curve_styles(methods);
   std::string text;
   for (std::size_t r = 0; r < styles.size(); ++r)
-    text += fmt::format("set label '' at graph -0.012, first {} point {} pointsize 1.2\n", r + 1,
-                        styles[r].marker());
+    text += fmt::format("set label '' at graph -0.012, first {} point {}{}\n", r + 1, styles[r].marker(),
+                        point_size("1.2"));
   return text;
 }
 
-/// A tick at 1, 2, ... for each name.
-std::string ticks(const std::vector<std::string>& names) {
+/// A tick at 1, 2, ... for each name, or for one of so many.
+std::string ticks(const std::vector<std::string>& names, std::size_t step = 1) {
   std::vector<std::string> all;
-  for (std::size_t k = 0; k < names.size(); ++k)
-    all.push_back(plot_text(names[k]) + " " + std::to_string(k + 1));
+  for (std::size_t k = 0; k < names.size(); k += step)
+    all.push_back(plot_text(shortened(names[k])) + " " + std::to_string(k + 1));
   return std::string("(").append(join(all)).append(")");
 }
 
@@ -96,12 +130,9 @@ std::string map_data(const StabilityMap& map) {
             plot_comment("column; row; since, s; " + map.label + "; method; shown");
     each_cell(map, [&](std::size_t r, std::size_t v, const MapCell& cell) {
       if (kind_of(cell, all) != kind) return;
-      const std::string shown = cell.since             ? fmt::format("{:.3g}", *cell.since * unit.scale)
-                                : cell.verdict.empty() ? cell.status
-                                                       : "";
       text += std::to_string(v + 1) + " " + std::to_string(r + 1) + " " +
               (cell.since ? exact(*cell.since) : "NaN") + " " + data_text(map.values[v]) + " " +
-              data_text(map.rows[r]) + " " + data_text(shown) + "\n";
+              data_text(map.rows[r]) + " " + data_text(shown(cell, unit)) + "\n";
     });
     text += "\n\n";
   }
@@ -111,26 +142,35 @@ std::string map_data(const StabilityMap& map) {
 std::string map_script(const StabilityMap& map, const PlotFiles& files) {
   constexpr int around = 190, row_height = 36;  // pixels
   const int rows = static_cast<int>(map.rows.size()), columns = static_cast<int>(map.values.size());
+  const Page page = page_of(map);
   const std::vector<Kind> all = kinds();
   std::vector<std::string> plots;
-  for (const std::size_t kind : kinds_in(map, all)) {
-    const std::string block = "data index " + std::to_string(plots.size() / 2) + " using ";
+  for (int index = 0; const std::size_t kind : kinds_in(map, all)) {
+    const std::string block = "data index " + std::to_string(index++) + " using ";
     plots.push_back(block +
                     "1:2:($1-0.5):($1+0.5):($2-0.5):($2+0.5) with boxxyerror fillstyle solid 1 border "
                     "linecolor '#ffffff' fillcolor '" +
                     all[kind].color + "' title " + plot_text(all[kind].name));
-    plots.push_back(block + "1:2:6 with labels font ',10' textcolor '" +
-                    (kind + 2 == all.size() ? "#ffffff" : "#222222") + "' notitle");
+    if (page.font == 0) continue;
+    plots.push_back(block +
+                    fmt::format("1:2:(strlen(strcol(6)) > {} ? '' : strcol(6)) with labels font ',{}'",
+                                page.most_letters, page.font) +
+                    " textcolor '" + (kind + 2 == all.size() ? "#ffffff" : "#222222") + "' notitle");
   }
-  std::string text = plot_head(files, 1280, around + row_height * rows);
+  std::string text = plot_head(files, plot_width, around + row_height * rows);
   text += plot_title(map.title) + "set key outside right top Left reverse spacing 1.4\n";
   text += "set border 0\nset tics scale 0\nset yrange [" + std::to_string(rows) + ".5:0.5]\n";
   text += "set xrange [0.5:" + std::to_string(columns) + ".5]\n";
-  text += "set xtics " + ticks(map.values) + "\nset ytics offset -1.6,0 " + ticks(map.rows) + "\n" +
-          row_markers(map);
+  text += fmt::format("set lmargin at screen {}\nset rmargin at screen {}\n", page.left / plot_width,
+                      page.right / plot_width);
+  text += "set xtics " + ticks(map.values, static_cast<std::size_t>(page.tick_step)) +
+          "\nset ytics offset -1.6,0 " + ticks(map.rows) + "\n" + row_markers(map);
   text += "set xlabel " + plot_text(map.label) + "\nset bmargin 5.5\n";
-  text += plot_note("Scene " + map.scene + "; numbers: since when the verdict holds, " + time_unit(map).name,
-                    0.03);
+  text += plot_note(
+      "Scene " + map.scene +
+          (page.font > 0 ? std::string("; numbers: since when the verdict holds, ") + time_unit(map).name
+                         : "; since when the verdicts hold is in " + files.data().filename().string()),
+      0.03);
   return text + "plot " + join(plots, ", \\\n     ") + "\n";
 }
 

@@ -62,6 +62,43 @@ TEST_SUITE("cli") {
     }
   }
 
+  TEST_CASE("a map of many columns has texts only where they fit, and all of its names") {
+    const auto script_of = [](int columns, const std::string& method) {
+      const TemporaryFolder folder;
+      std::string lines;
+      for (int k = 0; k < columns; ++k)
+        lines += "finished," + method + "," + method + ",0.4,10,fractured,0.00345,,,4," +
+                 std::to_string(0.0001 * (1000 + k)) + "\n";
+      const std::string file = write_results(folder / "a", lines, "rod", "speed");
+      const Outcome outcome = call({"map", file, "--out", folder.str("map.png")});
+      CHECK(outcome.code == 0);
+      return text_of(folder / "map.gp");
+    };
+    const auto count_of = [](const std::string& text, const std::string& part) {
+      int count = 0;
+      for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+      return count;
+    };
+    const auto number_after = [](const std::string& text, const std::string& part) {
+      REQUIRE(contains(text, part));
+      return std::stod(text.substr(text.find(part) + part.size()));
+    };
+    const std::string few = script_of(8, "og");
+    CHECK(contains(few, "with labels font ',10'"));
+    CHECK(count_of(few, "'0.100") == 8);
+    const std::string more = script_of(30, "og");  // 3.45 has 33 pixels
+    CHECK(number_after(more, "with labels font ',") < 10);
+    CHECK(count_of(more, "'0.10") < 20);  // 0.100000, 0.100300, ...
+    CHECK(count_of(more, "'0.10") > 5);
+    const std::string many = script_of(200, "og");
+    CHECK_FALSE(contains(many, "with labels"));
+    CHECK(contains(many, "since when the verdicts hold is in map.dat"));
+    const std::string name(40, 'm');
+    const double pixels = 1280 * number_after(script_of(8, name), "set lmargin at screen ");
+    CHECK(pixels > 40 * 8 + 30);  // letters of 8 pixels and a marker
+    CHECK(1280 * number_after(few, "set lmargin at screen ") < 100);
+  }
+
   TEST_CASE("every verdict has a colour of its own") {
     const TemporaryFolder folder;
     std::string lines;
