@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
+#include <set>
+
+#include <fmt/format.h>
 
 #include "cli/text/format.hpp"
 #include "engine/families/catalogue.hpp"
@@ -18,6 +22,22 @@ constexpr std::array colors = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
 // look alike
 constexpr std::array markers = {7, 5, 9, 13, 11, 15};  // filled; one less is open
 constexpr std::array dashes = {1, 2, 4, 3, 5};
+
+// viridis, without what is lost on white
+constexpr std::array<std::array<double, 3>, 5> ramp = {
+    {{68, 1, 84}, {62, 74, 137}, {38, 130, 142}, {53, 183, 121}, {144, 215, 65}}};
+constexpr std::array ramp_dashes = {1, 2, 4};
+constexpr std::size_t most_solid = 8;  // lines of this ramp that only colours tell apart
+
+std::string ramp_color(double t) {
+  const double place = t * (ramp.size() - 1);
+  const std::size_t k = std::min(static_cast<std::size_t>(place), ramp.size() - 2);
+  std::string color = "#";
+  for (std::size_t c = 0; c < 3; ++c)
+    color += fmt::format("{:02X}",
+                         std::lround(std::lerp(ramp[k][c], ramp[k + 1][c], place - static_cast<double>(k))));
+  return color;
+}
 
 /// Its place in the list of methods; of one that is not there, such as of another version, any.
 std::size_t number_of(const std::string& method) {
@@ -45,6 +65,19 @@ std::vector<CurveStyle> curve_styles(const std::vector<std::string>& names) {
     style.filled = markers[(k + of_method[method]++) % markers.size()];
     style.open = style.filled - 1;
     all.push_back(style);
+  }
+  return all;
+}
+
+std::vector<CurveStyle> line_styles(const std::vector<std::string>& names) {
+  std::vector<CurveStyle> all = curve_styles(names);
+  std::set<std::string> lines;
+  for (const CurveStyle& style : all) lines.insert(style.line());
+  const bool of_one = std::ranges::count(names, names.front()) == std::ssize(names);
+  if (names.size() < 2 || (lines.size() == names.size() && !of_one)) return all;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    all[k].color = ramp_color(static_cast<double>(k) / static_cast<double>(all.size() - 1));
+    all[k].dash = all.size() > most_solid ? ramp_dashes[k % ramp_dashes.size()] : 1;
   }
   return all;
 }

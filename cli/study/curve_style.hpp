@@ -18,5 +18,9 @@ struct CurveStyle {
 
 /// Of lines of these methods, of which some may be there several times.
 std::vector<CurveStyle> curve_styles(const std::vector<std::string>& methods);
+/// The same for lines without markers: where these would look alike, or are all of one method, colours from
+/// dark to light in their order.
+std::vector<CurveStyle> line_styles(const std::vector<std::string>& methods);
+inline constexpr std::size_t most_told_apart = 24;  // lines by these colours and dashes
 
 }  // namespace taut::cli

@@ -55,6 +55,19 @@ void tell_apart(HistoryPlot& plot, const std::vector<StoredRun>& runs) {
           ", " + std::filesystem::absolute(runs[k].folder() + "/").parent_path().filename().string();
 }
 
+/// By what was swept, where that is one number: `plot DIR/*` gives runs by the names of their folders.
+void put_in_order(HistoryPlot& plot) {
+  const auto number = [](const HistoryPlot::Curve& curve) {
+    return parsed<double>(curve.name.substr(curve.name.rfind('=') + 1));
+  };
+  const auto begins_alike = [&](const HistoryPlot::Curve& curve) {
+    const auto of_name = [](const HistoryPlot::Curve& c) { return c.name.substr(0, c.name.rfind('=')); };
+    return of_name(curve) == of_name(plot.curves.front()) && number(curve);
+  };
+  if (!std::ranges::all_of(plot.curves, begins_alike)) return;
+  std::ranges::stable_sort(plot.curves, {}, [&](const HistoryPlot::Curve& curve) { return *number(curve); });
+}
+
 }  // namespace
 
 HistoryPlot make_history_plot(const StoredResults& results, const std::vector<HistoryColumn>& columns,
@@ -74,6 +87,7 @@ HistoryPlot make_history_plot(const StoredResults& results, const std::vector<Hi
     }
   }
   tell_apart(plot, results.runs);
+  put_in_order(plot);
   return plot;
 }
 
@@ -111,6 +125,40 @@ std::string legend(const std::vector<std::string>& names, const std::vector<Curv
          "plot [0:1] [0:1] " + join(entries, ", \\\n     ") + "\nunset key\nset tics\n";
 }
 
+/// What all runs have in common, the method, stands in the title instead.
+bool is_of_one_method(const HistoryPlot& plot) {
+  return plot.curves.size() > 1 && std::ranges::all_of(plot.curves, [&](const HistoryPlot::Curve& curve) {
+           return curve.name.starts_with(plot.curves.front().method + ", ");
+         });
+}
+
+/// About as long as gnuplot writes the numbers of an axis that holds these, pixels.
+double width_of_ticks(const HistoryPlot& plot, std::size_t column) {
+  double low = INFINITY, high = -INFINITY;
+  for (const HistoryPlot::Curve& curve : plot.curves)
+    for (const auto& row : curve.rows)
+      if (std::isfinite(row[0]) && std::isfinite(row[column]))
+        low = std::min(low, row[column]), high = std::max(high, row[column]);
+  if (!(high > low)) return text_width(fmt::format("{:g}", low), axis_font);
+  const double power = std::pow(10, std::floor(std::log10(high - low)) - 1);
+  const double step = (high - low > 50 * power ? 5 : 2) * power;  // no wider than that of gnuplot
+  std::vector<std::string> numbers;
+  for (const double end : {low, high})
+    for (const double way : {-2, -1, 0, 1, 2})
+      numbers.push_back(fmt::format("{:g}", step * (std::round(end / step) + way)));
+  return text_width(numbers, axis_font);
+}
+
+/// Where the panels begin, with the numbers of all of them and the labels to their left, as a share of the
+/// width.
+double left_margin(const HistoryPlot& plot) {
+  constexpr double label = 44, least = 109;  // pixels
+  double widest = 0;
+  for (std::size_t k = 0; k < plot.columns.size(); ++k)
+    widest = std::max(widest, width_of_ticks(plot, k + 1));
+  return std::max(label + widest, least) / plot_width;
+}
+
 }  // namespace
 
 std::string history_script(const HistoryPlot& plot, const PlotFiles& files) {
@@ -122,19 +170,20 @@ std::string history_script(const HistoryPlot& plot, const PlotFiles& files) {
       std::max(std::clamp(most_together / panels, least_height, greatest_height), of_names / panels);
   const double total = above + height * panels + below;
   std::vector<std::string> names, methods;
+  const bool of_one = is_of_one_method(plot);
   for (const HistoryPlot::Curve& curve : plot.curves) {
-    names.push_back(shortened(curve.name));
+    names.push_back(shortened(of_one ? curve.name.substr(curve.method.size() + 2) : curve.name));
     methods.push_back(curve.method);
   }
-  const std::vector<CurveStyle> styles = curve_styles(methods);
+  const std::vector<CurveStyle> styles = line_styles(methods);
   std::string text = plot_head(files, plot_width, static_cast<int>(total));
   if (!named)
     text += plot_note(
         std::to_string(curves) + " runs; their names are in " + files.data().filename().string(), 8 / total);
-  text += "set multiplot title " + titled(plot.title) + "\n";
+  text += "set multiplot title " + titled(of_one ? plot.title + ", " + methods.front() : plot.title) + "\n";
   text += named ? legend(names, styles, static_cast<int>(total)) : "unset key\n";
-  text += "set lmargin at screen 0.085\nset rmargin at screen " + exact(named ? right_margin(names) : 0.97) +
-          "\nset border 3 back linecolor '#444444'\n";
+  text += "set lmargin at screen " + exact(left_margin(plot)) + "\nset rmargin at screen " +
+          exact(named ? right_margin(names) : 0.97) + "\nset border 3 back linecolor '#444444'\n";
   text += "set grid back linetype 1 linecolor '#e4e4e4'\nset tics nomirror\nset autoscale xfix\n";
   for (int column = 0; column < panels; ++column) {
     const double top = above + height * column;

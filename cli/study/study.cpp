@@ -6,6 +6,7 @@
 
 #include "cli/study/chart_drawing.hpp"
 #include "cli/study/chart_tables.hpp"
+#include "cli/study/curve_style.hpp"
 #include "cli/study/map_drawing.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/text/format.hpp"
@@ -169,6 +170,10 @@ int draw_chart(const std::vector<std::string>& results, const ChartRequest& requ
 int draw_history(const StoredResults& results, const std::vector<HistoryColumn>& columns,
                  const HistoryColumn& x, const PlotFiles& files, Streams streams) {
   const HistoryPlot plot = make_history_plot(results, columns, x);
+  if (plot.curves.size() > most_told_apart)
+    streams.err << "taut: no eye tells the " << plot.curves.size() << " lines of " << files.picture.string()
+                << " apart, only " << most_told_apart << "; the numbers of each are in "
+                << files.data().filename().string() << '\n';
   const int code = draw_plot(files, history_script(plot, files), history_data(plot));
   print_files("history", files, "", streams);
   return code;

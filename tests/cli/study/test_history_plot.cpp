@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <doctest/doctest.h>
+
+#include "cli/study/history_plot.hpp"
+#include "cli/study/study.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/sweep_folder.hpp"
+
+using namespace taut;
+using namespace taut::cli;
+using namespace taut::test;
+
+namespace {
+
+/// Of a run of the method tl, with these parameters.
+std::string record_with(const std::string& parameters) {
+  return R"({"taut": "0.1.0", "scene": "rod", "method": "tl", "status": "finished", "until": 1, "reached": 1,)"
+         R"( "verdict": "stable", "since": {}, "measures": {}, "parameters": {)" +
+         parameters + "}}";
+}
+
+using NamedRuns =
+    std::vector<std::pair<std::string, std::string>>;  // methods, and what tells a run from others
+
+/// A falling line from `high` for each run.
+HistoryPlot falling(const NamedRuns& runs, double high = 1) {
+  HistoryPlot plot;
+  plot.title = "A rod", plot.columns = {{"tip", "tip, m"}};
+  for (const auto& [method, rest] : runs)
+    plot.curves.push_back({method + (rest.empty() ? "" : ", " + rest), method, {{0, high}, {1, 0.1 * high}}});
+  return plot;
+}
+
+NamedRuns speeds_of(const std::string& method, int count) {
+  NamedRuns names;
+  for (int k = 0; k < count; ++k) names.emplace_back(method, "speed=" + std::to_string(k + 1));
+  return names;
+}
+
+/// What tells the lines of the legend apart.
+std::set<std::string> looks(const std::string& script) {
+  std::set<std::string> all;
+  for (std::size_t at = script.find("keyentry "); at != std::string::npos;
+       at = script.find("keyentry ", at + 1))
+    all.insert(script.substr(at, script.find(" title ", at) - at));
+  return all;
+}
+
+std::string script_of(const HistoryPlot& plot) { return history_script(plot, {"p.png"}); }
+
+double left_of(const std::string& script) {
+  const std::string key = "set lmargin at screen ";
+  REQUIRE(contains(script, key));
+  return 1280 * std::stod(script.substr(script.find(key) + key.size()));
+}
+
+}  // namespace
+
+TEST_SUITE("cli") {
+  TEST_CASE("no two of up to 24 lines look alike, of one method or several") {
+    for (const int count : {2, 6, 9, 24}) {
+      const std::string script = script_of(falling(speeds_of("oenog", count)));
+      CHECK(looks(script).size() == static_cast<std::size_t>(count));
+    }
+    NamedRuns two = speeds_of("tl", 7);
+    const NamedRuns more = speeds_of("oenog", 7);
+    two.insert(two.end(), more.begin(), more.end());
+    CHECK(looks(script_of(falling(two))).size() == 14);
+    // where methods tell lines apart they look as in every picture
+    const std::string methods = script_of(falling({{"og", ""}, {"tl", ""}}));
+    const std::string alone = script_of(falling({{"og", ""}}));
+    CHECK(looks(methods).contains(*looks(alone).begin()));
+  }
+
+  TEST_CASE("a legend leaves out the method that all runs have, which the title names") {
+    const std::string script = script_of(falling(speeds_of("oenog", 3)));
+    CHECK(contains(script, "title 'speed=2'"));
+    CHECK(contains(script, "set multiplot title 'A rod, oenog'"));
+    CHECK(contains(script_of(falling({{"og", "speed=1"}, {"tl", "speed=1"}})), "title 'og, speed=1'"));
+    CHECK(contains(script_of(falling({{"og", "speed=1"}})), "title 'og, speed=1'"));
+    CHECK(contains(script_of(falling({{"og", ""}, {"og", "law=x"}})), "title 'og'"));
+  }
+
+  TEST_CASE("a name too long for a legend keeps both of its ends") {
+    const std::string shown =
+        shortened("method.a_very_long_constant=0.5, another.very_long_constant=0.25, ν=0.499");
+    CHECK(shown.starts_with("method.a_very_long"));
+    CHECK(shown.ends_with("long_constant=0.25, ν=0.499"));
+    CHECK(contains(shown, "…"));
+    CHECK(shortened("short, ν=0.4") == "short, ν=0.4");
+    std::string greek;
+    for (int k = 0; k < 60; ++k) greek += "ν";
+    CHECK(shortened(greek).size() == 2 * 45 + 3);  // 46 letters, no half one
+  }
+
+  TEST_CASE("runs stand by rising values of what was swept, in whatever order they are given") {
+    const TemporaryFolder folder;
+    StoredResults results;
+    for (const std::string speed : {"10", "0.5", "2"}) {
+      fs::create_directory(folder / speed);
+      std::ofstream(folder / speed / "run.json") << record_with("\"speed\": " + speed);
+      std::ofstream(folder / speed / "history.csv") << "t,energy\n0,1\n1,2\n";
+      results.runs.push_back(read_stored_run(folder.str(speed)));
+    }
+    Texts names;
+    for (const auto& curve : make_history_plot(results, {{"energy", "energy"}}).curves)
+      names.push_back(curve.name);
+    CHECK(names == Texts{"tl, speed=0.5", "tl, speed=2", "tl, speed=10"});
+  }
+
+  TEST_CASE("an axis has room for its numbers, however small they are") {
+    const double usual = left_of(script_of(falling(speeds_of("tl", 2))));
+    CHECK(usual == Approx(109));
+    CHECK(left_of(script_of(falling(speeds_of("tl", 2), -1.25e-12))) > usual + 5);  // "-1.2e-12"
+    CHECK(left_of(script_of(falling(speeds_of("tl", 2), -1.25e-120))) > usual + 15);
+  }
+
+  TEST_CASE("a history in SVG has all that one in PNG has, in letters as large") {
+    const TemporaryFolder folder;
+    const HistoryPlot plot = falling(speeds_of("oenog", 20));
+    const PlotFiles files{folder / "p.svg"};
+    REQUIRE(draw_plot(files, history_script(plot, files), history_data(plot)) == 0);
+    const std::string picture = text_of(folder / "p.svg");
+    for (int k = 1; k <= 20; ++k) CHECK(contains(picture, ">speed=" + std::to_string(k) + "<"));
+    std::set<double> sizes;
+    const std::string key = "font-size=\"";
+    for (std::size_t at = picture.find(key); at != std::string::npos; at = picture.find(key, at + 1))
+      sizes.insert(std::stod(picture.substr(at + key.size())));
+    REQUIRE_FALSE(sizes.empty());
+    CHECK(*sizes.rbegin() == Approx(20));                           // 15 points at 96 dots an inch
+    CHECK(*sizes.begin() == Approx(11 * 96.0 / 72).epsilon(0.01));  // the smallest: 11 points
+  }
+
+  TEST_CASE("more lines than can be told apart are drawn, and it is said") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "run.json") << record_with("");
+    std::ofstream(folder / "history.csv") << "t,energy\n0,1\n1,2\n";
+    StoredResults results;
+    results.title = "A rod";
+    for (const std::size_t count : {24u, 25u}) {
+      results.runs.assign(count, read_stored_run(folder.str("run.json")));
+      std::ostringstream out, err;
+      CHECK(draw_history(results, {{"energy", "energy"}}, {"t", "t"}, {folder / "p.png"}, {out, err}) == 0);
+      CHECK((err.str() == "") == (count == 24));
+      if (count == 25) CHECK(contains(err.str(), "no eye tells the 25 lines of "));
+    }
+  }
+}
