@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -97,6 +98,7 @@ class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
   [[gnu::noinline]] void watch(int group, Vec<Pack, Dim> a);
   void predict(double dt);
   double correct(double dt);
+  void stop_approach(double dt);
   void hold(int i, double dt, Vec<Pack, Dim>& of_four);
 
   PairLanes<Dim, M.jst ? Dim + 2 : Dim> pair_lanes_;  // k_ij; for the dissipation w_ij dp² and that of L*
@@ -220,7 +222,7 @@ void TlMixed<M, Dim>::step(double dt) {
   find_rates(dt);
   Base::set_greatest_speed(correct(dt));
   project_on_boundary(0);
-  Base::stop_approach(0.5 * dt, [&](int i, const V& change) { s_.x[i] += (0.5 * dt) * change; });
+  stop_approach(dt);
   Base::finish_step(dt);
 }
 inline constexpr TermInfo tl_mixed_time_info{"time", "TVD Runge–Kutta, two stages", "[Lee2016] Eq. 43",
@@ -391,6 +393,28 @@ double TlMixed<M, Dim>::correct(double dt) {
     if (outside) Base::each_of(group, [&](int i) { hold(i, dt, v); });
     put_four(v, s_.v, first);
     return greatest(dot(v, v));
+  });
+}
+
+/// Under the impulse law: positions have followed the mean of the velocities at both ends of the step, and so have
+/// their gradients F, with J and H. Left where they were, they would keep a strain that nobody sees.
+template <const Formulation& M, int Dim>
+void TlMixed<M, Dim>::stop_approach(double dt) {
+  bool stopped = false;
+  Base::stop_approach(0.5 * dt, [&](int i, const V& change) {
+    if (!stopped)
+      for (int k = 0; k < Dim; ++k) std::fill_n(flow_[k], flow_.size(), 0.0);
+    stopped = true;
+    s_.x[i] += (0.5 * dt) * change;
+    for (int k = 0; k < Dim; ++k) flow_[k][i] = change[k];
+  });
+  if (!stopped) return;
+  parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+    const Mat grad_v = product(pair_lanes_.difference_sum(flow_, group), sites_[group].B);
+    Strain& u = strain_[group];
+    if constexpr (has_J) u.J += (0.5 * dt) * contraction(cofactors(u), grad_v);
+    if constexpr (has_H) u.H = combination(1.0, u.H, 0.5 * dt, tensor_cross(u.F, grad_v));
+    u.F = combination(1.0, u.F, 0.5 * dt, grad_v);
   });
 }
 
