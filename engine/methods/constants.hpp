@@ -48,7 +48,8 @@ struct Constants : Elasticity {
   double projection = 0;                       // 1: on what conserves momenta
   double boundary_projection = 0;              // 1: prescribed where the kernel looks, too
   double cfl = 0, cfl_advection = 0;
-  double step = 0;  // s, of every step; 0: by cfl
+  double step = 0;        // s, of every step; 0: by cfl
+  double step_speed = 0;  // m/s, which steps of methods that search their neighbours follow
 };
 
 /// A constant of a method that a user may set ("--set method.zeta=4") and sweep, and where it goes.

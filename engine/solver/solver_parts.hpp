@@ -51,7 +51,8 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
     constexpr double spare = 1.5;
     return c_.step > 0 ? c_.step : by_speed / std::sqrt(std::max(1.0, contact_.stiffening() / spare));
   }
-  double step_size() const { return fixed_or(c_.cfl * c_.h / (c_.c0 + vmax_)); }  // s, [Zhang2024] Eq. 22
+  /// s, [Zhang2024] Eq. 22, with c0 wherever shear is as soft as in the papers
+  double step_size() const { return fixed_or(c_.cfl * c_.h / (c_.step_speed + vmax_)); }
   int threads_now() const { return stepping_ ? team_.threads() : threads_; }
 
   void finish_step(double dt) {

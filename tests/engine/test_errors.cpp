@@ -160,6 +160,49 @@ TEST_SUITE("unit") {
     CHECK(state_after(1, scene, settings).time == relative(usual * 0.1 / 0.4));
   }
 
+  TEST_CASE("settings: the step follows a wave that is faster than in rubber, and nothing else") {
+    Scene scene = small_collision();
+    for (Body& body : scene.bodies) body.velocity = {};
+    const auto step = [&](const char* method, double nu) {
+      scene.materials[0].poisson_ratio = nu;
+      const double c0 = scene.materials[0].sound_speed();
+      const MethodInfo& info = *find_method(method);
+      return state_after(1, scene, with_method(method)).time * c0 /
+             (info.cfl * info.formulation.h_over_dp * scene.spacing);
+    };
+    for (const char* method : {"og", "enog", "d-ulsph-r-tic", "ccb"}) {
+      CAPTURE(std::string(method));
+      for (const double nu : {0.2, 0.3, 0.49}) CHECK(step(method, nu) == relative(1, 1e-14));
+      // √(K + ζG) over that of ν = 0, or of 0.2 by enog; ν = 0.2, 0 and −0.5 have G = ¾, 3/2 and 6 K
+      const bool enog = std::string(method) == "enog";
+      const double zeta = enog ? 3.5 : 4.0 / 3, known = 1 + (enog ? 0.75 : 1.5) * zeta;
+      CHECK(step(method, 0) == relative(std::sqrt(known / (1 + 1.5 * zeta)), 1e-9));
+      CHECK(step(method, -0.5) == relative(std::sqrt(known / (1 + 6 * zeta)), 1e-9));
+    }
+  }
+
+  TEST_CASE("divergence: at the default step a block of any Poisson's ratio rings on") {
+    Scene scene = small_collision();
+    scene.bodies.resize(1);
+    scene.bodies[0].shapes = {Box{{0, 0, 0}, {0.012, 0.008, 0}}};
+    for (const double nu : {0.1, 0.0, -0.3, -0.6, -0.9}) {
+      scene.materials[0].poisson_ratio = nu;
+      const double v = 1e-4 * scene.materials[0].sound_speed();
+      scene.bodies[0].velocity = {[=](const Point& x) { return v * std::sin(600 * x[0]); },
+                                  [=](const Point& x) { return v * std::cos(400 * x[1]); },
+                                  {}};
+      for (const char* method :
+           {"enog", "enog-nonconservative", "og", "oas", "d-ulsph-r-tic", "ulsph-av-as"}) {
+        CAPTURE(nu);
+        CAPTURE(std::string(method));
+        const Snapshot now = state_after(400, scene, with_method(method));
+        double fastest = 0;
+        for (const double speed : now.v) fastest = std::max(fastest, std::abs(speed));
+        CHECK(fastest < 3 * v);
+      }
+    }
+  }
+
   TEST_CASE("scene: two materials are refused, with the name of the second") {
     Scene scene = small_collision();
     scene.materials.push_back(scene.materials[0]);

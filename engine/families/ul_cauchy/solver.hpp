@@ -33,7 +33,8 @@ class UlCauchy final : public ParticleSolver<UlCauchy<M, Dim>, Dim> {
     Base::record();
   }
 
-  double step_size() const { return Base::fixed_or(c_.cfl * c_.h / c_.c0); }  // s, [Khayyer2024] Eq. 26
+  /// s, [Khayyer2024] Eq. 26, with c0 wherever shear is as soft as there
+  double step_size() const { return Base::fixed_or(c_.cfl * c_.h / c_.step_speed); }
   void step(double dt);
   void prepare_to_show() {}
   void show(int group);
