@@ -18,7 +18,7 @@ Snapshot blend(const Snapshot& before, const Snapshot& after, double t) {
   const double dt = after.time - before.time, share = (t - before.time) / dt;
   // all members: whoever adds one decides here whether it goes on from step to step
   auto& [dim, time, step, x0, x, v, m, rho, p, s, strain_energy, contact_energy, work, damped, of_walls,
-         diameter, body, material, held] = out;
+         diameter, body, material, held, driven] = out;
   time = t;
   for (const auto field :
        {&Snapshot::x, &Snapshot::v, &Snapshot::rho, &Snapshot::p, &Snapshot::s, &Snapshot::strain_energy})

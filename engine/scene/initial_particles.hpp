@@ -25,6 +25,12 @@ struct InitialParticles {
   std::vector<int> first;             // first particle of each body, and one past the last of all
 
   int size() const { return static_cast<int>(x.size()); }
+  /// 1: moved by the scene up to some time.
+  std::vector<unsigned char> driven() const {
+    std::vector<unsigned char> all;
+    for (const int of : drive) all.push_back(of >= 0);
+    return all;
+  }
   const Point& cell(int i) const { return middle.empty() ? x[i] : middle[i]; }
   const Point& at_start(int i) const { return start.empty() ? x[i] : start[i]; }
 };

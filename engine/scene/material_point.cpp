@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <variant>
 
 namespace taut {
@@ -95,6 +96,17 @@ std::vector<PointWeight> point_of(const std::vector<Point>& x, const std::vector
   return point;
 }
 
+/// `point` if all of its particles count, else a point of those of `near` that do, among them `nearest`.
+template <class Counts>
+std::vector<PointWeight> point_of_those(std::vector<PointWeight> point, std::vector<int> near, int nearest,
+                                        const Surroundings& all, const Point& at, const Counts& counts) {
+  if (std::ranges::all_of(point, [&](const PointWeight& w) { return counts(w.particle); })) return point;
+  std::erase_if(near, [&](int i) { return !counts(i); });
+  point = point_of(all.x, linked(all.x, near, nearest, all.link), at, all.reach, all.dim);
+  if (point.empty()) point = {{nearest, 1}};
+  return point;
+}
+
 }  // namespace
 
 std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
@@ -148,29 +160,30 @@ std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, 
 
 std::vector<PointWeight> point_of_stress(std::vector<PointWeight> point, const Surroundings& all,
                                          const Point& at) {
-  const auto is_free = [&](int i) { return all.held[i] == 0; };
   std::vector<int> near = within_reach(all.x, all.begin, all.end, at, all.reach);
+  std::erase_if(near, [&](int i) { return all.held[i] != 0; });
+  const bool driven_only = std::ranges::all_of(near, [&](int i) { return all.driven[i] != 0; });
+  const auto is_free = [&](int i) { return all.held[i] == 0 && (driven_only || all.driven[i] == 0); };
   std::erase_if(near, [&](int i) { return !is_free(i); });
   if (near.empty()) return {};
   const int nearest = nearest_of(all.x, near, at);
-  const auto alike = [&](int i) { return is_free(i) && all.material[i] == all.material[nearest]; };
-  if (std::ranges::all_of(point, [&](const PointWeight& w) { return alike(w.particle); })) return point;
-  std::erase_if(near, [&](int i) { return !alike(i); });
-  point = point_of(all.x, linked(all.x, near, nearest, all.link), at, all.reach, all.dim);
-  if (point.empty()) point = {{nearest, 1}};
-  return point;
+  return point_of_those(std::move(point), std::move(near), nearest, all, at,
+                        [&](int i) { return is_free(i) && all.material[i] == all.material[nearest]; });
 }
 
 std::vector<PointWeight> point_of_motion(std::vector<PointWeight> point, const Surroundings& all,
                                          const std::vector<int>& moves_with, const Point& at) {
   std::vector<int> near = within_reach(all.x, all.begin, all.end, at, all.reach);
   if (near.empty()) return point;
-  const double least = squared_distance(all.x[nearest_of(all.x, near, at)], at);
+  const int nearest = nearest_of(all.x, near, at);
+  const double least = squared_distance(all.x[nearest], at);
   // what is as far as the nearest counts, so that the face of a clamp is held
   const auto steered = std::ranges::find_if(near, [&](int i) {
     return moves_with[i] != 0 && squared_distance(all.x[i], at) <= least + 1e-6 * all.link * all.link;
   });
-  if (steered == near.end()) return point;
+  if (steered == near.end())
+    return point_of_those(std::move(point), std::move(near), nearest, all, at,
+                          [&](int i) { return all.material[i] == all.material[nearest]; });
   const int first = *steered;
   std::erase_if(near, [&](int i) { return moves_with[i] != moves_with[first]; });
   point = point_of(all.x, linked(all.x, near, first, all.link), at, all.reach, all.dim);

@@ -43,6 +43,7 @@ std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, 
 struct Surroundings {
   const std::vector<Point>& x;  // m
   const std::vector<unsigned char>& held;
+  const std::vector<unsigned char>& driven;
   const std::vector<int>& material;
   int begin, end;
   double reach;  // m
@@ -50,15 +51,16 @@ struct Surroundings {
   int dim;
 };
 
-/// What is held has no stress of its own in most methods, and across an interface stresses jump: `point`, which may
-/// have some of either, or instead a point of the free particles of the material that the nearest of them has, whose
-/// stress goes on linearly to `at`. Where these are too few for a slope it is the nearest one; empty where there is
-/// none.
+/// What is held or driven has no stress of its own in most methods, and across an interface stresses jump: `point`,
+/// which may have some of either, or instead a point of the free particles of the material that the nearest of them has,
+/// whose stress goes on linearly to `at`. Where these are too few for a slope it is the nearest one. Amid driven ones
+/// only, which may be let go, it is a point of those; empty where all are held.
 std::vector<PointWeight> point_of_stress(std::vector<PointWeight> point, const Surroundings& all,
                                          const Point& at);
 
-/// What is held or driven moves as a whole, with a kink before it: `point`, or, where the nearest particle is such a one,
-/// a point of those alone that move with it, of which one is enough. `moves_with[i]` is one number for all that do; 0
+/// What is held or driven moves as a whole, with a kink before it, and displacements have one at an interface: `point`,
+/// or, where the nearest particle is held or driven, a point of those alone that move with it, of which one is enough;
+/// beside an interface a point of those of the nearest one's material. `moves_with[i]` is one number for all that do; 0
 /// for what is free.
 std::vector<PointWeight> point_of_motion(std::vector<PointWeight> point, const Surroundings& all,
                                          const std::vector<int>& moves_with, const Point& at);

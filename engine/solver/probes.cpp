@@ -86,8 +86,8 @@ auto ProbeRecorder<Dim>::point_of_motion(const Scene& scene, const InitialPartic
   std::vector<PointWeight> by_all = point(scene, initial, probe, at, reach);
   if (scene.bodies[body].on_boundary) return by_all;  // on a particle it is that particle
   return taut::point_of_motion(std::move(by_all),
-                               {initial.x, initial.held, initial.material, first_[body], first_[body + 1],
-                                reach, link_of_neighbors * scene.spacing, scene.dim},
+                               {initial.x, initial.held, initial.driven(), initial.material, first_[body],
+                                first_[body + 1], reach, link_of_neighbors * scene.spacing, scene.dim},
                                moves_with, at);
 }
 
@@ -97,8 +97,8 @@ auto ProbeRecorder<Dim>::point_of_stress(const Scene& scene, const InitialPartic
   const int body = probe.bodies[0];
   std::vector<PointWeight> near =
       taut::point_of_stress(point(scene, initial, probe, probe.at, reach),
-                            {initial.x, initial.held, initial.material, first_[body], first_[body + 1], reach,
-                             link_of_neighbors * scene.spacing, scene.dim},
+                            {initial.x, initial.held, initial.driven(), initial.material, first_[body],
+                             first_[body + 1], reach, link_of_neighbors * scene.spacing, scene.dim},
                             probe.at);
   if (near.empty())
     throw SceneError("probe." + probe.name, "the probe '" + probe.name +

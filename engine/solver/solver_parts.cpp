@@ -144,6 +144,7 @@ void SolverParts<Dim>::begin_snapshot() {
   out.resize(Dim, n);
   out.body = initial_.body;
   out.material = initial_.material;
+  out.driven = initial_.driven();
   for (std::size_t i = 0; i < n; ++i) {
     out.held[s_.id[i]] = s_.mobile[i] == 0;
     for (int k = 0; k < Dim; ++k) out.x0[i * Dim + k] = initial_.x[i][k];

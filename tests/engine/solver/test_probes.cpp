@@ -260,6 +260,63 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE(
+      "probes and lines: a stress beside what is driven is that of the free side, as beside what is held") {
+    constexpr double strain = 1e-3, edge = 0.006;  // m
+    const auto shown = [&](const char* method, bool driven) {
+      Scene scene = block({0.01, 0.005, 0});
+      scene.dim = 2;
+      Body& body = scene.bodies[0];
+      const Expression grip = [](const Point& x) { return x[0] > edge ? 1.0 : 0.0; };
+      if (driven)
+        body.drives = {{.where = grip, .velocity = {}, .until = {}}};
+      else
+        body.held = grip;
+      body.displacement[0] = [](const Point& x) { return strain * (x[0] < edge ? x[0] : edge); };
+      scene.probes = {at_point(Probe::Kind::stress, 0, {edge, 0.001, 0}, 0)};
+      SampleLine line;
+      line.name = "along", line.field = "stress_xx", line.points = 3, line.times = {0};
+      line.from = {0, 0.001, 0}, line.to = {edge, 0.001, 0};
+      scene.lines = {line};
+      const auto simulation = make_simulation(scene, with_method(method));
+      LineRecorder lines(scene, simulation->snapshot(), simulation->support());
+      lines.sample(simulation->snapshot());
+      const std::vector<double>& on_line = lines.samples()[0][0].value;
+      CHECK(on_line[2] == relative(simulation->series().value[0][0]));
+      return on_line;
+    };
+    for (const char* method : {"pf-jst", "tl"}) {
+      CAPTURE(method);
+      const std::vector<double> held = shown(method, false), driven = shown(method, true);
+      for (std::size_t k = 0; k < held.size(); ++k) CHECK(driven[k] == relative(held[k]));
+      CHECK(driven[0] > 0);
+    }
+    // amid what is driven there is nothing else
+    Scene scene = two_discs(0.01, 0);
+    scene.bodies[1].drives = {{.where = constant(1), .velocity = {}, .until = {}}};
+    scene.probes = {at_point(Probe::Kind::stress, 1, {0.012, 0, 0}, 0)};
+    CHECK(std::abs(make_simulation(scene, with_method("tl"))->series().value[0][0]) < 1e-6);
+  }
+
+  TEST_CASE("probes: a point beside an interface moves with its own side of the kink that is there") {
+    Scene scene = block({0.01, 0.005, 0});
+    scene.dim = 2;
+    scene.materials = {ring_rubber(), ring_rubber()};
+    scene.materials[1].name = "soft", scene.materials[1].youngs_modulus /= 5;
+    scene.bodies[0].parts = {{1, [](const Point& x) { return x[0] > 0 ? 1.0 : 0.0; }}};
+    const auto u = [](double x) { return x > 0 ? 5e-3 * x : 1e-3 * x; };
+    scene.bodies[0].displacement[0] = [=](const Point& x) { return u(x[0]); };
+    const std::vector<double> along = {-0.0011, -0.0003, 0, 0.0003, 0.0011};
+    for (const double x : along)
+      scene.probes.push_back(at_point(Probe::Kind::displacement, 0, {x, 0.0007, 0}, 0));
+    for (const char* method : {"oenog", "tl"}) {
+      CAPTURE(method);
+      const auto simulation = make_simulation(scene, with_method(method));
+      for (std::size_t k = 0; k < along.size(); ++k)
+        CHECK(std::abs(simulation->series().value[k][0] - u(along[k])) < 1e-12 * scene.spacing);
+    }
+  }
+
   TEST_CASE("probes: velocity of a material point, and how far a body reaches") {
     const double rate = 50;  // 1/s
     Scene scene = block({0.005, 0.003, 0.002});
