@@ -18,7 +18,8 @@ template <int Dim>
 ProbeRecorder<Dim>::ProbeRecorder(const Scene& scene, const InitialParticles& initial, double support)
     : probes_(scene.probes), first_(initial.first) {
   const double reach = reach_of_points(support, scene.spacing);
-  for (double V0 : initial.V0) diameter_.push_back(std::pow(V0, 1.0 / Dim));
+  for (int i = 0; i < initial.size(); ++i)
+    diameter_.push_back(std::pow(initial.V0[i] / initial.inside[i], 1.0 / Dim));
   for (const Probe& probe : probes_) {
     Follower f;
     const int body = probe.bodies.empty() ? 0 : probe.bodies[0];
@@ -295,7 +296,9 @@ double ProbeRecorder<Dim>::value(const State<Dim>& s, const Probe& probe, const 
     case Probe::Kind::gap: {
       if (ContactsOfFaces<Dim>* const faces = source.faces())
         return faces->gap(s, probe.bodies[0], probe.bodies[1]);
-      double least = support_ - diameter_[first_[probe.bodies[0]]];  // at least this: nothing is in reach
+      // at least this: nothing is in reach
+      double least =
+          support_ - 0.5 * (diameter_[first_[probe.bodies[0]]] + diameter_[first_[probe.bodies[1]]]);
       for (const auto& [i, j] : f.pairs) {
         const Vec<double, Dim> d = s.x[i] - s.x[j];
         least = std::min(least, std::sqrt(dot(d, d)) - 0.5 * (diameter_[s.id[i]] + diameter_[s.id[j]]));

@@ -109,7 +109,7 @@ class ProbeRecorder {
   std::vector<Follower> followers_;
   std::vector<int> where_;        // [id] place in the solver's order
   std::vector<int> first_;        // first particle of each body
-  std::vector<double> diameter_;  // [id] m
+  std::vector<double> diameter_;  // [id] of its whole cell, a spacing from which the laws of pairs act, m
   double support_ = 0;
   std::vector<int> stressed_;  // [id] of the particles whose stress is looked at
 };

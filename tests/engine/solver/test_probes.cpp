@@ -317,6 +317,34 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE(
+      "probes: the gap of bodies whose particles stand on their faces is 0 where forces of pairs begin") {
+    for (const bool first : {true, false}) {
+      Scene scene = two_discs(0.0014, 2);
+      scene.contact = ContactLaw::penalty;
+      scene.bodies[0].on_boundary = first, scene.bodies[1].on_boundary = true;
+      scene.probes = {make_probe("gap", Probe::Kind::gap, {0, 1}),
+                      make_probe("push", Probe::Kind::contact_force, {0, 1})};
+      const auto simulation = make_simulation(scene, with_method("tl"));
+      simulation->advance_to(0.0006);
+      const auto& gap = simulation->series().value[0];
+      const auto& push = simulation->series().value[1];
+      // particles in the middle of cells stand half a spacing aside, and behind the face
+      const double apart = first ? 0.0014 : std::hypot(0.0019, 0.0005);
+      CHECK(gap[0] == relative(apart - scene.spacing));
+      std::size_t k = 0;
+      while (k + 1 < push.size() && push[k] == 0) ++k;
+      REQUIRE(push[k] != 0);
+      CHECK(gap[k - 1] > -0.005 * scene.spacing);  // forces are those of steps
+      CHECK(gap[k + 1] < 0);
+    }
+    Scene far = two_discs(0.01, 0);
+    for (Body& body : far.bodies) body.on_boundary = true;
+    far.probes = {make_probe("gap", Probe::Kind::gap, {0, 1})};
+    const auto simulation = make_simulation(far, with_method("enog"));
+    CHECK(simulation->series().value[0][0] == relative(simulation->support() - far.spacing));
+  }
+
   TEST_CASE("probes: velocity of a material point, and how far a body reaches") {
     const double rate = 50;  // 1/s
     Scene scene = block({0.005, 0.003, 0.002});
