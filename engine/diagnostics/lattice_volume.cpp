@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -15,15 +16,22 @@ using LatticeSite = std::array<int, 3>;  // numbers of the planes of the lattice
 using Vector = Eigen::Vector3d;
 using Corners = std::array<Vector, 8>;  // bit k of the number: the upper one along axis k
 
-/// Of particles along an axis: the number of the plane that each stands on.
+/// Of particles along an axis: the number of the plane that each stands on. Beyond a gap between two parts of a body,
+/// which is no cell, one number is left out.
 std::vector<int> planes(const std::vector<double>& x, double apart) {
+  constexpr double widest = 1.5;  // of the least distance of two planes
   std::vector<double> sorted = x, first;
   std::ranges::sort(sorted);
   for (const double at : sorted)
     if (first.empty() || at > first.back() + apart) first.push_back(at);
-  std::vector<int> plane;
+  double pitch = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < first.size(); ++k) pitch = std::min(pitch, first[k] - first[k - 1]);
+  std::vector<int> number(first.size(), 0), plane;
+  for (std::size_t k = 1; k < first.size(); ++k)
+    number[k] = number[k - 1] + (first[k] - first[k - 1] < widest * pitch ? 1 : 2);
   for (const double at : x)
-    plane.push_back(static_cast<int>(std::ranges::upper_bound(first, at) - first.begin()) - 1);
+    plane.push_back(
+        number[static_cast<std::size_t>(std::ranges::upper_bound(first, at) - first.begin() - 1)]);
   return plane;
 }
 

@@ -175,6 +175,18 @@ TEST_SUITE("unit") {
       CHECK_FALSE(measure(scene, {}, "neo_hookean", {}, &now)[0].value);
     }
   }
+
+  TEST_CASE("volume_change: what is between two parts of a body is no cell of it") {
+    std::vector<Point> places;
+    for (const double from : {0.0, 3.0})
+      for (int j = 0; j <= 2; ++j)
+        for (int i = 0; i <= 2; ++i) places.push_back({from + 0.5 * i, 0.5 * j, 0});
+    Snapshot now = made_snapshot(2, places);
+    now.diameter.assign(now.size(), 0.5);
+    CHECK(lattice_volume(now, 0, now.x0) == Approx(2));
+    for (std::size_t i = 9; i < now.size(); ++i) now.x[2 * i] += 1;  // they part
+    CHECK(lattice_volume(now, 0, now.x) == Approx(2));
+  }
 }
 
 }  // namespace of_this_file
