@@ -20,10 +20,18 @@ inline constexpr TermInfo stress_recovery_info{
     "terms/gradient_correction.hpp:add_gradient_moment",
     "velocity gradient: exact for a linear field after correction, on irregular particles"};
 
-/// L = M⁻¹; 0 where M has no inverse, as for a particle without neighbours, or with all of them in one line.
+/// Of det M over its trace to the power of Dim, ¼ and 1/27 inside a lattice. Below this the neighbours as good as
+/// lie on one line, in 3D in one plane, and what M⁻¹ makes of the little that there is across it grows without limit.
+template <int Dim>
+inline constexpr double least_moment = Dim == 2 ? 1e-2 : 1e-3;
+
+/// L = M⁻¹; 0 where M has no inverse worth the name, as for a particle without neighbours, or with all of them about in
+/// one line. Differs from [Khayyer2024], which has no such bound: a row of particles is lost as soon as it bends.
 template <int Dim>
 Sym<double, Dim> gradient_correction(const Sym<double, Dim>& M) {
-  return inverse(M);
+  double scale = trace(M);
+  for (int k = 1; k < Dim; ++k) scale *= trace(M);
+  return determinant(full(M)) > least_moment<Dim> * scale ? inverse(M) : Sym<double, Dim>{};
 }
 inline constexpr TermInfo gradient_correction_info{
     "gradient correction", "L = (−Σ V_j r_ij ⊗ ∇W)⁻¹", "[Khayyer2024] §3.1",

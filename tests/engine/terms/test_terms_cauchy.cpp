@@ -94,6 +94,18 @@ TEST_SUITE("term") {
     CHECK(gradient_correction(moment).c[2] == 0);
   }
 
+  TEST_CASE(
+      "gradient correction: none where neighbours are about in a line or a plane, any at a face or a "
+      "corner") {
+    const Sym2 row{1, 0.02, 0.001}, layer_of_two{1, 0, 0.25}, corner{0.3, 0.1, 0.3};
+    for (const double c : gradient_correction(row).c) CHECK(c == 0);
+    for (const Sym2& M : {layer_of_two, corner})
+      for (int k = 0; k < Sym2::size; ++k) CHECK(gradient_correction(M).c[k] == inverse(M).c[k]);
+    const Sym<double, 3> layer{1, 0, 0.01, 1, 0.01, 0.003}, edge{0.5, 0, 0, 0.3, 0.1, 0.3};
+    for (const double c : gradient_correction(layer).c) CHECK(c == 0);
+    for (int k = 0; k < 6; ++k) CHECK(gradient_correction(edge).c[k] == inverse(edge).c[k]);
+  }
+
   TEST_CASE("stress divergence: equal and opposite, and the pull of tension is towards the other") {
     const Mat2 T_i = {{{2, -1}, {0.5, 3}}}, T_j = {{{1, 4}, {-2, 0.3}}};
     check_opposite([&](const PairedParticle& i, const PairedParticle& j) {
