@@ -113,7 +113,8 @@ constexpr KeyInfo driven_keys[] = {
 
 constexpr KeyInfo loaded_keys[] = {
     {"where", "expression of the place", "", "the region: where it is not 0"},
-    {"force", "[x, y] of the place, N", "one of three", "spread over the region by volume; 2D: N per metre"},
+    {"force", "[x, y] of the place, N", "one of three",
+     "spread by volume over what of the region is not held, nor driven to the end; 2D: N per metre"},
     {"force_density", "[x, y] of the place, N/m³", "one of three", "of the initial volume"},
     {"traction", "[x, y] of the place, Pa", "one of three",
      "on the outer face of a layer one spacing deep; by methods without fixed neighbours and "

@@ -77,6 +77,10 @@ bool holds(const Body& body, const Point& x, int dim, double tolerance) {
 
 double Material::sound_speed() const { return std::sqrt(bulk_modulus() / density); }
 
+bool lets_go(const Drive& drive, const Scene& scene) {
+  return drive.until && !(scene.until > 0 && *drive.until >= scene.until);
+}
+
 bool has_drives(const Scene& scene) {
   return std::ranges::any_of(scene.bodies, [](const Body& body) { return !body.drives.empty(); });
 }

@@ -52,7 +52,7 @@ struct Drive {
 /// What is held or driven does not feel them.
 struct Load {
   enum class Kind : std::uint8_t {
-    force,          // N (per metre depth in 2D), spread over the free particles of the region by volume
+    force,  // N (per metre depth in 2D), spread by volume over the particles of the region that are ever free
     force_density,  // N/m³ of the initial volume
     traction,       // Pa, on the outer face of a layer that is one spacing deep; see solver/face_loads.hpp
   };
@@ -266,6 +266,8 @@ struct Scene {
   std::map<std::string, Reference> references;
 };
 
+/// It lets its region go before the run is over; what ends with the run does not, as the last step ends a little later.
+bool lets_go(const Drive& drive, const Scene& scene);
 /// There are driven regions.
 bool has_drives(const Scene& scene);
 /// Some bodies start away from their reference configuration.

@@ -10,11 +10,9 @@ Drives<Dim>::Drives(const Scene& scene, const InitialParticles& initial) {
   std::vector<int> first;  // of each body
   for (const Body& body : scene.bodies) {
     first.push_back(static_cast<int>(drives_.size()));
-    for (const Drive& drive : body.drives) {
-      // what ends with the run does not let go in its last step, which ends a little later
-      const bool ends = drive.until && !(scene.until > 0 && *drive.until >= scene.until);
-      drives_.push_back({drive.velocity, ends ? *drive.until : std::numeric_limits<double>::infinity()});
-    }
+    for (const Drive& drive : body.drives)
+      drives_.push_back(
+          {drive.velocity, lets_go(drive, scene) ? *drive.until : std::numeric_limits<double>::infinity()});
   }
   if (drives_.empty()) return;
   for (int id = 0; id < initial.size(); ++id)

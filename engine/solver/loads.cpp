@@ -75,27 +75,34 @@ void Loads<Dim>::spread_by(const std::vector<double>& volume, const Scene& scene
   }
 }
 
-/// Throws SceneError where all particles of the region are held.
+/// Throws SceneError where no particle of the region is ever free. A force is shared by those that are: what is driven to
+/// the end would keep its part. What is let go has it from then on.
 template <int Dim>
 auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParticles& initial, int body)
     -> std::vector<std::pair<int, V>> {
-  std::vector<int> free;
-  double volume = 0;
+  const auto is_driven = [&](int id) {
+    return initial.drive[id] >= 0 && !lets_go(scene.bodies[body].drives[initial.drive[id]], scene);
+  };
+  std::vector<int> loaded;  // on faces those that are driven are part of the layer
+  double volume = 0;        // of the free ones
   for (int id = initial.first[body]; id < initial.first[body + 1]; ++id) {
     if (initial.held[id] || load.where(initial.cell(id)) == 0) continue;
-    free.push_back(id);
-    volume += initial.V0[id];
+    if (is_driven(id) && load.kind == Load::Kind::force) continue;
+    loaded.push_back(id);
+    if (!is_driven(id)) volume += initial.V0[id];
   }
   const std::string& name = scene.bodies[body].name;
-  if (free.empty())
+  if (volume == 0)
     throw SceneError("body." + name + ".loaded",
-                     "a load of body '" + name + "' is on held particles only, which do not feel it");
+                     "a load of body '" + name +
+                         "' is on held particles only, or such as are driven to the "
+                         "end, which do not feel it");
   // volumes that a unit of the load stands for: of all of the region, of a cubic metre, of a layer's face
   const double over = load.kind == Load::Kind::force      ? volume
                       : load.kind == Load::Kind::traction ? scene.spacing
                                                           : 1;
   std::vector<std::pair<int, V>> shares;
-  for (const int id : free) {
+  for (const int id : loaded) {
     V force{};
     for (int k = 0; k < Dim; ++k)
       if (load.value[k]) force[k] = initial.V0[id] / over * load.value[k](initial.x[id]);

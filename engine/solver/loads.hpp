@@ -24,7 +24,7 @@ class Loads {
  public:
   using V = Vec<double, Dim>;
 
-  /// Throws SceneError where all particles of a region are held.
+  /// Throws SceneError where all particles of a region are held, or driven to the end.
   Loads(const Scene& scene, const InitialParticles& initial);
 
   /// Tractions act on the face instead of the outermost layer, for methods whose neighbours are those of the

@@ -218,6 +218,7 @@ TEST_SUITE("unit") {
     drive.where = [](const Point& at) { return at[0] > length - dp ? 1.0 : 0.0; };
     drive.until = 1;
     scene.bodies[0].drives = {drive};
+    scene.bodies[0].loads[0].where = [](const Point& at) { return at[0] > length - 2 * dp ? 1.0 : 0.0; };
     scene.gravity[1] = [](double) { return -10.0; };
     scene.damping = 100;
     for (const char* name : {"enog", "ccb", "oenog", "tl", "pfj-jst"}) {
@@ -247,6 +248,40 @@ TEST_SUITE("unit") {
     refused(scene, "on held particles only");
     scene.bodies[0].loads[0].where = [](const Point&) { return 0.0; };
     refused(scene, "no particle of body 'bar' is in region 1");
+    Scene driven = pulled_bar(60);
+    Drive drive;
+    drive.where = driven.bodies[0].loads[0].where;
+    driven.bodies[0].drives = {drive};
+    for (const Load::Kind kind : {Load::Kind::force, Load::Kind::force_density, Load::Kind::traction}) {
+      driven.bodies[0].loads[0].kind = kind;
+      driven.bodies[0].drives[0].until = driven.until;  // with the run
+      refused(driven, "driven to the end");
+      driven.bodies[0].drives[0].until = 0.5 * driven.until;
+      CHECK_NOTHROW(make_simulation(driven, with_method("tl")));
+    }
+  }
+
+  TEST_CASE("loads: a force on what is driven in part is all there, on the others") {
+    Scene scene = bar();
+    scene.bodies[0].loads = {load(Load::Kind::force, 3, 0)};
+    Drive drive;
+    drive.where = [](const Point& at) { return at[0] > length - dp && at[1] < 0.5 * H ? 1.0 : 0.0; };
+    const auto momentum_of_free = [&](const char* method) {
+      scene.bodies[0].drives = {drive};
+      const auto simulation = make_simulation(scene, with_method(method));
+      make_steps(*simulation, 1);
+      const Snapshot& now = simulation->snapshot();
+      double sum = 0;
+      for (std::size_t i = 0; i < now.size(); ++i) sum += now.m[i] * now.v[2 * i];
+      return sum / now.time;
+    };
+    for (const char* method : {"enog", "ulsph-av-as", "tl", "oenog"}) {
+      CAPTURE(std::string(method));
+      drive.until = {};
+      CHECK(momentum_of_free(method) == relative(3, 1e-6));
+      drive.until = 0.5 * scene.until;  // its half waits for it
+      CHECK(momentum_of_free(method) == relative(1.5, 1e-6));
+    }
   }
 }
 
