@@ -117,7 +117,8 @@ constexpr KeyInfo loaded_keys[] = {
      "spread by volume over what of the region is not held, nor driven to the end; 2D: N per metre"},
     {"force_density", "[x, y] of the place, N/m³", "one of three", "of the initial volume"},
     {"traction", "[x, y] of the place, Pa", "one of three",
-     "on the outer face of a layer one spacing deep; by methods without fixed neighbours and "
+     "on the outer face of a layer one spacing deep, each face in an entry of its own; by methods without "
+     "fixed neighbours and "
      "tl-small-strain, and "
      "where a curved face is cut from a lattice, in the layer; up to 7.5 % off on a hexagonal lattice"},
     {"ramp", "expression of t", "1", "factor of it"},

@@ -202,16 +202,26 @@ std::vector<double> end_weights(const FaceLayer& layer, const InitialParticles& 
   return weights;
 }
 
+/// Some look across others.
+template <int Dim>
+bool are_of_two_faces(const std::vector<Point>& normals) {
+  constexpr double across = 0.3;  // greatest |n · m|; faces that do not meet are opposite
+  const auto first = std::ranges::find_if(normals, [](const Point& n) { return n != Point{}; });
+  return std::ranges::any_of(normals, [&](const Point& n) {
+    return n != Point{} && std::abs(place<Dim>(n).dot(place<Dim>(*first))) < across;
+  });
+}
+
 template <int Dim>
 FaceLayer layer_of(const Load& load, const InitialParticles& initial, std::vector<int> id, double spacing) {
   const NeighborsOfOne<Dim> near(initial, close_reach * spacing);
   FaceLayer layer{.id = std::move(id), .normal = {}, .traction = {}, .area = {}};
   std::ranges::sort(layer.id);
-  for (const int i : layer.id) {
-    const Place<Dim> n = outwards<Dim>(i, initial, near(i), layer.id, spacing);
-    if (n.isZero()) return {};
-    layer.normal.push_back(point<Dim>(n));
-  }
+  for (const int i : layer.id)
+    layer.normal.push_back(point<Dim>(outwards<Dim>(i, initial, near(i), layer.id, spacing)));
+  if (std::ranges::find(layer.normal, Point{}) != layer.normal.end())
+    return {
+        .id = {}, .normal = {}, .traction = {}, .area = {}, .has_edge = are_of_two_faces<Dim>(layer.normal)};
   for (std::size_t k = 0; k < layer.id.size(); ++k) {
     const int i = layer.id[k];
     Point at = initial.x[i], t{};

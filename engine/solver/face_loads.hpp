@@ -22,9 +22,10 @@ struct FaceLayer {
   std::vector<Point> normal;    // outwards
   std::vector<Point> traction;  // Pa, where the ramp is 1
   std::vector<double> area;     // m^(dim − 1)
+  bool has_edge = false;  // of a region that is no layer: some of it is, and looks two ways across each other
 };
 
-/// Of the particles `id` of the load's region; empty where they are no layer, of which each particle has
+/// Of the particles `id` of the load's region; without any where they are no layer, of which each particle has
 /// others on a line through it, or on a plane, and the rest of the body on one side.
 FaceLayer face_layer(const Load& load, const InitialParticles& initial, std::vector<int> id, double spacing);
 

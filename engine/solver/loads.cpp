@@ -1,11 +1,23 @@
 // Compiled once per instruction set; see engine/CMakeLists.txt.
 #include "engine/solver/loads.hpp"
 
+#include <algorithm>
 #include <string>
+#include <variant>
 
 #include "engine/error.hpp"
 
 namespace taut::inline TAUT_ISA {
+
+namespace {
+
+/// Its faces are flat, and meet at edges only; on others a lattice has steps, which look like edges.
+bool is_of_boxes(const Body& body) {
+  const auto is_box = [](const Shape& shape) { return std::holds_alternative<Box>(shape); };
+  return std::ranges::all_of(body.shapes, is_box) && std::ranges::all_of(body.without, is_box);
+}
+
+}  // namespace
 
 template <int Dim>
 Loads<Dim>::Loads(const Scene& scene, const InitialParticles& initial)
@@ -48,6 +60,11 @@ void Loads<Dim>::act_on_faces(const Scene& scene, const InitialParticles& initia
       std::vector<int> ids;
       for (const auto& [id, force] : shares) ids.push_back(id);
       const FaceLayer layer = face_layer(load, initial, std::move(ids), scene.spacing);
+      if (layer.has_edge && is_of_boxes(body))
+        throw SceneError(
+            "body." + body.name + ".loaded",
+            "a traction of body '" + body.name +
+                "' is on two faces that meet at an edge: give each face an entry of 'loaded' of its own");
       if (layer.id.empty()) continue;
       shares.clear();
       for (const auto& [id, force] : face_shares(rule, layer, initial, reach, surface, scene.spacing)) {

@@ -12,6 +12,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/balance.hpp"
+#include "engine/error.hpp"
 #include "engine/families/bonded/bonds.hpp"
 #include "engine/methods/oenog.hpp"
 #include "engine/solver/face_loads.hpp"
@@ -286,6 +287,45 @@ TEST_SUITE("analytic") {
     CHECK(across("pfj-jst", 10) < 0.006);
     // a longer kernel is more one-sided at a face: 2.7 % with the twelve nearest, for the eight
     CHECK(across("tl", 10, {{"h", 1.05}}) > 0.02);
+  }
+}
+
+TEST_SUITE("unit") {
+  TEST_CASE(
+      "traction: on two sides that meet it is refused, on each for itself or on opposite ones it is not") {
+    const auto loaded = [](int dim, const Expression& where, const char* method) {
+      Scene scene = thin_bar(6, {100, 0, 0}, false);
+      scene.dim = dim;
+      if (dim == 3) scene.bodies[0].shapes = {Box{{0, 0, 0}, {0.03, 0.006, 0.006}}};
+      scene.bodies[0].loads[0].where = where;
+      try {
+        make_simulation(scene, with_method(method));
+        return true;
+      } catch (const SceneError& error) {
+        CHECK(error.key == "body.bar.loaded");
+        CHECK(std::string(error.what()).find("on two faces that meet at an edge") != std::string::npos);
+        return false;
+      }
+    };
+    const auto top = [](const Point& X) { return X[1] > 0.005 ? 1.0 : 0.0; };
+    const auto bottom = [](const Point& X) { return X[1] < 0.001 ? 1.0 : 0.0; };
+    const auto end = [](const Point& X) { return X[0] > 0.029 ? 1.0 : 0.0; };
+    for (const int dim : {2, 3})
+      for (const char* method : {"tl", "pf-jst", "oenog"}) {
+        CAPTURE(dim);
+        CAPTURE(method);
+        CHECK(loaded(dim, top, method));
+        CHECK(loaded(dim, end, method));
+        CHECK(loaded(
+            dim, [&](const Point& X) { return top(X) + bottom(X); }, method));
+        CHECK_FALSE(loaded(
+            dim, [&](const Point& X) { return top(X) + end(X); }, method));
+        // what is no layer at all acts as it stands
+        CHECK(loaded(
+            dim, [&](const Point& X) { return X[0] > 0.027 ? 1.0 : 0.0; }, method));
+      }
+    CHECK(loaded(
+        2, [&](const Point& X) { return top(X) + end(X); }, "enog"));
   }
 }
 
