@@ -31,7 +31,8 @@ class UlSplit final : public ParticleSolver<UlSplit<M, Dim>, Dim> {
 
  private:
   using Base = ParticleSolver<UlSplit<M, Dim>, Dim>;
-  using Base::c_, Base::s_, Base::contact_, Base::recorder_, Base::vmax_, Base::support_, Base::threads_now;
+  using Base::c_, Base::s_, Base::contact_, Base::drives_, Base::recorder_, Base::vmax_, Base::support_,
+      Base::threads_now;
   using typename Base::V;
   static constexpr bool nested = carries_stress(M);
 
@@ -127,6 +128,8 @@ template <const Formulation& M, int Dim>
 template <bool pressure_diffusion>
 void UlSplit<M, Dim>::rates(double dt) {
   rate_pass<M, Dim, pressure_diffusion>(s_, c_, threads_now(), [&](int i) {
+    if constexpr (!strains_what_is_held(M))
+      if (drives_.moves(s_.id[i])) s_.drho[i] = 0;
     s_.rho[i] += dt * s_.drho[i];
     if constexpr (nested)
       s_.s[i] += dt * s_.ds[i];

@@ -160,4 +160,28 @@ TEST_SUITE("determinism") {
   }
 }
 
+TEST_SUITE("unit") {
+  TEST_CASE("driven: a clamp that is driven with no velocity is one that is held") {
+    Scene held = oscillating_plate(0.05, 4);
+    held.until = 1;
+    Scene driven = held;
+    driven.bodies[0].held = {};
+    const Expression velocity = held.bodies[0].velocity[1];
+    driven.bodies[0].velocity[1] = [=](const Point& x) { return x[0] < 0 ? 0 : velocity(x); };
+    driven.bodies[0].drives = {{.where = held.bodies[0].held, .velocity = {}, .until = {}}};
+    for (const MethodInfo& method : methods()) {
+      if (method.formulation.family == Family::bonded) continue;  // its bonds end at the face of what is held
+      CAPTURE(std::string(method.name));
+      const Snapshot one = state_after(60, held, with_method(std::string(method.name)));
+      const Snapshot other = state_after(60, driven, with_method(std::string(method.name)));
+      double off = 0, way = 0;
+      for (std::size_t k = 0; k < one.x.size(); ++k) {
+        off = std::max(off, std::abs(one.x[k] - other.x[k]));
+        way = std::max(way, std::abs(one.x[k] - one.x0[k]));
+      }
+      CHECK(off < 1e-9 * way);
+    }
+  }
+}
+
 }  // namespace of_this_file
