@@ -93,6 +93,8 @@ bool has_displacements(const Scene& scene) {
   return std::ranges::any_of(scene.bodies, [](const Body& body) { return any_is_given(body.displacement); });
 }
 
+bool starts_as_laid(const Body& body) { return !any_is_given(body.displacement); }
+
 Point displaced(const Body& body, const Point& x) {
   Point y = x;
   for (std::size_t k = 0; k < y.size(); ++k)

@@ -272,6 +272,7 @@ bool lets_go(const Drive& drive, const Scene& scene);
 bool has_drives(const Scene& scene);
 /// Some bodies start away from their reference configuration.
 bool has_displacements(const Scene& scene);
+bool starts_as_laid(const Body& body);
 /// Where the particle of the body that stands at x in the reference configuration starts.
 Point displaced(const Body& body, const Point& x);
 /// Some particles are held along some axes.

@@ -149,6 +149,35 @@ TEST_SUITE("unit") {
   }
 }
 
+TEST_SUITE("unit") {
+  TEST_CASE("displacement: a body that starts inside another one is refused, wherever they were laid") {
+    Scene scene = block(0.02);
+    scene.bodies.push_back(scene.bodies[0]);
+    Body& small = scene.bodies[1];
+    small.name = "small";
+    small.shapes = {Box{{0.05, 0, 0}, {0.054, 0.004, 0}}};
+    // half a cell off along both axes: particles in the middle between those of the other
+    const auto starts = [&](double dx, double dy) {
+      small.displacement = {constant(dx), constant(dy), {}};
+      try {
+        make_simulation(scene, with_method("tl"));
+        return true;
+      } catch (const SceneError& error) {
+        CHECK(std::string(error.what()).find("bodies 'small' and 'block' overlap at") != std::string::npos);
+        return false;
+      }
+    };
+    CHECK_FALSE(starts(-0.0425, 0.0085));
+    CHECK(starts(-0.03, 0.0085));  // face to face
+    // of one that starts turned and stretched it is where it starts that counts
+    const double c = std::cos(0.7), s = std::sin(0.7);
+    scene.bodies[0].displacement[0] = [=](const Point& x) { return 1.2 * c * x[0] - s * x[1] - x[0]; };
+    scene.bodies[0].displacement[1] = [=](const Point& x) { return 1.2 * s * x[0] + c * x[1] - x[1]; };
+    CHECK_FALSE(starts(-0.0501, 0.016));
+    CHECK(starts(-0.035, 0.001));  // within the other as it is laid
+  }
+}
+
 TEST_SUITE("analytic") {
   TEST_CASE(
       "displacement: a body that starts stretched is stressed by that, and one that starts turned is not") {
