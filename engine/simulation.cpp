@@ -11,6 +11,7 @@
 #include "engine/families/families.hpp"
 #include "engine/families/make_solver.hpp"
 #include "engine/scene/initial_particles.hpp"
+#include "engine/scene/overlap.hpp"
 
 namespace taut {
 namespace {
@@ -102,17 +103,30 @@ void check_displacements(const Scene& scene, const MethodInfo& method) {
                              "keeps the neighbours of the start, such as tl or oenog");
 }
 
-/// Throws SceneError for a body that begins inside a wall.
+/// Throws SceneError for a body that begins inside a wall: with a particle, or with what its shapes hold beside one,
+/// deeper than two bodies may begin in each other. The latter of a body that starts as it is laid. What is held may be in
+/// a wall.
 void check_walls(const Scene& scene, const InitialParticles& initial) {
+  const double dp = scene.spacing;
   for (const Wall& wall : scene.walls) {
     for (int i = 0; i < initial.size(); ++i) {
+      const Body& body = scene.bodies[initial.body[i]];
+      Point deep = initial.at_start(i);  // below the particle
       double height = 0;
-      for (std::size_t k = 0; k < 3; ++k) height += (initial.at_start(i)[k] - wall.at[k]) * wall.normal[k];
-      if (initial.held[i] || height >= 0) continue;
-      const std::string& body = scene.bodies[initial.body[i]].name;
-      throw SceneError("wall." + wall.name, "body '" + body + "' begins inside the wall '" + wall.name +
-                                                "': a particle of it is " + fmt::format("{:g}", -height) +
-                                                " m behind its face; move one of them, or turn the normal");
+      for (std::size_t k = 0; k < 3; ++k) height += (deep[k] - wall.at[k]) * wall.normal[k];
+      if (initial.held[i] || height > dp) continue;
+      const auto refuse = [&](const std::string& how) {
+        throw SceneError(
+            "wall." + wall.name,
+            fmt::format("body '{}' begins inside the wall '{}': {}; move one of them, or turn the normal",
+                        body.name, wall.name, how));
+      };
+      if (height < 0) refuse(fmt::format("a particle of it is {:g} m behind its face", -height));
+      for (std::size_t k = 0; k < 3; ++k) deep[k] -= (height + greatest_depth * dp) * wall.normal[k];
+      constexpr double round_off = 1e-6;  // spacings
+      if (body.held && body.held(deep) != 0) continue;
+      if (starts_as_laid(body) && holds(body, deep, scene.dim, -round_off * dp))
+        refuse(fmt::format("its face is more than {:g} spacings behind that of the wall", greatest_depth));
     }
   }
 }

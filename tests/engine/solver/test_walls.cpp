@@ -211,6 +211,40 @@ TEST_SUITE("unit") {
     scene.bodies[0].held = [](const Point& x) { return x[1] > 0.0059 ? 1.0 : 0.0; };
     CHECK_NOTHROW(make_simulation(scene, with_method("tl")));
   }
+
+  TEST_CASE("wall: a face of a body may begin a quarter of a spacing inside it, and no deeper") {
+    Scene scene = flying_block();  // up to −0.2 dp
+    const auto begins = [&](double depth) {
+      scene.walls = {wall("front", {(-0.2 - depth) * dp, 0, 0}, {-1, 0, 0})};
+      try {
+        make_simulation(scene, with_method("tl"));
+        return true;
+      } catch (const SceneError& error) {
+        CHECK(error.key == "wall.front");
+        CHECK(std::string(error.what()).find("begins inside the wall") != std::string::npos);
+        return false;
+      }
+    };
+    CHECK(begins(0));
+    CHECK(begins(0.25));
+    CHECK_FALSE(begins(0.26));
+    CHECK_FALSE(begins(0.49));
+    scene.jitter = {0.4, 1};  // moves no face
+    CHECK(begins(0));
+    CHECK_FALSE(begins(0.3));
+    scene.jitter = {};
+    // a disc cut from a lattice, with particles 0.02 dp from its face
+    const Body block = scene.bodies[0];
+    scene.bodies[0].shapes = {Box{{-9 * dp, 0, 0}, {-8 * dp, dp, 0}}, Disc{{-4 * dp, 0, 0}, 3.56 * dp}};
+    scene.walls = {wall("front", {-0.44 * dp, 0, 0}, {-1, 0, 0})};
+    CHECK_NOTHROW(make_simulation(scene, with_method("enog")));
+    scene.bodies[0] = block;
+    scene.bodies[0].on_boundary = true;  // its face is where particles are
+    CHECK(begins(0));
+    scene.bodies[0].on_boundary = false;
+    scene.bodies[0].displacement[0] = constant(-0.3 * dp);
+    CHECK(begins(0.5));
+  }
 }
 
 }  // namespace of_this_file
