@@ -3,10 +3,12 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/system/exit_code.hpp"
 #include "cli/text/format.hpp"
+#include "engine/neighbors/close_pairs.hpp"
 #include "engine/scene/other_shapes.hpp"
 
 namespace taut::cli {
@@ -139,6 +141,27 @@ std::string describe_masses(const Scene& scene, const Snapshot& start) {
              " than its shape, which the lattice meets in part: a smaller spacing comes nearer");
   }
   return text;
+}
+
+std::string describe_welds(const Scene& scene, const Snapshot& start, double support) {
+  std::optional<std::pair<int, int>> first;  // of the bodies as they stand in the scene
+  double nearest = support;
+  for_each_meeting_pair(start, support, [&](int i, int j) {
+    const std::pair bodies(start.body[static_cast<std::size_t>(i)], start.body[static_cast<std::size_t>(j)]);
+    const Point a = start.position(static_cast<std::size_t>(i)),
+                b = start.position(static_cast<std::size_t>(j));
+    const double r = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    if (first && (bodies > *first || (bodies == *first && r >= nearest))) return;
+    first = bodies, nearest = r;
+  });
+  if (!first) return {};
+  const auto body = [&](int b) { return scene.bodies[static_cast<std::size_t>(b)].name; };
+  return "bodies '" + body(first->first) + "' and '" + body(first->second) + "' start " +
+         brief(nearest / scene.spacing) + " spacings apart, within the kernel's reach of " +
+         brief(support / scene.spacing) +
+         ": under contact = \"sph\" they may hold together as one body; start them farther apart, or take "
+         "another law, such "
+         "as \"penalty\"";
 }
 
 std::string describe_start_in_contact(const Scene& scene, const Snapshot& start) {

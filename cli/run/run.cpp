@@ -323,8 +323,10 @@ RunRecord new_record(const RunPlan& plan, const Simulation& simulation) {
   const MethodInfo& method = *find_method(record.method);
   record.material_law = material_law(method, plan.file.settings, plan.file.scene.dim);
   record.remark = file.remark;
+  const bool acts_as_one = contact_law(file.scene, method) == ContactLaw::sph && file.scene.bodies.size() > 1;
   for (const std::string& of_start :
-       {describe_masses(file.scene, start), describe_start_in_contact(file.scene, start)})
+       {describe_masses(file.scene, start), describe_start_in_contact(file.scene, start),
+        acts_as_one ? describe_welds(file.scene, start, simulation.support()) : std::string()})
     if (!of_start.empty()) record.remark += (record.remark.empty() ? "" : "; ") + of_start;
   if (plan.file.scene.bodies.size() > 1 || !plan.file.scene.walls.empty())
     record.contact = std::string(name(contact_law(plan.file.scene, method)));
