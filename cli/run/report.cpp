@@ -1,5 +1,6 @@
 #include "cli/run/report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -144,9 +145,10 @@ std::string describe_masses(const Scene& scene, const Snapshot& start) {
 }
 
 std::string describe_welds(const Scene& scene, const Snapshot& start, double support) {
+  constexpr double parts = 2 - 1e-6;         // spacings, from which they come apart by every method
   std::optional<std::pair<int, int>> first;  // of the bodies as they stand in the scene
-  double nearest = support;
-  for_each_meeting_pair(start, support, [&](int i, int j) {
+  double nearest = std::min(support, parts * scene.spacing);
+  for_each_meeting_pair(start, nearest, [&](int i, int j) {
     const std::pair bodies(start.body[static_cast<std::size_t>(i)], start.body[static_cast<std::size_t>(j)]);
     const Point a = start.position(static_cast<std::size_t>(i)),
                 b = start.position(static_cast<std::size_t>(j));

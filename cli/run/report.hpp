@@ -18,8 +18,8 @@ int exit_code(const RunResult& result, const std::optional<Verdict>& fail_on = {
 /// Of bodies whose particles weigh more or less than their shape, by 2 % or more; mostly empty.
 std::string describe_masses(const Scene& scene, const Snapshot& start);
 
-/// Of two bodies that are one under the contact law `sph`, since particles of them are within the `support` of the
-/// kernel, m, from the start; mostly empty.
+/// Of two bodies that may hold together as one under the contact law `sph`, since their faces are less than a spacing
+/// apart at the start and within the `support` of the kernel, m; mostly empty.
 std::string describe_welds(const Scene& scene, const Snapshot& start, double support);
 
 /// Of contacts that hold energy before anything has moved; mostly empty.

@@ -10,7 +10,7 @@ using namespace taut::cli;
 using namespace taut::test;
 
 TEST_SUITE("cli") {
-  TEST_CASE("two bodies that start within the kernel's reach of each other under sph are told of") {
+  TEST_CASE("two bodies that start less than a spacing apart under sph are told of") {
     const TemporaryFolder folder;
     const auto told = [&](const std::string& above, const std::string& low) {
       std::ofstream file(folder / "scene.toml");
@@ -25,16 +25,16 @@ TEST_SUITE("cli") {
       CHECK(outcome.code == 0);
       return outcome.err;
     };
-    CHECK(told("method = \"enog\"\n", "1.1")
-              .find("bodies 'a' and 'b' start 2 spacings apart, within the kernel's reach of 2.6: under "
+    CHECK(told("method = \"enog\"\n", "1.05")
+              .find("bodies 'a' and 'b' start 1.5 spacings apart, within the kernel's reach of 2.6: under "
                     "contact = "
                     "\"sph\" they may hold together as one body") != std::string::npos);
     const auto is_told = [&](const std::string& above, const std::string& low) {
       return told(above, low).find("hold together") != std::string::npos;
     };
     CHECK(is_told("method = \"ulsph-av-as\"\ncontact = \"sph\"\n", "1"));
-    CHECK_FALSE(is_told("method = \"enog\"\n", "1.2"));
-    CHECK_FALSE(is_told("method = \"enog\"\ncontact = \"penalty\"\n", "1.1"));
-    CHECK_FALSE(is_told("method = \"oenog\"\n", "1.1"));
+    CHECK_FALSE(is_told("method = \"enog\"\n", "1.1"));
+    CHECK_FALSE(is_told("method = \"enog\"\ncontact = \"penalty\"\n", "1.05"));
+    CHECK_FALSE(is_told("method = \"oenog\"\n", "1.05"));
   }
 }
