@@ -57,7 +57,9 @@ inline double facing_slope(double cosine) { return cosine > -0.5 && cosine < -0.
 // with the height p over the plane half way between the two, the same seen from both, the projected share s, a
 // weight w of the distance ℓ beside each other, ℓ² = |x_f − x_g|² − p², within a radius R(p), and a share c of those
 // that are not too far off. What lies deep counts only where it overlaps: beside a step as high as the spacing the
-// rim above is no face that the foot of a body lies behind. With ½ (n_g − n_f) in p a facet that tilts would lie less deep, and edges that press each other would
+// rim above is no face that the foot of a body lies behind.
+//
+// With ½ (n_g − n_f) in p a facet that tilts would lie less deep, and edges that press each other would
 // turn out of each other's way. On two flat faces that are parallel δ is the exact depth, on round ones but for
 // terms of the third order; it turns with the bodies and is smooth where faces are, so that the force may be the
 // slope of the energy to the last term: both momenta and the energy hold, and what is symmetric stays so. A

@@ -78,7 +78,7 @@ TEST_SUITE("term") {
       CHECK((lateral_weight(l2, radius + change) - lateral_weight(l2, radius - change)) / (2 * change) ==
             Approx(lateral_slope_in_radius(l2, radius)).epsilon(1e-6));
     }
-    for (const double cover : {0.3, 0.5, 0.8})
+    for (const double cover : {0.3, 0.6, 0.8})
       CHECK((covered_slope(cover + step) - covered_slope(cover - step)) / (2 * step) ==
             Approx(covered_bend(cover)).epsilon(1e-6));
     CHECK(hardening(dp, 0.09, dp) == 1);
@@ -112,7 +112,8 @@ TEST_SUITE("analytic") {
     // a cover of less than 0.85 in the outermost facets
     CHECK(force[0] == Approx(1.02 * k * depth * area).epsilon(0.03));
     CHECK(std::hypot(force[1], force[2]) < 1e-9 * force[0]);
-    CHECK(blocks.energy() == Approx(1.01 / 1.02 * 0.5 * depth * force[0]).epsilon(1e-9));
+    // but for what that cover changes with the depth
+    CHECK(blocks.energy() == Approx(1.01 / 1.02 * 0.5 * depth * force[0]).epsilon(1e-3));
     CHECK(blocks.gap() == Approx(-depth).epsilon(1e-9));
     CHECK(length(blocks.between(1, 0) - force) < 1e-9 * force[0]);
     CHECK(length(blocks.between(0, 1) + force) < 1e-9 * force[0]);
