@@ -165,7 +165,8 @@ class MovingFaces {
     double depth;  // of the node, or its side, behind the face, m; below 0 before it
     V out;         // unit vector along which the node is pushed, if it is behind
   };
-  /// Beside an end that is not sharp, where two segments meet, the mean of their normals says which side is inside.
+  /// Beside an end that is not sharp, where two segments meet, the mean of their normals says which side is inside;
+  /// what is across it is beside the face, as a node that has just left a tip.
   Touch touch(const Foot<Dim>& foot) const {
     if (is_beyond(foot)) {
       const FacingHalf<Dim>& half = foot.halves[foot.halves[0].side == Outline::none ? 1 : 0];
@@ -177,7 +178,9 @@ class MovingFaces {
     const int next = outline_.beside[outline_.segments[foot.segment].node[second]][second];
     const V normal = next == Outline::none ? foot.normal : foot.normal + normal_of(next);
     const double distance = std::sqrt(foot.distance2);
-    if (dot(foot.offset, normal) >= 0) return {-distance, foot.normal};
+    constexpr double across = 0.25;  // cosine
+    if (dot(foot.offset, normal) >= -across * distance * std::sqrt(dot(normal, normal)))
+      return {-distance, foot.normal};
     return {distance, (-1 / distance) * foot.offset};
   }
 
