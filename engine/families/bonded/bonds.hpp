@@ -84,8 +84,8 @@ struct Bonds {
 /// least multiple of h/8 up to 3h that does: with h = 0.8 dp the eight nearest on a square lattice and on
 /// aligned layers. Where that leaves a pair next to no bond once it is balanced, the body begins with
 /// 2.625 h, two spacings: the twelve to fourteen of discs and of irregular layouts. Fewer bonds cost less
-/// and, being shorter, sample the strain nearer to their particle. A corner has bonds to one side only, of
-/// which no choice is right, and comes as near as it can.
+/// and, being shorter, sample the strain nearer to their particle. None crosses a slot (neighbors/linked.hpp).
+/// A corner has bonds to one side only, of which no choice is right, and comes as near as it can.
 ///
 /// Gradient. a_ij = X_ij/r0⁸ times a constant, before it is balanced: on a lattice nearly the difference of
 /// the nearest on the axes, whose strain is that of its own place. With r0⁻⁴ in place of r0⁻⁸ the period of
