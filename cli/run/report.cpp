@@ -162,8 +162,7 @@ std::string describe_welds(const Scene& scene, const Snapshot& start, double sup
          brief(nearest / scene.spacing) + " spacings apart, within the kernel's reach of " +
          brief(support / scene.spacing) +
          ": under contact = \"sph\" they may hold together as one body; start them farther apart, or take "
-         "another law, such "
-         "as \"penalty\"";
+         "another law, such as \"penalty\"";
 }
 
 std::string describe_start_in_contact(const Scene& scene, const Snapshot& start) {

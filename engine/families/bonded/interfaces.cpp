@@ -107,7 +107,7 @@ std::optional<Place> InterfaceMaker::normal(int i, int other) const {
 /// From the bonds within the material; none where they hardly tell one direction, as at the narrow end of a wedge: the
 /// steep gradients would leave the energy without a least value.
 std::vector<Entry> InterfaceMaker::own_gradient(int i) const {
-  constexpr double least = 0.5;  // determinant, of that of as great an A for all directions; flat sides have 0.84
+  constexpr double least = 0.5;  // determinant, of that of as great an A all around; flat sides have 0.84
   Square A = Square::Zero();
   std::vector<Entry> entries;
   for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) {
