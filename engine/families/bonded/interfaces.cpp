@@ -73,7 +73,8 @@ std::optional<int> InterfaceMaker::other_material(int i) const {
 /// Of the plane through the middles of the bonds across it, of i and of those that it is bonded to: their
 /// least spread. None where they do not lie on a plane.
 std::optional<Place> InterfaceMaker::normal(int i, int other) const {
-  constexpr double flat = 0.15;  // variance across the plane over that along it, at most
+  // variance across the plane over that along it, at most; with 0.15 some discs flew apart
+  constexpr double flat = 0.08;
   std::vector<Place> middles;
   Place mean = Place::Zero(), towards = Place::Zero();
   const auto add_middles = [&](int k) {
