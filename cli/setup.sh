@@ -1,6 +1,6 @@
 # Sourced by cli/quickstart and tests/run: what both need before they can do their work.
 
-build_packages=(g++ cmake ninja-build pkg-config libeigen3-dev libosmesa6-dev libpng-dev libdeflate-dev libcli11-dev libtomlplusplus-dev
+build_packages=(g++ cmake ninja-build pkg-config libeigen3-dev libosmesa6-dev libpng-dev libisal-dev libcli11-dev libtomlplusplus-dev
                 libmuparser-dev libfmt-dev nlohmann-json3-dev libcairo2-dev libfreetype-dev fonts-dejavu-core zlib1g-dev
                 libedit-dev libchafa-dev libglib2.0-dev libpolyclipping-dev gnuplot-nox librsvg2-bin)
 # the last three: a second way to OpenGL, whose pictures are compared

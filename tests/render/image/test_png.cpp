@@ -122,6 +122,13 @@ TEST_SUITE("unit") {
     CHECK(bytes[25] == 2);  // colour type RGB
   }
 
+  TEST_CASE("the bytes of a picture do not depend on those that were encoded before") {
+    const std::vector<std::uint8_t> first = encode_png(gradient(400, 300));
+    encode_png(noise(1280, 720));
+    encode_png(Image(1280, 720));
+    CHECK(encode_png(gradient(400, 300)) == first);
+  }
+
   TEST_CASE("a picture replaces the one of that name") {
     const TemporaryFolder folder;
     write_png(gradient(9, 9), folder / "a.png");
