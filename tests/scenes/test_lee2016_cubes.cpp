@@ -179,7 +179,7 @@ TEST_SUITE("failure") {
       CHECK(cube.verdict == Verdict::stable);
       CHECK(std::abs(cube.off("top_580us")) < 0.05 * height);
       CHECK(std::abs(cube.off("top_1700us")) < 0.05 * height);
-      CHECK(std::abs(cube.off("top_2100us")) < 0.11 * height);  // 9 %, and 4 % at 20³: it comes back early
+      CHECK(std::abs(cube.off("top_2100us")) < 0.11 * height);  // 9 %, as the dissipation has it, see below
       CHECK(cube.value("foot_rmse") == 0);
       for (const char* top : {"top_580us", "top_1700us", "top_2100us"})
         CHECK(std::abs(cube.value(top) - first.value(top)) < 0.005 * height);
@@ -194,11 +194,24 @@ TEST_SUITE("failure") {
     }
   }
 
+  // That the top comes back early at 8³ is what ε₄ = 1/8 does there, however well it is solved: with half the spacing and
+  // the same ε₄ dp³ it is 10 %, with a third and a quarter 10.4 and 10.5 %.
+  TEST_CASE("tensile cube: the dissipation of 8³ brings the top back early at half the spacing too") {
+    const double height = 0.26;  // m
+    const Run fine = run("tensile-cube", "pf-jst",
+                         {{"spacing", "1/14"}, {"method.eps_v4", "1"}, {"until", "0.0021"}});
+    CHECK(fine.off("top_2100us") > 0.09 * height);
+    CHECK(fine.off("top_2100us") < 0.11 * height);
+    CHECK(std::abs(fine.off("top_580us")) < 0.02 * height);
+  }
+
   // §8.5, Fig. 13, 14. At the edge of the punch, which sticks, particles part. Of a neo-Hookean material {p,
   // F, H, J} is {p, F, J} but for steps of time, as on the tensile cube.
   TEST_CASE("coining: the pressure of pf checkers, that of the dissipated methods does not, down to 46 %") {
     const double beyond = 0.015;  // half a punch away from its edge, m
+    const double least_volume = 1 - 0.0285;  // finite elements, at 0.12 ms: the first wave of pressure
     const Run rough = run("coining", "pf", {}, beyond), other = run("coining", "oenog");
+    CHECK(std::abs(other.volume - least_volume) < 0.005);
     for (const std::string method : {"pf-jst", "pfj-jst"}) {
       CAPTURE(method);
       const Run block = run("coining", method, {}, beyond);
@@ -207,8 +220,7 @@ TEST_SUITE("failure") {
       CHECK(std::abs(block.off("bulge")) < 0.1 * 1.95e-3);
       // finite elements are ± 0.1 mm
       CHECK(std::abs(block.off("highest_point")) < 0.1 * 3.3e-3 + 0.1e-3);
-      // the first wave of pressure takes 3.2 % of it
-      CHECK(std::abs(block.volume - other.volume) < 0.005);
+      CHECK(std::abs(block.volume - least_volume) < 0.005);
       CHECK(block.gain < 1e-6);
     }
   }
