@@ -222,6 +222,9 @@ TEST_SUITE("analytic") {
         CAPTURE(method);
         CHECK(miss(1) < 1e-11);
         CHECK(miss(0) > without);
+        const Snapshot now = state_after(5, scene, projected(method, 1, h));
+        for (std::size_t i = 0; i < now.size(); ++i)
+          if (now.held[i] != 0) CHECK(now.position(i) == now.initial(i));
       }
     }
   }

@@ -287,6 +287,24 @@ TEST_SUITE("stability") {
 }
 
 TEST_SUITE("stability") {
+  TEST_CASE("mixed: a body that is softer everywhere makes steps as at rest, of any number of particles") {
+    for (const double side : {4, 5}) {  // 125 particles, and 216, a multiple of four
+      CAPTURE(side);
+      Scene scene = pressed_block(1);
+      const double dp = scene.spacing;
+      const Material& rubber = scene.materials[0];
+      scene.bodies[0].shapes = {Box{{0, 0, 0}, {side * dp, side * dp, side * dp}}};
+      scene.bodies[0].on_boundary = true;
+      for (std::size_t k = 0; k < 3; ++k)
+        scene.bodies[0].displacement[k] = [=](const Point& x) { return -0.31 * x[k]; };
+      Settings settings = with_method("pf");
+      settings.law = "st-venant-kirchhoff";
+      const double stiffness = rubber.bulk_modulus() + 4.0 / 3 * rubber.shear_modulus();
+      CHECK(state_after(1, scene, settings).time ==
+            relative(0.25 * 0.87 * dp * std::sqrt(rubber.density / stiffness), 1e-9));
+    }
+  }
+
   TEST_CASE("mixed: in 3D plates of two and three layers in the middle of cells last") {
     for (const double layers : {2, 3}) {
       CAPTURE(layers);
