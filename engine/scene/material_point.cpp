@@ -36,16 +36,20 @@ Point pitch_on_boundary(const Box& box, double dp, int dim) {
   return pitch;
 }
 
-/// Products of hats; empty where the particles are no lattice of this pitch around the point.
+/// Products of hats, along the axes of the body as it is laid; empty where the particles are no lattice of this pitch
+/// around the point.
 std::vector<PointWeight> point_in_cell(const std::vector<Point>& x, int begin, int end, const Point& at,
-                                       const Point& pitch, int dim) {
+                                       const Body& body, double dp, int dim) {
   constexpr double round_off = 1e-9;
+  const Point pitch = pitch_on_boundary(std::get<Box>(body.shapes.front()), dp, dim);
+  const Point laid = laid_at(body, at, dim);
   std::vector<PointWeight> point;
   double sum = 0;
   for (int i = begin; i < end; ++i) {
+    const Point of_particle = laid_at(body, x[static_cast<std::size_t>(i)], dim);
     double weight = 1;
     for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
-      weight *= std::max(0.0, 1 - std::abs(x[static_cast<std::size_t>(i)][k] - at[k]) / pitch[k]);
+      weight *= std::max(0.0, 1 - std::abs(of_particle[k] - laid[k]) / pitch[k]);
     if (weight < round_off) continue;
     point.push_back({i, weight});
     sum += weight;
@@ -148,8 +152,7 @@ std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, 
                                         double reach, const Scene& scene, int body) {
   const Body& of = scene.bodies[static_cast<std::size_t>(body)];
   if (of.on_boundary) {
-    const Point pitch = pitch_on_boundary(std::get<Box>(of.shapes.front()), scene.spacing, scene.dim);
-    std::vector<PointWeight> point = point_in_cell(x, begin, end, at, pitch, scene.dim);
+    std::vector<PointWeight> point = point_in_cell(x, begin, end, at, of, scene.spacing, scene.dim);
     if (!point.empty()) return point;
   }
   const std::vector<int> near = within_reach(x, begin, end, at, reach);

@@ -345,6 +345,56 @@ TEST_SUITE("unit") {
     CHECK(simulation->series().value[0][0] == relative(simulation->support() - far.spacing));
   }
 
+  TEST_CASE("probes: of a turned body with particles on its faces a point is that of the body as it is laid") {
+    const auto last_values = [](double angle) {
+      constexpr double pitch = 0.25;  // m
+      const Rotation turn{{0, 0, 1}, {0.3, -0.2, 0}, angle}, back{{0, 0, 1}, {0.3, -0.2, 0}, -angle};
+      const Rotation about_origin{{0, 0, 1}, {}, angle};
+      Scene scene;
+      scene.name = "turned";
+      scene.spacing = pitch;
+      scene.materials = {plate_elastic()};
+      Body body;
+      body.name = "body";
+      body.shapes = {Box{{0, 0, 0}, {8 * pitch, 3.6 * pitch, 0}}};  // four cells across, of another pitch
+      body.on_boundary = true;
+      body.rotation = turn;
+      body.held = [=](const Point& x) { return rotated(back, x)[0] < 1.2 * pitch ? 1.0 : 0.0; };
+      for (std::size_t k = 0; k < 2; ++k)
+        body.velocity[k] = [=](const Point& x) {
+          const double along = rotated(back, x)[0];
+          return rotated(about_origin, {0, 0.1 * along * along, 0})[k];
+        };
+      scene.bodies = {body};
+      const auto add = [&](Probe::Kind kind, const Point& at) {
+        scene.probes.push_back(make_probe("probe", kind));
+        scene.probes.back().at = rotated(turn, at);
+      };
+      add(Probe::Kind::displacement, {pitch, 0.9 * pitch, 0});     // a held particle
+      add(Probe::Kind::displacement, {8 * pitch, 3.6 * pitch, 0});  // the corner: along x and y
+      add(Probe::Kind::displacement, {8 * pitch, 3.6 * pitch, 0});
+      scene.probes.back().axis = 1;
+      add(Probe::Kind::stress, {4.3 * pitch, 3.6 * pitch, 0});  // on a free face
+      scene.probes.back().part = StressPart::von_mises;
+      const auto simulation = make_simulation(scene, with_method("tl"));
+      make_steps(*simulation, 40);
+      std::vector<double> values;
+      for (const std::vector<double>& series : simulation->series().value) values.push_back(series.back());
+      const Point corner = rotated({{0, 0, 1}, {}, -angle}, {values[1], values[2], 0});
+      return std::vector{values[0], corner[0], corner[1], values[3]};
+    };
+    const std::vector<double> straight = last_values(0);
+    CHECK(straight[0] == 0);
+    CHECK(straight[2] > 0.01);
+    CHECK(straight[3] > 0);
+    for (const double angle : {90.0, 30.0}) {
+      CAPTURE(angle);
+      const std::vector<double> turned = last_values(angle);
+      CHECK(std::abs(turned[0]) < 1e-12);
+      for (std::size_t k = 1; k < straight.size(); ++k) CHECK(turned[k] == relative(straight[k], 1e-9));
+    }
+  }
+
   TEST_CASE("probes: velocity of a material point, and how far a body reaches") {
     const double rate = 50;  // 1/s
     Scene scene = block({0.005, 0.003, 0.002});
