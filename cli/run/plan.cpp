@@ -166,6 +166,16 @@ std::vector<const Field*> particle_fields(const RunOptions& options, int dim) {
   return chosen;
 }
 
+namespace {
+
+/// A number as numbers are always written; what is none is for the scene to read.
+std::string number_or_expression(const std::string& text) {
+  const auto number = parsed<double>(text);
+  return number ? exact(*number) : text;
+}
+
+}  // namespace
+
 void declare_setting_options(CLI::App& app, RunOptions& o) {
   app.add_option_function<std::string>(
          "--method",
@@ -183,23 +193,18 @@ void declare_setting_options(CLI::App& app, RunOptions& o) {
       ->option_text("NAME=VALUE ...")
       ->allow_extra_args(false)
       ->check(assignment);
-  app.add_option_function<double>(
-         "--spacing",
-         [&o](double spacing) {
-           o.spacing = spacing;
-           put_first(o.settings, {"spacing", exact(spacing)});
-         },
-         "of the particles, m; rounded so that it divides the first body")
-      ->option_text("DP")
-      ->check(positive_number);
-  app.add_option_function<double>(
-         "--until",
-         [&o](double until) {
-           put_first(o.settings, {"until", exact(until)});
-         },
-         "end of the run, s")
-      ->option_text("T")
-      ->check(positive_number);
+  const auto declare_number = [&](const std::string& name, const char* help, const char* placeholder) {
+    app.add_option_function<std::string>(
+           "--" + name,
+           [&o, name](const std::string& text) {
+             put_first(o.settings, {name, number_or_expression(text)});
+           },
+           help)
+        ->option_text(placeholder);
+  };
+  declare_number("spacing", "of the particles, m, a number or as 1/14; rounded so that it divides the first body",
+                 "DP");
+  declare_number("until", "end of the run, s", "T");
 }
 
 void declare_output_options(CLI::App& app, RunOptions& o) {

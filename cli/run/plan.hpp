@@ -18,7 +18,6 @@ namespace taut::cli {
 struct RunOptions {
   std::string scene;
   std::vector<Setting> settings;  // --method, --spacing, --until; behind them --set, which counts before them
-  std::optional<double> spacing;  // of --spacing, m
   std::optional<std::string> out;
   std::optional<double> every, history;
   std::optional<int> frames;

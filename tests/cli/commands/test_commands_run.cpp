@@ -391,6 +391,8 @@ TEST_SUITE("cli") {
         run({"--method", "oenog", "--spacing", "0.03", "--out", "out/discs-enog-speed=2.5-until=1e-05"});
     CHECK(refused.code == 2);
     CHECK_FALSE(contains(refused.err, "is replaced"));
+    CHECK(run({"--method", "oenog", "--spacing", "1/250", "--until", "1e-5/2"}).code == 0);
+    CHECK(fs::exists("out/discs-oenog-spacing=0.004-until=5e-06/run.json"));
     CHECK(run({"--set", "speed=2", "--spacing", "0.002", "--until", "0.002"}).code == 0);
     CHECK(fs::exists("out/discs-enog/run.json"));
     CHECK(run({"--method", "oenog", "--set", "method.damping=0", "--spacing", "0.004"}).code == 0);
