@@ -2,44 +2,111 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "engine/core/isa.hpp"
+#include "engine/core/parallel.hpp"
 #include "engine/core/tensor.hpp"
 
 namespace taut::inline TAUT_ISA {
 
-/// ω² of the stiffest swing of n particles about where they are, 1/s², from below and to about a hundredth: by
-/// power iteration from a start that is the same every time. accelerations(u) are those that displacements u,
-/// of length `small` at the most, give, m/s².
-template <int Dim, class Accelerations>
-double stiffest_swing(int n, double small, const Accelerations& accelerations) {
-  using Field = std::vector<Vec<double, Dim>>;
-  const auto greatest = [](const Field& field) {
-    double square = 0;
-    for (const auto& one : field) square = std::max(square, dot(one, one));
-    return std::sqrt(square);
+/// The greatest eigenvalue of the symmetric tridiagonal matrix with this diagonal and these, one less, beside it:
+/// above it all pivots of T − λ are negative. NaN if an entry is.
+inline double greatest_eigenvalue(const std::vector<double>& diagonal, const std::vector<double>& beside) {
+  const std::size_t n = diagonal.size();
+  const auto is_above = [&](double lambda) {
+    double pivot = diagonal[0] - lambda;
+    for (std::size_t k = 1; k < n && pivot < 0; ++k)
+      pivot = diagonal[k] - lambda - beside[k - 1] * beside[k - 1] / pivot;
+    return pivot < 0;
   };
-  Field u(n);
-  for (int i = 0; i < n; ++i)
-    for (int k = 0; k < Dim; ++k) u[i][k] = std::sin(12.9898 * (Dim * i + k + 1) + 78.233);
-  const Field rest = accelerations(Field(n));
-  double square = 0;
-  constexpr int rounds = 30;
-  for (int round = 0; round < rounds; ++round) {
-    const double size = greatest(u);
-    if (!(size > 0)) return 0;
-    for (auto& one : u) one = (small / size) * one;
-    Field next = accelerations(u);
-    double work = 0, length = 0;
-    for (int i = 0; i < n; ++i) {
-      next[i] = rest[i] - next[i];
-      work += dot(next[i], next[i]), length += dot(u[i], u[i]);
-    }
-    square = std::sqrt(work / length);
-    u.swap(next);
+  double low = diagonal[0], high = low;
+  for (std::size_t k = 0; k < n; ++k) {  // its disc of Gershgorin
+    const double radius = (k > 0 ? std::abs(beside[k - 1]) : 0) + (k + 1 < n ? std::abs(beside[k]) : 0);
+    low = greater(low, diagonal[k]), high = greater(high, diagonal[k] + radius);
   }
-  return square;
+  constexpr int halvings = 50;
+  for (int halving = 0; halving < halvings; ++halving) {
+    const double middle = 0.5 * (low + high);
+    (is_above(middle) ? high : low) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+/// From −1 to 1, in no order, the same with every compiler: what splitmix64 makes of k.
+inline double scattered(std::uint64_t k) {
+  k = (k + 1) * 0x9e3779b97f4a7c15;
+  k = (k ^ k >> 30) * 0xbf58476d1ce4e5b9;
+  k = (k ^ k >> 27) * 0x94d049bb133111eb;
+  return static_cast<double>(k ^ k >> 31) * 0x1p-63 - 1;
+}
+
+/// Σ a_i · b_i, the same for any number of threads.
+template <int Dim>
+double dot(const std::vector<Vec<double, Dim>>& a, const std::vector<Vec<double, Dim>>& b, int threads) {
+  constexpr int stretch = 1024;
+  const int n = static_cast<int>(a.size());
+  std::vector<double> sums((n + stretch - 1) / stretch);
+  parallel_for(static_cast<int>(sums.size()), threads, [&](int s) {
+    for (int i = stretch * s; i < std::min(stretch * (s + 1), n); ++i) sums[s] += dot(a[i], b[i]);
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+/// The greatest eigenvalue of a symmetric matrix, which apply(u, out) multiplies fields of n vectors with, from below
+/// and to half a per cent or so: by the method of Lanczos from a start that is the same every time, until a step adds
+/// next to nothing. Vectors are made orthogonal to the last two only: what round-off leaves of the others gives
+/// eigenvalues that are found already once more, and none that is greater.
+template <int Dim, class Apply>
+double greatest_eigenvalue(int n, int threads, const Apply& apply) {
+  constexpr int least = 14, most = 30;  // steps
+  constexpr double enough = 5e-4;       // that a step adds, of all
+  using Field = std::vector<Vec<double, Dim>>;
+  Field before(n), u(n), next(n);
+  parallel_for(n, threads, [&](int i) {
+    for (int k = 0; k < Dim; ++k) u[i][k] = scattered(static_cast<std::uint64_t>(Dim) * i + k);
+  });
+  double greatest = 0, length = std::sqrt(dot(u, u, threads));
+  std::vector<double> diagonal, beside;
+  for (int step = 1;; ++step) {
+    parallel_for(n, threads, [&](int i) { u[i] = (1 / length) * u[i]; });
+    apply(u, next);
+    diagonal.push_back(dot(u, next, threads));
+    const double last = std::exchange(greatest, greatest_eigenvalue(diagonal, beside));
+    if (step == most || (step >= least && !(greatest - last > enough * greatest))) return greatest;
+    const double along = diagonal.back(), back = beside.empty() ? 0 : beside.back();
+    parallel_for(n, threads, [&](int i) { next[i] -= along * u[i] + back * before[i]; });
+    length = std::sqrt(dot(next, next, threads));
+    if (!(length > 0)) return greatest;
+    beside.push_back(length);
+    before.swap(u), u.swap(next);
+  }
+}
+
+/// ω² of the stiffest swing of particles about where they are, 1/s²: of M^(−½) K M^(−½), in which K is how far
+/// forces differ. `mobility`: 1/m, or 0 of what is held, 1/kg; forces(u, out) gives those that displacements u make,
+/// of length `small` at the most, N.
+template <int Dim, class Forces>
+double stiffest_swing(const std::vector<double>& mobility, double small, int threads, const Forces& forces) {
+  using Field = std::vector<Vec<double, Dim>>;
+  const int n = static_cast<int>(mobility.size());
+  std::vector<double> root(mobility.size());
+  parallel_for(n, threads, [&](int i) { root[i] = std::sqrt(mobility[i]); });
+  Field moved(n), rest(n);
+  forces(moved, rest);
+  return greatest_eigenvalue<Dim>(n, threads, [&](const Field& u, Field& out) {
+    parallel_for(n, threads, [&](int i) { moved[i] = root[i] * u[i]; });
+    const double farthest =
+        std::sqrt(parallel_max(n, threads, [&](int i) { return dot(moved[i], moved[i]); }));
+    const double scale = farthest > 0 ? small / farthest : 1;
+    parallel_for(n, threads, [&](int i) { moved[i] = scale * moved[i]; });
+    forces(moved, out);
+    parallel_for(n, threads, [&](int i) { out[i] = (root[i] / scale) * (rest[i] - out[i]); });
+  });
 }
 
 }  // namespace taut::inline TAUT_ISA

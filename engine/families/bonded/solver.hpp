@@ -128,8 +128,9 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   LawOfOne<M> law_of_one() const { return {materials_, own_law_, laws_}; }
   const Sites& sites(int group) const { return sites_[groups_[group].sites]; }
   const GradientMoment& B(int group) const { return B_[groups_[group].B]; }
-  void set_place(int i) {
-    const V x = s_.x[i], v = s_.v[i];
+  void set_place(int i) { set_place(i, s_.x[i]); }
+  void set_place(int i, const V& x) {
+    const V v = s_.v[i];
     for (int k = 0; k < Dim; ++k) places_[k][i] = x[k], places_[Dim + k][i] = x[k] + ahead_ * v[k];
   }
   static constexpr int block = 8;  // groups
@@ -242,26 +243,24 @@ double Bonded<M, Dim>::step_size() const {
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::find_stiffest_swing() {
   constexpr double small = 1e-5, limit = 0.97;  // spacings; of cfl, of a lattice
-  const std::vector<V> at = s_.x;
-  const double square = stiffest_swing<Dim>(s_.size(), small * c_.dp, [&](std::vector<V> u) {
-    for (int i = 0; i < s_.size(); ++i) s_.x[i] = at[i] + u[i], set_place(i);
+  const int n = s_.size(), threads = threads_now();
+  const std::vector<double> mobility(mobility_[0], mobility_[0] + n);
+  const auto forces = [&](const std::vector<V>& u, std::vector<V>& out) {
+    parallel_for(n, threads, [&](int i) { set_place(i, s_.x[i] + u[i]); });
     stress_pass();
-    std::visit(
-        [&](const auto& bonds) {
-          parallel_for(group_count(), threads_now(), [&](int group) {
-            const Vec<Pack, Dim> f = force(bonds, group);
-            for (int i = lanes * group, lane = 0; lane < lanes && i < s_.size(); ++i, ++lane)
-              for (int k = 0; k < Dim; ++k) u[i][k] = mobility_[0][i] * f[k][lane];
-          });
-        },
-        bonds_);
-    return u;
-  });
-  const double of_lattice = 2 * wave_speed_ / (limit * c_.dp);
+    const auto add_up = [&](const auto& bonds) {
+      parallel_for(group_count(), threads, [&](int group) {
+        const Vec<Pack, Dim> f = force(bonds, group);
+        for (int i = lanes * group, lane = 0; lane < lanes && i < n; ++i, ++lane) out[i] = lane_of(f, lane);
+      });
+    };
+    std::visit(add_up, bonds_);
+  };
+  const double square = stiffest_swing<Dim>(mobility, small * c_.dp, threads, forces),
+               of_lattice = 2 * wave_speed_ / (limit * c_.dp);
   layout_ = std::max(1.0, square / (of_lattice * of_lattice));
   stiffest_ = 1;
-  s_.x = at;
-  for (int i = 0; i < s_.size(); ++i) set_place(i);
+  for (int i = 0; i < n; ++i) set_place(i);
 }
 
 template <const Formulation& M, int Dim>
