@@ -47,34 +47,38 @@ struct Neighborhoods {
 };
 
 /// Parts that a slot separates may move apart: that is no zigzag.
-void leave_out_beyond_slots(const Snapshot& start, double spacing, Neighborhoods& near) {
+void leave_out_beyond_slots(const Snapshot& start, double spacing, int threads, Neighborhoods& near) {
   const auto squared = [&](int i, int j) {
     const double r = distance_between(start.initial(static_cast<std::size_t>(i)),
                                       start.initial(static_cast<std::size_t>(j)), start.dim) /
                      spacing;
     return r * r;
   };
+  std::vector<std::size_t> linked(start.size());
+  parallel_for(static_cast<int>(start.size()), threads, [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    linked[k] = bring_linked_to_front(
+        near[k].subspan(1), [&](int j) { return squared(i, j); }, squared);
+  });
   std::size_t end = 0;
   for (std::size_t i = 0; i < start.size(); ++i) {
-    const std::span<const int> own = near[i];
-    std::vector<int> linked(own.begin() + 1, own.end());
-    leave_out_unlinked(
-        linked, [&](int j) { return squared(static_cast<int>(i), j); }, squared);
+    const std::span<const int> own = near[i].first(linked[i] + 1);
     near.begin[i] = end;
-    near.all[end++] = static_cast<int>(i);
-    end = static_cast<std::size_t>(
-        std::ranges::copy(linked, near.all.begin() + static_cast<std::ptrdiff_t>(end)).out -
-        near.all.begin());
+    if (own.data() != &near.all[end]) std::ranges::copy(own, &near.all[end]);
+    end += own.size();
   }
   near.begin.back() = end;
 }
 
-Neighborhoods neighborhoods(const Snapshot& start, double spacing) {
+Neighborhoods neighborhoods(const Snapshot& start, double spacing, int threads) {
   const double radius = reach * spacing;
   const auto for_each_pair = [&](const auto& visit) {
-    for_each_close_pair(start, radius, [&](int i, int j) {
-      if (alike(start, static_cast<std::size_t>(i), static_cast<std::size_t>(j))) visit(i, j);
-    });
+    for_each_close_pair(
+        start, radius,
+        [&](int i, int j) {
+          if (alike(start, static_cast<std::size_t>(i), static_cast<std::size_t>(j))) visit(i, j);
+        },
+        threads);
   };
   Neighborhoods near;
   near.begin.assign(start.size() + 1, 1);
@@ -85,7 +89,7 @@ Neighborhoods neighborhoods(const Snapshot& start, double spacing) {
   std::vector<std::size_t> end(near.begin.begin(), near.begin.end() - 1);
   for (std::size_t i = 0; i < start.size(); ++i) near.all[end[i]++] = static_cast<int>(i);
   for_each_pair([&](int i, int j) { near.all[end[i]++] = j, near.all[end[j]++] = i; });
-  leave_out_beyond_slots(start, spacing, near);
+  leave_out_beyond_slots(start, spacing, threads, near);
   return near;
 }
 
@@ -209,7 +213,7 @@ class Rows {
 }  // namespace
 
 AlternatingPart alternating_part(const Snapshot& start, double spacing, int threads) {
-  Neighborhoods near = neighborhoods(start, spacing);
+  Neighborhoods near = neighborhoods(start, spacing, threads);
   Rows rows(start, spacing, near);
   std::vector<std::size_t> moving;
   for (std::size_t i = 0; i < start.size(); ++i)

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/core/parallel.hpp"
 #include "engine/core/tensor.hpp"
 #include "engine/neighbors/close_pairs.hpp"
 #include "engine/neighbors/neighbors.hpp"
@@ -73,17 +74,29 @@ struct Around<3> {
   bool leaves_gap() const { return !has_one.all(); }
 };
 
+/// From i to j at the start; from j to i the same number with the other sign, of zeros too.
 template <int Dim>
-std::vector<int> surface_particles(const Snapshot& start, double radius) {
-  std::vector<Around<Dim>> around(start.size());
-  for_each_close_pair(start, radius, [&](int i, int j) {
-    const Vec<double, Dim> d = place<Dim>(start.x0, j) - place<Dim>(start.x0, i);
-    around[static_cast<std::size_t>(i)].add(d);
-    around[static_cast<std::size_t>(j)].add(-1.0 * d);
+Vec<double, Dim> way(const Snapshot& start, int i, int j) {
+  return i < j ? place<Dim>(start.x0, j) - place<Dim>(start.x0, i) : -1.0 * way<Dim>(start, j, i);
+}
+
+template <int Dim>
+std::vector<int> surface_particles(const Snapshot& start, double radius, int threads) {
+  const PlacesInCells<Dim> places(start.x0, radius);
+  std::vector<unsigned char> leaves_gap(start.size());
+  parallel_chunks(static_cast<int>(start.size()), threads, [&](int, int first, int last) {
+    Around<Dim> around;
+    for (int i = first; i < last; ++i) {
+      around.clear();
+      places.for_each_around(i, [&](int j) {
+        if (j != i && start.body[j] == start.body[i]) around.add(way<Dim>(start, i, j));
+      });
+      leaves_gap[i] = around.leaves_gap();
+    }
   });
   std::vector<int> surface;
-  for (std::size_t i = 0; i < around.size(); ++i)
-    if (around[i].leaves_gap()) surface.push_back(static_cast<int>(i));
+  for (std::size_t i = 0; i < leaves_gap.size(); ++i)
+    if (leaves_gap[i] != 0) surface.push_back(static_cast<int>(i));
   return surface;
 }
 
@@ -155,10 +168,10 @@ double widest_gap(std::span<double> directions) {
   return widest;
 }
 
-Penetration::Penetration(const Snapshot& start, double spacing)
+Penetration::Penetration(const Snapshot& start, double spacing, int threads)
     : spacing_(spacing), on_surface_(start.size()) {
-  surface_ = start.dim == 3 ? surface_particles<3>(start, near * spacing)
-                            : surface_particles<2>(start, near * spacing);
+  surface_ = start.dim == 3 ? surface_particles<3>(start, near * spacing, threads)
+                            : surface_particles<2>(start, near * spacing, threads);
   for (const int i : surface_) on_surface_[static_cast<std::size_t>(i)] = true;
 }
 

@@ -27,7 +27,7 @@ double widest_gap(std::span<double> directions);
 /// body that is strained little nobody is asked. What is found does not depend on when the lists were made.
 class Penetration {
  public:
-  Penetration(const Snapshot& start, double spacing);
+  Penetration(const Snapshot& start, double spacing, int threads = 1);
   /// How many particles of a surface lie inside a far part, close behind its surface.
   int operator()(const Snapshot& now);
 

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "engine/core/parallel.hpp"
 #include "engine/diagnostics/conservation.hpp"
 #include "engine/neighbors/close_pairs.hpp"
 
@@ -58,13 +59,14 @@ std::vector<std::string> names_of_failures() {
   return names;
 }
 
-Judge::Judge(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors)
+Judge::Judge(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors, int threads)
     : particles_(start.size()),
       longest_(std::max(support, 2 * scene.spacing)),
       keeps_neighbors_(keeps_neighbors),
-      penetration_(start, scene.spacing) {
+      penetration_(start, scene.spacing, threads) {
   // 1.5 dp: the eight nearest of a square lattice (√2 dp), the six of a hexagonal one, no second row
-  for_each_close_pair(start, 1.5 * scene.spacing, [this](int i, int j) { bonds_.push_back({i, j, false}); });
+  const auto add = [this](int i, int j) { bonds_.push_back({i, j, false}); };
+  for_each_close_pair(start, 1.5 * scene.spacing, add, threads);
   bonds_.shrink_to_fit();
   first_of_.assign(particles_ + 1, 0);
   for (const Bond& bond : bonds_) ++first_of_[bond.i + 1], ++first_of_[bond.j + 1];
@@ -84,15 +86,20 @@ Judge::Judge(const Scene& scene, const Snapshot& start, double support, bool kee
 }
 
 Judge::Judge(const Scene& scene, const Simulation& simulation)
-    : Judge(scene, simulation.snapshot(), simulation.support(), simulation.keeps_neighbors()) {
+    : Judge(scene, simulation.snapshot(), simulation.support(), simulation.keeps_neighbors(),
+            simulation.threads()) {
   lawful_stretch_ = simulation.lawful_stretch();
   const Snapshot& start = simulation.snapshot();
-  shortest_ = std::numeric_limits<double>::infinity();
-  for (const Bond& bond : bonds_) {
-    const Point X = start.initial(static_cast<std::size_t>(bond.i)),
-                Y = start.initial(static_cast<std::size_t>(bond.j));
-    shortest_ = std::min(shortest_, std::hypot(X[0] - Y[0], X[1] - Y[1], X[2] - Y[2]));
-  }
+  const int n = static_cast<int>(bonds_.size()), threads = simulation.threads();
+  std::vector<double> shortest(chunks_of(n, threads), std::numeric_limits<double>::infinity());
+  parallel_chunks(n, threads, [&](int chunk, int first, int last) {
+    for (int b = first; b < last; ++b) {
+      const Point X = start.initial(static_cast<std::size_t>(bonds_[b].i)),
+                  Y = start.initial(static_cast<std::size_t>(bonds_[b].j));
+      shortest[chunk] = std::min(shortest[chunk], std::hypot(X[0] - Y[0], X[1] - Y[1], X[2] - Y[2]));
+    }
+  });
+  shortest_ = std::ranges::min(shortest);
 }
 
 void Judge::observe(const Snapshot& now, const Balance& balance, const Readings& readings) {

@@ -68,7 +68,7 @@ struct BeyondLaw {
 ///   may be what it is; that of the others below 0 by as much is divergence too.
 class Judge {
  public:
-  Judge(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors);
+  Judge(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors, int threads = 1);
   Judge(const Scene& scene, const Simulation& simulation);
   /// Takes the state at one time into account and remembers when each failure began. Without readings its
   /// zigzags are not judged.

@@ -31,8 +31,9 @@ NeighborLists neighbors_of(const InitialParticles& initial, double reach, int th
   };
   NeighborLists near;
   near.begin.assign(n + 1, 0);
-  for (int place = 0; place < n; ++place)
+  parallel_for(n, threads, [&](int place) {
     near.begin[order[place] + 1] = list(place).size() - std::ranges::count(list(place), place);
+  });
   std::partial_sum(near.begin.begin(), near.begin.end(), near.begin.begin());
   near.j.resize(near.begin[n]);
   parallel_for(n, threads, [&](int place) {
@@ -64,19 +65,19 @@ NeighborLists linked_neighbors(const InitialParticles& initial, double reach, do
     const double r = distance_between(initial.x[i], initial.x[j], initial.dim) / spacing;
     return r * r;
   };
-  kept.begin.push_back(0);
-  make_in_order(
-      initial.size(), threads,
-      [&](int i) {
-        std::vector<int> near(all[i].begin(), all[i].end());
-        leave_out_unlinked(
-            near, [&](int j) { return squared(i, j); }, squared);
-        return near;
-      },
-      [&](int, const std::vector<int>& near) {
-        kept.j.insert(kept.j.end(), near.begin(), near.end());
-        kept.begin.push_back(kept.j.size());
-      });
+  const int n = initial.size();
+  kept.begin.assign(n + 1, 0);
+  parallel_for(n, threads, [&](int i) {
+    const std::span<int> own(all.j.data() + all.begin[i], all.begin[i + 1] - all.begin[i]);
+    kept.begin[i + 1] = bring_linked_to_front(
+        own, [&](int j) { return squared(i, j); }, squared);
+  });
+  std::partial_sum(kept.begin.begin(), kept.begin.end(), kept.begin.begin());
+  if (kept.begin[n] == all.begin[n]) return all;
+  kept.j.resize(kept.begin[n]);
+  parallel_for(n, threads, [&](int i) {
+    std::copy_n(all[i].begin(), kept.begin[i + 1] - kept.begin[i], kept.j.begin() + kept.begin[i]);
+  });
   return kept;
 }
 

@@ -1,26 +1,39 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
+#include <span>
 #include <vector>
 
 #include "engine/scene/material_point.hpp"
 
 namespace taut {
 
-/// Leaves out of those around a place the ones beyond a slot, that no step from one beside it leads to. Squared
-/// distances in spacings: from_place(one), between(one, other).
+/// Of those around a place the ones beyond a slot, that no step from one beside it leads to, do not count: the others
+/// come to the front, in their order. Gives their number. Squared distances in spacings: from_place(one),
+/// between(one, other).
 template <class T, class FromPlace, class Between>
-void leave_out_unlinked(std::vector<T>& near, const FromPlace& from_place, const Between& between) {
+std::size_t bring_linked_to_front(std::span<T> near, const FromPlace& from_place, const Between& between) {
   constexpr double link2 = link_of_neighbors * link_of_neighbors;
   std::vector<T> beside;
+  beside.reserve(near.size());
   std::ranges::copy_if(near, std::back_inserter(beside),
                        [&](const T& one) { return from_place(one) < link2; });
-  if (beside.size() == near.size()) return;
-  std::erase_if(near, [&](const T& one) {
+  if (beside.size() == near.size()) return near.size();
+  const auto is_beyond = [&](const T& one) {
     return from_place(one) >= link2 &&
            std::ranges::none_of(beside, [&](const T& other) { return between(one, other) < link2; });
-  });
+  };
+  // std::ranges::remove_if gives a subrange, which clang 14 takes from no span of libstdc++ 12
+  return static_cast<std::size_t>(std::remove_if(near.begin(), near.end(), is_beyond) - near.begin());
+}
+
+/// The same, and those beyond are gone.
+template <class T, class FromPlace, class Between>
+void leave_out_unlinked(std::vector<T>& near, const FromPlace& from_place, const Between& between) {
+  const std::size_t linked = bring_linked_to_front(std::span<T>(near), from_place, between);
+  near.erase(near.begin() + static_cast<std::ptrdiff_t>(linked), near.end());
 }
 
 }  // namespace taut

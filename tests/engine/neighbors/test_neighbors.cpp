@@ -6,12 +6,15 @@
 #include <numeric>
 #include <random>
 #include <sys/resource.h>
+#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
 
+#include "engine/neighbors/close_pairs.hpp"
 #include "engine/neighbors/lane_neighbors.hpp"
 #include "engine/neighbors/neighbors.hpp"
+#include "tests/support/made_snapshot.hpp"
 
 namespace of_this_file {
 
@@ -278,6 +281,31 @@ TEST_SUITE("neighbors") {
       for (int lane = 0; lane < lanes; ++lane) CHECK(next[lane] == std::ssize(neighbors[lane]));
     }
     CHECK(in_line > 0.8 * slots);  // of the ring: but for where it closes
+  }
+
+  TEST_CASE("close pairs: those of brute force, each once, in the same order on any number of threads") {
+    constexpr int n = 5000;
+    constexpr double reach = 0.02;
+    std::vector<Point> places;
+    for (const auto& x : random_points<2>(n, 1, 3)) places.push_back({x[0], x[1], 0});
+    const Snapshot start = test::made_snapshot(2, places);
+    using Pairs = std::vector<std::pair<int, int>>;
+    const auto pairs_on = [&](int threads) {
+      Pairs pairs;
+      const auto add = [&](int i, int j) { pairs.emplace_back(i, j); };
+      for_each_close_pair(start, reach, add, threads);
+      return pairs;
+    };
+    const Pairs alone = pairs_on(1);
+    for (const int threads : {2, 3, 8}) CHECK((pairs_on(threads) == alone));
+    Pairs sorted = alone, expected;
+    std::ranges::sort(sorted);
+    for (int i = 0; i < n; ++i)
+      for (int j = i + 1; j < n; ++j) {
+        const double x = places[i][0] - places[j][0], y = places[i][1] - places[j][1];
+        if (x * x + y * y <= reach * reach) expected.emplace_back(i, j);
+      }
+    CHECK((sorted == expected));
   }
 }
 
