@@ -10,6 +10,7 @@
 #include <Eigen/SparseCholesky>
 
 #include "engine/core/parallel.hpp"
+#include "engine/families/bonded/bond_gradients.hpp"
 #include "engine/families/bonded/off_lattice.hpp"
 
 namespace taut {
@@ -187,14 +188,11 @@ void Sector::find_reverse() {
 void Sector::find_classes() {
   std::vector<int> image(end() - begin());
   turned_ = initial_.turned;
-  bool turns = true;
-  for (int i = first_; i < last_; ++i) {
-    for_each_bond(i, [&](int b) {
-      image[b - begin()] = find(turned_[i], turned_[bonds_.j[b]]);
-      turns = turns && image[b - begin()] >= 0;
-    });
-  }
-  if (!turns) {  // round-off has decided otherwise about a bond of the image
+  parallel_for(last_ - first_, threads_, [&](int k) {
+    const int i = first_ + k;
+    for_each_bond(i, [&](int b) { image[b - begin()] = find(turned_[i], turned_[bonds_.j[b]]); });
+  });
+  if (std::ranges::count(image, -1) > 0) {  // round-off has decided otherwise about a bond of the image
     std::iota(turned_.begin(), turned_.end(), 0);
     std::iota(image.begin(), image.end(), begin());
   }
@@ -216,16 +214,16 @@ void Sector::find_inside() {
   at_surface_.resize(last_ - first_);
   parallel_for(last_ - first_, threads_, [&](int k) {
     std::vector<Vector> X;
+    X.reserve(bonds_.begin[first_ + k + 1] - bonds_.begin[first_ + k]);
     for_each_bond(first_ + k, [&](int b) { X.push_back(vector(bonds_.rows[b].X)); });
     at_surface_[k] = initial_.held[first_ + k] || at_surface(X);
   });
-  inside_.assign(last_ - first_, 1);
-  for (int i = first_; i < last_; ++i) {
-    if (at_surface_[i - first_]) inside_[i - first_] = 0;
-    for_each_bond(i, [&](int b) {
-      if (at_surface_[bonds_.j[b] - first_]) inside_[i - first_] = 0;
-    });
-  }
+  inside_.resize(last_ - first_);
+  parallel_for(last_ - first_, threads_, [&](int k) {
+    bool inside = !at_surface_[k];
+    for_each_bond(first_ + k, [&](int b) { inside = inside && !at_surface_[bonds_.j[b] - first_]; });
+    inside_[k] = inside;
+  });
 }
 
 /// The face near a particle is across the sum of the surfaces (bonds.hpp) of those at it up to some bonds away,
@@ -336,11 +334,12 @@ void Sector::balance_areas() {
   if (!irregular_ && most > greatest) return;
   // squared: the more a layout asks for, the less of it goes well
   if (irregular_ && most > greatest_irregular) change *= std::pow(greatest_irregular / most, 2);
-  for (int b = begin(); b < end(); ++b) {
+  parallel_for(end() - begin(), threads_, [&](int k) {
+    const int b = begin() + k;
     const double along = 1 + change[pair(b)], across = change[pair(b) + 1];
     const Point a = bonds_.rows[b].area;
     bonds_.rows[b].area = {along * a[0] - across * a[1], along * a[1] + across * a[0], 0};
-  }
+  });
 }
 
 /// Σ_j a_ij ⊗ X_ij as it is, and where i is inside Σ_j (V_i B_i + V_j B_j) a_ij = 0, or its part along the face.
@@ -416,21 +415,18 @@ void Sector::balance_weights() {
   least_change(w, omega, owner, [&](int i, int row, Entries& entries, std::vector<double>& target) {
     add_force_rows(i, row, entries, target);
   });
-  for (int b = begin(); b < end(); ++b) bonds_.rows[b].weight = w[class_[b - begin()]];
+  parallel_for(end() - begin(), threads_, [&](int k) { bonds_.rows[begin() + k].weight = w[class_[k]]; });
 }
 
 }  // namespace
 
-void balance_areas(const InitialParticles& initial, const std::vector<bool>& irregular, Bonds& bonds,
-                   int threads) {
+void balance(const InitialParticles& initial, const std::vector<bool>& irregular, Bonds& bonds, int threads) {
+  std::vector<Sector> sectors;
   for (std::size_t body = 0; body < irregular.size(); ++body)
-    Sector(initial, bonds, static_cast<int>(body), irregular[body], threads).balance_areas();
-}
-
-void balance_weights(const InitialParticles& initial, const std::vector<bool>& irregular, Bonds& bonds,
-                     int threads) {
-  for (std::size_t body = 0; body < irregular.size(); ++body)
-    Sector(initial, bonds, static_cast<int>(body), irregular[body], threads).balance_weights();
+    sectors.emplace_back(initial, bonds, static_cast<int>(body), irregular[body], threads);
+  for (Sector& one : sectors) one.balance_areas();
+  bonds.B = inverse_moments<2>(bonds, initial.size(), threads);
+  for (Sector& one : sectors) one.balance_weights();
 }
 
 }  // namespace taut

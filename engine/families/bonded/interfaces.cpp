@@ -32,6 +32,8 @@ class InterfaceMaker {
 
   Interfaces make() {
     out_.begin.push_back(0);
+    const std::vector<int>& material = initial_.material;
+    if (std::ranges::count(material, material.front()) == std::ssize(material)) return std::move(out_);
     for (int i = 0; i < initial_.size(); ++i)
       if (const auto other = other_material(i)) add_site(i, *other);
     out_.wave_speed = wave_speed();

@@ -50,18 +50,24 @@ class LayoutBonds {
   void make_balanced() {
     choose();
     set_ends();
-    set_gradients();
-    balance_areas(initial_, irregular_, out_, threads_);
-    set_gradients();
+    out_.B = inverse_moments<2>(out_, initial_.size(), threads_);
     unbalanced_.resize(out_.rows.size());
     std::ranges::transform(out_.rows, unbalanced_.begin(), &Bond::weight);
-    balance_weights(initial_, irregular_, out_, threads_);
+    balance(initial_, irregular_, out_, threads_);
     changed_by_balance_ = !std::ranges::equal(out_.rows, unbalanced_, {}, &Bond::weight);
   }
+  /// What a particle asks for.
+  struct Asked {
+    std::vector<Eigen::Vector2d> X;
+    std::vector<double> w;
+    std::vector<std::size_t> pairs;
+  };
   void choose();
+  void choose(int i, const Moments<2>& moments, Asked& own);
+  void take_within(double reach, int i, Asked& own) const;
   void set_ends();
-  void set_gradients() { out_.B = inverse_moments<2>(out_, initial_.size(), threads_); }
   std::vector<int> with_pair_below(double least) const;
+  bool has_pair_below(double least, int i) const;
 
   const InitialParticles& initial_;
   double spacing_, h_;
@@ -75,43 +81,52 @@ class LayoutBonds {
   Bonds out_;
 };
 
-/// Which others each particle asks for, and with which weights. At the surface of an irregular body a missing
-/// neighbour is a missing bond; the others weigh the same, as much as leaves them no stiffer than the solid in any
-/// strain.
+/// Which others each particle asks for, and with which weights.
 void LayoutBonds::choose() {
   const Moments<2> moments;
   asked_.assign(near_.j.size(), not_asked);
-  parallel_for(initial_.size(), threads_, [&](int i) {
-    const std::span<const int> near = near_[i];
-    std::vector<Eigen::Vector2d> X;
-    std::vector<double> w;
-    std::vector<std::size_t> pairs;
-    const double least = least_reach_[initial_.body[i]];
-    const auto ask = [&] {
-      std::fill_n(asked_.begin() + near_.begin[i], near.size(), not_asked);
-      for (std::size_t b = 0; b < pairs.size(); ++b) asked_[pairs[b]] = rounded_weight(w[b]);
-    };
-    for (double reach = least; reach <= greatest_bond_reach; reach += 0.125) {
-      X.clear(), w.clear(), pairs.clear();
-      for (std::size_t k = 0; k < near.size(); ++k) {
-        const Eigen::Vector2d one = vector_of<2>(initial_.x[near[k]]) - vector_of<2>(initial_.x[i]);
-        if (!(one.norm() < reach * h_ * (1 - 1e-9))) continue;
-        X.push_back(one);
-        w.push_back(initial_.V0[near[k]] / one.squaredNorm());
-        pairs.push_back(near_.begin[i] + k);
-      }
-      if (irregular_[initial_.body[i]] && at_surface(X)) {
-        w.assign(X.size(), greatest_at_surface);
-        const double too_stiff = std::max(1.0, excess(X, w));
-        for (double& one : w) one /= too_stiff;
-        return ask();
-      }
-      const bool right = moments.make_right(X, w);
-      if (!right && reach > least) continue;  // the first choice stands if none is right
-      ask();
-      if (right) break;
-    }
+  parallel_chunks(initial_.size(), threads_, [&](int, int first, int last) {
+    Asked own;
+    for (int i = first; i < last; ++i) choose(i, moments, own);
   });
+}
+
+/// At the surface of an irregular body a missing neighbour is a missing bond; the others weigh the same, as much as
+/// leaves them no stiffer than the solid in any strain.
+void LayoutBonds::choose(int i, const Moments<2>& moments, Asked& own) {
+  std::vector<Eigen::Vector2d>& X = own.X;
+  std::vector<double>& w = own.w;
+  const double least = least_reach_[initial_.body[i]];
+  const auto ask = [&] {
+    std::fill_n(asked_.begin() + near_.begin[i], near_[i].size(), not_asked);
+    for (std::size_t b = 0; b < w.size(); ++b) asked_[own.pairs[b]] = rounded_weight(w[b]);
+  };
+  for (double reach = least; reach <= greatest_bond_reach; reach += 0.125) {
+    take_within(reach, i, own);
+    if (irregular_[initial_.body[i]] && at_surface(X)) {
+      w.assign(X.size(), greatest_at_surface);
+      const double too_stiff = std::max(1.0, excess(X, w));
+      for (double& one : w) one /= too_stiff;
+      return ask();
+    }
+    const bool right = moments.make_right(X, w);
+    if (!right && reach > least) continue;  // the first choice stands if none is right
+    ask();
+    if (right) return;
+  }
+}
+
+/// Those nearer than so many h, with weights to begin with.
+void LayoutBonds::take_within(double reach, int i, Asked& own) const {
+  const std::span<const int> near = near_[i];
+  own.X.clear(), own.w.clear(), own.pairs.clear();
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    const Eigen::Vector2d one = vector_of<2>(initial_.x[near[k]]) - vector_of<2>(initial_.x[i]);
+    if (!(one.norm() < reach * h_ * (1 - 1e-9))) continue;
+    own.X.push_back(one);
+    own.w.push_back(initial_.V0[near[k]] / one.squaredNorm());
+    own.pairs.push_back(near_.begin[i] + k);
+  }
 }
 
 /// Every bond that one of its two ends asked for, with the particles for its ends.
@@ -152,25 +167,28 @@ void LayoutBonds::set_ends() {
 /// The bodies whose balance has left a pair of particles less than this strength. Not irregular ones, which reach
 /// far already and where a few pairs that push when they are pulled do less harm than no balance does.
 std::vector<int> LayoutBonds::with_pair_below(double least) const {
+  std::vector<unsigned char> below(initial_.size());
+  parallel_for(initial_.size(), threads_, [&](int i) {
+    below[i] = !initial_.held[i] && !irregular_[initial_.body[i]] && has_pair_below(least, i);
+  });
   std::vector<int> bodies;
-  for (int i = 0; i < initial_.size(); ++i) {
-    if (initial_.held[i] || irregular_[initial_.body[i]] ||
-        (!bodies.empty() && bodies.back() == initial_.body[i]))
-      continue;
-    for (int b = out_.begin[i]; b < out_.begin[i + 1]; ++b) {
-      const int j = out_.j[b];
-      const int* last = out_.j.data() + out_.begin[j + 1];
-      const int* back = std::find(last - (out_.begin[j + 1] - out_.begin[j]), last, i);
-      const double of_other = initial_.V0[j] / initial_.V0[i] * out_.rows[back - out_.j.data()].weight;
-      const bool enough = initial_.held[j]
-                              ? out_.rows[b].weight >= std::min(least, 0.0)  // of others there are more
-                              : out_.rows[b].weight + of_other >= least;
-      if (enough) continue;
-      bodies.push_back(initial_.body[i]);
-      break;
-    }
-  }
+  for (int i = 0; i < initial_.size(); ++i)
+    if (below[i] && (bodies.empty() || bodies.back() != initial_.body[i])) bodies.push_back(initial_.body[i]);
   return bodies;
+}
+
+bool LayoutBonds::has_pair_below(double least, int i) const {
+  for (int b = out_.begin[i]; b < out_.begin[i + 1]; ++b) {
+    const int j = out_.j[b];
+    const int* last = out_.j.data() + out_.begin[j + 1];
+    const int* back = std::find(last - (out_.begin[j + 1] - out_.begin[j]), last, i);
+    const double of_other = initial_.V0[j] / initial_.V0[i] * out_.rows[back - out_.j.data()].weight;
+    const bool enough = initial_.held[j]
+                            ? out_.rows[b].weight >= std::min(least, 0.0)  // of others there are more
+                            : out_.rows[b].weight + of_other >= least;
+    if (!enough) return true;
+  }
+  return false;
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ bool has_equal_neighbors(const InitialParticles& initial, std::span<const int> n
   for (const double coordinate : at) greatest = std::max(greatest, std::abs(coordinate));
   const double tolerance = alike * spacing + ulps * 0x1p-52 * greatest;
   std::vector<double> r;
+  r.reserve(near.size());
   for (const int j : near)
     if (const double one = distance_between(initial.x[j], at, initial.dim); one < farthest * spacing)
       r.push_back(one);
@@ -96,6 +97,7 @@ bool at_surface(const std::vector<Eigen::Vector2d>& X) {
   constexpr double widest = 100 * std::numbers::pi / 180;
   if (X.size() < 3) return true;
   std::vector<double> angle;
+  angle.reserve(X.size());
   for (const Eigen::Vector2d& one : X) angle.push_back(std::atan2(one[1], one[0]));
   std::ranges::sort(angle);
   double gap = angle.front() + 2 * std::numbers::pi - angle.back();

@@ -89,6 +89,7 @@ template <int Dim>
 Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>& motion, int i,
                         std::span<const int> near, double spacing) {
   Neighborhood<Dim> some;
+  some.reserve(near.size());
   for (const int j : near) {
     if (initial.material[j] != initial.material[i] || motion[j] != motion[i]) continue;
     Eigen::Vector<double, Dim> X;

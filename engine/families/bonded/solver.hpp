@@ -62,8 +62,9 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     material_.resize(lanes * group_count());
     if (bonds.off_lattice) find_stiffest_swing();
     // not what a corner takes from a uniform stress, since there the bonds have no choice that is right
-    this->loads_.act_on_faces(input.scene, this->initial_, FaceRule::by_column, surface(bonds),
-                              this->support_);
+    if (has_loads(input.scene))
+      this->loads_.act_on_faces(input.scene, this->initial_, FaceRule::by_column, surface(bonds),
+                                this->support_);
     contact_.search(s_);
     Base::show_contacts_to_probes();
     Base::record();
