@@ -20,10 +20,14 @@ class SharedRows {
   /// For so many of them, as far as one knows.
   explicit SharedRows(int rows) : rows_(static_cast<std::size_t>(rows)) {}
 
+  /// What `add` finds a row by; it may be made beside others.
+  static std::size_t hash_of(const std::vector<T>& row) {
+    return std::hash<std::string_view>()(bytes_of(row));
+  }
   /// Where it begins.
-  int add(const std::vector<T>& row) {
-    const std::string_view bytes(reinterpret_cast<const char*>(row.data()), row.size() * sizeof(T));
-    const std::size_t hash = std::hash<std::string_view>()(bytes);
+  int add(const std::vector<T>& row) { return add(row, hash_of(row)); }
+  int add(const std::vector<T>& row, std::size_t hash) {
+    const std::string_view bytes = bytes_of(row);
     ++added_;
     if (2 * known_ >= table_.size()) grow();
     std::size_t at = first_of(hash);
@@ -48,6 +52,9 @@ class SharedRows {
     int begin = -1;        // none
   };
 
+  static std::string_view bytes_of(const std::vector<T>& row) {
+    return {reinterpret_cast<const char*>(row.data()), row.size() * sizeof(T)};
+  }
   bool stands(std::string_view bytes, std::size_t size, int begin) const {
     const char* const there = reinterpret_cast<const char*>(all_.data() + begin);
     return size <= all_.size() - static_cast<std::size_t>(begin) &&

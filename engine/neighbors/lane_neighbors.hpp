@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "engine/core/columns.hpp"
@@ -112,13 +113,14 @@ inline LaneSlots lane_slots(int first, const std::array<std::vector<int>, lanes>
   std::size_t least = 0;
   for (auto& taken : {lane_neighbors::by_distance(neighbors), lane_neighbors::in_turn(neighbors)}) {
     LaneSlots one;
+    one.slots.reserve(taken.size());
     std::size_t cost = 0;
     for (const LaneSlots::Taken& of_slot : taken) {
       one.slots.push_back(lane_neighbors::slot(first, neighbors, of_slot, size));
       cost += one.slots.back().in_line != 0 ? 1 : 2;
     }
     one.taken = taken;
-    if (best.slots.empty() || cost < least) best = one, least = cost;
+    if (best.slots.empty() || cost < least) best = std::move(one), least = cost;
   }
   return best;
 }

@@ -126,6 +126,7 @@ Pack CancelledBonds<Dim, Kept>::energy(int group, const Sym<Pack, Dim>& C) const
 template <int Dim, class Kept>
 auto CancelledBonds<Dim, Kept>::merged(const std::vector<Bond>& bonds) -> std::vector<Bond> {
   std::vector<Bond> all;
+  all.reserve(bonds.size());
   for (const Bond& one : bonds) {
     const auto same = std::ranges::find_if(all, [&](const Bond& other) {
       double off = 0;
@@ -148,6 +149,7 @@ CancelledBonds<Dim, Kept>::CancelledBonds(int n, int threads, const BondsOf& bon
     std::vector<Kept> thirds;
     CancelledOnLattice<Dim> on_lattice{};
     bool fits = true;
+    std::size_t hash_of_dyads = 0, hash_of_thirds = 0;
   };
   const auto make = [&](int group) {
     Four four;
@@ -161,13 +163,15 @@ CancelledBonds<Dim, Kept>::CancelledBonds(int n, int threads, const BondsOf& bon
         four.fits = four.fits && four.on_lattice.add(lane, bonds[b].dyad, bonds[b].Gw);
       }
     }
+    four.hash_of_dyads = dyads_.hash_of(four.dyads), four.hash_of_thirds = thirds_.hash_of(four.thirds);
     return four;
   };
   const int groups = (n + lanes - 1) / lanes;
   dyads_ = SharedRows<Dyad>(groups), thirds_ = SharedRows<Kept>(groups);
   on_lattice_ = SharedRows<CancelledOnLattice<Dim>>(groups);
   make_in_order(groups, threads, make, [&](int, const Four& four) {
-    groups_.push_back({dyads_.add(four.dyads), thirds_.add(four.thirds), static_cast<int>(four.dyads.size()),
+    groups_.push_back({dyads_.add(four.dyads, four.hash_of_dyads),
+                       thirds_.add(four.thirds, four.hash_of_thirds), static_cast<int>(four.dyads.size()),
                        four.fits ? on_lattice_.add({four.on_lattice}) : -1});
   });
   dyads_.close(), thirds_.close(), on_lattice_.close();

@@ -105,6 +105,9 @@ class PackedBonds {
     std::vector<Spring<Kept>> springs;
     std::vector<Kept> scales;
     std::vector<Vec<Kept, Dim>> areas;
+    struct {
+      std::size_t slots, springs, scales, areas;
+    } hash;
 
     void append(int first, const Four& bonds, int size);
   };
@@ -136,6 +139,7 @@ std::vector<int> PackedBonds<Dim, Kept>::add_places_at_clamp(const Bonds& bonds,
                                                              const std::vector<int>& ids,
                                                              const std::vector<int>& where) {
   std::vector<int> begin;
+  begin.reserve(ids.size());
   for (const int id : ids) {
     begin.push_back(static_cast<int>(places_at_clamp_.size()));
     for (int b = bonds.begin[id]; b < bonds.begin[id + 1]; ++b) {
@@ -165,6 +169,7 @@ PackedBonds<Dim, Kept>::PackedBonds(const Bonds& bonds, const Scene& scene, cons
     for (int lane = 0; lane < lanes && first + lane < n; ++lane) {
       const int id = ids[first + lane];
       int place = size + at_clamp[first + lane];
+      with_area[lane].reserve(bonds.begin[id + 1] - bonds.begin[id]);
       for (int b = bonds.begin[id]; b < bonds.begin[id + 1]; ++b) {
         const taut::Bond& own = bonds.of(id, b);
         Bond bond{where[bonds.j[b]], 0, 0, 0, own.area};
@@ -186,14 +191,18 @@ PackedBonds<Dim, Kept>::PackedBonds(const Bonds& bonds, const Scene& scene, cons
     const std::size_t a_count = packed.slots.size();
     packed.append(first, others, size);
     packed.areas.resize(a_count);
+    packed.hash = {slots_.hash_of(packed.slots), springs_.hash_of(packed.springs),
+                   energy_scales_.hash_of(packed.scales), a_ij_.hash_of(packed.areas)};
     return packed;
   };
+  groups_.reserve(groups);
   slots_ = SharedRows<LaneSlot>(groups), springs_ = SharedRows<Spring<Kept>>(groups);
   a_ij_ = SharedRows<Vec<Kept, Dim>>(groups), energy_scales_ = SharedRows<Kept>(groups);
   make_in_order(groups, threads, make, [&](int, const Packed& packed) {
-    groups_.push_back({slots_.add(packed.slots), static_cast<int>(packed.slots.size()),
-                       springs_.add(packed.springs), energy_scales_.add(packed.scales),
-                       a_ij_.add(packed.areas), static_cast<int>(packed.areas.size())});
+    groups_.push_back({slots_.add(packed.slots, packed.hash.slots), static_cast<int>(packed.slots.size()),
+                       springs_.add(packed.springs, packed.hash.springs),
+                       energy_scales_.add(packed.scales, packed.hash.scales),
+                       a_ij_.add(packed.areas, packed.hash.areas), static_cast<int>(packed.areas.size())});
   });
   slots_.close(), springs_.close(), a_ij_.close(), energy_scales_.close();
 }
@@ -201,8 +210,10 @@ PackedBonds<Dim, Kept>::PackedBonds(const Bonds& bonds, const Scene& scene, cons
 template <int Dim, class Kept>
 void PackedBonds<Dim, Kept>::Packed::append(int first, const Four& bonds, int size) {
   std::array<std::vector<int>, lanes> neighbors;
-  for (int lane = 0; lane < lanes; ++lane)
+  for (int lane = 0; lane < lanes; ++lane) {
+    neighbors[lane].reserve(bonds[lane].size());
     for (const Bond& bond : bonds[lane]) neighbors[lane].push_back(bond.j);
+  }
   const LaneSlots found = lane_slots(first, neighbors, size);
   for (std::size_t b = 0; b < found.slots.size(); ++b) {
     slots.push_back(found.slots[b]);

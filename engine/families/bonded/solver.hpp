@@ -182,6 +182,7 @@ HeldBonds<Dim, Kept> Bonded<M, Dim>::held(const Bonds& bonds, const Scene& scene
   const auto cancelled = [&](int i) {
     std::vector<typename Cancelled::Bond> of_particle;
     const int id = s_.id[i];
+    of_particle.reserve(bonds.begin[id + 1] - bonds.begin[id]);
     for (int b = bonds.begin[id]; b < bonds.begin[id + 1]; ++b) {
       const taut::Bond& bond = bonds.of(id, b);
       const double G = bond_modulus<Dim>(bonds, this->initial_, materials_, id, b);
@@ -199,9 +200,14 @@ HeldBonds<Dim, Kept> Bonded<M, Dim>::held(const Bonds& bonds, const Scene& scene
 
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::add_sites(const Bonds& bonds) {
-  for (int group = 0; group < group_count(); ++group) {
-    Sites four{};
-    GradientMoment B{};
+  struct Four {
+    std::vector<Sites> sites{Sites{}};
+    std::vector<GradientMoment> B{GradientMoment{}};
+  };
+  const auto make = [&](int group) {
+    Four all;
+    Sites& four = all.sites[0];
+    GradientMoment& B = all.B[0];
     for (int lane = 0; lane < lanes && lanes * group + lane < s_.size(); ++lane) {
       const int id = s_.id[lanes * group + lane];
       const Elasticity& material = materials_[this->initial_.material[id]];
@@ -210,8 +216,11 @@ void Bonded<M, Dim>::add_sites(const Bonds& bonds) {
         for (int k = 0; k < Dim; ++k) B(k, a)[lane] = bonds.B[id][a][k];
       if (B(0, 0)[lane] > 0) four.V[lane] = bonds.volume[id];
     }
-    groups_.push_back({sites_.add({four}), B_.add({B})});
-  }
+    return all;
+  };
+  make_in_order(group_count(), this->threads_, make, [&](int, const Four& all) {
+    groups_.push_back({sites_.add(all.sites), B_.add(all.B)});
+  });
   sites_.close(), B_.close();
 }
 
