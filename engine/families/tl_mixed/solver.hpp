@@ -107,7 +107,7 @@ class TlMixed final : public InitialPairSolver<TlMixed<M, Dim>, M, Dim> {
   Columns<fields> once_;                              // dp² L of (v, J)
   std::vector<Strain> strain_, start_;                // at the stage and at the start of the step
   std::vector<Strain> rate_;                          // at the stage
-  std::vector<V> v_start_, v_predicted_;              // m/s; the latter under the impulse law
+  std::vector<V> v_start_;                            // m/s
   Columns<Dim> a_, a_start_;                          // without contact and loads; of all at the start, m/s²
   Columns<1> dissipation_J_;                          // 1/s
   double dissipation_limit_ = std::numeric_limits<double>::infinity();  // s, of the step
@@ -223,7 +223,6 @@ void TlMixed<M, Dim>::step(double dt) {
   parallel_for(s_.size(), threads_now(),
                [&](int i) { s_.x[i] += (0.5 * dt * s_.mobile[i]) * (v_start_[i] + s_.v[i]); });
   find_rates(dt);
-  if (contact_.stops()) v_predicted_ = s_.v;
   Base::set_greatest_speed(correct(dt));
   project_on_boundary(0);
   stop_approach(dt);
@@ -400,21 +399,19 @@ double TlMixed<M, Dim>::correct(double dt) {
   });
 }
 
-/// Under the impulse law: positions have followed the mean of the velocity at the start and that of the first stage, and
-/// so have their gradients F, with J and H. Who is stopped is moved as if that had been the velocity all along: by the change
-/// of the last one alone it would creep on where forces differ between the stages, and F left where it was would keep a
-/// strain that nobody sees.
+/// Under the impulse law: positions have followed the mean of the velocities at both ends of the step, and so have
+/// their gradients F, with J and H. Left where they were, they would keep a strain that nobody sees.
+/// The mean is that of the start and of the first stage, so that who is stopped time and again creeps on by dt²/4 of the
+/// difference of the accelerations of both stages a step. To move it back by that too would cost the angular momentum.
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::stop_approach(double dt) {
   bool stopped = false;
-  Base::stop_approach(0.5 * dt, [&](int i, const V&) {
+  Base::stop_approach(0.5 * dt, [&](int i, const V& change) {
     if (!stopped)
       for (int k = 0; k < Dim; ++k) std::fill_n(flow_[k], flow_.size(), 0.0);
     stopped = true;
-    const V change = s_.v[i] - v_predicted_[i];
-    v_predicted_[i] = s_.v[i];
     s_.x[i] += (0.5 * dt) * change;
-    for (int k = 0; k < Dim; ++k) flow_[k][i] += change[k];
+    for (int k = 0; k < Dim; ++k) flow_[k][i] = change[k];
   });
   if (!stopped) return;
   parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {

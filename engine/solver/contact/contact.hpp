@@ -38,9 +38,6 @@ class Contact {
   /// There are particles that may have a force.
   bool acting() const { return !touching().empty(); }
 
-  /// `stop_approach` may change velocities.
-  bool stops() const { return active_ && pairs_.impulses(); }
-
   /// Searches anew what the fastest particle, whose next way is `way`, m, may have come out of. True if it
   /// did.
   bool prepare(const State<Dim>& s, double way);
@@ -62,7 +59,7 @@ class Contact {
   template <class InverseMass, class Change>
   void stop_approach(const State<Dim>& s, double gone, const InverseMass& inverse_mass,
                      const Change& change) {
-    if (!stops()) return;
+    if (!active_ || !pairs_.impulses()) return;
     pairs_.stop_approach(s, gone, walls_, inverse_mass, change);
     for (Asked& asked : asked_)
       if (asked.wall >= 0 || between_bodies_)

@@ -191,13 +191,15 @@ class NaiveOenogIn {
     return f;
   }
 
-  void step(double cfl, double damping) {
+  /// By a step of its own, s, where one is given.
+  void step(double cfl, double damping, double own = 0) {
     double c = interfaces_.wave_speed, fastest = 0;
     for (int i = 0; i < size(); ++i) {
       c = std::max(c, std::sqrt((K(i) + 4.0 / 3 * G(i)) / material(i).density));
       fastest = std::max(fastest, length(v[i]));
     }
-    const double dt = cfl * scene_.spacing / (c + fastest) * std::min(1.0, std::sqrt(1.5 / stiffest_));
+    const double dt =
+        own > 0 ? own : cfl * scene_.spacing / (c + fastest) * std::min(1.0, std::sqrt(1.5 / stiffest_));
     for (int i = 0; i < size(); ++i)
       for (int k = 0; k < Dim; ++k) x[i][k] += dt / 2 * v[i][k];
     const Places f = by_hand ? force_by_hand(x) : force(x), dashpots = drag(damping), others = push();
