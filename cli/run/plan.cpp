@@ -202,8 +202,8 @@ void declare_setting_options(CLI::App& app, RunOptions& o) {
            help)
         ->option_text(placeholder);
   };
-  declare_number("spacing", "of the particles, m, a number or as 1/14; rounded so that it divides the first body",
-                 "DP");
+  declare_number("spacing",
+                 "of the particles, m, a number or as 1/14; rounded so that it divides the first body", "DP");
   declare_number("until", "end of the run, s", "T");
 }
 

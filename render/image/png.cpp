@@ -6,6 +6,8 @@
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
+#include <isa-l/crc.h>
+#include <isa-l/igzip_lib.h>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -13,8 +15,6 @@
 #include <system_error>
 #include <unistd.h>
 
-#include <isa-l/crc.h>
-#include <isa-l/igzip_lib.h>
 #include <png.h>
 
 #include "engine/error.hpp"

@@ -198,8 +198,8 @@ TEST_SUITE("failure") {
   // the same ε₄ dp³ it is 10 %, with a third and a quarter 10.4 and 10.5 %.
   TEST_CASE("tensile cube: the dissipation of 8³ brings the top back early at half the spacing too") {
     const double height = 0.26;  // m
-    const Run fine = run("tensile-cube", "pf-jst",
-                         {{"spacing", "1/14"}, {"method.eps_v4", "1"}, {"until", "0.0021"}});
+    const Run fine =
+        run("tensile-cube", "pf-jst", {{"spacing", "1/14"}, {"method.eps_v4", "1"}, {"until", "0.0021"}});
     CHECK(fine.off("top_2100us") > 0.09 * height);
     CHECK(fine.off("top_2100us") < 0.11 * height);
     CHECK(std::abs(fine.off("top_580us")) < 0.02 * height);
@@ -208,7 +208,7 @@ TEST_SUITE("failure") {
   // §8.5, Fig. 13, 14. At the edge of the punch, which sticks, particles part. Of a neo-Hookean material {p,
   // F, H, J} is {p, F, J} but for steps of time, as on the tensile cube.
   TEST_CASE("coining: the pressure of pf checkers, that of the dissipated methods does not, down to 46 %") {
-    const double beyond = 0.015;  // half a punch away from its edge, m
+    const double beyond = 0.015;             // half a punch away from its edge, m
     const double least_volume = 1 - 0.0285;  // finite elements, at 0.12 ms: the first wave of pressure
     const Run rough = run("coining", "pf", {}, beyond), other = run("coining", "oenog");
     CHECK(std::abs(other.volume - least_volume) < 0.005);

@@ -345,7 +345,8 @@ TEST_SUITE("unit") {
     CHECK(simulation->series().value[0][0] == relative(simulation->support() - far.spacing));
   }
 
-  TEST_CASE("probes: of a turned body with particles on its faces a point is that of the body as it is laid") {
+  TEST_CASE(
+      "probes: of a turned body with particles on its faces a point is that of the body as it is laid") {
     const auto last_values = [](double angle) {
       constexpr double pitch = 0.25;  // m
       const Rotation turn{{0, 0, 1}, {0.3, -0.2, 0}, angle}, back{{0, 0, 1}, {0.3, -0.2, 0}, -angle};
@@ -370,7 +371,7 @@ TEST_SUITE("unit") {
         scene.probes.push_back(make_probe("probe", kind));
         scene.probes.back().at = rotated(turn, at);
       };
-      add(Probe::Kind::displacement, {pitch, 0.9 * pitch, 0});     // a held particle
+      add(Probe::Kind::displacement, {pitch, 0.9 * pitch, 0});      // a held particle
       add(Probe::Kind::displacement, {8 * pitch, 3.6 * pitch, 0});  // the corner: along x and y
       add(Probe::Kind::displacement, {8 * pitch, 3.6 * pitch, 0});
       scene.probes.back().axis = 1;
