@@ -113,6 +113,9 @@ struct Deflater {
     stream.level_buf = level_buffer;
     stream.level_buf_size = sizeof level_buffer;
   }
+  Deflater(const Deflater&) = delete;  // the stream refers to the buffer
+  Deflater& operator=(const Deflater&) = delete;
+
   /// Appends to `out` what comes of `bytes`, and at the end of the stream all that is left of it.
   void add(std::span<std::uint8_t> bytes, bool at_end, std::vector<std::uint8_t>& out) {
     stream.next_in = bytes.data();
