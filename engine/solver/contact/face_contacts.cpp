@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <span>
 
 #include "engine/error.hpp"
 
@@ -188,6 +189,24 @@ void FaceContacts<Dim>::watch() {
   }
   std::sort(touching_.begin(), touching_.end());
   touching_.erase(std::unique(touching_.begin(), touching_.end()), touching_.end());
+  watch_segments();
+}
+
+template <int Dim>
+void FaceContacts<Dim>::watch_segments() {
+  std::vector<bool> watched(faces_.size());
+  for (const int n : watched_) watched[n] = true;
+  watched_segments_.clear();
+  std::ranges::copy_if(all_segments_, std::back_inserter(watched_segments_), [&](int k) {
+    const std::array<int, 2>& end = faces_.segment(k).node;
+    return watched[end[0]] && watched[end[1]];
+  });
+}
+
+template <int Dim>
+void FaceContacts<Dim>::place_watched(const State<Dim>& s) {
+  for (const int n : watched_) faces_.place(s, n);
+  for (const int k : watched_segments_) faces_.set_normal(k);
 }
 
 /// f(node, foot, touch) of each listed node that faces something. Half and half of two sides of a corner where the
@@ -197,14 +216,20 @@ template <class F>
 void FaceContacts<Dim>::for_each_touch(const NearFaces& near, const F& f) const {
   for (std::size_t k = 0; k < near.node.size(); ++k) {
     const int n = near.node[k];
+    const auto segments = std::span(near.segment).subspan(near.begin[k], near.begin[k + 1] - near.begin[k]);
     Foot<Dim> foot, twin;
-    for (int l = near.begin[k]; l < near.begin[k + 1]; ++l) faces_.measure(n, near.segment[l], foot);
+    // the nearest first: few others can be the foot then
+    const int nearest =
+        *std::ranges::min_element(segments, {}, [&](int l) { return faces_.distance2(n, l); });
+    faces_.measure(n, nearest, foot);
+    for (const int l : segments)
+      if (l != nearest) faces_.measure(n, l, foot);
     if (foot.segment == Outline::none) continue;
     const auto touch = faces_.touch(foot);
-    for (int l = near.begin[k]; l < near.begin[k + 1] && touch.depth > 0; ++l) {
-      if (!faces_.beside(near.segment[l], foot.segment)) continue;
+    for (const int l : segments) {
+      if (touch.depth <= 0 || !faces_.beside(l, foot.segment)) continue;
       Foot<Dim> other;
-      faces_.measure(n, near.segment[l], other);
+      faces_.measure(n, l, other);
       if (std::abs(other.rank - foot.rank) < tie * dp_) twin = other;
     }
     if (twin.segment == Outline::none) {
@@ -259,7 +284,7 @@ void FaceContacts<Dim>::act_on_nodes(const State<Dim>& s, double dt, WallContact
 template <int Dim>
 void FaceContacts<Dim>::evaluate(const State<Dim>& s, double dt, WallContacts<Dim>& walls,
                                  std::vector<V>& force, int) {
-  for (const int n : watched_) faces_.place(s, n);
+  place_watched(s);
   act_on_nodes(s, dt, walls);
   for (const int i : touching_) force[i] = V{};
   for (const int n : watched_) {
@@ -270,7 +295,7 @@ void FaceContacts<Dim>::evaluate(const State<Dim>& s, double dt, WallContacts<Di
 
 template <int Dim>
 double FaceContacts<Dim>::energy(const State<Dim>& s, const WallContacts<Dim>& walls) {
-  for (const int n : watched_) faces_.place(s, n);
+  place_watched(s);
   double sum = 0;
   for (const NearFaces* near : {&others_, &own_}) {
     for_each_touch(*near, [&](int n, const Foot<Dim>& foot, const auto& touch) {
@@ -312,7 +337,7 @@ auto FaceContacts<Dim>::of_wall(int a, int wall, const WallContacts<Dim>& walls)
 template <int Dim>
 double FaceContacts<Dim>::gap(const State<Dim>& s, int a, int b) {
   if (others_.node.empty()) return reach * dp_;
-  for (const int n : watched_) faces_.place(s, n);
+  place_watched(s);
   double least = reach * dp_;
   for_each_touch(others_, [&](int n, const Foot<Dim>& foot, const auto& touch) {
     if (touch.depth >= reach * dp_) return;

@@ -60,6 +60,7 @@ class FaceContacts {
     archive.indices(near_wall_, std::pair(faces_.size(), walls));
     archive(others_bound_, own_bound_);
     archive.indices(watched_, faces_.size());
+    watch_segments();
     archive.indices(touching_, particles);
   }
 
@@ -81,6 +82,8 @@ class FaceContacts {
   void search_own(const State<Dim>& s);
   bool looks_aside(int node, int segment) const;
   void watch();
+  void watch_segments();
+  void place_watched(const State<Dim>& s);
   template <class F>
   void for_each_touch(const NearFaces& near, const F& f) const;
   template <class F>
@@ -102,9 +105,10 @@ class FaceContacts {
   NearFaces others_, own_;
   std::vector<std::pair<int, int>> near_wall_;  // (node, wall)
   MotionBound<Dim> others_bound_, own_bound_;
-  std::vector<V> behind_;      // [node] the particle behind it, m
-  std::vector<int> watched_;   // nodes whose place counts, in rising order
-  std::vector<int> touching_;  // particles
+  std::vector<V> behind_;              // [node] the particle behind it, m
+  std::vector<int> watched_;           // nodes whose place counts, in rising order
+  std::vector<int> watched_segments_;  // both of whose ends are
+  std::vector<int> touching_;          // particles
   // [node] N; apart, so that each is summed in the order of nodes, which mirrored bodies share
   std::vector<V> own_force_;  // from what the nodes of its own body meet
   std::vector<V> reaction_;   // from nodes of other bodies

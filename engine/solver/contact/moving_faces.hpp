@@ -52,7 +52,8 @@ class MovingFaces {
   using V = Vec<double, Dim>;
 
   MovingFaces() = default;
-  explicit MovingFaces(Outline outline) : outline_(std::move(outline)), place_(outline_.size()) {
+  explicit MovingFaces(Outline outline)
+      : outline_(std::move(outline)), place_(outline_.size()), normal_(outline_.segments.size()) {
     for (int n = 0; n < size(); ++n) {
       const auto first = outline_.shares.begin() + outline_.begin[n],
                  last = outline_.shares.begin() + outline_.begin[n + 1];
@@ -92,6 +93,14 @@ class MovingFaces {
   }
   void place_all(const State<Dim>& s) {
     for (int n = 0; n < size(); ++n) place(s, n);
+    for (int k = 0; k < static_cast<int>(normal_.size()); ++k) set_normal(k);
+  }
+  /// After its nodes were brought there.
+  void set_normal(int k) {
+    const auto& [node, length, sense] = outline_.segments[k];
+    const V t = place_[node[1]] - place_[node[0]];
+    const double factor = sense / std::sqrt(dot(t, t));
+    normal_[k] = {factor * t[1], -factor * t[0]};
   }
   const std::vector<V>& places() const { return place_; }  // [node] m
   /// The place of the particle that counts most for each node, m.
@@ -108,11 +117,14 @@ class MovingFaces {
   }
 
   /// Of length 1, outwards.
-  V normal_of(int k) const {
-    const auto& [node, length, sense] = outline_.segments[k];
-    const V t = place_[node[1]] - place_[node[0]];
-    const double factor = sense / std::sqrt(dot(t, t));
-    return {factor * t[1], -factor * t[0]};
+  const V& normal_of(int k) const { return normal_[k]; }
+
+  /// Of a node from a segment, m².
+  double distance2(int node, int k) const {
+    const std::array<int, 2>& end = outline_.segments[k].node;
+    const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
+    const V offset = d - std::clamp(dot(d, t) / dot(t, t), 0.0, 1.0) * t;
+    return dot(offset, offset);
   }
 
   /// The length of face that belongs to a node, m at the start, as far as it faces a face of this normal.
@@ -332,7 +344,8 @@ class MovingFaces {
   std::vector<std::array<bool, 2>> sharp_;  // [segment] its ends
   std::vector<int> stored_;                 // [share] where its particle is
   std::vector<int> behind_;                 // [node] the share of the particle behind it
-  std::vector<V> place_;
+  std::vector<V> place_;                    // [node] m
+  std::vector<V> normal_;                   // [segment] as normal_of
 };
 
 }  // namespace taut::inline TAUT_ISA
