@@ -8,7 +8,3 @@
 #define TAUT_KNOWS_X86_64_LEVELS  // what is built for any machine chooses, and knows the others
 #endif
 #endif
-
-// After the parameters of a lambda that is the body of a pass: all that it calls is inlined. Left to itself,
-// the compiler calls a term of a dozen vector operations, and hands each of them over through memory.
-#define TAUT_FLATTEN __attribute__((flatten))

@@ -11,6 +11,9 @@
 
 namespace taut::inline TAUT_ISA {
 
+/// The greater of two numbers, or NaN if one is.
+inline double greater(double a, double b) { return b <= a || a != a ? a : b; }
+
 /// In how many parts a loop is handed out: several a thread, so that one that is held up does not hold up
 /// all, and none that is not worth the handing over.
 inline int chunks_of(int n, int threads) {
@@ -42,6 +45,27 @@ void parallel_for(int n, int threads, const F& f) {
   });
 }
 
+/// f(first), … f(last − 1), all that they call in one loop. Left to itself, the compiler calls the body of a pass
+/// for every particle, and a term of a dozen vector operations in it, and hands each of them over through memory.
+template <class F>
+[[gnu::flatten, gnu::noinline]] void inlined_loop(const F& f, int first, int last) {
+  const F own = f;  // so that numbers it holds by value stay in registers: nothing that is stored can be them
+  for (int i = first; i < last; ++i) own(i);
+}
+template <class F>
+[[gnu::flatten, gnu::noinline]] double inlined_max(const F& f, int first, int last) {
+  const F own = f;
+  double most = 0;
+  for (int i = first; i < last; ++i) most = greater(most, own(i));
+  return most;
+}
+
+/// parallel_for of a loop that a step's time goes into.
+template <class F>
+void parallel_pass(int n, int threads, const F& f) {
+  parallel_chunks(n, threads, [&](int, int first, int last) { inlined_loop(f, first, last); });
+}
+
 /// take(i, make(i)) for i = 0 … n−1: what is made on `threads` threads is taken by one, in this order, and few
 /// of it are there at a time.
 template <class Make, class Take>
@@ -55,16 +79,12 @@ void make_in_order(int n, int threads, const Make& make, const Take& take) {
   }
 }
 
-/// The greater of two numbers, or NaN if one is.
-inline double greater(double a, double b) { return b <= a || a != a ? a : b; }
-
-/// Greatest f(i), or NaN if any is NaN. The same for any number of threads.
+/// Greatest f(i) of a pass, or NaN if any is NaN. The same for any number of threads.
 template <class F>
 double parallel_max(int n, int threads, const F& f) {
   std::atomic<double> result = 0;
   parallel_chunks(n, threads, [&](int, int first, int last) {
-    double mine = 0;
-    for (int i = first; i < last; ++i) mine = greater(mine, f(i));
+    const double mine = inlined_max(f, first, last);
     for (double others = result; !result.compare_exchange_weak(others, greater(others, mine));) {
     }
   });

@@ -70,7 +70,7 @@ class ParticleSolver : public SolverParts<Dim> {
   void take_snapshot() final {
     solver().begin_snapshot();
     solver().prepare_to_show();
-    parallel_for(groups(), this->threads_now(), [&](int group) TAUT_FLATTEN { solver().show(group); });
+    parallel_pass(groups(), this->threads_now(), [&](int group) { solver().show(group); });
   }
   const Snapshot& shown(const std::vector<int>& stored) final {
     std::swap(this->snapshot_, seen_);

@@ -49,7 +49,7 @@ Mat<double, Dim> closed_piola(const L& law, const Mat<double, Dim>& F) {
 /// Of four particles, with their materials, one after the other.
 template <class L, int Dim>
 Pack closed_energy(const std::vector<L>& laws, const int* material, const Mat<Pack, Dim>& F) {
-  Pack energy;
+  Pack energy{};
   for (int lane = 0; lane < lanes; ++lane)
     energy[lane] = closed_energy(laws[material[lane]], lane_of(F, lane));
   return energy;

@@ -372,7 +372,7 @@ void Bonded<M, Dim>::set_stress(const HeldBonds<Dim, Kept>& bonds, int group, co
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::stress_pass() {
   const auto pass = [&](const auto& bonds) {
-    return parallel_max(block_count(), threads_now(), [&](int n) TAUT_FLATTEN {
+    return parallel_max(block_count(), threads_now(), [&](int n) {
       const int first = block * n, count = std::min(block, group_count() - first);
       Strained of[block];
       Pack stiffest{};
@@ -407,7 +407,7 @@ double Bonded<M, Dim>::force_pass(double dt) {
     if (kick.watched())
       parallel_for(group_count(), threads_now(),
                    [&](int group) { kick.note(lanes * group, force(bonds, group)); });
-    return parallel_max(block_count(), threads_now(), [&](int n) TAUT_FLATTEN {
+    return parallel_max(block_count(), threads_now(), [&](int n) {
       Pack fastest{};
       for (int group = block * n; group < std::min(block * (n + 1), group_count()); ++group) {
         const int first = lanes * group;

@@ -78,7 +78,7 @@ Mat<Pack, Dim> TlDisplacement<M, Dim>::deformation(int group) const {
 template <const Formulation& M, int Dim>
 void TlDisplacement<M, Dim>::stress_pass() {
   this->with_laws([&](const auto& laws) {
-    parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+    parallel_pass(groups(), threads_now(), [&](int group) {
       const Mat<Pack, Dim> F = deformation(group);
       const Mat<Pack, Dim> P = laws(group, [&](const auto& law) { return law.piola(F, determinant(F)); });
       const auto& site = this->sites_[group];
@@ -94,7 +94,7 @@ double TlDisplacement<M, Dim>::force_pass(double dt) {
   if (kick.watched())
     parallel_for(groups(), threads_now(),
                  [&](int group) { kick.note(lanes * group, pair_lanes_.pair_sum(stress_, group)); });
-  return parallel_max(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+  return parallel_max(groups(), threads_now(), [&](int group) {
     const int first = lanes * group;
     const auto& site = this->sites_[group];
     const Vec<Pack, Dim> v =

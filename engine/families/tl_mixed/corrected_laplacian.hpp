@@ -153,12 +153,11 @@ double biharmonic_spectral_radius(const LaplacianLanes<Dim>& pairs, int particle
   for (int i = 0; i < particles; ++i) U[0][i] = std::sin(1.0 + 7.3 * i), U[1][i] = std::cos(1.9 * i * i);
   double greatest = 0;
   for (int round = 0; round < 100; ++round) {
-    parallel_for(U.size() / lanes, threads, [&](int group) TAUT_FLATTEN {
+    parallel_pass(U.size() / lanes, threads, [&](int group) {
       put(differences_and_laplacian(pairs, U, group).laplacian, once, lanes * group);
     });
-    parallel_for(U.size() / lanes, threads, [&](int group) TAUT_FLATTEN {
-      put(second_laplacian(pairs, once, group), twice, lanes * group);
-    });
+    parallel_pass(U.size() / lanes, threads,
+                  [&](int group) { put(second_laplacian(pairs, once, group), twice, lanes * group); });
     greatest = 0;
     for (int field = 0; field < fields; ++field) {
       double before = 0, after = 0;

@@ -179,7 +179,7 @@ double TlMixed<M, Dim>::step_size() const {
     return this->fixed_or(std::min(Base::step_size(), dissipation_limit_));
   } else {
     const double stiffest = this->with_laws([&](const auto& laws) {
-      return parallel_max(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+      return parallel_max(groups(), threads_now(), [&](int group) {
         return greatest(laws(group, [&](const auto& law) { return stiffness(law, strain_[group]); }));
       });
     });
@@ -245,7 +245,7 @@ void TlMixed<M, Dim>::find_rates(double dt) {
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::set_columns() {
   this->with_laws([&](const auto& laws) {
-    parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+    parallel_pass(groups(), threads_now(), [&](int group) {
       const Strain& u = strain_[group];
       const Vec<Pack, Dim> v = four_of(s_.v, lanes * group);
       for (int k = 0; k < Dim; ++k) store(v[k], flow_[k] + lanes * group);
@@ -259,7 +259,7 @@ void TlMixed<M, Dim>::set_columns() {
 /// dF/dt, dJ/dt, dH/dt, internal force and L[U].
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::gather_pass() {
-  parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+  parallel_pass(groups(), threads_now(), [&](int group) {
     Mat sum;
     if constexpr (M.jst) {
       const auto both = differences_and_laplacian(pair_lanes_, flow_, group);
@@ -288,7 +288,7 @@ inline constexpr TermInfo cofactor_info{
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::dissipation_pass() {
   const double rate = Base::wave_speed() / c_.dp;
-  parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+  parallel_pass(groups(), threads_now(), [&](int group) {
     const Vec<Pack, fields> once = vector_at<fields>(once_, lanes * group),
                             twice = second_laplacian(pair_lanes_, once_, group);
     Vec<Pack, Dim> a = vector_at<Dim>(a_, lanes * group);
@@ -336,7 +336,7 @@ Vec<Pack, Dim> TlMixed<M, Dim>::acceleration(int group) {
 template <const Formulation& M, int Dim>
 void TlMixed<M, Dim>::predict(double dt) {
   const bool steered = drives_.active() || guides_.active();
-  parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+  parallel_pass(groups(), threads_now(), [&](int group) {
     const int first = lanes * group;
     Strain& u = strain_[group];
     const Strain& rate = rate_[group];
@@ -381,7 +381,7 @@ void TlMixed<M, Dim>::project_on_boundary(double ahead) {
 template <const Formulation& M, int Dim>
 double TlMixed<M, Dim>::correct(double dt) {
   const bool outside = drives_.active() || guides_.active() || loads_.active();
-  return parallel_max(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+  return parallel_max(groups(), threads_now(), [&](int group) {
     const int first = lanes * group;
     Strain& u = strain_[group];
     const Strain &start = start_[group], &rate = rate_[group];
@@ -414,7 +414,7 @@ void TlMixed<M, Dim>::stop_approach(double dt) {
     for (int k = 0; k < Dim; ++k) flow_[k][i] = change[k];
   });
   if (!stopped) return;
-  parallel_for(groups(), threads_now(), [&](int group) TAUT_FLATTEN {
+  parallel_pass(groups(), threads_now(), [&](int group) {
     const Mat grad_v = product(pair_lanes_.difference_sum(flow_, group), sites_[group].B);
     Strain& u = strain_[group];
     if constexpr (has_J) u.J += (0.5 * dt) * contraction(cofactors(u), grad_v);

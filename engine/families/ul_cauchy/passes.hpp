@@ -38,7 +38,7 @@ void gradient_pass(CauchyFields<M, Dim>& f, const Constants& c, int threads, con
   using K = Kernel<M.kernel>;
   const KernelScale<M, Dim> scale(c.h);
   const double beyond2 = power<2>(2 * K::support * c.h);
-  parallel_for(f.size(), threads, [&](int i) TAUT_FLATTEN {
+  parallel_pass(f.size(), threads, [&](int i) {
     const Motion<Dim> a = spread_motion(f.motion[i]);
     Sym<Pack, Dim> moment{};
     [[maybe_unused]] Mat<Pack, Dim> L{};
@@ -101,7 +101,7 @@ template <const Formulation& M, int Dim, class Use>
 double stress_pass(const CauchyFields<M, Dim>& f, const Constants& c, int threads, const Use& use) {
   using Row = StressRow<M, Dim>;
   const KernelScale<M, Dim> scale(c.h);
-  return parallel_max(f.size(), threads, [&, repulsion = Repulsion<M, Dim>(c)](int i) TAUT_FLATTEN {
+  return parallel_max(f.size(), threads, [&, repulsion = Repulsion<M, Dim>(c)](int i) {
     const auto a = Row::spread(f.stress[i]);
     Vec<Pack, Dim> force{};
     constexpr bool everywhere = M.artificial_stress && !M.tensile_control;
@@ -156,7 +156,7 @@ double stress_pass(const CauchyFields<M, Dim>& f, const Constants& c, int thread
 template <const Formulation& M, int Dim, class Use>
 double transport_pass(const CauchyFields<M, Dim>& f, const Constants& c, int threads, const Use& use) {
   const double of_W = KernelScale<M, Dim>(c.h).of_W;
-  return parallel_max(f.size(), threads, [&](int i) TAUT_FLATTEN {
+  return parallel_max(f.size(), threads, [&](int i) {
     const Motion<Dim> a = spread_motion(f.moved[i]);
     Vec<Pack, Dim> du{};
     for (int b = f.near.begin[i]; b < f.near.begin[i + 1]; ++b) {
@@ -173,7 +173,7 @@ template <const Formulation& M, int Dim, class Use>
 void rate_pass(const CauchyFields<M, Dim>& f, const Constants& c, int threads, const Use& use) {
   using K = Kernel<M.kernel>;
   const KernelScale<M, Dim> scale(c.h);
-  parallel_for(f.size(), threads, [&](int i) TAUT_FLATTEN {
+  parallel_pass(f.size(), threads, [&](int i) {
     const Motion<Dim> a = spread_motion(f.transported[i]);
     [[maybe_unused]] Sym<Pack, Dim> moment{};
     [[maybe_unused]] Pack compression{};

@@ -57,7 +57,7 @@ void geometry_pass(State<Dim>& s, const Constants& c, int threads) {
   s.pairs.make_room(s.neighbors.begin.back(), M.artificial_stress, PairKernel<M, Dim>::steepness(c), c.h);
   // places and bodies, in rows that stand ready to be gathered
   parallel_for(s.size(), threads, [&](int i) { s.flow[i].set(s.x[i], s.body[i], 0); });
-  parallel_for(s.size(), threads, [&, kernel = PairKernel<M, Dim>(c)](int i) TAUT_FLATTEN {
+  parallel_pass(s.size(), threads, [&, kernel = PairKernel<M, Dim>(c)](int i) {
     const Flow<Dim, Pack> here = spread_flow(s.flow[i]);
     PackIndex outside{};
     for (int b = s.neighbors.begin[i]; b < s.neighbors.begin[i + 1]; ++b) {
@@ -126,7 +126,7 @@ Vec<Pack, Dim> gradient_inside(const State<Dim>& s, int i, int b) {
 template <const Formulation& M, int Dim, class Use>
 double momentum_pass(State<Dim>& s, const Constants& c, int threads, const Use& use) {
   const Dissipation dissipation{c.rho0 * c.c0, c.riemann_limiter / c.c0, c.beta_least};
-  return parallel_max(s.size(), threads, [&](int i) TAUT_FLATTEN {
+  return parallel_max(s.size(), threads, [&](int i) {
     const Flow<Dim, Pack> f_i = spread_flow(s.flow[i]);
     [[maybe_unused]] Tensor<Dim> s_i, R_i;
     if constexpr (carries_stress(M)) s_i = spread_tensor(s.stress[i]);
@@ -184,7 +184,7 @@ Vec<double, Dim> force_between(const State<Dim>& s, const Constants& c, int a, i
 /// `use(i)` is called when those of particle i are there.
 template <const Formulation& M, int Dim, bool pressure_diffusion, class Use>
 void rate_pass(State<Dim>& s, const Constants& c, int threads, const Use& use) {
-  parallel_for(s.size(), threads, [&](int i) TAUT_FLATTEN {
+  parallel_pass(s.size(), threads, [&](int i) {
     const Flow<Dim, Pack> f_i = spread_flow(s.flow_new[i]);
     Pack compression{};  // 1/s
     [[maybe_unused]] Mat<Pack, Dim> L{};
@@ -245,7 +245,7 @@ Sym<double, Dim> recovered_stress(const State<Dim>& s, const Constants& c, int i
 /// `use(i, s)` receives that of each particle.
 template <const Formulation& M, int Dim, class Use>
 void stress_recovery_pass(const State<Dim>& s, const Constants& c, int threads, const Use& use) {
-  parallel_for(s.size(), threads, [&](int i) TAUT_FLATTEN { use(i, recovered_stress<M>(s, c, i)); });
+  parallel_pass(s.size(), threads, [&](int i) { use(i, recovered_stress<M>(s, c, i)); });
 }
 
 }  // namespace taut::inline TAUT_ISA

@@ -76,7 +76,7 @@ inline constexpr TermInfo ul_split_time_info{"time", "position Verlet, dual-crit
 /// Positions, densities and shear to the middle of the step, Eq. 23.
 template <const Formulation& M, int Dim>
 void UlSplit<M, Dim>::half_drift(double dt) {
-  parallel_for(s_.size(), threads_now(), [&](int i) TAUT_FLATTEN {
+  parallel_pass(s_.size(), threads_now(), [&](int i) {
     s_.x[i] += dt * s_.v[i];
     s_.rho[i] += dt * s_.drho[i];
     const double p = pressure(s_.rho[i], c_.rho0, c_.c0);
