@@ -209,7 +209,7 @@ void FaceContacts<Dim>::place_watched(const State<Dim>& s) {
   for (const int k : watched_segments_) faces_.set_normal(k);
 }
 
-/// f(node, foot, touch) of each listed node that faces something. Half and half of two sides of a corner where the
+/// f(node, foot, touch) of each listed node that faces something within `reach`, and of some beyond. Half and half of two sides of a corner where the
 /// node is inside and as far from both: by one alone what is symmetric would be pushed aside.
 template <int Dim>
 template <class F>
@@ -218,10 +218,11 @@ void FaceContacts<Dim>::for_each_touch(const NearFaces& near, const F& f) const 
     const int n = near.node[k];
     const auto segments = std::span(near.segment).subspan(near.begin[k], near.begin[k + 1] - near.begin[k]);
     Foot<Dim> foot, twin;
-    // the nearest first: few others can be the foot then
-    const int nearest =
-        *std::ranges::min_element(segments, {}, [&](int l) { return faces_.distance2(n, l); });
-    faces_.measure(n, nearest, foot);
+    const auto distance2 = [&](int l) { return faces_.distance2(n, l); };
+    const int nearest = *std::ranges::min_element(segments, {}, distance2);
+    const auto is_sharp = [&](int l) { return faces_.has_sharp_end(l); };  // may be met from beyond its end
+    if (distance2(nearest) >= power<2>(reach * dp_) && std::ranges::none_of(segments, is_sharp)) continue;
+    faces_.measure(n, nearest, foot);  // first: few others can be the foot then
     for (const int l : segments)
       if (l != nearest) faces_.measure(n, l, foot);
     if (foot.segment == Outline::none) continue;

@@ -119,6 +119,8 @@ class MovingFaces {
   /// Of length 1, outwards.
   const V& normal_of(int k) const { return normal_[k]; }
 
+  bool has_sharp_end(int k) const { return sharp_[k][0] || sharp_[k][1]; }
+
   /// Of a node from a segment, m².
   double distance2(int node, int k) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
@@ -249,7 +251,7 @@ class MovingFaces {
     const double cosine = dot(normal, foot.normal);
     h.side = side, h.half = 0.5 * outline_.segments[side].length;
     h.share = facing_share(cosine), h.slope = facing_slope(cosine);
-    if (!(h.share > 0) || !(sharp_[k][0] || sharp_[k][1])) return h;
+    if (!(h.share > 0) || !has_sharp_end(k)) return h;
     const auto& ends = outline_.segments[k].node;
     const V t = place_[ends[1]] - place_[ends[0]], w = way(node, side);
     const double along = dot(t, w);
