@@ -45,6 +45,12 @@ struct TensorRow : Row<Sym<double, Dim>::size + 1> {
     for (int k = 0; k < Sym<double, Dim>::size; ++k) this->c[k] = s.c[k];
     this->c[Sym<double, Dim>::size] = a;
   }
+  Sym<double, Dim> get() const {
+    Sym<double, Dim> s;
+    for (int k = 0; k < Sym<double, Dim>::size; ++k) s.c[k] = this->c[k];
+    return s;
+  }
+  double scalar() const { return this->c[Sym<double, Dim>::size]; }
 };
 
 template <int Dim>
@@ -112,6 +118,8 @@ struct State {
   std::vector<FlowRow<Dim>> flow_new;  // with the new velocity, or any other vector to take the gradient of
   std::vector<TensorRow<Dim>> stress;  // s
   std::vector<TensorRow<Dim>> repulsion;  // artificial stress R and mass
+  // of methods whose stress is only shown, at the last rebuild: correction of the kernel gradient, and volume
+  std::vector<TensorRow<Dim>> recovery;
 
   // of the last rebuild
   Neighbors neighbors;
@@ -134,7 +142,7 @@ struct State {
   void serialize(Archive& archive) {
     archive.fixed(x, v, m, mobile, rho, drho, a_shear, da_shear, s, ds, x_recovered, id, body, material);
     neighbors.serialize(archive, size());
-    archive.fixed(meets);
+    archive.fixed(meets, recovery);
     const int packs = meets.empty() ? 0 : neighbors.begin.back();  // whose geometry is held
     archive.indices(contacts, std::pair(size(), packs));
     pairs.serialize(archive);

@@ -32,13 +32,19 @@ class PairKernel {
 
   /// With x_i − x_j = d. Coincident particles have no force on each other, as the filling.
   PairGeometry<Dim> geometry(const Vec<Pack, Dim>& d) const {
+    Pack slope_per_distance;
+    return geometry(d, slope_per_distance);
+  }
+  /// And (∂W/∂r)/r, 1/m^(Dim+2).
+  PairGeometry<Dim> geometry(const Vec<Pack, Dim>& d, Pack& slope_per_distance) const {
     const Pack r = root(dot(d, d));
     const Pack dW = alpha_ * K::dw(Pack(per_h_ * r));
     const Pack product = r * dW;
     const PackIndex acting = product < -least_;
     const Pack inverse = 1 / (acting ? product : filled<Pack>(1));  // one division for both
     const Pack inv_r = inverse * dW, inv_dW = inverse * r, none{};
-    return {(acting ? Pack(dW * inv_r) : none) * d, acting ? inv_dW : none, acting ? inverse : none};
+    slope_per_distance = acting ? Pack(dW * inv_r) : none;
+    return {slope_per_distance * d, acting ? inv_dW : none, acting ? inverse : none};
   }
   /// (W/W(dp))ⁿ
   Pack closeness(const Vec<Pack, Dim>& d) const {
@@ -55,17 +61,21 @@ template <const Formulation& M, int Dim>
 void geometry_pass(State<Dim>& s, const Constants& c, int threads) {
   s.meets.resize(s.size());
   s.pairs.make_room(s.neighbors.begin.back(), M.artificial_stress, PairKernel<M, Dim>::steepness(c), c.h);
-  // places and bodies, in rows that stand ready to be gathered
-  parallel_for(s.size(), threads, [&](int i) { s.flow[i].set(s.x[i], s.body[i], 0); });
+  // places, bodies and volumes, in rows that stand ready to be gathered
+  parallel_for(s.size(), threads, [&](int i) { s.flow[i].set(s.x[i], s.body[i], s.m[i] / s.rho[i]); });
   parallel_pass(s.size(), threads, [&, kernel = PairKernel<M, Dim>(c)](int i) {
     const Flow<Dim, Pack> here = spread_flow(s.flow[i]);
     PackIndex outside{};
+    [[maybe_unused]] Sym<Pack, Dim> moment{};
     for (int b = s.neighbors.begin[i]; b < s.neighbors.begin[i + 1]; ++b) {
       const Flow<Dim, Pack> there = gather_flow(s.flow, s.neighbors.pack(b));
       const PackIndex inside = here.p == there.p;
       outside |= ~inside;
       const Vec<Pack, Dim> d = here.v - there.v;
-      PairGeometry<Dim> pair = kernel.geometry(d);
+      Pack slope_per_distance;
+      PairGeometry<Dim> pair = kernel.geometry(d, slope_per_distance);
+      if constexpr (!carries_stress(M))
+        add_gradient_moment(moment, inside ? there.V : Pack{}, slope_per_distance, one, d);
       pair.inverse_distance = inside ? pair.inverse_distance : Pack{};
       if (!s.sph_contact) {
         for (int k = 0; k < Dim; ++k) pair.gradient[k] = inside ? pair.gradient[k] : Pack{};
@@ -75,6 +85,7 @@ void geometry_pass(State<Dim>& s, const Constants& c, int threads) {
       if constexpr (M.artificial_stress) s.pairs.set_closeness(b, kernel.closeness(d));
     }
     s.meets[i] = any(outside);
+    if constexpr (!carries_stress(M)) s.recovery[i].set(gradient_correction(sum(moment)), here.V[0]);
   });
   s.contacts.clear();
   if (!s.sph_contact) return;
@@ -223,22 +234,17 @@ void rate_pass(State<Dim>& s, const Constants& c, int threads, const Use& use) {
 
 /// Brings the stress up to date that a method does not compute with, from the displacement d in `flow_new`
 /// since it was last done: s += 2G dev ε(d) + rotation, with the corrected gradient.  [Zhang2024] Eq. 6–8,
-/// 26, 27 The geometry of the pairs is held meanwhile, so that this is the integral over all steps since.
+/// 26, 27 The geometry of the pairs is held meanwhile, so that this is the integral over all steps since; for that,
+/// volumes and the correction are held too, where the paper has those of each time.
 template <const Formulation& M, int Dim>
 Sym<double, Dim> recovered_stress(const State<Dim>& s, const Constants& c, int i) {
   const Flow<Dim, Pack> f_i = spread_flow(s.flow_new[i]);
   Mat<Pack, Dim> gradient{};
-  Sym<Pack, Dim> moment{};
   for (int b = s.neighbors.begin[i]; b < s.neighbors.begin[i + 1]; ++b) {
     const Flow<Dim, Pack> f_j = gather_flow(s.flow_new, s.neighbors.pack(b));
-    const Vec<Pack, Dim> grad_W = gradient_inside(s, i, b);
-    const Pack inv_dW = s.pairs.inverse_slope(b), inv_r_dW = s.pairs.inverse_distance(b);
-    const Pack r_over_dW = inv_r_dW < 0 ? Pack(inv_dW * inv_dW / inv_r_dW) : Pack{};  // r/(∂W/∂r)
-    add_velocity_gradient(gradient, f_j.V, one, f_i.v - f_j.v, grad_W);
-    add_gradient_moment(moment, f_j.V, one, r_over_dW, grad_W);
+    add_velocity_gradient(gradient, f_j.V, one, f_i.v - f_j.v, gradient_inside(s, i, b));
   }
-  const Sym<double, Dim> correction = gradient_correction(sum(moment));
-  const Mat<double, Dim> dL = product(sum(gradient), correction);
+  const Mat<double, Dim> dL = product(sum(gradient), s.recovery[i].get());
   Sym<double, Dim> stress = s.s[i];
   return stress += jaumann_rate<M.deviator>(dL, stress, c.G);
 }

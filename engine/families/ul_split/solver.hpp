@@ -154,6 +154,7 @@ void UlSplit<M, Dim>::make_room() {
     s_.a_shear.assign(n, V{});
     s_.da_shear.assign(n, V{});
     s_.x_recovered = s_.x;
+    s_.recovery.resize(n);
   }
   if constexpr (M.artificial_stress) s_.repulsion.resize(n);
 }
@@ -188,7 +189,7 @@ void UlSplit<M, Dim>::take_rates_at_start() {
 template <const Formulation& M, int Dim>
 void UlSplit<M, Dim>::set_recovery_displacements() {
   parallel_for(s_.size(), threads_now(),
-               [&](int i) { s_.flow_new[i].set(s_.x[i] - s_.x_recovered[i], 0, s_.m[i] / s_.rho[i]); });
+               [&](int i) { s_.flow_new[i].set(s_.x[i] - s_.x_recovered[i], 0, s_.recovery[i].scalar()); });
 }
 
 template <const Formulation& M, int Dim>

@@ -180,6 +180,7 @@ class Run {
         set_geometry(i, g);
       }
     }
+    held_volumes_ = volumes();
     way_ = 0;
     ++rebuilds;
   }
@@ -293,10 +294,11 @@ class Run {
     return rate;
   }
 
-  /// Eq. 26–27 for the displacements since the stress was last advanced, on the geometry held meanwhile.
+  /// Eq. 26–27 for the displacements since the stress was last advanced, on the geometry and with the volumes held
+  /// meanwhile.
   void advance_shown_stress() {
     if (nested()) return;
-    const std::vector<double> V = volumes();
+    const std::vector<double>& V = held_volumes_;
     std::vector<Vector> way;
     for (const Particle& a : particles) {
       way.emplace_back();
@@ -332,6 +334,7 @@ class Run {
   bool dual_;
   double dp_, h_, rho0_, c0_, G_;
   std::vector<std::vector<PairGeometry>> pairs_;
+  std::vector<double> held_volumes_;  // at the last rebuild
   double speed_ = 0, greatest_speed_ = 0, way_ = 0;
 };
 
