@@ -209,8 +209,9 @@ void FaceContacts<Dim>::place_watched(const State<Dim>& s) {
   for (const int k : watched_segments_) faces_.set_normal(k);
 }
 
-/// f(node, foot, touch) of each listed node that faces something within `reach`, and of some beyond. Half and half of two sides of a corner where the
-/// node is inside and as far from both: by one alone what is symmetric would be pushed aside.
+/// f(node, foot, touch) of each listed node that faces something within `reach`, and of some beyond. Half and half of
+/// two sides of a corner where the node is inside and as far from both: by one alone what is symmetric would be pushed
+/// aside.
 template <int Dim>
 template <class F>
 void FaceContacts<Dim>::for_each_touch(const NearFaces& near, const F& f) const {
