@@ -19,25 +19,42 @@
 /// so that no result depends on the number of threads.
 namespace taut::inline TAUT_ISA {
 
+/// Geometry of four pairs (i, j) at the start of the step. The filling has w′/q = 0 and an r beyond the support.
+template <int Dim>
+struct CauchyPair {
+  Vec<Pack, Dim> d;  // x_i − x_j, m
+  Pack r;            // m
+  Pack dw_per_q;     // w′(q)/q of kernels/kernel.hpp
+};
+
 /// The scales of W and ∇W, worked out once. The terms are written in ∂W/∂r, r and e_ij. The passes have
 /// ∇_i W = α/h^(Dim+2) w′/q (x_i − x_j) without a quotient: they hand the terms w′/q for ∂W/∂r, x_i − x_j for
 /// e_ij and `one` for r, and scale their sums.
 template <const Formulation& M, int Dim>
 struct KernelScale {
   using K = Kernel<M.kernel>;
-  double per_h, of_W, of_gradient;
+  double per_h, of_W, of_gradient, beyond2;
 
   explicit KernelScale(double h)
-      : per_h(1 / h), of_W(K::alpha(Dim) / power<Dim>(h)), of_gradient(K::alpha(Dim) / power<Dim + 2>(h)) {}
+      : per_h(1 / h),
+        of_W(K::alpha(Dim) / power<Dim>(h)),
+        of_gradient(K::alpha(Dim) / power<Dim + 2>(h)),
+        beyond2(power<2>(2 * K::support * h)) {}
+
+  /// Worked out again by each pass: what all pairs would keep comes no sooner from memory.
+  CauchyPair<Dim> pair(const Vec<Pack, Dim>& d) const {
+    const Pack r2 = dot(d, d);
+    const Pack r = root(r2 == 0 ? filled<Pack>(beyond2) : r2);  // the filling and coincident particles
+    return {d, r, K::dw_per_q(Pack(per_h * r))};
+  }
 };
 
-/// ∇u, ∇ρ, the colour function and L_i of every particle, and the geometry that the step works on.
+/// ∇u, ∇ρ, the colour function and L_i of every particle, and the W of pairs that the step works on.
 /// `use(i, gradients)` receives those of particle i.
 template <const Formulation& M, int Dim, class Use>
 void gradient_pass(CauchyFields<M, Dim>& f, const Constants& c, int threads, const Use& use) {
   using K = Kernel<M.kernel>;
   const KernelScale<M, Dim> scale(c.h);
-  const double beyond2 = power<2>(2 * K::support * c.h);
   parallel_pass(f.size(), threads, [&](int i) {
     const Motion<Dim> a = spread_motion(f.motion[i]);
     Sym<Pack, Dim> moment{};
@@ -46,11 +63,8 @@ void gradient_pass(CauchyFields<M, Dim>& f, const Constants& c, int threads, con
     [[maybe_unused]] Pack colour{};
     for (int b = f.near.begin[i]; b < f.near.begin[i + 1]; ++b) {
       const Motion<Dim> o = gather_motion(f.motion, f.near.pack(b));
-      const Vec<Pack, Dim> d = a.x - o.x;
-      const Pack r2 = dot(d, d);
-      const Pack r = root(r2 == 0 ? filled<Pack>(beyond2) : r2);  // the filling and coincident particles
-      const Pack q = scale.per_h * r, dw_per_q = K::dw_per_q(q), w = K::w(q);
-      f.pairs[b] = {d, r, dw_per_q};
+      const auto [d, r, dw_per_q] = scale.pair(a.x - o.x);
+      [[maybe_unused]] const Pack w = K::w(Pack(scale.per_h * r));
       if constexpr (needs_kernel(M)) f.w[b].value = w;
       if constexpr (M.corrected) add_gradient_moment(moment, o.V, dw_per_q, one, d);
       if constexpr (M.viscosity == Viscosity::riemann) add_velocity_gradient(L, o.V, dw_per_q, a.v - o.v, d);
@@ -73,25 +87,28 @@ void gradient_pass(CauchyFields<M, Dim>& f, const Constants& c, int threads, con
 template <const Formulation& M, int Dim>
 class Repulsion {
  public:
-  explicit Repulsion(const Constants& c) : per_w_dp_(1 / K::w(c.dp / c.h)), exponent_(c.exponent) {}
+  explicit Repulsion(const Constants& c)
+      : scale_(c.h), per_w_dp_(1 / K::w(c.dp / c.h)), exponent_(c.exponent) {}
 
-  /// Of the neighbours in pack `b`, which count by `weight`.
+  /// Of the neighbours in pack `b`, which are `pair` from i and count by `weight`.
   Vec<Pack, Dim> term(const CauchyFields<M, Dim>& f, const Mat<Pack, Dim>& R_i, int b,
-                      const Pack& weight) const {
+                      const CauchyPair<Dim>& pair, const Pack& weight) const {
     const Pack close = power(Pack(per_w_dp_ * f.w[b].value), exponent_);  // (W/W(dp))ⁿ
     const Mat<Pack, Dim> R_j = RepulsionRow<Dim>::gather(f.repulsion, f.near.pack(b));
-    return stress_divergence_term(R_i, R_j, Pack(close * weight), f.pairs[b].dw_per_q, f.pairs[b].d);
+    return stress_divergence_term(R_i, R_j, Pack(close * weight), pair.dw_per_q, pair.d);
   }
   Vec<double, Dim> of_all(const CauchyFields<M, Dim>& f, int i) const {
     const Mat<Pack, Dim> R_i = spread(f.repulsion[i].get());
     Vec<Pack, Dim> all{};
     for (int b = f.near.begin[i]; b < f.near.begin[i + 1]; ++b)
-      all += term(f, R_i, b, StressRow<M, Dim>::gather(f.stress, f.near.pack(b)).weight());
+      all += term(f, R_i, b, scale_.pair(f.apart(i, b)),
+                  StressRow<M, Dim>::gather(f.stress, f.near.pack(b)).weight());
     return sum(all);
   }
 
  private:
   using K = Kernel<M.kernel>;
+  KernelScale<M, Dim> scale_;
   double per_w_dp_, exponent_;
 };
 
@@ -111,10 +128,10 @@ double stress_pass(const CauchyFields<M, Dim>& f, const Constants& c, int thread
     [[maybe_unused]] Pack diffusion{}, surface_neighbors{};
     for (int b = f.near.begin[i]; b < f.near.begin[i + 1]; ++b) {
       const auto o = Row::gather(f.stress, f.near.pack(b));
-      const Vec<Pack, Dim> d = f.pairs[b].d;
-      const Pack dw_per_q = f.pairs[b].dw_per_q, r = f.pairs[b].r;
+      const CauchyPair<Dim> pair = scale.pair(f.apart(i, b));
+      const auto& [d, r, dw_per_q] = pair;
       force += stress_divergence_term(a.T(), o.T(), o.weight(), dw_per_q, d);
-      if constexpr (everywhere) sum_repulsion += repulsion.term(f, R_i, b, o.weight());
+      if constexpr (everywhere) sum_repulsion += repulsion.term(f, R_i, b, pair, o.weight());
       const Pack approach = -dot(a.v() - o.v(), d);  // closing speed times r, m²/s
       if constexpr (M.viscosity == Viscosity::artificial) {
         const Pack Pi = artificial_viscosity(approach, Pack(r * r), Pack(0.5 * (a.c() + o.c())),

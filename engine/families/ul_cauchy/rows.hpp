@@ -14,8 +14,9 @@ namespace taut::inline TAUT_ISA {
 /// Velocity (u or û), density, volume, place.
 template <int Dim>
 struct MotionRow : Row<2 * Dim + 2> {
+  static constexpr int x_at = Dim + 2;
   void set(const Vec<double, Dim>& v, double rho, double V, const Vec<double, Dim>& x) {
-    for (int k = 0; k < Dim; ++k) this->c[k] = v[k], this->c[Dim + 2 + k] = x[k];
+    for (int k = 0; k < Dim; ++k) this->c[k] = v[k], this->c[x_at + k] = x[k];
     this->c[Dim] = rho;
     this->c[Dim + 1] = V;
   }
@@ -36,7 +37,7 @@ Motion<Dim> motion_of(const Pack* column, bool with_place) {
   m.rho = column[Dim];
   m.V = column[Dim + 1];
   if (with_place)
-    for (int k = 0; k < Dim; ++k) m.x[k] = column[Dim + 2 + k];
+    for (int k = 0; k < Dim; ++k) m.x[k] = column[MotionRow<Dim>::x_at + k];
   return m;
 }
 template <int Dim>
@@ -157,15 +158,6 @@ struct RepulsionRow : Row<Dim * Dim> {
   }
 };
 
-/// Geometry of four pairs (i, j) at the start of the step, held for the passes that follow. The filling has
-/// w′/q = 0 and an r beyond the support. x_i − x_j is opposite in (i, j) and (j, i) to the last bit.
-template <int Dim>
-struct CauchyPair {
-  Vec<Pack, Dim> d;  // x_i − x_j, m
-  Pack r;            // m
-  Pack dw_per_q;     // w′(q)/q of kernels/kernel.hpp
-};
-
 /// What the gradient pass finds for a particle.
 template <int Dim>
 struct Gradients {
@@ -186,11 +178,19 @@ struct CauchyFields {
   std::vector<StressRow<M, Dim>> stress;
   std::vector<RepulsionRow<Dim>> repulsion;  // where the method has artificial stress
   Neighbors near;                            // those that act as particles of one body
-  std::vector<CauchyPair<Dim>> pairs;
-  std::vector<StoredPack> w;                //  w(q) of kernels/kernel.hpp
-  std::vector<StoredPack> of_one_material;  // 1 or 0; empty where all are
+  std::vector<StoredPack> w;                 //  w(q) of kernels/kernel.hpp, for methods that look at it
+  std::vector<StoredPack> of_one_material;   // 1 or 0; empty where all are
 
   int size() const { return static_cast<int>(motion.size()); }
+  /// x_i − x_j at the start of the step, m, of the neighbours in pack `b` of i: opposite in (i, j) and (j, i) to the
+  /// last bit.
+  [[gnu::always_inline]] Vec<Pack, Dim> apart(int i, int b) const {
+    const RowsOfFour rows(motion[0].c, MotionRow<Dim>::width, near.pack(b));
+    Vec<Pack, Dim> d;
+    for (int k = 0; k < Dim; ++k)
+      d[k] = motion[i].c[MotionRow<Dim>::x_at + k] - rows.column(MotionRow<Dim>::x_at + k);
+    return d;
+  }
   Pack same_material(int b) const {
     return of_one_material.empty() ? filled<Pack>(1) : of_one_material[b].value;
   }
@@ -214,7 +214,6 @@ struct CauchyFields {
     resize_pairs();
   }
   void resize_pairs() {
-    pairs.resize(near.begin.back());
     if constexpr (needs_kernel(M)) w.resize(near.begin.back());
   }
 };

@@ -229,7 +229,7 @@ void UlCauchy<M, Dim>::show_neighbors_to_probes() {
 template <const Formulation& M, int Dim>
 void UlCauchy<M, Dim>::mark_materials() {
   if (!M.density_diffusion || !several_materials_) return;
-  f_.of_one_material.resize(f_.pairs.size());
+  f_.of_one_material.resize(f_.near.begin.back());
   parallel_for(s_.size(), threads_now(), [&](int i) {
     for (int b = f_.near.begin[i]; b < f_.near.begin[i + 1]; ++b)
       for (int lane = 0; lane < lanes; ++lane)
