@@ -44,7 +44,7 @@ class SharedRows {
   /// The row that begins at k; an empty one may begin where all ends.
   const T* from(int k) const { return all_.data() + k; }
   /// Nothing will be added any more.
-  void close() { table_ = {}; }
+  void close() { table_ = std::vector<Known>(); }  // {} would keep the room
 
  private:
   struct Known {

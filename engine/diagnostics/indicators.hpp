@@ -2,7 +2,6 @@
 
 #include <array>
 #include <string_view>
-#include <vector>
 
 #include "engine/diagnostics/alternating_part.hpp"
 #include "engine/scene/scene.hpp"
@@ -66,13 +65,12 @@ struct IndicatorRecord {
 class IndicatorGauge {
  public:
   IndicatorGauge(const Scene& scene, const Snapshot& start, int threads = 1);
-  Readings operator()(const Snapshot& now);
+  Readings operator()(const Snapshot& now) const;
 
  private:
   AlternatingPart part_;
-  std::vector<double> table_;  // room to work in
-  double spacing_ = 0;         // m
-  double least_stress_ = 0;    // Pa
+  double spacing_ = 0;       // m
+  double least_stress_ = 0;  // Pa
 };
 
 }  // namespace taut

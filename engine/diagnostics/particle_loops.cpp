@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <cstddef>
 
 #include "engine/core/pack.hpp"
 #include "engine/diagnostics/compensated_sum.hpp"
@@ -11,41 +11,34 @@
 namespace taut::inline TAUT_ISA {
 namespace {
 
-/// A row of the table, in whole packs: x, p, s, and zeros.
+/// Of a particle x and p, s, and zeros, in whole packs.
 template <int Dim>
 struct Fields {
-  static constexpr int p = Dim, s = Dim + 1, stored = Dim == 3 ? 6 : 4;
-  static constexpr int packs = (s + stored + lanes - 1) / lanes, width = packs * lanes;
+  static constexpr int p = Dim, s = lanes, stored = Dim == 3 ? 6 : 4;
+  static constexpr int packs = (s + stored + lanes - 1) / lanes;
   Pack of[packs];
 
   double operator[](int k) const { return of[k / lanes][k % lanes]; }
 };
 
-/// The fields of all particles, in `room`; in 2D a row is one line of the cache.
 template <int Dim>
-const Fields<Dim>* table_of(const Snapshot& now, std::vector<double>& room) {
-  using F = Fields<Dim>;
-  constexpr std::size_t line = 64 / sizeof(double);
-  room.resize(now.size() * F::width + line);
-  double* const first =
-      room.data() + (line - reinterpret_cast<std::uintptr_t>(room.data()) / 8 % line) % line;
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    double* row = first + i * F::width;
-    std::copy_n(&now.x[i * Dim], Dim, row);
-    row[F::p] = now.p[i];
-    std::copy_n(&now.s[i * F::stored], F::stored, row + F::s);
-  }
-  return reinterpret_cast<const Fields<Dim>*>(first);
+Fields<Dim> fields_of(const Snapshot& now, int particle) {
+  const auto i = static_cast<std::size_t>(particle);
+  const double *x = &now.x[i * Dim], *s = &now.s[i * Fields<Dim>::stored];
+  if constexpr (Dim == 3)
+    return {Pack{x[0], x[1], x[2], now.p[i]}, load(s), Pack{s[4], s[5]}};
+  else
+    return {Pack{x[0], x[1], now.p[i]}, load(s)};
 }
 
 /// Σ_j w_ij q_j of a row of the weights, for all fields.
 template <int Dim>
-Fields<Dim> filtered(const AlternatingPart& part, int row, const Fields<Dim>* table) {
+Fields<Dim> filtered(const AlternatingPart& part, int row, const Snapshot& now) {
   Fields<Dim> sum{};
   const double* weight = part.weights(row);
   for (int k = part.begin[row]; k < part.begin[row + 1]; ++k, ++weight) {
     const Pack w = filled<Pack>(*weight);
-    const Fields<Dim>& q = table[part.j[k]];
+    const Fields<Dim> q = fields_of<Dim>(now, part.j[k]);
     for (int a = 0; a < Fields<Dim>::packs; ++a) sum.of[a] += w * q.of[a];
   }
   return sum;
@@ -68,18 +61,16 @@ SquareSums by_kind(double x, const Fields<Dim>& squares) {
 }
 
 template <int Dim>
-AlternatingSums alternating_sums_in(const AlternatingPart& part, const Snapshot& now, double spacing,
-                                    std::vector<double>& room) {
-  const Fields<Dim>* const table = table_of<Dim>(now, room);
+AlternatingSums alternating_sums_in(const AlternatingPart& part, const Snapshot& now, double spacing) {
   Fields<Dim> parts{}, wholes{};
   double x = 0;
   for (int row = 0; row < part.rows(); ++row) {
-    const Fields<Dim> r = filtered<Dim>(part, row, table);
+    const Fields<Dim> r = filtered<Dim>(part, row, now);
     double x2 = 0;
     for (int k = 0; k < Dim; ++k) x2 += r[k] * r[k];
     x += std::min(x2, spacing * spacing);
     add_squares(parts, r);
-    add_squares(wholes, table[part.j[part.begin[row]]]);
+    add_squares(wholes, fields_of<Dim>(now, part.j[part.begin[row]]));
   }
   return {by_kind(x, parts), by_kind(0, wholes)};
 }
@@ -130,10 +121,9 @@ Balance sums_in(const Snapshot& now, const Scene& scene) {
 
 }  // namespace
 
-AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing,
-                                 std::vector<double>& table) {
-  return now.dim == 3 ? alternating_sums_in<3>(part, now, spacing, table)
-                      : alternating_sums_in<2>(part, now, spacing, table);
+AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing) {
+  return now.dim == 3 ? alternating_sums_in<3>(part, now, spacing)
+                      : alternating_sums_in<2>(part, now, spacing);
 }
 
 Balance sums_of(const Snapshot& now, const Scene& scene) {

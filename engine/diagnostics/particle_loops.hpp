@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "engine/core/isa.hpp"
 #include "engine/diagnostics/alternating_part.hpp"
 #include "engine/diagnostics/balance.hpp"
@@ -23,17 +21,14 @@ struct AlternatingSums {
 // What a row of history.csv needs of every particle, for this instruction set; the same to the last bit for
 // all.
 inline namespace TAUT_ISA {
-/// `table` is room to work in.
-AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing,
-                                 std::vector<double>& table);
+AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing);
 /// All of Balance.
 Balance sums_of(const Snapshot& now, const Scene& scene);
 }  // namespace TAUT_ISA
 
 #ifdef TAUT_KNOWS_X86_64_LEVELS
 namespace x86_64_v3 {
-AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing,
-                                 std::vector<double>& table);
+AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing);
 Balance sums_of(const Snapshot& now, const Scene& scene);
 }  // namespace x86_64_v3
 #endif

@@ -125,7 +125,10 @@ TlMixed<M, Dim>::TlMixed(const SolverInput& input) : Base(input), v_start_(s_.si
   } else {
     pair_lanes_ = {initial_pairs_, input.threads, [&](int p) { return initial_pairs_.k[p]; }};
   }
-  initial_pairs_.k = {};
+  if (c_.boundary_projection == 0)
+    initial_pairs_ = {};
+  else
+    initial_pairs_.k = std::vector<V>();  // {} would keep the room
   flow_.resize(s_.size());
   stress_.resize(s_.size());
   a_.resize(s_.size() + lanes), a_start_.resize(s_.size());  // packs of a body may begin anywhere
