@@ -47,9 +47,50 @@ double turned(const Scene& scene, const char* method, double t) {
   return simulation->series().value[0].back();
 }
 
+/// A bar of 32 × 12 mm (ν = 0) between what is held and what draws it out by 10 µm, or with `both` what is driven at rest
+/// and that: the force at rest over E A u/L.
+double resistance(double spacing, bool both, const char* method) {
+  constexpr double E = 1e6, clamp = 0.004, width = 0.012, free = 0.032, u = 1e-5;
+  Scene scene;
+  scene.spacing = spacing;
+  scene.damping = 200;
+  scene.materials = {{"soft", /*ρ0*/ 1000, E, /*ν*/ 0}};
+  Body body;
+  body.shapes = {Box{{0, 0, 0}, {free + 2 * clamp, width, 0}}};
+  const Expression left = [](const Point& x) { return x[0] < clamp ? 1.0 : 0.0; };
+  const Expression right = [](const Point& x) { return x[0] > clamp + free ? 1.0 : 0.0; };
+  Drive drive;
+  drive.where = right;
+  drive.velocity[0] = [](double t) { return t < 0.02 ? u / 0.02 : 0.0; };
+  body.drives = {drive};
+  if (both)
+    body.drives.push_back({left, {}, {}});
+  else
+    body.held = left;
+  scene.bodies = {body};
+  Probe force = make_probe("force", Probe::Kind::reaction);
+  force.where = right;
+  scene.probes = {force};
+  const auto simulation = make_simulation(scene, with_method(method));
+  simulation->advance_to(0.12);
+  return std::abs(simulation->series().value[0].back()) / (E * width * u / free);
+}
+
 }  // namespace
 
 TEST_SUITE("analytic") {
+  // Said in METHODS.md: no bond ends at the face of what is driven.
+  TEST_CASE("driven: it acts as a clamp 0.4 dp farther in than what is held") {
+    for (const double spacing : {0.002, 0.001}) {
+      CAPTURE(spacing);
+      const double length = 0.032;
+      CHECK(resistance(spacing, false, "oenog") == relative(1 / (1 + 0.39 * spacing / length), 1e-3));
+      CHECK(resistance(spacing, true, "oenog") == relative(1 / (1 + 0.78 * spacing / length), 1e-3));
+      CHECK(resistance(spacing, false, "tl") == relative(1 / (1 + 2 * spacing / length), 1e-3));
+      CHECK(resistance(spacing, true, "tl") == relative(resistance(spacing, false, "tl"), 1e-9));
+    }
+  }
+
   TEST_CASE("pins: a bar thrown about one of its particles turns on, in 3D about a row of them") {
     const double t = 0.4;  // several periods of its first bending
     for (const int dim : {2, 3}) {
