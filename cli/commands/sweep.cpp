@@ -61,16 +61,23 @@ int default_jobs(int threads) { return std::max(1, cores() / threads); }
 
 std::vector<SweepRun*> what_to_run(SweepPlan& plan, const SweepOptions& o, std::ostream& err) {
   std::vector<SweepRun*> runs;
+  int outdated = 0;
   for (SweepRun& run : plan.runs) {
     if (o.index && run.index != *o.index) continue;
     run.read_folder();  // another program may have worked here until the lock was ours
     if (run.state == RunState::damaged)
       err << "taut: run " << run.index << " (" << text_of(run.settings)
           << "): " << RunFolder(*run.options.out).record().string() << " is not whole: it is done again\n";
+    outdated += run.state == RunState::outdated;
     run.forced = o.force;
     if (run.forced) run.forget();
     if (run.state != RunState::done) runs.push_back(&run);
   }
+  if (outdated > 0)
+    err << "taut: " << outdated << (outdated == 1 ? " finished run" : " finished runs") << " in '"
+        << plan.folder.string() << "' " << (outdated == 1 ? "has" : "have")
+        << " other settings, or another version of taut: replaced; to keep them name another folder with "
+           "--out\n";
   return runs;
 }
 

@@ -71,13 +71,13 @@ void SequenceBounds::add(const FrameView& particles) {
   add_positions(particles.x, particles.dim, std::ranges::max(particles.diameter));
 }
 
-render::Range SequenceBounds::range(std::optional<double> middle) const {
+render::Range SequenceBounds::range(std::optional<double> middle, double round_off) const {
   double low = 0, high = 0;
   if (!sample_.empty()) {
     const render::Range all = ends_of(sample_);
     low = all.low, high = all.high;
     std::vector<double> moved = sample_;
-    std::erase(moved, 0.0);
+    std::erase_if(moved, [&](double value) { return std::abs(value) <= round_off; });
     if (const render::Range some = moved.empty() ? all : ends_of(std::move(moved)); true)
       low = std::min(low, some.low), high = std::max(high, some.high);
     const double room = not_far * (high - low);
@@ -147,7 +147,7 @@ Drawing fitted(Drawing drawing, const SequenceBounds& shown) {
     if (!look.colormap)
       look.colormap =
           &*std::ranges::find(render::colormaps(), middle.has_value(), &render::Colormap::diverging);
-    if (!look.range) look.range = at_least(drawing.round_off, shown.range(middle), middle);
+    if (!look.range) look.range = at_least(drawing.round_off, shown.range(middle, drawing.round_off), middle);
   }
   if (look.view) return drawing;
   look.view = drawing.followed ? shown.view_about_origin() : shown.view();

@@ -22,10 +22,10 @@ class SequenceBounds {
   /// Both.
   void add(const FrameView& particles);
 
-  /// At most a hundredth of the values lies below it, and a hundredth above: of those that are not 0, as they
-  /// are where nothing has happened yet. An end that is not far beyond takes all. Never empty; as far to both
+  /// At most a hundredth of the values lies below it, and a hundredth above: of those that are not 0 or as little as
+  /// `round_off`, as they are where nothing has happened yet. An end that is not far beyond takes all. Never empty; as far to both
   /// sides of `middle`, where there is one.
-  render::Range range(std::optional<double> middle) const;
+  render::Range range(std::optional<double> middle, double round_off = 0) const;
   /// With a margin of 5 % of the longer side.
   render::View view() const;
   /// The same about the origin, where the followed body's centre of mass is, and half as large again: what it

@@ -33,7 +33,14 @@ void check_methods(const std::vector<Setting>& settings) {
       throw UsageError(unknown_name("method", setting.value, names));
 }
 
+/// What an option says --set cannot say too.
+void refuse_second(const std::vector<Setting>& settings, const std::string& name) {
+  if (std::ranges::find(settings, name, &Setting::name) != settings.end())
+    throw UsageError(fmt::format("--{0} and --set {0}=... say the same thing; leave one of them out", name));
+}
+
 void put_first(std::vector<Setting>& settings, Setting setting) {
+  refuse_second(settings, setting.name);
   settings.insert(settings.begin(), std::move(setting));
 }
 
@@ -187,7 +194,12 @@ void declare_setting_options(CLI::App& app, RunOptions& o) {
   app.add_option_function<std::vector<std::string>>(
          "--set",
          [&o](const std::vector<std::string>& assignments) {
-           for (const std::string& text : assignments) o.settings.push_back(parse_setting(text));
+           const std::vector<Setting> by_options = o.settings;
+           for (const std::string& text : assignments) {
+             Setting setting = parse_setting(text);
+             refuse_second(by_options, setting.name);
+             o.settings.push_back(std::move(setting));
+           }
          },
          "a parameter of the scene, or method.NAME: a constant of the method")
       ->option_text("NAME=VALUE ...")

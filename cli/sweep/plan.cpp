@@ -127,7 +127,8 @@ class Spacings {
     GridRow others = row;
     std::erase_if(others, [](const Setting& s) { return s.name == "spacing"; });
     if (others.size() == row.size()) return {};
-    const auto [before, is_new] = before_.emplace(std::pair(text_of(others), exact(fitted)), &row);
+    const auto [before, is_new] =
+        before_.emplace(std::pair(text_of(others), fmt::format("{:.12g}", fitted)), &row);
     if (is_new) return {};
     return fmt::format(
         "the runs {} and {} are the same: both have a spacing of {} m, which divides the first body",

@@ -1,3 +1,4 @@
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <sys/mount.h>
@@ -102,6 +103,24 @@ TEST_SUITE("cli") {
     session.send(SIGTERM);
     CHECK(session.exit_code() == 130);
     CHECK_FALSE(fs::exists(folder / "after"));
+  }
+
+  TEST_CASE("what an option and --set both say is refused, whichever comes first") {
+    const TemporaryFolder folder;
+    const std::string scene = write_tiny_scene(folder);
+    for (const auto& [name, value, other] :
+         {std::array{"spacing", "0.004", "0.002"}, {"until", "1e-5", "2e-5"}, {"method", "tl", "og"}}) {
+      const std::string option = "--" + std::string(name), assigned = std::string(name) + "=" + other;
+      for (const std::vector<std::string>& words :
+           {std::vector<std::string>{option, value, "--set", assigned}, {"--set", assigned, option, value}}) {
+        std::vector<std::string> command{"run", scene, "--no-render", "--out", folder.str("out")};
+        command.insert(command.end(), words.begin(), words.end());
+        const Outcome outcome = call(command);
+        CHECK(outcome.code == 2);
+        CHECK(contains(outcome.err, option + " and --set " + name + "=... say the same thing"));
+      }
+    }
+    CHECK_FALSE(fs::exists(folder / "out"));
   }
 
   TEST_CASE("steps so small that nothing moves are refused with the bound") {

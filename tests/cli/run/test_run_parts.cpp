@@ -73,6 +73,14 @@ TEST_SUITE("unit") {
     CHECK(SequenceBounds().range({}).low < SequenceBounds().range({}).high);
   }
 
+  TEST_CASE("the range of a sequence does not count round-off among the values that it may clip") {
+    SequenceBounds bounds;
+    bounds.add_values(std::vector<double>(2000, 1e-8));
+    bounds.add_values(std::vector<double>{1, 4, 10});
+    CHECK(bounds.range({}).high < 1);
+    CHECK(bounds.range({}, 0.01) == render::Range{1e-8, 10});
+  }
+
   TEST_CASE("the view of a sequence holds every particle") {
     SequenceBounds bounds;
     bounds.add_positions(std::vector<double>{0, 0, 1, 2}, 2, 0.2);

@@ -34,12 +34,16 @@ TEST_SUITE("cli") {
     REQUIRE(program(tiny_sweep(folder, "out", grid)).code == 0);
     const auto before = ends(folder / "out");
     REQUIRE(program({"render", folder.str("out/speed=1"), "--color", "pressure", "--quiet"}).code == 0);
-    REQUIRE(program(tiny_sweep(folder, "out", grid)).code == 0);
+    const Outcome again = program(tiny_sweep(folder, "out", grid));
+    REQUIRE(again.code == 0);
+    CHECK_FALSE(contains(again.err, "replaced"));
     CHECK(ends(folder / "out") == before);
     // another way to compute is another run
     Texts other = grid;
     other.insert(other.end(), {"--set", "cfl=0.3"});
-    REQUIRE(program(tiny_sweep(folder, "out", other)).code == 0);
+    const Outcome anew = program(tiny_sweep(folder, "out", other));
+    REQUIRE(anew.code == 0);
+    CHECK(contains(anew.err, "2 finished runs in '" + folder.str("out") + "' have other settings"));
     CHECK(ends(folder / "out") != before);
   }
 
@@ -159,6 +163,10 @@ TEST_SUITE("cli") {
         contains(outcome.err,
                  "the runs spacing=0.002 and spacing=0.00201 are the same: both have a spacing of 0.002 m"));
     CHECK_FALSE(contains(outcome.err, "0.004"));
+    // but for round-off
+    const Outcome rings = program({"sweep", "colliding-rings", "--grid", "spacing=0.002,0.0021", "--set",
+                                   "until=1e-6", "--out", folder.str("rings"), "--quiet"});
+    CHECK(contains(rings.err, "the runs spacing=0.002 and spacing=0.0021 are the same"));
   }
 
   TEST_CASE("a sweep that is moved with its scene and its references has nothing to do") {
