@@ -37,6 +37,17 @@ std::vector<std::string> default_columns(const Scene& scene) {
   return names.empty() ? std::vector<std::string>{"total_energy"} : names;
 }
 
+/// One axis has one unit.
+void refuse_two_units(const std::string& column, const StoredRun& run, const Scene& scene,
+                      const StoredRun& first, const Scene& of_first) {
+  const std::string unit = history_unit(column, scene), before = history_unit(column, of_first);
+  const std::vector<std::string> there = history_columns(scene);  // what is missing is named when it is read
+  if (unit == before || std::ranges::find(there, column) == there.end()) return;
+  const auto named = [](const std::string& of) { return of.empty() ? "without a unit" : "in " + of; };
+  throw UsageError("column '" + column + "' is " + named(before) + " in '" + first.folder() + "' and " +
+                   named(unit) + " in '" + run.folder() + "': plot them apart");
+}
+
 HistoryColumn with_label(const std::string& name, const Scene& scene) {
   const std::string unit = history_unit(name, scene);
   return {name, unit.empty() ? name : name + ", " + unit};
@@ -45,20 +56,24 @@ HistoryColumn with_label(const std::string& name, const Scene& scene) {
 int plot(const PlotArguments& options, Streams streams) {
   const PlotFiles files = plot_files(options.out);
   StoredResults results;
-  Scene first;
+  std::vector<Scene> scenes;
   std::set<std::string> named;
   for (const std::string& path : options.runs) {
     results.runs.push_back(read_stored_run(path));
-    const Scene scene = scene_of(results.runs.back());
-    if (results.runs.size() == 1) first = scene;
+    const Scene& scene = scenes.emplace_back(scene_of(results.runs.back()));
     if (named.insert(scene.name).second) {
       results.scene += (results.scene.empty() ? "" : "; ") + scene.name;
       results.title += (results.title.empty() ? "" : "; ") + scene.title;
     }
   }
+  const Scene& first = scenes.front();
+  std::vector<std::string> names = options.columns.empty() ? default_columns(first) : options.columns;
   std::vector<HistoryColumn> columns;
-  for (const std::string& name : options.columns.empty() ? default_columns(first) : options.columns)
-    columns.push_back(with_label(name, first));
+  for (const std::string& name : names) columns.push_back(with_label(name, first));
+  names.push_back(options.x);
+  for (std::size_t k = 1; k < scenes.size(); ++k)
+    for (const std::string& name : names)
+      refuse_two_units(name, results.runs[k], scenes[k], results.runs.front(), first);
   return draw_history(results, columns, with_label(options.x, first), files, streams);
 }
 

@@ -134,6 +134,26 @@ TEST_SUITE("cli") {
     CHECK(*sizes.begin() == Approx(11 * 96.0 / 72).epsilon(0.01));  // the smallest: 11 points
   }
 
+  TEST_CASE("a column that has two units in two runs is refused, one without a unit is drawn") {
+    const TemporaryFolder folder;
+    const Texts little{"--until", "1e-6", "--no-render", "--quiet", "--out"};
+    const auto run = [&](Texts words, const char* name) {
+      words.insert(words.end(), little.begin(), little.end());
+      words.push_back(folder.str(name));
+      REQUIRE(program(words).code == 0);
+    };
+    run({"run", write_tiny_scene(folder)}, "plane");
+    run({"run", "cable-3d"}, "solid");
+    const auto plot = [&](const char* column) {
+      return program({"plot", folder.str("plane"), folder.str("solid"), "--columns", column, "--out",
+                      folder.str("p.png")});
+    };
+    const Outcome energy = plot("kinetic_energy");
+    CHECK(energy.code == 2);
+    CHECK(contains(energy.err, "column 'kinetic_energy' is in J per m in"));
+    CHECK(plot("pieces").code == 0);
+  }
+
   TEST_CASE("more lines than can be told apart are drawn, and it is said") {
     const TemporaryFolder folder;
     std::ofstream(folder / "run.json") << record_with("");
