@@ -23,8 +23,8 @@ class SequenceBounds {
   void add(const FrameView& particles);
 
   /// At most a hundredth of the values lies below it, and a hundredth above: of those that are not 0 or as little as
-  /// `round_off`, as they are where nothing has happened yet. An end that is not far beyond takes all. Never empty; as far to both
-  /// sides of `middle`, where there is one.
+  /// `round_off`, as they are where nothing has happened yet. An end that is not far beyond takes all. Never empty; as
+  /// far to both sides of `middle`, where there is one.
   render::Range range(std::optional<double> middle, double round_off = 0) const;
   /// With a margin of 5 % of the longer side.
   render::View view() const;
