@@ -192,14 +192,6 @@ std::vector<InitialSite> body_sites(const Body& as_given, const Scene& scene) {
 
 double value_of(const Expression& f, const Point& x) { return f ? f(x) : 0; }
 
-/// Index of the last of the regions that hold at x, or -1.
-template <class Region>
-int last_that_holds(const std::vector<Region>& regions, const Point& x) {
-  int k = static_cast<int>(regions.size()) - 1;
-  while (k >= 0 && value_of(regions[k].where, x) == 0) --k;
-  return k;
-}
-
 /// A region without particles is a slip of whoever wrote it.
 template <class Region>
 void refuse_empty(const std::vector<Region>& regions, const std::vector<InitialSite>& sites, const Body& body,

@@ -268,6 +268,13 @@ struct Scene {
 
 /// It lets its region go before the run is over; what ends with the run does not, as the last step ends a little later.
 bool lets_go(const Drive& drive, const Scene& scene);
+/// Index of the last of the regions that hold at x, the one that counts; −1: none.
+template <class Region>
+int last_that_holds(const std::vector<Region>& regions, const Point& x) {
+  int k = static_cast<int>(regions.size()) - 1;
+  while (k >= 0 && !(regions[k].where && regions[k].where(x) != 0)) --k;
+  return k;
+}
 /// There are driven regions.
 bool has_drives(const Scene& scene);
 /// Some bodies start away from their reference configuration.

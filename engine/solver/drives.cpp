@@ -1,8 +1,6 @@
 // Compiled once per instruction set; see engine/CMakeLists.txt.
 #include "engine/solver/drives.hpp"
 
-#include <limits>
-
 namespace taut::inline TAUT_ISA {
 
 template <int Dim>

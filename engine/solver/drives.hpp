@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -60,6 +61,8 @@ class Drives {
   /// use inside a pass: expressions serve one thread.
   void set_time(double t);
 
+  /// The drive of a particle does not let it go before the run is over.
+  bool lasts(int id) const { return !drives_.empty() && drive_[id] >= 0 && drives_[drive_[id]].lasts(); }
   bool moves(int id) const { return active_ && drive_[id] >= 0 && drives_[drive_[id]].on; }
   const V& velocity(int id) const { return drives_[drive_[id]].now; }  // m/s, of one that is moved
 
@@ -87,9 +90,11 @@ class Drives {
  private:
   struct Timed {
     std::array<std::function<double(double)>, 3> velocity;  // m/s, of the time in s
-    double until;                                           // s
+    double until;                                           // s; infinite where it lasts
     bool on = true;
     V now{};  // m/s
+
+    bool lasts() const { return until == std::numeric_limits<double>::infinity(); }
   };
 
   bool active_ = false;

@@ -90,34 +90,4 @@ template <int Dim, class Kept>
   }
 }
 
-/// What bonds into a clamp pull at free particles with: f(place at the clamp, force, N) for each.
-template <int Dim, class Kept, class Use>
-void for_each_pull_at_clamps(const PackedBonds<Dim, Kept>& bonds, const Columns<2 * Dim>& places,
-                             const Columns<Dim * Dim>& Q, int particles, double least_r2, const Use& use) {
-  const int groups = (particles + lanes - 1) / lanes, clamps = lanes * groups;  // where the places begin
-  for (int group = 0; group < groups; ++group) {
-    const auto& own = bonds.of(group);
-    for (int b = 0; b < own.count; ++b) {
-      const auto& spring = bonds.springs(own)[b];
-      for (int lane = 0; lane < lanes; ++lane) {
-        const int i = lanes * group + lane, j = lanes * group + bonds.slots(own)[b].step[lane];
-        if (i >= particles || j < clamps) continue;
-        Vec<double, Dim> d, ahead, pull{};
-        for (int k = 0; k < Dim; ++k)
-          d[k] = places[k][j] - places[k][i], ahead[k] = places[Dim + k][j] - places[Dim + k][i];
-        if (b < own.a_count) {
-          const Vec<double, Dim> a_ij = lane_of(unpacked(bonds.a_ij(own)[b]), lane);
-          for (int k = 0; k < Dim; ++k)
-            for (int l = 0; l < Dim; ++l) pull[k] += Q[k * Dim + l][i] * a_ij[l];
-        }
-        const Pack r2 = filled<Pack>(std::max(dot(d, d), least_r2));
-        const double slopes =
-            three_bond_slopes(dot(d, ahead) * spring.per_r02()[lane], spring.half_inverse(r2)[lane]);
-        pull += (spring.third()[lane] * slopes) * d;
-        use(j - clamps, pull);
-      }
-    }
-  }
-}
-
 }  // namespace taut::inline TAUT_ISA

@@ -136,16 +136,21 @@ std::vector<FaceTerm> BondMaker<Dim>::face_terms(const Bonds& uncut, const std::
   return terms;
 }
 
-/// Share of the way X from free particle i that lies before the held region.
+/// Share of the way X from free particle i that lies before the region that is held or driven to the end.
 template <int Dim>
 double BondMaker<Dim>::share_before_clamp(int i, const Point& X) const {
-  const Expression& held = scene_.bodies[initial_.body[i]].held;
+  const Body& body = scene_.bodies[initial_.body[i]];
+  const auto in_clamp = [&](const Point& x) {
+    if (body.held && body.held(x) != 0) return true;
+    const int drive = last_that_holds(body.drives, x);
+    return drive >= 0 && !lets_go(body.drives[drive], scene_);
+  };
   double free = 0, inside = 1;
   for (int halving = 0; halving < 50; ++halving) {
     const double share = 0.5 * (free + inside);
     Point x = initial_.x[i];
     for (int k = 0; k < Dim; ++k) x[k] += share * X[k];
-    (held(x) != 0 ? inside : free) = share;
+    (in_clamp(x) ? inside : free) = share;
   }
   constexpr double shortest = 0.4;  // in spacings: a shorter bond would ask for shorter steps
   return std::min(1.0, std::max(inside, shortest * scene_.spacing / vector_of<Dim>(X).norm()));

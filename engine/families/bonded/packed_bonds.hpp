@@ -88,10 +88,17 @@ class PackedBonds {
   const Vec<Kept, Dim>* a_ij(const Group& own) const { return a_ij_.from(own.a); }
   /// As far as a bond is an energy of this end: G V0_i w_ij, J
   const Kept* energy_scales(const Group& own) const { return energy_scales_.from(own.scale); }
-  /// Where bonds enter a clamp: they lead to what is stored from a whole number of groups on.
-  const std::vector<Vec<double, Dim>>& places_at_clamp() const { return places_at_clamp_; }
-  /// Where the held particle behind one of them is stored.
-  int held_behind(int place) const { return held_behind_[place]; }
+  /// Where a bond enters a clamp: it leads to what is stored from a whole number of groups on.
+  struct PlaceAtClamp {
+    Vec<double, Dim> x;  // at the start, m
+    int behind;          // where the held particle is stored that the bond would lead to
+  };
+  const std::vector<PlaceAtClamp>& places_at_clamp() const { return places_at_clamp_; }
+  /// A bond of a free particle that ends there.
+  struct ToClamp {
+    int group, lane, bond, place;
+  };
+  const std::vector<ToClamp>& bonds_to_clamp() const { return bonds_to_clamp_; }
 
  private:
   struct Bond {
@@ -105,11 +112,12 @@ class PackedBonds {
     std::vector<Spring<Kept>> springs;
     std::vector<Kept> scales;
     std::vector<Vec<Kept, Dim>> areas;
+    std::vector<ToClamp> to_clamp;
     struct {
       std::size_t slots, springs, scales, areas;
     } hash;
 
-    void append(int first, const Four& bonds, int size);
+    void append(int group, const Four& bonds, int size);
   };
 
   std::vector<int> add_places_at_clamp(const Bonds& bonds, const Scene& scene,
@@ -121,8 +129,8 @@ class PackedBonds {
   SharedRows<Spring<Kept>> springs_;
   SharedRows<Vec<Kept, Dim>> a_ij_;  // times a constant that B takes out again
   SharedRows<Kept> energy_scales_;
-  std::vector<Vec<double, Dim>> places_at_clamp_;
-  std::vector<int> held_behind_;
+  std::vector<PlaceAtClamp> places_at_clamp_;
+  std::vector<ToClamp> bonds_to_clamp_;
 };
 
 /// The bond that particle `id` is seen through by the other end; −1 if it is not.
@@ -147,9 +155,9 @@ std::vector<int> PackedBonds<Dim, Kept>::add_places_at_clamp(const Bonds& bonds,
       Point x = initial.x[id];
       for (int k = 0; k < Dim; ++k) x[k] += bonds.of(id, b).X[k];
       x = displaced(scene.bodies[initial.body[id]], x);
-      Vec<double, Dim>& place = places_at_clamp_.emplace_back();
-      for (int k = 0; k < Dim; ++k) place[k] = x[k];
-      held_behind_.push_back(where[bonds.j[b]]);
+      PlaceAtClamp& place = places_at_clamp_.emplace_back();
+      for (int k = 0; k < Dim; ++k) place.x[k] = x[k];
+      place.behind = where[bonds.j[b]];
     }
   }
   return begin;
@@ -187,9 +195,9 @@ PackedBonds<Dim, Kept>::PackedBonds(const Bonds& bonds, const Scene& scene, cons
       std::ranges::sort(others[lane], {}, &Bond::j);
     }
     Packed packed;
-    packed.append(first, with_area, size);
+    packed.append(group, with_area, size);
     const std::size_t a_count = packed.slots.size();
-    packed.append(first, others, size);
+    packed.append(group, others, size);
     packed.areas.resize(a_count);
     packed.hash = {slots_.hash_of(packed.slots), springs_.hash_of(packed.springs),
                    energy_scales_.hash_of(packed.scales), a_ij_.hash_of(packed.areas)};
@@ -203,18 +211,19 @@ PackedBonds<Dim, Kept>::PackedBonds(const Bonds& bonds, const Scene& scene, cons
                        springs_.add(packed.springs, packed.hash.springs),
                        energy_scales_.add(packed.scales, packed.hash.scales),
                        a_ij_.add(packed.areas, packed.hash.areas), static_cast<int>(packed.areas.size())});
+    bonds_to_clamp_.insert(bonds_to_clamp_.end(), packed.to_clamp.begin(), packed.to_clamp.end());
   });
   slots_.close(), springs_.close(), a_ij_.close(), energy_scales_.close();
 }
 
 template <int Dim, class Kept>
-void PackedBonds<Dim, Kept>::Packed::append(int first, const Four& bonds, int size) {
+void PackedBonds<Dim, Kept>::Packed::append(int group, const Four& bonds, int size) {
   std::array<std::vector<int>, lanes> neighbors;
   for (int lane = 0; lane < lanes; ++lane) {
     neighbors[lane].reserve(bonds[lane].size());
     for (const Bond& bond : bonds[lane]) neighbors[lane].push_back(bond.j);
   }
-  const LaneSlots found = lane_slots(first, neighbors, size);
+  const LaneSlots found = lane_slots(lanes * group, neighbors, size);
   for (std::size_t b = 0; b < found.slots.size(); ++b) {
     slots.push_back(found.slots[b]);
     Pack third_of_k{}, per_r0_squared{}, half_r0_squared{}, scale{};
@@ -222,6 +231,7 @@ void PackedBonds<Dim, Kept>::Packed::append(int first, const Four& bonds, int si
     for (int lane = 0; lane < lanes; ++lane) {
       if (found.taken[b][lane] < 0) continue;
       const Bond& bond = bonds[lane][found.taken[b][lane]];
+      if (bond.j >= size) to_clamp.push_back({group, lane, static_cast<int>(springs.size()), bond.j - size});
       third_of_k[lane] = bond.k / 3;
       per_r0_squared[lane] = 1 / bond.r2;
       half_r0_squared[lane] = 0.5 * bond.r2;

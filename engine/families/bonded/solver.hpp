@@ -9,6 +9,7 @@
 #include "engine/core/shared_rows.hpp"
 #include "engine/families/bonded/bond_sums.hpp"
 #include "engine/families/bonded/bonds.hpp"
+#include "engine/families/bonded/clamps.hpp"
 #include "engine/families/bonded/closed_law.hpp"
 #include "engine/families/bonded/interface_sites.hpp"
 #include "engine/families/bonded/layout_stiffness.hpp"
@@ -46,6 +47,8 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     }
     ahead_ = 3 * c_.damping * c_.dp / (shear_speed * of_G);
     this->lawful_stretch_ = std::sqrt(cancelled_range<Dim>[1]);
+    for (int id = 0; id < s_.size(); ++id)
+      if (this->drives_.lasts(id)) this->initial_.held[id] = 1;                      // a clamp that moves
     for (const int pin : pins(this->initial_, c_.dp)) this->initial_.held[pin] = 0;  // it keeps its place
     const Bonds bonds = make_bonds(input.scene, this->initial_, c_.h, input.threads);
     this->pairs_ = static_cast<long>(bonds.j.size());
@@ -126,7 +129,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   template <class Kept>
   Pack energy_of_four(const HeldBonds<Dim, Kept>& bonds, int group, const Mat<Pack, Dim>& F) const;
   void show_stress(int group, const Mat<Pack, Dim>& F);
-  [[gnu::noinline]] void watch_clamps(double dt);
+  [[gnu::noinline]] void pull_at_clamps();
   LawOfOne<M> law_of_one() const { return {materials_, own_law_, laws_}; }
   const Sites& sites(int group) const { return sites_[groups_[group].sites]; }
   const GradientMoment& B(int group) const { return B_[groups_[group].B]; }
@@ -153,6 +156,7 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
   std::vector<Group> groups_;
   AnyBonds bonds_;
   InterfaceSites<Dim> interfaces_;
+  Clamps<Dim> clamps_;
   Columns<2 * Dim> places_;                 // x, x + 3 τ v
   Columns<Dim * Dim> Q_;                    // row by row
   Columns<1> mobility_;                     // 1/m of what may move, 1/kg
@@ -225,18 +229,12 @@ void Bonded<M, Dim>::add_sites(const Bonds& bonds) {
   sites_.close(), B_.close();
 }
 
-/// Past the particles stand the places at a clamp, which have no stress.
 template <const Formulation& M, int Dim>
 void Bonded<M, Dim>::make_columns() {
-  const std::vector<V>& clamped = std::visit(
-      [](const auto& bonds) -> const auto& { return bonds.packed.places_at_clamp(); }, bonds_);
-  const int first = lanes * group_count(), clamps = static_cast<int>(clamped.size());
-  places_.resize(first + clamps);
-  Q_.resize(first + clamps);
+  std::visit([&](const auto& bonds) { clamps_.add_places(bonds.packed, s_, this->drives_, places_, Q_); },
+             bonds_);
   mobility_.resize(s_.size());
   for (int i = 0; i < s_.size(); ++i) set_place(i), mobility_[0][i] = s_.mobile[i] / s_.m[i];
-  for (int i = 0; i < clamps; ++i)
-    for (int k = 0; k < Dim; ++k) places_[k][first + i] = places_[Dim + k][first + i] = clamped[i][k];
   bond_force_.resize(group_count());
 }
 
@@ -281,8 +279,8 @@ void Bonded<M, Dim>::step(double dt) {
   contact_.evaluate(s_, dt, threads_now());
   stress_pass();
   interfaces_.pass(s_.x, law_of_one(), threads_now(), Q_, bond_force_);
+  if (clamps_.are_driven() || this->reactions_.active()) pull_at_clamps();
   Base::set_greatest_speed(force_pass(dt));
-  if (this->reactions_.active()) watch_clamps(dt);
   Base::stop_approach(0.5 * dt, [&](int i, const V& change) { s_.x[i] += (0.5 * dt) * change; });
   Base::finish_step(dt);
 }
@@ -315,6 +313,7 @@ void Bonded<M, Dim>::half_drift(double dt) {
       store(x[k] + ahead_ * v[k], places_[Dim + k] + first);
     }
   });
+  clamps_.follow(s_, ahead_, places_);
 }
 
 template <const Formulation& M, int Dim>
@@ -424,16 +423,15 @@ double Bonded<M, Dim>::force_pass(double dt) {
   return std::visit(pass, bonds_);
 }
 
-/// For the probes of reactions: what a bond into a clamp pulls at a free particle it pulls at the held one.
+/// What a bond into a clamp pulls at a free particle it pulls at the held or driven one: for the work of drives, and for
+/// probes of reactions.
 template <const Formulation& M, int Dim>
-void Bonded<M, Dim>::watch_clamps(double dt) {
+void Bonded<M, Dim>::pull_at_clamps() {
+  const auto pull_at = [&](int i, const V& pull) {
+    for (int k = 0; k < Dim; ++k) bond_force_[i / lanes][k][i % lanes] -= pull[k];
+  };
   std::visit(
-      [&](const auto& bonds) {
-        for_each_pull_at_clamps(bonds.packed, places_, Q_, s_.size(), least_r2_[0],
-                                [&](int place, const V& pull) {
-                                  this->reactions_.add(bonds.packed.held_behind(place), -dt * pull);
-                                });
-      },
+      [&](const auto& bonds) { clamps_.for_each_pull(bonds.packed, places_, Q_, least_r2_[0], pull_at); },
       bonds_);
 }
 
@@ -472,6 +470,7 @@ void Bonded<M, Dim>::prepare_to_show() {
     set_place(i);
     for (int k = 0; k < Dim; ++k) displacements_[i].value[k] = s_.x[i][k] - this->initial_.x[s_.id[i]][k];
   });
+  clamps_.follow(s_, ahead_, places_);
 }
 
 template <const Formulation& M, int Dim>

@@ -37,8 +37,8 @@ void add_probes(Scene& scene) {
   if (scene.bodies[0].held) scene.probes.push_back(make_probe("clamp", Probe::Kind::reaction));
 }
 
-/// Two bodies that hit each other; in the second scene one is held, loaded, and driven
-/// for half of the time, and all is pulled and damped.
+/// Two bodies that hit each other; in the second scene one is held, loaded, and driven for half of the time, and all is
+/// pulled and damped; in the third it is driven to the end.
 std::vector<Scene> watched_scenes() {
   std::vector<Scene> scenes = {small_collision(), small_clamped_plate()};
   for (Scene& scene : scenes) add_probes(scene);
@@ -55,6 +55,8 @@ std::vector<Scene> watched_scenes() {
   scenes.back().bodies[0].loads = {load};
   scenes.back().gravity[1] = [=](double t) { return -1000 * std::cos(t / until); };
   scenes.back().damping = 500;
+  scenes.push_back(scenes.back());
+  scenes.back().bodies[0].drives[0].until = {};
   return scenes;
 }
 
