@@ -11,7 +11,7 @@
 namespace taut::cli {
 namespace {
 
-using Names = std::vector<std::string>;
+using NameList = std::vector<std::string>;
 
 std::optional<double> finite(std::optional<double> value) {
   return value && std::isfinite(*value) ? value : std::nullopt;
@@ -21,8 +21,8 @@ std::optional<double> measured_of(const StoredRun& run, const std::string& measu
   return finite(run.number(measure_column(measure, "value")));
 }
 
-Names methods_in(const StoredResults& results) {
-  Names names;
+NameList methods_in(const StoredResults& results) {
+  NameList names;
   for (const StoredRun& run : results.runs)
     if (run.has_result() && std::ranges::find(names, run.method()) == names.end())
       names.push_back(run.method());
@@ -70,7 +70,8 @@ bool is_error(const StoredResults& results, const std::string& measure) {
   });
 }
 
-std::string default_measure(const StoredResults& results, const Names& charted, const ChartRequest& request) {
+std::string default_measure(const StoredResults& results, const NameList& charted,
+                            const ChartRequest& request) {
   const auto rank = [&](const std::string& measure) {
     const ChartErrors errors = errors_of(results, measure, request);
     const auto with_error = [&](const StoredRun& run) { return errors.of(run).has_value(); };
@@ -83,7 +84,7 @@ std::string default_measure(const StoredResults& results, const Names& charted, 
 
 /// The methods that others can be compared with.
 std::string hint(const StoredResults& results) {
-  Names names = methods_in(results);
+  NameList names = methods_in(results);
   std::erase_if(names, [&](const std::string& method) {
     return std::ranges::none_of(
         results.runs, [&](const StoredRun& run) { return run.method() == method && run.is_stable(); });
@@ -112,7 +113,7 @@ std::string nothing_charted(const StoredResults& results, const ChartRequest& re
          not_ended(results) + hint(results);
 }
 
-std::string no_error_of(const StoredResults& results, const ChartRequest& request, const Names& charted) {
+std::string no_error_of(const StoredResults& results, const ChartRequest& request, const NameList& charted) {
   const bool referenced = std::ranges::any_of(results.runs, [&](const StoredRun& run) {
     return run.has_result() && run.number(measure_column(request.measure, "reference")).has_value();
   });
@@ -172,12 +173,12 @@ std::string ChartErrors::unit(const StoredRun& run) const {
 }
 
 ChartErrors chosen_errors(const StoredResults& results, const ChartRequest& request) {
-  const Names all = results.measures(), methods = methods_in(results);
+  const NameList all = results.measures(), methods = methods_in(results);
   if (!request.measure.empty() && std::ranges::find(all, request.measure) == all.end())
     throw UsageError(unknown_name("measure of " + results.scene, request.measure, all));
   if (!request.against.empty() && std::ranges::find(methods, request.against) == methods.end())
     throw UsageError(unknown_name("method in the results", request.against, methods));
-  Names charted = all;
+  NameList charted = all;
   std::erase_if(charted, [&](const std::string& m) { return !has_errors(results, m, request); });
   if (!request.against.empty()) {
     std::erase_if(charted, [&](const std::string& m) { return is_error(results, m); });

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/study/letters.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/system/external_program.hpp"
 #include "engine/error.hpp"
@@ -132,8 +133,9 @@ int draw_plot(const PlotFiles& files, const std::string& script, const std::stri
   const fs::path picture = fs::absolute(files.picture);
   std::error_code error;
   fs::create_directories(picture.parent_path(), error);
-  write_atomically(files.data(), data);
-  write_atomically(files.script(), script);
+  const bool vector = picture.extension() == ".svg";  // whose fonts are those of whoever looks at it
+  write_atomically(files.data(), vector ? data : with_letters_of_fonts(data));
+  write_atomically(files.script(), vector ? script : with_letters_of_fonts(script));
   const std::string output = "picture = " + plot_file(unfinished(picture));
   return make_file({"gnuplot", "charts and maps", "gnuplot-nox"},
                    {"-e", output, "./" + files.script().filename().string()}, picture.parent_path(), picture);

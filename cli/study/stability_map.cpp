@@ -12,12 +12,12 @@ namespace taut::cli {
 namespace {
 
 /// The names that were set in different ways, with all that a run can be asked for.
-struct Names {
+struct SettingNames {
   std::vector<std::string> swept, all;
 };
 
-Names names_of(const std::vector<StoredRun>& runs) {
-  Names names;
+SettingNames names_of(const std::vector<StoredRun>& runs) {
+  SettingNames names;
   std::map<std::string, std::set<std::string>> values;
   for (const StoredRun& run : runs)
     for (const auto& [column, value] : run.cells)

@@ -4,7 +4,9 @@
 
 #include <doctest/doctest.h>
 
+#include "cli/study/gnuplot.hpp"
 #include "cli/study/history_plot.hpp"
+#include "cli/study/letters.hpp"
 #include "cli/study/study.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/sweep_folder.hpp"
@@ -109,6 +111,22 @@ TEST_SUITE("cli") {
     for (const auto& curve : make_history_plot(results, {{"energy", "energy"}}).curves)
       names.push_back(curve.name);
     CHECK(names == Texts{"tl, speed=0.5", "tl, speed=2", "tl, speed=10"});
+  }
+
+  TEST_CASE("a letter that no font has is a box of its size in PNG, and itself in SVG") {
+    const std::string nowhere = "\xf4\x8f\xbf\xbd";  // U+10FFFD, for private use
+    CHECK(with_letters_of_fonts("été □ 2 µm") == "été □ 2 µm");
+    CHECK(with_letters_of_fonts("a" + nowhere + nowhere + "b") == "a□□b");
+    CHECK(with_letters_of_fonts("no UTF-8: \xe9\xff") == "no UTF-8: \xe9\xff");
+    const TemporaryFolder folder;
+    HistoryPlot plot = falling(speeds_of("oenog", 2));
+    plot.title = "A rod " + nowhere;
+    for (const std::string name : {"p.png", "p.svg"}) {
+      CAPTURE(name);
+      const PlotFiles files{folder / name};
+      draw_plot(files, history_script(plot, files), history_data(plot));
+      CHECK(contains(text_of(files.script()), name == "p.png" ? "A rod □" : "A rod " + nowhere));
+    }
   }
 
   TEST_CASE("an axis has room for its numbers, however small they are") {
