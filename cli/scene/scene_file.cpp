@@ -201,12 +201,11 @@ void refuse_too_coarse(double asked, double fitted, const TomlValue& tree, const
   throw SceneError(source.file, place.line, place.column, "spacing", what);
 }
 
-}  // namespace
-
-SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings) {
+SceneFile read_text(const std::string& text, const std::filesystem::path& path,
+                    const std::vector<Setting>& settings) {
   TomlSource source;
   source.file = path.string();
-  const TomlValue tree = parse_toml(file_text(path), source.file);
+  const TomlValue tree = parse_toml(text, source.file);
   const Changes changes = by_target(settings);
   constexpr int most_rounds = 10;
   const double asked = asked_spacing(tree, changes, source);
@@ -216,6 +215,7 @@ SceneFile read_scene(const std::filesystem::path& path, const std::vector<Settin
     if (reading.fitted() == dp) {
       SceneFile file = reading.finish();
       file.spacing_asked = asked;
+      file.text = text;
       return file;
     }
     refuse_too_coarse(dp, reading.fitted(), tree, changes, source);
@@ -225,6 +225,16 @@ SceneFile read_scene(const std::filesystem::path& path, const std::vector<Settin
   throw SceneError(
       source.file, place.line, place.column, "spacing",
       "no spacing divides the first body into whole particles, since its size depends on dp itself");
+}
+
+}  // namespace
+
+SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings) {
+  return read_text(file_text(path), path, settings);
+}
+
+SceneFile read_again(const SceneFile& scene, const std::vector<Setting>& settings) {
+  return read_text(scene.text, scene.path, settings);
 }
 
 SceneError locate(const SceneFile& scene, const SceneError& error) {

@@ -40,6 +40,7 @@ std::string text_of(const Setting& setting);
 /// A scene file as read: the engine's scene and what only the program needs.
 struct SceneFile {
   std::filesystem::path path;
+  std::string text;  // of the file
   Scene scene;
   Settings settings;  // method, all its constants, stepping, cfl
   Drawing drawing;
@@ -54,6 +55,8 @@ struct SceneFile {
 /// Of several settings of one name the last one counts. Throws SceneError (with file, line, column) for the
 /// file, UsageError for the settings.
 SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings = {});
+/// The same text with other settings: what comes through a pipe can be read only once.
+SceneFile read_again(const SceneFile& scene, const std::vector<Setting>& settings = {});
 /// The names that --set and --grid take in this scene with its method.
 std::vector<std::string> names_to_set(const SceneFile& scene);
 /// The texts that a name of these takes: of methods, laws of contact and of elasticity, ways of stepping;

@@ -1,9 +1,11 @@
 #include <fstream>
 #include <string>
 #include <tuple>
+#include <unistd.h>
 
 #include <doctest/doctest.h>
 
+#include "cli/run/plan.hpp"
 #include "tests/support/program_runner.hpp"
 
 using namespace taut::cli;
@@ -36,5 +38,41 @@ TEST_SUITE("cli") {
     CHECK_FALSE(is_told("method = \"enog\"\n", "1.1"));
     CHECK_FALSE(is_told("method = \"enog\"\ncontact = \"penalty\"\n", "1.05"));
     CHECK_FALSE(is_told("method = \"oenog\"\n", "1.05"));
+  }
+
+  TEST_CASE("a reaction by a method that keeps no momentum is told of") {
+    const TemporaryFolder folder;
+    const auto is_told = [&](const std::string& method, const std::string& probe) {
+      std::ofstream(folder / "scene.toml")
+          << "title = \"Held\"\nuntil = 1e-6\nspacing = 0.1\n[material.rubber]\ndensity = 1000\n"
+             "youngs_modulus = 1e7\npoisson_ratio = 0.4\n[[body]]\nname = \"a\"\nmaterial = \"rubber\"\n"
+             "held = \"x < 0.2\"\nshape = { type = \"rectangle\", low = [0, 0], high = [1, 0.5] }\n"
+             "[[probe]]\nname = \"f\"\nbody = \"a\"\ncomponent = \"x\"\nof = \""
+          << probe << "\"\n";
+      const Outcome outcome = call({"run", folder.str("scene.toml"), "--method", method, "--no-render",
+                                    "--quiet", "--out", folder.str("out")});
+      CHECK(outcome.code == 0);
+      return outcome.err.find("a reaction by " + method +
+                              ", whose tensile instability control keeps no momentum") != std::string::npos;
+    };
+    CHECK(is_told("d-ulsph-r-tic", "reaction"));
+    CHECK_FALSE(is_told("d-ulsph-r-tic", "mean_velocity"));
+    CHECK_FALSE(is_told("d-ulsph-av-as", "reaction"));
+    CHECK_FALSE(is_told("oenog", "reaction"));
+  }
+
+  TEST_CASE("a scene may come through a pipe, with settings that name its folder") {
+    const TemporaryFolder folder;
+    const std::string text = text_of(write_tiny_scene(folder));
+    int ends[2];
+    REQUIRE(::pipe(ends) == 0);
+    REQUIRE(::write(ends[1], text.data(), text.size()) == static_cast<ssize_t>(text.size()));
+    ::close(ends[1]);
+    RunOptions options;
+    options.scene = "/dev/fd/" + std::to_string(ends[0]);
+    options.settings = {{"spacing", "0.004"}, {"until", "0.001"}};
+    const RunPlan plan = make_plan(options);
+    ::close(ends[0]);
+    CHECK(plan.folder.path() == "out/" + std::to_string(ends[0]) + "-enog-spacing=0.004-until=0.001");
   }
 }
