@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <ostream>
 #include <span>
 
@@ -11,6 +12,7 @@
 #include "cli/run/labels.hpp"
 #include "cli/run/panel_cells.hpp"
 #include "cli/run/saved_run.hpp"
+#include "cli/system/atomic_file.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
@@ -86,6 +88,19 @@ Drawing wish(const std::vector<SavedRun>& runs, const CompareArguments& options)
   return drawing;
 }
 
+/// Whoever has chosen it, all must have the body.
+void refuse_to_follow_nobody(const Drawing& wish, const std::vector<SavedRun>& runs) {
+  for (const SavedRun& run : runs) {
+    std::vector<std::string> names;
+    for (const Body& body : run.file.scene.bodies) names.push_back(body.name);
+    if (wish.followed && std::ranges::find(names, wish.follow) == names.end())
+      throw UsageError("'" + runs.front().folder.path().string() + "' is drawn about its body '" +
+                       wish.follow + "', and '" + run.folder.path().string() +
+                       "' has none of that name but " + join(names) +
+                       "; --follow none draws all where they are");
+  }
+}
+
 /// Whether the scenes' own view bounds what is seen: nobody has chosen another, not even `--view auto`.
 bool is_bounded(const Drawing& wish, const CompareArguments& options) {
   const auto typed = options.typed.find("view");
@@ -154,6 +169,7 @@ render::PanelOptions panel_options(const Drawing& drawing, RunLabels labels) {
 int compare_runs(const CompareArguments& options, Streams streams) {
   const std::vector<SavedRun> runs = open_runs(options.runs);
   const Drawing wished = wish(runs, options);
+  refuse_to_follow_nobody(wished, runs);
   const double until = longest(runs);
   const std::vector<double> times = chosen_times(options, until);
   std::vector<Column> columns;
@@ -177,6 +193,7 @@ int compare_runs(const CompareArguments& options, Streams streams) {
   render::Panel panel(about);
   draw(panel, columns);
   const render::Image& image = panel.finish();
+  make_folders(std::filesystem::absolute(options.out).parent_path());
   render::write_png(image, options.out);
   streams.out << "panel  " << options.out << " (" << image.width << "x" << image.height << ")\n";
   return exit_fine;

@@ -5,6 +5,7 @@
 
 #include "cli/command_line/command.hpp"
 #include "cli/run/frame_folders.hpp"
+#include "cli/system/atomic_file.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/text/checks.hpp"
 #include "engine/error.hpp"
@@ -20,12 +21,17 @@ struct DiffArguments : DifferenceOptions {
   std::optional<std::string> out;
 };
 
+void write_difference(const render::Image& picture, const fs::path& file) {
+  make_folders(fs::absolute(file).parent_path());
+  render::write_png(picture, file);
+}
+
 int diff_images(const DiffArguments& options, std::ostream& out) {
   const render::Image a = render::read_png(options.a);
   const render::Image b = render::read_png(options.b);
   const render::DifferenceLimit limit = limit_of(options);
   const render::ImageDifference difference = compare(a, b);
-  if (options.out) render::write_png(render::difference_picture(a, b), *options.out);
+  if (options.out) write_difference(render::difference_picture(a, b), *options.out);
   out << difference_report(difference, limit);
   return alike(difference, limit) ? exit_fine : exit_different;
 }
@@ -41,9 +47,9 @@ int diff_folders(const DiffArguments& options, std::ostream& out) {
   const fs::path b = folder_with_pictures(options.b);
   const FolderDifference difference = compare_folders(a, b, limit_of(options));
   if (options.out && difference.compared > 0)
-    render::write_png(render::difference_picture(render::read_png(a / difference.worst),
-                                                 render::read_png(b / difference.worst)),
-                      *options.out);
+    write_difference(render::difference_picture(render::read_png(a / difference.worst),
+                                                render::read_png(b / difference.worst)),
+                     *options.out);
   out << difference_report(difference, a.string(), b.string());
   return difference.alike() ? exit_fine : exit_different;
 }

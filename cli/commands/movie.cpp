@@ -9,6 +9,7 @@
 #include "cli/run/folder.hpp"
 #include "cli/run/frame_folders.hpp"
 #include "cli/run/redraw.hpp"
+#include "cli/system/atomic_file.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/system/external_program.hpp"
 #include "cli/text/checks.hpp"
@@ -94,6 +95,7 @@ std::vector<std::string> arguments_of(const MovieArguments& options, const fs::p
 }
 
 int encode(const MovieArguments& options, const fs::path& folder) {
+  make_folders(fs::absolute(options.out).parent_path());
   const fs::path part = unfinished(fs::absolute(options.out));
   return make_file({"ffmpeg", "movies", "ffmpeg"}, arguments_of(options, part), folder, options.out);
 }

@@ -283,9 +283,11 @@ void weigh_box(InitialParticles& layout, const Body& body, int first, int dim, d
 /// Throws SceneError for what the body asks of no particle, or of particles that cannot do it.
 void check_sites(const Body& body, const std::vector<InitialSite>& sites) {
   if (sites.empty())
-    throw SceneError("body." + body.name, "body '" + body.name +
-                                              "' holds no particle: its shapes are smaller than the spacing; "
-                                              "choose a smaller spacing");
+    throw SceneError(
+        "body." + body.name,
+        "body '" + body.name + "' holds no particle: " +
+            (body.without.empty() ? "its shapes are smaller than the spacing; choose a smaller spacing"
+                                  : "what 'without' leaves of its shapes is smaller than the spacing"));
   refuse_idle_hold(body, sites);
   refuse_empty(body.parts, sites, body, "parts");
   refuse_empty(body.drives, sites, body, "driven");

@@ -76,6 +76,36 @@ TEST_SUITE("cli") {
     CHECK(compare(folder, {"a", "b"}).code == 0);
   }
 
+  TEST_CASE(
+      "a panel about a body that one of the runs does not have is refused, and --follow none draws it") {
+    const TemporaryFolder folder;
+    make_run(folder, "a", {"--until", "1e-4", "--follow", "left"});
+    const std::string scene = write_tiny_scene(folder);
+    std::ofstream(folder / "other.toml") << replaced(
+        replaced(text_of(scene), "name = \"left\"", "name = \"first\""), "[\"left\"", "[\"first\"");
+    REQUIRE(call({"run", folder.str("other.toml"), "--out", folder.str("b"), "--quiet", "--no-render",
+                  "--save-particles", "--until", "1e-4"})
+                .code == 0);
+    const Outcome refused = compare(folder, {"a", "b"});
+    CHECK(refused.code == 2);
+    CHECK(contains(refused.err, folder.str("a") + "' is drawn about its body 'left', and '" +
+                                    folder.str("b") +
+                                    "' has none of that name but first, right; --follow none"));
+    CHECK(compare(folder, {"a", "b"}, {"--follow", "none"}).code == 0);
+    CHECK(compare(folder, {"b", "a"}).code == 0);
+  }
+
+  TEST_CASE("a panel makes the folder that it is to stand in, as a plot does") {
+    const TemporaryFolder folder;
+    make_run(folder, "a", {"--until", "1e-4"});
+    CHECK(call({"compare", folder.str("a"), "--out", folder.str("pictures/of/a.png")}).code == 0);
+    CHECK(std::filesystem::exists(folder / "pictures/of/a.png"));
+    CHECK(call({"diff", folder.str("pictures/of/a.png"), folder.str("pictures/of/a.png"), "--out",
+                folder.str("differences/d.png")})
+              .code == 0);
+    CHECK(std::filesystem::exists(folder / "differences/d.png"));
+  }
+
   TEST_CASE("a panel shows every run at every time and says what it cannot show") {
     const TemporaryFolder folder;
     make_run(folder, "slow");

@@ -198,6 +198,6 @@ TEST_SUITE("cli") {
     CHECK(diff("missing.png").code == 2);
     CHECK(diff("square.png", {"--out", folder.str("diff.png")}).code == 1);
     CHECK(taut::render::read_png(folder / "diff.png").width == 64);
-    CHECK(diff("square.png", {"--out", folder.str("no/diff.png")}).code == 4);
+    CHECK(diff("square.png", {"--out", folder.str("square.png/diff.png")}).code == 4);
   }
 }

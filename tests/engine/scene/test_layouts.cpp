@@ -84,7 +84,7 @@ TEST_SUITE("unit") {
     scene.bodies[0].without.push_back(Box{{5, 5, 5}, {6, 6, 6}});
     CHECK(holds(error_of(scene), "without: no particle of body 'thing' is in shape 3"));
     scene.bodies[0].without = {Disc{{2, 2, 2}, 10}};
-    CHECK(holds(error_of(scene), "holds no particle"));
+    CHECK(holds(error_of(scene), "holds no particle: what 'without' leaves of its shapes"));
   }
 
   TEST_CASE("layout: a disc with a hole is a lattice, reflected with its hole") {
