@@ -97,6 +97,25 @@ TEST_SUITE("analytic") {
     }
   }
 
+  TEST_CASE("driven: what is rigid does not pull at what is held beside it") {
+    constexpr double speed = 1;  // m/s
+    for (const int dim : {2, 3}) {
+      CAPTURE(dim);
+      Scene scene = bar(dim, 0);
+      Body& body = scene.bodies[0];
+      body.held = [](const Point& x) { return x[0] < 0.3 ? 1.0 : 0.0; };
+      body.velocity = {};
+      Drive drive;
+      drive.where = [](const Point& x) { return x[0] > 0.3 ? 1.0 : 0.0; };
+      drive.velocity[0] = [](double) { return speed; };
+      body.drives = {drive};
+      const auto simulation = make_simulation(scene, with_method("oenog"));
+      simulation->advance_to(2 * dp / speed);
+      const double unit = scene.materials[0].youngs_modulus * 4 * half * half;  // N
+      CHECK(std::abs(simulation->series().value[1].back()) < 1e-12 * unit);
+    }
+  }
+
   TEST_CASE("pins: a bar thrown about one of its particles turns on, in 3D about a row of them") {
     const double t = 0.4;  // several periods of its first bending
     for (const int dim : {2, 3}) {
