@@ -47,8 +47,10 @@ class Bonded final : public ParticleSolver<Bonded<M, Dim>, Dim> {
     }
     ahead_ = 3 * c_.damping * c_.dp / (shear_speed * of_G);
     this->lawful_stretch_ = std::sqrt(cancelled_range<Dim>[1]);
+    // a clamp that moves; on faces the half cells before it are part of the body, and show their stress
     for (int id = 0; id < s_.size(); ++id)
-      if (this->drives_.lasts(id)) this->initial_.held[id] = 1;                      // a clamp that moves
+      if (this->drives_.lasts(id) && !input.scene.bodies[s_.body[id]].on_boundary)
+        this->initial_.held[id] = 1;
     for (const int pin : pins(this->initial_, c_.dp)) this->initial_.held[pin] = 0;  // it keeps its place
     const Bonds bonds = make_bonds(input.scene, this->initial_, c_.h, input.threads);
     this->pairs_ = static_cast<long>(bonds.j.size());

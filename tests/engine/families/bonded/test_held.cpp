@@ -97,6 +97,31 @@ TEST_SUITE("analytic") {
     }
   }
 
+  TEST_CASE("driven: on a face it is a part of the body, whether it is let go or not, and shows its stress") {
+    for (const int dim : {2, 3}) {
+      CAPTURE(dim);
+      Scene scene = bar(dim, 0);
+      scene.until = 1;
+      Body& body = scene.bodies[0];
+      body.on_boundary = true;
+      body.held = [](const Point& x) { return x[0] < -half + 0.1 * dp ? 1.0 : 0.0; };
+      body.velocity = {};
+      Drive drive;
+      drive.where = [](const Point& x) { return x[0] > length - half - 0.1 * dp ? 1.0 : 0.0; };
+      drive.velocity[1] = [](double) { return 1.0; };
+      body.drives = {drive};
+      const Snapshot lasting = state_after(100, scene, with_method("oenog"));
+      body.drives[0].until = 0.5;
+      const Snapshot let_go = state_after(100, scene, with_method("oenog"));
+      CHECK(lasting.x == let_go.x);
+      CHECK(lasting.s == let_go.s);
+      double greatest = 0;
+      for (std::size_t i = 0; i < lasting.size(); ++i)
+        if (lasting.driven[i]) greatest = std::max(greatest, std::abs(lasting.stress(i).xy));
+      CHECK(greatest > 0);
+    }
+  }
+
   TEST_CASE("driven: what is rigid does not pull at what is held beside it") {
     constexpr double speed = 1;  // m/s
     for (const int dim : {2, 3}) {
