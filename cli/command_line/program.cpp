@@ -48,7 +48,11 @@ void refuse_unknown(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::Option* o : app.get_options())
       for (const std::string& name : o->get_lnames()) names.push_back("--" + name);
-    throw UsageError(unknown_name("option", option->substr(0, option->find('=')), names));
+    const std::string name = option->substr(0, option->find('='));
+    if (std::ranges::find(names, name) != names.end())
+      throw UsageError("'" + name +
+                       "' stands behind '--', where nothing is an option; put it in front of that");
+    throw UsageError(unknown_name("option", name, names));
   }
   if (!rest.empty()) throw UsageError("'" + rest.front() + "' is one argument too many");
 }

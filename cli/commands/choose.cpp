@@ -34,7 +34,7 @@ double share(const std::string& text) {
   const bool percents = text.ends_with('%');
   const auto value = parsed<double>(std::string_view(text).substr(0, text.size() - (percents ? 1 : 0)));
   if (!value || !(*value > 0))
-    throw UsageError("--error is '" + text + "', which is neither like 1% nor like 0.01");
+    throw UsageError("--error is '" + text + "', which is neither like 1% nor like 0.01, and more than 0");
   return percents ? *value / 100 : *value;
 }
 

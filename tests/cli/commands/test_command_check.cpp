@@ -85,6 +85,7 @@ TEST_SUITE("cli") {
         {{run, "--measure", "period=0.25±-1%"}, "neither like 1% nor like 0.002"},
         {{run, "--measure", "period=nan±1%"}, "is not a number"},
         {{run, "--verdict", "stabel"}, "did you mean 'stable'"},
+        {{run, "--", "--verdict", "stable"}, "'--verdict' stands behind '--', where nothing is an option"},
         {{run, "--baseline", run}, "--baseline needs --tolerance"},
         {{run, "--baseline", stopped, "--tolerance", "1%"}, "has not finished"},
         {{folder.str("none"), "--verdict", "stable"}, "is not the folder of a run"},

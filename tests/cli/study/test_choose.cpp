@@ -125,7 +125,7 @@ TEST_SUITE("cli") {
     const std::string file = write_results(folder / "a", runs, "colliding-rings");
     const std::map<Texts, std::string> wrong{
         {{"colliding-rings", "--error", "small", "--from", file}, "neither like 1% nor like 0.01"},
-        {{"colliding-rings", "--error", "-1%", "--from", file}, "neither like 1% nor like 0.01"},
+        {{"colliding-rings", "--error", "-1%", "--from", file}, "nor like 0.01, and more than 0"},
         {{"ball-plate", "--error", "1%", "--from", file}, "the results are of colliding-rings"},
         {{"bal-plate", "--error", "1%", "--from", file}, "did you mean 'ball-plate'"},
         {{"colliding-rings", "--error", "1%", "--measure", "bent", "--from", file}, "did you mean 'bend'"},
