@@ -167,10 +167,10 @@ std::string reactions_without_balance(const SceneFile& file) {
   if (!find_method(file.settings.method)->formulation.tensile_control ||
       std::ranges::none_of(file.scene.probes, is_reaction))
     return "";
-  return "a reaction by " + file.settings.method +
-         ", whose tensile instability control keeps no momentum, is not what the loads amount to: 0.63 to "
-         "0.98 of it "
-         "where a bar is bent (METHODS.md)";
+  return fmt::format(
+      "a reaction by {}, whose tensile instability control keeps no momentum, is not what the loads "
+      "amount to: where a bar is bent 0.63 to 0.98 of it (METHODS.md)",
+      file.settings.method);
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include "engine/core/shared_rows.hpp"
 #include "engine/families/bonded/bond_sums.hpp"
 #include "engine/families/bonded/bonds.hpp"
-#include "engine/families/bonded/clamps.hpp"
 #include "engine/families/bonded/closed_law.hpp"
 #include "engine/families/bonded/interface_sites.hpp"
 #include "engine/families/bonded/layout_stiffness.hpp"
