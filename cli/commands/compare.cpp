@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <filesystem>
 #include <ostream>
 #include <span>
 
@@ -193,7 +192,7 @@ int compare_runs(const CompareArguments& options, Streams streams) {
   render::Panel panel(about);
   draw(panel, columns);
   const render::Image& image = panel.finish();
-  make_folders(std::filesystem::absolute(options.out).parent_path());
+  make_folder_of(options.out);
   render::write_png(image, options.out);
   streams.out << "panel  " << options.out << " (" << image.width << "x" << image.height << ")\n";
   return exit_fine;

@@ -22,7 +22,7 @@ struct DiffArguments : DifferenceOptions {
 };
 
 void write_difference(const render::Image& picture, const fs::path& file) {
-  make_folders(fs::absolute(file).parent_path());
+  make_folder_of(file);
   render::write_png(picture, file);
 }
 

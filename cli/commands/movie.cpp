@@ -95,7 +95,7 @@ std::vector<std::string> arguments_of(const MovieArguments& options, const fs::p
 }
 
 int encode(const MovieArguments& options, const fs::path& folder) {
-  make_folders(fs::absolute(options.out).parent_path());
+  make_folder_of(options.out);
   const fs::path part = unfinished(fs::absolute(options.out));
   return make_file({"ffmpeg", "movies", "ffmpeg"}, arguments_of(options, part), folder, options.out);
 }

@@ -25,12 +25,15 @@ std::string one_line(std::string_view text) {
 bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
 
 /// The name of a file in the script's folder, as a string of gnuplot: a '|' or '<' in front would make it a
-/// command, a '-' an option; a line break would end the line.
+/// command, a '-' an option; a line break would end the line. It is no text: letters without a font stay what they are.
 std::string plot_file(const fs::path& file) {
+  const std::string name = file.filename().string();
+  const bool drawable = with_letters_of_fonts(name) == name;
   std::string result;
-  for (const char c : "./" + file.filename().string()) {
-    if (c >= 0 && c < ' ')
-      result += fmt::format("'.\"\\{:03o}\".'", static_cast<int>(c));
+  for (const char c : "./" + name) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < ' ' || (byte >= 0x80 && !drawable))
+      result += fmt::format("'.\"\\{:03o}\".'", byte);
     else
       result += c == '\'' ? "''" : std::string(1, c);
   }
@@ -131,8 +134,7 @@ std::string plot_note(std::string_view note, double height) {
 
 int draw_plot(const PlotFiles& files, const std::string& script, const std::string& data) {
   const fs::path picture = fs::absolute(files.picture);
-  std::error_code error;
-  fs::create_directories(picture.parent_path(), error);
+  make_folder_of(files.picture);
   const bool vector = picture.extension() == ".svg";  // whose fonts are those of whoever looks at it
   write_atomically(files.data(), vector ? data : with_letters_of_fonts(data));
   write_atomically(files.script(), vector ? script : with_letters_of_fonts(script));

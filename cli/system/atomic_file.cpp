@@ -185,6 +185,8 @@ std::vector<fs::path> make_folders(const fs::path& folder) {
   return made;
 }
 
+void make_folder_of(const fs::path& file) { make_folders(fs::absolute(file).parent_path()); }
+
 std::optional<std::string> read_whole(const fs::path& path) {
   std::error_code error;
   if (!fs::is_regular_file(path, error)) return std::nullopt;  // a device has no end

@@ -39,6 +39,9 @@ void put_on_disk(const std::filesystem::path& path);
 /// innermost first. Throws OutputError.
 std::vector<std::filesystem::path> make_folders(const std::filesystem::path& folder);
 
+/// The folder that a file is to stand in. Throws OutputError.
+void make_folder_of(const std::filesystem::path& file);
+
 /// All bytes of a file; none if it cannot be read, or is a folder or a device.
 std::optional<std::string> read_whole(const std::filesystem::path& path);
 

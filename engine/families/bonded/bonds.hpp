@@ -111,8 +111,8 @@ struct Bonds {
 /// (for ν ≥ 1/4), or the body has no least energy and flies apart. Who has too little of a gradient from the
 /// nearest takes it from all its bonds, by r0⁻⁸ as on layers in 2D. A homogeneous strain leaves forces there.
 ///
-/// Clamp. A bond from a free particle into a held region ends where it meets the region's face. Held on to
-/// the held particles themselves, half a spacing behind the face, a cantilever is longer by that half
+/// Clamp. A bond from a free particle into a region that is held, or driven to the end, ends where it meets the region's
+/// face. Held on to the held particles themselves, half a spacing behind the face, a cantilever is longer by that half
 /// spacing: an error of the period of dp/L, of first order, and the largest there was.
 ///
 /// Volumes. Σ V_i f(X_i) is the midpoint rule, whose error is dp²/24 times the integral of ∂f/∂n over the

@@ -121,11 +121,12 @@ TEST_SUITE("cli") {
     const TemporaryFolder folder;
     HistoryPlot plot = falling(speeds_of("oenog", 2));
     plot.title = "A rod " + nowhere;
-    for (const std::string name : {"p.png", "p.svg"}) {
+    for (const std::string& name : {std::string("p.png"), std::string("p.svg"), "é" + nowhere + ".png"}) {
       CAPTURE(name);
       const PlotFiles files{folder / name};
-      draw_plot(files, history_script(plot, files), history_data(plot));
-      CHECK(contains(text_of(files.script()), name == "p.png" ? "A rod □" : "A rod " + nowhere));
+      CHECK(draw_plot(files, history_script(plot, files), history_data(plot)) == 0);
+      CHECK(std::filesystem::exists(files.picture));
+      CHECK(contains(text_of(files.script()), name == "p.svg" ? "A rod " + nowhere : "A rod □"));
     }
   }
 
