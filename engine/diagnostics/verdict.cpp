@@ -81,8 +81,10 @@ Judge::Judge(const Scene& scene, const Snapshot& start, double support, bool kee
     closed_mass_ = std::accumulate(start.m.begin(), start.m.end(), 0.0);
   start_momentum_ = at_start.linear_momentum;
   start_energy_ = given_energy_ = motion(at_start) + at_start.strain;
-  constexpr double rounding = 1e-12;  // of what is taken off
-  nothing_ = energy_of_rounding(scene, start) + rounding * at_start.kinetic;
+  least_strain_ = std::min(at_start.strain, 0.0);
+  constexpr double rounding = 1e-12;  // of the kinetic energy of the common motion, which motion() subtracts
+  constexpr double margin = 1e4, of_start = 10;
+  floor_ = margin * energy_of_rounding(scene, start) + rounding * at_start.kinetic - of_start * least_strain_;
 }
 
 Judge::Judge(const Scene& scene, const Simulation& simulation)
@@ -107,14 +109,13 @@ void Judge::observe(const Snapshot& now, const Balance& balance, const Readings&
   // the angular scale contains every position, the energies every other value
   const bool finite = std::isfinite(energy) && std::isfinite(balance.angular_scale);
   given_energy_ = std::max(given_energy_, start_energy_ + balance.work);
-  // where the strain energy has no least value, that of motion grows out of it while their sum is kept
-  constexpr double next_to_nothing = 0.1;  // of what was given
-  const bool moves = keeps_neighbors_ || kinetic > next_to_nothing * given_energy_;
+  constexpr double small_part = 0.1;  // of the received energy
+  const bool moves = keeps_neighbors_ || kinetic > small_part * given_energy_;
   const bool doubled = std::max(moves ? energy : 0, kinetic) > 2 * given_energy_;
-  // a strained body has more energy than a free one, but by a law that has no least value
-  const bool fell = keeps_neighbors_ && balance.strain < -next_to_nothing * given_energy_;
-  if (!finite || (given_energy_ > nothing_ && (doubled || fell)))
+  const bool fell = keeps_neighbors_ && balance.strain < least_strain_ - small_part * given_energy_;
+  if (!finite || (given_energy_ > floor_ && (doubled || (fell && fell_))))
     since_.try_emplace(Verdict::diverged, now.time);
+  fell_ = fell;
   if (!finite) return;
   static_assert(indicators[0].key == "hourglass_error");
   if (readings[0].share() > hourglass_threshold) since_.try_emplace(Verdict::hourglass, now.time);

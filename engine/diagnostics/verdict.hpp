@@ -60,12 +60,15 @@ struct BeyondLaw {
 ///   Fractured = more pieces of the graph of unbroken bonds than at the start ("at the start", not "bodies":
 ///   a body may consist of parts), or a broken bond whose ends are more than 8 unbroken bonds apart: a crack
 ///   at least five particles deep. A ring that is cut once stays one piece.
-/// energy: kinetic + strain above twice what was given, or anything that is not finite = diverged. Given is
-///   the start's and the work of drives, loads and gravity, at its greatest so far: what takes energy back
-///   may leave noise, not more. A scene that is given none but round-off is judged by finiteness only. Where nothing
-///   acts from outside the energy of the common motion at the start does not count. Methods that search their
-///   neighbours have no strain energy that their forces keep: while less than a tenth of what was given moves, theirs
-///   may be what it is; that of the others below 0 by as much is divergence too.
+/// energy: the run diverged when a value is not finite, or when an energy departs from the energy that the scene
+///   received. Received = energy at the start plus the work of drives, loads and gravity, at its greatest so far.
+///   - Kinetic, or kinetic + strain, above twice the received energy. For methods with searched neighbours the
+///     strain energy counts only while at least a tenth of the received energy moves: their forces do not derive
+///     from it.
+///   - Strain energy below its start by a tenth of the received energy, at two observations in a row, for methods
+///     with initial neighbours: a law without a minimum of its energy.
+///   Neither is judged before the received energy exceeds the round-off of the scene, see floor_.
+///   In a closed scene the energy of the common motion at the start does not count.
 class Judge {
  public:
   Judge(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors, int threads = 1);
@@ -84,7 +87,7 @@ class Judge {
   template <class Archive>
   void serialize(Archive& archive) {
     for (Bond& bond : bonds_) archive(bond.broken);
-    archive(given_energy_, pieces_, beyond_law_.share, beyond_law_.since, since_);
+    archive(given_energy_, fell_, pieces_, beyond_law_.share, beyond_law_.since, since_);
     archive.check("a verdict", [&] {
       const auto is_failure = [](const auto& failure) {
         return failure.first > Verdict::stable && failure.first <= Verdict::diverged;
@@ -121,7 +124,12 @@ class Judge {
   Point start_momentum_{};   // kg m/s
   double start_energy_ = 0;  // J
   double given_energy_ = 0;  // J, greatest so far
-  double nothing_ = 0;       // J, what round-off gives
+  double least_strain_ =
+      0;  // J, strain energy at the start where negative: round-off, or bonds off a lattice
+  /// Received energy from which energies are judged, J: speeds of 1e-6 c0, or ten times the round-off of the strain
+  /// energy at the start.
+  double floor_ = 0;
+  bool fell_ = false;  // the strain energy, when last observed
   int start_pieces_ = 0;
   int pieces_ = 0;
   double lawful_stretch_ = std::numeric_limits<double>::infinity();

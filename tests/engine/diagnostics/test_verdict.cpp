@@ -395,8 +395,15 @@ TEST_SUITE("unit") {
     set(2.1), now.strain_energy[1] = -0.19;
     observe(other, now, scene, 1);
     CHECK(other.verdict() == Verdict::stable);
-    set(1.5), now.strain_energy[1] = -0.21;  // of a law that has no least energy
+    set(1.5), now.strain_energy[1] = -0.21;  // as by a law whose energy has no minimum
     observe(other, now, scene, 2);
+    CHECK(other.verdict() == Verdict::stable);  // a loss must last for two observations
+    now.strain_energy[1] = -0.19;
+    observe(other, now, scene, 3);
+    now.strain_energy[1] = -0.21;
+    observe(other, now, scene, 4);
+    CHECK(other.verdict() == Verdict::stable);
+    observe(other, now, scene, 5);
     CHECK(other.verdict() == Verdict::diverged);
   }
 
@@ -407,7 +414,7 @@ TEST_SUITE("unit") {
     now.v[0] = 1;
     observe(judge, now, scene, 1);
     CHECK(judge.verdict() == Verdict::stable);
-    now.v[0] = 1e-10;  // round-off is nothing either
+    now.v[0] = 1e-10;  // nor is round-off
     Judge other(scene, now, support, searched);
     now.v[0] = 1e-9;
     observe(other, now, scene, 1);
