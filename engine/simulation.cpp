@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,6 +14,7 @@
 #include "engine/families/make_solver.hpp"
 #include "engine/scene/initial_particles.hpp"
 #include "engine/scene/overlap.hpp"
+#include "engine/terms/riemann_second_order.hpp"
 
 namespace taut {
 namespace {
@@ -28,7 +31,7 @@ void check_constants(const MethodInfo& method, const Settings& settings, int dim
                        known);
     }
     if (!(value >= constant->low && value <= constant->high))
-      throw UsageError(fmt::format("constant '{}' is {:g}; allowed is {:g} to {:g}", name, value,
+      throw UsageError(fmt::format("constant '{}' is {:g}; it must be from {:g} to {:g}", name, value,
                                    constant->low, constant->high));
   }
 }
@@ -62,8 +65,8 @@ void check_dimension(const Scene& scene, const MethodInfo& method) {
   for (const MethodInfo& other : methods())
     if (greatest_dim(other.formulation) >= scene.dim)
       others += (others.empty() ? "" : ", ") + std::string(other.name);
-  throw SceneError(
-      "dim", fmt::format("method '{}' runs scenes of 2 dimensions only; of 3: {}", method.name, others));
+  throw SceneError("dim", fmt::format("method '{}' runs scenes of 2 dimensions only; methods for 3: {}",
+                                      method.name, others));
 }
 
 /// The methods that take several materials in as many dimensions.
@@ -82,11 +85,11 @@ void check_materials(const Scene& scene, const InitialParticles& initial, const 
   for (int i = 0; i < initial.size(); ++i) {
     if (same(scene.materials[initial.material[i]], scene.materials[first])) continue;
     const std::string& body = scene.bodies[initial.body[i]].name;
-    throw SceneError("body." + body, "method '" + std::string(method.name) + "' takes one material; body '" +
-                                         body + "' has '" + scene.materials[initial.material[i]].name +
-                                         "' where body '" + scene.bodies.front().name + "' has '" +
-                                         scene.materials[first].name +
-                                         "'; of several: " + of_several(scene.dim));
+    throw SceneError("body." + body, "method '" + std::string(method.name) +
+                                         "' allows only one material; body '" + body + "' has '" +
+                                         scene.materials[initial.material[i]].name + "', but body '" +
+                                         scene.bodies.front().name + "' has '" + scene.materials[first].name +
+                                         "'; methods for several materials: " + of_several(scene.dim));
   }
 }
 
@@ -99,8 +102,8 @@ void check_displacements(const Scene& scene, const MethodInfo& method) {
         throw SceneError("body." + body.name + ".displacement",
                          "method '" + std::string(method.name) + "' has no reference configuration: body '" +
                              body.name +
-                             "' would start where it is displaced to, but without stress; take a method that "
-                             "keeps the neighbours of the start, such as tl or oenog");
+                             "' would start displaced, but without stress; "
+                             "use a method with initial neighbours, such as tl or oenog");
 }
 
 /// Throws SceneError for a body that begins inside a wall: with a particle, or with what its shapes hold beside one,
@@ -118,22 +121,24 @@ void check_walls(const Scene& scene, const InitialParticles& initial) {
       const auto refuse = [&](const std::string& how) {
         throw SceneError(
             "wall." + wall.name,
-            fmt::format("body '{}' begins inside the wall '{}': {}; move one of them, or turn the normal",
+            fmt::format("body '{}' starts inside the wall '{}': {}; move one of them, or reverse the normal",
                         body.name, wall.name, how));
       };
-      if (height < 0) refuse(fmt::format("a particle of it is {:g} m behind its face", -height));
+      if (height < 0)
+        refuse(fmt::format("one of its particles is {:g} m behind the face of the wall", -height));
       for (std::size_t k = 0; k < 3; ++k) deep[k] -= (height + greatest_depth * dp) * wall.normal[k];
       constexpr double round_off = 1e-6;  // spacings
       if (body.held && body.held(deep) != 0) continue;
       if (starts_as_laid(body) && holds(body, deep, scene.dim, -round_off * dp))
-        refuse(fmt::format("its face is more than {:g} spacings behind that of the wall", greatest_depth));
+        refuse(
+            fmt::format("its face is more than {:g} spacings behind the face of the wall", greatest_depth));
     }
   }
 }
 
-/// What the steps of methods that search their neighbours follow, m/s: c0 ([Zhang2024] Eq. 22, [Khayyer2024] Eq. 26)
-/// where shear is no stiffer than in the papers, below that √((K + ζG)/ρ0), as much faster as it is than there. ζ = 4/3
-/// makes it the wave of compression; that of the Laplacian of `enog` is greater, and all of its materials are rubber.
+/// Speed of the CFL condition of methods with searched neighbours, m/s: c0 ([Zhang2024] Eq. 22, [Khayyer2024] Eq. 26)
+/// where G/K is at most that of the papers; else c0 times the ratio of √((K + ζG)/ρ0) to its value there. ζ = 4/3 gives
+/// the compression wave; `enog` has the greater ζ of its Laplacian.
 double step_speed(const Elasticity& m, double zeta_of_laplacian) {
   const bool has_laplacian = zeta_of_laplacian > 0;
   const double zeta = has_laplacian ? zeta_of_laplacian : 4.0 / 3;
@@ -144,10 +149,26 @@ double step_speed(const Elasticity& m, double zeta_of_laplacian) {
   return m.c0 * std::sqrt((1 + zeta * m.G / m.K) / (1 + zeta * known));
 }
 
-/// `material` is that of each particle.
-Constants constants_of(const std::vector<Elasticity>& materials, const std::vector<int>& material,
+/// Greatest riemann_step_speed() of two materials that the Riemann term joins, m/s: those of one body, under `sph` of
+/// the whole scene.
+double riemann_speed(const std::vector<Elasticity>& materials, const InitialParticles& initial,
+                     bool joins_bodies) {
+  std::set<std::pair<int, int>> materials_of_bodies;
+  for (std::size_t i = 0; i < initial.material.size(); ++i)
+    materials_of_bodies.emplace(joins_bodies ? 0 : initial.body[i], initial.material[i]);
+  double speed = 0;
+  for (const auto& [body, a] : materials_of_bodies)
+    for (const auto& [other, b] : materials_of_bodies)
+      if (body == other && materials[a].rho0 < materials[b].rho0)
+        speed = std::max(speed, riemann_step_speed(materials[a].rho0, materials[a].c0, materials[b].rho0,
+                                                   materials[b].c0));
+  return speed;
+}
+
+Constants constants_of(const std::vector<Elasticity>& materials, const InitialParticles& initial,
                        const Scene& scene, const Settings& settings, const MethodInfo& method) {
   check_constants(method, settings, scene.dim);
+  const std::vector<int>& material = initial.material;
   Constants c{materials[material.front()]};
   for (const int used : material) c.c0 = std::max(c.c0, materials[used].c0);
   c.dp = scene.spacing;
@@ -155,10 +176,14 @@ Constants constants_of(const std::vector<Elasticity>& materials, const std::vect
   c.step = settings.step;
   set_constants(c, method.formulation, scene.dim, settings);
   for (const int used : material) c.step_speed = std::max(c.step_speed, step_speed(materials[used], c.zeta));
+  if (method.formulation.viscosity == Viscosity::riemann)
+    c.step_speed = std::max(
+        c.step_speed,
+        c.riemann_factor * riemann_speed(materials, initial, contact_law(scene, method) == ContactLaw::sph));
   return c;
 }
 
-/// Where nobody says how many: those that there are, or as many as have enough to do.
+/// Default number of threads: all cores, fewer for small scenes.
 int useful_threads(int particles) {
   constexpr int least_particles = 300;  // of each thread
   return std::clamp(particles / least_particles, 1, cores());
@@ -181,7 +206,7 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Settings& 
   const SolverInput input{method->formulation,
                           scene,
                           initial,
-                          constants_of(materials, initial.material, scene, settings, *method),
+                          constants_of(materials, initial, scene, settings, *method),
                           materials,
                           law ? law->law : Law::none,
                           contact_law(scene, *method),

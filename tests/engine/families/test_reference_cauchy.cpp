@@ -96,8 +96,10 @@ TEST_SUITE("reference") {
     const Scene scene = two_materials();
     Settings settings = with_method("d-ulsph-r-tic");
     settings.constants["riemann_factor"] = 2;
+    const naive_cauchy::Run run = after_steps(naive_current(scene, settings), 16);
+    settings.step = run.time / 16;  // the engine's own is shorter, see riemann_step_speed()
     const Snapshot engine = state_after(16, scene, settings);
-    check_agreement(engine, after_steps(naive_current(scene, settings), 16));
+    check_agreement(engine, run);
     CHECK(engine.v != state_after(16, scene, with_method("d-ulsph-r-tic")).v);
   }
   TEST_CASE("naive: the velocity gradient where the step starts, as printed") {
