@@ -13,7 +13,7 @@ namespace taut::cli {
 namespace {
 
 constexpr std::string_view kind = "taut checkpoint\n";
-constexpr int format = 10;  // to be raised when a `serialize` changes
+constexpr int format = 11;  // to be raised when a `serialize` changes
 
 std::uint32_t checksum(std::string_view bytes) {
   return static_cast<std::uint32_t>(::crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
@@ -42,10 +42,10 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   std::string_view rest = *bytes;
   if (!rest.starts_with(kind)) throw refuse("is not a checkpoint of taut");
   std::uint32_t sum = 0;
-  if (rest.size() < kind.size() + sizeof sum) throw refuse("is cut short");
+  if (rest.size() < kind.size() + sizeof sum) throw refuse("is truncated");
   std::memcpy(&sum, rest.data() + rest.size() - sizeof sum, sizeof sum);
   rest.remove_suffix(sizeof sum);
-  if (checksum(rest) != sum) throw refuse("is damaged or cut short: its checksum is wrong");
+  if (checksum(rest) != sum) throw refuse("is damaged or truncated: its checksum is wrong");
   Loader loader(rest.substr(kind.size()));
   std::string version;
   int number = 0;
@@ -53,7 +53,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   if (version != TAUT_VERSION || number != format)
     throw refuse("was written by taut " + version + " (format " + std::to_string(number) +
                  "); this is taut " + TAUT_VERSION + " (format " + std::to_string(format) +
-                 "), which may step differently");
+                 "); the versions must be the same");
   Checkpoint checkpoint;
   try {
     loader(checkpoint);

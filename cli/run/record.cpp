@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/system/atomic_file.hpp"
+#include "cli/text/format.hpp"
 #include "cli/text/json_cursor.hpp"
 #include "engine/error.hpp"
+#include "engine/families/catalogue.hpp"
 
 namespace taut::cli {
 namespace {
@@ -39,7 +41,7 @@ std::optional<RunRecord::Status> find_status(std::string_view text) {
   return std::nullopt;
 }
 
-/// "" where there is no such text.
+/// Empty if the object has no such text.
 std::string text_in(const Json& object, const char* key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? found->get<std::string>() : "";
@@ -89,6 +91,26 @@ Json measures(const RunRecord& record) {
 
 }  // namespace
 
+std::string energy_note(const RunRecord& record) {
+  constexpr double small = 0.01;
+  const MethodInfo* method = find_method(record.method);
+  const Conservation& drift = record.conservation;
+  if (!method || !drift.energy || !(*drift.energy >= small)) return {};
+  const bool lost = drift.energy_lost >= drift.energy_gained;
+  const std::string change = percent(*drift.energy) + " of the energy was " + (lost ? "lost" : "created");
+  switch (strain_energy(method->formulation)) {
+    case StrainEnergy::potential:
+      return change + (lost ? ", dissipated by the method and its contact" : " by the method or its contact");
+    case StrainEnergy::of_stress:
+      return change + ", as far as one can tell: " + record.method +
+             " has a stress from rates and no potential energy";
+    case StrainEnergy::recovered:
+      return "the reported sum changed by " + percent(*drift.energy) + "; " + record.method +
+             " recovers its strain energy for display only";
+  }
+  return {};
+}
+
 std::optional<double> RunRecord::particle_steps_per_second() const {
   if (steps == 0 || seconds.solve <= 0) return std::nullopt;
   return static_cast<double>(particles) * static_cast<double>(steps) / seconds.solve;
@@ -134,7 +156,10 @@ Json to_json(const RunRecord& record) {
   json["indicators"] = all_indicators(record);
   json["conservation"] = {{"linear_momentum", number(record.conservation.linear_momentum)},
                           {"angular_momentum", number(record.conservation.angular_momentum)},
-                          {"energy", number(record.conservation.energy)}};
+                          {"energy", number(record.conservation.energy)},
+                          {"energy_gained", number(record.conservation.energy_gained)},
+                          {"energy_lost", number(record.conservation.energy_lost)}};
+  if (const std::string note = energy_note(record); !note.empty()) json["energy_note"] = note;
   json["measures"] = measures(record);
   return json;
 }

@@ -18,7 +18,7 @@
 
 namespace taut::cli {
 
-/// What run.json says of a run.
+/// Contents of run.json.
 struct RunRecord {
   enum class Status { running, finished, interrupted, failed };
 
@@ -53,10 +53,13 @@ struct RunRecord {
   std::optional<double> particle_steps_per_second() const;
 };
 
-/// In the order of the keys as users read them; what is unknown or not finite is null.
+/// Explains an energy drift of 1 % or more: dissipated, created, or only apparent; else empty.
+std::string energy_note(const RunRecord& record);
+
+/// Keys in the order in which users read them; null for values that are unknown or not finite.
 nlohmann::ordered_json to_json(const RunRecord& record);
 
-/// What the run.json of another run says. Of keys that are missing or null nothing.
+/// Contents of the run.json of another run; empty members for keys that are missing or null.
 struct StoredRecord {
   std::string version;  // of taut; empty where it does not say
   std::optional<RunRecord::Status> status;

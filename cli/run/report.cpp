@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/scene/sections.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/text/format.hpp"
 #include "engine/neighbors/close_pairs.hpp"
@@ -20,13 +21,13 @@ std::string with_unit(std::optional<double> value, const std::string& unit) {
   return brief(*value) + (unit.empty() || unit == "1" ? "" : " " + unit);
 }
 
-/// Relative to the reference; where that is 0, or a table, the error is in the measure's own unit.
+/// Relative to the reference; in the unit of the measure where the reference is 0 or a table.
 std::string error(const MeasureResult& m) {
   const bool relative = m.error && m.reference && *m.reference != 0;
   return relative ? percent(*m.error) : with_unit(m.error, m.unit);
 }
 
-std::string share(std::optional<double> value) { return value ? brief(*value) : "not kept"; }
+std::string share(std::optional<double> value) { return value ? brief(*value) : "exchanged"; }
 
 std::string verdict_line(const RunRecord& record) {
   const auto since = [](Verdict verdict, double time) {
@@ -58,7 +59,38 @@ std::string heading(const RunRecord& record) {
   return text + "\n";
 }
 
-std::string measures_table(const std::vector<MeasureResult>& measures) {
+/// Why a measure has no reference, where the scene has one under another condition; else empty.
+std::string missing_reference(const SceneFile& file, const RunRecord& record, const std::string& measure) {
+  std::vector<std::string> laws;
+  for (const auto& [law, reference] : file.scene.references)
+    if (reference.has(measure)) laws.push_back(law_name(law));
+  if (!laws.empty())
+    return "the scene's reference is for " + join_with_or(laws) + "; " + record.method + "'s law is " +
+           law_name(record.material_law);
+  const auto unmet = file.unmet_references.find(measure);
+  return unmet == file.unmet_references.end() ? "" : "the scene's reference " + unmet->second;
+}
+
+/// Lines that explain empty cells of the table of measures; measures with one explanation share a line.
+std::string notes_on_references(const SceneFile& file, const RunRecord& record) {
+  std::vector<std::pair<std::string, std::string>> notes;  // explanation, names of measures
+  for (const MeasureResult& m : record.measures) {
+    if (m.reference) continue;
+    const std::string why = missing_reference(file, record, m.name);
+    if (why.empty()) continue;
+    const auto found = std::ranges::find(notes, why, &std::pair<std::string, std::string>::first);
+    if (found == notes.end())
+      notes.emplace_back(why, m.name);
+    else
+      found->second += ", " + m.name;
+  }
+  std::string text;
+  for (const auto& [why, names] : notes) text += "no reference for " + names + ": " + why + "\n";
+  return text;
+}
+
+std::string measures_table(const RunPlan& plan, const RunRecord& record) {
+  const std::vector<MeasureResult>& measures = record.measures;
   if (measures.empty()) return "";
   std::vector<std::vector<std::string>> rows{{"measure", "value", "reference", "error", ""}};
   for (const MeasureResult& m : measures)
@@ -67,7 +99,7 @@ std::string measures_table(const std::vector<MeasureResult>& measures) {
   std::string text = in_columns(rows);
   for (const MeasureResult& m : measures)
     if (!m.value) text += m.name + " has no value: " + m.why + "\n";
-  return text + "\n";
+  return text + notes_on_references(plan.file, record) + "\n";
 }
 
 double speed(const Snapshot& now, std::size_t particle) {
@@ -77,7 +109,7 @@ double speed(const Snapshot& now, std::size_t particle) {
   return std::sqrt(sum);
 }
 
-/// The first particle whose speed is no number, else the fastest.
+/// The first particle whose speed is not finite, else the fastest.
 std::size_t worst_particle(const Snapshot& now) {
   std::size_t worst = 0;
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -100,23 +132,26 @@ std::string run_report(const RunPlan& plan, const RunResult& result) {
   std::vector<std::vector<std::string>> rows{
       {"verdict", verdict_line(record)},
       {"indicators", indicators_line(record)},
-      {"drift", (drift.energy ? "energy " + brief(*drift.energy) : "no energy") + ", linear momentum " +
+      {"drift", (drift.energy ? "energy " + brief(*drift.energy) : "energy none") + ", linear momentum " +
                     share(drift.linear_momentum) + ", angular momentum " + share(drift.angular_momentum)},
       {"speed", with_prefix(record.particle_steps_per_second().value_or(0)) + " particle-steps/s on " +
                     std::to_string(record.threads) + (record.threads == 1 ? " thread" : " threads")},
       {"seconds", "set-up " + brief(seconds.setup) + ", solving " + brief(seconds.solve) + ", drawing " +
                       brief(seconds.render) + ", writing " + brief(seconds.write)}};
+  if (const std::string note = energy_note(record); !note.empty())
+    rows.insert(rows.begin() + 3, {"energy", note});
   if (const BeyondLaw& beyond = record.beyond_law; beyond.share > 0)
-    rows.push_back({"law", "not followed since t = " + brief(beyond.since) + " s by up to " +
-                               percent(beyond.share) + " of the bonds: drawn out too far, they are stiffer"});
+    rows.push_back({"law", "not followed since t = " + brief(beyond.since) + " s: up to " +
+                               percent(beyond.share) +
+                               " of the bonds are stretched too far and are stiffer"});
   if (record.spacing_asked)
-    rows.push_back({"spacing", brief(*record.spacing_asked) + " m does not divide the first body; used " +
-                                   brief(record.spacing) + " m"});
+    rows.push_back({"spacing", brief(record.spacing) + " m; " + brief(*record.spacing_asked) +
+                                   " m does not divide the first body"});
   rows.push_back({"run", plan.folder.path().string()});
   if (plan.drawing)
     rows.push_back({"frames", plan.folder.frames().string() + " (" + std::to_string(result.frames) + ")"});
   if (!plan.particle_fields.empty()) rows.push_back({"particles", plan.folder.particle_index().string()});
-  return heading(record) + "\n" + measures_table(record.measures) + in_columns(rows);
+  return heading(record) + "\n" + measures_table(plan, record) + in_columns(rows);
 }
 
 int exit_code(const RunResult& result, const std::optional<Verdict>& fail_on) {
@@ -139,7 +174,7 @@ std::string describe_masses(const Scene& scene, const Snapshot& start) {
     text += (text.empty() ? "" : "; ") +
             ("the particles of body '" + scene.bodies[b].name + "' weigh " + percent(std::abs(excess)) +
              (excess > 0 ? " more" : " less") +
-             " than its shape, which the lattice meets in part: a smaller spacing comes nearer");
+             " than its shape, since the lattice does not fit it; a smaller spacing fits better");
   }
   return text;
 }
@@ -159,10 +194,10 @@ std::string describe_welds(const Scene& scene, const Snapshot& start, double sup
   if (!first) return {};
   const auto body = [&](int b) { return scene.bodies[static_cast<std::size_t>(b)].name; };
   return "bodies '" + body(first->first) + "' and '" + body(first->second) + "' start " +
-         brief(nearest / scene.spacing) + " spacings apart, within the kernel's reach of " +
+         brief(nearest / scene.spacing) + " spacings apart, within the kernel support of " +
          brief(support / scene.spacing) +
-         ": under contact = \"sph\" they may hold together as one body; start them farther apart, or take "
-         "another law, such as \"penalty\"";
+         ": contact = \"sph\" may join them into one body; start them farther apart, or use another contact "
+         "law, such as \"penalty\"";
 }
 
 std::string describe_start_in_contact(const Scene& scene, const Snapshot& start) {
@@ -175,9 +210,9 @@ std::string describe_start_in_contact(const Scene& scene, const Snapshot& start)
     stiffness += start.m[i] / material.density * material.youngs_modulus;
   }
   if (!(held > of_motion * kinetic + of_stiffness * stiffness)) return {};
-  return "contacts hold " + brief(held) + " J at the start" +
-         (kinetic > 0 ? ", " + percent(held / kinetic) + " of the energy of motion" : "") +
-         ": bodies or walls begin inside one another and will be pushed apart";
+  return "contacts store " + brief(held) + " J at the start" +
+         (kinetic > 0 ? ", " + percent(held / kinetic) + " of the kinetic energy" : "") +
+         ": bodies or walls overlap and will be pushed apart";
 }
 
 std::string describe_divergence(const NumericalError& error) {
@@ -186,9 +221,9 @@ std::string describe_divergence(const NumericalError& error) {
 
 std::string describe_divergence(const Snapshot& now, const Balance& sums) {
   const std::size_t worst = worst_particle(now);
-  return when(now.time, now.step) + "the energy is " + brief(sums.kinetic + sums.strain) +
-         " J, that of motion " + brief(sums.kinetic) + " J; particle " + std::to_string(worst) +
-         " is the fastest, at " + brief(speed(now, worst)) + " m/s";
+  return when(now.time, now.step) + "the total energy is " + brief(sums.kinetic + sums.strain) +
+         " J, the kinetic energy " + brief(sums.kinetic) + " J; the fastest particle, " +
+         std::to_string(worst) + ", moves at " + brief(speed(now, worst)) + " m/s";
 }
 
 }  // namespace taut::cli

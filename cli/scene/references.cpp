@@ -70,7 +70,8 @@ void read_names(TomlCursor& reference) {
   for (const TomlEntry& entry : cursor.table().entries) {
     check_new_name(cursor, entry, "number");
     if (cursor.names().contains(entry.key))
-      cursor.fail(entry.place, entry.key, "the name '" + entry.key + "' stands for a parameter already");
+      cursor.fail(entry.place, entry.key,
+                  "the name '" + entry.key + "' is already a parameter; choose another name");
     const double value = cursor.number(entry.key);
     cursor.names()[entry.key] = value;
   }
@@ -106,8 +107,8 @@ const Measure& measure_taking(bool MeasureKind::*what, std::string_view named, T
   for (const MeasureKind& kind : measure_kinds())
     if (kind.*what) kinds.emplace_back(kind.name);
   cursor.fail(entry.place, entry.key,
-              "the measure '" + entry.key + "' takes no " + std::string(named) + "; only one of " +
-                  join_with_or(kinds) + " does");
+              "the measure '" + entry.key + "' cannot have a " + std::string(named) + "; only " +
+                  join_with_or(kinds) + " can");
 }
 
 /// `column = "uy"`, or `columns = ["x", "y"]` for a measure of several probes.
@@ -128,12 +129,12 @@ void check_covers(TomlCursor& entry, const ReferenceTable& table, const SampleLi
   const TomlValue& file = entry.need("file");
   if (line.times.size() > 1)
     entry.fail(file, "file",
-               "a table is of one time; the line '" + line.name + "' has " +
-                   std::to_string(line.times.size()) + ": give a solution, or make a line of each time");
+               "a table must be of one time, but the line '" + line.name + "' has " +
+                   std::to_string(line.times.size()) + "; give a solution, or define one line for each time");
   const double length = length_of(line), slack = 1e-9 * length;
   if (table.t.empty() || table.t.front() > slack || table.t.back() < length - slack)
     entry.fail(file, "file",
-               "the table must go from s = 0 to " + exact(length) + " m, as the line '" + line.name + "'");
+               "the table must go from s = 0 to " + exact(length) + " m, like the line '" + line.name + "'");
 }
 
 ReferenceTable read_one_table(TomlCursor entry, const Measure& measure, const SceneFile& file) {
@@ -174,9 +175,9 @@ std::map<std::string, std::vector<Solution>> read_solutions(TomlCursor& referenc
     const bool several = entry.value.kind == TomlValue::Kind::array;
     if (number != (several ? entry.value.items.size() : 1))
       cursor.fail(entry.value, entry.key,
-                  "the measure '" + entry.key + "' follows " + std::to_string(number) +
+                  "the measure '" + entry.key + "' has " + std::to_string(number) +
                       (measure.fields.empty() ? " probes" : " fields") +
-                      ": write an array of as many expressions of t");
+                      "; write an array with one expression for each");
     const std::span<const TomlValue> items =
         several ? std::span<const TomlValue>(entry.value.items) : std::span(&entry.value, 1);
     for (const TomlValue& item : items) solutions[entry.key].push_back(cursor.solution(item, entry.key));
@@ -204,7 +205,7 @@ void refuse_second_curve(TomlCursor& cursor, const TomlValue& value, const Refer
   for (const auto& entry : reference.solution)
     if (reference.table.contains(entry.first))
       cursor.fail(value, "solutions",
-                  "the measure '" + entry.first + "' has a table and a solution; leave one out");
+                  "the measure '" + entry.first + "' has a table and a solution; remove one of them");
 }
 
 /// Some of a [[reference]] that holds: its values and tables, or its solutions.
@@ -279,11 +280,20 @@ void read_references(TomlCursor& root, SceneFile& file) {
     refuse_second_curve(cursor, value, all);
     if (all.value.size() + all.table.size() + all.solution.size() == 0)
       cursor.fail(value, "reference",
-                  "the reference '" + all.name + "' is empty; it needs values, tables or solutions");
+                  "the reference '" + all.name + "' is empty; it must have values, tables or solutions");
     const Validity valid = validity(cursor, file.parameters);
     const bool applies = is_for(cursor, file.settings.method), of_method = cursor.find("methods") != nullptr;
     const int for_some = cursor.find("when") ? 1 : 0;
     cursor.finish();
+    const auto unmet = [&](const auto& measures, const std::string& condition) {
+      for (const auto& [measure, what] : measures) file.unmet_references.emplace(measure, condition);
+    };
+    if (!valid.values || !applies) {
+      const std::string condition = applies ? "holds for other parameters" : "holds for other methods";
+      unmet(all.value, condition), unmet(all.table, condition);
+    }
+    if (!valid.solutions || !applies)
+      unmet(all.solution, applies ? "holds for other parameters" : "holds for other methods");
     if (!applies) continue;
     if (valid.values && all.value.size() + all.table.size() > 0)
       parts.push_back(
@@ -298,8 +308,9 @@ void read_references(TomlCursor& root, SceneFile& file) {
     of_law.add(part);
     if (const TomlValue* twin = of_law.ambiguous())
       root.fail(*twin, "law",
-                "two references of the law '" + part.law + "' hold for the measure '" +
-                    of_law.ambiguous_measure() + "' with these parameters; tell them apart with 'when'");
+                "two references of the law '" + part.law + "' are valid for the measure '" +
+                    of_law.ambiguous_measure() +
+                    "' with these parameters; give them different conditions with 'when'");
   }
   for (auto& [law, of_law] : merged) file.scene.references[law] = of_law.finish();
 }

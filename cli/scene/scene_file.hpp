@@ -48,6 +48,8 @@ struct SceneFile {
   std::string remark;             // what the user is told of the reading, in one line; mostly empty
   std::optional<double> history;  // interval of history.csv, s; until / 1000 where the file says nothing
   std::vector<Parameter> parameters;
+  /// By measure: the condition of a reference that does not hold here, "holds for the methods icb".
+  std::map<std::string, std::string> unmet_references;
   TomlValue tree;                           // of the file, with every default and what was changed
   std::map<std::string, FilePlace> places;  // by dotted path: "spacing", "body.left.velocity"
 };

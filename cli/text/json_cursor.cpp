@@ -28,11 +28,11 @@ class Watch {
 
   bool operator()(int depth, Event event, const Json& value) {
     constexpr int deepest = 64;
-    if (depth > deepest) refuse(file_, "is nested more than 64 deep: no file of taut is");
+    if (depth > deepest) refuse(file_, "is nested more than 64 levels deep, unlike any file of taut");
     if (event == Event::object_start) keys_.emplace_back();
     if (event == Event::object_end) keys_.pop_back();
     if (event == Event::key && !keys_.back().insert(value.get<std::string>()).second)
-      refuse(file_, "has a key twice: key '" + shown(value.get<std::string>(), 60) + "' stands there twice");
+      refuse(file_, "has the key '" + shown(value.get<std::string>(), 60) + "' twice");
     return true;
   }
 
@@ -82,6 +82,7 @@ const std::vector<KeyOfRun>& keys_of_run() {
       {{"beyond_law", "*"}, number},
       {{"indicators"}, object},
       {{"conservation", "*"}, number},
+      {{"energy_note"}, text},
       {{"measures", "*", "value"}, number},
       {{"measures", "*", "unit"}, text},
       {{"measures", "*", "reference"}, number},
@@ -119,7 +120,7 @@ Json parse_json(const std::string& text, const std::string& file) {
     return Json::parse(text, Watch(file));
   } catch (const Json::exception& error) {
     const std::string what = error.what();  // "[json.exception.parse_error.101] parse error at …"
-    refuse(file, "is no JSON: " + shown(what.substr(std::min(what.find("] "), what.size() - 2) + 2)));
+    refuse(file, "is not JSON: " + shown(what.substr(std::min(what.find("] "), what.size() - 2) + 2)));
   }
 }
 
@@ -188,7 +189,7 @@ std::string JsonCursor::choice(const std::vector<std::string>& allowed) const {
 
 void JsonCursor::fail(const std::string& allowed) const {
   const std::string is = shown(value_->dump(-1, ' ', false, Json::error_handler_t::replace), 60);
-  if (path_.empty()) refuse(*file_, "holds " + is + "; it must be " + allowed);
+  if (path_.empty()) refuse(*file_, "contains " + is + "; it must be " + allowed);
   throw UsageError("'" + *file_ + "': key '" + shown(path_) + "' is " + is + "; it must be " + allowed);
 }
 

@@ -31,14 +31,20 @@ void ConservationWatch::follow(const Balance& now) {
   angular_ = std::max(angular_, change(now.angular_momentum, now.of_walls.angular, start_->angular_momentum));
   linear_scale_ = std::max(linear_scale_, now.momentum_scale);
   angular_scale_ = std::max(angular_scale_, now.angular_scale);
-  energy_ = std::max(energy_, std::abs(energy(now) - energy(*start_)));
+  const double change_of_energy = energy(now) - energy(*start_);
+  gained_ = std::max(gained_, change_of_energy);
+  lost_ = std::max(lost_, -change_of_energy);
   energy_scale_ = std::max(energy_scale_, energy(*start_) + now.work);
 }
 
 Conservation ConservationWatch::so_far() const {
   Conservation result;
   if (!start_) return result;
-  if (energy_scale_ > nothing_) result.energy = ratio(energy_, energy_scale_);
+  if (energy_scale_ > nothing_) {
+    result.energy_gained = ratio(gained_, energy_scale_);
+    result.energy_lost = ratio(lost_, energy_scale_);
+    result.energy = std::max(result.energy_gained, result.energy_lost);
+  }
   if (exchanges_momentum_) return result;
   result.linear_momentum = ratio(linear_, linear_scale_);
   result.angular_momentum = ratio(angular_, angular_scale_);

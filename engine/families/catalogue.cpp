@@ -88,6 +88,11 @@ std::span<const MethodInfo> methods() {
   return all;
 }
 
+StrainEnergy strain_energy(const Formulation& m) {
+  if (keeps_neighbors(m)) return StrainEnergy::potential;
+  return carries_stress(m) ? StrainEnergy::of_stress : StrainEnergy::recovered;
+}
+
 const MethodInfo* find_method(std::string_view name) {
   const auto all = methods();
   const auto it = std::find_if(all.begin(), all.end(), [&](const MethodInfo& m) { return m.name == name; });
@@ -97,9 +102,9 @@ const MethodInfo* find_method(std::string_view name) {
 std::vector<MethodConstant> method_constants(const Formulation& m, int dim) {
   std::vector<MethodConstant> all = row_of(m.family).constants(m, dim);
   all.push_back({"contact_stiffness", &Constants::contact_stiffness, m.contact_stiffness, 0.01, 100.0,
-                 "stiffness of a contact by forces over K1 K2/(K1 + K2), of `surface` over half of that of K "
-                 "+ 4G/3: 1 as "
-                 "published, 2 as the material"});
+                 "contact stiffness over K1 K2/(K1 + K2); `surface`: over half of the same of K + 4G/3; 1: "
+                 "published, 2: as "
+                 "stiff as the material"});
   return all;
 }
 
@@ -158,11 +163,10 @@ ContactLaw contact_law(const Scene& scene, const MethodInfo& method) {
   }
   const std::string_view reason =
       scene.contact == ContactLaw::surface
-          ? "faces move with neighbours of the start, which its particles may leave"
-          : "its particles act on their neighbours of the start, not on what comes near";
-  throw SceneError("contact",
-                   fmt::format("method '{}' cannot run with the contact law '{}': {}; it can with: {}",
-                               method.name, name(scene.contact), reason, known));
+          ? "faces move with initial neighbours, and its particles can leave their neighbours"
+          : "its particles act on their initial neighbours only";
+  throw SceneError("contact", fmt::format("method '{}' cannot run with the contact law '{}': {}; allowed: {}",
+                                          method.name, name(scene.contact), reason, known));
 }
 
 }  // namespace taut

@@ -20,7 +20,15 @@ struct LawChoice {
   Law law;
 };
 
-/// What `list` and `describe` say of a method, derived from its Formulation.
+/// Meaning of the strain energy that a run reports.
+enum class StrainEnergy {
+  potential,  // of the forces: a change of the total energy is dissipated or created by the method
+  of_stress,  // of a stress from its rate, which is no potential of the forces
+  recovered,  // of a stress that is recovered for display and that no force uses
+};
+StrainEnergy strain_energy(const Formulation& m);
+
+/// Description of a method for `list` and `describe`, derived from its Formulation.
 struct MethodInfo {
   const Formulation& formulation;
   std::string_view name;

@@ -77,6 +77,16 @@ TEST_SUITE("unit") {
     CHECK(*damped.so_far().energy == Approx(0.75));
   }
 
+  TEST_CASE("conservation: gained and lost energy are told apart, and the drift is the greater of both") {
+    Balance start, lost, gained;
+    start.kinetic = 10, lost.kinetic = 7, gained.kinetic = 11;
+    ConservationWatch watch(Scene(), particle(false));
+    for (const Balance& sums : {start, lost, gained}) watch.follow(sums);
+    CHECK(*watch.so_far().energy_lost == Approx(0.3));
+    CHECK(*watch.so_far().energy_gained == Approx(0.1));
+    CHECK(*watch.so_far().energy == Approx(0.3));
+  }
+
   TEST_CASE("conservation: where there is no energy but that of rounding nothing is said of its drift") {
     Scene scene;
     scene.materials = {{"rubber", /*ρ0*/ 1000, /*E*/ 1e6, /*ν*/ 0.3}};
