@@ -27,9 +27,6 @@ struct Section {
   std::span<const KeyInfo> keys;
 };
 
-/// Of a scene that names none: the one that the README recommends.
-inline constexpr std::string_view default_method = "oenog";
-
 /// Those of a scene file, the file itself first. Shapes, probes and measures have more keys, by their kind.
 std::span<const Section> scene_sections();
 /// Those of a sweep file.

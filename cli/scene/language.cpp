@@ -8,6 +8,7 @@
 #include "cli/scene/key_info.hpp"
 #include "cli/text/format.hpp"
 #include "engine/families/catalogue.hpp"
+#include "engine/settings.hpp"
 
 /// The language of scene and sweep files: every table and its keys. What shapes, probes and measures of a
 /// kind take stands with the kinds.
@@ -15,205 +16,222 @@ namespace taut::cli {
 namespace {
 
 constexpr KeyInfo top_keys[] = {
-    {"name", "text", "the file's name", "of the run folder"},
-    {"title", "text", "the name", "what pictures and lists show"},
-    {"source", "text", "none", "where the scene is from"},
-    {"dim", "2 or 3", "2", "dimensions; 2 is plane strain"},
-    {"spacing", "number, m", "", "dp, the distance of particles; changed to divide the first body"},
+    {"name", "text", "the file's name", "name of the run folder"},
+    {"title", "text", "the name", "title in pictures and lists"},
+    {"source", "text", "none", "origin of the scene, such as a paper"},
+    {"dim", "2 or 3", "2", "number of dimensions; 2 is plane strain"},
+    {"spacing", "number, m", "",
+     "particle spacing dp; changed to the nearest value that divides the first body into whole particles"},
     {"jitter", "number, dp", "0",
-     "how far each particle is moved at random, at most, in spacings, to either side along each axis; not "
-     "where it is held, driven or on a face (on_boundary), and its volume stays"},
+     "largest random shift of a particle to either side along each axis, in spacings; from 0 to below 0.5. "
+     "Volumes do not change. Particles are not shifted along held and driven axes, nor across a face with "
+     "on_boundary"},
     {"jitter_seed", "whole number", "1",
-     "another seed, other moves; bodies of the same shape are moved alike"},
-    {"until", "number, s", "", "end of the run"},
-    {"history", "number, s", "until/1000", "time between rows of history.csv"},
-    {"method", "METHOD", default_method, "`taut list methods`"},
-    {"method_constants", "{ NAME = number }", "as published", "of the method: `taut describe METHOD`"},
-    {"law", "LAW", "the method's", "of elasticity, for every method that takes it: `taut list laws`"},
-    {"contact", "CONTACT", "published", "how bodies act on each other: `taut list contacts`"},
-    {"stepping", "dual or single", "dual", "geometry of pairs held between advection steps, or not"},
-    {"cfl", "number", "the method's", "factor of the time step, 1e-6 or more"},
-    {"gravity", "[x, y] of t, m/s²", "none", "acts on all particles"},
-    {"damping", "number, 1/s", "0", "c of a viscous force −c m v, for scenes that come to rest"},
-    {"parameters", "[parameters]", "none", "what can be changed from outside"},
-    {"material", "[material.NAME]", "", "what bodies are made of"},
-    {"body", "[[body]]", "", "at least one"},
+     "seed of the random shifts, from 1 to 1e9; bodies of the same shape get the same shifts"},
+    {"until", "number, s", "", "end time of the run"},
+    {"history", "number, s", "until/1000", "interval between rows of history.csv"},
+    {"method", "METHOD", default_method, "simulation method: `taut list methods`"},
+    {"method_constants", "{ NAME = number }", "the method's",
+     "constants of the method: `taut describe METHOD`"},
+    {"law", "LAW", "the method's", "law of elasticity; the method must support it: `taut list laws`"},
+    {"contact", "CONTACT", "published", "contact law between bodies: `taut list contacts`"},
+    {"stepping", "dual or single", "dual",
+     "dual: recomputes the geometry of pairs at advection steps only; single: at every step. Only the "
+     "methods of [Zhang2024] use it"},
+    {"cfl", "number", "the method's", "factor of the time step (CFL number), 1e-6 or more"},
+    {"gravity", "[x, y] of t, m/s²", "none", "gravitational acceleration"},
+    {"damping", "number, 1/s", "0",
+     "coefficient c of a viscous force −c m v, 0 or more, for scenes that come to rest"},
+    {"parameters", "[parameters]", "none", "values that --set and sweeps can change"},
+    {"material", "[material.NAME]", "", "materials of the bodies"},
+    {"body", "[[body]]", "", "elastic bodies, at least one"},
     {"wall", "[[wall]]", "none", "rigid half-spaces"},
-    {"probe", "[[probe]]", "none", "what is followed at every step"},
-    {"line", "[[line]]", "none", "fields along lines at given times"},
-    {"measure", "[[measure]]", "none", "numbers that are made of probes, lines and bodies"},
-    {"reference", "[[reference]]", "none", "what independent solutions say of the measures"},
-    {"render", "[render]", "all open", "what pictures show"},
+    {"probe", "[[probe]]", "none", "quantities recorded at every step"},
+    {"line", "[[line]]", "none", "fields sampled along lines at given times"},
+    {"measure", "[[measure]]", "none", "result numbers, computed from probes, lines and bodies"},
+    {"reference", "[[reference]]", "none", "independent solutions for the measures"},
+    {"render", "[render]", "all defaults", "settings of the pictures"},
 };
 
 constexpr KeyInfo parameter_keys[] = {
-    {"value", "number", "", "may use dp and the parameters before it"},
-    {"unit", "text", "none", "shown to people; nothing is converted"},
-    {"min", "number", "none", "least value allowed"},
-    {"max", "number", "none", "greatest value allowed"},
-    {"help", "text", "none", "what it is"},
-    {"default", "number", "the value", "in the scene.toml of a run: the value of the scene that was run"},
+    {"value", "number", "", "value; an expression may use dp and the parameters above it"},
+    {"unit", "text", "none", "only shown; values are not converted"},
+    {"min", "number", "none", "smallest allowed value"},
+    {"max", "number", "none", "largest allowed value"},
+    {"help", "text", "none", "description of the parameter"},
+    {"default", "number", "the value",
+     "value before --set; taut writes this key into the scene.toml of a run"},
 };
 
 constexpr KeyInfo material_keys[] = {
-    {"density", "number, kg/m³", "", "ρ at the start"},
-    {"youngs_modulus", "number, Pa", "", "E"},
-    {"poisson_ratio", "number", "", "ν, above −1 and below 0.5"},
-    {"bulk_modulus", "number, Pa", "E/(3*(1 - 2*nu))", "K, where it is not the one of E and ν"},
+    {"density", "number, kg/m³", "", "initial density ρ, above 0"},
+    {"youngs_modulus", "number, Pa", "", "Young's modulus E, above 0"},
+    {"poisson_ratio", "number", "", "Poisson's ratio ν, above −1 and below 0.5"},
+    {"bulk_modulus", "number, Pa", "E/(3*(1 - 2*nu))",
+     "bulk modulus K, above 0; the default follows from E and ν"},
 };
 
 constexpr KeyInfo body_keys[] = {
-    {"name", "letters, digits, _ and -", "", "of the body"},
-    {"material", "name of a material", "", "of all its particles but those of `parts`"},
-    {"shape", "SHAPE or an array of them", "", "several: their union, laid as one lattice"},
-    {"without", "SHAPE or an array of them", "none", "cut out of it"},
+    {"name", "letters, digits, _ and -", "", "name of the body"},
+    {"material", "name of a material", "", "material of all particles outside the regions of `parts`"},
+    {"shape", "SHAPE or an array of them", "",
+     "shape of the body; an array is the union of its shapes, filled with one lattice"},
+    {"without", "SHAPE or an array of them", "none", "shapes that are cut out of the body"},
     {"on_boundary", "true or false", "false",
-     "of one rectangle or box: particles stand on its faces, one more along a side than there are cells, and "
-     "have a half, a quarter or an eighth of a cell there; else in the middle of cells"},
+     "true: particles lie on the faces of a single rectangle or box, one more along each side than there are "
+     "cells. A particle on one, two or three faces has about 1/2, 1/4 or 1/8 of a cell. false: particles lie "
+     "at the centres of cells"},
     {"lattice", "square or hexagonal", "square",
-     "of what is cut from a lattice; hexagonal (2D): rows along the longer side of the first shape, "
-     "particles 1.075 dp "
-     "apart, so that each has dp² of the area as on the square one"},
+     "lattice that shapes are cut from. hexagonal (2D only): rows along the longer side of the first shape, "
+     "with particles 1.075 dp apart. Each particle has the area dp² on both lattices"},
     {"rotate", "degrees or { angle, about, axis }", "none",
-     "the layout is turned; all other keys mean the places after it; the number in 2D only"},
-    {"velocity", "[x, y] of the place, m/s", "0", "at the start"},
+     "rotation of the layout. Expressions of the place, such as `held`, use the rotated positions. A single "
+     "number is allowed in 2D only"},
+    {"velocity", "[x, y] of the place, m/s", "0", "initial velocity"},
     {"held", "expression of the place", "none",
-     "particles where it is not 0 stay where they are; or one for each component, [\"x < dp\", \"\"]: that "
-     "component of the velocity stays 0; an empty text holds nothing; a body turns about one particle that "
-     "is held alone, in 3D about a row of them"},
+     "particles where the expression is not 0 are clamped. An array, [\"x < dp\", \"\"], clamps single "
+     "components of the velocity; an empty text leaves its component free. A body can turn about a single "
+     "clamped particle, in 3D about a clamped row"},
     {"displacement", "[x, y] of the place, m", "0",
-     "where particles start less where they are laid, which is the stressless state; for methods that keep "
-     "the neighbours of the start"},
+     "displacement at the start from the stress-free layout; only for methods that use initial neighbours"},
     {"mirror", "axis or an array of them", "none",
-     "\"x\", \"y\", \"z\": the layout is reflected along the axis, so that two bodies are images to the bit"},
+     "axis, \"x\", \"y\" or \"z\", along which the layout is reflected; two bodies can then be exact mirror "
+     "images"},
     {"parts", "[{ material, where }]", "none", "regions of another material"},
     {"driven", "[{ where, velocity, until }]", "none",
-     "regions that move as they are told, along all axes, whatever `held` says of some"},
+     "regions with a prescribed motion along all axes; overrides `held` along single axes"},
     {"loaded", "[{ where, force, ramp }]", "none",
-     "forces on regions, which go along with the particles; their directions stay, so that a body that is "
-     "pressed may tip over"},
+     "loads on regions. A load moves with its particles and keeps its direction, so a compressed body may "
+     "tip over"},
 };
 
 constexpr KeyInfo rotate_keys[] = {
-    {"axis", "[x, y, z]", "needed in 3D", "not in 2D; the right-hand rule holds"},
-    {"angle", "number, degrees", "", "counter-clockwise in 2D"},
-    {"about", "[x, y], m", "the middle of the first shape", "a point of the axis"},
+    {"axis", "[x, y, z]", "needed in 3D", "direction of the axis, by the right-hand rule; not allowed in 2D"},
+    {"angle", "number, degrees", "", "angle of rotation; counter-clockwise in 2D"},
+    {"about", "[x, y], m", "the centre of the first shape", "point on the axis"},
 };
 
 constexpr KeyInfo part_keys[] = {
-    {"material", "name of a material", "", "of the region"},
-    {"where", "expression of the place", "", "the region: where it is not 0"},
+    {"material", "name of a material", "", "material of the region"},
+    {"where", "expression of the place", "", "region: the particles where the expression is not 0"},
 };
 
 constexpr KeyInfo driven_keys[] = {
-    {"where", "expression of the place", "", "the region: where it is not 0"},
-    {"velocity", "[x, y] of t, m/s", "", "of its particles"},
-    {"until", "number, s", "never", "free from then on, if that is before the run's end"},
+    {"where", "expression of the place", "", "region: the particles where the expression is not 0"},
+    {"velocity", "[x, y] of t, m/s", "", "prescribed velocity of the particles"},
+    {"until", "number, s", "never",
+     "end of the prescribed motion, after which the particles are free. It has no effect at or after the end "
+     "of the run"},
 };
 
 constexpr KeyInfo loaded_keys[] = {
-    {"where", "expression of the place", "", "the region: where it is not 0"},
-    {"force", "[x, y] of the place, N", "one of three",
-     "spread by volume over what of the region is not held, nor driven to the end; 2D: N per metre"},
-    {"force_density", "[x, y] of the place, N/m³", "one of three", "of the initial volume"},
-    {"traction", "[x, y] of the place, Pa", "one of three",
-     "on the outer face of a layer one spacing deep, each face in an entry of its own; by methods without "
-     "fixed neighbours and "
-     "tl-small-strain, and "
-     "where a curved face is cut from a lattice, in the layer; up to 7.5 % off on a hexagonal lattice"},
-    {"ramp", "expression of t", "1", "factor of it"},
+    {"where", "expression of the place", "", "region: the particles where the expression is not 0"},
+    {"force", "[x, y] of the place, N", "or another load",
+     "force, spread by volume over the region without particles that are clamped or driven to the end of the "
+     "run; in 2D per metre of depth"},
+    {"force_density", "[x, y] of the place, N/m³", "or another load", "force per initial volume"},
+    {"traction", "[x, y] of the place, Pa", "or another load",
+     "force per area on the outer face of a layer one spacing deep; each face needs its own entry. It acts "
+     "on the particles of the layer in methods that search neighbours, in tl-small-strain, and on curved "
+     "faces cut from a lattice. On a hexagonal lattice the force is up to 7.5 % off"},
+    {"ramp", "expression of t", "1", "factor of the load over time"},
 };
 
 constexpr KeyInfo shape_keys[] = {
-    {"type", "SHAPE", "", "`taut list shapes`; the other keys are those of the shape"},
+    {"type", "SHAPE", "", "type of the shape: `taut list shapes`; it determines the other keys"},
     {"rotate", "degrees or { angle, about, axis }", "none",
-     "it is turned about its middle, and with it the lattice of a body whose first shape it is; the number "
-     "in 2D only"},
+     "rotation, by default about the centre of the shape. The lattice of a body rotates with its first "
+     "shape. A single number is allowed in 2D only"},
 };
 
 constexpr KeyInfo wall_keys[] = {
-    {"name", "letters, digits, _ and -", "", "of the wall"},
-    {"at", "[x, y], m", "", "a point of its face"},
-    {"normal", "[x, y]", "", "to the side where the bodies are; of any length"},
+    {"name", "letters, digits, _ and -", "", "name of the wall"},
+    {"at", "[x, y], m", "", "point on the face of the wall"},
+    {"normal", "[x, y]", "", "direction from the wall to the bodies, of any length above 0"},
 };
 
 constexpr KeyInfo probe_keys[] = {
-    {"name", "letters, digits, _ and -", "", "its column in history.csv"},
-    {"of", "PROBE", "", "`taut list probes`; the other keys are those of the kind"},
+    {"name", "letters, digits, _ and -", "", "name of the column in history.csv"},
+    {"of", "PROBE", "", "kind of probe: `taut list probes`; it determines the other keys"},
 };
 
 constexpr KeyInfo line_keys[] = {
-    {"name", "letters, digits, _ and -", "", "in lines.csv"},
-    {"body", "name of a body", "", "whose points they are"},
-    {"field", "FIELD", "", "`taut list fields`"},
-    {"from", "[x, y], m", "", "the first point, at the start"},
-    {"to", "[x, y], m", "", "the last point, at the start"},
-    {"points", "whole number", "", "of points, 2 or more, evenly spaced"},
-    {"times", "[number, ...], s", "", "when they are sampled, in growing order"},
+    {"name", "letters, digits, _ and -", "", "name in lines.csv"},
+    {"body", "name of a body", "", "body in which the field is sampled"},
+    {"field", "FIELD", "", "field to sample: `taut list fields`"},
+    {"from", "[x, y], m", "", "first point, in the initial configuration"},
+    {"to", "[x, y], m", "", "last point, in the initial configuration"},
+    {"points", "whole number", "", "number of evenly spaced points, from 2 to 100000"},
+    {"times", "[number, ...], s", "", "sampling times, in increasing order"},
     {"frame", "body or space", "body",
-     "material points, or points that stand still while the body moves through them"},
+     "body: material points; space: fixed points, through which the body moves"},
 };
 
 constexpr KeyInfo measure_keys[] = {
-    {"name", "letters, digits, _ and -", "", "its key in run.json"},
-    {"of", "MEASURE", "", "`taut list measures`; the other keys are those of the kind"},
-    {"unit", "text", "none", "shown to people; nothing is converted"},
+    {"name", "letters, digits, _ and -", "", "name of the key in run.json"},
+    {"of", "MEASURE", "", "kind of measure: `taut list measures`; it determines the other keys"},
+    {"unit", "text", "none", "only shown; values are not converted"},
 };
 
 constexpr KeyInfo reference_keys[] = {
-    {"law", "LAW", "", "that it holds for: `taut list laws`"},
-    {"name", "text", "", "what it is"},
-    {"when", "{ PARAMETER = number }", "the scene's own values", "parameters for which it holds"},
-    {"methods", "[METHOD, ...]", "all", "for these methods only"},
-    {"values", "{ MEASURE = number }", "none", "what the measure should be"},
-    {"tables", "{ MEASURE = { file, column } }", "none", "what the series should be"},
+    {"law", "LAW", "", "law of elasticity for which the reference is valid: `taut list laws`"},
+    {"name", "text", "", "description of the reference"},
+    {"when", "{ PARAMETER = number }", "the scene's own values",
+     "parameter values for which the reference is valid"},
+    {"methods", "[METHOD, ...]", "all", "methods for which the reference is valid"},
+    {"values", "{ MEASURE = number }", "none", "reference values of measures"},
+    {"tables", "{ MEASURE = { file, column } }", "none", "reference series of measures, from CSV files"},
     {"solutions", "{ MEASURE = expression of t }", "none",
-     "the same as a formula, of lines and fields also of the place; an array for several probes or fields; "
-     "holds for any parameters that `when` does not name"},
-    {"let", "{ NAME = number }", "none", "names for the solutions, each of the ones before"},
+     "exact solutions of measures. Solutions of lines and fields may also use the place. Measures of several "
+     "probes or fields take an array. A solution is valid for all values of the parameters that `when` does "
+     "not name"},
+    {"let", "{ NAME = number }", "none", "names for use in the solutions; each may use the names above it"},
 };
 
 constexpr KeyInfo table_keys[] = {
-    {"file", "path", "", "CSV, seen from the scene's folder; lines that start with # are comments"},
-    {"column", "text", "of one probe or line", "beside the column t, s, or for a line s, m from its start"},
-    {"columns", "[text, ...]", "of several probes", "a column for each"},
+    {"file", "path", "",
+     "path of a CSV file, relative to the scene's folder; lines that start with # are comments"},
+    {"column", "text", "for one probe or line",
+     "name of the column with the values. The table also needs a column t, the time in s; for a line a "
+     "column s, the distance from its first point in m"},
+    {"columns", "[text, ...]", "for several probes", "one column name for each probe"},
 };
 
 constexpr KeyInfo sweep_keys[] = {
-    {"title", "text", "the file's name", "of the study"},
-    {"scene", "SCENE", "", "a name of `taut list scenes`, or a path seen from this file"},
-    {"set", "{ NAME = value }", "none", "for every run, as with --set"},
-    {"grid", "[grid]", "this or [[row]]", "every combination of values"},
-    {"row", "[[row]]", "this or [grid]", "one for each run"},
-    {"chart", "[chart]", "none", "a picture of the results"},
-    {"map", "[map]", "none", "a picture of the results"},
-    {"history", "[history]", "none", "a picture of the results"},
+    {"title", "text", "the file's name", "title of the study"},
+    {"scene", "SCENE", "", "name of a scene (`taut list scenes`), or a path relative to this file"},
+    {"set", "{ NAME = value }", "none", "settings of every run, as with --set"},
+    {"grid", "[grid]", "or [[row]]", "every combination of values"},
+    {"row", "[[row]]", "or [grid]", "settings of single runs"},
+    {"chart", "[chart]", "none", "picture of error against cost"},
+    {"map", "[map]", "none", "picture of the verdicts"},
+    {"history", "[history]", "none", "picture of the histories"},
 };
 
 constexpr KeyInfo grid_keys[] = {
     {any_name, "values", "",
-     "what --set takes: \"low:high:step\" with both ends, \"a, b\", or [a, b]; \"method.CONSTANT\" in "
-     "quotes"},
+     "values of a name that --set accepts: \"low:high:step\" with both ends, \"a, b\", or [a, b]. A name "
+     "\"method.CONSTANT\" needs quotes"},
 };
 
 constexpr KeyInfo setting_keys[] = {
-    {any_name, "value", "", "what --set takes; \"method.CONSTANT\" in quotes"},
+    {any_name, "value", "", "value of a name that --set accepts. A name \"method.CONSTANT\" needs quotes"},
 };
 
 constexpr KeyInfo chart_keys[] = {
-    {"measure", "MEASURE or an array of them", "what most runs have",
-     "whose error is drawn, into chart-MEASURE.png; without it into chart.png"},
-    {"cost", "seconds or steps", "seconds", "what it is drawn over; steps: particles × steps"},
-    {"methods", "METHOD or an array of them", "all", "whose runs are drawn"},
-    {"against", "METHOD", "the references", "whose finest run stands for a reference"},
+    {"measure", "MEASURE or an array of them", "shared by most runs",
+     "measure whose error is drawn into chart-MEASURE.png; without this key the picture is chart.png"},
+    {"cost", "seconds or steps", "seconds", "axis of the cost: seconds of solving, or particles × steps"},
+    {"methods", "METHOD or an array of them", "all", "methods to draw"},
+    {"against", "METHOD", "the references", "method whose finest run replaces the references"},
 };
 
 constexpr KeyInfo map_keys[] = {
-    {"parameter", "NAME", "the one swept beside the method", "what it is drawn over"},
+    {"parameter", "NAME", "the swept parameter", "parameter of the x axis"},
 };
 
 constexpr KeyInfo history_keys[] = {
-    {any_name, "text", "", "a column of history.csv, with the label of its axis: tip = \"tip, m\""},
+    {any_name, "text", "", "label of the axis of a column of history.csv: tip = \"tip, m\""},
 };
 
 /// Of the numbers of a law those that are keys of a material too.
@@ -255,24 +273,28 @@ std::span<const Section> scene_sections() {
   static const std::vector<KeyInfo> material = all_material_keys(), render = all_render_keys();
   static const Section sections[] = {
       {"scene", "", "the file itself: keys above the first [header], and its sections", top_keys},
-      {"parameters", "[parameters]", "NAME = { ... }: numbers that --set and sweeps change", parameter_keys},
-      {"material", "[material.NAME]", "what bodies are made of", material},
+      {"parameters", "[parameters]", "values that --set and sweeps can change, one NAME = { ... } each",
+       parameter_keys},
+      {"material", "[material.NAME]", "a material of bodies or parts of bodies", material},
       {"body", "[[body]]", "an elastic body", body_keys},
-      {"shape", "shape = { ... }", "of a body, or what is cut out of it", shape_keys},
-      {"rotate", "rotate = { ... }", "of a body", rotate_keys},
-      {"parts", "parts = [{ ... }]", "of a body; where several hold the last one counts", part_keys},
-      {"driven", "driven = [{ ... }]", "of a body; where several hold the last one counts", driven_keys},
-      {"loaded", "loaded = [{ ... }]", "of a body; loads of several regions add up", loaded_keys},
+      {"shape", "shape = { ... }", "the shape of a body or of a cut-out", shape_keys},
+      {"rotate", "rotate = { ... }", "the rotation of a body or shape", rotate_keys},
+      {"parts", "parts = [{ ... }]",
+       "regions of a body with another material; the last matching region applies", part_keys},
+      {"driven", "driven = [{ ... }]",
+       "regions of a body with a prescribed motion; the last matching region applies", driven_keys},
+      {"loaded", "loaded = [{ ... }]", "loads on regions of a body; loads of overlapping regions add up",
+       loaded_keys},
       {"wall", "[[wall]]", "a rigid half-space", wall_keys},
-      {"probe", "[[probe]]", "a quantity followed at every step, a column of history.csv", probe_keys},
-      {"line", "[[line]]", "a field along a straight line of points, into lines.csv", line_keys},
-      {"measure", "[[measure]]", "one number of a run, in run.json", measure_keys},
-      {"reference", "[[reference]]", "what is known of the measures, for one law of elasticity",
+      {"probe", "[[probe]]", "a quantity recorded at every step, a column of history.csv", probe_keys},
+      {"line", "[[line]]", "a field sampled along a straight line, written to lines.csv", line_keys},
+      {"measure", "[[measure]]", "one result number of a run, written to run.json", measure_keys},
+      {"reference", "[[reference]]", "an independent solution for the measures, for one law of elasticity",
        reference_keys},
-      {"tables", "tables = { MEASURE = { ... } }", "of a reference: a measure over time or along a line",
+      {"tables", "tables = { MEASURE = { ... } }", "tables of a reference, over time or along a line",
        table_keys},
-      {"render", "[render]", "what pictures show; options of `taut run` with the same names replace it",
-       render},
+      {"render", "[render]",
+       "settings of the pictures; options of `taut run` with the same names override them", render},
   };
   return sections;
 }
@@ -280,12 +302,12 @@ std::span<const Section> scene_sections() {
 std::span<const Section> sweep_sections() {
   static constexpr Section sections[] = {
       {"sweep", "", "the file itself: keys above the first [header], and its sections", sweep_keys},
-      {"set", "set = { ... }", "for every run", setting_keys},
-      {"grid", "[grid]", "a run for every combination of the values", grid_keys},
-      {"row", "[[row]]", "a run, in place of [grid]", setting_keys},
-      {"chart", "[chart]", "error against cost, from the results", chart_keys},
-      {"map", "[map]", "verdict, parameter × method, into map.png", map_keys},
-      {"history", "[history]", "histories of all runs, into history.png", history_keys},
+      {"set", "set = { ... }", "settings of every run", setting_keys},
+      {"grid", "[grid]", "one run for every combination of the values", grid_keys},
+      {"row", "[[row]]", "settings of one run, instead of [grid]", setting_keys},
+      {"chart", "[chart]", "a picture of error against cost", chart_keys},
+      {"map", "[map]", "a picture of the verdicts by parameter and method, in map.png", map_keys},
+      {"history", "[history]", "a picture of the histories of all runs, in history.png", history_keys},
   };
   return sections;
 }
