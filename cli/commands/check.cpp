@@ -26,9 +26,11 @@ std::vector<Finding> findings(const CheckArguments& o, const StoredRun& run) {
     if (!tolerance) throw UsageError("--baseline needs --tolerance, such as --tolerance 1%");
     const StoredRun baseline = read_stored_run(o.baseline);
     if (!find_out_end(baseline).fine)
-      throw UsageError("the baseline '" + o.baseline + "' has not finished: it says not what is right");
+      throw UsageError("the baseline '" + o.baseline +
+                       "' is a run that has not finished; give a finished one");
     if (baseline.text("scene") != run.text("scene"))
-      throw UsageError("the baseline is of " + baseline.text("scene") + ", the run of " + run.text("scene"));
+      throw UsageError("the baseline is a run of scene '" + baseline.text("scene") +
+                       "', the run is of scene '" + run.text("scene") + "'; both must be of one scene");
     for (const Expectation& e : expectations_of(baseline, *tolerance)) expected.push_back(e);
     if (o.verdict.empty()) all.push_back(find_out_verdict(run, baseline.text("verdict")));
   }
@@ -40,28 +42,31 @@ std::vector<Finding> findings(const CheckArguments& o, const StoredRun& run) {
 
 int check(const CheckArguments& options, std::ostream& out) {
   const std::vector<Finding> all = findings(options, read_stored_run(options.run));
-  const auto moved = std::ranges::count(all, false, &Finding::fine);
+  const auto failed = std::ranges::count(all, false, &Finding::fine);
   out << findings_table(all) << '\n'
-      << (moved == 0 ? "fine" : std::to_string(moved) + " of " + std::to_string(all.size()) + " moved")
+      << (failed == 0 ? "fine"
+                      : std::to_string(failed) + " of " + std::to_string(all.size()) + " checks failed")
       << '\n';
-  return moved == 0 ? exit_fine : exit_different;
+  return failed == 0 ? exit_fine : exit_different;
 }
 
 }  // namespace
 
 std::function<int(Streams)> declare_check(CLI::App& app) {
   auto options = std::make_shared<CheckArguments>();
-  app.add_option("DIR", options->run, "a run's folder, or its run.json")->option_text(" ")->required();
+  app.add_option("DIR", options->run, "folder of a run, or its run.json")->option_text(" ")->required();
   app.add_option("--measure", options->measures,
-                 "what a measure has to be: NAME=VALUE±TOLERANCE (also +-), the tolerance with % or in its "
-                 "unit, NAME<VALUE, NAME>VALUE; also a number of run.json: conservation.energy<1e-3")
+                 "an expected value NAME=VALUE±TOLERANCE (also +-; the tolerance in % or in the unit of the "
+                 "measure) or a bound NAME<VALUE, NAME>VALUE; also of a number in run.json, such as "
+                 "conservation.energy<1e-3")
       ->option_text("MEASURE ...");
   app.add_option("--baseline", options->baseline,
-                 "another run's folder or run.json: its measures and its verdict are what is right")
+                 "folder or run.json of another run, whose measures and verdict are expected")
       ->option_text("FILE");
-  app.add_option("--tolerance", options->tolerance, "of numbers given without one, and of a baseline's")
+  app.add_option("--tolerance", options->tolerance,
+                 "for measures without one of their own, and for --baseline")
       ->option_text("X");
-  app.add_option("--verdict", options->verdict, "the worst that is fine, such as stable")
+  app.add_option("--verdict", options->verdict, "the worst verdict that is allowed, such as stable")
       ->option_text("stable|VERDICT");
   return [options](Streams streams) { return check(*options, streams.out); };
 }

@@ -12,6 +12,7 @@
 #include "cli/scene/sections.hpp"
 #include "cli/scene/shipped.hpp"
 #include "cli/system/exit_code.hpp"
+#include "cli/system/terminal_columns.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
@@ -79,9 +80,9 @@ std::string motion_text(const Body& body) {
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
   if (const std::string along = axes_of(body.guided); !along.empty())
-    add("held along " + along + " in part");
+    add("clamped along " + along + " in part");
   else if (body.held)
-    add("held in part");
+    add("clamped in part");
   if (const std::string along = axes_of(body.displacement); !along.empty())
     add("displaced along " + along + " at the start");
   for (const Drive& drive : body.drives)
@@ -101,7 +102,7 @@ Rows body_rows(const Scene& scene) {
   return rows;
 }
 
-/// At the end of the run, since it may change with time.
+/// Gravity at the end of the run; it may change with time.
 std::string gravity_text(const Scene& scene) {
   std::string text;
   for (std::size_t k = 0; k < static_cast<std::size_t>(scene.dim); ++k)
@@ -109,19 +110,19 @@ std::string gravity_text(const Scene& scene) {
   return text + " m/s² at the end";
 }
 
-/// How bodies act on each other, with the method of the file.
+/// The contact law of the scene with the method of the file.
 std::string contact_text(const SceneFile& file) {
   const std::string of_file(name(file.scene.contact));
-  if (file.scene.contact != ContactLaw::published) return of_file + ", changed with --set contact=LAW";
+  if (file.scene.contact != ContactLaw::published) return of_file + "; --set contact=LAW changes it";
   const ContactLaw law = contact_law(file.scene, *find_method(file.settings.method));
-  return std::string(name(law)) + ", as published with the method, unless --set contact=LAW says otherwise";
+  return std::string(name(law)) + ", the default of the method; --set contact=LAW changes it";
 }
 
 std::string contact_text(const MethodInfo& method) {
   std::string others;
   for (const ContactLaw law : method.contact_laws)
     if (law != method.contact) others += (others.empty() ? "; also " : ", ") + std::string(name(law));
-  return std::string(name(method.contact)) + " as published" + others;
+  return std::string(name(method.contact)) + " by default" + others;
 }
 
 Rows wall_rows(const Scene& scene) {
@@ -140,7 +141,7 @@ Rows wall_rows(const Scene& scene) {
 std::string laws_text(const MethodInfo& method) {
   std::string text = law_name(method.material_law);
   for (std::size_t k = 0; k < method.laws.size(); ++k)
-    text += (k == 0 ? "; changed with --set law=LAW: " : ", ") + std::string(method.laws[k].name);
+    text += (k == 0 ? "; --set law=LAW changes it: " : ", ") + std::string(method.laws[k].name);
   return text;
 }
 
@@ -155,23 +156,24 @@ void describe_scene(const std::string& name, std::ostream& out) {
             {"dimensions", std::to_string(scene.dim)},
             {"spacing", brief(scene.spacing) + " m"},
             {"until", brief(scene.until) + " s"},
-            {"method", file.settings.method + " unless --method says otherwise"}};
+            {"method", file.settings.method + "; --method changes it"}};
   if (scene.jitter.share > 0)
     head.push_back({"jitter", brief(scene.jitter.share) + " dp, seed " + std::to_string(scene.jitter.seed)});
   if (scene.bodies.size() > 1 || !scene.walls.empty()) head.push_back({"contact", contact_text(file)});
   if (has_gravity(scene)) head.push_back({"gravity", gravity_text(scene)});
-  if (scene.damping > 0) head.push_back({"damping", brief(scene.damping) + " 1/s, until it comes to rest"});
+  if (scene.damping > 0)
+    head.push_back({"damping", brief(scene.damping) + " 1/s, to bring the scene to rest"});
   out << scene.title << '\n' << in_columns(head);
-  print_table(out, "Parameters, changed with --set NAME=VALUE", parameter_rows(file.parameters), 1);
+  print_table(out, "Parameters (--set NAME=VALUE)", parameter_rows(file.parameters), 1);
   print_table(out, "Materials", material_rows(scene), 1);
   print_table(out, "Bodies", body_rows(scene));
   print_table(out, "Walls", wall_rows(scene));
-  print_table(out, "Probes, followed in history.csv", probes);
-  print_table(out, "Lines, sampled in lines.csv", line_rows(scene), 1);
-  print_table(out, "Measures, of kinds that `taut list measures` explains", rows_of_measures(scene), 1);
+  print_table(out, "Probes (columns of history.csv)", probes);
+  print_table(out, "Lines (sampled in lines.csv)", line_rows(scene), 1);
+  print_table(out, "Measures (kinds: taut list measures)", rows_of_measures(scene), 1);
 }
 
-/// Default and bounds, and those in 3D where they are others.
+/// Default and bounds; also those in 3D where they differ.
 Rows::value_type constant_row(const MethodConstant& c, const std::vector<MethodConstant>& in_3d) {
   std::string value = brief(c.value), range = bounds(c.low, c.high);
   const auto other = std::ranges::find(in_3d, c.name, &MethodConstant::name);
@@ -198,8 +200,8 @@ void describe_method(const MethodInfo& method, std::ostream& out) {
                      {"contact", contact_text(method)},
                      {"CFL number", brief(method.cfl)}});
   print_table(out, "Terms", terms);
-  print_table(out, "From the equation to the code and its test", equations, 1);
-  print_table(out, "Constants, changed with --set method.NAME=VALUE", constants, 1);
+  print_table(out, "Functions and tests of the equations", equations, 1);
+  print_table(out, "Constants (--set method.NAME=VALUE)", constants, 1);
 }
 
 using Json = nlohmann::ordered_json;
@@ -224,20 +226,21 @@ Json as_json(const std::vector<Topic>& topics) {
   return all;
 }
 
-/// False if there is no such thing in the language of scene and sweep files.
+/// Returns false if scene and sweep files have nothing of that name.
 bool describe_language(const std::string& name, bool json, std::ostream& out) {
   for (const LanguageFile& file : {scene_language(), sweep_language()}) {
     if (file.name != name) continue;
     if (json)
       out << Json{{"name", name}, {"rules", file.rules}, {"topics", as_json(file.topics)}}.dump(2) << '\n';
     else
-      out << as_text(file);
+      out << as_text(file, text_columns(out));
     return true;
   }
   const std::vector<Topic> topics = find_topics(name);
   if (json && !topics.empty()) out << as_json(topics).dump(2) << '\n';
   if (!json)
-    for (const Topic& topic : topics) out << (&topic == &topics.front() ? "" : "\n") << as_text(topic);
+    for (const Topic& topic : topics)
+      out << (&topic == &topics.front() ? "" : "\n") << as_text(topic, text_columns(out));
   return !topics.empty();
 }
 
@@ -246,8 +249,8 @@ bool describe_language(const std::string& name, bool json, std::ostream& out) {
   for (const MethodInfo& m : methods()) names.emplace_back(m.name);
   for (const std::string& topic : topic_names()) names.push_back(topic);
   names.insert(names.end(), {"scene-file", "sweep-file"});
-  throw UsageError(unknown_name("scene, method or part of scene files", name, names) +
-                   "; `taut list` has laws, fields, colour maps and what else there is");
+  for (const auto& row : key_rows()) names.push_back(row.front());
+  throw UsageError(unknown_name("name", name, names) + "; `taut list` shows the kinds of names");
 }
 
 /// A path is a scene, whether or not it exists.
@@ -265,8 +268,8 @@ int describe(const std::string& name, bool json, std::ostream& out) {
     return exit_fine;
   }
   if (json)
-    throw UsageError("--json is for scene-file, sweep-file and their parts; '" + name + "' is a " +
-                     (method ? "method" : "scene"));
+    throw UsageError("--json cannot describe a " + std::string(method ? "method" : "scene") + " ('" + name +
+                     "'); it describes scene-file, sweep-file and their parts");
   method ? describe_method(*method, out) : describe_scene(name, out);
   return exit_fine;
 }
@@ -279,11 +282,13 @@ std::function<int(Streams)> declare_describe(CLI::App& app) {
     bool json = false;
   };
   auto options = std::make_shared<DescribeArguments>();
-  app.add_option("SCENE|METHOD|scene-file|sweep-file|SECTION", options->name,
-                 "`taut list` names them; or the path of a scene file; or a section, shape, probe or measure")
+  app.add_option(
+         "SCENE|METHOD|scene-file|sweep-file|SECTION", options->name,
+         "a name that `taut list` shows (also of a law, field, key, ...), a section of scene files, or the "
+         "path of a scene file")
       ->option_text(" ")
       ->required();
-  app.add_flag("--json", options->json, "of scene-file, sweep-file and their parts, for scripts");
+  app.add_flag("--json", options->json, "print JSON, for scripts; not for scenes and methods");
   return [options](Streams streams) { return describe(options->name, options->json, streams.out); };
 }
 

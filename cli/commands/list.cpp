@@ -9,6 +9,7 @@
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/shipped.hpp"
 #include "cli/system/exit_code.hpp"
+#include "cli/system/terminal_columns.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
@@ -19,13 +20,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A list to print: an object per row, all with the same keys; the first one is the name.
+/// A list to print: one object per row, all with the same keys; the first key is the name.
 struct Listing {
   std::string_view kind;
   Json (*rows)();
+  std::string_view help;
 };
 
-/// A file of a scene folder that is none, or damaged, keeps nobody from the others.
+/// An unreadable scene file does not hide the others.
 Json scene_row(const std::string& name) try {
   const Scene scene = read_scene(find_scene(name)).scene;
   return {{"name", name}, {"title", scene.title}, {"source", scene.source}};
@@ -67,30 +69,32 @@ Json equation_rows() {
   return rows;
 }
 
-constexpr Listing listings[] = {{"scenes", scene_rows},
-                                {"methods", of_language<method_rows>},
-                                {"equations", equation_rows},
-                                {"laws", of_language<law_rows>},
-                                {"contacts", of_language<contact_rows>},
-                                {"shapes", of_language<shape_rows>},
-                                {"probes", of_language<probe_rows>},
-                                {"measures", of_language<measure_rows>},
-                                {"fields", of_language<field_rows>},
-                                {"colormaps", of_language<colormap_rows>},
-                                {"keys", of_language<key_rows>}};
+constexpr Listing listings[] = {
+    {"scenes", scene_rows, "shipped scenes"},
+    {"methods", of_language<method_rows>, "SPH formulations"},
+    {"equations", equation_rows, "equations of all methods, with function and test"},
+    {"laws", of_language<law_rows>, "laws of elasticity"},
+    {"contacts", of_language<contact_rows>, "contact laws"},
+    {"shapes", of_language<shape_rows>, "shapes of bodies"},
+    {"probes", of_language<probe_rows>, "quantities that history.csv records"},
+    {"measures", of_language<measure_rows>, "numbers that are compared with references"},
+    {"fields", of_language<field_rows>, "quantities that colour the particles"},
+    {"colormaps", of_language<colormap_rows>, "colour maps"},
+    {"keys", of_language<key_rows>, "keys of scene and sweep files"}};
 
-std::string as_text(const Json& rows) {
+std::string as_text(const Json& rows, std::optional<std::size_t> columns) {
   std::vector<std::vector<std::string>> cells;
   for (const Json& row : rows) {
     cells.emplace_back();
     for (const auto& [key, value] : row.items()) cells.back().push_back(value.get<std::string>());
   }
-  return in_columns(cells);
+  return in_columns(cells, 2, columns);
 }
 
 std::vector<std::string> kinds() {
   std::vector<std::string> names;
   for (const Listing& l : listings) names.emplace_back(l.kind);
+  names.emplace_back("all");
   return names;
 }
 
@@ -100,6 +104,18 @@ const Listing& find_listing(const std::string& kind) {
   throw UsageError(unknown_name("list of", kind, kinds()));
 }
 
+/// One screen: each kind, how many there are, and the command that lists them.
+int list_kinds(std::ostream& out) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Listing& l : listings) {
+    const std::string kind(l.kind);
+    rows.push_back({kind, std::to_string(l.rows().size()), "taut list " + kind, std::string(l.help)});
+  }
+  out << in_columns(rows, 2, text_columns(out)) << '\n'
+      << "taut list all prints everything; taut describe NAME explains one of them.\n";
+  return exit_fine;
+}
+
 int list_all(bool json, std::ostream& out) {
   Json all;
   for (const Listing& l : listings) {
@@ -107,7 +123,7 @@ int list_all(bool json, std::ostream& out) {
     if (json)
       all[std::string(l.kind)] = rows;
     else
-      out << l.kind << '\n' << as_text(rows) << '\n';
+      out << l.kind << '\n' << as_text(rows, text_columns(out)) << '\n';
   }
   if (json) out << all.dump(2) << '\n';
   return exit_fine;
@@ -115,8 +131,14 @@ int list_all(bool json, std::ostream& out) {
 
 int list_one(const std::string& kind, bool json, std::ostream& out) {
   const Json rows = find_listing(kind).rows();
-  out << (json ? rows.dump(2) + "\n" : as_text(rows));
+  out << (json ? rows.dump(2) + "\n" : as_text(rows, text_columns(out)));
   return exit_fine;
+}
+
+int list(const std::string& kind, bool json, std::ostream& out) {
+  if (kind.empty() && !json) return list_kinds(out);
+  if (kind.empty() || kind == "all") return list_all(json, out);
+  return list_one(kind, json, out);
 }
 
 }  // namespace
@@ -127,12 +149,10 @@ std::function<int(Streams)> declare_list(CLI::App& app) {
     bool json = false;
   };
   auto options = std::make_shared<ListArguments>();
-  app.add_option(join(kinds(), "|"), options->kind, "all of them if left out")->option_text(" ");
-  app.add_flag("--json", options->json, "as JSON, for scripts");
-  return [options](Streams streams) {
-    return options->kind.empty() ? list_all(options->json, streams.out)
-                                 : list_one(options->kind, options->json, streams.out);
-  };
+  app.add_option(join(kinds(), "|"), options->kind, "the kind to list; default: the kinds with their counts")
+      ->option_text(" ");
+  app.add_flag("--json", options->json, "print JSON, for scripts; without a kind: everything");
+  return [options](Streams streams) { return list(options->kind, options->json, streams.out); };
 }
 
 }  // namespace taut::cli

@@ -99,7 +99,7 @@ const auto own_keys = [](const auto& kind) -> const auto& { return kind.keys; };
 Topic shapes() {
   std::string examples;
   for (const ShapeKind& kind : shape_kinds()) examples += example_of(kind.name);
-  return {"shapes", "type = ...", "shapes, with the dimensions that they are of", shape_rows(), examples};
+  return {"shapes", "type = ...", "shapes and their dimensions", shape_rows(), examples};
 }
 
 Topic shape_keys() { return {"keys of shapes", "", "", keys_of_kinds(shape_kinds(), own_keys), ""}; }
@@ -109,8 +109,8 @@ Topic probes() { return {"probes", "of = ...", "kinds of probes", probe_rows(), 
 Topic probe_keys() { return {"keys of probes", "", "", keys_of_kinds(probe_kinds(), own_keys), ""}; }
 
 Topic measures() {
-  return {"measures", "of = ...", "kinds of measures, and what a reference may have for them", measure_rows(),
-          ""};
+  return {"measures", "of = ...", "kinds of measures, and the reference data with which each can be compared",
+          measure_rows(), ""};
 }
 
 Topic measure_keys() {
@@ -119,12 +119,17 @@ Topic measure_keys() {
 
 /// What keys take that have a list of their own.
 std::vector<Topic> lists() {
-  return {
-      {"methods", "METHOD", "formulations; `taut describe METHOD` has their constants", method_rows(), ""},
-      {"laws", "LAW", "of elasticity; a reference may be for 2d-deviator too", law_rows(), ""},
-      {"contacts", "CONTACT", "how bodies act on each other", contact_rows(), ""},
-      {"fields", "FIELD", "what particles are coloured by and lines sample", field_rows(), ""},
-      {"colormaps", "colour map", "of the fields", colormap_rows(), ""}};
+  return {{"methods", "METHOD", "methods; `taut describe METHOD` shows their constants", method_rows(), ""},
+          {"laws", "LAW", "laws of elasticity; a reference can also be for 2d-deviator", law_rows(), ""},
+          {"contacts", "CONTACT", "contact laws between bodies", contact_rows(), ""},
+          {"fields", "FIELD", "fields for the colours of particles and for lines", field_rows(), ""},
+          {"colormaps", "colour map", "colour maps of the fields", colormap_rows(), ""}};
+}
+
+/// One topic per row of a list: "speed", "a field" and its row under the heads of the list.
+void add_rows(std::vector<Topic>& topics, std::string_view what, const Rows& rows) {
+  for (std::size_t r = 1; r < rows.size(); ++r)
+    topics.push_back({rows[r].front(), "", text(what), {rows.front(), rows[r]}, ""});
 }
 
 std::vector<Topic> all_topics() {
@@ -134,7 +139,19 @@ std::vector<Topic> all_topics() {
   for (const ShapeKind& kind : shape_kinds()) all.push_back(topic_of(kind));
   for (const ProbeKind& kind : probe_kinds()) all.push_back(topic_of(kind));
   for (const MeasureKind& kind : measure_kinds()) all.push_back(topic_of(kind));
+  add_rows(all, "a law of elasticity", law_rows());
+  add_rows(all, "a contact law", contact_rows());
+  add_rows(all, "a field that colours particles", field_rows());
+  add_rows(all, "a colour map", colormap_rows());
   return all;
+}
+
+/// The places of scene and sweep files that have a key of this name.
+std::vector<Topic> topics_of_key(std::string_view name) {
+  Rows rows = key_rows();
+  std::erase_if(rows, [&](const Texts& row) { return row != rows.front() && row.front() != name; });
+  if (rows.size() == 1) return {};
+  return {{text(name), "", "a key of scene or sweep files", std::move(rows), ""}};
 }
 
 std::string indented(std::string_view lines) {
@@ -191,40 +208,32 @@ std::string markdown(const LanguageFile& file) {
 }
 
 const Texts scene_rules{
-    "A scene is a TOML file: lines `key = value` under a [header]; a [[header]] comes once for each thing. "
-    "What "
-    "stands above the first header belongs to the file itself. `#` begins a comment. Needed are `spacing`, "
-    "`until`, a material and a body.",
-    "All numbers are in SI units and have none beside them: 1e7 for 10 MPa, 0.005 for 5 mm.",
+    "A scene is a TOML file with lines `key = value` under a [header]. A [[header]] can occur several times, "
+    "once for each object. Keys above the first header belong to the file itself. `#` begins a comment. A "
+    "scene needs `spacing`, `until`, a material and a body.",
+    "All numbers are in SI units and are written without a unit: 1e7 for 10 MPa, 0.005 for 5 mm.",
     "Every number may be an expression in quotes: \"0.06 + 4*dp\", \"x > 0.1 ? 1 : 0\", \"x < 0 && y > 0\". "
-    "It "
-    "knows + - * / ^, < <= > >= == !=, && (and), || (or), CONDITION ? A : B, and " +
+    "Operators: + - * / ^, < <= > >= == !=, && (and), || (or), CONDITION ? A : B. Functions: " +
         join(function_names()) + ".",
-    "Names in expressions: the parameters, `dp` (the spacing), `pi`, `touching` (the gap below which bodies "
-    "are "
-    "in touch); about a body, or bodies of one material, also `c0`, `E`, `nu`, `rho`, `K`, `G` of its "
-    "material; \"of the place\": `x`, "
-    "`y`, "
-    "in 3D `z`, in m, where the particle is at the start; \"of t\": the time `t`, s.",
-    "A place or a vector has a component for each axis: [x, y], with dim = 3 [x, y, z].",
-    "In two dimensions forces and masses are per metre of depth.",
-    "A key that is unknown or unused, a wrong type or a value out of bounds is an error with its place, what "
-    "is "
-    "allowed and the nearest known name. So are a parameter and a material that nothing uses.",
-    "At most 20 million particles, 500 parameters, 20 000 letters in an expression, 100 in a name of one, "
-    "200 bytes "
-    "in a title or a help; all bounds are in cli/PROMISES.md of the sources.",
-    "`taut run my.toml` runs it, `taut describe my.toml` says what was understood; `taut describe NAME` "
-    "explains "
-    "one section, shape, probe or measure of this page."};
+    "Names in expressions: the parameters, `dp` (the spacing), `pi`, and `touching` (the gap below which "
+    "bodies are in touch). Expressions about bodies of one material can also use its `c0`, `E`, `nu`, `rho`, "
+    "`K` and `G`. Expressions \"of the place\" can use `x`, `y` and in 3D `z`, the position in the initial "
+    "configuration in m. Expressions \"of t\" can use the time `t` in s.",
+    "A place or a vector has one component for each axis: [x, y], or [x, y, z] with dim = 3.",
+    "In 2D, forces and masses are per metre of depth.",
+    "Errors are: an unknown or unused key, a wrong type, a value out of bounds, and an unused parameter or "
+    "material. The message gives the place, the allowed values and the nearest known name.",
+    "Limits: 20 million particles, 500 parameters, 20 000 letters in an expression, 100 letters in a name, "
+    "200 bytes in a title or a help. The file cli/PROMISES.md of the sources lists all limits.",
+    "`taut run my.toml` runs the scene, and `taut describe my.toml` prints the scene as it was read. `taut "
+    "describe NAME` explains one section, shape, probe or measure of this page."};
 
 const Texts sweep_rules{
     "A sweep is a TOML file that runs a scene with every combination of some values: `taut sweep "
     "my-sweep.toml`.",
-    "What can be set: the parameters of the scene; method.NAME, a constant of the method; method, spacing, "
-    "until, "
-    "cfl, stepping, contact, law, jitter, jitter_seed.",
-    "A study is a sweep with a [chart], a [map] or a [history]: pictures of its results."};
+    "Names that can be set: the parameters of the scene; method.NAME, a constant of the method; method, "
+    "spacing, until, cfl, stepping, contact, law, jitter, jitter_seed.",
+    "A study is a sweep with a [chart], a [map] or a [history], which draw its results."};
 
 }  // namespace
 
@@ -263,8 +272,9 @@ Rows law_rows() {
   Texts others;
   for (const MethodInfo& method : methods())
     if (method.material_law == in_plane_law) others.push_back(text(method.name));
-  rows.push_back({law_name(in_plane_law), join(others), text(in_plane_law),
-                  "the published law of these methods in the plane: not chosen, only compared with"});
+  rows.push_back(
+      {law_name(in_plane_law), join(others), text(in_plane_law),
+       "the published law of these methods in 2D; references can be for it, but it cannot be chosen"});
   return rows;
 }
 
@@ -333,7 +343,7 @@ LanguageFile sweep_language() {
 std::vector<Topic> find_topics(std::string_view name) {
   std::vector<Topic> found = all_topics();
   std::erase_if(found, [=](const Topic& topic) { return topic.name != name; });
-  return found;
+  return found.empty() ? topics_of_key(name) : found;
 }
 
 std::vector<std::string> topic_names() {
@@ -343,29 +353,30 @@ std::vector<std::string> topic_names() {
   return names;
 }
 
-std::string as_text(const Topic& topic) {
-  std::string result = topic.name;
-  if (!topic.header.empty()) result += ": " + topic.header;
-  if (!topic.help.empty()) result += ", " + topic.help;
-  result += "\n";
-  if (topic.rows.size() > 1) result += in_columns(topic.rows);
+std::string as_text(const Topic& topic, std::optional<std::size_t> columns) {
+  std::string head = topic.name;
+  if (!topic.header.empty()) head += ": " + topic.header;
+  if (!topic.help.empty()) head += ", " + topic.help;
+  std::string result = (columns ? wrapped(head, 0, *columns) : head) + "\n";
+  if (topic.rows.size() > 1) result += in_columns(topic.rows, 2, columns);
   if (!topic.example.empty()) result += "  example\n" + indented(topic.example);
   return result;
 }
 
-std::string as_text(const LanguageFile& file) {
+std::string as_text(const LanguageFile& file, std::optional<std::size_t> columns) {
   std::string result;
-  for (const std::string& rule : file.rules) result += rule + "\n\n";
-  for (const Topic& topic : file.topics) result += as_text(topic) + "\n";
+  for (const std::string& rule : file.rules) result += (columns ? wrapped(rule, 0, *columns) : rule) + "\n\n";
+  for (const Topic& topic : file.topics) result += as_text(topic, columns) + "\n";
   return result;
 }
 
 std::string language_page() {
   return "# The language of scene and sweep files\n\n"
-         "This page is what `taut describe scene-file` and `taut describe sweep-file` say; a test checks "
-         "that it is "
-         "up to date, and\n`TAUT_UPDATE_GOLDEN=1` writes it anew. Rules, choices and worked examples: "
-         "[SCENE-FILES.md](SCENE-FILES.md).\n\n## Scene files\n\n" +
+         "This page is the output of `taut describe scene-file` and `taut describe sweep-file`. "
+         "A test checks that it is up to\n"
+         "date, and `TAUT_UPDATE_GOLDEN=1` rewrites it. Rules, choices and worked examples: "
+         "[SCENE-FILES.md](SCENE-FILES.md).\n\n"
+         "## Scene files\n\n" +
          markdown(scene_language()) + "## Sweep files\n\n" + markdown(sweep_language());
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,14 +28,15 @@ struct LanguageFile {
 LanguageFile scene_language();
 LanguageFile sweep_language();
 
-/// What is called `name`, of either: sections, lists ("shapes") and what they list ("ring"). Several, where a
-/// probe is called as a measure; none if there is nothing.
+/// The topics called `name`: sections, lists ("shapes"), shapes, probes, measures, laws, contact laws, fields, colour
+/// maps; keys where none of these has the name. Several if a probe and a measure share a name; empty if none does.
 std::vector<Topic> find_topics(std::string_view name);
+/// Names of all topics but the keys.
 std::vector<std::string> topic_names();
 
-/// For a terminal.
-std::string as_text(const Topic& topic);
-std::string as_text(const LanguageFile& file);
+/// For a terminal of so many columns; without a number nothing is wrapped.
+std::string as_text(const Topic& topic, std::optional<std::size_t> columns = {});
+std::string as_text(const LanguageFile& file, std::optional<std::size_t> columns = {});
 /// Both files as scenes/LANGUAGE.md has them.
 std::string language_page();
 

@@ -14,13 +14,15 @@ namespace {
 const std::vector<std::string> stepping_names = {"dual", "single"};
 
 constexpr std::array contacts = {
-    ContactChoice{ContactLaw::published, "that of the method's paper: `taut describe METHOD`"},
-    ContactChoice{ContactLaw::sph, "as particles of one body act on each other, [Zhang2024]"},
-    ContactChoice{ContactLaw::impulse, "the approach of two particles is stopped, [Khayyer2024] Eq. 53, 54"},
-    ContactChoice{ContactLaw::penalty, "a spring of the bulk modulus, [TranDuc2023] Eq. 2.13 to 2.15"},
-    ContactChoice{ContactLaw::lennard_jones,
-                  "a spring that hardens the nearer they come, [Zhang2020] Eq. 12"},
-    ContactChoice{ContactLaw::surface, "a spring between faces where they overlap, ours"},
+    ContactChoice{ContactLaw::published, "contact law of the method's paper: `taut describe METHOD`"},
+    ContactChoice{ContactLaw::sph,
+                  "particles of two bodies interact like particles of one body, [Zhang2024]"},
+    ContactChoice{ContactLaw::impulse,
+                  "impulses that stop the approach of two particles, [Khayyer2024] Eq. 53, 54"},
+    ContactChoice{ContactLaw::penalty,
+                  "spring with a stiffness from the bulk modulus, [TranDuc2023] Eq. 2.13 to 2.15"},
+    ContactChoice{ContactLaw::lennard_jones, "spring that hardens as particles approach, [Zhang2020] Eq. 12"},
+    ContactChoice{ContactLaw::surface, "spring between overlapping faces; own law of taut"},
 };
 
 std::vector<std::string> names_of_contacts() {
@@ -36,8 +38,7 @@ std::string chosen(TomlCursor& root, const std::string& key, const std::vector<s
   const std::string in_file = root.choice(key, names);
   if (!change) return in_file;
   if (std::find(names.begin(), names.end(), *change) == names.end())
-    throw UsageError("unknown " + key + " '" + *change + "'" + did_you_mean(*change, names) +
-                     "; there are: " + join(names));
+    throw UsageError(unknown_name(key, *change, names));
   root.table().set(key, TomlValue(*change));
   return *change;
 }
@@ -60,10 +61,7 @@ const MethodInfo& file_method(TomlCursor& root) {
 
 const MethodInfo& changed_method(const std::string& name) {
   const MethodInfo* method = find_method(name);
-  const std::vector<std::string> known = names_of(methods());
-  if (!method)
-    throw UsageError("unknown method '" + name + "'" + did_you_mean(name, known) +
-                     "; there are: " + join(known));
+  if (!method) throw UsageError(unknown_name("method", name, names_of(methods())));
   return *method;
 }
 
@@ -76,7 +74,7 @@ void check_constants(TomlCursor& section, const MethodInfo& method, int dim) {
       section.fail(entry.place, entry.key,
                    "the method '" + std::string(method.name) + "' has no constant '" + entry.key + "'" +
                        did_you_mean(entry.key, names_of(constants)) +
-                       "; it has: " + (constants.empty() ? "none" : join(names_of(constants))));
+                       "; its constants: " + (constants.empty() ? "none" : join(names_of(constants))));
     const double value = section.number(entry.key);
     if (!within_bounds(constants[i], value))
       section.fail(entry.value, entry.key,
@@ -136,9 +134,9 @@ void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& met
       throw UsageError(reason);
   }
   if (!settings.law.empty() && !reason_against_law(method, settings.law).empty()) {
-    const std::string own = method.laws.empty() ? "a law of its own" : std::string(method.laws.front().name);
-    remark = "the method '" + std::string(method.name) + "' does not take the law of the scene, '" +
-             settings.law + "': it runs with " + own;
+    const std::string own = method.laws.empty() ? "its own law" : std::string(method.laws.front().name);
+    remark = "the method '" + std::string(method.name) + "' does not support the law of the scene, '" +
+             settings.law + "'; it runs with " + own;
     settings.law.clear();
   }
   if (settings.law.empty() && !method.laws.empty()) settings.law = method.laws.front().name;
@@ -154,8 +152,8 @@ constexpr double least_cfl = 1e-6;
 
 std::string check_cfl(double cfl) {
   return cfl >= least_cfl ? ""
-                          : "cfl = " + exact(cfl) + " is below " + exact(least_cfl) +
-                                ": in so small a step a particle's motion is lost to rounding";
+                          : "cfl = " + exact(cfl) + " must be at least " + exact(least_cfl) +
+                                "; in smaller time steps, particle motion is lost to rounding";
 }
 
 double file_cfl(TomlCursor& root) {

@@ -32,7 +32,8 @@ std::vector<fs::path> folders_of_user() {
     rest.remove_prefix(std::min(folder.size() + 1, rest.size()));
     if (folder.empty()) continue;
     if (!is_folder(folder))
-      throw UsageError("TAUT_SCENES names the folder '" + std::string(folder) + "', which is not there");
+      throw UsageError("TAUT_SCENES contains the folder '" + std::string(folder) +
+                       "', which does not exist; correct or unset it");
     folders.emplace_back(fs::absolute(folder));
   }
   return folders;
@@ -60,9 +61,9 @@ std::set<std::string> names_below(const std::string& folder) {
 
 void refuse_no_folder() {
   if (!scene_folders().empty()) return;
-  std::string message = "the scenes that come with taut are not there; looked for them in";
+  std::string message = "cannot find the scenes that come with taut; searched in";
   for (const fs::path& place : places_of_shipped()) message += "\n  " + place.string();
-  throw UsageError(message + "\nThe environment variable TAUT_SCENES may name the folder that holds them");
+  throw UsageError(message + "\nSet the environment variable TAUT_SCENES to the folder that contains them");
 }
 
 /// The file of one of these names, which is there.
@@ -70,7 +71,7 @@ fs::path file_of(const std::string& name) {
   std::error_code error;
   for (const fs::path& scenes : scene_folders())
     if (fs::path file = scenes / (name + ".toml"); fs::exists(file, error)) return file;
-  throw UsageError("'" + name + "' has just been removed");
+  throw UsageError("'" + name + "' has just been removed from its folder");
 }
 
 }  // namespace
@@ -102,10 +103,10 @@ fs::path find_scene(const std::string& scene) {
   if (std::ranges::find(names, scene) != names.end()) return file_of(scene);
   if (exists) return scene;
   if (fs::is_regular_file(scene + ".toml", error))
-    throw UsageError("there is no scene of the name '" + scene + "'; did you mean the file '" + scene +
+    throw UsageError("there is no scene with the name '" + scene + "'; did you mean the file '" + scene +
                      ".toml'?");
   throw UsageError("there is no scene file '" + scene + "' and no scene of that name" +
-                   did_you_mean(scene, names) + "; scenes: " + join(names));
+                   known_names(scene, names) + "; `taut list scenes` shows all");
 }
 
 std::vector<std::string> study_names() {
@@ -120,8 +121,7 @@ fs::path find_sweep(const std::string& sweep) {
   const std::vector<std::string> names = study_names();
   if (std::ranges::find(names, sweep) != names.end()) return file_of(studies + sweep);
   throw UsageError("there is no sweep file '" + sweep + "' and no study of that name" +
-                   did_you_mean(sweep, names) + "; studies: " + join(names) +
-                   ". For a sweep of a scene add --grid NAME=VALUES");
+                   known_names(sweep, names) + "; to sweep a scene, add --grid NAME=VALUES");
 }
 
 }  // namespace taut::cli

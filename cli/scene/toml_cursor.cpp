@@ -74,7 +74,8 @@ TomlValue& TomlCursor::need(std::string_view key) {
   if (near.empty() && others.size() == 1) near = others;
   const FilePlace place = near.empty() ? table_.place : table_.find(near.front())->place;
   fail(place, key,
-       quote(key) + " is missing in " + what_ + (near.empty() ? "" : "; there is " + quote(near.front())));
+       quote(key) + " is missing in " + what_ +
+           (near.empty() ? "" : "; the unknown key " + quote(near.front()) + " may be meant"));
 }
 
 std::string TomlCursor::text(std::string_view key) { return text_of(need(key), key); }
@@ -93,8 +94,7 @@ std::string TomlCursor::line(std::string_view key) {
          std::string(key) + " has " + std::to_string(given.size()) + " bytes; at most " +
              std::to_string(longest) + " are allowed");
   if (std::ranges::any_of(given, is_control) || !is_utf8(given))
-    fail(*find(key), key,
-         std::string(key) + " must be one line of UTF-8 text, this is '" + shown(given) + "'");
+    fail(*find(key), key, std::string(key) + " must be one line of UTF-8 text, not '" + shown(given) + "'");
   return given;
 }
 
@@ -142,8 +142,7 @@ int TomlCursor::whole(std::string_view key, int otherwise, int low, int high) {
 bool TomlCursor::flag(std::string_view key) {
   const TomlValue* value = find(key);
   if (value && value->kind != Kind::boolean)
-    fail(*value, key,
-         std::string(key) + " must be true or false, this is " + std::string(value->kind_name()));
+    fail(*value, key, std::string(key) + " must be true or false, not " + std::string(value->kind_name()));
   return value && value->flag;
 }
 
@@ -151,8 +150,8 @@ std::vector<double> TomlCursor::numbers(std::string_view key, std::size_t size) 
   const TomlValue& value = need(key);
   if (value.kind != Kind::array || value.items.size() != size)
     fail(value, key,
-         std::string(key) + " must be an array of " + std::to_string(size) + " numbers, this is " +
-             (value.kind == Kind::array ? "one of " + std::to_string(value.items.size())
+         std::string(key) + " must be an array of " + std::to_string(size) + " numbers, not " +
+             (value.kind == Kind::array ? "an array of " + std::to_string(value.items.size())
                                         : std::string(value.kind_name())));
   std::vector<double> result;
   for (const TomlValue& item : value.items) result.push_back(value_of(item, key));
@@ -179,10 +178,10 @@ double TomlCursor::value_of(const TomlValue& value, std::string_view key) {
     note_names(value.text);
   } else {
     fail(value, key,
-         std::string(key) + " must be a number or an expression, this is " + std::string(value.kind_name()));
+         std::string(key) + " must be a number or an expression, not " + std::string(value.kind_name()));
   }
   if (!std::isfinite(result))
-    fail(value, key, std::string(key) + " is " + exact(result) + "; a finite number is needed");
+    fail(value, key, std::string(key) + " is " + exact(result) + "; it must be a finite number");
   return result;
 }
 
@@ -207,7 +206,7 @@ std::function<double(Arguments...)> TomlCursor::function(const TomlValue& value,
     if (!std::isfinite(result))
       throw SceneError(failure.file, failure.line, failure.column, failure.key,
                        name + " = '" + text + "' is " + exact(result) + " at " + show(at...) +
-                           "; a finite number is needed");
+                           "; it must be a finite number");
     return result;
   };
 }
@@ -216,7 +215,8 @@ std::function<double(Arguments...)> TomlCursor::function(const TomlValue& value,
 void TomlCursor::refuse_third_axis(const TomlValue& value, std::string_view key) const {
   if (source_.dim == 2 && value.kind == Kind::text && !names_.contains("z") &&
       names_in(value.text).contains("z"))
-    fail(value, key, std::string(key) + " = '" + value.text + "': there is no z in a scene with dim = 2");
+    fail(value, key,
+         std::string(key) + " = '" + value.text + "' uses z, but the scene has dim = 2; use x and y");
 }
 
 Expression TomlCursor::function_of(const TomlValue& value, std::string_view key) {
@@ -252,15 +252,14 @@ std::function<double(const std::vector<double>&, double)> TomlCursor::function_o
 
 std::string TomlCursor::text_of(const TomlValue& value, std::string_view key) {
   if (value.kind != Kind::text)
-    fail(value, key,
-         std::string(key) + " must be a text in quotes, this is " + std::string(value.kind_name()));
+    fail(value, key, std::string(key) + " must be a text in quotes, not " + std::string(value.kind_name()));
   return value.text;
 }
 
 TomlCursor TomlCursor::enter(TomlValue& value, std::string_view key, std::string what,
                              std::span<const KeyInfo> keys) {
   if (value.kind != Kind::table)
-    fail(value, key, what + " must be a table, this is " + std::string(value.kind_name()));
+    fail(value, key, what + " must be a table, not " + std::string(value.kind_name()));
   return {value, full_path(key), std::move(what), keys, names_, source_};
 }
 
@@ -277,7 +276,8 @@ std::span<TomlValue> TomlCursor::list(std::string_view key) {
   TomlValue* value = find(key);
   if (!value) return {};
   if (value->kind != Kind::array)
-    fail(*value, key, std::string(key) + " must be written [[" + std::string(key) + "]], once for each");
+    fail(*value, key,
+         std::string(key) + " must be written as [[" + std::string(key) + "]], one block for each");
   return value->items;
 }
 
@@ -291,9 +291,7 @@ void TomlCursor::fail(const TomlValue& value, std::string_view key, const std::s
 
 void TomlCursor::fail_unknown(const TomlValue& value, std::string_view key, std::string_view kind,
                               std::string_view given, const std::vector<std::string>& known) const {
-  fail(value, key,
-       "unknown " + std::string(kind) + " " + quote(given) + did_you_mean(given, known) + "; " +
-           (known.empty() ? "there is none" : "there are: " + join(known)));
+  fail(value, key, unknown_name(kind, given, known));
 }
 
 void TomlCursor::fail_expression(const TomlValue& value, std::string_view key,
@@ -308,14 +306,14 @@ void TomlCursor::refuse_unknown_keys() const {
     if (!may_have(entry.key))
       fail(entry.place, entry.key,
            "unknown key " + quote(entry.key) + " in " + what_ + did_you_mean(entry.key, keys_) +
-               "; known here: " + join(keys_));
+               "; known keys: " + join(keys_));
 }
 
 void TomlCursor::finish() const {
   refuse_unknown_keys();
   for (const TomlEntry& entry : table_.entries)
     if (!entry.known)
-      fail(entry.place, entry.key, quote(entry.key) + " has no effect in " + what_ + ": remove it");
+      fail(entry.place, entry.key, quote(entry.key) + " has no effect in " + what_ + "; remove it");
 }
 
 void TomlCursor::note_names(const std::string& text) { source_.used.merge(names_in(text)); }

@@ -28,7 +28,7 @@ double finite_number(const std::string& text, const std::string& whole) {
                    "' is not a number; write NAME=VALUE±TOLERANCE, NAME<VALUE or NAME>VALUE, without units");
 }
 
-/// Where the tolerance begins, and where its number does.
+/// Offsets of the tolerance and of its number in `text`.
 std::optional<std::pair<std::size_t, std::size_t>> find_tolerance(const std::string& text) {
   for (const std::string_view sign : {"±", "+-", "+/-"})
     if (const std::size_t at = text.find(sign); at != std::string::npos) return {{at, at + sign.size()}};
@@ -40,7 +40,7 @@ bool is_measure(const StoredRun& run, const std::string& name) {
   return std::ranges::any_of(run.cells, [&](const auto& cell) { return cell.first.starts_with(prefix); });
 }
 
-/// The measures of a run, and the numbers beside them that may be checked.
+/// The measures of a run, and the other numbers of run.json that can be checked.
 std::vector<std::string> names_in(const StoredRun& run) {
   std::vector<std::string> names;
   for (const auto& [column, value] : run.cells) {
@@ -54,10 +54,10 @@ std::vector<std::string> names_in(const StoredRun& run) {
 }
 
 std::string with_unit(double value, const std::string& unit) {
-  return exact(value) + (unit.empty() ? "" : " " + unit);
+  return six_digits(value) + (unit.empty() ? "" : " " + unit);
 }
 
-std::string shown_tolerance(const Tolerance& t) { return t.relative ? percent(t.size) : exact(t.size); }
+std::string shown_tolerance(const Tolerance& t) { return t.relative ? percent(t.size) : six_digits(t.size); }
 
 std::string shown(const Expectation& e, const std::string& unit) {
   if (e.kind == Expectation::Kind::equal)
@@ -101,8 +101,8 @@ Expectation parse_expectation(const std::string& given, const std::optional<Tole
   if (text[sign] == '=') {
     const auto tolerance = find_tolerance(rest);
     if (!tolerance && !for_all)
-      throw UsageError("'" + given + "' says not how far it may be off: '" + text +
-                       "±1%', or --tolerance for all");
+      throw UsageError("--measure '" + given + "' has no tolerance; write '" + text +
+                       "±1%', or give --tolerance for all measures");
     e.tolerance = tolerance ? parse_tolerance(rest.substr(tolerance->second), "'" + given + "'") : *for_all;
     if (tolerance) rest = rest.substr(0, tolerance->first);
   } else {
@@ -133,27 +133,35 @@ Finding find_out(const StoredRun& run, const Expectation& e) {
   if (!measure && !is) throw UsageError(unknown_name("measure or number of run.json", e.name, names_in(run)));
   std::string unit = run.text(measure_column(e.name, "unit"));
   if (unit == "1") unit.clear();
+  const bool bound = e.kind != Expectation::Kind::equal;
   if (!is || !std::isfinite(*is))
-    return {e.name, shown(e, unit), "no value", run.text(measure_column(e.name, "why")), false};
-  return {e.name, shown(e, unit), with_unit(*is, unit), shown_difference(e, *is, unit), holds(e, *is)};
+    return {e.name, shown(e, unit), "no value", run.text(measure_column(e.name, "why")), false, bound};
+  return {e.name, shown(e, unit), with_unit(*is, unit), shown_difference(e, *is, unit), holds(e, *is), bound};
 }
 
 Finding find_out_verdict(const StoredRun& run, const std::string& worst) {
   const auto is = find_verdict(run.text("verdict")), allowed = find_verdict(worst);
   if (!allowed) throw UsageError(unknown_name("verdict", worst, names_of_verdicts()));
-  return {"verdict", *allowed == Verdict::stable ? worst : worst + " or better",
-          is ? run.text("verdict") : "no value", "", is && *is <= *allowed};
+  return {"verdict",
+          *allowed == Verdict::stable ? worst : worst + " or better",
+          is ? run.text("verdict") : "no value",
+          "",
+          is && *is <= *allowed,
+          true};
 }
 
 Finding find_out_end(const StoredRun& run) {
   const std::string status = run.text("status");
-  return {"status", "finished", status.empty() ? "no value" : status, "", status == "finished"};
+  return {"status", "finished", status.empty() ? "no value" : status, "", status == "finished", true};
 }
 
 std::string findings_table(const std::vector<Finding>& findings) {
   std::vector<std::vector<std::string>> rows{{"measure", "expected", "is", "difference", ""}};
   for (const Finding& f : findings)
-    rows.push_back({f.name, f.expected, f.is, f.difference, f.fine ? "fine" : "MOVED"});
+    rows.push_back({f.name, f.expected, f.is, f.difference,
+                    f.fine    ? "fine"
+                    : f.bound ? "VIOLATED"
+                              : "MOVED"});
   return in_columns(rows);
 }
 

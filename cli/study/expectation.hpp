@@ -8,15 +8,15 @@
 
 namespace taut::cli {
 
-/// How far a number may be from what is expected.
+/// Allowed distance of a number from the expected value.
 struct Tolerance {
   double size = 0;
-  bool relative = false;  // a share of what is expected
+  bool relative = false;  // a share of the expected value
 };
-/// "1%" or "0.002". Throws UsageError for anything else; `option` is what it was given with.
+/// Reads "1%" or "0.002". Throws UsageError, which names `option`, for anything else.
 Tolerance parse_tolerance(const std::string& text, const std::string& option);
 
-/// What a number of a run should be.
+/// The value or the bound expected of a number of a run.
 struct Expectation {
   enum class Kind { equal, below, above };
   std::string name;  // of a measure, or a path in run.json: "conservation.energy"
@@ -29,20 +29,21 @@ struct Expectation {
 /// "period=0.2545±1%", "period=0.2545+-0.002", "period=0.2545" with the tolerance that holds for all,
 /// "period<0.26", "period>=0.25". Throws UsageError.
 Expectation parse_expectation(const std::string& text, const std::optional<Tolerance>& for_all);
-/// Every measure that has a value in `baseline`, as it is there.
+/// The values of all measures of `baseline`.
 std::vector<Expectation> expectations_of(const StoredRun& baseline, const Tolerance& tolerance);
 
-/// What came of an expectation, as a table shows it.
+/// Result of one expectation: a row of the table.
 struct Finding {
   std::string name, expected, is, difference;
   bool fine = false;
+  bool bound = false;  // expected: a bound, which is violated, not a value, which has moved
 };
-/// A number that the run has not, as a measure of a run that was too short, is not fine. Throws UsageError
-/// for a name that run.json has not, with the nearest ones.
+/// A measure without a value, for instance of a run that was too short, is not fine. Throws UsageError for a name
+/// that run.json lacks, with the nearest names.
 Finding find_out(const StoredRun& run, const Expectation& expected);
-/// That the verdict is no worse than `worst`.
+/// Checks that the verdict is no worse than `worst`.
 Finding find_out_verdict(const StoredRun& run, const std::string& worst);
-/// That the run went to its end.
+/// Checks that the run has finished.
 Finding find_out_end(const StoredRun& run);
 
 /// For people.

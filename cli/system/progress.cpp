@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "cli/system/terminal_columns.hpp"
 #include "cli/text/format.hpp"
 
 namespace taut::cli {
@@ -16,12 +16,8 @@ constexpr double sure_after = 1.0;       // s of work before its length is estim
 constexpr double long_work = 12 * 3600;  // s
 constexpr double line_interval = 10.0;   // s between two lines at least, except at quarters
 
-/// Of the terminal, but for the last column: it would wrap on some.
-std::size_t line_width() {
-  winsize size{};
-  const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return (known ? size.ws_col : 80) - 1;
-}
+/// Columns for a progress line. The last column of the terminal stays free: some terminals wrap there.
+std::size_t line_width() { return terminal_columns(STDERR_FILENO).value_or(80) - 1; }
 
 }  // namespace
 
@@ -86,8 +82,8 @@ void Progress::warn_of_length(double share) {
   if (length.empty()) return;
   warned_ = true;
   clear();
-  err_ << "taut: at this pace it takes " << length
-       << " more; a shorter --until or a larger --spacing takes less" << std::endl;
+  err_ << "taut: " << length << " left at this speed; use a shorter --until or a larger --spacing"
+       << std::endl;
 }
 
 void Progress::show(double share, const std::string& detail) {

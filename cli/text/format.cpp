@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numeric>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -26,6 +28,8 @@ std::string exact(double value) {
 }
 
 std::string brief(double value) { return std::isnan(value) ? "nan" : fmt::format("{:.4g}", value); }
+
+std::string six_digits(double value) { return std::isnan(value) ? "nan" : fmt::format("{:.6g}", value); }
 
 std::string with_prefix(double value) {
   if (value >= 1e9) return fmt::format("{:.3g} G", value / 1e9);
@@ -64,19 +68,75 @@ std::uint64_t hash_of(std::string_view text) {
   return hash;
 }
 
-std::string in_columns(const std::vector<std::vector<std::string>>& rows, int indent) {
-  std::vector<std::size_t> widths;
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t columns) {
+  std::string lines, line(indent, ' ');
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const bool begins = line.size() == indent;
+    if (!begins && width(line) + 1 + width(word) > columns) {
+      lines += line + '\n';
+      line.assign(indent, ' ');
+      line += word;
+    } else {
+      line += (begins ? "" : " ") + word;
+    }
+  }
+  return lines + line;
+}
+
+namespace {
+
+/// Lines of at most `columns`, at least one.
+std::vector<std::string> lines_of(const std::string& text, std::size_t columns) {
+  std::vector<std::string> lines;
+  std::istringstream whole(wrapped(text, 0, columns));
+  for (std::string line; std::getline(whole, line);) lines.push_back(line);
+  if (lines.empty()) lines.emplace_back();
+  return lines;
+}
+
+/// One line of a table: cells padded to `widths`, no blanks at its end.
+std::string table_line(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths,
+                       int indent) {
+  std::string line(static_cast<std::size_t>(indent), ' ');
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    line += cells[c] + std::string(std::max(widths[c], width(cells[c])) + 2 - width(cells[c]), ' ');
+  return line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+}
+
+}  // namespace
+
+std::string in_columns(const std::vector<std::vector<std::string>>& rows, int indent,
+                       std::optional<std::size_t> columns) {
+  std::vector<std::size_t> padded, full;  // widths without and with the last cells of the rows
   for (const auto& row : rows) {
-    widths.resize(std::max(widths.size(), row.size()));
-    // the last cell of a row is not padded, so it does not widen its column
-    for (std::size_t c = 0; c + 1 < row.size(); ++c) widths[c] = std::max(widths[c], width(row[c]));
+    padded.resize(std::max(padded.size(), row.size()));
+    full.resize(padded.size());
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      full[c] = std::max(full[c], width(row[c]));
+      if (c + 1 < row.size()) padded[c] = full[c];
+    }
   }
   std::string text;
+  const std::size_t all =
+      std::accumulate(full.begin(), full.end(), static_cast<std::size_t>(indent)) + 2 * full.size();
+  if (!columns || full.empty() || all <= *columns + 2) {
+    for (const auto& row : rows) text += table_line(row, padded, indent);
+    return text;
+  }
+  // the widest column takes the room that the others leave
+  constexpr std::size_t least = 24;
+  const auto widest = static_cast<std::size_t>(std::ranges::max_element(full) - full.begin());
+  const std::size_t others = all - full[widest] - 2;
+  full[widest] = std::max(least, *columns - std::min(*columns, others));
   for (const auto& row : rows) {
-    std::string line(static_cast<std::size_t>(indent), ' ');
-    for (std::size_t c = 0; c < row.size(); ++c)
-      line += row[c] + std::string(std::max(widths[c] + 2, width(row[c]) + 2) - width(row[c]), ' ');
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+    const std::vector<std::string> lines =
+        widest < row.size() ? lines_of(row[widest], full[widest]) : std::vector<std::string>(1);
+    for (const std::string& line : lines) {
+      std::vector<std::string> cells = &line == &lines.front() ? row : std::vector<std::string>(widest + 1);
+      if (widest < cells.size()) cells[widest] = line;
+      text += table_line(cells, full, indent);
+    }
   }
   return text;
 }

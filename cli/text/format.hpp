@@ -20,8 +20,10 @@ std::optional<Number> parsed(std::string_view text) {
 
 /// The shortest text that reads back as the same number.
 std::string exact(double value);
-/// Four digits, for people.
+/// At most four digits, for people.
 std::string brief(double value);
+/// At most six digits, for people who compare.
+std::string six_digits(double value);
 /// "4.1 M", for rates.
 std::string with_prefix(double value);
 /// "12 %" of a share.
@@ -35,8 +37,12 @@ std::string join_with_or(std::vector<std::string> words);
 /// The same for a text on every machine (FNV-1a).
 std::uint64_t hash_of(std::string_view text);
 
-/// Rows of cells, printed in columns with two blanks between and `indent` before.
-std::string in_columns(const std::vector<std::vector<std::string>>& rows, int indent = 2);
+/// Rows of cells in columns, with two blanks between columns and `indent` blanks before the first. A table wider than
+/// `columns` wraps the cells of its widest column.
+std::string in_columns(const std::vector<std::vector<std::string>>& rows, int indent = 2,
+                       std::optional<std::size_t> columns = {});
+/// Words of `text` on lines of at most `columns`, each after `indent` blanks, without a newline at the end.
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t columns);
 
 /// "NAME_00012.EXTENSION"
 std::string numbered(const char* name, int number, const char* extension);

@@ -32,24 +32,34 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
+/// Names with their distance from `name`, nearest first.
+using Ranked = std::vector<std::pair<std::size_t, std::string>>;
+Ranked ranked(std::string_view name, const std::vector<std::string>& candidates) {
+  const std::string given = lower_case(name);
+  Ranked all;
+  for (const std::string& candidate : candidates) {
+    if (std::ranges::find(all, candidate, &Ranked::value_type::second) == all.end())
+      all.emplace_back(edit_distance(given, lower_case(candidate)), candidate);
+  }
+  std::ranges::stable_sort(all, {}, &Ranked::value_type::first);
+  return all;
+}
+
+constexpr std::size_t most_names = 5, most_listed = 8, most_letters = 100;
+
 }  // namespace
 
 std::vector<std::string> nearest(std::string_view name, const std::vector<std::string>& candidates) {
-  constexpr std::size_t most_names = 3, least_part = 3, most_letters = 100;
+  constexpr std::size_t least_part = 3;
   if (name.empty() || name.size() > most_letters) return {};
-  // a third of the letters may be wrong; of two letters one, of one letter only its case
+  // a third of the letters may differ; one of two letters; only the case of one letter
   const std::size_t most_edits = name.size() == 1 ? 0 : std::max<std::size_t>(1, name.size() / 3);
   const std::string given = lower_case(name);
-  std::vector<std::pair<std::size_t, std::string>> near;
-  for (const std::string& candidate : candidates) {
-    const std::string other = lower_case(candidate);
-    const std::size_t edits = edit_distance(given, other);
-    const bool part = given.size() >= least_part && other.find(given) != std::string::npos;
-    if (edits <= most_edits || part) near.emplace_back(edits, candidate);
-  }
-  std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < std::min(most_names, near.size()); ++i) names.push_back(near[i].second);
+  for (const auto& [edits, candidate] : ranked(name, candidates)) {
+    const bool part = given.size() >= least_part && lower_case(candidate).find(given) != std::string::npos;
+    if (names.size() < most_names && (edits <= most_edits || part)) names.push_back(candidate);
+  }
   return names;
 }
 
@@ -66,9 +76,18 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
 
 std::string unknown_name(std::string_view kind, std::string_view given,
                          const std::vector<std::string>& names) {
+  return "unknown " + std::string(kind) + " '" + std::string(given) + "'" + known_names(given, names);
+}
+
+std::string known_names(std::string_view given, const std::vector<std::string>& names) {
+  if (names.empty()) return "; there is none";
   const std::string near = did_you_mean(given, names);
-  return "unknown " + std::string(kind) + " '" + std::string(given) + "'" +
-         (near.empty() ? "; there are: " + join(names) : near);
+  if (names.size() <= most_listed) return near + "; there are: " + join(names);
+  if (!near.empty()) return near;
+  std::vector<std::string> few;
+  for (const auto& [edits, name] : ranked(given.substr(0, most_letters), names))
+    if (few.size() < most_names) few.push_back(name);
+  return "; the nearest of " + std::to_string(names.size()) + " names: " + join(few);
 }
 
 }  // namespace taut::cli

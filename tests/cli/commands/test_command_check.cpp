@@ -45,9 +45,14 @@ TEST_SUITE("cli") {
       const auto& text_now = text;  // clang captures no bindings
       CAPTURE(text_now);
       CHECK(outcome.code == code);
-      CHECK(contains(outcome.out, code == 0 ? "\nfine\n" : "1 of 2 moved"));
+      CHECK(contains(outcome.out, code == 0 ? "\nfine\n" : "1 of 2 checks failed"));
       CHECK(contains(outcome.out, "too short") == text.starts_with("decay"));
+      const bool is_bound = text.find_first_of("<>") != std::string::npos;
+      CHECK(contains(outcome.out, "VIOLATED") == (code == 1 && is_bound));
+      CHECK(contains(outcome.out, "MOVED") == (code == 1 && !is_bound));
     }
+    const std::string precise = write_record(folder, "precise", 0.25512345678);
+    CHECK(contains(call({"check", precise, "--measure", "period=0.2551±1%"}).out, " 0.255123 s"));
     CHECK(call({"check", run, "--measure", "period=0.25", "--tolerance", "3%"}).code == 0);
     CHECK(call({"check", run, "--measure", "period=0.25", "--tolerance", "1%"}).code == 1);
     CHECK(call({"check", run, "--verdict", "stable"}).code == 0);
@@ -80,15 +85,15 @@ TEST_SUITE("cli") {
         {{run}, "nothing to check"},
         {{run, "--measure", "perod=1±1%"}, "did you mean 'period'"},
         {{run, "--measure", "period"}, "is not NAME=VALUE±TOLERANCE"},
-        {{run, "--measure", "period=0.25"}, "says not how far it may be off"},
+        {{run, "--measure", "period=0.25"}, "has no tolerance"},
         {{run, "--measure", "period=0.25 s±1%"}, "'0.25s' is not a number"},
         {{run, "--measure", "period=0.25±-1%"}, "neither like 1% nor like 0.002"},
         {{run, "--measure", "period=nan±1%"}, "is not a number"},
         {{run, "--verdict", "stabel"}, "did you mean 'stable'"},
-        {{run, "--", "--verdict", "stable"}, "'--verdict' stands behind '--', where nothing is an option"},
+        {{run, "--", "--verdict", "stable"}, "'--verdict' follows '--', after which options are not allowed"},
         {{run, "--baseline", run}, "--baseline needs --tolerance"},
         {{run, "--baseline", stopped, "--tolerance", "1%"}, "has not finished"},
-        {{folder.str("none"), "--verdict", "stable"}, "is not the folder of a run"},
+        {{folder.str("none"), "--verdict", "stable"}, "is neither a run folder nor a run.json"},
         {{folder.str("foreign.json"), "--verdict", "stable"}, "is not the run.json of a run"},
     };
     for (const auto& [arguments, message] : wrong) {
@@ -107,7 +112,7 @@ TEST_SUITE("cli") {
     const std::string run = write_record(folder, "run", 0.255);
     const Outcome taken = call({"check", "--measure", "period<1", run, "--verdict", "stable"});
     CHECK(taken.code == 2);
-    CHECK(contains(taken.err, "DIR is required: --measure took all words behind it"));
+    CHECK(contains(taken.err, "DIR is required: --measure takes all words that follow it"));
     CHECK(call({"check", "--verdict", "stable", run, "--measure", "period<1", "period>0"}).code == 0);
     REQUIRE(call(tiny_run(folder, "a", {"--no-render"})).code == 0);
     CHECK(call({"plot", "--columns", "step", folder.str("a"), "--out", folder.str("p.png")}).code == 0);
@@ -140,7 +145,7 @@ TEST_SUITE("cli") {
     std::ofstream(table) << "status,scene\nfinished,tiny\n";
     const Outcome other = call({"plot", a, table, "--out", folder.str("t.png")});
     CHECK(other.code == 2);
-    CHECK(contains(other.err, "'" + table + "' is not the folder of a run, nor its run.json"));
+    CHECK(contains(other.err, "'" + table + "' is neither a run folder nor a run.json"));
     CHECK(call({"plot", a, "--out", folder.str("t.jpg")}).code == 2);
   }
 }

@@ -1,4 +1,7 @@
+#include <algorithm>
 #include <fstream>
+#include <map>
+#include <regex>
 #include <set>
 
 #include <doctest/doctest.h>
@@ -45,7 +48,7 @@ TEST_SUITE("cli") {
   TEST_CASE("what follows -- is no option") {
     CHECK(call({"list", "--", "methods"}).code == 0);
     CHECK(contains(call({"describe", "--", "--help"}).err,
-                   "unknown scene, method or part of scene files '--help'"));
+                   "unknown name '--help'"));
   }
 
   TEST_CASE("values that make no sense are refused with exit code 2 before a folder is touched") {
@@ -111,12 +114,16 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE("list names what there is and JSON says the same") {
-    const Outcome all = call({"list"});
+    const Outcome all = call({"list", "all"}), kinds = call({"list"});
     CHECK(all.code == 0);
+    CHECK(kinds.code == 0);
+    CHECK(std::ranges::count(kinds.out, '\n') < 24);  // one screen
     const auto json = nlohmann::json::parse(call({"list", "--json"}).out);
     for (const std::string kind : {"scenes", "methods", "equations", "fields", "measures", "colormaps"}) {
       CHECK(nlohmann::json::parse(call({"list", kind, "--json"}).out) == json[kind]);
       CHECK_FALSE(json[kind].empty());
+      const std::string count = std::to_string(json[kind].size());
+      CHECK(std::regex_search(kinds.out, std::regex("\n? +" + kind + " +" + count + " +taut list " + kind + " ")));
       for (const auto& row : json[kind])
         CHECK(contains(all.out, "  " + row["name"].get<std::string>() + " "));
     }
@@ -144,14 +151,31 @@ TEST_SUITE("cli") {
     const Outcome scene = call({"describe", write_tiny_scene(folder)});
     CHECK(scene.code == 0);
     for (const std::string part :
-         {"Two discs", "speed", "m/s", "0 to inf", "of each disc", "touch_time", "sph, as published"})
+         {"Two discs", "speed", "m/s", "0 to inf", "of each disc", "touch_time", "sph, the default of the method"})
       CHECK(contains(scene.out, part));
     const Outcome method = call({"describe", "enog"});
     CHECK(method.code == 0);
     for (const std::string part :
-         {"Zhang2024", "zeta", "conserves", "2d-deviator", "sph as published; also impulse, penalty"})
+         {"Zhang2024", "zeta", "conserves", "2d-deviator", "sph by default; also impulse, penalty"})
       CHECK(contains(method.out, part));
     CHECK(contains(call({"describe", "oenog"}).out, "0.8; in 3D 0.9  0.8 to 2; in 3D 0.87 to 0.99"));
+  }
+
+  TEST_CASE("describe explains laws, contact laws, fields, colour maps and keys") {
+    for (const auto& [name, part] : std::map<std::string, std::string>{{"mooney-rivlin", "a law of elasticity"},
+                                                                       {"penalty", "a contact law"},
+                                                                       {"von_mises", "a field"},
+                                                                       {"viridis", "a colour map"},
+                                                                       {"poisson_ratio", "a key of scene"}}) {
+      const Outcome outcome = call({"describe", name});
+      CAPTURE(name);
+      CHECK(outcome.code == 0);
+      CHECK(outcome.out.starts_with(name + ", " + part));
+    }
+    CHECK(nlohmann::json::parse(call({"describe", "spacing", "--json"}).out)[0]["rows"][0]["name"] == "spacing");
+    const Outcome unknown = call({"describe", "zzzzzz"});
+    CHECK(unknown.code == 2);
+    CHECK(std::ranges::count(unknown.err, ',') <= 5);
   }
 
   TEST_CASE("describe tells what holds and displaces a body in 3D, and where a wall is") {
@@ -165,7 +189,7 @@ TEST_SUITE("cli") {
            "[[wall]]\nname = \"floor\"\nat = [0, 0, -3]\nnormal = [0, 0, 2]\n";
     const Outcome scene = call({"describe", (folder / "brick.toml").string()});
     CHECK(scene.code == 0);
-    for (const std::string part : {"held along x and z in part, displaced along y at the start",
+    for (const std::string part : {"clamped along x and z in part, displaced along y at the start",
                                    "through (0, 0, -3) m", "normal (0, 0, 1)"})
       CHECK(contains(scene.out, part));
   }

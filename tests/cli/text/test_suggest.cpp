@@ -3,6 +3,7 @@
 #include "cli/text/suggest.hpp"
 
 using taut::cli::did_you_mean;
+using taut::cli::known_names;
 using taut::cli::nearest;
 using Names = std::vector<std::string>;
 
@@ -20,12 +21,21 @@ TEST_SUITE("unit") {
     CHECK(nearest("rings", {"colliding-rings", "ball-plate"}) == Names{"colliding-rings"});
     CHECK(nearest("l", {"L", "H"}) == Names{"L"});
     CHECK(nearest("", {"L", "H"}).empty());
-    CHECK(nearest("abcd", {"abce", "abcf", "abcg", "abch"}).size() == 3);
+    CHECK(nearest("abcd", {"abce", "abcf", "abcg", "abch", "abci", "abcj"}).size() == 5);
   }
 
   TEST_CASE("did you mean") {
     CHECK(did_you_mean("enogg", {"enog"}) == " (did you mean 'enog'?)");
     CHECK(did_you_mean("eno", {"enog", "oenog"}) == " (did you mean 'enog' or 'oenog'?)");
     CHECK(did_you_mean("viridis", {"enog"}).empty());
+  }
+
+  TEST_CASE("an unknown name shows all of a few names, and at most five of many") {
+    CHECK(known_names("xyz", {"sph", "penalty"}) == "; there are: sph, penalty");
+    CHECK(known_names("sp", {"sph", "penalty"}) == " (did you mean 'sph'?); there are: sph, penalty");
+    CHECK(known_names("sph", {}) == "; there is none");
+    const Names many{"aaa", "bbb", "ccc", "ddd", "eee", "fff", "ggg", "hhh", "hhi"};
+    CHECK(known_names("hhh", many) == " (did you mean 'hhh' or 'hhi'?)");
+    CHECK(known_names("zzz", many) == "; the nearest of 9 names: aaa, bbb, ccc, ddd, eee");
   }
 }
