@@ -27,7 +27,7 @@ int chart(const ChartArguments& options, Streams streams) {
   if (options.out.empty() && !table_only) throw UsageError("give --out PICTURE, --json or --markdown");
   if (!table_only) return draw_chart(options.results, request, plot_files(options.out), streams);
   const Chart all = read_chart(options.results, request, streams.err);
-  streams.out << (options.json ? chart_json(all) : markdown_table(all));
+  streams.out << (options.json ? chart_json(all) : markdown(all));
   if (options.out.empty()) return exit_fine;
   std::ostream nowhere(nullptr);  // stdout holds the table alone
   std::ostream& quiet = nowhere;
@@ -40,17 +40,19 @@ std::function<int(Streams)> declare_chart(CLI::App& app) {
   auto options = std::make_shared<ChartArguments>();
   options->declare(app, "chart.png|chart.svg", /*needed=*/false);
   declare_measure(app, options->request.measure);
-  app.add_option("--cost", options->cost, "seconds of solving, or particles × steps; default: seconds")
+  app.add_option("--cost", options->cost,
+                 "x axis: seconds of solving, or steps (particles × time steps); default: seconds")
       ->option_text(join(cost_names(), "|"));
-  app.add_option("--methods", options->request.methods, "those to draw; default: all")
+  app.add_option("--methods", options->request.methods, "methods to draw; default: all")
       ->option_text("METHOD,...")
       ->delimiter(',')
       ->allow_extra_args(false);
   app.add_option("--against", options->request.against,
-                 "a method whose finest stable run stands for a reference, where the scene has none")
+                 "use the finest stable run of METHOD as the reference, for scenes without a reference")
       ->option_text("METHOD");
-  app.add_flag("--json", options->json, "everything on stdout as JSON; --out may be left away");
-  app.add_flag("--markdown", options->markdown, "a table on stdout: error by method and spacing; the same");
+  app.add_flag("--json", options->json, "print all data as JSON; --out is then optional");
+  app.add_flag("--markdown", options->markdown,
+               "print a table of errors by method and spacing; --out is then optional");
   return [options](Streams streams) { return chart(*options, streams); };
 }
 

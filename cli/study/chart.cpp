@@ -50,7 +50,7 @@ void add_once(std::vector<std::string>& names, const std::string& name) {
 
 std::string machine_of(const StoredRun& run) {
   const std::string machine = run.text("machine"), threads = run.text("threads");
-  return (machine.empty() ? "a machine that the results do not name" : machine) + ", " + threads +
+  return (machine.empty() ? "unknown machine" : machine) + ", " + threads +
          (threads == "1" ? " thread" : " threads");
 }
 
@@ -184,7 +184,7 @@ Chart make_chart(const StoredResults& given, const ChartRequest& request) {
     add_once(chart.machines, machine_of(run));
   }
   if (chart.series.empty())
-    throw UsageError("no run is left to be compared with " + chart.against + "; name more methods");
+    throw UsageError("no run is left to compare with " + chart.against + "; name more methods");
   for (ChartSeries& series : chart.series) {
     std::ranges::sort(series.points, std::greater(), &ChartPoint::spacing);
     series.order = convergence_order(series.points);

@@ -217,9 +217,9 @@ std::string chart_data(const Chart& chart) {
 
 std::string chart_script(const Chart& chart, const PlotFiles& files) {
   if (chart.series.size() > most_series)
-    throw UsageError("a chart of " + std::to_string(chart.series.size()) + " lines, such as '" +
-                     chart.series.front().name + "', cannot be read: at most " + std::to_string(most_series) +
-                     "; choose some with --methods, or draw a map");
+    throw UsageError("the chart would have " + std::to_string(chart.series.size()) + " lines, such as '" +
+                     chart.series.front().name + "'; at most " + std::to_string(most_series) +
+                     " are allowed; choose some with --methods, or draw a map");
   const Layout layout = layout_of(chart);
   std::vector<std::string> plots{guide(chart, layout, 1), guide(chart, layout, 2)};
   for (std::size_t k = 0; k < chart.series.size(); ++k)

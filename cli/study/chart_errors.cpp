@@ -91,7 +91,7 @@ std::string hint(const StoredResults& results) {
   });
   return names.empty()
              ? ""
-             : "; `taut chart --against METHOD` charts against the finest run of one: " + join(names);
+             : "; `taut chart --against METHOD` compares with the finest run of a method: " + join(names);
 }
 
 /// Of runs that have none yet.
@@ -109,7 +109,7 @@ std::string nothing_charted(const StoredResults& results, const ChartRequest& re
     return "no stable run of " + request.against + " in the results of " + results.scene +
            " has a value to compare other runs with";
   return "no measure in the results of " + results.scene +
-         " has an error: it has no references for these parameters, or the runs were too short" +
+         " has an error: the scene has no references for these parameters, or the runs were too short" +
          not_ended(results) + hint(results);
 }
 
@@ -117,11 +117,12 @@ std::string no_error_of(const StoredResults& results, const ChartRequest& reques
   const bool referenced = std::ranges::any_of(results.runs, [&](const StoredRun& run) {
     return run.has_result() && run.number(measure_column(request.measure, "reference")).has_value();
   });
-  std::string why = "no stable run of " + request.against + " has a value of it, or no other run has";
+  std::string why =
+      "no stable run of " + request.against + " has a value of this measure, or no other run has one";
   if (methods_in(results).empty())
     why = "no run has a result yet";
   else if (request.against.empty())
-    why = referenced ? "those with a reference ended before it could be measured"
+    why = referenced ? "the runs with a reference ended before it could be measured"
                      : "the scene has no reference for it with these parameters";
   return "no run has an error of " + request.measure + ": " + why +
          (charted.empty() ? "" : "; measures with an error: " + join(charted)) + not_ended(results) +
@@ -184,7 +185,7 @@ ChartErrors chosen_errors(const StoredResults& results, const ChartRequest& requ
     std::erase_if(charted, [&](const std::string& m) { return is_error(results, m); });
     if (!request.measure.empty() && is_error(results, request.measure))
       throw UsageError(request.measure +
-                       " is itself an error, from a reference of the scene: chart it without --against" +
+                       " is already an error relative to a reference of the scene: leave out --against" +
                        (charted.empty() ? "" : "; measures that can be compared: " + join(charted)));
   }
   if (charted.empty()) throw UsageError(nothing_charted(results, request));

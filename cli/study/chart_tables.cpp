@@ -1,13 +1,16 @@
 #include "cli/study/chart_tables.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
 #include <nlohmann/json.hpp>
 
 #include "cli/study/chart_errors.hpp"
+#include "cli/study/choose.hpp"
 #include "cli/text/format.hpp"
+#include "cli/text/markdown.hpp"
 
 namespace taut::cli {
 namespace {
@@ -20,18 +23,6 @@ std::set<double, std::greater<>> spacings(const Chart& chart) {
   for (const ChartSeries& series : chart.series)
     for (const ChartPoint& point : series.points) all.insert(point.spacing);
   return all;
-}
-
-std::string markdown_cell(std::string text) {
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, 1, '\\');
-  std::ranges::replace(text, '\n', ' ');
-  return text;
-}
-
-std::string markdown_row(const std::vector<std::string>& cells) {
-  std::string text = "|";
-  for (const std::string& cell : cells) text += " " + markdown_cell(cell) + " |";
-  return text + "\n";
 }
 
 std::string error_cell(const Chart& chart, const ChartSeries& series, double spacing) {
@@ -82,23 +73,43 @@ std::string orders_table(const Chart& chart) {
   return in_columns(rows);
 }
 
-std::string markdown_table(const Chart& chart) {
-  std::vector<std::string> heading{"method"}, rule{"---"};
-  for (const double spacing : spacings(chart)) heading.push_back(shown_spacing(spacing));
-  heading.insert(heading.end(),
+std::string markdown(const Chart& chart) {
+  std::vector<std::vector<std::string>> rows{{"method"}};
+  for (const double spacing : spacings(chart)) rows[0].push_back(shown_spacing(spacing));
+  rows[0].insert(rows[0].end(),
                  {"order", chart.cost == Cost::seconds ? "finest, s" : "finest, particles × steps"});
-  rule.resize(heading.size(), "---");
-  std::string text = "**" + markdown_cell(chart.title) + "**: " + error_label(chart) + "\n\n" +
-                     markdown_row(heading) + markdown_row(rule);
+  for (const ChartSeries& series : chart.series) {
+    rows.push_back({"`" + series.name + "`"});
+    for (const double spacing : spacings(chart)) rows.back().push_back(error_cell(chart, series, spacing));
+    const double cost = series.points.back().cost;
+    rows.back().insert(rows.back().end(),
+                       {series.order ? brief(*series.order) : "-", cost > 0 ? brief(cost) : "-"});
+  }
+  std::string text = "**" + chart.title + "**: " + error_label(chart) + "\n\n" + markdown_table(rows);
+  for (const std::string& note : footnotes(chart)) text += "\n" + note + "\n";
+  return text;
+}
+
+std::string markdown_of_prices(const Chart& chart) {
+  constexpr std::array levels{0.05, 0.01, 0.005};
+  if (!chart.unit.empty() || chart.cost != Cost::seconds) return "";
+  std::vector<std::vector<std::string>> rows{{"method"}};
+  for (const double level : levels) rows[0].push_back("within " + shown_error(chart, level));
   for (const ChartSeries& series : chart.series) {
     std::vector<std::string> cells{"`" + series.name + "`"};
-    for (const double spacing : spacings(chart)) cells.push_back(error_cell(chart, series, spacing));
-    const double cost = series.points.back().cost;
-    cells.insert(cells.end(), {series.order ? brief(*series.order) : "-", cost > 0 ? brief(cost) : "-"});
-    text += markdown_row(cells);
+    for (const double level : levels) {
+      const std::vector<Offer> offers = grants(chart, {.error = level, .seconds = {}});
+      const auto own = std::ranges::find(offers, &series, &Offer::series);
+      cells.push_back(own == offers.end()
+                          ? "-"
+                          : brief(own->point->cost) + " s at " + shown_spacing(own->point->spacing));
+    }
+    if (std::ranges::any_of(cells, [](const std::string& cell) { return cell.ends_with("m"); }))
+      rows.push_back(std::move(cells));
   }
-  for (const std::string& note : footnotes(chart)) text += "\n" + markdown_cell(note) + "\n";
-  return text;
+  if (rows.size() == 1) return "";
+  return "Cheapest stable run within each error; all finer runs of its method are within it, too:\n\n" +
+         markdown_table(rows);
 }
 
 std::string chart_json(const Chart& chart) {
@@ -134,13 +145,12 @@ std::vector<std::string> footnotes(const Chart& chart) {
   what += all.size() > 1 ? " to " + shown_spacing(*all.rbegin()) + " apart, each line from coarse to fine"
                          : " apart";
   if (!chart.fixed.empty()) what += "; all with " + join(chart.fixed);
-  if (has_zero(chart)) what += "; on an axis: an error or a cost of 0";
+  if (has_zero(chart)) what += "; points on an axis: an error or a cost of 0";
   std::vector<std::string> notes{what};
   const std::string references = join(chart.references, "; ");
   if (!chart.against.empty())
-    notes.push_back("Against " + chart.against + ": " +
-                    (references.empty() ? "no independent reference"
-                                        : "no independent one, which would be " + references));
+    notes.push_back("Compared with " + chart.against + ", which is not an independent reference" +
+                    (references.empty() ? "" : "; independent references: " + references));
   else if (!references.empty())
     notes.push_back("Reference: " + references);
   std::vector<std::string> without;
@@ -156,7 +166,7 @@ std::vector<std::string> footnotes(const Chart& chart) {
   std::size_t more = 0;
   for (; without.size() > 1 && join(without).size() > longest; ++more) without.pop_back();
   if (!without.empty())
-    notes.push_back("Without an error, in part or at all: " + join(without) +
+    notes.push_back("Some or all runs have no error: " + join(without) +
                     (more == 0 ? "" : " and " + std::to_string(more) + " more"));
   if (chart.cost == Cost::seconds) notes.push_back("Time: " + join(chart.machines, "; "));
   return notes;

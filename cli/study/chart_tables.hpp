@@ -6,16 +6,18 @@
 
 namespace taut::cli {
 
-/// For people: each series with its errors' order, its finest run and its unstable ones.
+/// For a terminal: order of convergence, finest run and number of unstable runs of each series.
 std::string orders_table(const Chart& chart);
-/// Error of each series at each spacing, for a page.
-std::string markdown_table(const Chart& chart);
-/// Everything, as a tree.
+/// Markdown: error of each series at each spacing.
+std::string markdown(const Chart& chart);
+/// Markdown: cheapest run of each series within some accuracies; empty where errors or costs do not allow it.
+std::string markdown_of_prices(const Chart& chart);
+/// JSON with all points.
 std::string chart_json(const Chart& chart);
 
-/// "error of period, % of the reference"; what the errors are.
+/// "error of period, % of the reference": the quantity on the error axis.
 std::string error_label(const Chart& chart);
-/// What holds for the whole chart: what was fixed, the reference, the machine.
+/// Notes for the whole chart: fixed settings, reference, machine.
 std::vector<std::string> footnotes(const Chart& chart);
 
 }  // namespace taut::cli

@@ -64,14 +64,14 @@ std::string evidence(const Chart& chart, const std::vector<Offer>& all) {
   for (const ChartPoint& point : all.front().series->points)
     own.push_back(choice_row(chart, *all.front().series, point));
   for (const Offer& offer : all) others.push_back(choice_row(chart, *offer.series, *offer.point));
-  std::string text = "\nAll its runs:\n" + in_columns(own);
+  std::string text = "\nAll runs of this method:\n" + in_columns(own);
   if (all.size() > 1)
-    text += "\nThe cheapest run of each method that grants the wish:\n" + in_columns(others);
+    text += "\nThe cheapest run of each method that is accurate enough:\n" + in_columns(others);
   return text + sources(chart);
 }
 
 std::string nothing_stable(std::optional<double> seconds) {
-  return "No stable run with a measured error is there" + std::string(seconds ? " in that time" : "") + ".\n";
+  return "There is no stable run with a measured error" + std::string(seconds ? " in this time" : "") + ".\n";
 }
 
 /// The stable run in time with the least error.
@@ -86,10 +86,10 @@ std::string nearest_run(const Chart& chart, const Wish& wish) {
         nearest = &point;
       }
   if (!nearest) return nothing_stable(wish.seconds);
-  std::string text = "The least error of a stable run";
-  if (wish.seconds) text += " in that time";
+  std::string text = "The smallest error of a stable run";
+  if (wish.seconds) text += " in this time";
   text += ": " + settings_of(*series, *nearest) + ", " + result_of(chart, *nearest) + ".\n";
-  if (*nearest->error <= wish.error) text += "Finer runs of the same method contradict it.\n";
+  if (*nearest->error <= wish.error) text += "Finer runs of the same method do not confirm this error.\n";
   return text;
 }
 
@@ -126,19 +126,19 @@ std::string advice(const Chart& chart, const Wish& wish) {
   const std::vector<Offer> all = grants(chart, wish);
   std::string text = wish_line(chart, wish) + ":\n\n";
   if (all.empty())
-    return text + "The results do not reach that far. " + nearest_run(chart, wish) +
-           "Sweep finer spacings or other methods for an answer.\n";
+    return text + "No run is accurate enough. " + nearest_run(chart, wish) +
+           "Sweep finer spacings or other methods.\n";
   const Offer& best = all.front();
   text += "  take  " + settings_of(*best.series, *best.point) + ": " + result_of(chart, *best.point) + "\n";
   text += "  run   " + best.point->folder + "\n";
-  text += best.finer == 0 ? "\nNo finer run confirms it: its error may be small by luck.\n"
-                          : "\nFiner runs that confirm it: " + std::to_string(best.finer) + ".\n";
+  text += best.finer == 0 ? "\nNo finer run confirms this error; it may be small by chance.\n"
+                          : "\nFiner runs that confirm this error: " + std::to_string(best.finer) + ".\n";
   return text + evidence(chart, all);
 }
 
 std::string price_list(const Chart& chart, std::optional<double> seconds) {
   const std::vector<Offer> all = front(chart, seconds);
-  std::string text = chart.scene + ", what an error of " + chart.measure + " costs" +
+  std::string text = chart.scene + ", cost of an error of " + chart.measure +
                      (seconds ? ", within " + brief(*seconds) + " s" : "") + ":\n\n";
   if (all.empty()) return text + nothing_stable(seconds);
   std::vector<std::vector<std::string>> rows{
@@ -147,8 +147,8 @@ std::string price_list(const Chart& chart, std::optional<double> seconds) {
     rows.push_back({shown_error(chart, offer.error), brief(offer.point->cost), offer.series->name,
                     brief(offer.point->spacing), offer.point->cfl, std::to_string(offer.finer)});
   return text + in_columns(rows) +
-         "\nEach is the cheapest stable run whose error, and that of every finer run of its method, is so "
-         "small.\n" +
+         "\nEach row is the cheapest stable run with this error. All finer runs of its method have at most "
+         "this error.\n" +
          sources(chart);
 }
 

@@ -28,7 +28,7 @@ class CsvReader {
       cells.push_back(cell());
     }
     if (!at_end() && text_[at_] == '\r') ++at_;
-    if (!at_end() && text_[at_] != '\n') fail("a quote ends inside a cell");
+    if (!at_end() && text_[at_] != '\n') fail("text follows the closing quote of a cell");
     ++at_;
     ++line_;
     return cells;
@@ -88,7 +88,7 @@ CsvTable read_csv(const std::filesystem::path& path) {
   const std::uintmax_t size = std::filesystem::file_size(path, error);  // of a pipe there is none
   if (!error && size > most_mebibytes << 20)
     throw UsageError("'" + path.string() + "' has " + std::to_string(size >> 20) + " MiB; at most " +
-                     std::to_string(most_mebibytes) + " MiB are read");
+                     std::to_string(most_mebibytes) + " MiB are allowed");
   const auto text = read_whole(path);
   if (!text) throw UsageError("'" + path.string() + "' cannot be read");
   return parse_csv(*text, path.string());

@@ -45,7 +45,7 @@ std::string plot_file(const fs::path& file) {
 PlotFiles plot_files(const std::string& picture) {
   const std::string extension = fs::path(picture).extension().string();
   if (extension != ".png" && extension != ".svg")
-    throw UsageError("the picture '" + picture + "' ends neither in .png nor in .svg");
+    throw UsageError("the picture is '" + picture + "'; it must end in .png or .svg");
   return {picture};
 }
 

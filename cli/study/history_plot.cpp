@@ -40,7 +40,7 @@ std::vector<std::vector<double>> rows_of(const CsvTable& table, const std::vecto
   };
   for (std::size_t k = 1; k < columns.size(); ++k)
     if (std::ranges::none_of(rows, [&](const auto& row) { return drawn(row, k); }))
-      throw UsageError("there is no row with a number of both '" + columns[0].name + "' and '" +
+      throw UsageError("no row has numbers in both columns '" + columns[0].name + "' and '" +
                        columns[k].name + "'");
   return rows;
 }

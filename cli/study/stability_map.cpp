@@ -5,6 +5,7 @@
 #include <set>
 
 #include "cli/text/format.hpp"
+#include "cli/text/markdown.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
 
@@ -35,13 +36,13 @@ std::string chosen_parameter(const std::vector<StoredRun>& runs, const std::stri
   const auto [swept, all] = names_of(runs);
   if (!wanted.empty()) {
     if (std::ranges::find(all, wanted) == all.end())
-      throw UsageError(all.empty() ? "nothing but the method was swept, so '" + wanted + "' cannot be mapped"
+      throw UsageError(all.empty() ? "only the method was swept, so '" + wanted + "' cannot be mapped"
                                    : unknown_name("swept parameter", wanted, all));
     return wanted;
   }
   if (swept.size() == 1) return swept.front();
   if (swept.empty() && all.size() == 1) return all.front();
-  if (swept.empty()) throw UsageError("nothing but the method was swept: there is no parameter to map");
+  if (swept.empty()) throw UsageError("only the method was swept: there is no parameter to map");
   throw UsageError("several parameters were swept (" + join(swept) + "); name one with --parameter");
 }
 
@@ -64,6 +65,21 @@ MapCell cell_of(const StoredRun& run) {
   if (run.has_result()) cell.verdict = run.text("verdict");
   if (!cell.verdict.empty()) cell.since = run.number("since." + cell.verdict);
   return cell;
+}
+
+/// Heads, then a row for each method: "hourglass 0.0031 s".
+std::vector<std::vector<std::string>> rows_of(const StabilityMap& map) {
+  std::vector<std::vector<std::string>> rows{{map.label}};
+  rows[0].insert(rows[0].end(), map.values.begin(), map.values.end());
+  for (std::size_t r = 0; r < map.rows.size(); ++r) {
+    rows.push_back({map.rows[r]});
+    for (const auto& cell : map.cells[r]) {
+      const std::string word = !cell ? "-" : cell->verdict.empty() ? cell->status : cell->verdict;
+      rows.back().push_back(word);
+      if (cell && cell->since) rows.back().back().append(" ").append(brief(*cell->since)).append(" s");
+    }
+  }
+  return rows;
 }
 
 }  // namespace
@@ -89,18 +105,13 @@ StabilityMap make_map(const StoredResults& results, const MapRequest& request) {
   return map;
 }
 
-std::string map_table(const StabilityMap& map) {
-  std::vector<std::vector<std::string>> rows{{map.label}};
-  rows[0].insert(rows[0].end(), map.values.begin(), map.values.end());
-  for (std::size_t r = 0; r < map.rows.size(); ++r) {
-    rows.push_back({map.rows[r]});
-    for (const auto& cell : map.cells[r]) {
-      const std::string word = !cell ? "-" : cell->verdict.empty() ? cell->status : cell->verdict;
-      rows.back().push_back(word);
-      if (cell && cell->since) rows.back().back().append(" ").append(brief(*cell->since)).append(" s");
-    }
-  }
-  return in_columns(rows);
+std::string map_table(const StabilityMap& map) { return in_columns(rows_of(map)); }
+
+std::string markdown(const StabilityMap& map) {
+  std::vector<std::vector<std::string>> rows = rows_of(map);
+  for (std::vector<std::string>& row : rows)
+    if (&row != &rows.front()) row.front() = "`" + row.front() + "`";
+  return "**" + map.title + "**: verdict, and the time at which it first held\n\n" + markdown_table(rows);
 }
 
 }  // namespace taut::cli

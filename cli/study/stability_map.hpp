@@ -8,12 +8,12 @@
 
 namespace taut::cli {
 
-/// What of the results a map shows.
+/// Choice of the swept parameter of a map.
 struct MapRequest {
   std::string parameter;  // empty: the one that was swept beside the method
 };
 
-/// How one run ended.
+/// End of one run.
 struct MapCell {
   std::string verdict;          // empty: it has none, see status
   std::string status;           // "finished", "error", "to do", ...
@@ -33,7 +33,9 @@ struct StabilityMap {
 /// none is named.
 StabilityMap make_map(const StoredResults& results, const MapRequest& request);
 
-/// For people: a line for each method.
+/// For a terminal: a line for each method.
 std::string map_table(const StabilityMap& map);
+/// The same as Markdown.
+std::string markdown(const StabilityMap& map);
 
 }  // namespace taut::cli

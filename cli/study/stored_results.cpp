@@ -29,7 +29,7 @@ fs::path results_file(const std::string& given) {
   std::error_code error;
   if (!fs::is_directory(given, error)) return given;
   if (fs::is_regular_file(fs::path(given) / "results.csv", error)) return fs::path(given) / "results.csv";
-  throw UsageError("'" + given + "' holds no results.csv; `taut sweep` leaves one in its folder");
+  throw UsageError("'" + given + "' contains no results.csv; name the folder of a sweep");
 }
 
 void check_columns(const fs::path& file, const CsvTable& table) {
@@ -41,7 +41,7 @@ void check_columns(const fs::path& file, const CsvTable& table) {
   if (missing.empty()) return;
   if (std::ranges::find(table.columns, "status") != table.columns.end() &&
       missing.size() + 1 == needed.size())
-    throw UsageError("no run in '" + file.string() + "' has a result yet; `taut sweep` goes on with it");
+    throw UsageError("no run in '" + file.string() + "' has a result yet; `taut sweep` continues it");
   throw UsageError("'" + file.string() + "' is not the results.csv of a sweep: it has no column " +
                    join(missing));
 }
@@ -84,7 +84,7 @@ void add_scene(StoredResults& results, const StoredRun& run) {
   if (results.scene.empty()) results.scene = scene;
   if (scene != results.scene)
     throw UsageError("the results are of different scenes: '" + results.runs.front().file + "' of " +
-                     results.scene + ", '" + run.file + "' of " + scene);
+                     results.scene + ", '" + run.file + "' of " + scene + "; name results of one scene");
 }
 
 std::string without_prefix(const std::string& column) {
@@ -180,7 +180,7 @@ StoredRun read_stored_run(const std::string& path) {
   const auto text = read_whole(file);
   // such as the results.csv beside the runs of a sweep
   const bool is_other = text && file.filename() != "run.json" && !text->starts_with('{');
-  if (!text || is_other) throw UsageError("'" + path + "' is not the folder of a run, nor its run.json");
+  if (!text || is_other) throw UsageError("'" + path + "' is neither a run folder nor a run.json");
   const auto json = parse_run_json(*text, file.string(), names_of_verdicts());
   StoredRun run{.file = file.string(), .cells = {{"folder", "."}}};
   const auto leaves = json.flatten();

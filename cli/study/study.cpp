@@ -8,6 +8,8 @@
 #include "cli/study/chart_tables.hpp"
 #include "cli/study/curve_style.hpp"
 #include "cli/study/map_drawing.hpp"
+#include "cli/study/study_tables.hpp"
+#include "cli/system/atomic_file.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
@@ -53,7 +55,7 @@ void check_name(const std::filesystem::path& file, std::string_view kind, const 
                    unknown_name(kind, name, {known.begin(), known.end()}));
 }
 
-/// A map has one parameter, which must be told where several are swept, and rows of methods.
+/// A map has one parameter, which must be named where several are swept, and rows of methods.
 void check_map(const StudyPictures::Mapped& map, const std::filesystem::path& file, Shown shown) {
   const std::string& wanted = map.request.parameter;
   for (auto* names : {&shown.swept, &shown.varied}) std::erase(*names, "method");
@@ -62,12 +64,12 @@ void check_map(const StudyPictures::Mapped& map, const std::filesystem::path& fi
   const std::vector<std::string>& all = shown.varied.empty() ? shown.swept : shown.varied;
   if (all.size() != 1)
     throw SceneError(file.string(), map.place.line, map.place.column, "map",
-                     all.empty() ? "nothing but the method is swept: there is no parameter to map"
+                     all.empty() ? "only the method is swept: there is no parameter to map"
                                  : "several parameters are swept (" + join(all) +
                                        "); name one of them, such as parameter = \"" + all.front() + "\"");
 }
 
-/// Some run has an error of what is charted.
+/// Checks that some run has an error of the charted measure.
 void check_chart(const StudyPictures::Charted& chart, const std::filesystem::path& file, const Shown& shown) {
   const auto& [request, place] = chart;
   const auto fail = [&](const std::string& why) {
@@ -77,15 +79,14 @@ void check_chart(const StudyPictures::Charted& chart, const std::filesystem::pat
   check_name(file, "measure of the scene", request.measure, place, shown.measures);
   if (!request.against.empty() && shown.differences.contains(request.measure))
     fail("'" + request.measure +
-         "' is itself an error, from a reference of the scene: chart it without `against`");
+         "' is itself a difference from a reference of the scene; chart it without `against`");
   if (!request.against.empty()) return;
-  const std::string way_out = "; against = METHOD charts against the finest run of a method";
-  if (request.measure.empty() && shown.referenced.empty())
-    fail("no [[reference]] has something for a measure with these parameters, so that no run has an error" +
-         way_out);
+  const std::string way_out =
+      " with these parameters, so no run has an error; against = METHOD compares with the finest run of a "
+      "method";
+  if (request.measure.empty() && shown.referenced.empty()) fail("no measure has a reference" + way_out);
   if (!request.measure.empty() && !shown.referenced.contains(request.measure))
-    fail("no [[reference]] has something for '" + request.measure +
-         "' with these parameters, so that no run has an error" + way_out);
+    fail("'" + request.measure + "' has no reference" + way_out);
 }
 
 void print_files(const char* kind, const PlotFiles& files, const std::string& remark, Streams streams) {
@@ -145,6 +146,11 @@ int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& fo
     std::erase_if(ended.runs, [](const StoredRun& run) { return !run.has_result(); });
     code = draw_history(ended, pictures.history, HistoryPlot{}.x, {folder / "history.png"}, streams);
   }
+  if (code == exit_fine && (!pictures.charts.empty() || pictures.map || !pictures.history.empty())) {
+    const std::filesystem::path tables = folder / "tables.md";
+    write_atomically(tables, study_tables(pictures, results));
+    streams.out << "\ntables  " << tables.string() << '\n';
+  }
   return code;
 }
 
@@ -153,8 +159,8 @@ Chart read_chart(const std::vector<std::string>& results, const ChartRequest& re
   if (chart.without_result > 0)
     err << "taut: " << chart.without_result << " runs have no result and are not on the chart\n";
   if (chart.cost == Cost::seconds && chart.machines.size() > 1)
-    err << "taut: the runs are of several machines or numbers of threads, so their seconds do not compare; "
-           "--cost steps does\n";
+    err << "taut: the runs come from several machines or numbers of threads, so their seconds are not "
+           "comparable; use --cost steps\n";
   return chart;
 }
 
@@ -171,8 +177,8 @@ int draw_history(const StoredResults& results, const std::vector<HistoryColumn>&
                  const HistoryColumn& x, const PlotFiles& files, Streams streams) {
   const HistoryPlot plot = make_history_plot(results, columns, x);
   if (plot.curves.size() > most_told_apart)
-    streams.err << "taut: no eye tells the " << plot.curves.size() << " lines of " << files.picture.string()
-                << " apart, only " << most_told_apart << "; the numbers of each are in "
+    streams.err << "taut: " << files.picture.string() << " has " << plot.curves.size() << " lines; only "
+                << most_told_apart << " can be told apart; their numbers are in "
                 << files.data().filename().string() << '\n';
   const int code = draw_plot(files, history_script(plot, files), history_data(plot));
   print_files("history", files, "", streams);

@@ -42,7 +42,8 @@ void draw_charts(const StoredResults& results) {
         const Chart chart = make_chart(results, {.measure = "", .cost = find_cost(name), .against = against});
         chart_data(chart);
         orders_table(chart);
-        markdown_table(chart);
+        markdown(chart);
+        markdown_of_prices(chart);
         chart_json(chart);
         for (const double error : {1e-3, 0.1}) advice(chart, {.error = error, .seconds = 1});
         price_list(chart, std::nullopt);

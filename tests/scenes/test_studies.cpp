@@ -1,8 +1,10 @@
 #include <cstdlib>
+#include <fstream>
 #include <sys/wait.h>
 
 #include <doctest/doctest.h>
 
+#include "cli/text/format.hpp"
 #include "tests/support/program_runner.hpp"
 
 namespace of_this_file {
@@ -75,6 +77,59 @@ TEST_SUITE("cli") {
     CHECK(study(folder, "paper-figures.sh khayyer-12 corner 0.2").code == 0);
     CHECK(contains(lines_of(folder / "corner/tic/history.csv").front(), ",corner_x,corner_y,"));
     CHECK(study(folder, "paper-figures.sh zhang-99 none").code == 2);
+  }
+
+  TEST_CASE("the tables of a study are made from its stored results by one command") {
+    const TemporaryFolder folder;
+    const auto write_study = [&](const std::string& name, const std::string& more) {
+      std::ofstream(folder / (name + ".toml")) << "title = \"Small\"\nscene = \"colliding-rings\"\n" + more;
+    };
+    write_study("small-accuracy",
+                "[grid]\nspacing = [0.005, 0.0025]\nmethod = [\"oenog\", \"og\"]\n"
+                "[chart]\nmeasure = [\"diameter_rmse\", \"rebound_ratio\"]\n");
+    write_study(
+        "small-map",
+        "set = { spacing = 0.005 }\n[grid]\nv0 = [0.02, 0.06]\nmethod = [\"oenog\", \"og\"]\n[map]\n");
+    write_study("small-history",
+                "set = { spacing = 0.005 }\n[grid]\nmethod = [\"oenog\", \"og\"]\n"
+                "[history]\ntotal_energy = \"energy, J\"\n");
+    const auto tables_of = [&](const std::string& name) {
+      const Outcome outcome = study(folder, "update-results.sh --to made " + name + ".toml");
+      CAPTURE(outcome.err);
+      CHECK(outcome.code == 0);
+      return text_of(folder / ("made/" + name + ".md"));
+    };
+    const std::string accuracy = tables_of("small-accuracy");
+    const auto chart = json_of(folder / "out/small-accuracy/results.json");
+    CHECK(accuracy.starts_with("# Small\n"));
+    CHECK(contains(accuracy, "| method | 5 mm | 2.5 mm | order | finest, s |"));
+    CHECK(contains(accuracy, "error of rebound_ratio, % of the reference"));
+    CHECK(contains(accuracy, "| method | within 5 % | within 1 % | within 0.5 % |"));
+    for (const auto& run : chart["runs"])  // each error of the table is the error in results.json
+      if (run["set"]["method"] == "oenog")
+        CHECK(contains(accuracy, " " + percent(run["measures"]["rebound_ratio"]["error"]) + " "));
+    const std::string map = tables_of("small-map");
+    CHECK(contains(map, "| v0, c0 | 0.02 | 0.06 |"));
+    CHECK(contains(map, "| `oenog` | stable | stable |"));
+    const std::string history = tables_of("small-history");
+    CHECK(contains(history, "| run | verdict | touch_time |"));
+    CHECK(tables_of("small-history") == history);  // the same results give the same bytes
+  }
+
+  TEST_CASE("every study with a picture has its generated tables") {
+    const fs::path studies = fs::path(TAUT_SOURCE_DIR) / "scenes/studies";
+    int tables = 0;
+    for (const auto& entry : fs::directory_iterator(studies)) {
+      const std::string text = entry.path().extension() == ".toml" ? text_of(entry.path()) : "";
+      if (!contains(text, "\n[chart]") && !contains(text, "\n[map]") && !contains(text, "\n[history]"))
+        continue;
+      const std::string page = text_of(studies / "results" / (entry.path().stem().string() + ".md"));
+      CAPTURE(entry.path().string());
+      CHECK(contains(page, "Made by `taut sweep` from the stored results"));
+      CHECK(contains(page, "\n| --- |"));
+      ++tables;
+    }
+    CHECK(tables == 12);
   }
 
   TEST_CASE("the study of a snapshot test makes a baseline, then passes, then finds what has changed") {

@@ -59,7 +59,7 @@ TEST_SUITE("cli") {
         call({"chart", folder.str("out"), "--against", "enog", "--methods", "enog", "--markdown"});
     CHECK(outcome.code == 2);
     CAPTURE(outcome.err);
-    CHECK(contains(outcome.err, "no run is left to be compared with enog"));
+    CHECK(contains(outcome.err, "no run is left to compare with enog"));
   }
 
   TEST_CASE("orders are slopes of log error over log spacing, by least squares") {
@@ -212,7 +212,7 @@ TEST_SUITE("cli") {
       rows += "finished,m" + std::to_string(k) + ",m" + std::to_string(k) + ",0.4,10,stable,,0.3,2,4,\n";
     const Outcome outcome = call({"chart", write_results(folder / "a", rows), "--out", folder.str("a.png")});
     CHECK(outcome.code == 2);
-    CHECK(contains(outcome.err, "a chart of 25 lines"));
+    CHECK(contains(outcome.err, "the chart would have 25 lines"));
   }
 
   TEST_CASE("error goes up and cost to the right, and what was not stable is open with a cross beside it") {
@@ -270,7 +270,7 @@ TEST_SUITE("cli") {
     const Outcome without = call({"chart", file, "--out", folder.str("a.png")});
     CHECK(without.code == 2);
     CHECK(contains(without.err,
-                   "; `taut chart --against METHOD` charts against the finest run of one: oenog, tl"));
+                   "; `taut chart --against METHOD` compares with the finest run of a method: oenog, tl"));
     const auto chart = chart_of(file, {.measure = "", .against = "oenog"});
     CHECK(chart.against == "oenog at 0.5 mm");
     REQUIRE(chart.series.size() == 2);
@@ -278,7 +278,8 @@ TEST_SUITE("cli") {
     CHECK(*chart.series[0].points[0].error == Approx(0.1));
     CHECK(*chart.series[1].points[0].error == Approx(0.3));
     REQUIRE(call({"chart", file, "--against", "oenog", "--out", folder.str("a.svg")}).code == 0);
-    CHECK(contains(text_of(folder / "a.gp"), "Against oenog at 0.5 mm: no independent reference"));
+    CHECK(contains(text_of(folder / "a.gp"),
+                   "Compared with oenog at 0.5 mm, which is not an independent reference"));
     CHECK(contains(text_of(folder / "a.gp"), "bend, difference from oenog at 0.5 mm, %"));
   }
 
@@ -329,7 +330,7 @@ TEST_SUITE("cli") {
     CHECK(outcome.code == 0);
     CHECK(contains(outcome.out, "- (no reference)"));
     CHECK(contains(text_of(folder / "c.gp"),
-                   "Without an error, in part or at all: og (no reference), enog (diverged)"));
+                   "Some or all runs have no error: og (no reference), enog (diverged)"));
   }
 
   TEST_CASE("errors are not compared with errors") {
@@ -346,7 +347,7 @@ TEST_SUITE("cli") {
     CHECK(chart_of(folder.str("results.csv"), {.measure = "peak", .against = "og"}).measure == "peak");
     CHECK(chart_of(folder.str("results.csv"), {.measure = "", .against = "og"}).measure == "peak");
     CHECK_THROWS_WITH_AS(chart_of(folder.str("results.csv"), {.measure = "rmse", .against = "og"}),
-                         doctest::Contains("is itself an error"), taut::UsageError);
+                         doctest::Contains("is already an error"), taut::UsageError);
   }
 
   TEST_CASE("tables of a chart stand on stdout alone") {
@@ -418,14 +419,14 @@ TEST_SUITE("cli") {
         {{good, "--methods", "tl,oog", "--out", out},
          "unknown method in the results 'oog' (did you mean 'og'?)"},
         {{good, "--against", "tll", "--out", out}, "did you mean 'tl'"},
-        {{good, "--out", folder.str("chart.jpg")}, "neither in .png nor in .svg"},
+        {{good, "--out", folder.str("chart.jpg")}, "must end in .png or .svg"},
         {{bare, "--out", out}, "no measure in the results of rod has an error"},
         {{waiting, "--out", out}, "has a result"},
         {{folder.str("foreign.csv"), "--out", out}, "it has no column status, scene"},
         {{folder.str("torn.csv"), "--out", out}, "torn.csv:2: 1 cells under 2 columns"},
         {{folder.str("open.csv"), "--out", out}, "a quote is not closed"},
         {{folder.str("none.csv"), "--out", out}, "cannot be read"},
-        {{folder.str("empty"), "--out", out}, "holds no results.csv"},
+        {{folder.str("empty"), "--out", out}, "contains no results.csv"},
     };
     for (const auto& [arguments, message] : wrong) {
       Texts words{"chart"};

@@ -63,16 +63,17 @@ TEST_SUITE("cli") {
     CAPTURE(found.err);
     CHECK(found.code == 0);
     CHECK(contains(found.out, "take  icb at a spacing of 0.4 m: error 0.8 %, 30 s\n"));
-    CHECK(contains(found.out, "Finer runs that confirm it: 1."));
+    CHECK(contains(found.out, "Finer runs that confirm this error: 1."));
     CHECK(contains(found.out, "  tl      0.1"));
     CHECK(contains(choose({"0.01", "--seconds", "40"}).out, "take  icb at a spacing of 0.4"));
-    CHECK(contains(choose({"2"}).err, "--error 2 allows 200 %; 2% would be 2 %"));
+    CHECK(contains(choose({"2"}).err, "--error 2 allows an error of 200 %; write 2% for 2 %"));
     CHECK(choose({"0.5"}).err.empty());
     const Outcome far = choose({"0.1%"});
     CHECK(far.code == 1);
-    CHECK(contains(far.out, "do not reach that far"));
+    CHECK(contains(far.out, "No run is accurate enough"));
     CHECK(contains(far.out, "icb at a spacing of 0.2 m"));
-    CHECK(contains(choose({"1%", "--seconds", "5"}).out, "Finer runs of the same method contradict it"));
+    CHECK(contains(choose({"1%", "--seconds", "5"}).out,
+                   "Finer runs of the same method do not confirm this error"));
   }
 
   TEST_CASE("without an error choose says what each costs, and a wish for one of them gets that run") {
@@ -98,7 +99,7 @@ TEST_SUITE("cli") {
     CHECK(contains(outcome.out, "  5 %          1   tl      0.4              2\n"));
     const Outcome none = call({"choose", "colliding-rings", "--from", file, "--seconds", "0.5"});
     CHECK(none.code == 1);
-    CHECK(contains(none.out, "No stable run with a measured error is there in that time."));
+    CHECK(contains(none.out, "There is no stable run with a measured error in this time."));
   }
 
   TEST_CASE("choose leaves away runs of other parameters than the scene has, or --set") {
@@ -110,23 +111,23 @@ TEST_SUITE("cli") {
     const Outcome own = call({"choose", "colliding-rings", "--error", "1%", "--from", file});
     CHECK(own.code == 0);
     CHECK(contains(own.out, "icb at a spacing of 0.2 m"));
-    CHECK(contains(own.err, "only runs with v0 = 0.06 count; --set names other values"));
+    CHECK(contains(own.err, "only runs with v0 = 0.06 are used; choose other values with --set"));
     const Outcome slow =
         call({"choose", "colliding-rings", "--set", "v0=0.02", "--error", "1%", "--from", file});
     CHECK(contains(slow.out, "tl at a spacing of 0.2 m"));
     const Outcome none =
         call({"choose", "colliding-rings", "--set", "v0=0.1", "--error", "1%", "--from", file});
     CHECK(none.code == 2);
-    CHECK(contains(none.err, "has v0 = 0.1, as the scene"));
+    CHECK(contains(none.err, "has the values of the scene, v0 = 0.1"));
   }
 
   TEST_CASE("choose refuses what is no error, no result or of another scene") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", runs, "colliding-rings");
     const std::map<Texts, std::string> wrong{
-        {{"colliding-rings", "--error", "small", "--from", file}, "neither like 1% nor like 0.01"},
-        {{"colliding-rings", "--error", "-1%", "--from", file}, "nor like 0.01, and more than 0"},
-        {{"ball-plate", "--error", "1%", "--from", file}, "the results are of colliding-rings"},
+        {{"colliding-rings", "--error", "small", "--from", file}, "it must be a number above 0"},
+        {{"colliding-rings", "--error", "-1%", "--from", file}, "it must be a number above 0"},
+        {{"ball-plate", "--error", "1%", "--from", file}, "the results are of scene colliding-rings"},
         {{"bal-plate", "--error", "1%", "--from", file}, "did you mean 'ball-plate'"},
         {{"colliding-rings", "--error", "1%", "--measure", "bent", "--from", file}, "did you mean 'bend'"},
     };

@@ -67,12 +67,12 @@ TEST_SUITE("cli") {
               "key 'measures.period.value' is true; it must be a number"},
              {with("{\"period\": {", "{\"period\": 3, \"p\": {"),
               "key 'measures.period' is 3; it must be an object"},
-             {with("\"until\": 1", "\"until\": 1, \"until\": 2"), "key 'until' stands there twice"},
-             {with("\"until\": 1", "\"until\": 1e99999"), "is no JSON: "},
-             {with("\"until\": 1", "\"until\": " + deep(70)), "is nested more than 64 deep"},
-             {record.substr(0, 100), "is no JSON: "},
-             {"{\"taut\": \"\xff\xfe\"}", "is no JSON: "},
-             {"", "is no JSON: "},
+             {with("\"until\": 1", "\"until\": 1, \"until\": 2"), "has the key 'until' twice"},
+             {with("\"until\": 1", "\"until\": 1e99999"), "is not JSON: "},
+             {with("\"until\": 1", "\"until\": " + deep(70)), "is nested more than 64 levels deep"},
+             {record.substr(0, 100), "is not JSON: "},
+             {"{\"taut\": \"\xff\xfe\"}", "is not JSON: "},
+             {"", "is not JSON: "},
              {"{}", "is not the run.json of a run of taut"},
              {"[]", "is not the run.json of a run of taut"},
          }) {
@@ -104,7 +104,7 @@ TEST_SUITE("cli") {
   TEST_CASE("a run.json that is nested without end is refused") {
     const TemporaryFolder folder;
     write(folder / "run.json", with("\"until\": 1", "\"until\": " + deep(100000)));
-    CHECK(contains(error_of([&] { read_stored_run(folder.str("run.json")); }), "64 deep"));
+    CHECK(contains(error_of([&] { read_stored_run(folder.str("run.json")); }), "64 levels deep"));
   }
 
   TEST_CASE("a results.json of other types is refused with the file and the key") {
@@ -123,8 +123,8 @@ TEST_SUITE("cli") {
           {R"({"swept": [{"unit": {}}]})", "key 'swept.0.unit' is {}; it must be a text"},
           {R"({"fixed": [1]})", "key 'fixed' is [1]; it must be an object"},
           {R"({"fixed": {"until": []}})", "key 'fixed.until' is []; it must be a number or a text"},
-          {R"({"title": "a)", "is no JSON: "},
-          {R"(3)", "holds 3; it must be an object"}}) {
+          {R"({"title": "a)", "is not JSON: "},
+          {R"(3)", "contains 3; it must be an object"}}) {
       const auto& text_now = text;  // clang captures no bindings
       CAPTURE(text_now);
       write(file, text);
@@ -172,7 +172,8 @@ TEST_SUITE("cli") {
     const TemporaryFolder folder;
     write(folder / "a.csv", "");
     fs::resize_file(folder / "a.csv", std::uintmax_t{300} << 20);  // holds nothing and takes no room
-    CHECK(contains(error_of([&] { read_csv(folder / "a.csv"); }), "has 300 MiB; at most 256 MiB are read"));
+    CHECK(
+        contains(error_of([&] { read_csv(folder / "a.csv"); }), "has 300 MiB; at most 256 MiB are allowed"));
     std::string wide = "t";
     for (int k = 0; k < 10000; ++k) wide += ",c";
     CHECK(contains(error_of([&] { parse_csv(wide + "\n", "a.csv"); }), "a.csv:1: more than 10000 columns"));
@@ -203,7 +204,7 @@ TEST_SUITE("cli") {
     StoredResults results;
     results.runs.push_back(read_stored_run(folder.str("run.json")));
     const auto plot = [&] { make_history_plot(results, {{"energy", "energy"}}, {"t", "t"}); };
-    CHECK(contains(error_of(plot), "history.csv: there is no row with a number of both 't' and 'energy'"));
+    CHECK(contains(error_of(plot), "history.csv: no row has numbers in both columns 't' and 'energy'"));
     write(folder / "history.csv", "t,energy\n0,inf\n1,3\n");
     CHECK_NOTHROW(plot());
   }
