@@ -38,7 +38,7 @@ constexpr double darker = 0.6;  // of the second round
 constexpr Colormap maps[] = {
     {"viridis", "perceptually uniform, blue to yellow", false, viridis},
     {"plasma", "perceptually uniform, blue over red to yellow", false, plasma},
-    {"cividis", "perceptually uniform, looks alike with colour-blind eyes", false, cividis},
+    {"cividis", "perceptually uniform, suited to colour-blind readers", false, cividis},
     {"coolwarm", "diverging, blue over gray to red, for signed fields", true, coolwarm},
     {"rainbow", "blue over green to red, as in the papers; not perceptually uniform", false, rainbow},
     {"gray", "dark to light gray, for print", false, gray},

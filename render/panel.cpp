@@ -105,7 +105,7 @@ Grid fitted_grid(const PanelOptions& options) {
   if (grid.cell_width < least_size || grid.cell_height < least_size)
     throw UsageError("a panel of " + std::to_string(size.width) + "x" + std::to_string(size.height) +
                      " pixels is too small for " + std::to_string(grid.columns) + " x " +
-                     std::to_string(grid.rows) + " pictures; take a larger --size");
+                     std::to_string(grid.rows) + " pictures; use a larger --size");
   return grid;
 }
 
@@ -117,7 +117,7 @@ Image empty_image(const PanelOptions& options, const Grid& grid) {
   if (static_cast<double>(width) * height > most_pixels)
     throw UsageError("a panel of " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) +
                      " pictures would have " + std::to_string(width) + " x " + std::to_string(height) +
-                     " pixels; at most 67 million are drawn, as 8192 x 8192: take fewer runs or times");
+                     " pixels; at most 67 million are allowed, such as 8192 x 8192: use fewer runs or times");
   return {width, height};
 }
 

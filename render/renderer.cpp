@@ -24,7 +24,7 @@ namespace {
 void check_size(const Size& size) {
   const auto in_bounds = [](int side) { return side >= least_size && side <= greatest_size; };
   if (!in_bounds(size.width) || !in_bounds(size.height)) {
-    throw UsageError(fmt::format("size {}x{} is out of bounds; width and height are from {} to {}",
+    throw UsageError(fmt::format("size {}x{} is out of bounds; width and height must be from {} to {}",
                                  size.width, size.height, least_size, greatest_size));
   }
 }
@@ -46,14 +46,14 @@ void check_camera(const Camera& camera) {
   }
   if (!(camera.field_of_view >= 0 && camera.field_of_view <= greatest_field_of_view))
     throw UsageError(
-        fmt::format("the field of view {:g} is out of bounds; it is from 0 (parallel) to {} degrees",
+        fmt::format("the field of view {:g} is out of bounds; it must be from 0 (parallel) to {} degrees",
                     camera.field_of_view, greatest_field_of_view));
 }
 
 void check_glyph(double glyph) {
   if (!(glyph >= least_glyph && glyph <= greatest_glyph))
-    throw UsageError(fmt::format("the glyph size {:g} is out of bounds; it is from {} to {} diameters", glyph,
-                                 least_glyph, greatest_glyph));
+    throw UsageError(fmt::format("the glyph size {:g} is out of bounds; it must be from {} to {} diameters",
+                                 glyph, least_glyph, greatest_glyph));
 }
 
 void check_range(const Range& range) {
@@ -66,13 +66,14 @@ void check_range(const Range& range) {
 Look checked(const Look& look) {
   const bool counts = !look.categories.empty();
   if (!look.size || !look.view || (!look.range && !counts))
-    throw std::logic_error("something is to be drawn before its size, view and range are chosen");
+    throw std::logic_error("size, view and range must be set before drawing");
   check_size(*look.size);
   check_view(*look.view);
   check_glyph(look.glyph);
   if (!counts) check_range(*look.range);
   if (look.camera) check_camera(*look.camera);
-  if (!counts && !look.colormap) throw UsageError("no colour map is given; `taut list colormaps` names them");
+  if (!counts && !look.colormap)
+    throw UsageError("no colour map is given; choose one from `taut list colormaps`");
   return look;
 }
 
@@ -137,7 +138,7 @@ Renderer::Parts::Parts(const Look& look, double until)
 void Renderer::Parts::check(const FrameView& frame) const {
   const std::size_t dim = projection ? 3 : 2, n = frame.value.size();
   if (static_cast<std::size_t>(frame.dim) != dim)
-    throw std::logic_error("a scene in 3D is to be drawn without a camera, or one in 2D with one");
+    throw std::logic_error("a scene in 3D needs a camera; a scene in 2D cannot have one");
   if (frame.x.size() != dim * n || frame.diameter.size() != n ||
       (!frame.cell.empty() && frame.cell.size() != dim * dim * n)) {
     throw std::logic_error("the arrays of a frame do not have the same number of particles");

@@ -114,7 +114,7 @@ void add_options(Completion& completion, const CLI::App& app, const CommandLine&
 
 Completion complete_command(const Command& command, const Words& words) {
   CLI::App app;
-  app.set_help_flag("--help,-h", "options and examples");
+  app.set_help_flag("--help,-h", "show options and examples");
   command.declare(app);
   const CommandLine line(app, words);
   const std::string& last = words.back();
@@ -138,8 +138,8 @@ Completion complete_name(std::span<const Command> commands) {
   Completion completion;
   for (const Command& command : commands)
     completion.words.push_back({std::string(command.name), std::string(command.summary)});
-  completion.words.push_back({"--help", "the commands"});
-  completion.words.push_back({"--version", "the version of the program"});
+  completion.words.push_back({"--help", "list the commands"});
+  completion.words.push_back({"--version", "show the version of the program"});
   return completion;
 }
 

@@ -21,12 +21,17 @@ void print_help(std::span<const Command> commands, std::ostream& out) {
   for (const Command& c : commands)
     out << "  " << c.name << std::string(15 - c.name.size(), ' ') << c.summary << '\n';
   out << "\nOptions:\n"
-         "  --help      this text; `taut COMMAND --help` shows the options and examples of a command\n"
-         "  --version   the version of the program\n\n"
-         "Exit codes: 0 fine, 1 a bug of taut (diff, snapshot: different; check: something has moved;\n"
-         "choose: no run does), 2 wrong command line or scene, 3 the simulation diverged,\n"
-         "4 output could not be written, 130 interrupted.\n\n"
-         "Environment: TAUT_SCENES names folders with scenes of one's own, with ':' between them.\n\n"
+         "  --help      show this text; `taut COMMAND --help` shows the options and examples of a command\n"
+         "  --version   show the version of the program\n\n"
+         "Exit codes:\n"
+         "  0    success\n"
+         "  1    diff, snapshot: pictures differ; check: a check failed; choose: no run is accurate enough;\n"
+         "       other commands: a bug of taut\n"
+         "  2    wrong command line or scene\n"
+         "  3    the simulation diverged, or its verdict is as bad as --fail-on or worse\n"
+         "  4    output could not be written\n"
+         "  130  interrupted\n\n"
+         "Environment: TAUT_SCENES lists folders with your own scenes, separated by ':'.\n\n"
          "Example:\n  taut run colliding-rings\n";
 }
 
@@ -51,10 +56,10 @@ void refuse_unknown(const CLI::App& app) {
     const std::string name = option->substr(0, option->find('='));
     if (std::ranges::find(names, name) != names.end())
       throw UsageError("'" + name +
-                       "' stands behind '--', where nothing is an option; put it in front of that");
+                       "' follows '--', after which options are not allowed; put it before '--'");
     throw UsageError(unknown_name("option", name, names));
   }
-  if (!rest.empty()) throw UsageError("'" + rest.front() + "' is one argument too many");
+  if (!rest.empty()) throw UsageError("'" + rest.front() + "' is one argument too many; remove it");
 }
 
 /// Of the options that take several words, the one that took more than one; nullptr if none did.
@@ -68,16 +73,16 @@ const CLI::Option* greedy_option(const CLI::App& app) {
 std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& e) {
   const std::string text = e.what();
   if (const CLI::Option* taker = greedy_option(app); taker && dynamic_cast<const CLI::RequiredError*>(&e))
-    return text + ": " + taker->get_name() + " took all words behind it, so that it must stand before that";
+    return text + ": " + taker->get_name() + " takes all words that follow it; put the argument before it";
   if (!dynamic_cast<const CLI::ArgumentMismatch*>(&e)) return text;
   const bool too_many = text.find("received") != std::string::npos;
-  return text.substr(0, text.find(':')) + (too_many ? " may be given once only" : " needs a value");
+  return text.substr(0, text.find(':')) + (too_many ? " can be given only once" : " needs a value");
 }
 
 int run_command(const Command& command, const std::vector<std::string>& arguments, Streams streams) {
   CLI::App app{std::string(command.summary), "taut " + std::string(command.name)};
   app.allow_extras();
-  app.set_help_flag("--help,-h", "this text");
+  app.set_help_flag("--help,-h", "show this text");
   app.footer("Examples:\n" + std::string(command.examples));
   app.get_formatter()->column_width(26);
   const std::function<int(Streams)> action = command.declare(app);
@@ -120,7 +125,7 @@ int run_program(std::span<const Command> commands, const std::vector<std::string
                 Streams streams) {
   const auto all = [&] {
     const int code = dispatch(commands, arguments, streams);
-    if (!streams.out.flush()) throw OutputError("standard output", "could not be written");
+    if (!streams.out.flush()) throw OutputError("standard output", "cannot be written");
     return code;
   };
   return guarded(all, streams.err);

@@ -34,7 +34,7 @@ double share(const std::string& text) {
   const bool percents = text.ends_with('%');
   const auto value = parsed<double>(std::string_view(text).substr(0, text.size() - (percents ? 1 : 0)));
   if (!value || !(*value > 0))
-    throw UsageError("--error is '" + text + "', which is neither like 1% nor like 0.01, and more than 0");
+    throw UsageError("--error is '" + text + "'; it must be a number above 0, such as 1% or 0.01");
   return percents ? *value / 100 : *value;
 }
 
@@ -55,7 +55,7 @@ std::vector<std::string> stored_results(const std::string& scene) {
   }
   if (files.empty())
     throw UsageError("there are no results of " + scene +
-                     " below out/; `taut sweep` makes some, --from names others");
+                     " below out/; make some with `taut sweep`, or name others with --from");
   std::ranges::sort(files);
   return files;
 }
@@ -96,20 +96,21 @@ int choose(const ChooseArguments& options, Streams streams) {
   const std::string& scene = file.scene.name;
   const std::vector<std::string> files = options.from.empty() ? stored_results(scene) : options.from;
   StoredResults results = read_results(files);
-  if (results.scene != scene) throw UsageError("the results are of " + results.scene + ", not of " + scene);
+  if (results.scene != scene)
+    throw UsageError("the results are of scene " + results.scene + "; they must be of " + scene);
   const std::string wanted = keep_those_of(file, results);
   if (std::ranges::none_of(results.runs, &StoredRun::has_result))
-    throw UsageError("no run in " + join(files) + " has " + wanted +
-                     ", as the scene; --set names other values");
+    throw UsageError("no run in " + join(files) + " has the values of the scene, " + wanted +
+                     "; choose other values with --set");
   if (!wanted.empty())
-    streams.err << "taut: only runs with " << wanted << " count; --set names other values\n";
+    streams.err << "taut: only runs with " << wanted << " are used; choose other values with --set\n";
   const Chart chart = make_chart(results, {options.measure, Cost::seconds});
   if (error && !chart.unit.empty() && options.error->ends_with('%'))
-    throw UsageError("errors of " + chart.measure + " are in " + chart.unit +
-                     ", not shares; give --error in " + chart.unit);
+    throw UsageError("the errors of " + chart.measure + " have the unit " + chart.unit +
+                     " and cannot be given in %; give --error in " + chart.unit);
   if (error && chart.unit.empty() && *error >= 1 && !options.error->ends_with('%'))
-    streams.err << "taut: --error " << *options.error << " allows " << brief(100 * *error) << " %; "
-                << *options.error << "% would be " << *options.error << " %\n";
+    streams.err << "taut: --error " << *options.error << " allows an error of " << brief(100 * *error)
+                << " %; write " << *options.error << "% for " << *options.error << " %\n";
   const bool granted =
       error ? !grants(chart, {*error, options.seconds}).empty() : !front(chart, options.seconds).empty();
   streams.out << (error ? advice(chart, {*error, options.seconds}) : price_list(chart, options.seconds))
@@ -121,24 +122,27 @@ int choose(const ChooseArguments& options, Streams streams) {
 
 std::function<int(Streams)> declare_choose(CLI::App& app) {
   auto options = std::make_shared<ChooseArguments>();
-  app.add_option("SCENE", options->scene, "a scene, as for `taut run`")->option_text(" ")->required();
+  app.add_option("SCENE", options->scene, "a name from `taut list scenes`, or the path of a scene file")
+      ->option_text(" ")
+      ->required();
   app.add_option("--error", options->error,
-                 "the greatest error to accept, such as 1% or 0.01; default: what each costs")
+                 "largest acceptable error, such as 1% or 0.01; default: list the cost of each accuracy")
       ->option_text("X");
   app.add_option_function<std::vector<std::string>>(
          "--set",
          [options](const std::vector<std::string>& assignments) {
            for (const std::string& text : assignments) options->settings.push_back(parse_setting(text));
          },
-         "a parameter of the scene: runs with other values do not count")
+         "value of a parameter of the scene; runs with other values are ignored")
       ->option_text("NAME=VALUE ...")
       ->allow_extra_args(false)
       ->check(assignment);
-  app.add_option("--seconds", options->seconds, "the longest time to solve, s")
+  app.add_option("--seconds", options->seconds, "largest acceptable time of solving, s; default: no limit")
       ->option_text("T")
       ->check(positive_number);
   declare_measure(app, options->measure);
-  app.add_option("--from", options->from, "results.csv of sweeps, or their folders; default: all below out/")
+  app.add_option("--from", options->from,
+                 "results.csv files of sweeps, or the folders of sweeps; default: all below out/")
       ->option_text("FILE ...");
   return [options](Streams streams) { return choose(*options, streams); };
 }

@@ -42,7 +42,7 @@ std::vector<SavedRun> open_runs(const std::vector<std::string>& folders) {
   for (const SavedRun& run : runs)
     if (run.file.scene.dim != runs.front().file.scene.dim)
       throw UsageError("the runs " + folders.front() + " and " + run.folder.path().string() +
-                       " differ in the number of dimensions");
+                       " differ in dim; compare runs with the same number of dimensions");
   return runs;
 }
 
@@ -58,7 +58,8 @@ std::vector<double> chosen_times(const CompareArguments& options, double until) 
     for (int k = 1; k <= default_rows; ++k) times.push_back(until * k / default_rows);
   for (const double time : times)
     if (time > until)
-      throw UsageError("--times has " + brief(time) + " s, and the runs end at " + brief(until) + " s");
+      throw UsageError("--times contains " + brief(time) + " s; times must be at most " + brief(until) +
+                       " s, the end of the runs");
   return times;
 }
 
@@ -93,10 +94,9 @@ void refuse_to_follow_nobody(const Drawing& wish, const std::vector<SavedRun>& r
     std::vector<std::string> names;
     for (const Body& body : run.file.scene.bodies) names.push_back(body.name);
     if (wish.followed && std::ranges::find(names, wish.follow) == names.end())
-      throw UsageError("'" + runs.front().folder.path().string() + "' is drawn about its body '" +
-                       wish.follow + "', and '" + run.folder.path().string() +
-                       "' has none of that name but " + join(names) +
-                       "; --follow none draws all where they are");
+      throw UsageError("the picture follows body '" + wish.follow + "', but '" + run.folder.path().string() +
+                       "' has only the bodies " + join(names) +
+                       "; choose another body with --follow, or --follow none");
   }
 }
 
@@ -135,7 +135,7 @@ void tell_what_is_outside(const render::View& view, const std::vector<SavedRun>&
     }
     if (most > worth_telling)
       err << "taut: up to " << percent(most) << " of the particles of " << runs[k].folder.path().string()
-          << " lie outside of the view of the scene; --view auto shows them\n";
+          << " are outside the view of the scene; use --view auto to show them\n";
   }
 }
 
@@ -178,7 +178,7 @@ int compare_runs(const CompareArguments& options, Streams streams) {
     if (drawing.look.categories != wished.look.categories)
       throw UsageError("'" + runs.front().folder.path().string() + "' has " + join(wished.look.categories) +
                        ", '" + run.folder.path().string() + "' has " + join(drawing.look.categories) +
-                       ": one legend cannot serve both; choose another --color");
+                       ": they cannot have a common legend; choose another --color");
     const Origins origins = origins_of(run.file.scene);
     columns.push_back({Staging(drawing, origins), {}});
     for (const double time : times)
@@ -203,11 +203,15 @@ int compare_runs(const CompareArguments& options, Streams streams) {
 std::function<int(Streams)> declare_compare(CLI::App& app) {
   auto options = std::make_shared<CompareArguments>();
   app.add_option("DIR", options->runs,
-                 "run folders with particles (`taut run --save-particles`), a column each")
+                 "run folders with particles (`taut run --save-particles`), one column each")
       ->option_text("...")
       ->required();
-  app.add_option("--out", options->out, "the panel")->option_text("panel.png")->required()->check(png_name);
-  app.add_option("--times", options->times, "a row each, s; default: the quarters of the longest run")
+  app.add_option("--out", options->out, "picture to write")
+      ->option_text("panel.png")
+      ->required()
+      ->check(png_name);
+  app.add_option("--times", options->times,
+                 "times to draw, s, one row each; default: 1/4, 1/2, 3/4 and the end of the longest run")
       ->option_text("T,...")
       ->delimiter(',')
       ->allow_extra_args(false)

@@ -26,7 +26,7 @@ _taut() {
   read -ra words <<< "$line"
   [[ $line == *[[:space:]] ]] && words+=("")
   word=${words[-1]}
-  # to bash, what follows a = or a : is a word of its own
+  # bash starts a new word after = and :
   before=${word%"${word##*[=:]}"}
   {
     read -r files
@@ -86,7 +86,7 @@ int print_script(const std::string& shell, std::ostream& out) {
 
 std::function<int(Streams)> declare_completion(CLI::App& app) {
   auto shell = std::make_shared<std::string>();
-  app.add_option(join(shells(), "|"), *shell, "the shell that will read it")->option_text(" ")->required();
+  app.add_option(join(shells(), "|"), *shell, "shell that loads the script")->option_text(" ")->required();
   return [shell](Streams streams) { return print_script(*shell, streams.out); };
 }
 

@@ -55,20 +55,23 @@ std::string result_text(const SceneFile& file, const CriticalStep& found) {
     const double share = *found.stable / found.default_step;
     rows.push_back(
         {"largest stable step", brief(*found.stable) + " s",
-         found.unstable ? "unstable at " + brief(*found.unstable) + " s" : "the largest that was tried"});
+         found.unstable ? "unstable at " + brief(*found.unstable) + " s" : "the largest step tried"});
     rows.push_back({"over the default step", brief(share),
-                    brief(found.default_step) + " s; a CFL number of " + brief(share * file.settings.cfl)});
+                    "default: " + brief(found.default_step) +
+                        " s; CFL number found: " + brief(share * file.settings.cfl)});
   } else {
     rows.push_back({"largest stable step", "none", found.unstable ? bracket(found) : ""});
     rows.push_back({"default step", brief(found.default_step) + " s", ""});
   }
   for (const StepLimit& limit : step_limits(file.scene, file.settings))
     rows.push_back({std::string(limit.name), brief(limit.step) + " s",
-                    (found.stable ? "found: " + brief(*found.stable / limit.step) + " of it; " : "") +
+                    (found.stable ? "found: " + brief(*found.stable / limit.step) + " of this limit; " : "") +
                         std::string(limit.source)});
-  rows.push_back(
-      {"each trial", brief(found.covered) + " s or 300 steps", std::to_string(found.trials) + " trials"});
-  if (found.interrupted) rows.push_back({"interrupted", "", "the true one may lie anywhere in between"});
+  rows.push_back({"time of a trial", brief(found.covered) + " s, at least 300 steps",
+                  std::to_string(found.trials) + " trials"});
+  if (found.interrupted)
+    rows.push_back(
+        {"interrupted", "", "the search is incomplete; the largest stable step is between these bounds"});
   return text + in_columns(rows);
 }
 
@@ -106,7 +109,7 @@ int find(const CriticalStepArguments& options, Streams streams) {
 /// A finer one is below what rounding tells apart, a wider one says nothing.
 std::string tolerance_in_bounds(const std::string& text) {
   const auto value = parsed<double>(text);
-  return value && *value >= 1e-9 && *value <= 0.5 ? "" : "'" + text + "' is not a share from 1e-9 to 0.5";
+  return value && *value >= 1e-9 && *value <= 0.5 ? "" : "'" + text + "' is not a number from 1e-9 to 0.5";
 }
 
 }  // namespace
@@ -118,21 +121,23 @@ std::function<int(Streams)> declare_critical_step(CLI::App& app) {
       ->required();
   declare_setting_options(app, *options);
   app.add_option("--steps", options->steps,
-                 "default steps whose time each trial covers, if the scene lasts so long, and 300 of its own "
-                 "at least; default: " +
+                 "length of a trial, in default time steps; "
+                 "at most the whole scene, and at least 300 steps of the trial; default: " +
                      std::to_string(options->steps))
       ->option_text("N")
       ->check(positive_whole_number);
-  app.add_option("--tolerance", options->tolerance,
-                 "how close the largest stable and the least unstable step come, as a share; default: " +
-                     brief(options->tolerance))
+  app.add_option(
+         "--tolerance", options->tolerance,
+         "largest relative distance between the stable and the unstable step found, 1e-9 to 0.5; default: " +
+             brief(options->tolerance))
       ->option_text("X")
       ->check(tolerance_in_bounds);
-  app.add_option("--threads", options->threads, "default: all cores, fewer in small scenes")
+  app.add_option("--threads", options->threads,
+                 "number of threads; default: all cores, fewer for small scenes")
       ->option_text("N")
       ->check(positive_whole_number);
-  app.add_flag("--json", options->json, "as JSON, for scripts");
-  app.add_flag("--quiet", options->quiet, "no progress on stderr");
+  app.add_flag("--json", options->json, "print JSON, for scripts");
+  app.add_flag("--quiet", options->quiet, "print no progress on stderr");
   return [options](Streams streams) { return find(*options, streams); };
 }
 

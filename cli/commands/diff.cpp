@@ -38,7 +38,9 @@ int diff_images(const DiffArguments& options, std::ostream& out) {
 
 fs::path folder_with_pictures(const std::string& given) {
   const fs::path frames = frames_of(given);
-  if (picture_names(frames).empty()) throw UsageError("there are no pictures (PNG) in " + frames.string());
+  if (picture_names(frames).empty())
+    throw UsageError("there are no pictures (PNG) in " + frames.string() +
+                     "; name a folder of frames or a run folder");
   return frames;
 }
 
@@ -68,14 +70,17 @@ int diff(const DiffArguments& options, std::ostream& out) {
 
 std::function<int(Streams)> declare_diff(CLI::App& app) {
   auto options = std::make_shared<DiffArguments>();
-  app.add_option("A", options->a, "an image (PNG), a folder of images or a run folder")
+  app.add_option("A", options->a, "first image (PNG), folder of images, or run folder")
       ->option_text(" ")
       ->required();
-  app.add_option("B", options->b, "another; images of one name are compared and must be of one size")
+  app.add_option(
+         "B", options->b,
+         "second one, of the same kind; images of the same name are compared and must have the same size")
       ->option_text(" ")
       ->required();
   declare_difference_options(app, *options);
-  app.add_option("--out", options->out, "draw where they differ; of folders, the worst pair")
+  app.add_option("--out", options->out,
+                 "picture of the differences to write; for folders, of the pair that differs most")
       ->option_text("diff.png")
       ->check(png_name);
   return [options](Streams streams) { return diff(*options, streams.out); };

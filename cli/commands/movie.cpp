@@ -32,13 +32,13 @@ int count_frames(const fs::path& folder) {
   const int count = static_cast<int>(picture_names(folder).size());
   if (!fs::exists(folder / frame_name(0)))
     throw UsageError("there are no frames (" + frame_name(0) + ", ...) in " + folder.string() +
-                     "; `taut run` or `taut render` draws them");
+                     "; draw them with `taut run` or `taut render`");
   int whole = 0;
   while (fs::exists(folder / frame_name(whole))) ++whole;
   for (int later = whole + 1; later < count + whole; ++later)
     if (fs::exists(folder / frame_name(later)))
       throw UsageError(frame_name(whole) + " is missing in " + folder.string() +
-                       ", and there are later ones");
+                       ", but later frames exist; draw all frames again with `taut render`");
   return whole;
 }
 
@@ -47,7 +47,7 @@ class ScratchFolder {
  public:
   ScratchFolder() {
     std::string name = (fs::temp_directory_path() / "taut-orbit-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw OutputError(name, "the folder cannot be made");
+    if (!::mkdtemp(name.data())) throw OutputError(name, "the folder cannot be created");
     path_ = name;
   }
   ~ScratchFolder() {
@@ -103,7 +103,7 @@ int encode(const MovieArguments& options, const fs::path& folder) {
 int movie(const MovieArguments& options, Streams streams) {
   const std::string extension = fs::path(options.out).extension().string();
   if (extension != ".mp4" && extension != ".gif")
-    throw UsageError("--out is '" + options.out + "', which ends neither in .mp4 nor in .gif");
+    throw UsageError("--out is '" + options.out + "'; it must end in .mp4 or .gif");
   std::optional<ScratchFolder> orbit;
   if (options.orbit && !draw_orbit(options.frames, orbit.emplace().path(), streams.err))
     return exit_interrupted;
@@ -121,12 +121,12 @@ int movie(const MovieArguments& options, Streams streams) {
 std::function<int(Streams)> declare_movie(CLI::App& app) {
   auto options = std::make_shared<MovieArguments>();
   app.add_option("DIR", options->frames, "a run folder, or a folder of frames")->option_text(" ")->required();
-  app.add_option("--out", options->out, "the movie")->option_text("movie.mp4|movie.gif")->required();
+  app.add_option("--out", options->out, "movie to write")->option_text("movie.mp4|movie.gif")->required();
   app.add_option("--fps", options->fps, "frames per second; default: 30")
       ->option_text("N")
       ->check(positive_number);
   app.add_flag("--orbit", options->orbit,
-               "of a run in 3D with particles: draws it anew, the camera goes once about what it sees");
+               "3D runs with saved particles: redraw the frames while the camera circles the scene once");
   return [options](Streams streams) { return movie(*options, streams); };
 }
 

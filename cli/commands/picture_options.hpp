@@ -14,10 +14,12 @@ struct PictureOptions {
 
   /// `formats`: what a picture may be called, such as "chart.png|chart.svg"
   void declare(CLI::App& app, const std::string& formats, bool needed = true) {
-    app.add_option("RESULTS.csv", results, "results.csv of sweeps of one scene, or the sweeps' folders")
+    app.add_option("RESULTS.csv", results,
+                   "results.csv files of sweeps of one scene, or the folders of these sweeps")
         ->option_text(" ")
         ->required();
-    app.add_option("--out", out, "the picture; its .gp and .dat stand beside it")
+    app.add_option("--out", out,
+                   "picture to write; the gnuplot script (.gp) and its data (.dat) are written beside it")
         ->option_text(formats)
         ->required(needed);
   }
@@ -26,8 +28,8 @@ struct PictureOptions {
 /// For commands that judge runs by one measure.
 inline void declare_measure(CLI::App& app, std::string& measure) {
   app.add_option("--measure", measure,
-                 "whose error; default: the one that most runs have, "
-                 "names in _time and errors with a unit last")
+                 "measure whose error is used; default: the measure with errors of the most runs, "
+                 "where names that end in _time and errors with a unit come last")
       ->option_text("MEASURE");
 }
 

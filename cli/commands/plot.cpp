@@ -27,7 +27,8 @@ Scene scene_of(const StoredRun& run) {
   const RunFolder folder(fs::path(run.file).parent_path());
   std::error_code error;
   if (!fs::exists(folder.scene(), error))
-    throw UsageError("'" + run.folder() + "' holds no scene.toml, which says what its columns are");
+    throw UsageError("'" + run.folder() +
+                     "' contains no scene.toml, which is needed for the units; name a run folder");
   return read_scene(folder.scene()).scene;
 }
 
@@ -45,7 +46,7 @@ void refuse_two_units(const std::string& column, const StoredRun& run, const Sce
   if (unit == before || std::ranges::find(there, column) == there.end()) return;
   const auto named = [](const std::string& of) { return of.empty() ? "without a unit" : "in " + of; };
   throw UsageError("column '" + column + "' is " + named(before) + " in '" + first.folder() + "' and " +
-                   named(unit) + " in '" + run.folder() + "': plot them apart");
+                   named(unit) + " in '" + run.folder() + "'; plot these runs separately");
 }
 
 HistoryColumn with_label(const std::string& name, const Scene& scene) {
@@ -81,15 +82,17 @@ int plot(const PlotArguments& options, Streams streams) {
 
 std::function<int(Streams)> declare_plot(CLI::App& app) {
   auto options = std::make_shared<PlotArguments>();
-  app.add_option("DIR", options->runs, "folders of runs, one or more, over each other")
+  app.add_option("DIR", options->runs, "one or more run folders; each panel shows all runs")
       ->option_text(" ")
       ->required();
-  app.add_option("--columns", options->columns, "of history.csv, a panel each; default: the probes")
+  app.add_option("--columns", options->columns,
+                 "columns of history.csv, one panel each; default: all probes, else total_energy")
       ->option_text("COLUMN,...")
       ->delimiter(',')
       ->allow_extra_args(false);
-  app.add_option("--x", options->x, "what they are drawn over; default: t")->option_text("COLUMN");
-  app.add_option("--out", options->out, "the picture; its .gp and .dat stand beside it")
+  app.add_option("--x", options->x, "column of the x axis; default: t")->option_text("COLUMN");
+  app.add_option("--out", options->out,
+                 "picture to write; the gnuplot script (.gp) and its data (.dat) are written beside it")
       ->option_text("plot.png|plot.svg")
       ->required();
   return [options](Streams streams) { return plot(*options, streams); };

@@ -36,8 +36,8 @@ void check_for_frames(const fs::path& folder) {
   if (!fs::is_directory(folder)) throw UsageError("'" + folder.string() + "' is not a folder");
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (!is_frame(entry.path()) && !is_lock(entry.path()))
-      throw UsageError("'" + folder.string() + "' holds " + entry.path().filename().string() +
-                       ", which is no frame; name another folder with --out");
+      throw UsageError("'" + folder.string() + "' contains " + entry.path().filename().string() +
+                       ", which is not a frame; name another folder with --out");
 }
 
 void clear_for_frames(const fs::path& folder) {
@@ -57,9 +57,9 @@ fs::path prepare(const RenderArguments& options, SavedRun& run) {
   const std::string scene = resolved_text(run.file, run.folder.path());
   // its next frames would be drawn otherwise than those
   if (fs::exists(run.folder.checkpoint()) && read_whole(run.folder.scene()) != scene)
-    throw UsageError(
-        "the run in '" + run.folder.path().string() +
-        "' can go on (`taut run --resume`), with its frames as they are; draw others with --out");
+    throw UsageError("the run in '" + run.folder.path().string() +
+                     "' is not finished, so its frames cannot change; "
+                     "name another folder with --out, or finish the run with `taut run --resume`");
   run.folder.clear_frames();
   write_atomically(run.folder.scene(), scene, Kept::on_disk);
   return run.folder.frames();
@@ -96,13 +96,13 @@ std::function<int(Streams)> declare_render(CLI::App& app) {
       ->option_text(" ")
       ->required();
   declare_drawing_options(app, *options);
-  app.add_option("--out", options->out, "a folder for the frames; default: those of the run are replaced")
+  app.add_option("--out", options->out, "folder for the frames; default: replace the frames of the run")
       ->option_text("DIR");
-  app.add_flag("--orbit", options->orbit, "3D: the camera goes once about what it sees");
-  app.add_option("--threads", options->threads, "frames that are drawn at once; default: all cores")
+  app.add_flag("--orbit", options->orbit, "3D: the camera circles the scene once");
+  app.add_option("--threads", options->threads, "number of frames drawn at once; default: all cores")
       ->option_text("N")
       ->check(positive_whole_number);
-  app.add_flag("--quiet", options->quiet, "no progress on stderr");
+  app.add_flag("--quiet", options->quiet, "print no progress on stderr");
   return [options](Streams streams) { return render(*options, streams); };
 }
 

@@ -8,6 +8,7 @@
 #include "cli/run/record.hpp"
 #include "cli/run/report.hpp"
 #include "cli/run/resume.hpp"
+#include "cli/system/exit_code.hpp"
 #include "cli/system/folder_lock.hpp"
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
@@ -28,27 +29,28 @@ void declare_options(CLI::App& app, RunArguments& o) {
       ->option_text(" ");
   declare_setting_options(app, o);
   app.add_option("--out", o.out,
-                 "the run folder; default: out/SCENE-METHOD, and behind it what is not as the "
-                 "scene has it: -v0=0.08. An older run in it is replaced")
+                 "run folder, whose older run is replaced; default: "
+                 "out/SCENE-METHOD, followed by the changed settings, such as -v0=0.08")
       ->option_text("DIR");
   declare_output_options(app, o);
   declare_particle_options(app, o);
   app.add_option("--checkpoint-every", o.checkpoint_every,
-                 "simulated time, s, between checkpoints for --resume; one more when interrupted")
+                 "write a checkpoint for --resume after each T of simulated time, s, and when interrupted; "
+                 "default: never")
       ->option_text("T")
       ->check(positive_number);
-  app.add_option("--resume", o.resume,
-                 "goes on with the run in this folder from its last checkpoint, or anew where there is none "
-                 "yet, to the "
-                 "same bytes as without a stop; other options given with it must say the same as the folder")
+  app.add_option(
+         "--resume", o.resume,
+         "continue the run in this folder from its last checkpoint, or from the start if there is none; "
+         "the results are the same as without the interruption; other options must agree with the run")
       ->option_text("DIR");
-  app.add_option("--threads", o.threads, "default: all cores, fewer in small scenes")
+  app.add_option("--threads", o.threads, "number of threads; default: all cores, fewer for small scenes")
       ->option_text("N")
       ->check(positive_whole_number);
-  app.add_flag("--no-render", o.no_render, "no frames");
-  app.add_option("--fail-on", o.fail_on, "exit code 3 if the verdict is this one or worse")
+  app.add_flag("--no-render", o.no_render, "draw no frames");
+  app.add_option("--fail-on", o.fail_on, "end with exit code 3 if the verdict is this one or worse")
       ->option_text("VERDICT");
-  app.add_flag("--quiet", o.quiet, "no progress on stderr");
+  app.add_flag("--quiet", o.quiet, "print no progress on stderr");
 }
 
 /// The plan, and the lock of its folder: of a run that goes on it is taken before anything is read.
@@ -73,18 +75,17 @@ LockedPlan planned(const RunArguments& options, std::ostream& err) {
   all.lock = lock(*options.resume);
   all.plan = resume_plan(*options.resume, options);
   if (!all.plan.state)
-    err << "taut: the run in '" << *options.resume << "' has left no checkpoint: it begins anew\n";
+    err << "taut: the run in '" << *options.resume << "' has no checkpoint; it starts from the beginning\n";
   return all;
 }
 
 /// What can be done about a run that diverged in so many steps.
 std::string advice(const SceneFile& file, long steps) {
-  if (steps == 0) return "no step was made: look at the velocity and displacement that the scene starts with";
+  if (steps == 0) return "no step was made: check the initial velocity and displacement in the scene";
   const double usual = find_method(file.settings.method)->cfl, cfl = file.settings.cfl;
   if (cfl > usual)
-    return "cfl = " + brief(cfl) + " is above " + brief(usual) +
-           ", with which the method is run: lower it to that";
-  return "a lower --set cfl=" + brief(cfl / 2) + " tells whether the time step is the reason";
+    return "cfl = " + brief(cfl) + " is above the default of the method: use at most " + brief(usual);
+  return "run it with --set cfl=" + brief(cfl / 2) + " to find out whether the time step is the cause";
 }
 
 /// Before it is gone.

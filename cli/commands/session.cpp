@@ -48,7 +48,7 @@ Answer answer(Session& session, const std::string& line, const Dialogue& to, boo
 void greet(const Session& session, std::ostream& out) {
   out << session.file().scene.title << ", " << session.file().settings.method << ", "
       << session.simulation().snapshot().size()
-      << " particles. `help` lists the commands, Tab completes them, Ctrl-D ends.\n"
+      << " particles. `help` lists the commands, Tab completes them, Ctrl-D ends the session.\n"
       << std::flush;
 }
 
@@ -63,7 +63,7 @@ int converse(const SessionArguments& options, Streams streams) {
     const Answer given = [&] {
       const Interrupts interrupts;
       const Answer one = answer(session, *line, {streams.out, interrupts, progress}, typed);
-      if (!streams.out.flush()) throw OutputError("standard output", "could not be written");
+      if (!streams.out.flush()) throw OutputError("standard output", "cannot be written");
       return one;
     }();
     // the lines that a script has left expect what was not reached
@@ -83,11 +83,11 @@ std::function<int(Streams)> declare_session(CLI::App& app) {
       ->required();
   declare_setting_options(app, *options);
   declare_drawing_options(app, options->drawing);
-  app.add_option("--threads", options->threads, "default: all cores, fewer in small scenes")
+  app.add_option("--threads", options->threads,
+                 "number of threads; default: all cores, fewer for small scenes")
       ->option_text("N")
       ->check(positive_whole_number);
-  app.add_flag("--strict", options->strict,
-               "the first line that is wrong ends the session; exit code 2, 3 or 4");
+  app.add_flag("--strict", options->strict, "end the session at the first error, with exit code 2, 3 or 4");
   return [options](Streams streams) { return converse(*options, streams); };
 }
 

@@ -30,18 +30,18 @@ void declare_options(CLI::App& app, SnapshotArguments& o) {
   app.add_option("SCENE", o.scene, "a name from `taut list scenes`, or the path of a scene file")
       ->option_text(" ")
       ->required();
-  app.add_option("--baseline", o.baseline, "the folder of the frames that are right")
+  app.add_option("--baseline", o.baseline, "folder of the frames to compare with")
       ->option_text("DIR")
       ->required();
-  app.add_flag("--update", o.update, "the frames of this run become the baseline; look at them first");
+  app.add_flag("--update", o.update, "replace the baseline by the frames of this run; check them first");
   declare_difference_options(app, o);
   declare_setting_options(app, o);
-  app.add_option("--out", o.out, "the run folder; default: out/snapshot-BASELINE")->option_text("DIR");
+  app.add_option("--out", o.out, "run folder; default: out/snapshot-BASELINE")->option_text("DIR");
   declare_output_options(app, o);
-  app.add_option("--threads", o.threads, "default: all cores, fewer in small scenes")
+  app.add_option("--threads", o.threads, "number of threads; default: all cores, fewer for small scenes")
       ->option_text("N")
       ->check(positive_whole_number);
-  app.add_flag("--quiet", o.quiet, "no progress on stderr");
+  app.add_flag("--quiet", o.quiet, "print no progress on stderr");
 }
 
 /// "a/b/" is "a/b" with nothing linked, so that folders can be compared.
@@ -50,18 +50,18 @@ fs::path plain_path(const fs::path& path) { return (fs::weakly_canonical(path) /
 void check_baseline(const SnapshotArguments& options, const fs::path& run_folder) {
   const fs::path baseline = plain_path(options.baseline), run = plain_path(run_folder);
   if (std::ranges::mismatch(run, baseline).in1 == run.end())
-    throw UsageError("the baseline is in the run folder " + run_folder.string() +
-                     ", which the run replaces; name another with --out");
+    throw UsageError("the baseline is inside the run folder " + run_folder.string() +
+                     ", which the run replaces; name another run folder with --out");
   if (fs::exists(baseline) && !fs::is_directory(baseline))
     throw UsageError("the baseline '" + options.baseline + "' is not a folder");
   if (!options.update && picture_names(baseline).empty())
     throw UsageError("there is no baseline in '" + options.baseline +
-                     "'; if this run is right, make one of it with --update");
+                     "'; create it from this run with --update");
   if (!options.update || !fs::exists(baseline)) return;
   for (const fs::directory_entry& entry : fs::directory_iterator(baseline))
     if (!is_frame(entry.path()))
-      throw UsageError("'" + options.baseline + "' holds " + entry.path().filename().string() +
-                       ", which is no frame of a baseline and would be lost; name another with --baseline");
+      throw UsageError("'" + options.baseline + "' contains " + entry.path().filename().string() +
+                       ", which is not a frame and would be lost; name another folder with --baseline");
 }
 
 void update(const SnapshotArguments& options, const RunFolder& run, std::ostream& out) {
@@ -80,7 +80,7 @@ int compare_with_baseline(const SnapshotArguments& options, const RunFolder& run
     render::write_png(render::difference_picture(render::read_png(baseline / difference.worst),
                                                  render::read_png(run.frames() / difference.worst)),
                       run.difference());
-    out << "  where they differ: " << run.difference().string() << '\n';
+    out << "  picture of the differences: " << run.difference().string() << '\n';
   }
   return exit_different;
 }

@@ -25,7 +25,7 @@ SweepPlan make_plan(const SweepOptions& o) {
   SweepPlan plan = plan_sweep(make_request(o));
   const auto count = static_cast<int>(plan.runs.size());
   if (o.index && *o.index >= count)
-    throw UsageError("--index " + std::to_string(*o.index) + ": the runs are numbered from 0 to " +
+    throw UsageError("--index is " + std::to_string(*o.index) + "; it must be from 0 to " +
                      std::to_string(count - 1));
   return plan;
 }
@@ -67,7 +67,7 @@ std::vector<SweepRun*> what_to_run(SweepPlan& plan, const SweepOptions& o, std::
     run.read_folder();  // another program may have worked here until the lock was ours
     if (run.state == RunState::damaged)
       err << "taut: run " << run.index << " (" << text_of(run.settings)
-          << "): " << RunFolder(*run.options.out).record().string() << " is not whole: it is done again\n";
+          << "): " << RunFolder(*run.options.out).record().string() << " is damaged; the run is repeated\n";
     outdated += run.state == RunState::outdated;
     run.forced = o.force;
     if (run.forced) run.forget();
@@ -76,8 +76,8 @@ std::vector<SweepRun*> what_to_run(SweepPlan& plan, const SweepOptions& o, std::
   if (outdated > 0)
     err << "taut: " << outdated << (outdated == 1 ? " finished run" : " finished runs") << " in '"
         << plan.folder.string() << "' " << (outdated == 1 ? "has" : "have")
-        << " other settings, or another version of taut: replaced; to keep them name another folder with "
-           "--out\n";
+        << " other settings or another version of taut and will be replaced; "
+           "to keep the results, name another folder with --out\n";
   return runs;
 }
 
@@ -107,8 +107,7 @@ void tell_what_remains(const SweepPlan& plan, std::ostream& err) {
   if (number > most) others.resize(most);
   err << "taut: " << number << (number == 1 ? " run" : " runs") << " of another grid in '"
       << plan.folder.string() << "' " << (number == 1 ? "is" : "are")
-      << " left as they are and not in the results: " << join(others) << (number > most ? ", ..." : "")
-      << '\n';
+      << " kept, but not in the results: " << join(others) << (number > most ? ", ..." : "") << '\n';
 }
 
 bool fails(const SweepPlan& plan, const std::optional<Verdict>& fail_on) {

@@ -72,7 +72,7 @@ class Frames {
   void serialize(Archive& archive) {
     int written = written_;
     archive(dim_, diameter_, kept_, written);
-    archive.check("a frame that was kept", [&] {
+    archive.check("a stored frame", [&] {
       const std::size_t n = staging_.size(), d = static_cast<std::size_t>(staging_.dim());
       const auto fits = [&](const Kept& frame) {
         const auto is_finite = [](double x) { return std::isfinite(x); };

@@ -39,7 +39,7 @@ std::string set_color(Drawing& drawing, const DrawingValue& value) {
   const std::string& text = word(value);
   if (DrawingValue(text) == get_color(drawing)) return "";
   if (text.starts_with('=')) {
-    if (text.size() == 1) return "color = \"=\" needs an expression behind the sign, such as \"=speed^2/2\"";
+    if (text.size() == 1) return "color = \"=\" needs an expression after the sign, such as \"=speed^2/2\"";
     drawing.formula = text.substr(1);
   } else {
     drawing.field = &known_field(text);
@@ -55,7 +55,7 @@ std::string set_range(Drawing& drawing, const DrawingValue& value) {
   if (is_word(value)) return "";
   const double low = numbers(value)[0], high = numbers(value)[1];
   if (!(low < high))
-    return "range = [" + exact(low) + ", " + exact(high) + "]: the first must be less than the second";
+    return "range = [" + exact(low) + ", " + exact(high) + "]: the first number must be less than the second";
   drawing.look.range = {low, high};
   return "";
 }
@@ -281,40 +281,45 @@ std::span<const DrawingKey> drawing_keys() {
       DrawingKey{
           .name = "color",
           .placeholder = "FIELD|=EXPRESSION",
-          .help = "the field to colour by (`taut list fields`), or an expression of fields, '=speed^2/2'",
-          .session_help = "the field to colour by (`taut list fields`), or = and an expression of them",
+          .help = "field that colours the particles (`taut list fields`), or an expression of fields, "
+                  "such as '=speed^2/2'",
+          .session_help =
+              "field that colours the particles (`taut list fields`), or = and an expression of fields",
           .words = {"field", names_of_fields, true},
-          .numbers = {.typed = "a field, or = and an expression"},
+          .numbers = {.typed = "a field, or = and an expression of fields"},
           .set = set_color,
           .get = get_color},
       DrawingKey{.name = "range",
                  .placeholder = "LOW:HIGH|auto",
-                 .help = "of the colours, in the field's unit; auto: of the whole sequence, without outliers",
-                 .session_help = "of the colours, in the field's unit; auto: of the moment",
+                 .help = "values at the ends of the colour scale, in the field's unit; auto: "
+                         "the range of the whole sequence, without outliers",
+                 .session_help =
+                     "values at the ends of the colour scale, in the field's unit; auto: the current range",
                  .may_be_open = true,
                  .numbers = {.count = 2,
                              .in_file = "[low, high]",
-                             .typed = "LOW:HIGH with LOW less than HIGH (0:2e6), nor 'auto'"},
+                             .typed = "LOW:HIGH with LOW < HIGH, such as 0:2e6, or 'auto'"},
                  .set = set_range,
                  .get = get_range},
       DrawingKey{.name = "colormap",
                  .placeholder = "COLORMAP",
-                 .help = "`taut list colormaps`; default: by the field",
-                 .session_help = "`taut list colormaps`",
+                 .help = "colour map (`taut list colormaps`); default: by the field",
+                 .session_help = "colour map (`taut list colormaps`)",
                  .may_be_open = true,
                  .words = {"colour map", names_of_colormaps},
                  .set = set_colormap,
                  .get = get_colormap},
-      DrawingKey{.name = "view",
-                 .placeholder = "X0:X1:Y0:Y1|auto",
-                 .help = "what is seen, m; auto: the whole motion",
-                 .session_help = "what is seen, m; fit: all particles of the moment",
-                 .may_be_open = true,
-                 .numbers = {.count = 4,
-                             .in_file = "[x_min, x_max, y_min, y_max]",
-                             .typed = "X_MIN:X_MAX:Y_MIN:Y_MAX in metres (-0.1:0.1:0:0.05), nor 'auto'"},
-                 .set = set_view,
-                 .get = get_view},
+      DrawingKey{
+          .name = "view",
+          .placeholder = "X0:X1:Y0:Y1|auto",
+          .help = "visible region, m; auto: the whole motion",
+          .session_help = "visible region, m; fit: all particles at this time",
+          .may_be_open = true,
+          .numbers = {.count = 4,
+                      .in_file = "[x_min, x_max, y_min, y_max]",
+                      .typed = "X_MIN:X_MAX:Y_MIN:Y_MAX in metres, such as -0.1:0.1:0:0.05, or 'auto'"},
+          .set = set_view,
+          .get = get_view},
       DrawingKey{.name = "camera",
                  .placeholder = "X:Y:Z|auto",
                  .help = "3D: direction towards the camera; auto: 1:-2:1",
@@ -322,7 +327,7 @@ std::span<const DrawingKey> drawing_keys() {
                  .may_be_open = true,
                  .numbers = {.count = 3,
                              .in_file = "[x, y, z]",
-                             .typed = "X:Y:Z, a direction towards the camera (1:-2:1), nor 'auto'"},
+                             .typed = "X:Y:Z, a direction towards the camera such as 1:-2:1, or 'auto'"},
                  .set = set_way<&render::Camera::from>,
                  .get = get_way<&render::Camera::from>},
       DrawingKey{.name = "up",
@@ -332,47 +337,48 @@ std::span<const DrawingKey> drawing_keys() {
                  .may_be_open = true,
                  .numbers = {.count = 3,
                              .in_file = "[x, y, z]",
-                             .typed = "X:Y:Z, a direction that points up (0:0:1), nor 'auto'"},
+                             .typed = "X:Y:Z, a direction that points up such as 0:0:1, or 'auto'"},
                  .set = set_way<&render::Camera::up>,
                  .get = get_way<&render::Camera::up>},
       DrawingKey{.name = "fov",
                  .placeholder = "DEGREES|auto",
-                 .help = "3D: field of view of the picture's height; auto: 0, parallel",
-                 .session_help = "3D: field of view, 0: parallel",
+                 .help = "3D: vertical field of view, degrees; auto: 0, parallel projection",
+                 .session_help = "3D: vertical field of view, degrees; 0: parallel projection",
                  .may_be_open = true,
                  .numbers = {.in_file = "degrees",
-                             .typed = fmt::format("DEGREES from 0 (parallel) to {}, nor 'auto'",
+                             .typed = fmt::format("DEGREES from 0 (parallel) to {}, or 'auto'",
                                                   render::greatest_field_of_view)},
                  .set = set_fov,
                  .get = get_fov},
       DrawingKey{
           .name = "style",
           .placeholder = "STYLE",
-          .help = "discs (2D), spheres (3D) or cells: particles as the pieces of the body that they are",
-          .session_help = "discs (2D), spheres (3D) or cells",
+          .help =
+              "shape of particles: discs (2D), spheres (3D), or cells, which fill the bodies without gaps",
+          .session_help = "shape of particles: discs (2D), spheres (3D), or cells",
           .may_be_open = true,
           .words = {"style", names_of_styles},
           .set = set_style,
           .get = get_style},
       DrawingKey{.name = "cut",
                  .placeholder = "EXPRESSION|none",
-                 .help = "what is not drawn, such as 'y < 0' for what was there at the start",
-                 .session_help = "what is not drawn: y < 0, as at the start",
+                 .help = "particles to hide, by their initial position, such as 'y < 0'",
+                 .session_help = "particles to hide, by their initial position, such as y < 0",
                  .of_text = true,
                  .set = set_text<&Drawing::cut>,
                  .get = get_text<&Drawing::cut>},
       DrawingKey{
           .name = "follow",
           .placeholder = "BODY|none",
-          .help = "the body whose centre of mass stays in the middle of the picture; a view is about it",
-          .session_help = "the body that stays in the middle",
+          .help = "body whose centre of mass stays in the middle of the picture; the view is relative to it",
+          .session_help = "body that stays in the middle of the picture",
           .of_text = true,
           .set = set_text<&Drawing::follow>,
           .get = get_text<&Drawing::follow>},
       DrawingKey{.name = "glyph",
                  .placeholder = "TIMES",
-                 .help = "how large round particles are drawn, of the spacing that they stand for",
-                 .session_help = "how large round particles are drawn, of the spacing",
+                 .help = "drawn diameter of discs and spheres, in particle spacings",
+                 .session_help = "drawn diameter of discs and spheres, in particle spacings",
                  .numbers = {.in_file = "number",
                              .typed = fmt::format("a number from {} to {}", render::least_glyph,
                                                   render::greatest_glyph)},
@@ -380,33 +386,33 @@ std::span<const DrawingKey> drawing_keys() {
                  .get = get_glyph},
       DrawingKey{.name = "background",
                  .placeholder = "white|black|#RRGGBB",
-                 .help = "white, black or #rrggbb; texts stand out from it",
-                 .session_help = "white, black or #rrggbb",
+                 .help = "background colour: white, black or #rrggbb; texts get a contrasting colour",
+                 .session_help = "background colour: white, black or #rrggbb",
                  .of_text = true,
                  .numbers = {.typed = std::string(right_colors)},
                  .set = set_background,
                  .get = get_background},
       DrawingKey{.name = "text",
                  .placeholder = "all|none",
-                 .help = "all, or none: only the particles, over the whole picture",
-                 .session_help = "all, or none: only the particles",
+                 .help = "all; or none: only the particles, which fill the whole picture",
+                 .session_help = "all; or none: only the particles",
                  .words = {"text", names_of_texts},
                  .set = set_texts,
                  .get = get_texts},
       DrawingKey{.name = "size",
                  .placeholder = "WIDTHxHEIGHT",
-                 .help = "of a frame, in pixels",
+                 .help = "size of a frame, pixels",
                  .numbers = {.count = 2,
                              .whole = true,
                              .between = 'x',
                              .in_file = "[width, height]",
-                             .typed = fmt::format("WIDTHxHEIGHT (1280x720), each from {} to {} pixels",
+                             .typed = fmt::format("WIDTHxHEIGHT such as 1280x720, each from {} to {} pixels",
                                                   render::least_size, render::greatest_size)},
                  .set = set_size,
                  .get = get_size},
       DrawingKey{.name = "frames",
                  .placeholder = "N",
-                 .help = "frames after the one at t = 0, evenly spaced",
+                 .help = "number of frames after the frame at t = 0, evenly spaced in time",
                  .of_runs = true,
                  .numbers = {.whole = true, .in_file = "whole number"},
                  .set = set_frames,
@@ -423,7 +429,7 @@ void set_typed(Drawing& drawing, const DrawingKey& key, const std::string& text)
   const std::optional<DrawingValue> value = typed_value(key, text);
   Drawing changed = drawing;
   if (!value || !key.set(changed, *value).empty())
-    throw UsageError(fmt::format("--{} is '{}', not {}", key.name, text, key.numbers.typed));
+    throw UsageError(fmt::format("--{} is '{}'; it must be {}", key.name, text, key.numbers.typed));
   drawing = changed;
 }
 

@@ -59,8 +59,8 @@ Staging::Staging(const Drawing& drawing, Origins origins)
                   [&](std::size_t i) { return drawing.is_cut(point(origins_.x0, origins_.dim, i)) != 0; });
   if (shown_.empty() && origins_.size() > 0)
     throw UsageError("cut = \"" + drawing.cut +
-                     "\" leaves no particle to draw: it holds at the start of every one; cut away less, or "
-                     "turn it round");
+                     "\" hides all particles: it is true at every initial position; "
+                     "hide fewer, or reverse the expression");
   if (drawing.style == Style::cells) find_cells();
 }
 
@@ -94,8 +94,8 @@ Point Staging::middle(const FrameView& particles) const {
 
 StagedParticles Staging::operator()(const FrameView& particles) const {
   if (particles.value.size() != origins_.size())
-    throw UsageError("these are not the particles of the scene: there are " +
-                     std::to_string(particles.value.size()) + " of them, and the scene has " +
+    throw UsageError("the particles do not belong to the scene: there are " +
+                     std::to_string(particles.value.size()) + ", but the scene has " +
                      std::to_string(origins_.size()));
   const Point origin = followed_ ? middle(particles) : Point{};
   StagedParticles staged{.dim = particles.dim, .time = particles.time, .origin = origin};

@@ -25,7 +25,7 @@ void check_size(const std::filesystem::path& png) {
   };
   const long columns = side(16), rows = side(20);
   if (std::max(columns, rows) > greatest_mask_side)
-    throw UsageError(fmt::format("{} has {} × {} pixels; a mask has at most {} × {}: make it smaller",
+    throw UsageError(fmt::format("{} has {} × {} pixels; a mask can have at most {} × {}: make it smaller",
                                  png.string(), columns, rows, greatest_mask_side, greatest_mask_side));
 }
 

@@ -164,8 +164,8 @@ void ParticleFile::read_header() {
     return array && array->components == components;
   };
   if (!time || !size || !has_numbers(points_name, 3) || !has_numbers(diameter_name, 1))
-    fail("is no particle file of taut");
-  if (!std::isfinite(*time)) fail("has no time: it is not a finite number");
+    fail("is not a particle file of taut");
+  if (!std::isfinite(*time)) fail("has a time that is not a finite number");
   time_ = *time;
   size_ = *size;
 }
@@ -179,7 +179,7 @@ std::vector<double> ParticleFile::read(const Array& array) const {
   if (array.type == "Float64") return read_as<double>(array);
   if (array.type == "Int32") return read_as<std::int32_t>(array);
   if (array.type == "UInt8") return read_as<std::uint8_t>(array);
-  fail("has " + array.name + " as " + array.type + ", which taut does not write");
+  fail("stores " + array.name + " as " + array.type + ", which taut never writes");
 }
 
 template <class Number>
@@ -188,7 +188,8 @@ std::vector<double> ParticleFile::read_as(const Array& array) const {
   const auto length =
       static_cast<std::uint64_t>(std::max<std::streamoff>(file ? std::streamoff(file.tellg()) : 0, 0));
   // zlib packs a thousandfold at most; a broken number must not ask for all of the memory
-  if (array.offset >= length || array.components > 9 || size_ > 1024 * length) fail("is cut short or broken");
+  if (array.offset >= length || array.components > 9 || size_ > 1024 * length)
+    fail("is truncated or damaged");
   const std::size_t count = array.components * size_;
   std::string packed(std::min<std::uint64_t>(length - array.offset, 64 + 2 * sizeof(Number) * (count + 4096)),
                      '\0');
@@ -196,7 +197,7 @@ std::vector<double> ParticleFile::read_as(const Array& array) const {
   file.read(packed.data(), static_cast<std::streamsize>(packed.size()));
   std::vector<Number> numbers(count);
   if (!file || !from_zlib_blocks(packed, std::as_writable_bytes(std::span(numbers))))
-    fail("is cut short or broken");
+    fail("is truncated or damaged");
   return {numbers.begin(), numbers.end()};
 }
 
@@ -222,7 +223,7 @@ std::vector<double> ParticleFile::positions(int dim) const {
 std::vector<double> ParticleFile::diameter() const { return read(*find(std::string(diameter_name))); }
 
 std::vector<double> ParticleFile::field(const std::string& key) const {
-  if (!has(key)) fail("does not hold the field " + key + "; it holds " + join(fields()));
+  if (!has(key)) fail("does not contain the field " + key + "; it contains " + join(fields()));
   return read(*find(key));
 }
 

@@ -16,7 +16,8 @@ class Scratch {
  public:
   Scratch() {
     std::string name = (std::filesystem::temp_directory_path() / "taut-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw OutputError(name, "no folder can be made for a picture of the SVG file");
+    if (!mkdtemp(name.data()))
+      throw OutputError(name, "a temporary folder for the SVG file cannot be created");
     folder_ = name;
   }
   ~Scratch() {
@@ -44,10 +45,11 @@ Mask paint(const std::filesystem::path& svg, int rows) {
                   scratch.folder(), interrupts);
   if (!result.found)
     throw UsageError(
-        "an SVG file is read with rsvg-convert, which is not installed: sudo apt-get install librsvg2-bin");
+        "an SVG file needs rsvg-convert, which is not installed: sudo apt-get install librsvg2-bin");
   if (result.code != 0) {
     const std::string why = result.errors.substr(0, result.errors.find('\n'));
-    throw UsageError(svg.string() + " is no SVG file that can be painted" + (why.empty() ? "" : ": " + why));
+    throw UsageError(svg.string() + " is not an SVG file that rsvg-convert can paint" +
+                     (why.empty() ? "" : ": " + why));
   }
   return read_mask(scratch.folder() / "svg.png", MaskOf::alpha);
 }

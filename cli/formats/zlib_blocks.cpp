@@ -11,7 +11,7 @@
 namespace taut::cli {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "the files say that they are little-endian");
+static_assert(std::endian::native == std::endian::little, "the file header declares little-endian data");
 
 constexpr std::size_t block_size = 1 << 16;
 // Doubles of a simulation hardly compress: a higher level takes five times as long for some per cent less.

@@ -20,8 +20,8 @@ method = "oenog"
 gravity = [0, -9.81]                    # m/s²
 )toml"},
     {"parameters", R"toml([parameters]                            # each can be changed with --set speed=8
-speed = { value = 5, unit = "m/s", min = 0, max = 20, help = "of the disc, downwards" }
-high = { value = "0.01 + 2*dp", unit = "m", help = "of its centre above the bar" }
+speed = { value = 5, unit = "m/s", min = 0, max = 20, help = "downward speed of the disc" }
+high = { value = "0.01 + 2*dp", unit = "m", help = "height of its centre above the bar" }
 )toml"},
     {"material", R"toml([material.rubber]
 density = 1200
@@ -37,7 +37,7 @@ poisson_ratio = 0.4
 name = "bar"
 shape = { type = "rectangle", low = [-0.05, -0.01], high = [0.05, 0] }
 material = "rubber"
-held = "abs(x) > 0.05 - 4*dp"           # its ends stay where they are
+held = "abs(x) > 0.05 - 4*dp"           # the ends are clamped
 parts = [{ material = "stiff", where = "x > 0.02" }]
 
 [[body]]
@@ -95,7 +95,7 @@ unit = "m"
 name = "touch_time"
 of = "first_below"
 probe = "gap"
-threshold = "touching"                  # a name of expressions
+threshold = "touching"                  # the gap of bodies in touch
 unit = "s"
 
 [[measure]]
@@ -106,12 +106,12 @@ unit = "m"
 )toml"},
     {"reference", R"toml([[reference]]
 law = "neo-hookean"
-name = "numbers that are made up"
+name = "made-up numbers"
 values = { deflection = -0.004, touch_time = 8e-4 }
 
 [[reference]]
 law = "2d-deviator"
-name = "a formula that is made up"
+name = "made-up formula"
 let = { a = 0.004, T = 0.01 }
 solutions = { curve_rmse = "-a*sin(pi*t/T)" }
 )toml"},

@@ -49,14 +49,14 @@ void RunFolder::check() const {
   for (const fs::path& inner : {frames(), particles()})
     if (fs::is_symlink(inner, error))
       throw UsageError("'" + inner.string() +
-                       "' is a link: files would be written and removed where it leads; " +
+                       "' is a link; files would be written and removed in its target; " +
                        "remove it or name another folder with --out");
   // killed in the making it holds the first files alone
   const bool begun = holds_only({run_lock_name, record().filename().string() + ".tmp"});
   if (!read_record(record()) && !begun && !is_damaged())
     throw UsageError("'" + path_.string() +
-                     "' holds files that are not a run of taut, which would be mixed " +
-                     "up with its own; empty it or name another folder with --out");
+                     "' contains files that are not from a run of taut; empty it or name " +
+                     "another folder with --out");
 }
 
 bool RunFolder::is_damaged() const {

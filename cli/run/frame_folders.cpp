@@ -31,7 +31,7 @@ using Rows = std::vector<std::vector<std::string>>;
 Rows rows_of(const render::ImageDifference& d) {
   return {
       {"pixels that differ visibly", percent(d.share)},
-      {"greatest difference", brief(d.greatest) + " (ΔE*ab; white and black differ by 100; an eye notices " +
+      {"greatest difference", brief(d.greatest) + " (ΔE*ab; black and white differ by 100, the eye notices " +
                                   brief(render::just_noticeable) + ")"},
       {"densest window", percent(d.densest) + " of " + std::to_string(d.width) + "x" +
                              std::to_string(d.height) + " pixels at " + std::to_string(d.column) + "," +
@@ -88,8 +88,8 @@ FolderDifference compare_folders(const fs::path& a, const fs::path& b, const ren
 void declare_difference_options(CLI::App& app, DifferenceOptions& options) {
   app.add_option(
          "--max-difference", options.max_difference,
-         "alike when no pixel differs by more (ΔE*ab, black to white is 100; 0: every pixel is the same); "
-         "default: alike when hardly a pixel differs visibly and nowhere many together")
+         "largest allowed difference of a pixel (ΔE*ab; black and white differ by 100; 0: identical); "
+         "default: few pixels may differ visibly, if they are not close together")
       ->option_text("X")
       ->check(not_negative_number);
 }

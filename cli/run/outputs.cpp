@@ -215,7 +215,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
 
  private:
   static constexpr const char* nothing_seen =
-      "the view shows no particle in any frame: --view auto holds the whole motion";
+      "the view shows no particle in any frame: use --view auto to show the whole motion";
 
   const RunFolder& folder_;
   const Simulation& simulation_;
@@ -266,7 +266,7 @@ const Snapshot& LastStep::at(double t) {
   const Snapshot& now = simulation_.snapshot();
   if (t == now.time) return now;
   if (before_.size() == 0 || before_.step + 1 != now.step)
-    throw std::logic_error("nothing was kept of the step that passes t = " + exact(t) + " s");
+    throw std::logic_error("no state is stored before the step that passes t = " + exact(t) + " s");
   if (shown_.time != t || shown_.step != now.step) shown_ = blend(before_, now, t);
   return shown_;
 }

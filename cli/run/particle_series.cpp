@@ -20,7 +20,7 @@ void ParticleSeries::add(const Snapshot& snapshot) {
     std::error_code error;
     std::filesystem::create_directories(folder_.particles(), error);
     if (error)
-      throw OutputError(folder_.particles().string(), "the folder cannot be made: " + error.message());
+      throw OutputError(folder_.particles().string(), "the folder cannot be created: " + error.message());
   }
   write_atomically(folder_.particle_file(static_cast<int>(times_.size())),
                    particle_file_text(snapshot, fields_));

@@ -36,7 +36,7 @@ void check_methods(const std::vector<Setting>& settings) {
 /// What an option says --set cannot say too.
 void refuse_second(const std::vector<Setting>& settings, const std::string& name) {
   if (std::ranges::find(settings, name, &Setting::name) != settings.end())
-    throw UsageError(fmt::format("--{0} and --set {0}=... say the same thing; leave one of them out", name));
+    throw UsageError(fmt::format("--{0} and --set {0}=... set the same value; leave one of them out", name));
 }
 
 void put_first(std::vector<Setting>& settings, Setting setting) {
@@ -50,7 +50,7 @@ int frame_count(const RunOptions& options, const SceneFile& file) {
                        : options.every ? std::fmax(1, std::round(file.scene.until / *options.every))
                                        : file.drawing.frames;
   if (count > most)
-    throw UsageError("that makes more than a million frames; take fewer --frames or a longer --every");
+    throw UsageError("the run would have more than a million frames; use fewer --frames or a longer --every");
   return static_cast<int>(count);
 }
 
@@ -59,7 +59,8 @@ double history_interval(const RunOptions& options, const SceneFile& file) {
   const double interval =
       options.history.value_or(file.history.value_or(file.scene.until / default_history_rows));
   if (file.scene.until / interval > most_rows)
-    throw UsageError("--history " + brief(interval) + " makes more than 10 million rows; take a longer one");
+    throw UsageError("--history " + brief(interval) +
+                     " would give more than 10 million rows; use a longer interval");
   return interval;
 }
 
@@ -136,7 +137,7 @@ std::string no_use(const RunOptions& options) {
     if (options.frames) names.emplace_back("--frames");
     if (options.every) names.emplace_back("--every");
   }
-  return names.empty() ? "" : "of no effect, since no frames are drawn: " + join(names);
+  return names.empty() ? "" : "without effect, since no frames are drawn: " + join(names);
 }
 
 /// A probe named like another column of history.csv.
@@ -144,8 +145,8 @@ void refuse_second_columns(const SceneFile& file) {
   std::vector<std::string> columns = history_columns(file.scene);
   for (const Probe& probe : file.scene.probes)
     if (std::ranges::count(columns, probe.name) > 1)
-      throw locate(file, SceneError("probe." + probe.name, "history.csv has a column '" + probe.name +
-                                                               "' already; name the probe otherwise"));
+      throw locate(file, SceneError("probe." + probe.name, "history.csv already has a column '" + probe.name +
+                                                               "'; rename the probe"));
 }
 
 std::string lines_without_samples(const Scene& scene) {
@@ -153,10 +154,11 @@ std::string lines_without_samples(const Scene& scene) {
   for (const SampleLine& line : scene.lines) {
     const auto late = std::ranges::count_if(line.times, [&](double t) { return t > scene.until; });
     if (late > 0)
-      text += (text.empty() ? "" : "; ") +
-              fmt::format(
-                  "the line '{}' has {} of its {} times beyond the end of the run, {} s, and no sample there",
-                  line.name, late, line.times.size(), brief(scene.until));
+      text +=
+          (text.empty() ? "" : "; ") +
+          fmt::format(
+              "line '{0}' has no samples at {1} of its {2} times, which are after the end of the run, {3} s",
+              line.name, late, line.times.size(), brief(scene.until));
   }
   return text;
 }
@@ -168,8 +170,9 @@ std::string reactions_without_balance(const SceneFile& file) {
       std::ranges::none_of(file.scene.probes, is_reaction))
     return "";
   return fmt::format(
-      "a reaction by {}, whose tensile instability control keeps no momentum, is not what the loads "
-      "amount to: where a bar is bent 0.63 to 0.98 of it (METHODS.md)",
+      "reaction forces of {} do not balance the loads, "
+      "since tensile instability control does not conserve momentum: "
+      "in a bent bar they are 0.63 to 0.98 of the load (METHODS.md)",
       file.settings.method);
 }
 
@@ -201,7 +204,7 @@ void declare_setting_options(CLI::App& app, RunOptions& o) {
          [&o](const std::string& name) {
            put_first(o.settings, {"method", name});
          },
-         "`taut list methods`; default: the scene's")
+         "formulation (`taut list methods`); default: the method of the scene")
       ->option_text("METHOD");
   app.add_option_function<std::vector<std::string>>(
          "--set",
@@ -213,7 +216,7 @@ void declare_setting_options(CLI::App& app, RunOptions& o) {
              o.settings.push_back(std::move(setting));
            }
          },
-         "a parameter of the scene, or method.NAME: a constant of the method")
+         "change a parameter of the scene, a constant of the method (method.NAME) or a setting such as cfl")
       ->option_text("NAME=VALUE ...")
       ->allow_extra_args(false)
       ->check(assignment);
@@ -226,9 +229,11 @@ void declare_setting_options(CLI::App& app, RunOptions& o) {
            help)
         ->option_text(placeholder);
   };
-  declare_number("spacing",
-                 "of the particles, m, a number or as 1/14; rounded so that it divides the first body", "DP");
-  declare_number("until", "end of the run, s", "T");
+  declare_number(
+      "spacing",
+      "particle spacing dp, m, as a number or 1/14; rounded to divide the first body; default: the scene's",
+      "DP");
+  declare_number("until", "end of the run, s; default: the scene's", "T");
 }
 
 void declare_output_options(CLI::App& app, RunOptions& o) {
@@ -236,13 +241,12 @@ void declare_output_options(CLI::App& app, RunOptions& o) {
   auto* frames = app.add_option("--frames", o.frames, std::string(key.help))
                      ->option_text(std::string(key.placeholder))
                      ->check(positive_whole_number);
-  app.add_option("--every", o.every, "time between frames, s; rounded so that the last one shows the end")
+  app.add_option("--every", o.every, "time between frames, s; rounded so that the last frame shows the end")
       ->option_text("DT")
       ->check(positive_number)
       ->excludes(frames);
-  app.add_option(
-         "--history", o.history,
-         "time between rows of history.csv, s; default: that of the scene, or a thousandth of the run")
+  app.add_option("--history", o.history,
+                 "time between rows of history.csv, s; default: the scene's, else 1/1000 of the run")
       ->option_text("DT")
       ->check(positive_number);
   declare_drawing_options(app, o.drawing);
@@ -251,8 +255,8 @@ void declare_output_options(CLI::App& app, RunOptions& o) {
 void declare_particle_options(CLI::App& app, RunOptions& o) {
   auto* save =
       app.add_flag("--save-particles", o.save_particles,
-                   "particles/*.vtp with each frame, for `taut render`, `taut compare` and ParaView");
-  app.add_option("--fields", o.fields, "the fields saved with them (`taut list fields`); default: all")
+                   "write particles/*.vtp with each frame, for `taut render`, `taut compare` and ParaView");
+  app.add_option("--fields", o.fields, "fields to save with the particles (`taut list fields`); default: all")
       ->option_text("FIELD,...")
       ->delimiter(',')
       ->allow_extra_args(false)
@@ -263,8 +267,8 @@ void check_threads(int threads) {
   constexpr int few = 8;  // per core: more only wait for each other
   const int most = std::max(2 * few, few * cores());
   if (threads > most)
-    throw UsageError("--threads " + std::to_string(threads) + " is too many: this machine has " +
-                     std::to_string(cores()) + " cores; at most " + std::to_string(most) + " are allowed");
+    throw UsageError("--threads is " + std::to_string(threads) + "; at most " + std::to_string(most) +
+                     " are allowed, since this machine has " + std::to_string(cores()) + " cores");
 }
 
 SceneFile scene_to_run(const RunOptions& options) {

@@ -13,7 +13,7 @@ void check_redrawing(const SavedRun& run) {
   read_colored(run.particles.front(), drawing, origins);
   const Staging staging(drawing, origins);
   if (drawing.orbit && run.file.scene.dim == 2)
-    throw UsageError("--orbit is for scenes in 3D, and this one has dim = 2");
+    throw UsageError("--orbit needs a scene in 3D; this scene has dim = 2");
 }
 
 Redrawn redraw(const SavedRun& run, const std::filesystem::path& folder, int threads, Progress& progress) {

@@ -16,7 +16,7 @@ void check_something_is_left(const RunFolder& folder, const std::optional<Stored
   std::error_code error;
   const std::string name = '\'' + folder.path().string() + '\'';
   if (!fs::exists(folder.scene(), error) || !record)
-    throw UsageError(name + " is not the folder of a run; `taut run` leaves one");
+    throw UsageError(name + " is not a run folder; name a folder that `taut run` has written");
   if (fs::exists(folder.checkpoint(), error)) return;
   const bool failed = record->status == RunRecord::Status::failed;
   if (failed || record->status == RunRecord::Status::finished)
@@ -27,11 +27,11 @@ void check_something_is_left(const RunFolder& folder, const std::optional<Stored
 void check_same_scene(const Checkpoint& checkpoint, const RunFolder& folder, const RunPlan& plan) {
   const std::string name = '\'' + folder.checkpoint().string() + '\'';
   if (const std::string& method = plan.file.settings.method; checkpoint.method != method)
-    throw UsageError(name + " is of a run with method '" + checkpoint.method + "'; " +
-                     folder.scene().string() + " has '" + method + "'");
+    throw UsageError(name + " has method '" + checkpoint.method + "', but " + folder.scene().string() +
+                     " has '" + method + "'; the methods must be the same");
   if (checkpoint.scene != read_whole(folder.scene()))
-    throw UsageError(name + " is of another scene than " + folder.scene().string() +
-                     ", or that was changed since");
+    throw UsageError(name + " does not belong to " + folder.scene().string() +
+                     ": it is from another scene, or the scene was changed");
 }
 
 /// As the run in the folder was started, as far as is known.
@@ -75,8 +75,7 @@ std::string what_differs(const RunOptions& given, const RunOptions& stored, cons
   if (differs([&](RunOptions& options) { options.frames = given.frames, options.every = given.every; }))
     return given.frames ? "--frames" : "--every";
   if (differs([&](RunOptions& options) { options.history = given.history; })) return "--history";
-  if (differs([&](RunOptions& options) { options.drawing = given.drawing; }))
-    return "an option of the drawing";
+  if (differs([&](RunOptions& options) { options.drawing = given.drawing; })) return "a drawing option";
   const auto all_of_it = [&](RunOptions& options) {
     options = given;
     options.out = stored.out;
@@ -103,8 +102,8 @@ RunPlan resume_plan(const fs::path& path, const RunOptions& given) {
   RunPlan plan = make_plan(stored);
   if (checkpoint) check_same_scene(*checkpoint, folder, plan);
   if (const std::string other = what_differs(given, stored, plan); !other.empty())
-    throw UsageError("--resume goes on with the run in '" + path.string() + "' as it is: " + other +
-                     " makes another run; leave it out");
+    throw UsageError("--resume continues the run in '" + path.string() + "' unchanged; " + other +
+                     " would change it; leave it out");
   plan.spacing_asked = checkpoint ? checkpoint->spacing_asked : record->spacing_asked;
   if (checkpoint && !checkpoint->state.empty()) plan.state = std::move(checkpoint->state);
   return plan;

@@ -139,7 +139,7 @@ void Run::load(const std::string& state) {
   for (const auto& output : outputs_) output->load(loader);
   loader.finish();
   simulation_->load(simulation);
-  loader.check("what is due", [&] { return next_output() > simulation_->time(); });
+  loader.check("the time of the next output", [&] { return next_output() > simulation_->time(); });
 }
 
 void Run::open_files(AppendFile::Start start) {

@@ -13,12 +13,13 @@ SavedRun open_saved_run(const fs::path& path) {
   const RunFolder folder(path);
   std::error_code error;
   if (!fs::exists(folder.scene(), error))
-    throw UsageError("'" + path.string() + "' is not the folder of a run; `taut run` leaves one");
+    throw UsageError("'" + path.string() +
+                     "' is not a run folder; name a folder that `taut run` has written");
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder.particles(), error))
     if (entry.path().extension() == ".vtp") files.push_back(entry.path());
   if (files.empty())
-    throw UsageError("'" + path.string() + "' holds no particles to draw from; get them with\n  taut run " +
+    throw UsageError("'" + path.string() + "' contains no saved particles; save them with\n  taut run " +
                      folder.scene().string() + " --save-particles --out " + path.string());
   // names have five digits or more: the shorter is the earlier
   std::ranges::sort(files, {},
@@ -46,9 +47,8 @@ ColoredParticles read_colored(const ParticleFile& file, const Drawing& drawing, 
     return read;
   }
   if (file.size() != origins.size())
-    throw UsageError("the particles of the file are not those of the scene: there are " +
-                     std::to_string(file.size()) + " of them, and the scene has " +
-                     std::to_string(origins.size()));
+    throw UsageError("the particle file does not belong to the scene: it has " + std::to_string(file.size()) +
+                     " particles, but the scene has " + std::to_string(origins.size()));
   const ColorFormula& formula = drawing.of_formula;
   std::vector<std::vector<double>> values;
   std::ranges::transform(formula.fields, std::back_inserter(values), values_of);

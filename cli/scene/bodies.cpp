@@ -51,10 +51,9 @@ void read_on_boundary(TomlCursor& cursor, Body& body) {
   body.on_boundary = cursor.flag("on_boundary");
   const bool one_box = body.shapes.size() == 1 && std::holds_alternative<Box>(body.shapes.front());
   if (body.on_boundary && !(one_box && body.without.empty()))
-    cursor.fail(
-        cursor.need("on_boundary"), "on_boundary",
-        "on_boundary = true is for a body of one rectangle or box: particles on other faces would have no "
-        "lattice. One that is turned has the key 'rotate' of the body");
+    cursor.fail(cursor.need("on_boundary"), "on_boundary",
+                "on_boundary = true needs a body of one rectangle or box without cut-outs; to rotate it, use "
+                "the key 'rotate' of the body, not of the shape");
 }
 
 /// What the lattice may be; a disc or a ring in layers has none.
@@ -65,10 +64,13 @@ void read_lattice(TomlCursor& cursor, int dim, Body& body) {
   body.lattice = Lattice::hexagonal;
   const TomlValue& value = cursor.need("lattice");
   if (dim == 3)
-    cursor.fail(value, "lattice", "lattice = \"hexagonal\" is for dim = 2; in 3D bodies are cubic lattices");
+    cursor.fail(value, "lattice",
+                "lattice = \"hexagonal\" needs dim = 2, but this scene has dim = 3; remove it to get a cubic "
+                "lattice");
   if (body.on_boundary)
     cursor.fail(value, "lattice",
-                "on_boundary = true puts particles on a square lattice; leave one of them out");
+                "lattice = \"hexagonal\" cannot be used with on_boundary = true, which needs a square "
+                "lattice; remove one of them");
 }
 
 /// One expression for all components, or one for each, of which an empty text leaves its component free.
@@ -146,8 +148,9 @@ void read_loads(TomlCursor& cursor, const Scene& scene, Body& body) {
       const TomlValue* value = entry.find(name(kind));
       if (value == nullptr) continue;
       if (!key.empty())
-        entry.fail(*value, name(kind),
-                   std::string(name(kind)) + " stands beside " + key + "; a load takes one of them");
+        entry.fail(
+            *value, name(kind),
+            std::string(name(kind)) + " and " + key + " are both given; a load must have only one of them");
       key = name(kind);
       load.kind = kind;
     }
@@ -158,7 +161,8 @@ void read_loads(TomlCursor& cursor, const Scene& scene, Body& body) {
     if (!entry.find("ramp")) entry.table().set("ramp", TomlValue(1.0));
     const TomlValue& ramp = entry.need("ramp");
     load.ramp = entry.function_of_time(ramp, "ramp");
-    if (!load.ramp) entry.fail(ramp, "ramp", "ramp is 0: the load would never act");
+    if (!load.ramp)
+      entry.fail(ramp, "ramp", "ramp is 0, so the load never acts; remove the load or change the ramp");
     entry.finish();
     body.loads.push_back(std::move(load));
   }
@@ -222,7 +226,7 @@ Wall read_wall(TomlCursor& cursor, const Scene& scene) {
   const double length = std::hypot(wall.normal[0], wall.normal[1], wall.normal[2]);
   if (!(length > 0))
     cursor.fail(cursor.need("normal"), "normal",
-                "the normal has no length; it points to the side where the bodies are, e.g. [0, 1]");
+                "the normal has no length; it must point from the wall to the bodies, e.g. [0, 1]");
   for (double& component : wall.normal) component /= length;
   cursor.finish();
   return wall;
@@ -236,10 +240,10 @@ std::string label(TomlCursor& entry, const std::vector<std::string>& taken) {
   check_name_length(entry, entry.need("name").place, "name", name);
   if (name.empty() || !std::all_of(name.begin(), name.end(), fits))
     entry.fail(entry.need("name"), "name",
-               "'" + name + "' is no name: letters, digits, '_' and '-' are allowed");
+               "'" + name + "' is not a valid name; use letters, digits, '_' and '-'");
   if (std::find(taken.begin(), taken.end(), name) != taken.end())
     entry.fail(entry.need("name"), "name",
-               "the name '" + name + "' stands for another one already; taken: " + join(taken));
+               "the name '" + name + "' is already in use; choose a name other than: " + join(taken));
   return name;
 }
 
@@ -251,7 +255,7 @@ void read_outside(TomlCursor& root, Scene& scene) {
   scene.damping = root.number("damping", scene.damping);
   if (!(scene.damping >= 0))
     root.fail(root.need("damping"), "damping",
-              "damping = " + exact(scene.damping) + " must not be negative, 1/s");
+              "damping = " + exact(scene.damping) + " must not be negative (unit: 1/s)");
 }
 
 void read_bodies(TomlCursor& root, bool keeps_neighbors, SceneFile& file) {
@@ -264,7 +268,7 @@ void read_bodies(TomlCursor& root, bool keeps_neighbors, SceneFile& file) {
   }
   if (scene.bodies.empty())
     root.fail(FilePlace{1, 1}, "body",
-              "the scene has no bodies: write at least one [[body]] with name, shape and material");
+              "the scene has no bodies; add at least one [[body]] with name, shape and material");
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const std::string& name = scene.materials[i].name;
     const auto is_it = [&](const auto& region) { return region.material == static_cast<int>(i); };
@@ -273,7 +277,7 @@ void read_bodies(TomlCursor& root, bool keeps_neighbors, SceneFile& file) {
     };
     if (std::ranges::none_of(scene.bodies, holds_it))
       root.fail(root.need("material").find(name)->place, "material." + name,
-                "the material '" + name + "' is unused: no body is made of it; remove it or use it");
+                "the material '" + name + "' is unused; remove it or use it in a body");
   }
 }
 

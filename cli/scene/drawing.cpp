@@ -30,7 +30,7 @@ DrawingValue given(TomlCursor& render, const DrawingKey& key) {
     if (value.kind == Kind::text && value.text == automatic) return value.text;
     if (key.numbers.count > 1 && value.kind != Kind::array)
       render.fail(value, key.name,
-                  fmt::format("{} must be \"{}\" or {}, this is {}", key.name, automatic, key.numbers.in_file,
+                  fmt::format("{} must be \"{}\" or {}, not {}", key.name, automatic, key.numbers.in_file,
                               value.kind_name()));
   }
   if (key.numbers.count == 1) return std::vector{render.number(key.name)};
@@ -65,28 +65,26 @@ std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
   if (flat && drawing.look.camera)
     return Mismatch{
         {"camera", "up", "fov"},
-        "camera, up and fov are for scenes in 3D, this one has dim = 2: leave them out; `view` says "
-        "what is seen"};
+        "camera, up and fov need dim = 3, but this scene has dim = 2; remove them and use `view`"};
   if (!flat && drawing.look.view)
-    return Mismatch{
-        {"view"},
-        "view is for scenes in 2D, this one has dim = 3: leave it out, or auto; `camera`, `up` and "
-        "`fov` say from where it is seen, and the whole motion is in the picture"};
+    return Mismatch{{"view"},
+                    "view needs dim = 2, but this scene has dim = 3; remove it or set it to auto, and use "
+                    "`camera`, `up` and `fov`. Pictures in 3D show the whole motion"};
   if (drawing.style == (flat ? Style::spheres : Style::discs))
     return Mismatch{
         {"style"},
-        flat ? "style = \"spheres\" is for scenes in 3D, this one has dim = 2: take discs or cells"
-             : "style = \"discs\" is for scenes in 2D, this one has dim = 3: take spheres or cells"};
+        flat ? "style = \"spheres\" needs dim = 3, but this scene has dim = 2; use discs or cells"
+             : "style = \"discs\" needs dim = 2, but this scene has dim = 3; use spheres or cells"};
   if (drawing.style == Style::cells && drawing.look.glyph != 1)
-    return Mismatch{{"glyph"},
-                    "glyph is for round particles, and style = \"cells\" fills the bodies: leave one out"};
+    return Mismatch{
+        {"glyph"},
+        "glyph is the size of round particles and cannot be used with style = \"cells\"; remove one of them"};
   if (drawing.formula.empty() && drawing.field->counts != Counted::nothing &&
       (drawing.look.range || drawing.look.colormap))
-    return Mismatch{
-        {"range", "colormap"},
-        fmt::format("range and colormap are for numbers, and color = \"{}\" has a colour for each: "
-                    "leave them out",
-                    drawing.field->key)};
+    return Mismatch{{"range", "colormap"},
+                    fmt::format("range and colormap need a field of numbers, but color = \"{0}\" has one "
+                                "colour for each {0}; remove them",
+                                drawing.field->key)};
   const std::vector<std::string> bodies = names_of(scene.bodies);
   if (!drawing.follow.empty() && std::ranges::find(bodies, drawing.follow) == bodies.end())
     return Mismatch{{"follow"}, unknown_name("body", drawing.follow, bodies)};
@@ -162,7 +160,7 @@ void suit(Drawing& drawing, const SceneFile& file) {
     }
   };
   if (file.scene.dim == 2 && !names.contains("z") && names_in(drawing.cut).contains("z"))
-    throw UsageError("cut: there is no z in '" + drawing.cut + "', which cuts a scene with dim = 2");
+    throw UsageError("cut = '" + drawing.cut + "' uses z, but the scene has dim = 2; use x and y");
   if (!drawing.cut.empty()) with_key("cut", [&] { drawing.is_cut = compile(drawing.cut, names); });
   if (!drawing.formula.empty())
     with_key("color", [&] { drawing.of_formula = color_formula(drawing.formula, file.scene.dim, names); });

@@ -29,7 +29,7 @@ struct Formula {
   std::mutex used;
 
   double value() const try { return parser.Eval(); } catch (const mu::ParserError& error) {
-    throw ExpressionError(shown(parser.GetExpr()) + " has no value: " + shown(error.GetMsg()), 0);
+    throw ExpressionError(shown(parser.GetExpr()) + " cannot be evaluated: " + shown(error.GetMsg()), 0);
   }
 };
 
@@ -47,13 +47,13 @@ void check_length(const std::string& text, const Names& names) {
     word = of_name && begins ? word + 1 : 0;
     if (too_long(word))
       throw ExpressionError(
-          "a name has at most 100 letters; this one is longer: " + in_quotes(text.substr(i - word + 1)),
+          "a name has at most 100 letters; use a shorter name than " + in_quotes(text.substr(i - word + 1)),
           i - word + 1);
   }
   for (const auto& name : names)
     if (too_long(name.first.size()))
-      throw ExpressionError("a name has at most 100 letters; this one is longer: " + in_quotes(name.first),
-                            0);
+      throw ExpressionError(
+          "a name has at most 100 letters; use a shorter name than " + in_quotes(name.first), 0);
   if (text.size() > longest_text)
     throw ExpressionError(
         fmt::format("{} has {} letters; at most {} are allowed", in_quotes(text), text.size(), longest_text),
@@ -76,7 +76,8 @@ void refuse_assignment(const std::string& text) {
       continue;
     }
     if (i > 0 && std::string_view("<>!").find(text[i - 1]) != std::string_view::npos) continue;
-    throw ExpressionError("'=' in " + in_quotes(text) + " would assign; to compare write '=='", i);
+    throw ExpressionError(
+        "'=' in " + in_quotes(text) + " is an assignment, which is not allowed; to compare, write '=='", i);
   }
 }
 
@@ -108,9 +109,9 @@ void refuse_unit(const std::string& text) {
   while (rest.ends_with(' ')) rest.remove_suffix(1);
   const auto* unit = std::ranges::find(units, rest, &Unit::name);
   if (unit == std::end(units)) return;
-  throw ExpressionError(
-      in_quotes(text) + " has a unit; write the number alone, in SI units: " + brief(value * unit->factor),
-      static_cast<std::size_t>(rest.data() - text.data()));
+  throw ExpressionError(in_quotes(text) + " has a unit; write the number in SI units, without a unit: " +
+                            brief(value * unit->factor),
+                        static_cast<std::size_t>(rest.data() - text.data()));
 }
 
 /// What other languages have where this one has signs.
@@ -121,13 +122,13 @@ void refuse_words(const std::string& text, const std::string& token) {
   const std::string word = token.substr(0, token.find_first_of(" ("));
   for (const auto& [given, sign] : words)
     if (word == given)
-      throw ExpressionError(
-          in_quotes(text) + " is not an expression: for '" + word + "' write '" + std::string(sign) + "'",
-          std::min(text.find(word), text.size()));
+      throw ExpressionError(in_quotes(text) + " is not an expression: instead of '" + word + "', write '" +
+                                std::string(sign) + "'",
+                            std::min(text.find(word), text.size()));
   if (word == "not" || word == "!")
-    throw ExpressionError(
-        in_quotes(text) + " is not an expression: for '" + word + "' write '== 0' behind it",
-        std::min(text.find(word), text.size()));
+    throw ExpressionError(in_quotes(text) + " is not an expression: instead of '" + word +
+                              "', write '== 0' after the condition",
+                          std::min(text.find(word), text.size()));
 }
 
 [[noreturn]] void explain(const Formula& formula, const std::string& text, const mu::ParserError& error) {
@@ -145,8 +146,8 @@ void refuse_words(const std::string& text, const std::string& token) {
   std::vector<std::string> candidates = names;
   for (const std::string& function : function_names()) candidates.push_back(function);
   throw ExpressionError("unknown name " + in_quotes(token) + " in " + in_quotes(text) +
-                            did_you_mean(token, candidates) + "; known here: " + join(names) +
-                            " and functions like sin and sqrt",
+                            did_you_mean(token, candidates) + "; known names: " + join(names) +
+                            " and functions such as sin and sqrt",
                         offset);
 }
 
@@ -158,7 +159,7 @@ void define_pi(mu::Parser& parser) {
 std::unique_ptr<Formula> parse(const std::string& text, const Names& names,
                                std::initializer_list<const char*> variables) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
-    throw ExpressionError("the expression is empty: write a number or an expression", 0);
+    throw ExpressionError("the expression is empty; write a number or an expression", 0);
   check_length(text, names);
   refuse_assignment(text);
   auto formula = std::make_unique<Formula>();
@@ -175,7 +176,7 @@ std::unique_ptr<Formula> parse(const std::string& text, const Names& names,
     explain(*formula, text, error);
   }
   if (formula->parser.GetNumResults() != 1)
-    throw ExpressionError(in_quotes(text) + " holds several values; one is expected", 0);
+    throw ExpressionError(in_quotes(text) + " has several values; an expression must have one value", 0);
   return formula;
 }
 

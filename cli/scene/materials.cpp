@@ -28,7 +28,7 @@ void read_law_parameters(TomlCursor& cursor, Material& material) {
       const double value = cursor.number(parameter.key);
       if (!(value >= parameter.low && value <= parameter.high))
         cursor.fail(cursor.need(parameter.key), parameter.key,
-                    fmt::format("{} = {:g} must lie between {:g} and {:g}: {}", parameter.key, value,
+                    fmt::format("{} = {:g} must be between {:g} and {:g}: {}", parameter.key, value,
                                 parameter.low, parameter.high, parameter.help));
       material.of_laws[std::string(parameter.key)] = value;
     }
@@ -41,12 +41,12 @@ Material read_material(TomlCursor cursor, const std::string& name) {
                     .youngs_modulus = cursor.positive("youngs_modulus"),
                     .poisson_ratio = cursor.number("poisson_ratio")};
   if (!(material.poisson_ratio > -1 && material.poisson_ratio < 0.5))
-    cursor.fail(
-        cursor.need("poisson_ratio"), "poisson_ratio",
-        "poisson_ratio = " + exact(material.poisson_ratio) +
-            " must lie between -1 and 0.5, without both ends" +
-            (material.poisson_ratio == 0.5 ? ": at 0.5 the bulk modulus would be infinite; 0.49 is rubber"
-                                           : ""));
+    cursor.fail(cursor.need("poisson_ratio"), "poisson_ratio",
+                "poisson_ratio = " + exact(material.poisson_ratio) +
+                    " must be greater than -1 and less than 0.5" +
+                    (material.poisson_ratio == 0.5
+                         ? "; at 0.5 the bulk modulus would be infinite, so use 0.49 for rubber"
+                         : ""));
   read_bulk_modulus(cursor, material);
   read_law_parameters(cursor, material);
   cursor.finish();

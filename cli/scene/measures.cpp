@@ -28,8 +28,8 @@ void read_probes_of(TomlCursor& cursor, const Scene& scene, Measure& measure) {
   const TomlValue& value = cursor.need("probes");
   if (value.kind != TomlValue::Kind::array || value.items.size() != dim)
     cursor.fail(value, "probes",
-                "probes must be an array of " + std::to_string(dim) + " names of probes: those of " +
-                    (dim == 2 ? "x and y" : "x, y and z") + " of a point");
+                "probes must be an array of " + std::to_string(dim) + " names of probes: the " +
+                    (dim == 2 ? "x and y" : "x, y and z") + " components of one point");
   for (const TomlValue& item : value.items)
     measure.probes.push_back(known_probe(cursor, item, "probes", scene));
 }
@@ -51,7 +51,7 @@ void read_fields_of(TomlCursor& cursor, const Scene& scene, Measure& measure) {
       value.items.size() > static_cast<std::size_t>(scene.dim))
     cursor.fail(value, "fields",
                 "fields must be an array of 1 to " + std::to_string(scene.dim) +
-                    " names of fields: the components of a vector");
+                    " names of fields: the components of one vector");
   for (const TomlValue& item : value.items) {
     measure.fields.push_back(cursor.text_of(item, "fields"));
     if (!find_field(measure.fields.back(), scene.dim))
@@ -67,7 +67,8 @@ void read_rigid_motion(TomlCursor& cursor, const Scene& scene, Measure& measure)
   if (scene.dim == 3) displacement.emplace_back("displacement_z");
   if (measure.rigid_motion_free && measure.fields != displacement)
     cursor.fail(cursor.need("rigid_motion"), "rigid_motion",
-                "rigid_motion is free in fields = [\"" + join(displacement, "\", \"") + "\"] only");
+                "rigid_motion = \"free\" needs fields = [\"" + join(displacement, "\", \"") +
+                    "\"]; use \"counts\" for other fields");
 }
 
 void read_axis(TomlCursor& cursor, const Scene& scene, Measure& measure) {
@@ -82,7 +83,8 @@ void read_scale(TomlCursor& cursor, const Scene&, Measure& measure) {
   measure.scale = cursor.number("scale", measure.scale);
   // an expression may come to 0 with some parameters, for which the measure has no value
   if (measure.scale == 0 && cursor.need("scale").kind != TomlValue::Kind::text)
-    cursor.fail(cursor.need("scale"), "scale", "scale is 0; the ratio to it would be infinite");
+    cursor.fail(cursor.need("scale"), "scale",
+                "scale is 0; it must not be 0, because the result is divided by it");
 }
 
 /// Where a frequency is looked for.
@@ -91,7 +93,7 @@ void read_band(TomlCursor& cursor, const Scene&, Measure& measure) {
   if (!(ends[0] >= 0 && ends[0] < ends[1]))
     cursor.fail(cursor.need("band"), "band",
                 "band = [" + exact(ends[0]) + ", " + exact(ends[1]) +
-                    "] must be two frequencies in Hz, the lower one first");
+                    "] must be two frequencies in Hz, 0 or more, the lower one first");
   measure.band = {ends[0], ends[1]};
 }
 
@@ -136,32 +138,40 @@ struct MeasureKey : KeyInfo {
 };
 /// What a measure is made from: these say which material its numbers know.
 constexpr std::array objects = {
-    MeasureKey{{"probe", "name of a probe", "", "the series"}, read_probe_of},
-    MeasureKey{{"probes", "[PROBE, PROBE]", "", "those of x and y of a point, in 3D of z too"},
-               read_probes_of},
-    MeasureKey{{"line", "name of a line", "", "the field along it"}, read_line_of},
-    MeasureKey{{"body", "name of a body", "", "that it looks at"}, read_body_of},
-    MeasureKey{{"fields", "[FIELD, ...]", "", "the components of what is compared"}, read_fields_of},
+    MeasureKey{{"probe", "name of a probe", "", "probe that gives the series"}, read_probe_of},
+    MeasureKey{
+        {"probes", "[PROBE, PROBE]", "", "probes of the components of one point: x and y, in 3D also z"},
+        read_probes_of},
+    MeasureKey{{"line", "name of a line", "", "line with the field"}, read_line_of},
+    MeasureKey{{"body", "name of a body", "", "body that is measured"}, read_body_of},
+    MeasureKey{{"fields", "[FIELD, ...]", "", "fields to compare: the components of one vector"},
+               read_fields_of},
     MeasureKey{{"rigid_motion", "counts or free", "counts",
-                "free: for displacements of a body whose loads leave a small rigid motion open"},
+                "free: subtracts the nearest small rigid motion from the error, for displacements of a body "
+                "whose loads do not fix it; counts: includes it"},
                read_rigid_motion},
 };
 constexpr std::array numbers = {
-    MeasureKey{{"axis", "[x, y, z]", "[0, 0, 1]", "of the turn, through the origin; 3D"}, read_axis},
-    MeasureKey{{"threshold", "number", "0", "in the unit of the series"}, read_threshold},
+    MeasureKey{{"axis", "[x, y, z]", "[0, 0, 1]", "axis of rotation through the origin; only in 3D"},
+               read_axis},
+    MeasureKey{{"threshold", "number", "0", "threshold, in the unit of the series"}, read_threshold},
     MeasureKey{{"scale", "number", "1",
-                "what the result is divided by; in rmse the range of the reference makes it a share of that "
-                "range, with unit \"1\""},
+                "divisor of the result, not 0. With the range of the reference, rmse is a relative error "
+                "with unit \"1\""},
                read_scale},
-    MeasureKey{{"band", "[low, high], Hz", "", "where the frequency is looked for"}, read_band},
-    MeasureKey{{"from", "number, s", "0", "the series counts from then on"}, read_from},
-    MeasureKey{{"until", "number, s", "the end of the run", "the series counts up to then"}, read_until},
-    MeasureKey{{"about", "number, or mean", "0",
-                "the level that it swings about, in the unit of the series; mean: that over whole periods"},
-               read_about},
-    MeasureKey{{"time", "number, s", "", "when"}, read_time},
     MeasureKey{
-        {"free", "name of a probe", "none", "says, by being above the threshold, that bodies are apart"},
+        {"band", "[low, high], Hz", "", "range in which the frequency is searched, the lower end first"},
+        read_band},
+    MeasureKey{{"from", "number, s", "0", "start of the evaluated part of the series, 0 or more"}, read_from},
+    MeasureKey{
+        {"until", "number, s", "the end of the run", "end of the evaluated part of the series, after `from`"},
+        read_until},
+    MeasureKey{{"about", "number, or mean", "0",
+                "level of the oscillation, in the unit of the series; mean: the mean over whole periods"},
+               read_about},
+    MeasureKey{{"time", "number, s", "", "time of the value, 0 or more"}, read_time},
+    MeasureKey{
+        {"free", "name of a probe", "none", "probe that is above the threshold when the bodies are apart"},
         read_free},
 };
 

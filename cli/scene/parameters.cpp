@@ -29,8 +29,8 @@ const std::vector<std::string> reserved_names = {
     "stepping", "contact", "touching", "law", "jitter", "jitter_seed"};
 
 std::string bounds_text(const Parameter& parameter) {
-  const std::string low = parameter.low ? exact(*parameter.low) : "any",
-                    high = parameter.high ? exact(*parameter.high) : "any";
+  const std::string low = parameter.low ? exact(*parameter.low) : "-inf",
+                    high = parameter.high ? exact(*parameter.high) : "inf";
   return low + " to " + high + (parameter.unit.empty() || parameter.unit == "1" ? "" : " " + parameter.unit);
 }
 
@@ -63,7 +63,7 @@ Parameter read_parameter(TomlCursor& entry, const std::string& name, const Chang
   if (parameter.low && parameter.high && *parameter.low > *parameter.high)
     entry.fail(entry.need("min"), "min",
                "min = " + exact(*parameter.low) + " is above max = " + exact(*parameter.high) +
-                   ": no value is allowed");
+                   ", so no value is allowed; lower min or raise max");
   entry.finish();
   const auto complain = [&](double number) {
     return name + " = " + exact(number) + " is out of bounds; allowed: " + bounds_text(parameter);
@@ -92,7 +92,7 @@ void check_name_length(const TomlCursor& table, FilePlace place, std::string_vie
   if (name.size() > longest)
     table.fail(
         place, key,
-        "a name has at most 100 letters; '" + shown(name, 20) + "' has " + std::to_string(name.size()));
+        "a name has at most 100 letters, but '" + shown(name, 20) + "' has " + std::to_string(name.size()));
 }
 
 void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string_view kind) {
@@ -102,12 +102,12 @@ void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string
   check_name_length(table, entry.place, entry.key, entry.key);
   if (!is_identifier(entry.key))
     table.fail(entry.place, entry.key,
-               "'" + entry.key + "' is no name for a " + std::string(kind) +
-                   ": letters, digits and '_' are allowed");
+               "'" + entry.key + "' is not a valid name for a " + std::string(kind) +
+                   "; use letters, digits and '_', with no digit first");
   if (taken(reserved_names) || taken(function_names()))
     table.fail(entry.place, entry.key,
-               "the name '" + entry.key + "' has a meaning already; choose another one than " +
-                   join(reserved_names) + " and the names of functions");
+               "the name '" + entry.key + "' is reserved; choose a name other than " + join(reserved_names) +
+                   " and the names of functions");
 }
 
 Setting parse_setting(const std::string& assignment) {
@@ -145,7 +145,7 @@ void check_names(const Changes& changes, const SceneFile& file) {
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw UsageError("'" + name + "' cannot be set in the scene '" + file.scene.name +
                        "' with the method '" + file.settings.method + "'" + did_you_mean(name, known) +
-                       "; what can be set: " + join(known));
+                       "; names that can be set: " + join(known));
   };
   for (const auto& change : changes.parameters) check(change.first);
   for (const auto& change : changes.constants) check(std::string(constant_prefix) + change.first);
@@ -160,7 +160,7 @@ double changed_number(std::string_view name, const std::string& text, const Name
   }
   if (!std::isfinite(value))
     throw UsageError(std::string(name) + " = '" + text + "' is " + exact(value) +
-                     "; a finite number is needed");
+                     "; it must be a finite number");
   return value;
 }
 

@@ -12,52 +12,67 @@ namespace taut::cli {
 namespace {
 
 namespace key {
-constexpr KeyInfo body{"body", "name of a body", "", "that it looks at"};
-constexpr KeyInfo bodies{"bodies", "[BODY, BODY]", "", "the two that it looks at"};
-constexpr KeyInfo images{"bodies", "[BODY, BODY]", "`body`", "two that should be images of each other"};
-constexpr KeyInfo own_image{"body", "name of a body", "`bodies`", "one that should be its own image"};
-constexpr KeyInfo at{"at", "[x, y], m", "", "the material point, where it is at the start"};
-constexpr KeyInfo to{"to", "[x, y], m", "", "the other material point"};
-constexpr KeyInfo component{"component", "x, y or z", "", "the axis along which it is seen"};
+constexpr KeyInfo body{"body", "name of a body", "", "observed body"};
+constexpr KeyInfo bodies{"bodies", "[BODY, BODY]", "", "the two observed bodies"};
+constexpr KeyInfo images{"bodies", "[BODY, BODY]", "or body",
+                         "two bodies that should be mirror images of each other"};
+constexpr KeyInfo own_image{"body", "name of a body", "or bodies",
+                            "one body that should be its own mirror image"};
+constexpr KeyInfo at{"at", "[x, y], m", "",
+                     "material point, given by its position in the initial configuration"};
+constexpr KeyInfo to{"to", "[x, y], m", "", "second material point, given in the same way"};
+constexpr KeyInfo component{"component", "x, y or z", "",
+                            "axis of the component; in mirror_asymmetry the normal of the mirror plane"};
 constexpr KeyInfo part{"component", "xx, yy, zz, xy, von_mises or pressure; in 3D xz, yz", "",
-                       "of the stress"};
-constexpr KeyInfo held_where{"where", "expression of the place", "wherever it is held",
-                             "the region that counts"};
-constexpr KeyInfo met{"bodies", "[BODY, BODY]", "`body` and `wall`", "the force of the second on the first"};
-constexpr KeyInfo met_body{"body", "name of a body", "`bodies`", "the force of the wall on it"};
-constexpr KeyInfo wall{"wall", "name of a wall", "`bodies`", "that acts on `body`"};
-constexpr KeyInfo value{"value", "expression", "", "of t and the probes before it, such as \"2*gap + tip\""};
-constexpr KeyInfo axis{"axis", "[x, y, z]", "[0, 0, 1]", "of the turn, through the origin; in 3D"};
+                       "component or invariant of the stress"};
+constexpr KeyInfo held_where{"where", "expression of the place", "everywhere",
+                             "region of the summed particles, where the expression is not 0"};
+constexpr KeyInfo met{"bodies", "[BODY, BODY]", "or body and wall", "force of the second body on the first"};
+constexpr KeyInfo met_body{"body", "name of a body", "or bodies", "body on which the wall acts"};
+constexpr KeyInfo wall{"wall", "name of a wall", "or bodies", "wall that acts on `body`"};
+constexpr KeyInfo value{"value", "expression", "",
+                        "expression of t and of the probes above it, such as \"2*gap + tip\""};
+constexpr KeyInfo axis{"axis", "[x, y, z]", "[0, 0, 1]", "axis of rotation through the origin; only in 3D"};
 }  // namespace key
 
 /// Rows of one line each are easier to compare.
 // clang-format off
 const std::vector<ProbeKind> kinds{
-    {"displacement", Probe::Kind::displacement, "m", "of a material point", {key::body, key::at, key::component}},
-    {"position", Probe::Kind::position, "m", "of a material point", {key::body, key::at, key::component}},
-    {"velocity", Probe::Kind::velocity, "m/s", "of a material point", {key::body, key::at, key::component}},
-    {"distance", Probe::Kind::distance, "m", "between two material points", {key::body, key::at, key::to}},
-    {"mean_velocity", Probe::Kind::mean_velocity, "m/s", "of the mass centre", {key::body, key::component}},
-    {"mean_position", Probe::Kind::mean_position, "m", "of the mass centre", {key::body, key::component}},
-    {"greatest_position", Probe::Kind::greatest_position, "m", "of any of its particles",
+    {"displacement", Probe::Kind::displacement, "m", "displacement of a material point",
+     {key::body, key::at, key::component}},
+    {"position", Probe::Kind::position, "m", "position of a material point",
+     {key::body, key::at, key::component}},
+    {"velocity", Probe::Kind::velocity, "m/s", "velocity of a material point",
+     {key::body, key::at, key::component}},
+    {"distance", Probe::Kind::distance, "m", "distance between two material points",
+     {key::body, key::at, key::to}},
+    {"mean_velocity", Probe::Kind::mean_velocity, "m/s", "velocity of the centre of mass",
+     {key::body, key::component}},
+    {"mean_position", Probe::Kind::mean_position, "m", "position of the centre of mass",
+     {key::body, key::component}},
+    {"greatest_position", Probe::Kind::greatest_position, "m", "largest position of a particle of the body",
      {key::body, key::component}},
     {"gap", Probe::Kind::gap, "m",
-     "least distance of the surfaces of two bodies, below 0 where they overlap; at most as far as contact looks, a "
-     "spacing or two",
+     "smallest distance between the surfaces of two bodies, below 0 where they overlap. "
+     "It is at most the search range of the contact, one or two spacings",
      {key::bodies}},
     {"mirror_asymmetry", Probe::Kind::mirror_asymmetry, "m",
-     "greatest deviation of a body from the mirror image of the other one, or of itself",
+     "largest deviation of a body from the mirror image of another body, or of itself",
      {key::images, key::own_image, key::component}},
-    {"turn", Probe::Kind::turn, "rad", "angle of a material point about the axis since the start, whole turns "
-     "counted", {key::body, key::at, key::axis}},
-    {"stress", Probe::Kind::stress, "Pa", "Cauchy stress at a material point, as fields show it, positive in tension; "
-     "pressure in compression", {key::body, key::at, key::part}},
-    {"reaction", Probe::Kind::reaction, "N, in 2D N/m", "force of what holds, guides or drives particles on them: with "
-     "the contact and the weight all that changes the momentum of the body, without loads", {key::body,
-     key::held_where, key::component}},
-    {"contact_force", Probe::Kind::contact_force, "N, in 2D N/m", "force of another body, or of a wall, on a body",
+    {"turn", Probe::Kind::turn, "rad",
+     "angle by which a material point has turned about the axis since the start, whole turns included",
+     {key::body, key::at, key::axis}},
+    {"stress", Probe::Kind::stress, "Pa",
+     "Cauchy stress at a material point, as in the fields: positive in tension, pressure positive in compression",
+     {key::body, key::at, key::part}},
+    {"reaction", Probe::Kind::reaction, "N, in 2D N/m",
+     "sum of the reaction forces on clamped and driven particles of a body. Without loads and damping, "
+     "only reaction, contact force and weight change the momentum of the body",
+     {key::body, key::held_where, key::component}},
+    {"contact_force", Probe::Kind::contact_force, "N, in 2D N/m",
+     "contact force of another body or of a wall on a body",
      {key::met, key::met_body, key::wall, key::component}},
-    {"expression", Probe::Kind::expression, "of `value`", "of other probes", {key::value}},
+    {"expression", Probe::Kind::expression, "unit of value", "expression of other probes", {key::value}},
 };
 // clang-format on
 
@@ -72,7 +87,7 @@ std::vector<int> probe_bodies(TomlCursor& cursor, const ProbeKind& kind, const S
     cursor.fail(pair, "bodies", "bodies must be an array of two names of bodies");
   std::vector<int> bodies;
   for (const TomlValue& item : pair.items) bodies.push_back(body_index(cursor, item, "bodies", scene));
-  if (bodies[0] == bodies[1]) cursor.fail(pair, "bodies", "bodies must be two different ones");
+  if (bodies[0] == bodies[1]) cursor.fail(pair, "bodies", "bodies must name two different bodies");
   return bodies;
 }
 
@@ -86,7 +101,8 @@ void refuse_point_on_axis(TomlCursor& cursor, const Probe& probe) {
   }
   constexpr double round_off = 1e-24;
   if (!(away > round_off * size))
-    cursor.fail(cursor.need("at"), "at", "at lies on the axis of the turn, about which it has no angle");
+    cursor.fail(cursor.need("at"), "at",
+                "at lies on the axis of rotation, where the angle is undefined; choose a point off the axis");
 }
 
 /// The part of a stress that `component` names.
@@ -179,13 +195,14 @@ Probe read_probe(TomlCursor& cursor, const Scene& scene) {
 std::vector<double> read_line_times(TomlCursor& cursor) {
   const TomlValue& value = cursor.need("times");
   if (value.kind != TomlValue::Kind::array || value.items.empty())
-    cursor.fail(value, "times", "times must be an array of times in s, in growing order");
+    cursor.fail(value, "times", "times must be an array of one or more times in s, in increasing order");
   std::vector<double> times;
   for (const TomlValue& item : value.items) {
     times.push_back(cursor.value_of(item, "times"));
     const double before = times.size() > 1 ? times[times.size() - 2] : 0;
     if (times.back() < before)
-      cursor.fail(item, "times", exact(times.back()) + " comes after " + exact(before) + ": times must grow");
+      cursor.fail(item, "times",
+                  exact(times.back()) + " comes after " + exact(before) + "; times must increase, from 0 on");
   }
   return times;
 }
@@ -239,7 +256,9 @@ Point turning_axis(TomlCursor& cursor, const Scene& scene) {
   }
   Point axis = cursor.point("axis", scene.dim);
   const double length = std::hypot(axis[0], axis[1], axis[2]);
-  if (!(length > 0)) cursor.fail(cursor.need("axis"), "axis", "axis = [0, 0, 0] has no direction");
+  if (!(length > 0))
+    cursor.fail(cursor.need("axis"), "axis",
+                "axis = [0, 0, 0] has no direction; give a vector such as [0, 0, 1]");
   for (double& component : axis) component /= length;
   return axis;
 }

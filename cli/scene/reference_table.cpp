@@ -48,7 +48,8 @@ struct Rows {
 
   double number(const std::vector<std::string>& row, std::size_t column) const {
     if (column >= row.size())
-      fail("the row has " + std::to_string(row.size()) + " columns, fewer than the head");
+      fail("the row has " + std::to_string(row.size()) +
+           " columns, fewer than the header; add the missing values");
     const std::string& cell = row[column];
     const auto value = parsed<double>(cell);
     if (!value || !std::isfinite(*value)) fail("'" + cell + "' is not a finite number");
@@ -60,7 +61,7 @@ std::size_t column_of(const Rows& rows, const std::vector<std::string>& head, co
   for (std::size_t i = 0; i < head.size(); ++i)
     if (head[i] == name) return i;
   rows.fail("the table has no column '" + name + "'" + did_you_mean(name, head) +
-            "; there are: " + join(head));
+            "; its columns: " + join(head));
 }
 
 /// A file lies beside the scene. That of a scene that comes with taut is found from everywhere, for the
@@ -106,7 +107,7 @@ std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path&
   if (!std::filesystem::is_regular_file(path, error))
     table.fail(table.need("file"), "file",
                "there is no " + std::string(what) + " '" + path.string() +
-                   "'; the path starts at the scene's folder");
+                   "'; a relative path must start at the scene's folder");
   table.table().set("file", TomlValue(known_as(path)));
   return path;
 }
@@ -131,7 +132,7 @@ std::string file_text(const std::filesystem::path& path, std::size_t most_bytes)
   text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.size() > most_bytes)
     fail("the file is larger than " + std::to_string(most_bytes >> 20) +
-         " MiB: this is not a scene file or table");
+         " MiB, the limit for scene files and tables");
   return text;
 }
 
@@ -139,7 +140,7 @@ ReferenceTable read_table(const std::filesystem::path& path, const std::string& 
                           const std::vector<std::string>& columns) {
   Rows rows{.file = path.string(), .text = file_text(path)};
   const auto head = rows.read();
-  if (!head) rows.fail("the table is empty; it needs a head with '" + lead + "' and " + join(columns));
+  if (!head) rows.fail("the table is empty; it must have a header with '" + lead + "' and " + join(columns));
   const std::size_t t = column_of(rows, *head, lead);
   std::vector<std::size_t> places;
   for (const std::string& name : columns) places.push_back(column_of(rows, *head, name));
@@ -149,9 +150,9 @@ ReferenceTable read_table(const std::filesystem::path& path, const std::string& 
     table.t.push_back(rows.number(*row, t));
     for (std::size_t k = 0; k < places.size(); ++k) table.value[k].push_back(rows.number(*row, places[k]));
     if (table.t.size() > 1 && !(table.t.back() > table.t[table.t.size() - 2]))
-      rows.fail(lead + " must grow from row to row");
+      rows.fail(lead + " must increase from row to row");
   }
-  if (table.t.size() < 2) rows.fail("the table needs at least two rows");
+  if (table.t.size() < 2) rows.fail("the table must have at least two rows");
   return table;
 }
 
@@ -160,7 +161,7 @@ ColumnTable read_columns(const std::filesystem::path& path, const std::vector<st
   constexpr std::size_t most_bytes = 256 << 20;
   Rows rows{.file = path.string(), .text = file_text(path, most_bytes)};
   const auto head = rows.read();
-  if (!head) rows.fail("the table is empty; it needs a head with " + join(needed));
+  if (!head) rows.fail("the table is empty; it must have a header with " + join(needed));
   ColumnTable table;
   std::vector<std::size_t> places;
   for (const std::string& name : needed) places.push_back(column_of(rows, *head, name));
@@ -168,14 +169,15 @@ ColumnTable read_columns(const std::filesystem::path& path, const std::vector<st
     places.push_back(static_cast<std::size_t>(std::ranges::find(*head, name) - head->begin()));
   for (std::size_t k = 0; k < head->size(); ++k)
     if (std::ranges::count(places, k) == 0)
-      rows.fail("unknown column '" + (*head)[k] + "'; known here: " + join(needed) + ", " + join(optional));
+      rows.fail("unknown column '" + (*head)[k] + "'; known columns: " + join(needed) + ", " +
+                join(optional));
   table.columns.resize(places.size());
   while (const auto row = rows.read()) {
     table.lines.push_back(rows.line);
     for (std::size_t k = 0; k < places.size(); ++k)
       if (places[k] < head->size()) table.columns[k].push_back(rows.number(*row, places[k]));
   }
-  if (table.lines.empty()) rows.fail("the table has no rows");
+  if (table.lines.empty()) rows.fail("the table has no rows below its header; it must have at least one");
   return table;
 }
 

@@ -38,8 +38,9 @@ double asked_spacing(TomlValue tree, const Changes& changes, TomlSource& source)
   for (const std::string& name :
        spacing.kind == TomlValue::Kind::text ? names_in(spacing.text) : std::set<std::string>{})
     if (unknown_yet.contains(name))
-      root.fail(spacing, "spacing",
-                "spacing = '" + spacing.text + "' depends on dp, which is the spacing itself");
+      root.fail(
+          spacing, "spacing",
+          "spacing = '" + spacing.text + "' depends on dp, which is the spacing itself; remove dp from it");
   const double asked = root.positive("spacing");
   return changes.spacing ? changed_positive("spacing", *changes.spacing, root.names()) : asked;
 }
@@ -49,7 +50,8 @@ void read_head(TomlCursor& root, SceneFile& file) {
   scene.name = root.line("name", file.path.stem().string());
   if (scene.name.find('/') != std::string::npos || scene.name == "." || scene.name == "..")
     root.fail(root.need("name"), "name",
-              "name = '" + shown(scene.name) + "' must have no '/' in it: the run's folder is called so");
+              "name = '" + shown(scene.name) +
+                  "' must not contain '/' or be '.' or '..', because it names the run folder");
   scene.title = root.line("title", scene.name);
   scene.source = root.line("source", "");
   constexpr int default_dim = 2;
@@ -72,8 +74,7 @@ std::string check_jitter(double share) {
   return share >= 0 && share < Jitter::least_unusable
              ? ""
              : "jitter = " + exact(share) + " must be at least 0 and below " + exact(Jitter::least_unusable) +
-                   ": in spacings, by how much each particle is moved at random to either side along each "
-                   "axis";
+                   "; it is the largest random shift of a particle along each axis, in spacings";
 }
 
 std::string check_seed(double seed) {
@@ -109,7 +110,8 @@ bool has_spacing(const std::string& expression) {
 }
 
 std::string in_spacings_already(const std::string& given) {
-  return "jitter = " + given + ": a jitter is in spacings dp already; write jitter=0.1 for a tenth";
+  return "jitter = " + given +
+         " must not contain dp, because jitter is in spacings; write jitter=0.1 for a tenth of dp";
 }
 
 void read_jitter(TomlCursor& root, const Changes& changes, Jitter& jitter) {
@@ -134,7 +136,7 @@ void refuse_unused_parameters(TomlCursor& root, const TomlValue& original, const
   for (const TomlEntry& entry : parameters->value.entries)
     if (!source.used.contains(entry.key) && !entry.value.find("default"))
       root.fail(entry.place, "parameters." + entry.key,
-                "the parameter '" + entry.key + "' is unused: no expression names it; remove it or use it");
+                "the parameter '" + entry.key + "' is unused; remove it or use it in an expression");
 }
 
 /// A reading of the file with dp as the spacing. What follows from dp are parameters, materials and bodies;
@@ -195,7 +197,7 @@ void refuse_too_coarse(double asked, double fitted, const TomlValue& tree, const
   if (!(asked > coarse * fitted)) return;
   const std::string what = "spacing = " + brief(asked) +
                            " m is more than twice the thickness of the first body, " + brief(fitted) +
-                           " m: a body needs several rows of particles";
+                           " m; choose a smaller spacing, because a body needs several rows of particles";
   if (changes.spacing) throw UsageError(what);
   const FilePlace place = tree.find("spacing")->value.place;
   throw SceneError(source.file, place.line, place.column, "spacing", what);
@@ -222,9 +224,9 @@ SceneFile read_text(const std::string& text, const std::filesystem::path& path,
     dp = reading.fitted();
   }
   const FilePlace place = tree.find("spacing")->value.place;
-  throw SceneError(
-      source.file, place.line, place.column, "spacing",
-      "no spacing divides the first body into whole particles, since its size depends on dp itself");
+  throw SceneError(source.file, place.line, place.column, "spacing",
+                   "no spacing divides the first body into whole particles, because its size depends on dp; "
+                   "remove dp from its size");
 }
 
 }  // namespace

@@ -25,14 +25,15 @@ struct Frame {
 double read_size(TomlCursor& shape, double rows, double columns) {
   const TomlValue *height = shape.find("height"), *width = shape.find("width");
   if (height && width)
-    shape.fail(*width, "width", "width stands beside height; the file says how wide it is then");
+    shape.fail(*width, "width",
+               "width and height are both given; remove one of them, because the file gives the ratio");
   if (!height && !width) shape.need("height");
   return height ? shape.positive("height") / rows : shape.positive("width") / columns;
 }
 
 void read_where(TomlCursor& shape, Frame& frame) {
   const TomlValue *low = shape.find("low"), *centre = shape.find("centre");
-  if (low && centre) shape.fail(*low, "low", "low stands beside centre; take one of them");
+  if (low && centre) shape.fail(*low, "low", "low and centre are both given; remove one of them");
   if (!low && !centre) shape.need("centre");
   if (centre)
     frame.centre = shape.point("centre", 2);
@@ -46,7 +47,7 @@ Shape polygon_of(TomlCursor& shape, const Mask& mask, double threshold, const Fr
   std::vector<Chain> contours = faces_of(mask, threshold);
   const TomlValue& file = shape.need("file");
   if (contours.empty())
-    shape.fail(file, "file", "nothing of the picture is inside; look at 'threshold' and 'inside'");
+    shape.fail(file, "file", "no part of the picture is inside the shape; check 'threshold' and 'inside'");
   std::size_t points = 0;
   for (Chain& contour : contours) {
     points += contour.size();
@@ -58,8 +59,8 @@ Shape polygon_of(TomlCursor& shape, const Mask& mask, double threshold, const Fr
   }
   if (points > most_points)
     shape.fail(file, "file",
-               fmt::format("the outline has {} points, more than {}: the picture is too noisy", points,
-                           most_points));
+               fmt::format("the outline has {} points; at most {} are allowed. Use a picture with less noise",
+                           points, most_points));
   return AnyShape::of(Polygon(std::move(contours), frame.centre));
 }
 
@@ -100,22 +101,25 @@ GivenSites saved_sites(const std::filesystem::path& path, std::optional<int> wan
   const ParticleFile file(path);
   const std::vector<double> x = file.positions(3), body = file.field("body"), diameter = file.diameter();
   if (const auto bad = std::ranges::find_if(x, [](double v) { return !std::isfinite(v); }); bad != x.end())
-    throw UsageError(fmt::format("particle {} of {} is at no place: a coordinate is {}",
+    throw UsageError(fmt::format("particle {} of {} has the coordinate {}; coordinates must be finite",
                                  (bad - x.begin()) / 3 + 1, path.string(), *bad));
   GivenSites given;
   for (std::size_t i = 0; i < body.size(); ++i) {
     if (wanted && body[i] != *wanted) continue;
     if (setting.dim == 2 && x[3 * i + 2] != 0)
-      throw UsageError(path.string() + " is of a scene in three dimensions; this one has dim = 2");
+      throw UsageError(
+          path.string() +
+          " is a file of a scene with dim = 3, but this scene has dim = 2; use a file with dim = 2");
     if (!(diameter[i] > 0 && std::isfinite(diameter[i])))
       throw UsageError(
-          fmt::format("particle {} of {} has a diameter of {:g}", i + 1, path.string(), diameter[i]));
+          fmt::format("particle {} of {} has a diameter of {:g}; it must be finite and greater than 0", i + 1,
+                      path.string(), diameter[i]));
     given.places.push_back({x[3 * i], x[3 * i + 1], x[3 * i + 2]});
     given.volumes.push_back(std::pow(diameter[i], setting.dim));
   }
   if (given.places.empty())
-    throw UsageError(path.string() + " holds no particle" +
-                     (wanted ? fmt::format(" of body {}; its bodies are numbered from 0", *wanted) : ""));
+    throw UsageError(path.string() + " contains no particle" +
+                     (wanted ? fmt::format(" of body {}; bodies are numbered from 0", *wanted) : ""));
   return given;
 }
 
@@ -133,16 +137,17 @@ void refuse_far(const GivenSites& given, const std::filesystem::path& file, cons
       throw SceneError(
           file.string(), 0, 0, "",
           fmt::format(
-              "the particles lie too far apart, or too far out, for a spacing of {:g} m: {} goes from "
-              "{:g} m to {:g} m; the box around them may have room for {:g}",
+              "the particles are too far apart, or too far from the origin, for a spacing of {:g} m: {} goes "
+              "from {:g} m to {:g} m. The box around them may have room for at most {:g} particles",
               setting.dp, axis_names[k], low[k], high[k], greatest_particle_number));
   }
   for (const double volume : given.volumes)
     if (volume > most_times * cell || volume * most_times < cell)
       throw SceneError(
           file.string(), 0, 0, "",
-          fmt::format("a volume of {:g} does not fit a spacing of {:g} m, a cell of which has {:g}", volume,
-                      setting.dp, cell));
+          fmt::format(
+              "a volume of {:g} does not fit a spacing of {:g} m, whose cell has {:g}; check the units",
+              volume, setting.dp, cell));
 }
 
 /// They are not laid anew with the scene's spacing, by which their neighbours are found: one that does not fit is
@@ -154,8 +159,8 @@ void refuse_other_spacing(std::vector<double> volumes, const std::filesystem::pa
   const double apart = std::pow(*middle, 1.0 / setting.dim);
   if (apart > 2 * setting.dp || setting.dp > 2 * apart)
     throw SceneError(file.string(), 0, 0, "",
-                     fmt::format("its particles are about {:.3g} m apart, by their volumes, and stay so; the "
-                                 "scene's spacing of {:g} m must be at most twice and at least half of that",
+                     fmt::format("its particles are about {:.3g} m apart, by their volumes; the scene's "
+                                 "spacing of {:g} m must be between half and twice this distance",
                                  apart, setting.dp));
 }
 
@@ -166,10 +171,11 @@ void refuse_twins(const std::vector<Point>& places, const std::filesystem::path&
   std::ranges::sort(order, {}, [&](std::size_t i) { return places[i]; });
   for (std::size_t k = 1; k < order.size(); ++k)
     if (places[order[k]] == places[order[k - 1]])
-      throw SceneError(file.string(), 0, 0, "",
-                       fmt::format("particles {} and {} are at the same place, ({:g}, {:g}, {:g}) m",
-                                   std::min(order[k], order[k - 1]) + 1, std::max(order[k], order[k - 1]) + 1,
-                                   places[order[k]][0], places[order[k]][1], places[order[k]][2]));
+      throw SceneError(
+          file.string(), 0, 0, "",
+          fmt::format("particles {} and {} are at the same place, ({:g}, {:g}, {:g}) m; remove one of them",
+                      std::min(order[k], order[k - 1]) + 1, std::max(order[k], order[k - 1]) + 1,
+                      places[order[k]][0], places[order[k]][1], places[order[k]][2]));
 }
 
 /// Median distance from a particle to the nearest other one, m, of about a thousand of them.
@@ -206,12 +212,11 @@ double usual_distance(std::vector<Point> places) {
 /// they would have another mass is refused. Lattices have 1 to 1.12 dp, disordered particles down to 0.75.
 void refuse_other_mass(double apart, const std::filesystem::path& file, const ShapeSetting& setting) {
   if (std::isfinite(apart) && (apart < 0.7 * setting.dp || apart > 1.3 * setting.dp))
-    throw SceneError(
-        file.string(), 0, 0, "",
-        fmt::format("its particles are about {:.3g} m apart and stay so, and the scene's spacing is "
-                    "{:g} m: without a column volume each would weigh as much as a cell of that "
-                    "spacing. Give the volumes, or a spacing that fits",
-                    apart, setting.dp));
+    throw SceneError(file.string(), 0, 0, "",
+                     fmt::format("its particles are about {:.3g} m apart, but the scene's spacing is {:g} m: "
+                                 "without a column volume, each particle would get the mass of a cell of "
+                                 "that spacing. Add a column volume, or choose a spacing that fits",
+                                 apart, setting.dp));
 }
 
 }  // namespace
@@ -223,7 +228,8 @@ Shape read_svg(TomlCursor& shape, const ShapeSetting& setting) {
   const std::filesystem::path file = named_file(shape, setting.folder, "file");
   std::error_code error;
   if (std::filesystem::file_size(file, error) > most_bytes)
-    shape.fail(shape.need("file"), "file", "the SVG file is larger than 4 MiB: this is no outline");
+    shape.fail(shape.need("file"), "file",
+               "the SVG file is larger than 4 MiB, the limit for outlines; simplify it");
   Frame frame;
   read_where(shape, frame);
   const auto painted = [&](int rows) { return with_place(shape, [&] { return paint_svg(file, rows); }); };
@@ -248,7 +254,7 @@ Shape read_mask_file(TomlCursor& shape, const ShapeSetting& setting) {
   const double threshold = shape.number("threshold", 0.5);
   if (!(threshold > 0 && threshold < 1))
     shape.fail(shape.need("threshold"), "threshold",
-               "threshold = " + exact(threshold) + " must lie between 0, white, and 1, black");
+               "threshold = " + exact(threshold) + " must be between 0 (white) and 1 (black)");
   if (!shape.find("inside")) shape.table().set("inside", TomlValue(std::string("dark")));
   const bool light = shape.choice("inside", {"dark", "light"}) == "light";
   Mask mask = with_place(shape, [&] { return read_mask(file, MaskOf::darkness); });
@@ -262,11 +268,12 @@ Shape read_particles(TomlCursor& shape, const ShapeSetting& setting) {
   const std::filesystem::path file = named_file(shape, setting.folder, "file");
   const bool saved = file.extension() == ".vtp";
   if (const TomlValue* body = shape.find("of_body"); body && !saved)
-    shape.fail(*body, "of_body", "of_body is of the particles that a run has saved, a .vtp file");
+    shape.fail(*body, "of_body",
+               "of_body needs a .vtp file, which holds the particles of a run; remove it for other files");
   if (!setting.alone)
-    shape.fail(
-        shape.need("type"), "type",
-        "given particles are a body of their own: they stand in no union, and nothing is cut out of them");
+    shape.fail(shape.need("type"), "type",
+               "a shape of type \"particles\" must be the only shape of its body; it cannot be combined with "
+               "other shapes or have cut-outs");
   std::optional<int> body;
   if (shape.find("of_body")) body = shape.whole("of_body", 0, 0, 1000000);
   GivenSites given = saved ? with_place(shape, [&] { return saved_sites(file, body, setting); })

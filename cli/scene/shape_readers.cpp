@@ -21,8 +21,8 @@ bool is_list(const TomlValue& value) { return value.kind == Kind::array; }
 Point read_corner(TomlCursor& shape, const TomlValue& value, std::string_view key) {
   if (!is_list(value) || value.items.size() != 2)
     shape.fail(value, key,
-               "a point must be an array of two numbers, [x, y] in m, this is " +
-                   std::string(is_list(value) ? "one of " + std::to_string(value.items.size())
+               "a point must be an array of two numbers, [x, y] in m, not " +
+                   std::string(is_list(value) ? "an array of " + std::to_string(value.items.size())
                                               : std::string(value.kind_name())));
   return {shape.value_of(value.items[0], key), shape.value_of(value.items[1], key), 0};
 }
@@ -37,17 +37,18 @@ Chain read_contour(TomlCursor& shape, const TomlValue& value, std::string_view k
   }
   if (contour.size() > 1 && contour.back() == contour.front()) contour.pop_back();
   if (contour.size() < 3)
-    shape.fail(
-        value, key,
-        fmt::format("a contour needs at least three points, this has {}; the last is joined to the first",
-                    contour.size()));
+    shape.fail(value, key,
+               fmt::format("a contour must have at least three points, but this one has {}; the last point "
+                           "is joined to the first",
+                           contour.size()));
   return contour;
 }
 
 std::vector<Chain> read_contours(TomlCursor& shape) {
   const TomlValue *points = shape.find("points"), *contours = shape.find("contours");
   if (points && contours)
-    shape.fail(*contours, "contours", "contours stands beside points; a polygon takes one of them");
+    shape.fail(*contours, "contours",
+               "contours and points are both given; a polygon must have only one of them");
   if (!contours) return {read_contour(shape, shape.need("points"), "points")};
   if (!is_list(*contours) || contours->items.empty())
     shape.fail(*contours, "contours", "contours must be an array of contours, each an array of points");
@@ -74,9 +75,11 @@ Shape read_polygon(TomlCursor& shape, const ShapeSetting&) {
   std::size_t points = 0;
   for (const Chain& contour : contours) points += contour.size();
   if (points > most_points)
-    shape.fail(value, key,
-               fmt::format("{} points are more than a polygon may have, {}: take a mask or an svg", points,
-                           most_points));
+    shape.fail(
+        value, key,
+        fmt::format(
+            "the polygon has {} points; at most {} are allowed. Use a shape of type mask or svg instead",
+            points, most_points));
   std::optional<Point> centre;
   if (shape.find("centre")) centre = shape.point("centre", 2);
   if (const auto place = crossing(contours)) {
@@ -84,11 +87,11 @@ Shape read_polygon(TomlCursor& shape, const ShapeSetting&) {
     shape.fail(value, key,
                "two sides of the polygon cross, or lie on each other, at " +
                    corner_text({(*place)[0] + from[0], (*place)[1] + from[1], 0}) +
-                   "; the contours of a polygon do not cross themselves or each other");
+                   "; the contours of a polygon must not cross themselves or each other");
   }
   Polygon polygon(contours, centre);
   if (!(polygon.measure(2) > 0))
-    shape.fail(value, key, "the polygon encloses no area: its points lie on a line");
+    shape.fail(value, key, "the polygon has no area: its points lie on a line; it must enclose an area");
   return AnyShape::of(std::move(polygon));
 }
 
@@ -102,7 +105,9 @@ Shape read_expression(TomlCursor& shape, const ShapeSetting& setting) {
   result.within = read_low_and_high(shape, setting.dim);
   const TomlValue& inside = shape.need("inside");
   result.inside = shape.function_of(inside, "inside");
-  if (!result.inside) shape.fail(inside, "inside", "inside is 0: the shape would hold nothing");
+  if (!result.inside)
+    shape.fail(inside, "inside",
+               "inside is 0, so the shape is empty; give an expression that is not 0 inside the shape");
   return AnyShape::of(std::move(result));
 }
 

@@ -32,11 +32,7 @@ bool is_thin(double inner, double outer) { return 3 * inner >= outer; }
 
 void refuse_aligned(TomlCursor& shape, RoundLayout layout, const std::string& otherwise) {
   if (layout == RoundLayout::aligned)
-    shape.fail(
-        shape.need("layout"), "layout",
-        "layout = \"aligned\" would put the particles of the inner face less than a third as far apart as "
-        "those of the outer one; it needs " +
-            otherwise);
+    shape.fail(shape.need("layout"), "layout", "layout = \"aligned\" needs " + otherwise);
 }
 
 /// In 3D, where bonds are chosen by distance: layers whose cells differ much from a cube serve them worse than steps
@@ -47,7 +43,8 @@ RoundLayout read_layout_of_hollow(TomlCursor& shape, double inner, double outer,
   const RoundLayout layout = read_layout(shape, {RoundLayout::aligned, RoundLayout::lattice},
                                          fits ? RoundLayout::aligned : RoundLayout::lattice, layers);
   if (!is_thin(inner, outer))
-    refuse_aligned(shape, layout, "a hole of at least a third of the radius, take \"lattice\"");
+    refuse_aligned(shape, layout,
+                   "a hole of at least a third of the radius; for a smaller hole, use \"lattice\"");
   return layout;
 }
 
@@ -68,7 +65,7 @@ Shape read_ring(TomlCursor& shape, const ShapeSetting& setting) {
   ring.layout = read_layout(
       shape, {RoundLayout::aligned, RoundLayout::spaced, RoundLayout::lattice},
       layers == Layers::that_fit_faces && thin ? RoundLayout::aligned : RoundLayout::spaced, layers);
-  if (!thin) refuse_aligned(shape, ring.layout, "inner >= outer/3, take \"spaced\"");
+  if (!thin) refuse_aligned(shape, ring.layout, "inner >= outer/3; for a smaller hole, use \"spaced\"");
   return ring;
 }
 
@@ -89,11 +86,12 @@ Shape read_cylinder(TomlCursor& shape, const ShapeSetting& setting) {
                     shape.positive("radius")};
   if (!(cylinder.length() > 0))
     shape.fail(shape.need("to"), "to",
-               "from and to are the same point: they are the middles of the two ends");
+               "from and to are the same point; they must be the centres of the two ends");
   if (!shape.find("inner")) {
     if (shape.find("layout"))
       shape.fail(shape.need("layout"), "layout",
-                 "layout is of a hollow cylinder, one with inner; a full one is cut from a cubic lattice");
+                 "layout needs a hollow cylinder, one with inner; remove it, because a solid cylinder is cut "
+                 "from a cubic lattice");
     return cylinder;
   }
   cylinder.inner = shape.positive("inner");
@@ -129,55 +127,53 @@ Shape read_difference(TomlCursor& shape, const ShapeSetting& setting) {
 }
 
 constexpr KeyInfo corner_keys[] = {
-    {"low", "[x, y], m", "", "the corner of least coordinates"},
-    {"high", "[x, y], m", "", "the corner of greatest coordinates"},
+    {"low", "[x, y], m", "", "corner with the smallest coordinates"},
+    {"high", "[x, y], m", "", "corner with the largest coordinates"},
 };
 constexpr KeyInfo ball_keys[] = {
-    {"centre", "[x, y], m", "", "its middle"},
-    {"radius", "number, m", "", "to its face"},
+    {"centre", "[x, y], m", "", "centre"},
+    {"radius", "number, m", "", "radius"},
 };
 constexpr KeyInfo disc_keys[] = {
     ball_keys[0],
     ball_keys[1],
-    {"layout", "spaced or lattice", "by the method",
-     "of particles: a centre and layers of 6, 12, 18 …, or cut from a square lattice"},
+    {"layout", "spaced or lattice", "depends on the method",
+     "spaced: a central particle and layers of 6, 12, 18 … particles; lattice: cut from a square lattice"},
 };
 constexpr KeyInfo shell_keys[] = {
-    {"centre", "[x, y], m", "", "its middle"},
+    {"centre", "[x, y], m", "", "centre"},
     {"inner", "number, m", "", "radius of the hole"},
-    {"outer", "number, m", "", "radius"},
-    {"layout", "aligned or lattice", "by the method",
-     "of particles: layers with the same number of particles on each, on the six faces of a round cube, or "
-     "cut from "
-     "a cubic lattice; layers have the exact mass"},
+    {"outer", "number, m", "", "outer radius"},
+    {"layout", "aligned or lattice", "depends on the method",
+     "aligned: layers with the same number of particles, arranged like the six faces of a rounded cube; "
+     "lattice: cut from a cubic lattice. Layers have the exact mass"},
 };
 constexpr KeyInfo ring_keys[] = {
     shell_keys[0],
     shell_keys[1],
     shell_keys[2],
-    {"layout", "aligned, spaced or lattice", "by the method",
-     "of particles: layers with the same number of particles on each, about a spacing apart on each, or cut "
-     "from a square lattice; layers have the exact mass"},
+    {"layout", "aligned, spaced or lattice", "depends on the method",
+     "aligned: layers with the same number of particles; spaced: layers with particles about dp apart; "
+     "lattice: cut from a square lattice. Layers have the exact mass"},
 };
 constexpr KeyInfo ellipse_keys[] = {
-    {"centre", "[x, y], m", "", "its middle"},
-    {"semi_axes", "[a, b], m", "", "along x and y; `rotate` turns them"},
+    {"centre", "[x, y], m", "", "centre"},
+    {"semi_axes", "[a, b], m", "", "semi-axes along x and y, in 3D also z; `rotate` rotates them"},
 };
 constexpr KeyInfo polygon_keys[] = {
-    {"points", "[[x, y], ...], m", "or contours", "of one closed contour, at least three"},
+    {"points", "[[x, y], ...], m", "or contours", "corners of one closed contour, at least three"},
     {"contours", "[[[x, y], ...], ...], m", "or points",
-     "several closed contours that do not cross: inside is what an odd number of them goes around"},
+     "closed contours that do not cross. A point is inside the polygon if an odd number of contours surround "
+     "it"},
     {"centre", "[x, y], m", "none",
-     "points are from it; it is what the shape is turned and reflected about, and the lattice lies "
-     "symmetrically "
-     "about it"},
+     "origin of the points, and centre of rotation and reflection. The lattice is symmetric about it"},
 };
-constexpr KeyInfo file_key = {"file", "path", "", "seen from the scene's folder"};
-constexpr KeyInfo height_key = {"height", "number, m", "or width", "of all of it"};
-constexpr KeyInfo width_key = {"width", "number, m", "or height", "of all of it"};
+constexpr KeyInfo file_key = {"file", "path", "", "path relative to the scene's folder"};
+constexpr KeyInfo height_key = {"height", "number, m", "or width", "height of the whole picture"};
+constexpr KeyInfo width_key = {"width", "number, m", "or height", "width of the whole picture"};
 constexpr KeyInfo middle_key = {"centre", "[x, y], m", "or low",
-                                "where its middle is; the lattice lies symmetrically about it"};
-constexpr KeyInfo low_key = {"low", "[x, y], m", "or centre", "where its lower left corner is"};
+                                "centre of the whole picture; the lattice is symmetric about it"};
+constexpr KeyInfo low_key = {"low", "[x, y], m", "or centre", "lower left corner of the whole picture"};
 constexpr KeyInfo svg_keys[] = {file_key, height_key, width_key, middle_key, low_key};
 constexpr KeyInfo mask_keys[] = {
     file_key,
@@ -185,61 +181,66 @@ constexpr KeyInfo mask_keys[] = {
     width_key,
     middle_key,
     low_key,
-    {"threshold", "number", "0.5", "darkness from 0 to 1 at which the face is"},
-    {"inside", "dark or light", "dark", "which side of it is solid; what is transparent is white"},
+    {"threshold", "number", "0.5", "darkness at the face, between 0 (white) and 1 (black)"},
+    {"inside", "dark or light", "dark", "solid part of the picture; transparent pixels count as white"},
 };
 constexpr KeyInfo expression_keys[] = {
-    {"inside", "expression of the place", "", "inside where it is not 0: \"x^2 + y^2 < r^2\""},
-    {"low", "[x, y], m", "", "the corner of least coordinates of the box that it is looked for in"},
-    {"high", "[x, y], m", "", "the corner of greatest coordinates"},
+    {"inside", "expression of the place", "",
+     "expression that is not 0 inside the shape: \"x^2 + y^2 < r^2\""},
+    {"low", "[x, y], m", "", "corner with the smallest coordinates of the box to search"},
+    {"high", "[x, y], m", "", "corner with the largest coordinates"},
 };
 constexpr KeyInfo particles_keys[] = {
     {"file", "path", "",
-     "CSV with columns x, y (z in 3D) and, if it has them, volume (m², m³; else dp², dp³, and they lie "
-     "about dp apart); or particles that a run has saved (.vtp), where they are then, without strain, each "
-     "with the volume that it began with"},
+     "CSV file with columns x, y, in 3D also z, and optionally volume in m² or m³. Without volumes, "
+     "particles must be about dp apart, and each has the volume dp² or dp³. A .vtp file of a run gives its "
+     "particles at their saved positions, with their initial volumes and without strain"},
     {"of_body", "whole number", "all",
-     "of a .vtp of several bodies: the one whose particles are taken, from 0"},
+     "for a .vtp file of several bodies: number of the body to use, from 0"},
 };
 constexpr KeyInfo combined_keys[] = {
-    {"shapes", "[SHAPE, ...]", "", "two or more, of any kind but particles; the first one's lattice"},
+    {"shapes", "[SHAPE, ...]", "",
+     "two or more shapes of any type except particles, on the lattice of the first"},
 };
 constexpr KeyInfo cylinder_keys[] = {
-    {"from", "[x, y, z], m", "", "middle of one end"},
-    {"to", "[x, y, z], m", "", "middle of the other"},
-    {"radius", "number, m", "", "of its outer face"},
-    {"inner", "number, m", "none", "radius of the hole of a hollow one"},
-    {"layout", "aligned or lattice", "by the method",
-     "of the particles of a hollow one: layers with the same number of particles on each, or cut from a "
-     "cubic "
-     "lattice; layers have the exact mass"},
+    {"from", "[x, y, z], m", "", "centre of one end"},
+    {"to", "[x, y, z], m", "", "centre of the other end"},
+    {"radius", "number, m", "", "radius of the outer face"},
+    {"inner", "number, m", "none", "radius of the hole of a hollow cylinder"},
+    {"layout", "aligned or lattice", "depends on the method",
+     "of a hollow cylinder. aligned: layers with the same number of particles and the exact mass; lattice: "
+     "cut from a cubic lattice"},
 };
 
 /// Every shape that scene files name.
 constexpr std::array kinds = {
-    ShapeKind{"rectangle", 2, "along the axes, on a square lattice", corner_keys, "box", read_box},
-    ShapeKind{"disc", 2, "a full circle", disc_keys, "ball", read_disc},
-    ShapeKind{"ring", 2, "a circle with a round hole in its middle", ring_keys, "shell", read_ring},
-    ShapeKind{"ellipse", 2, "cut from a lattice", ellipse_keys, "ellipsoid", read_ellipse},
-    ShapeKind{"polygon", 2, "with straight sides and any holes, cut from a lattice", polygon_keys, "box",
+    ShapeKind{"rectangle", 2, "sides along the axes, on a square lattice", corner_keys, "box", read_box},
+    ShapeKind{"disc", 2, "a solid circle", disc_keys, "ball", read_disc},
+    ShapeKind{"ring", 2, "a circle with a concentric round hole", ring_keys, "shell", read_ring},
+    ShapeKind{"ellipse", 2, "an ellipse along the axes, cut from a lattice", ellipse_keys, "ellipsoid",
+              read_ellipse},
+    ShapeKind{"polygon", 2, "straight sides and any number of holes, cut from a lattice", polygon_keys, "box",
               read_polygon},
-    ShapeKind{"svg", 2, "what an SVG file paints, by its fill rules, y up, cut from a lattice", svg_keys,
-              "particles", read_svg},
-    ShapeKind{"mask", 2, "what is dark, or light, in a PNG picture, cut from a lattice", mask_keys,
+    ShapeKind{"svg", 2, "the painted area of an SVG file, by its fill rules, y up, cut from a lattice",
+              svg_keys, "particles", read_svg},
+    ShapeKind{"mask", 2, "the dark or light area of a PNG picture, cut from a lattice", mask_keys,
               "particles", read_mask_file},
-    ShapeKind{"box", 3, "along the axes, on a cubic lattice", corner_keys, "rectangle", read_box},
-    ShapeKind{"ball", 3, "a full sphere, cut from a cubic lattice", ball_keys, "disc", read_disc},
-    ShapeKind{"shell", 3, "a hollow ball", shell_keys, "ring", read_ring},
-    ShapeKind{"cylinder", 3,
-              "full or hollow; a full one is cut from a cubic lattice: lay it along an axis and `rotate` it",
-              cylinder_keys, "disc or rectangle", read_cylinder},
-    ShapeKind{"ellipsoid", 3, "cut from a cubic lattice", ellipse_keys, "ellipse", read_ellipse},
-    ShapeKind{"expression", 0, "where an expression holds, cut from a lattice", expression_keys, "",
-              read_expression},
-    ShapeKind{"particles", 0, "given one by one: a body of their own", particles_keys, "", read_particles},
-    ShapeKind{"union", 0, "what is in any of several shapes", combined_keys, "", read_union},
-    ShapeKind{"intersection", 0, "what is in all of several shapes", combined_keys, "", read_intersection},
-    ShapeKind{"difference", 0, "what is in the first of several shapes and in no other", combined_keys, "",
+    ShapeKind{"box", 3, "sides along the axes, on a cubic lattice", corner_keys, "rectangle", read_box},
+    ShapeKind{"ball", 3, "a solid sphere, cut from a cubic lattice", ball_keys, "disc", read_disc},
+    ShapeKind{"shell", 3, "a hollow sphere", shell_keys, "ring", read_ring},
+    ShapeKind{
+        "cylinder", 3,
+        "solid or hollow; a solid one is cut from a cubic lattice, so lay it along an axis and use `rotate`",
+        cylinder_keys, "disc or rectangle", read_cylinder},
+    ShapeKind{"ellipsoid", 3, "an ellipsoid along the axes, cut from a cubic lattice", ellipse_keys,
+              "ellipse", read_ellipse},
+    ShapeKind{"expression", 0, "the region where an expression is not 0, cut from a lattice", expression_keys,
+              "", read_expression},
+    ShapeKind{"particles", 0, "particles from a file, as the only shape of a body", particles_keys, "",
+              read_particles},
+    ShapeKind{"union", 0, "the union of several shapes", combined_keys, "", read_union},
+    ShapeKind{"intersection", 0, "the intersection of several shapes", combined_keys, "", read_intersection},
+    ShapeKind{"difference", 0, "the first of several shapes without the others", combined_keys, "",
               read_difference},
 };
 
@@ -255,8 +256,8 @@ Shape read_shape(TomlCursor shape, const ShapeSetting& setting) {
   const std::size_t k = index_of(kinds, given);
   if (k < kinds.size() && kinds[k].dim != setting.dim && kinds[k].dim != 0)
     shape.fail(shape.need("type"), "type",
-               given + " is a shape of " + std::to_string(kinds[k].dim) +
-                   " dimensions and the scene has dim = " + std::to_string(setting.dim) + "; take " +
+               given + " is a shape with dim = " + std::to_string(kinds[k].dim) +
+                   ", but the scene has dim = " + std::to_string(setting.dim) + "; use " +
                    std::string(kinds[k].otherwise));
   const ShapeKind& kind = kinds[index_of(kinds, shape.choice("type", names_of_shapes(setting.dim)))];
   shape.also_takes(kind.keys);
@@ -279,7 +280,7 @@ std::vector<Shape> read_list(TomlCursor& owner, std::string_view key, const std:
     shapes.push_back(read_shape(owner.enter(item, key, what, keys_of("shape")), of_each));
   if (shapes.empty())
     owner.fail(value, key,
-               what + " is empty: it needs at least one " + join_with_or(names_of_shapes(setting.dim)));
+               what + " is empty; it must have at least one " + join_with_or(names_of_shapes(setting.dim)));
   return shapes;
 }
 
@@ -310,7 +311,8 @@ std::optional<Rotation> read_rotation(TomlCursor& cursor, int dim, const Point& 
     rotation.axis = entry.point("axis", dim);
     const double length = std::hypot(rotation.axis[0], rotation.axis[1], rotation.axis[2]);
     if (!(length > 0))
-      entry.fail(entry.need("axis"), "axis", "the axis has no length; it points along it, e.g. [0, 0, 1]");
+      entry.fail(entry.need("axis"), "axis",
+                 "the axis has no length; it must be a direction, e.g. [0, 0, 1]");
     for (double& component : rotation.axis) component /= length;
   }
   rotation.angle = entry.number("angle");

@@ -61,9 +61,9 @@ void refuse_long_keys(std::string_view text, const std::string& file) {
     if (dots < most_parts) continue;
     begin = text.find_first_not_of(' ', begin);
     const FilePlace place = place_in(text, begin);
-    throw SceneError(
-        file, place.line, place.column, "",
-        "not valid TOML for taut: a key of more than " + std::to_string(most_parts) + " parts between dots");
+    throw SceneError(file, place.line, place.column, "",
+                     "not valid TOML for taut: a key has more than " + std::to_string(most_parts) +
+                         " parts between dots; use a shorter key");
   }
 }
 
@@ -86,7 +86,8 @@ TomlValue converted(const toml::node& node, const std::string& file, int level) 
   value.place = place_of(node.source().begin);
   if (level > most_levels)
     throw SceneError(file, value.place.line, value.place.column, "",
-                     "tables and arrays more than " + std::to_string(most_levels) + " deep in each other");
+                     "tables and arrays are nested more than " + std::to_string(most_levels) +
+                         " levels deep; use fewer levels");
   if (const toml::table* table = node.as_table()) {
     value.section = !table->is_inline();
     add_entries(value, *table, file, level + 1);
@@ -256,15 +257,15 @@ std::string_view line_of(std::string_view text, int number) {
 
 /// What the usual slips of a line of TOML that cannot be read are; empty for others.
 std::string likely_slip(std::string_view line, std::string_view message) {
-  if (std::ranges::count(line, '"') % 2 == 1) return ". A quote is missing in this line?";
+  if (std::ranges::count(line, '"') % 2 == 1) return ". Is a quote missing in this line?";
   if (message.find("redefine existing") != std::string_view::npos)
-    return ". Things that come several times have two brackets: [[body]]";
+    return ". Sections that occur several times need two brackets: [[body]]";
   const std::size_t equals = line.find('=');
   if (equals == std::string_view::npos || line.find('"') != std::string_view::npos) return "";
   const std::size_t value = line.find_first_not_of(" \t", equals + 1);
   const bool bare = value != std::string_view::npos && std::isalpha(static_cast<unsigned char>(line[value]));
   const bool computed = line.find_first_of("*/(<>", equals + 1) != std::string_view::npos;
-  return bare || computed ? ". Texts and expressions stand in quotes: KEY = \"...\"" : "";
+  return bare || computed ? ". Texts and expressions need quotes: KEY = \"...\"" : "";
 }
 
 }  // namespace

@@ -29,14 +29,14 @@ std::string reason_against(const std::string& name, const SceneFile& file) {
   const auto is = [&](const char* other) { return name == other; };
   if (is("cfl")) return "";
   if (is("method.h") || is("method.normalised"))
-    return "neighbours and their weights at t = 0 were made from it";
+    return "the initial neighbours and their weights depend on it";
   if (name.starts_with("method.")) return "";
   if (is("method") || is("stepping") || is("contact") || is("law"))
-    return "the simulation was made for another";
-  if (is("until")) return "the session goes on as long as it is told to; `run until T`";
+    return "it is fixed when the simulation starts";
+  if (is("until")) return "a session has no end time; use `run until T`";
   for (const Parameter& parameter : file.parameters)
-    if (name == parameter.name) return "the bodies of t = 0 were made from it";
-  return is("spacing") || is("jitter") || is("jitter_seed") ? "the particles stand already" : "";
+    if (name == parameter.name) return "the initial bodies depend on it";
+  return is("spacing") || is("jitter") || is("jitter_seed") ? "the particles are already placed" : "";
 }
 
 }  // namespace
@@ -82,8 +82,9 @@ void Session::set(const Setting& setting) {
   options.settings.push_back(setting);
   SceneFile file = scene_to_run(options);  // refuses names that there are not, and values out of bounds
   if (const std::string reason = reason_against(setting.name, file_); !reason.empty())
-    throw UsageError("'" + setting.name + "' cannot change any more: " + reason +
-                     "; cfl and other constants of the method can. Start another session with --set " +
+    throw UsageError("'" + setting.name + "' cannot change during a session: " + reason +
+                     "; only cfl and other constants of the method can. "
+                     "Start another session with --set " +
                      text_of(setting));
   std::unique_ptr<Simulation> simulation = start_heedful(file);
   simulation->load(simulation_->save());
@@ -121,7 +122,7 @@ void Session::pan(double dx, double dy) {
 }
 
 void Session::zoom(double factor) {
-  if (!(factor > 0)) throw UsageError("zoom takes a factor above 0");
+  if (!(factor > 0)) throw UsageError("the factor of zoom must be above 0");
   const render::View now = *drawing().look.view;
   const double x = (now.x_min + now.x_max) / 2, y = (now.y_min + now.y_max) / 2;
   const double half_x = (now.x_max - now.x_min) / 2 / factor, half_y = (now.y_max - now.y_min) / 2 / factor;
@@ -130,7 +131,7 @@ void Session::zoom(double factor) {
 
 void Session::orbit(double right, double upwards) {
   if (!drawing_.look.camera)
-    throw UsageError("orbit is for scenes in 3D; view pan and view zoom move what is seen of this one");
+    throw UsageError("orbit needs a scene in 3D; use view pan and view zoom in this scene");
   drawing_.look.camera = orbited(*drawing_.look.camera, right, upwards);
   window_.reset();
 }
@@ -157,10 +158,10 @@ void Session::save(const std::filesystem::path& file) const {
 void Session::load(const std::filesystem::path& path) {
   const Checkpoint checkpoint = read_checkpoint(path);
   if (checkpoint.method != file_.settings.method)
-    throw UsageError("'" + path.string() + "' is of method '" + checkpoint.method + "'; this session has '" +
-                     file_.settings.method + "'");
+    throw UsageError("'" + path.string() + "' has method '" + checkpoint.method +
+                     "', but this session has '" + file_.settings.method + "'");
   if (undrawn(checkpoint.scene) != undrawn(resolved_text(file_, file_.path.parent_path())))
-    throw UsageError("'" + path.string() + "' is of another scene, or of other parameters or constants");
+    throw UsageError("'" + path.string() + "' is from another scene, or has other parameters or constants");
   std::unique_ptr<Simulation> simulation = start_heedful(file_);
   try {
     simulation->load(checkpoint.state);

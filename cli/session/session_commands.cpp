@@ -49,7 +49,8 @@ void step(Session& session, const Words& words, const Dialogue& to) {
   if (words.size() > 1) wrong_words("step");
   const double count = words.empty() ? 1 : number(words[0]);
   if (count < 1 || count > most || count != std::floor(count))
-    throw UsageError("step takes a whole number from 1 to a billion, not '" + words[0] + "'");
+    throw UsageError("the number of steps is '" + words[0] +
+                     "'; it must be a whole number from 1 to a billion");
   session.step(static_cast<long>(count), to.interrupts);
   say_time(session, to);
 }
@@ -200,8 +201,8 @@ SessionCommand command_of(const DrawingKey& key) {
 
 std::vector<SessionCommand> make_commands() {
   std::vector<SessionCommand> all{
-      {"step", "[N]", "N steps, or one", step},
-      {"run", "until T", "to the first step at or past T seconds, pictures show T itself; Ctrl-C stops it",
+      {"step", "[N]", "make N time steps; default: 1", step},
+      {"run", "until T", "run to the first step at or after T, s; pictures show the state at T; Ctrl-C stops",
        run},
   };
   for (const DrawingKey& key : drawing_keys())
@@ -210,16 +211,16 @@ std::vector<SessionCommand> make_commands() {
   views.arguments = "pan DX DY | zoom F | fit | X0 X1 Y0 Y1";
   views.run = view;
   all.insert(all.end(),
-             {{"orbit", "RIGHT [UPWARDS]", "3D: the camera goes about what it looks at, degrees", orbit},
-              {"preview", "", "shows the picture in the terminal", preview},
-              {"frame", "FILE.png", "draws what `preview` shows into a file, as `taut run` does", frame},
-              {"probe", "[PROBE ...]", "the values of probes now", probe},
-              {"set", "CONSTANT=VALUE", "cfl, or method.NAME, from the next step on", set},
-              {"save", "FILE", "the state, for `load`", save},
-              {"load", "FILE", "goes on from a saved state", load},
-              {"info", "", "scene, method, time, energies, how frames look", info},
-              {"help", "[COMMAND]", "this list", help},
-              {"quit", "", "ends the session, as the end of the input does", quit}});
+             {{"orbit", "RIGHT [UPWARDS]", "3D: turn the camera about the scene, degrees", orbit},
+              {"preview", "", "show the picture in the terminal", preview},
+              {"frame", "FILE.png", "write the picture to a file, as a frame of `taut run`", frame},
+              {"probe", "[PROBE ...]", "print the current values of probes; default: all", probe},
+              {"set", "CONSTANT=VALUE", "change cfl or method.NAME from the next step on", set},
+              {"save", "FILE", "save the state, for `load`", save},
+              {"load", "FILE", "continue from a saved state", load},
+              {"info", "", "print scene, method, time, energies and drawing options", info},
+              {"help", "[COMMAND]", "list the commands", help},
+              {"quit", "", "end the session; the end of the input does the same", quit}});
   return all;
 }
 

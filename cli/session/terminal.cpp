@@ -76,7 +76,7 @@ struct Terminal::Screen {
 
 Terminal::Terminal(const std::ostream& out) {
   if (&out != &std::cout || !::isatty(STDOUT_FILENO))
-    throw UsageError("there is no terminal to show a picture in; `frame FILE` draws it into a file");
+    throw UsageError("preview needs a terminal on standard output; use `frame FILE.png` instead");
   TermInfo info(chafa_term_db_detect(chafa_term_db_get_default(), environ));
   Config config(chafa_canvas_config_new());
   Geometry size = geometry();

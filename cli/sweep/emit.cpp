@@ -16,25 +16,24 @@ constexpr EmitForm forms[] = {
 #SBATCH --job-name=taut-sweep
 #SBATCH --array=0-@LAST@
 #SBATCH --cpus-per-task=@THREADS@
-# @TITLE@: @RUNS@ runs, one for each task of a Slurm array. Submit this file with sbatch. What failed or was
-# stopped may be submitted again: what is done is left alone. When all tasks have ended, the same command without
-# --index gathers the results, and runs what is missing.
+# @TITLE@: @RUNS@ runs, one per task of a Slurm array. Submit this file with sbatch. Submit it again to repeat
+# failed and stopped runs; finished runs are skipped. When all tasks have ended, the same command without --index
+# collects the results and does the missing runs.
 set -eu
 cd @FOLDER@
 exec @SWEEP@ --index "$SLURM_ARRAY_TASK_ID"
 )"},
     {"parallel", "sweep.parallel", R"(#!/bin/sh
-# @TITLE@: @RUNS@ runs by GNU parallel. Arguments of this script go to it, such as --jobs 4. It may be run again:
-# what is done is left alone.
+# @TITLE@: @RUNS@ runs by GNU parallel. The script passes its arguments to GNU parallel, such as --jobs 4. Run it
+# again to repeat failed and stopped runs; finished runs are skipped.
 set -eu
 cd @FOLDER@
 jobs=$(( $(nproc) / @THREADS@ ))
 [ "$jobs" -gt 0 ] || jobs=1
-# It stands in the environment since on its command line parallel would replace what looks like {}, and run what
-# looks like {= =}.
+# The command is an environment variable, since parallel would replace {} and run {= =} on its own command line.
 TAUT_SWEEP=@QUOTED_SWEEP@
 export TAUT_SWEEP
-# a run that fails keeps no other one from running; it is told of at the end
+# A failed run does not stop the others; the last command reports it.
 seq 0 @LAST@ |
   parallel --jobs "$jobs" --env TAUT_SWEEP "$@" -q sh -c 'eval "exec $TAUT_SWEEP --quiet --index $1"' sh {} ||
   true

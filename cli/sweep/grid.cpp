@@ -134,7 +134,7 @@ std::vector<GridRow> all_combinations(const std::vector<Axis>& axes) {
   std::set<std::string> seen;
   for (const Axis& axis : axes) {
     if (!seen.insert(axis.name).second)
-      throw UsageError("the grid has '" + axis.name + "' twice; put all its values into one");
+      throw UsageError("the grid has '" + axis.name + "' twice; give all its values together");
     if (rows.size() * axis.values.size() > most_runs)
       throw UsageError("the grid has more than " + std::to_string(most_runs) + " runs; make it smaller");
     std::vector<GridRow> longer;
@@ -154,7 +154,7 @@ void check_rows(const std::vector<GridRow>& rows) {
   std::set<std::string> seen;
   for (const GridRow& row : rows)
     if (!seen.insert(folder_name(row)).second)
-      throw UsageError("the run " + text_of(row) + " is there twice");
+      throw UsageError("the run " + text_of(row) + " is listed twice");
 }
 
 std::string folder_name(const GridRow& row) {

@@ -35,7 +35,7 @@ bool draws(const SweepOptions& o) {
 SweepRequest request_of_scene(const SweepOptions& o) {
   const fs::path scene = find_scene(o.what);
   if (is_sweep_file(scene))
-    throw UsageError("'" + o.what + "' is a sweep file, which has a grid of its own; leave --grid out");
+    throw UsageError("'" + o.what + "' is a sweep file with its own grid; leave --grid out, or name a scene");
   std::vector<Axis> axes;
   for (const std::string& text : o.grid) axes.push_back(parse_axis(text));
   SweepRequest request;
@@ -67,41 +67,38 @@ SweepRequest request_of_file(const SweepOptions& o) {
 }  // namespace
 
 void declare_sweep_options(CLI::App& app, SweepOptions& o) {
-  app.add_option(
-         "SWEEP", o.what,
-         "a sweep file, or the name of one in scenes/studies/; with --grid a scene, as for `taut run`")
+  app.add_option("SWEEP", o.what,
+                 "sweep file, or its name in scenes/studies/; with --grid, a scene as for `taut run`")
       ->option_text(" ")
       ->required();
-  app.add_option(
-         "--grid", o.grid,
-         "what to vary: a name that --set takes, such as a parameter, method, spacing or jitter; the values "
-         "are v1,v2,... or lo:hi:step with both ends. Several --grid: every combination")
+  app.add_option("--grid", o.grid,
+                 "name that --set takes, such as a parameter, method, spacing or jitter, and its values: "
+                 "v1,v2,... or lo:hi:step, both ends included; several --grid give every combination")
       ->option_text("NAME=VALUES ...")
       ->allow_extra_args(false);
-  app.add_flag("--list", o.list, "say what would run, and what is done already");
-  app.add_option("--jobs", o.jobs, "runs at a time; default: as many as there are cores for")
+  app.add_flag("--list", o.list, "list the runs and their states; run nothing");
+  app.add_option("--jobs", o.jobs, "number of runs at a time; default: cores over --threads")
       ->option_text("N")
       ->check(positive_whole_number);
-  app.add_option("--index", o.index, "do this one of the runs only; they are numbered from 0")
+  app.add_option("--index", o.index, "do only run N; the first run is 0")
       ->option_text("N")
       ->check(whole_number);
-  app.add_flag("--force", o.force, "do again what is done already");
-  app.add_option("--emit", o.emit,
-                 "write a script that does the runs one by one: a Slurm array job, or by GNU parallel")
+  app.add_flag("--force", o.force, "repeat finished runs");
+  app.add_option("--emit", o.emit, "write a script that does the runs: a Slurm array job, or GNU parallel")
       ->option_text(join(emit_names(), "|"));
-  app.add_option("--out", o.run.out, "the folder of results and runs; default: out/FILE or out/SCENE-sweep")
+  app.add_option("--out", o.run.out, "folder for results and runs; default: out/FILE or out/SCENE-sweep")
       ->option_text("DIR");
   declare_setting_options(app, o.run);
-  app.add_flag("--render", o.render, "draw frames; so does each of the options of drawing");
+  app.add_flag("--render", o.render, "draw frames; every drawing option implies it");
   declare_output_options(app, o.run);
   declare_particle_options(app, o.run);
   o.run.threads = 1;
-  app.add_option("--threads", o.run.threads, "of each run; default: 1")
+  app.add_option("--threads", o.run.threads, "number of threads of each run; default: 1")
       ->option_text("N")
       ->check(positive_whole_number);
-  app.add_option("--fail-on", o.fail_on, "exit code 3 if a verdict is this one or worse")
+  app.add_option("--fail-on", o.fail_on, "end with exit code 3 if a verdict is this one or worse")
       ->option_text("VERDICT");
-  app.add_flag("--quiet", o.quiet, "no progress on stderr");
+  app.add_flag("--quiet", o.quiet, "print no progress on stderr");
 }
 
 SweepRequest make_request(const SweepOptions& o) {

@@ -85,7 +85,8 @@ void check_base(const SweepRequest& request) {
   for (const GridRow& row : request.rows)
     for (const Setting& s : row)
       if (fixed.contains(s.name))
-        throw UsageError("'" + s.name + "' is swept, so it cannot have one value for all runs as well");
+        throw UsageError("'" + s.name +
+                         "' is swept, so it cannot also have one value for all runs; leave one of them out");
 }
 
 void check_folder(const fs::path& folder) {
@@ -95,7 +96,7 @@ void check_folder(const fs::path& folder) {
     throw UsageError("'" + folder.string() + "' is not a folder; name another with --out");
   if (holds("run.json") || ((holds("results.csv") || holds("results.json")) && !holds("sweep.lock")))
     throw UsageError("'" + folder.string() +
-                     "' holds files that no sweep left there; name another folder with --out");
+                     "' contains files that are not from a sweep; name another folder with --out");
 }
 
 /// What pictures of a run of the sweep can show.
@@ -131,7 +132,7 @@ class Spacings {
         before_.emplace(std::pair(text_of(others), fmt::format("{:.12g}", fitted)), &row);
     if (is_new) return {};
     return fmt::format(
-        "the runs {} and {} are the same: both have a spacing of {} m, which divides the first body",
+        "the runs {} and {} are the same: both spacings are rounded to {} m, which divides the first body",
         text_of(*before->second), text_of(row), brief(fitted));
   }
 
@@ -158,11 +159,11 @@ std::string_view name(RunState state) {
     case RunState::to_do:
       return "to do";
     case RunState::outdated:
-      return "to do: other settings before";
+      return "to do: finished with other settings";
     case RunState::interrupted:
-      return "to do: was interrupted";
+      return "to do: interrupted";
     case RunState::damaged:
-      return "to do: run.json is not whole";
+      return "to do: run.json is damaged";
     case RunState::broken:
       return "broken";
     case RunState::done:

@@ -46,14 +46,14 @@ class SettingsReader {
   void refuse_table(const TomlEntry& entry) const {
     if (entry.value.kind != Kind::table || entry.value.entries.empty()) return;
     const std::string name = entry.key + "." + entry.value.entries.front().key;
-    table_.fail(entry.place, entry.key, "a name with a dot stands in quotes: \"" + name + "\" = ...");
+    table_.fail(entry.place, entry.key, "a name with a dot must be quoted: \"" + name + "\" = ...");
   }
 
   Setting setting(const std::string& name, const TomlValue& value) const {
     if (value.kind == Kind::number) return {name, exact(value.number), value.place};
     if (value.kind != Kind::text || canonical_value(value.text).empty())
       table_.fail(value, name,
-                  name + " must be a number or a text, this is " +
+                  name + " must be a number or a text, not " +
                       (value.kind == Kind::text ? "an empty text" : std::string(value.kind_name())));
     return {name, canonical_value(value.text), value.place};
   }
@@ -101,7 +101,8 @@ std::vector<GridRow> read_rows(TomlCursor& root) {
   TomlValue* grid = root.find("grid");
   const std::span<TomlValue> listed = root.list("row");
   if (grid && !listed.empty())
-    root.fail(listed.front(), "row", "a sweep has either a [grid] or one [[row]] for each run, not both");
+    root.fail(listed.front(), "row",
+              "a sweep must have either a [grid] or one [[row]] for each run, not both");
   if (!grid && listed.empty())
     root.fail(root.table().place, "", "the sweep needs a [grid], or a [[row]] for each run");
   if (grid) {
@@ -115,7 +116,7 @@ std::vector<GridRow> read_rows(TomlCursor& root) {
     TomlCursor cursor = root.enter(row, "row", "[[row]]", keys_of("row"));
     rows.push_back(SettingsReader(cursor).settings());
     if (!seen.insert(folder_name(rows.back())).second)
-      root.fail(row, "row", "the run " + text_of(rows.back()) + " is there twice");
+      root.fail(row, "row", "the run " + text_of(rows.back()) + " is listed twice");
   }
   return rows;
 }

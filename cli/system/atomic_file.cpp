@@ -180,7 +180,7 @@ std::vector<fs::path> make_folders(const fs::path& folder) {
     if (fs::create_directories(folder, error);
         error != std::errc::no_such_file_or_directory && error != std::errc::file_exists)
       break;
-  if (error) throw OutputError(folder.string(), "the folder cannot be made: " + error.message());
+  if (error) throw OutputError(folder.string(), "the folder cannot be created: " + error.message());
   for (const fs::path& each : made) put_on_disk(folder_of(each));
   return made;
 }
@@ -204,8 +204,8 @@ AppendFile::AppendFile(fs::path path, Start start) : path_(std::move(path)) {
 
 void AppendFile::check_holds(std::int64_t length) const {
   if (length <= length_) return;
-  throw UsageError("'" + path_.string() + "' has lost lines: " + std::to_string(length_) +
-                   " bytes, there were " + std::to_string(length));
+  throw UsageError("'" + path_.string() + "' has lost lines: it has " + std::to_string(length_) +
+                   " bytes, but the checkpoint needs " + std::to_string(length));
 }
 
 void AppendFile::cut(std::int64_t length) {

@@ -18,8 +18,8 @@ namespace taut::cli {
 namespace {
 
 [[noreturn]] void fail(int error) {
-  throw UsageError(std::string("another process cannot be started: ") + std::strerror(error) +
-                   "; take fewer --jobs");
+  throw UsageError(std::string("a process cannot be started: ") + std::strerror(error) +
+                   "; use fewer --jobs");
 }
 
 sigset_t interrupting_signals() {
@@ -36,7 +36,7 @@ void check_no_threads() {
   std::error_code no_proc;  // then nothing can be counted
   const std::filesystem::directory_iterator threads("/proc/self/task", no_proc);
   if (!no_proc && std::distance(begin(threads), end(threads)) > 1)
-    throw std::logic_error("a process with several threads was to be forked");
+    throw std::logic_error("a process with several threads cannot be forked");
 }
 
 /// The first thing a child does, with what interrupts blocked: what a terminal sends stays so.

@@ -35,7 +35,7 @@ Failure current_failure() {
   } catch (const OutputError& e) {
     return {e.path + ": " + e.what(), exit_not_written};
   } catch (const std::bad_alloc&) {
-    return {"out of memory: take a larger --spacing, a smaller --size, fewer --frames or a fixed --range",
+    return {"out of memory: use a larger --spacing, a smaller --size, fewer --frames or a fixed --range",
             exit_wrong_input};
   } catch (const std::filesystem::filesystem_error& e) {
     return {e.path1().string() + ": " + e.code().message(), exit_not_written};

@@ -89,7 +89,7 @@ std::string in_use(const fs::path& folder, const Holder& holder) {
                                               : "`" + holder.command + "` (process " + holder.process +
                                                     " on " + holder.host + ", since " + holder.since + ")";
   return "'" + folder.string() + "' is in use by " + by +
-         "; wait for its end or name another folder with --out";
+         "; wait until it ends, or name another folder with --out";
 }
 
 }  // namespace
@@ -100,8 +100,8 @@ FolderLock::FolderLock(const fs::path& folder, Of of, std::string_view command, 
   if (error == 0) {
     say_who(command);
   } else if (knows_no_locks(error)) {
-    err << "taut: '" << folder.string() << "' is on a file system without locks: nothing keeps another taut "
-        << "from writing into it\n";
+    err << "taut: '" << folder.string() << "' is on a file system without locks; make sure that no other "
+        << "taut process writes to it\n";
   } else {
     const Holder holder = read_holder(descriptor_);
     ::close(descriptor_);
@@ -155,7 +155,7 @@ void FolderLock::open() {
   struct stat found {};
   if (::fstat(descriptor_, &found) == 0 && S_ISREG(found.st_mode) && found.st_nlink < 2) return;
   ::close(descriptor_);
-  fail("is no file of taut's");
+  fail("is not a lock file of taut");
 }
 
 /// Under its name.

@@ -109,7 +109,7 @@ class Archive {
   void one(bool& value) {
     unsigned char byte = value;
     side().bytes(&byte, 1);
-    check("a yes or no", [&] { return byte <= 1; });
+    check("a truth value", [&] { return byte <= 1; });
     value = byte == 1;
   }
   template <class T>
@@ -226,8 +226,8 @@ class Loader : public Archive<Loader> {
     return n;
   }
   [[noreturn]] static void fail(const char* what) {
-    throw UsageError(std::string("the saved state is damaged, or of another scene, method or version: ") +
-                     what + " is not what it can be");
+    throw UsageError(std::string("the saved state is damaged, or from another scene, method or version: ") +
+                     what + " is invalid");
   }
 
   std::string_view rest_;

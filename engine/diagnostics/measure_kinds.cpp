@@ -30,7 +30,7 @@ std::optional<std::pair<double, double>> common_time(const Source& source) {
 Measured without_common_time(const Source& source) {
   if (source.reference.empty()) return none(no_reference);
   const double end = std::min(source.until, source.reference.end()), reached = source.curve.front().t.back();
-  return reached < end ? too_short(end, reached) : none("the run and its reference have no time in common");
+  return reached < end ? too_short(end, reached) : none("the run and its reference do not overlap in time");
 }
 
 /// What `number` makes of the half cycles about the level of the measure, if there are as many as it needs.
@@ -40,14 +40,16 @@ Measured of_half_cycles(const Source& source, std::size_t needed, const Number& 
   Value level = source.measure->about;
   if (source.measure->about_mean) level = mean_of_periods(curve);
   if (!level)
-    return none("no whole cycle about its mean until {:g} s: a longer run may have one", curve.t.back());
+    return none("there is no whole cycle about the mean until {:g} s: use a longer run", curve.t.back());
   const std::vector<HalfCycle> cycles = half_cycles(curve, *level);
   if (cycles.size() >= needed) return number(cycles);
   const auto [low, high] = std::ranges::minmax(curve.y);
   if (std::max(low - *level, *level - high) >= -1e-9 * (high - low) && !source.measure->about_mean)
-    return none("stays on one side of {:g} until {:g} s: if it swings about another level, about = \"mean\"",
-                *level, curve.t.back());
-  return none("has {} of {} half cycles about {:g} until {:g} s: a longer run may have them", cycles.size(),
+    return none(
+        "the series stays on one side of {:g} until {:g} s: "
+        "if it oscillates about another level, set about = \"mean\"",
+        *level, curve.t.back());
+  return none("the series has {} of {} half cycles about {:g} until {:g} s: use a longer run", cycles.size(),
               needed, *level, curve.t.back());
 }
 
@@ -78,7 +80,7 @@ Measured time_integral(const Source& source) {
   const auto [begin, end] = span_of(source);
   const Curve& curve = source.curve.front();
   if (!(begin < end))
-    return none("its beginning, {:g} s, is not before the end of the run, {:g} s", begin, end);
+    return none("`from` is {:g} s; it must be before the end of the run, {:g} s", begin, end);
   return curve.t.back() < end ? too_short(end, curve.t.back()) : Measured(integral(curve, begin, end));
 }
 
@@ -112,7 +114,7 @@ Measured path_error(const Source& source) {
       squared += std::pow(value_at(source.curve[k], t) - reference.at(k, t), 2);
     greatest = std::max(greatest.value_or(0), std::sqrt(squared) / std::abs(source.measure->scale));
   }
-  return greatest ? Measured(*greatest) : none("no time of the reference lies within the run");
+  return greatest ? Measured(*greatest) : none("no time of the reference is within the run");
 }
 
 /// Two directions across the axis: first, second and axis are right-handed.
@@ -175,8 +177,8 @@ Value given_then(const Source& source) {
 Measured extreme(const Source& source, double value) {
   const auto &t = source.curve[0].t, &y = source.curve[0].y;
   if (!source.turns || y.back() != value) return value;
-  if (std::ranges::min(y) == std::ranges::max(y)) return none("it is {:g} at all times", value);
-  return none("the series ends at it, at {:g} s: it may go on", t.back());
+  if (std::ranges::min(y) == std::ranges::max(y)) return none("the series is {:g} at all times", value);
+  return none("the series has its extreme at the end, {:g} s: use a longer run", t.back());
 }
 
 Measured minimum(const Source& source) { return extreme(source, std::ranges::min(source.curve[0].y)); }
@@ -186,7 +188,7 @@ Measured first_below(const Source& source) {
   const Curve& curve = source.curve.front();
   const double threshold = source.measure->threshold;
   const auto found = std::ranges::find_if(curve.y, [=](double y) { return y <= threshold; });
-  if (found == curve.y.end()) return none("is above {:g} until {:g} s", threshold, curve.t.back());
+  if (found == curve.y.end()) return none("the series is above {:g} until {:g} s", threshold, curve.t.back());
   const auto k = static_cast<std::size_t>(found - curve.y.begin());
   return k == 0 ? curve.t.front() : crossing_time(curve, k, threshold);
 }
@@ -196,8 +198,9 @@ Measured last_below(const Source& source) {
   const double threshold = source.measure->threshold;
   std::size_t above = curve.size();  // the first sample of the last stretch above
   while (above > 0 && curve.y[above - 1] > threshold) --above;
-  if (above == 0) return none("was never at {:g} or below", threshold);
-  if (above == curve.size()) return none("is at {:g} or below at the end, {:g} s", threshold, curve.t.back());
+  if (above == 0) return none("the series was never {:g} or less", threshold);
+  if (above == curve.size())
+    return none("the series is {:g} or less at the end, {:g} s", threshold, curve.t.back());
   return crossing_time(curve, above, threshold);
 }
 
@@ -207,13 +210,13 @@ Measured final_ratio(const Source& source) {
   const double ratio = source.curve[0].y.back() / source.measure->scale;
   if (!source.free) return ratio;
   if (source.free->t.back() < source.curve[0].t.back())
-    return none("{} is not finite beyond {:g} s", source.measure->free, source.free->t.back());
+    return none("{} is not finite after {:g} s", source.measure->free, source.free->t.back());
   const auto& gap = source.free->y;
   const double threshold = source.measure->threshold, end = source.free->t.back();
   const bool touched = std::ranges::any_of(gap, [&](double y) { return y <= threshold; });
-  if (!touched) return none("the bodies have not met until {:g} s", end);
-  if (gap.back() <= threshold) return none("the bodies are in touch at the end, {:g} s", end);
-  if (ratio < 0) return none("the bodies go on as before at the end, {:g} s", end);
+  if (!touched) return none("the bodies have not touched until {:g} s", end);
+  if (gap.back() <= threshold) return none("the bodies still touch at the end, {:g} s", end);
+  if (ratio < 0) return none("the bodies have not rebounded at the end, {:g} s", end);
   return ratio;
 }
 
@@ -222,7 +225,7 @@ Measured frequency(const Source& source) {
   if (curve.t.back() < source.until) return too_short(source.until, curve.t.back());
   const std::array<double, 2>& band = source.measure->band;
   if (const Value peak = peak_frequency(curve, source.measure->from, source.until, band)) return *peak;
-  return none("no swing between {:g} and {:g} Hz has a peak in the spectrum", band[0], band[1]);
+  return none("the spectrum has no peak between {:g} and {:g} Hz", band[0], band[1]);
 }
 
 Measured at_rest(const Source& source) {
@@ -238,7 +241,8 @@ Measured at_rest(const Source& source) {
   }
   if (high - low <= still * size) return curve.y.back();
   return none(
-      "it moves by {:g} of its greatest size in the last tenth of the run: a longer one may come to rest",
+      "the series varies by {:g} of its greatest size in the last tenth of the run: "
+      "use a longer run or more damping",
       (high - low) / size);
 }
 
@@ -252,16 +256,16 @@ Value as_given(const Source& source) {
 
 const std::vector<MeasureKind> kinds = {
     {.name = "period",
-     .help = "time of the first whole cycle about the level `about` (0, a number, or \"mean\": over whole "
-             "periods): between crossings in the same direction, of which a start at the level is one",
+     .help = "duration of the first whole cycle about the level `about` (0, a number, or \"mean\": "
+             "the mean over whole periods): time between two crossings in the same direction; "
+             "a start at the level counts as a crossing",
      .keys = {"probe", "about"},
      .number = true,
      .value = period,
      .reference = as_given},
     {.name = "first_peak",
-     .help = "greatest deviation from the level `about` in the first half cycle about it, with its sign, "
-             "once the "
-             "half cycle is over",
+     .help = "greatest deviation from the level `about` in the first half cycle, with its sign; "
+             "needs the end of the half cycle",
      .keys = {"probe", "about"},
      .number = true,
      .value = first_peak,
@@ -273,130 +277,132 @@ const std::vector<MeasureKind> kinds = {
      .value = peak_time,
      .reference = as_given},
     {.name = "decay",
-     .help =
-         "loss of amplitude per period: 1 − (A_n/A_1)^(1/(n−1)) of the n ≥ 2 peaks on the first one's side "
-         "of the level `about`",
+     .help = "loss of amplitude per period: "
+             "1 − (A_n/A_1)^(1/(n−1)) for the n ≥ 2 peaks on the side of the first peak of the level `about`",
      .keys = {"probe", "about"},
      .number = true,
      .value = decay,
      .reference = as_given},
     {.name = "mean",
-     .help = "1/T ∫ series dt over the time T from `from` (0) to `until` (the end of the run)",
+     .help =
+         "mean over time, 1/T ∫ series dt, T from `from` (default 0) to `until` (default the end of the run)",
      .keys = {"probe", "from", "until"},
      .number = true,
      .value = time_mean,
      .reference = as_given},
     {.name = "integral",
-     .help = "∫ series dt from `from` (0) to `until` (the end of the run); of a force its impulse",
+     .help = "∫ series dt from `from` (default 0) to `until` (default the end of the run); "
+             "for a force, the impulse",
      .keys = {"probe", "from", "until"},
      .number = true,
      .value = time_integral,
      .reference = as_given},
     {.name = "rmse",
      .help =
-         "√(1/T ∫ (series − reference)² dt) over the time T that both cover, over scale (1 unless given, as "
-         "by the range of the reference)",
+         "√(1/T ∫ (series − reference)² dt) over the time T that both cover, divided by `scale` (default 1)",
      .keys = {"probe", "scale"},
      .table = true,
      .solution = true,
      .value = rmse,
      .reference = zero},
     {.name = "value",
-     .help = "of the series at the time `time`, s",
+     .help = "value of the series at `time`, s",
      .keys = {"probe", "time"},
      .number = true,
      .solution = true,
      .value = value_then,
      .reference = given_then},
     {.name = "minimum",
-     .help = "least value; none while the series ends at it",
+     .help = "least value; none if the series ends at it",
      .keys = {"probe"},
      .number = true,
      .value = minimum,
      .reference = as_given},
     {.name = "maximum",
-     .help = "greatest value; none while the series ends at it, unless it is a mirror_asymmetry",
+     .help = "greatest value; none if the series ends at it, except for a mirror_asymmetry",
      .keys = {"probe"},
      .number = true,
      .value = maximum,
      .reference = as_given},
     {.name = "first_below",
-     .help = "first time at which the series is ≤ threshold",
+     .help = "first time at which the series is ≤ `threshold`",
      .keys = {"probe", "threshold"},
      .number = true,
      .value = first_below,
      .reference = as_given},
     {.name = "last_below",
-     .help = "last time at which the series was ≤ threshold; none unless it is above at the end",
+     .help = "last time at which the series was ≤ `threshold`; none unless it is above at the end",
      .keys = {"probe", "threshold"},
      .number = true,
      .value = last_below,
      .reference = as_given},
     {.name = "final_ratio",
-     .help = "last value over scale; none unless the series `free` was ≤ threshold and is above at the end",
+     .help = "last value divided by `scale`; "
+             "none unless the series `free` was ≤ `threshold` and is above at the end",
      .keys = {"probe", "threshold", "scale", "free"},
      .number = true,
      .value = final_ratio,
      .reference = as_given},
     {.name = "path_error",
-     .help = "greatest distance of the point from where the reference has it at the same time, over scale",
+     .help =
+         "greatest distance of the point from its reference position at the same time, divided by `scale`",
      .keys = {"probes", "scale"},
      .table = true,
      .solution = true,
      .value = path_error,
      .reference = zero},
     {.name = "frequency",
-     .help = "of the highest peak of the spectrum within band, of the series from the time `from` on, Hz",
+     .help = "frequency of the highest peak of the spectrum within `band`, Hz, for the series after `from`",
      .keys = {"probe", "band", "from"},
      .number = true,
      .value = frequency,
      .reference = as_given},
     {.name = "turn",
-     .help =
-         "angle by which the point turns about the origin, rad, counter-clockwise, whole turns counted; in "
-         "3D about an axis through it, [0, 0, 1] unless given, right-handed",
+     .help = "angle by which the point turns about the origin, rad, counter-clockwise, with whole turns; "
+             "in 3D about `axis` through the origin (default [0, 0, 1], right-handed)",
      .keys = {"probes", "axis"},
      .table = true,
      .solution = true,
      .value = turn_of_point,
      .reference = turn_of_reference},
     {.name = "line_rmse",
-     .help = "√ of the mean of (field − reference)² over all points and times of the line",
+     .help = "root mean square of field − reference over all points and times of the line",
      .keys = {"line"},
      .table = true,
      .solution = true,
      .value = line_rmse,
      .reference = zero},
     {.name = "line_error",
-     .help = "line_rmse over √ of the mean of reference² over the same points and times",
+     .help = "line_rmse divided by the root mean square of the reference over the same points and times",
      .keys = {"line"},
      .table = true,
      .solution = true,
      .value = line_error,
      .reference = zero},
     {.name = "at_rest",
-     .help = "value at the end; none where the last tenth still moves by a thousandth of the greatest size",
+     .help = "value at the end; none if the series varies by 1/1000 of its greatest size in the last tenth",
      .keys = {"probe"},
      .number = true,
      .solution = true,
      .value = at_rest,
      .reference = as_given},
     {.name = "field_rmse",
-     .help = "√ of the mean of |fields − reference|² over the body at the end, over the greatest |reference|",
+     .help = "root mean square of |fields − reference| over the body at the end, "
+             "divided by the greatest |reference|",
      .keys = {"body", "fields", "rigid_motion"},
      .solution = true,
      .value = field_rmse,
      .reference = zero},
     {.name = "field_error",
-     .help = "greatest |fields − reference| in the body at the end, over the greatest |reference|",
+     .help = "greatest |fields − reference| in the body at the end, divided by the greatest |reference|",
      .keys = {"body", "fields", "rigid_motion"},
      .solution = true,
      .value = greatest_field_error,
      .reference = zero},
     {.name = "volume_change",
      .help =
-         "of the body at the end, over its volume at the start: of the cells between its particles, which "
-         "stand on a lattice along the axes; none of another body",
+         "relative change of the volume of the body at the end, summed over the cells between its particles; "
+         "none unless its lattice is along the axes",
      .keys = {"body"},
      .number = true,
      .value = volume_change,

@@ -97,13 +97,13 @@ std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std
     const auto no_sample = [](const Curve& curve) { return curve.size() == 0; };
     const bool seen =
         std::ranges::none_of(source.curve, no_sample) && !(source.free && no_sample(*source.free));
-    const Measured found = !seen             ? Measured("the series has no finite value at its beginning")
+    const Measured found = !seen             ? Measured("the series is not finite at its start")
                            : each.scale == 0 ? Measured("its scale is 0")
                                              : kind.value(source);
     result.value = found.value;
     result.why = found.why;
     if (reference && found.why == no_reference)
-      result.why = fmt::format("the reference that holds here, '{}', has nothing for it", reference->name);
+      result.why = fmt::format("the reference '{}' of this law has no value for it", reference->name);
     for (std::size_t k = 0; k < source.curve.size() && seen && !found.value; ++k)
       if (const std::size_t kept = source.curve[k].size(); kept < series.time.size())
         result.why = fmt::format("{} is not finite at {:g} s", each.probes[k], series.time[kept]);

@@ -144,7 +144,7 @@ std::optional<LineSquares> line_squares(const Source& source) {
 
 Measured without_line(const Source& source) {
   return source.reference.empty() ? none(no_reference)
-                                  : none("the line lacks samples, or a point of it has left the body");
+                                  : none("the line has no samples, or one of its points has left the body");
 }
 
 /// Particles that are not held, in their places at the start; none before the end of the run.
@@ -154,15 +154,16 @@ std::optional<FieldError> error_at_end(const Source& source) {
 }
 
 Measured without_end(const Source& source) {
-  if (!source.now) return none("only the whole run knows it");
+  if (!source.now) return none("it is measured at the end of a run only");
   if (source.now->time < source.until) return too_short(source.until, source.now->time);
   return none(no_reference);
 }
 
 Measured without_field(const Source& source) {
   const bool at_end = source.now && source.now->time >= source.until;
-  return at_end && source.reference.exact ? none("the reference is 0 everywhere, and the error a share of it")
-                                          : without_end(source);
+  return at_end && source.reference.exact
+             ? none("the reference is 0 everywhere, so there is no relative error")
+             : without_end(source);
 }
 
 }  // namespace
@@ -176,7 +177,7 @@ Measured line_error(const Source& source) {
   const auto mean = line_squares(source);
   if (!mean) return without_line(source);
   return mean->reference > 0 ? Measured(mean->difference / mean->reference)
-                             : none("the reference is 0 everywhere");
+                             : none("the reference is 0 everywhere, so there is no relative error");
 }
 
 Measured field_rmse(const Source& source) {
@@ -192,7 +193,7 @@ Measured greatest_field_error(const Source& source) {
 Measured volume_change(const Source& source) {
   if (!source.now || source.now->time < source.until) return without_end(source);
   const double before = lattice_volume(*source.now, source.measure->body, source.now->x0);
-  if (!(before > 0)) return none("the body is no lattice along the axes");
+  if (!(before > 0)) return none("the lattice of the body is not along the axes");
   return lattice_volume(*source.now, source.measure->body, source.now->x) / before - 1;
 }
 

@@ -108,7 +108,7 @@ template <>
 struct LawOf<Law::mooney_rivlin> : MooneyRivlin {
   static constexpr LawParameter share[] = {
       {"cofactor_share", 1.0, 0.0, 1.0,
-       "the share of the shear modulus that is of changes of areas, 3√3 ξ/G; 0 is neo-Hookean"}};
+       "share of the shear modulus in the cofactor term, 3√3 ξ/G; 0 is neo-Hookean"}};
   static constexpr LawRow row{
       .law = Law::mooney_rivlin,
       .choice = "mooney-rivlin",

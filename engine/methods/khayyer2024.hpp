@@ -28,14 +28,14 @@ constexpr Formulation ladder(Formulation step) {
 inline constexpr Formulation ulsph_av_as_uncorrected = ladder({
     .name = "ulsph-av-as-uncorrected",
     .paper = "Khayyer2024 §2",
-    .summary = "Gray's method: Cauchy stress, artificial viscosity and stress, XSPH; damps what swings",
+    .summary = "Gray's method: Cauchy stress, artificial viscosity and stress, XSPH; damps oscillations",
     .conserves = "linear momentum",
     .viscosity = Viscosity::artificial,
 });
 inline constexpr Formulation ulsph_av_as = ladder({
     .name = "ulsph-av-as",
     .paper = "Khayyer2024 §3.1",
-    .summary = "with corrected kernel gradients: keeps swinging",
+    .summary = "Gray's method with corrected kernel gradients: does not damp oscillations",
     .conserves = "linear momentum",
     .viscosity = Viscosity::artificial,
     .corrected = true,

@@ -31,15 +31,15 @@ constexpr Formulation lee2016(Formulation m) {
 inline constexpr Formulation tl = lee2016({
     .name = "tl",
     .paper = "Lee2016 §8.4",
-    .summary = "deformation gradient from positions, neighbours of the start: no tension instability, but "
-               "zigzags cost nothing",
+    .summary = "deformation gradient from positions, initial neighbours: "
+               "no tensile instability, but zigzag modes cost no energy",
     .conserves = "linear momentum, angular momentum, energy",
     .family = Family::tl_displacement,
 });
 inline constexpr Formulation pf = lee2016({
     .name = "pf",
     .paper = "Lee2016 §3.3",
-    .summary = "momentum and deformation gradient as unknowns, no dissipation: zigzags grow",
+    .summary = "momentum and deformation gradient as unknowns, no dissipation: zigzag modes grow",
     .conserves = "linear momentum, angular momentum",
     .family = Family::tl_mixed,
     .unknowns = Unknowns::v_F,
@@ -47,7 +47,7 @@ inline constexpr Formulation pf = lee2016({
 inline constexpr Formulation pf_jst = lee2016({
     .name = "pf-jst",
     .paper = "Lee2016 §3.4, §6",
-    .summary = "pf with Jameson–Schmidt–Turkel dissipation: no zigzags up to Poisson's ratio 0.495",
+    .summary = "pf with Jameson–Schmidt–Turkel dissipation: no zigzag modes up to Poisson's ratio 0.495",
     .conserves = "linear momentum, angular momentum",
     .family = Family::tl_mixed,
     .unknowns = Unknowns::v_F,
@@ -66,7 +66,7 @@ inline constexpr Formulation pfhj_jst = lee2016({
     .name = "pfhj-jst",
     .paper = "Lee2016 §4",
     .summary =
-        "pfj-jst with the cofactor of the deformation gradient as an unknown too: laws that rest on it",
+        "pfj-jst with the cofactor of the deformation gradient as another unknown: for laws that use it",
     .conserves = "linear momentum, angular momentum",
     .family = Family::tl_mixed,
     .unknowns = Unknowns::v_F_H_J,

@@ -8,8 +8,8 @@ inline constexpr Formulation oenog{
     .name = "oenog",
     .paper = "none: ours",
     .summary =
-        "objective ENOG: its pair forces turn with the pairs of the start; an energy, and no search in a "
-        "body",
+        "objective ENOG: forces rotate with the initial pairs and derive from an energy; "
+        "no neighbour search within a body",
     .conserves = "linear momentum, angular momentum",
     .family = Family::bonded,
     .law = Law::neo_hookean,

@@ -10,7 +10,7 @@ inline constexpr Citation tranduc2023_citations[] = {
     {"stress rate", "[TranDuc2023] Eq. 2.4", ""},
     {"artificial viscosity", "[TranDuc2023] §2.2", ""},
     {"artificial stress", "[TranDuc2023] §2.2", ""},
-    {"time", "none stated: that of [Khayyer2024]",
+    {"time", "none stated: as in [Khayyer2024]",
      "naive: the current configuration, a clamped plate of two materials and a disc that hits it"},
 };
 
@@ -33,13 +33,13 @@ constexpr Formulation current_configuration(Formulation m) {
 inline constexpr Formulation ccb = current_configuration({
     .name = "ccb",
     .paper = "TranDuc2023 §2.2",
-    .summary = "current configuration, no cure for tension: breaks under it",
+    .summary = "current configuration, no cure for tensile instability: fractures in tension",
     .conserves = "linear momentum",
 });
 inline constexpr Formulation ccbwat = current_configuration({
     .name = "ccbwat",
     .paper = "TranDuc2023 §2.2",
-    .summary = "ccb with artificial viscosity and stress: holds longer, bends too far",
+    .summary = "ccb with artificial viscosity and stress: fractures later, bends too far",
     .conserves = "linear momentum",
     .artificial_stress = true,
     .epsilon = 0.3,
@@ -51,7 +51,7 @@ inline constexpr Formulation ccbwat = current_configuration({
 inline constexpr Formulation icb{
     .name = "icb",
     .paper = "TranDuc2023 §2.3",
-    .summary = "second Piola–Kirchhoff stress turned by the rotation of each particle: for moderate strains",
+    .summary = "second Piola–Kirchhoff stress, rotated with each particle: for moderate strains",
     .conserves = "linear momentum, angular momentum",
     .family = Family::tl_displacement,
     .law = Law::rotated_piola,

@@ -9,7 +9,7 @@ namespace taut {
 inline constexpr Formulation tl_small_strain{
     .name = "tl-small-strain",
     .paper = "Zhang2020",
-    .summary = "linear strain on neighbours of the start: for small strains with little rotation",
+    .summary = "linear strain on initial neighbours: for small strains with little rotation",
     .conserves = "linear momentum, energy",
     .family = Family::tl_displacement,
     .law = Law::linear_elastic,

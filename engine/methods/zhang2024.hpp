@@ -9,7 +9,8 @@ namespace taut {
 inline constexpr Formulation og{
     .name = "og",
     .paper = "Zhang2024 §3",
-    .summary = "nested shear stress, low-dissipation Riemann terms, no cure for tension: fractures",
+    .summary =
+        "nested shear stress, low-dissipation Riemann terms, no cure for tensile instability: fractures",
     .conserves = "linear momentum",
     .family = Family::ul_split,
     .shear = Shear::nested_stress,
@@ -18,7 +19,7 @@ inline constexpr Formulation og{
 inline constexpr Formulation oas{
     .name = "oas",
     .paper = "Zhang2024 §6",
-    .summary = "og with Gray's artificial stress: no fracture at first, zigzag modes stay",
+    .summary = "og with Gray's artificial stress: fractures later, zigzag modes remain",
     .conserves = "linear momentum",
     .family = Family::ul_split,
     .shear = Shear::nested_stress,
@@ -30,7 +31,8 @@ inline constexpr Formulation enog{
     .name = "enog",
     .paper = "Zhang2024 §4",
     .summary =
-        "shear acceleration from a non-nested Laplacian of the velocity: no zigzag, no tension instability",
+        "shear acceleration from a non-nested Laplacian of the velocity: "
+        "no zigzag modes, no tensile instability",
     .conserves = "linear momentum",
     .family = Family::ul_split,
     .shear = Shear::laplacian_velocity,

@@ -50,7 +50,7 @@ class CellGrid {
  private:
   [[noreturn]] static void refuse() {
     throw NumericalError(0, 0, -1, "position",
-                         "a particle is farther away than numbers reach, or its place is not a number");
+                         "the position of a particle is not finite, or too large for the neighbour search");
   }
 
   /// NumericalError where there is a place without a cell; who makes steps says when that was.

@@ -51,9 +51,9 @@ Bounds lattice_bounds_of(const Body& body) {
 void refuse_idle_cuts(const Body& body, const std::vector<long>& cut) {
   for (std::size_t k = 0; k < cut.size(); ++k)
     if (cut[k] == 0)
-      throw SceneError("body." + body.name + ".without", "without: no particle of body '" + body.name +
-                                                             "' is in shape " + std::to_string(k + 1) +
-                                                             ", or all are in one before it");
+      throw SceneError("body." + body.name + ".without", "without: shape " + std::to_string(k + 1) +
+                                                             " removes no particle of body '" + body.name +
+                                                             "'; correct or remove it");
 }
 
 /// The places of a lattice around a body, before the first shape turns them.
@@ -91,11 +91,10 @@ LatticeRows rows_of(const Body& body, int dim, double dp) {
     const double high = std::ceil((all.high[k] - rows.anchor[k]) / rows.pitch[k]) + 1;
     places *= high - low + 1;
     if (!(places <= greatest_place_number))
-      throw SceneError(
-          "body." + body.name,
-          fmt::format("the box around body '{}' has more than {:g} places of the lattice; choose a "
-                      "greater spacing, or make what is far apart bodies of their own",
-                      body.name, greatest_place_number));
+      throw SceneError("body." + body.name,
+                       fmt::format("the box around body '{}' has more than {:g} lattice sites; "
+                                   "use a larger spacing, or make distant parts separate bodies",
+                                   body.name, greatest_place_number));
     rows.from[k] = static_cast<long>(low);
     rows.to[k] = static_cast<long>(high);
   }
@@ -201,7 +200,7 @@ void refuse_empty(const std::vector<Region>& regions, const std::vector<InitialS
     if (std::ranges::none_of(sites, holds))
       throw SceneError("body." + body.name + "." + key, key + ": no particle of body '" + body.name +
                                                             "' is in region " + std::to_string(k + 1) +
-                                                            ": its 'where' is 0 at all of them");
+                                                            ": its 'where' is 0 at all particles");
   }
 }
 
@@ -214,7 +213,7 @@ void refuse_idle_hold(const Body& body, const std::vector<InitialSite>& sites) {
   const auto refuse = [&](const std::string& what) {
     throw SceneError("body." + body.name + ".held",
                      what + ": no particle of body '" + body.name +
-                         "' is held: it is 0 at all of them; leave it out, or 0, to hold none");
+                         "' is held: it is 0 at all particles; to hold none, leave it out or write 0");
   };
   for (std::size_t k = 0; k < body.guided.size(); ++k)
     if (is_idle(body.guided[k])) refuse(fmt::format("held[{}]", k));
@@ -285,18 +284,19 @@ void check_sites(const Body& body, const std::vector<InitialSite>& sites) {
   if (sites.empty())
     throw SceneError(
         "body." + body.name,
-        "body '" + body.name + "' holds no particle: " +
+        "body '" + body.name + "' contains no particle: " +
             (body.without.empty() ? "its shapes are smaller than the spacing; choose a smaller spacing"
-                                  : "what 'without' leaves of its shapes is smaller than the spacing"));
+                                  : "the rest of its shapes after 'without' is smaller than the spacing"));
   refuse_idle_hold(body, sites);
   refuse_empty(body.parts, sites, body, "parts");
   refuse_empty(body.drives, sites, body, "driven");
   refuse_empty(body.loads, sites, body, "loaded");
   const auto is_traction = [](const Load& load) { return load.kind == Load::Kind::traction; };
   if (body.on_boundary && std::ranges::any_of(body.loads, is_traction))
-    throw SceneError("body." + body.name + ".loaded",
-                     "a traction acts on a layer of whole particles, and those of body '" + body.name +
-                         "' stand on its faces (on_boundary): give the force of the face as 'force'");
+    throw SceneError(
+        "body." + body.name + ".loaded",
+        "a traction cannot act on body '" + body.name +
+            "', whose particles are on its faces (on_boundary): give the total force as 'force'");
 }
 
 void append(InitialParticles& layout, const Scene& scene, int b) {
@@ -318,7 +318,7 @@ void append(InitialParticles& layout, const Scene& scene, int b) {
     if (held && drive >= 0)
       throw SceneError("body." + body.name + ".driven",
                        "particles of body '" + body.name +
-                           "' are both held and driven; let 'held' and the 'where' of 'driven' not overlap");
+                           "' are both held and driven; 'held' and the 'where' of 'driven' must not overlap");
     layout.guided.push_back(held ? 0 : guide_at(body, site.middle));
     const auto is_free = [&](int k) { return !held && (layout.guided.back() >> k & 1) == 0; };
     // across a face of a turned body what is free along another axis would leave it
@@ -342,8 +342,8 @@ InitialParticles make_initial_particles(const Scene& scene) {
   double expected = 0;
   for (const Body& body : scene.bodies) expected += expected_number(body, scene.dim, scene.spacing);
   if (!(expected <= greatest_particle_number))
-    throw SceneError("spacing", fmt::format("a spacing of {:g} m would make about {:g} million particles; at "
-                                            "most 20 million are allowed",
+    throw SceneError("spacing", fmt::format("a spacing of {:g} m would make about {:g} million particles; "
+                                            "at most 20 million are allowed",
                                             scene.spacing, expected / 1e6));
   InitialParticles layout;
   layout.dim = scene.dim;

@@ -102,7 +102,7 @@ void refuse_close_particles(const InitialParticles& layout, const Scene& scene) 
       const double r = distance_between(x, y, 3);
       if (r >= reach) return;
       refuse(scene, layout.body[i], layout.body[j], Bounds{x, y}.middle(),
-             fmt::format("two of their particles are {:g} spacings apart, at least {:g} are needed",
+             fmt::format("two of their particles are {:g} spacings apart; the distance must be at least {:g}",
                          r / scene.spacing, least_distance));
     });
     grid.add(x, i);
@@ -169,7 +169,7 @@ void refuse_particles_inside(const InitialParticles& layout, const Scene& scene,
     const std::optional<Point> in_layout = laid ? (*laid)(x) : x;
     if (in_layout && holds(scene.bodies[b], *in_layout, scene.dim, -greatest_depth * scene.spacing))
       refuse(scene, static_cast<int>(std::max(a, b)), static_cast<int>(std::min(a, b)), x,
-             "there a particle of '" + scene.bodies[a].name + "' lies in '" + scene.bodies[b].name + "'");
+             "a particle of '" + scene.bodies[a].name + "' is inside '" + scene.bodies[b].name + "'");
   }
 }
 

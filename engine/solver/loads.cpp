@@ -64,7 +64,7 @@ void Loads<Dim>::act_on_faces(const Scene& scene, const InitialParticles& initia
         throw SceneError(
             "body." + body.name + ".loaded",
             "a traction of body '" + body.name +
-                "' is on two faces that meet at an edge: give each face an entry of 'loaded' of its own");
+                "' is on two faces that meet at an edge: write one entry of 'loaded' for each face");
       if (layer.id.empty()) continue;
       shares.clear();
       for (const auto& [id, force] : face_shares(rule, layer, initial, reach, surface, scene.spacing)) {
@@ -110,10 +110,10 @@ auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParti
   }
   const std::string& name = scene.bodies[body].name;
   if (volume == 0)
-    throw SceneError("body." + name + ".loaded",
-                     "a load of body '" + name +
-                         "' is on held particles only, or such as are driven to the "
-                         "end, which do not feel it");
+    throw SceneError(
+        "body." + name + ".loaded",
+        "a load of body '" + name +
+            "' is only on particles that are held, or driven to the end, where it has no effect");
   // volumes that a unit of the load stands for: of all of the region, of a cubic metre, of a layer's face
   const double over = load.kind == Load::Kind::force      ? volume
                       : load.kind == Load::Kind::traction ? scene.spacing

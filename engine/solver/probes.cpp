@@ -56,9 +56,9 @@ auto ProbeRecorder<Dim>::point(const Scene& scene, const InitialParticles& initi
     nearest = std::min(nearest, std::sqrt(squared) / scene.spacing);
   }
   if (nearest > farthest)
-    throw SceneError("probe." + probe.name, "the point of the probe '" + probe.name +
-                                                "' lies beside its body, more than 1.5 spacings from "
-                                                "its nearest particle");
+    throw SceneError("probe." + probe.name,
+                     "the point of the probe '" + probe.name +
+                         "' is outside its body, more than 1.5 spacings from the nearest particle");
   std::vector<PointWeight> point =
       material_point(initial.x, first_[body], first_[body + 1], at, reach, scene, body);
   if (point.empty())
@@ -102,8 +102,8 @@ auto ProbeRecorder<Dim>::point_of_stress(const Scene& scene, const InitialPartic
                              first_[body + 1], reach, link_of_neighbors * scene.spacing, scene.dim},
                             probe.at);
   if (near.empty())
-    throw SceneError("probe." + probe.name, "the probe '" + probe.name +
-                                                "' has too few particles that are not held around its point");
+    throw SceneError("probe." + probe.name,
+                     "the probe '" + probe.name + "' has too few free particles around its point");
   return near;
 }
 
@@ -117,9 +117,9 @@ auto ProbeRecorder<Dim>::held_particles(const InitialParticles& initial, const P
     if (!probe.where || probe.where(initial.cell(id)) != 0) found.push_back({id, 1});
   }
   if (found.empty())
-    throw SceneError("probe." + probe.name, "the probe '" + probe.name + "' finds nothing that is held" +
-                                                (probe.where ? " where it looks" : " in its body") +
-                                                " along its component, nor driven: there is no reaction");
+    throw SceneError("probe." + probe.name,
+                     "the probe '" + probe.name + "' has no reaction: no particle of its " +
+                         (probe.where ? "region" : "body") + " is held or driven along its component");
   return found;
 }
 
@@ -156,7 +156,7 @@ std::vector<int> ProbeRecorder<Dim>::images(const Scene& scene, const InitialPar
   if (initial.first[b + 1] - initial.first[b] != static_cast<int>(images.size()))
     throw SceneError("probe." + probe.name,
                      "the probe '" + probe.name +
-                         "' compares two bodies that are no images of each other: they have " +
+                         "' compares two bodies that are not images of each other: they have " +
                          std::to_string(images.size()) + " and " +
                          std::to_string(initial.first[b + 1] - initial.first[b]) + " particles");
   if (a != b) return images;
@@ -175,10 +175,10 @@ std::vector<int> ProbeRecorder<Dim>::images(const Scene& scene, const InitialPar
     for (const long step : {-1, 2})
       if (found == at.end()) near[probe.axis] += step, found = at.find(near);
     if (found == at.end())
-      throw SceneError("probe." + probe.name,
-                       "the probe '" + probe.name +
-                           "' looks for a mirror image: the particles of its body do not "
-                           "stand like one another's images at the start");
+      throw SceneError(
+          "probe." + probe.name,
+          "the probe '" + probe.name +
+              "' needs a symmetric body: its particles are not mirror images of each other at the start");
     id = found->second;
   }
   return images;

@@ -214,7 +214,7 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
     archive.check("a particle", [&] { return are_of_this_scene(); });
     contact_.serialize(archive, s_.size());
     archive(drives_, loads_, recorder_, time_, step_, vmax_, series_, pairs_);
-    archive.check("a number of a particle", [&] { return recorder_.follows(s_) && are_numbers(); });
+    archive.check("a value of a particle", [&] { return recorder_.follows(s_) && are_numbers(); });
     archive.check("the time, the step or a series", [&] {
       const bool counted = recorder_.size() == 0 ? series_.time.empty()
                                                  : std::cmp_equal(series_.time.size() - 1, step_) &&

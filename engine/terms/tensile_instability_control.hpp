@@ -15,7 +15,7 @@ T colour_term(const T& W, const T& V_j) {
   return W * V_j;
 }
 inline constexpr TermInfo surface_info{
-    "surface", "C = Σ W V_j < 0.9, and what is nearer than 1.2 dp", "[Khayyer2024] Eq. 52",
+    "surface", "C = Σ W V_j < 0.9, and particles within 1.2 dp of them", "[Khayyer2024] Eq. 52",
     "terms/tensile_instability_control.hpp:colour_term",
     "colour function: 1 inside a lattice, below 0.9 on its face, above one row deeper"};
 

@@ -29,7 +29,7 @@ EGLDisplay open_display() {
   const EGLDisplay display =
       eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   if (display == EGL_NO_DISPLAY)
-    fail("knows no surfaceless display; it is Mesa's: apt-get install libegl-mesa0");
+    fail("has no surfaceless display; install Mesa: apt-get install libegl-mesa0");
   if (!eglInitialize(display, nullptr, nullptr)) fail("cannot open its surfaceless display");
   return display;
 }
@@ -66,20 +66,20 @@ GlContext::GlContext(int width, int height)
                                EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                EGL_NONE};
   handle_->context = eglCreateContext(on, config, EGL_NO_CONTEXT, attributes);
-  if (handle_->context == EGL_NO_CONTEXT) fail("gives no OpenGL 3.3 core context");
+  if (handle_->context == EGL_NO_CONTEXT) fail("cannot create an OpenGL 3.3 core context");
 }
 
 GlContext::~GlContext() = default;
 
 GlContext::Current::Current(GlContext& context, Image& target) : context_(context), target_(target) {
   if (target.width != context.width_ || target.height != context.height_) {
-    throw std::logic_error("the image is not of the size of its OpenGL context");
+    throw std::logic_error("the image and its OpenGL context differ in size");
   }
   check_memory(target.width, target.height);
   Handle& handle = *context.handle_;
   eglBindAPI(EGL_OPENGL_API);
   if (!eglMakeCurrent(display(), EGL_NO_SURFACE, EGL_NO_SURFACE, handle.context))
-    fail("cannot take a context");
+    fail("cannot activate a context");
   if (handle.framebuffer != 0) return;
   glGenFramebuffers(1, &handle.framebuffer);
   glBindFramebuffer(GL_FRAMEBUFFER, handle.framebuffer);

@@ -40,7 +40,7 @@ GlContext::GlContext(int width, int height)
                             3,
                             0};
   handle_->context = OSMesaCreateContextAttribs(attributes, nullptr);
-  if (!handle_->context) throw std::runtime_error("OSMesa gives no OpenGL 3.3 core context");
+  if (!handle_->context) throw std::runtime_error("OSMesa cannot create an OpenGL 3.3 core context");
 }
 
 GlContext::~GlContext() = default;
@@ -48,7 +48,7 @@ GlContext::~GlContext() = default;
 GlContext::Current::Current(GlContext& context, Image& target) : context_(context), target_(target) {
   check_memory(target.width, target.height);
   if (target.width != context.width_ || target.height != context.height_) {
-    throw std::logic_error("the image is not of the size of its OpenGL context");
+    throw std::logic_error("the image and its OpenGL context differ in size");
   }
   if (!OSMesaMakeCurrent(context.handle_->context, target.pixels.data(), GL_UNSIGNED_BYTE, target.width,
                          target.height)) {

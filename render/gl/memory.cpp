@@ -13,7 +13,7 @@ namespace taut::render {
 
 void fail_for_memory(int width, int height) {
   throw UsageError(fmt::format(
-      "there is no memory for a picture of {}x{}; take a smaller --size or fewer --threads", width, height));
+      "there is no memory for a picture of {}x{}; use a smaller --size or fewer --threads", width, height));
 }
 
 void check_memory(int width, int height) {

@@ -116,7 +116,7 @@ struct Deflater {
     stream.level = 0;
     if (isal_create_hufftables(&code, &seen) != 0 ||
         isal_deflate_set_hufftables(&stream, &code, IGZIP_HUFFTABLE_CUSTOM) != COMP_OK)
-      throw std::logic_error("a picture has no code to compress it with");
+      throw std::logic_error("the compression code of a picture cannot be set up");
   }
   Deflater(const Deflater&) = delete;  // too large to be copied unnoticed
   Deflater& operator=(const Deflater&) = delete;
@@ -129,7 +129,7 @@ struct Deflater {
     do {
       stream.next_out = deflated;
       stream.avail_out = sizeof deflated;
-      if (isal_deflate(&stream) != COMP_OK) throw std::logic_error("a picture could not be compressed");
+      if (isal_deflate(&stream) != COMP_OK) throw std::logic_error("a picture cannot be compressed");
       out.insert(out.end(), deflated, stream.next_out);
     } while (stream.avail_out == 0);
   }
@@ -240,7 +240,7 @@ Image read_png(const std::filesystem::path& path, Alpha alpha) {
              height = static_cast<int>(png_get_image_height(reader.png, reader.info));
   if (std::int64_t{width} * height > most_pixels)
     fail_to_read(path, "it has " + std::to_string(width) + " x " + std::to_string(height) +
-                           " pixels; at most 67 million are read, as 8192 x 8192");
+                           " pixels; at most 67 million are allowed, such as 8192 x 8192");
   Image image(width, height);
   std::vector<png_bytep> rows(static_cast<std::size_t>(image.height));
   for (int row = 0; row < image.height; ++row) rows[row] = &image.pixels[image.offset(0, row)];

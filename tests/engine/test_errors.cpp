@@ -220,7 +220,7 @@ TEST_SUITE("unit") {
     Scene scene = small_collision();
     CHECK_NOTHROW(make_simulation(scene, settings));
     scene.dim = 3;
-    CHECK(contains(message<UsageError>(scene, settings), "allowed is 0.87 to 0.99"));
+    CHECK(contains(message<UsageError>(scene, settings), "it must be from 0.87 to 0.99"));
   }
 
   TEST_CASE("scene: three dimensions are refused by a method that has no form in them") {

@@ -105,7 +105,7 @@ TEST_SUITE("image") {
     CHECK(high.height > 2 * high.width);
     options.look.size = {200, 800};
     CHECK_THROWS_WITH_AS(Panel{options},
-                         "a panel of 200x800 pixels is too small for 2 x 2 pictures; take a larger --size",
+                         "a panel of 200x800 pixels is too small for 2 x 2 pictures; use a larger --size",
                          UsageError);
     options.look.size = {800, 200};
     CHECK_THROWS_AS(Panel{options}, UsageError);
@@ -117,7 +117,7 @@ TEST_SUITE("image") {
     options.rows.assign(20000, "t");
     CHECK_THROWS_WITH_AS(Panel{options}, doctest::Contains("a panel of 2 x 20000 pictures would have"),
                          UsageError);
-    CHECK_THROWS_WITH_AS(Panel{options}, doctest::Contains("at most 67 million are drawn"), UsageError);
+    CHECK_THROWS_WITH_AS(Panel{options}, doctest::Contains("at most 67 million are allowed"), UsageError);
   }
 
   TEST_CASE("a bare panel is its pictures and nothing else, on any background") {

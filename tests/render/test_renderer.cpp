@@ -421,7 +421,7 @@ TEST_SUITE("unit") {
     Look with = look(64, 64, unit_view);
     FrameView frame;
     frame.dim = 3;
-    CHECK_THROWS_WITH_AS(Renderer(with).draw(frame), doctest::Contains("without a camera"), std::logic_error);
+    CHECK_THROWS_WITH_AS(Renderer(with).draw(frame), doctest::Contains("needs a camera"), std::logic_error);
     with.camera.emplace();
     CHECK_NOTHROW(Renderer(with).draw(frame));
     frame.dim = 2;

@@ -13,7 +13,7 @@ std::vector<MethodConstant> constants(const Formulation& m, int dim) {
   if (m.gradient == GradientCorrection::corrected) return {smoothing_length(m, dim, 0.8)};
   return {smoothing_length(m, dim, 0.36),  // no more neighbours than the four nearest are asked for
           {"normalised", &Constants::normalised, 1.0, 0.0, 1.0,
-           "1: gradients over the sum of kernels, 0: as they come"}};
+           "1: gradients divided by the sum of the kernel; 0: not"}};
 }
 
 }  // namespace taut::tl_displacement

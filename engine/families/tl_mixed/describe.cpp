@@ -21,19 +21,18 @@ std::vector<MethodConstant> constants(const Formulation& m, int dim) {
     c.push_back({"eps_v2", &C::eps_v2, 0.0, 0.0, 1.0, "ε₂ of the momentum, for shocks"});
     c.push_back({"eps_v4", &C::eps_v4, 0.125, 0.0, 1.0, "ε₄ of the momentum, against zigzags"});
     c.push_back({"adjoint", &C::adjoint, 1.0, 0.0, 1.0,
-                 "1: biharmonic term L*[L[U]], damps all; 0: L[L[U]] as printed"});
+                 "1: biharmonic term L*[L[U]], damps all modes; 0: L[L[U]] as printed"});
   }
   if (m.jst && follows_volume_ratio(m)) {
     c.push_back({"eps_J2", &C::eps_J2, 0.0, 0.0, 1.0, "ε₂ of the volume ratio"});
-    c.push_back(
-        {"eps_J4", &C::eps_J4, 1.0 / 256, 0.0, 1.0,
-         "ε₄ of the volume ratio: 1/8 near incompressibility, but faces that meet do not last with it"});
+    c.push_back({"eps_J4", &C::eps_J4, 1.0 / 256, 0.0, 1.0,
+                 "ε₄ of the volume ratio; 1/8 near incompressibility, but faces in contact fail with it"});
   }
   c.push_back({"projection", &C::projection, 1.0, 0.0, 1.0,
-               "1: forces projected on what keeps both momenta, 0: not"});
-  c.push_back(
-      {"boundary_projection", &C::boundary_projection, 0.0, 0.0, 1.0,
-       "1: velocities around held, guided and driven particles are made to fit where the kernel looks"});
+               "1: forces are projected to conserve both momenta; 0: not"});
+  c.push_back({"boundary_projection", &C::boundary_projection, 0.0, 0.0, 1.0,
+               "1: velocities around clamped and prescribed particles satisfy the boundary condition in the "
+               "kernel sums"});
   return c;
 }
 

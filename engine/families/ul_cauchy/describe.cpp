@@ -57,9 +57,9 @@ std::vector<MethodConstant> constants(const Formulation& m, int) {
     c.push_back({"alpha", &C::alpha, 1.0, 0.0, 10.0, "α of the artificial viscosity"});
   if (m.viscosity == Viscosity::riemann)
     c.push_back({"riemann_factor", &C::riemann_factor, 1.0, 0.0, 2.0,
-                 "dissipation over that of Eq. 39; Eq. 43 prints 2, CFL ≤ 0.5"});
+                 "factor of the dissipation in Eq. 39; Eq. 43 prints 2, for CFL ≤ 0.5"});
   c.push_back({"geometry", &C::geometry, 0.5, 0.0, 1.0,
-               "where in the step ∇u is taken: 0 its start, as printed, 1 its end"});
+               "point of the step at which ∇u is evaluated: 0 start, as printed; 1 end"});
   if (m.transport_velocity) c.push_back({"xsph", &C::xsph, 0.5, 0.0, 1.0, "ε of the transport velocity"});
   if (m.density_diffusion) c.push_back({"delta", &C::delta, 0.002, 0.0, 0.1, "δ of the density diffusion"});
   if (m.artificial_stress) {
@@ -68,8 +68,9 @@ std::vector<MethodConstant> constants(const Formulation& m, int) {
   }
   if (m.tensile_control) {
     c.push_back({"surface_colour", &C::surface_colour, 0.9, 0.0, 1.2,
-                 "colour function below which a particle is of the surface"});
-    c.push_back({"vicinity", &C::vicinity, 1.2, 0.0, 3.0, "reach of the surface in spacings"});
+                 "colour function below which a particle belongs to the surface"});
+    c.push_back({"vicinity", &C::vicinity, 1.2, 0.0, 3.0,
+                 "distance from surface particles within which the artificial stress acts, in spacings"});
     c.push_back({"surface_artificial_stress", &C::surface_artificial_stress, 1.0, 0.0, 1.0,
                  "share of the artificial stress at surfaces"});
   }

@@ -25,9 +25,9 @@ std::vector<MethodConstant> constants(const Formulation& m, int dim) {
       {"riemann_limiter", &C::riemann_limiter, 3.0, 0.0, 1000.0,
        "β = min(max(limiter · closing speed/c0, beta_least), 1)"},
       {"pressure_diffusion", &C::pressure_diffusion, 0.0, 0.0, 1.0,
-       "share of (p_i − p_j)/(2 ρ0 c0) in U*: 1 as in the paper's solver, 0 without"},
+       "share of (p_i − p_j)/(2 ρ0 c0) in U*: 1 as in the Riemann solver of the paper, 0 without"},
       {"cfl_advection", &C::cfl_advection, m.cfl_advection, 1e-3, 1.0,
-       "way over h between rebuilds (Eq. 21)"},
+       "distance over h between rebuilds (Eq. 21)"},
   };
   if (m.shear == Shear::laplacian_velocity)
     c.push_back({"zeta", &C::zeta, 0.7 * dim + 2.1, 0.0, 100.0,

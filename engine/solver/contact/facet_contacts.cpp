@@ -28,7 +28,7 @@ void FacetContacts::refuse_thin(const Scene& scene) const {
     if (facets_.mesh().closed[b]) continue;
     throw SceneError("body." + scene.bodies[b].name,
                      "the contact law 'surface' needs faces, and body '" + scene.bodies[b].name +
-                         "' is too thin to have them all: use a smaller spacing or another law");
+                         "' is too thin to have all of them: use a smaller spacing or another law");
   }
 }
 

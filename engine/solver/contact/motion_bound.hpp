@@ -76,8 +76,8 @@ class MotionBound {
 
 inline constexpr TermInfo self_contact_info{
     "self-contact",
-    "by the law of contact, of what was further apart at the start than 4 dp (faces in 2D: 3; facets through "
-    "the body: 8)",
+    "the law of contact, between particles initially more than 4 dp apart (faces in 2D: 3 dp; "
+    "facets through the body: 8 dp)",
     "ours", "solver/contact/motion_bound.hpp:MotionBound",
     "contact: a strip that folds meets itself, by every law, and does not pass through"};
 

@@ -85,7 +85,7 @@ class WallContacts {
 };
 
 inline constexpr TermInfo wall_info{
-    "wall", "as the own mirror image by the law of contact, sph: by the penalty", "ours",
+    "wall", "the law of contact with the body's own mirror image; sph: the penalty law", "ours",
     "solver/contact/wall_contacts.hpp:WallContacts", "wall: a body meets its mirror image"};
 
 }  // namespace taut::inline TAUT_ISA

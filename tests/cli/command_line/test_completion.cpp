@@ -32,7 +32,7 @@ Words words_for(const Words& typed) {
 /// What bash offers for a line that ends at the cursor, with the program in PATH; a line each.
 Words offered_by_bash(const TemporaryFolder& folder, const std::string& line) {
   std::ofstream(folder / "ask.sh") << "source <(\"$1\"/taut completion bash)\n"
-                                      "compopt() { :; }  # bash has it only while somebody presses Tab\n"
+                                      "compopt() { :; }  # bash defines it only during a completion\n"
                                       "PATH=$1:$PATH COMP_LINE=$2 COMP_POINT=${#2}\n"
                                       "cd \"$3\"\n_taut\nprintf '%s\\n' \"${COMPREPLY[@]}\" | sort -u\n";
   const std::string ask = "bash '" + folder.str("ask.sh") + "' '" TAUT_BINARY_DIR "' '" + line + "' '" +

@@ -49,8 +49,7 @@ TEST_SUITE("cli") {
       CHECK(outcome.code == 0);
       return outcome.err;
     };
-    const std::string told =
-        "of the particles of " + folder.str("r") + " lie outside of the view of the scene";
+    const std::string told = "of the particles of " + folder.str("r") + " are outside the view of the scene";
     CHECK(contains(panel("-0.01"), told));
     const render::Image cut = render::read_png(folder / "panel.png");
     CHECK(panel("-0.01", {"--view", "auto"}).empty());
@@ -88,9 +87,10 @@ TEST_SUITE("cli") {
                 .code == 0);
     const Outcome refused = compare(folder, {"a", "b"});
     CHECK(refused.code == 2);
-    CHECK(contains(refused.err, folder.str("a") + "' is drawn about its body 'left', and '" +
-                                    folder.str("b") +
-                                    "' has none of that name but first, right; --follow none"));
+    CHECK(contains(
+        refused.err,
+        "the picture follows body 'left', but '" + folder.str("b") +
+            "' has only the bodies first, right; choose another body with --follow, or --follow none"));
     CHECK(compare(folder, {"a", "b"}, {"--follow", "none"}).code == 0);
     CHECK(compare(folder, {"b", "a"}).code == 0);
   }

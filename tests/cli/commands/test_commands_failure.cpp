@@ -117,7 +117,7 @@ TEST_SUITE("cli") {
         command.insert(command.end(), words.begin(), words.end());
         const Outcome outcome = call(command);
         CHECK(outcome.code == 2);
-        CHECK(contains(outcome.err, option + " and --set " + name + "=... say the same thing"));
+        CHECK(contains(outcome.err, option + " and --set " + name + "=... set the same value"));
       }
     }
     CHECK_FALSE(fs::exists(folder / "out"));
@@ -127,7 +127,7 @@ TEST_SUITE("cli") {
     const TemporaryFolder folder;
     const std::string scene = write_tiny_scene(folder), text = text_of(scene);
     std::ofstream(folder / "file.toml") << "cfl = 1e-14\n" << text;
-    const std::string bound = "cfl = 1e-14 is below 1e-06";
+    const std::string bound = "cfl = 1e-14 must be at least 1e-06";
     for (const auto& arguments :
          {std::vector<std::string>{"run", scene, "--set", "cfl=1e-14"},
           {"run", folder.str("file.toml")},
@@ -155,7 +155,7 @@ TEST_SUITE("cli") {
     const Outcome outcome = call(tiny_run(folder, "out", {"--set", "speed=1e6", "--no-render"}));
     CAPTURE(outcome.err);
     CHECK(outcome.code == 3);
-    CHECK(contains(outcome.err, "look at the velocity and displacement"));
+    CHECK(contains(outcome.err, "check the initial velocity and displacement"));
     CHECK(!contains(outcome.err, "cfl"));
   }
 

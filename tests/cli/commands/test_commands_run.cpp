@@ -62,9 +62,9 @@ TEST_SUITE("cli") {
               velocity + "]\n[[wall]]\nname = \"floor\"\nnormal = [0, 1]\nat = [0, " + floor + "]\n",
           folder);
     };
-    CHECK(contains(told("0.0004", "0"), "J at the start: bodies or walls begin inside one another"));
-    CHECK(contains(told("0.0004", "-1"), "% of the energy of motion: bodies or walls begin inside"));
-    CHECK_FALSE(contains(told("0", "0"), "contacts hold"));
+    CHECK(contains(told("0.0004", "0"), "J at the start: bodies or walls overlap"));
+    CHECK(contains(told("0.0004", "-1"), "% of the kinetic energy: bodies or walls overlap"));
+    CHECK_FALSE(contains(told("0", "0"), "contacts store"));
   }
 
   TEST_CASE("what history.csv cannot name twice is refused, and what a run will not sample is told of") {
@@ -78,7 +78,7 @@ TEST_SUITE("cli") {
       const Outcome twice =
           run("[[probe]]\nname = \"" + column + "\"\nof = \"gap\"\nbodies = [\"left\", \"right\"]\n");
       CHECK(twice.code == 2);
-      CHECK(contains(twice.err, "history.csv has a column '" + column + "' already"));
+      CHECK(contains(twice.err, "history.csv already has a column '" + column + "'"));
     }
     const std::string line =
         "[[line]]\nname = \"cut\"\nbody = \"left\"\nfield = \"pressure\"\nfrom = [-0.015, 0]\nto = [-0.007, "
@@ -88,7 +88,7 @@ TEST_SUITE("cli") {
     CHECK(late.code == 0);
     CHECK(contains(
         late.err,
-        "the line 'cut' has 1 of its 1 times beyond the end of the run, 0.0001 s, and no sample there"));
+        "line 'cut' has no samples at 1 of its 1 times, which are after the end of the run, 0.0001 s"));
     CHECK_FALSE(contains(run(line + "[1e-4]\n").err, "no sample"));
     const Outcome nowhere = call({"run", write_tiny_scene(folder), "--out", ""});
     CHECK(nowhere.code == 2);
@@ -165,7 +165,8 @@ TEST_SUITE("cli") {
               "stepping",  "cfl",     "parameters", "dim",          "spacing",
               "particles", "mass",    "until",      "reached",      "status",
               "steps",     "threads", "machine",    "seconds",      "particle_steps_per_second",
-              "verdict",   "since",   "indicators", "conservation", "measures"});
+              "verdict",   "since",   "indicators", "conservation", "energy_note",
+              "measures"});
     CHECK(record["status"] == "finished");
     CHECK(record["verdict"] == "stable");
     CHECK(record["scene"] == "discs");
@@ -411,7 +412,7 @@ TEST_SUITE("cli") {
     const TemporaryFolder folder;
     const Outcome drawn = call(tiny_run(folder, "out", {"--no-render", "--color", "speed", "--frames", "3"}));
     CHECK(drawn.code == 0);
-    CHECK(contains(drawn.err, "of no effect, since no frames are drawn: --color, --frames"));
+    CHECK(contains(drawn.err, "without effect, since no frames are drawn: --color, --frames"));
     const Outcome beside = call(tiny_run(folder, "beside", {"--view", "5:6:0:1"}));
     CHECK(beside.code == 0);
     CHECK(contains(beside.err, "the view shows no particle in any frame"));
@@ -441,9 +442,8 @@ TEST_SUITE("cli") {
     const Outcome enog = run_with("enog");
     CHECK(enog.code == 0);
     CHECK(enog.err ==
-          "taut: the method 'enog' does not take the law of the scene, 'mooney-rivlin': it runs with a law "
-          "of its "
-          "own\n");
+          "taut: the method 'enog' does not support the law of the scene, 'mooney-rivlin'; it runs with its "
+          "own law\n");
     CHECK(json_of(folder / "enog/run.json")["material_law"] == "2d_deviator");
     CHECK(call(tiny_run(folder, "none", {"--no-render", "--method", "enog", "--set", "law=linear"})).code ==
           2);

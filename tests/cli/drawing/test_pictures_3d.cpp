@@ -116,7 +116,7 @@ TEST_SUITE("cli") {
     const std::string said = text_of(folder / "said");
     CAPTURE(said);
     CHECK(WEXITSTATUS(status) == 2);
-    CHECK(contains(said, "no memory for a picture of 8000x8000; take a smaller --size"));
+    CHECK(contains(said, "no memory for a picture of 8000x8000; use a smaller --size"));
   }
 #endif
 
@@ -146,7 +146,7 @@ TEST_SUITE("cli") {
     REQUIRE(call(tiny_run(folder, "flat", {"--save-particles"})).code == 0);
     const Outcome flat = call({"render", folder.str("flat"), "--orbit"});
     CHECK(flat.code == 2);
-    CHECK(contains(flat.err, "--orbit is for scenes in 3D"));
+    CHECK(contains(flat.err, "--orbit needs a scene in 3D"));
   }
 
   TEST_CASE("runs in 3D stand side by side in a panel") {
@@ -180,20 +180,20 @@ TEST_SUITE("cli") {
     for (const char* same : {"back", "fit", "whole"}) CHECK_MESSAGE(picture(same) == picture("start"), same);
     for (const char* other : {"turned", "near", "cut"})
       CHECK_MESSAGE(picture(other) != picture("start"), other);
-    CHECK(contains(answers, "error: cut = \"x < 9\" leaves no particle"));
-    CHECK(contains(answers, "error: view is for scenes in 2D"));
-    CHECK(contains(answers, "error: style = \"discs\" is for scenes in 2D"));
+    CHECK(contains(answers, "error: cut = \"x < 9\" hides all particles"));
+    CHECK(contains(answers, "error: view needs dim = 2"));
+    CHECK(contains(answers, "error: style = \"discs\" needs dim = 2"));
     CHECK(contains(answers, "cut=none\n"));
     CHECK(contains(answers, "camera=1 -2 1\n"));
   }
 
   TEST_CASE("pictures: what does not go with the scene is refused, with its place") {
-    check_error("color = \"von_mises\"", "camera = @[1, 1, 1]", {"for scenes in 3D", "dim = 2", "`view`"});
-    check_error("color = \"von_mises\"", "fov = @30", {"for scenes in 3D"});
+    check_error("color = \"von_mises\"", "camera = @[1, 1, 1]", {"need dim = 3", "has dim = 2", "`view`"});
+    check_error("color = \"von_mises\"", "fov = @30", {"need dim = 3"});
     check_error("color = \"von_mises\"", "fov = @130",
                 {"fov = 130 must be from 0 (parallel) to 120 degrees"});
     check_error("color = \"von_mises\"", "up = @[0, 0, 0]", {"cannot be [0, 0, 0]"});
-    check_error("color = \"von_mises\"", "style = @\"spheres\"", {"for scenes in 3D", "discs or cells"});
+    check_error("color = \"von_mises\"", "style = @\"spheres\"", {"needs dim = 3", "discs or cells"});
     check_error("color = \"von_mises\"", "style = @\"sphere\"", {"unknown style 'sphere'", "'spheres'"});
     check_error("color = \"von_mises\"", "follow = @\"rin\"", {"unknown body 'rin'", "'ring'"});
     check_error("color = \"von_mises\"", "cut = \"x >@\"", {"'x >'"});
@@ -201,10 +201,10 @@ TEST_SUITE("cli") {
     const TemporaryFolder folder;
     const Outcome view = run(folder, "a", {"--view", "0:1:0:1"});
     CHECK(view.code == 2);
-    CHECK(contains(view.err, "view is for scenes in 2D, this one has dim = 3"));
+    CHECK(contains(view.err, "view needs dim = 2, but this scene has dim = 3"));
     const Outcome cut = run(folder, "a", {"--cut", "1"});
     CHECK(cut.code == 2);
-    CHECK(contains(cut.err, "leaves no particle to draw"));
+    CHECK(contains(cut.err, "hides all particles"));
     CHECK_FALSE(fs::exists(folder / "a"));
     CHECK(call(tiny_run(folder, "b", {"--camera", "1:1:1"})).code == 2);
   }

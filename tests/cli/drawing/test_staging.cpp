@@ -61,7 +61,7 @@ TEST_SUITE("unit") {
     Drawing drawing;
     drawing.cut = "1";
     drawing.is_cut = [](const Point&) { return 1.0; };
-    CHECK_THROWS_WITH_AS(Staging(drawing, two_pairs()), doctest::Contains("cut = \"1\" leaves no particle"),
+    CHECK_THROWS_WITH_AS(Staging(drawing, two_pairs()), doctest::Contains("cut = \"1\" hides all particles"),
                          UsageError);
   }
 

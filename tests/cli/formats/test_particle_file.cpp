@@ -107,11 +107,12 @@ TEST_SUITE("unit") {
       CHECK(file.field("material") == evaluate(*find_field("material"), now));
       const std::vector<double> density = file.field("density");
       CHECK(std::memcmp(density.data(), now.rho.data(), 8 * density.size()) == 0);
-      CHECK_THROWS_WITH_AS(file.field("pressure"),
-                           (folder.str("particles.vtp") +
-                            " does not hold the field pressure; it holds density, speed, body, material")
-                               .c_str(),
-                           UsageError);
+      CHECK_THROWS_WITH_AS(
+          file.field("pressure"),
+          (folder.str("particles.vtp") +
+           " does not contain the field pressure; it contains density, speed, body, material")
+              .c_str(),
+          UsageError);
     }
   }
 

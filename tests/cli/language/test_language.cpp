@@ -111,7 +111,7 @@ TEST_SUITE("cli") {
     const std::filesystem::path page = std::filesystem::path(TAUT_SOURCE_DIR) / "scenes/LANGUAGE.md";
     if (std::getenv("TAUT_UPDATE_GOLDEN")) std::ofstream(page, std::ios::binary) << language_page();
     CHECK_MESSAGE(taut::test::text_of(page) == language_page(),
-                  "TAUT_UPDATE_GOLDEN=1 cli_tests -tc='language*' writes it anew");
+                  "TAUT_UPDATE_GOLDEN=1 cli_tests -tc='language*' rewrites it");
   }
 
   TEST_CASE("describe explains files, sections and what they list, as text and as JSON") {

@@ -128,10 +128,10 @@ TEST_SUITE("cli") {
             0);
     const Outcome missing = call({"render", folder.str("out"), "--color", "=density"});
     CHECK(missing.code == 2);
-    CHECK(contains(missing.err, "does not hold the field density; it holds speed, body, material"));
+    CHECK(contains(missing.err, "does not contain the field density; it contains speed, body, material"));
     const Outcome both = call(tiny_run(folder, "out", {"--color", "body", "--range", "0:1"}));
     CHECK(both.code == 2);
-    CHECK(contains(both.err, "color = \"body\" has a colour for each"));
+    CHECK(contains(both.err, "color = \"body\" has one colour for each body"));
     CHECK(call(tiny_run(folder, "out", {"--style", "cells", "--glyph", "0.5"})).code == 2);
   }
 }

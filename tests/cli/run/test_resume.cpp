@@ -214,18 +214,18 @@ normal = [0, 1]
       const Outcome outcome = call(resume(folder, name, more));
       CAPTURE(outcome.err);
       CHECK(outcome.code == 0);
-      CHECK(contains(outcome.err, "begins anew"));
+      CHECK(contains(outcome.err, "starts from the beginning"));
       check_same_run(folder / "straight", folder / name);
     }
   }
 
   TEST_CASE("what is no run is not begun") {
     const TemporaryFolder folder;
-    check_refused(folder, "is not the folder of a run");
+    check_refused(folder, "is not a run folder");
     fs::create_directories(folder / "out");
-    check_refused(folder, "is not the folder of a run");
+    check_refused(folder, "is not a run folder");
     fs::copy_file(write_tiny_scene(folder), folder / "out/scene.toml");
-    check_refused(folder, "is not the folder of a run");
+    check_refused(folder, "is not a run folder");
   }
 
   TEST_CASE("a checkpoint that is damaged, cut short, of another version, method or scene is refused") {
@@ -243,7 +243,7 @@ normal = [0, 1]
       put(flipped);
       check_refused(folder, "damaged");
       put(whole.substr(0, at));
-      check_refused(folder, "cut short");
+      check_refused(folder, "truncated");
     }
     put("");
     check_refused(folder, "is not a checkpoint");
@@ -319,7 +319,7 @@ normal = [0, 1]
     }
     const Outcome refused = call({"render", folder.str("out"), "--color", "pressure", "--quiet"});
     CHECK(refused.code == 2);
-    CHECK(contains(refused.err, "can go on (`taut run --resume`)"));
+    CHECK(contains(refused.err, "is not finished, so its frames cannot change"));
     CHECK(call({"render", folder.str("out"), "--color", "pressure", "--quiet", "--out", folder.str("other")})
               .code == 0);
     CHECK(call({"render", folder.str("out"), "--quiet"}).code == 0);  // as it is
@@ -369,10 +369,10 @@ normal = [0, 1]
                                                   {{"--frames", "3"}, "--frames"},
                                                   {{"--every", "1"}, "--every"},
                                                   {{"--history", "1"}, "--history"},
-                                                  {{"--color", "pressure"}, "an option of the drawing"},
+                                                  {{"--color", "pressure"}, "a drawing option"},
                                                   {{"--checkpoint-every", "1"}, "--checkpoint-every 1"},
                                                   {{write_tiny_scene(folder)}, "SCENE"}};
-    for (const auto& [more, name] : others) check_refused(folder, ": " + name, more);
+    for (const auto& [more, name] : others) check_refused(folder, "unchanged; " + name, more);
     const Arguments as_started = tiny_run(folder, "out", all + with_checkpoints);
     const Arguments words(as_started.begin() + 1, as_started.end());
     CHECK(call(Arguments{"run", "--resume", folder.str("out")} + words).code == 0);

@@ -173,7 +173,7 @@ TEST_SUITE("unit") {
     CHECK(find_scene("ball-plate") == folder / "ball-plate.toml");
     CHECK(find_sweep("my-study") == folder / "studies/my-study.toml");
     setenv("TAUT_SCENES", (folder / "not there").c_str(), 1);
-    CHECK_THROWS_WITH_AS(scene_names(), doctest::Contains("not there', which is not there"), UsageError);
+    CHECK_THROWS_WITH_AS(scene_names(), doctest::Contains("not there', which does not exist"), UsageError);
     unsetenv("TAUT_SCENES");
     CHECK(!among(scene_names(), "mine"));
   }

@@ -91,7 +91,7 @@ TEST_SUITE("cli") {
     check_resolved(file);
     check_solid_error(solid_scene(brick, "velocity = @[0, 0]"), {"velocity must be an array of 3"});
     check_solid_error(solid_scene("{ type = \"box\", low = @[0, 0], high = [1, 1, 1] }"),
-                      {"low must be an array of 3 numbers", "one of 2"});
+                      {"low must be an array of 3 numbers", "not an array of 2"});
   }
 
   TEST_CASE("scene in 3D: boxes, balls and shells") {
@@ -146,7 +146,7 @@ TEST_SUITE("cli") {
     const std::string thick = "{ type = \"shell\", centre = [1, 2, 3], inner = 0.3, outer = 1";
     CHECK_FALSE(volume_of(thick + " }", "oenog") == relative(4.0 / 3 * std::numbers::pi * 0.973, 1e-6));
     check_solid_error(solid_scene(thick + ", layout = @\"aligned\" }"),
-                      {"layout = \"aligned\" would put", "take \"lattice\""});
+                      {"layout = \"aligned\" needs", "use \"lattice\""});
     check_solid_error(
         solid_scene(
             "{ type = \"cylinder\", from = [0, 0, 0], to = [0, 3, 0], radius = 1, layout = @\"aligned\" }"),
@@ -156,14 +156,14 @@ TEST_SUITE("cli") {
   TEST_CASE("scene: a shape of the other dimension is refused with the one that comes nearest") {
     const auto solid = [](const char* type, const char* instead) {
       check_solid_error(solid_scene(std::string("{ type = @\"") + type + "\" }"),
-                        {type, "is a shape of 2 dimensions and the scene has dim = 3; take ", instead});
+                        {type, "is a shape with dim = 2, but the scene has dim = 3; use ", instead});
     };
     solid("rectangle", "box");
     solid("disc", "ball");
     solid("ring", "shell");
     const auto flat = [](const char* type, const char* instead) {
       check_error("type = \"ring\"", std::string("type = @\"") + type + "\"",
-                  {type, "is a shape of 3 dimensions and the scene has dim = 2; take ", instead});
+                  {type, "is a shape with dim = 3, but the scene has dim = 2; use ", instead});
     };
     flat("box", "rectangle");
     flat("ball", "disc");
@@ -225,12 +225,11 @@ TEST_SUITE("cli") {
     check_solid_error(solid_scene(brick, "rotate = { axis = @[0, 0, 0], angle = 3 }"), {"has no length"});
     check_solid_error(solid_scene(brick, "rotate = @{ axis = [0, 0, 1] }"), {"'angle' is missing"});
     check_solid_error(solid_scene(brick, "rotate = @3"), {"must be a table"});
-    check_solid_error(solid_scene(brick, "on_boundary = @1"), {"must be true or false, this is a number"});
+    check_solid_error(solid_scene(brick, "on_boundary = @1"), {"must be true or false, not a number"});
     check_solid_error(solid_scene("[" + brick + "," + brick + "]", "on_boundary = @true"),
                       {"one rectangle or box"});
     check_solid_error(solid_scene(brick, "displacement = @[1, 2]"), {"displacement must be an array of 3"});
-    check_solid_error(solid_scene(brick, "without = { type = @\"disc\" }"),
-                      {"disc is a shape of 2 dimensions"});
+    check_solid_error(solid_scene(brick, "without = { type = @\"disc\" }"), {"disc is a shape with dim = 2"});
     check_error("velocity = [\"v0*c0*x\", 0]",
                 "rotate = { @axis = [0, 0, 1], angle = 3 }\nvelocity = [\"v0\", 0]",
                 {"'axis' has no effect"});
@@ -284,8 +283,7 @@ TEST_SUITE("cli") {
       }
     };
     refused("without = { type = \"ball\", centre = [9, 9, 9], radius = 1 }",
-            "without: no particle of body 'thing'");
-    refused("loaded = [{ where = 1, traction = [1, 0, 0] }]\non_boundary = true",
-            "give the force of the face");
+            "without: shape 1 removes no particle of body 'thing'");
+    refused("loaded = [{ where = 1, traction = [1, 0, 0] }]\non_boundary = true", "give the total force");
   }
 }

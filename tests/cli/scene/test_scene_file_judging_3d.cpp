@@ -84,7 +84,7 @@ TEST_SUITE("cli") {
     CHECK(read_twice(probes + measure("angle", turn + "\naxis = [0, 5, 0]")).scene.measures[0].axis ==
           Point{0, 1, 0});
     refused(probes + measure("angle", "of = \"turn\"\nprobes = [\"x\", \"y\"]"),
-            "those of x, y and z of a point");
+            "the x, y and z components of one point");
   }
 
   TEST_CASE("scene: a body's own mirror image, and its mass centre") {
@@ -108,7 +108,7 @@ TEST_SUITE("cli") {
     refused(measure("field",
                     "of = \"field_rmse\"\nbody = \"thing\"\nrigid_motion = \"free\"\n"
                     "fields = [\"displacement_x\", \"displacement_y\"]"),
-            "\"displacement_z\"] only");
+            "\"displacement_z\"]; use \"counts\"");
     check_error("[[probe]]",
                 "[[measure]]\nname = \"field\"\nof = \"field_rmse\"\nunit = \"1\"\nbody = \"block\"\n"
                 "fields = [@\"displacement_z\"]\n[[probe]]",

@@ -42,7 +42,8 @@ TEST_SUITE("cli") {
     };
     CHECK_NOTHROW(read_text(with("[1]", "0,1\n2,3\n")));
     CHECK_THROWS_WITH_AS(read_text(with("[1, 2]", "0,1\n2,3\n")),
-                         doctest::Contains("a table is of one time; the line 'cut' has 2"), SceneError);
+                         doctest::Contains("a table must be of one time, but the line 'cut' has 2"),
+                         SceneError);
     for (const char* rows : {"0,1\n1.9,3\n", "0.1,1\n2,3\n"})
       CHECK_THROWS_WITH_AS(read_text(with("[1]", rows)), doctest::Contains("must go from s = 0 to 2 m"),
                            SceneError);

@@ -125,7 +125,7 @@ TEST_SUITE("cli") {
     check_block_error("loaded = [{ where = 1, @fource = [1, 0] }]", {"'force' is missing", "'fource'"});
     check_block_error("loaded = [@{ where = 1 }]", {"'force' is missing in a loaded region of body 'block'"});
     check_block_error("loaded = [{ where = 1, force = [1, 0], traction = @[1, 0] }]",
-                      {"traction stands beside force"});
+                      {"traction and force are both given"});
     check_block_error("loaded = [{ where = 1, force = @[1] }]", {"force must be an array of 2"});
     check_block_error("loaded = [{ where = 1, force = [1, 0], ramp = \"@x\" }]", {"unknown name 'x'", "t"});
     check_block_error("loaded = [{ where = 1, force = [1, 0], ramp = @0 }]", {"never act"});
@@ -225,11 +225,11 @@ TEST_SUITE("cli") {
     CHECK(read_changed(nullptr, "oenog").remark.empty());
     CHECK(changed(nullptr, "pfj-jst") == "neo-hookean");
     CHECK(read_changed(nullptr, "pfj-jst").remark ==
-          "the method 'pfj-jst' does not take the law of the scene, 'linear': it runs with neo-hookean");
+          "the method 'pfj-jst' does not support the law of the scene, 'linear'; it runs with neo-hookean");
     CHECK(changed("mooney-rivlin", "pfj-jst") == "mooney-rivlin");
     CHECK(read_changed("mooney-rivlin", "pfj-jst").remark.empty());
     CHECK(changed(nullptr, "icb").empty());
-    CHECK(read_changed(nullptr, "icb").remark.find("it runs with a law of its own") != std::string::npos);
+    CHECK(read_changed(nullptr, "icb").remark.find("it runs with its own law") != std::string::npos);
     check_error("until = 2", "until = 2\nmethod = \"tl\"\nlaw = @\"linaer\"",
                 {"unknown law 'linaer'", "did you mean 'linear'"});
     check_error("until = 2", "until = 2\nmethod = \"icb\"\nlaw = @\"linear\"", {"cannot be chosen"});
@@ -253,7 +253,7 @@ TEST_SUITE("cli") {
     } catch (const SceneError& error) {
       const SceneError located = locate(file, error);
       CHECK(located.line == 5);
-      CHECK(says(located, "it can with: penalty, impulse"));
+      CHECK(says(located, "allowed: penalty, impulse"));
     }
   }
 }

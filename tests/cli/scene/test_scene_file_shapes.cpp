@@ -122,21 +122,22 @@ TEST_SUITE("cli") {
 
   TEST_CASE("shapes: polygons that are none are refused where they stand") {
     check_shape_error(R"({ type = "polygon", points = @[[0, 0], [1, 0], [0, 0]] })",
-                      {"at least three points, this has 2"});
+                      {"at least three points, but this one has 2"});
     check_shape_error(R"({ type = "polygon", points = @[] })", {"at least three points"});
     check_shape_error(R"({ type = "polygon", contours = @[] })", {"array of contours"});
-    check_shape_error(R"({ type = "polygon", points = [[0, 0], @[1], [0, 1]] })", {"[x, y]", "one of 1"});
+    check_shape_error(R"({ type = "polygon", points = [[0, 0], @[1], [0, 1]] })",
+                      {"[x, y]", "not an array of 1"});
     check_shape_error(R"({ type = "polygon", points = [[0, 0], [@"0/0", 0], [0, 1]] })", {"finite"});
     check_shape_error(R"({ type = "polygon", points = @[[0, 0], [2, 2], [2, 0], [0, 2]] })",
                       {"cross", "at (1, 1) m"});
     check_shape_error(R"({ type = "polygon", points = @[[0, 0], [1, 1], [2, 2]] })", {"lie on"});
     check_shape_error(R"({ type = "polygon", points = [[0, 0], [1, 0], [0, 1]], contours = @[] })",
-                      {"beside points"});
+                      {"contours and points are both given"});
     check_shape_error(R"({ type = "ellipse", centre = [0, 0], semi_axes = @[1, 0] })",
                       {"semi_axes[1]", "greater than 0"});
-    check_shape_error(R"({ type = @"ellipsoid", centre = [0, 0], semi_axes = [1, 1] })", {"take ellipse"});
+    check_shape_error(R"({ type = @"ellipsoid", centre = [0, 0], semi_axes = [1, 1] })", {"use ellipse"});
     check_shape_error(R"({ type = "expression", inside = @0, low = [0, 0], high = [1, 1] })",
-                      {"hold nothing"});
+                      {"so the shape is empty"});
     check_shape_error(R"({ type = "expression", inside = "x < @q", low = [0, 0], high = [1, 1] })",
                       {"unknown name 'q'"});
     check_shape_error(R"({ type = "union", shapes = @[{ type = "disc", centre = [0, 0], radius = 1 }] })",
@@ -181,7 +182,7 @@ unit = "s"
                       {"there is no file", "absent.csv", "scene's folder"});
     check_shape_error(
         R"([{ type = @"particles", file = "given.csv" }, { type = "disc", centre = [0, 0], radius = 1 }])",
-        {"of their own"});
+        {"must be the only shape of its body"});
     const std::string bad = scene_text(R"({ type = "particles", file = "bad.csv" })");
     const auto error_of = [&](std::string_view table, int line) {
       write_file("bad.csv", table);
@@ -196,7 +197,7 @@ unit = "s"
     CHECK(error_of("", 0).find("empty") != std::string::npos);
     for (const char* far :
          {"x,y\n0,0\n1e7,0\n", "x,y\n0,0\n1e300,0\n", "x,y\n1e12,0\n1e12,1\n", "x,y\n0,0\n9e3,9e3\n"})
-      CHECK(error_of(far, 0).find("too far apart, or too far out") != std::string::npos);
+      CHECK(error_of(far, 0).find("too far apart, or too far from the origin") != std::string::npos);
     CHECK(error_of("x,y,volume\n0,0,6e-4\n.1,.1,6e-4\n", 0).find("about 0.0245 m apart") !=
           std::string::npos);
     // without volumes each would weigh 0.05² m², whatever lies between them
@@ -221,7 +222,7 @@ unit = "s"
         laid(scene_text(R"({ type = "particles", file = "saved.vtp", of_body = 1 })"));
     CHECK(one.x == std::vector<Point>{{1, 1, 0}, {2, 0.1, 0}});
     check_shape_error(R"({ type = "particles", file = @"saved.vtp", of_body = 2 })",
-                      {"saved.vtp holds no particle of body 2"});
+                      {"saved.vtp contains no particle of body 2"});
     check_shape_error(R"({ type = "particles", file = "saved.vtp", of_body = @-1 })",
                       {"whole number from 0"});
     now.diameter[2] = std::nan("");
@@ -231,17 +232,17 @@ unit = "s"
     write_file("given.csv", "x, y\n0, 0\n1, 0\n");
     check_shape_error(R"({ type = "particles", file = "given.csv", of_body = @1 })", {"a .vtp file"});
     write_file("cut.vtp", particle_file_text(now, {}).substr(0, 900));
-    check_shape_error(R"({ type = "particles", file = @"cut.vtp" })", {"is no particle file of taut"});
+    check_shape_error(R"({ type = "particles", file = @"cut.vtp" })", {"is not a particle file of taut"});
     now.dim = 3;
     now.x = {0, 0, 0, 0.05, 0, 0, 1, 1, 0.1, 2, 0.1, 0}, now.v.assign(12, 3);
     write_file("solid.vtp", particle_file_text(now, {}));
     check_shape_error(R"({ type = "particles", file = @"solid.vtp" })",
-                      {"is of a scene in three dimensions"});
+                      {"is a file of a scene with dim = 3"});
     CHECK(laid(scene_text(R"({ type = "particles", file = "solid.vtp" })", "", 3)).x[2] == Point{1, 1, 0.1});
     now.x[4] = std::nan("");
     write_file("nowhere.vtp", particle_file_text(now, {}));
     check_shape_error(R"({ type = "particles", file = @"nowhere.vtp" })",
-                      {"particle 2", "a coordinate is nan"});
+                      {"particle 2", "has the coordinate nan"});
   }
 
   TEST_CASE("shapes: a mask is what is dark in a picture, or light") {
@@ -258,13 +259,13 @@ unit = "s"
     CHECK(volume(light) == relative(6.0, 0.03));
     CHECK(std::ranges::min(light.x)[0] > -1.03);
     check_shape_error(R"({ type = "mask", file = @"mask.png", height = 2, low = [0, 0], threshold = 0.97 })",
-                      {"nothing of the picture is inside"});
+                      {"no part of the picture is inside"});
     check_shape_error(R"({ type = "mask", file = "mask.png", height = 2, low = [0, 0], threshold = @1 })",
                       {"between 0"});
     check_shape_error(R"({ type = "mask", file = "mask.png", height = @-1, low = [0, 0] })",
                       {"greater than 0"});
     check_shape_error(R"({ type = "mask", file = "mask.png", height = 1, low = @[0, 0], centre = [0, 0] })",
-                      {"beside centre"});
+                      {"low and centre are both given"});
     check_shape_error(R"(@{ type = "mask", file = "mask.png", height = 1 })", {"'centre' is missing"});
     write_file("text.png", "no picture");
     check_shape_error(R"({ type = "mask", file = @"text.png", height = 1, low = [0, 0] })", {"not a PNG"});
@@ -298,7 +299,7 @@ unit = "s"
                       {"paints nothing"});
     write_file("broken.svg", "<svg");
     check_shape_error(R"({ type = "svg", file = @"broken.svg", height = 1, low = [0, 0] })",
-                      {"is no SVG file"});
+                      {"is not an SVG file"});
     write_file("huge.svg", std::string((4 << 20) + 1, ' '));
     check_shape_error(R"({ type = "svg", file = @"huge.svg", height = 1, low = [0, 0] })",
                       {"larger than 4 MiB"});

@@ -115,7 +115,7 @@ TEST_SUITE("cli") {
     CHECK(time(half[3]) - time(half[0]) < 0.5 * time(half[0]));
     for (const char* name : {"speed=3", "spacing=0.001", "method=og", "method.h=1.4", "until=1"}) {
       CAPTURE(name);
-      CHECK(contains(session(folder, std::string("set ") + name).out, "cannot change any more"));
+      CHECK(contains(session(folder, std::string("set ") + name).out, "cannot change during a session"));
     }
     CHECK(contains(session(folder, "set method.zeta=-1e9").out, "error: "));
   }

@@ -82,7 +82,7 @@ TEST_SUITE("cli") {
     program.wait_for("step=");
     program.wait_for_prompt();
     program.type("step 0\r");
-    program.wait_for("error: step takes a whole number");
+    program.wait_for("error: the number of steps is '0'");
     program.wait_for_prompt();
     program.send(SIGTERM);
     CHECK(program.exit_code() == 0);

@@ -159,9 +159,9 @@ TEST_SUITE("cli") {
     const Outcome outcome =
         program(tiny_sweep(folder, "out", {"--grid", "spacing=0.002,0.00201,0.004", "--set", "until=1e-5"}));
     CHECK(outcome.code == 0);
-    CHECK(
-        contains(outcome.err,
-                 "the runs spacing=0.002 and spacing=0.00201 are the same: both have a spacing of 0.002 m"));
+    CHECK(contains(
+        outcome.err,
+        "the runs spacing=0.002 and spacing=0.00201 are the same: both spacings are rounded to 0.002 m"));
     CHECK_FALSE(contains(outcome.err, "0.004"));
     // but for round-off
     const Outcome rings = program({"sweep", "colliding-rings", "--grid", "spacing=0.002,0.0021", "--set",

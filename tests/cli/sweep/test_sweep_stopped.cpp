@@ -66,7 +66,7 @@ TEST_SUITE("cli") {
       CHECK(statuses(folder / "out") == Texts{"interrupted", "finished"});
       CHECK(json_of(folder / "out/until=1000/run.json")["status"] == "interrupted");
       CHECK(text_of(folder / "out/until=1000/history.csv").back() == '\n');
-      CHECK(contains(program(endless_sweep(folder, {"--list"})).out, "to do: was interrupted"));
+      CHECK(contains(program(endless_sweep(folder, {"--list"})).out, "to do: interrupted"));
     }
   }
 
@@ -154,7 +154,7 @@ TEST_SUITE("cli") {
     CHECK(outcome.code == 0);
     for (const char* run : {"run 0 (speed=1): ", "run 1 (speed=2): ", "run 2 (speed=3): "})
       CHECK(contains(outcome.err, run));
-    CHECK(contains(outcome.err, "speed=2/run.json is not whole: it is done again"));
+    CHECK(contains(outcome.err, "speed=2/run.json is damaged; the run is repeated"));
     CHECK(results(folder / "out") == expected);
     CHECK(ends(folder / "out").at("speed=4") == before.at("speed=4"));
   }

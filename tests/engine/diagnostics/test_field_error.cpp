@@ -61,7 +61,7 @@ TEST_SUITE("unit") {
     scene.measures = {displacement()};
     scene.references["neo_hookean"].solution["displacement"] = shear();
     CHECK(measure(scene, {{0}, {}}, "neo_hookean", {}, &now)[0].why ==
-          "the reference is 0 everywhere, and the error a share of it");
+          "the reference is 0 everywhere, so there is no relative error");
     Measure misspelt = displacement();
     misspelt.fields[0] = "displacement_z";
     CHECK_THROWS_AS(field_error(misspelt, now, shear()), SceneError);

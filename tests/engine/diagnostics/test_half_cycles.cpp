@@ -116,7 +116,7 @@ TEST_SUITE("unit") {
       Scene scene = scene_of("period");
       const MeasureResult none = result(scene, series);
       CHECK_FALSE(none.value);
-      CHECK(none.why.find("stays on one side of 0") == 0);
+      CHECK(none.why.find("the series stays on one side of 0") == 0);
       CHECK(none.why.find("about = \"mean\"") != std::string::npos);
       scene.measures[0].about_mean = true;
       expect(result(scene, series).value, T, 0.01);
@@ -133,10 +133,10 @@ TEST_SUITE("unit") {
     const auto swing = [](double t) { return 1 - std::cos(2 * pi * t); };
     const MeasureResult none = result(scene, sampled(unequal_times(0.9, 1e-3), swing));
     CHECK_FALSE(none.value);
-    CHECK(none.why.find("no whole cycle about its mean until 0.9") == 0);
+    CHECK(none.why.find("there is no whole cycle about the mean until 0.9") == 0);
     CHECK_FALSE(result(scene, sampled({0, 1, 2, 3}, [](double) { return 5; })).value);
     CHECK_FALSE(result(scene, sampled({0, 1, 2, 3}, [](double t) { return t; })).value);
-    CHECK(result(scene, Series{{}, {{}, {}}}).why == "the series has no finite value at its beginning");
+    CHECK(result(scene, Series{{}, {{}, {}}}).why == "the series is not finite at its start");
   }
 
   TEST_CASE("period: noise of a fiftieth about the level is no crossing") {
@@ -176,7 +176,7 @@ TEST_SUITE("unit") {
     scene.measures[0].kind = "decay";
     expect(result(scene, series).value, 0.2, 1e-4);
     scene.measures[0].about = 0;
-    CHECK(result(scene, series).why.find("stays on one side of 0") == 0);
+    CHECK(result(scene, series).why.find("the series stays on one side of 0") == 0);
   }
 
   TEST_CASE("mean, integral: over time and not over steps, within their bounds, with the reason of none") {
@@ -193,7 +193,7 @@ TEST_SUITE("unit") {
     CHECK(result(scene, series).why == "the run ends at 1.2 s, before 1.3 s");
     scene.measures[0].until = {};
     scene.measures[0].from = 1;
-    CHECK(result(scene, series).why.find("its beginning, 1 s, is not before") == 0);
+    CHECK(result(scene, series).why.find("`from` is 1 s; it must be before") == 0);
   }
 
   TEST_CASE("integral: of a force, whose samples are means over the steps before, its impulse to rounding") {

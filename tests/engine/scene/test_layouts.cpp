@@ -82,9 +82,9 @@ TEST_SUITE("unit") {
     CHECK(layout.size() == 512 - 64 - 8);
     for (const Point& x : layout.x) CHECK_FALSE((x[0] < 2 && x[1] < 2 && x[2] < 2));
     scene.bodies[0].without.push_back(Box{{5, 5, 5}, {6, 6, 6}});
-    CHECK(holds(error_of(scene), "without: no particle of body 'thing' is in shape 3"));
+    CHECK(holds(error_of(scene), "without: shape 3 removes no particle of body 'thing'"));
     scene.bodies[0].without = {Disc{{2, 2, 2}, 10}};
-    CHECK(holds(error_of(scene), "holds no particle: what 'without' leaves of its shapes"));
+    CHECK(holds(error_of(scene), "contains no particle: the rest of its shapes after 'without'"));
   }
 
   TEST_CASE("layout: a disc with a hole is a lattice, reflected with its hole") {
@@ -154,7 +154,7 @@ TEST_SUITE("unit") {
     CHECK(make_initial_particles(flat).size() == 7 * 5);
     CHECK(volume(make_initial_particles(flat)) == relative(6));
     flat.bodies[0].loads = {{constant(1), Load::Kind::traction, {constant(1)}, {}}};
-    CHECK(holds(error_of(flat), "give the force of the face as 'force'"));
+    CHECK(holds(error_of(flat), "give the total force as 'force'"));
   }
 
   TEST_CASE("layout: with particles on its faces a box has its own volume, centre and moments of inertia") {

@@ -262,8 +262,7 @@ TEST_SUITE("unit") {
     CHECK(has(deep, ") m: "));
     // inside, its particles in the middles of the other's cells: 0.71 spacings from the nearest
     scene.bodies[1].shapes = {Box{{0.0055, 0.0055, 0}, {0.0105, 0.0105, 0}}};
-    CHECK(
-        has(overlap_of(scene), "overlap at (0.0065, 0.0065) m: there a particle of 'body' lies in 'other'"));
+    CHECK(has(overlap_of(scene), "overlap at (0.0065, 0.0065) m: a particle of 'body' is inside 'other'"));
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {0.02, 0.02, 0.02}}};
     scene.dim = 3;
     scene.bodies[1].shapes = {Box{{0.0055, 0.0055, 0.0055}, {0.0105, 0.0105, 0.0105}}};
@@ -279,7 +278,7 @@ TEST_SUITE("unit") {
     CHECK(has(overlap_of(scene), "held[1]"));
     scene.bodies[0].guided = {};
     scene.bodies[0].shapes.push_back(Box{{1e6, 1e6, 0}, {1e6 + 0.1, 1e6 + 0.1, 0}});
-    CHECK(has(overlap_of(scene), "places of the lattice"));
+    CHECK(has(overlap_of(scene), "lattice sites"));
   }
 }
 

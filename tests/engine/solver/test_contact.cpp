@@ -277,8 +277,8 @@ TEST_SUITE("unit") {
       }
     };
     refused("oenog", ContactLaw::sph,
-            {"'oenog'", "'sph'", "act on their neighbours of the start", "penalty, impulse"});
-    refused("enog", ContactLaw::surface, {"'enog'", "'surface'", "may leave", "sph, impulse"});
+            {"'oenog'", "'sph'", "act on their initial neighbours only", "penalty, impulse"});
+    refused("enog", ContactLaw::surface, {"'enog'", "'surface'", "can leave", "sph, impulse"});
   }
 }
 

@@ -245,7 +245,7 @@ TEST_SUITE("unit") {
     };
     Scene scene = pulled_bar(60);
     scene.bodies[0].loads[0].where = [](const Point& at) { return at[0] < dp ? 1.0 : 0.0; };
-    refused(scene, "on held particles only");
+    refused(scene, "only on particles that are held");
     scene.bodies[0].loads[0].where = [](const Point&) { return 0.0; };
     refused(scene, "no particle of body 'bar' is in region 1");
     Scene driven = pulled_bar(60);

@@ -221,7 +221,7 @@ TEST_SUITE("unit") {
         return true;
       } catch (const SceneError& error) {
         CHECK(error.key == "wall.front");
-        CHECK(std::string(error.what()).find("begins inside the wall") != std::string::npos);
+        CHECK(std::string(error.what()).find("starts inside the wall") != std::string::npos);
         return false;
       }
     };
