@@ -6,6 +6,7 @@
 #include "cli/scene/key_info.hpp"
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
+#include "cli/text/markdown.hpp"
 #include "engine/diagnostics/fields.hpp"
 #include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/families/catalogue.hpp"
@@ -164,11 +165,11 @@ std::string indented(std::string_view lines) {
   return result;
 }
 
-/// A cell of a table of Markdown.
-std::string cell(const std::string& text) {
+/// Text in which Markdown marks nothing up; markdown_table() escapes vertical bars.
+std::string plain(const std::string& text) {
   std::string result;
   for (const char c : text) {
-    if (c == '|' || c == '<' || c == '*' || c == '_') result += '\\';
+    if (c == '<' || c == '*' || c == '_') result += '\\';
     result += c;
   }
   return result;
@@ -176,25 +177,21 @@ std::string cell(const std::string& text) {
 
 std::string code(const std::string& text) { return "`" + text + "`"; }
 
-std::string table_row(const Texts& cells) { return "| " + join(cells, " | ") + " |\n"; }
-
-std::string markdown_table(const Rows& rows) {
-  std::string table = table_row(rows.front()) + "|";
-  for (std::size_t k = 0; k < rows.front().size(); ++k) table += "---|";
-  table += "\n";
+/// Rows for markdown_table(): names as code, other cells plain.
+Rows marked_up(Rows rows) {
   for (std::size_t r = 1; r < rows.size(); ++r) {
-    Texts cells{code(rows[r].front())};
-    for (std::size_t k = 1; k < rows[r].size(); ++k) cells.push_back(cell(rows[r][k]));
-    table += table_row(cells);
+    const std::string name = rows[r].front();
+    std::ranges::transform(rows[r], rows[r].begin(), plain);
+    rows[r].front() = code(name);
   }
-  return table;
+  return rows;
 }
 
 std::string markdown(const Topic& topic) {
   std::string page = "### " + topic.name + "\n\n";
   if (!topic.help.empty())
     page += (topic.header.empty() ? "" : code(topic.header) + ": ") + topic.help + ".\n\n";
-  if (topic.rows.size() > 1) page += markdown_table(topic.rows);
+  if (topic.rows.size() > 1) page += markdown_table(marked_up(topic.rows));
   if (!topic.example.empty()) page += "\n```toml\n" + topic.example + "```\n";
   return page + "\n";
 }
@@ -216,13 +213,15 @@ const Texts scene_rules{
     "Operators: + - * / ^, < <= > >= == !=, && (and), || (or), CONDITION ? A : B. Functions: " +
         join(function_names()) + ".",
     "Names in expressions: the parameters, `dp` (the spacing), `pi`, and `touching` (the gap below which "
-    "bodies are in touch). Expressions about bodies of one material can also use its `c0`, `E`, `nu`, `rho`, "
+    "bodies are in contact). Expressions about a body of one material can also use its `c0`, `E`, `nu`, "
+    "`rho`, "
     "`K` and `G`. Expressions \"of the place\" can use `x`, `y` and in 3D `z`, the position in the initial "
     "configuration in m. Expressions \"of t\" can use the time `t` in s.",
     "A place or a vector has one component for each axis: [x, y], or [x, y, z] with dim = 3.",
     "In 2D, forces and masses are per metre of depth.",
-    "Errors are: an unknown or unused key, a wrong type, a value out of bounds, and an unused parameter or "
-    "material. The message gives the place, the allowed values and the nearest known name.",
+    "Each of these is an error: an unknown or unused key, a wrong type, a value out of bounds, and an unused "
+    "parameter or "
+    "material. The message gives the place and the allowed values or the nearest known names.",
     "Limits: 20 million particles, 500 parameters, 20 000 letters in an expression, 100 letters in a name, "
     "200 bytes in a title or a help. The file cli/PROMISES.md of the sources lists all limits.",
     "`taut run my.toml` runs the scene, and `taut describe my.toml` prints the scene as it was read. `taut "

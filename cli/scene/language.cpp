@@ -21,7 +21,8 @@ constexpr KeyInfo top_keys[] = {
     {"source", "text", "none", "origin of the scene, such as a paper"},
     {"dim", "2 or 3", "2", "number of dimensions; 2 is plane strain"},
     {"spacing", "number, m", "",
-     "particle spacing dp; changed to the nearest value that divides the first body into whole particles"},
+     "particle spacing dp; changed to the nearest value that divides the thinnest side of the first shape "
+     "into whole particles"},
     {"jitter", "number, dp", "0",
      "largest random shift of a particle to either side along each axis, in spacings; from 0 to below 0.5. "
      "Volumes do not change. Particles are not shifted along held and driven axes, nor across a face with "
