@@ -18,6 +18,7 @@
 #include "engine/core/machine.hpp"
 #include "engine/error.hpp"
 #include "engine/families/catalogue.hpp"
+#include "engine/warnings.hpp"
 
 namespace taut::cli {
 namespace {
@@ -163,19 +164,6 @@ std::string lines_without_samples(const Scene& scene) {
   return text;
 }
 
-/// [Khayyer2024] §3.4 takes momentum from pairs that do not give it to each other.
-std::string reactions_without_balance(const SceneFile& file) {
-  const auto is_reaction = [](const Probe& probe) { return probe.kind == Probe::Kind::reaction; };
-  if (!find_method(file.settings.method)->formulation.tensile_control ||
-      std::ranges::none_of(file.scene.probes, is_reaction))
-    return "";
-  return fmt::format(
-      "reaction forces of {} do not balance the loads, "
-      "since tensile instability control does not conserve momentum: "
-      "in a bent bar they are 0.63 to 0.98 of the load (METHODS.md)",
-      file.settings.method);
-}
-
 }  // namespace
 
 std::vector<const Field*> particle_fields(const RunOptions& options, int dim) {
@@ -294,8 +282,8 @@ RunPlan make_plan(const RunOptions& options) {
   if (options.out && options.out->empty()) throw UsageError("--out is empty; name a folder");
   plan.folder = RunFolder(options.out ? *options.out : default_folder(options, file));
   refuse_second_columns(file);
-  for (const std::string& remark :
-       {no_use(options), lines_without_samples(file.scene), reactions_without_balance(file)})
+  for (const std::string& remark : {no_use(options), lines_without_samples(file.scene),
+                                    warning_about_reactions(file.scene, *find_method(file.settings.method))})
     if (!remark.empty()) file.remark += (file.remark.empty() ? "" : "; ") + remark;
   plan.spacing_asked = file.spacing_asked;
   plan.checkpoint_every = options.checkpoint_every;

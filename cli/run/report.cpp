@@ -10,8 +10,6 @@
 #include "cli/scene/sections.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/text/format.hpp"
-#include "engine/neighbors/close_pairs.hpp"
-#include "engine/scene/other_shapes.hpp"
 
 namespace taut::cli {
 namespace {
@@ -158,61 +156,6 @@ int exit_code(const RunResult& result, const std::optional<Verdict>& fail_on) {
   if (!result.failure.empty()) return exit_diverged;
   if (result.record.status == RunRecord::Status::interrupted) return exit_interrupted;
   return fail_on && result.record.verdict >= *fail_on ? exit_diverged : exit_fine;
-}
-
-std::string describe_masses(const Scene& scene, const Snapshot& start) {
-  constexpr double worth_telling = 0.02;
-  std::vector<double> volume(scene.bodies.size());  // at rest
-  for (std::size_t i = 0; i < start.size(); ++i)
-    volume[static_cast<std::size_t>(start.body[i])] +=
-        start.m[i] / scene.materials[static_cast<std::size_t>(start.material[i])].density;
-  std::string text;
-  for (std::size_t b = 0; b < volume.size(); ++b) {
-    const std::optional<double> exact = exact_measure(scene.bodies[b], scene.dim);
-    if (!exact || std::abs(volume[b] / *exact - 1) < worth_telling) continue;
-    const double excess = volume[b] / *exact - 1;
-    text += (text.empty() ? "" : "; ") +
-            ("the particles of body '" + scene.bodies[b].name + "' weigh " + percent(std::abs(excess)) +
-             (excess > 0 ? " more" : " less") +
-             " than its shape, since the lattice does not fit it; a smaller spacing fits better");
-  }
-  return text;
-}
-
-std::string describe_welds(const Scene& scene, const Snapshot& start, double support) {
-  constexpr double parts = 2 - 1e-6;         // spacings, from which they come apart by every method
-  std::optional<std::pair<int, int>> first;  // of the bodies as they stand in the scene
-  double nearest = std::min(support, parts * scene.spacing);
-  for_each_meeting_pair(start, nearest, [&](int i, int j) {
-    const std::pair bodies(start.body[static_cast<std::size_t>(i)], start.body[static_cast<std::size_t>(j)]);
-    const Point a = start.position(static_cast<std::size_t>(i)),
-                b = start.position(static_cast<std::size_t>(j));
-    const double r = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-    if (first && (bodies > *first || (bodies == *first && r >= nearest))) return;
-    first = bodies, nearest = r;
-  });
-  if (!first) return {};
-  const auto body = [&](int b) { return scene.bodies[static_cast<std::size_t>(b)].name; };
-  return "bodies '" + body(first->first) + "' and '" + body(first->second) + "' start " +
-         brief(nearest / scene.spacing) + " spacings apart, within the kernel support of " +
-         brief(support / scene.spacing) +
-         ": contact = \"sph\" may join them into one body; start them farther apart, or use another contact "
-         "law, such as \"penalty\"";
-}
-
-std::string describe_start_in_contact(const Scene& scene, const Snapshot& start) {
-  constexpr double of_motion = 1e-3;
-  constexpr double of_stiffness = 1e-9;  // what a strain of some 1e-5 all over would hold
-  const double kinetic = balance(start, scene).kinetic, held = start.contact_energy;  // J
-  double stiffness = 0;                                                               // J
-  for (std::size_t i = 0; i < start.size(); ++i) {
-    const Material& material = scene.materials[static_cast<std::size_t>(start.material[i])];
-    stiffness += start.m[i] / material.density * material.youngs_modulus;
-  }
-  if (!(held > of_motion * kinetic + of_stiffness * stiffness)) return {};
-  return "contacts store " + brief(held) + " J at the start" +
-         (kinetic > 0 ? ", " + percent(held / kinetic) + " of the kinetic energy" : "") +
-         ": bodies or walls overlap and will be pushed apart";
 }
 
 std::string describe_divergence(const NumericalError& error) {

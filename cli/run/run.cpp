@@ -17,6 +17,7 @@
 #include "engine/error.hpp"
 #include "engine/families/catalogue.hpp"
 #include "engine/simulation.hpp"
+#include "engine/warnings.hpp"
 
 namespace taut::cli {
 namespace {
@@ -323,11 +324,8 @@ RunRecord new_record(const RunPlan& plan, const Simulation& simulation) {
   const MethodInfo& method = *find_method(record.method);
   record.material_law = material_law(method, plan.file.settings, plan.file.scene.dim);
   record.remark = file.remark;
-  const bool acts_as_one = contact_law(file.scene, method) == ContactLaw::sph && file.scene.bodies.size() > 1;
-  for (const std::string& of_start :
-       {describe_masses(file.scene, start), describe_start_in_contact(file.scene, start),
-        acts_as_one ? describe_welds(file.scene, start, simulation.support()) : std::string()})
-    if (!of_start.empty()) record.remark += (record.remark.empty() ? "" : "; ") + of_start;
+  for (const std::string& warning : warnings_at_start(file.scene, method, simulation))
+    record.remark += (record.remark.empty() ? "" : "; ") + warning;
   if (plan.file.scene.bodies.size() > 1 || !plan.file.scene.walls.empty())
     record.contact = std::string(name(contact_law(plan.file.scene, method)));
   record.stepping = file.settings.stepping == Stepping::single ? "single" : "dual";

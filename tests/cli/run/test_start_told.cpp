@@ -41,6 +41,27 @@ TEST_SUITE("cli") {
     CHECK_FALSE(is_told("method = \"oenog\"\n", "1.05"));
   }
 
+  TEST_CASE("a run warns about a body that starts above its sound speed, relative to what it can meet") {
+    const TemporaryFolder folder;
+    const auto warns = [&](const std::string& modulus, const std::string& more) {
+      std::ofstream(folder / "scene.toml")
+          << "title = \"Fast\"\nuntil = 1e-7\nspacing = 0.1\n[material.rubber]\ndensity = 1000\n"
+             "youngs_modulus = " +
+                 modulus +
+                 "\npoisson_ratio = 0.4\n[[body]]\nname = \"a\"\nmaterial = \"rubber\"\n"
+                 "velocity = [5, 0]\nshape = { type = \"rectangle\", low = [0, 0], high = [1, 0.5] }\n" +
+                 more;
+      const Outcome outcome =
+          call({"run", folder.str("scene.toml"), "--no-render", "--quiet", "--out", folder.str("out")});
+      CHECK(outcome.code == 0);
+      return outcome.err.find("body 'a' starts at ") != std::string::npos;
+    };
+    const std::string wall = "[[wall]]\nname = \"w\"\nat = [9, 0]\nnormal = [-1, 0]\n";
+    CHECK(warns("10", wall));  // MPa are meant: c0 is 0.13 m/s
+    CHECK_FALSE(warns("1e7", wall));
+    CHECK_FALSE(warns("10", ""));  // a single free body has no speed relative to anything
+  }
+
   TEST_CASE("a reaction by a method that keeps no momentum is told of") {
     const TemporaryFolder folder;
     const auto is_told = [&](const std::string& method, const std::string& probe) {

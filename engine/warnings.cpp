@@ -1,0 +1,127 @@
+#include "engine/warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/diagnostics/balance.hpp"
+#include "engine/diagnostics/conservation.hpp"
+#include "engine/neighbors/close_pairs.hpp"
+#include "engine/scene/other_shapes.hpp"
+
+namespace taut {
+namespace {
+
+/// Bodies cut from a lattice that does not fit their shapes.
+void warn_about_masses(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
+  constexpr double tolerated = 0.02;
+  std::vector<double> volume(scene.bodies.size());  // at rest
+  for (std::size_t i = 0; i < start.size(); ++i)
+    volume[static_cast<std::size_t>(start.body[i])] +=
+        start.m[i] / scene.materials[static_cast<std::size_t>(start.material[i])].density;
+  for (std::size_t b = 0; b < volume.size(); ++b) {
+    const std::optional<double> exact = exact_measure(scene.bodies[b], scene.dim);
+    if (!exact || std::abs(volume[b] / *exact - 1) < tolerated) continue;
+    const double excess = volume[b] / *exact - 1;
+    warnings.push_back(
+        fmt::format("the particles of body '{}' weigh {:.3g} % {} than its shape, since the lattice does not "
+                    "fit it; a smaller "
+                    "spacing fits better",
+                    scene.bodies[b].name, 100 * std::abs(excess), excess > 0 ? "more" : "less"));
+  }
+}
+
+/// Mostly slips of units, such as a modulus in MPa. In a closed scene speeds are relative to the common motion.
+void warn_about_speeds(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
+  const auto dim = static_cast<std::size_t>(start.dim);
+  Point common{};  // m/s
+  if (scene.walls.empty() && !exchanges_momentum(scene, start)) {
+    const double mass = std::accumulate(start.m.begin(), start.m.end(), 0.0);
+    for (std::size_t i = 0; i < start.v.size(); ++i) common[i % dim] += start.m[i / dim] * start.v[i] / mass;
+  }
+  std::vector<double> mach(scene.bodies.size());  // greatest speed over the sound speed of the particle
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    double v2 = 0;
+    for (std::size_t k = 0; k < dim; ++k) v2 += std::pow(start.v[i * dim + k] - common[k], 2);
+    const double c = scene.materials[static_cast<std::size_t>(start.material[i])].sound_speed();
+    double& greatest = mach[static_cast<std::size_t>(start.body[i])];
+    greatest = std::max(greatest, std::sqrt(v2) / c);
+  }
+  const auto fastest = std::ranges::max_element(mach);
+  if (fastest == mach.end() || !(*fastest > 1)) return;
+  warnings.push_back(
+      fmt::format("body '{}' starts at {:.3g} times its sound speed; check the units of its velocity (m/s) "
+                  "and moduli (Pa)",
+                  scene.bodies[static_cast<std::size_t>(fastest - mach.begin())].name, *fastest));
+}
+
+void warn_about_contacts(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
+  constexpr double of_motion = 1e-3;
+  constexpr double of_stiffness = 1e-9;  // energy of a strain of about 1e-5 everywhere
+  const double kinetic = balance(start, scene).kinetic, stored = start.contact_energy;  // J
+  double stiffness = 0;                                                                 // J
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    const Material& material = scene.materials[static_cast<std::size_t>(start.material[i])];
+    stiffness += start.m[i] / material.density * material.youngs_modulus;
+  }
+  if (!(stored > of_motion * kinetic + of_stiffness * stiffness)) return;
+  const std::string share =
+      kinetic > 0 ? fmt::format(", {:.3g} % of the kinetic energy", 100 * stored / kinetic) : "";
+  warnings.push_back(
+      fmt::format("contacts store {:.4g} J at the start{}: bodies or walls overlap and will be pushed apart",
+                  stored, share));
+}
+
+/// Two bodies less than two spacings apart and within the kernel support: `sph` may hold them together.
+void warn_about_joined_bodies(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start,
+                              double support) {
+  constexpr double parts = 2 - 1e-6;         // spacings from which bodies separate with every method
+  std::optional<std::pair<int, int>> first;  // in the order of the scene
+  double nearest = std::min(support, parts * scene.spacing);
+  for_each_meeting_pair(start, nearest, [&](int i, int j) {
+    const std::pair bodies(start.body[static_cast<std::size_t>(i)], start.body[static_cast<std::size_t>(j)]);
+    const Point a = start.position(static_cast<std::size_t>(i)),
+                b = start.position(static_cast<std::size_t>(j));
+    const double r = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    if (first && (bodies > *first || (bodies == *first && r >= nearest))) return;
+    first = bodies, nearest = r;
+  });
+  if (!first) return;
+  const auto body = [&](int b) { return scene.bodies[static_cast<std::size_t>(b)].name; };
+  warnings.push_back(fmt::format(
+      "bodies '{}' and '{}' start {:.4g} spacings apart, within the kernel support of {:.4g}: contact = "
+      "\"sph\" may "
+      "join them into one body; start them farther apart, or use another contact law, such as \"penalty\"",
+      body(first->first), body(first->second), nearest / scene.spacing, support / scene.spacing));
+}
+
+}  // namespace
+
+std::string warning_about_reactions(const Scene& scene, const MethodInfo& method) {
+  const auto is_reaction = [](const Probe& probe) { return probe.kind == Probe::Kind::reaction; };
+  // the pair forces of [Khayyer2024] §3.4 are not equal and opposite
+  if (!method.formulation.tensile_control || std::ranges::none_of(scene.probes, is_reaction)) return "";
+  return fmt::format(
+      "reaction forces of {} do not balance the loads, since tensile instability control does not conserve "
+      "momentum: "
+      "in a bent bar they are 0.63 to 0.98 of the load (METHODS.md)",
+      method.name);
+}
+
+std::vector<std::string> warnings_at_start(const Scene& scene, const MethodInfo& method,
+                                           const Simulation& simulation) {
+  const Snapshot& start = simulation.snapshot();
+  std::vector<std::string> warnings;
+  warn_about_masses(warnings, scene, start);
+  warn_about_speeds(warnings, scene, start);
+  warn_about_contacts(warnings, scene, start);
+  if (scene.bodies.size() > 1 && contact_law(scene, method) == ContactLaw::sph)
+    warn_about_joined_bodies(warnings, scene, start, simulation.support());
+  return warnings;
+}
+
+}  // namespace taut
