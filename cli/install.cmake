@@ -1,7 +1,7 @@
-# cmake --install BUILD [--prefix DIR], and a Debian package by `cpack` in the build folder. What is installed may be
-# moved as a whole: the program finds its scenes from where it lies itself (scene/shipped.hpp).
+# cmake --install BUILD [--prefix DIR], and a Debian package by `cpack` in the build folder. An installation can be moved
+# as a whole, since the program finds its scenes relative to its own path (scene/shipped.hpp).
 
-# A program that was just built finds those of its source, which can be edited.
+# A program in its build folder finds the scenes of the sources, which can be edited.
 foreach(folder ${PROJECT_BINARY_DIR} ${PROJECT_BINARY_DIR}/tests)
   file(RELATIVE_PATH scenes ${folder} ${PROJECT_SOURCE_DIR}/scenes)
   file(MAKE_DIRECTORY ${folder})
@@ -11,12 +11,12 @@ endforeach()
 install(TARGETS taut RUNTIME)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/taut/scenes USE_SOURCE_PERMISSIONS
   PATTERN pictures EXCLUDE PATTERN *.md EXCLUDE)
-foreach(room . engine render cli scenes scenes/studies)
+foreach(room . engine render cli scenes scenes/gallery scenes/studies scenes/studies/results)
   file(GLOB texts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${room}/*.md)
   install(FILES ${texts} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${room})
 endforeach()
 
-# What the program says of itself: completion, and where help2man is installed a manual page for each command.
+# Completion scripts, and a manual page for each command where help2man is installed.
 set(words ${CMAKE_CURRENT_BINARY_DIR}/words)
 add_custom_command(OUTPUT ${words}/done
   COMMAND ${CMAKE_CURRENT_LIST_DIR}/words $<TARGET_FILE:taut> ${words}
@@ -29,10 +29,10 @@ install(DIRECTORY ${words}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "the authors of taut <taut@localhost>")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "SPH formulations for elastic solids, run, drawn and judged")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "compares SPH formulations for elastic solids")
 set(CPACK_PACKAGE_DESCRIPTION
-  "Runs the same scene with every published formulation of smoothed particle\nhydrodynamics for elastic solids, \
-draws the particles off screen, and says how\naccurate, how fast and how stable each formulation was.")
+  "Runs the same scene with 20 formulations of smoothed particle hydrodynamics for\nelastic solids from five papers and \
+one of its own, draws the particles off\nscreen, and reports how accurate, fast and stable each formulation is.")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)

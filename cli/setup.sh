@@ -1,9 +1,9 @@
-# Sourced by cli/quickstart and tests/run: what both need before they can do their work.
+# Sourced by cli/quickstart and tests/run: the packages that both need, and the build in the folder that both use.
 
 build_packages=(g++ cmake ninja-build pkg-config libeigen3-dev libosmesa6-dev libpng-dev libisal-dev libcli11-dev libtomlplusplus-dev
                 libmuparser-dev libfmt-dev nlohmann-json3-dev libcairo2-dev libfreetype-dev fonts-dejavu-core zlib1g-dev
                 libedit-dev libchafa-dev libglib2.0-dev libpolyclipping-dev gnuplot-nox librsvg2-bin)
-# the last three: a second way to OpenGL, whose pictures are compared
+# the last three: a second OpenGL context, whose pictures are compared
 test_packages=(doctest-dev help2man dpkg-dev libegl-dev libopengl-dev libgl1-mesa-dri)
 
 fail() { echo "$0: $*" >&2; exit 1; }
@@ -38,16 +38,25 @@ and then this again."
   "${apt[@]}" update && "${install[@]}" || fail "apt-get could not install ${missing[*]}; its messages are above"
 }
 
-# build FOLDER [-D...]: configures if that has not been done for this very place, and builds what has changed.
+# is_configured FOLDER [-DNAME=VALUE...]: FOLDER was configured for this very place, with these options.
+is_configured() {
+  local cache=$1/CMakeCache.txt option
+  [[ -f $1/build.ninja || -f $1/Makefile ]] && grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$cache" || return 1
+  for option in "${@:2}"; do
+    grep -qxE "${option:2}" <(sed 's/:[A-Z]*=/=/' "$cache") || return 1
+  done
+} 2>/dev/null
+
+# build FOLDER [-DNAME=VALUE...]: configures FOLDER unless that has been done, and builds what has changed.
 build() {
   local folder=$1 fresh=()
-  shift
-  if ! { [[ -f $folder/build.ninja || -f $folder/Makefile ]] &&
-         grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$folder/CMakeCache.txt"; } 2>/dev/null; then
-    [[ -f $folder/CMakeCache.txt ]] && fresh=(--fresh)
-    command -v ninja >/dev/null && fresh+=(-G Ninja)
+  if ! is_configured "$@"; then
+    if ! is_configured "$folder"; then
+      [[ -f $folder/CMakeCache.txt ]] && fresh=(--fresh)
+      command -v ninja >/dev/null && fresh+=(-G Ninja)
+    fi
     echo "Configuring $folder"
-    cmake -S . -B "$folder" "${fresh[@]}" -DCMAKE_BUILD_TYPE=Release "$@" >"$folder.log" 2>&1 ||
+    cmake -S . -B "$folder" "${fresh[@]}" -DCMAKE_BUILD_TYPE=Release "${@:2}" >"$folder.log" 2>&1 ||
       { cat "$folder.log" >&2; rm -f "$folder.log"; fail "cmake could not configure $folder; its messages are above"; }
     rm -f "$folder.log"
   fi

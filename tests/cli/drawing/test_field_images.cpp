@@ -1,6 +1,6 @@
 // Golden pictures of every colour field, drawn small and kept by `taut snapshot` in tests/golden/fields.
 // After a change that is meant to alter them:
-//   TAUT_UPDATE_GOLDEN=1 build-tests/tests/cli_tests --test-suite=image
+//   TAUT_UPDATE_GOLDEN=1 build/tests/cli_tests --test-suite=image
 // writes them anew; look at them before they are kept.
 
 #include <cstdlib>
