@@ -27,7 +27,7 @@ std::string bounds(std::optional<double> low, std::optional<double> high) {
 }
 
 void print_table(std::ostream& out, std::string_view title, const Rows& rows, std::size_t headers = 0) {
-  if (rows.size() > headers) out << '\n' << title << '\n' << in_columns(rows);
+  if (rows.size() > headers) out << '\n' << title << '\n' << in_columns(rows, 2, text_columns(out));
 }
 
 Rows material_rows(const Scene& scene) {
