@@ -142,6 +142,7 @@ TEST_SUITE("cli") {
       CHECK(lines(strict.out).size() == 1);
     }
     CHECK(contains(session(folder, "stepp").out, "did you mean 'step'"));
+    CHECK(contains(session(folder, "range 0 1MPa").out, "error: '1MPa' is not a number"));
   }
 
   TEST_CASE("info, probe, help and quit") {
