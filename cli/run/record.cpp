@@ -102,8 +102,8 @@ std::string energy_note(const RunRecord& record) {
     case StrainEnergy::potential:
       return change + (lost ? ", dissipated by the method and its contact" : " by the method or its contact");
     case StrainEnergy::of_stress:
-      return change + ", as far as one can tell: " + record.method +
-             " has a stress from rates and no potential energy";
+      return change + "; an estimate, since " + record.method +
+             " integrates a stress rate and has no potential energy";
     case StrainEnergy::recovered:
       return "the reported sum changed by " + percent(*drift.energy) + "; " + record.method +
              " recovers its strain energy for display only";

@@ -113,7 +113,7 @@ TEST_SUITE("cli") {
     };
     CHECK(note_of("enog").find("enog recovers its strain energy for display only") != std::string::npos);
     CHECK(note_of("pf-jst").find("was lost, dissipated by the method") != std::string::npos);
-    CHECK(note_of("ulsph-av-as").find("ulsph-av-as has a stress from rates and no potential energy") !=
+    CHECK(note_of("ulsph-av-as").find("ulsph-av-as integrates a stress rate and has no potential energy") !=
           std::string::npos);
   }
 
