@@ -19,7 +19,8 @@ struct Documented {
 };
 
 Documented documented(const std::string& scene) {
-  static const std::regex line(R"(\n# Verdict with these defaults: ([a-z]+)(?: \(tested to ([0-9.e-]+) s\))?\n)");
+  static const std::regex line(
+      R"(\n# Verdict with these defaults: ([a-z]+)(?: \(tested to ([0-9.e-]+) s\))?\n)");
   std::smatch match;
   const std::string text = text_of(find_scene(scene));
   REQUIRE_MESSAGE(std::regex_search(text, match, line), scene << " has no line with its verdict");
@@ -30,7 +31,8 @@ void check_scenes(const std::string& source) {
   const TemporaryFolder folder;
   int scenes = 0;
   for (const std::string& name : scene_names()) {
-    if (name.starts_with("gallery/") || !contains(text_of(find_scene(name)), "\nsource = \"" + source)) continue;
+    if (name.starts_with("gallery/") || !contains(text_of(find_scene(name)), "\nsource = \"" + source))
+      continue;
     CAPTURE(name);
     const Documented end = documented(name);
     std::vector<std::string> command{"run", name, "--no-render", "--quiet", "--out", folder.str("run")};
@@ -46,11 +48,17 @@ void check_scenes(const std::string& source) {
 
 TEST_SUITE("cli") {
   TEST_CASE("scenes of Zhang2024 end with the verdict that their files state") { check_scenes("Zhang2024"); }
-  TEST_CASE("scenes of Khayyer2024 end with the verdict that their files state") { check_scenes("Khayyer2024"); }
-  TEST_CASE("scenes of TranDuc2023 end with the verdict that their files state") { check_scenes("TranDuc2023"); }
+  TEST_CASE("scenes of Khayyer2024 end with the verdict that their files state") {
+    check_scenes("Khayyer2024");
+  }
+  TEST_CASE("scenes of TranDuc2023 end with the verdict that their files state") {
+    check_scenes("TranDuc2023");
+  }
   TEST_CASE("scenes of Lee2016 end with the verdict that their files state") { check_scenes("Lee2016"); }
   TEST_CASE("scenes of Zhang2020 end with the verdict that their files state") { check_scenes("Zhang2020"); }
-  TEST_CASE("scenes of no paper end with the verdict that their files state") { check_scenes("theory of elasticity"); }
+  TEST_CASE("scenes of no paper end with the verdict that their files state") {
+    check_scenes("theory of elasticity");
+  }
 }
 
 }  // namespace of_this_file

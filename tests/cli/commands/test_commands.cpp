@@ -47,8 +47,7 @@ TEST_SUITE("cli") {
 
   TEST_CASE("what follows -- is no option") {
     CHECK(call({"list", "--", "methods"}).code == 0);
-    CHECK(contains(call({"describe", "--", "--help"}).err,
-                   "unknown name '--help'"));
+    CHECK(contains(call({"describe", "--", "--help"}).err, "unknown name '--help'"));
   }
 
   TEST_CASE("values that make no sense are refused with exit code 2 before a folder is touched") {
@@ -123,7 +122,8 @@ TEST_SUITE("cli") {
       CHECK(nlohmann::json::parse(call({"list", kind, "--json"}).out) == json[kind]);
       CHECK_FALSE(json[kind].empty());
       const std::string count = std::to_string(json[kind].size());
-      CHECK(std::regex_search(kinds.out, std::regex("\n? +" + kind + " +" + count + " +taut list " + kind + " ")));
+      CHECK(std::regex_search(kinds.out,
+                              std::regex("\n? +" + kind + " +" + count + " +taut list " + kind + " ")));
       for (const auto& row : json[kind])
         CHECK(contains(all.out, "  " + row["name"].get<std::string>() + " "));
     }
@@ -150,8 +150,8 @@ TEST_SUITE("cli") {
     const TemporaryFolder folder;
     const Outcome scene = call({"describe", write_tiny_scene(folder)});
     CHECK(scene.code == 0);
-    for (const std::string part :
-         {"Two discs", "speed", "m/s", "0 to inf", "of each disc", "touch_time", "sph, the default of the method"})
+    for (const std::string part : {"Two discs", "speed", "m/s", "0 to inf", "of each disc", "touch_time",
+                                   "sph, the default of the method"})
       CHECK(contains(scene.out, part));
     const Outcome method = call({"describe", "enog"});
     CHECK(method.code == 0);
@@ -162,17 +162,19 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE("describe explains laws, contact laws, fields, colour maps and keys") {
-    for (const auto& [name, part] : std::map<std::string, std::string>{{"mooney-rivlin", "a law of elasticity"},
-                                                                       {"penalty", "a contact law"},
-                                                                       {"von_mises", "a field"},
-                                                                       {"viridis", "a colour map"},
-                                                                       {"poisson_ratio", "a key of scene"}}) {
+    for (const auto& [name, part] :
+         std::map<std::string, std::string>{{"mooney-rivlin", "a law of elasticity"},
+                                            {"penalty", "a contact law"},
+                                            {"von_mises", "a field"},
+                                            {"viridis", "a colour map"},
+                                            {"poisson_ratio", "a key of scene"}}) {
       const Outcome outcome = call({"describe", name});
       CAPTURE(name);
       CHECK(outcome.code == 0);
       CHECK(outcome.out.starts_with(name + ", " + part));
     }
-    CHECK(nlohmann::json::parse(call({"describe", "spacing", "--json"}).out)[0]["rows"][0]["name"] == "spacing");
+    CHECK(nlohmann::json::parse(call({"describe", "spacing", "--json"}).out)[0]["rows"][0]["name"] ==
+          "spacing");
     const Outcome unknown = call({"describe", "zzzzzz"});
     CHECK(unknown.code == 2);
     CHECK(std::ranges::count(unknown.err, ',') <= 5);
