@@ -1,5 +1,6 @@
 #include <cstdlib>
 #include <fstream>
+#include <regex>
 #include <sys/wait.h>
 
 #include <doctest/doctest.h>
@@ -114,6 +115,24 @@ TEST_SUITE("cli") {
     const std::string history = tables_of("small-history");
     CHECK(contains(history, "| run | verdict | touch_time |"));
     CHECK(tables_of("small-history") == history);  // the same results give the same bytes
+  }
+
+  TEST_CASE("the study of limitations reports what its stored page has") {
+    const TemporaryFolder folder;
+    const Outcome outcome = study(folder, "limitations.sh made.md truss");
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 0);
+    const std::string made = text_of(folder / "made.md"),
+                      stored = text_of(fs::path(TAUT_SOURCE_DIR) / "scenes/studies/results/limitations.md");
+    const std::size_t first = made.find("\n**`taut run truss");
+    REQUIRE(first != std::string::npos);
+    CHECK(contains(made, "  extension  "));
+    CHECK(contains(stored, made.substr(first)));
+    // every command of the page of methods is there
+    const std::string methods = text_of(fs::path(TAUT_SOURCE_DIR) / "engine/METHODS.md");
+    static const std::regex command("`taut run [^`]*`");
+    for (std::sregex_iterator found(methods.begin(), methods.end(), command), end; found != end; ++found)
+      CHECK_MESSAGE(contains(stored, "**" + found->str() + "**"), found->str());
   }
 
   TEST_CASE("every study with a picture has its generated tables") {
