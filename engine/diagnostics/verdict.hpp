@@ -124,8 +124,7 @@ class Judge {
   Point start_momentum_{};   // kg m/s
   double start_energy_ = 0;  // J
   double given_energy_ = 0;  // J, greatest so far
-  double least_strain_ =
-      0;  // J, strain energy at the start where negative: round-off, or bonds off a lattice
+  double least_strain_ = 0;  // J, strain energy at the start if negative (round-off), else 0
   /// Received energy from which energies are judged, J: speeds of 1e-6 c0, or ten times the round-off of the strain
   /// energy at the start.
   double floor_ = 0;
