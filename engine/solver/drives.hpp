@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/scene/initial_particles.hpp"
-#include "engine/solver/state.hpp"
+#include "engine/solver/particles.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -68,7 +68,7 @@ class Drives {
 
   /// Replaces `v`, the velocity that particle i would take as a free one, by its own if it is moved. What the
   /// drive adds to the momentum, times the mean of the old and the new velocity, is its work.
-  void replace(const State<Dim>& s, int i, V& v) {
+  void replace(const Particles<Dim>& s, int i, V& v) {
     const int id = s.id[i];
     if (!moves(id)) return;
     const V& given = velocity(id);
@@ -129,7 +129,7 @@ class Reactions {
   void add(int i, const V& impulse) { impulse_[i] += impulse; }
 
   /// The mean force on particle i over the step that nothing told of so far makes up for, N.
-  V missing(const State<Dim>& s, int i) const {
+  V missing(const Particles<Dim>& s, int i) const {
     return (1 / dt_) * (s.m[i] * (s.v[i] - v_[i]) - impulse_[i]);
   }
 

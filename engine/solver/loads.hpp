@@ -8,7 +8,7 @@
 
 #include "engine/scene/initial_particles.hpp"
 #include "engine/solver/face_loads.hpp"
-#include "engine/solver/state.hpp"
+#include "engine/solver/particles.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -44,20 +44,20 @@ class Loads {
   void set_time(double t);
 
   /// On particle i, m/s²: of gravity alone where it is held or driven, which does not feel loads.
-  V pull(const State<Dim>& s, int i, bool free) const { return free && active_ ? push(s, i) : g_; }
+  V pull(const Particles<Dim>& s, int i, bool free) const { return free && active_ ? push(s, i) : g_; }
 
   /// What they add to the acceleration of particle i at its present velocity, m/s².
-  V acceleration(const State<Dim>& s, int i) const { return push(s, i) - damping_ * s.v[i]; }
+  V acceleration(const Particles<Dim>& s, int i) const { return push(s, i) - damping_ * s.v[i]; }
 
   /// Adds what they do to `v`, the velocity that particle i would take after `dt` without them. The viscous
   /// force is that of the mean of the old and the new velocity.
-  void act(const State<Dim>& s, int i, double dt, V& v) {
+  void act(const Particles<Dim>& s, int i, double dt, V& v) {
     const double half = 0.5 * damping_ * dt * s.mobile[i];
     v += (dt * s.mobile[i]) * push(s, i);
     v = (1 / (1 + half)) * (v - half * s.v[i]);
   }
   /// Notes the work of a step of `dt` in which particle i had the velocity `mean`.
-  void count(const State<Dim>& s, int i, double dt, const V& mean) {
+  void count(const Particles<Dim>& s, int i, double dt, const V& mean) {
     work_[s.id[i]] += dt * s.mobile[i] * s.m[i] * dot(push(s, i), mean);
     damped_[s.id[i]] += dt * s.mobile[i] * s.m[i] * damping_ * dot(mean, mean);
   }
@@ -79,7 +79,7 @@ class Loads {
     double now = 0;                         // the factor
   };
 
-  V push(const State<Dim>& s, int i) const { return g_ + (1 / s.m[i]) * force_[s.id[i]]; }
+  V push(const Particles<Dim>& s, int i) const { return g_ + (1 / s.m[i]) * force_[s.id[i]]; }
 
   static std::vector<std::pair<int, V>> shares(const Load& load, const Scene& scene,
                                                const InitialParticles& initial, int body);

@@ -124,23 +124,24 @@ auto ProbeRecorder<Dim>::held_particles(const InitialParticles& initial, const P
 }
 
 template <int Dim>
-void ProbeRecorder<Dim>::rebuilt(const State<Dim>& s, double support) {
+void ProbeRecorder<Dim>::rebuilt(const Particles<Dim>& s, const Neighbors& neighbors, double support) {
   support_ = support;
   where_ = s.places_of_ids();
   for (std::size_t k = 0; k < probes_.size(); ++k) {
-    if (probes_[k].kind == Probe::Kind::gap) find_close_pairs(s, probes_[k], followers_[k]);
+    if (probes_[k].kind == Probe::Kind::gap) find_close_pairs(s, neighbors, probes_[k], followers_[k]);
     if (probes_[k].kind == Probe::Kind::mirror_asymmetry)
       followers_[k].held_value = mirror_asymmetry(s, probes_[k], followers_[k]);
   }
 }
 
 template <int Dim>
-void ProbeRecorder<Dim>::find_close_pairs(const State<Dim>& s, const Probe& probe, Follower& f) const {
+void ProbeRecorder<Dim>::find_close_pairs(const Particles<Dim>& s, const Neighbors& neighbors,
+                                          const Probe& probe, Follower& f) const {
   f.pairs.clear();
   for (int id = first_[probe.bodies[0]]; id < first_[probe.bodies[0] + 1]; ++id) {
     const int i = where_[id];
-    for (int p = lanes * s.neighbors.begin[i]; p < lanes * s.neighbors.begin[i + 1]; ++p) {
-      const int j = s.neighbors.j[p];
+    for (int p = lanes * neighbors.begin[i]; p < lanes * neighbors.begin[i + 1]; ++p) {
+      const int j = neighbors.j[p];
       if (s.body[j] == probe.bodies[1]) f.pairs.emplace_back(i, j);
     }
   }
@@ -185,7 +186,7 @@ std::vector<int> ProbeRecorder<Dim>::images(const Scene& scene, const InitialPar
 }
 
 template <int Dim>
-double ProbeRecorder<Dim>::mirror_asymmetry(const State<Dim>& s, const Probe& probe,
+double ProbeRecorder<Dim>::mirror_asymmetry(const Particles<Dim>& s, const Probe& probe,
                                             const Follower& f) const {
   const int a = first_[probe.bodies[0]];
   double greatest2 = 0;
@@ -200,7 +201,7 @@ double ProbeRecorder<Dim>::mirror_asymmetry(const State<Dim>& s, const Probe& pr
 }
 
 template <int Dim>
-double ProbeRecorder<Dim>::mean(const State<Dim>& s, const Follower& f,
+double ProbeRecorder<Dim>::mean(const Particles<Dim>& s, const Follower& f,
                                 const std::vector<Vec<double, Dim>>& of, int axis) const {
   double moment = 0, mass = 0;
   for (const PointWeight& w : f.at) {
@@ -212,7 +213,7 @@ double ProbeRecorder<Dim>::mean(const State<Dim>& s, const Follower& f,
 
 /// From where the point is at the start, −π to π, right-handed about the axis.
 template <int Dim>
-double ProbeRecorder<Dim>::angle(const State<Dim>& s, const Probe& probe, const Follower& f) const {
+double ProbeRecorder<Dim>::angle(const Particles<Dim>& s, const Probe& probe, const Follower& f) const {
   const Point& a = probe.turns_about;
   const Vec<double, Dim> now = place(s, f.at) + f.beside;
   Point x{};
@@ -268,7 +269,7 @@ double ProbeRecorder<Dim>::force(const Probe& probe, const Follower& f, double d
 }
 
 template <int Dim>
-double ProbeRecorder<Dim>::value(const State<Dim>& s, const Probe& probe, const Follower& f,
+double ProbeRecorder<Dim>::value(const Particles<Dim>& s, const Probe& probe, const Follower& f,
                                  ProbeSource<Dim>& source) const {
   switch (probe.kind) {
     case Probe::Kind::displacement:
@@ -316,7 +317,8 @@ double ProbeRecorder<Dim>::value(const State<Dim>& s, const Probe& probe, const 
 }
 
 template <int Dim>
-void ProbeRecorder<Dim>::record(const State<Dim>& s, double time, ProbeSource<Dim>& source, Series& series) {
+void ProbeRecorder<Dim>::record(const Particles<Dim>& s, double time, ProbeSource<Dim>& source,
+                                Series& series) {
   const double dt = series.time.empty() ? 0 : time - series.time.back();
   series.value.resize(probes_.size());
   series.time.push_back(time);

@@ -7,8 +7,8 @@
 #include "engine/scene/material_point.hpp"
 #include "engine/snapshot.hpp"
 #include "engine/solver/contact/contact.hpp"
+#include "engine/solver/particles.hpp"
 #include "engine/solver/running.hpp"
-#include "engine/solver/state.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -35,13 +35,13 @@ class ProbeRecorder {
   ProbeRecorder(const Scene& scene, const InitialParticles& initial, double support);
 
   /// Where each particle is stored now; refreshes what is only looked at between rebuilds.
-  void rebuilt(const State<Dim>& s, double support);
+  void rebuilt(const Particles<Dim>& s, const Neighbors& neighbors, double support);
   /// Appends a row to `series`.
-  void record(const State<Dim>& s, double time, ProbeSource<Dim>& source, Series& series);
+  void record(const Particles<Dim>& s, double time, ProbeSource<Dim>& source, Series& series);
 
   std::size_t size() const { return probes_.size(); }
   /// Knows where the particles are.
-  bool follows(const State<Dim>& s) const {
+  bool follows(const Particles<Dim>& s) const {
     for (int i = 0; i < s.size(); ++i)
       if (where_[s.id[i]] != i) return false;
     return true;
@@ -77,7 +77,8 @@ class ProbeRecorder {
   std::vector<PointWeight> point_of_stress(const Scene& scene, const InitialParticles& initial,
                                            const Probe& probe, double reach) const;
   std::vector<PointWeight> held_particles(const InitialParticles& initial, const Probe& probe) const;
-  void find_close_pairs(const State<Dim>& s, const Probe& probe, Follower& f) const;
+  void find_close_pairs(const Particles<Dim>& s, const Neighbors& neighbors, const Probe& probe,
+                        Follower& f) const;
   static bool of_whole_body(Probe::Kind kind) {
     return kind == Probe::Kind::mean_velocity || kind == Probe::Kind::mean_position ||
            kind == Probe::Kind::greatest_position;
@@ -87,19 +88,20 @@ class ProbeRecorder {
            kind == Probe::Kind::velocity || kind == Probe::Kind::distance || kind == Probe::Kind::turn;
   }
   static std::vector<int> images(const Scene& scene, const InitialParticles& initial, const Probe& probe);
-  double mirror_asymmetry(const State<Dim>& s, const Probe& probe, const Follower& f) const;
+  double mirror_asymmetry(const Particles<Dim>& s, const Probe& probe, const Follower& f) const;
   /// By mass.
-  double mean(const State<Dim>& s, const Follower& f, const std::vector<Vec<double, Dim>>& of,
+  double mean(const Particles<Dim>& s, const Follower& f, const std::vector<Vec<double, Dim>>& of,
               int axis) const;
-  double angle(const State<Dim>& s, const Probe& probe, const Follower& f) const;
+  double angle(const Particles<Dim>& s, const Probe& probe, const Follower& f) const;
   double stress(const Snapshot& shown, const Probe& probe, const Follower& f) const;
   double force(const Probe& probe, const Follower& f, double dt, ProbeSource<Dim>& source) const;
-  double value(const State<Dim>& s, const Probe& probe, const Follower& f, ProbeSource<Dim>& source) const;
+  double value(const Particles<Dim>& s, const Probe& probe, const Follower& f,
+               ProbeSource<Dim>& source) const;
   std::vector<int> stored(std::vector<int> ids) const {
     for (int& id : ids) id = where_[id];
     return ids;
   }
-  Vec<double, Dim> place(const State<Dim>& s, const std::vector<PointWeight>& point) const {
+  Vec<double, Dim> place(const Particles<Dim>& s, const std::vector<PointWeight>& point) const {
     Vec<double, Dim> x{};
     for (const PointWeight& w : point) x += w.weight * s.x[where_[w.particle]];
     return x;

@@ -197,7 +197,7 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
   /// Of methods that search for nothing but contacts.
   void show_contacts_to_probes() {
     s_.neighbors = contact_.neighbors(s_.size());
-    recorder_.rebuilt(s_, Contact<Dim>::reach * c_.dp);
+    recorder_.rebuilt(s_, s_.neighbors, Contact<Dim>::reach * c_.dp);
   }
 
   ContactsOfFaces<Dim>* faces() final { return contact_.faces(); }

@@ -9,6 +9,7 @@
 #include "engine/methods/constants.hpp"
 #include "engine/neighbors/neighbors.hpp"
 #include "engine/solver/held_pairs.hpp"
+#include "engine/solver/particles.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -94,24 +95,19 @@ Tensor<Dim> spread_tensor(const TensorRow<Dim>& row) {
   return t;
 }
 
-/// The particles, in the order of their cells where a method searches neighbours, else of creation, and what a
-/// method integrates for each. Arrays that a method does not use stay empty.
+/// The particles and what a method integrates for each. Arrays that a method does not use stay empty.
 template <int Dim>
-struct State {
-  using V = Vec<double, Dim>;
+struct State : Particles<Dim> {
+  using typename Particles<Dim>::V;
+  using Particles<Dim>::x, Particles<Dim>::v, Particles<Dim>::m, Particles<Dim>::mobile, Particles<Dim>::id,
+      Particles<Dim>::body, Particles<Dim>::material, Particles<Dim>::size;
   using S = Sym<double, Dim>;
 
-  std::vector<V> x, v;               // m, m/s
-  std::vector<double> m;             // kg (per metre depth in 2D)
-  std::vector<double> mobile;        // 1, or 0 where held
   std::vector<double> rho, drho;     // kg/m³ and its rate
   std::vector<V> a_shear, da_shear;  // accumulated shear acceleration, m/s², and its rate
   std::vector<S> s, ds;              // deviatoric stress, Pa, and its rate
   std::vector<V> x_recovered;        // where x stood when a recovered stress was last brought up to date, m
-  std::vector<int> id;               // place in the order of creation
-  std::vector<int> body;
-  std::vector<int> material;  // index into the materials of the scene
-  bool sph_contact = false;   // of several bodies, whose particles act on each other as those of one
+  bool sph_contact = false;          // of several bodies, whose particles act on each other as those of one
 
   // gathered by the passes
   std::vector<FlowRow<Dim>> flow;      // at the middle of the step: v, p, V
@@ -128,15 +124,6 @@ struct State {
 
   HeldPairs<Dim> pairs;
 
-  int size() const { return static_cast<int>(x.size()); }
-
-  /// Where the particle of each id is stored.
-  std::vector<int> places_of_ids() const {
-    std::vector<int> where(id.size());
-    for (int i = 0; i < size(); ++i) where[id[i]] = i;
-    return where;
-  }
-
   /// What lasts from one step to the next; what the passes gather is made anew.
   template <class Archive>
   void serialize(Archive& archive) {
@@ -151,16 +138,8 @@ struct State {
 
   /// Stores the particles in another order: what stood at order[i] comes to i.
   void reorder(const std::vector<int>& order, int threads) {
-    const auto apply = [&](auto&... arrays) {
-      const auto one = [&](auto& array) {
-        if (array.empty()) return;
-        auto sorted = array;
-        parallel_for(size(), threads, [&](int i) { sorted[i] = array[order[i]]; });
-        array.swap(sorted);
-      };
-      (one(arrays), ...);
-    };
-    apply(x, v, m, mobile, rho, drho, a_shear, da_shear, s, ds, x_recovered, id, body, material);
+    taut::reorder(order, threads, x, v, m, mobile, rho, drho, a_shear, da_shear, s, ds, x_recovered, id, body,
+                  material);
   }
 };
 

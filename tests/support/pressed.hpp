@@ -77,7 +77,7 @@ class Pressed {
   const Impulse& of_walls() const { return walls_.given(); }
   const std::vector<int>& touching() const { return faces_.touching(); }
 
-  State<Dim> s;
+  Particles<Dim> s;
 
  private:
   SolverInput input() {

@@ -223,7 +223,7 @@ template <const Formulation& M, int Dim>
 void UlCauchy<M, Dim>::show_neighbors_to_probes() {
   if (!s_.sph_contact) return Base::show_contacts_to_probes();
   s_.neighbors = f_.near;
-  recorder_.rebuilt(s_, support_);
+  recorder_.rebuilt(s_, s_.neighbors, support_);
 }
 
 template <const Formulation& M, int Dim>

@@ -174,7 +174,7 @@ void UlSplit<M, Dim>::rebuild() {
   this->pairs_ = s_.neighbors.pairs;
   geometry_pass<M>(s_, c_, threads_now());
   contact_.search(s_);
-  recorder_.rebuilt(s_, support_);
+  recorder_.rebuilt(s_, s_.neighbors, support_);
   advected_ = 0;
   if (this->step_ == 0) take_rates_at_start();
 }

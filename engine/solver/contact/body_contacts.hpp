@@ -5,7 +5,7 @@
 
 #include "engine/core/archive.hpp"
 #include "engine/neighbors/neighbors.hpp"
-#include "engine/solver/state.hpp"
+#include "engine/solver/particles.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -19,7 +19,7 @@ class BodyContacts {
 
   double lasts_for() const { return 0.5 * skin_; }  // m, of the fastest particle
 
-  void search(const State<Dim>& s) {
+  void search(const Particles<Dim>& s) {
     choose_candidates(s);
     begin.assign(s.size() + 1, 0);
     j.clear();
@@ -66,7 +66,7 @@ class BodyContacts {
     }
   };
 
-  void choose_candidates(const State<Dim>& s) {
+  void choose_candidates(const Particles<Dim>& s) {
     const int bodies = 1 + *std::max_element(s.body.begin(), s.body.end());
     std::vector<Bounds> box(bodies);
     std::vector<bool> begun(bodies);

@@ -18,7 +18,7 @@ Contact<Dim>::Contact(const SolverInput& input)
 }
 
 template <int Dim>
-bool Contact<Dim>::prepare(const State<Dim>& s, double way) {
+bool Contact<Dim>::prepare(const Particles<Dim>& s, double way) {
   if (!active_) return false;
   for (Asked& asked : asked_) asked.impulse = V{};
   const bool again = by_faces_ ? faces_.prepare(s, walls_, way) : pairs_.prepare(s, walls_, way);
@@ -27,21 +27,21 @@ bool Contact<Dim>::prepare(const State<Dim>& s, double way) {
 }
 
 template <int Dim>
-void Contact<Dim>::search(const State<Dim>& s) {
+void Contact<Dim>::search(const Particles<Dim>& s) {
   if (!active_) return;
   by_faces_ ? faces_.search(s, walls_) : pairs_.search(s, walls_);
   force_.assign(s.size(), V{});
 }
 
 template <int Dim>
-void Contact<Dim>::evaluate(const State<Dim>& s, double dt, int threads) {
+void Contact<Dim>::evaluate(const Particles<Dim>& s, double dt, int threads) {
   if (!active_) return;
   by_faces_ ? faces_.evaluate(s, dt, walls_, force_, threads) : pairs_.evaluate(s, dt, walls_, force_);
   for (Asked& asked : asked_) asked.impulse += dt * force_now(s, asked);
 }
 
 template <int Dim>
-auto Contact<Dim>::force_now(const State<Dim>& s, const Asked& asked) const -> V {
+auto Contact<Dim>::force_now(const Particles<Dim>& s, const Asked& asked) const -> V {
   if (asked.wall >= 0)
     return by_faces_ ? faces_.of_wall(asked.body, asked.wall, walls_)
                      : pairs_.of_wall(s, asked.body, asked.wall, walls_);
@@ -57,7 +57,7 @@ auto Contact<Dim>::impulse(int body, int other, int wall) const -> V {
 }
 
 template <int Dim>
-double Contact<Dim>::energy(const State<Dim>& s) {
+double Contact<Dim>::energy(const Particles<Dim>& s) {
   if (!active_) return 0;
   return by_faces_ ? faces_.energy(s, walls_) : pairs_.energy(s, walls_);
 }

@@ -7,8 +7,8 @@
 #include "engine/solver/contact/facet_contacts.hpp"
 #include "engine/solver/contact/pair_contacts.hpp"
 #include "engine/solver/contact/wall_contacts.hpp"
+#include "engine/solver/particles.hpp"
 #include "engine/solver/solver_input.hpp"
-#include "engine/solver/state.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -40,11 +40,11 @@ class Contact {
 
   /// Searches anew what the fastest particle, whose next way is `way`, m, may have come out of. True if it
   /// did.
-  bool prepare(const State<Dim>& s, double way);
-  void search(const State<Dim>& s);
+  bool prepare(const Particles<Dim>& s, double way);
+  void search(const Particles<Dim>& s);
 
   /// The forces at the positions that `s` has now, which act for `dt`, s.
-  void evaluate(const State<Dim>& s, double dt, int threads);
+  void evaluate(const Particles<Dim>& s, double dt, int threads);
 
   /// How much stiffer than the material at rest it is anywhere, as last evaluated.
   double stiffening() const { return by_faces_ && acting() ? stiffer_ * faces_.stiffening() : 1; }
@@ -57,7 +57,7 @@ class Contact {
   /// velocities for `gone`, s, from where the forces of the step acted; there the impulses act too, so that
   /// they keep the angular momentum. `inverse_mass(i)`, 1/kg, is 0 for one that cannot be moved.
   template <class InverseMass, class Change>
-  void stop_approach(const State<Dim>& s, double gone, const InverseMass& inverse_mass,
+  void stop_approach(const Particles<Dim>& s, double gone, const InverseMass& inverse_mass,
                      const Change& change) {
     if (!active_ || !pairs_.impulses()) return;
     pairs_.stop_approach(s, gone, walls_, inverse_mass, change);
@@ -74,7 +74,7 @@ class Contact {
   const Impulse& of_walls() const { return walls_.given(); }
 
   /// Of all contacts at the positions that `s` has now, J (per metre depth in 2D). Impulses have none.
-  double energy(const State<Dim>& s);
+  double energy(const Particles<Dim>& s);
 
   /// Pairs of two bodies in the form in which probes look for neighbours.
   Neighbors neighbors(int particles) const;
@@ -95,7 +95,7 @@ class Contact {
     int body, other, wall;
     V impulse;  // N s
   };
-  V force_now(const State<Dim>& s, const Asked& asked) const;
+  V force_now(const Particles<Dim>& s, const Asked& asked) const;
   const std::vector<int>& touching() const { return by_faces_ ? faces_.touching() : pairs_.touching(); }
 
   bool by_faces_, between_bodies_, active_;

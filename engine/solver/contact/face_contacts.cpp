@@ -58,7 +58,7 @@ void FaceContacts<Dim>::refuse_thin(const Scene& scene) const {
 }
 
 template <int Dim>
-void FaceContacts<Dim>::search(const State<Dim>& s, const WallContacts<Dim>& walls) {
+void FaceContacts<Dim>::search(const Particles<Dim>& s, const WallContacts<Dim>& walls) {
   if (faces_.size() == 0) return;
   faces_.renumber(s);
   faces_.place_all(s);
@@ -68,7 +68,7 @@ void FaceContacts<Dim>::search(const State<Dim>& s, const WallContacts<Dim>& wal
 }
 
 template <int Dim>
-bool FaceContacts<Dim>::prepare(const State<Dim>& s, const WallContacts<Dim>& walls, double way) {
+bool FaceContacts<Dim>::prepare(const Particles<Dim>& s, const WallContacts<Dim>& walls, double way) {
   if (faces_.size() == 0) return false;
   const bool others = meets_others_ && !others_bound_.holds(way);
   bool own = meets_itself_ && !own_bound_.holds(way);
@@ -147,7 +147,7 @@ bool FaceContacts<Dim>::looks_aside(int node, int segment) const {
 }
 
 template <int Dim>
-void FaceContacts<Dim>::search_own(const State<Dim>& s) {
+void FaceContacts<Dim>::search_own(const Particles<Dim>& s) {
   normal_.clear();
   for (const int k : all_segments_) normal_.push_back(faces_.normal_of(k));
   const double least2 = far_apart * far_apart * dp_ * dp_;
@@ -204,7 +204,7 @@ void FaceContacts<Dim>::watch_segments() {
 }
 
 template <int Dim>
-void FaceContacts<Dim>::place_watched(const State<Dim>& s) {
+void FaceContacts<Dim>::place_watched(const Particles<Dim>& s) {
   for (const int n : watched_) faces_.place(s, n);
   for (const int k : watched_segments_) faces_.set_normal(k);
 }
@@ -259,7 +259,7 @@ void FaceContacts<Dim>::for_each_wall(const WallContacts<Dim>& walls, const F& f
 }
 
 template <int Dim>
-void FaceContacts<Dim>::act_on_nodes(const State<Dim>& s, double dt, WallContacts<Dim>& walls) {
+void FaceContacts<Dim>::act_on_nodes(const Particles<Dim>& s, double dt, WallContacts<Dim>& walls) {
   for (const int n : watched_) own_force_[n] = reaction_[n] = V{};
   const auto push_back_to = [&](std::vector<V>& reaction) {
     return [&](int n, const Foot<Dim>& foot, const auto& touch) {
@@ -284,7 +284,7 @@ void FaceContacts<Dim>::act_on_nodes(const State<Dim>& s, double dt, WallContact
 }
 
 template <int Dim>
-void FaceContacts<Dim>::evaluate(const State<Dim>& s, double dt, WallContacts<Dim>& walls,
+void FaceContacts<Dim>::evaluate(const Particles<Dim>& s, double dt, WallContacts<Dim>& walls,
                                  std::vector<V>& force, int) {
   place_watched(s);
   act_on_nodes(s, dt, walls);
@@ -296,7 +296,7 @@ void FaceContacts<Dim>::evaluate(const State<Dim>& s, double dt, WallContacts<Di
 }
 
 template <int Dim>
-double FaceContacts<Dim>::energy(const State<Dim>& s, const WallContacts<Dim>& walls) {
+double FaceContacts<Dim>::energy(const Particles<Dim>& s, const WallContacts<Dim>& walls) {
   place_watched(s);
   double sum = 0;
   for (const NearFaces* near : {&others_, &own_}) {
@@ -337,7 +337,7 @@ auto FaceContacts<Dim>::of_wall(int a, int wall, const WallContacts<Dim>& walls)
 }
 
 template <int Dim>
-double FaceContacts<Dim>::gap(const State<Dim>& s, int a, int b) {
+double FaceContacts<Dim>::gap(const Particles<Dim>& s, int a, int b) {
   if (others_.node.empty()) return reach * dp_;
   place_watched(s);
   double least = reach * dp_;

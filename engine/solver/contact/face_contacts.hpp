@@ -9,8 +9,8 @@
 #include "engine/solver/contact/motion_bound.hpp"
 #include "engine/solver/contact/moving_faces.hpp"
 #include "engine/solver/contact/wall_contacts.hpp"
+#include "engine/solver/particles.hpp"
 #include "engine/solver/solver_input.hpp"
-#include "engine/solver/state.hpp"
 #include "engine/terms/surface_contact.hpp"
 
 namespace taut::inline TAUT_ISA {
@@ -32,17 +32,18 @@ class FaceContacts {
 
   /// The segments that may act before the next search. `search` does it after the particles have been stored
   /// in another order; `prepare` where the next way of the fastest particle, m, asks for it: true if it did.
-  void search(const State<Dim>& s, const WallContacts<Dim>& walls);
-  bool prepare(const State<Dim>& s, const WallContacts<Dim>& walls, double way);
+  void search(const Particles<Dim>& s, const WallContacts<Dim>& walls);
+  bool prepare(const Particles<Dim>& s, const WallContacts<Dim>& walls, double way);
 
   /// Particles that may get a force, in rising order.
   const std::vector<int>& touching() const { return touching_; }
 
   /// Sets the forces on `touching`, N (per metre depth in 2D); what walls give in `dt`, s, is booked.
   /// On one thread, whatever there are: a touching face has too few nodes for a second one.
-  void evaluate(const State<Dim>& s, double dt, WallContacts<Dim>& walls, std::vector<V>& force, int threads);
-  double energy(const State<Dim>& s, const WallContacts<Dim>& walls);  // J (per metre depth in 2D)
-  double stiffening() const { return 1; }                              // as in 3D
+  void evaluate(const Particles<Dim>& s, double dt, WallContacts<Dim>& walls, std::vector<V>& force,
+                int threads);
+  double energy(const Particles<Dim>& s, const WallContacts<Dim>& walls);  // J (per metre depth in 2D)
+  double stiffening() const { return 1; }                                  // as in 3D
 
   /// On body `a` of body `b` or of a wall, N (per metre depth in 2D), as last evaluated.
   V between(int a, int b) const;
@@ -50,7 +51,7 @@ class FaceContacts {
 
   /// Least signed distance of a node of one of two bodies from a face of the other, m, below 0 where they
   /// overlap, by less than `reach`; that where they are further apart.
-  double gap(const State<Dim>& s, int a, int b);
+  double gap(const Particles<Dim>& s, int a, int b);
 
   template <class Archive>
   void serialize(Archive& archive, int particles, int walls) {
@@ -79,16 +80,16 @@ class FaceContacts {
   void refuse_thin(const Scene& scene) const;
   void search_others(const WallContacts<Dim>& walls);
   std::vector<char> near_others() const;
-  void search_own(const State<Dim>& s);
+  void search_own(const Particles<Dim>& s);
   bool looks_aside(int node, int segment) const;
   void watch();
   void watch_segments();
-  void place_watched(const State<Dim>& s);
+  void place_watched(const Particles<Dim>& s);
   template <class F>
   void for_each_touch(const NearFaces& near, const F& f) const;
   template <class F>
   void for_each_wall(const WallContacts<Dim>& walls, const F& f) const;
-  void act_on_nodes(const State<Dim>& s, double dt, WallContacts<Dim>& walls);
+  void act_on_nodes(const Particles<Dim>& s, double dt, WallContacts<Dim>& walls);
   double stiffness(int node, int segment) const {  // Pa/m
     const std::array<int, 2>& end = faces_.segment(segment).node;
     return surface_stiffness(M_[node], 0.5 * (M_[end[0]] + M_[end[1]]), stiffness_, dp_);

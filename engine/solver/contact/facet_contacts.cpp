@@ -32,14 +32,14 @@ void FacetContacts::refuse_thin(const Scene& scene) const {
   }
 }
 
-void FacetContacts::search(const State<3>& s, const WallContacts<3>& walls) {
+void FacetContacts::search(const Particles<3>& s, const WallContacts<3>& walls) {
   if (facets_.size() == 0) return;
   facets_.renumber(s);
   find_.search(s, facets_, walls);
   list();
 }
 
-bool FacetContacts::prepare(const State<3>& s, const WallContacts<3>& walls, double way) {
+bool FacetContacts::prepare(const Particles<3>& s, const WallContacts<3>& walls, double way) {
   if (facets_.size() == 0 || !find_.prepare(s, facets_, walls, way)) return false;
   list();
   return true;
@@ -117,7 +117,7 @@ void FacetContacts::for_each_wall(const WallContacts<3>& walls, const F& f) cons
 }
 
 /// Everything at the positions that `s` has now, from facets to what rows have met.
-void FacetContacts::place(const State<3>& s) {
+void FacetContacts::place(const Particles<3>& s) {
   facets_.place(s, nodes_, watched_, threads_);
   near_.resize(other_.size());
   met_.resize(rows_.size());
@@ -176,7 +176,7 @@ MovingFacets::Slope FacetContacts::slope_of(int r) const {
   return slope;
 }
 
-void FacetContacts::evaluate(const State<3>& s, double dt, WallContacts<3>& walls, std::vector<V>& force,
+void FacetContacts::evaluate(const Particles<3>& s, double dt, WallContacts<3>& walls, std::vector<V>& force,
                              int threads) {
   threads_ = threads;
   place(s);
@@ -207,7 +207,7 @@ void FacetContacts::evaluate(const State<3>& s, double dt, WallContacts<3>& wall
     if (met.height < 0) stiffening_ = std::max(stiffening_, hardening(-met.height, met.cover, dp_));
 }
 
-double FacetContacts::energy(const State<3>& s, const WallContacts<3>& walls) {
+double FacetContacts::energy(const Particles<3>& s, const WallContacts<3>& walls) {
   place(s);
   double sum = 0;
   for (std::size_t r = 0; r < rows_.size(); ++r)
@@ -234,7 +234,7 @@ auto FacetContacts::of_wall(int a, int wall, const WallContacts<3>& walls) const
   return sum * walls.normal(wall);
 }
 
-double FacetContacts::gap(const State<3>& s, int a, int b) {
+double FacetContacts::gap(const Particles<3>& s, int a, int b) {
   double least = before * dp_;
   if (rows_.empty()) return least;
   place(s);

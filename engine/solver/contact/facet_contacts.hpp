@@ -7,8 +7,8 @@
 #include "engine/solver/contact/facet_search.hpp"
 #include "engine/solver/contact/moving_facets.hpp"
 #include "engine/solver/contact/wall_contacts.hpp"
+#include "engine/solver/particles.hpp"
 #include "engine/solver/solver_input.hpp"
-#include "engine/solver/state.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -23,15 +23,15 @@ class FacetContacts {
 
   /// The facets that may act before the next search. `search` does it after the particles have been stored
   /// in another order; `prepare` where the next way of the fastest particle, m, asks for it: true if it did.
-  void search(const State<3>& s, const WallContacts<3>& walls);
-  bool prepare(const State<3>& s, const WallContacts<3>& walls, double way);
+  void search(const Particles<3>& s, const WallContacts<3>& walls);
+  bool prepare(const Particles<3>& s, const WallContacts<3>& walls, double way);
 
   /// Particles that may get a force, in rising order.
   const std::vector<int>& touching() const { return touching_; }
 
   /// Sets the forces on `touching`, N; what walls give in `dt`, s, is booked.
-  void evaluate(const State<3>& s, double dt, WallContacts<3>& walls, std::vector<V>& force, int threads);
-  double energy(const State<3>& s, const WallContacts<3>& walls);  // J
+  void evaluate(const Particles<3>& s, double dt, WallContacts<3>& walls, std::vector<V>& force, int threads);
+  double energy(const Particles<3>& s, const WallContacts<3>& walls);  // J
   /// How much stiffer than at first touch it is anywhere, as last evaluated.
   double stiffening() const { return stiffening_; }
 
@@ -41,7 +41,7 @@ class FacetContacts {
 
   /// Least height of a facet of one of two bodies over a face of the other, m, below 0 where they overlap; a
   /// spacing where they are further apart.
-  double gap(const State<3>& s, int a, int b);
+  double gap(const Particles<3>& s, int a, int b);
 
   template <class Archive>
   void serialize(Archive& archive, int particles, int walls) {
@@ -83,7 +83,7 @@ class FacetContacts {
   double area_of(int facet) const { return facets_.mesh().facets[facet].area; }  // at the start, m²
   void refuse_thin(const Scene& scene) const;
   void list();
-  void place(const State<3>& s);
+  void place(const Particles<3>& s);
   Met measured(int row);
   MovingFacets::Slope slope_of(int row) const;
   template <class F>

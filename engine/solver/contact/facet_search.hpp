@@ -36,14 +36,14 @@ class FacetSearch {
   /// Pairs of facets, each in both orders, and facets with walls, in rising order.
   std::vector<std::pair<int, int>> pairs, near_wall;
 
-  void search(const State<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
+  void search(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
     facets.follow(s, behind_);
     if (meets_others_) search_others(s, facets, walls);
     if (meets_itself_) search_own(s, facets);
     join();
   }
   /// The same where the next way of the fastest particle, m, asks for it: true if it did.
-  bool prepare(const State<3>& s, MovingFacets& facets, const WallContacts<3>& walls, double way) {
+  bool prepare(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls, double way) {
     const bool others = meets_others_ && !others_bound_.holds(way);
     bool own = meets_itself_ && !own_bound_.holds(way);
     if (others || own) facets.follow(s, behind_);
@@ -83,7 +83,7 @@ class FacetSearch {
   static constexpr double aside = 0.5;       // cosine of normals from which on two facets are far from facing
   static constexpr double turn_slack = 0.5;  // of two facets around the particles behind them
 
-  void search_others(const State<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
+  void search_others(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
     const std::vector<int> candidates = near_others();
     facets.place(s, facets.nodes_of(candidates), candidates, 1);
     others_bound_.restart(find<PairsOf::two_bodies>(
@@ -94,7 +94,7 @@ class FacetSearch {
       for (int w = 0; w < walls.count(); ++w)
         if (walls.height(w, behind_[f]) < horizon * dp_) near_wall.emplace_back(f, w);
   }
-  void search_own(const State<3>& s, MovingFacets& facets) {
+  void search_own(const Particles<3>& s, MovingFacets& facets) {
     const auto wanted = [&](int f, int g) {
       const V D = near_.start(f) - near_.start(g);
       return dot(D, D) > far_inside * far_inside * dp_ * dp_ || dot(D, normal_[g] - normal_[f]) > -flat * dp_;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/scene/outline.hpp"
-#include "engine/solver/state.hpp"
+#include "engine/solver/particles.hpp"
 #include "engine/terms/surface_contact.hpp"
 
 namespace taut::inline TAUT_ISA {
@@ -79,19 +79,19 @@ class MovingFaces {
   }
 
   /// After particles were stored in another order.
-  void renumber(const State<Dim>& s) {
+  void renumber(const Particles<Dim>& s) {
     const std::vector<int> where = s.places_of_ids();
     stored_.clear();
     for (const PointWeight& share : outline_.shares) stored_.push_back(where[share.particle]);
   }
 
   /// Brings nodes to where their particles are.
-  void place(const State<Dim>& s, int node) {
+  void place(const Particles<Dim>& s, int node) {
     V x{};
     for_each_share(node, [&](int i, double weight) { x += weight * s.x[i]; });
     place_[node] = x;
   }
-  void place_all(const State<Dim>& s) {
+  void place_all(const Particles<Dim>& s) {
     for (int n = 0; n < size(); ++n) place(s, n);
     for (int k = 0; k < static_cast<int>(normal_.size()); ++k) set_normal(k);
   }
@@ -104,7 +104,7 @@ class MovingFaces {
   }
   const std::vector<V>& places() const { return place_; }  // [node] m
   /// The place of the particle that counts most for each node, m.
-  void follow(const State<Dim>& s, std::vector<V>& x) const {
+  void follow(const Particles<Dim>& s, std::vector<V>& x) const {
     x.clear();
     for (const int share : behind_) x.push_back(s.x[stored_[share]]);
   }

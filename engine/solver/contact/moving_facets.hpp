@@ -8,7 +8,7 @@
 #include "engine/core/archive.hpp"
 #include "engine/core/parallel.hpp"
 #include "engine/scene/surface_mesh.hpp"
-#include "engine/solver/state.hpp"
+#include "engine/solver/particles.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -61,7 +61,7 @@ class MovingFacets {
   }
 
   /// After particles were stored in another order.
-  void renumber(const State<3>& s) {
+  void renumber(const Particles<3>& s) {
     const std::vector<int> where = s.places_of_ids();
     stored_.clear();
     for (const PointWeight& share : mesh_.shares) stored_.push_back(where[share.particle]);
@@ -70,13 +70,14 @@ class MovingFacets {
   }
 
   /// The place of the particle behind each facet, m.
-  void follow(const State<3>& s, std::vector<V>& x) const {
+  void follow(const Particles<3>& s, std::vector<V>& x) const {
     x.clear();
     for (const int i : behind_) x.push_back(s.x[i]);
   }
 
   /// Brings these facets, whose nodes they are, to where their particles are.
-  void place(const State<3>& s, const std::vector<int>& nodes, const std::vector<int>& facets, int threads) {
+  void place(const Particles<3>& s, const std::vector<int>& nodes, const std::vector<int>& facets,
+             int threads) {
     parallel_for(static_cast<int>(nodes.size()), threads, [&](int k) {
       V x{};
       for_each_share(nodes[k], [&](int i, double weight) { x += weight * s.x[i]; });

@@ -8,8 +8,8 @@
 #include "engine/solver/contact/motion_bound.hpp"
 #include "engine/solver/contact/particles_at_faces.hpp"
 #include "engine/solver/contact/point_search.hpp"
+#include "engine/solver/particles.hpp"
 #include "engine/solver/solver_input.hpp"
-#include "engine/solver/state.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -33,7 +33,7 @@ class OwnPairs {
   }
 
   /// Searches where the next way of the fastest particle, m, asks for it: true if it did.
-  bool prepare(const State<Dim>& s, double way) {
+  bool prepare(const Particles<Dim>& s, double way) {
     if (ids_.empty() || bound_.holds(way)) return false;
     place(s);
     if (bound_.still_holds(x_, search_.bodies(), way)) return false;
@@ -41,7 +41,7 @@ class OwnPairs {
     bound_.holds(way);
     return true;
   }
-  void search(const State<Dim>& s) {
+  void search(const Particles<Dim>& s) {
     if (ids_.empty()) return;
     place(s);
     find(s);
@@ -66,14 +66,14 @@ class OwnPairs {
   static constexpr double horizon = 4;    // how far a search looks, for how long it may hold
   static constexpr double far_apart = 4;  // the two faces of a thinner wall do not act on each other
 
-  void place(const State<Dim>& s) {
+  void place(const Particles<Dim>& s) {
     stored_.resize(ids_.size());
     const std::vector<int> where = s.places_of_ids();
     x_.clear();
     for (std::size_t k = 0; k < ids_.size(); ++k) x_.push_back(s.x[stored_[k] = where[ids_[k]]]);
   }
 
-  void find(const State<Dim>& s) {
+  void find(const Particles<Dim>& s) {
     found_.clear();
     const double beyond =
         search_.find(x_, reach_ + skin * dp_, horizon * dp_, far_apart * dp_, [&](int a, int b) {

@@ -7,8 +7,8 @@
 #include "engine/solver/contact/body_contacts.hpp"
 #include "engine/solver/contact/own_pairs.hpp"
 #include "engine/solver/contact/wall_contacts.hpp"
+#include "engine/solver/particles.hpp"
 #include "engine/solver/solver_input.hpp"
-#include "engine/solver/state.hpp"
 #include "engine/terms/impulse_contact.hpp"
 #include "engine/terms/lennard_jones_contact.hpp"
 #include "engine/terms/penalty_contact.hpp"
@@ -51,13 +51,13 @@ class PairContacts {
 
   bool impulses() const { return law_ == ContactLaw::impulse; }
 
-  void search(const State<Dim>& s, WallContacts<Dim>& walls) {
+  void search(const Particles<Dim>& s, WallContacts<Dim>& walls) {
     search_others(s, walls);
     own_.search(s);
     list_touching(s, walls);
   }
   /// Searches what has to be, before the fastest particle goes by `way`, m: true if there was something.
-  bool prepare(const State<Dim>& s, WallContacts<Dim>& walls, double way) {
+  bool prepare(const Particles<Dim>& s, WallContacts<Dim>& walls, double way) {
     bool others = false;
     if (between_bodies_ || walls.any()) {
       travelled_ += way;
@@ -74,7 +74,7 @@ class PairContacts {
 
   /// Sets the forces on `touching`, N (per metre depth in 2D); what walls give in `dt`, s, is booked. On one
   /// thread: a touching face has too few particles for a second one.
-  void evaluate(const State<Dim>& s, double dt, WallContacts<Dim>& walls, std::vector<V>& force) const {
+  void evaluate(const Particles<Dim>& s, double dt, WallContacts<Dim>& walls, std::vector<V>& force) const {
     if (impulses()) return;
     for (const int i : touching_) {
       force[i] = V{};
@@ -90,7 +90,7 @@ class PairContacts {
 
   /// See Contact::stop_approach.
   template <class InverseMass, class Change>
-  void stop_approach(const State<Dim>& s, double gone, WallContacts<Dim>& walls,
+  void stop_approach(const Particles<Dim>& s, double gone, WallContacts<Dim>& walls,
                      const InverseMass& inverse_mass, const Change& change) {
     impulse_.resize(s.size());
     for (std::vector<V>& given : given_) std::ranges::fill(given, V{});
@@ -113,7 +113,7 @@ class PairContacts {
     for (const int i : touching_) change(i, impulse_[i]);
   }
 
-  double energy(const State<Dim>& s, const WallContacts<Dim>& walls) const {
+  double energy(const Particles<Dim>& s, const WallContacts<Dim>& walls) const {
     double twice = 0;  // each pair is seen from both sides, and half of one with an image counts
     if (impulses()) return twice;
     for (const int i : touching_)
@@ -125,7 +125,7 @@ class PairContacts {
   }
 
   /// On body `a` of body `b`, N (per metre depth in 2D), at the positions that `s` has now.
-  V between(const State<Dim>& s, int a, int b) const {
+  V between(const Particles<Dim>& s, int a, int b) const {
     V sum{};
     if (impulses()) return sum;
     for (const int i : touching_) {
@@ -137,7 +137,7 @@ class PairContacts {
     return sum;
   }
   /// The same of a wall.
-  V of_wall(const State<Dim>& s, int a, int wall, const WallContacts<Dim>& walls) const {
+  V of_wall(const Particles<Dim>& s, int a, int wall, const WallContacts<Dim>& walls) const {
     double sum = 0;
     if (impulses()) return {};
     walls.for_each_touch(s, dp_, 0, [&](int i, int met, const V&, double r) {
@@ -177,12 +177,12 @@ class PairContacts {
   /// Longer: fewer searches, more pairs; in spacings.
   static constexpr double skin = 0.5;
 
-  void search_others(const State<Dim>& s, WallContacts<Dim>& walls) {
+  void search_others(const Particles<Dim>& s, WallContacts<Dim>& walls) {
     travelled_ = 0;
     if (between_bodies_) pairs_.search(s);
     walls.search(s, (1 + 2 * skin) * dp_);
   }
-  void list_touching(const State<Dim>& s, const WallContacts<Dim>& walls) {
+  void list_touching(const Particles<Dim>& s, const WallContacts<Dim>& walls) {
     touching_.clear();
     for (int i = 0; i < s.size(); ++i)
       if ((between_bodies_ && pairs_.begin[i] < pairs_.begin[i + 1]) ||
@@ -202,7 +202,7 @@ class PairContacts {
     return law_ == ContactLaw::lennard_jones ? lennard_jones_energy(r, dp_, modulus, Dim)
                                              : penalty_energy(r, dp_, modulus, Dim);
   }
-  double modulus(const State<Dim>& s, int i, int j) const {  // Pa
+  double modulus(const Particles<Dim>& s, int i, int j) const {  // Pa
     return contact_modulus(K_[s.id[i]], K_[s.id[j]], stiffness_);
   }
 
@@ -213,7 +213,7 @@ class PairContacts {
 
   /// f(j, x_ij, r) for each particle that i touches, as it was `gone` seconds ago.
   template <class F>
-  void for_each_touch(const State<Dim>& s, int i, double gone, const F& f) const {
+  void for_each_touch(const Particles<Dim>& s, int i, double gone, const F& f) const {
     const auto visit = [&](const auto& list) {
       for (int k = list.begin[i]; k < list.begin[i + 1]; ++k) {
         const int j = list.j[k];

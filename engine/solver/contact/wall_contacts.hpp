@@ -6,7 +6,7 @@
 #include "engine/methods/term_info.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/snapshot.hpp"
-#include "engine/solver/state.hpp"
+#include "engine/solver/particles.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -34,7 +34,7 @@ class WallContacts {
   }
 
   /// The particles less than `reach`, m, from their image.
-  void search(const State<Dim>& s, double reach) {
+  void search(const Particles<Dim>& s, double reach) {
     near_.clear();
     for (int i = 0; i < s.size(); ++i)
       for (int w = 0; w < static_cast<int>(planes_.size()); ++w)
@@ -46,7 +46,7 @@ class WallContacts {
   /// f(i, wall, x, r) for each of them less than `reach` from its image as it was `gone` seconds ago: its
   /// place x then, and the distance r, below 0 inside the wall.
   template <class F>
-  void for_each_touch(const State<Dim>& s, double reach, double gone, const F& f) const {
+  void for_each_touch(const Particles<Dim>& s, double reach, double gone, const F& f) const {
     for (const auto& [i, w] : near_) {
       const V x = s.x[i] - gone * s.v[i];
       const double r = distance_from_image(planes_[w], x);

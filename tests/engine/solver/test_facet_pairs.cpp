@@ -40,7 +40,7 @@ struct Bent {
     const InitialParticles initial = make_initial_particles(scene);
     facets = MovingFacets(make_surface_mesh(scene, initial));
     near = FacetPairs(facets, 4 * dp);
-    State<3> s;
+    Particles<3> s;
     for (int i = 0; i < initial.size(); ++i) {
       const Point& X = initial.x[i];
       const double turn = around * X[0] / length, r = (length + gap) / (2 * std::numbers::pi) + X[1];
