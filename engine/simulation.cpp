@@ -212,7 +212,9 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Settings& 
                           contact_law(scene, *method),
                           method->meets_itself,
                           settings.stepping,
-                          threads};
+                          threads,
+                          settings.instruction_set};
+  if (const auto make = row_of(method->formulation.family).make) return make(input);
 #ifdef TAUT_KNOWS_X86_64_LEVELS
   if (settings.instruction_set >= InstructionSet::x86_64_v4 && has_x86_64_v4() &&
       row_of(method->formulation.family).short_of_registers)

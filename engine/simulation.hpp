@@ -4,7 +4,7 @@
 
 #include "engine/scene/scene.hpp"
 #include "engine/settings.hpp"
-#include "engine/solver/running.hpp"
+#include "engine/solver/simulation.hpp"
 
 namespace taut {
 

@@ -5,7 +5,7 @@
 
 #include "engine/families/catalogue.hpp"
 #include "engine/scene/scene.hpp"
-#include "engine/solver/running.hpp"
+#include "engine/solver/simulation.hpp"
 
 /// Warnings about scenes that run and are probably not what their author wants; one sentence each, without a full stop.
 namespace taut {

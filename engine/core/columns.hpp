@@ -8,24 +8,33 @@
 namespace taut::inline TAUT_ISA {
 
 /// N numbers of each particle, column by column: four particles that are stored one behind the other have
-/// four numbers one behind the other in each.
+/// four numbers one behind the other in each. Plain data for passes.
 template <int N>
-class Columns {
+struct ColumnsView {
+  double* all = nullptr;
+  int length = 0;  // of a column, in whole packs
+
+  double* operator[](int k) const { return all + static_cast<std::ptrdiff_t>(k) * length; }
+  int size() const { return length; }
+};
+
+/// Owner of such numbers.
+template <int N>
+class Columns : public ColumnsView<N> {
  public:
+  Columns() = default;
+  Columns(const Columns&) = delete;
+  Columns& operator=(const Columns&) = delete;
+
   /// All zero.
   void resize(int size) {
-    size_ = (size + lanes - 1) / lanes * lanes;
-    all_.assign(static_cast<std::size_t>(N) * size_, 0.0);
+    this->length = (size + lanes - 1) / lanes * lanes;
+    numbers_.assign(static_cast<std::size_t>(N) * this->length, 0.0);
+    this->all = numbers_.data();
   }
-  /// In whole packs.
-  int size() const { return size_; }
-
-  double* operator[](int k) { return all_.data() + static_cast<std::ptrdiff_t>(k) * size_; }
-  const double* operator[](int k) const { return all_.data() + static_cast<std::ptrdiff_t>(k) * size_; }
 
  private:
-  int size_ = 0;
-  std::vector<double> all_;
+  std::vector<double> numbers_;
 };
 
 /// Four vectors that stand one behind the other, x0 y0 x1 …, from the four x, the four y, …
@@ -58,19 +67,19 @@ inline void separate(const Pack (&rows)[3], Pack (&columns)[3]) {
 
 /// The first Dim columns of the four particles from `first` on.
 template <int Dim, int N>
-Vec<Pack, Dim> vector_at(const Columns<N>& columns, int first) {
+Vec<Pack, Dim> vector_at(const ColumnsView<N>& columns, int first) {
   Vec<Pack, Dim> v;
   for (int k = 0; k < Dim; ++k) v[k] = load(columns[k] + first);
   return v;
 }
 template <int N>
-void put(const Vec<Pack, N>& v, Columns<N>& columns, int first) {
+void put(const Vec<Pack, N>& v, const ColumnsView<N>& columns, int first) {
 #pragma GCC unroll 4
   for (int k = 0; k < N; ++k) store(v[k], columns[k] + first);
 }
 /// A tensor of each of the four, row by row.
 template <int Dim>
-void put(const Mat<Pack, Dim>& A, Columns<Dim * Dim>& columns, int first) {
+void put(const Mat<Pack, Dim>& A, const ColumnsView<Dim * Dim>& columns, int first) {
 #pragma GCC unroll 3
   for (int a = 0; a < Dim; ++a)
 #pragma GCC unroll 3

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/core/isa.hpp"
-#include "engine/core/team.hpp"
+#include "engine/core/threads.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -18,28 +18,28 @@ inline double greater(double a, double b) { return b <= a || a != a ? a : b; }
 /// all, and none that is not worth the handing over.
 inline int chunks_of(int n, int threads) {
   constexpr int of_each = 4, least = 32;
-  return threads == 1 ? 1 : std::clamp(n / least, 1, std::min(of_each * threads, Team::most_chunks));
+  return threads == 1 ? 1 : std::clamp(n / least, 1, std::min(of_each * threads, Threads::most_chunks));
 }
 
 /// f(chunk, first, last) for chunks_of(n, threads) stretches of 0 … n−1, on `threads` threads.
 template <class F>
-void parallel_chunks(int n, int threads, const F& f) {
+void parallel_chunks(int n, const Threads& threads, const F& f) {
   struct Loop {
     const F& f;
     int n, chunks;
     void chunk(int c) const { f(c, begin(c), begin(c + 1)); }
     int begin(int c) const { return static_cast<int>(static_cast<long>(n) * c / chunks); }
   };
-  const Loop loop{f, n, chunks_of(n, threads)};
+  const Loop loop{f, n, chunks_of(n, threads.count)};
   if (loop.chunks == 1) return loop.chunk(0);
-  Team::own().run(
-      threads, loop.chunks, [](const void* of, int c) noexcept { static_cast<const Loop*>(of)->chunk(c); },
-      &loop);
+  threads.run(
+      threads.count, loop.chunks,
+      [](const void* of, int c) noexcept { static_cast<const Loop*>(of)->chunk(c); }, &loop);
 }
 
 /// f(i) for i = 0 … n−1 on `threads` threads.
 template <class F>
-void parallel_for(int n, int threads, const F& f) {
+void parallel_for(int n, const Threads& threads, const F& f) {
   parallel_chunks(n, threads, [&](int, int first, int last) {
     for (int i = first; i < last; ++i) f(i);
   });
@@ -62,7 +62,7 @@ template <class F>
 
 /// parallel_for of a loop that a step's time goes into.
 template <class F>
-void parallel_pass(int n, int threads, const F& f) {
+void parallel_pass(int n, const Threads& threads, const F& f) {
   parallel_chunks(n, threads, [&](int, int first, int last) { inlined_loop(f, first, last); });
 }
 
@@ -81,7 +81,7 @@ void make_in_order(int n, int threads, const Make& make, const Take& take) {
 
 /// Greatest f(i) of a pass, or NaN if any is NaN. The same for any number of threads.
 template <class F>
-double parallel_max(int n, int threads, const F& f) {
+double parallel_max(int n, const Threads& threads, const F& f) {
   std::atomic<double> result = 0;
   parallel_chunks(n, threads, [&](int, int first, int last) {
     const double mine = inlined_max(f, first, last);

@@ -36,6 +36,10 @@ Team::~Team() {
   for (std::thread& helper : helpers_) helper.join();
 }
 
+Threads::Threads(int threads)
+    : count(threads),
+      run([](int n, int chunks, Team::Work work, const void* of) { Team::own().run(n, chunks, work, of); }) {}
+
 Team& Team::own() {
   thread_local Team team;
   return team;

@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "engine/core/threads.hpp"
+
 namespace taut {
 
 /// Threads that help the one that owns them with loops, chunk by chunk. The owner works too, and waits only
@@ -19,7 +21,7 @@ namespace taut {
 /// its cache; who is done goes on with those of the others.
 class Team {
  public:
-  static constexpr int most_threads = 1000, most_chunks = 4000;
+  static constexpr int most_threads = 1000, most_chunks = Threads::most_chunks;
   using Work = void (*)(const void* of, int chunk) noexcept;
 
   Team();

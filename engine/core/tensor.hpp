@@ -1,14 +1,21 @@
 #pragma once
 
+#include <cstddef>
+
 #include "engine/core/pack.hpp"
 
 /// Small vectors and tensors over T = double or Pack. Eigen is not used in the solver: its fixed-size types
 /// change alignment with the instruction set, and the solver is compiled for several.
 namespace taut::inline TAUT_ISA {
 
+/// Alignment of a member of type T. Code without AVX aligns a bare Pack less, and structs with packs must be laid out
+/// alike in code for any instruction set.
+template <class T>
+inline constexpr std::size_t alignment_of = sizeof(T) == sizeof(Pack) ? sizeof(Pack) : alignof(T);
+
 template <class T, int Dim>
 struct Vec {
-  T c[Dim];
+  alignas(alignment_of<T>) T c[Dim];
 
   T& operator[](int k) { return c[k]; }
   const T& operator[](int k) const { return c[k]; }
@@ -51,7 +58,7 @@ Vec<T, 3> cross(const Vec<T, 3>& a, const Vec<T, 3>& b) {
 /// A full tensor, row by row: A(a, b).
 template <class T, int Dim>
 struct Mat {
-  T c[Dim][Dim];
+  alignas(alignment_of<T>) T c[Dim][Dim];
 
   T& operator()(int a, int b) { return c[a][b]; }
   const T& operator()(int a, int b) const { return c[a][b]; }
@@ -85,7 +92,7 @@ struct Mat {
 template <class T, int Dim>
 struct Sym {
   static constexpr int size = Dim * (Dim + 1) / 2;
-  T c[size];
+  alignas(alignment_of<T>) T c[size];
 
   static constexpr int index(int a, int b) {
     return a <= b ? a * Dim - a * (a - 1) / 2 + (b - a) : index(b, a);

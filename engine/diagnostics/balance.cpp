@@ -3,17 +3,11 @@
 #include <algorithm>
 #include <numeric>
 
-#include "engine/core/machine.hpp"
-#include "engine/diagnostics/particle_loops.hpp"
+#include "engine/diagnostics/history_sums.hpp"
 
 namespace taut {
 
-Balance balance(const Snapshot& now, const Scene& scene) {
-#ifdef TAUT_KNOWS_X86_64_LEVELS
-  if (has_x86_64_v3()) return x86_64_v3::sums_of(now, scene);
-#endif
-  return sums_of(now, scene);
-}
+Balance balance(const Snapshot& now, const Scene& scene) { return sums_of(now, scene); }
 
 double energy_of_rounding(const Scene& scene, const Snapshot& start) {
   double c2 = 0;  // m²/s²

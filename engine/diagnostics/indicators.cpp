@@ -3,20 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/machine.hpp"
-#include "engine/diagnostics/particle_loops.hpp"
+#include "engine/diagnostics/history_sums.hpp"
 
 namespace taut {
 namespace {
 
 constexpr double least_strain = 1e-8;  // over Young's modulus: stress of round-off
-
-AlternatingSums sums(const AlternatingPart& part, const Snapshot& now, double spacing) {
-#ifdef TAUT_KNOWS_X86_64_LEVELS
-  if (has_x86_64_v3()) return x86_64_v3::alternating_sums(part, now, spacing);
-#endif
-  return alternating_sums(part, now, spacing);
-}
 
 }  // namespace
 
@@ -35,7 +27,7 @@ IndicatorGauge::IndicatorGauge(const Scene& scene, const Snapshot& start, int th
 }
 
 Readings IndicatorGauge::operator()(const Snapshot& now) const {
-  const auto [alternating, whole] = sums(part_, now, spacing_);
+  const auto [alternating, whole] = alternating_sums(part_, now, spacing_);
   const auto rms = [count = std::max(1, part_.rows())](double sum) { return std::sqrt(sum / count); };
   const auto stress = [&](double sum) { return std::max(rms(sum), least_stress_); };
   return {Reading{rms(alternating.x), spacing_}, Reading{rms(alternating.p), stress(whole.p)},

@@ -8,7 +8,7 @@
 #include "engine/diagnostics/lines.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/snapshot.hpp"
-#include "engine/solver/running.hpp"
+#include "engine/solver/simulation.hpp"
 
 namespace taut {
 

@@ -15,7 +15,7 @@
 #include "engine/diagnostics/penetration.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/snapshot.hpp"
-#include "engine/solver/running.hpp"
+#include "engine/solver/simulation.hpp"
 
 namespace taut {
 

@@ -23,7 +23,8 @@ std::unique_ptr<Simulation> make_solver(const SolverInput& input) {
   [&]<std::size_t... k>(std::index_sequence<k...>) {
     const auto made = [&]<std::size_t n>() {
       if constexpr (built_for(families[n]))
-        if (input.method.family == families[n].family) simulation = make_solver_of<families[n].family>(input);
+        if constexpr (families[n].make == nullptr)
+          if (input.method.family == families[n].family) simulation = make_solver_of<families[n].family>(input);
       return simulation != nullptr;
     };
     static_cast<void>((made.template operator()<k>() || ...));

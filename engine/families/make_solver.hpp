@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "engine/core/isa.hpp"
-#include "engine/solver/running.hpp"
+#include "engine/solver/simulation.hpp"
 #include "engine/solver/solver_input.hpp"
 
 namespace taut {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -14,32 +16,82 @@ constexpr bool may_run_with = L == M.law || may_be_given(M, LawOf<L>::row);
 
 /// The law of each of four particles, of which two may be of different materials where there are `several`.
 template <class L, bool several = true>
-class LawsOfFour {
- public:
-  /// `materials`: of all particles, four at a time.
-  LawsOfFour(const std::vector<L>& laws, const std::vector<int>& materials)
-      : laws_(laws), materials_(materials) {}
+struct LawsOfFour {
+  const L* laws;         // of each material
+  const int* materials;  // of all particles, four at a time
 
   /// `f`(law), a Pack or a tensor of packs of the four of a group.
   template <class F>
   [[gnu::always_inline]] auto operator()(int group, const F& f) const {
-    const int* const of = &materials_[static_cast<std::size_t>(lanes) * group];
+    const int* const of = materials + static_cast<std::ptrdiff_t>(lanes) * group;
     if constexpr (several)
       if (of[0] != of[1] || of[0] != of[2] || of[0] != of[3]) [[unlikely]]
         return mixed(of, f);
-    return f(laws_[of[0]]);
+    return f(laws[of[0]]);
   }
 
  private:
   template <class F>
   [[gnu::noinline]] auto mixed(const int* of, const F& f) const {
-    auto all = f(laws_[of[0]]);
-    for (int lane = 1; lane < lanes; ++lane) take_lane(all, lane, f(laws_[of[lane]]));
+    auto all = f(laws[of[0]]);
+    for (int lane = 1; lane < lanes; ++lane) take_lane(all, lane, f(laws[of[lane]]));
     return all;
   }
+};
 
-  const std::vector<L>& laws_;
-  const std::vector<int>& materials_;
+/// The laws of the materials of a run, as plain data: one law, which is known at run time only, with the numbers of
+/// each material.
+struct LawsInUse {
+  Law law;
+  const void* laws;  // LawOf<law> of each material
+
+  /// `pass`(laws) with LawOf<law> of each material; compiled for each law that method M may run with. A call for each
+  /// particle instead makes a step of `tl` with the linear law 1.4 times as long.
+  template <const Formulation& M, class Pass>
+  auto visit(const Pass& pass) const {
+    return visit_among<M>(pass, Laws{});
+  }
+
+ private:
+  template <const Formulation& M, class Pass, Law First, Law... Rest>
+  auto visit_among(const Pass& pass, LawList<First, Rest...>) const {
+    if constexpr (may_run_with<M, First>)
+      if (law == First) return pass(static_cast<const LawOf<First>*>(laws));
+    if constexpr (sizeof...(Rest) > 0 && (may_run_with<M, Rest> || ...))
+      return visit_among<M>(pass, LawList<Rest...>{});
+    else
+      __builtin_unreachable();
+  }
+};
+
+/// Owner of the laws of the materials of a run, for set-up and snapshots.
+class Materials {
+ public:
+  Materials(Law law, const std::vector<Elasticity>& materials) : law_(law) { take(materials, Laws{}); }
+
+  LawsInUse in_use() const {
+    return {law_, std::visit([](const auto& laws) -> const void* { return laws.data(); }, laws_)};
+  }
+  /// `f`(law) with the law of this material.
+  template <class F>
+  auto visit(int material, const F& f) const {
+    return std::visit([&](const auto& laws) { return f(laws[static_cast<std::size_t>(material)]); }, laws_);
+  }
+
+ private:
+  template <Law... L>
+  void take(const std::vector<Elasticity>& materials, LawList<L...>) {
+    const auto take_one = [&]<Law One>() {
+      if (One != law_) return;
+      std::vector<LawOf<One>> own;
+      for (const Elasticity& material : materials) own.push_back(law_of<One>(material));
+      laws_ = std::move(own);
+    };
+    (take_one.template operator()<L>(), ...);
+  }
+
+  Law law_;
+  Laws::Each laws_;
 };
 
 /// The laws of the materials of a run: one law, which is known at run time only, with the numbers of each. A

@@ -23,8 +23,9 @@ NeighborLists neighbors_of(const InitialParticles& initial, double reach, int th
   const std::vector<int> order = grid.sort(x, reach);
   for (int i = 0; i < n; ++i) sorted[i] = x[order[i]];
   Neighbors found;
-  NeighborSearch<Dim>()(grid, sorted, reach, threads, found,
-                        [&](int i, int j) { return initial.body[order[i]] == initial.body[order[j]]; });
+  std::vector<int> body(n);
+  for (int i = 0; i < n; ++i) body[i] = initial.body[order[i]];
+  NeighborSearch<Dim>()(grid, sorted, reach, threads, found, body.data());
   const auto list = [&](int place) {  // of the search, which fills it up with the particle itself
     return std::span(found.j.data() + static_cast<std::size_t>(lanes) * found.begin[place],
                      static_cast<std::size_t>(lanes) * (found.begin[place + 1] - found.begin[place]));

@@ -23,7 +23,7 @@ struct LaneSlot {
 
 /// What `columns` hold of the neighbours in a slot of the group that begins with particle `first`.
 template <int N>
-[[gnu::always_inline]] inline void gather(const Columns<N>& columns, int first, const LaneSlot& slot,
+[[gnu::always_inline]] inline void gather(const ColumnsView<N>& columns, int first, const LaneSlot& slot,
                                           Pack (&out)[N]) {
   const int* const step = slot.step;
   if (slot.in_line != 0) [[likely]] {

@@ -20,6 +20,8 @@ class Guides {
   explicit Guides(const InitialParticles& initial) : along_(initial.guided) {}
 
   bool active() const { return !along_.empty(); }
+  /// Bit k: particle `id` does not move along axis k.
+  unsigned char axes(int id) const { return active() ? along_[id] : 0; }
 
   /// Takes from `v`, a new velocity of particle `id`, what it cannot have.
   void hold(int id, Vec<double, Dim>& v) const {
@@ -54,6 +56,7 @@ class Drives {
 
   /// False without drives, and once all of them are over.
   bool active() const { return active_; }
+  int number_of_active() const { return static_cast<int>(std::ranges::count_if(drives_, &Timed::on)); }
 
   /// `t`, s, is where in time the new velocities of a step stand: at its end for a scheme that takes half of
   /// the way with the old and half with the new ones, in its middle for one that takes all of it with the
@@ -124,7 +127,8 @@ class Reactions {
     dt_ = dt;
     impulse_.assign(v.size(), V{});
   }
-  double dt() const { return dt_; }  // s; 0 before the first step
+  double dt() const { return dt_; }          // s; 0 before the first step
+  V* impulses() { return impulse_.data(); }  // [i] N s
   /// An impulse on particle i, N s (per metre depth in 2D).
   void add(int i, const V& impulse) { impulse_[i] += impulse; }
 

@@ -40,31 +40,30 @@ struct InitialPairs {
 
 /// The pairs as the passes go through them, four particles at a time, with `Width` constants of each pair, of
 /// which the first Dim are those of k_ij: 0 where a lane has no neighbour. Inside a lattice, where groups
-/// have the same neighbourhood, they share their constants.
+/// have the same neighbourhood, they share their constants. Plain data for passes.
 template <int Dim, int Width = Dim>
-class PairLanes {
- public:
+struct PairLanesView {
+  struct Group {
+    int slots, constants, size;
+  };
   struct Constants {
-    Pack c[Width];
+    alignas(sizeof(Pack)) Pack c[Width];
   };
 
-  PairLanes() = default;
-  /// `constants(p)` are those of pair p, an array; asked for on `threads` threads.
-  template <class Of>
-  PairLanes(const InitialPairs<Dim>& pairs, int threads, const Of& constants);
+  const Group* groups = nullptr;
+  const LaneSlot* slots = nullptr;
+  const Constants* constants = nullptr;
 
   /// `f`(slot, constants) of each neighbour of the four particles.
   template <class F>
   [[gnu::always_inline]] void for_each(int group, const F& f) const {
-    const Group& own = groups_[group];
-    const LaneSlot* const slots = slots_.from(own.slots);
-    const Constants* const constants = constants_.from(own.constants);
-    for (int b = 0; b < own.size; ++b) f(slots[b], constants[b]);
+    const Group& own = groups[group];
+    for (int b = 0; b < own.size; ++b) f(slots[own.slots + b], constants[own.constants + b]);
   }
 
   /// Σ_j (f_j − f_i) ⊗ k_ij of the vector field that is the first columns.
   template <int N>
-  Mat<Pack, Dim> difference_sum(const Columns<N>& f, int group) const {
+  Mat<Pack, Dim> difference_sum(const ColumnsView<N>& f, int group) const {
     const int first = lanes * group;
     const Vec<Pack, N> own = vector_at<N>(f, first);
     Mat<Pack, Dim> sum{};
@@ -77,7 +76,7 @@ class PairLanes {
     return sum;
   }
   /// Σ_j (A_i + A_j) k_ij
-  Vec<Pack, Dim> pair_sum(const Columns<Dim * Dim>& A, int group) const {
+  Vec<Pack, Dim> pair_sum(const ColumnsView<Dim * Dim>& A, int group) const {
     const int first = lanes * group;
     Vec<Pack, Dim> sum{};
     for_each(group, [&](const LaneSlot& slot, const Constants& of_pair) {
@@ -99,12 +98,24 @@ class PairLanes {
 #pragma GCC unroll 3
       for (int b = 0; b < Dim; ++b) sum(a, b) += d[a] * of_pair.c[b];
   }
+};
+
+/// Owner of such pairs.
+template <int Dim, int Width = Dim>
+class PairLanes {
+ public:
+  using View = PairLanesView<Dim, Width>;
+  using Constants = typename View::Constants;
+
+  PairLanes() = default;
+  /// `constants(p)` are those of pair p, an array; asked for on `threads` threads.
+  template <class Of>
+  PairLanes(const InitialPairs<Dim>& pairs, int threads, const Of& constants);
+
+  View view() const { return {groups_.data(), slots_.from(0), constants_.from(0)}; }
 
  private:
-  struct Group {
-    int slots, constants, size;
-  };
-  std::vector<Group> groups_;
+  std::vector<typename View::Group> groups_;
   SharedRows<LaneSlot> slots_;
   SharedRows<Constants> constants_;
 };

@@ -67,7 +67,8 @@ class ParticleSolver : public SolverParts<Dim> {
   Solver& solver() { return static_cast<Solver&>(*this); }
   int groups() const { return (this->s_.size() + lanes - 1) / lanes; }
 
-  void take_snapshot() final {
+  void take_snapshot(Snapshot&) const final { const_cast<ParticleSolver*>(this)->fill_snapshot(); }
+  void fill_snapshot() {
     solver().begin_snapshot();
     solver().prepare_to_show();
     parallel_pass(groups(), this->threads_now(), [&](int group) { solver().show(group); });

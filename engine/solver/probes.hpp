@@ -8,7 +8,7 @@
 #include "engine/snapshot.hpp"
 #include "engine/solver/contact/contact.hpp"
 #include "engine/solver/particles.hpp"
-#include "engine/solver/running.hpp"
+#include "engine/solver/simulation.hpp"
 
 namespace taut::inline TAUT_ISA {
 

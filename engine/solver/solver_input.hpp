@@ -22,6 +22,7 @@ struct SolverInput {
   bool meets_itself;                  // contact acts between parts of one body that were far apart
   Stepping stepping;
   int threads;
+  InstructionSet instruction_set = InstructionSet::x86_64_v4;  // the greatest allowed
 };
 
 }  // namespace taut

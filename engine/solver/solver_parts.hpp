@@ -14,7 +14,7 @@
 #include "engine/solver/drives.hpp"
 #include "engine/solver/loads.hpp"
 #include "engine/solver/probes.hpp"
-#include "engine/solver/running.hpp"
+#include "engine/solver/simulation.hpp"
 #include "engine/solver/solver_input.hpp"
 #include "engine/solver/state.hpp"
 
@@ -227,6 +227,17 @@ class SolverParts : public Simulation, protected ProbeSource<Dim> {
   void begin_snapshot();
   void store(int i, double rho, double p, const Sym<double, Dim>& s, double s_zz);
 
+  const RunState& run_state() const final { return run_; }
+
+  RunState run_;
+  double& time_ = run_.time;
+  long& step_ = run_.steps;
+  Series& series_ = run_.series;
+  long& pairs_ = run_.pairs;
+  double& support_ = run_.support;
+  bool& keeps_neighbors_ = run_.keeps_neighbors;
+  double& lawful_stretch_ = run_.lawful_stretch;
+  int& threads_ = run_.threads;
   Constants c_;
   InitialParticles initial_;
   State<Dim> s_;

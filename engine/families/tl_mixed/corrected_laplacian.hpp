@@ -94,6 +94,8 @@ std::vector<double> adjoint_weights(const InitialPairs<Dim>& pairs, const std::v
 template <int Dim>
 using LaplacianLanes = PairLanes<Dim, Dim + 2>;
 template <int Dim>
+using LaplacianView = PairLanesView<Dim, Dim + 2>;
+template <int Dim>
 LaplacianLanes<Dim> with_laplacian(const InitialPairs<Dim>& pairs, const std::vector<double>& w,
                                    const std::vector<double>& V, double adjoint, int threads = 1) {
   const std::vector<double> outer = adjoint_weights(pairs, w, V, threads);
@@ -113,8 +115,8 @@ struct DifferencesAndLaplacian {
   Vec<Pack, N> laplacian;
 };
 template <int Dim, int N>
-DifferencesAndLaplacian<Dim, N> differences_and_laplacian(const LaplacianLanes<Dim>& pairs,
-                                                          const Columns<N>& U, int group) {
+DifferencesAndLaplacian<Dim, N> differences_and_laplacian(const LaplacianView<Dim>& pairs,
+                                                          const ColumnsView<N>& U, int group) {
   const int first = lanes * group;
   const Vec<Pack, N> own = vector_at<N>(U, first);
   DifferencesAndLaplacian<Dim, N> sum{};
@@ -130,7 +132,7 @@ DifferencesAndLaplacian<Dim, N> differences_and_laplacian(const LaplacianLanes<D
 
 /// L*[U], or L[U] without the adjoint.
 template <int Dim, int N>
-Vec<Pack, N> second_laplacian(const LaplacianLanes<Dim>& pairs, const Columns<N>& U, int group) {
+Vec<Pack, N> second_laplacian(const LaplacianView<Dim>& pairs, const ColumnsView<N>& U, int group) {
   const int first = lanes * group;
   const Vec<Pack, N> own = vector_at<N>(U, first);
   Vec<Pack, N> sum{};
@@ -146,7 +148,7 @@ Vec<Pack, N> second_laplacian(const LaplacianLanes<Dim>& pairs, const Columns<N>
 /// 40 inside a cubic lattice with 26 neighbours, 75 at the edges of three layers of particles in the middle
 /// of cells. The same for any number of threads.
 template <int Dim>
-double biharmonic_spectral_radius(const LaplacianLanes<Dim>& pairs, int particles, int threads) {
+double biharmonic_spectral_radius(const LaplacianView<Dim>& pairs, int particles, int threads) {
   constexpr int fields = 2;
   Columns<fields> U, once, twice;
   for (Columns<fields>* columns : {&U, &once, &twice}) columns->resize(particles);

@@ -1,8 +1,18 @@
 #include "engine/families/tl_mixed/describe.hpp"
 
-#include "engine/families/tl_mixed/solver.hpp"
+#include "engine/families/tl_mixed/boundary_projection.hpp"
+#include "engine/families/tl_mixed/passes.hpp"
+#include "engine/materials/laws.hpp"
+#include "engine/solver/contact/contact.hpp"
+#include "engine/solver/initial_configuration.hpp"
 
 namespace taut::tl_mixed {
+namespace {
+
+constexpr TermInfo time_info{"time", "TVD Runge–Kutta, two stages", "[Lee2016] Eq. 43",
+                             "families/tl_mixed/solver.cpp:step", "mixed: a ring and a disc that collide"};
+
+}  // namespace
 
 std::vector<TermInfo> terms(const Formulation& m) {
   std::vector<TermInfo> t{deformation_rate_info};
@@ -10,7 +20,7 @@ std::vector<TermInfo> terms(const Formulation& m) {
   if (m.unknowns == Unknowns::v_F_H_J) t.push_back(cofactor_info);
   t.insert(t.end(), {law_row(m.law).term, internal_force_info});
   if (m.jst) t.push_back(corrected_laplacian_info);
-  t.insert(t.end(), {projection_info, boundary_projection_info, contact_info(m.contact), tl_mixed_time_info});
+  t.insert(t.end(), {projection_info, boundary_projection_info, contact_info(m.contact), time_info});
   return t;
 }
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "engine/core/columns.hpp"
 #include "engine/methods/term_info.hpp"
 
@@ -38,8 +36,8 @@ struct Turning<3> {
 };
 
 /// The volumes of the four particles from i on, 0 from `last` on.
-inline Pack volumes_of_four(const std::vector<double>& V, int i, int last) {
-  if (i + lanes <= last) return load(&V[i]);
+inline Pack volumes_of_four(const double* V, int i, int last) {
+  if (i + lanes <= last) return load(V + i);
   Pack four{};
   for (int lane = 0; i + lane < last; ++lane) four[lane] = V[i + lane];
   return four;
@@ -53,9 +51,9 @@ inline Pack volumes_of_four(const std::vector<double>& V, int i, int last) {
 /// depend neither on the number of threads nor on where the body is stored. With a share below 1 the
 /// accelerations go that part of the way. `a` has room for a pack that begins at the last particle.
 template <int Dim>
-void project_on_momenta(Columns<Dim>& a, const std::vector<Vec<double, Dim>>& Z, const std::vector<double>& V,
-                        int first, int last, double share = 1) {
-  const auto places = [&](int i) { return four_of(&Z[i], last - i); };
+void project_on_momenta(const ColumnsView<Dim>& a, const Vec<double, Dim>* Z, const double* V, int first,
+                        int last, double share = 1) {
+  const auto places = [&](int i) { return four_of(Z + i, last - i); };
   Pack volume{};
   Vec<Pack, Dim> sum_a{}, sum_Z{};
   for (int i = first; i < last; i += lanes) {
@@ -81,7 +79,7 @@ void project_on_momenta(Columns<Dim>& a, const std::vector<Vec<double, Dim>>& Z,
   }
 }
 /// f − Σ V f/Σ V of a body.                                                                 [Lee2016] Eq. 51
-inline void subtract_mean(Columns<1>& f, const std::vector<double>& V, int first, int last, double share) {
+inline void subtract_mean(const ColumnsView<1>& f, const double* V, int first, int last, double share) {
   Pack volume{}, total{};
   for (int i = first; i < last; i += lanes) {
     const Pack V_i = volumes_of_four(V, i, last);

@@ -1,9 +1,15 @@
 #include "engine/families/ul_cauchy/describe.hpp"
 
-#include "engine/families/ul_cauchy/solver.hpp"
+#include "engine/families/ul_cauchy/passes.hpp"
+#include "engine/solver/contact/contact.hpp"
 
 namespace taut::ul_cauchy {
 namespace {
+
+constexpr TermInfo time_info{"time",
+                             "symplectic Euler, rates at the middle of the step or where `geometry` says",
+                             "[Khayyer2024] Eq. 22–26", "families/ul_cauchy/solver.cpp:step",
+                             "naive: the ladder, a clamped plate of two materials and a disc that hits it"};
 
 void add_stress(std::vector<TermInfo>& t, const Formulation& m) {
   if (m.pair_stress == PairStress::squares)
@@ -45,7 +51,7 @@ std::vector<TermInfo> terms(const Formulation& m) {
   add_dissipation(t, m);
   add_tension(t, m);
   t.push_back(contact_info(m.contact));
-  t.push_back(ul_cauchy_time_info);
+  t.push_back(time_info);
   return t;
 }
 

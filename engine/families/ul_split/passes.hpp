@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "engine/core/parallel.hpp"
+#include "engine/families/ul_split/fields.hpp"
+#include "engine/kernels/kernel.hpp"
 #include "engine/methods/formulation.hpp"
-#include "engine/solver/state.hpp"
+#include "engine/solver/kick.hpp"
 #include "engine/terms/artificial_stress.hpp"
 #include "engine/terms/equation_of_state.hpp"
 #include "engine/terms/gradient_correction.hpp"
@@ -23,7 +25,7 @@ class PairKernel {
   explicit PairKernel(const Constants& c)
       : per_h_(1 / c.h),
         alpha_(steepness(c)),
-        least_(HeldPairs<Dim>::least * alpha_ * c.h),
+        least_(PairCache<Dim>::least * alpha_ * c.h),
         per_w_dp_(1 / K::w(c.dp / c.h)),
         exponent_(c.exponent) {}
 
@@ -56,19 +58,17 @@ class PairKernel {
   double per_h_, alpha_, least_, per_w_dp_, exponent_;
 };
 
-/// The geometry of every pair, and the list of packs that hold pairs of two bodies which act as one.
+/// The geometry of every pair.
 template <const Formulation& M, int Dim>
-void geometry_pass(State<Dim>& s, const Constants& c, int threads) {
-  s.meets.resize(s.size());
-  s.pairs.make_room(s.neighbors.begin.back(), M.artificial_stress, PairKernel<M, Dim>::steepness(c), c.h);
+void geometry_pass(const UlSplitFields<Dim>& s, const Constants& c, const Threads& threads) {
   // places, bodies and volumes, in rows that stand ready to be gathered
-  parallel_for(s.size(), threads, [&](int i) { s.flow[i].set(s.x[i], s.body[i], s.m[i] / s.rho[i]); });
-  parallel_pass(s.size(), threads, [&, kernel = PairKernel<M, Dim>(c)](int i) {
+  parallel_for(s.size, threads, [&](int i) { s.flow[i].set(s.x[i], s.body[i], s.m[i] / s.rho[i]); });
+  parallel_pass(s.size, threads, [&, kernel = PairKernel<M, Dim>(c)](int i) {
     const Flow<Dim, Pack> here = spread_flow(s.flow[i]);
     PackIndex outside{};
     [[maybe_unused]] Sym<Pack, Dim> moment{};
-    for (int b = s.neighbors.begin[i]; b < s.neighbors.begin[i + 1]; ++b) {
-      const Flow<Dim, Pack> there = gather_flow(s.flow, s.neighbors.pack(b));
+    for (int b = s.begin[i]; b < s.begin[i + 1]; ++b) {
+      const Flow<Dim, Pack> there = gather_flow(s.flow, s.pack(b));
       const PackIndex inside = here.p == there.p;
       outside |= ~inside;
       const Vec<Pack, Dim> d = here.v - there.v;
@@ -87,25 +87,17 @@ void geometry_pass(State<Dim>& s, const Constants& c, int threads) {
     s.meets[i] = any(outside);
     if constexpr (!carries_stress(M)) s.recovery[i].set(gradient_correction(sum(moment)), here.V[0]);
   });
-  s.contacts.clear();
-  if (!s.sph_contact) return;
-  for (int i = 0; i < s.size(); ++i) {
-    if (!s.meets[i]) continue;
-    const auto other_body = [&](int j) { return s.body[j] != s.body[i]; };
-    for (int b = s.neighbors.begin[i]; b < s.neighbors.begin[i + 1]; ++b)
-      if (std::any_of(s.neighbors.pack(b), s.neighbors.pack(b) + lanes, other_body))
-        s.contacts.emplace_back(i, b);
-  }
 }
 
-/// Between bodies geometry is not held: two that close at 2v would go half a spacing on stale gradients, come
+/// Between bodies geometry is not cached: two that close at 2v would go half a spacing on stale gradients, come
 /// apart on steeper ones than they met on, and stick.
-/// Differs from [Zhang2024] §5, which holds all pairs between advection steps.
+/// Differs from [Zhang2024] §5, which caches all pairs between advection steps.
 template <const Formulation& M, int Dim>
-void contact_geometry_pass(State<Dim>& s, const Constants& c) {
+void contact_geometry_pass(const UlSplitFields<Dim>& s, const Constants& c) {
   const PairKernel<M, Dim> kernel(c);
-  for (const auto& [i, b] : s.contacts) {
-    const int* j = s.neighbors.pack(b);
+  for (int m = 0; m < s.mixed_count; ++m) {
+    const auto [i, b] = s.mixed[m];
+    const int* j = s.pack(b);
     PairGeometry<Dim> pair = s.pairs[b];
     Vec<Pack, Dim> d;
     PackIndex inside;
@@ -124,7 +116,7 @@ void contact_geometry_pass(State<Dim>& s, const Constants& c) {
 
 /// ∇_i W of pairs within a body, 0 for the others.
 template <int Dim>
-Vec<Pack, Dim> gradient_inside(const State<Dim>& s, int i, int b) {
+Vec<Pack, Dim> gradient_inside(const UlSplitFields<Dim>& s, int i, int b) {
   Vec<Pack, Dim> g = s.pairs.gradient(b);
   if (s.meets[i])
     for (int k = 0; k < Dim; ++k) g[k] = s.pairs.inverse_distance(b) < 0 ? g[k] : Pack{};
@@ -133,19 +125,20 @@ Vec<Pack, Dim> gradient_inside(const State<Dim>& s, int i, int b) {
 
 /// dv/dt of every particle: pressure from the Riemann problem of each pair, and shear. The terms are written in
 /// ∂W/∂r and e_ij; for the first they get `one`, and for the second the product of the two, ∇_i W.
-/// `use(i, a)` receives each acceleration, m/s².
-template <const Formulation& M, int Dim, class Use>
-double momentum_pass(State<Dim>& s, const Constants& c, int threads, const Use& use) {
+/// Velocities go over the whole step, Eq. 24, and positions to its end, Eq. 25. Returns the greatest v², m²/s².
+template <const Formulation& M, int Dim>
+double momentum_pass(const UlSplitFields<Dim>& s, const Constants& c, const Kick<Dim>& kick,
+                     const Threads& threads) {
   const Dissipation dissipation{c.rho0 * c.c0, c.riemann_limiter / c.c0, c.beta_least};
-  return parallel_max(s.size(), threads, [&](int i) {
+  return parallel_max(s.size, threads, [&](int i) {
     const Flow<Dim, Pack> f_i = spread_flow(s.flow[i]);
     [[maybe_unused]] Tensor<Dim> s_i, R_i;
     if constexpr (carries_stress(M)) s_i = spread_tensor(s.stress[i]);
     if constexpr (M.artificial_stress) R_i = spread_tensor(s.repulsion[i]);
     Vec<Pack, Dim> force{};  // per volume, N/m³
     [[maybe_unused]] Vec<Pack, Dim> repulsion{};
-    for (int b = s.neighbors.begin[i]; b < s.neighbors.begin[i + 1]; ++b) {
-      const int* j = s.neighbors.pack(b);
+    for (int b = s.begin[i]; b < s.begin[i + 1]; ++b) {
+      const int* j = s.pack(b);
       const Vec<Pack, Dim> grad_W = s.pairs.gradient(b);
       const Flow<Dim, Pack> f_j = gather_flow(s.flow, j);
       const Pack closing_speed = s.pairs.inverse_slope(b) * dot(f_j.v - f_i.v, grad_W);
@@ -162,19 +155,24 @@ double momentum_pass(State<Dim>& s, const Constants& c, int threads, const Use& 
     Vec<double, Dim> a = inv_rho * sum(force);
     if constexpr (M.artificial_stress) a += sum(repulsion);
     if constexpr (!carries_stress(M)) a += s.a_shear[i];
-    return use(i, a);
+    const Vec<double, Dim> v = kick.by_acceleration(i, a);
+    s.x[i] += (0.5 * kick.dt) * v;
+    const FlowRow<Dim>& old = s.flow[i];
+    s.flow_new[i].set(v, old.c[Dim], old.c[Dim + 1]);
+    return dot(v, v);
   });
 }
 
 /// On body `a` of body `b`, which act on each other as one: what momentum_pass last had of their pairs, N
 /// (per metre depth in 2D). Shear acts within a body only.
 template <const Formulation& M, int Dim>
-Vec<double, Dim> force_between(const State<Dim>& s, const Constants& c, int a, int b) {
+Vec<double, Dim> force_between(const UlSplitFields<Dim>& s, const Constants& c, int a, int b) {
   const Dissipation dissipation{c.rho0 * c.c0, c.riemann_limiter / c.c0, c.beta_least};
   Vec<double, Dim> total{};
-  for (const auto& [i, pack] : s.contacts) {
+  for (int m = 0; m < s.mixed_count; ++m) {
+    const auto [i, pack] = s.mixed[m];
     if (s.body[i] != a) continue;
-    const int* j = s.neighbors.pack(pack);
+    const int* j = s.pack(pack);
     Vec<Pack, Dim> grad_W = s.pairs.gradient(pack);
     for (int lane = 0; lane < lanes; ++lane)
       for (int k = 0; k < Dim && s.body[j[lane]] != b; ++k) grad_W[k][lane] = 0;
@@ -191,18 +189,19 @@ Vec<double, Dim> force_between(const State<Dim>& s, const Constants& c, int a, i
   return total;
 }
 
-/// The rates that follow from the new velocities: of density, and of the stress or the shear acceleration.
-/// `use(i)` is called when those of particle i are there.
-template <const Formulation& M, int Dim, bool pressure_diffusion, class Use>
-void rate_pass(State<Dim>& s, const Constants& c, int threads, const Use& use) {
-  parallel_pass(s.size(), threads, [&](int i) {
+/// The rates that follow from the new velocities, of density and of the stress or the shear acceleration; these go
+/// by them over `dt`, the second half of the step, Eq. 25.
+template <const Formulation& M, int Dim, bool pressure_diffusion>
+void rate_pass(const UlSplitFields<Dim>& s, const Constants& c, const Steering<Dim>& steering, double dt,
+               const Threads& threads) {
+  parallel_pass(s.size, threads, [&](int i) {
     const Flow<Dim, Pack> f_i = spread_flow(s.flow_new[i]);
     Pack compression{};  // 1/s
     [[maybe_unused]] Mat<Pack, Dim> L{};
     [[maybe_unused]] Vec<Pack, Dim> laplacian{};
-    for (int b = s.neighbors.begin[i]; b < s.neighbors.begin[i + 1]; ++b) {
+    for (int b = s.begin[i]; b < s.begin[i + 1]; ++b) {
       const Vec<Pack, Dim> grad_W = s.pairs.gradient(b);
-      const Flow<Dim, Pack> f_j = gather_flow(s.flow_new, s.neighbors.pack(b));
+      const Flow<Dim, Pack> f_j = gather_flow(s.flow_new, s.pack(b));
       const Vec<Pack, Dim> v_ij = f_i.v - f_j.v;
       compression += compression_term(f_j.V, one, Pack(-dot(v_ij, grad_W)));
       if constexpr (pressure_diffusion) {
@@ -228,30 +227,67 @@ void rate_pass(State<Dim>& s, const Constants& c, int threads, const Use& use) {
       s.da_shear[i] = (c.zeta * c.G * inv_rho) * sum(laplacian);
     if constexpr (M.shear == Shear::laplacian_velocity_nonconservative)
       s.da_shear[i] = (c.G * inv_rho) * sum(laplacian);
-    use(i);
+    if constexpr (!strains_what_is_held(M))
+      if (steering.drives(s.id[i])) s.drho[i] = 0;
+    s.rho[i] += dt * s.drho[i];
+    if constexpr (carries_stress(M))
+      s.s[i] += dt * s.ds[i];
+    else
+      s.a_shear[i] += dt * s.da_shear[i];
+  });
+}
+template <const Formulation& M, int Dim>
+void rate_pass(const UlSplitFields<Dim>& s, const Constants& c, const Steering<Dim>& steering, double dt,
+               const Threads& threads) {
+  if (c.pressure_diffusion == 0)
+    rate_pass<M, Dim, false>(s, c, steering, dt, threads);
+  else
+    rate_pass<M, Dim, true>(s, c, steering, dt, threads);
+}
+
+/// The stress up to now of particle particles[k], or k where `particles` is null, into out[k], for a method that does
+/// not compute with it: `displacement` d since it was last brought up to date gives s += 2G dev ε(d) + rotation, with the
+/// corrected gradient. [Zhang2024] Eq. 6–8, 26, 27
+/// The geometry of the pairs is cached meanwhile, so that this is the integral over all steps since; for that, volumes
+/// and the correction are cached too, where the paper has those of each time.
+template <const Formulation& M, int Dim>
+void recover_stress(const UlSplitFields<Dim>& s, const Constants& c, const FlowRow<Dim>* displacement,
+                    const int* particles, int count, Sym<double, Dim>* out, const Threads& threads) {
+  parallel_pass(count, threads, [&](int k) {
+    const int i = particles ? particles[k] : k;
+    const Flow<Dim, Pack> f_i = spread_flow(displacement[i]);
+    Mat<Pack, Dim> gradient{};
+    for (int b = s.begin[i]; b < s.begin[i + 1]; ++b) {
+      const Flow<Dim, Pack> f_j = gather_flow(displacement, s.pack(b));
+      add_velocity_gradient(gradient, f_j.V, one, f_i.v - f_j.v, gradient_inside(s, i, b));
+    }
+    const Mat<double, Dim> dL = product(sum(gradient), s.recovery[i].get());
+    Sym<double, Dim> stress = s.s[i];
+    stress += jaumann_rate<M.deviator>(dL, stress, c.G);
+    out[k] = stress;
   });
 }
 
-/// Brings the stress up to date that a method does not compute with, from the displacement d in `flow_new`
-/// since it was last done: s += 2G dev ε(d) + rotation, with the corrected gradient.  [Zhang2024] Eq. 6–8,
-/// 26, 27 The geometry of the pairs is held meanwhile, so that this is the integral over all steps since; for that,
-/// volumes and the correction are held too, where the paper has those of each time.
+/// Positions, densities and shear to the middle of the step, Eq. 23: over `dt`, half of it.
 template <const Formulation& M, int Dim>
-Sym<double, Dim> recovered_stress(const State<Dim>& s, const Constants& c, int i) {
-  const Flow<Dim, Pack> f_i = spread_flow(s.flow_new[i]);
-  Mat<Pack, Dim> gradient{};
-  for (int b = s.neighbors.begin[i]; b < s.neighbors.begin[i + 1]; ++b) {
-    const Flow<Dim, Pack> f_j = gather_flow(s.flow_new, s.neighbors.pack(b));
-    add_velocity_gradient(gradient, f_j.V, one, f_i.v - f_j.v, gradient_inside(s, i, b));
-  }
-  const Mat<double, Dim> dL = product(sum(gradient), s.recovery[i].get());
-  Sym<double, Dim> stress = s.s[i];
-  return stress += jaumann_rate<M.deviator>(dL, stress, c.G);
-}
-/// `use(i, s)` receives that of each particle.
-template <const Formulation& M, int Dim, class Use>
-void stress_recovery_pass(const State<Dim>& s, const Constants& c, int threads, const Use& use) {
-  parallel_pass(s.size(), threads, [&](int i) { use(i, recovered_stress<M>(s, c, i)); });
+void half_drift(const UlSplitFields<Dim>& s, const Constants& c, double dt, const Threads& threads) {
+  parallel_pass(s.size, threads, [&](int i) {
+    s.x[i] += dt * s.v[i];
+    s.rho[i] += dt * s.drho[i];
+    const double p = pressure(s.rho[i], c.rho0, c.c0);
+    s.flow[i].set(s.v[i], p, s.m[i] / s.rho[i]);
+    if constexpr (carries_stress(M)) {
+      s.s[i] += dt * s.ds[i];
+      s.stress[i].set(s.s[i]);
+    } else {
+      s.a_shear[i] += dt * s.da_shear[i];
+    }
+    if constexpr (M.artificial_stress) {
+      Sym<double, Dim> sigma = s.s[i];
+      for (int k = 0; k < Dim; ++k) sigma(k, k) -= p;
+      s.repulsion[i].set(artificial_stress(sigma, s.rho[i], c.epsilon), s.m[i]);
+    }
+  });
 }
 
 }  // namespace taut::inline TAUT_ISA

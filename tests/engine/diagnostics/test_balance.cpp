@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/core/machine.hpp"
-#include "engine/diagnostics/particle_loops.hpp"
+#include "engine/diagnostics/history_sums.hpp"
 #include "engine/simulation.hpp"
 #include "tests/support/made_snapshot.hpp"
 #include "tests/support/relative.hpp"
@@ -127,12 +127,12 @@ TEST_SUITE("unit") {
       for (std::vector<double>* field : {&now.x, &now.v, &now.p, &now.s})
         for (std::size_t k = 0; k < field->size(); ++k)
           (*field)[k] += std::sin(1.0 + 3.0 * static_cast<double>(k));
-      const AlternatingSums any = baseline::alternating_sums(part, now, 0.1);
-      const AlternatingSums best = x86_64_v3::alternating_sums(part, now, 0.1);
+      const AlternatingSums any = alternating_sums(part, now, 0.1, InstructionSet::baseline);
+      const AlternatingSums best = alternating_sums(part, now, 0.1);
       CHECK(any.part.von_mises > 0);
       CHECK(std::memcmp(&any, &best, sizeof any) == 0);
-      const Balance a = baseline::sums_of(now, two_materials(dim)),
-                    b = x86_64_v3::sums_of(now, two_materials(dim));
+      const Balance a = sums_of(now, two_materials(dim), InstructionSet::baseline),
+                    b = sums_of(now, two_materials(dim));
       CHECK(a.strain > 0);
       CHECK(std::memcmp(&a, &b, sizeof a) == 0);
     }

@@ -1,12 +1,14 @@
-#include "engine/diagnostics/particle_loops.hpp"
+// Compiled once per instruction set; see engine/CMakeLists.txt.
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
+#include "engine/core/kernels_of.hpp"
 #include "engine/core/pack.hpp"
 #include "engine/diagnostics/compensated_sum.hpp"
 #include "engine/diagnostics/deviator.hpp"
+#include "engine/diagnostics/history_kernels.hpp"
 
 namespace taut::inline TAUT_ISA {
 namespace {
@@ -22,7 +24,7 @@ struct Fields {
 };
 
 template <int Dim>
-Fields<Dim> fields_of(const Snapshot& now, int particle) {
+Fields<Dim> fields_of(const SnapshotView& now, int particle) {
   const auto i = static_cast<std::size_t>(particle);
   const double *x = &now.x[i * Dim], *s = &now.s[i * Fields<Dim>::stored];
   if constexpr (Dim == 3)
@@ -33,9 +35,9 @@ Fields<Dim> fields_of(const Snapshot& now, int particle) {
 
 /// Σ_j w_ij q_j of a row of the weights, for all fields.
 template <int Dim>
-Fields<Dim> filtered(const AlternatingPart& part, int row, const Snapshot& now) {
+Fields<Dim> filtered(const AlternatingView& part, int row, const SnapshotView& now) {
   Fields<Dim> sum{};
-  const double* weight = part.weights(row);
+  const double* weight = part.weight + part.first_weight[row];
   for (int k = part.begin[row]; k < part.begin[row + 1]; ++k, ++weight) {
     const Pack w = filled<Pack>(*weight);
     const Fields<Dim> q = fields_of<Dim>(now, part.j[k]);
@@ -49,22 +51,23 @@ void add_squares(Fields<Dim>& sum, const Fields<Dim>& q) {
   for (int a = 0; a < Fields<Dim>::packs; ++a) sum.of[a] += q.of[a] * q.of[a];
 }
 
-/// From the sums of the squares of all fields, 3/2 s:s for the last.
+/// From the sums of the squares of all fields: x, p and 3/2 s:s, into three numbers.
 template <int Dim>
-SquareSums by_kind(double x, const Fields<Dim>& squares) {
+void put_by_kind(double x, const Fields<Dim>& squares, double* out) {
   using F = Fields<Dim>;
   const auto s = [&](int k) { return squares[F::s + k]; };
+  out[0] = x, out[1] = squares[F::p];
   if constexpr (Dim == 3)  // xx, xy, xz, yy, yz, zz
-    return {x, squares[F::p], 1.5 * (s(0) + s(3) + s(5) + 2 * (s(1) + s(2) + s(4)))};
+    out[2] = 1.5 * (s(0) + s(3) + s(5) + 2 * (s(1) + s(2) + s(4)));
   else  // xx, xy, yy, zz
-    return {x, squares[F::p], 1.5 * (s(0) + s(2) + s(3) + 2 * s(1))};
+    out[2] = 1.5 * (s(0) + s(2) + s(3) + 2 * s(1));
 }
 
 template <int Dim>
-AlternatingSums alternating_sums_in(const AlternatingPart& part, const Snapshot& now, double spacing) {
+void alternating_sums(const AlternatingView& part, const SnapshotView& now, double spacing, double* out) {
   Fields<Dim> parts{}, wholes{};
   double x = 0;
-  for (int row = 0; row < part.rows(); ++row) {
+  for (int row = 0; row < part.rows; ++row) {
     const Fields<Dim> r = filtered<Dim>(part, row, now);
     double x2 = 0;
     for (int k = 0; k < Dim; ++k) x2 += r[k] * r[k];
@@ -72,34 +75,22 @@ AlternatingSums alternating_sums_in(const AlternatingPart& part, const Snapshot&
     add_squares(parts, r);
     add_squares(wholes, fields_of<Dim>(now, part.j[part.begin[row]]));
   }
-  return {by_kind(x, parts), by_kind(0, wholes)};
-}
-
-/// What the strain energy p²/2K + s:s/4G is divided by.
-struct Stiffness {
-  double twice_K, four_G;  // Pa
-};
-
-std::vector<Stiffness> stiffnesses(const Scene& scene) {
-  std::vector<Stiffness> all;
-  for (const Material& material : scene.materials)
-    all.push_back({2 * material.bulk_modulus(), 4 * material.shear_modulus()});
-  return all;
+  put_by_kind(x, parts, out);
+  put_by_kind(0, wholes, out + 3);
 }
 
 template <int Dim>
-Balance sums_in(const Snapshot& now, const Scene& scene) {
-  const std::vector<Stiffness> stiffness = stiffnesses(scene);
+void balance(const SnapshotView& now, const StrainDivisors* materials, double contact_energy, double* out) {
   CompensatedSums energies, linear, angular;  // in 2D the angular momentum is the last of `linear`
-  for (std::size_t i = 0; i < now.size(); ++i) {
+  for (std::size_t i = 0; i < now.size; ++i) {
     const double *x = &now.x[i * Dim], *v = &now.v[i * Dim], m = now.m[i];
     double x2 = 0, v2 = 0;
     for (int k = 0; k < Dim; ++k) x2 += x[k] * x[k], v2 += v[k] * v[k];
     double strain = 0;
-    if (!now.strain_energy.empty()) {
+    if (now.strain_energy) {
       strain = now.strain_energy[i];
     } else {
-      const auto [twice_K, four_G] = stiffness.at(static_cast<std::size_t>(now.material[i]));
+      const auto [twice_K, four_G] = materials[now.material[i]];
       const double s2 = contracted<Dim>(&now.s[i * Fields<Dim>::stored]);
       strain = m / now.rho[i] * (now.p[i] * now.p[i] / twice_K + s2 / four_G);
     }
@@ -113,21 +104,20 @@ Balance sums_in(const Snapshot& now, const Scene& scene) {
       linear += Pack{m * v[0], m * v[1], 0, spin(0, 1)};
     }
   }
-  energies += Pack{0, now.contact_energy};
+  energies += Pack{0, contact_energy};
   const Pack e = energies.value(), p = linear.value(), L = angular.value();
-  return {e[0],     e[1],       {p[0], p[1], p[2]}, {L[0], L[1], Dim == 3 ? L[2] : p[3]}, e[2], e[3],
-          now.work, now.damped, now.of_walls};
+  const double all[]{e[0], e[1], e[2], e[3], p[0], p[1], p[2], L[0], L[1], Dim == 3 ? L[2] : p[3]};
+  for (int k = 0; k < 10; ++k) out[k] = all[k];
 }
+
+template <int Dim>
+constexpr HistoryKernels table{.alternating_sums = alternating_sums<Dim>, .balance = balance<Dim>};
 
 }  // namespace
 
-AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing) {
-  return now.dim == 3 ? alternating_sums_in<3>(part, now, spacing)
-                      : alternating_sums_in<2>(part, now, spacing);
-}
-
-Balance sums_of(const Snapshot& now, const Scene& scene) {
-  return now.dim == 3 ? sums_in<3>(now, scene) : sums_in<2>(now, scene);
+template <>
+const void* kernels_of<SharedKernels::history_row>(int dim, std::string_view) {
+  return dim == 3 ? &table<3> : &table<2>;
 }
 
 }  // namespace taut::inline TAUT_ISA

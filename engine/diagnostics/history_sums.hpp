@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
+
 #include "engine/core/isa.hpp"
 #include "engine/diagnostics/alternating_part.hpp"
 #include "engine/diagnostics/balance.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/settings.hpp"
 #include "engine/snapshot.hpp"
 
 namespace taut {
@@ -18,19 +21,10 @@ struct AlternatingSums {
   SquareSums whole;  // of the particles themselves, but for their places
 };
 
-// What a row of history.csv needs of every particle, for this instruction set; the same to the last bit for
-// all.
-inline namespace TAUT_ISA {
-AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing);
+// The sums over all particles in a row of history.csv; the same to the last bit for any instruction set.
+AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing,
+                                 InstructionSet allowed = InstructionSet::x86_64_v4);
 /// All of Balance.
-Balance sums_of(const Snapshot& now, const Scene& scene);
-}  // namespace TAUT_ISA
-
-#ifdef TAUT_KNOWS_X86_64_LEVELS
-namespace x86_64_v3 {
-AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing);
-Balance sums_of(const Snapshot& now, const Scene& scene);
-}  // namespace x86_64_v3
-#endif
+Balance sums_of(const Snapshot& now, const Scene& scene, InstructionSet allowed = InstructionSet::x86_64_v4);
 
 }  // namespace taut

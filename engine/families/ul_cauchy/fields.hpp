@@ -1,14 +1,11 @@
 #pragma once
 
-#include <utility>
-#include <vector>
-
+#include "engine/core/rows.hpp"
 #include "engine/kernels/kernel.hpp"
+#include "engine/methods/constants.hpp"
 #include "engine/methods/formulation.hpp"
-#include "engine/neighbors/neighbors.hpp"
-#include "engine/solver/state.hpp"
 
-/// What the passes of passes.hpp gather and leave for each other.
+/// Plain data of the methods whose Cauchy stress acts as a whole, for their passes.
 namespace taut::inline TAUT_ISA {
 
 /// Velocity (u or û), density, volume, place.
@@ -41,14 +38,14 @@ Motion<Dim> motion_of(const Pack* column, bool with_place) {
   return m;
 }
 template <int Dim>
-Motion<Dim> gather_motion(const std::vector<MotionRow<Dim>>& rows, const int* j) {
+Motion<Dim> gather_motion(const MotionRow<Dim>* rows, const int* j) {
   Pack column[MotionRow<Dim>::width];
   gather<MotionRow<Dim>::width>(rows[0].c, j, column);
   return motion_of<Dim>(column, true);
 }
 /// The same without the place.
 template <int Dim>
-Motion<Dim> gather_motion_only(const std::vector<MotionRow<Dim>>& rows, const int* j) {
+Motion<Dim> gather_motion_only(const MotionRow<Dim>* rows, const int* j) {
   constexpr int width = Row<Dim + 2>::width;
   Pack column[width];
   gather<width, MotionRow<Dim>::width>(rows[0].c, j, column);
@@ -119,7 +116,7 @@ struct StressRow {
   };
 
   /// Of neighbours: each column is fetched where it is used, since all of them do not fit the registers.
-  [[gnu::always_inline]] static Values<RowsOfFour> gather(const std::vector<StressRow>& rows, const int* j) {
+  [[gnu::always_inline]] static Values<RowsOfFour> gather(const StressRow* rows, const int* j) {
     return {RowsOfFour(rows[0].c, width, j)};
   }
   static Values<SpreadRow> spread(const StressRow& row) {
@@ -151,7 +148,7 @@ struct RepulsionRow : Row<Dim * Dim> {
     for (int k = 0; k < Dim * Dim; ++k) A(k / Dim, k % Dim) = this->c[k];
     return A;
   }
-  static Mat<Pack, Dim> gather(const std::vector<RepulsionRow>& rows, const int* j) {
+  static Mat<Pack, Dim> gather(const RepulsionRow* rows, const int* j) {
     Mat<Pack, Dim> A;
     taut::gather<Dim * Dim, RepulsionRow::width>(rows[0].c, j, A.c[0]);
     return A;
@@ -170,52 +167,47 @@ struct Gradients {
 /// The method looks at W itself, not only at its slope.
 constexpr bool needs_kernel(const Formulation& m) { return m.artificial_stress || m.transport_velocity; }
 
-template <const Formulation& M, int Dim>
-struct CauchyFields {
-  std::vector<MotionRow<Dim>> motion;       // at the start of the step
-  std::vector<MotionRow<Dim>> moved;        // with the new velocity
-  std::vector<MotionRow<Dim>> transported;  // with û
-  std::vector<StressRow<M, Dim>> stress;
-  std::vector<RepulsionRow<Dim>> repulsion;  // where the method has artificial stress
-  Neighbors near;                            // those that act as particles of one body
-  std::vector<StoredPack> w;                 //  w(q) of kernels/kernel.hpp, for methods that look at it
-  std::vector<StoredPack> of_one_material;   // 1 or 0; empty where all are
+/// Fields of all particles and pairs; arrays that a method does not use are null.
+template <int Dim>
+struct UlCauchyFields {
+  using V = Vec<double, Dim>;
 
-  int size() const { return static_cast<int>(motion.size()); }
+  int size;    // particles
+  V* x;        // m
+  const V* v;  // m/s
+  const double *m, *mobile;
+  const int *id, *body, *material;
+  const Elasticity* materials;
+  double *rho, *drho;           // kg/m³ and its rate
+  Sym<double, Dim>* s;          // deviatoric stress, Pa
+  MotionRow<Dim>* motion;       // at the start of the step
+  MotionRow<Dim>* moved;        // with the new velocity
+  MotionRow<Dim>* transported;  // with û
+  void* stress;                 // a StressRow of the method for each particle
+  RepulsionRow<Dim>* repulsion;
+  const int *begin, *j;               // neighbours that act as particles of one body, see Neighbors
+  StoredPack* w;                      // w(q) of kernels/kernel.hpp, for methods that look at it
+  const StoredPack* of_one_material;  // 1 or 0; null where all are
+  // of each body as a rigid one, since neighbours were last searched
+  const V *drift, *centre;  // m/s, m
+  const double* spin;       // 1/s
+
+  template <const Formulation& M>
+  StressRow<M, Dim>* stress_rows() const {
+    return static_cast<StressRow<M, Dim>*>(stress);
+  }
+  const int* pack(int b) const { return j + static_cast<std::ptrdiff_t>(lanes) * b; }
+  const Elasticity& material_of(int i) const { return materials[material[i]]; }
   /// x_i − x_j at the start of the step, m, of the neighbours in pack `b` of i: opposite in (i, j) and (j, i) to the
   /// last bit.
   [[gnu::always_inline]] Vec<Pack, Dim> apart(int i, int b) const {
-    const RowsOfFour rows(motion[0].c, MotionRow<Dim>::width, near.pack(b));
+    const RowsOfFour rows(motion[0].c, MotionRow<Dim>::width, pack(b));
     Vec<Pack, Dim> d;
     for (int k = 0; k < Dim; ++k)
       d[k] = motion[i].c[MotionRow<Dim>::x_at + k] - rows.column(MotionRow<Dim>::x_at + k);
     return d;
   }
-  Pack same_material(int b) const {
-    return of_one_material.empty() ? filled<Pack>(1) : of_one_material[b].value;
-  }
-
-  void resize_particles(std::size_t n) {
-    motion.resize(n);
-    moved.resize(n);
-    transported.resize(n);
-    stress.resize(n);
-    if constexpr (M.artificial_stress) repulsion.resize(n);
-  }
-  /// What lasts from one step to the next.
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive.fixed(motion);
-    near.serialize(archive, motion.size());
-    archive(of_one_material);
-    archive.check("the materials of pairs", [&] {
-      return of_one_material.empty() || std::cmp_equal(of_one_material.size(), near.begin.back());
-    });
-    resize_pairs();
-  }
-  void resize_pairs() {
-    if constexpr (needs_kernel(M)) w.resize(near.begin.back());
-  }
+  Pack same_material(int b) const { return of_one_material ? of_one_material[b].value : filled<Pack>(1); }
 };
 
 }  // namespace taut::inline TAUT_ISA

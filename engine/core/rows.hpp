@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+
+#include "engine/core/tensor.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// A particle's row of `Width` doubles, filled up to whole packs, as the passes gather it. Rows that fill
+/// whole lines of the cache begin with one.
+constexpr int row_width(int columns) { return (columns + lanes - 1) / lanes * lanes; }
+constexpr std::size_t row_alignment(int columns) { return row_width(columns) % (2 * lanes) == 0 ? 64 : 32; }
+template <int Width>
+struct alignas(row_alignment(Width)) Row {
+  static constexpr int width = row_width(Width);
+  double c[width] = {};
+};
+
+}  // namespace taut::inline TAUT_ISA

@@ -1,0 +1,30 @@
+// Compiled once per instruction set; see engine/CMakeLists.txt.
+#include "engine/families/ul_cauchy/kernels.hpp"
+
+#include "engine/families/kernel_tables.hpp"
+#include "engine/families/ul_cauchy/passes.hpp"
+
+namespace taut::inline TAUT_ISA {
+namespace {
+
+struct Tables {
+  template <const Formulation& M, int Dim>
+  static constexpr UlCauchyKernels<Dim> of{
+      .support = Kernel<M.kernel>::support,
+      .stress_row = sizeof(StressRow<M, Dim>),
+      .needs_kernel = needs_kernel(M),
+      .gradients = gradient_pass<M, Dim>,
+      .stresses = stress_pass<M, Dim>,
+      .transport = transport_pass<M, Dim>,
+      .rates = rate_pass<M, Dim>,
+  };
+};
+
+}  // namespace
+
+template <>
+const void* kernels_of<Family::ul_cauchy>(int dim, std::string_view method) {
+  return table_among<Family::ul_cauchy, Tables>(dim, method, Methods{});
+}
+
+}  // namespace taut::inline TAUT_ISA

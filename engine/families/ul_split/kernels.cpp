@@ -1,0 +1,32 @@
+// Compiled once per instruction set; see engine/CMakeLists.txt.
+#include "engine/families/ul_split/kernels.hpp"
+
+#include "engine/families/kernel_tables.hpp"
+#include "engine/families/ul_split/passes.hpp"
+
+namespace taut::inline TAUT_ISA {
+namespace {
+
+struct Tables {
+  template <const Formulation& M, int Dim>
+  static constexpr UlSplitKernels<Dim> of{
+      .support = Kernel<M.kernel>::support,
+      .steepness = PairKernel<M, Dim>::steepness,
+      .geometry = geometry_pass<M, Dim>,
+      .contact_geometry = contact_geometry_pass<M, Dim>,
+      .half_drift = half_drift<M, Dim>,
+      .momentum = momentum_pass<M, Dim>,
+      .rates = rate_pass<M, Dim>,
+      .recover_stress = recover_stress<M, Dim>,
+      .force_between = force_between<M, Dim>,
+  };
+};
+
+}  // namespace
+
+template <>
+const void* kernels_of<Family::ul_split>(int dim, std::string_view method) {
+  return table_among<Family::ul_split, Tables>(dim, method, Methods{});
+}
+
+}  // namespace taut::inline TAUT_ISA

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+
+#include "engine/core/tensor.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// Plain data of a CellGrid.
+template <int Dim>
+struct CellsView {
+  Vec<double, Dim> origin{};
+  double size = 0;  // m
+  int stride[Dim] = {};
+  const int* start = nullptr;  // [cell] first stored particle
+
+  int cell_of(const Vec<double, Dim>& x) const {
+    int c = 0;
+    for (int k = 0; k < Dim; ++k) c += stride[k] * static_cast<int>((x[k] - origin[k]) / size);
+    return c;
+  }
+  /// f(first, last) for each stretch of stored particles that may hold neighbours of a particle at x.
+  template <class F>
+  void for_each_row(const Vec<double, Dim>& x, const F& f) const {
+    const int c = cell_of(x);
+    const int depth = Dim == 3 ? 1 : 0;
+    for (int dz = -depth; dz <= depth; ++dz) {
+      for (int dy = -1; dy <= 1; ++dy) {
+        const int row = c + dy * stride[1] + (Dim == 3 ? dz * stride[Dim - 1] : 0);
+        f(start[row - 1], start[row + 2]);
+      }
+    }
+  }
+};
+
+template <int Dim>
+struct SearchFields {
+  CellsView<Dim> cells;
+  const double* x[Dim];  // m, with room for a pack that begins at the last particle
+  double support;        // m
+  const int* body;       // only pairs within a body; null: all
+};
+
+template <int Dim>
+struct SearchKernels {
+  /// The neighbours of particles first … last − 1 into `found` from `size` on, which grows, those of each filled up with
+  /// the particle itself to whole packs; their numbers into `count`. Returns the first particle for which `room` is too
+  /// small.
+  int (*find)(const SearchFields<Dim>& f, int first, int last, int* count, int* found, std::size_t room,
+              std::size_t& size);
+  /// `room` that is enough for particle i, from `size` on.
+  std::size_t (*room_for)(const SearchFields<Dim>& f, int i);
+};
+
+}  // namespace taut::inline TAUT_ISA

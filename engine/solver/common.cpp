@@ -1,0 +1,191 @@
+#include "engine/solver/common.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "engine/core/median.hpp"
+#include "engine/error.hpp"
+
+namespace taut {
+
+template <int Dim>
+Common<Dim>::Common(const SolverInput& input, double support)
+    : constants(input.constants),
+      initial(input.initial),
+      contact(input),
+      external(input.scene, input.initial),
+      probes(input.scene, input.initial, support),
+      team(input.threads) {
+  run.threads = input.threads;
+  run.support = support;
+  run.keeps_neighbors = keeps_neighbors(input.method);
+  const auto point = [](const Point& p) {
+    V v;
+    for (int k = 0; k < Dim; ++k) v[k] = p[k];
+    return v;
+  };
+  Particles<Dim>& p = particles;
+  for (int i = 0; i < initial.size(); ++i) {
+    p.x.push_back(point(initial.x[i]));
+    p.v.push_back(external.drives.moves(i) ? external.drives.velocity(i) : point(initial.v[i]));
+    p.m.push_back(input.materials[initial.material[i]].rho0 * initial.V0[i]);
+    p.mobile.push_back(initial.held[i] ? 0 : 1);
+    vmax = std::max(vmax, std::sqrt(dot(p.v[i], p.v[i])));
+  }
+  p.id.resize(p.x.size());
+  std::iota(p.id.begin(), p.id.end(), 0);
+  p.body = initial.body;
+  p.material = initial.material;
+}
+
+template <int Dim>
+void Common<Dim>::go_to_start() {
+  if (initial.start.empty()) return;
+  for (int i = 0; i < size(); ++i)
+    for (int k = 0; k < Dim; ++k) particles.x[i][k] = initial.start[particles.id[i]][k];
+}
+
+template <int Dim>
+Kick<Dim> Common<Dim>::kick(double dt, double t) {
+  external.set_time(dt, t, particles);
+  const auto act = [](void* common, int i, double step, V& v) {
+    Common& own = *static_cast<Common*>(common);
+    own.external.act(own.particles, i, step, v);
+  };
+  Particles<Dim>& p = particles;
+  return {.dt = dt,
+          .size = size(),
+          .x = p.x.data(),
+          .v = p.v.data(),
+          .m = p.m.data(),
+          .mobile = p.mobile.data(),
+          .contact = contact.acting() ? &contact.force(0) : nullptr,
+          .impulse = external.reactions.active() ? external.reactions.impulses() : nullptr,
+          .outside = this,
+          .act = external.active() ? +act : nullptr};
+}
+
+namespace {
+
+/// Of each body that of its middle particle, in each component for itself: what a few have gone wrong with does not
+/// change it.
+template <int Dim>
+std::vector<Vec<double, Dim>> middle_velocities(const Particles<Dim>& s, int bodies) {
+  std::vector<Vec<double, Dim>> middle(bodies);
+  std::vector<double> v(s.v.size());
+  for (int body = 0; body < bodies; ++body) {
+    for (int k = 0; k < Dim; ++k) {
+      std::size_t count = 0;
+      for (int i = 0; i < s.size(); ++i)
+        if (s.body[i] == body && std::isfinite(s.v[i][k])) v[count++] = s.v[i][k];
+      if (count > 0) middle[body][k] = median({v.data(), count});
+    }
+  }
+  return middle;
+}
+
+}  // namespace
+
+/// Names the first particle in the order of creation that went wrong.
+template <int Dim>
+void Common<Dim>::refuse_speeds() const {
+  const double limit = greatest_mach_number * constants.c0,
+               of_bodies = greatest_mach_number_of_bodies * constants.c0;
+  const std::vector<V> middle = middle_velocities(particles, static_cast<int>(initial.first.size()) - 1);
+  int culprit = size();  // id
+  bool of_body = false;
+  for (int i = 0; i < size(); ++i) {
+    const V against = particles.v[i] - middle[particles.body[i]];
+    const bool leaves = !(dot(against, against) <= limit * limit);
+    if ((!leaves && dot(particles.v[i], particles.v[i]) <= of_bodies * of_bodies) ||
+        particles.id[i] > culprit)
+      continue;
+    culprit = particles.id[i], of_body = !leaves;
+  }
+  if (culprit == size()) return;
+  const std::string what =
+      of_body ? fmt::format("particle {} and its body are faster than {:g} m/s ({:g} c0)", culprit, of_bodies,
+                            greatest_mach_number_of_bodies)
+              : fmt::format(
+                    "particle {} is faster than its body by more than {:g} m/s ({:g} c0), or its speed is "
+                    "not a number",
+                    culprit, limit, greatest_mach_number);
+  throw NumericalError(run.steps, run.time, culprit, "velocity", what);
+}
+
+template <int Dim>
+double Common<Dim>::fastest() const {
+  double fastest2 = 0;
+  for (const V& v : particles.v) fastest2 = std::max(fastest2, dot(v, v));
+  return std::sqrt(fastest2);
+}
+
+/// Of a state that was loaded: every particle is there once, with its body and material.
+template <int Dim>
+bool Common<Dim>::are_of_this_scene() const {
+  std::vector<bool> seen(size());
+  for (int i = 0; i < size(); ++i) {
+    const int id = particles.id[i];
+    if (!is_below(id, size()) || seen[id]) return false;
+    seen[id] = true;
+    if (particles.body[i] != initial.body[id] || particles.material[i] != initial.material[id]) return false;
+  }
+  return true;
+}
+
+/// The places and velocities of a state that was loaded.
+template <int Dim>
+bool Common<Dim>::are_numbers() const {
+  for (int i = 0; i < size(); ++i)
+    for (int k = 0; k < Dim; ++k)
+      if (!std::isfinite(particles.x[i][k]) || !std::isfinite(particles.v[i][k])) return false;
+  return true;
+}
+
+template <int Dim>
+void Common<Dim>::begin_snapshot(Snapshot& out) const {
+  const std::size_t n = size();
+  out.time = run.time;
+  out.step = run.steps;
+  out.contact_energy = contact.energy(particles);
+  out.work = external.drives.work() + external.loads.work();
+  out.damped = external.loads.damped();
+  out.of_walls = contact.of_walls();
+  if (!out.m.empty()) return;
+  out.resize(Dim, n);
+  out.body = initial.body;
+  out.material = initial.material;
+  out.driven = initial.driven();
+  for (std::size_t i = 0; i < n; ++i) {
+    out.held[particles.id[i]] = particles.mobile[i] == 0;
+    for (int k = 0; k < Dim; ++k) out.x0[i * Dim + k] = initial.x[i][k];
+    out.diameter[i] = std::pow(initial.V0[i], 1.0 / Dim);
+  }
+}
+
+template <int Dim>
+void Common<Dim>::store(Snapshot& out, int i, double rho, double p, const Sym<double, Dim>& s,
+                        double s_zz) const {
+  const std::size_t id = particles.id[i];
+  for (int k = 0; k < Dim; ++k) {
+    out.x[id * Dim + k] = particles.x[i][k];
+    out.v[id * Dim + k] = particles.v[i][k];
+  }
+  out.m[id] = particles.m[i];
+  out.rho[id] = rho;
+  out.p[id] = p;
+  if constexpr (Dim == 2)
+    out.set_deviator(id, {s(0, 0), s(1, 1), s_zz, s(0, 1), 0, 0});
+  else
+    out.set_deviator(id, {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(0, 2), s(1, 2)});
+}
+
+template class Common<2>;
+template class Common<3>;
+
+}  // namespace taut

@@ -1,0 +1,144 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "engine/core/archive.hpp"
+#include "engine/core/team_size.hpp"
+#include "engine/methods/constants.hpp"
+#include "engine/scene/initial_particles.hpp"
+#include "engine/solver/contact/contact.hpp"
+#include "engine/solver/external.hpp"
+#include "engine/solver/kick.hpp"
+#include "engine/solver/probes.hpp"
+#include "engine/solver/simulation.hpp"
+#include "engine/solver/solver_input.hpp"
+
+namespace taut {
+
+/// A particle that is faster than its body by more than this multiple of the sound speed: the run has diverged, and the
+/// verdict says so. A body as a whole may fly, and spins up to some Mach number.
+inline constexpr double greatest_mach_number = 10;
+/// The same limit for a whole body, whose steps are shorter by this factor.
+inline constexpr double greatest_mach_number_of_bodies = 1000;
+/// No run makes as many steps; a saved state with more is damaged.
+inline constexpr long most_steps = 1L << 53;
+
+/// What the simulations of all methods have: particles, external actions, contact, probes and time.
+template <int Dim>
+class Common {
+ public:
+  using V = Vec<double, Dim>;
+
+  /// Particles in the order of creation, where they were laid. `support`: the radius of interaction, m.
+  Common(const SolverInput& input, double support);
+
+  Constants constants;
+  const InitialParticles initial;
+  Particles<Dim> particles;
+  mutable Contact<Dim> contact;
+  External<Dim> external;
+  ProbeRecorder<Dim> probes;
+  TeamSize team;
+  bool stepping = false;  // the set-up takes all threads
+  RunState run;
+  double vmax = 0;  // greatest speed, m/s
+
+  int size() const { return particles.size(); }
+  int threads_now() const { return stepping ? team.threads() : run.threads; }
+
+  /// Puts the particles where they start; a method calls it once it has what it needs of the reference configuration.
+  void go_to_start();
+
+  /// `by_speed`, s, shorter where a contact that has stiffened would be the fastest motion; or the step of the settings.
+  double fixed_or(double by_speed) const {
+    constexpr double spare = 1.5;
+    return constants.step > 0 ? constants.step
+                              : by_speed / std::sqrt(std::max(1.0, contact.stiffening() / spare));
+  }
+
+  /// For a pass that makes the velocities of a step of `dt`, s, which belong to the time `t`.
+  Kick<Dim> kick(double dt, double t);
+  /// Impulse law: changes the new velocities of particles that meet those of other bodies so that the approach ends;
+  /// `follow(i, change)` corrects what depends on them. Positions have followed the new velocities for `gone`, s.
+  template <class Follow>
+  void stop_approach(double gone, const Follow& follow) {
+    Particles<Dim>& p = particles;
+    const auto inverse_mass = [&](int i) {
+      return external.drives.moves(p.id[i]) ? 0 : p.mobile[i] / p.m[i];
+    };
+    contact.stop_approach(p, gone, inverse_mass, [&](int i, const V& impulse) {
+      if (external.reactions.active()) external.reactions.add(i, impulse);
+      V v = p.v[i];
+      v += (p.mobile[i] / p.m[i]) * impulse;
+      if (!external.drives.moves(p.id[i])) external.guides.hold(p.id[i], v);
+      external.drives.replace(p, i, v);
+      const V change = v - p.v[i];
+      p.v[i] = v;
+      follow(i, change);
+    });
+  }
+
+  void finish_step(double dt) {
+    run.time += dt;
+    ++run.steps;
+  }
+  /// Takes the greatest v² of a step; throws NumericalError if it is out of all bounds.
+  void set_greatest_speed(double v2) {
+    vmax = std::sqrt(v2);
+    refuse_divergence();
+  }
+  void refuse_divergence() const {
+    if (!is_within_bounds(vmax)) refuse_speeds();
+  }
+
+  /// For methods that search nothing but contacts.
+  void show_contacts_to_probes() {
+    probes.rebuilt(particles, contact.neighbors(size()), Contact<Dim>::reach * constants.dp);
+  }
+  /// Between the bodies of a probe, or a body and a wall, over the last step, of `dt`, N.
+  V contact_force(const Probe& probe, double dt) const {
+    return (1 / dt) * contact.impulse(probe.bodies[0], probe.wall < 0 ? probe.bodies[1] : -1, probe.wall);
+  }
+
+  /// Fills all of a snapshot but the fields of single particles that change.
+  void begin_snapshot(Snapshot& out) const;
+  /// Stores particle i with its density, kg/m³, pressure and deviatoric stress, Pa; s_zz in 2D.
+  void store(Snapshot& out, int i, double rho, double p, const Sym<double, Dim>& s, double s_zz) const;
+
+  /// `method` archives what a method adds to the particles.
+  template <class Archive, class Method>
+  void serialize(Archive& archive, const Method& method) {
+    archive.match(initial.size());
+    archive.match(static_cast<int>(probes.size()));
+    Particles<Dim>& p = particles;
+    archive.fixed(p.x, p.v, p.m, p.mobile, p.id, p.body, p.material);
+    archive.check("a particle", [&] { return are_of_this_scene(); });
+    contact.serialize(archive, size());
+    archive(external, probes, run.time, run.steps, vmax, run.series, run.pairs);
+    archive.check("a value of a particle", [&] { return probes.follows(p) && are_numbers(); });
+    archive.check("the time, the step or a series", [&] {
+      const Series& series = run.series;
+      const bool counted = probes.size() == 0 ? series.time.empty()
+                                              : std::cmp_equal(series.time.size() - 1, run.steps) &&
+                                                    series.time.back() == run.time;
+      return std::isfinite(run.time) && run.time >= 0 && run.steps >= 0 && run.steps < most_steps &&
+             counted && (is_within_bounds(vmax) || (vmax > 0 && vmax <= 2 * fastest()));
+    });
+    method(archive);
+  }
+
+ private:
+  /// `speed` in m/s; false for NaN.
+  bool is_within_bounds(double speed) const {
+    return speed >= 0 && speed <= greatest_mach_number * constants.c0;
+  }
+  void refuse_speeds() const;
+  double fastest() const;  // m/s
+  bool are_of_this_scene() const;
+  bool are_numbers() const;
+};
+
+}  // namespace taut

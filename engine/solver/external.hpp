@@ -1,0 +1,78 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "engine/solver/drives.hpp"
+#include "engine/solver/kick.hpp"
+#include "engine/solver/loads.hpp"
+#include "engine/solver/particles.hpp"
+
+namespace taut {
+
+/// All that acts on particles from outside: drives, guides, loads, gravity and damping, and the measurement of
+/// reactions to them.
+template <int Dim>
+struct External {
+  using V = Vec<double, Dim>;
+
+  Drives<Dim> drives;
+  Guides<Dim> guides;
+  Loads<Dim> loads;
+  Reactions<Dim> reactions;
+
+  External(const Scene& scene, const InitialParticles& initial)
+      : drives(scene, initial), guides(initial), loads(scene, initial), reactions(scene) {
+    update_steering(initial);
+  }
+
+  bool active() const { return drives.active() || loads.active() || guides.active(); }
+
+  /// Once in each step of `dt`, before `act`: `t` is the time of the new velocities.
+  void set_time(double dt, double t, const Particles<Dim>& p) {
+    const int before = drives.number_of_active();
+    drives.set_time(t);
+    if (drives.number_of_active() != before) update_steering();
+    loads.set_time(t - 0.5 * dt);
+    if (reactions.active()) reactions.begin(p.v, dt);
+  }
+  /// Replaces `v`, the new velocity of particle i without external actions, by the one with them, and counts their work.
+  void act(const Particles<Dim>& p, int i, double dt, V& v) {
+    if (drives.moves(p.id[i])) return drives.replace(p, i, v);
+    const bool loaded = loads.active();
+    if (loaded) loads.act(p, i, dt, v);
+    guides.hold(p.id[i], v);
+    if (loaded) loads.count(p, i, dt, 0.5 * (p.v[i] + v));
+  }
+
+  Steering<Dim> steering() const { return {drives.active() || guides.active() ? axes_.data() : nullptr}; }
+
+  /// Force on particle i from clamp, guide or drive over the last step, N. Weight is carried by it, loads are not.
+  V reaction(const Particles<Dim>& p, int i) const {
+    const int id = p.id[i];
+    const bool free = p.mobile[i] != 0 && !drives.moves(id);
+    const V all = reactions.missing(p, i) - p.m[i] * loads.pull(p, i, free);
+    return free ? guides.along(id, all) : all;
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(drives, loads);
+    if constexpr (Archive::loads) update_steering();
+  }
+
+ private:
+  void update_steering() {
+    for (std::size_t id = 0; id < axes_.size(); ++id)
+      axes_[id] =
+          drives.moves(static_cast<int>(id)) ? Steering<Dim>::driven : guides.axes(static_cast<int>(id));
+  }
+  void update_steering(const InitialParticles& initial) {
+    axes_.resize(static_cast<std::size_t>(initial.size()));
+    update_steering();
+  }
+
+  std::vector<unsigned char> axes_;  // [id] see Steering
+};
+
+}  // namespace taut

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <algorithm>
+
+#include "engine/core/columns.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// Gives particles the velocities of a whole step, from the forces inside a body, contact and external actions. Plain
+/// data for passes; made by Common::kick.
+template <int Dim>
+struct Kick {
+  using V = Vec<double, Dim>;
+
+  double dt;  // s
+  int size;   // particles
+  V *x, *v;   // m, m/s
+  const double *m, *mobile;
+  const V* contact;  // [i] N; null: no particle touches another body
+  V* impulse;        // [i] N s, that probes of reactions ask for; null: none does
+  void* outside;
+  /// Replaces `v`, the new velocity of particle i without them, by the one that loads, guides and drives leave; null if
+  /// there are none.
+  void (*act)(void* outside, int i, double dt, V& v);
+
+  [[gnu::always_inline]] const V& by_acceleration(int i, V a) const {
+    if (contact) a += (1 / m[i]) * contact[i];
+    if (impulse) impulse[i] += (dt * m[i]) * a;
+    V next = v[i];
+    next += (dt * mobile[i]) * a;
+    return take(i, next);
+  }
+
+  /// Adds the forces of contact to those of four particles from `first` on; at the end there may be fewer.
+  [[gnu::always_inline]] void add_contact(int first, Vec<Pack, Dim>& force) const {
+    if (!contact) return;
+    const double* const of_contact = &contact[first][0];
+    Pack rows[Dim], columns[Dim];
+    for (int k = 0, left = Dim * (size - first); k < Dim; ++k, left -= lanes)
+      rows[k] = left >= lanes ? load(of_contact + lanes * k) : load(of_contact + lanes * k, left);
+    separate(rows, columns);
+    for (int k = 0; k < Dim; ++k) force[k] += columns[k];
+  }
+  /// Adds the forces inside the bodies, N, and of contact to the impulses that probes ask for, before particles move. A
+  /// pass of its own, so that others have no code for it.
+  void note(int first, Vec<Pack, Dim> force) const {
+    if (contact) force += four_of(contact + first, size - first);
+    for (int lane = 0; lane < std::min(lanes, size - first); ++lane)
+      impulse[first + lane] += dt * lane_of(force, lane);
+  }
+  /// Four particles at once, by the change of v from all forces; x follows the new v for `after`, s. Returns v² of each,
+  /// m²/s². At the end there may be fewer.
+  [[gnu::always_inline]] Pack by_changes(int first, const Pack (&change)[Dim], double after) const {
+    Pack rows[Dim], columns[Dim], v2{};
+    if (act || first + lanes > size) {
+      for (int lane = 0; lane < lanes && first + lane < size; ++lane) {
+        V next = v[first + lane];
+        for (int k = 0; k < Dim; ++k) next[k] += change[k][lane];
+        x[first + lane] += after * take(first + lane, next);
+        v2[lane] = dot(v[first + lane], v[first + lane]);
+      }
+      return v2;
+    }
+    interleave(change, rows);
+    double* const x_at = reinterpret_cast<double*>(&x[first]);  // of `lanes` particles, row by row
+    double* const v_at = reinterpret_cast<double*>(&v[first]);
+#pragma GCC unroll 3
+    for (int k = 0; k < Dim; ++k) {
+      rows[k] += load(v_at + lanes * k);
+      store(rows[k], v_at + lanes * k);
+      store(load(x_at + lanes * k) + after * rows[k], x_at + lanes * k);
+    }
+    separate(rows, columns);
+    for (const Pack& of_four : columns) v2 += of_four * of_four;
+    return v2;
+  }
+  /// The four particles from `first` on, or as many as there are, with `mobility` = mobile/m, 1/kg.
+  [[gnu::always_inline]] Vec<Pack, Dim> by_forces(int first, const Pack& mobility,
+                                                  Vec<Pack, Dim> force) const {
+    if (contact) force += four_of(contact + first, size - first);
+    Vec<Pack, Dim> next = four_of(v + first, size - first);
+    next += (dt * mobility) * force;
+    for (int lane = 0; act && lane < std::min(lanes, size - first); ++lane) {
+      V own = lane_of(next, lane);
+      act(outside, first + lane, dt, own);
+      set_lane(next, lane, own);
+    }
+    put_four(next, v + first, size - first);
+    return next;
+  }
+
+ private:
+  [[gnu::always_inline]] const V& take(int i, V next) const {
+    if (act) act(outside, i, dt, next);
+    return v[i] = next;
+  }
+};
+
+/// The components of velocity that guides and drives determine, for passes.
+template <int Dim>
+struct Steering {
+  static constexpr unsigned char driven = 1 << 7;
+
+  const unsigned char* axes;  // [id] bit k: a guide allows no motion along axis k; or driven. Null: none
+
+  bool drives(int id) const { return axes && (axes[id] & driven) != 0; }
+  /// Removes from `v`, a velocity of a particle that is not driven, the components that its guide does not allow.
+  void hold(int id, Vec<double, Dim>& v) const {
+    if (!axes) return;
+    for (int k = 0; k < Dim; ++k)
+      if (axes[id] >> k & 1) v[k] = 0;
+  }
+};
+
+}  // namespace taut::inline TAUT_ISA

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/solver/common.hpp"
+#include "engine/solver/scheme.hpp"
+#include "engine/solver/simulation.hpp"
+
+namespace taut {
+
+/// Advances one method in time, follows the probes and makes snapshots.
+template <int Dim>
+class ParticleSimulation final : public Simulation, private ProbeSource<Dim> {
+ public:
+  using V = Vec<double, Dim>;
+
+  ParticleSimulation(std::unique_ptr<Common<Dim>> common, std::unique_ptr<Scheme<Dim>> scheme);
+
+  void advance(double t, double short_of) override;
+  std::string save() override;
+  void load(std::string_view state) override;
+
+ private:
+  const RunState& run_state() const override { return common_->run; }
+  void take_snapshot(Snapshot& out) const override;
+  /// Follows the probes at the end of a step.
+  void record();
+
+  ContactsOfFaces<Dim>* faces() override { return common_->contact.faces(); }
+  V reaction(int i) override { return common_->external.reaction(common_->particles, i); }
+  V contact_force(const Probe& probe, double dt) override { return scheme_->contact_force(probe, dt); }
+  const Snapshot& shown(const std::vector<int>& stored) override;
+
+  std::unique_ptr<Common<Dim>> common_;
+  std::unique_ptr<Scheme<Dim>> scheme_;
+  Snapshot seen_;  // for probes, which ask for few particles
+};
+
+/// A simulation by `Method`, whose constructor takes the Common part, the input and `more`.
+template <class Method, int Dim, class... More>
+std::unique_ptr<Simulation> simulation_by(const SolverInput& input, double support, const More&... more) {
+  auto common = std::make_unique<Common<Dim>>(input, support);
+  auto scheme = std::make_unique<Method>(*common, input, more...);
+  return std::make_unique<ParticleSimulation<Dim>>(std::move(common), std::move(scheme));
+}
+
+}  // namespace taut

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+
+#include "engine/core/archive.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/snapshot.hpp"
+#include "engine/solver/common.hpp"
+
+namespace taut {
+
+/// One method's share of a simulation. It has its own fields and refers to the Common part, which ParticleSimulation owns.
+template <int Dim>
+class Scheme {
+ public:
+  virtual ~Scheme() = default;
+
+  virtual double step_size() const = 0;  // s
+  virtual void step(double dt) = 0;
+
+  /// Stores the particles of these groups of four, which ascend, in a snapshot that Common::begin_snapshot has begun.
+  virtual void show(Snapshot& out, std::span<const int> groups) const = 0;
+
+  /// On a body from another one or a wall over the last step, of `dt`, N; asked for by a probe.
+  virtual Vec<double, Dim> contact_force(const Probe& probe, double dt) const = 0;
+
+  virtual void save(Saver& saver) = 0;
+  virtual void load(Loader& loader) = 0;
+};
+
+}  // namespace taut

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/snapshot.hpp"
+
+namespace taut {
+
+/// The series of a scene's probes: one row per step.
+struct Series {
+  std::vector<double> time;                // s
+  std::vector<std::vector<double>> value;  // [probe][step]
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(time);
+    archive.fixed(value);
+    archive.check("a series", [&] {
+      const auto stand_still = [](double before, double after) { return !(before < after); };
+      return std::adjacent_find(time.begin(), time.end(), stand_still) == time.end() &&
+             std::all_of(value.begin(), value.end(),
+                         [&](const std::vector<double>& of_probe) { return of_probe.size() == time.size(); });
+    });
+  }
+};
+
+/// Progress of a simulation, and facts about its method.
+struct RunState {
+  double time = 0;  // s
+  long steps = 0;
+  Series series;
+  long pairs = 0;                // directed pairs of neighbours, as of the last rebuild
+  double support = 0;            // radius of interaction, m
+  bool keeps_neighbors = false;  // the neighbours of a particle inside its body are those of the start
+  /// Stretch of two neighbours up to which the method follows its law of elasticity.
+  double lawful_stretch = std::numeric_limits<double>::infinity();
+  int threads = 1;  // greatest number in use
+};
+
+/// A running simulation. Virtual functions advance many steps; none is called inside a loop over particles.
+class Simulation {
+ public:
+  virtual ~Simulation() = default;
+
+  /// Steps until the first step at or past time `t` (never cut short: output does not alter a run). Throws
+  /// NumericalError when a value is no longer finite; `snapshot` is then the last one taken before.
+  void advance_to(double t) { advance(t, std::numeric_limits<double>::infinity()); }
+  /// The same, but makes no step that ends at or past `short_of`: the state is then the last one before that time, or `t`
+  /// is reached.
+  virtual void advance(double t, double short_of) = 0;
+  /// Makes `advance` return after the current step once `stop` is not 0. `stop` must outlive the simulation.
+  void heed(const std::atomic<int>& stop) { stop_ = &stop; }
+
+  /// All that its next steps depend on, and the series so far, as bytes for `load`.
+  virtual std::string save() = 0;
+  /// Continues where another simulation of the same scene and settings was saved, in this program on this kind of
+  /// machine: the next steps give the same bytes. Throws UsageError for any other state; the simulation is of no use
+  /// then. No state, damaged or made up, makes later steps reach foreign memory.
+  virtual void load(std::string_view state) = 0;
+
+  /// The particles now; computed when it is first asked for.
+  const Snapshot& snapshot() const {
+    if (outdated_) take_snapshot(snapshot_);
+    outdated_ = false;
+    return snapshot_;
+  }
+  const Series& series() const { return run_state().series; }
+  double time() const { return run_state().time; }  // s
+  long steps() const { return run_state().steps; }
+  long pairs() const { return run_state().pairs; }
+  double support() const { return run_state().support; }  // m
+  bool keeps_neighbors() const { return run_state().keeps_neighbors; }
+  double lawful_stretch() const { return run_state().lawful_stretch; }
+  int threads() const { return run_state().threads; }
+
+ protected:
+  virtual const RunState& run_state() const = 0;
+  virtual void take_snapshot(Snapshot& out) const = 0;
+  bool asked_to_stop() const { return stop_->load(std::memory_order_relaxed) != 0; }
+  bool has_snapshot() const { return !snapshot_.m.empty(); }
+
+  mutable Snapshot snapshot_;     // the last one that was asked for
+  mutable bool outdated_ = true;  // snapshot_
+
+ private:
+  static inline const std::atomic<int> never_{0};
+
+  const std::atomic<int>* stop_ = &never_;
+};
+
+}  // namespace taut
