@@ -11,7 +11,7 @@
 
 #include "engine/core/point.hpp"
 #include "engine/scene/contact_law.hpp"
-#include "engine/scene/shapes.hpp"
+#include "engine/scene/shape.hpp"
 
 namespace taut {
 
