@@ -37,7 +37,7 @@ bool is_face(const Body& body, bool cut, std::size_t own, const Point& a, const 
   return !any_holds(body.without, behind, 0) && !covered(body.shapes, own, before, middle, dp);
 }
 
-bool has_other_shapes(const Body& body) {
+bool needs_clipping(const Body& body) {
   const auto is_other = [](const Shape& shape) {
     return !shape.as<Box>() && !shape.as<Disc>() && !shape.as<Ring>();
   };
@@ -68,7 +68,7 @@ class OutlineMaker {
   void add(int b) {
     const Body body = as_laid(scene_.bodies[as_index(b)], scene_.dim);
     const ParticlesAround particles(initial_, b, scene_.spacing);
-    if (has_other_shapes(body)) {
+    if (needs_clipping(body)) {
       const auto all_are = [](const Point&, const Point&) { return true; };
       for (const Chain& chain : whole_outline(body, scene_.dim, scene_.spacing))
         add(b, chain, particles, all_are);
