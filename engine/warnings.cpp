@@ -11,7 +11,6 @@
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/conservation.hpp"
 #include "engine/neighbors/close_pairs.hpp"
-#include "engine/scene/other_shapes.hpp"
 
 namespace taut {
 namespace {
@@ -24,9 +23,10 @@ void warn_about_masses(std::vector<std::string>& warnings, const Scene& scene, c
     volume[static_cast<std::size_t>(start.body[i])] +=
         start.m[i] / scene.materials[static_cast<std::size_t>(start.material[i])].density;
   for (std::size_t b = 0; b < volume.size(); ++b) {
-    const std::optional<double> exact = exact_measure(scene.bodies[b], scene.dim);
-    if (!exact || std::abs(volume[b] / *exact - 1) < tolerated) continue;
-    const double excess = volume[b] / *exact - 1;
+    const std::vector<Shape>& shapes = scene.bodies[b].shapes;
+    if (shapes.size() != 1 || !scene.bodies[b].without.empty() || !shapes[0]->has_exact_measure()) continue;
+    const double excess = volume[b] / shapes[0]->measure(scene.dim) - 1;
+    if (std::abs(excess) < tolerated) continue;
     warnings.push_back(
         fmt::format("the particles of body '{}' weigh {:.3g} % {} than its shape, since the lattice does not "
                     "fit it; a smaller "

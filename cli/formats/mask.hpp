@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "engine/scene/shapes.hpp"
+#include "engine/scene/shape.hpp"
 
 namespace taut::cli {
 

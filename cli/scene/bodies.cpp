@@ -6,7 +6,7 @@
 
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
-#include "engine/scene/shape_members.hpp"
+#include "engine/scene/shapes/box.hpp"
 
 namespace taut::cli {
 namespace {
@@ -49,7 +49,7 @@ void read_displacement(TomlCursor& cursor, int dim, Body& body) {
 
 void read_on_boundary(TomlCursor& cursor, Body& body) {
   body.on_boundary = cursor.flag("on_boundary");
-  const bool one_box = body.shapes.size() == 1 && std::holds_alternative<Box>(body.shapes.front());
+  const bool one_box = body.shapes.size() == 1 && body.shapes.front().as<Box>();
   if (body.on_boundary && !(one_box && body.without.empty()))
     cursor.fail(cursor.need("on_boundary"), "on_boundary",
                 "on_boundary = true needs a body of one rectangle or box without cut-outs; to rotate it, use "
@@ -206,7 +206,7 @@ Body read_body(TomlCursor& cursor, const SceneFile& file, bool keeps_neighbors) 
   if (cursor.find("without")) body.without = read_shapes(cursor, "without", setting);
   read_on_boundary(cursor, body);
   read_lattice(cursor, scene.dim, body);
-  body.rotation = read_rotation(cursor, scene.dim, middle_of(body.shapes.front()));
+  body.rotation = read_rotation(cursor, scene.dim, body.shapes.front()->middle());
   read_velocity(cursor, scene.dim, body);
   read_held(cursor, scene.dim, body);
   read_displacement(cursor, scene.dim, body);

@@ -10,7 +10,8 @@
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
 #include "engine/scene/initial_particles.hpp"
-#include "engine/scene/other_shapes.hpp"
+#include "engine/scene/shapes/given_particles.hpp"
+#include "engine/scene/shapes/polygon.hpp"
 
 namespace taut::cli {
 namespace {
@@ -61,7 +62,7 @@ Shape polygon_of(TomlCursor& shape, const Mask& mask, double threshold, const Fr
     shape.fail(file, "file",
                fmt::format("the outline has {} points; at most {} are allowed. Use a picture with less noise",
                            points, most_points));
-  return AnyShape::of(Polygon(std::move(contours), frame.centre));
+  return Polygon(std::move(contours), frame.centre);
 }
 
 /// What a reader of files throws is of the key `file`.
@@ -282,7 +283,7 @@ Shape read_particles(TomlCursor& shape, const ShapeSetting& setting) {
   refuse_other_spacing(given.volumes, file, setting);
   refuse_twins(given.places, file);
   if (!given.weighed) refuse_other_mass(usual_distance(given.places), file, setting);
-  return AnyShape::of(GivenParticles(std::move(given.places), std::move(given.volumes), setting.dim));
+  return GivenParticles(std::move(given.places), std::move(given.volumes), setting.dim);
 }
 
 }  // namespace taut::cli

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include "cli/text/format.hpp"
-#include "engine/scene/other_shapes.hpp"
+#include "engine/scene/shapes/ellipse.hpp"
+#include "engine/scene/shapes/implicit.hpp"
+#include "engine/scene/shapes/polygon.hpp"
 
 namespace taut::cli {
 namespace {
@@ -92,23 +94,21 @@ Shape read_polygon(TomlCursor& shape, const ShapeSetting&) {
   Polygon polygon(contours, centre);
   if (!(polygon.measure(2) > 0))
     shape.fail(value, key, "the polygon has no area: its points lie on a line; it must enclose an area");
-  return AnyShape::of(std::move(polygon));
+  return polygon;
 }
 
 Shape read_ellipse(TomlCursor& shape, const ShapeSetting& setting) {
-  return AnyShape::of(
-      Ellipse{shape.point("centre", setting.dim), positive_point(shape, "semi_axes", setting.dim)});
+  return Ellipse{shape.point("centre", setting.dim), positive_point(shape, "semi_axes", setting.dim)};
 }
 
 Shape read_expression(TomlCursor& shape, const ShapeSetting& setting) {
-  Implicit result;
-  result.within = read_low_and_high(shape, setting.dim);
+  Implicit result(read_low_and_high(shape, setting.dim), {});
   const TomlValue& inside = shape.need("inside");
   result.inside = shape.function_of(inside, "inside");
   if (!result.inside)
     shape.fail(inside, "inside",
                "inside is 0, so the shape is empty; give an expression that is not 0 inside the shape");
-  return AnyShape::of(std::move(result));
+  return result;
 }
 
 }  // namespace taut::cli

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "cli/scene/sections.hpp"
+#include "engine/scene/shapes/box.hpp"
 
 namespace taut::cli {
 

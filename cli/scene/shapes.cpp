@@ -5,8 +5,10 @@
 
 #include "cli/scene/shape_readers.hpp"
 #include "cli/text/format.hpp"
-#include "engine/scene/other_shapes.hpp"
-#include "engine/scene/shape_members.hpp"
+#include "engine/scene/shapes/box.hpp"
+#include "engine/scene/shapes/combined.hpp"
+#include "engine/scene/shapes/round_shapes.hpp"
+#include "engine/scene/shapes/turned.hpp"
 
 namespace taut::cli {
 namespace {
@@ -113,7 +115,7 @@ Shape read_combined(TomlCursor& shape, ShapeSetting setting, Combination how) {
   Combined combined{how, read_list(shape, "shapes", "the shapes of " + shape.what(), setting)};
   if (combined.shapes.size() < 2)
     shape.fail(shape.need("shapes"), "shapes", "shapes must be an array of at least two shapes");
-  return AnyShape::of(std::move(combined));
+  return combined;
 }
 
 Shape read_union(TomlCursor& shape, const ShapeSetting& setting) {
@@ -262,8 +264,8 @@ Shape read_shape(TomlCursor shape, const ShapeSetting& setting) {
   const ShapeKind& kind = kinds[index_of(kinds, shape.choice("type", names_of_shapes(setting.dim)))];
   shape.also_takes(kind.keys);
   Shape result = kind.read(shape, setting);
-  if (const auto rotation = read_rotation(shape, setting.dim, middle_of(result)))
-    result = AnyShape::of(Turned{std::move(result), *rotation});
+  if (const auto rotation = read_rotation(shape, setting.dim, result->middle()))
+    result = Turned{std::move(result), *rotation};
   shape.finish();
   return result;
 }

@@ -15,9 +15,9 @@
 #include "engine/core/growth.hpp"
 #include "engine/core/least_squares.hpp"
 #include "engine/core/parallel.hpp"
+#include "engine/core/point.hpp"
 #include "engine/neighbors/close_pairs.hpp"
 #include "engine/neighbors/linked.hpp"
-#include "engine/scene/shapes.hpp"
 
 namespace taut {
 namespace {

@@ -5,9 +5,9 @@
 #include <span>
 
 #include "engine/core/parallel.hpp"
+#include "engine/core/point.hpp"
 #include "engine/neighbors/linked.hpp"
 #include "engine/neighbors/neighbors.hpp"
-#include "engine/scene/shapes.hpp"
 
 namespace taut {
 

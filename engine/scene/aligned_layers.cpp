@@ -1,6 +1,8 @@
 #include "engine/scene/aligned_layers.hpp"
 
+#include <algorithm>
 #include <map>
+#include <numbers>
 #include <utility>
 
 namespace taut {
@@ -112,7 +114,7 @@ struct Slices {
   Point from, along, u, v;  // u × v = along, of length 1
 
   Slices(const Cylinder& pipe, double dp)
-      : ring{{}, pipe.inner, pipe.radius, RoundLayout::aligned},
+      : ring{Point{}, pipe.inner, pipe.radius, RoundLayout::aligned},
         layers(layers_of(pipe.inner, pipe.radius, dp)),
         around(static_cast<long>(ring.sites(2, dp).size()) / layers),
         number(std::max(1L, std::lround(pipe.length() / dp))),

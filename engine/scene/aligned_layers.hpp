@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/scene/shapes.hpp"
+#include "engine/scene/shapes/round_shapes.hpp"
 
 namespace taut {
 

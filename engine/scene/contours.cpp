@@ -1,17 +1,14 @@
 #include "engine/scene/contours.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
+#include <numbers>
 
 #include <clipper.hpp>
 
 namespace taut {
 namespace {
-
-/// Cross product of the ways from o to a and to b, m²: positive where b lies to the left.
-double turn(const Point& o, const Point& a, const Point& b) {
-  return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
-}
 
 double distance_to_segment(const Point& x, const Point& a, const Point& b) {
   const double length = distance_between(a, b, 2);
@@ -156,7 +153,19 @@ void add_evenly(const Chain& chain, std::size_t from, std::size_t to, double dp,
   }
 }
 
+/// So that the faces of what it holds are found wherever they are: with a border of two squares.
+PlaceGrid grid_over(const Bounds& box, double pitch) {
+  PlaceGrid grid{.low = {box.low[0] - 2 * pitch, box.low[1] - 2 * pitch, 0}, .pitch = pitch};
+  grid.columns = static_cast<long>(std::ceil((box.high[0] - box.low[0]) / pitch)) + 5;
+  grid.rows = static_cast<long>(std::ceil((box.high[1] - box.low[1]) / pitch)) + 5;
+  return grid;
+}
+
 }  // namespace
+
+double turn(const Point& o, const Point& a, const Point& b) {
+  return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+}
 
 std::vector<Chain> contours(const PlaceGrid& grid, const std::function<bool(long, long)>& inside,
                             const std::function<Point(const Point&, const Point&)>& face) {
@@ -197,6 +206,17 @@ Chain evenly_spaced(const Chain& chain, double dp) {
     add_evenly(chain, corners[k], last ? corners[0] + n : corners[k + 1], dp, least, result);
   }
   return result;
+}
+
+std::vector<Chain> evenly_spaced(const std::vector<Chain>& chains, double dp) {
+  std::vector<Chain> result;
+  for (const Chain& chain : chains) result.push_back(evenly_spaced(chain, dp));
+  return result;
+}
+
+std::vector<Chain> evenly_spaced_contours(const Bounds& box, const std::function<bool(const Point&)>& inside,
+                                          double dp) {
+  return evenly_spaced(contours(grid_over(box, 0.25 * dp), inside), dp);
 }
 
 std::vector<Chain> combined(Combination how, const std::vector<std::vector<Chain>>& solids, double dp) {

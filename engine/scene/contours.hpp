@@ -4,9 +4,12 @@
 #include <functional>
 #include <vector>
 
-#include "engine/scene/shapes.hpp"
+#include "engine/scene/shape.hpp"
 
 namespace taut {
+
+/// Cross product of the ways from o to a and to b, m²: positive where b lies to the left.
+double turn(const Point& o, const Point& a, const Point& b);
 
 /// A grid of places, m, `pitch` apart.
 struct PlaceGrid {
@@ -35,6 +38,11 @@ Chain simplified(const Chain& chain, double tolerance);
 /// The same face by points about dp apart that lie on it; the corners are points. Turns of less than 40°
 /// within a tenth of dp are no corners: curves are laid finely.
 Chain evenly_spaced(const Chain& chain, double dp);
+std::vector<Chain> evenly_spaced(const std::vector<Chain>& chains, double dp);
+
+/// Evenly spaced faces of the places in a box for which `inside` is true; steps below a quarter of dp are not seen.
+std::vector<Chain> evenly_spaced_contours(const Bounds& box, const std::function<bool(const Point&)>& inside,
+                                          double dp);
 
 enum class Combination : std::uint8_t {
   together,    // what is in any of them

@@ -5,14 +5,13 @@
 #include <cmath>
 #include <random>
 #include <span>
-#include <variant>
 
 #include <fmt/format.h>
 
 #include "engine/core/index.hpp"
 #include "engine/error.hpp"
 #include "engine/scene/overlap.hpp"
-#include "engine/scene/shape_members.hpp"
+#include "engine/scene/shapes/box.hpp"
 
 namespace taut {
 namespace {
@@ -24,26 +23,24 @@ constexpr double greatest_place_number = 1e9;
 /// About how many particles the shapes will hold; shapes of a union are counted each.
 double expected_number(const Body& body, int dim, double dp) {
   double volume = 0;
-  for (const Shape& shape : body.shapes) volume += measure_of(shape, dim);
+  for (const Shape& shape : body.shapes) volume += shape->measure(dim);
   return volume / std::pow(dp, dim);
 }
 
 /// Of the first of the shapes that hold x, or their number.
 std::size_t first_that_holds(const std::vector<Shape>& shapes, const Point& x, int dim, double tolerance) {
   const auto found =
-      std::ranges::find_if(shapes, [&](const Shape& s) { return holds(s, x, dim, tolerance); });
+      std::ranges::find_if(shapes, [&](const Shape& s) { return s->holds(x, dim, tolerance); });
   return static_cast<std::size_t>(found - shapes.begin());
 }
 
 /// Around all shapes, along the lattice of the first.
 Bounds lattice_bounds_of(const Body& body) {
   const Shape& first = body.shapes.front();
-  Bounds all = lattice_bounds_of(first);
+  Bounds all = first->lattice_bounds();
   for (const Shape& shape : std::span(body.shapes).subspan(1))
-    all = joined(
-        all, std::holds_alternative<AnyShape>(first)
-                 ? bounds_of_placed(bounds_of(shape), [&](const Point& x) { return to_lattice(first, x); })
-                 : bounds_of(shape));
+    all =
+        joined(all, bounds_of_placed(shape->bounds(), [&](const Point& x) { return first->to_lattice(x); }));
   return all;
 }
 
@@ -75,11 +72,11 @@ struct LatticeRows {
 };
 
 LatticeRows rows_of(const Body& body, int dim, double dp) {
-  LatticeRows rows{.anchor = anchor_of(body.shapes.front())};
+  LatticeRows rows{.anchor = body.shapes.front()->anchor()};
   rows.pitch = {dp, dp, dp};
   const Bounds all = lattice_bounds_of(body);
   if (body.lattice == Lattice::hexagonal) {
-    const Bounds first = lattice_bounds_of(body.shapes.front());
+    const Bounds first = body.shapes.front()->lattice_bounds();
     rows.along = first.high[0] - first.low[0] >= first.high[1] - first.low[1] ? 0 : 1;
     rows.staggered = 0.25;
     rows.pitch[rows.along] = dp / hexagonal_row;
@@ -110,7 +107,7 @@ std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
   for (long k = rows.from[2]; k <= rows.to[2]; ++k) {
     for (long j = rows.from[1]; j <= rows.to[1]; ++j) {
       for (long i = rows.from[0]; i <= rows.to[0]; ++i) {
-        const Point x = from_lattice(body.shapes.front(), rows.at(i, j, k, dim));
+        const Point x = body.shapes.front()->from_lattice(rows.at(i, j, k, dim));
         if (first_that_holds(body.shapes, x, dim, edge) == body.shapes.size()) continue;
         const std::size_t out = first_that_holds(body.without, x, dim, -edge);
         if (out == body.without.size())
@@ -155,8 +152,8 @@ std::vector<InitialSite> sites_on_boundary(const Box& box, int dim, double dp) {
 /// The particles that a body of one shape lays itself; none where the lattice fills it.
 std::vector<InitialSite> own_sites(const Body& body, int dim, double dp) {
   if (body.shapes.size() != 1 || !body.without.empty()) return {};
-  if (body.on_boundary) return sites_on_boundary(std::get<Box>(body.shapes.front()), dim, dp);
-  return sites_of(body.shapes.front(), dim, dp);
+  if (body.on_boundary) return sites_on_boundary(*body.shapes.front().as<Box>(), dim, dp);
+  return body.shapes.front()->sites(dim, dp);
 }
 
 /// Along the axes of the lattice, which the first shape may have turned. Particles on faces stay on them. The numbers
@@ -167,12 +164,12 @@ void jitter_sites(std::vector<InitialSite>& sites, const Jitter& jitter, const S
   std::mt19937_64 random(static_cast<std::uint64_t>(jitter.seed));
   for (InitialSite& site : sites) {
     site.turned = -1;
-    Point x = to_lattice(first, site.x);
+    Point x = first->to_lattice(site.x);
     for (std::size_t k = 0; k < as_index(dim); ++k) {
       const double even = 2 * (static_cast<double>(random() >> 11) * 0x1p-53) - 1;
       if (!site.on_face[k]) x[k] += even * jitter.share * dp;
     }
-    site.x = from_lattice(first, x);
+    site.x = first->from_lattice(x);
   }
 }
 
@@ -260,7 +257,7 @@ bool may_mirror(const InitialParticles& layout, int first, int axis, int dim, co
 /// Volumes of a box whose particles stand on its faces, in the order of sites_on_boundary; see
 /// make_initial_particles.
 void weigh_box(InitialParticles& layout, const Body& body, int first, int dim, double dp) {
-  const Box& box = std::get<Box>(body.shapes.front());
+  const Box& box = *body.shapes.front().as<Box>();
   long stride = 1;  // from a particle to the next along the axis
   for (int axis = 0; axis < dim; ++axis) {
     const long n = box.cells(axis, dp);

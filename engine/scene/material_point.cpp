@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 #include <utility>
-#include <variant>
+
+#include "engine/scene/shapes/box.hpp"
 
 namespace taut {
 namespace {
@@ -41,7 +42,7 @@ Point pitch_on_boundary(const Box& box, double dp, int dim) {
 std::vector<PointWeight> point_in_cell(const std::vector<Point>& x, int begin, int end, const Point& at,
                                        const Body& body, double dp, int dim) {
   constexpr double round_off = 1e-9;
-  const Point pitch = pitch_on_boundary(std::get<Box>(body.shapes.front()), dp, dim);
+  const Point pitch = pitch_on_boundary(*body.shapes.front().as<Box>(), dp, dim);
   const Point laid = laid_at(body, at, dim);
   std::vector<PointWeight> point;
   double sum = 0;

@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <variant>
 
 #include "engine/core/index.hpp"
-#include "engine/scene/other_shapes.hpp"
-#include "engine/scene/shape_members.hpp"
+#include "engine/scene/shapes/box.hpp"
+#include "engine/scene/shapes/combined.hpp"
+#include "engine/scene/shapes/round_shapes.hpp"
 
 namespace taut {
 namespace {
 
 bool any_holds(const std::vector<Shape>& shapes, const Point& x, double tolerance) {
-  return std::ranges::any_of(shapes, [&](const Shape& shape) { return holds(shape, x, 2, tolerance); });
+  return std::ranges::any_of(shapes, [&](const Shape& shape) { return shape->holds(x, 2, tolerance); });
 }
 
 /// Another of the shapes lies at `x`, or holds the middle of the segment and comes before `own`, as where two
@@ -22,7 +22,7 @@ bool covered(const std::vector<Shape>& shapes, std::size_t own, const Point& x, 
              double dp) {
   const double thin = 1e-6 * dp;
   for (std::size_t k = 0; k < shapes.size(); ++k)
-    if (k != own && (holds(shapes[k], x, 2, -thin) || (k < own && holds(shapes[k], middle, 2, thin))))
+    if (k != own && (shapes[k]->holds(x, 2, -thin) || (k < own && shapes[k]->holds(middle, 2, thin))))
       return true;
   return false;
 }
@@ -37,20 +37,21 @@ bool is_face(const Body& body, bool cut, std::size_t own, const Point& a, const 
   return !any_holds(body.without, behind, 0) && !covered(body.shapes, own, before, middle, dp);
 }
 
-bool has_other_shapes(const Body& body) {
-  const auto is_other = [](const Shape& shape) { return std::holds_alternative<AnyShape>(shape); };
+bool needs_clipping(const Body& body) {
+  const auto is_other = [](const Shape& shape) {
+    return !shape.as<Box>() && !shape.as<Disc>() && !shape.as<Ring>();
+  };
   return std::ranges::any_of(body.shapes, is_other) || std::ranges::any_of(body.without, is_other);
 }
 
 /// Of a body with shapes whose sides are no multiples of the spacing: its faces meet where its shapes cross.
 std::vector<Chain> whole_outline(const Body& body, int dim, double dp) {
   const auto one = [](const std::vector<Shape>& shapes) {
-    return shapes.size() == 1 ? shapes.front() : Shape(AnyShape::of(Combined{Combination::together, shapes}));
+    return shapes.size() == 1 ? shapes.front() : Shape(Combined{Combination::together, shapes});
   };
   Shape whole = one(body.shapes);
-  if (!body.without.empty())
-    whole = AnyShape::of(Combined{Combination::difference, {whole, one(body.without)}});
-  return outline_of(whole, dim, dp);
+  if (!body.without.empty()) whole = Combined{Combination::difference, {whole, one(body.without)}};
+  return whole->outline(dim, dp);
 }
 
 class OutlineMaker {
@@ -67,7 +68,7 @@ class OutlineMaker {
   void add(int b) {
     const Body body = as_laid(scene_.bodies[as_index(b)], scene_.dim);
     const ParticlesAround particles(initial_, b, scene_.spacing);
-    if (has_other_shapes(body)) {
+    if (needs_clipping(body)) {
       const auto all_are = [](const Point&, const Point&) { return true; };
       for (const Chain& chain : whole_outline(body, scene_.dim, scene_.spacing))
         add(b, chain, particles, all_are);
@@ -75,7 +76,7 @@ class OutlineMaker {
     }
     const auto add_all = [&](const std::vector<Shape>& shapes, bool cut) {
       for (std::size_t own = 0; own < shapes.size(); ++own) {
-        for (Chain& chain : outline_of(shapes[own], scene_.dim, scene_.spacing)) {
+        for (Chain& chain : shapes[own]->outline(scene_.dim, scene_.spacing)) {
           if (cut) std::ranges::reverse(chain);
           add(b, chain, particles, [&](const Point& from, const Point& to) {
             return is_face(body, cut, own, from, to, scene_.spacing);

@@ -12,7 +12,6 @@
 
 #include "engine/core/tensor.hpp"
 #include "engine/error.hpp"
-#include "engine/scene/shape_members.hpp"
 
 namespace taut {
 namespace {

@@ -7,8 +7,6 @@
 #include <numbers>
 #include <utility>
 
-#include "engine/scene/shape_members.hpp"
-
 namespace taut {
 namespace {
 
@@ -40,11 +38,11 @@ Point rotated(const Rotation& rotation, const Point& x) {
 }
 
 Body as_laid(Body body, int dim) {
-  const Point middle = middle_of(body.shapes.front());
+  const Point middle = body.shapes.front()->middle();
   for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
     if (body.mirror[k])
       for (std::vector<Shape>* shapes : {&body.shapes, &body.without})
-        for (Shape& shape : *shapes) shift(shape, k, -2 * middle[k]);
+        for (Shape& shape : *shapes) shape.shift(k, -2 * middle[k]);
   body.mirror = {};
   body.rotation = {};
   return body;
@@ -66,11 +64,11 @@ Point laid_at(const Body& body, Point x, int dim) {
 bool holds(const Body& body, const Point& x, int dim, double tolerance) {
   Point y = x;
   if (body.rotation) y = rotated({body.rotation->axis, body.rotation->about, -body.rotation->angle}, y);
-  const Point middle = middle_of(body.shapes.front());
+  const Point middle = body.shapes.front()->middle();
   for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
     if (body.mirror[k]) y[k] = 2 * middle[k] - y[k];
   const auto any_holds = [&](const std::vector<Shape>& shapes, double by) {
-    return std::ranges::any_of(shapes, [&](const Shape& shape) { return holds(shape, y, dim, by); });
+    return std::ranges::any_of(shapes, [&](const Shape& shape) { return shape->holds(y, dim, by); });
   };
   return any_holds(body.shapes, tolerance) && !any_holds(body.without, -tolerance);
 }
@@ -121,13 +119,8 @@ std::string_view name(Lattice lattice) {
   return names[static_cast<int>(lattice)];
 }
 
-std::string_view name(ContactLaw law) {
-  constexpr std::string_view names[] = {"published", "sph", "impulse", "penalty", "lennard-jones", "surface"};
-  return names[static_cast<int>(law)];
-}
-
 double fitted_spacing(const Body& first, int dim, double spacing) {
-  const double extent = thinnest_of(first.shapes.front(), dim);
+  const double extent = first.shapes.front()->thinnest(dim);
   if (!(extent > 0)) return spacing;
   const double row = first.lattice == Lattice::hexagonal ? hexagonal_row : 1;
   const double fitted = extent / (std::max(1.0, std::round(extent / (spacing * row))) * row);

@@ -9,7 +9,7 @@
 
 #include "engine/core/index.hpp"
 #include "engine/core/parallel.hpp"
-#include "engine/scene/shape_members.hpp"
+#include "engine/scene/shapes/box.hpp"
 
 namespace taut {
 namespace {
@@ -25,9 +25,9 @@ struct Cells {
   Point anchor{}, pitch{};
 
   Cells(const Body& body, double dp)
-      : first(body.shapes.front()), anchor(anchor_of(first)), pitch{dp, dp, dp} {
+      : first(body.shapes.front()), anchor(first->anchor()), pitch{dp, dp, dp} {
     if (!stands_on_boundary(body)) return;
-    const Box& box = std::get<Box>(first);
+    const Box& box = *first.as<Box>();
     for (std::size_t k = 0; k < dim; ++k) {
       pitch[k] = (box.high[k] - box.low[k]) / static_cast<double>(box.cells(k, dp));
       anchor[k] = box.low[k] - 0.5 * pitch[k];
@@ -35,7 +35,7 @@ struct Cells {
   }
 
   Cell of(const Point& x) const {
-    const Point at = to_lattice(first, x);
+    const Point at = first->to_lattice(x);
     Cell n{};
     for (std::size_t k = 0; k < dim; ++k) n[k] = std::lround((at[k] - anchor[k]) / pitch[k] - 0.5);
     return n;
@@ -44,14 +44,13 @@ struct Cells {
   Point corner(const Cell& n, const Point& off = {}) const {
     Point at{};
     for (std::size_t k = 0; k < dim; ++k) at[k] = anchor[k] + (static_cast<double>(n[k]) + off[k]) * pitch[k];
-    return from_lattice(first, at);
+    return first->from_lattice(at);
   }
 };
 
 /// Of a body that a shape lays in layers.
 FacePatches own_patches(const Body& body, double dp) {
-  return body.shapes.size() == 1 && body.without.empty() ? patches_of(body.shapes.front(), dp)
-                                                         : FacePatches{};
+  return body.shapes.size() == 1 && body.without.empty() ? body.shapes.front()->patches(dp) : FacePatches{};
 }
 
 /// The faces of a body as it is laid, from what its shapes hold.
@@ -144,7 +143,7 @@ class Faces {
   bool is_filled(const Point& x) const {
     const auto any_holds = [&](const std::vector<Shape>& shapes) {
       return std::ranges::any_of(shapes,
-                                 [&](const Shape& shape) { return holds(shape, x, dim, fine * dp_); });
+                                 [&](const Shape& shape) { return shape->holds(x, dim, fine * dp_); });
     };
     return any_holds(body_.shapes) && !any_holds(body_.without);
   }
@@ -359,7 +358,7 @@ SurfaceMesh make_surface_mesh(const Scene& scene, const InitialParticles& initia
 bool can_have_surface_mesh(const Scene& scene) {
   return std::ranges::none_of(scene.bodies, [&](const Body& body) {
     return !body.on_boundary && body.shapes.size() == 1 && body.without.empty() &&
-           !sites_of(body.shapes.front(), dim, scene.spacing).empty() &&
+           !body.shapes.front()->sites(dim, scene.spacing).empty() &&
            own_patches(body, scene.spacing).patches.empty();
   });
 }

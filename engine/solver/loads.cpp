@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <string>
-#include <variant>
 
 #include "engine/error.hpp"
+#include "engine/scene/shapes/box.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -13,7 +13,7 @@ namespace {
 
 /// Its faces are flat, and meet at edges only; on others a lattice has steps, which look like edges.
 bool is_of_boxes(const Body& body) {
-  const auto is_box = [](const Shape& shape) { return std::holds_alternative<Box>(shape); };
+  const auto is_box = [](const Shape& shape) { return shape.as<Box>() != nullptr; };
   return std::ranges::all_of(body.shapes, is_box) && std::ranges::all_of(body.without, is_box);
 }
 

@@ -10,7 +10,6 @@
 #include "cli/scene/toml_tree.hpp"
 #include "cli/sweep/options.hpp"
 #include "cli/sweep/sweep_file.hpp"
-#include "engine/scene/shape_members.hpp"
 #include "engine/simulation.hpp"
 #include "render/image/png.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
@@ -57,7 +56,7 @@ bool is_small(const Scene& scene) {
   double places = 0;
   for (const Body& body : scene.bodies)
     for (const Shape& shape : body.shapes) {
-      const Bounds all = lattice_bounds_of(shape);
+      const Bounds all = shape->lattice_bounds();
       double of_shape = 1;
       for (std::size_t k = 0; k < static_cast<std::size_t>(scene.dim); ++k)
         of_shape *= (all.high[k] - all.low[k]) / scene.spacing + 3;

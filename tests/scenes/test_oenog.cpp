@@ -3,7 +3,6 @@
 #include <memory>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -68,8 +67,7 @@ double order(double coarse, double fine, double ratio) { return std::log(coarse 
 /// The colliding rings with the right one moved across their flight, m.
 SceneFile askew_rings(double spacing, double across) {
   SceneFile file = scene("colliding-rings", spacing);
-  for (Shape& shape : file.scene.bodies.at(1).shapes)
-    std::visit([across](auto& ring) { ring.shift(1, across); }, shape);
+  for (Shape& shape : file.scene.bodies.at(1).shapes) shape.shift(1, across);
   return file;
 }
 

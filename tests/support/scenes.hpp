@@ -4,6 +4,8 @@
 #include <numbers>
 
 #include "engine/scene/scene.hpp"
+#include "engine/scene/shapes/box.hpp"
+#include "engine/scene/shapes/round_shapes.hpp"
 
 /// The scenes of the folder scenes/ in C++, and small ones of a few hundred particles.
 namespace taut::test {

@@ -8,7 +8,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "engine/core/parallel.hpp"
-#include "engine/scene/shapes.hpp"
+#include "engine/core/point.hpp"
 
 namespace taut {
 namespace {

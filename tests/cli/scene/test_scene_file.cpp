@@ -12,6 +12,8 @@
 #include "cli/scene/shipped.hpp"
 #include "engine/families/catalogue.hpp"
 #include "engine/scene/initial_particles.hpp"
+#include "engine/scene/shapes/box.hpp"
+#include "engine/scene/shapes/round_shapes.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/scene_text.hpp"
 
@@ -70,7 +72,7 @@ TEST_SUITE("unit") {
     CHECK(scene.bodies[0].velocity[0]({2, 0, 0}) == Approx(0.06 * c0 * 2).epsilon(1e-14));
     CHECK_FALSE(scene.bodies[0].velocity[1]);  // 0 costs nothing
     CHECK_FALSE(scene.bodies[0].held);
-    const auto& ring = std::get<Ring>(scene.bodies[1].shapes[0]);
+    const auto& ring = *scene.bodies[1].shapes[0].as<Ring>();
     CHECK(ring.inner == 1);
     CHECK(ring.outer == 2);
     CHECK(ring.centre == Point{5, 0, 0});
@@ -204,7 +206,7 @@ TEST_SUITE("unit") {
     CHECK(scene.materials[0].youngs_modulus == 1e7);
     CHECK(scene.materials[0].poisson_ratio == 0.4);
     for (int b = 0; b < 2; ++b) {
-      const auto& ring = std::get<Ring>(scene.bodies[b].shapes.at(0));
+      const auto& ring = *scene.bodies[b].shapes.at(0).as<Ring>();
       CHECK(ring.centre == Point{b == 0 ? -0.045 : 0.045, 0, 0});
       CHECK(ring.inner == 0.03);
       CHECK(ring.outer == 0.04);
@@ -229,7 +231,7 @@ TEST_SUITE("unit") {
     CHECK(scene.until == 1);
     CHECK(scene.materials.at(0).youngs_modulus == 2e6);
     CHECK(scene.materials.at(0).poisson_ratio == 0.3975);
-    const auto& clamp = std::get<Box>(scene.bodies.at(0).shapes.at(1));
+    const auto& clamp = *scene.bodies.at(0).shapes.at(1).as<Box>();
     CHECK(clamp.low[0] == Approx(-0.068));
     CHECK(clamp.low[1] == Approx(-0.018));
     CHECK(scene.bodies[0].held({-1e-9, 0, 0}) != 0);
@@ -272,13 +274,13 @@ TEST_SUITE("unit") {
     CHECK(scene.materials.at(0).poisson_ratio == 0.49);
     REQUIRE(scene.bodies.size() == 2);
     CHECK(scene.bodies[0].name == "plate");
-    CHECK(std::get<Box>(scene.bodies[0].shapes.at(1)).low[0] == Approx(-0.26));
-    CHECK(std::get<Box>(scene.bodies[0].shapes.at(2)).high[0] == Approx(0.26));
+    CHECK(scene.bodies[0].shapes.at(1).as<Box>()->low[0] == Approx(-0.26));
+    CHECK(scene.bodies[0].shapes.at(2).as<Box>()->high[0] == Approx(0.26));
     CHECK(scene.bodies[0].held({0.2501, 0, 0}) != 0);
     CHECK(scene.bodies[0].held({-0.2501, 0, 0}) != 0);
     CHECK(scene.bodies[0].held({0.2499, 0, 0}) == 0);
-    CHECK(std::get<Disc>(scene.bodies[1].shapes.at(0)).radius == 0.05);
-    CHECK(std::get<Disc>(scene.bodies[1].shapes.at(0)).centre == Point{0, 0.1, 0});
+    CHECK(scene.bodies[1].shapes.at(0).as<Disc>()->radius == 0.05);
+    CHECK(scene.bodies[1].shapes.at(0).as<Disc>()->centre == Point{0, 0.1, 0});
     CHECK(scene.bodies[1].velocity[1]({}) == Approx(-7.45355992).epsilon(1e-8));  // 0.02 c0
     CHECK(scene.references.at("neo_hookean").value.at("deflection") == -0.07766);
     CHECK(scene.references.at("2d_deviator").value.at("rebound_ratio") == 0.7189);
@@ -415,7 +417,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("large rings: diameter, wall and speed of TranDuc2023 3.3") {
     const SceneFile file = shipped("tran-duc-rings", set({{"speed", "8"}}));
-    const auto& ring = std::get<Ring>(file.scene.bodies.at(0).shapes.at(0));
+    const auto& ring = *file.scene.bodies.at(0).shapes.at(0).as<Ring>();
     CHECK(ring.outer == 0.1);
     CHECK(ring.inner == Approx(0.09));
     CHECK(ring.centre[0] == Approx(-0.101));

@@ -9,6 +9,7 @@
 #include "cli/scene/shipped.hpp"
 #include "engine/error.hpp"
 #include "engine/scene/initial_particles.hpp"
+#include "engine/scene/shapes/round_shapes.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/scene_text.hpp"
 
@@ -208,7 +209,7 @@ TEST_SUITE("cli") {
     check_resolved(file);
     const Body& body = file.scene.bodies[0];
     REQUIRE(body.without.size() == 2);
-    CHECK(std::get<Disc>(body.without[0]).radius == 0.4);
+    CHECK(body.without[0].as<Disc>()->radius == 0.4);
     CHECK(body.rotation->axis == Point{0, 0, 1});
     CHECK(body.rotation->about == Point{2, 1, 0});
     for (const Point& x : make_initial_particles(file.scene).x) CHECK((x[0] > 2 && x[0] < 3 && x[1] < 1));

@@ -5,6 +5,7 @@
 
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/verdict.hpp"
+#include "engine/scene/shapes/box.hpp"
 #include "tests/support/made_snapshot.hpp"
 #include "tests/support/relative.hpp"
 
@@ -270,8 +271,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE(
-      "judge: bonds that are drawn out beyond the law of the method are counted, since when and how many") {
+  TEST_CASE("judge: bonds drawn out beyond the law of the method are counted, since when and how many") {
     Scene scene = made_scene(2, 0.001, {{"rubber", 1000, 1e6, 0.3}});
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {0.008, 0.006, 0}}};
     Settings settings;

@@ -7,7 +7,7 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/scene/other_shapes.hpp"
+#include "engine/scene/shapes/turned.hpp"
 #include "engine/scene/surface_mesh.hpp"
 #include "tests/support/pressed.hpp"
 #include "tests/support/relative.hpp"
@@ -144,7 +144,7 @@ TEST_SUITE("unit") {
       const double l = std::sqrt(facet.area), bulge = l * l / (r < 0.016 ? -4 * 0.012 : 4 * 0.02);
       CHECK(facet.bulge == Approx(bulge).epsilon(0.25));
     }
-    std::get<Ring>(scene.bodies[0].shapes[0]).centre[0] = -0.03;
+    scene.bodies[0].shapes[0].shift(0, -2 * 0.03);
     scene.bodies[0].mirror[0] = true;
     const SurfaceMesh image = make_surface_mesh(scene, make_initial_particles(scene));
     REQUIRE(image.size() == mesh.size());

@@ -9,8 +9,7 @@
 
 #include "engine/diagnostics/balance.hpp"
 #include "engine/scene/initial_particles.hpp"
-#include "engine/scene/other_shapes.hpp"
-#include "engine/scene/shapes.hpp"
+#include "engine/scene/shapes/turned.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
@@ -173,7 +172,7 @@ TEST_SUITE("unit") {
     const std::vector<Point> of_body = places(scene);
     scene.bodies[0].rotation.reset();
     scene.bodies[0].shapes = {
-        AnyShape::of(Turned{scene.bodies[0].shapes[0], Rotation{.about = {0.5, 0.5, 0}, .angle = 40}})};
+        Turned{scene.bodies[0].shapes[0], Rotation{.about = {0.5, 0.5, 0}, .angle = 40}}};
     const std::vector<Point> of_shape = places(scene);
     REQUIRE(of_shape.size() == of_body.size());
     for (std::size_t i = 0; i < of_body.size(); ++i)
@@ -182,7 +181,10 @@ TEST_SUITE("unit") {
 
   TEST_CASE("jitter: mirrored rings are images to the last bit, and nothing is turned onto anything else") {
     Scene scene = colliding_rings(0.06, 0.001);
-    for (Body& body : scene.bodies) std::get<Ring>(body.shapes[0]).layout = RoundLayout::aligned;
+    for (Body& body : scene.bodies) {
+      const Ring& ring = *body.shapes[0].as<Ring>();
+      body.shapes = {Ring{ring.centre, ring.inner, ring.outer, RoundLayout::aligned}};
+    }
     const InitialParticles layers = make_initial_particles(scene);
     scene.jitter = {share, 1};
     const InitialParticles moved = make_initial_particles(scene);

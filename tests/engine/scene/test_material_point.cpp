@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/scene/material_point.hpp"
+#include "engine/scene/shapes/box.hpp"
 #include "tests/support/relative.hpp"
 
 namespace of_this_file {

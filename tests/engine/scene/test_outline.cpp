@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <variant>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -31,9 +30,8 @@ Scene of(std::vector<Shape> shapes) {
 }
 
 bool held_by(const Scene& scene, const Point& x, double tolerance) {
-  return std::ranges::any_of(scene.bodies[0].shapes, [&](const Shape& shape) {
-    return std::visit([&](const auto& s) { return s.holds(x, 2, tolerance); }, shape);
-  });
+  return std::ranges::any_of(scene.bodies[0].shapes,
+                             [&](const Shape& shape) { return shape->holds(x, 2, tolerance); });
 }
 
 /// `length` of closed faces, on which all nodes lie and the normals of which point outwards.

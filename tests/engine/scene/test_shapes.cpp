@@ -9,8 +9,13 @@
 
 #include "engine/error.hpp"
 #include "engine/scene/initial_particles.hpp"
-#include "engine/scene/other_shapes.hpp"
 #include "engine/scene/outline.hpp"
+#include "engine/scene/shapes/combined.hpp"
+#include "engine/scene/shapes/ellipse.hpp"
+#include "engine/scene/shapes/given_particles.hpp"
+#include "engine/scene/shapes/implicit.hpp"
+#include "engine/scene/shapes/polygon.hpp"
+#include "engine/scene/shapes/turned.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/scenes.hpp"
 
@@ -103,34 +108,30 @@ bool has(const std::string& text, const std::string& part) {
 
 TEST_SUITE("unit") {
   TEST_CASE("shapes: the particles' volume comes to that of the shape") {
-    check_converges(AnyShape::of(Ellipse{{0.1, 0.2, 0}, {0.03, 0.011, 1}}), pi * 0.03 * 0.011, 0.002);
-    check_converges(AnyShape::of(Ellipse{{0, 0.1, 0}, {0.03, 0.012, 0.02}}), 4 * pi / 3 * 0.03 * 0.012 * 0.02,
-                    0.004, 3);
-    check_converges(AnyShape::of(Polygon({star(0.03, 0.013)}, Point{0.1, 0, 0})), area_of_star(0.03, 0.013),
-                    0.002);
-    check_converges(AnyShape::of(Polygon({square(0.0197), star(0.015, 0.007)})),
+    check_converges(Ellipse{{0.1, 0.2, 0}, {0.03, 0.011, 1}}, pi * 0.03 * 0.011, 0.002);
+    check_converges(Ellipse{{0, 0.1, 0}, {0.03, 0.012, 0.02}}, 4 * pi / 3 * 0.03 * 0.012 * 0.02, 0.004, 3);
+    check_converges(Polygon({star(0.03, 0.013)}, Point{0.1, 0, 0}), area_of_star(0.03, 0.013), 0.002);
+    check_converges(Polygon({square(0.0197), star(0.015, 0.007)}),
                     0.0394 * 0.0394 - area_of_star(0.015, 0.007), 0.002);
     const Expression disc = [](const Point& x) { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2] < 4e-4; };
-    check_converges(AnyShape::of(Implicit{{{-0.02, -0.02, -0.02}, {0.02, 0.02, 0.02}}, disc}), pi * 4e-4,
-                    0.002);
-    check_converges(AnyShape::of(Implicit{{{-0.02, -0.02, -0.02}, {0.02, 0.02, 0.02}}, disc}),
-                    4 * pi / 3 * 8e-6, 0.004, 3);
+    check_converges(Implicit{{{-0.02, -0.02, -0.02}, {0.02, 0.02, 0.02}}, disc}, pi * 4e-4, 0.002);
+    check_converges(Implicit{{{-0.02, -0.02, -0.02}, {0.02, 0.02, 0.02}}, disc}, 4 * pi / 3 * 8e-6, 0.004, 3);
   }
 
   TEST_CASE("shapes: unions, intersections and differences nest") {
     const Shape big = Disc{{0, 0, 0}, 0.02}, small = Disc{{0, 0, 0}, 0.01};
     const Shape right = Box{{0, -0.03, 0}, {0.03, 0.03, 0}};
-    const Shape ring = AnyShape::of(Combined{Combination::difference, {big, small}});
+    const Shape ring = Combined{Combination::difference, {big, small}};
     const double of_ring = pi * (4e-4 - 1e-4);
     check_converges(ring, of_ring, 0.002);
-    const Shape half = AnyShape::of(Combined{Combination::common, {ring, right}});
+    const Shape half = Combined{Combination::common, {ring, right}};
     check_converges(half, 0.5 * of_ring, 0.002);
-    const Shape both = AnyShape::of(Combined{Combination::together, {half, small}});
+    const Shape both = Combined{Combination::together, {half, small}};
     check_converges(both, 0.5 * of_ring + pi * 1e-4, 0.002);
     check_outline(scene_of(0.0005, {ring}), 2 * pi * 0.03, of_ring, 2e-3);
     check_outline(scene_of(0.0005, {both}), pi * 0.02 + 0.02 + pi * 0.01, 0.5 * of_ring + pi * 1e-4, 5e-3);
     // the same of a body's own union and of what is cut out of it
-    Scene scene = scene_of(0.0005, {AnyShape::of(Ellipse{{0, 0, 0}, {0.02, 0.02, 1}})});
+    Scene scene = scene_of(0.0005, {Ellipse{{0, 0, 0}, {0.02, 0.02, 1}}});
     scene.bodies[0].without = {small};
     check_outline(scene, 2 * pi * 0.03, of_ring, 2e-3);
   }
@@ -140,18 +141,16 @@ TEST_SUITE("unit") {
     // Ramanujan's perimeter of an ellipse
     const double h = 3 * (a - b) * (a - b) / ((a + b) * (a + b));
     const double around = pi * (a + b) * (1 + h / (10 + std::sqrt(4 - h)));
-    const Shape ellipse = AnyShape::of(Ellipse{{0.003, 0.001, 0}, {a, b, 1}});
+    const Shape ellipse = Ellipse{{0.003, 0.001, 0}, {a, b, 1}};
     check_outline(scene_of(dp, {ellipse}), around, pi * a * b, 1e-3);
     const double side = std::hypot(0.02 * std::sin(pi / 5), 0.02 * std::cos(pi / 5) - 0.009);
-    const Scene of_star =
-        scene_of(dp, {AnyShape::of(Turned{AnyShape::of(Polygon({star(0.009, 0.02)}, Point{0.1, 0, 0})),
-                                          {.about = {0.1, 0, 0}, .angle = 17}})});
+    const Scene of_star = scene_of(
+        dp, {Turned{Polygon({star(0.009, 0.02)}, Point{0.1, 0, 0}), {.about = {0.1, 0, 0}, .angle = 17}}});
     check_outline(of_star, 10 * side, area_of_star(0.02, 0.009), 1e-9);
-    check_outline(scene_of(dp, {AnyShape::of(Polygon({square(0.02), square(0.01)}))}), 0.16 + 0.08,
-                  16e-4 - 4e-4, 1e-9);
+    check_outline(scene_of(dp, {Polygon({square(0.02), square(0.01)})}), 0.16 + 0.08, 16e-4 - 4e-4, 1e-9);
     const Expression disc = [](const Point& x) { return x[0] * x[0] + x[1] * x[1] < 4e-4; };
-    check_outline(scene_of(dp, {AnyShape::of(Implicit{{{-0.03, -0.03, 0}, {0.03, 0.03, 0}}, disc})}),
-                  2 * pi * 0.02, pi * 4e-4, 1e-3);
+    check_outline(scene_of(dp, {Implicit{{{-0.03, -0.03, 0}, {0.03, 0.03, 0}}, disc}}), 2 * pi * 0.02,
+                  pi * 4e-4, 1e-3);
   }
 
   TEST_CASE("shapes: where contours cross is found") {
@@ -169,11 +168,11 @@ TEST_SUITE("unit") {
     const double dp = 0.001;
     for (const Shape& shape :
          {Shape(Box{{0, 0, 0}, {0.02, 0.007, 0}}), Shape(Disc{{0.003, 0, 0}, 0.01, RoundLayout::spaced}),
-          Shape(AnyShape::of(Polygon({star(0.02, 0.009)}, Point{0.1, 0, 0})))}) {
-      const Point middle = std::visit([](const auto& s) { return s.middle(); }, shape);
+          Shape(Polygon({star(0.02, 0.009)}, Point{0.1, 0, 0}))}) {
+      const Point middle = shape->middle();
       Scene body = scene_of(dp, {shape});
       body.bodies[0].rotation = Rotation{.about = middle, .angle = 33};
-      const Scene turned = scene_of(dp, {AnyShape::of(Turned{shape, *body.bodies[0].rotation})});
+      const Scene turned = scene_of(dp, {Turned{shape, *body.bodies[0].rotation}});
       CHECK(make_initial_particles(turned).x == make_initial_particles(body).x);
       CHECK(make_outline(turned, make_initial_particles(turned)).x ==
             make_outline(body, make_initial_particles(body)).x);
@@ -182,7 +181,7 @@ TEST_SUITE("unit") {
     const auto quarter = [&](double angle) {
       const Shape box = Box{{-0.01, -0.004, 0}, {0.01, 0.004, 0}};
       std::vector<Point> x =
-          make_initial_particles(scene_of(dp, {AnyShape::of(Turned{box, {.about = {}, .angle = angle}})})).x;
+          make_initial_particles(scene_of(dp, {Turned{box, {.about = {}, .angle = angle}}})).x;
       for (Point& p : x)
         if (angle == 90) p = {p[1], -p[0], 0};
       return x;
@@ -193,13 +192,12 @@ TEST_SUITE("unit") {
   TEST_CASE("shapes: mirrored ellipses and polygons about their centres are images to the bit") {
     for (const double side : {-1.0, 1.0}) {
       const Point centre{side * 0.0313, 0.002, 0};
-      const Shape shapes[] = {AnyShape::of(Ellipse{centre, {0.02, 0.01, 1}}),
-                              AnyShape::of(Polygon({star(0.02, 0.009)}, centre))};
+      const Shape shapes[] = {Ellipse{centre, {0.02, 0.01, 1}}, Polygon({star(0.02, 0.009)}, centre)};
       for (const Shape& shape : shapes) {
         Scene one = scene_of(0.001, {shape}), other = one;
         other.bodies[0].mirror[0] = true;
         std::vector<Shape> at_image = other.bodies[0].shapes;
-        std::visit([&](auto& s) { s.shift(0, -2 * centre[0]); }, at_image[0]);
+        at_image[0].shift(0, -2 * centre[0]);
         const Scene image = scene_of(0.001, at_image);
         std::vector<Point> mirrored = make_initial_particles(other).x;
         for (Point& x : mirrored) x[0] = -x[0];
@@ -238,7 +236,7 @@ TEST_SUITE("unit") {
     for (int j = 0; j < 20; ++j)
       for (int i = 0; i < 30; ++i) places.push_back({0.001 * (i + 0.5), 0.001 * (j + 0.5), 0});
     const Scene scene =
-        scene_of(0.001, {AnyShape::of(GivenParticles(places, std::vector<double>(places.size(), 1e-6), 2))});
+        scene_of(0.001, {GivenParticles(places, std::vector<double>(places.size(), 1e-6), 2)});
     CHECK(make_initial_particles(scene).x == places);
     const Outline outline = make_outline(scene, make_initial_particles(scene));
     double length = 0, low = 0, high = 0;
@@ -253,10 +251,10 @@ TEST_SUITE("unit") {
     Scene scene = scene_of(0.001, {Box{{0, 0, 0}, {0.02, 0.02, 0}}});
     Body other = scene.bodies[0];
     other.name = "other";
-    other.shapes = {AnyShape::of(Ellipse{{0.0305, 0.01, 0}, {0.01, 0.01, 1}})};
+    other.shapes = {Ellipse{{0.0305, 0.01, 0}, {0.01, 0.01, 1}}};
     scene.bodies.push_back(other);
     CHECK(overlap_of(scene).empty());
-    scene.bodies[1].shapes = {AnyShape::of(Ellipse{{0.0288, 0.01, 0}, {0.01, 0.01, 1}})};
+    scene.bodies[1].shapes = {Ellipse{{0.0288, 0.01, 0}, {0.01, 0.01, 1}}};
     const std::string deep = overlap_of(scene);
     CHECK(has(deep, "bodies 'other' and 'body' overlap at (0.0"));
     CHECK(has(deep, ") m: "));

@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/scene/other_shapes.hpp"
+#include "engine/scene/shapes/given_particles.hpp"
 #include "engine/scene/surface_mesh.hpp"
 #include "tests/support/pressed.hpp"
 #include "tests/support/relative.hpp"
@@ -165,7 +165,7 @@ TEST_SUITE("unit") {
       "surface mesh: of a mirrored body it is the mirror image, to the last bit, of a turned one turned") {
     Scene scene = of(Disc{{0.011, 0.002, 0.001}, 0.006});
     const SurfaceMesh one = mesh_of(scene);
-    std::get<Disc>(scene.bodies[0].shapes[0]).centre[0] = -0.011;
+    scene.bodies[0].shapes = {Disc{{-0.011, 0.002, 0.001}, 0.006}};
     scene.bodies[0].mirror[0] = true;
     const SurfaceMesh image = mesh_of(scene);
     REQUIRE(image.size() == one.size());
@@ -190,7 +190,7 @@ TEST_SUITE("unit") {
     CHECK(can_have_surface_mesh(of(Disc{{0, 0, 0}, 0.004})));
     const std::vector<Point> places = {{0, 0, 0}, {dp, 0, 0}, {0, dp, 0}, {0, 0, dp}};
     const std::vector<double> volumes(4, dp * dp * dp);
-    CHECK_FALSE(can_have_surface_mesh(of(AnyShape::of(GivenParticles(places, volumes, 3)))));
+    CHECK_FALSE(can_have_surface_mesh(of(GivenParticles(places, volumes, 3))));
   }
 }
 

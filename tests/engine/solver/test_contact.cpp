@@ -198,7 +198,10 @@ TEST_SUITE("unit") {
         Scene met = scene;
         met.dim = dim;
         met.contact = ContactLaw::impulse;
-        for (Body& body : met.bodies) std::get<Box>(body.shapes[0]).high[2] = dim == 3 ? 3 * dp : 0;
+        for (Body& body : met.bodies) {
+          const Box& box = *body.shapes[0].as<Box>();
+          body.shapes[0] = Box{box.low, {box.high[0], box.high[1], dim == 3 ? 3 * dp : 0}};
+        }
         const Snapshot now = state_after(30, met, with_method(method));
         // of bodies that start where these are, F is the gradient of the positions
         const auto n = static_cast<std::size_t>(dim);

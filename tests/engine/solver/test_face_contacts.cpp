@@ -8,8 +8,8 @@
 
 #include "engine/diagnostics/balance.hpp"
 #include "engine/error.hpp"
-#include "engine/scene/other_shapes.hpp"
 #include "engine/scene/outline.hpp"
+#include "engine/scene/shapes/polygon.hpp"
 #include "engine/terms/surface_contact.hpp"
 #include "tests/support/closing_arms.hpp"
 #include "tests/support/pressed.hpp"
@@ -58,7 +58,7 @@ Shape tilted_block(double degrees) {
        {std::pair(-4.0, -2.5), std::pair(4.0, -2.5), std::pair(4.0, 2.5), std::pair(-4.0, 2.5)})
     corners.push_back({dp * (x * std::cos(angle) - y * std::sin(angle)),
                        dp * (x * std::sin(angle) + y * std::cos(angle) + 4.8), 0});
-  return AnyShape::of(Polygon({corners}));
+  return Polygon({corners});
 }
 
 /// Without damping, while bodies come upon each other and part.

@@ -9,7 +9,7 @@
 
 #include "engine/diagnostics/balance.hpp"
 #include "engine/error.hpp"
-#include "engine/scene/other_shapes.hpp"
+#include "engine/scene/shapes/given_particles.hpp"
 #include "engine/terms/surface_contact.hpp"
 #include "tests/support/closing_arms.hpp"
 #include "tests/support/pressed.hpp"
@@ -388,7 +388,7 @@ TEST_SUITE("restart") {
   TEST_CASE("contact of faces: in 3D a saved run goes on to the same bytes, on any number of threads") {
     Scene scene = small_solid_collision();
     scene.contact = ContactLaw::surface;
-    std::get<Disc>(scene.bodies[1].shapes[0]).centre[0] += 5 * dp;  // out of reach of the first search
+    scene.bodies[1].shapes[0].shift(0, 5 * dp);  // out of reach of the first search
     for (const char* method : {"oenog", "tl"}) {
       CAPTURE(std::string(method));
       Settings settings = with_method(method);
@@ -418,12 +418,12 @@ TEST_SUITE("unit") {
     const Box block{{0, 0, 0.002}, {0.01, 0.01, 0.006}};
     const std::vector<Point> places = {{0, 0, 0},  {dp, 0, 0},  {0, dp, 0},  {dp, dp, 0},
                                        {0, 0, dp}, {dp, 0, dp}, {0, dp, dp}, {dp, dp, dp}};
-    const Shape given = AnyShape::of(GivenParticles(places, std::vector<double>(8, dp * dp * dp), 3));
+    const Shape given = GivenParticles(places, std::vector<double>(8, dp * dp * dp), 3);
     const auto refusal = [&](const Shape& shape) -> std::string {
       try {
         make_simulation(scene_of({shape, block}), with_method("oenog"));
       } catch (const SceneError& error) {
-        CHECK(error.key == (std::holds_alternative<Box>(shape) ? "body.body 0" : "contact"));
+        CHECK(error.key == (shape.as<Box>() ? "body.body 0" : "contact"));
         return error.what();
       }
       return "";

@@ -10,6 +10,8 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/balance.hpp"
+#include "engine/scene/shapes/box.hpp"
+#include "engine/scene/shapes/round_shapes.hpp"
 #include "tests/support/runs.hpp"
 
 namespace of_this_file {
@@ -44,7 +46,7 @@ Scene bar(double ratio, double nu_soft, int axis, double spacing, double half = 
 /// the traction on one.
 double force_left(const Scene& scene, double traction) {
   const Snapshot now = state_after(1, scene, with_method("oenog"));
-  const Box box = std::get<Box>(scene.bodies[0].shapes[0]);
+  const Box box = *scene.bodies[0].shapes[0].as<Box>();
   double greatest = 0;
   for (std::size_t i = 0; i < now.size(); ++i) {
     const double from_face =

@@ -17,7 +17,7 @@
 #include "engine/families/bonded/cancelled.hpp"
 #include "engine/families/bonded/packed_bonds.hpp"
 #include "engine/methods/oenog.hpp"
-#include "engine/scene/other_shapes.hpp"
+#include "engine/scene/shapes/polygon.hpp"
 #include "tests/engine/families/bonded/naive_oenog.hpp"
 #include "tests/support/agreement.hpp"
 #include "tests/support/relative.hpp"
@@ -379,7 +379,7 @@ TEST_SUITE("analytic") {
       "plane") {
     Scene scene = ring_alone();
     const Chain wedge{{0, 0, 0}, {0.02, -0.0035, 0}, {0.02, 0.0035, 0}};
-    scene.bodies[0].shapes = {AnyShape::of(Polygon({wedge}))};
+    scene.bodies[0].shapes = {Polygon({wedge})};
     scene.bodies[0].velocity = {};
     scene.spacing = 0.001;
     scene.bodies[0].displacement[0] = [](const Point& X) { return -X[1] - X[0]; };

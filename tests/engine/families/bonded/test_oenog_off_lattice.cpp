@@ -11,7 +11,7 @@
 #include "engine/diagnostics/balance.hpp"
 #include "engine/families/bonded/bonds.hpp"
 #include "engine/families/bonded/off_lattice.hpp"
-#include "engine/scene/other_shapes.hpp"
+#include "engine/scene/shapes/given_particles.hpp"
 #include "tests/engine/families/bonded/cantilever_3d.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
@@ -54,7 +54,7 @@ Scene body_centred(int n) {
       for (int z = 0; z < 2 * n; ++z)
         if (x % 2 == y % 2 && y % 2 == z % 2) places.push_back({x * cell / 2, y * cell / 2, z * cell / 2});
   const std::vector<double> volumes(places.size(), dp * dp * dp);
-  scene.bodies[0].shapes = {AnyShape::of(GivenParticles(std::move(places), volumes, 3))};
+  scene.bodies[0].shapes = {GivenParticles(std::move(places), volumes, 3)};
   return scene;
 }
 

@@ -1,6 +1,8 @@
-#include "engine/scene/shapes.hpp"
+#include "engine/scene/shapes/round_shapes.hpp"
 
+#include <algorithm>
 #include <array>
+#include <numbers>
 #include <numeric>
 
 #include "engine/scene/aligned_layers.hpp"
@@ -53,11 +55,25 @@ void add_layer(std::vector<InitialSite>& sites, const Point& centre, double r, l
                      fold > 1 ? first + static_cast<int>((k + n / fold) % n) : -1});
 }
 
+Bounds bounds_of_ball(const Point& centre, double r) {
+  return {{centre[0] - r, centre[1] - r, centre[2] - r}, {centre[0] + r, centre[1] + r, centre[2] + r}};
+}
+
 }  // namespace
 
 std::string_view name(RoundLayout layout) {
   constexpr std::array<std::string_view, 3> names = {"aligned", "spaced", "lattice"};
   return names[static_cast<std::size_t>(layout)];
+}
+
+double measure_of_ball(int dim, double r) {
+  return dim == 2 ? std::numbers::pi * r * r : 4.0 / 3.0 * std::numbers::pi * r * r * r;
+}
+
+Bounds Disc::bounds() const { return bounds_of_ball(centre, radius); }
+
+bool Disc::holds(const Point& x, int dim, double tolerance) const {
+  return distance_between(x, centre, dim) <= radius + tolerance;
 }
 
 std::vector<InitialSite> Disc::sites(int dim, double dp) const {
@@ -71,6 +87,20 @@ std::vector<InitialSite> Disc::sites(int dim, double dp) const {
     add_layer(sites, centre, r, sectors * k, 2 * std::numbers::pi * r * thickness, sectors);
   }
   return sites;
+}
+
+std::vector<Chain> Disc::outline(int dim, double dp) const {
+  if (dim != 2) return {};
+  const long layers = layout == RoundLayout::lattice ? 0 : layers_of(*this, dp);
+  return {
+      circle(centre, radius, layers > 0 ? sectors * layers : std::max(3L, number_around(radius, dp)), true)};
+}
+
+Bounds Ring::bounds() const { return bounds_of_ball(centre, outer); }
+
+bool Ring::holds(const Point& x, int dim, double tolerance) const {
+  const double r = distance_between(x, centre, dim);
+  return r >= inner - tolerance && r <= outer + tolerance;
 }
 
 std::vector<InitialSite> Ring::sites(int dim, double dp) const {
@@ -87,28 +117,6 @@ std::vector<InitialSite> Ring::sites(int dim, double dp) const {
   return sites;
 }
 
-std::vector<Chain> Box::outline(int dim, double dp) const {
-  if (dim != 2) return {};
-  const Point corners[] = {low, {high[0], low[1], 0}, high, {low[0], high[1], 0}};
-  Chain chain;
-  for (std::size_t side = 0; side < 4; ++side) {
-    const Point &from = corners[side], &to = corners[(side + 1) % 4];
-    const long n = std::max(1L, std::lround(distance_between(from, to, dim) / dp));
-    for (long k = 0; k < n; ++k) {
-      const double share = static_cast<double>(k) / static_cast<double>(n);
-      chain.push_back({from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1]), 0});
-    }
-  }
-  return {chain};
-}
-
-std::vector<Chain> Disc::outline(int dim, double dp) const {
-  if (dim != 2) return {};
-  const long layers = layout == RoundLayout::lattice ? 0 : layers_of(*this, dp);
-  return {
-      circle(centre, radius, layers > 0 ? sectors * layers : std::max(3L, number_around(radius, dp)), true)};
-}
-
 std::vector<Chain> Ring::outline(int dim, double dp) const {
   if (dim != 2) return {};
   const std::vector<long> numbers = numbers_of(*this, dp);
@@ -118,14 +126,6 @@ std::vector<Chain> Ring::outline(int dim, double dp) const {
 }
 
 FacePatches Ring::patches(double dp) const {
-  return layout == RoundLayout::aligned ? aligned_patches(*this, dp) : FacePatches{};
-}
-
-std::vector<InitialSite> Cylinder::sites(int, double dp) const {
-  return layout == RoundLayout::aligned ? aligned_sites(*this, dp) : std::vector<InitialSite>{};
-}
-
-FacePatches Cylinder::patches(double dp) const {
   return layout == RoundLayout::aligned ? aligned_patches(*this, dp) : FacePatches{};
 }
 
@@ -149,6 +149,20 @@ bool Cylinder::holds(const Point& x, int, double tolerance) const {
   const double r = std::sqrt(std::max(0.0, squared - along * along));
   return along >= -tolerance && along <= length() + tolerance && r <= radius + tolerance &&
          (inner == 0 || r >= inner - tolerance);
+}
+
+double Cylinder::measure(int) const {
+  return (measure_of_ball(2, radius) - measure_of_ball(2, inner)) * length();
+}
+
+double Cylinder::thinnest(int) const { return std::min(length(), inner > 0 ? radius - inner : 2 * radius); }
+
+std::vector<InitialSite> Cylinder::sites(int, double dp) const {
+  return layout == RoundLayout::aligned ? aligned_sites(*this, dp) : std::vector<InitialSite>{};
+}
+
+FacePatches Cylinder::patches(double dp) const {
+  return layout == RoundLayout::aligned ? aligned_patches(*this, dp) : FacePatches{};
 }
 
 }  // namespace taut

@@ -1,16 +1,11 @@
-#include <algorithm>
-#include <cmath>
+#include "engine/scene/shapes/polygon.hpp"
 
-#include "engine/scene/other_shapes.hpp"
-#include "engine/scene/shape_members.hpp"
+#include <algorithm>
+
+#include "engine/scene/contours.hpp"
 
 namespace taut {
 namespace {
-
-/// Cross product of the ways from o to a and to b, m²: positive where b lies to the left.
-double turn(const Point& o, const Point& a, const Point& b) {
-  return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
-}
 
 double area_of(const Chain& contour) {
   double twice = 0;

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "engine/scene/shape.hpp"
+
+namespace taut {
+
+/// A cuboid in 3D.
+struct Box final : ShapeBase {
+  Point low{}, high{};
+
+  Box() = default;
+  Box(const Point& low, const Point& high) : low(low), high(high) {}
+
+  /// Along an axis, about dp wide, where particles stand on the faces.
+  long cells(std::size_t axis, double dp) const;
+
+  Bounds bounds() const override { return {low, high}; }
+  bool holds(const Point& x, int dim, double tolerance) const override;
+  void shift(std::size_t axis, double by) override { low[axis] += by, high[axis] += by; }
+  double measure(int dim) const override;
+  double thinnest(int dim) const override;
+  std::vector<Chain> outline(int dim, double dp) const override;
+  bool operator==(const Box&) const = default;
+};
+
+}  // namespace taut

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/scene/shape.hpp"
+
+namespace taut {
+
+/// What lies within an odd number of closed contours, 2D; no two of their sides cross.
+class Polygon final : public ShapeBase {
+ public:
+  /// With a centre the points are from it; the polygon is turned and reflected about it, and its lattice lies
+  /// symmetrically about it. Else that is the middle of its box, and the lattice begins at the lower corner.
+  Polygon(std::vector<Chain> contours, const std::optional<Point>& centre = {});
+
+  Bounds bounds() const override;
+  bool holds(const Point& x, int dim, double tolerance) const override;
+  double measure(int) const override { return area_; }
+  Point middle() const override { return about_centre_ ? from_ : bounds().middle(); }
+  Point anchor() const override { return about_centre_ ? from_ : bounds().low; }
+  void shift(std::size_t axis, double by) override { from_[axis] += by; }
+  std::vector<Chain> outline(int dim, double dp) const override;
+
+ private:
+  using Side = std::array<Point, 2>;
+
+  std::size_t strip_of(double y) const;
+  bool is_inside(const Point& x) const;
+
+  std::vector<Chain> contours_;
+  Point from_{};  // what their points are from
+  bool about_centre_;
+  Bounds box_;       // of the contours
+  double area_ = 0;  // m²
+  std::vector<std::vector<Side>>
+      strips_;  // the sides that reach into each of equal strips of the box, from below
+};
+
+/// Where two sides of the contours cross or lie on each other; none if they do not.
+std::optional<Point> crossing(const std::vector<Chain>& contours);
+
+}  // namespace taut
