@@ -3,7 +3,8 @@
 #include <span>
 #include <string_view>
 
-#include "engine/methods/formulation.hpp"
+#include "engine/methods/elastic_law.hpp"
+#include "engine/methods/term_info.hpp"
 
 namespace taut {
 

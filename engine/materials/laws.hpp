@@ -12,6 +12,7 @@
 #include "engine/materials/rotated_piola.hpp"
 #include "engine/materials/st_venant_kirchhoff.hpp"
 #include "engine/methods/constants.hpp"
+#include "engine/methods/formulation.hpp"
 
 namespace taut::inline TAUT_ISA {
 

@@ -4,8 +4,10 @@
 #include <span>
 #include <string_view>
 
+#include "engine/methods/elastic_law.hpp"
+#include "engine/methods/kernel_name.hpp"
 #include "engine/methods/term_info.hpp"
-#include "engine/scene/scene.hpp"
+#include "engine/scene/contact_law.hpp"
 
 namespace taut {
 
@@ -25,9 +27,6 @@ enum class Shear : std::uint8_t {
   laplacian_velocity,  // ∫ G/ρ ∇²v dt with the angular-momentum-conserving operator; [Zhang2024] Eq. 19, 20
   laplacian_velocity_nonconservative,  // the same with the plain operator; [Zhang2024] Eq. 18
 };
-
-/// One specialisation each of Kernel in engine/kernels/kernel.hpp.
-enum class KernelName : std::uint8_t { wendland_c2, sinc, gauss };
 
 /// The trace that is taken from the strain rate: two different materials in plane strain.
 enum class Deviator : std::uint8_t {
@@ -53,18 +52,6 @@ enum class Viscosity : std::uint8_t {
   artificial,  // [Khayyer2024] Eq. 15, 16
   riemann,     // from a Riemann problem of second order, [Khayyer2024] Eq. 39–45
 };
-/// What gives the stress for the deformation gradient; engine/materials/.
-enum class Law : std::uint8_t {
-  none,
-  neo_hookean,
-  mooney_rivlin,
-  st_venant_kirchhoff,
-  linear_elastic,
-  rotated_piola,
-};
-
-/// Volume ratio and cofactor of F may be unknowns of their own; the other laws take them from F.
-constexpr bool takes_volume_ratio(Law law) { return law == Law::neo_hookean || law == Law::mooney_rivlin; }
 
 /// What a method on the initial configuration integrates in time, with the positions.
 enum class Unknowns : std::uint8_t {

@@ -121,11 +121,6 @@ std::string_view name(Lattice lattice) {
   return names[static_cast<int>(lattice)];
 }
 
-std::string_view name(ContactLaw law) {
-  constexpr std::string_view names[] = {"published", "sph", "impulse", "penalty", "lennard-jones", "surface"};
-  return names[static_cast<int>(law)];
-}
-
 double fitted_spacing(const Body& first, int dim, double spacing) {
   const double extent = thinnest_of(first.shapes.front(), dim);
   if (!(extent > 0)) return spacing;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/core/point.hpp"
+#include "engine/scene/contact_law.hpp"
 #include "engine/scene/shapes.hpp"
 
 namespace taut {
@@ -62,17 +63,6 @@ struct Load {
   std::function<double(double)> ramp;  // factor, of the time in s; empty = 1
 };
 
-/// How bodies act on each other.
-enum class ContactLaw : std::uint8_t {
-  published,      // the law of the method's paper
-  sph,            // as particles of one body do, [Zhang2024]
-  impulse,        // the approach of two particles is stopped, [Khayyer2024] Eq. 53, 54
-  penalty,        // a spring of the bulk modulus, [TranDuc2023] Eq. 2.13–2.15
-  lennard_jones,  // one that hardens the nearer they come, [Zhang2020] Eq. 12
-  surface,        // a spring between faces where they overlap; ours
-};
-
-std::string_view name(ContactLaw law);
 std::string_view name(Load::Kind kind);
 
 /// A rigid half-space that bodies cannot enter; it acts by the law of contact, by the penalty where that is

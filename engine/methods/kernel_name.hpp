@@ -1,0 +1,10 @@
+#pragma once
+
+#include <cstdint>
+
+namespace taut {
+
+/// One specialisation each of Kernel in engine/kernels/kernel.hpp.
+enum class KernelName : std::uint8_t { wendland_c2, sinc, gauss };
+
+}  // namespace taut
