@@ -1,6 +1,7 @@
 #include "engine/families/tl_displacement/describe.hpp"
 
 #include "engine/families/tl_displacement/solver.hpp"
+#include "engine/terms/contact_laws.hpp"
 
 namespace taut::tl_displacement {
 

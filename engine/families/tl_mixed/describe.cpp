@@ -1,6 +1,7 @@
 #include "engine/families/tl_mixed/describe.hpp"
 
 #include "engine/families/tl_mixed/solver.hpp"
+#include "engine/terms/contact_laws.hpp"
 
 namespace taut::tl_mixed {
 

@@ -1,6 +1,7 @@
 #include "engine/families/ul_cauchy/describe.hpp"
 
 #include "engine/families/ul_cauchy/solver.hpp"
+#include "engine/terms/contact_laws.hpp"
 
 namespace taut::ul_cauchy {
 namespace {

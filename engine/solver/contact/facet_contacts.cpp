@@ -6,21 +6,21 @@
 
 #include "engine/core/parallel.hpp"
 #include "engine/error.hpp"
-#include "engine/terms/surface_contact.hpp"
+#include "engine/scene/surface_mesh.hpp"
 
 namespace taut::inline TAUT_ISA {
 
 FacetContacts::FacetContacts(const SolverInput& input)
-    : dp_(input.constants.dp), stiffness_(input.constants.contact_stiffness) {
-  if (input.contact != ContactLaw::surface) return;
-  facets_ = MovingFacets(make_surface_mesh(input.scene, input.initial, input.threads));
+    : dp_(input.constants.dp),
+      stiffness_(input.constants.contact_stiffness),
+      facets_(make_surface_mesh(input.scene, input.initial, input.threads)),
+      candidates_(input, facets_, apart * dp_),
+      force_(facets_.mesh().size()) {
   if (input.scene.bodies.size() > 1 || !input.scene.walls.empty()) refuse_thin(input.scene);
   for (const SurfaceMesh::Facet& facet : facets_.mesh().facets) {
     const Elasticity& e = input.materials[input.initial.material[facet.particle]];
     M_.push_back(e.K + 4.0 / 3 * e.G);
   }
-  find_ = FacetSearch(input, facets_, apart * dp_);
-  force_.resize(facets_.mesh().size());
 }
 
 void FacetContacts::refuse_thin(const Scene& scene) const {
@@ -35,12 +35,12 @@ void FacetContacts::refuse_thin(const Scene& scene) const {
 void FacetContacts::search(const Particles<3>& s, const WallContacts<3>& walls) {
   if (facets_.size() == 0) return;
   facets_.renumber(s);
-  find_.search(s, facets_, walls);
+  candidates_.search(s, facets_, walls);
   list();
 }
 
 bool FacetContacts::prepare(const Particles<3>& s, const WallContacts<3>& walls, double way) {
-  if (facets_.size() == 0 || !find_.prepare(s, facets_, walls, way)) return false;
+  if (facets_.size() == 0 || !candidates_.prepare(s, facets_, walls, way)) return false;
   list();
   return true;
 }
@@ -50,7 +50,7 @@ void FacetContacts::list() {
   rows_.clear();
   begin_.assign(1, 0);
   std::vector<char> watched(facets_.size());
-  const auto& pairs = find_.pairs;
+  const auto& pairs = candidates_.pairs;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto& [f, g] = pairs[k];
     if (rows_.empty() || rows_.back().facet != f || rows_.back().body != facets_.body(g)) {
@@ -66,7 +66,7 @@ void FacetContacts::list() {
     const auto found = std::ranges::lower_bound(rows_, std::pair(g, facets_.body(f)), {}, key);
     other_.push_back(static_cast<int>(found - rows_.begin()));
   }
-  for (const auto& [f, wall] : find_.near_wall) watched[f] = true;
+  for (const auto& [f, wall] : candidates_.near_wall) watched[f] = true;
   watched_ = indices_of(watched);
   nodes_ = facets_.nodes_of(watched_);
   touching_ = facets_.particles_of(nodes_);
@@ -107,7 +107,7 @@ void FacetContacts::for_each_pair(int row, const int* first, int count, const F&
 /// energy of the two is its own. It does not harden, since nothing is let through a wall.
 template <class F>
 void FacetContacts::for_each_wall(const WallContacts<3>& walls, const F& f) const {
-  for (const auto& [facet, wall] : find_.near_wall) {
+  for (const auto& [facet, wall] : candidates_.near_wall) {
     const double height = walls.height(wall, facets_[facet].middle);
     if (height >= 0) continue;
     const double share = projected_share(dot(facets_[facet].normal, walls.normal(wall)));
@@ -202,9 +202,9 @@ void FacetContacts::evaluate(const Particles<3>& s, double dt, WallContacts<3>& 
     if (met_[r].near > 0) facets_.push(rows_[r].facet, slopes_[r], force_);
   for (const int i : touching_) force[i] = V{};
   share_out([&](int i, const V& f) { force[i] += f; });
-  stiffening_ = 1;
+  hardening_ = 1;
   for (const Met& met : met_)
-    if (met.height < 0) stiffening_ = std::max(stiffening_, hardening(-met.height, met.cover, dp_));
+    if (met.height < 0) hardening_ = std::max(hardening_, hardening(-met.height, met.cover, dp_));
 }
 
 double FacetContacts::energy(const Particles<3>& s, const WallContacts<3>& walls) {
@@ -219,14 +219,14 @@ double FacetContacts::energy(const Particles<3>& s, const WallContacts<3>& walls
   return sum;
 }
 
-auto FacetContacts::between(int a, int b) const -> V {
+auto FacetContacts::between(const Particles<3>&, int a, int b) const -> V {
   V sum{};
   for (std::size_t r = 0; r < rows_.size(); ++r)
     if (rows_[r].body == b && facets_.body(rows_[r].facet) == a) sum -= slopes_[r].middle;
   return sum;
 }
 
-auto FacetContacts::of_wall(int a, int wall, const WallContacts<3>& walls) const -> V {
+auto FacetContacts::of_wall(const Particles<3>&, int a, int wall, const WallContacts<3>& walls) const -> V {
   double sum = 0;
   for_each_wall(walls, [&](int facet, int met, double depth, double share, double k) {
     if (met == wall && facets_.body(facet) == a) sum += 2 * surface_force(depth, area_of(facet) * share, k);

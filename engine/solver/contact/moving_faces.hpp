@@ -51,7 +51,6 @@ class MovingFaces {
  public:
   using V = Vec<double, Dim>;
 
-  MovingFaces() = default;
   explicit MovingFaces(Outline outline)
       : outline_(std::move(outline)), place_(outline_.size()), normal_(outline_.segments.size()) {
     for (int n = 0; n < size(); ++n) {

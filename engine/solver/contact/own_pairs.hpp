@@ -13,9 +13,9 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// Pairs of particles of one body that were far apart at the start and have come near: a body that folds
-/// meets itself. Only those that its faces move with (scene/outline.hpp) are looked at. The particles keep
-/// their places in the solver's order.
+/// Candidates of contact of a body that folds: pairs of its particles that were far apart at the start and have
+/// come near. Only particles that faces move with (scene/outline.hpp) are searched. They keep their places in the
+/// solver's order.
 template <int Dim>
 class OwnPairs {
  public:
@@ -23,7 +23,7 @@ class OwnPairs {
 
   /// Pairs nearer than `reach`, m, act.
   OwnPairs(const SolverInput& input, double reach) : dp_(input.constants.dp), reach_(reach) {
-    if (!input.meets_itself || input.contact == ContactLaw::surface) return;
+    if (!input.meets_itself) return;
     ids_ = particles_at_faces(input.scene, input.initial);
     for (const int id : ids_) {
       V x;

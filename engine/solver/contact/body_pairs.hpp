@@ -9,13 +9,13 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// The pairs of particles of two bodies that may come within `reach` before the next search, flat, by
-/// particle. Only particles in the box of another body, widened by what it reaches, are searched.
+/// Candidates of contact between two bodies: pairs of particles that may come within `reach` before the next
+/// search, flat, by particle. Only particles in the widened box of another body are searched.
 template <int Dim>
-class BodyContacts {
+class BodyPairs {
  public:
   /// Pairs up to reach + skin are listed: they hold until a particle has gone half the skin.
-  BodyContacts(double reach, double skin) : reach_(reach + skin), skin_(skin) {}
+  BodyPairs(double reach, double skin) : reach_(reach + skin), skin_(skin) {}
 
   double lasts_for() const { return 0.5 * skin_; }  // m, of the fastest particle
 

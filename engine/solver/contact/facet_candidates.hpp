@@ -14,16 +14,15 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// Which facets are near each other: those of two bodies, and those of one that folds upon itself, which were
-/// further apart at the start than `far_apart`, or `far_inside` with the body between them; and which are near
-/// walls. A search holds until the particles behind facets have gone as far as it looked further than needed.
-class FacetSearch {
+/// Candidates of contact between facets: pairs of two bodies, pairs of a body that folds, which were further apart at
+/// the start than `far_apart`, or `far_inside` with the body between them, and facets near walls. A search is valid
+/// until the particles behind facets have moved by the difference of its range and the range of contact.
+class FacetCandidates {
  public:
   using V = Vec<double, 3>;
 
-  FacetSearch() = default;
   /// Facets whose middles are less than `reach`, m, apart may act.
-  FacetSearch(const SolverInput& input, const MovingFacets& facets, double reach)
+  FacetCandidates(const SolverInput& input, const MovingFacets& facets, double reach)
       : dp_(input.constants.dp),
         reach_(reach),
         meets_itself_(input.meets_itself),
@@ -172,8 +171,8 @@ class FacetSearch {
     std::merge(others_.begin(), others_.end(), own_.begin(), own_.end(), std::back_inserter(pairs));
   }
 
-  double dp_ = 0, reach_ = 0;                         // m
-  bool meets_itself_ = false, meets_others_ = false;  // others: bodies or walls
+  double dp_, reach_;                 // m
+  bool meets_itself_, meets_others_;  // others: bodies or walls
   FacetPairs near_;
   std::vector<int> nodes_;  // of all facets
   std::vector<V> normal_;   // [facet] at the start
