@@ -56,7 +56,7 @@ class Pressed {
   }
   /// Of every particle, N.
   const std::vector<V>& forces() {
-    faces_.search(s, walls_);
+    faces_.search(s, walls_, {});
     return forces_as_found();
   }
   const std::vector<V>& forces_as_found() {

@@ -5,6 +5,7 @@
 
 #include "engine/core/archive.hpp"
 #include "engine/neighbors/neighbors.hpp"
+#include "engine/solver/contact/near_other_bodies.hpp"
 #include "engine/solver/particles.hpp"
 
 namespace taut::inline TAUT_ISA {
@@ -57,32 +58,12 @@ class BodyPairs {
   std::vector<int> begin, j;
 
  private:
-  struct Bounds {
-    Vec<double, Dim> low, high;
-    bool holds(const Vec<double, Dim>& x, double margin) const {
-      for (int k = 0; k < Dim; ++k)
-        if (x[k] < low[k] - margin || x[k] > high[k] + margin) return false;
-      return true;
-    }
-  };
-
   void choose_candidates(const Particles<Dim>& s) {
-    const int bodies = 1 + *std::max_element(s.body.begin(), s.body.end());
-    std::vector<Bounds> box(bodies);
-    std::vector<bool> begun(bodies);
-    for (int i = 0; i < s.size(); ++i) {
-      Bounds& b = box[s.body[i]];
-      if (!begun[s.body[i]]) b = {s.x[i], s.x[i]};
-      begun[s.body[i]] = true;
-      for (int k = 0; k < Dim; ++k)
-        b.low[k] = std::min(b.low[k], s.x[i][k]), b.high[k] = std::max(b.high[k], s.x[i][k]);
-    }
+    const std::vector<char> near = near_other_bodies<Dim>(s.x, s.body, reach_);
     candidates_.clear();
     x_.clear();
     for (int i = 0; i < s.size(); ++i) {
-      bool near = false;
-      for (int b = 0; b < bodies && !near; ++b) near = b != s.body[i] && box[b].holds(s.x[i], reach_);
-      if (!near) continue;
+      if (!near[i]) continue;
       candidates_.push_back(i);
       x_.push_back(s.x[i]);
     }

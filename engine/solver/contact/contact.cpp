@@ -29,14 +29,14 @@ Contact<Dim>::Contact(const SolverInput& input) : walls_(input.scene) {
 template <int Dim>
 bool Contact<Dim>::prepare(const Particles<Dim>& s, double way) {
   for (Probed& probed : probed_) probed.impulse = V{};
-  const bool searched = mechanism_->prepare(s, walls_, way);
+  const bool searched = mechanism_->search(s, walls_, way);
   if (searched) reset_forces(s.size());
   return searched;
 }
 
 template <int Dim>
 void Contact<Dim>::search(const Particles<Dim>& s) {
-  mechanism_->search(s, walls_);
+  mechanism_->search(s, walls_, {});
   reset_forces(s.size());
 }
 

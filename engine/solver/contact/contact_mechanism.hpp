@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -33,10 +34,11 @@ class ContactMechanism {
 
   virtual ~ContactMechanism() = default;
 
-  /// Lists the candidates. `search` is for particles that have been stored in another order; `prepare` searches if
-  /// the fastest particle, moving `way`, m, may leave the range of the last search, and returns whether it did.
-  virtual void search(const Particles<Dim>&, const WallContacts<Dim>&) {}
-  virtual bool prepare(const Particles<Dim>&, const WallContacts<Dim>&, double /*way*/) { return false; }
+  /// Lists the candidates if the fastest particle, moving `way`, m, next, may leave the range of the last search, or if
+  /// there is no `way`: particles have been stored in another order. Returns whether it searched.
+  virtual bool search(const Particles<Dim>&, const WallContacts<Dim>&, std::optional<double> /*way*/) {
+    return false;
+  }
   /// Particles that may get a force before the next search, in rising order.
   const std::vector<int>& touching() const { return touching_; }
 

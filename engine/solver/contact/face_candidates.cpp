@@ -5,71 +5,36 @@
 #include <array>
 #include <iterator>
 
+#include "engine/solver/contact/near_other_bodies.hpp"
+
 namespace taut::inline TAUT_ISA {
 
 template <int Dim>
-void FaceCandidates<Dim>::search(const Particles<Dim>& s, MovingFaces<Dim>& faces,
-                                 const WallContacts<Dim>& walls) {
-  if (faces.size() == 0) return;
-  faces.renumber(s);
-  faces.place_all(s);
-  if (meets_others_) search_others(faces, walls);
-  if (meets_itself_) search_own(s, faces);
-  watch(faces);
-}
-
-template <int Dim>
-bool FaceCandidates<Dim>::prepare(const Particles<Dim>& s, MovingFaces<Dim>& faces,
-                                  const WallContacts<Dim>& walls, double way) {
+bool FaceCandidates<Dim>::search(const Particles<Dim>& s, MovingFaces<Dim>& faces,
+                                 const WallContacts<Dim>& walls, std::optional<double> way) {
   if (faces.size() == 0) return false;
-  const bool others = meets_others_ && !others_bound_.holds(way);
-  bool own = meets_itself_ && !own_bound_.holds(way);
-  if (own) faces.follow(s, behind_);
-  own = own && !own_bound_.still_holds(behind_, faces.outline().body, way);
-  if (others || own) faces.place_all(s);
-  if (others) {
-    search_others(faces, walls);
-    others_bound_.holds(way);
+  if (!way) faces.renumber(s);
+  const bool others = meets_others_ && !(way && others_bound_.holds(*way));
+  bool own = meets_itself_ && !(way && own_bound_.holds(*way));
+  if (own && way) {
+    faces.follow(s, behind_);
+    own = !own_bound_.still_holds(behind_, faces.outline().body, *way);
   }
-  if (own) {
-    search_own(s, faces);
-    own_bound_.holds(way);
-  }
-  if (others || own) watch(faces);
-  return others || own;
-}
-
-/// Marks the nodes in the box of another body, widened by the range of a search.
-template <int Dim>
-std::vector<char> FaceCandidates<Dim>::near_others(const MovingFaces<Dim>& faces) const {
-  const std::vector<int>& body = faces.outline().body;
-  const int bodies = 1 + body.back();
-  std::vector<V> low(bodies), high(bodies);
-  std::vector<bool> begun(bodies);
-  for (const int n : all_nodes_) {
-    const V& x = faces.places()[n];
-    V &l = low[body[n]], &h = high[body[n]];
-    if (!begun[body[n]]) l = h = x;
-    begun[body[n]] = true;
-    for (int k = 0; k < Dim; ++k) l[k] = std::min(l[k], x[k]), h[k] = std::max(h[k], x[k]);
-  }
-  const double margin = (horizon + 2) * dp_;  // 2: a segment has an end within its length
-  std::vector<char> near(all_nodes_.size());
-  for (const int n : all_nodes_) {
-    const V& x = faces.places()[n];
-    for (int b = 0; b < bodies && !near[n]; ++b) {
-      bool in = b != body[n];
-      for (int k = 0; k < Dim && in; ++k) in = x[k] > low[b][k] - margin && x[k] < high[b][k] + margin;
-      near[n] = in;
-    }
-  }
-  return near;
+  if (!others && !own) return false;
+  faces.place_all(s);
+  if (others) search_others(faces, walls);
+  if (own) search_own(s, faces);
+  if (others && way) others_bound_.holds(*way);
+  if (own && way) own_bound_.holds(*way);
+  watch(faces);
+  return true;
 }
 
 /// Also lists the nodes near walls, which are valid as long.
 template <int Dim>
 void FaceCandidates<Dim>::search_others(const MovingFaces<Dim>& faces, const WallContacts<Dim>& walls) {
-  const std::vector<char> near = near_others(faces);
+  constexpr double margin = horizon + 2;  // 2: a segment has an end within its length
+  const std::vector<char> near = near_other_bodies<Dim>(faces.places(), faces.outline().body, margin * dp_);
   std::vector<int> nodes, segments;
   std::ranges::copy_if(all_nodes_, std::back_inserter(nodes), [&](int n) { return near[n]; });
   std::ranges::copy_if(all_segments_, std::back_inserter(segments), [&](int k) {

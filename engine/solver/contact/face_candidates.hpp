@@ -1,6 +1,7 @@
 #pragma once
 
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -37,9 +38,9 @@ class FaceCandidates {
   std::vector<int> watched_nodes, watched_segments;  // whose positions count, in rising order
   std::vector<int> particles;                        // of the watched nodes, in rising order
 
-  /// See ContactMechanism.
-  void search(const Particles<Dim>& s, MovingFaces<Dim>& faces, const WallContacts<Dim>& walls);
-  bool prepare(const Particles<Dim>& s, MovingFaces<Dim>& faces, const WallContacts<Dim>& walls, double way);
+  /// See ContactMechanism::search.
+  bool search(const Particles<Dim>& s, MovingFaces<Dim>& faces, const WallContacts<Dim>& walls,
+              std::optional<double> way);
 
   template <class Archive>
   void serialize(Archive& archive, const MovingFaces<Dim>& faces, int walls) {
@@ -61,7 +62,6 @@ class FaceCandidates {
   static constexpr double turn_slack = 0.5;  // of two nodes around the particles behind them
 
   void search_others(const MovingFaces<Dim>& faces, const WallContacts<Dim>& walls);
-  std::vector<char> near_others(const MovingFaces<Dim>& faces) const;
   void search_own(const Particles<Dim>& s, const MovingFaces<Dim>& faces);
   bool looks_aside(const MovingFaces<Dim>& faces, int node, int segment) const;
   void watch(const MovingFaces<Dim>& faces);

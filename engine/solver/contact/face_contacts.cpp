@@ -51,14 +51,9 @@ void FaceContacts<Dim>::refuse_thin(const Scene& scene) const {
 }
 
 template <int Dim>
-void FaceContacts<Dim>::search(const Particles<Dim>& s, const WallContacts<Dim>& walls) {
-  candidates_.search(s, faces_, walls);
-  touching_ = candidates_.particles;
-}
-
-template <int Dim>
-bool FaceContacts<Dim>::prepare(const Particles<Dim>& s, const WallContacts<Dim>& walls, double way) {
-  const bool searched = candidates_.prepare(s, faces_, walls, way);
+bool FaceContacts<Dim>::search(const Particles<Dim>& s, const WallContacts<Dim>& walls,
+                               std::optional<double> way) {
+  const bool searched = candidates_.search(s, faces_, walls, way);
   if (searched) touching_ = candidates_.particles;
   return searched;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "engine/solver/contact/contact_mechanism.hpp"
@@ -26,8 +27,7 @@ class FaceContacts final : public ContactMechanism<Dim> {
 
   explicit FaceContacts(const SolverInput& input);
 
-  void search(const Particles<Dim>& s, const WallContacts<Dim>& walls) override;
-  bool prepare(const Particles<Dim>& s, const WallContacts<Dim>& walls, double way) override;
+  bool search(const Particles<Dim>& s, const WallContacts<Dim>& walls, std::optional<double> way) override;
 
   /// Uses one thread: a touching face has too few nodes for a second one.
   void evaluate(const Particles<Dim>& s, double dt, WallContacts<Dim>& walls, std::vector<V>& force,

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "engine/solver/contact/facet_pairs.hpp"
 #include "engine/solver/contact/motion_bound.hpp"
 #include "engine/solver/contact/moving_facets.hpp"
+#include "engine/solver/contact/near_other_bodies.hpp"
 #include "engine/solver/contact/wall_contacts.hpp"
 #include "engine/solver/solver_input.hpp"
 
@@ -35,25 +37,20 @@ class FacetCandidates {
   /// Pairs of facets, each in both orders, and facets with walls, in rising order.
   std::vector<std::pair<int, int>> pairs, near_wall;
 
-  void search(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
-    facets.follow(s, behind_);
-    if (meets_others_) search_others(s, facets, walls);
-    if (meets_itself_) search_own(s, facets);
-    join();
-  }
-  /// The same where the next way of the fastest particle, m, asks for it: true if it did.
-  bool prepare(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls, double way) {
-    const bool others = meets_others_ && !others_bound_.holds(way);
-    bool own = meets_itself_ && !own_bound_.holds(way);
+  /// See ContactMechanism::search.
+  bool search(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls,
+              std::optional<double> way) {
+    const bool others = meets_others_ && !(way && others_bound_.holds(*way));
+    bool own = meets_itself_ && !(way && own_bound_.holds(*way));
     if (others || own) facets.follow(s, behind_);
     if (others) {
       search_others(s, facets, walls);
-      others_bound_.holds(way);
+      if (way) others_bound_.holds(*way);
     }
-    own = own && !own_bound_.still_holds(behind_, near_.bodies(), way);
+    own = own && !(way && own_bound_.still_holds(behind_, near_.bodies(), *way));
     if (own) {
       search_own(s, facets);
-      own_bound_.holds(way);
+      if (way) own_bound_.holds(*way);
     }
     if (others || own) join();
     return others || own;
@@ -83,7 +80,10 @@ class FacetCandidates {
   static constexpr double turn_slack = 0.5;  // of two facets around the particles behind them
 
   void search_others(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
-    const std::vector<int> candidates = near_others();
+    constexpr double margin = horizon + 2;  // 2: from two particles to their faces
+    const std::vector<char> near = near_other_bodies<3>(behind_, near_.bodies(), margin * dp_);
+    std::vector<int> candidates = near_.order();
+    std::erase_if(candidates, [&](int f) { return !near[f]; });
     facets.place(s, facets.nodes_of(candidates), candidates, 1);
     others_bound_.restart(find<PairsOf::two_bodies>(
                               facets, candidates, [](int, int) { return true; }, others_),
@@ -135,35 +135,6 @@ class FacetCandidates {
     return std::ranges::is_sorted(list) && std::ranges::all_of(list, [&](const auto& pair) {
              return std::ranges::binary_search(list, std::pair(pair.second, pair.first));
            });
-  }
-
-  /// The facets in the box of another body, widened by what a search looks at.
-  std::vector<int> near_others() const {
-    const std::vector<int>& body = near_.bodies();
-    std::vector<int> near;
-    if (body.empty()) return near;
-    std::vector<V> low(1 + body.back()), high(low.size());
-    std::vector<bool> begun(low.size());
-    for (int f = 0; f < near_.size(); ++f) {
-      const V& x = behind_[f];
-      V &l = low[body[f]], &h = high[body[f]];
-      if (!begun[body[f]]) l = h = x;
-      begun[body[f]] = true;
-      for (int k = 0; k < 3; ++k) l[k] = std::min(l[k], x[k]), h[k] = std::max(h[k], x[k]);
-    }
-    const double margin = (horizon + 2) * dp_;  // 2: of two particles to their faces
-    const auto is_near = [&](int f, int b) {
-      const V& x = behind_[f];
-      bool in = b != body[f] && begun[b];
-      for (int k = 0; k < 3 && in; ++k) in = x[k] > low[b][k] - margin && x[k] < high[b][k] + margin;
-      return in;
-    };
-    for (const int f : near_.order()) {
-      bool in = false;
-      for (int b = 0; b <= body.back() && !in; ++b) in = is_near(f, b);
-      if (in) near.push_back(f);
-    }
-    return near;
   }
 
   void join() {

@@ -32,17 +32,12 @@ void FacetContacts::refuse_thin(const Scene& scene) const {
   }
 }
 
-void FacetContacts::search(const Particles<3>& s, const WallContacts<3>& walls) {
-  if (facets_.size() == 0) return;
-  facets_.renumber(s);
-  candidates_.search(s, facets_, walls);
-  list();
-}
-
-bool FacetContacts::prepare(const Particles<3>& s, const WallContacts<3>& walls, double way) {
-  if (facets_.size() == 0 || !candidates_.prepare(s, facets_, walls, way)) return false;
-  list();
-  return true;
+bool FacetContacts::search(const Particles<3>& s, const WallContacts<3>& walls, std::optional<double> way) {
+  if (facets_.size() == 0) return false;
+  if (!way) facets_.renumber(s);
+  const bool searched = candidates_.search(s, facets_, walls, way);
+  if (searched) list();
+  return searched;
 }
 
 /// Rows, watched facets, their nodes and particles, of what the search has found.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/solver/contact/contact_mechanism.hpp"
@@ -21,8 +22,7 @@ class FacetContacts final : public ContactMechanism<3> {
 
   explicit FacetContacts(const SolverInput& input);
 
-  void search(const Particles<3>& s, const WallContacts<3>& walls) override;
-  bool prepare(const Particles<3>& s, const WallContacts<3>& walls, double way) override;
+  bool search(const Particles<3>& s, const WallContacts<3>& walls, std::optional<double> way) override;
 
   void evaluate(const Particles<3>& s, double dt, WallContacts<3>& walls, std::vector<V>& force,
                 int threads) override;

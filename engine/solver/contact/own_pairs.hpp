@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -32,19 +33,14 @@ class OwnPairs {
     }
   }
 
-  /// Searches where the next way of the fastest particle, m, asks for it: true if it did.
-  bool prepare(const Particles<Dim>& s, double way) {
-    if (ids_.empty() || bound_.holds(way)) return false;
+  /// See ContactMechanism::search.
+  bool search(const Particles<Dim>& s, std::optional<double> way) {
+    if (ids_.empty() || (way && bound_.holds(*way))) return false;
     place(s);
-    if (bound_.still_holds(x_, search_.bodies(), way)) return false;
+    if (way && bound_.still_holds(x_, search_.bodies(), *way)) return false;
     find(s);
-    bound_.holds(way);
+    if (way) bound_.holds(*way);
     return true;
-  }
-  void search(const Particles<Dim>& s) {
-    if (ids_.empty()) return;
-    place(s);
-    find(s);
   }
 
   /// Those of stored particle i are j[begin[i]] … j[begin[i + 1] − 1]; both are empty where there are none.

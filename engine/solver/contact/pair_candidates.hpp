@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -24,19 +25,11 @@ class PairCandidates {
         others_(reach, skin * dp_),
         own_(input, dp_) {}
 
-  void search(const Particles<Dim>& s, const WallContacts<Dim>& walls) {
-    search_others(s, walls);
-    own_.search(s);
-  }
-  /// Searches if the fastest particle, moving `way`, m, may leave the range of the last search; returns whether it
-  /// did.
-  bool prepare(const Particles<Dim>& s, const WallContacts<Dim>& walls, double way) {
-    bool others = false;
-    if (between_bodies_ || walls.any()) {
-      travelled_ += way;
-      others = travelled_ > others_.lasts_for();
-    }
-    const bool own = own_.prepare(s, way);
+  /// See ContactMechanism::search.
+  bool search(const Particles<Dim>& s, const WallContacts<Dim>& walls, std::optional<double> way) {
+    travelled_ += way.value_or(0);
+    const bool others = !way || ((between_bodies_ || walls.any()) && travelled_ > others_.lasts_for());
+    const bool own = own_.search(s, way);
     if (others) search_others(s, walls);
     return others || own;
   }

@@ -22,14 +22,9 @@ PairContacts<Dim>::PairContacts(const SolverInput& input, const ContactLawRow& l
 }
 
 template <int Dim>
-void PairContacts<Dim>::search(const Particles<Dim>& s, const WallContacts<Dim>& walls) {
-  candidates_.search(s, walls);
-  touching_ = candidates_.particles(s.size());
-}
-
-template <int Dim>
-bool PairContacts<Dim>::prepare(const Particles<Dim>& s, const WallContacts<Dim>& walls, double way) {
-  const bool searched = candidates_.prepare(s, walls, way);
+bool PairContacts<Dim>::search(const Particles<Dim>& s, const WallContacts<Dim>& walls,
+                               std::optional<double> way) {
+  const bool searched = candidates_.search(s, walls, way);
   if (searched) touching_ = candidates_.particles(s.size());
   return searched;
 }

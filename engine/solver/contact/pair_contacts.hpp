@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/solver/contact/contact_mechanism.hpp"
@@ -27,8 +28,7 @@ class PairContacts final : public ContactMechanism<Dim> {
 
   PairContacts(const SolverInput& input, const ContactLawRow& law, bool between_bodies);
 
-  void search(const Particles<Dim>& s, const WallContacts<Dim>& walls) override;
-  bool prepare(const Particles<Dim>& s, const WallContacts<Dim>& walls, double way) override;
+  bool search(const Particles<Dim>& s, const WallContacts<Dim>& walls, std::optional<double> way) override;
 
   /// Uses one thread: a touching face has too few particles for a second one.
   void evaluate(const Particles<Dim>& s, double dt, WallContacts<Dim>& walls, std::vector<V>& force,
