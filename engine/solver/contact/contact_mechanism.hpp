@@ -12,11 +12,10 @@
 
 namespace taut::inline TAUT_ISA {
 
-template <int Dim>
 class FaceContacts;
 class FacetContacts;
 template <int Dim>
-using ContactsOfFaces = std::conditional_t<Dim == 3, FacetContacts, FaceContacts<Dim>>;
+using ContactsOfFaces = std::conditional_t<Dim == 3, FacetContacts, FaceContacts>;
 
 /// Mechanism by which bodies, folds of one body and walls act on each other: between particles
 /// (pair_contacts.hpp), between faces (face_contacts.hpp, in 3D facet_contacts.hpp), or none, which is this class.

@@ -9,9 +9,8 @@
 
 namespace taut::inline TAUT_ISA {
 
-template <int Dim>
-bool FaceCandidates<Dim>::search(const Particles<Dim>& s, MovingFaces<Dim>& faces,
-                                 const WallContacts<Dim>& walls, std::optional<double> way) {
+bool FaceCandidates::search(const Particles<2>& s, MovingFaces& faces, const WallContacts<2>& walls,
+                            std::optional<double> way) {
   if (faces.size() == 0) return false;
   if (!way) faces.renumber(s);
   const bool others = meets_others_ && !(way && others_bound_.holds(*way));
@@ -31,10 +30,9 @@ bool FaceCandidates<Dim>::search(const Particles<Dim>& s, MovingFaces<Dim>& face
 }
 
 /// Also lists the nodes near walls, which are valid as long.
-template <int Dim>
-void FaceCandidates<Dim>::search_others(const MovingFaces<Dim>& faces, const WallContacts<Dim>& walls) {
+void FaceCandidates::search_others(const MovingFaces& faces, const WallContacts<2>& walls) {
   constexpr double margin = horizon + 2;  // 2: a segment has an end within its length
-  const std::vector<char> near = near_other_bodies<Dim>(faces.places(), faces.outline().body, margin * dp_);
+  const std::vector<char> near = near_other_bodies<2>(faces.places(), faces.outline().body, margin * dp_);
   std::vector<int> nodes, segments;
   std::ranges::copy_if(all_nodes_, std::back_inserter(nodes), [&](int n) { return near[n]; });
   std::ranges::copy_if(all_segments_, std::back_inserter(segments), [&](int k) {
@@ -54,8 +52,7 @@ void FaceCandidates<Dim>::search_others(const MovingFaces<Dim>& faces, const Wal
 /// No segment beside the node will act on this one before the next search (facet_candidates.hpp:find). Faces that
 /// started within four spacings of each other count only once they have begun to face each other: right angles are
 /// frequent at that distance and would require a search every few steps.
-template <int Dim>
-bool FaceCandidates<Dim>::looks_aside(const MovingFaces<Dim>& faces, int node, int segment) const {
+bool FaceCandidates::looks_aside(const MovingFaces& faces, int node, int segment) const {
   const auto& [a, b] = faces.segment(segment).node;
   const V D = faces.x0(node) - 0.5 * (faces.x0(a) + faces.x0(b));
   const double least = dot(D, D) < close_by * close_by * dp_ * dp_ ? folded : aside;
@@ -64,8 +61,7 @@ bool FaceCandidates<Dim>::looks_aside(const MovingFaces<Dim>& faces, int node, i
   });
 }
 
-template <int Dim>
-void FaceCandidates<Dim>::search_own(const Particles<Dim>& s, const MovingFaces<Dim>& faces) {
+void FaceCandidates::search_own(const Particles<2>& s, const MovingFaces& faces) {
   normal_.clear();
   for (const int k : all_segments_) normal_.push_back(faces.normal_of(k));
   const double least2 = far_apart * far_apart * dp_ * dp_;
@@ -84,8 +80,7 @@ void FaceCandidates<Dim>::search_own(const Particles<Dim>& s, const MovingFaces<
 }
 
 /// Lists the nodes of all candidates and the nodes beside them, their segments and their particles.
-template <int Dim>
-void FaceCandidates<Dim>::watch(const MovingFaces<Dim>& faces) {
+void FaceCandidates::watch(const MovingFaces& faces) {
   std::vector<bool> seen(faces.size());
   const auto with_neighbors = [&](int n) {
     for (const int k : faces.outline().beside[n])
@@ -113,7 +108,5 @@ void FaceCandidates<Dim>::watch(const MovingFaces<Dim>& faces) {
     return seen[end[0]] && seen[end[1]];
   });
 }
-
-template class FaceCandidates<2>;
 
 }  // namespace taut::inline TAUT_ISA

@@ -17,12 +17,11 @@ namespace taut::inline TAUT_ISA {
 /// Candidates of contact between faces in 2D: nodes with segments of other bodies, nodes with segments of their own
 /// body if it may fold, and nodes near walls. Own segments count if they were further than `far_apart` from the node
 /// at the start.
-template <int Dim>
 class FaceCandidates {
  public:
-  using V = Vec<double, Dim>;
+  using V = Vec<double, 2>;
 
-  FaceCandidates(const SolverInput& input, const MovingFaces<Dim>& faces, double reach)
+  FaceCandidates(const SolverInput& input, const MovingFaces& faces, double reach)
       : dp_(input.constants.dp),
         reach_(reach),
         meets_itself_(input.meets_itself),
@@ -39,11 +38,11 @@ class FaceCandidates {
   std::vector<int> particles;                        // of the watched nodes, in rising order
 
   /// See ContactMechanism::search.
-  bool search(const Particles<Dim>& s, MovingFaces<Dim>& faces, const WallContacts<Dim>& walls,
+  bool search(const Particles<2>& s, MovingFaces& faces, const WallContacts<2>& walls,
               std::optional<double> way);
 
   template <class Archive>
-  void serialize(Archive& archive, const MovingFaces<Dim>& faces, int walls) {
+  void serialize(Archive& archive, const MovingFaces& faces, int walls) {
     for (NearFaces* near : {&other_faces, &own_faces})
       near->serialize(archive, all_nodes_.size(), all_segments_.size());
     archive.indices(near_wall, std::pair(faces.size(), walls));
@@ -61,18 +60,18 @@ class FaceCandidates {
   static constexpr double folded = -0.1;     // has folded, below this cosine of normals
   static constexpr double turn_slack = 0.5;  // of two nodes around the particles behind them
 
-  void search_others(const MovingFaces<Dim>& faces, const WallContacts<Dim>& walls);
-  void search_own(const Particles<Dim>& s, const MovingFaces<Dim>& faces);
-  bool looks_aside(const MovingFaces<Dim>& faces, int node, int segment) const;
-  void watch(const MovingFaces<Dim>& faces);
+  void search_others(const MovingFaces& faces, const WallContacts<2>& walls);
+  void search_own(const Particles<2>& s, const MovingFaces& faces);
+  bool looks_aside(const MovingFaces& faces, int node, int segment) const;
+  void watch(const MovingFaces& faces);
 
   double dp_;                         // m
   double reach_;                      // of what acts, in spacings
   bool meets_itself_, meets_others_;  // others: bodies or walls
   std::vector<int> all_nodes_, all_segments_;
-  FaceSearch<Dim> find_;
+  FaceSearch find_;
   std::vector<V> normal_;  // [segment] at a search
-  MotionBound<Dim> others_bound_, own_bound_;
+  MotionBound<2> others_bound_, own_bound_;
   std::vector<V> behind_;  // [node] position of the particle behind it, m
 };
 

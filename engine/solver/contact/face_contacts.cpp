@@ -27,8 +27,7 @@ double modulus(const Outline& outline, int node, const SolverInput& input) {
 
 }  // namespace
 
-template <int Dim>
-FaceContacts<Dim>::FaceContacts(const SolverInput& input)
+FaceContacts::FaceContacts(const SolverInput& input)
     : dp_(input.constants.dp),
       stiffness_(input.constants.contact_stiffness),
       faces_(make_outline(input.scene, input.initial)),
@@ -40,8 +39,7 @@ FaceContacts<Dim>::FaceContacts(const SolverInput& input)
   reaction_.resize(outline.size());
 }
 
-template <int Dim>
-void FaceContacts<Dim>::refuse_thin(const Scene& scene) const {
+void FaceContacts::refuse_thin(const Scene& scene) const {
   for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b) {
     if (std::ranges::binary_search(faces_.outline().body, b)) continue;
     throw SceneError("body." + scene.bodies[b].name,
@@ -50,16 +48,13 @@ void FaceContacts<Dim>::refuse_thin(const Scene& scene) const {
   }
 }
 
-template <int Dim>
-bool FaceContacts<Dim>::search(const Particles<Dim>& s, const WallContacts<Dim>& walls,
-                               std::optional<double> way) {
+bool FaceContacts::search(const Particles<2>& s, const WallContacts<2>& walls, std::optional<double> way) {
   const bool searched = candidates_.search(s, faces_, walls, way);
   if (searched) touching_ = candidates_.particles;
   return searched;
 }
 
-template <int Dim>
-void FaceContacts<Dim>::place_watched(const Particles<Dim>& s) {
+void FaceContacts::place_watched(const Particles<2>& s) {
   for (const int n : candidates_.watched_nodes) faces_.place(s, n);
   for (const int k : candidates_.watched_segments) faces_.set_normal(k);
 }
@@ -67,13 +62,12 @@ void FaceContacts<Dim>::place_watched(const Particles<Dim>& s) {
 /// f(node, foot, touch) of each listed node that faces something within `reach`, and of some beyond. Half and half of
 /// two sides of a corner where the node is inside and as far from both: by one alone what is symmetric would be pushed
 /// aside.
-template <int Dim>
 template <class F>
-void FaceContacts<Dim>::for_each_touch(const NearFaces& near, const F& f) const {
+void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
   for (std::size_t k = 0; k < near.node.size(); ++k) {
     const int n = near.node[k];
     const auto segments = std::span(near.segment).subspan(near.begin[k], near.begin[k + 1] - near.begin[k]);
-    Foot<Dim> foot, twin;
+    Foot foot, twin;
     const auto distance2 = [&](int l) { return faces_.distance2(n, l); };
     const int nearest = *std::ranges::min_element(segments, {}, distance2);
     const auto is_sharp = [&](int l) { return faces_.has_sharp_end(l); };  // may be met from beyond its end
@@ -85,7 +79,7 @@ void FaceContacts<Dim>::for_each_touch(const NearFaces& near, const F& f) const 
     const auto touch = faces_.touch(foot);
     for (const int l : segments) {
       if (touch.depth <= 0 || !faces_.beside(l, foot.segment)) continue;
-      Foot<Dim> other;
+      Foot other;
       faces_.measure(n, l, other);
       if (std::abs(other.rank - foot.rank) < tie * dp_) twin = other;
     }
@@ -93,7 +87,7 @@ void FaceContacts<Dim>::for_each_touch(const NearFaces& near, const F& f) const 
       f(n, foot, touch);
       continue;
     }
-    for (Foot<Dim>* half : {&foot, &twin}) {
+    for (Foot* half : {&foot, &twin}) {
       half->weight = 0.5;
       f(n, *half, faces_.touch(*half));
     }
@@ -102,9 +96,8 @@ void FaceContacts<Dim>::for_each_touch(const NearFaces& near, const F& f) const 
 
 /// f(node, wall, depth, area, k): its mirror image lies twice as deep behind it, and half of the energy of
 /// the two is its own.
-template <int Dim>
 template <class F>
-void FaceContacts<Dim>::for_each_wall(const WallContacts<Dim>& walls, const F& f) const {
+void FaceContacts::for_each_wall(const WallContacts<2>& walls, const F& f) const {
   for (const auto& [n, wall] : candidates_.near_wall) {
     const double height = walls.height(wall, faces_.places()[n]);
     if (height >= 0) continue;
@@ -113,11 +106,10 @@ void FaceContacts<Dim>::for_each_wall(const WallContacts<Dim>& walls, const F& f
   }
 }
 
-template <int Dim>
-void FaceContacts<Dim>::act_on_nodes(const Particles<Dim>& s, double dt, WallContacts<Dim>& walls) {
+void FaceContacts::act_on_nodes(const Particles<2>& s, double dt, WallContacts<2>& walls) {
   for (const int n : candidates_.watched_nodes) own_force_[n] = reaction_[n] = V{};
   const auto push_back_to = [&](std::vector<V>& reaction) {
-    return [&](int n, const Foot<Dim>& foot, const auto& touch) {
+    return [&](int n, const Foot& foot, const auto& touch) {
       if (touch.depth <= 0 || touch.depth >= reach * dp_) return;
       faces_.push(
           foot, touch, stiffness(n, foot.segment), [&](int node, const V& f) { own_force_[node] += f; },
@@ -138,9 +130,8 @@ void FaceContacts<Dim>::act_on_nodes(const Particles<Dim>& s, double dt, WallCon
   });
 }
 
-template <int Dim>
-void FaceContacts<Dim>::evaluate(const Particles<Dim>& s, double dt, WallContacts<Dim>& walls,
-                                 std::vector<V>& force, int) {
+void FaceContacts::evaluate(const Particles<2>& s, double dt, WallContacts<2>& walls, std::vector<V>& force,
+                            int) {
   place_watched(s);
   act_on_nodes(s, dt, walls);
   for (const int i : touching_) force[i] = V{};
@@ -150,12 +141,11 @@ void FaceContacts<Dim>::evaluate(const Particles<Dim>& s, double dt, WallContact
   }
 }
 
-template <int Dim>
-double FaceContacts<Dim>::energy(const Particles<Dim>& s, const WallContacts<Dim>& walls) {
+double FaceContacts::energy(const Particles<2>& s, const WallContacts<2>& walls) {
   place_watched(s);
   double sum = 0;
   for (const NearFaces* near : {&candidates_.other_faces, &candidates_.own_faces}) {
-    for_each_touch(*near, [&](int n, const Foot<Dim>& foot, const auto& touch) {
+    for_each_touch(*near, [&](int n, const Foot& foot, const auto& touch) {
       if (touch.depth < reach * dp_)
         sum += surface_energy(touch.depth, foot.area(), stiffness(n, foot.segment));
     });
@@ -166,10 +156,9 @@ double FaceContacts<Dim>::energy(const Particles<Dim>& s, const WallContacts<Dim
   return sum;
 }
 
-template <int Dim>
-auto FaceContacts<Dim>::between(const Particles<Dim>&, int a, int b) const -> V {
+auto FaceContacts::between(const Particles<2>&, int a, int b) const -> V {
   V sum{};
-  for_each_touch(candidates_.other_faces, [&](int n, const Foot<Dim>& foot, const auto& touch) {
+  for_each_touch(candidates_.other_faces, [&](int n, const Foot& foot, const auto& touch) {
     if (touch.depth <= 0 || touch.depth >= reach * dp_) return;
     const int own = faces_.outline().body[n], other = faces_.body_of_segment(foot.segment);
     V f{};
@@ -182,9 +171,7 @@ auto FaceContacts<Dim>::between(const Particles<Dim>&, int a, int b) const -> V 
   return sum;
 }
 
-template <int Dim>
-auto FaceContacts<Dim>::of_wall(const Particles<Dim>&, int a, int wall, const WallContacts<Dim>& walls) const
-    -> V {
+auto FaceContacts::of_wall(const Particles<2>&, int a, int wall, const WallContacts<2>& walls) const -> V {
   double sum = 0;
   for_each_wall(walls, [&](int n, int met, double depth, double area, double k) {
     if (met == wall && faces_.outline().body[n] == a) sum += 2 * surface_force(depth, area, k);
@@ -192,19 +179,16 @@ auto FaceContacts<Dim>::of_wall(const Particles<Dim>&, int a, int wall, const Wa
   return sum * walls.normal(wall);
 }
 
-template <int Dim>
-double FaceContacts<Dim>::gap(const Particles<Dim>& s, int a, int b) {
+double FaceContacts::gap(const Particles<2>& s, int a, int b) {
   if (candidates_.other_faces.node.empty()) return reach * dp_;
   place_watched(s);
   double least = reach * dp_;
-  for_each_touch(candidates_.other_faces, [&](int n, const Foot<Dim>& foot, const auto& touch) {
+  for_each_touch(candidates_.other_faces, [&](int n, const Foot& foot, const auto& touch) {
     if (touch.depth >= reach * dp_) return;
     const int own = faces_.outline().body[n], other = faces_.body_of_segment(foot.segment);
     if ((own == a && other == b) || (own == b && other == a)) least = std::min(least, -touch.depth);
   });
   return least;
 }
-
-template class FaceContacts<2>;
 
 }  // namespace taut::inline TAUT_ISA
