@@ -173,8 +173,8 @@ auto FaceContacts::between(const Particles<2>&, int a, int b) const -> V {
 
 auto FaceContacts::of_wall(const Particles<2>&, int a, int wall, const WallContacts<2>& walls) const -> V {
   double sum = 0;
-  for_each_wall(walls, [&](int n, int met, double depth, double area, double k) {
-    if (met == wall && faces_.outline().body[n] == a) sum += 2 * surface_force(depth, area, k);
+  for_each_wall(walls, [&](int n, int touched, double depth, double area, double k) {
+    if (touched == wall && faces_.outline().body[n] == a) sum += 2 * surface_force(depth, area, k);
   });
   return sum * walls.normal(wall);
 }

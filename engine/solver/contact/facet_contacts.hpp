@@ -52,17 +52,17 @@ class FacetContacts final : public ContactMechanism<3> {
   static constexpr double apart = 2.13;              // √(behind² + radius²), of facets that act
   double reach_at(double p) const { return (p < 0 ? behind : before) * dp_; }
 
-  /// A facet and a body, its own or another,
+  /// A facet with the facets of a body near it, its own body or another.
   struct Row {
     int facet, body;
   };
-  /// and what the facets of that body are to it now.
-  struct Met {
-    int near = 0;              // how many count
-    double cover = 0;          // the sum of their weights W
-    double height = 0, M = 0;  // the means of p, m, and of M, Pa
+  /// Geometry and law of a row at the current positions.
+  struct Touch {
+    int near = 0;              // facets of the body that count
+    double cover = 0;          // sum of their weights W
+    double height = 0, M = 0;  // their means of p, m, and of M, Pa
     double k = 0;              // Pa/m
-    // slopes of the energy in that sum, J, and in the two of one of them, over its W, N and m³
+    // slopes of the energy in that sum, J, and in the means: of one facet, over its W, N and m³
     double per_sum = 0, per_p = 0, per_M = 0;
     double per_weight(double p, double modulus) const {  // in the W of one of them, J
       return per_sum + per_p * (p - height) + per_M * (modulus - M);
@@ -84,7 +84,7 @@ class FacetContacts final : public ContactMechanism<3> {
   void refuse_thin(const Scene& scene) const;
   void list();
   void place(const Particles<3>& s);
-  Met measured(int row);
+  Touch measured(int row);
   MovingFacets::Slope slope_of(int row) const;
   template <class F>
   void for_each_pair(int row, const int* first, int count, const F& f) const;
@@ -100,7 +100,7 @@ class FacetContacts final : public ContactMechanism<3> {
 
   std::vector<Row> rows_;                    // by facet, then body
   std::vector<int> begin_, other_;           // [row] the rows of the facets near it, in rising order
-  std::vector<Met> met_;                     // [row]
+  std::vector<Touch> touches_;               // [row]
   std::vector<int> near_;                    // those of them that count now, from the same place on
   std::vector<MovingFacets::Slope> slopes_;  // [row]
   std::vector<int> watched_;                 // facets whose place counts, in rising order
