@@ -13,21 +13,19 @@ namespace {
 
 const std::vector<std::string> stepping_names = {"dual", "single"};
 
-constexpr std::array contacts = {
-    ContactChoice{ContactLaw::published, "contact law of the method's paper: `taut describe METHOD`"},
-    ContactChoice{ContactLaw::sph,
-                  "particles of two bodies interact like particles of one body, [Zhang2024]"},
-    ContactChoice{ContactLaw::impulse,
-                  "impulses that stop the approach of two particles, [Khayyer2024] Eq. 53, 54"},
-    ContactChoice{ContactLaw::penalty,
-                  "spring with a stiffness from the bulk modulus, [TranDuc2023] Eq. 2.13 to 2.15"},
-    ContactChoice{ContactLaw::lennard_jones, "spring that hardens as particles approach, [Zhang2020] Eq. 12"},
-    ContactChoice{ContactLaw::surface, "spring between overlapping faces; own law of taut"},
-};
+const std::vector<ContactChoice>& contacts() {
+  static const auto all = [] {
+    std::vector<ContactChoice> choices{
+        {ContactLaw::published, "contact law of the method's paper: `taut describe METHOD`"}};
+    for (const ContactLawRow& row : contact_rows()) choices.push_back({row.law, row.help});
+    return choices;
+  }();
+  return all;
+}
 
 std::vector<std::string> names_of_contacts() {
   std::vector<std::string> names;
-  for (const ContactChoice& choice : contacts) names.emplace_back(name(choice.law));
+  for (const ContactChoice& choice : contacts()) names.emplace_back(name(choice.law));
   return names;
 }
 
@@ -170,7 +168,7 @@ double changed_cfl(const std::string& text, const Names& names) {
 
 }  // namespace
 
-std::span<const ContactChoice> contact_choices() { return contacts; }
+std::span<const ContactChoice> contact_choices() { return contacts(); }
 
 std::string law_name(std::string_view material_law) {
   const auto law = std::ranges::find(laws(), material_law, &LawRow::material_law);
@@ -191,9 +189,7 @@ void name_touching(TomlCursor& root, const SceneFile& file) {
   const MethodInfo& method = *find_method(file.settings.method);
   const ContactLaw law = file.scene.contact == ContactLaw::published ? published_contact(file.scene, method)
                                                                      : file.scene.contact;
-  // particles that act on those of another body as on their own repel them before faces meet; with the other
-  // laws of particles faces that meet obliquely leave a tenth of a spacing
-  const double spacings = law == ContactLaw::surface ? 0 : law == ContactLaw::sph ? 0.9 : 0.1;
+  const double spacings = std::ranges::find(contact_rows(), law, &ContactLawRow::law)->touching;
   root.names()["touching"] = spacings * root.names().at("dp");
 }
 
@@ -208,7 +204,7 @@ void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file) {
   file.settings.stepping = stepping == stepping_names.front() ? Stepping::dual : Stepping::single;
   const std::string contact = chosen(root, "contact", names_of_contacts(), changes.contact);
   file.scene.contact =
-      std::ranges::find(contacts, contact, [](const ContactChoice& c) { return name(c.law); })->law;
+      std::ranges::find(contacts(), contact, [](const ContactChoice& c) { return name(c.law); })->law;
   name_touching(root, file);
 
   read_law(root, of_file, method, changes, file.settings, file.remark);

@@ -38,41 +38,34 @@ constexpr KeyInfo axis{"axis", "[x, y, z]", "[0, 0, 1]", "axis of rotation throu
 /// Rows of one line each are easier to compare.
 // clang-format off
 const std::vector<ProbeKind> kinds{
-    {"displacement", Probe::Kind::displacement, "m", "displacement of a material point",
-     {key::body, key::at, key::component}},
-    {"position", Probe::Kind::position, "m", "position of a material point",
-     {key::body, key::at, key::component}},
-    {"velocity", Probe::Kind::velocity, "m/s", "velocity of a material point",
-     {key::body, key::at, key::component}},
-    {"distance", Probe::Kind::distance, "m", "distance between two material points",
-     {key::body, key::at, key::to}},
-    {"mean_velocity", Probe::Kind::mean_velocity, "m/s", "velocity of the centre of mass",
-     {key::body, key::component}},
-    {"mean_position", Probe::Kind::mean_position, "m", "position of the centre of mass",
-     {key::body, key::component}},
-    {"greatest_position", Probe::Kind::greatest_position, "m", "largest position of a particle of the body",
-     {key::body, key::component}},
-    {"gap", Probe::Kind::gap, "m",
+    {"displacement", "m", "displacement of a material point", {key::body, key::at, key::component}},
+    {"position", "m", "position of a material point", {key::body, key::at, key::component}},
+    {"velocity", "m/s", "velocity of a material point", {key::body, key::at, key::component}},
+    {"distance", "m", "distance between two material points", {key::body, key::at, key::to}},
+    {"mean_velocity", "m/s", "velocity of the centre of mass", {key::body, key::component}},
+    {"mean_position", "m", "position of the centre of mass", {key::body, key::component}},
+    {"greatest_position", "m", "largest position of a particle of the body", {key::body, key::component}},
+    {"gap", "m",
      "smallest distance between the surfaces of two bodies, below 0 where they overlap. "
      "It is at most the search range of the contact, one or two spacings",
      {key::bodies}},
-    {"mirror_asymmetry", Probe::Kind::mirror_asymmetry, "m",
+    {"mirror_asymmetry", "m",
      "largest deviation of a body from the mirror image of another body, or of itself",
      {key::images, key::own_image, key::component}},
-    {"turn", Probe::Kind::turn, "rad",
+    {"turn", "rad",
      "angle by which a material point has turned about the axis since the start, whole turns included",
      {key::body, key::at, key::axis}},
-    {"stress", Probe::Kind::stress, "Pa",
+    {"stress", "Pa",
      "Cauchy stress at a material point, as in the fields: positive in tension, pressure positive in compression",
      {key::body, key::at, key::part}},
-    {"reaction", Probe::Kind::reaction, "N, in 2D N/m",
+    {"reaction", "N, in 2D N/m",
      "sum of the reaction forces on clamped and driven particles of a body. Without loads and damping, "
      "only reaction, contact force and weight change the momentum of the body",
      {key::body, key::held_where, key::component}},
-    {"contact_force", Probe::Kind::contact_force, "N, in 2D N/m",
+    {"contact_force", "N, in 2D N/m",
      "contact force of another body or of a wall on a body",
      {key::met, key::met_body, key::wall, key::component}},
-    {"expression", Probe::Kind::expression, "unit of value", "expression of other probes", {key::value}},
+    {"expression", "unit of value", "expression of other probes", {key::value}},
 };
 // clang-format on
 
@@ -166,8 +159,8 @@ Probe read_probe(TomlCursor& cursor, const Scene& scene) {
   probe.name = label(cursor, names_of(scene.probes));
   const ProbeKind& kind = kinds[index_of(kinds, cursor.choice("of", names_of(kinds)))];
   cursor.also_takes(kind.keys);
-  probe.kind = kind.kind;
-  if (kind.kind == Probe::Kind::expression) {
+  probe.kind = kind.kind();
+  if (probe.kind == Probe::Kind::expression) {
     read_probes_in(cursor, scene, probe);
     cursor.finish();
     return probe;
@@ -177,7 +170,7 @@ Probe read_probe(TomlCursor& cursor, const Scene& scene) {
   add_names(cursor.names(), scene.materials[static_cast<std::size_t>(material)]);
   if (kind.takes("at")) probe.at = cursor.point("at", scene.dim);
   if (kind.takes("to")) probe.to = cursor.point("to", scene.dim);
-  if (kind.kind == Probe::Kind::stress)
+  if (probe.kind == Probe::Kind::stress)
     probe.part = stress_part(cursor, scene.dim);
   else if (kind.takes("component"))
     probe.axis = axis_of_component(cursor, scene);
@@ -235,15 +228,9 @@ bool ProbeKind::takes(std::string_view key) const {
 std::span<const ProbeKind> probe_kinds() { return kinds; }
 
 std::string_view unit_of(const Probe& probe, int dim) {
-  switch (probe.kind) {
-    case Probe::Kind::reaction:
-    case Probe::Kind::contact_force:
-      return dim == 2 ? "N/m" : "N";
-    case Probe::Kind::expression:
-      return "";
-    default:
-      return std::ranges::find(kinds, probe.kind, &ProbeKind::kind)->unit;
-  }
+  if (is_force(probe.kind)) return dim == 2 ? "N/m" : "N";
+  if (probe.kind == Probe::Kind::expression) return "";
+  return kinds[index_of(kinds, probe.kind.name)].unit;
 }
 
 Point turning_axis(TomlCursor& cursor, const Scene& scene) {

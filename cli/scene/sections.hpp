@@ -126,10 +126,10 @@ Point turning_axis(TomlCursor& cursor, const Scene& scene);
 /// A kind of probe.
 struct ProbeKind {
   std::string_view name;
-  Probe::Kind kind;
   std::string_view unit, help;
   std::vector<KeyInfo> keys;  // beside `name` and `of`
 
+  Probe::Kind kind() const { return {name}; }
   bool takes(std::string_view key) const;
 };
 std::span<const ProbeKind> probe_kinds();

@@ -12,6 +12,7 @@
 #include "engine/scene/surface_mesh.hpp"
 #include "engine/solver/contact/motion_bound.hpp"
 #include "engine/solver/contact/wall_contacts.hpp"
+#include "engine/terms/contact_laws.hpp"
 
 namespace taut {
 namespace {
@@ -30,12 +31,25 @@ std::vector<TermInfo> terms(const Formulation& m) {
   return all;
 }
 
-/// Bonds act between initial neighbours, not on what comes near; faces move with initial neighbours, which
-/// particles of the other methods may leave.
-std::vector<ContactLaw> contact_laws(const Formulation& m) {
-  if (!row_of(m.family).searches)
-    return {ContactLaw::penalty, ContactLaw::impulse, ContactLaw::lennard_jones, ContactLaw::surface};
-  return {ContactLaw::sph, ContactLaw::impulse, ContactLaw::penalty, ContactLaw::lennard_jones};
+/// The laws of contact of methods that search neighbours, or of methods that keep their initial neighbours: bonds act
+/// between initial neighbours only, and particles that search may leave the neighbours with which faces move.
+std::vector<ContactLaw> contact_laws_of(bool searches) {
+  std::vector<ContactLaw> all;
+  for (const ContactLawRow& row : contact_laws)
+    if (row.between == ContactBetween::particles ||
+        (row.between == ContactBetween::all_neighbors) == searches)
+      all.push_back(row.law);
+  if (!searches)  // the simplest one first
+    std::ranges::stable_partition(all, [](ContactLaw law) { return law == ContactLaw::penalty; });
+  return all;
+}
+
+bool needs_faces(ContactLaw law) { return contact_row(law).between == ContactBetween::faces; }
+
+std::string joined(const std::vector<ContactLaw>& laws) {
+  std::string names;
+  for (const ContactLaw law : laws) names += (names.empty() ? "" : ", ") + std::string(law.name);
+  return names;
 }
 
 /// Its own, and the others that can be chosen.
@@ -62,7 +76,7 @@ MethodInfo info(const Formulation& m) {
       .constants = method_constants(m, 2),
       .cfl = m.cfl,
       .contact = m.contact,
-      .contact_laws = contact_laws(m),
+      .contact_laws = contact_laws_of(row_of(m.family).searches),
       .meets_itself = !row_of(m.family).searches,
       .several_materials = m.several_materials,
   };
@@ -145,28 +159,32 @@ std::string reason_against_law(const MethodInfo& method, std::string_view law) {
 
 std::span<const LawRow> laws() { return Laws::rows; }
 
+std::span<const ContactLawRow> contact_rows() { return contact_laws; }
+
 ContactLaw published_contact(const Scene& scene, const MethodInfo& method) {
-  return method.contact == ContactLaw::surface && !has_faces(scene) ? ContactLaw::penalty : method.contact;
+  return needs_faces(method.contact) && !has_faces(scene) ? ContactLaw::penalty : method.contact;
 }
 
 ContactLaw contact_law(const Scene& scene, const MethodInfo& method) {
   if (scene.contact == ContactLaw::published) return published_contact(scene, method);
-  if (scene.contact == ContactLaw::surface && !has_faces(scene))
+  if (needs_faces(scene.contact) && !has_faces(scene)) {
+    std::vector<ContactLaw> others = contact_laws_of(false);
+    std::erase_if(others, needs_faces);
     throw SceneError(
         "contact",
-        "the contact law 'surface' needs bodies that are cut from a lattice, and in 3 dimensions "
-        "particles given one by one have no faces; of those: penalty, impulse, lennard-jones");
-  std::string known;
-  for (const ContactLaw law : method.contact_laws) {
-    if (law == scene.contact) return law;
-    known += (known.empty() ? "" : ", ") + std::string(name(law));
+        fmt::format("the contact law '{}' needs bodies that are cut from a lattice, and in 3 dimensions "
+                    "particles given one by one have no faces; of those: {}",
+                    scene.contact.name, joined(others)));
   }
+  if (std::ranges::find(method.contact_laws, scene.contact) != method.contact_laws.end())
+    return scene.contact;
   const std::string_view reason =
-      scene.contact == ContactLaw::surface
+      needs_faces(scene.contact)
           ? "faces move with initial neighbours, and its particles can leave their neighbours"
           : "its particles act on their initial neighbours only";
-  throw SceneError("contact", fmt::format("method '{}' cannot run with the contact law '{}': {}; allowed: {}",
-                                          method.name, name(scene.contact), reason, known));
+  throw SceneError(
+      "contact", fmt::format("method '{}' cannot run with the contact law '{}': {}; allowed: {}", method.name,
+                             scene.contact.name, reason, joined(method.contact_laws)));
 }
 
 }  // namespace taut

@@ -10,6 +10,7 @@
 #include "engine/methods/formulation.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/settings.hpp"
+#include "engine/terms/contact_law_row.hpp"
 
 namespace taut {
 
@@ -65,6 +66,8 @@ std::string reason_against_law(const MethodInfo& method, std::string_view law);
 /// The reference to compare a run with these settings with. Throws UsageError for a law that the method does
 /// not have.
 std::string_view material_law(const MethodInfo& method, const Settings& settings, int dim = 2);
+/// Every law of contact, in the order in which they are offered.
+std::span<const ContactLawRow> contact_rows();
 /// How the bodies of the scene act on each other with this method, never `published`. Throws SceneError for a
 /// law that the method cannot run with.
 ContactLaw contact_law(const Scene& scene, const MethodInfo& method);

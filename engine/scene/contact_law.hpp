@@ -1,23 +1,28 @@
 #pragma once
 
-#include <cstdint>
+#include <compare>
 #include <string_view>
 
 namespace taut {
 
-/// How bodies act on each other.
-enum class ContactLaw : std::uint8_t {
-  published,      // the law of the method's paper
-  sph,            // as particles of one body do, [Zhang2024]
-  impulse,        // the approach of two particles is stopped, [Khayyer2024] Eq. 53, 54
-  penalty,        // a spring of the bulk modulus, [TranDuc2023] Eq. 2.13–2.15
-  lennard_jones,  // one that hardens the nearer they come, [Zhang2020] Eq. 12
-  surface,        // a spring between faces where they overlap; ours
+/// A law of contact between bodies, by its name in scene files. terms/contact_laws.hpp lists the laws.
+struct ContactLaw {
+  std::string_view name;
+
+  auto operator<=>(const ContactLaw&) const = default;
+
+  // laws that are named in code; any other one is ContactLaw{"its name"}
+  static const ContactLaw published;  // the law of the method's paper
+  static const ContactLaw sph, impulse, penalty, lennard_jones, surface;
 };
 
-constexpr std::string_view name(ContactLaw law) {
-  constexpr std::string_view names[] = {"published", "sph", "impulse", "penalty", "lennard-jones", "surface"};
-  return names[static_cast<int>(law)];
-}
+inline constexpr ContactLaw ContactLaw::published{"published"};
+inline constexpr ContactLaw ContactLaw::sph{"sph"};
+inline constexpr ContactLaw ContactLaw::impulse{"impulse"};
+inline constexpr ContactLaw ContactLaw::penalty{"penalty"};
+inline constexpr ContactLaw ContactLaw::lennard_jones{"lennard-jones"};
+inline constexpr ContactLaw ContactLaw::surface{"surface"};
+
+constexpr std::string_view name(ContactLaw law) { return law.name; }
 
 }  // namespace taut

@@ -135,27 +135,33 @@ enum class StressPart : std::uint8_t { xx, yy, zz, xy, xz, yz, von_mises, pressu
 /// A quantity followed at every step. Forces are means over the step before, 0 at the start, and in 2D per
 /// metre of depth.
 struct Probe {
-  enum class Kind {
-    displacement,       // of material point `at` of `bodies[0]`, component `axis`, m
-    position,           // of material point `at`, component `axis`, m
-    velocity,           // of material point `at`, component `axis`, m/s
-    distance,           // between material points `at` and `to` of `bodies[0]`, m
-    mean_velocity,      // mass-weighted, of `bodies[0]`, component `axis`, m/s
-    mean_position,      // the same of the position, m
-    greatest_position,  // of any particle of `bodies[0]`, component `axis`, m
-    gap,  // least distance of two particles of `bodies[0]` and `bodies[1]` less their mean diameter, m
-    mirror_asymmetry,  // greatest |x_a − mirror(x_b)| over particles of two bodies of equal layout, or of one
-                       // that is its own image, plane ⊥ axis, m
-    turn,      // angle of material point `at` of `bodies[0]` about `turns_about` since the start, whole turns
-               // counted, rad
-    stress,    // at material point `at` of `bodies[0]`, as the method shows it: `part`, Pa
-    reaction,  // on the particles of `bodies[0]` that are held, guided or driven, of what does it, component
-               // `axis`, N
-    contact_force,  // on `bodies[0]`, of `bodies[1]` or else of `wall`, component `axis`, N
-    expression,     // `value` of the probes before it
+  /// A kind of probe, by its name in scene files. solver/probe_kinds.cpp has a row for each kind.
+  struct Kind {
+    std::string_view name;
+
+    bool operator==(const Kind&) const = default;
+
+    // kinds that are named in code; any other one is Kind{"its name"}
+    static const Kind displacement, position,
+        velocity;                // of material point `at` of `bodies[0]`, component `axis`
+    static const Kind distance;  // between material points `at` and `to` of `bodies[0]`, m
+    static const Kind mean_velocity, mean_position;  // mass-weighted, of `bodies[0]`, component `axis`
+    static const Kind greatest_position;             // of any particle of `bodies[0]`, component `axis`, m
+    // least distance of two particles of `bodies[0]` and `bodies[1]` less their mean diameter, or between faces, m
+    static const Kind gap;
+    // largest |x_a − mirror(x_b)| over particles of two bodies of equal layout, or of one body that is its own image,
+    // plane ⊥ axis, m
+    static const Kind mirror_asymmetry;
+    // angle of material point `at` of `bodies[0]` about `turns_about` since the start, whole turns included, rad
+    static const Kind turn;
+    static const Kind stress;  // `part` at material point `at` of `bodies[0]`, as the method shows it, Pa
+    // constraint force on the particles of `bodies[0]` that are clamped, guided or driven, component `axis`, N
+    static const Kind reaction;
+    static const Kind contact_force;  // on `bodies[0]`, of `bodies[1]` or else of `wall`, component `axis`, N
+    static const Kind expression;     // `value` of the probes before it
   };
   std::string name;
-  Kind kind{};
+  Kind kind = Kind::displacement;
   std::vector<int> bodies;
   Point at{}, to{};
   int axis = 0;
@@ -167,6 +173,14 @@ struct Probe {
   std::function<double(const std::vector<double>&, double)> value;
   bool of_forces = false;  // `value` is of forces alone
 };
+
+inline constexpr Probe::Kind Probe::Kind::displacement{"displacement"}, Probe::Kind::position{"position"},
+    Probe::Kind::velocity{"velocity"}, Probe::Kind::distance{"distance"},
+    Probe::Kind::mean_velocity{"mean_velocity"}, Probe::Kind::mean_position{"mean_position"},
+    Probe::Kind::greatest_position{"greatest_position"}, Probe::Kind::gap{"gap"},
+    Probe::Kind::mirror_asymmetry{"mirror_asymmetry"}, Probe::Kind::turn{"turn"},
+    Probe::Kind::stress{"stress"}, Probe::Kind::reaction{"reaction"},
+    Probe::Kind::contact_force{"contact_force"}, Probe::Kind::expression{"expression"};
 
 constexpr bool is_force(Probe::Kind kind) {
   return kind == Probe::Kind::reaction || kind == Probe::Kind::contact_force;

@@ -38,7 +38,7 @@ class Common {
   Constants constants;
   const InitialParticles initial;
   Particles<Dim> particles;
-  mutable Contact<Dim> contact;
+  Contact<Dim> contact;
   External<Dim> external;
   ProbeRecorder<Dim> probes;
   TeamSize team;

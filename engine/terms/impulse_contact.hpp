@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/core/pack.hpp"
-#include "engine/methods/term_info.hpp"
+#include "engine/terms/contact_law_row.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -19,9 +19,14 @@ inline double stopping_impulse(double closing_speed, double inv_m_i, double inv_
   const double inv_mu = inv_m_i + inv_m_j;
   return inv_mu > 0 ? std::max(closing_speed, 0.0) / inv_mu : 0;
 }
-inline constexpr TermInfo impulse_info{
-    "contact", "Δ(m_i v_i) = m_i m_j/(m_i + m_j) · closing speed, between bodies, r < dp",
-    "[Khayyer2024] Eq. 53, 54", "terms/impulse_contact.hpp:stopping_impulse",
-    "impulse contact: stops the approach of a pair, nothing else"};
+inline constexpr ContactLawRow impulse_contact{
+    .law = ContactLaw::impulse,
+    .help = "impulses that stop the approach of two particles, [Khayyer2024] Eq. 53, 54",
+    .term = {"contact", "Δ(m_i v_i) = m_i m_j/(m_i + m_j) · closing speed, between bodies, r < dp",
+             "[Khayyer2024] Eq. 53, 54", "terms/impulse_contact.hpp:stopping_impulse",
+             "impulse contact: stops the approach of a pair, nothing else"},
+    .between = ContactBetween::particles,
+    .impulse = stopping_impulse,
+};
 
 }  // namespace taut::inline TAUT_ISA

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/core/pack.hpp"
-#include "engine/methods/term_info.hpp"
+#include "engine/terms/contact_law_row.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -24,10 +24,6 @@ inline double lennard_jones_force(double r, double dp, double K, int dim) {
   const double near = std::max(r, lennard_jones_core * dp), l2 = dp * dp / (near * near);
   return l2 > 1 ? lennard_jones_scale(dp, K, dim) * l2 * l2 * (l2 - 1) / near : 0;
 }
-inline constexpr TermInfo lennard_jones_info{
-    "contact", "f = s/2 K1 K2/(K1 + K2) dp^d (l⁶ − l⁴)/r, l = dp/r ≥ 1, between bodies", "[Zhang2020] Eq. 12",
-    "terms/lennard_jones_contact.hpp:lennard_jones_force",
-    "Lennard-Jones contact: none from one spacing on, and the slope of its energy"};
 
 /// J (per metre depth in 2D): p̄ (l⁶/6 − l⁴/4 + 1/12), the force of the core goes on as it is
 inline double lennard_jones_energy(double r, double dp, double K, int dim) {
@@ -36,5 +32,16 @@ inline double lennard_jones_energy(double r, double dp, double K, int dim) {
   const double outside = lennard_jones_scale(dp, K, dim) * (l2 * l2 * l2 / 6 - l2 * l2 / 4 + 1.0 / 12);
   return outside + lennard_jones_force(near, dp, K, dim) * (near - r);
 }
+
+inline constexpr ContactLawRow lennard_jones_contact{
+    .law = ContactLaw::lennard_jones,
+    .help = "spring that hardens as particles approach, [Zhang2020] Eq. 12",
+    .term = {"contact", "f = s/2 K1 K2/(K1 + K2) dp^d (l⁶ − l⁴)/r, l = dp/r ≥ 1, between bodies",
+             "[Zhang2020] Eq. 12", "terms/lennard_jones_contact.hpp:lennard_jones_force",
+             "Lennard-Jones contact: none from one spacing on, and the slope of its energy"},
+    .between = ContactBetween::particles,
+    .force = lennard_jones_force,
+    .energy = lennard_jones_energy,
+};
 
 }  // namespace taut::inline TAUT_ISA

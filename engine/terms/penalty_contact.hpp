@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/core/pack.hpp"
-#include "engine/methods/term_info.hpp"
+#include "engine/terms/contact_law_row.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -25,14 +25,21 @@ inline double penalty_force(double r, double dp, double K, int dim) {
   const double area = dim == 3 ? dp : 1;
   return K * area * std::max(dp - r, 0.0);
 }
-inline constexpr TermInfo penalty_info{
-    "contact", "f = s K1 K2/(K1 + K2) dp^(d−2) (dp − r) between bodies", "[TranDuc2023] Eq. 2.13",
-    "terms/penalty_contact.hpp:penalty_force",
-    "penalty contact: none from one spacing on, and the slope of its energy"};
 
 /// J (per metre depth in 2D)
 inline double penalty_energy(double r, double dp, double K, int dim) {
   return 0.5 * penalty_force(r, dp, K, dim) * std::max(dp - r, 0.0);
 }
+
+inline constexpr ContactLawRow penalty_contact{
+    .law = ContactLaw::penalty,
+    .help = "spring with a stiffness from the bulk modulus, [TranDuc2023] Eq. 2.13 to 2.15",
+    .term = {"contact", "f = s K1 K2/(K1 + K2) dp^(d−2) (dp − r) between bodies", "[TranDuc2023] Eq. 2.13",
+             "terms/penalty_contact.hpp:penalty_force",
+             "penalty contact: none from one spacing on, and the slope of its energy"},
+    .between = ContactBetween::particles,
+    .force = penalty_force,
+    .energy = penalty_energy,
+};
 
 }  // namespace taut::inline TAUT_ISA

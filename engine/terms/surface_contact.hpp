@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "engine/core/pack.hpp"
-#include "engine/methods/term_info.hpp"
+#include "engine/terms/contact_law_row.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -27,6 +27,9 @@ inline double surface_stiffness_slope(double M1, double M2, double stiffness, do
   return 0.5 * stiffness * share * share / dp;
 }
 
+/// Ratio of the stiffness of a contact with this factor s to the stiffness of the material, 1 at least.
+inline double stiffer_than_material(double stiffness) { return std::max(1.0, stiffness / 2); }
+
 /// J (per metre depth in 2D), of a piece of a face, m (m² in 3D), that lies `depth`, m, behind another face:
 /// ½ · ½ k δ² A. Of two faces that overlap each is seen from the other, and each counts for half.
 inline double surface_energy(double depth, double area, double k) {
@@ -38,11 +41,17 @@ inline double surface_energy(double depth, double area, double k) {
 inline double surface_force(double depth, double area, double k) {
   return depth > 0 ? 0.5 * k * area * depth : 0;
 }
-inline constexpr TermInfo surface_contact_info{
-    "contact",
-    "f = ½ k δ A on a piece of a face δ behind another face, k = ½ s M1 M2/(M1 + M2)/dp, M = K + 4G/3",
-    "ours", "terms/surface_contact.hpp:surface_force",
-    "surface contact: none before faces meet, and the slope of its energy"};
+inline constexpr ContactLawRow surface_contact{
+    .law = ContactLaw::surface,
+    .help = "spring between overlapping faces; own law of taut",
+    .term =
+        {"contact",
+         "f = ½ k δ A on a piece of a face δ behind another face, k = ½ s M1 M2/(M1 + M2)/dp, M = K + 4G/3",
+         "ours", "terms/surface_contact.hpp:surface_force",
+         "surface contact: none before faces meet, and the slope of its energy"},
+    .between = ContactBetween::faces,
+    .touching = 0,
+};
 
 /// Share of a piece of a face that counts, of the cosine between its outward normal and that of the face it
 /// lies behind: all of it up to 60° from facing it, none from 76° on. At a corner one side meets a face and

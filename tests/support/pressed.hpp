@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "engine/families/catalogue.hpp"
-#include "engine/solver/contact/contact.hpp"
+#include "engine/solver/contact/face_contacts.hpp"
+#include "engine/solver/contact/facet_contacts.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 
@@ -55,7 +56,7 @@ class Pressed {
   }
   /// Of every particle, N.
   const std::vector<V>& forces() {
-    faces_.search(s, walls_);
+    faces_.search(s, walls_, {});
     return forces_as_found();
   }
   const std::vector<V>& forces_as_found() {
@@ -72,8 +73,8 @@ class Pressed {
   }
   double energy() { return faces_.energy(s, walls_); }
   double gap() { return faces_.gap(s, 0, 1); }
-  V between(int a, int b) const { return faces_.between(a, b); }
-  V of_wall(int a) const { return faces_.of_wall(a, 0, walls_); }
+  V between(int a, int b) const { return faces_.between(s, a, b); }
+  V of_wall(int a) const { return faces_.of_wall(s, a, 0, walls_); }
   const Impulse& of_walls() const { return walls_.given(); }
   const std::vector<int>& touching() const { return faces_.touching(); }
 

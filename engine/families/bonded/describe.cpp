@@ -1,6 +1,7 @@
 #include "engine/families/bonded/describe.hpp"
 
 #include "engine/families/bonded/solver.hpp"
+#include "engine/terms/contact_laws.hpp"
 
 namespace taut::bonded {
 

@@ -1,9 +1,9 @@
 #include "engine/families/tl_displacement/describe.hpp"
 
 #include "engine/materials/laws.hpp"
-#include "engine/solver/contact/contact.hpp"
 #include "engine/solver/initial_configuration.hpp"
 #include "engine/solver/initial_pairs.hpp"
+#include "engine/terms/contact_laws.hpp"
 
 namespace taut::tl_displacement {
 namespace {

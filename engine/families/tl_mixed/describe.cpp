@@ -3,8 +3,8 @@
 #include "engine/families/tl_mixed/boundary_projection.hpp"
 #include "engine/families/tl_mixed/passes.hpp"
 #include "engine/materials/laws.hpp"
-#include "engine/solver/contact/contact.hpp"
 #include "engine/solver/initial_configuration.hpp"
+#include "engine/terms/contact_laws.hpp"
 
 namespace taut::tl_mixed {
 namespace {

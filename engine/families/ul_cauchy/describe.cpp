@@ -1,7 +1,7 @@
 #include "engine/families/ul_cauchy/describe.hpp"
 
 #include "engine/families/ul_cauchy/passes.hpp"
-#include "engine/solver/contact/contact.hpp"
+#include "engine/terms/contact_laws.hpp"
 
 namespace taut::ul_cauchy {
 namespace {

@@ -1,70 +1,67 @@
 // Compiled once per instruction set; see engine/CMakeLists.txt.
 #include "engine/solver/contact/contact.hpp"
 
+#include "engine/solver/contact/face_contacts.hpp"
+#include "engine/solver/contact/facet_contacts.hpp"
+#include "engine/solver/contact/pair_contacts.hpp"
+#include "engine/terms/contact_laws.hpp"
+
 namespace taut::inline TAUT_ISA {
 
 template <int Dim>
-Contact<Dim>::Contact(const SolverInput& input)
-    : by_faces_(input.contact == ContactLaw::surface),
-      between_bodies_(input.contact != ContactLaw::sph && input.initial.first.size() > 2),
-      active_(between_bodies_ || input.meets_itself || !input.scene.walls.empty()),
-      stiffer_(std::max(1.0, input.constants.contact_stiffness / 2)),
-      walls_(input.scene),
-      pairs_(input),
-      faces_(input) {
+Contact<Dim>::Contact(const SolverInput& input) : walls_(input.scene) {
+  const ContactLawRow& law = contact_row(input.contact);
+  between_bodies_ = law.between != ContactBetween::all_neighbors && input.initial.first.size() > 2;
+  if (!between_bodies_ && !input.meets_itself && input.scene.walls.empty()) {
+    mechanism_ = std::make_unique<ContactMechanism<Dim>>();
+  } else if (law.between == ContactBetween::faces) {
+    auto faces = std::make_unique<ContactsOfFaces<Dim>>(input);
+    faces_ = faces.get();
+    mechanism_ = std::move(faces);
+  } else {
+    mechanism_ = std::make_unique<PairContacts<Dim>>(input, law, between_bodies_);
+  }
   for (const Probe& probe : input.scene.probes)
     if (probe.kind == Probe::Kind::contact_force)
-      asked_.push_back({probe.bodies[0], probe.wall < 0 ? probe.bodies[1] : -1, probe.wall, {}});
+      probed_.push_back({probe.bodies[0], probe.wall < 0 ? probe.bodies[1] : -1, probe.wall, {}});
 }
 
 template <int Dim>
 bool Contact<Dim>::prepare(const Particles<Dim>& s, double way) {
-  if (!active_) return false;
-  for (Asked& asked : asked_) asked.impulse = V{};
-  const bool again = by_faces_ ? faces_.prepare(s, walls_, way) : pairs_.prepare(s, walls_, way);
-  if (again) force_.assign(s.size(), V{});
-  return again;
+  for (Probed& probed : probed_) probed.impulse = V{};
+  const bool searched = mechanism_->search(s, walls_, way);
+  if (searched) reset_forces(s.size());
+  return searched;
 }
 
 template <int Dim>
 void Contact<Dim>::search(const Particles<Dim>& s) {
-  if (!active_) return;
-  by_faces_ ? faces_.search(s, walls_) : pairs_.search(s, walls_);
-  force_.assign(s.size(), V{});
+  mechanism_->search(s, walls_, {});
+  reset_forces(s.size());
 }
 
 template <int Dim>
 void Contact<Dim>::evaluate(const Particles<Dim>& s, double dt, int threads) {
-  if (!active_) return;
-  by_faces_ ? faces_.evaluate(s, dt, walls_, force_, threads) : pairs_.evaluate(s, dt, walls_, force_);
-  for (Asked& asked : asked_) asked.impulse += dt * force_now(s, asked);
+  mechanism_->evaluate(s, dt, walls_, force_, threads);
+  for (auto& [body, other, wall, impulse] : probed_)
+    impulse +=
+        dt * (wall < 0 ? mechanism_->between(s, body, other) : mechanism_->of_wall(s, body, wall, walls_));
 }
 
 template <int Dim>
-auto Contact<Dim>::force_now(const Particles<Dim>& s, const Asked& asked) const -> V {
-  if (asked.wall >= 0)
-    return by_faces_ ? faces_.of_wall(asked.body, asked.wall, walls_)
-                     : pairs_.of_wall(s, asked.body, asked.wall, walls_);
-  if (!between_bodies_) return {};
-  return by_faces_ ? faces_.between(asked.body, asked.other) : pairs_.between(s, asked.body, asked.other);
+void Contact<Dim>::find_impulses(const Particles<Dim>& s, double gone) {
+  impulse_.resize(s.size());
+  mechanism_->stop_approach(s, gone, walls_, inverse_mass_, impulse_);
+  for (Probed& probed : probed_)
+    probed.impulse += mechanism_->impulse(probed.body, probed.other, probed.wall);
 }
 
 template <int Dim>
 auto Contact<Dim>::impulse(int body, int other, int wall) const -> V {
-  for (const Asked& asked : asked_)
-    if (asked.body == body && asked.wall == wall && (wall >= 0 || asked.other == other)) return asked.impulse;
+  for (const Probed& probed : probed_)
+    if (probed.body == body && probed.wall == wall && (wall >= 0 || probed.other == other))
+      return probed.impulse;
   return {};
-}
-
-template <int Dim>
-double Contact<Dim>::energy(const Particles<Dim>& s) {
-  if (!active_) return 0;
-  return by_faces_ ? faces_.energy(s, walls_) : pairs_.energy(s, walls_);
-}
-
-template <int Dim>
-Neighbors Contact<Dim>::neighbors(int particles) const {
-  return pairs_.neighbors(particles);
 }
 
 template class Contact<2>;

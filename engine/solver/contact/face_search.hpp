@@ -24,17 +24,15 @@ struct NearFaces {
 };
 
 /// Finds the segments near nodes.
-template <int Dim>
 class FaceSearch {
  public:
-  using V = Vec<double, Dim>;
+  using V = Vec<double, 2>;
 
   /// Lists those `wanted(node, segment)` that are less than `listed`, m, from their node; how far the nearest
   /// other one is, m, up to `horizon`.
   template <class Wanted>
-  double operator()(const MovingFaces<Dim>& faces, const std::vector<int>& nodes,
-                    const std::vector<int>& segments, double listed, double horizon, const Wanted& wanted,
-                    NearFaces& out) {
+  double operator()(const MovingFaces& faces, const std::vector<int>& nodes, const std::vector<int>& segments,
+                    double listed, double horizon, const Wanted& wanted, NearFaces& out) {
     out = {};
     double beyond = horizon;
     if (nodes.empty() || segments.empty()) return beyond;
@@ -66,7 +64,7 @@ class FaceSearch {
  private:
   /// The middles of the segments, and the nodes behind them so that they are in the grid too. The length of
   /// the longest segment, m.
-  double sort_middles(const MovingFaces<Dim>& faces, const std::vector<int>& nodes,
+  double sort_middles(const MovingFaces& faces, const std::vector<int>& nodes,
                       const std::vector<int>& segments, double horizon) {
     middles_.clear();
     double longest2 = 0;
@@ -83,7 +81,7 @@ class FaceSearch {
   }
 
   /// An entry for each body among the segments found last.
-  static void enter(const MovingFaces<Dim>& faces, int node, std::size_t from, NearFaces& out) {
+  static void enter(const MovingFaces& faces, int node, std::size_t from, NearFaces& out) {
     for (std::size_t k = from; k < out.segment.size(); ++k) {
       const auto body = [&](std::size_t l) { return faces.body_of_segment(out.segment[l]); };
       if (k + 1 < out.segment.size() && body(k + 1) == body(k)) continue;
@@ -92,7 +90,7 @@ class FaceSearch {
     }
   }
 
-  CellGrid<Dim> grid_;
+  CellGrid<2> grid_;
   std::vector<V> middles_;
   const std::vector<int>* order_ = nullptr;
 };

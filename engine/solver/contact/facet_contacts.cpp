@@ -6,21 +6,21 @@
 
 #include "engine/core/parallel.hpp"
 #include "engine/error.hpp"
-#include "engine/terms/surface_contact.hpp"
+#include "engine/scene/surface_mesh.hpp"
 
 namespace taut::inline TAUT_ISA {
 
 FacetContacts::FacetContacts(const SolverInput& input)
-    : dp_(input.constants.dp), stiffness_(input.constants.contact_stiffness) {
-  if (input.contact != ContactLaw::surface) return;
-  facets_ = MovingFacets(make_surface_mesh(input.scene, input.initial, input.threads));
+    : dp_(input.constants.dp),
+      stiffness_(input.constants.contact_stiffness),
+      facets_(make_surface_mesh(input.scene, input.initial, input.threads)),
+      candidates_(input, facets_, apart * dp_),
+      force_(facets_.mesh().size()) {
   if (input.scene.bodies.size() > 1 || !input.scene.walls.empty()) refuse_thin(input.scene);
   for (const SurfaceMesh::Facet& facet : facets_.mesh().facets) {
     const Elasticity& e = input.materials[input.initial.material[facet.particle]];
     M_.push_back(e.K + 4.0 / 3 * e.G);
   }
-  find_ = FacetSearch(input, facets_, apart * dp_);
-  force_.resize(facets_.mesh().size());
 }
 
 void FacetContacts::refuse_thin(const Scene& scene) const {
@@ -32,17 +32,12 @@ void FacetContacts::refuse_thin(const Scene& scene) const {
   }
 }
 
-void FacetContacts::search(const Particles<3>& s, const WallContacts<3>& walls) {
-  if (facets_.size() == 0) return;
-  facets_.renumber(s);
-  find_.search(s, facets_, walls);
-  list();
-}
-
-bool FacetContacts::prepare(const Particles<3>& s, const WallContacts<3>& walls, double way) {
-  if (facets_.size() == 0 || !find_.prepare(s, facets_, walls, way)) return false;
-  list();
-  return true;
+bool FacetContacts::search(const Particles<3>& s, const WallContacts<3>& walls, std::optional<double> way) {
+  if (facets_.size() == 0) return false;
+  if (!way) facets_.renumber(s);
+  const bool searched = candidates_.search(s, facets_, walls, way);
+  if (searched) list();
+  return searched;
 }
 
 /// Rows, watched facets, their nodes and particles, of what the search has found.
@@ -50,7 +45,7 @@ void FacetContacts::list() {
   rows_.clear();
   begin_.assign(1, 0);
   std::vector<char> watched(facets_.size());
-  const auto& pairs = find_.pairs;
+  const auto& pairs = candidates_.pairs;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto& [f, g] = pairs[k];
     if (rows_.empty() || rows_.back().facet != f || rows_.back().body != facets_.body(g)) {
@@ -66,7 +61,7 @@ void FacetContacts::list() {
     const auto found = std::ranges::lower_bound(rows_, std::pair(g, facets_.body(f)), {}, key);
     other_.push_back(static_cast<int>(found - rows_.begin()));
   }
-  for (const auto& [f, wall] : find_.near_wall) watched[f] = true;
+  for (const auto& [f, wall] : candidates_.near_wall) watched[f] = true;
   watched_ = indices_of(watched);
   nodes_ = facets_.nodes_of(watched_);
   touching_ = facets_.particles_of(nodes_);
@@ -107,7 +102,7 @@ void FacetContacts::for_each_pair(int row, const int* first, int count, const F&
 /// energy of the two is its own. It does not harden, since nothing is let through a wall.
 template <class F>
 void FacetContacts::for_each_wall(const WallContacts<3>& walls, const F& f) const {
-  for (const auto& [facet, wall] : find_.near_wall) {
+  for (const auto& [facet, wall] : candidates_.near_wall) {
     const double height = walls.height(wall, facets_[facet].middle);
     if (height >= 0) continue;
     const double share = projected_share(dot(facets_[facet].normal, walls.normal(wall)));
@@ -116,46 +111,46 @@ void FacetContacts::for_each_wall(const WallContacts<3>& walls, const F& f) cons
   }
 }
 
-/// Everything at the positions that `s` has now, from facets to what rows have met.
+/// Everything at the positions that `s` has now, from facets to the touch of each row.
 void FacetContacts::place(const Particles<3>& s) {
   facets_.place(s, nodes_, watched_, threads_);
   near_.resize(other_.size());
-  met_.resize(rows_.size());
-  parallel_for(static_cast<int>(rows_.size()), threads_, [&](int r) { met_[r] = measured(r); });
+  touches_.resize(rows_.size());
+  parallel_for(static_cast<int>(rows_.size()), threads_, [&](int r) { touches_[r] = measured(r); });
 }
 
-auto FacetContacts::measured(int r) -> Met {
-  Met met;
+auto FacetContacts::measured(int r) -> Touch {
+  Touch touch;
   double sum = 0;
   int* const near = near_.data() + begin_[r];
   for_each_pair(r, other_.data() + begin_[r], begin_[r + 1] - begin_[r], [&](int other, const Pair& pair) {
-    near[met.near++] = other;
+    near[touch.near++] = other;
     const double W = facets_[rows_[other].facet].area * weight_of(pair);
     sum += W * pair.p;
-    met.M += W * M_[rows_[other].facet];
-    met.cover += W;
+    touch.M += W * M_[rows_[other].facet];
+    touch.cover += W;
   });
-  if (!(met.cover > 0)) return met;
-  met.height = sum / met.cover;
-  if (met.height >= 0) return met;
-  met.M /= met.cover;
+  if (!(touch.cover > 0)) return touch;
+  touch.height = sum / touch.cover;
+  if (touch.height >= 0) return touch;
+  touch.M /= touch.cover;
   const int facet = rows_[r].facet;
-  const double area = area_of(facet) * covered_share(met.cover),
-               k_per_M = surface_stiffness_slope(M_[facet], met.M, stiffness_, dp_);
-  met.k = surface_stiffness(M_[facet], met.M, stiffness_, dp_);
-  met.per_sum = hard_energy(-met.height, area_of(facet) * covered_slope(met.cover), met.k, dp_);
-  met.per_p = -hard_force(-met.height, area, met.k, dp_) / met.cover;
-  met.per_M = hard_energy(-met.height, area, k_per_M, dp_) / met.cover;
-  return met;
+  const double area = area_of(facet) * covered_share(touch.cover),
+               k_per_M = surface_stiffness_slope(M_[facet], touch.M, stiffness_, dp_);
+  touch.k = surface_stiffness(M_[facet], touch.M, stiffness_, dp_);
+  touch.per_sum = hard_energy(-touch.height, area_of(facet) * covered_slope(touch.cover), touch.k, dp_);
+  touch.per_p = -hard_force(-touch.height, area, touch.k, dp_) / touch.cover;
+  touch.per_M = hard_energy(-touch.height, area, k_per_M, dp_) / touch.cover;
+  return touch;
 }
 
 /// Of the energies of this facet and of those that it counts for, in where this one is.
 MovingFacets::Slope FacetContacts::slope_of(int r) const {
-  const Met& own = met_[r];
+  const Touch& own = touches_[r];
   const double area = facets_[rows_[r].facet].area, M = M_[rows_[r].facet];
   MovingFacets::Slope slope;
   for_each_pair(r, near_.data() + begin_[r], own.near, [&](int o, const Pair& pair) {
-    const Met& other = met_[o];
+    const Touch& other = touches_[o];
     if (own.per_p == 0 && other.per_p == 0) return;
     const MovingFacets::Place& at = facets_[rows_[o].facet];
     const double per_other = other.per_weight(pair.p, M);
@@ -199,37 +194,38 @@ void FacetContacts::evaluate(const Particles<3>& s, double dt, WallContacts<3>& 
   slopes_.resize(rows_.size());
   parallel_for(static_cast<int>(rows_.size()), threads_, [&](int r) { slopes_[r] = slope_of(r); });
   for (std::size_t r = 0; r < rows_.size(); ++r)
-    if (met_[r].near > 0) facets_.push(rows_[r].facet, slopes_[r], force_);
+    if (touches_[r].near > 0) facets_.push(rows_[r].facet, slopes_[r], force_);
   for (const int i : touching_) force[i] = V{};
   share_out([&](int i, const V& f) { force[i] += f; });
-  stiffening_ = 1;
-  for (const Met& met : met_)
-    if (met.height < 0) stiffening_ = std::max(stiffening_, hardening(-met.height, met.cover, dp_));
+  hardening_ = 1;
+  for (const Touch& touch : touches_)
+    if (touch.height < 0) hardening_ = std::max(hardening_, hardening(-touch.height, touch.cover, dp_));
 }
 
 double FacetContacts::energy(const Particles<3>& s, const WallContacts<3>& walls) {
   place(s);
   double sum = 0;
   for (std::size_t r = 0; r < rows_.size(); ++r)
-    sum +=
-        hard_energy(-met_[r].height, area_of(rows_[r].facet) * covered_share(met_[r].cover), met_[r].k, dp_);
+    sum += hard_energy(-touches_[r].height, area_of(rows_[r].facet) * covered_share(touches_[r].cover),
+                       touches_[r].k, dp_);
   for_each_wall(walls, [&](int facet, int, double depth, double share, double k) {
     sum += surface_energy(depth, area_of(facet) * share, k);  // both passes, half of them of the image
   });
   return sum;
 }
 
-auto FacetContacts::between(int a, int b) const -> V {
+auto FacetContacts::between(const Particles<3>&, int a, int b) const -> V {
   V sum{};
   for (std::size_t r = 0; r < rows_.size(); ++r)
     if (rows_[r].body == b && facets_.body(rows_[r].facet) == a) sum -= slopes_[r].middle;
   return sum;
 }
 
-auto FacetContacts::of_wall(int a, int wall, const WallContacts<3>& walls) const -> V {
+auto FacetContacts::of_wall(const Particles<3>&, int a, int wall, const WallContacts<3>& walls) const -> V {
   double sum = 0;
-  for_each_wall(walls, [&](int facet, int met, double depth, double share, double k) {
-    if (met == wall && facets_.body(facet) == a) sum += 2 * surface_force(depth, area_of(facet) * share, k);
+  for_each_wall(walls, [&](int facet, int touched, double depth, double share, double k) {
+    if (touched == wall && facets_.body(facet) == a)
+      sum += 2 * surface_force(depth, area_of(facet) * share, k);
   });
   return sum * walls.normal(wall);
 }
@@ -240,8 +236,8 @@ double FacetContacts::gap(const Particles<3>& s, int a, int b) {
   place(s);
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     const int own = facets_.body(rows_[r].facet), other = rows_[r].body;
-    if (((own == a && other == b) || (own == b && other == a)) && covered_share(met_[r].cover) > 0)
-      least = std::min(least, met_[r].height);
+    if (((own == a && other == b) || (own == b && other == a)) && covered_share(touches_[r].cover) > 0)
+      least = std::min(least, touches_[r].height);
   }
   return least;
 }

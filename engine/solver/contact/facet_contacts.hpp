@@ -1,54 +1,48 @@
 #pragma once
 
-#include <utility>
+#include <optional>
 #include <vector>
 
-#include "engine/scene/surface_mesh.hpp"
-#include "engine/solver/contact/facet_search.hpp"
+#include "engine/solver/contact/contact_mechanism.hpp"
+#include "engine/solver/contact/facet_candidates.hpp"
 #include "engine/solver/contact/moving_facets.hpp"
 #include "engine/solver/contact/wall_contacts.hpp"
 #include "engine/solver/particles.hpp"
 #include "engine/solver/solver_input.hpp"
+#include "engine/terms/surface_contact.hpp"
 
 namespace taut::inline TAUT_ISA {
 
-/// What faces of bodies do to each other in 3D where they overlap, by the law of terms/surface_contact.hpp: the
-/// slope of an energy of all facets, each of which lies so deep behind the mean of the facets of another body
-/// around it. A body that folds meets itself in the same way.
-class FacetContacts {
+/// Contact between overlapping faces in 3D, by the law of terms/surface_contact.hpp. The force is the slope of an energy
+/// of all facets; the depth of a facet is measured from the mean of the facets of another body around it. A body that
+/// folds meets itself in the same way.
+class FacetContacts final : public ContactMechanism<3> {
  public:
   using V = Vec<double, 3>;
 
   explicit FacetContacts(const SolverInput& input);
 
-  /// The facets that may act before the next search. `search` does it after the particles have been stored
-  /// in another order; `prepare` where the next way of the fastest particle, m, asks for it: true if it did.
-  void search(const Particles<3>& s, const WallContacts<3>& walls);
-  bool prepare(const Particles<3>& s, const WallContacts<3>& walls, double way);
+  bool search(const Particles<3>& s, const WallContacts<3>& walls, std::optional<double> way) override;
 
-  /// Particles that may get a force, in rising order.
-  const std::vector<int>& touching() const { return touching_; }
+  void evaluate(const Particles<3>& s, double dt, WallContacts<3>& walls, std::vector<V>& force,
+                int threads) override;
+  double energy(const Particles<3>& s, const WallContacts<3>& walls) override;
+  double stiffening() const override {
+    return touching_.empty() ? 1 : stiffer_than_material(stiffness_) * hardening_;
+  }
+  V between(const Particles<3>& s, int a, int b) const override;
+  V of_wall(const Particles<3>& s, int a, int wall, const WallContacts<3>& walls) const override;
 
-  /// Sets the forces on `touching`, N; what walls give in `dt`, s, is booked.
-  void evaluate(const Particles<3>& s, double dt, WallContacts<3>& walls, std::vector<V>& force, int threads);
-  double energy(const Particles<3>& s, const WallContacts<3>& walls);  // J
-  /// How much stiffer than at first touch it is anywhere, as last evaluated.
-  double stiffening() const { return stiffening_; }
-
-  /// On body `a` of body `b` or of a wall, N, as last evaluated.
-  V between(int a, int b) const;
-  V of_wall(int a, int wall, const WallContacts<3>& walls) const;
-
-  /// Least height of a facet of one of two bodies over a face of the other, m, below 0 where they overlap; a
-  /// spacing where they are further apart.
+  /// Least height of a facet of one of two bodies over a face of the other, m, negative where they overlap; a
+  /// spacing if they are further apart.
   double gap(const Particles<3>& s, int a, int b);
 
-  template <class Archive>
-  void serialize(Archive& archive, int particles, int walls) {
-    facets_.serialize(archive, particles);
-    find_.serialize(archive, walls);
-    archive(stiffening_);
-    if constexpr (Archive::loads) list();
+  void serialize(Saver& archive, int particles, const WallContacts<3>& walls) override {
+    transfer(archive, particles, walls);
+  }
+  void serialize(Loader& archive, int particles, const WallContacts<3>& walls) override {
+    transfer(archive, particles, walls);
+    list();
   }
 
  private:
@@ -58,17 +52,17 @@ class FacetContacts {
   static constexpr double apart = 2.13;              // √(behind² + radius²), of facets that act
   double reach_at(double p) const { return (p < 0 ? behind : before) * dp_; }
 
-  /// A facet and a body, its own or another,
+  /// A facet with the facets of a body near it, its own body or another.
   struct Row {
     int facet, body;
   };
-  /// and what the facets of that body are to it now.
-  struct Met {
-    int near = 0;              // how many count
-    double cover = 0;          // the sum of their weights W
-    double height = 0, M = 0;  // the means of p, m, and of M, Pa
+  /// Geometry and law of a row at the current positions.
+  struct Touch {
+    int near = 0;              // facets of the body that count
+    double cover = 0;          // sum of their weights W
+    double height = 0, M = 0;  // their means of p, m, and of M, Pa
     double k = 0;              // Pa/m
-    // slopes of the energy in that sum, J, and in the two of one of them, over its W, N and m³
+    // slopes of the energy in that sum, J, and in the means: of one facet, over its W, N and m³
     double per_sum = 0, per_p = 0, per_M = 0;
     double per_weight(double p, double modulus) const {  // in the W of one of them, J
       return per_sum + per_p * (p - height) + per_M * (modulus - M);
@@ -81,30 +75,36 @@ class FacetContacts {
 
   double weight_of(const Pair& pair) const { return pair.share * pair.weight * pair.near; }  // 1/m²
   double area_of(int facet) const { return facets_.mesh().facets[facet].area; }  // at the start, m²
+  template <class Archive>
+  void transfer(Archive& archive, int particles, const WallContacts<3>& walls) {
+    facets_.serialize(archive, particles);
+    candidates_.serialize(archive, walls.count());
+    archive(hardening_);
+  }
   void refuse_thin(const Scene& scene) const;
   void list();
   void place(const Particles<3>& s);
-  Met measured(int row);
+  Touch measured(int row);
   MovingFacets::Slope slope_of(int row) const;
   template <class F>
   void for_each_pair(int row, const int* first, int count, const F& f) const;
   template <class F>
   void for_each_wall(const WallContacts<3>& walls, const F& f) const;
 
-  double dp_, stiffness_, stiffening_ = 1;
+  double dp_, stiffness_;
+  double hardening_ = 1;  // largest ratio of the stiffness to the stiffness at first touch, as last evaluated
   int threads_ = 1;
   MovingFacets facets_;
   std::vector<double> M_;  // [facet] K + 4G/3, Pa
-  FacetSearch find_;
+  FacetCandidates candidates_;
 
   std::vector<Row> rows_;                    // by facet, then body
   std::vector<int> begin_, other_;           // [row] the rows of the facets near it, in rising order
-  std::vector<Met> met_;                     // [row]
+  std::vector<Touch> touches_;               // [row]
   std::vector<int> near_;                    // those of them that count now, from the same place on
   std::vector<MovingFacets::Slope> slopes_;  // [row]
   std::vector<int> watched_;                 // facets whose place counts, in rising order
   std::vector<int> nodes_;                   // theirs
-  std::vector<int> touching_;                // particles
   std::vector<V> force_;                     // [node] N
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <numeric>
 #include <tuple>
@@ -18,6 +17,37 @@ enum class PairsOf {
   one_body,    // that were further apart at the start than a given distance
   two_bodies,  // all
 };
+
+/// Facets in columns, each with `lanes` readable entries after the last one.
+struct FacetColumns {
+  const double* now[3];    // m
+  const double* start[3];  // m
+  const double* normal[3];
+};
+
+/// Lists the facets first … last − 1 whose middles are nearer to the middle of facet p than √near2 and were further
+/// than √far2 at the start, and whose normals have a cosine below `cosine` with its normal: their indices and squared
+/// distances, m². Returns how many.
+inline int find_near_facets(const FacetColumns& facets, int p, int first, int last, double near2, double far2,
+                            double cosine, int* found, double* distance2) {
+  int count = 0;
+  for (int q = first; q < last; q += lanes) {
+    Pack d2{}, D2{}, cosines{};
+    for (int k = 0; k < 3; ++k) {
+      const Pack d = load(facets.now[k] + q) - facets.now[k][p],
+                 D = load(facets.start[k] + q) - facets.start[k][p];
+      d2 += d * d, D2 += D * D;
+      cosines += load(facets.normal[k] + q) * facets.normal[k][p];
+    }
+    const unsigned in_row = last - q < lanes ? (1u << (last - q)) - 1 : (1u << lanes) - 1;
+    unsigned near = in_row & lanes_where((d2 < near2) & (cosines < cosine) & (D2 > far2));
+    for (; near != 0; near &= near - 1) {
+      const int lane = __builtin_ctz(near);
+      found[count] = q + lane, distance2[count++] = d2[lane];
+    }
+  }
+  return count;
+}
 
 /// Finds the pairs of facets that are near each other and do not look the same way: of clusters of neighbouring
 /// facets first, by the boxes around them and how much their normals spread, then of facets, four at a time.
@@ -108,28 +138,18 @@ class FacetPairs {
 
   template <PairsOf kind, class Wanted, class Found>
   void find_between(const std::vector<int>& candidates, int a, int b, const Limits& limits, double& beyond2,
-                    const Wanted& wanted, const Found& found) const {
-    const double far2 = limits.far * limits.far;
+                    const Wanted& wanted, const Found& found) {
+    const double far2 = kind == PairsOf::one_body ? limits.far * limits.far : -1;
     for (int p = begin_[a]; p < begin_[a + 1]; ++p) {
-      for (int q = a == b ? p + 1 : begin_[b]; q < begin_[b + 1]; q += lanes) {
-        Pack d2{}, D2{}, cosine{};
-        for (int k = 0; k < 3; ++k) {
-          const Pack d = load(&now_[k][q]) - now_[k][p], D = load(&then_[k][q]) - then_[k][p];
-          d2 += d * d, D2 += D * D;
-          cosine += load(&normal_[k][q]) * normal_[k][p];
-        }
-        const unsigned in_row = (1u << std::min(begin_[b + 1] - q, lanes)) - 1;
-        unsigned near = in_row & lanes_where((d2 < beyond2) & (cosine < limits.cosine));
-        if (kind == PairsOf::one_body) near &= lanes_where(D2 > far2);
-        for (; near != 0; near &= near - 1) {
-          const int lane = std::countr_zero(near);
-          const int f = candidates[p], g = candidates[q + lane];
-          if (!wanted(f, g)) continue;
-          if (d2[lane] < limits.listed * limits.listed)
-            found(f, g);
-          else
-            beyond2 = std::min(beyond2, d2[lane]);
-        }
+      const int count = find_near_facets(columns_, p, a == b ? p + 1 : begin_[b], begin_[b + 1], beyond2,
+                                         far2, limits.cosine, near_.data(), distance2_.data());
+      for (int k = 0; k < count; ++k) {
+        const int f = candidates[p], g = candidates[near_[k]];
+        if (!wanted(f, g)) continue;
+        if (distance2_[k] < limits.listed * limits.listed)
+          found(f, g);
+        else
+          beyond2 = std::min(beyond2, distance2_[k]);
       }
     }
   }
@@ -156,6 +176,11 @@ class FacetPairs {
       c.normal += normal;
     }
     begin_.push_back(static_cast<int>(n));
+    for (int k = 0; k < 3; ++k) {
+      columns_.now[k] = now_[k].data(), columns_.start[k] = then_[k].data();
+      columns_.normal[k] = normal_[k].data();
+    }
+    near_.resize(n), distance2_.resize(n);
     for (std::size_t c = 0; c < clusters_.size(); ++c) {
       clusters_[c].normal = (1.0 / (begin_[c + 1] - begin_[c])) * clusters_[c].normal;
       double spread2 = 0;
@@ -173,6 +198,9 @@ class FacetPairs {
   // of a search
   std::array<std::vector<double>, 3> now_, then_;  // [candidate] m
   std::array<std::vector<double>, 3> normal_;      // [candidate]
+  FacetColumns columns_{};                         // these
+  std::vector<int> near_;
+  std::vector<double> distance2_;  // m²
   std::vector<int> of_body_;
   std::vector<int> begin_;  // [cluster] its candidates
   std::vector<Cluster> clusters_;

@@ -14,7 +14,6 @@
 namespace taut::inline TAUT_ISA {
 
 /// The half of one of a node's two sides that belongs to the node, as far as it lies over a segment and faces it.
-template <int Dim>
 struct FacingHalf {
   int side = Outline::none;
   double half = 0;                   // its length at the start, m
@@ -31,27 +30,24 @@ struct FacingHalf {
 };
 
 /// The closest point of a segment to a node.
-template <int Dim>
 struct Foot {
   int node = Outline::none, segment = Outline::none;
   double xi = 0;                                          // from the first end to the second
   double distance2 = 0;                                   // m²
   double rank = std::numeric_limits<double>::infinity();  // m: the least is the foot
   double weight = 1;                                      // of two that are as near
-  std::array<FacingHalf<Dim>, 2> halves{};
-  Vec<double, Dim> offset{}, normal{};  // node − point, m; outwards
+  std::array<FacingHalf, 2> halves{};
+  Vec<double, 2> offset{}, normal{};  // node − point, m; outwards
 
   double area() const { return weight * (halves[0].area() + halves[1].area()); }  // m
 };
 
 /// Where the faces of scene/outline.hpp are now: a node is a mean of particles, and what acts on a node acts
 /// on them by the same weights.
-template <int Dim>
 class MovingFaces {
  public:
-  using V = Vec<double, Dim>;
+  using V = Vec<double, 2>;
 
-  MovingFaces() = default;
   explicit MovingFaces(Outline outline)
       : outline_(std::move(outline)), place_(outline_.size()), normal_(outline_.segments.size()) {
     for (int n = 0; n < size(); ++n) {
@@ -74,24 +70,24 @@ class MovingFaces {
   int body_of_segment(int k) const { return outline_.body_of(outline_.segments[k]); }
   V x0(int node) const {  // m
     V x;
-    for (int k = 0; k < Dim; ++k) x[k] = outline_.x[node][k];
+    for (int k = 0; k < 2; ++k) x[k] = outline_.x[node][k];
     return x;
   }
 
   /// After particles were stored in another order.
-  void renumber(const Particles<Dim>& s) {
+  void renumber(const Particles<2>& s) {
     const std::vector<int> where = s.places_of_ids();
     stored_.clear();
     for (const PointWeight& share : outline_.shares) stored_.push_back(where[share.particle]);
   }
 
   /// Brings nodes to where their particles are.
-  void place(const Particles<Dim>& s, int node) {
+  void place(const Particles<2>& s, int node) {
     V x{};
     for_each_share(node, [&](int i, double weight) { x += weight * s.x[i]; });
     place_[node] = x;
   }
-  void place_all(const Particles<Dim>& s) {
+  void place_all(const Particles<2>& s) {
     for (int n = 0; n < size(); ++n) place(s, n);
     for (int k = 0; k < static_cast<int>(normal_.size()); ++k) set_normal(k);
   }
@@ -104,7 +100,7 @@ class MovingFaces {
   }
   const std::vector<V>& places() const { return place_; }  // [node] m
   /// The place of the particle that counts most for each node, m.
-  void follow(const Particles<Dim>& s, std::vector<V>& x) const {
+  void follow(const Particles<2>& s, std::vector<V>& x) const {
     x.clear();
     for (const int share : behind_) x.push_back(s.x[stored_[share]]);
   }
@@ -152,7 +148,7 @@ class MovingFaces {
   /// pushed back by the face before it. By the one beside it, which is as near, two tips went into each other, and
   /// the energy jumped when they had turned. A node beyond a sharp end presses with what its side has over the
   /// segment, as deep as the side is at the end.
-  void measure(int node, int k, Foot<Dim>& best) const {
+  void measure(int node, int k, Foot& best) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
     const double along = dot(d, t) / dot(t, t);
@@ -161,7 +157,7 @@ class MovingFaces {
     const V offset = d - xi * t;
     const double distance2 = dot(offset, offset);
     if (xi >= 0 && xi <= 1 && distance2 >= best.rank * best.rank) return;
-    Foot<Dim> foot;
+    Foot foot;
     foot.node = node, foot.segment = k, foot.xi = xi, foot.distance2 = distance2;
     foot.offset = offset, foot.normal = normal_of(k);
     auto& [one, two] = foot.halves;
@@ -181,9 +177,9 @@ class MovingFaces {
   };
   /// Beside an end that is not sharp, where two segments meet, the mean of their normals says which side is inside;
   /// what is across it is beside the face, as a node that has just left a tip.
-  Touch touch(const Foot<Dim>& foot) const {
+  Touch touch(const Foot& foot) const {
     if (is_beyond(foot)) {
-      const FacingHalf<Dim>& half = foot.halves[foot.halves[0].side == Outline::none ? 1 : 0];
+      const FacingHalf& half = foot.halves[foot.halves[0].side == Outline::none ? 1 : 0];
       return {depth_at(foot, half, foot.xi > 1), foot.normal};
     }
     const bool second = foot.xi >= 1;
@@ -202,7 +198,7 @@ class MovingFaces {
   /// other(n, f) of the segment's, N (per metre depth in 2D). The slopes of the depth, of how much of the sides lies over
   /// the segment, and of how they face each other.
   template <class Own, class Other>
-  void push(const Foot<Dim>& foot, const Touch& touch, double k, const Own& own, const Other& other) const {
+  void push(const Foot& foot, const Touch& touch, double k, const Own& own, const Other& other) const {
     const std::array<int, 2>& end = outline_.segments[foot.segment].node;
     const double size = surface_force(touch.depth, foot.area(), k);
     if (!is_beyond(foot)) {
@@ -210,7 +206,7 @@ class MovingFaces {
       other(end[0], (-(1 - foot.xi) * size) * touch.out);
       other(end[1], (-foot.xi * size) * touch.out);
     }
-    for (const FacingHalf<Dim>& h : foot.halves) {
+    for (const FacingHalf& h : foot.halves) {
       if (!(h.share > 0)) continue;
       const double per_length = surface_energy(touch.depth, foot.weight, k) * h.half;
       if (is_beyond(foot)) push_at_end(foot, h, touch.depth, size, own, other);
@@ -234,7 +230,7 @@ class MovingFaces {
 
  private:
   /// Whether the foot lies past an end of its segment, on the line through it.
-  static bool is_beyond(const Foot<Dim>& foot) { return foot.xi < 0 || foot.xi > 1; }
+  static bool is_beyond(const Foot& foot) { return foot.xi < 0 || foot.xi > 1; }
 
   int other_end(int node, int side) const {
     const auto& ends = outline_.segments[side].node;
@@ -243,8 +239,8 @@ class MovingFaces {
   /// From the node along one of its sides to that one's other end.
   V way(int node, int side) const { return place_[other_end(node, side)] - place_[node]; }
 
-  FacingHalf<Dim> facing_half(const Foot<Dim>& foot, int side) const {
-    FacingHalf<Dim> h;
+  FacingHalf facing_half(const Foot& foot, int side) const {
+    FacingHalf h;
     if (side == Outline::none) return h;
     const auto [node, k, xi] = std::tuple(foot.node, foot.segment, foot.xi);
     const V normal = normal_of(side);
@@ -272,7 +268,7 @@ class MovingFaces {
   }
 
   /// How deep a side is behind the segment where it crosses the line across its end e, m.
-  double depth_at(const Foot<Dim>& foot, const FacingHalf<Dim>& h, int e) const {
+  double depth_at(const Foot& foot, const FacingHalf& h, int e) const {
     const V place = place_[foot.node] + h.at[e] * way(foot.node, h.side);
     return -dot(place - place_[outline_.segments[foot.segment].node[e]], foot.normal);
   }
@@ -280,7 +276,7 @@ class MovingFaces {
   /// With δ of the segment t, its end e and the side w from x to z, r = n·w/t·w and s where the side crosses the end:
   ///   δdepth = −(n − r t)·((1 − s) δx + s δz − δe) − r depth n·δt
   template <class Own, class Other>
-  void push_at_end(const Foot<Dim>& foot, const FacingHalf<Dim>& h, double depth, double size, const Own& own,
+  void push_at_end(const Foot& foot, const FacingHalf& h, double depth, double size, const Own& own,
                    const Other& other) const {
     const auto& ends = outline_.segments[foot.segment].node;
     const int e = foot.xi > 1;
@@ -297,7 +293,7 @@ class MovingFaces {
   /// By the slope of the energy in s: δs = −(t·((1 − s) δx + s δz − δe) − depth n·δt)/t·w, the depth that of the
   /// side at the end.
   template <class Own, class Other>
-  void push_along(const Foot<Dim>& foot, const FacingHalf<Dim>& h, int e, double slope, const Own& own,
+  void push_along(const Foot& foot, const FacingHalf& h, int e, double slope, const Own& own,
                   const Other& other) const {
     const auto& ends = outline_.segments[foot.segment].node;
     const V t = place_[ends[1]] - place_[ends[0]];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,9 +14,9 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// Pairs of particles of one body that were far apart at the start and have come near: a body that folds
-/// meets itself. Only those that its faces move with (scene/outline.hpp) are looked at. The particles keep
-/// their places in the solver's order.
+/// Candidates of contact of a body that folds: pairs of its particles that were far apart at the start and have
+/// come near. Only particles that faces move with (scene/outline.hpp) are searched. They keep their places in the
+/// solver's order.
 template <int Dim>
 class OwnPairs {
  public:
@@ -23,7 +24,7 @@ class OwnPairs {
 
   /// Pairs nearer than `reach`, m, act.
   OwnPairs(const SolverInput& input, double reach) : dp_(input.constants.dp), reach_(reach) {
-    if (!input.meets_itself || input.contact == ContactLaw::surface) return;
+    if (!input.meets_itself) return;
     ids_ = particles_at_faces(input.scene, input.initial);
     for (const int id : ids_) {
       V x;
@@ -32,19 +33,14 @@ class OwnPairs {
     }
   }
 
-  /// Searches where the next way of the fastest particle, m, asks for it: true if it did.
-  bool prepare(const Particles<Dim>& s, double way) {
-    if (ids_.empty() || bound_.holds(way)) return false;
+  /// See ContactMechanism::search.
+  bool search(const Particles<Dim>& s, std::optional<double> way) {
+    if (ids_.empty() || (way && bound_.holds(*way))) return false;
     place(s);
-    if (bound_.still_holds(x_, search_.bodies(), way)) return false;
+    if (way && bound_.still_holds(x_, search_.bodies(), *way)) return false;
     find(s);
-    bound_.holds(way);
+    if (way) bound_.holds(*way);
     return true;
-  }
-  void search(const Particles<Dim>& s) {
-    if (ids_.empty()) return;
-    place(s);
-    find(s);
   }
 
   /// Those of stored particle i are j[begin[i]] … j[begin[i + 1] − 1]; both are empty where there are none.

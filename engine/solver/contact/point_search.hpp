@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "engine/core/pack.hpp"
@@ -12,13 +10,45 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// Finds the pairs of points of one body that are near each other, four at a time.
+/// Points of bodies in columns, each with `lanes` readable entries after the last one.
+template <int Dim>
+struct PointColumns {
+  const double* now[Dim];    // m
+  const double* start[Dim];  // m
+  const double* body;
+};
+
+/// Lists the points first … last − 1 of the body of point p that are nearer to it than √near2 and were further than
+/// √far2 at the start: their indices and squared distances, m². Returns how many.
+template <int Dim>
+int find_near_points(const PointColumns<Dim>& points, int p, int first, int last, double near2, double far2,
+                     int* found, double* distance2) {
+  int count = 0;
+  for (int q = first; q < last; q += lanes) {
+    Pack d2{}, D2{};
+    for (int k = 0; k < Dim; ++k) {
+      const Pack d = load(points.now[k] + q) - points.now[k][p],
+                 D = load(points.start[k] + q) - points.start[k][p];
+      d2 += d * d, D2 += D * D;
+    }
+    const Pack body = load(points.body + q);
+    const unsigned in_row = last - q < lanes ? (1u << (last - q)) - 1 : (1u << lanes) - 1;
+    unsigned near = in_row & lanes_where((D2 > far2) & (d2 < near2) & (body == points.body[p]));
+    for (; near != 0; near &= near - 1) {
+      const int lane = __builtin_ctz(near);
+      found[count] = q + lane, distance2[count++] = d2[lane];
+    }
+  }
+  return count;
+}
+
+/// Finds the pairs of points of one body that are near each other.
 template <int Dim>
 class PointSearch {
  public:
   using V = Vec<double, Dim>;
 
-  /// What does not change: where points are at the start, m, and their bodies.
+  /// Adds a point by its position at the start, m, and its body.
   void add(const V& start, int body) {
     X_.push_back(start);
     body_.push_back(body);
@@ -26,32 +56,28 @@ class PointSearch {
   int size() const { return static_cast<int>(X_.size()); }
   const std::vector<int>& bodies() const { return body_; }
 
-  /// found(a, b) for the pairs nearer than `listed`, m, each once, of those more than `far`, m, apart at the
-  /// start; how near the nearest other one is, m, up to `horizon`. `x` are the places now, whose order counts.
+  /// Calls found(a, b) once for each pair nearer than `listed`, m, whose points were more than `far`, m, apart at the
+  /// start. Returns the distance of the nearest other pair, m, up to `horizon`. `x` has the current positions; their
+  /// order determines the order of the calls.
   template <class Found>
   double find(const std::vector<V>& x, double listed, double horizon, double far, const Found& found) {
     if (x.empty()) return horizon;
     sort_columns(x, horizon);
     const int n = size();
+    PointColumns<Dim> points;
+    for (int k = 0; k < Dim; ++k) points.now[k] = now_[k].data(), points.start[k] = start_[k].data();
+    points.body = of_body_.data();
+    near_.resize(n), distance2_.resize(n);
     double beyond2 = horizon * horizon;
     for (int p = 0; p < n; ++p) {
       grid_.for_each_row(x[order_[p]], [&](int first, int last) {
-        for (int q = std::max(first, p + 1); q < last; q += lanes) {
-          Pack d2{}, D2{};
-          for (int k = 0; k < Dim; ++k) {
-            const Pack d = load(&now_[k][q]) - now_[k][p], D = load(&start_[k][q]) - start_[k][p];
-            d2 += d * d, D2 += D * D;
-          }
-          const unsigned in_row = (1u << std::min(last - q, lanes)) - 1;
-          const Pack body = load(&of_body_[q]);
-          unsigned near = in_row & lanes_where((D2 > far * far) & (d2 < beyond2) & (body == of_body_[p]));
-          for (; near != 0; near &= near - 1) {
-            const int lane = std::countr_zero(near);
-            if (d2[lane] < listed * listed)
-              found(order_[p], order_[q + lane]);
-            else
-              beyond2 = std::min(beyond2, d2[lane]);
-          }
+        const int count = find_near_points(points, p, std::max(first, p + 1), last, beyond2, far * far,
+                                           near_.data(), distance2_.data());
+        for (int k = 0; k < count; ++k) {
+          if (distance2_[k] < listed * listed)
+            found(order_[p], order_[near_[k]]);
+          else
+            beyond2 = std::min(beyond2, distance2_[k]);
         }
       });
     }
@@ -79,6 +105,8 @@ class PointSearch {
   std::vector<int> order_;
   std::array<std::vector<double>, Dim> now_, start_;  // m
   std::vector<double> of_body_;
+  std::vector<int> near_;
+  std::vector<double> distance2_;  // m²
 };
 
 }  // namespace taut::inline TAUT_ISA

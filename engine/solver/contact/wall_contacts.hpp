@@ -1,12 +1,11 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
+#include "engine/core/tensor.hpp"
 #include "engine/methods/term_info.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/snapshot.hpp"
-#include "engine/solver/particles.hpp"
 
 namespace taut::inline TAUT_ISA {
 
@@ -33,27 +32,6 @@ class WallContacts {
     return dot(x - planes_[wall].at, planes_[wall].normal);
   }
 
-  /// The particles less than `reach`, m, from their image.
-  void search(const Particles<Dim>& s, double reach) {
-    near_.clear();
-    for (int i = 0; i < s.size(); ++i)
-      for (int w = 0; w < static_cast<int>(planes_.size()); ++w)
-        if (distance_from_image(planes_[w], s.x[i]) < reach) near_.emplace_back(i, w);
-  }
-  /// (particle, wall), by particle.
-  const std::vector<std::pair<int, int>>& near() const { return near_; }
-
-  /// f(i, wall, x, r) for each of them less than `reach` from its image as it was `gone` seconds ago: its
-  /// place x then, and the distance r, below 0 inside the wall.
-  template <class F>
-  void for_each_touch(const Particles<Dim>& s, double reach, double gone, const F& f) const {
-    for (const auto& [i, w] : near_) {
-      const V x = s.x[i] - gone * s.v[i];
-      const double r = distance_from_image(planes_[w], x);
-      if (r < reach) f(i, w, x, r);
-    }
-  }
-
   /// An impulse, N s, that a particle at x has got.
   void book(const V& x, const V& impulse) {
     for (int k = 0; k < Dim; ++k) given_.linear[k] += impulse[k];
@@ -66,8 +44,7 @@ class WallContacts {
   const Impulse& given() const { return given_; }
 
   template <class Archive>
-  void serialize(Archive& archive, int particles) {
-    archive.indices(near_, std::pair(particles, count()));
+  void serialize(Archive& archive) {
     archive(given_);
   }
 
@@ -75,12 +52,8 @@ class WallContacts {
   struct Plane {
     V at, normal;  // m, of length 1
   };
-  static double distance_from_image(const Plane& plane, const V& x) {
-    return 2 * dot(x - plane.at, plane.normal);
-  }
 
   std::vector<Plane> planes_;
-  std::vector<std::pair<int, int>> near_;
   Impulse given_;
 };
 

@@ -5,17 +5,18 @@
 
 #include "engine/core/archive.hpp"
 #include "engine/neighbors/neighbors.hpp"
+#include "engine/solver/contact/near_other_bodies.hpp"
 #include "engine/solver/particles.hpp"
 
 namespace taut::inline TAUT_ISA {
 
-/// The pairs of particles of two bodies that may come within `reach` before the next search, flat, by
-/// particle. Only particles in the box of another body, widened by what it reaches, are searched.
+/// Candidates of contact between two bodies: pairs of particles that may come within `reach` before the next
+/// search, flat, by particle. Only particles in the widened box of another body are searched.
 template <int Dim>
-class BodyContacts {
+class BodyPairs {
  public:
   /// Pairs up to reach + skin are listed: they hold until a particle has gone half the skin.
-  BodyContacts(double reach, double skin) : reach_(reach + skin), skin_(skin) {}
+  BodyPairs(double reach, double skin) : reach_(reach + skin), skin_(skin) {}
 
   double lasts_for() const { return 0.5 * skin_; }  // m, of the fastest particle
 
@@ -57,32 +58,12 @@ class BodyContacts {
   std::vector<int> begin, j;
 
  private:
-  struct Bounds {
-    Vec<double, Dim> low, high;
-    bool holds(const Vec<double, Dim>& x, double margin) const {
-      for (int k = 0; k < Dim; ++k)
-        if (x[k] < low[k] - margin || x[k] > high[k] + margin) return false;
-      return true;
-    }
-  };
-
   void choose_candidates(const Particles<Dim>& s) {
-    const int bodies = 1 + *std::max_element(s.body.begin(), s.body.end());
-    std::vector<Bounds> box(bodies);
-    std::vector<bool> begun(bodies);
-    for (int i = 0; i < s.size(); ++i) {
-      Bounds& b = box[s.body[i]];
-      if (!begun[s.body[i]]) b = {s.x[i], s.x[i]};
-      begun[s.body[i]] = true;
-      for (int k = 0; k < Dim; ++k)
-        b.low[k] = std::min(b.low[k], s.x[i][k]), b.high[k] = std::max(b.high[k], s.x[i][k]);
-    }
+    const std::vector<char> near = near_other_bodies<Dim>(s.x, s.body, reach_);
     candidates_.clear();
     x_.clear();
     for (int i = 0; i < s.size(); ++i) {
-      bool near = false;
-      for (int b = 0; b < bodies && !near; ++b) near = b != s.body[i] && box[b].holds(s.x[i], reach_);
-      if (!near) continue;
+      if (!near[i]) continue;
       candidates_.push_back(i);
       x_.push_back(s.x[i]);
     }

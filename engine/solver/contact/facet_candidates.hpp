@@ -3,27 +3,28 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "engine/solver/contact/facet_pairs.hpp"
 #include "engine/solver/contact/motion_bound.hpp"
 #include "engine/solver/contact/moving_facets.hpp"
+#include "engine/solver/contact/near_other_bodies.hpp"
 #include "engine/solver/contact/wall_contacts.hpp"
 #include "engine/solver/solver_input.hpp"
 
 namespace taut::inline TAUT_ISA {
 
-/// Which facets are near each other: those of two bodies, and those of one that folds upon itself, which were
-/// further apart at the start than `far_apart`, or `far_inside` with the body between them; and which are near
-/// walls. A search holds until the particles behind facets have gone as far as it looked further than needed.
-class FacetSearch {
+/// Candidates of contact between facets: pairs of two bodies, pairs of a body that folds, which were further apart at
+/// the start than `far_apart`, or `far_inside` with the body between them, and facets near walls. A search is valid
+/// until the particles behind facets have moved by the difference of its range and the range of contact.
+class FacetCandidates {
  public:
   using V = Vec<double, 3>;
 
-  FacetSearch() = default;
   /// Facets whose middles are less than `reach`, m, apart may act.
-  FacetSearch(const SolverInput& input, const MovingFacets& facets, double reach)
+  FacetCandidates(const SolverInput& input, const MovingFacets& facets, double reach)
       : dp_(input.constants.dp),
         reach_(reach),
         meets_itself_(input.meets_itself),
@@ -36,25 +37,20 @@ class FacetSearch {
   /// Pairs of facets, each in both orders, and facets with walls, in rising order.
   std::vector<std::pair<int, int>> pairs, near_wall;
 
-  void search(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
-    facets.follow(s, behind_);
-    if (meets_others_) search_others(s, facets, walls);
-    if (meets_itself_) search_own(s, facets);
-    join();
-  }
-  /// The same where the next way of the fastest particle, m, asks for it: true if it did.
-  bool prepare(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls, double way) {
-    const bool others = meets_others_ && !others_bound_.holds(way);
-    bool own = meets_itself_ && !own_bound_.holds(way);
+  /// See ContactMechanism::search.
+  bool search(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls,
+              std::optional<double> way) {
+    const bool others = meets_others_ && !(way && others_bound_.holds(*way));
+    bool own = meets_itself_ && !(way && own_bound_.holds(*way));
     if (others || own) facets.follow(s, behind_);
     if (others) {
       search_others(s, facets, walls);
-      others_bound_.holds(way);
+      if (way) others_bound_.holds(*way);
     }
-    own = own && !own_bound_.still_holds(behind_, near_.bodies(), way);
+    own = own && !(way && own_bound_.still_holds(behind_, near_.bodies(), *way));
     if (own) {
       search_own(s, facets);
-      own_bound_.holds(way);
+      if (way) own_bound_.holds(*way);
     }
     if (others || own) join();
     return others || own;
@@ -84,7 +80,10 @@ class FacetSearch {
   static constexpr double turn_slack = 0.5;  // of two facets around the particles behind them
 
   void search_others(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
-    const std::vector<int> candidates = near_others();
+    constexpr double margin = horizon + 2;  // 2: from two particles to their faces
+    const std::vector<char> near = near_other_bodies<3>(behind_, near_.bodies(), margin * dp_);
+    std::vector<int> candidates = near_.order();
+    std::erase_if(candidates, [&](int f) { return !near[f]; });
     facets.place(s, facets.nodes_of(candidates), candidates, 1);
     others_bound_.restart(find<PairsOf::two_bodies>(
                               facets, candidates, [](int, int) { return true; }, others_),
@@ -138,42 +137,13 @@ class FacetSearch {
            });
   }
 
-  /// The facets in the box of another body, widened by what a search looks at.
-  std::vector<int> near_others() const {
-    const std::vector<int>& body = near_.bodies();
-    std::vector<int> near;
-    if (body.empty()) return near;
-    std::vector<V> low(1 + body.back()), high(low.size());
-    std::vector<bool> begun(low.size());
-    for (int f = 0; f < near_.size(); ++f) {
-      const V& x = behind_[f];
-      V &l = low[body[f]], &h = high[body[f]];
-      if (!begun[body[f]]) l = h = x;
-      begun[body[f]] = true;
-      for (int k = 0; k < 3; ++k) l[k] = std::min(l[k], x[k]), h[k] = std::max(h[k], x[k]);
-    }
-    const double margin = (horizon + 2) * dp_;  // 2: of two particles to their faces
-    const auto is_near = [&](int f, int b) {
-      const V& x = behind_[f];
-      bool in = b != body[f] && begun[b];
-      for (int k = 0; k < 3 && in; ++k) in = x[k] > low[b][k] - margin && x[k] < high[b][k] + margin;
-      return in;
-    };
-    for (const int f : near_.order()) {
-      bool in = false;
-      for (int b = 0; b <= body.back() && !in; ++b) in = is_near(f, b);
-      if (in) near.push_back(f);
-    }
-    return near;
-  }
-
   void join() {
     pairs.clear();
     std::merge(others_.begin(), others_.end(), own_.begin(), own_.end(), std::back_inserter(pairs));
   }
 
-  double dp_ = 0, reach_ = 0;                         // m
-  bool meets_itself_ = false, meets_others_ = false;  // others: bodies or walls
+  double dp_, reach_;                 // m
+  bool meets_itself_, meets_others_;  // others: bodies or walls
   FacetPairs near_;
   std::vector<int> nodes_;  // of all facets
   std::vector<V> normal_;   // [facet] at the start

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "engine/terms/contact_law_row.hpp"
+#include "engine/terms/impulse_contact.hpp"
+#include "engine/terms/lennard_jones_contact.hpp"
+#include "engine/terms/penalty_contact.hpp"
+#include "engine/terms/surface_contact.hpp"
+
+namespace taut::inline TAUT_ISA {
+
+/// The method's own sums act between bodies; this row adds the law of walls.
+inline constexpr ContactLawRow sph_contact{
+    .law = ContactLaw::sph,
+    .help = "particles of two bodies interact like particles of one body, [Zhang2024]",
+    .between = ContactBetween::all_neighbors,
+    .touching = 0.9,  // particles repel each other before faces meet
+    .force = penalty_force,
+    .energy = penalty_energy,
+};
+
+/// Every law of contact, in the order in which they are offered.
+inline constexpr std::array contact_laws{sph_contact, impulse_contact, penalty_contact, lennard_jones_contact,
+                                         surface_contact};
+
+/// A law between particles has a force with its energy, or an impulse.
+static_assert(std::ranges::all_of(contact_laws, [](const ContactLawRow& law) {
+  return law.between != ContactBetween::particles ||
+         ((law.force && law.energy) != (law.impulse != nullptr) && !law.force == !law.energy);
+}));
+
+constexpr const ContactLawRow& contact_row(ContactLaw law) {
+  return *std::ranges::find(contact_laws, law, &ContactLawRow::law);
+}
+
+constexpr const TermInfo& contact_info(ContactLaw law) { return contact_row(law).term; }
+
+}  // namespace taut::inline TAUT_ISA
