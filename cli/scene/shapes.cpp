@@ -29,24 +29,15 @@ RoundLayout read_layout(TomlCursor& shape, std::vector<RoundLayout> allowed, Rou
   return allowed[static_cast<std::size_t>(std::ranges::find(names, chosen) - names.begin())];
 }
 
-/// Particles on the inner face are at least a third as far apart as on the outer one, if they are aligned.
-bool is_thin(double inner, double outer) { return 3 * inner >= outer; }
-
-void refuse_aligned(TomlCursor& shape, RoundLayout layout, const std::string& otherwise) {
-  if (layout == RoundLayout::aligned)
-    shape.fail(shape.need("layout"), "layout", "layout = \"aligned\" needs " + otherwise);
-}
-
-/// In 3D, where bonds are chosen by distance: layers whose cells differ much from a cube serve them worse than steps
-/// at the faces do. The breathing of hollow balls is then off, at 4 to 16 layers, by −1.4 to 0.5 % at inner = 0.6 outer
-/// (of ones that are cut from a lattice 4.7 to 1.1 %), by −5 to −1.3 % at 0.35 (−0.8 to −0.04 %).
-RoundLayout read_layout_of_hollow(TomlCursor& shape, double inner, double outer, Layers layers) {
-  const bool fits = layers == Layers::that_fit_faces && inner >= 0.6 * outer * (1 - 1e-9);
-  const RoundLayout layout = read_layout(shape, {RoundLayout::aligned, RoundLayout::lattice},
-                                         fits ? RoundLayout::aligned : RoundLayout::lattice, layers);
-  if (!is_thin(inner, outer))
-    refuse_aligned(shape, layout,
-                   "a hole of at least a third of the radius; for a smaller hole, use \"lattice\"");
+/// The layout of a hollow shape. A hole that is too small for aligned layers is an error if the file asks for them.
+RoundLayout read_layout_of_hollow(TomlCursor& shape, const std::vector<RoundLayout>& allowed,
+                                  RoundLayout otherwise, bool can_be_aligned, Layers layers) {
+  const RoundLayout layout = read_layout(shape, allowed, otherwise, layers);
+  const std::string needed =
+      allowed.size() == 3 ? "inner >= outer/3; for a smaller hole, use \"spaced\""
+                          : "a hole of at least a third of the radius; for a smaller hole, use \"lattice\"";
+  if (layout == RoundLayout::aligned && !can_be_aligned)
+    shape.fail(shape.need("layout"), "layout", "layout = \"aligned\" needs " + needed);
   return layout;
 }
 
@@ -59,26 +50,19 @@ Shape read_ring(TomlCursor& shape, const ShapeSetting& setting) {
     shape.fail(shape.need("inner"), "inner",
                "inner = " + exact(ring.inner) + " must be less than outer = " + exact(ring.outer));
   if (layers == Layers::none) return ring;
-  if (dim == 3) {
-    ring.layout = read_layout_of_hollow(shape, ring.inner, ring.outer, layers);
-    return ring;
-  }
-  const bool thin = is_thin(ring.inner, ring.outer);
-  ring.layout = read_layout(
-      shape, {RoundLayout::aligned, RoundLayout::spaced, RoundLayout::lattice},
-      layers == Layers::that_fit_faces && thin ? RoundLayout::aligned : RoundLayout::spaced, layers);
-  if (!thin) refuse_aligned(shape, ring.layout, "inner >= outer/3; for a smaller hole, use \"spaced\"");
+  std::vector<RoundLayout> allowed = {RoundLayout::aligned, RoundLayout::spaced, RoundLayout::lattice};
+  if (dim == 3) allowed.erase(allowed.begin() + 1);
+  ring.layout =
+      read_layout_of_hollow(shape, allowed, ring.default_layout(dim, layers == Layers::that_fit_faces),
+                            can_be_aligned(ring.inner, ring.outer), layers);
   return ring;
 }
 
 Shape read_disc(TomlCursor& shape, const ShapeSetting& setting) {
-  const int dim = setting.dim;
-  const Layers layers = setting.layers;
-  Disc disc{shape.point("centre", dim), shape.positive("radius")};
-  if (dim == 2 && layers != Layers::none)
-    disc.layout =
-        read_layout(shape, {RoundLayout::spaced, RoundLayout::lattice},
-                    layers == Layers::that_fit_faces ? RoundLayout::spaced : RoundLayout::lattice, layers);
+  Disc disc{shape.point("centre", setting.dim), shape.positive("radius")};
+  if (setting.dim == 2 && setting.layers != Layers::none)
+    disc.layout = read_layout(shape, {RoundLayout::spaced, RoundLayout::lattice},
+                              Disc::default_layout(setting.layers == Layers::that_fit_faces), setting.layers);
   return disc;
 }
 
@@ -101,7 +85,9 @@ Shape read_cylinder(TomlCursor& shape, const ShapeSetting& setting) {
     shape.fail(shape.need("inner"), "inner",
                "inner = " + exact(cylinder.inner) + " must be less than radius = " + exact(cylinder.radius));
   if (setting.layers != Layers::none)
-    cylinder.layout = read_layout_of_hollow(shape, cylinder.inner, cylinder.radius, setting.layers);
+    cylinder.layout = read_layout_of_hollow(shape, {RoundLayout::aligned, RoundLayout::lattice},
+                                            cylinder.default_layout(setting.layers == Layers::that_fit_faces),
+                                            can_be_aligned(cylinder.inner, cylinder.radius), setting.layers);
   return cylinder;
 }
 

@@ -55,6 +55,13 @@ void add_layer(std::vector<InitialSite>& sites, const Point& centre, double r, l
                      fold > 1 ? first + static_cast<int>((k + n / fold) % n) : -1});
 }
 
+/// In 3D, where bonds are chosen by distance, a small hole makes the cells of aligned layers too unlike cubes. Errors of
+/// the breathing of hollow balls: at inner = 0.6 outer 1.4 % (lattice: 4.7 %), at 0.35 outer 5 % (lattice: 0.8 %).
+RoundLayout default_layout_in_3d(double inner, double outer, bool keeps_neighbors) {
+  const bool fits = keeps_neighbors && inner >= 0.6 * outer * (1 - 1e-9);
+  return fits ? RoundLayout::aligned : RoundLayout::lattice;
+}
+
 Bounds bounds_of_ball(const Point& centre, double r) {
   return {{centre[0] - r, centre[1] - r, centre[2] - r}, {centre[0] + r, centre[1] + r, centre[2] + r}};
 }
@@ -66,8 +73,14 @@ std::string_view name(RoundLayout layout) {
   return names[static_cast<std::size_t>(layout)];
 }
 
+bool can_be_aligned(double inner, double outer) { return 3 * inner >= outer; }
+
 double measure_of_ball(int dim, double r) {
   return dim == 2 ? std::numbers::pi * r * r : 4.0 / 3.0 * std::numbers::pi * r * r * r;
+}
+
+RoundLayout Disc::default_layout(bool keeps_neighbors) {
+  return keeps_neighbors ? RoundLayout::spaced : RoundLayout::lattice;
 }
 
 Bounds Disc::bounds() const { return bounds_of_ball(centre, radius); }
@@ -94,6 +107,11 @@ std::vector<Chain> Disc::outline(int dim, double dp) const {
   const long layers = layout == RoundLayout::lattice ? 0 : layers_of(*this, dp);
   return {
       circle(centre, radius, layers > 0 ? sectors * layers : std::max(3L, number_around(radius, dp)), true)};
+}
+
+RoundLayout Ring::default_layout(int dim, bool keeps_neighbors) const {
+  if (dim == 3) return default_layout_in_3d(inner, outer, keeps_neighbors);
+  return keeps_neighbors && can_be_aligned(inner, outer) ? RoundLayout::aligned : RoundLayout::spaced;
 }
 
 Bounds Ring::bounds() const { return bounds_of_ball(centre, outer); }
@@ -127,6 +145,10 @@ std::vector<Chain> Ring::outline(int dim, double dp) const {
 
 FacePatches Ring::patches(double dp) const {
   return layout == RoundLayout::aligned ? aligned_patches(*this, dp) : FacePatches{};
+}
+
+RoundLayout Cylinder::default_layout(bool keeps_neighbors) const {
+  return default_layout_in_3d(inner, radius, keeps_neighbors);
 }
 
 Bounds Cylinder::bounds() const {

@@ -17,6 +17,10 @@ enum class RoundLayout : std::uint8_t {
 };
 std::string_view name(RoundLayout);
 
+/// The hole is large enough for aligned layers: particles on the inner face are at least a third as far apart as on
+/// the outer one.
+bool can_be_aligned(double inner, double outer);
+
 /// π r², or the volume of a ball.
 double measure_of_ball(int dim, double r);
 
@@ -28,6 +32,9 @@ struct Disc final : ShapeBase {
 
   Disc(const Point& centre, double radius, RoundLayout layout = RoundLayout::lattice)
       : centre(centre), radius(radius), layout(layout) {}
+
+  /// The default for a method that keeps the initial neighbours, or for one that searches for neighbours; 2D.
+  static RoundLayout default_layout(bool keeps_neighbors);
 
   Bounds bounds() const override;
   bool holds(const Point& x, int dim, double tolerance) const override;
@@ -51,6 +58,9 @@ struct Ring final : ShapeBase {
 
   Ring(const Point& centre, double inner, double outer, RoundLayout layout = RoundLayout::spaced)
       : centre(centre), inner(inner), outer(outer), layout(layout) {}
+
+  /// As for a disc.
+  RoundLayout default_layout(int dim, bool keeps_neighbors) const;
 
   Bounds bounds() const override;
   bool holds(const Point& x, int dim, double tolerance) const override;
@@ -81,6 +91,8 @@ struct Cylinder final : ShapeBase {
            RoundLayout layout = RoundLayout::lattice)
       : from(from), to(to), radius(radius), inner(inner), layout(layout) {}
 
+  /// As for a ring, if hollow.
+  RoundLayout default_layout(bool keeps_neighbors) const;
   double length() const { return distance_between(from, to, 3); }
 
   Bounds bounds() const override;
