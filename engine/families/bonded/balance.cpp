@@ -19,13 +19,13 @@ namespace {
 using Vector = Eigen::Vector2d;
 using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Of the force over that of a bond at a strain of 1: what is left of it is round-off.
+/// Residual force over the force of a bond at a strain of 1; the rest is round-off.
 constexpr double balanced = 1e-12;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Vector vector(const Point& p) { return {p[0], p[1]}; }
 
-/// Products with N = A Ω Aᵀ without N, which couples particles up to four bonds apart; and its diagonal.
+/// N = A Ω Aᵀ as an operator, and its diagonal. N itself couples particles up to four bonds apart.
 class NormalMatrix {
  public:
   NormalMatrix(const Rows& A, const Eigen::VectorXd& omega, int threads)
@@ -61,10 +61,9 @@ class NormalMatrix {
   Eigen::VectorXd between_;
 };
 
-/// α of A Ω Aᵀ α = r by conjugate gradients, led by a Cholesky factor of the matrix, a little off where it is
-/// singular; of a large one, whose factor would cost minutes, by its diagonal, so far as that comes. Where the rows
-/// contradict each other by round-off, as by a re-entrant corner, what is left of r is what no α takes away: steps
-/// along it have no end, and the best α before r grew is the answer.
+/// Solves A Ω Aᵀ α = r by conjugate gradients. The preconditioner is a Cholesky factor of the slightly shifted matrix,
+/// or for a large matrix, whose factor would cost minutes, the diagonal. Where rows contradict each other by round-off,
+/// as near a re-entrant corner, r grows from some step on; the result is the best α before.
 Eigen::VectorXd solve_normal(const Rows& A, const Eigen::VectorXd& omega, Eigen::VectorXd r, int threads) {
   constexpr Eigen::Index largest_factor = 12000;
   NormalMatrix N(A, omega, threads);
@@ -78,14 +77,12 @@ Eigen::VectorXd solve_normal(const Rows& A, const Eigen::VectorXd& omega, Eigen:
     factor.compute(shifted);
   }
   const Eigen::VectorXd scale = diagonal.cwiseMax(1e-10 * greatest).cwiseInverse();
-  const auto lead = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
+  const auto precondition = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
     return factored ? Eigen::VectorXd(factor.solve(v)) : Eigen::VectorXd(scale.cwiseProduct(v));
   };
-  Eigen::VectorXd alpha = Eigen::VectorXd::Zero(r.size()), z = lead(r), p = z, Np(r.size());
+  Eigen::VectorXd alpha = Eigen::VectorXd::Zero(r.size()), z = precondition(r), p = z, Np(r.size());
   double rz = r.dot(z), least = r.cwiseAbs().maxCoeff();
   Eigen::VectorXd best = alpha;
-  // what is left of a large one after so many steps hardly shows: the rings at 0.5 mm jittered by 0.1 dp are off by
-  // 0.64, 0.67, 0.64 % after 25, 100, 300 and by 0.71 % solved to the end, laid `spaced` by 0.35 % after each
   const int most = factored ? 300 : 100;
   for (int k = 0; k < most && r.cwiseAbs().maxCoeff() > balanced; ++k) {
     N.multiply(p, Np);
@@ -96,7 +93,7 @@ Eigen::VectorXd solve_normal(const Rows& A, const Eigen::VectorXd& omega, Eigen:
     const double left = r.allFinite() ? r.cwiseAbs().maxCoeff() : infinite;
     if (!(left < astray * least)) return best;
     if (left < least) least = left, best = alpha;
-    z = lead(r);
+    z = precondition(r);
     const double next = r.dot(z);
     p = z + next / rz * p;
     rz = next;
@@ -106,11 +103,13 @@ Eigen::VectorXd solve_normal(const Rows& A, const Eigen::VectorXd& omega, Eigen:
 
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-/// The bonds of one body, those that a turn maps onto each other as one unknown.
+/// The bonds of one body. Bonds that a turn of the layout maps onto each other share one unknown.
 class Sector {
  public:
-  Sector(const InitialParticles& initial, Bonds& bonds, int body, bool irregular, int threads)
+  Sector(const InitialParticles& initial, const Constraints& constraints, Bonds& bonds, int body,
+         bool irregular, int threads)
       : initial_(initial),
+        constraints_(constraints),
         bonds_(bonds),
         irregular_(irregular),
         threads_(threads),
@@ -125,17 +124,17 @@ class Sector {
   void balance_weights();
 
  private:
-  struct Bond {
+  struct BondVector {
     Vector X, e;
     double r;
   };
-  Bond bond(int b) const {
+  BondVector bond(int b) const {
     const Vector X = vector(bonds_.rows[b].X);
     return {X, X.normalized(), X.norm()};
   }
   int begin() const { return bonds_.begin[first_]; }
   int end() const { return bonds_.begin[last_]; }
-  /// The bond of i to j; −1 if there is none.
+  /// Returns the bond of i to j, or −1.
   int find(int i, int j) const {
     const auto from = bonds_.j.begin() + bonds_.begin[i], to = bonds_.j.begin() + bonds_.begin[i + 1];
     const auto found = std::lower_bound(from, to, j);
@@ -145,7 +144,7 @@ class Sector {
   void find_classes();
   void find_inside();
   void find_faces();
-  /// f(b), b a bond of particle i
+  /// Calls f(b) for each bond b of particle i.
   template <class F>
   void for_each_bond(int i, const F& f) const {
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) f(b);
@@ -161,10 +160,11 @@ class Sector {
   template <class AddRows>
   void least_change(Eigen::VectorXd& x, const Eigen::VectorXd& omega, const std::vector<int>& owner,
                     const AddRows& add_rows) const;
-  /// The unknowns along and across of a pair, from either side
+  /// Returns the first of the two unknowns of a pair, the same from both ends.
   int pair(int b) const { return 2 * std::min(class_[b - begin()], class_[reverse_[b - begin()] - begin()]); }
 
   const InitialParticles& initial_;
+  const Constraints& constraints_;
   Bonds& bonds_;
   bool irregular_;
   int threads_;
@@ -174,8 +174,8 @@ class Sector {
   int classes_ = 0;
   // [particle − first_]
   std::vector<unsigned char> at_surface_, inside_;
-  std::vector<Vector> along_face_;  // of length 1, of those near a flat face of an irregular body; others 0
-  std::vector<int> chosen_;         // one of the particles that a turn maps onto each other
+  std::vector<Vector> along_face_;  // unit tangent near a flat face of an irregular body, else 0
+  std::vector<int> chosen_;         // one particle of each orbit of the turn
 };
 
 void Sector::find_reverse() {
@@ -192,7 +192,7 @@ void Sector::find_classes() {
     const int i = first_ + k;
     for_each_bond(i, [&](int b) { image[b - begin()] = find(turned_[i], turned_[bonds_.j[b]]); });
   });
-  if (std::ranges::count(image, -1) > 0) {  // round-off has decided otherwise about a bond of the image
+  if (std::ranges::count(image, -1) > 0) {  // by round-off the image lacks a bond
     std::iota(turned_.begin(), turned_.end(), 0);
     std::iota(image.begin(), image.end(), begin());
   }
@@ -216,7 +216,7 @@ void Sector::find_inside() {
     std::vector<Vector> X;
     X.reserve(bonds_.begin[first_ + k + 1] - bonds_.begin[first_ + k]);
     for_each_bond(first_ + k, [&](int b) { X.push_back(vector(bonds_.rows[b].X)); });
-    at_surface_[k] = initial_.held[first_ + k] || at_surface(X);
+    at_surface_[k] = is_rigid(constraints_[first_ + k]) || is_at_surface(X);
   });
   inside_.resize(last_ - first_);
   parallel_for(last_ - first_, threads_, [&](int k) {
@@ -226,8 +226,8 @@ void Sector::find_inside() {
   });
 }
 
-/// The face near a particle is across the sum of the surfaces (bonds.hpp) of those at it up to some bonds away,
-/// and flat where these point the same way.
+/// The normal of the face near a particle is the sum of the surfaces S_j up to some bonds away. The face is flat where
+/// they point the same way.
 void Sector::find_faces() {
   const int n = last_ - first_;
   along_face_.assign(n, Vector::Zero());
@@ -243,7 +243,7 @@ void Sector::find_faces() {
       face[bonds_.j[b] - first_].sum += g, face[i - first_].sum -= g;
     });
   for (int k = 0; k < n; ++k) {
-    if (!at_surface_[k] || initial_.held[first_ + k]) face[k].sum.setZero();
+    if (!at_surface_[k] || is_rigid(constraints_[first_ + k])) face[k].sum.setZero();
     face[k].lengths = face[k].sum.norm();
   }
   constexpr int away = 3;
@@ -263,7 +263,7 @@ void Sector::find_faces() {
   }
 }
 
-/// How many bonds each particle of the body is away from the nearest of some; of those too far, `far`.
+/// Returns the distance of each particle of the body from the nearest of `particles`, in bonds, at most `far`.
 constexpr int far = 12;
 std::vector<int> Sector::steps_from(const std::vector<int>& particles) const {
   std::vector<int> steps(last_ - first_, far), edge = particles, next;
@@ -279,10 +279,9 @@ std::vector<int> Sector::steps_from(const std::vector<int>& particles) const {
   return steps;
 }
 
-/// Adds to x the change of least Σ (Δx)²/ω with which the rows of each chosen particle hold that
-/// `add_rows(i, first row, entries, targets)` gives, around where they do not hold yet: a row of i has
-/// unknowns of i and of those bonded to it only. `owner` is a particle that an unknown belongs to. Leaves x
-/// as it is where that does not come nearer.
+/// Adds to x the change of least Σ (Δx)²/ω that satisfies the rows of each chosen particle, near the rows not satisfied
+/// yet. `add_rows(i, first row, entries, targets)` gives rows with unknowns of i and its neighbours only; `owner` is a
+/// particle of each unknown. Leaves x as it is if the residual does not fall.
 template <class AddRows>
 void Sector::least_change(Eigen::VectorXd& x, const Eigen::VectorXd& omega, const std::vector<int>& owner,
                           const AddRows& add_rows) const {
@@ -302,7 +301,7 @@ void Sector::least_change(Eigen::VectorXd& x, const Eigen::VectorXd& omega, cons
     if (residual() > balanced) unbalanced.push_back(i);
   }
   if (unbalanced.empty()) return;
-  for (std::size_t k = 0, n = unbalanced.size(); k < n; ++k)  // and its images
+  for (std::size_t k = 0, n = unbalanced.size(); k < n; ++k)  // and their images
     for (int i = turned_[unbalanced[k]]; i != unbalanced[k]; i = turned_[i]) unbalanced.push_back(i);
   const std::vector<int> steps = steps_from(unbalanced);
   entries.clear(), target.clear();
@@ -317,7 +316,7 @@ void Sector::least_change(Eigen::VectorXd& x, const Eigen::VectorXd& omega, cons
   if (change.allFinite() && (r - A * change).cwiseAbs().maxCoeff() < before) x += change;
 }
 
-/// Unknowns ξ, η of each pair: a_ij = (1 + ξ) α X + η α X⊥, seen from either side.
+/// Solves for ξ, η of each pair: a_ij = (1 + ξ) α X + η α X⊥, the same from both ends.
 void Sector::balance_areas() {
   find_faces();
   std::vector<int> owner(2 * classes_, first_);
@@ -328,11 +327,11 @@ void Sector::balance_areas() {
                [&](int i, int row, Entries& entries, std::vector<double>& target) {
                  add_area_rows(i, row, entries, target);
                });
-  // of a_ij over itself; beyond, gradients get so steep that corrected volumes turn negative
+  // relative change of a_ij; beyond, gradients get so steep that corrected volumes turn negative
   constexpr double greatest = 6, greatest_irregular = 2.25;
   const double most = change.size() > 0 ? change.cwiseAbs().maxCoeff() : 0;
   if (!irregular_ && most > greatest) return;
-  // squared: the more a layout asks for, the less of it goes well
+  // squared: the larger the change, the worse it works
   if (irregular_ && most > greatest_irregular) change *= std::pow(greatest_irregular / most, 2);
   parallel_for(end() - begin(), threads_, [&](int k) {
     const int b = begin() + k;
@@ -342,7 +341,7 @@ void Sector::balance_areas() {
   });
 }
 
-/// Σ_j a_ij ⊗ X_ij as it is, and where i is inside Σ_j (V_i B_i + V_j B_j) a_ij = 0, or its part along the face.
+/// Rows: Σ_j a_ij ⊗ X_ij keeps its value; inside, Σ_j (V_i B_i + V_j B_j) a_ij = 0; near a face, its tangential part.
 void Sector::add_area_rows(int i, int row, Entries& entries, std::vector<double>& target) const {
   const Eigen::Matrix2d mine = area_of_unit(i);
   const double scale = mine.trace() / (2 * initial_.V0[i]);  // of B
@@ -372,12 +371,12 @@ void Sector::add_area_rows(int i, int row, Entries& entries, std::vector<double>
 
 constexpr int strains = 3;
 
-double stretch(int strain, const Vector& e) {  // e·H e of ε_xx, ε_yy, ε_xy
+double stretch(int strain, const Vector& e) {  // e·H e for unit ε_xx, ε_yy, ε_xy
   return strain == 0 ? e[0] * e[0] : strain == 1 ? e[1] * e[1] : e[0] * e[1];
 }
 
-/// The force on i, if it is inside, or of an irregular body not at the surface, of the bonds and of what is cancelled
-/// of them, over G and the spacing.
+/// Rows: the force on i of the bonds and the cancellation, over G and the spacing, is 0 inside; in an irregular body
+/// wherever i is not at the surface.
 void Sector::add_force_rows(int i, int row, Entries& entries, std::vector<double>& target) const {
   if (irregular_ ? at_surface_[i - first_] : !inside_[i - first_]) return;
   const double spacing = std::sqrt(initial_.V0[i]);
@@ -411,7 +410,7 @@ void Sector::balance_weights() {
       owner[class_[b - begin()]] = i;
       w[class_[b - begin()]] = bonds_.rows[b].weight;
     });
-  const Eigen::VectorXd omega = w.cwiseMax(0.5);  // a bond without weight may get one
+  const Eigen::VectorXd omega = w.cwiseMax(0.5);  // a bond of weight 0 may change
   least_change(w, omega, owner, [&](int i, int row, Entries& entries, std::vector<double>& target) {
     add_force_rows(i, row, entries, target);
   });
@@ -420,10 +419,11 @@ void Sector::balance_weights() {
 
 }  // namespace
 
-void balance(const InitialParticles& initial, const std::vector<bool>& irregular, Bonds& bonds, int threads) {
+void balance(const InitialParticles& initial, const Constraints& constraints,
+             const std::vector<bool>& irregular, Bonds& bonds, int threads) {
   std::vector<Sector> sectors;
   for (std::size_t body = 0; body < irregular.size(); ++body)
-    sectors.emplace_back(initial, bonds, static_cast<int>(body), irregular[body], threads);
+    sectors.emplace_back(initial, constraints, bonds, static_cast<int>(body), irregular[body], threads);
   for (Sector& one : sectors) one.balance_areas();
   bonds.B = inverse_moments<2>(bonds, initial.size(), threads);
   for (Sector& one : sectors) one.balance_weights();
