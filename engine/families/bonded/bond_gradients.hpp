@@ -33,8 +33,8 @@ inline double single_precision(double a) {
 
 /// Returns B of each of n particles; 0 where the bonds hardly span the space, as at the tip of a jittered body:
 /// gradients would be so steep that the particle flies away.
-template <int Dim, class AnyBonds>
-std::vector<InverseMoment> inverse_moments(const AnyBonds& bonds, int n, int threads) {
+template <int Dim>
+std::vector<InverseMoment> inverse_moments(const Bonds& bonds, int n, int threads) {
   std::vector<InverseMoment> B(n);
   parallel_for(n, threads, [&](int i) {
     using Square = Eigen::Matrix<double, Dim, Dim>;
@@ -52,9 +52,8 @@ std::vector<InverseMoment> inverse_moments(const AnyBonds& bonds, int n, int thr
 }
 
 /// Returns S_j of each particle (bonds.hpp) for volumes V, in m^dim.
-template <class AnyBonds>
-std::vector<Point> surface_of(const AnyBonds& bonds, const std::vector<InverseMoment>& B,
-                              const std::vector<double>& V) {
+inline std::vector<Point> surface_of(const Bonds& bonds, const std::vector<InverseMoment>& B,
+                                     const std::vector<double>& V) {
   std::vector<Point> S(V.size());
   for (int i = 0; i < static_cast<int>(V.size()); ++i) {
     bonds.for_each(i, [&](int j, const ReferenceBond& bond) {

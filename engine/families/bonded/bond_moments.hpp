@@ -27,9 +27,9 @@ class Moments {
   bool make_right(const std::vector<Eigen::Vector<double, Dim>>& X, std::vector<double>& w) const {
     std::vector<Vector> M(X.size());
     for (std::size_t b = 0; b < X.size(); ++b) M[b] = of(X[b].normalized());
-    if (Dim == 3 && are_right(M, w)) return true;
+    if (Dim == 3 && is_right(M, w)) return true;
     correct(M, w);
-    return are_right(M, w);
+    return is_right(M, w);
   }
 
  private:
@@ -63,7 +63,7 @@ class Moments {
     for (std::size_t b = 0; b < M.size(); ++b) sum -= w[b] * M[b];
     return sum;
   }
-  bool are_right(const std::vector<Vector>& M, const std::vector<double>& w) const {
+  bool is_right(const std::vector<Vector>& M, const std::vector<double>& w) const {
     return missing(M, w).cwiseAbs().maxCoeff() < 1e-9;
   }
   /// w = ω ∘ (1 + Mᵀ α) with M w = target, the least change of ω. Negative weights are set to 0 and the others solved

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
+#include <ranges>
 #include <utility>
 
 #include "engine/families/bonded/bond_gradients.hpp"
@@ -70,8 +70,7 @@ class BondFinisher {
   BondFinisher(const Scene& scene, const InitialParticles& initial, const Constraints& constraints)
       : scene_(scene), initial_(initial), constraints_(constraints) {}
 
-  template <class AnyBonds>
-  Bonds finish(AnyBonds uncut, int threads) {
+  Bonds finish(Bonds uncut, int threads) {
     Bonds out;
     {
       const auto B = inverse_moments<Dim>(uncut, initial_.size(), threads);
@@ -96,113 +95,81 @@ class BondFinisher {
   bool is_on_faces(int i) const { return scene_.bodies[initial_.body[i]].on_boundary; }
   bool is_deformable(int i) const { return !is_rigid(constraints_[i]) || is_on_faces(i); }
 
-  template <class AnyBonds>
-  std::vector<double> with_end_correction(const AnyBonds& bonds, const std::vector<InverseMoment>& B,
-                                          const std::vector<Point>& S, const EndCorrection& by) const;
-  void cut_at_clamps(Bonds&& uncut, Bonds& out) const;
-  void cut_at_clamps(SolidBonds&& uncut, Bonds& out) const;
-  template <class AnyBonds>
-  void cut(const AnyBonds& uncut, int i, Bonds& out) const;
-  double share_before_clamp(int i, const Point& X) const;
+  /// Returns V_k = V0_k + Σ_j D_j²/divisor S_j · (g_jk − δ_jk Σ_l g_jl); D_j is the edge of the cell of j.
+  std::vector<double> with_end_correction(const Bonds& bonds, const std::vector<InverseMoment>& B,
+                                          const std::vector<Point>& S, const EndCorrection& by) const {
+    std::vector<double> V = initial_.V0;
+    for (int i = 0; i < initial_.size(); ++i) {
+      if (S[i] == Point{}) continue;
+      const double share = Dim == 3 && is_on_faces(i) ? scene_.spacing * scene_.spacing / by.on_faces
+                                                      : std::pow(initial_.V0[i], 2.0 / Dim) / by.cells;
+      bonds.for_each(i, [&](int j, const ReferenceBond& bond) {
+        const double change = share * vector_of<Dim>(S[i]).dot(vector_of<Dim>(gradient_of(B[i], bond)));
+        V[j] += change;
+        V[i] -= change;
+      });
+    }
+    return V;
+  }
+  void cut_at_clamps(Bonds&& uncut, Bonds& out) const {
+    const auto can_deform = [&](int i) { return is_deformable(i); };
+    out.off_lattice = uncut.off_lattice, out.solid = uncut.solid;
+    if (std::ranges::all_of(std::views::iota(0, initial_.size()), can_deform)) {
+      out.begin.swap(uncut.begin), out.j.swap(uncut.j), out.rows.swap(uncut.rows), out.row.swap(uncut.row);
+      return;
+    }
+    out.begin.push_back(0);
+    for (int i = 0; i < initial_.size(); ++i) {
+      const auto near = uncut.j.begin() + uncut.begin[i], end = uncut.j.begin() + uncut.begin[i + 1];
+      const bool whole = out.solid && can_deform(i) && std::all_of(near, end, can_deform);
+      if (out.solid) out.row.push_back(whole ? -1 : static_cast<int>(out.rows.size()));
+      if (whole)
+        out.j.insert(out.j.end(), near, end);
+      else
+        cut(uncut, i, out);
+      out.begin.push_back(static_cast<int>(out.j.size()));
+    }
+  }
+  /// Appends the bonds of i, shortened at the face of a clamp. Their a_ij grow by as much, so that F_i is exact for a
+  /// linear displacement that continues behind the face.
+  void cut(const Bonds& uncut, int i, Bonds& out) const {
+    if (!is_deformable(i)) return;
+    uncut.for_each(i, [&](int j, ReferenceBond bond) {
+      const bool to_clamp = !is_deformable(j);
+      if (to_clamp && bond.weight == 0) return;
+      const double share = to_clamp ? share_before_clamp(i, bond.X) : 1;
+      for (int k = 0; k < Dim; ++k) {
+        bond.X[k] *= share;
+        bond.area[k] /= share;
+        if (Dim == 3 && out.off_lattice) bond.area[k] = single_precision(bond.area[k]);
+      }
+      out.j.push_back(j);
+      out.rows.push_back(bond);
+    });
+  }
+  /// Returns the share of the way X from particle i that lies before the rigid region.
+  double share_before_clamp(int i, const Point& X) const {
+    const Body& body = scene_.bodies[initial_.body[i]];
+    const auto is_in_clamp = [&](const Point& x) {
+      if (body.held && body.held(x) != 0) return true;
+      const int drive = last_that_holds(body.drives, x);
+      return drive >= 0 && !lets_go(body.drives[drive], scene_);
+    };
+    double free = 0, inside = 1;
+    for (int halving = 0; halving < 50; ++halving) {
+      const double share = 0.5 * (free + inside);
+      Point x = initial_.x[i];
+      for (int k = 0; k < Dim; ++k) x[k] += share * X[k];
+      (is_in_clamp(x) ? inside : free) = share;
+    }
+    constexpr double shortest = 0.4;  // in spacings: a shorter bond would require shorter steps
+    return std::min(1.0, std::max(inside, shortest * scene_.spacing / vector_of<Dim>(X).norm()));
+  }
 
   const Scene& scene_;
   const InitialParticles& initial_;
   const Constraints& constraints_;
 };
-
-/// Returns V_k = V0_k + Σ_j D_j²/divisor S_j · (g_jk − δ_jk Σ_l g_jl); D_j is the edge of the cell of j.
-template <int Dim>
-template <class AnyBonds>
-std::vector<double> BondFinisher<Dim>::with_end_correction(const AnyBonds& bonds,
-                                                           const std::vector<InverseMoment>& B,
-                                                           const std::vector<Point>& S,
-                                                           const EndCorrection& by) const {
-  std::vector<double> V = initial_.V0;
-  for (int i = 0; i < initial_.size(); ++i) {
-    if (S[i] == Point{}) continue;
-    const double share = Dim == 3 && is_on_faces(i) ? scene_.spacing * scene_.spacing / by.on_faces
-                                                    : std::pow(initial_.V0[i], 2.0 / Dim) / by.cells;
-    bonds.for_each(i, [&](int j, const ReferenceBond& bond) {
-      const double change = share * vector_of<Dim>(S[i]).dot(vector_of<Dim>(gradient_of(B[i], bond)));
-      V[j] += change;
-      V[i] -= change;
-    });
-  }
-  return V;
-}
-
-/// Returns the share of the way X from particle i that lies before the rigid region.
-template <int Dim>
-double BondFinisher<Dim>::share_before_clamp(int i, const Point& X) const {
-  const Body& body = scene_.bodies[initial_.body[i]];
-  const auto is_in_clamp = [&](const Point& x) {
-    if (body.held && body.held(x) != 0) return true;
-    const int drive = last_that_holds(body.drives, x);
-    return drive >= 0 && !lets_go(body.drives[drive], scene_);
-  };
-  double free = 0, inside = 1;
-  for (int halving = 0; halving < 50; ++halving) {
-    const double share = 0.5 * (free + inside);
-    Point x = initial_.x[i];
-    for (int k = 0; k < Dim; ++k) x[k] += share * X[k];
-    (is_in_clamp(x) ? inside : free) = share;
-  }
-  constexpr double shortest = 0.4;  // in spacings: a shorter bond would require shorter steps
-  return std::min(1.0, std::max(inside, shortest * scene_.spacing / vector_of<Dim>(X).norm()));
-}
-
-/// Appends the bonds of i, shortened at the face of a clamp. Their a_ij grow by as much, so that F_i is exact for a
-/// linear displacement that continues behind the face.
-template <int Dim>
-template <class AnyBonds>
-void BondFinisher<Dim>::cut(const AnyBonds& uncut, int i, Bonds& out) const {
-  if (!is_deformable(i)) return;
-  uncut.for_each(i, [&](int j, ReferenceBond bond) {
-    const bool to_clamp = !is_deformable(j);
-    if (to_clamp && bond.weight == 0) return;
-    const double share = to_clamp ? share_before_clamp(i, bond.X) : 1;
-    for (int k = 0; k < Dim; ++k) {
-      bond.X[k] *= share;
-      bond.area[k] /= share;
-      if (Dim == 3 && out.off_lattice) bond.area[k] = single_precision(bond.area[k]);
-    }
-    out.j.push_back(j);
-    out.rows.push_back(bond);
-  });
-}
-
-template <int Dim>
-void BondFinisher<Dim>::cut_at_clamps(Bonds&& uncut, Bonds& out) const {
-  out.off_lattice = uncut.off_lattice;
-  bool all_deform = true;
-  for (int i = 0; i < initial_.size() && all_deform; ++i) all_deform = is_deformable(i);
-  if (all_deform) {
-    out.begin.swap(uncut.begin), out.j.swap(uncut.j), out.rows.swap(uncut.rows);
-    return;
-  }
-  out.begin.push_back(0);
-  for (int i = 0; i < initial_.size(); ++i) {
-    cut(uncut, i, out);
-    out.begin.push_back(static_cast<int>(out.j.size()));
-  }
-}
-
-template <int Dim>
-void BondFinisher<Dim>::cut_at_clamps(SolidBonds&& uncut, Bonds& out) const {
-  out.off_lattice = uncut.geometry().off_lattice;
-  out.begin.push_back(0);
-  for (int i = 0; i < initial_.size(); ++i) {
-    const std::span<const int> near = uncut.near(i);
-    const bool whole = is_deformable(i) && std::ranges::all_of(near, [&](int j) { return is_deformable(j); });
-    out.row.push_back(whole ? -1 : static_cast<int>(out.rows.size()));
-    if (whole)
-      out.j.insert(out.j.end(), near.begin(), near.end());
-    else
-      cut(uncut, i, out);
-    out.begin.push_back(static_cast<int>(out.j.size()));
-  }
-  out.solid = std::make_shared<const SolidGeometry>(std::move(uncut).take_geometry());
-}
 
 }  // namespace
 
@@ -228,7 +195,7 @@ Bonds make_bonds(const Scene& scene, const InitialParticles& initial, Constraint
                  int threads) {
   Bonds bonds = scene.dim == 3
                     ? BondFinisher<3>(scene, initial, constraints)
-                          .finish(SolidBonds(initial, constraints, scene.spacing, h, threads), threads)
+                          .finish(solid_bonds(initial, constraints, scene.spacing, h, threads), threads)
                     : BondFinisher<2>(scene, initial, constraints)
                           .finish(layout_bonds(initial, constraints, scene.spacing, h, threads), threads);
   bonds.constraints = std::move(constraints);

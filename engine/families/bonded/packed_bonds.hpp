@@ -77,7 +77,8 @@ class PackedBonds {
   const std::vector<ToClamp>& bonds_to_clamp() const { return bonds_to_clamp_; }
 
  private:
-  using BondsOfFour = std::array<std::vector<BondConstants>, lanes>;  // j: where the other end is stored
+  struct LaneBond : BondConstants {};  // j: where the other end is stored
+  using BondsOfFour = std::array<std::vector<LaneBond>, lanes>;
   struct PackedGroup {
     std::vector<LaneSlot> slots;
     std::vector<Spring<Storage>> springs;
@@ -117,10 +118,10 @@ PackedBonds<Dim, Storage>::PackedBonds(const BondedSetup& setup, const std::vect
     for (int lane = 0; lane < lanes && first + lane < n; ++lane) {
       for (BondConstants bond : setup.bond_constants(ids[first + lane])) {
         bond.j = bond.j < 0 ? size - 1 - bond.j : where[bond.j];
-        (bond.area != Point{} ? with_area : others)[lane].push_back(bond);
+        (bond.area != Point{} ? with_area : others)[lane].push_back({bond});
       }
-      std::ranges::sort(with_area[lane], {}, &BondConstants::j);
-      std::ranges::sort(others[lane], {}, &BondConstants::j);
+      std::ranges::sort(with_area[lane], {}, &LaneBond::j);
+      std::ranges::sort(others[lane], {}, &LaneBond::j);
     }
     PackedGroup packed;
     packed.append(group, with_area, size);
@@ -148,7 +149,7 @@ template <int Dim, class Storage>
 void PackedBonds<Dim, Storage>::PackedGroup::append(int group, const BondsOfFour& bonds, int size) {
   std::array<std::vector<int>, lanes> neighbors;
   for (int lane = 0; lane < lanes; ++lane)
-    for (const BondConstants& bond : bonds[lane]) neighbors[lane].push_back(bond.j);
+    for (const LaneBond& bond : bonds[lane]) neighbors[lane].push_back(bond.j);
   const LaneSlots found = lane_slots(lanes * group, neighbors, size);
   for (std::size_t b = 0; b < found.slots.size(); ++b) {
     slots.push_back(found.slots[b]);
@@ -156,7 +157,7 @@ void PackedBonds<Dim, Storage>::PackedGroup::append(int group, const BondsOfFour
     Vec<Pack, Dim> area{};
     for (int lane = 0; lane < lanes; ++lane) {
       if (found.taken[b][lane] < 0) continue;
-      const BondConstants& bond = bonds[lane][found.taken[b][lane]];
+      const LaneBond& bond = bonds[lane][found.taken[b][lane]];
       if (bond.j >= size) to_clamp.push_back({group, lane, static_cast<int>(springs.size()), bond.j - size});
       third_of_k[lane] = bond.k / 3;
       per_r0_squared[lane] = 1 / bond.r2;

@@ -119,13 +119,13 @@ bool has_other_side(const InitialParticles& initial, const std::vector<int>& mot
 template <int Dim>
 bool is_symmetric(const Neighborhood<Dim>& near) {
   constexpr double alike = 1e-6;
-  const auto are_opposite = [](const Neighbor<Dim>& one, const Neighbor<Dim>& other) {
+  const auto is_opposite = [](const Neighbor<Dim>& one, const Neighbor<Dim>& other) {
     return (one.X + other.X).squaredNorm() < alike * alike;
   };
   // in the order of a lattice the first is opposite to the last
-  if (std::equal(near.begin(), near.end(), near.rbegin(), are_opposite)) return true;
+  if (std::equal(near.begin(), near.end(), near.rbegin(), is_opposite)) return true;
   return std::ranges::all_of(near, [&](const Neighbor<Dim>& one) {
-    return std::ranges::any_of(near, [&](const Neighbor<Dim>& other) { return are_opposite(one, other); });
+    return std::ranges::any_of(near, [&](const Neighbor<Dim>& other) { return is_opposite(one, other); });
   });
 }
 
@@ -160,7 +160,7 @@ Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, in
   return g;
 }
 
-/// Makes the rows. In 3D particles with equal neighbourhoods share the numbers of one row.
+/// Makes the rows. In 3D rows with equal numbers, as on the faces of a lattice, share them.
 template <int Dim>
 class Rows {
  public:
@@ -183,24 +183,68 @@ class Rows {
   struct Row {
     std::vector<int> j;
     std::vector<double> g;
-    std::size_t hash = 0;  // of the X of the nearest; 0 if the row has other neighbours
-    int same_as = -1;      // stored index of a particle with equal nearest, whose g it shares
     bool between = false;  // see RecoveredGradient
   };
-  Row make(int k) const;
-  void take(int k, const Row& row);
+  /// Runs on several threads.
+  Row make(int k) const {
+    Row row;
+    const int i = id_[k];
+    if (motion_[i] == rigid) return row;
+    const std::vector<int> near = own_(i);
+    Neighborhood<Dim> own = alike<Dim>(initial_, motion_, i, near, spacing_);
+    if constexpr (Dim == 3)
+      row.between =
+          has_other_side<Dim>(initial_, motion_, i, near, std::min(own_reach_, link_of_neighbors) * spacing_);
+    if (is_symmetric(within(own, std::max(own_reach_, link_of_neighbors)))) return row;
+    leave_out_unlinked(own);
+    if (fit_to(within(own, least_reach), quadratic<Dim>, row)) return row;
+    Neighborhood<Dim> wide = alike<Dim>(initial_, motion_, i, wide_(i), spacing_);
+    leave_out_unlinked(wide);
+    for (const int terms : {quadratic<Dim>, linear<Dim>})
+      for (double reach = least_reach; reach <= greatest_reach; reach += growth)
+        if (fit_to(within(wide, reach), terms, row)) return row;
+    return row;
+  }
+  void take(int k, const Row& row) {
+    const auto done = static_cast<std::size_t>(k);
+    make_room(out_.j, row.j.size(), done, id_.size());
+    out_.j.insert(out_.j.end(), row.j.begin(), row.j.end());
+    out_.begin.push_back(static_cast<int>(out_.j.size()));
+    if (row.between) {
+      out_.between.resize(id_.size());
+      out_.between[done] = 1;
+    }
+    out_.row.push_back(halved_ ? append(out_.halved, row, done) : shared(row, done));
+  }
   RecoveredGradient finish() { return std::move(out_); }
 
  private:
-  Neighborhood<Dim> alike(int i, std::span<const int> near) const {
-    return taut::alike<Dim>(initial_, motion_, i, near, spacing_);
+  bool fit_to(const Neighborhood<Dim>& near, int terms, Row& row) const {
+    const auto g = fit<Dim>(near, terms);
+    if (g.size() == 0) return false;
+    for (std::size_t b = 0; b < near.size(); ++b) {
+      row.j.push_back(where_[near[b].id]);
+      for (int a = 0; a < Dim; ++a) row.g.push_back(g(a, b) / spacing_);
+    }
+    return true;
   }
-  Neighborhood<Dim> nearest(Neighborhood<Dim> own) const {
-    leave_out_unlinked(own);
-    return within(own, least_reach);
+  /// Returns where the row begins.
+  template <class Number>
+  int append(std::vector<Number>& list, const Row& row, std::size_t done) {
+    make_room(list, row.g.size(), done, id_.size());
+    list.insert(list.end(), row.g.begin(), row.g.end());
+    return static_cast<int>(list.size() - row.g.size());
   }
-  int known(std::size_t hash, const Neighborhood<Dim>& nearest) const;
-  bool fit_to(const Neighborhood<Dim>& near, int terms, Row& row) const;
+  int shared(const Row& row, std::size_t done) {
+    if (Dim == 2 || row.g.empty()) return append(out_.g, row, done);
+    const char* const bytes = reinterpret_cast<const char*>(row.g.data());
+    const auto hash = std::hash<std::string_view>()({bytes, row.g.size() * sizeof(double)});
+    for (auto [at, end] = known_.equal_range(hash); at != end; ++at)
+      if (at->second + row.g.size() <= out_.g.size() &&
+          std::equal(row.g.begin(), row.g.end(), out_.g.begin() + at->second))
+        return at->second;
+    return known_.emplace(hash, append(out_.g, row, done))->second;
+  }
 
   const InitialParticles& initial_;
   const std::vector<int>& id_;
@@ -211,92 +255,9 @@ class Rows {
   NeighborsOfOne<Dim> own_;
   double own_reach_;  // dp
   NeighborsOfOne<Dim> wide_;
-  std::unordered_multimap<std::size_t, int> known_;  // hash → particle
+  std::unordered_multimap<std::size_t, int> known_;  // hash → first number of a row
   RecoveredGradient out_;
 };
-
-template <int Dim>
-std::size_t hash_of(const Neighborhood<Dim>& near) {
-  std::vector<double> X;
-  for (const Neighbor<Dim>& one : near) X.insert(X.end(), one.X.begin(), one.X.end());
-  return std::hash<std::string_view>()({reinterpret_cast<const char*>(X.data()), X.size() * sizeof(double)});
-}
-
-/// Returns the stored index of a particle with equal nearest neighbours, or −1.
-template <int Dim>
-int Rows<Dim>::known(std::size_t hash, const Neighborhood<Dim>& nearest) const {
-  for (auto [at, end] = known_.equal_range(hash); at != end; ++at)
-    if (std::ranges::equal(this->nearest(alike(id_[at->second], own_(id_[at->second]))), nearest, {},
-                           &Neighbor<Dim>::X, &Neighbor<Dim>::X))
-      return at->second;
-  return -1;
-}
-
-/// Runs on several threads while `take` does not.
-template <int Dim>
-auto Rows<Dim>::make(int k) const -> Row {
-  Row row;
-  const int i = id_[k];
-  if (motion_[i] == rigid) return row;
-  const std::vector<int> near = own_(i);
-  const Neighborhood<Dim> own = alike(i, near);
-  if constexpr (Dim == 3)
-    row.between =
-        has_other_side<Dim>(initial_, motion_, i, near, std::min(own_reach_, link_of_neighbors) * spacing_);
-  if (is_symmetric(within(own, std::max(own_reach_, link_of_neighbors)))) return row;
-  const Neighborhood<Dim> nearest = this->nearest(own);
-  if constexpr (Dim == 3) {
-    row.hash = hash_of(nearest);
-    row.same_as = known(row.hash, nearest);
-  }
-  if (row.same_as >= 0) {
-    for (const Neighbor<Dim>& one : nearest) row.j.push_back(where_[one.id]);
-    return row;
-  }
-  if (fit_to(nearest, quadratic<Dim>, row)) return row;
-  row.hash = 0;
-  Neighborhood<Dim> wide = alike(i, wide_(i));
-  leave_out_unlinked(wide);
-  for (const int terms : {quadratic<Dim>, linear<Dim>})
-    for (double reach = least_reach; reach <= greatest_reach; reach += growth)
-      if (fit_to(within(wide, reach), terms, row)) return row;
-  return row;
-}
-
-template <int Dim>
-bool Rows<Dim>::fit_to(const Neighborhood<Dim>& near, int terms, Row& row) const {
-  const auto g = fit<Dim>(near, terms);
-  if (g.size() == 0) return false;
-  for (std::size_t b = 0; b < near.size(); ++b) {
-    row.j.push_back(where_[near[b].id]);
-    for (int a = 0; a < Dim; ++a) row.g.push_back(g(a, b) / spacing_);
-  }
-  return true;
-}
-
-template <int Dim>
-void Rows<Dim>::take(int k, const Row& row) {
-  int same_as = row.same_as;
-  if (same_as < 0 && row.hash != 0)  // an equal row may have been taken since
-    same_as = known(row.hash, nearest(alike(id_[k], own_(id_[k]))));
-  const auto done = static_cast<std::size_t>(k);
-  make_room(out_.j, row.j.size(), done, id_.size());
-  out_.j.insert(out_.j.end(), row.j.begin(), row.j.end());
-  out_.begin.push_back(static_cast<int>(out_.j.size()));
-  if (row.between) {
-    out_.between.resize(id_.size());
-    out_.between[done] = 1;
-  }
-  const std::size_t begin = halved_ ? out_.halved.size() : out_.g.size();
-  out_.row.push_back(same_as < 0 ? static_cast<int>(begin) : out_.row[same_as]);
-  if (same_as >= 0) return;
-  const auto append = [&](auto& list) {
-    make_room(list, row.g.size(), done, id_.size());
-    list.insert(list.end(), row.g.begin(), row.g.end());
-  };
-  halved_ ? append(out_.halved) : append(out_.g);
-  if (row.hash != 0) known_.emplace(row.hash, k);
-}
 
 template <int Dim>
 RecoveredGradient recovered(const InitialParticles& initial, const Constraints& constraints,
