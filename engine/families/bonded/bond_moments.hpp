@@ -12,7 +12,7 @@
 
 namespace taut {
 
-/// The products e_a e_b e_c e_d of the components of unit vectors: of bonds, and what they should add up to.
+/// Fourth moments Σ_b w_b e_a e_b e_c e_d of bonds, and their isotropic targets (THEORY.md, Bonds).
 template <int Dim>
 class Moments {
  public:
@@ -22,14 +22,14 @@ class Moments {
     for (int m = 0; m < count; ++m) target_[m] = isotropic(powers_[m]);
   }
 
-  /// Makes of the weights w of the bonds X those of right moments that are nearest to them, and says whether
-  /// there are any that are not negative. The same where they are right to begin with.
+  /// Changes the weights w of the bonds X as little as possible so that their moments are right. Returns false if no
+  /// such weights are ≥ 0.
   bool make_right(const std::vector<Eigen::Vector<double, Dim>>& X, std::vector<double>& w) const {
     std::vector<Vector> M(X.size());
     for (std::size_t b = 0; b < X.size(); ++b) M[b] = of(X[b].normalized());
-    if (Dim == 3 && right(M, w)) return true;
+    if (Dim == 3 && is_right(M, w)) return true;
     correct(M, w);
-    return right(M, w);
+    return is_right(M, w);
   }
 
  private:
@@ -63,11 +63,11 @@ class Moments {
     for (std::size_t b = 0; b < M.size(); ++b) sum -= w[b] * M[b];
     return sum;
   }
-  bool right(const std::vector<Vector>& M, const std::vector<double>& w) const {
+  bool is_right(const std::vector<Vector>& M, const std::vector<double>& w) const {
     return missing(M, w).cwiseAbs().maxCoeff() < 1e-9;
   }
-  /// w = ω ∘ (1 + Mᵀ α) with M w = target, the smallest such change of ω. Weights that come out negative are
-  /// set to 0 and the others solved for again.
+  /// w = ω ∘ (1 + Mᵀ α) with M w = target, the least change of ω. Negative weights are set to 0 and the others solved
+  /// again.
   void correct(const std::vector<Vector>& M, std::vector<double>& omega) const {
     std::vector<double> w(omega.size());
     for (std::size_t round = 0; round <= omega.size(); ++round) {
@@ -92,7 +92,7 @@ class Moments {
   Vector target_;
 };
 
-/// To 2^-36, far finer than the moments are right: the last bits may differ in a mirror image.
+/// Rounds to 2^-36, far below the tolerance of the moments: the last bits may differ in a mirror image.
 inline double rounded_weight(double weight) { return std::ldexp(std::round(std::ldexp(weight, 36)), -36); }
 
 }  // namespace taut

@@ -13,28 +13,25 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// The bonds of a body and what is cancelled of them.
-template <int Dim, class Kept>
-struct HeldBonds {
-  PackedBonds<Dim, Kept> packed;
-  CancelledBonds<Dim, Kept> cancelled;
+template <int Dim, class Storage>
+struct StoredBonds {
+  PackedBonds<Dim, Storage> packed;
+  CancelledBonds<Dim, Storage> cancelled;
 };
 
-/// What the stress pass adds up over the bonds of four particles.
+/// Sums of the stress pass over the bonds of four particles.
 template <int Dim>
 struct BondSums {
   Mat<Pack, Dim> A{};      // Σ_j (x_j − x_i) ⊗ a_ij
   Vec<Pack, Dim> force{};  // N
-  Pack energy{};           // J; if asked for
+  Pack energy{};           // J; if requested
   Pack stiffest{};         // greatest s + 1/(4s²)
 };
 
-/// Of the bonds Σ_j (x_j − x_i) ⊗ a_ij, the force Σ_j k (φ′(λ)/λ + τ q̇) (x_j − x_i) and, if asked for, the
-/// energy. `places`: x and x + 3 τ v. With d = x_j − x_i and the same of places ahead, d·ahead/r0² is
-/// s + 3 τ q̇, which in the place of s in 3 φ′/λ = s − ¾ − 1/(4s²) makes it 3 (φ′/λ + τ q̇). Bonds shorter than
-/// the root of `least_r2`, m², are taken for that long.
-template <bool WithEnergy, int Dim, class Kept>
-[[gnu::always_inline]] inline BondSums<Dim> bond_sums(const PackedBonds<Dim, Kept>& bonds,
+/// Returns the sums, with damping. `places`: x and x + 3 τ v; with d = x_j − x_i and `ahead` the same of x + 3 τ v,
+/// d·ahead/r0² = s + 3 τ q̇, which replaces s in 3 φ′/λ = s − ¾ − 1/(4s²). r² is at least `least_r2`, in m².
+template <bool WithEnergy, int Dim, class Storage>
+[[gnu::always_inline]] inline BondSums<Dim> bond_sums(const PackedBonds<Dim, Storage>& bonds,
                                                       const Columns<2 * Dim>& places, int group,
                                                       const Pack& least_r2) {
   const int first = group * lanes;
@@ -47,7 +44,7 @@ template <bool WithEnergy, int Dim, class Kept>
   const auto* slots = bonds.slots(own);
   const auto* springs = bonds.springs(own);
   const auto* areas = bonds.a_ij(own);
-  const auto add_bond = [&](int b) {  // gives x_j − x_i
+  const auto add_bond = [&](int b) {  // returns x_j − x_i
     Pack place[2 * Dim];              // of j
     gather(places, first, slots[b], place);
     Vec<Pack, Dim> d, ahead;
@@ -73,9 +70,9 @@ inline constexpr TermInfo bonded_damping_info{
     "families/bonded/bond_sums.hpp:bond_sums",
     "oenog: the damping takes a zigzag away and leaves the first mode alone"};
 
-/// f_i += Σ_j (Q_i + Q_j) a_ij, of four particles.
-template <int Dim, class Kept>
-[[gnu::always_inline]] inline void add_stress_force(const PackedBonds<Dim, Kept>& bonds,
+/// Adds Σ_j (Q_i + Q_j) a_ij to the forces on four particles.
+template <int Dim, class Storage>
+[[gnu::always_inline]] inline void add_stress_force(const PackedBonds<Dim, Storage>& bonds,
                                                     const Columns<Dim * Dim>& Q, int group,
                                                     Vec<Pack, Dim>& f) {
   const int first = lanes * group;
@@ -95,43 +92,45 @@ template <int Dim, class Kept>
   }
 }
 
-/// Where bonds end at what is held or driven to the end (bonds.hpp, Clamp). What is driven takes its places along and is
-/// pulled at by them; what is held is so only where a probe asks for it.
+/// Clamp places as columns behind the particles. The places of a driven region follow it.
 template <int Dim>
 class Clamps {
  public:
   using V = Vec<double, Dim>;
 
-  /// Puts the places into the columns, which have no stress, past all groups of particles.
-  template <class Kept>
-  void add_places(const PackedBonds<Dim, Kept>& bonds, const State<Dim>& s, const Drives<Dim>& drives,
+  /// Resizes the columns and appends the places, where the stress is 0.
+  void add_places(const std::vector<ClampPlace>& all, const State<Dim>& s, const Drives<Dim>& drives,
                   Columns<2 * Dim>& places, Columns<Dim * Dim>& Q) {
+    const std::vector<int> where = stored_places(s.id);
     first_ = (s.size() + lanes - 1) / lanes * lanes;
-    const auto& all = bonds.places_at_clamp();
     const int count = static_cast<int>(all.size());
     places.resize(first_ + count);
     Q.resize(first_ + count);
     for (int i = 0; i < count; ++i) {
-      const auto& [x, behind] = all[i];
-      for (int k = 0; k < Dim; ++k) places[k][first_ + i] = places[Dim + k][first_ + i] = x[k];
-      if (drives.lasts(s.id[behind])) driven_.push_back({first_ + i, behind, x - s.x[behind]});
+      const int behind = behind_.emplace_back(where[all[i].behind]);
+      V from_behind;
+      for (int k = 0; k < Dim; ++k) {
+        places[k][first_ + i] = places[Dim + k][first_ + i] = all[i].x[k];
+        from_behind[k] = all[i].x[k] - s.x[behind][k];
+      }
+      if (drives.lasts(all[i].behind)) driven_.push_back({first_ + i, behind, from_behind});
     }
   }
 
-  bool are_driven() const { return !driven_.empty(); }
+  bool has_driven() const { return !driven_.empty(); }
 
-  /// To where the driven particles behind them are; `ahead`, s, is that of x + ahead v.
+  /// Moves the places with the driven particles behind them; `ahead`, in s, as in x + ahead v.
   void follow(const State<Dim>& s, double ahead, Columns<2 * Dim>& places) const {
-    for (const auto& [place, behind, away] : driven_)
+    for (const auto& [place, behind, from_behind] : driven_)
       for (int k = 0; k < Dim; ++k) {
-        const double x = s.x[behind][k] + away[k];
+        const double x = s.x[behind][k] + from_behind[k];
         places[k][place] = x, places[Dim + k][place] = x + ahead * s.v[behind][k];
       }
   }
 
-  /// What bonds pull at free particles with: f(particle behind the place, force, N) for each.
-  template <class Kept, class Use>
-  void for_each_pull(const PackedBonds<Dim, Kept>& bonds, const Columns<2 * Dim>& places,
+  /// Calls use(particle behind the place, force on the free particle, in N) for each bond into a clamp.
+  template <class Storage, class Use>
+  void for_each_pull(const PackedBonds<Dim, Storage>& bonds, const Columns<2 * Dim>& places,
                      const Columns<Dim * Dim>& Q, double least_r2, const Use& use) const {
     for (const auto& [group, lane, b, place] : bonds.bonds_to_clamp()) {
       const int i = lanes * group + lane, j = first_ + place;
@@ -149,16 +148,17 @@ class Clamps {
       const double slopes =
           three_bond_slopes(dot(d, ahead) * spring.per_r02()[lane], spring.half_inverse(r2)[lane]);
       pull += (spring.third()[lane] * slopes) * d;
-      use(bonds.places_at_clamp()[place].behind, pull);
+      use(behind_[place], pull);
     }
   }
 
  private:
   struct Driven {
-    int place, behind;  // where they are stored
-    V away;             // of the place from the particle, m
+    int place, behind;  // stored indices
+    V from_behind;      // from the particle to the place, m
   };
-  int first_ = 0;  // where the places begin
+  int first_ = 0;            // first place in the columns
+  std::vector<int> behind_;  // [place] stored index of the rigid particle
   std::vector<Driven> driven_;
 };
 

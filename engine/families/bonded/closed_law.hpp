@@ -8,10 +8,10 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// Any law with the continuation below J = ½ that the neo-Hookean one has in ClosedNeoHookean: with c for det
-/// F in its part of the shear, and (K + 4G/3)(1 − 2J)³ more. A law of F alone has the latter only.
+/// Continuation of any law below J = ½, as in ClosedNeoHookean: c replaces det F in the shear part, and the energy has
+/// (K + 4G/3)(1 − 2J)³ more. A law of F alone has the latter only.
 struct Closing {
-  double J, c, per_J;  // det F; what stands for it, and its slope
+  double J, c, per_J;  // det F; its replacement c and dc/dJ
   double shut;         // 1 − 2J, or 0
 
   explicit Closing(double det) : J(det), c(det), per_J(1), shut(0) {
@@ -31,7 +31,7 @@ double closed_energy(const L& law, const Mat<double, Dim>& F) {
     return law.energy(F, at.J) + closing;
 }
 
-/// ∂closed_energy/∂F
+/// Returns ∂closed_energy/∂F.
 template <class L, int Dim>
 Mat<double, Dim> closed_piola(const L& law, const Mat<double, Dim>& F) {
   const Closing at(determinant(F));
@@ -46,7 +46,7 @@ Mat<double, Dim> closed_piola(const L& law, const Mat<double, Dim>& F) {
   }
 }
 
-/// Of four particles, with their materials, one after the other.
+/// The same for four particles with their materials.
 template <class L, int Dim>
 Pack closed_energy(const std::vector<L>& laws, const int* material, const Mat<Pack, Dim>& F) {
   Pack energy{};

@@ -9,11 +9,12 @@
 #include "engine/families/bonded/closed_law.hpp"
 #include "engine/families/bonded/interfaces.hpp"
 #include "engine/families/bonded/packed_bonds.hpp"
+#include "engine/families/bonded/setup.hpp"
 #include "engine/terms/bond.hpp"
 
 namespace taut::inline TAUT_ISA {
 
-/// W of one particle: the law of a bonded body, its own or the chosen one.
+/// W of one particle: the own law of the family or the chosen one.
 template <const Formulation& M>
 struct LawOfOne {
   const std::vector<Elasticity>& materials;
@@ -32,7 +33,7 @@ struct LawOfOne {
   }
 };
 
-/// The sites of Interfaces, one after the other: there are few.
+/// Sites of Interfaces in storage order, computed one by one: there are few (THEORY.md, Interfaces).
 template <int Dim>
 class InterfaceSites {
  public:
@@ -40,127 +41,115 @@ class InterfaceSites {
   using Square = Mat<double, Dim>;
 
   InterfaceSites() = default;
-  /// Of particles stored in the order of `ids`.
-  InterfaceSites(const Interfaces& interfaces, const Bonds& bonds, const InitialParticles& initial,
-                 const std::vector<Elasticity>& materials, const std::vector<int>& ids);
+  /// For particles stored in the order of `ids`.
+  InterfaceSites(const BondedSetup& setup, const std::vector<int>& ids);
 
-  /// Puts Q of the particles that have a site in the place of what it is for others, and adds the forces of
-  /// their kinks to those of the bonds.
+  /// Replaces Q of the particles that have a site and adds the forces of their kinks to the bond forces.
   template <class Column, class Law>
   void pass(const Column& x, const Law& law, int threads, Columns<Dim * Dim>& Q,
             std::vector<Vec<Pack, Dim>>& bond_force);
-  /// J, of particle i less what it would have as one of its own material alone
+  /// Returns the energy of particle i minus the energy it would have within its own material alone, in J.
   template <class Column, class Law>
   double energy_of_kink(int i, const Column& x, const Law& law) const;
 
  private:
-  struct Bond {
+  struct StoredSiteBond {
     int j;
     Direction g, e;                 // 1/m; direction at the start
     double per_r0_squared;          // 1/m²
-    double strength, own_strength;  // G V0_i w_ij, J; with the G of the own material
-    int pull;                       // of those across, in pulls_; −1 of the others
+    double strength, own_strength;  // J, see SiteBond
+    int pull;                       // index in pulls_ of a bond across, else −1
   };
   struct Kink {
     int j;
     double weight;
   };
-  struct Site {
-    int i, own, other;  // where it is stored; materials
+  struct StoredSite {
+    int i, own, other;  // stored index; materials
     double V, share;
     Direction N, m;
-    Square B;  // of Bonds
-    int bond, bonds, kink, kinks;
+    Square B;
+    int bond, bonds, kink, kinks;  // first and one past the last
   };
   struct Deformations {
     Square mean, own, other, across;
   };
-  /// Of pulls_, what a particle of a group takes.
-  struct Share {
+  /// A particle of a group takes weight × pulls_[pull].
+  struct PullShare {
     int pull, lane;
     double weight;
   };
-  struct Affected {
+  struct GroupShares {
     int group, begin, end;
   };
-  /// What a bond across stores, of s, s° of F_across and s° of F_own, and its slopes in each.
-  struct Stored {
+  /// Energy of a bond across as a function of s, s° of F_across and s° of F_own, and its slopes in each.
+  struct AcrossEnergy {
     double energy, of_s, of_across, of_own;
   };
 
   template <class Column, class Law>
   Square stress(int site, const Column& x, const Law& law);
   template <class Column>
-  Deformations deformations(const Site& site, const Column& x) const;
+  Deformations deformations(const StoredSite& site, const Column& x) const;
   static Square with(const Square& F, double share, const Direction& b, const Direction& n) {
     Square sum = F;
     for (int a = 0; a < Dim; ++a)
       for (int k = 0; k < Dim; ++k) sum(a, k) += share * b[a] * n[k];
     return sum;
   }
-  static Stored stored_across(const Bond& bond, double s, double across, double own);
+  static AcrossEnergy energy_across(const StoredSiteBond& bond, double s, double across, double own);
   void share_out();
 
-  std::vector<Site> sites_;
-  std::vector<int> site_of_;  // of each particle, −1 of most
-  std::vector<Bond> bonds_;
+  std::vector<StoredSite> sites_;
+  std::vector<int> site_of_;  // [stored] or −1
+  std::vector<StoredSiteBond> bonds_;
   std::vector<Kink> kinks_;
-  std::vector<Direction> pulls_;  // ∂E/∂b of each site, J, and forces along the bonds across, N
-  std::vector<Share> shares_;
-  std::vector<Affected> affected_;
+  std::vector<Direction> pulls_;  // ∂E/∂b of each site, J; forces along the bonds across, N
+  std::vector<PullShare> shares_;
+  std::vector<GroupShares> affected_;
 };
 
 template <int Dim>
-InterfaceSites<Dim>::InterfaceSites(const Interfaces& interfaces, const Bonds& bonds,
-                                    const InitialParticles& initial, const std::vector<Elasticity>& materials,
-                                    const std::vector<int>& ids) {
-  std::vector<int> where(ids.size());
-  for (std::size_t i = 0; i < ids.size(); ++i) where[ids[i]] = static_cast<int>(i);
+InterfaceSites<Dim>::InterfaceSites(const BondedSetup& setup, const std::vector<int>& ids) {
+  const InitialParticles& initial = setup.initial;
+  const Bonds& bonds = setup.bonds;
+  const Interfaces& interfaces = setup.interfaces;
+  const std::vector<int> where = stored_places(ids);
   const auto vector = [](const Point& p) {
     Direction v;
     for (int k = 0; k < Dim; ++k) v[k] = p[k];
     return v;
   };
   int pulls = static_cast<int>(interfaces.sites.size());
+  site_of_.assign(ids.size(), -1);
   for (std::size_t s = 0; s < interfaces.sites.size(); ++s) {
     const Interfaces::Site& from = interfaces.sites[s];
-    Site site{};
+    StoredSite site{};
     site.i = where[from.id], site.own = initial.material[from.id], site.other = from.other;
     site.V = bonds.volume[from.id], site.share = from.share;
     site.N = vector(from.N), site.m = vector(from.m);
     for (int a = 0; a < Dim; ++a)
       for (int k = 0; k < Dim; ++k) site.B(k, a) = bonds.B[from.id][a][k];
     site.bond = static_cast<int>(bonds_.size()), site.kink = static_cast<int>(kinks_.size());
-    for (int b = bonds.begin[from.id]; b < bonds.begin[from.id + 1]; ++b) {
-      const taut::Bond& own = bonds.of(from.id, b);
-      const Direction X = vector(own.X);
-      const int other = bonds.j[b];
-      const double G = bond_modulus<Dim>(bonds, initial, materials, from.id, b),
-                   V0_w = initial.V0[from.id] * own.weight, r2 = dot(X, X);
-      const bool across = is_across(initial, materials, from.id, other);
-      bonds_.push_back(
-          {where[other], vector(bonds.gradient(from.id, b)), 1 / std::sqrt(r2) * X, 1 / r2, G * V0_w,
-           std::min(bond_modulus<Dim>(materials[site.own].K, materials[site.own].G), most_of_across * G) *
-               V0_w,
-           across ? pulls++ : -1});
-    }
+    for (const SiteBond& b : site_bonds(bonds, initial, setup.materials, from.id))
+      bonds_.push_back({where[b.j], vector(b.g), vector(b.e), b.per_r0_squared, b.strength, b.own_strength,
+                        b.is_across ? pulls++ : -1});
     for (int b = interfaces.begin[s]; b < interfaces.begin[s + 1]; ++b)
       kinks_.push_back({where[interfaces.j[b]], interfaces.weight[b]});
     site.bonds = static_cast<int>(bonds_.size()), site.kinks = static_cast<int>(kinks_.size());
+    site_of_[site.i] = static_cast<int>(s);
     sites_.push_back(site);
   }
   pulls_.resize(pulls);
-  site_of_.assign(ids.size(), -1);
-  for (std::size_t n = 0; n < sites_.size(); ++n) site_of_[sites_[n].i] = static_cast<int>(n);
   share_out();
 }
 
-/// Gathered by group, so that no two threads add to one.
+/// Sorts the shares by group, so that no two threads add to one group.
 template <int Dim>
 void InterfaceSites<Dim>::share_out() {
   struct Part {
     int i;
-    Share share;
+    PullShare share;
   };
   std::vector<Part> parts;
   for (int s = 0; s < static_cast<int>(sites_.size()); ++s) {
@@ -188,7 +177,7 @@ void InterfaceSites<Dim>::share_out() {
 
 template <int Dim>
 template <class Column>
-auto InterfaceSites<Dim>::deformations(const Site& site, const Column& x) const -> Deformations {
+auto InterfaceSites<Dim>::deformations(const StoredSite& site, const Column& x) const -> Deformations {
   Deformations of{};
   for (int k = site.bond; k < site.bonds; ++k) {
     const Direction d = x[bonds_[k].j] - x[site.i];
@@ -202,9 +191,10 @@ auto InterfaceSites<Dim>::deformations(const Site& site, const Column& x) const 
   return of;
 }
 
-/// φ(s) is that of the spring, which PackedBonds has, and not counted here.
+/// Without φ(s), the energy of the spring in PackedBonds.
 template <int Dim>
-auto InterfaceSites<Dim>::stored_across(const Bond& bond, double s, double across, double own) -> Stored {
+auto InterfaceSites<Dim>::energy_across(const StoredSiteBond& bond, double s, double across, double own)
+    -> AcrossEnergy {
   const double difference =
       bond.own_strength * cancelled_slope<Dim>(own) - bond.strength * cancelled_slope<Dim>(across);
   const double astray = s - across, lacking = 0.25 * std::max(0.0, bond.own_strength - bond.strength);
@@ -220,12 +210,12 @@ auto InterfaceSites<Dim>::stored_across(const Bond& bond, double s, double acros
 template <int Dim>
 template <class Column, class Law>
 Mat<double, Dim> InterfaceSites<Dim>::stress(int n, const Column& x, const Law& law) {
-  const Site& site = sites_[n];
+  const StoredSite& site = sites_[n];
   const Deformations at = deformations(site, x);
   Square own = (site.V * (1 - site.share)) * law.piola(site.own, at.own), across{};
   const Square other = (site.V * site.share) * law.piola(site.other, at.other);
   for (int k = site.bond; k < site.bonds; ++k) {
-    const Bond& bond = bonds_[k];
+    const StoredSiteBond& bond = bonds_[k];
     const Direction pulled = at.own * bond.e;
     const double s_own = dot(pulled, pulled);
     if (bond.pull < 0) {
@@ -233,7 +223,8 @@ Mat<double, Dim> InterfaceSites<Dim>::stress(int n, const Column& x, const Law& 
       continue;
     }
     const Direction middle = at.across * bond.e, d = x[bond.j] - x[site.i];
-    const Stored stored = stored_across(bond, bond.per_r0_squared * dot(d, d), dot(middle, middle), s_own);
+    const AcrossEnergy stored =
+        energy_across(bond, bond.per_r0_squared * dot(d, d), dot(middle, middle), s_own);
     own = with(own, 2 * stored.of_own, pulled, bond.e);
     across = with(across, 2 * stored.of_across, middle, bond.e);
     pulls_[bond.pull] = (2 * bond.per_r0_squared * stored.of_s) * d;
@@ -247,19 +238,19 @@ template <int Dim>
 template <class Column, class Law>
 double InterfaceSites<Dim>::energy_of_kink(int i, const Column& x, const Law& law) const {
   if (sites_.empty() || site_of_[i] < 0) return 0;
-  const Site& site = sites_[site_of_[i]];
+  const StoredSite& site = sites_[site_of_[i]];
   const Deformations at = deformations(site, x);
   double E = site.V * ((1 - site.share) * law.energy(site.own, at.own) +
                        site.share * law.energy(site.other, at.other) - law.energy(site.own, at.mean));
   for (int k = site.bond; k < site.bonds; ++k) {
-    const Bond& bond = bonds_[k];
+    const StoredSiteBond& bond = bonds_[k];
     const Direction own = at.own * bond.e, middle = at.across * bond.e, plain = at.mean * bond.e,
                     d = x[bond.j] - x[site.i];
     E += bond.strength * cancelled_energy<Dim>(dot(plain, plain));
     E +=
         bond.pull < 0
             ? -bond.strength * cancelled_energy<Dim>(dot(own, own))
-            : stored_across(bond, bond.per_r0_squared * dot(d, d), dot(middle, middle), dot(own, own)).energy;
+            : energy_across(bond, bond.per_r0_squared * dot(d, d), dot(middle, middle), dot(own, own)).energy;
   }
   return E;
 }

@@ -4,7 +4,9 @@
 
 namespace taut {
 
-/// In 2D, balanced, as if nothing were held; without volumes and masses. No two particles share a row. Lengths in m.
-Bonds layout_bonds(const InitialParticles& initial, double spacing, double h, int threads);
+/// Returns balanced bonds in 2D that do not end at clamps yet, without volumes and masses. No two particles share a
+/// row. Lengths in m.
+Bonds layout_bonds(const InitialParticles& initial, const Constraints& constraints, double spacing, double h,
+                   int threads);
 
 }  // namespace taut

@@ -14,8 +14,8 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// The greatest eigenvalue of the symmetric tridiagonal matrix with this diagonal and these, one less, beside it:
-/// above it all pivots of T − λ are negative. NaN if an entry is.
+/// Returns the greatest eigenvalue of a symmetric tridiagonal matrix: above it all pivots of T − λ are negative. NaN if
+/// an entry is NaN. `beside` has one entry less than the diagonal.
 inline double greatest_eigenvalue(const std::vector<double>& diagonal, const std::vector<double>& beside) {
   const std::size_t n = diagonal.size();
   const auto is_above = [&](double lambda) {
@@ -25,7 +25,7 @@ inline double greatest_eigenvalue(const std::vector<double>& diagonal, const std
     return pivot < 0;
   };
   double low = diagonal[0], high = low;
-  for (std::size_t k = 0; k < n; ++k) {  // its disc of Gershgorin
+  for (std::size_t k = 0; k < n; ++k) {  // Gershgorin disc
     const double radius = (k > 0 ? std::abs(beside[k - 1]) : 0) + (k + 1 < n ? std::abs(beside[k]) : 0);
     low = greater(low, diagonal[k]), high = greater(high, diagonal[k] + radius);
   }
@@ -37,7 +37,7 @@ inline double greatest_eigenvalue(const std::vector<double>& diagonal, const std
   return 0.5 * (low + high);
 }
 
-/// From −1 to 1, in no order, the same with every compiler: what splitmix64 makes of k.
+/// Returns a pseudo-random number from −1 to 1, the same with every compiler (splitmix64 of k).
 inline double scattered(std::uint64_t k) {
   k = (k + 1) * 0x9e3779b97f4a7c15;
   k = (k ^ k >> 30) * 0xbf58476d1ce4e5b9;
@@ -45,7 +45,7 @@ inline double scattered(std::uint64_t k) {
   return static_cast<double>(k ^ k >> 31) * 0x1p-63 - 1;
 }
 
-/// Σ a_i · b_i, the same for any number of threads.
+/// Returns Σ a_i · b_i, the same for any number of threads.
 template <int Dim>
 double dot(const std::vector<Vec<double, Dim>>& a, const std::vector<Vec<double, Dim>>& b, int threads) {
   constexpr int stretch = 1024;
@@ -57,14 +57,13 @@ double dot(const std::vector<Vec<double, Dim>>& a, const std::vector<Vec<double,
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-/// The greatest eigenvalue of a symmetric matrix, which apply(u, out) multiplies fields of n vectors with, from below
-/// and to half a per cent or so: by the method of Lanczos from a start that is the same every time, until a step adds
-/// next to nothing. Vectors are made orthogonal to the last two only: what round-off leaves of the others gives
-/// eigenvalues that are found already once more, and none that is greater.
+/// Returns the greatest eigenvalue of a symmetric operator apply(u, out) on fields of n vectors, to about 0.5 % from
+/// below, by Lanczos steps from a fixed start. Vectors are orthogonal to the last two only: round-off then repeats
+/// eigenvalues, but adds no greater one.
 template <int Dim, class Apply>
 double greatest_eigenvalue(int n, int threads, const Apply& apply) {
   constexpr int least = 14, most = 30;  // steps
-  constexpr double enough = 5e-4;       // that a step adds, of all
+  constexpr double enough = 5e-4;       // relative growth in a step
   using Field = std::vector<Vec<double, Dim>>;
   Field before(n), u(n), next(n);
   parallel_for(n, threads, [&](int i) {
@@ -87,11 +86,12 @@ double greatest_eigenvalue(int n, int threads, const Apply& apply) {
   }
 }
 
-/// ω² of the stiffest swing of particles about where they are, 1/s²: of M^(−½) K M^(−½), in which K is how far
-/// forces differ. `mobility`: 1/m, or 0 of what is held, 1/kg; forces(u, out) gives those that displacements u make,
-/// of length `small` at the most, N.
+/// Returns ω² of the highest mode about the present positions, in 1/s²: the greatest eigenvalue of M^(−½) K M^(−½), K by
+/// differences of forces. `mobility`: 1/m in 1/kg, 0 of constrained particles; forces(u, out) computes the forces, in N,
+/// at displacements u of length `small` at most.
 template <int Dim, class Forces>
-double stiffest_swing(const std::vector<double>& mobility, double small, int threads, const Forces& forces) {
+double highest_frequency_squared(const std::vector<double>& mobility, double small, int threads,
+                                 const Forces& forces) {
   using Field = std::vector<Vec<double, Dim>>;
   const int n = static_cast<int>(mobility.size());
   std::vector<double> root(mobility.size());

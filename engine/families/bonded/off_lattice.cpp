@@ -13,7 +13,7 @@
 namespace taut {
 namespace {
 
-/// Evenly, about 15 degrees apart.
+/// Evenly distributed unit vectors, about 15 degrees apart.
 std::vector<Eigen::Vector3d> make_directions() {
   std::vector<Eigen::Vector3d> all;
   for (int x = -2; x <= 2; ++x)
@@ -23,8 +23,8 @@ std::vector<Eigen::Vector3d> make_directions() {
   return all;
 }
 
-/// The greatest eigenvalue of what energies of strain bonds add up to; of_bond(e) is a strain along e in the basis
-/// in which the isotropic solid has 1.
+/// Returns the greatest eigenvalue of the energy of the bonds as a quadratic form of the strain; of_bond(e) is the
+/// strain along e in the basis in which the isotropic solid has the identity.
 template <int Strains, int Dim, class OfBond>
 double greatest_ratio(const std::vector<Eigen::Vector<double, Dim>>& X, const std::vector<double>& w,
                       const OfBond& of_bond) {
@@ -37,10 +37,10 @@ double greatest_ratio(const std::vector<Eigen::Vector<double, Dim>>& X, const st
   return Eigen::SelfAdjointEigenSolver<Square>(ratio, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
 }
 
-/// Whether two others near it are equally far, as in a row or a layer that a shape has laid.
+/// Returns whether two neighbours are at the same distance, as in a row or a layer of a regular layout.
 bool has_equal_neighbors(const InitialParticles& initial, std::span<const int> near, int i, double spacing) {
   constexpr double alike = 1e-11, farthest = 1.5;  // spacings
-  constexpr double ulps = 8;                       // of where it is
+  constexpr double ulps = 8;                       // of its coordinates
   const Point& at = initial.x[i];
   double greatest = 0;
   for (const double coordinate : at) greatest = std::max(greatest, std::abs(coordinate));
@@ -56,20 +56,19 @@ bool has_equal_neighbors(const InitialParticles& initial, std::span<const int> n
 
 }  // namespace
 
-std::vector<bool> irregular_bodies(const InitialParticles& initial, const NeighborLists& near, double spacing,
-                                   int threads) {
+std::vector<bool> irregular_bodies(const InitialParticles& initial, const Constraints& constraints,
+                                   const NeighborLists& near, double spacing, int threads) {
   std::vector<unsigned char> regular(initial.size());
   parallel_for(initial.size(), threads, [&](int i) {
-    regular[i] = initial.held[i] != 0 || has_equal_neighbors(initial, near[i], i, spacing);
+    regular[i] = is_rigid(constraints[i]) || has_equal_neighbors(initial, near[i], i, spacing);
   });
   std::vector<bool> irregular;
   for (std::size_t body = 0; body + 1 < initial.first.size(); ++body) {
     const int first = initial.first[body], end = initial.first[body + 1];
-    const auto held = std::count_if(&initial.held[first], &initial.held[first] + (end - first),
-                                    [](unsigned char h) { return h != 0; });
-    const auto free = end - first - held,
-               equal = std::count(&regular[first], &regular[first] + (end - first), 1) - held;
-    // of a hollow ball in layers, a cube made round, half have them
+    const auto rigid = std::count_if(&constraints[first], &constraints[first] + (end - first), is_rigid);
+    const auto free = end - first - rigid,
+               equal = std::count(&regular[first], &regular[first] + (end - first), 1) - rigid;
+    // in a hollow ball in layers, a cube made round, half of the particles have equal neighbours
     irregular.push_back((initial.dim == 3 ? 10 : 2) * equal < free);
   }
   return irregular;
@@ -85,7 +84,7 @@ double even_share(double per_r) {
   return 1 / (1 + 1 / steep_share(reach_of_nearest * per_r));
 }
 
-bool on_lattice(const std::vector<Eigen::Vector3d>& X, double spacing) {
+bool is_on_lattice(const std::vector<Eigen::Vector3d>& X, double spacing) {
   constexpr double alike = 1e-3;
   return std::ranges::all_of(X, [&](const Eigen::Vector3d& one) {
     const double r2 = one.squaredNorm() / (spacing * spacing);
@@ -93,7 +92,7 @@ bool on_lattice(const std::vector<Eigen::Vector3d>& X, double spacing) {
   });
 }
 
-bool at_surface(const std::vector<Eigen::Vector2d>& X) {
+bool is_at_surface(const std::vector<Eigen::Vector2d>& X) {
   constexpr double widest = 100 * std::numbers::pi / 180;
   if (X.size() < 3) return true;
   std::vector<double> angle;
@@ -105,7 +104,7 @@ bool at_surface(const std::vector<Eigen::Vector2d>& X) {
   return gap > widest;
 }
 
-bool at_surface(const std::vector<Eigen::Vector3d>& X) {
+bool is_at_surface(const std::vector<Eigen::Vector3d>& X) {
   static const std::vector<Eigen::Vector3d> directions = make_directions();
   constexpr double cosine = 0.5;  // of 60 degrees
   return std::ranges::any_of(directions, [&](const Eigen::Vector3d& d) {

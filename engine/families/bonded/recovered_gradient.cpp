@@ -52,39 +52,41 @@ void leave_out_unlinked(Neighborhood<Dim>& near) {
       [](const Neighbor<Dim>& one, const Neighbor<Dim>& other) { return (one.X - other.X).squaredNorm(); });
 }
 
-/// How each particle moves, by id: 0 freely, 1 held, else a number for each drive and each guide. What moves with
-/// one velocity, or along one axis, is rigid in that way, and where it begins the gradient jumps, as at a clamp.
-/// Its outermost particles, beside freer ones of their material, are where these see it, and count among them.
+constexpr int rigid = 1;
+/// Returns how each particle moves: 0 freely, 1 as part of a rigid region, else a number for each drive and guide. Where
+/// a driven or guided region begins the gradient jumps, as at a clamp. Its outermost particles, beside freer ones of
+/// their material, count among the freer ones.
 template <int Dim>
-std::vector<int> motions(const InitialParticles& initial, double spacing, int threads) {
-  constexpr int held = 1, first = 2, guides = 8;
+std::vector<int> motions(const InitialParticles& initial, const Constraints& constraints,
+                         const std::vector<int>& drive, double spacing, int threads) {
+  constexpr int first = 2, guides = 8;
   const auto guide = [&](int i) { return initial.guided.empty() ? 0U : initial.guided[i]; };
-  const auto told = [&](int i) {  // a drive replaces what guides
-    if (initial.drive[i] >= 0) return first + guides * (initial.drive[i] + 1);
+  const auto prescribed = [&](int i) {  // a drive overrides a guide
+    if (drive[i] >= 0) return first + guides * (drive[i] + 1);
     return guide(i) == 0 ? 0 : first + static_cast<int>(guide(i));
   };
-  const auto bound = [&](int i) { return initial.drive[i] >= 0 ? Dim + 1 : std::popcount(guide(i)); };
+  const auto bound = [&](int i) { return drive[i] >= 0 ? Dim + 1 : std::popcount(guide(i)); };
   std::vector<int> motion(initial.size());
-  bool any = false, all = true;  // told; and alike
+  bool any = false, all = true;
   for (int i = 0; i < initial.size(); ++i) {
-    motion[i] = initial.held[i] ? held : told(i);
-    any |= motion[i] > held;
+    motion[i] = is_rigid(constraints[i]) ? rigid : prescribed(i);
+    any |= motion[i] > rigid;
     all &= motion[i] == motion[0];
   }
   if (!any || all) return motion;
   const NeighborsOfOne<Dim> neighbors(initial, link_of_neighbors * spacing);
   parallel_for(initial.size(), threads, [&](int i) {
-    if (initial.held[i] || bound(i) == 0) return;
+    if (motion[i] == rigid || bound(i) == 0) return;
     int freest = i;
     for (const int j : neighbors(i))
-      if (!initial.held[j] && initial.material[j] == initial.material[i] && bound(j) < bound(freest))
+      if (!is_rigid(constraints[j]) && initial.material[j] == initial.material[i] && bound(j) < bound(freest))
         freest = j;
-    motion[i] = told(freest);
+    motion[i] = prescribed(freest);
   });
   return motion;
 }
 
-/// Those of `near` that are of the same kind as i. X to 2^-40: on a lattice the same everywhere.
+/// Selects the neighbours of the same material and motion as i. X is rounded to 2^-40 dp: on a lattice the same bits.
 template <int Dim>
 Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>& motion, int i,
                         std::span<const int> near, double spacing) {
@@ -100,35 +102,35 @@ Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>&
   return some;
 }
 
-/// Its own gradient is a mean of this side and of another: of another material, or of what is driven or guided.
+/// Returns whether its own gradient averages its side and another one: another material, or a driven or guided region.
 template <int Dim>
-bool sees_another_side(const InitialParticles& initial, const std::vector<int>& motion, int i,
-                       std::span<const int> near, double reach) {
+bool has_other_side(const InitialParticles& initial, const std::vector<int>& motion, int i,
+                    std::span<const int> near, double reach) {
   return std::ranges::any_of(near, [&](int j) {
     const bool other = initial.material[j] != initial.material[i] ||
-                       (motion[j] != motion[i] && !initial.held[j] && !initial.held[i]);
+                       (motion[j] != motion[i] && motion[j] != rigid && motion[i] != rigid);
     double r2 = 0;
     for (int a = 0; other && a < Dim; ++a) r2 += std::pow(initial.x[j][a] - initial.x[i][a], 2);
     return other && r2 < reach * reach;
   });
 }
 
-/// Each neighbour has another one on the opposite side.
+/// Returns whether each neighbour has another one on the opposite side.
 template <int Dim>
-bool symmetric(const Neighborhood<Dim>& near) {
+bool is_symmetric(const Neighborhood<Dim>& near) {
   constexpr double alike = 1e-6;
-  const auto opposite = [](const Neighbor<Dim>& one, const Neighbor<Dim>& other) {
+  const auto is_opposite = [](const Neighbor<Dim>& one, const Neighbor<Dim>& other) {
     return (one.X + other.X).squaredNorm() < alike * alike;
   };
-  // in the order of a lattice the first is opposite to the last, and so on
-  if (std::equal(near.begin(), near.end(), near.rbegin(), opposite)) return true;
+  // in the order of a lattice the first is opposite to the last
+  if (std::equal(near.begin(), near.end(), near.rbegin(), is_opposite)) return true;
   return std::ranges::all_of(near, [&](const Neighbor<Dim>& one) {
-    return std::ranges::any_of(near, [&](const Neighbor<Dim>& other) { return opposite(one, other); });
+    return std::ranges::any_of(near, [&](const Neighbor<Dim>& other) { return is_opposite(one, other); });
   });
 }
 
-/// The rows g_j of the fit with the first `terms` of X, X ⊗ X, in 1/dp, a column for each; empty where the
-/// fit is not determined or costs too much.
+/// Returns the g_j of the fit with the first `terms` of X, X ⊗ X, in 1/dp, one column each; empty if the fit is not
+/// determined or amplifies errors too much.
 template <int Dim>
 Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, int terms) {
   const auto n = static_cast<Eigen::Index>(near.size());
@@ -158,18 +160,17 @@ Eigen::Matrix<double, Dim, Eigen::Dynamic> fit(const Neighborhood<Dim>& near, in
   return g;
 }
 
-/// The rows one after the other. In 3D most particles have the nearest of others in the same places as some
-/// other one has, and are not fitted again.
+/// Makes the rows. In 3D rows with equal numbers, as on the faces of a lattice, share them.
 template <int Dim>
 class Rows {
  public:
-  Rows(const InitialParticles& initial, const std::vector<int>& id, double spacing, double reach, bool halved,
-       int threads)
+  Rows(const InitialParticles& initial, const Constraints& constraints, const std::vector<int>& drive,
+       const std::vector<int>& id, double spacing, double reach, bool halved, int threads)
       : initial_(initial),
         id_(id),
         spacing_(spacing),
         halved_(halved),
-        motion_(motions<Dim>(initial, spacing, threads)),
+        motion_(motions<Dim>(initial, constraints, drive, spacing, threads)),
         where_(id.size()),
         own_(initial, std::max((1 + 1e-9) * reach, least_reach * spacing)),
         own_reach_((1 + 1e-9) * reach / spacing),
@@ -182,24 +183,68 @@ class Rows {
   struct Row {
     std::vector<int> j;
     std::vector<double> g;
-    std::size_t hash = 0;  // of the places of the nearest, if they are all that there is in it
-    int same_as = -1;      // a particle whose nearest stand in the same places: g is its
     bool between = false;  // see RecoveredGradient
   };
-  Row make(int k) const;
-  void take(int k, const Row& row);
+  /// Runs on several threads.
+  Row make(int k) const {
+    Row row;
+    const int i = id_[k];
+    if (motion_[i] == rigid) return row;
+    const std::vector<int> near = own_(i);
+    Neighborhood<Dim> own = alike<Dim>(initial_, motion_, i, near, spacing_);
+    if constexpr (Dim == 3)
+      row.between =
+          has_other_side<Dim>(initial_, motion_, i, near, std::min(own_reach_, link_of_neighbors) * spacing_);
+    if (is_symmetric(within(own, std::max(own_reach_, link_of_neighbors)))) return row;
+    leave_out_unlinked(own);
+    if (fit_to(within(own, least_reach), quadratic<Dim>, row)) return row;
+    Neighborhood<Dim> wide = alike<Dim>(initial_, motion_, i, wide_(i), spacing_);
+    leave_out_unlinked(wide);
+    for (const int terms : {quadratic<Dim>, linear<Dim>})
+      for (double reach = least_reach; reach <= greatest_reach; reach += growth)
+        if (fit_to(within(wide, reach), terms, row)) return row;
+    return row;
+  }
+  void take(int k, const Row& row) {
+    const auto done = static_cast<std::size_t>(k);
+    make_room(out_.j, row.j.size(), done, id_.size());
+    out_.j.insert(out_.j.end(), row.j.begin(), row.j.end());
+    out_.begin.push_back(static_cast<int>(out_.j.size()));
+    if (row.between) {
+      out_.between.resize(id_.size());
+      out_.between[done] = 1;
+    }
+    out_.row.push_back(halved_ ? append(out_.halved, row, done) : shared(row, done));
+  }
   RecoveredGradient finish() { return std::move(out_); }
 
  private:
-  Neighborhood<Dim> alike(int i, std::span<const int> near) const {
-    return taut::alike<Dim>(initial_, motion_, i, near, spacing_);
+  bool fit_to(const Neighborhood<Dim>& near, int terms, Row& row) const {
+    const auto g = fit<Dim>(near, terms);
+    if (g.size() == 0) return false;
+    for (std::size_t b = 0; b < near.size(); ++b) {
+      row.j.push_back(where_[near[b].id]);
+      for (int a = 0; a < Dim; ++a) row.g.push_back(g(a, b) / spacing_);
+    }
+    return true;
   }
-  Neighborhood<Dim> nearest(Neighborhood<Dim> own) const {
-    leave_out_unlinked(own);
-    return within(own, least_reach);
+  /// Returns where the row begins.
+  template <class Number>
+  int append(std::vector<Number>& list, const Row& row, std::size_t done) {
+    make_room(list, row.g.size(), done, id_.size());
+    list.insert(list.end(), row.g.begin(), row.g.end());
+    return static_cast<int>(list.size() - row.g.size());
   }
-  int known(std::size_t hash, const Neighborhood<Dim>& nearest) const;
-  bool fit_to(const Neighborhood<Dim>& near, int terms, Row& row) const;
+  int shared(const Row& row, std::size_t done) {
+    if (Dim == 2 || row.g.empty()) return append(out_.g, row, done);
+    const char* const bytes = reinterpret_cast<const char*>(row.g.data());
+    const auto hash = std::hash<std::string_view>()({bytes, row.g.size() * sizeof(double)});
+    for (auto [at, end] = known_.equal_range(hash); at != end; ++at)
+      if (at->second + row.g.size() <= out_.g.size() &&
+          std::equal(row.g.begin(), row.g.end(), out_.g.begin() + at->second))
+        return at->second;
+    return known_.emplace(hash, append(out_.g, row, done))->second;
+  }
 
   const InitialParticles& initial_;
   const std::vector<int>& id_;
@@ -210,98 +255,15 @@ class Rows {
   NeighborsOfOne<Dim> own_;
   double own_reach_;  // dp
   NeighborsOfOne<Dim> wide_;
-  std::unordered_multimap<std::size_t, int> known_;  // hash → particle
+  std::unordered_multimap<std::size_t, int> known_;  // hash → first number of a row
   RecoveredGradient out_;
 };
 
 template <int Dim>
-std::size_t hash_of(const Neighborhood<Dim>& near) {
-  std::vector<double> X;
-  for (const Neighbor<Dim>& one : near) X.insert(X.end(), one.X.begin(), one.X.end());
-  return std::hash<std::string_view>()({reinterpret_cast<const char*>(X.data()), X.size() * sizeof(double)});
-}
-
-/// −1 if there is none.
-template <int Dim>
-int Rows<Dim>::known(std::size_t hash, const Neighborhood<Dim>& nearest) const {
-  for (auto [at, end] = known_.equal_range(hash); at != end; ++at)
-    if (std::ranges::equal(this->nearest(alike(id_[at->second], own_(id_[at->second]))), nearest, {},
-                           &Neighbor<Dim>::X, &Neighbor<Dim>::X))
-      return at->second;
-  return -1;
-}
-
-/// On several threads, while no row is taken.
-template <int Dim>
-auto Rows<Dim>::make(int k) const -> Row {
-  Row row;
-  const int i = id_[k];
-  if (initial_.held[i]) return row;
-  const std::vector<int> near = own_(i);
-  const Neighborhood<Dim> own = alike(i, near);
-  if constexpr (Dim == 3)  // bonds are those of a lattice, or hardly longer
-    row.between = sees_another_side<Dim>(initial_, motion_, i, near,
-                                         std::min(own_reach_, link_of_neighbors) * spacing_);
-  // on both sides of it the same is beyond slots, if there are any
-  if (symmetric(within(own, std::max(own_reach_, link_of_neighbors)))) return row;
-  const Neighborhood<Dim> nearest = this->nearest(own);
-  if constexpr (Dim == 3) {
-    row.hash = hash_of(nearest);
-    row.same_as = known(row.hash, nearest);
-  }
-  if (row.same_as >= 0) {
-    for (const Neighbor<Dim>& one : nearest) row.j.push_back(where_[one.id]);
-    return row;
-  }
-  if (fit_to(nearest, quadratic<Dim>, row)) return row;
-  row.hash = 0;
-  Neighborhood<Dim> wide = alike(i, wide_(i));
-  leave_out_unlinked(wide);
-  for (const int terms : {quadratic<Dim>, linear<Dim>})
-    for (double reach = least_reach; reach <= greatest_reach; reach += growth)
-      if (fit_to(within(wide, reach), terms, row)) return row;
-  return row;
-}
-
-template <int Dim>
-bool Rows<Dim>::fit_to(const Neighborhood<Dim>& near, int terms, Row& row) const {
-  const auto g = fit<Dim>(near, terms);
-  if (g.size() == 0) return false;
-  for (std::size_t b = 0; b < near.size(); ++b) {
-    row.j.push_back(where_[near[b].id]);
-    for (int a = 0; a < Dim; ++a) row.g.push_back(g(a, b) / spacing_);
-  }
-  return true;
-}
-
-template <int Dim>
-void Rows<Dim>::take(int k, const Row& row) {
-  int same_as = row.same_as;
-  if (same_as < 0 && row.hash != 0)  // known since it was made?
-    same_as = known(row.hash, nearest(alike(id_[k], own_(id_[k]))));
-  const auto done = static_cast<std::size_t>(k);
-  make_room(out_.j, row.j.size(), done, id_.size());
-  out_.j.insert(out_.j.end(), row.j.begin(), row.j.end());
-  out_.begin.push_back(static_cast<int>(out_.j.size()));
-  if (row.between) {
-    out_.between.resize(id_.size());
-    out_.between[done] = 1;
-  }
-  const std::size_t begin = halved_ ? out_.halved.size() : out_.g.size();
-  out_.row.push_back(same_as < 0 ? static_cast<int>(begin) : out_.row[same_as]);
-  if (same_as >= 0) return;
-  const auto append = [&](auto& list) {
-    make_room(list, row.g.size(), done, id_.size());
-    list.insert(list.end(), row.g.begin(), row.g.end());
-  };
-  halved_ ? append(out_.halved) : append(out_.g);
-  if (row.hash != 0) known_.emplace(row.hash, k);
-}
-
-template <int Dim>
-RecoveredGradient recovered(const InitialParticles& initial, const std::vector<int>& id, double spacing,
+RecoveredGradient recovered(const InitialParticles& initial, const Constraints& constraints,
+                            const std::vector<int>& drive, const std::vector<int>& id, double spacing,
                             double reach, int threads, bool halved) {
-  Rows<Dim> rows(initial, id, spacing, reach, halved, threads);
+  Rows<Dim> rows(initial, constraints, drive, id, spacing, reach, halved, threads);
   make_in_order(
       static_cast<int>(id.size()), threads, [&](int k) { return rows.make(k); },
       [&](int k, const auto& row) { rows.take(k, row); });
@@ -310,10 +272,11 @@ RecoveredGradient recovered(const InitialParticles& initial, const std::vector<i
 
 }  // namespace
 
-RecoveredGradient recovered_gradient(const InitialParticles& initial, const std::vector<int>& id,
+RecoveredGradient recovered_gradient(const InitialParticles& initial, const Constraints& constraints,
+                                     const std::vector<int>& drive, const std::vector<int>& id,
                                      double spacing, double reach, int threads, bool halved) {
-  return initial.dim == 3 ? recovered<3>(initial, id, spacing, reach, threads, halved)
-                          : recovered<2>(initial, id, spacing, reach, threads, halved);
+  const auto of_dim = initial.dim == 3 ? recovered<3> : recovered<2>;
+  return of_dim(initial, constraints, drive, id, spacing, reach, threads, halved);
 }
 
 }  // namespace taut

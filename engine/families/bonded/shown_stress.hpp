@@ -11,16 +11,15 @@
 
 namespace taut::inline TAUT_ISA {
 
-/// The stress that is shown of particles, below J = ½ that of the law without its continuation. T: of one or
-/// of four.
+/// Stress for snapshots; below J = ½ the law without its continuation. T: one particle or four.
 template <class T, int Dim>
 struct ShownStress {
   T J, p;         // p in Pa
   Sym<T, Dim> s;  // the deviator, Pa
-  T s_zz;         // beside the plane, in 2D
+  T s_zz;         // out of plane, in 2D
 };
 
-/// p = −K (J − 1) and s = G J^(−5/3) dev(F Fᵀ) with (F Fᵀ)_zz = 1 in 2D and J no less than 0.05
+/// Returns p = −K (J − 1) and s = G J^(−5/3) dev(F Fᵀ) with (F Fᵀ)_zz = 1 in 2D and J at least 0.05.
 template <int Dim>
 ShownStress<Pack, Dim> shown_neo_hookean(const Pack& K, const Pack& G, const Mat<Pack, Dim>& F) {
   const Pack J = determinant(F), root = inverse_cube_root(max(J, filled<Pack>(0.05)));
@@ -33,7 +32,7 @@ ShownStress<Pack, Dim> shown_neo_hookean(const Pack& K, const Pack& G, const Mat
   return {J, -K * (J - 1), shear * b, shear * (1 - mean)};
 }
 
-/// Of another law; a pressure −K (J − 1) alone where J is below 0.05.
+/// The same of another law; only a pressure −K (J − 1) where J is below 0.05.
 template <class L, int Dim>
 ShownStress<double, Dim> shown_stress(const L& law, const Mat<double, Dim>& F) {
   const double J = determinant(F);
@@ -44,8 +43,8 @@ ShownStress<double, Dim> shown_stress(const L& law, const Mat<double, Dim>& F) {
   return {J, p, sigma, zz + p};
 }
 
-/// The F of four particles, from `first` on, with those of the recovered gradient of displacements u, m, in place
-/// where there are any.
+/// Replaces F of the four particles from `first` on by the recovered gradient of the displacements u, in m, where there
+/// is one.
 template <int Dim>
 Mat<Pack, Dim> recovered_deformations(const RecoveredGradient& recovered, const std::vector<StoredPack>& u,
                                       int first, Mat<Pack, Dim> F) {
@@ -70,11 +69,11 @@ Mat<Pack, Dim> recovered_deformations(const RecoveredGradient& recovered, const 
   return F;
 }
 
-/// Scales the F of four particles, from `first` on, to the volume ratio J of their own, but where that is a mean of two
+/// Scales F of the four particles from `first` on to the volume ratio J of their own gradient, unless that averages two
 /// sides.
 template <int Dim>
 void keep_volume(const RecoveredGradient& recovered, int first, Mat<Pack, Dim>& F, const Pack& J) {
-  const Pack least = filled<Pack>(0.05);  // what is crushed or inside out has none to keep
+  const Pack least = filled<Pack>(0.05);  // crushed or inverted particles keep no volume
   const Pack ratio = max(J, least) / max(determinant(F), least);
   const Pack root = inverse_cube_root(ratio);
   Pack scale = ratio * root * root;

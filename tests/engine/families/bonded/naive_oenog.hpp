@@ -331,7 +331,7 @@ class NaiveOenogIn {
       const Wide s_mid = squared_stretch(i, b, middle),
                  s = Wide::variable(std::pow(stretch(at, i, b), 2), components + Dim + b - bonds_.begin[i]);
       const double alone =
-          initial_.V0[i] * std::min(of_bonds(i), most_of_across * modulus(i, b)) * bonds_.of(i, b).weight;
+          initial_.V0[i] * std::min(of_bonds(i), greatest_across * modulus(i, b)) * bonds_.of(i, b).weight;
       E = E + 0.5 * (alone * psi_of(s_own) - strength(i, b) * psi_of(s_mid)) * (s - s_mid) -
           strength(i, b) * phi_of(s_mid) +
           std::max(0.0, alone - strength(i, b)) / 8 * (s - s_mid) * (s - s_mid);

@@ -170,7 +170,7 @@ TEST_SUITE("unit") {
         poor += !good;
       }
       CHECK(poor == corners);
-      for (const Bond& bond : bonds.rows) CHECK(bond.weight > 0.5);
+      for (const ReferenceBond& bond : bonds.rows) CHECK(bond.weight > 0.5);
     }
   }
 
@@ -213,7 +213,8 @@ TEST_SUITE("unit") {
         CAPTURE(x);
         const InitialParticles initial = make_initial_particles(scene);
         const Bonds bonds = bonds_of(scene, initial);
-        for (const Bond& bond : bonds.rows) CHECK(std::isfinite(bond.weight + bond.area[0] + bond.area[1]));
+        for (const ReferenceBond& bond : bonds.rows)
+          CHECK(std::isfinite(bond.weight + bond.area[0] + bond.area[1]));
         CHECK(std::ranges::all_of(bonds.volume, [](double V) { return V > 0; }));
       }
   }

@@ -8,7 +8,7 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/families/bonded/pins.hpp"
+#include "engine/families/bonded/constraints.hpp"
 #include "engine/scene/initial_particles.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
@@ -200,7 +200,7 @@ TEST_SUITE("unit") {
   TEST_CASE("pins: one particle in 2D, a row in 3D, and neither a block nor a face") {
     const auto count = [](const Scene& scene) {
       const InitialParticles initial = make_initial_particles(scene);
-      return pins(initial, scene.spacing).size();
+      return std::ranges::count(make_constraints(scene, initial), Constraint::pinned);
     };
     CHECK(count(bar(2, 0.3 * dp)) == 1);
     CHECK(count(bar(3, 0.3 * dp)) == 5);

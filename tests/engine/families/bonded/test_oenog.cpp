@@ -64,22 +64,14 @@ void check_cancelled(double precision) {
   std::mt19937 random(5);
   const auto number = [&] { return std::generate_canonical<double, 53>(random); };
   const double pitch[3] = {1, 1.3, 0.8};
-  const auto bond = [&](const double(&X)[3]) {
-    double r2 = 0;
-    for (int k = 0; k < Dim; ++k) r2 += X[k] * X[k];
-    typename Cancelled::Bond one{{}, 0.2 + number()};
-    for (int a = 0; a < Dim; ++a)
-      for (int k = a; k < Dim; ++k) one.dyad(a, k) = X[a] * X[k] / r2;
-    return one;
-  };
-  std::vector<std::vector<typename Cancelled::Bond>> of_particle(lanes);
+  std::vector<std::vector<CancelledTerm>> of_particle(lanes);
   for (auto& bonds : of_particle)
     for (int n = 0; n < (Dim == 2 ? 9 : 27); ++n)
-      if (const double X[3] = {(n % 3 - 1) * pitch[0], (n / 3 % 3 - 1) * pitch[1], (n / 9 - 1) * pitch[2]};
+      if (const Point X{(n % 3 - 1) * pitch[0], (n / 3 % 3 - 1) * pitch[1], (n / 9 - 1) * pitch[2]};
           n != (Dim == 2 ? 4 : 13) && number() < 0.8)
-        bonds.push_back(bond(X));
+        bonds.push_back({X, 0.2 + number()});
   for (const bool on_lattice : {true, false}) {
-    if (!on_lattice) of_particle[2].push_back(bond({0.3, 0.7, 0.2}));
+    if (!on_lattice) of_particle[2].push_back({{0.3, 0.7, 0.2}, 0.2 + number()});
     Sym<Pack, Dim> C;
     for (Pack& c : C.c) c = Pack{number(), number(), number(), number()} - 0.5;
     for (int k = 0; k < Dim; ++k) C(k, k) += 1.5;
@@ -91,11 +83,15 @@ void check_cancelled(double precision) {
     const Sym<Pack, Dim> S = cancelled.slopes(0, C);
     for (int lane = 0; lane < lanes; ++lane) {
       Sym<double, Dim> expected{};
-      for (const auto& [dyad, Gw] : of_particle[lane]) {
-        double s = 0;
+      for (const auto& [X, strength] : of_particle[lane]) {
+        double s = 0, r2 = 0;
+        for (int k = 0; k < Dim; ++k) r2 += X[k] * X[k];
+        Sym<double, Dim> dyad;
+        for (int a = 0; a < Dim; ++a)
+          for (int k = a; k < Dim; ++k) dyad(a, k) = X[a] * X[k] / r2;
         for (int a = 0; a < Dim; ++a)
           for (int k = 0; k < Dim; ++k) s += dyad(a, k) * C(a, k)[lane];
-        expected += (Gw * cancelled_slope<Dim>(s)) * dyad;
+        expected += (strength * cancelled_slope<Dim>(s)) * dyad;
       }
       for (int k = 0; k < expected.size; ++k) CHECK(S.c[k][lane] == Approx(expected.c[k]).epsilon(precision));
     }
@@ -111,9 +107,13 @@ void check_both_ends(const Scene& scene) {
   std::iota(ids.begin(), ids.end(), 0);
   std::vector<Elasticity> materials(scene.materials.size());
   for (std::size_t k = 0; k < materials.size(); ++k)
-    materials[k].K = scene.materials[k].bulk_modulus(), materials[k].G = scene.materials[k].shear_modulus();
-  const Bonds bonds = make_bonds(scene, initial, oenog.h_over_dp * scene.spacing);
-  const Packed packed(bonds, scene, initial, materials, ids);
+    materials[k].rho0 = scene.materials[k].density, materials[k].K = scene.materials[k].bulk_modulus(),
+    materials[k].G = scene.materials[k].shear_modulus();
+  Constants constants;
+  constants.dp = scene.spacing, constants.h = oenog.h_over_dp * scene.spacing;
+  const BondedSetup setup = make_bonded_setup(
+      {oenog, scene, initial, constants, materials, Law{}, ContactLaw{}, /*meets_itself*/ false, {}, 1});
+  const Packed packed(setup, ids);
   std::map<std::pair<int, int>, std::pair<double, Vec<double, Dim>>> seen;  // strength and area
   for (int first = 0; first < initial.size(); first += lanes) {
     const auto& own = packed.of(first / lanes);

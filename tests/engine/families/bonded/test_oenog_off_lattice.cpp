@@ -117,14 +117,14 @@ TEST_SUITE("unit") {
     CHECK(excess(square, std::vector(8, 1.0)) == relative(1, 1e-9));
     // an axis alone: 1 against λ + 2μ − λ²/(λ + 2μ) = 8/3, where σ_y is 0
     CHECK(excess(Flat{{1, 0}}, {1}) == relative(0.375, 1e-9));
-    CHECK_FALSE(at_surface(square));
-    CHECK(at_surface(Flat{{1, 0}, {0, 1}}));
-    CHECK(at_surface(Flat{{1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}}));
-    CHECK_FALSE(at_surface(middle.X));
-    CHECK(at_surface(face.X));
-    CHECK(at_surface(corner.X));
-    CHECK(on_lattice(face.X, dp));
-    CHECK_FALSE(on_lattice(face.X, 1.01 * dp));
+    CHECK_FALSE(is_at_surface(square));
+    CHECK(is_at_surface(Flat{{1, 0}, {0, 1}}));
+    CHECK(is_at_surface(Flat{{1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}}));
+    CHECK_FALSE(is_at_surface(middle.X));
+    CHECK(is_at_surface(face.X));
+    CHECK(is_at_surface(corner.X));
+    CHECK(is_on_lattice(face.X, dp));
+    CHECK_FALSE(is_on_lattice(face.X, 1.01 * dp));
   }
 
   TEST_CASE("off a lattice: bonds are nowhere stiffer than the solid, and as stiff inside") {

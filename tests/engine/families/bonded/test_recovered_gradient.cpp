@@ -51,7 +51,11 @@ RecoveredGradient recovered(const Scene& scene, const InitialParticles& initial,
   std::vector<int> id(initial.size());
   std::iota(id.begin(), id.end(), 0);
   const double h = oenog.h_over_dp * scene.spacing;
-  return recovered_gradient(initial, id, scene.spacing, greatest_bond_reach * h, /*threads*/ 1, halved);
+  Constraints constraints(initial.size());
+  for (int i = 0; i < initial.size(); ++i)
+    if (initial.held[i]) constraints[i] = Constraint::clamped;
+  return recovered_gradient(initial, constraints, initial.drive, id, scene.spacing, greatest_bond_reach * h,
+                            /*threads*/ 1, halved);
 }
 
 /// Greatest error of the gradients of all monomials of the degree at a particle, over what they are in dp.
