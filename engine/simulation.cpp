@@ -11,7 +11,6 @@
 #include "engine/error.hpp"
 #include "engine/families/catalogue.hpp"
 #include "engine/families/families.hpp"
-#include "engine/families/make_solver.hpp"
 #include "engine/scene/initial_particles.hpp"
 #include "engine/scene/overlap.hpp"
 #include "engine/terms/riemann_second_order.hpp"
@@ -214,15 +213,7 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Settings& 
                           settings.stepping,
                           threads,
                           settings.instruction_set};
-  if (const auto make = row_of(method->formulation.family).make) return make(input);
-#ifdef TAUT_KNOWS_X86_64_LEVELS
-  if (settings.instruction_set >= InstructionSet::x86_64_v4 && has_x86_64_v4() &&
-      row_of(method->formulation.family).short_of_registers)
-    return x86_64_v4::make_solver(input);
-  if (settings.instruction_set >= InstructionSet::x86_64_v3 && has_x86_64_v3())
-    return x86_64_v3::make_solver(input);
-#endif
-  return make_solver(input);
+  return row_of(method->formulation.family).make(input);
 }
 
 }  // namespace taut

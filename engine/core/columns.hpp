@@ -5,7 +5,7 @@
 
 #include "engine/core/tensor.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// N numbers of each particle, column by column: four particles that are stored one behind the other have
 /// four numbers one behind the other in each. Plain data for passes.
@@ -121,4 +121,4 @@ void put_four(const Vec<Pack, Dim>& v, std::vector<Vec<double, Dim>>& rows, int 
   put_four(v, &rows[first], static_cast<int>(rows.size()) - first);
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -7,7 +7,7 @@
 
 #include "engine/core/pack.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// x^(−1/3) within 4e-16 for |x| from 1e-300 to 1e300; −|x|^(−1/3) of a negative x, NaN of NaN. The library's
 /// cbrt takes a quarter of a step of a method that needs one root a particle, and its bits are its own.
@@ -38,4 +38,4 @@ inline Pack inverse_cube_root(const Pack& x) {
   return (Pack)((PackIndex)y | ((PackIndex)x & sign));
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

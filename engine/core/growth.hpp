@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "engine/core/isa.hpp"
-
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Makes room in a list for `more`, of which `done` of `all` have added their share, and once that foretells
 /// something for the rest: while a list is copied to where it can grow, it is there twice; room that nobody uses
@@ -21,4 +19,4 @@ void make_room(List& list, std::size_t more, std::size_t done, std::size_t all) 
   list.reserve(std::max(in_all, needed + needed / 8));
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -3,9 +3,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "engine/core/isa.hpp"
-
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Four doubles that are worked on at once: four neighbours of one particle, or one of each of four. A vector
 /// type of the compiler, so that arithmetic, comparison and `mask ? a : b` read as for a double, and a term
@@ -173,4 +171,4 @@ template <int Columns, int Stride = Columns>
   for (int k = 0; k < Columns; ++k) out[k] = rows.column(k);
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -6,10 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "engine/core/isa.hpp"
 #include "engine/core/threads.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// The greater of two numbers, or NaN if one is.
 inline double greater(double a, double b) { return b <= a || a != a ? a : b; }
@@ -91,4 +90,4 @@ double parallel_max(int n, const Threads& threads, const F& f) {
   return result;
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -4,7 +4,7 @@
 
 #include "engine/core/tensor.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// A = Σ_k value_k axis_k ⊗ axis_k, in no order; the axes are of length 1 and square to each other.
 struct Principal {
@@ -47,4 +47,4 @@ inline Principal principal_axes(const Sym<double, 3>& symmetric) {
   return principal;
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -4,7 +4,7 @@
 
 #include "engine/core/tensor.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// A particle's row of `Width` doubles, filled up to whole packs, as the passes gather it. Rows that fill
 /// whole lines of the cache begin with one.
@@ -16,4 +16,4 @@ struct alignas(row_alignment(Width)) Row {
   double c[width] = {};
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "engine/core/growth.hpp"
-#include "engine/core/isa.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Rows of constants, one behind the other, of which two that are equal to the last bit are one: particles
 /// inside a lattice all have the same.
@@ -79,4 +78,4 @@ class SharedRows {
   std::size_t known_ = 0, added_ = 0, rows_ = 0;
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -6,7 +6,7 @@
 
 /// Small vectors and tensors over T = double or Pack. Eigen is not used in the solver: its fixed-size types
 /// change alignment with the instruction set, and the solver is compiled for several.
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Alignment of a member of type T. Code without AVX aligns a bare Pack less, and structs with packs must be laid out
 /// alike in code for any instruction set.
@@ -379,4 +379,4 @@ Mat<Pack, Dim> spread(const Mat<double, Dim>& a) {
   return r;
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -2,7 +2,7 @@
 
 #include "engine/core/pack.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Adds many numbers with the error of one addition, so that a momentum that is conserved to round-off can be
 /// seen to be: what each addition loses (Knuth 1969) is added up too. Four sums at once, one a lane.
@@ -19,4 +19,4 @@ class CompensatedSums {
   Pack sum_{}, lost_{};
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -2,9 +2,8 @@
 
 #include <cstddef>
 
-#include "engine/core/isa.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Plain data of a Snapshot.
 struct SnapshotView {
@@ -34,4 +33,4 @@ struct HistoryKernels {
                   double* out);
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 
-#include "engine/core/isa.hpp"
 #include "engine/diagnostics/alternating_part.hpp"
 #include "engine/diagnostics/balance.hpp"
 #include "engine/scene/scene.hpp"

@@ -10,7 +10,7 @@
 #include "engine/diagnostics/deviator.hpp"
 #include "engine/diagnostics/history_kernels.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 namespace {
 
 /// Of a particle x and p, s, and zeros, in whole packs.
@@ -116,8 +116,8 @@ constexpr HistoryKernels table{.alternating_sums = alternating_sums<Dim>, .balan
 }  // namespace
 
 template <>
-const void* kernels_of<SharedKernels::history_row>(int dim, std::string_view) {
+const void* kernels_of<int(SharedKernels::history_row)>(int dim, std::string_view) {
   return dim == 3 ? &table<3> : &table<2>;
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -11,24 +11,23 @@
 
 namespace taut {
 
-/// What the tables know of a family. Its solvers come from its solver.cpp, see make_solver.hpp.
+/// What the tables know of a family.
 struct FamilyRow {
   Family family;
-  bool searches;            // particles act on what comes near, and not just on their initial neighbours
-  bool short_of_registers;  // of the 16 of AVX2, and worth compiling for the 32 of x86-64-v4 too
+  bool searches;  // particles act on what comes near, and not just on their initial neighbours
   std::vector<TermInfo> (*terms)(const Formulation& m);
   std::vector<MethodConstant> (*constants)(const Formulation& m, int dim);
-  std::unique_ptr<Simulation> (*make)(const SolverInput& input) = nullptr;
+  std::unique_ptr<Simulation> (*make)(const SolverInput& input);
 };
 
 /// Every family: a folder beside this file, an enumerator and its row here.
 inline constexpr std::array families{
-    FamilyRow{Family::ul_split, true, false, ul_split::terms, ul_split::constants, ul_split::make},
-    FamilyRow{Family::ul_cauchy, true, true, ul_cauchy::terms, ul_cauchy::constants, ul_cauchy::make},
-    FamilyRow{Family::bonded, false, false, bonded::terms, bonded::constants},
-    FamilyRow{Family::tl_displacement, false, true, tl_displacement::terms, tl_displacement::constants,
+    FamilyRow{Family::ul_split, true, ul_split::terms, ul_split::constants, ul_split::make},
+    FamilyRow{Family::ul_cauchy, true, ul_cauchy::terms, ul_cauchy::constants, ul_cauchy::make},
+    FamilyRow{Family::bonded, false, bonded::terms, bonded::constants, bonded::make},
+    FamilyRow{Family::tl_displacement, false, tl_displacement::terms, tl_displacement::constants,
               tl_displacement::make},
-    FamilyRow{Family::tl_mixed, false, false, tl_mixed::terms, tl_mixed::constants, tl_mixed::make},
+    FamilyRow{Family::tl_mixed, false, tl_mixed::terms, tl_mixed::constants, tl_mixed::make},
 };
 
 inline const FamilyRow& row_of(Family family) {

@@ -7,7 +7,6 @@
 
 namespace taut {
 
-inline namespace TAUT_ISA {
 /// Tables::template of<M, Dim>, the kernels of the method of this name among those of family F.
 template <Family F, class Tables, const Formulation&... M>
 const void* table_among(int dim, std::string_view method, MethodList<M...>) {
@@ -23,6 +22,5 @@ const void* table_among(int dim, std::string_view method, MethodList<M...>) {
   (look.template operator()<M>(), ...);
   return found;
 }
-}  // namespace TAUT_ISA
 
 }  // namespace taut

@@ -8,7 +8,7 @@
 #include "engine/core/pack.hpp"
 #include "engine/methods/kernel_name.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// W(r) = α/h^Dim w(q), ∂W/∂r = α/h^(Dim+1) w′(q), q = r/h; both are 0 from q = `support` on. With w′/q,
 /// which is finite, ∇_i W = α/h^(Dim+2) w′/q (x_i − x_j) takes no quotient and no unit vector. A kernel is
@@ -152,4 +152,4 @@ struct Kernel<KernelName::gauss> {
   }
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

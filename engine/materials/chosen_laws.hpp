@@ -8,7 +8,7 @@
 
 #include "engine/materials/laws.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Method M can run with the law.
 template <const Formulation& M, Law L>
@@ -133,4 +133,4 @@ class ChosenLaws {
   Laws::Each laws_;
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

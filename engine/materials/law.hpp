@@ -16,7 +16,7 @@
 ///   P = piola(F, H, J)    with H for cof F, which may be an unknown too ([Lee2016] Eq. 12)
 ///   slopes(F, H, j), shear_energy(F, H, j) of its part of the shear, with j for det F
 /// too.
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Cauchy stress with the component normal to the plane, which is not part of it in 2D.
 template <int Dim>
@@ -103,4 +103,4 @@ Sym<double, Dim> push_forward(const Mat<double, Dim>& P, const Mat<double, Dim>&
   return sigma;
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -14,7 +14,7 @@
 #include "engine/methods/constants.hpp"
 #include "engine/methods/formulation.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 template <Law... L>
 struct LawList {
@@ -51,4 +51,4 @@ LawOf<L> law_of(const Elasticity& e) {
   (std::make_index_sequence<own>());
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

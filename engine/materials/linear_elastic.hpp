@@ -2,7 +2,7 @@
 
 #include "engine/materials/law.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Linear elasticity, σ = 2G ε + (K − 2G/3) tr ε I with ε = ½ (F + Fᵀ) − I, the same in every configuration:
 /// P = σ. [Zhang2020] Eq. 3, 4, with the paper's G twice the shear modulus. A rotation by θ is taken for the
@@ -46,4 +46,4 @@ struct LawOf<Law::linear_elastic> : LinearElastic {
   };
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

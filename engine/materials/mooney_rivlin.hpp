@@ -7,7 +7,7 @@
 #include "engine/materials/law.hpp"
 #include "engine/materials/stiffness.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Nearly incompressible Mooney–Rivlin, [Lee2016] Eq. 8–12:
 ///   ψ = ζ (j^(−2/3) F:F − 3) + ξ (j^(−2) (H:H)^(3/2) − 3√3) + K/2 (J − 1)²,   H = cof F, j = det F,
@@ -121,4 +121,4 @@ struct LawOf<Law::mooney_rivlin> : MooneyRivlin {
   };
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -4,7 +4,7 @@
 #include "engine/materials/law.hpp"
 #include "engine/materials/stiffness.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Nearly incompressible neo-Hookean, [Lee2016] Eq. 8–12 with ξ = 0 and 2ζ = G:
 ///   ψ = G/2 (j^(−2/3) F:F − 3) + K/2 (J − 1)²,   j = det F,
@@ -80,4 +80,4 @@ struct LawOf<Law::neo_hookean> : NeoHookean {
   };
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -6,7 +6,7 @@
 #include "engine/materials/law.hpp"
 #include "engine/materials/stiffness.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// exp(ω) R, |ω| = angle
 inline Mat<double, 3> turned_by(const Vec<double, 3>& omega, double angle, const Mat<double, 3>& R) {
@@ -127,4 +127,4 @@ struct LawOf<Law::rotated_piola> : RotatedPiola {
   };
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

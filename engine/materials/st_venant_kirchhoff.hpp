@@ -3,7 +3,7 @@
 #include "engine/materials/law.hpp"
 #include "engine/materials/stiffness.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// St Venant–Kirchhoff: Hooke's law between the second Piola–Kirchhoff stress S and the Green–Lagrange strain
 /// E, P = F S. Softens without end in compression: for large rotations with moderate strains.
@@ -46,4 +46,4 @@ struct LawOf<Law::st_venant_kirchhoff> : StVenantKirchhoff {
   };
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

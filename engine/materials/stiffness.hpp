@@ -3,7 +3,7 @@
 #include "engine/core/tensor.hpp"
 
 /// How stiff a strained body is to waves, for the `stiffness_bound` of the laws, and what that needs of F.
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 template <class T>
 T greatest_eigenvalue(const Sym<T, 2>& A) {
@@ -68,4 +68,4 @@ auto greatest_stiffness(const Along& along, const Across& across, const Coupling
   return greatest;
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

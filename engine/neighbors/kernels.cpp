@@ -6,7 +6,7 @@
 #include "engine/core/kernels_of.hpp"
 #include "engine/neighbors/search_kernels.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 namespace {
 
 typedef int Indices __attribute__((vector_size(lanes * sizeof(int))));
@@ -70,8 +70,8 @@ constexpr SearchKernels<Dim> table{.find = find<Dim>, .room_for = room_for<Dim>}
 }  // namespace
 
 template <>
-const void* kernels_of<SharedKernels::neighbor_search>(int dim, std::string_view) {
+const void* kernels_of<int(SharedKernels::neighbor_search)>(int dim, std::string_view) {
   return dim == 3 ? static_cast<const void*>(&table<3>) : &table<2>;
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -13,7 +13,7 @@
 /// of each (the one to the right, say) mostly stands one behind the other too, and what is gathered of them
 /// is one load from a column. Each lane sums over the neighbours of its own particle in their order, so that
 /// the result does not depend on who shares its group.
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// One neighbour of each of four particles. Groups with the same neighbourhood have the same slots.
 struct LaneSlot {
@@ -125,4 +125,4 @@ inline LaneSlots lane_slots(int first, const std::array<std::vector<int>, lanes>
   return best;
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

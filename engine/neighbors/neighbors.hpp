@@ -11,7 +11,7 @@
 #include "engine/error.hpp"
 #include "engine/neighbors/search_kernels.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Cells at least as wide as the support, a border of empty ones around them. Particles are meant to be kept
 /// in the order of their cells, x fastest, so that three cells side by side are one stretch of memory.
@@ -121,4 +121,4 @@ class NeighborSearch {
   std::vector<std::vector<int>> found_;  // [chunk]
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -7,7 +7,7 @@
 #include "engine/neighbors/neighbors.hpp"
 #include "engine/scene/initial_particles.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// What initial_neighbors (initial_neighbors.hpp) gives, of one particle at a time: of a wide reach the lists of
 /// all would be most of what a simulation takes.
@@ -52,4 +52,4 @@ class NeighborsOfOne {
   std::vector<int> order_;  // ids
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -4,7 +4,7 @@
 
 #include "engine/core/tensor.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Plain data of a CellGrid.
 template <int Dim>
@@ -52,4 +52,4 @@ struct SearchKernels {
   std::size_t (*room_for)(const SearchFields<Dim>& f, int i);
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -1,7 +1,7 @@
 // Compiled once per instruction set; see engine/CMakeLists.txt.
 #include "engine/solver/drives.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 template <int Dim>
 Drives<Dim>::Drives(const Scene& scene, const InitialParticles& initial) {
@@ -34,4 +34,4 @@ void Drives<Dim>::set_time(double t) {
 template class Drives<2>;
 template class Drives<3>;
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

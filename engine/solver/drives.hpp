@@ -10,7 +10,7 @@
 #include "engine/scene/initial_particles.hpp"
 #include "engine/solver/particles.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Particles that do not move along some of the axes: rollers, planes of symmetry, edges that may slide. What
 /// holds them does no work. A drive, as long as it lasts, stands above a guide.
@@ -143,4 +143,4 @@ class Reactions {
   std::vector<V> v_, impulse_;  // m/s, N s
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

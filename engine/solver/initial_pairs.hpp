@@ -16,7 +16,7 @@
 #include "engine/neighbors/initial_neighbors.hpp"
 #include "engine/neighbors/lane_neighbors.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// The pairs of particles of one body that are initial neighbours, seen from both sides, flat. They
 /// never change, and all that depends on them is computed once:
@@ -231,4 +231,4 @@ PairLanes<Dim, Width>::PairLanes(const InitialPairs<Dim>& pairs, int threads, co
   slots_.close(), constants_.close();
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -4,7 +4,7 @@
 
 #include "engine/core/columns.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Gives particles the velocities of a whole step, from the forces inside a body, contact and external actions. Plain
 /// data for passes; made by Common::kick.
@@ -112,4 +112,4 @@ struct Steering {
   }
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -7,7 +7,7 @@
 #include "engine/error.hpp"
 #include "engine/scene/shapes/box.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 namespace {
 
@@ -131,4 +131,4 @@ auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParti
 template class Loads<2>;
 template class Loads<3>;
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

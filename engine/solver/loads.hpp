@@ -10,7 +10,7 @@
 #include "engine/solver/face_loads.hpp"
 #include "engine/solver/particles.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// What acts on particles from outside and follows them: loads of regions and gravity
 /// (engine/scene/scene.hpp), and the viscous force −c m v of a scene that is to come to rest. A damping of c
@@ -93,4 +93,4 @@ class Loads {
   std::vector<double> work_, damped_;  // [id] J
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -5,7 +5,7 @@
 #include "engine/core/parallel.hpp"
 #include "engine/core/tensor.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// The particles of a simulation with what every method has of each, in the order of storage: that of cells where a
 /// method searches neighbours, else that of creation.
@@ -42,4 +42,4 @@ void reorder(const std::vector<int>& order, int threads, Arrays&... arrays) {
   (one(arrays), ...);
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -14,7 +14,7 @@
 #include "engine/solver/contact/face_contacts.hpp"
 #include "engine/solver/contact/facet_contacts.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 namespace {
 
 using Points = std::vector<PointWeight>;
@@ -338,4 +338,4 @@ const ProbeRow<Dim>& probe_row(const Probe& probe) {
 template const ProbeRow<2>& probe_row(const Probe&);
 template const ProbeRow<3>& probe_row(const Probe&);
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -11,7 +11,7 @@
 #include "engine/solver/contact/contact_mechanism.hpp"
 #include "engine/solver/particles.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Access of probes to their solver.
 template <int Dim>
@@ -91,4 +91,4 @@ struct ProbeRow {
 template <int Dim>
 const ProbeRow<Dim>& probe_row(const Probe& probe);
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

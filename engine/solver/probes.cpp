@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 template <int Dim>
 ProbeRecorder<Dim>::ProbeRecorder(const Scene& scene, const InitialParticles& initial, double support)
@@ -57,4 +57,4 @@ void ProbeRecorder<Dim>::record(const Particles<Dim>& s, double time, ProbeSourc
 template class ProbeRecorder<2>;
 template class ProbeRecorder<3>;
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -7,7 +7,7 @@
 #include "engine/solver/probe_kinds.hpp"
 #include "engine/solver/simulation.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Records the probes of a scene at every step.
 template <int Dim>
@@ -52,4 +52,4 @@ class ProbeRecorder {
   std::vector<int> stressed_;  // [id] of the particles whose stress is recorded
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -2,7 +2,7 @@
 
 #include "engine/core/tensor.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Constants of four particles; 0 in the filling.
 template <int Dim>
@@ -13,4 +13,4 @@ struct Sites {
   alignas(sizeof(Pack)) Pack mobile;  // 1, or 0 where clamped
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

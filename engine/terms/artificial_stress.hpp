@@ -9,7 +9,7 @@
 /// Gray's artificial stress: tension is met by a small repulsion between close particles.
 /// [Zhang2024] names it for SPH-OAS with neither equations nor values; these are Gray, Monaghan, Swift
 /// (2001): ε = 0.3, n = 4, R of both particles over ρ².
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// σ⁺ = Σ_k max(σ_k, 0) n_k ⊗ n_k over the principal stresses.
 inline Sym<double, 2> positive_part(const Sym<double, 2>& sigma) {
@@ -62,4 +62,4 @@ inline constexpr TermInfo artificial_stress_info{
     "[Zhang2024] §6, Gray et al. 2001", "terms/artificial_stress.hpp:artificial_stress_term",
     "artificial stress: pushes a stretched pair apart, the more the closer it is"};
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -3,7 +3,7 @@
 #include "engine/core/pack.hpp"
 #include "engine/methods/term_info.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Π = α h c̄/ρ̄ (u·r)/(r² + (0.1 h)²) where the pair closes, 0 where it opens. [Khayyer2024] Eq. 16
 /// Σ m_j Π ∇_i W is an acceleration (Eq. 15). ≤ 0, and ∇_i W points to j: closing particles repel each other.
@@ -20,4 +20,4 @@ inline constexpr TermInfo artificial_viscosity_info{
     "[Khayyer2024] Eq. 15, 16", "terms/artificial_viscosity.hpp:artificial_viscosity",
     "artificial viscosity: slows what closes by Eq. 16, leaves what opens"};
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -54,7 +54,7 @@
 /// x_j − x_i, so that both momenta stay. At 0.01 a
 /// zigzag falls to 1/e in about ten of its periods, the first bending mode of a plate of ten particles by 0.2
 /// to 0.4 % in thirty; the loss falls with dp. Zero keeps the energy.
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// What stands for G in the bonds and in what is cancelled of them, Pa. Bonds alone have λ = G: where the law's
 /// λ is below 0, in bodies with a negative Poisson's ratio, what is left of it once theirs is cancelled gives way
@@ -189,4 +189,4 @@ inline constexpr TermInfo stress_info{"stress", "f_i = Σ_j (T_i g_ij − T_j g_
                                       "terms/bond.hpp:ClosedNeoHookean",
                                       "bond: the slopes are those of the energies, and rise"};
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

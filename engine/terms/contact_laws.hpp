@@ -9,7 +9,7 @@
 #include "engine/terms/penalty_contact.hpp"
 #include "engine/terms/surface_contact.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// The method's own sums act between bodies; this row adds the law of walls.
 inline constexpr ContactLawRow sph_contact{
@@ -37,4 +37,4 @@ constexpr const ContactLawRow& contact_row(ContactLaw law) {
 
 constexpr const TermInfo& contact_info(ContactLaw law) { return contact_row(law).term; }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -3,7 +3,7 @@
 #include "engine/core/tensor.hpp"
 #include "engine/methods/term_info.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// (ρ_j − ρ_i) V_j ∇_i W: its sum over j, times L_i, is ∇ρ, kg/m⁴.              [Khayyer2024] Eq. 35
 template <class T, int Dim>
@@ -27,4 +27,4 @@ inline constexpr TermInfo density_diffusion_info{
     "terms/density_diffusion.hpp:density_diffusion_term",
     "density diffusion: none where the density is linear, from dense to thin otherwise"};
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

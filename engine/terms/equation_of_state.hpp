@@ -3,7 +3,7 @@
 #include "engine/core/pack.hpp"
 #include "engine/methods/term_info.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// p = c0² (ρ − ρ0)                                                          [Zhang2024] Eq. 4
 /// Pa, positive in compression.
@@ -15,4 +15,4 @@ inline constexpr TermInfo equation_of_state_info{
     "pressure", "p = c0² (ρ − ρ0)", "[Zhang2024] Eq. 4", "terms/equation_of_state.hpp:pressure",
     "equation of state: positive in compression, with slope c0²"};
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -5,7 +5,7 @@
 
 /// The kernel gradient is corrected so that the gradient of a linear field is exact, L_i·∇_i W in place of
 /// ∇_i W.
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// M = −Σ V_j r_ij ⊗ ∇_i W: adds the part of one neighbour, dimensionless.
 /// [Zhang2024] Eq. 27, with the sign of Eq. 14 (terms/velocity_gradient.hpp); [Khayyer2024] §3.1 takes it
@@ -38,4 +38,4 @@ inline constexpr TermInfo gradient_correction_info{
     "terms/gradient_correction.hpp:gradient_correction",
     "gradient correction: exact for a linear field at a surface, and far off without"};
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -5,7 +5,7 @@
 #include "engine/core/pack.hpp"
 #include "engine/terms/contact_law_row.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Impulse on each of two particles of two bodies along the pair, N s (per metre depth in 2D), that stops
 /// their approach: μ max(closing speed, 0), μ = 1/(1/m_i + 1/m_j).  [Khayyer2024] Eq. 54 times Δt
@@ -29,4 +29,4 @@ inline constexpr ContactLawRow impulse_contact{
     .impulse = stopping_impulse,
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

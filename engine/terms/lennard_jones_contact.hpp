@@ -5,7 +5,7 @@
 #include "engine/core/pack.hpp"
 #include "engine/terms/contact_law_row.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Nearer than this, in spacings, two particles push no harder: the force has no bound there.
 inline constexpr double lennard_jones_core = 0.1;
@@ -44,4 +44,4 @@ inline constexpr ContactLawRow lennard_jones_contact{
     .energy = lennard_jones_energy,
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

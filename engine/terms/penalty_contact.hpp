@@ -5,7 +5,7 @@
 #include "engine/core/pack.hpp"
 #include "engine/terms/contact_law_row.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// What the bulk moduli of two touching particles make of the stiffness of their contact, Pa:
 /// stiffness · K1 K2/(K1 + K2).  [TranDuc2023] Eq. 2.13 has stiffness = 1, K/2 for two of one material.
@@ -42,4 +42,4 @@ inline constexpr ContactLawRow penalty_contact{
     .energy = penalty_energy,
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -6,7 +6,7 @@
 /// The low-dissipation Riemann problem of a pair along e_ij (from j to i), with the left state i:
 ///   U_L = −v_i·e_ij,  U_R = −v_j·e_ij,  so U_L − U_R = −v_ij·e_ij is the speed at which the pair closes.
 /// [Zhang2024] prints neither U* nor P*; they are those of a linearised solver with a limited dissipation.
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// The dissipation in P*.
 struct Dissipation {
@@ -52,4 +52,4 @@ T pressure_diffusion_term(const T& V_j, const T& dW, const T& p_i, const T& p_j,
   return (share / (rho0 * c0)) * V_j * dW * (p_i - p_j);
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

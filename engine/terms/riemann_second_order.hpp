@@ -8,7 +8,7 @@
 
 /// Dissipation from the Riemann problem of each pair, with velocities reconstructed half way to each other:
 /// it vanishes where the velocity is linear.
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// u_i − u_j along the pair, each taken half way to the other: the speed at which the pair closes without its
 /// linear part, m/s. D is the symmetric part of ∇u, all that e·∇u·e sees.      [Khayyer2024] Eq. 37, 44
@@ -43,4 +43,4 @@ inline constexpr TermInfo riemann_dissipation_info{
     "[Khayyer2024] Eq. 39–45", "terms/riemann_second_order.hpp:riemann_dissipation",
     "Riemann term: none where the velocity is linear, equal and opposite"};
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

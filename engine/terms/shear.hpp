@@ -3,7 +3,7 @@
 #include "engine/core/tensor.hpp"
 #include "engine/methods/term_info.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// V_j (s_i + s_j)·∇_i W: its sum over j divided by ρ_i is the shear acceleration, here in N/m³.
 /// [Zhang2024] Eq. 13
@@ -42,4 +42,4 @@ inline constexpr TermInfo laplacian_nonconservative_info{
     "terms/shear.hpp:laplacian_term_nonconservative",
     "laplacian: in the continuum it is (∇²v + 2 ∇∇·v)/(d + 2), the plain one ∇²v"};
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

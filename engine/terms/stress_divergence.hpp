@@ -3,7 +3,7 @@
 #include "engine/core/tensor.hpp"
 #include "engine/methods/term_info.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// w_j (T_i + T_j)·∇_i W: its sum over j is a force per volume or an acceleration.
 ///   T = σ·L, w = V, divided by ρ_i afterwards   [Khayyer2024] Eq. 28 (L = I: Eq. 9)
@@ -27,4 +27,4 @@ inline constexpr TermInfo divergence_of_squares_info{
     "terms/stress_divergence.hpp:stress_divergence_term",
     "stress divergence: equal and opposite, and the pull of tension is towards the other"};
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -4,7 +4,7 @@
 #include "engine/methods/formulation.hpp"
 #include "engine/methods/term_info.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Jaumann rate of the deviatoric stress,
 ///   ds/dt = 2G (D − tr D/n I) + ω s − s ω,   D = ½ (L + Lᵀ),  ω = ½ (L − Lᵀ),   Pa/s,
@@ -58,4 +58,4 @@ inline constexpr TermInfo turned_stress_info{
     "terms/stress_rate.hpp:turned_stress",
     "turned stress: a rigid turn of any size in one step turns it and keeps its size"};
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

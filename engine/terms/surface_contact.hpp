@@ -7,7 +7,7 @@
 #include "engine/core/pack.hpp"
 #include "engine/terms/contact_law_row.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Pressure per depth between two faces, Pa/m, of two materials whose moduli of compression are M = K + 4G/3:
 /// k = ½ s M1 M2/(M1 + M2)/dp. With s = 2 faces under a pressure p overlap by as much as it presses a layer
@@ -154,4 +154,4 @@ inline double hardening(double depth, double cover, double dp) {
          u2 * (1 + u2) * (std::abs(covered_bend(W)) * steepest * steepest + slope * bend);
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

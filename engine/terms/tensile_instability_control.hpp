@@ -6,7 +6,7 @@
 /// In the inner region the stress divergence of a particle in tension takes differences instead of sums: with
 /// R = −σ⁺, σ⁺ the tensile part, σ_i·L_i becomes (σ_i + 2 R_i)·L_i.              [Khayyer2024] §3.4
 /// Linear momentum is not conserved there, since the pair forces of i and j differ.
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Adds to C = Σ_j W V_j, the particle itself included: below 0.9 it is one of the surface; 1.
 /// [Khayyer2024] Eq. 52
@@ -28,4 +28,4 @@ inline constexpr TermInfo tensile_control_info{
     "terms/tensile_instability_control.hpp:tensile_control",
     "tensile control: turns the sum of equal tensions into their difference"};
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

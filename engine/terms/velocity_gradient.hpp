@@ -3,7 +3,7 @@
 #include "engine/core/tensor.hpp"
 #include "engine/methods/term_info.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// L = ∇v = −Σ V_j v_ij ⊗ ∇_i W: adds the part of one neighbour, 1/s.             [Zhang2024] Eq. 14
 /// Differs from the paper in sign: it prints v_ij = v_i − v_j without the minus.
@@ -30,4 +30,4 @@ inline constexpr TermInfo gradient_and_masses_info{
     "terms/velocity_gradient.hpp:add_velocity_gradient",
     "velocity gradient: exact for a linear field after correction, on irregular particles"};
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

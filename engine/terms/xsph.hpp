@@ -3,7 +3,7 @@
 #include "engine/core/tensor.hpp"
 #include "engine/methods/term_info.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// 2 m_j/(ρ_i + ρ_j) (u_j − u_i) W: its sum over j, times ε, is what the transport velocity û_i has more than
 /// u_i, m/s.                                                                    [Khayyer2024] Eq. 14
@@ -16,4 +16,4 @@ inline constexpr TermInfo xsph_info{
     "terms/xsph.hpp:xsph_term",
     "xsph: momentum stays, and so does angular momentum, of the transported motion"};
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

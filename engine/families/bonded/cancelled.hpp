@@ -11,12 +11,12 @@
 #include "engine/families/bonded/setup.hpp"
 #include "engine/terms/bond.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Cancellation for four particles of lattices along the axes with rectangular cells: the e ⊗ e of the diagonals of a
 /// face, and of the cell, differ in signs only.
 template <int Dim>
-struct CancelledOnLattice {
+struct alignas(sizeof(Pack)) CancelledOnLattice {
   static constexpr int faces = Dim == 2 ? 1 : 3;
   struct Face {
     Pack aa, bb, ab;  // e ⊗ e of the diagonal with e_a e_b > 0, in the plane of the axes a < b
@@ -107,47 +107,63 @@ Sym<Pack, Dim> CancelledOnLattice<Dim>::slopes(const Sym<Pack, Dim>& C) const {
   return S;
 }
 
-/// Cancellation of bonds (THEORY.md, Energy) for four particles at once. It visits no neighbours: of a linear
-/// displacement a bond sees s° = e·C e. Opposite bonds are merged. Storage as in PackedBonds.
+/// Cancellation of bonds (THEORY.md, Energy) for four particles at once, as plain data for passes. It visits no
+/// neighbours: of a linear displacement a bond sees s° = e·C e. Opposite bonds are merged. Storage as in PackedBonds.
 template <int Dim, class Storage = StoredPack>
-class CancelledBonds {
- public:
-  CancelledBonds() = default;
-  /// `terms_of(i)` returns the CancelledTerms of particle i < n; it is called on `threads` threads.
-  template <class TermsOf>
-  CancelledBonds(int n, int threads, const TermsOf& terms_of);
-
-  /// Returns G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e of a group for C = Fᵀ F, in J.
-  Sym<Pack, Dim> slopes(int group, const Sym<Pack, Dim>& C) const;
-  /// Returns G V0_i Σ_j w_ij φ_c(s°), in J.
-  Pack energy(int group, const Sym<Pack, Dim>& C) const;
-
- private:
+struct CancelledView {
   static constexpr int dyad_size = Sym<Pack, Dim>::size - 1;
   /// e ⊗ e of one bond of each of four particles, without the last component: the trace is 1.
   struct Dyad {
     Storage c[dyad_size];
   };
   class Stretch;
+  struct GroupRows {
+    int dyad, third, count;  // first indices; the count is even, with a filling of strength 0
+    int on_lattice;          // −1 if off-lattice
+  };
+
+  const GroupRows* groups = nullptr;
+  const Dyad* dyads = nullptr;
+  const Storage* thirds = nullptr;  // ⅓ G V0_i w_ij, J
+  const CancelledOnLattice<Dim>* on_lattice = nullptr;
+
+  /// Returns G V0_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e of a group for C = Fᵀ F, in J.
+  Sym<Pack, Dim> slopes(int group, const Sym<Pack, Dim>& C) const;
+  /// Returns G V0_i Σ_j w_ij φ_c(s°), in J.
+  Pack energy(int group, const Sym<Pack, Dim>& C) const;
+};
+
+/// Owner of such data.
+template <int Dim, class Storage = StoredPack>
+class CancelledBonds {
+ public:
+  using View = CancelledView<Dim, Storage>;
+
+  CancelledBonds() = default;
+  /// `terms_of(i)` returns the CancelledTerms of particle i < n; it is called on `threads` threads.
+  template <class TermsOf>
+  CancelledBonds(int n, int threads, const TermsOf& terms_of);
+
+  View view() const { return {groups_.data(), dyads_.from(0), thirds_.from(0), on_lattice_.from(0)}; }
+
+ private:
+  static constexpr int dyad_size = View::dyad_size;
+  using Dyad = typename View::Dyad;
   struct Direction {
     Sym<double, Dim> dyad;  // e ⊗ e
     double strength;        // J
   };
   static std::vector<Direction> merged(const std::vector<CancelledTerm>& terms);
 
-  struct GroupRows {
-    int dyad, third, count;  // first indices; the count is even, with a filling of strength 0
-    int on_lattice;          // −1 if off-lattice
-  };
-  std::vector<GroupRows> groups_;
+  std::vector<typename View::GroupRows> groups_;
   SharedRows<Dyad> dyads_;
-  SharedRows<Storage> thirds_;  // ⅓ G V0_i w_ij, J
+  SharedRows<Storage> thirds_;
   SharedRows<CancelledOnLattice<Dim>> on_lattice_;
 };
 
 /// s° of bonds as a linear function of the stored components of e ⊗ e.
 template <int Dim, class Storage>
-class CancelledBonds<Dim, Storage>::Stretch {
+class CancelledView<Dim, Storage>::Stretch {
  public:
   [[gnu::always_inline]] explicit Stretch(const Sym<Pack, Dim>& C) : factor_(C) {
     constexpr int last = Dim - 1;
@@ -170,35 +186,35 @@ class CancelledBonds<Dim, Storage>::Stretch {
 };
 
 template <int Dim, class Storage>
-Sym<Pack, Dim> CancelledBonds<Dim, Storage>::slopes(int group, const Sym<Pack, Dim>& C) const {
-  const GroupRows& own = groups_[group];
-  if (own.on_lattice >= 0) return on_lattice_[own.on_lattice].slopes(C);
+Sym<Pack, Dim> CancelledView<Dim, Storage>::slopes(int group, const Sym<Pack, Dim>& C) const {
+  const GroupRows& own = groups[group];
+  if (own.on_lattice >= 0) return on_lattice[own.on_lattice].slopes(C);
   Sym<Pack, Dim> S{};
   const Stretch stretch(C);
-  const Dyad* const dyads = &dyads_[own.dyad];
-  const Storage* const thirds = &thirds_[own.third];
-  const auto add = [&](const Dyad& dyad, const Pack& pull) {
+  const Dyad* const dyad = dyads + own.dyad;
+  const Storage* const third = thirds + own.third;
+  const auto add = [&](const Dyad& of_bond, const Pack& pull) {
 #pragma GCC unroll 5
-    for (int k = 0; k < dyad_size; ++k) S.c[k] += pull * unpacked(dyad.c[k]);
+    for (int k = 0; k < dyad_size; ++k) S.c[k] += pull * unpacked(of_bond.c[k]);
     S.c[dyad_size] += pull;
   };
   for (int b = 0; b < own.count; b += 2) {
-    const auto [p, q] = cancelled_pulls<Dim>(stretch.of(dyads[b]), stretch.of(dyads[b + 1]),
-                                             unpacked(thirds[b]), unpacked(thirds[b + 1]));
-    add(dyads[b], p);
-    add(dyads[b + 1], q);
+    const auto [p, q] = cancelled_pulls<Dim>(stretch.of(dyad[b]), stretch.of(dyad[b + 1]), unpacked(third[b]),
+                                             unpacked(third[b + 1]));
+    add(dyad[b], p);
+    add(dyad[b + 1], q);
   }
   for (int k = 0; k < Dim - 1; ++k) S(Dim - 1, Dim - 1) -= S(k, k);
   return S;
 }
 
 template <int Dim, class Storage>
-Pack CancelledBonds<Dim, Storage>::energy(int group, const Sym<Pack, Dim>& C) const {
+Pack CancelledView<Dim, Storage>::energy(int group, const Sym<Pack, Dim>& C) const {
   Pack energy{};
   const Stretch stretch(C);
-  const GroupRows& own = groups_[group];
+  const GroupRows& own = groups[group];
   for (int b = 0; b < own.count; ++b)
-    energy += unpacked(thirds_[own.third + b]) * cancelled_energy<Dim>(stretch.of(dyads_[own.dyad + b]));
+    energy += unpacked(thirds[own.third + b]) * cancelled_energy<Dim>(stretch.of(dyads[own.dyad + b]));
   return 3 * energy;
 }
 
@@ -262,4 +278,4 @@ CancelledBonds<Dim, Storage>::CancelledBonds(int n, int threads, const TermsOf& 
   dyads_.close(), thirds_.close(), on_lattice_.close();
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

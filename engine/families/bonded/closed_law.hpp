@@ -1,12 +1,10 @@
 #pragma once
 
-#include <vector>
-
 #include "engine/core/tensor.hpp"
 #include "engine/materials/chosen_laws.hpp"
 #include "engine/terms/bond.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Continuation of any law below J = ½, as in ClosedNeoHookean: c replaces det F in the shear part, and the energy has
 /// (K + 4G/3)(1 − 2J)³ more. A law of F alone has the latter only.
@@ -48,14 +46,14 @@ Mat<double, Dim> closed_piola(const L& law, const Mat<double, Dim>& F) {
 
 /// The same for four particles with their materials.
 template <class L, int Dim>
-Pack closed_energy(const std::vector<L>& laws, const int* material, const Mat<Pack, Dim>& F) {
+Pack closed_energy(const L* laws, const int* material, const Mat<Pack, Dim>& F) {
   Pack energy{};
   for (int lane = 0; lane < lanes; ++lane)
     energy[lane] = closed_energy(laws[material[lane]], lane_of(F, lane));
   return energy;
 }
 template <class L, int Dim>
-Mat<Pack, Dim> closed_piola(const std::vector<L>& laws, const int* material, const Mat<Pack, Dim>& F) {
+Mat<Pack, Dim> closed_piola(const L* laws, const int* material, const Mat<Pack, Dim>& F) {
   Mat<Pack, Dim> P;
   for (int lane = 0; lane < lanes; ++lane) {
     const Mat<double, Dim> own = closed_piola(laws[material[lane]], lane_of(F, lane));
@@ -65,4 +63,4 @@ Mat<Pack, Dim> closed_piola(const std::vector<L>& laws, const int* material, con
   return P;
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

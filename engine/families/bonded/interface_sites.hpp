@@ -12,24 +12,23 @@
 #include "engine/families/bonded/setup.hpp"
 #include "engine/terms/bond.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// W of one particle: the own law of the family or the chosen one.
-template <const Formulation& M>
 struct LawOfOne {
   const std::vector<Elasticity>& materials;
   bool own;
-  const ChosenLaws<M>& chosen;
+  const Materials& chosen;
 
   template <int Dim>
   double energy(int material, const Mat<double, Dim>& F) const {
     if (own) return ClosedNeoHookean<double>{materials[material].K, materials[material].G}.energy(F);
-    return chosen.visit([&](const auto& laws) { return closed_energy(laws[material], F); });
+    return chosen.visit(material, [&](const auto& law) { return closed_energy(law, F); });
   }
   template <int Dim>
   Mat<double, Dim> piola(int material, const Mat<double, Dim>& F) const {
     if (own) return ClosedNeoHookean<double>{materials[material].K, materials[material].G}.piola(F);
-    return chosen.visit([&](const auto& laws) { return closed_piola(laws[material], F); });
+    return chosen.visit(material, [&](const auto& law) { return closed_piola(law, F); });
   }
 };
 
@@ -276,4 +275,4 @@ inline constexpr TermInfo interface_info{
     "families/bonded/interface_sites.hpp:stress",
     "oenog: layers of two materials under one stress leave no force where they meet"};
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -8,11 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "engine/core/isa.hpp"
 #include "engine/core/parallel.hpp"
 #include "engine/core/tensor.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Returns the greatest eigenvalue of a symmetric tridiagonal matrix: above it all pivots of T − λ are negative. NaN if
 /// an entry is NaN. `beside` has one entry less than the diagonal.
@@ -109,4 +108,4 @@ double highest_frequency_squared(const std::vector<double>& mobility, double sma
   });
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

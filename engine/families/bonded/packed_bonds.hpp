@@ -11,11 +11,11 @@
 #include "engine/families/bonded/setup.hpp"
 #include "engine/neighbors/lane_neighbors.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// One bond of each of four particles; 0 in the filling.
 template <class Storage>
-struct Spring {
+struct alignas(sizeof(Pack)) Spring {
   Pack third_of_k;       // k/3, N/m (per metre depth in 2D)
   Pack per_r0_squared;   // 1/m²
   Pack half_r0_squared;  // ½ r0², m²
@@ -49,32 +49,49 @@ struct Spring<HalfPack> {
   }
 };
 
-/// Bonds of groups of four contiguous particles, with the constants of each. A particle sums over its bonds in the
-/// order in which their other ends are stored, bonds with an a_ij first. Storage is StoredPack, or HalfPack if no two
-/// groups have the same constants.
+/// A bond of a free particle that ends at a clamp place.
+struct BondToClamp {
+  int group, lane, bond, place;
+};
+
+/// Bonds of groups of four contiguous particles, with the constants of each, as plain data for passes. A particle sums
+/// over its bonds in the order in which their other ends are stored, bonds with an a_ij first. Storage is StoredPack, or
+/// HalfPack if no two groups have the same constants.
 template <int Dim, class Storage>
-class PackedBonds {
- public:
+struct PackedBondsView {
   struct GroupRows {  // first indices of the group's bonds
     int slot, count, spring, scale;
     int a, a_count;  // the first bonds have an a_ij
   };
 
+  const GroupRows* groups = nullptr;
+  const LaneSlot* all_slots = nullptr;
+  const Spring<Storage>* all_springs = nullptr;
+  const Vec<Storage, Dim>* all_a_ij = nullptr;
+  const Storage* all_energy_scales = nullptr;
+
+  const GroupRows& of(int group) const { return groups[group]; }
+  const LaneSlot* slots(const GroupRows& own) const { return all_slots + own.slot; }
+  const Spring<Storage>* springs(const GroupRows& own) const { return all_springs + own.spring; }
+  const Vec<Storage, Dim>* a_ij(const GroupRows& own) const { return all_a_ij + own.a; }
+  /// Share of this end in the energy of a bond: G V0_i w_ij, J.
+  const Storage* energy_scales(const GroupRows& own) const { return all_energy_scales + own.scale; }
+};
+
+/// Owner of such bonds.
+template <int Dim, class Storage>
+class PackedBonds {
+ public:
+  using View = PackedBondsView<Dim, Storage>;
+
   PackedBonds() = default;
   /// For particles stored in the order of `ids`.
   PackedBonds(const BondedSetup& setup, const std::vector<int>& ids, int threads = 1);
 
-  const GroupRows& of(int group) const { return groups_[group]; }
-  const LaneSlot* slots(const GroupRows& own) const { return slots_.from(own.slot); }
-  const Spring<Storage>* springs(const GroupRows& own) const { return springs_.from(own.spring); }
-  const Vec<Storage, Dim>* a_ij(const GroupRows& own) const { return a_ij_.from(own.a); }
-  /// Share of this end in the energy of a bond: G V0_i w_ij, J.
-  const Storage* energy_scales(const GroupRows& own) const { return energy_scales_.from(own.scale); }
-  /// A bond of a free particle that ends at a clamp place.
-  struct ToClamp {
-    int group, lane, bond, place;
-  };
-  const std::vector<ToClamp>& bonds_to_clamp() const { return bonds_to_clamp_; }
+  View view() const {
+    return {groups_.data(), slots_.from(0), springs_.from(0), a_ij_.from(0), energy_scales_.from(0)};
+  }
+  const std::vector<BondToClamp>& bonds_to_clamp() const { return bonds_to_clamp_; }
 
  private:
   struct LaneBond : BondConstants {};  // j: where the other end is stored
@@ -84,7 +101,7 @@ class PackedBonds {
     std::vector<Spring<Storage>> springs;
     std::vector<Storage> scales;
     std::vector<Vec<Storage, Dim>> areas;
-    std::vector<ToClamp> to_clamp;
+    std::vector<BondToClamp> to_clamp;
     struct {
       std::size_t slots, springs, scales, areas;
     } hash;
@@ -92,12 +109,12 @@ class PackedBonds {
     void append(int group, const BondsOfFour& bonds, int size);
   };
 
-  std::vector<GroupRows> groups_;
+  std::vector<typename View::GroupRows> groups_;
   SharedRows<LaneSlot> slots_;
   SharedRows<Spring<Storage>> springs_;
   SharedRows<Vec<Storage, Dim>> a_ij_;  // times a constant that B removes
   SharedRows<Storage> energy_scales_;
-  std::vector<ToClamp> bonds_to_clamp_;
+  std::vector<BondToClamp> bonds_to_clamp_;
 };
 
 /// Inverts `ids`: returns where each particle is stored.
@@ -172,4 +189,4 @@ void PackedBonds<Dim, Storage>::PackedGroup::append(int group, const BondsOfFour
   }
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/families/bonded/constraints.hpp"
+#include "engine/families/bonded/shown_stress.hpp"
 
 namespace taut {
 
@@ -19,6 +20,14 @@ struct RecoveredGradient {
   int dim = 0;
 
   bool empty() const { return begin.empty(); }
+  RecoveredView view() const {
+    return {begin.data(),
+            j.data(),
+            row.data(),
+            g.data(),
+            halved.empty() ? nullptr : halved.data(),
+            between.empty() ? nullptr : between.data()};
+  }
   /// Returns g_ij for b from begin[i] to begin[i + 1] − 1, if not halved.
   const double* of(int i, int b) const { return &g[row[i] + dim * (b - begin[i])]; }
 };

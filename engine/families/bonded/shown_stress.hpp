@@ -1,19 +1,16 @@
 #pragma once
 
 #include <algorithm>
-#include <vector>
 
 #include "engine/core/cube_root.hpp"
-#include "engine/core/shared_rows.hpp"
 #include "engine/core/tensor.hpp"
-#include "engine/families/bonded/recovered_gradient.hpp"
 #include "engine/materials/law.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Stress for snapshots; below J = ½ the law without its continuation. T: one particle or four.
 template <class T, int Dim>
-struct ShownStress {
+struct alignas(alignment_of<T>) ShownStress {
   T J, p;         // p in Pa
   Sym<T, Dim> s;  // the deviator, Pa
   T s_zz;         // out of plane, in 2D
@@ -43,12 +40,20 @@ ShownStress<double, Dim> shown_stress(const L& law, const Mat<double, Dim>& F) {
   return {J, p, sigma, zz + p};
 }
 
+/// Plain data of a RecoveredGradient (recovered_gradient.hpp).
+struct RecoveredView {
+  const int *begin, *j, *row;
+  const double* g;
+  const float* halved;           // replaces g; else null
+  const unsigned char* between;  // null: none
+};
+
 /// Replaces F of the four particles from `first` on by the recovered gradient of the displacements u, in m, where there
 /// is one.
 template <int Dim>
-Mat<Pack, Dim> recovered_deformations(const RecoveredGradient& recovered, const std::vector<StoredPack>& u,
+Mat<Pack, Dim> recovered_deformations(const RecoveredView& recovered, const StoredPack* u, int size,
                                       int first, Mat<Pack, Dim> F) {
-  const int count = std::min(lanes, static_cast<int>(u.size()) - first);
+  const int count = std::min(lanes, size - first);
   for (int lane = 0; lane < count; ++lane) {
     const int i = first + lane, begin = recovered.begin[i], end = recovered.begin[i + 1];
     if (begin == end) continue;
@@ -62,7 +67,7 @@ Mat<Pack, Dim> recovered_deformations(const RecoveredGradient& recovered, const 
       }
     };
     const int row = recovered.row[i];
-    recovered.halved.empty() ? add_steps(&recovered.g[row]) : add_steps(&recovered.halved[row]);
+    !recovered.halved ? add_steps(recovered.g + row) : add_steps(recovered.halved + row);
     for (int a = 0; a < Dim; ++a)
       for (int k = 0; k < Dim; ++k) F(a, k)[lane] = column[k][a];
   }
@@ -72,14 +77,14 @@ Mat<Pack, Dim> recovered_deformations(const RecoveredGradient& recovered, const 
 /// Scales F of the four particles from `first` on to the volume ratio J of their own gradient, unless that averages two
 /// sides.
 template <int Dim>
-void keep_volume(const RecoveredGradient& recovered, int first, Mat<Pack, Dim>& F, const Pack& J) {
+void keep_volume(const RecoveredView& recovered, int size, int first, Mat<Pack, Dim>& F, const Pack& J) {
   const Pack least = filled<Pack>(0.05);  // crushed or inverted particles keep no volume
   const Pack ratio = max(J, least) / max(determinant(F), least);
   const Pack root = inverse_cube_root(ratio);
   Pack scale = ratio * root * root;
-  for (int lane = 0; lane < lanes && first + lane < static_cast<int>(recovered.between.size()); ++lane)
+  for (int lane = 0; recovered.between && lane < lanes && first + lane < size; ++lane)
     if (recovered.between[first + lane]) scale[lane] = 1;
   F = scale * F;
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

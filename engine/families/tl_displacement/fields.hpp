@@ -5,7 +5,7 @@
 #include "engine/solver/initial_pairs.hpp"
 #include "engine/solver/sites.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Plain data of a total-Lagrangian method whose only unknowns are the positions, for its passes.
 template <int Dim>
@@ -25,4 +25,4 @@ struct TlDisplacementFields {
   int groups() const { return (size + lanes - 1) / lanes; }
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

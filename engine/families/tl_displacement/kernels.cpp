@@ -4,7 +4,7 @@
 #include "engine/families/kernel_tables.hpp"
 #include "engine/families/tl_displacement/passes.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 namespace {
 
 struct Tables {
@@ -20,8 +20,8 @@ struct Tables {
 }  // namespace
 
 template <>
-const void* kernels_of<Family::tl_displacement>(int dim, std::string_view method) {
+const void* kernels_of<int(Family::tl_displacement)>(int dim, std::string_view method) {
   return table_among<Family::tl_displacement, Tables>(dim, method, Methods{});
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

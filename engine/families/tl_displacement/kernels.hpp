@@ -4,7 +4,7 @@
 #include "engine/families/tl_displacement/fields.hpp"
 #include "engine/solver/kick.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// The functions of a method that run once per particle and step; passes.hpp documents them.
 template <int Dim>
@@ -17,4 +17,4 @@ struct TlDisplacementKernels {
   void (*deform)(const Fields& f, const int* groups, int count, Mat<Pack, Dim>* out, const Threads& threads);
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -4,7 +4,7 @@
 #include "engine/families/tl_displacement/fields.hpp"
 #include "engine/solver/kick.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// x moves on, and u with it.
 template <const Formulation&, int Dim>
@@ -62,4 +62,4 @@ void deform(const TlDisplacementFields<Dim>& f, const int* groups, int count, Ma
   parallel_pass(count, threads, [&](int k) { out[k] = deformation(f, groups[k]); });
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

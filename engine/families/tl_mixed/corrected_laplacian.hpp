@@ -6,7 +6,7 @@
 #include "engine/core/parallel.hpp"
 #include "engine/solver/initial_pairs.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// L[f]_i = Σ_j w_ij (f_j − f_i) on the pairs of the start, with
 ///   w_ij = V_j (ΔW + α_i·r_ij + β_i r_ij²),   r_ij = X_i − X_j,            [Lee2016] Eq. A.1, A.2
@@ -172,4 +172,4 @@ double biharmonic_spectral_radius(const LaplacianView<Dim>& pairs, int particles
   return greatest;
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

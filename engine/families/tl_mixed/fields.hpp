@@ -6,7 +6,7 @@
 #include "engine/solver/sites.hpp"
 
 /// Plain data of the mixed total-Lagrangian methods, for their passes.
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Unknowns beside places and velocities, four particles at a time, or their rates.
 template <int Dim>
@@ -57,4 +57,4 @@ struct TlMixedFields {
   int groups() const { return (size + lanes - 1) / lanes; }
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

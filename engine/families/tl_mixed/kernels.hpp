@@ -4,7 +4,7 @@
 #include "engine/families/tl_mixed/fields.hpp"
 #include "engine/solver/kick.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// The functions of a method that run once per particle and step; passes.hpp documents them.
 template <int Dim>
@@ -25,4 +25,4 @@ struct TlMixedKernels {
   void (*follow)(const Fields& f, double dt, const Threads& threads);
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -3,7 +3,7 @@
 #include "engine/core/columns.hpp"
 #include "engine/methods/term_info.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// What turns, of four particles at a time: about the axis beside the plane in 2D, about any axis in 3D.
 template <int Dim>
@@ -95,4 +95,4 @@ inline constexpr TermInfo projection_info{
     "families/tl_mixed/momentum_projection.hpp:project_on_momenta",
     "projection: the nearest accelerations without force and torque"};
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -9,7 +9,7 @@
 #include "engine/families/tl_mixed/momentum_projection.hpp"
 #include "engine/solver/kick.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Access to the unknowns of method M.
 template <const Formulation& M, int Dim>
@@ -266,4 +266,4 @@ void follow(const TlMixedFields<Dim>& f, double dt, const Threads& threads) {
   });
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

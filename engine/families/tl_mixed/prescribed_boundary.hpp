@@ -7,7 +7,7 @@
 #include "engine/families/tl_mixed/boundary_projection.hpp"
 #include "engine/solver/initial_pairs.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// V_a W̃_a(X_i) of particle i and its neighbours of the start, W̃ = α (1 + β·(X_i − X_a)) W with Σ V_a W̃_a
 /// = 1 and Σ V_a W̃_a (X_i − X_a) = 0.
@@ -114,4 +114,4 @@ class PrescribedBoundary {
   std::vector<Body> bodies_;
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

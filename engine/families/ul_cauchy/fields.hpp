@@ -6,7 +6,7 @@
 #include "engine/methods/formulation.hpp"
 
 /// Plain data of the methods whose Cauchy stress acts as a whole, for their passes.
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Velocity (u or û), density, volume, place.
 template <int Dim>
@@ -210,4 +210,4 @@ struct UlCauchyFields {
   Pack same_material(int b) const { return of_one_material ? of_one_material[b].value : filled<Pack>(1); }
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

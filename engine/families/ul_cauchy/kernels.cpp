@@ -4,7 +4,7 @@
 #include "engine/families/kernel_tables.hpp"
 #include "engine/families/ul_cauchy/passes.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 namespace {
 
 struct Tables {
@@ -23,8 +23,8 @@ struct Tables {
 }  // namespace
 
 template <>
-const void* kernels_of<Family::ul_cauchy>(int dim, std::string_view method) {
+const void* kernels_of<int(Family::ul_cauchy)>(int dim, std::string_view method) {
   return table_among<Family::ul_cauchy, Tables>(dim, method, Methods{});
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

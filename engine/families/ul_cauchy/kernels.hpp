@@ -6,7 +6,7 @@
 #include "engine/families/ul_cauchy/fields.hpp"
 #include "engine/solver/kick.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// The functions of a method that run once per particle and step; passes.hpp documents them.
 template <int Dim>
@@ -23,4 +23,4 @@ struct UlCauchyKernels {
   void (*rates)(const Fields& f, const Constants& c, double dt, const Threads& threads);
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

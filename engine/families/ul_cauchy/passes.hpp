@@ -20,7 +20,7 @@
 
 /// The loops over neighbours of the methods whose Cauchy stress acts as a whole. All of them gather over i,
 /// so that no result depends on the number of threads.
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Geometry of four pairs (i, j) at the start of the step. The filling has w′/q = 0 and an r beyond the support.
 template <int Dim>
@@ -273,4 +273,4 @@ void rate_pass(const UlCauchyFields<Dim>& f, const Constants& c, double dt, cons
   });
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -6,7 +6,7 @@
 #include "engine/methods/constants.hpp"
 
 /// Plain data of the updated-Lagrangian methods with pressure and shear apart, for their passes.
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// The row that every pass gathers of a neighbour: velocity (or any other vector), pressure, volume.
 template <int Dim>
@@ -169,4 +169,4 @@ struct UlSplitFields {
   const int* pack(int b) const { return j + static_cast<std::ptrdiff_t>(lanes) * b; }
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

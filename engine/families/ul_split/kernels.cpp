@@ -4,7 +4,7 @@
 #include "engine/families/kernel_tables.hpp"
 #include "engine/families/ul_split/passes.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 namespace {
 
 struct Tables {
@@ -25,8 +25,8 @@ struct Tables {
 }  // namespace
 
 template <>
-const void* kernels_of<Family::ul_split>(int dim, std::string_view method) {
+const void* kernels_of<int(Family::ul_split)>(int dim, std::string_view method) {
   return table_among<Family::ul_split, Tables>(dim, method, Methods{});
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -4,7 +4,7 @@
 #include "engine/families/ul_split/fields.hpp"
 #include "engine/solver/kick.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// The functions of a method that run once per particle and step; passes.hpp documents them.
 template <int Dim>
@@ -24,4 +24,4 @@ struct UlSplitKernels {
   Vec<double, Dim> (*force_between)(const Fields& f, const Constants& c, int a, int b);
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

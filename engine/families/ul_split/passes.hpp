@@ -16,7 +16,7 @@
 #include "engine/terms/velocity_gradient.hpp"
 
 /// Every loop over neighbours. All of them gather over i, so that no result depends on the number of threads.
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Works out the geometry of pairs.
 template <const Formulation& M, int Dim>
@@ -290,4 +290,4 @@ void half_drift(const UlSplitFields<Dim>& s, const Constants& c, double dt, cons
   });
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -8,7 +8,7 @@
 #include "engine/solver/contact/near_other_bodies.hpp"
 #include "engine/solver/particles.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Candidates of contact between two bodies: pairs of particles that may come within `reach` before the next
 /// search, flat, by particle. Only particles in the widened box of another body are searched.
@@ -76,4 +76,4 @@ class BodyPairs {
   std::vector<Vec<double, Dim>> x_;
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

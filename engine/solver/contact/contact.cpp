@@ -6,7 +6,7 @@
 #include "engine/solver/contact/pair_contacts.hpp"
 #include "engine/terms/contact_laws.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 template <int Dim>
 Contact<Dim>::Contact(const SolverInput& input) : walls_(input.scene) {
@@ -67,4 +67,4 @@ auto Contact<Dim>::impulse(int body, int other, int wall) const -> V {
 template class Contact<2>;
 template class Contact<3>;
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -8,7 +8,7 @@
 #include "engine/solver/particles.hpp"
 #include "engine/solver/solver_input.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Contact of bodies with each other, with walls and of folds of one body, by one mechanism: the forces, the
 /// impulses of walls and the values of probes.
@@ -100,4 +100,4 @@ class Contact {
   std::vector<Probed> probed_;
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

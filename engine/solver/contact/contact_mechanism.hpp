@@ -10,7 +10,7 @@
 #include "engine/solver/contact/wall_contacts.hpp"
 #include "engine/solver/particles.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 class FaceContacts;
 class FacetContacts;
@@ -74,4 +74,4 @@ class ContactMechanism {
   std::vector<int> touching_;
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

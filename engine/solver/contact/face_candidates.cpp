@@ -7,7 +7,7 @@
 
 #include "engine/solver/contact/near_other_bodies.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 bool FaceCandidates::search(const Particles<2>& s, MovingFaces& faces, const WallContacts<2>& walls,
                             std::optional<double> way) {
@@ -109,4 +109,4 @@ void FaceCandidates::watch(const MovingFaces& faces) {
   });
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -12,7 +12,7 @@
 #include "engine/solver/particles.hpp"
 #include "engine/solver/solver_input.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Candidates of contact between faces in 2D: nodes with segments of other bodies, nodes with segments of their own
 /// body if it may fold, and nodes near walls. Own segments count if they were further than `far_apart` from the node
@@ -75,4 +75,4 @@ class FaceCandidates {
   std::vector<V> behind_;  // [node] position of the particle behind it, m
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

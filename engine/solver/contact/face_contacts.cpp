@@ -9,7 +9,7 @@
 #include "engine/error.hpp"
 #include "engine/scene/outline.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 namespace {
 
@@ -191,4 +191,4 @@ double FaceContacts::gap(const Particles<2>& s, int a, int b) {
   return least;
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -12,7 +12,7 @@
 #include "engine/solver/solver_input.hpp"
 #include "engine/terms/surface_contact.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Contact between overlapping faces in 2D, by the law of terms/surface_contact.hpp. Each node of a face is pushed to
 /// its closest point of the other face, which is pushed back. That force goes to the ends of its segment by ξ, and from
@@ -75,4 +75,4 @@ class FaceContacts final : public ContactMechanism<2> {
   std::vector<V> reaction_;   // from nodes of other bodies
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -9,7 +9,7 @@
 #include "engine/neighbors/neighbors.hpp"
 #include "engine/solver/contact/moving_faces.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Nodes, each with segments of one body near it: those of entry k are segment[begin[k]] …
 /// segment[begin[k + 1] − 1], in rising order.
@@ -95,4 +95,4 @@ class FaceSearch {
   const std::vector<int>* order_ = nullptr;
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -14,7 +14,7 @@
 #include "engine/solver/contact/wall_contacts.hpp"
 #include "engine/solver/solver_input.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Candidates of contact between facets: pairs of two bodies, pairs of a body that folds, which were further apart at
 /// the start than `far_apart`, or `far_inside` with the body between them, and facets near walls. A search is valid
@@ -152,4 +152,4 @@ class FacetCandidates {
   MotionBound<3> others_bound_, own_bound_;
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -8,7 +8,7 @@
 #include "engine/error.hpp"
 #include "engine/scene/surface_mesh.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 FacetContacts::FacetContacts(const SolverInput& input)
     : dp_(input.constants.dp),
@@ -242,4 +242,4 @@ double FacetContacts::gap(const Particles<3>& s, int a, int b) {
   return least;
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -11,7 +11,7 @@
 #include "engine/solver/solver_input.hpp"
 #include "engine/terms/surface_contact.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Contact between overlapping faces in 3D, by the law of terms/surface_contact.hpp. The force is the slope of an energy
 /// of all facets; the depth of a facet is measured from the mean of the facets of another body around it. A body that
@@ -108,4 +108,4 @@ class FacetContacts final : public ContactMechanism<3> {
   std::vector<V> force_;                     // [node] N
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

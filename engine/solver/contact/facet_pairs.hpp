@@ -10,7 +10,7 @@
 #include "engine/core/pack.hpp"
 #include "engine/solver/contact/moving_facets.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Which pairs of facets a search finds.
 enum class PairsOf {
@@ -206,4 +206,4 @@ class FacetPairs {
   std::vector<Cluster> clusters_;
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -9,7 +9,7 @@
 #include "engine/materials/rotated_piola.hpp"
 #include "engine/methods/term_info.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Decides when points of one and the same body have to be searched again: `holds` while none of them can
 /// have come nearer to another by more than what was free at the last search. The bound is twice the way of
@@ -81,4 +81,4 @@ inline constexpr TermInfo self_contact_info{
     "ours", "solver/contact/motion_bound.hpp:MotionBound",
     "contact: a strip that folds meets itself, by every law, and does not pass through"};
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -11,7 +11,7 @@
 #include "engine/solver/particles.hpp"
 #include "engine/terms/surface_contact.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// The half of one of a node's two sides that belongs to the node, as far as it lies over a segment and faces it.
 struct FacingHalf {
@@ -346,4 +346,4 @@ class MovingFaces {
   std::vector<V> normal_;                   // [segment] as normal_of
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -10,7 +10,7 @@
 #include "engine/scene/surface_mesh.hpp"
 #include "engine/solver/particles.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Of those that are not 0.
 inline std::vector<int> indices_of(const std::vector<char>& seen) {
@@ -136,4 +136,4 @@ class MovingFacets {
   std::vector<Place> place_;
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -5,7 +5,7 @@
 
 #include "engine/core/tensor.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Marks the points in the box around another body, widened by `margin`, m. Bodies without points have no box.
 template <int Dim>
@@ -36,4 +36,4 @@ std::vector<char> near_other_bodies(const std::vector<Vec<double, Dim>>& x, cons
   return near;
 }
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -12,7 +12,7 @@
 #include "engine/solver/particles.hpp"
 #include "engine/solver/solver_input.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Candidates of contact of a body that folds: pairs of its particles that were far apart at the start and have
 /// come near. Only particles that faces move with (scene/outline.hpp) are searched. They keep their places in the
@@ -103,4 +103,4 @@ class OwnPairs {
   std::vector<std::pair<int, int>> found_;  // stored i, and j in the order of creation
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

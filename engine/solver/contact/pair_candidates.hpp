@@ -11,7 +11,7 @@
 #include "engine/solver/particles.hpp"
 #include "engine/solver/solver_input.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Candidates of contact between particles: pairs of two bodies, pairs of a body that folds, and particles near
 /// walls.
@@ -101,4 +101,4 @@ class PairCandidates {
   double travelled_ = 0;  // by the fastest particle since the last search of the others, m
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

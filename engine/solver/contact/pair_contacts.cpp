@@ -6,7 +6,7 @@
 
 #include "engine/terms/penalty_contact.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 template <int Dim>
 PairContacts<Dim>::PairContacts(const SolverInput& input, const ContactLawRow& law, bool between_bodies)
@@ -146,4 +146,4 @@ auto PairContacts<Dim>::impulse(int body, int other, int wall) const -> V {
 template class PairContacts<2>;
 template class PairContacts<3>;
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

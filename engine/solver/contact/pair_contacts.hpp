@@ -9,7 +9,7 @@
 #include "engine/solver/solver_input.hpp"
 #include "engine/terms/contact_law_row.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Contact between particles of two bodies, or of two parts of a body that folds, that are less than a spacing apart,
 /// by a law of forces or of impulses. It acts along the pair and is equal and opposite to the last bit. A wall acts as
@@ -74,4 +74,4 @@ class PairContacts final : public ContactMechanism<Dim> {
       given_;  // [body][body, then wall] N s in the last step; empty if no probe measures it
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

@@ -8,7 +8,7 @@
 #include "engine/core/pack.hpp"
 #include "engine/neighbors/neighbors.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Points of bodies in columns, each with `lanes` readable entries after the last one.
 template <int Dim>
@@ -109,4 +109,4 @@ class PointSearch {
   std::vector<double> distance2_;  // m²
 };
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

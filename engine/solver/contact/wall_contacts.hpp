@@ -7,7 +7,7 @@
 #include "engine/scene/scene.hpp"
 #include "engine/snapshot.hpp"
 
-namespace taut::inline TAUT_ISA {
+namespace taut {
 
 /// Rigid walls: half-spaces that nothing enters. A wall acts on a particle as the particle's own mirror image
 /// in it would by the law of contact, twice the height away, so that a body on a wall does what it would do
@@ -61,4 +61,4 @@ inline constexpr TermInfo wall_info{
     "wall", "the law of contact with the body's own mirror image; sph: the penalty law", "ours",
     "solver/contact/wall_contacts.hpp:WallContacts", "wall: a body meets its mirror image"};
 
-}  // namespace taut::inline TAUT_ISA
+}  // namespace taut

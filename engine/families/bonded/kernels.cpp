@@ -1,0 +1,28 @@
+// Compiled once per instruction set; see engine/CMakeLists.txt.
+#include "engine/families/bonded/kernels.hpp"
+
+#include "engine/families/bonded/passes.hpp"
+#include "engine/families/kernel_tables.hpp"
+
+namespace taut {
+namespace {
+
+struct Tables {
+  template <const Formulation& M, int Dim>
+  static constexpr BondedKernels<Dim> of{
+      .half_drift = half_drift<M, Dim>,
+      .stresses = stress_pass<M, Dim>,
+      .forces = force_pass<M, Dim>,
+      .inner_forces = inner_forces<M, Dim>,
+      .show = show_pass<M, Dim>,
+  };
+};
+
+}  // namespace
+
+template <>
+const void* kernels_of<int(Family::bonded)>(int dim, std::string_view method) {
+  return table_among<Family::bonded, Tables>(dim, method, Methods{});
+}
+
+}  // namespace taut

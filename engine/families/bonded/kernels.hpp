@@ -1,0 +1,22 @@
+#pragma once
+
+#include "engine/core/threads.hpp"
+#include "engine/families/bonded/fields.hpp"
+#include "engine/solver/kick.hpp"
+
+namespace taut {
+
+/// The functions of a method that run once per particle and step; passes.hpp documents them.
+template <int Dim>
+struct BondedKernels {
+  using Fields = BondedFields<Dim>;
+
+  void (*half_drift)(const Fields& f, double dt, const Threads& threads);
+  double (*stresses)(const Fields& f, const Threads& threads);
+  double (*forces)(const Fields& f, const Kick<Dim>& kick, const Threads& threads);
+  void (*inner_forces)(const Fields& f, Vec<double, Dim>* out, const Threads& threads);
+  void (*show)(const Fields& f, const RecoveredView& recovered, const StoredPack* displacements,
+               const int* groups, int count, ShownGroup<Dim>* out, const Threads& threads);
+};
+
+}  // namespace taut
