@@ -94,43 +94,4 @@ class Materials {
   Laws::Each laws_;
 };
 
-/// The laws of the materials of a run: one law, which is known at run time only, with the numbers of each. A
-/// pass over particles asks which it is once, and is compiled with each law that the method may run with: a
-/// call for each particle makes a step of `tl` with the linear law 1.4 times as long, and the whole solver
-/// for each law takes too long to build.
-template <const Formulation& M>
-class ChosenLaws {
- public:
-  ChosenLaws() = default;
-  ChosenLaws(Law law, const std::vector<Elasticity>& materials) { take(law, materials, Laws{}); }
-
-  /// `pass`(laws), where laws[m] is the law of material m.
-  template <class Pass>
-  auto visit(const Pass& pass) const {
-    using Result = std::invoke_result_t<Pass, const std::vector<LawOf<M.law>>&>;
-    return std::visit(
-        [&]<Law L>(const std::vector<LawOf<L>>& laws) -> Result {
-          if constexpr (may_run_with<M, L>)
-            return pass(laws);
-          else
-            __builtin_unreachable();
-        },
-        laws_);
-  }
-
- private:
-  template <Law... L>
-  void take(Law law, const std::vector<Elasticity>& materials, LawList<L...>) {
-    const auto take_one = [&]<Law One>() {
-      if (One != law) return;
-      std::vector<LawOf<One>> own;
-      for (const Elasticity& material : materials) own.push_back(law_of<One>(material));
-      laws_ = std::move(own);
-    };
-    (take_one.template operator()<L>(), ...);
-  }
-
-  Laws::Each laws_;
-};
-
 }  // namespace taut

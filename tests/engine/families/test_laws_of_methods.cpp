@@ -41,7 +41,7 @@ Elasticity rubber(double share) {
 template <class Visit>
 void for_each_law(const Elasticity& e, const Visit& visit) {
   for (const Law law : choices)
-    ChosenLaws<oenog>(law, {e}).visit([&](const auto& laws) { visit(law_row(law), laws[0]); });
+    Materials(law, {e}).visit(0, [&](const auto& own) { visit(law_row(law), own); });
 }
 
 template <int Dim>

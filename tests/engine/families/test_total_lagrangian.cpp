@@ -65,7 +65,7 @@ std::vector<M2> gradients(const InitialPairs<2>& pairs, const std::vector<V2>& u
   for (int i = 0; i < pairs.size(); ++i) columns[0][i] = u[i][0], columns[1][i] = u[i][1];
   std::vector<M2> all;
   for (int i = 0; i < pairs.size(); ++i)
-    all.push_back(product(lane_of(of_four.difference_sum(columns, i / lanes), i % lanes), pairs.B[i]));
+    all.push_back(product(lane_of(of_four.view().difference_sum(columns, i / lanes), i % lanes), pairs.B[i]));
   return all;
 }
 
@@ -74,7 +74,7 @@ void project_all(std::vector<V2>& a, const std::vector<V2>& Z, const std::vector
   Columns<2> columns;
   columns.resize(static_cast<int>(a.size()) + lanes);
   for (std::size_t i = 0; i < a.size(); ++i) columns[0][i] = a[i][0], columns[1][i] = a[i][1];
-  project_on_momenta(columns, Z, V, first, last);
+  project_on_momenta(columns, Z.data(), V.data(), first, last);
   for (std::size_t i = 0; i < a.size(); ++i) a[i] = {columns[0][i], columns[1][i]};
 }
 
@@ -189,7 +189,7 @@ TEST_SUITE("term") {
     const PairLanes<2> of_four = four_at_a_time(pairs);
     const double step = 1e-4 * cloud.dp;
     for (const int i : {0, 7, pairs.size() / 2, pairs.size() - 1}) {
-      const V2 force = lane_of(of_four.pair_sum(stress, i / lanes), i % lanes);
+      const V2 force = lane_of(of_four.view().pair_sum(stress, i / lanes), i % lanes);
       for (int a = 0; a < 2; ++a) {
         std::vector<V2> up = u, down = u;
         up[i][a] += step, down[i][a] -= step;
@@ -214,7 +214,8 @@ TEST_SUITE("term") {
                      y = (cloud.X[j][1] - cloud.X[i][1]) / cloud.dp;
         U[0][j] = 1, U[1][j] = 3 + x, U[2][j] = y - 2 * x, U[3][j] = x * x + y * y;
       }
-      const Vec<double, 4> L = lane_of(differences_and_laplacian(of_four, U, i / lanes).laplacian, i % lanes);
+      const Vec<double, 4> L =
+          lane_of(differences_and_laplacian(of_four.view(), U, i / lanes).laplacian, i % lanes);
       CHECK(L[0] == 0);
       CHECK(std::abs(L[1]) < 1e-10);
       CHECK(std::abs(L[2]) < 1e-10);
