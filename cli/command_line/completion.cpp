@@ -5,8 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/command_line/placeholders.hpp"
 #include "cli/scene/shipped.hpp"
@@ -19,39 +18,39 @@ using Words = std::vector<std::string>;
 
 bool is_option(const std::string& word) { return word.size() > 1 && word[0] == '-'; }
 
-bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
-
-bool may_be_repeated(const CLI::Option& option) { return option.get_items_expected_max() > 1; }
-
-std::string placeholder(const CLI::Option& option) {
-  return option.nonpositional() ? option.get_option_text() : option.get_name(true);
-}
-
 std::string up_to_end_of_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 /// A command line as far as it is typed: which option or argument the last word belongs to.
 class CommandLine {
  public:
-  CommandLine(const CLI::App& app, const Words& words) : app_(app) {
+  CommandLine(const Options& command, const Words& words) : options_(command.all()) {
     for (std::size_t k = 0; k + 1 < words.size(); ++k) take(words[k]);
   }
 
-  /// The option whose value comes next; nullptr: none was begun.
-  const CLI::Option* open_option() const { return open_; }
-  /// The positional argument that comes next; nullptr: there is none left.
-  const CLI::Option* next_argument() const {
+  /// The option whose value comes next; none if none was begun.
+  const std::optional<Option>& open_option() const { return open_; }
+  /// The positional argument that comes next; none if none is left.
+  std::optional<Option> next_argument() const {
     std::size_t place = 0;
-    for (const CLI::Option* option : app_.get_options()) {
-      if (option->nonpositional()) continue;
-      if (place++ == arguments_.size() || may_be_repeated(*option)) return option;
+    for (const Option& option : options_) {
+      if (!option.is_positional()) continue;
+      if (place++ == arguments_.size() || option.may_be_repeated()) return option;
     }
-    return nullptr;
+    return std::nullopt;
   }
-  bool has(const CLI::Option& option) const { return std::ranges::find(seen_, &option) != seen_.end(); }
-  const CLI::Option* find(const std::string& name) const {
-    for (const CLI::Option* option : app_.get_options())
-      if (option->nonpositional() && option->check_name(name)) return option;
-    return nullptr;
+  std::optional<Option> find(const std::string& name) const {
+    for (const Option& option : options_)
+      if (!option.is_positional() && option.has_name(name)) return option;
+    return std::nullopt;
+  }
+  /// Options that may follow.
+  std::vector<Option> next_options() const {
+    std::vector<Option> next;
+    for (const Option& option : options_)
+      if (!option.is_positional() &&
+          (option.may_be_repeated() || std::ranges::find(seen_, option) == seen_.end()))
+        next.push_back(option);
+    return next;
   }
   /// The scene that is typed, as it is with the method that is typed, or that of a run's folder; none if
   /// there is no such thing yet.
@@ -73,63 +72,55 @@ class CommandLine {
   void take(const std::string& word) {
     if (open_) {
       note(*open_, word);
-      open_ = nullptr;
+      open_.reset();
     } else if (is_option(word)) {
       const std::size_t equals = std::min(word.find('='), word.size());
-      const CLI::Option* option = find(word.substr(0, equals));
+      const std::optional<Option> option = find(word.substr(0, equals));
       if (!option) return;
-      seen_.push_back(option);
-      if (takes_value(*option) && equals == word.size()) open_ = option;
+      seen_.push_back(*option);
+      if (option->takes_value() && equals == word.size()) open_ = option;
       if (equals < word.size()) note(*option, word.substr(equals + 1));
     } else {
       arguments_.push_back(word);
     }
   }
-  void note(const CLI::Option& option, const std::string& value) {
-    if (placeholder(option) == "METHOD") method_ = value;
+  void note(const Option& option, const std::string& value) {
+    if (option.placeholder() == "METHOD") method_ = value;
   }
 
-  const CLI::App& app_;
-  const CLI::Option* open_ = nullptr;
-  std::vector<const CLI::Option*> seen_;
+  std::vector<Option> options_, seen_;
+  std::optional<Option> open_;
   Words arguments_;
   std::optional<std::string> method_;
 };
 
-void add_values(Completion& completion, const CLI::Option& option, const CommandLine& line,
+void add_values(Completion& completion, const Option& option, const CommandLine& line,
                 const std::string& before, const std::string& typed) {
-  const std::string name = placeholder(option);
   const std::optional<SceneFile> scene = line.scene();
-  Choices found = choices(name, typed, scene ? &*scene : nullptr);
+  Choices found = choices(option.placeholder(), typed, scene ? &*scene : nullptr);
   completion.files = found.files;
   for (const std::string& word : found.words) completion.words.push_back({before + word, ""});
 }
 
-void add_options(Completion& completion, const CLI::App& app, const CommandLine& line) {
-  for (const CLI::Option* option : app.get_options())
-    for (const std::string& name : option->get_lnames())
-      if (!line.has(*option) || may_be_repeated(*option))
-        completion.words.push_back({"--" + name, up_to_end_of_line(option->get_description())});
-}
-
 Completion complete_command(const Command& command, const Words& words) {
-  CLI::App app;
-  app.set_help_flag("--help,-h", "show options and examples");
-  command.declare(app);
-  const CommandLine line(app, words);
+  Options options({.program = "", .summary = "", .examples = "", .help_flag = "show options and examples"});
+  command.declare(options);
+  const CommandLine line(options, words);
   const std::string& last = words.back();
   Completion completion;
   const std::size_t equals = last.find('=');
-  if (const CLI::Option* option = line.open_option()) {
+  if (const std::optional<Option>& option = line.open_option()) {
     add_values(completion, *option, line, "", last);
   } else if (is_option(last) && equals != std::string::npos) {
-    const CLI::Option* assigned = line.find(last.substr(0, equals));
-    if (assigned && takes_value(*assigned))
+    const std::optional<Option> assigned = line.find(last.substr(0, equals));
+    if (assigned && assigned->takes_value())
       add_values(completion, *assigned, line, last.substr(0, equals + 1), last.substr(equals + 1));
   } else {
-    const CLI::Option* argument = line.next_argument();
+    const std::optional<Option> argument = line.next_argument();
     if (argument && !last.starts_with('-')) add_values(completion, *argument, line, "", last);
-    if (last.starts_with('-') || !argument) add_options(completion, app, line);
+    if (last.starts_with('-') || !argument)
+      for (const Option& next : line.next_options())
+        completion.words.push_back({next.name(), up_to_end_of_line(next.help())});
   }
   return completion;
 }

@@ -1,7 +1,6 @@
 #include <ostream>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/commands/picture_options.hpp"
 #include "cli/study/chart_tables.hpp"
@@ -36,23 +35,19 @@ int chart(const ChartArguments& options, Streams streams) {
 
 }  // namespace
 
-std::function<int(Streams)> declare_chart(CLI::App& app) {
+std::function<int(Streams)> declare_chart(Options& command) {
   auto options = std::make_shared<ChartArguments>();
-  options->declare(app, "chart.png|chart.svg", /*needed=*/false);
-  declare_measure(app, options->request.measure);
-  app.add_option("--cost", options->cost,
-                 "x axis: seconds of solving, or steps (particles × time steps); default: seconds")
-      ->option_text(join(cost_names(), "|"));
-  app.add_option("--methods", options->request.methods, "methods to draw; default: all")
-      ->option_text("METHOD,...")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  app.add_option("--against", options->request.against,
-                 "use the finest stable run of METHOD as the reference, for scenes without a reference")
-      ->option_text("METHOD");
-  app.add_flag("--json", options->json, "print all data as JSON; --out is then optional");
-  app.add_flag("--markdown", options->markdown,
-               "print a table of errors by method and spacing; --out is then optional");
+  options->declare(command, "chart.png|chart.svg", /*needed=*/false);
+  declare_measure(command, options->request.measure);
+  command.add("--cost", join(cost_names(), "|"), options->cost,
+              "x axis: seconds of solving, or steps (particles × time steps); default: seconds");
+  command.add("--methods", "METHOD,...", options->request.methods, "methods to draw; default: all")
+      .comma_separated();
+  command.add("--against", "METHOD", options->request.against,
+              "use the finest stable run of METHOD as the reference, for scenes without a reference");
+  command.add_flag("--json", options->json, "print all data as JSON; --out is then optional");
+  command.add_flag("--markdown", options->markdown,
+                   "print a table of errors by method and spacing; --out is then optional");
   return [options](Streams streams) { return chart(*options, streams); };
 }
 

@@ -1,8 +1,8 @@
+#include <algorithm>
 #include <filesystem>
 #include <ostream>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/study/expectation.hpp"
 #include "cli/system/exit_code.hpp"
@@ -52,22 +52,19 @@ int check(const CheckArguments& options, std::ostream& out) {
 
 }  // namespace
 
-std::function<int(Streams)> declare_check(CLI::App& app) {
+std::function<int(Streams)> declare_check(Options& command) {
   auto options = std::make_shared<CheckArguments>();
-  app.add_option("DIR", options->run, "folder of a run, or its run.json")->option_text(" ")->required();
-  app.add_option("--measure", options->measures,
-                 "an expected value NAME=VALUE±TOLERANCE (also +-; the tolerance in % or in the unit of the "
-                 "measure) or a bound NAME<VALUE, NAME>VALUE; also of a number in run.json, such as "
-                 "conservation.energy<1e-3")
-      ->option_text("MEASURE ...");
-  app.add_option("--baseline", options->baseline,
-                 "folder or run.json of another run, whose measures and verdict are expected")
-      ->option_text("FILE");
-  app.add_option("--tolerance", options->tolerance,
-                 "for measures without one of their own, and for --baseline")
-      ->option_text("X");
-  app.add_option("--verdict", options->verdict, "the worst verdict that is allowed, such as stable")
-      ->option_text("stable|VERDICT");
+  command.add_argument("DIR", options->run, "folder of a run, or its run.json").required();
+  command.add("--measure", "MEASURE ...", options->measures,
+              "an expected value NAME=VALUE±TOLERANCE (also +-; the tolerance in % or in the unit of the "
+              "measure) or a bound NAME<VALUE, NAME>VALUE; also of a number in run.json, such as "
+              "conservation.energy<1e-3");
+  command.add("--baseline", "FILE", options->baseline,
+              "folder or run.json of another run, whose measures and verdict are expected");
+  command.add("--tolerance", "X", options->tolerance,
+              "for measures without one of their own, and for --baseline");
+  command.add("--verdict", "stable|VERDICT", options->verdict,
+              "the worst verdict that is allowed, such as stable");
   return [options](Streams streams) { return check(*options, streams.out); };
 }
 

@@ -5,8 +5,7 @@
 #include <filesystem>
 #include <ostream>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/commands/picture_options.hpp"
 #include "cli/scene/scene_file.hpp"
@@ -120,30 +119,26 @@ int choose(const ChooseArguments& options, Streams streams) {
 
 }  // namespace
 
-std::function<int(Streams)> declare_choose(CLI::App& app) {
+std::function<int(Streams)> declare_choose(Options& command) {
   auto options = std::make_shared<ChooseArguments>();
-  app.add_option("SCENE", options->scene, "a name from `taut list scenes`, or the path of a scene file")
-      ->option_text(" ")
-      ->required();
-  app.add_option("--error", options->error,
-                 "largest acceptable error, such as 1% or 0.01; default: list the cost of each accuracy")
-      ->option_text("X");
-  app.add_option_function<std::vector<std::string>>(
-         "--set",
-         [options](const std::vector<std::string>& assignments) {
-           for (const std::string& text : assignments) options->settings.push_back(parse_setting(text));
-         },
-         "value of a parameter of the scene; runs with other values are ignored")
-      ->option_text("NAME=VALUE ...")
-      ->allow_extra_args(false)
-      ->check(assignment);
-  app.add_option("--seconds", options->seconds, "largest acceptable time of solving, s; default: no limit")
-      ->option_text("T")
-      ->check(positive_number);
-  declare_measure(app, options->measure);
-  app.add_option("--from", options->from,
-                 "results.csv files of sweeps, or the folders of sweeps; default: all below out/")
-      ->option_text("FILE ...");
+  command.add_argument("SCENE", options->scene, "a name from `taut list scenes`, or the path of a scene file")
+      .required();
+  command.add("--error", "X", options->error,
+              "largest acceptable error, such as 1% or 0.01; default: list the cost of each accuracy");
+  command
+      .add(
+          "--set", "NAME=VALUE ...",
+          [options](const std::vector<std::string>& assignments) {
+            for (const std::string& text : assignments) options->settings.push_back(parse_setting(text));
+          },
+          "value of a parameter of the scene; runs with other values are ignored")
+      .one_word_each()
+      .check(assignment);
+  command.add("--seconds", "T", options->seconds, "largest acceptable time of solving, s; default: no limit")
+      .check(positive_number);
+  declare_measure(command, options->measure);
+  command.add("--from", "FILE ...", options->from,
+              "results.csv files of sweeps, or the folders of sweeps; default: all below out/");
   return [options](Streams streams) { return choose(*options, streams); };
 }
 

@@ -2,23 +2,23 @@
 
 namespace taut::cli {
 
-std::function<int(Streams)> declare_run(CLI::App&);
-std::function<int(Streams)> declare_render(CLI::App&);
-std::function<int(Streams)> declare_sweep(CLI::App&);
-std::function<int(Streams)> declare_chart(CLI::App&);
-std::function<int(Streams)> declare_map(CLI::App&);
-std::function<int(Streams)> declare_choose(CLI::App&);
-std::function<int(Streams)> declare_plot(CLI::App&);
-std::function<int(Streams)> declare_check(CLI::App&);
-std::function<int(Streams)> declare_compare(CLI::App&);
-std::function<int(Streams)> declare_movie(CLI::App&);
-std::function<int(Streams)> declare_diff(CLI::App&);
-std::function<int(Streams)> declare_snapshot(CLI::App&);
-std::function<int(Streams)> declare_critical_step(CLI::App&);
-std::function<int(Streams)> declare_session(CLI::App&);
-std::function<int(Streams)> declare_list(CLI::App&);
-std::function<int(Streams)> declare_describe(CLI::App&);
-std::function<int(Streams)> declare_completion(CLI::App&);
+std::function<int(Streams)> declare_run(Options&);
+std::function<int(Streams)> declare_render(Options&);
+std::function<int(Streams)> declare_sweep(Options&);
+std::function<int(Streams)> declare_chart(Options&);
+std::function<int(Streams)> declare_map(Options&);
+std::function<int(Streams)> declare_choose(Options&);
+std::function<int(Streams)> declare_plot(Options&);
+std::function<int(Streams)> declare_check(Options&);
+std::function<int(Streams)> declare_compare(Options&);
+std::function<int(Streams)> declare_movie(Options&);
+std::function<int(Streams)> declare_diff(Options&);
+std::function<int(Streams)> declare_snapshot(Options&);
+std::function<int(Streams)> declare_critical_step(Options&);
+std::function<int(Streams)> declare_session(Options&);
+std::function<int(Streams)> declare_list(Options&);
+std::function<int(Streams)> declare_describe(Options&);
+std::function<int(Streams)> declare_completion(Options&);
 
 namespace {
 

@@ -2,8 +2,7 @@
 #include <ostream>
 #include <span>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/drawing/bounds.hpp"
 #include "cli/drawing/options.hpp"
@@ -200,23 +199,19 @@ int compare_runs(const CompareArguments& options, Streams streams) {
 
 }  // namespace
 
-std::function<int(Streams)> declare_compare(CLI::App& app) {
+std::function<int(Streams)> declare_compare(Options& command) {
   auto options = std::make_shared<CompareArguments>();
-  app.add_option("DIR", options->runs,
-                 "run folders with particles (`taut run --save-particles`), one column each")
-      ->option_text("...")
-      ->required();
-  app.add_option("--out", options->out, "picture to write")
-      ->option_text("panel.png")
-      ->required()
-      ->check(png_name);
-  app.add_option("--times", options->times,
-                 "times to draw, s, one row each; default: 1/4, 1/2, 3/4 and the end of the longest run")
-      ->option_text("T,...")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(not_negative_number);
-  declare_drawing_options(app, *options);
+  command
+      .add("DIR", "...", options->runs,
+           "run folders with particles (`taut run --save-particles`), one column each")
+      .required();
+  command.add("--out", "panel.png", options->out, "picture to write").required().check(png_name);
+  command
+      .add("--times", "T,...", options->times,
+           "times to draw, s, one row each; default: 1/4, 1/2, 3/4 and the end of the longest run")
+      .comma_separated()
+      .check(not_negative_number);
+  declare_drawing_options(command, *options);
   return [options](Streams streams) { return compare_runs(*options, streams); };
 }
 

@@ -2,8 +2,7 @@
 #include <ostream>
 #include <string_view>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/text/format.hpp"
@@ -84,9 +83,9 @@ int print_script(const std::string& shell, std::ostream& out) {
 
 }  // namespace
 
-std::function<int(Streams)> declare_completion(CLI::App& app) {
+std::function<int(Streams)> declare_completion(Options& command) {
   auto shell = std::make_shared<std::string>();
-  app.add_option(join(shells(), "|"), *shell, "shell that loads the script")->option_text(" ")->required();
+  command.add_argument(join(shells(), "|"), *shell, "shell that loads the script").required();
   return [shell](Streams streams) { return print_script(*shell, streams.out); };
 }
 

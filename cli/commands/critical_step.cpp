@@ -3,14 +3,13 @@
 #include <memory>
 #include <ostream>
 
-#include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
-
+#include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/run/plan.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
+#include "cli/text/json.hpp"
 #include "engine/diagnostics/step_limits.hpp"
 #include "engine/error.hpp"
 
@@ -75,16 +74,14 @@ std::string result_text(const SceneFile& file, const CriticalStep& found) {
   return text + in_columns(rows);
 }
 
-nlohmann::ordered_json result_json(const SceneFile& file, const CriticalStep& found) {
-  using Json = nlohmann::ordered_json;
-  const auto value = [](const std::optional<double>& v) { return v ? Json(*v) : Json(); };
+Json result_json(const SceneFile& file, const CriticalStep& found) {
   Json limits = Json::array();
   for (const StepLimit& limit : step_limits(file.scene, file.settings))
-    limits.push_back({{"name", limit.name}, {"source", limit.source}, {"step", limit.step}});
+    limits.add({{"name", limit.name}, {"source", limit.source}, {"step", limit.step}});
   Json json{{"scene", file.scene.name}, {"method", file.settings.method}, {"spacing", file.scene.spacing}};
   json["unit"] = "s";
-  json["critical_step"] = value(found.stable);
-  json["unstable_step"] = value(found.unstable);
+  json["critical_step"] = found.stable;
+  json["unstable_step"] = found.unstable;
   json["default_step"] = found.default_step;
   json["over_default"] = found.stable ? Json(*found.stable / found.default_step) : Json();
   json["covered"] = found.covered;
@@ -114,30 +111,29 @@ std::string tolerance_in_bounds(const std::string& text) {
 
 }  // namespace
 
-std::function<int(Streams)> declare_critical_step(CLI::App& app) {
+std::function<int(Streams)> declare_critical_step(Options& command) {
   auto options = std::make_shared<CriticalStepArguments>();
-  app.add_option("SCENE", options->scene, "a name from `taut list scenes`, or the path of a scene file")
-      ->option_text(" ")
-      ->required();
-  declare_setting_options(app, *options);
-  app.add_option("--steps", options->steps,
-                 "length of a trial, in default time steps; "
-                 "at most the whole scene, and at least 300 steps of the trial; default: " +
-                     std::to_string(options->steps))
-      ->option_text("N")
-      ->check(positive_whole_number);
-  app.add_option(
-         "--tolerance", options->tolerance,
-         "largest relative distance between the stable and the unstable step found, 1e-9 to 0.5; default: " +
-             brief(options->tolerance))
-      ->option_text("X")
-      ->check(tolerance_in_bounds);
-  app.add_option("--threads", options->threads,
-                 "number of threads; default: all cores, fewer for small scenes")
-      ->option_text("N")
-      ->check(positive_whole_number);
-  app.add_flag("--json", options->json, "print JSON, for scripts");
-  app.add_flag("--quiet", options->quiet, "print no progress on stderr");
+  command.add_argument("SCENE", options->scene, "a name from `taut list scenes`, or the path of a scene file")
+      .required();
+  declare_setting_options(command, *options);
+  command
+      .add("--steps", "N", options->steps,
+           "length of a trial, in default time steps; "
+           "at most the whole scene, and at least 300 steps of the trial; default: " +
+               std::to_string(options->steps))
+      .check(positive_whole_number);
+  command
+      .add(
+          "--tolerance", "X", options->tolerance,
+          "largest relative distance between the stable and the unstable step found, 1e-9 to 0.5; default: " +
+              brief(options->tolerance))
+      .check(tolerance_in_bounds);
+  command
+      .add("--threads", "N", options->threads,
+           "number of threads; default: all cores, fewer for small scenes")
+      .check(positive_whole_number);
+  command.add_flag("--json", options->json, "print JSON, for scripts");
+  command.add_flag("--quiet", options->quiet, "print no progress on stderr");
   return [options](Streams streams) { return find(*options, streams); };
 }
 

@@ -3,9 +3,7 @@
 #include <cstddef>
 #include <ostream>
 
-#include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
-
+#include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/language/reference.hpp"
 #include "cli/scene/scene_file.hpp"
@@ -14,6 +12,7 @@
 #include "cli/system/exit_code.hpp"
 #include "cli/system/terminal_columns.hpp"
 #include "cli/text/format.hpp"
+#include "cli/text/json.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
 #include "engine/families/catalogue.hpp"
@@ -204,14 +203,12 @@ void describe_method(const MethodInfo& method, std::ostream& out) {
   print_table(out, "Constants (--set method.NAME=VALUE)", constants, 1);
 }
 
-using Json = nlohmann::ordered_json;
-
 Json as_json(const Topic& topic) {
   Json keys = Json::array();
   for (std::size_t r = 1; r < topic.rows.size(); ++r) {
     Json row;
     for (std::size_t k = 0; k < topic.rows[r].size(); ++k) row[topic.rows.front()[k]] = topic.rows[r][k];
-    keys.push_back(std::move(row));
+    keys.add(std::move(row));
   }
   return {{"name", topic.name},
           {"header", topic.header},
@@ -222,7 +219,7 @@ Json as_json(const Topic& topic) {
 
 Json as_json(const std::vector<Topic>& topics) {
   Json all = Json::array();
-  for (const Topic& topic : topics) all.push_back(as_json(topic));
+  for (const Topic& topic : topics) all.add(as_json(topic));
   return all;
 }
 
@@ -276,19 +273,19 @@ int describe(const std::string& name, bool json, std::ostream& out) {
 
 }  // namespace
 
-std::function<int(Streams)> declare_describe(CLI::App& app) {
+std::function<int(Streams)> declare_describe(Options& command) {
   struct DescribeArguments {
     std::string name;
     bool json = false;
   };
   auto options = std::make_shared<DescribeArguments>();
-  app.add_option(
-         "SCENE|METHOD|scene-file|sweep-file|SECTION", options->name,
-         "a name that `taut list` shows (also of a law, field, key, ...), a section of scene files, or the "
-         "path of a scene file")
-      ->option_text(" ")
-      ->required();
-  app.add_flag("--json", options->json, "print JSON, for scripts; not for scenes and methods");
+  command
+      .add_argument(
+          "SCENE|METHOD|scene-file|sweep-file|SECTION", options->name,
+          "a name that `taut list` shows (also of a law, field, key, ...), a section of scene files, or the "
+          "path of a scene file")
+      .required();
+  command.add_flag("--json", options->json, "print JSON, for scripts; not for scenes and methods");
   return [options](Streams streams) { return describe(options->name, options->json, streams.out); };
 }
 

@@ -1,8 +1,7 @@
 #include <filesystem>
 #include <ostream>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/run/frame_folders.hpp"
 #include "cli/system/atomic_file.hpp"
@@ -68,21 +67,19 @@ int diff(const DiffArguments& options, std::ostream& out) {
 
 }  // namespace
 
-std::function<int(Streams)> declare_diff(CLI::App& app) {
+std::function<int(Streams)> declare_diff(Options& command) {
   auto options = std::make_shared<DiffArguments>();
-  app.add_option("A", options->a, "first image (PNG), folder of images, or run folder")
-      ->option_text(" ")
-      ->required();
-  app.add_option(
-         "B", options->b,
-         "second one, of the same kind; images of the same name are compared and must have the same size")
-      ->option_text(" ")
-      ->required();
-  declare_difference_options(app, *options);
-  app.add_option("--out", options->out,
-                 "picture of the differences to write; for folders, of the pair that differs most")
-      ->option_text("diff.png")
-      ->check(png_name);
+  command.add_argument("A", options->a, "first image (PNG), folder of images, or run folder").required();
+  command
+      .add_argument(
+          "B", options->b,
+          "second one, of the same kind; images of the same name are compared and must have the same size")
+      .required();
+  declare_difference_options(command, *options);
+  command
+      .add("--out", "diff.png", options->out,
+           "picture of the differences to write; for folders, of the pair that differs most")
+      .check(png_name);
   return [options](Streams streams) { return diff(*options, streams.out); };
 }
 

@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <ostream>
 
-#include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
-
+#include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/language/reference.hpp"
 #include "cli/scene/scene_file.hpp"
@@ -11,14 +9,13 @@
 #include "cli/system/exit_code.hpp"
 #include "cli/system/terminal_columns.hpp"
 #include "cli/text/format.hpp"
+#include "cli/text/json.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
 #include "engine/families/catalogue.hpp"
 
 namespace taut::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// A list to print: one object per row, all with the same keys; the first key is the name.
 struct Listing {
@@ -37,7 +34,7 @@ Json scene_row(const std::string& name) try {
 
 Json scene_rows() {
   Json rows = Json::array();
-  for (const std::string& name : scene_names()) rows.push_back(scene_row(name));
+  for (const std::string& name : scene_names()) rows.add(scene_row(name));
   return rows;
 }
 
@@ -47,7 +44,7 @@ Json as_objects(const Rows& rows) {
   for (std::size_t r = 1; r < rows.size(); ++r) {
     Json object;
     for (std::size_t k = 0; k < rows[r].size(); ++k) object[rows.front()[k]] = rows[r][k];
-    objects.push_back(std::move(object));
+    objects.add(std::move(object));
   }
   return objects;
 }
@@ -63,7 +60,7 @@ Json equation_rows() {
   for (const MethodInfo& m : methods()) {
     for (const TermInfo& t : m.terms) {
       const Json row = {{"name", t.what}, {"source", t.source}, {"function", t.function}, {"test", t.test}};
-      if (std::ranges::find(rows, row) == rows.end()) rows.push_back(row);
+      if (std::ranges::find(rows.items(), row) == rows.items().end()) rows.add(row);
     }
   }
   return rows;
@@ -84,9 +81,9 @@ constexpr Listing listings[] = {
 
 std::string as_text(const Json& rows, std::optional<std::size_t> columns) {
   std::vector<std::vector<std::string>> cells;
-  for (const Json& row : rows) {
+  for (const Json& row : rows.items()) {
     cells.emplace_back();
-    for (const auto& [key, value] : row.items()) cells.back().push_back(value.get<std::string>());
+    for (const auto& [key, value] : row.members()) cells.back().push_back(value.text());
   }
   return in_columns(cells, 2, columns);
 }
@@ -109,7 +106,7 @@ int list_kinds(std::ostream& out) {
   std::vector<std::vector<std::string>> rows;
   for (const Listing& l : listings) {
     const std::string kind(l.kind);
-    rows.push_back({kind, std::to_string(l.rows().size()), "taut list " + kind, std::string(l.help)});
+    rows.push_back({kind, std::to_string(l.rows().items().size()), "taut list " + kind, std::string(l.help)});
   }
   out << in_columns(rows, 2, text_columns(out)) << '\n'
       << "taut list all prints everything; taut describe NAME explains one of them.\n";
@@ -143,15 +140,15 @@ int list(const std::string& kind, bool json, std::ostream& out) {
 
 }  // namespace
 
-std::function<int(Streams)> declare_list(CLI::App& app) {
+std::function<int(Streams)> declare_list(Options& command) {
   struct ListArguments {
     std::string kind;
     bool json = false;
   };
   auto options = std::make_shared<ListArguments>();
-  app.add_option(join(kinds(), "|"), options->kind, "the kind to list; default: the kinds with their counts")
-      ->option_text(" ");
-  app.add_flag("--json", options->json, "print JSON, for scripts; without a kind: everything");
+  command.add_argument(join(kinds(), "|"), options->kind,
+                       "the kind to list; default: the kinds with their counts");
+  command.add_flag("--json", options->json, "print JSON, for scripts; without a kind: everything");
   return [options](Streams streams) { return list(options->kind, options->json, streams.out); };
 }
 

@@ -1,7 +1,6 @@
 #include <ostream>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/commands/picture_options.hpp"
 #include "cli/study/study.hpp"
@@ -28,13 +27,13 @@ int map(const MapArguments& options, Streams streams) {
 
 }  // namespace
 
-std::function<int(Streams)> declare_map(CLI::App& app) {
+std::function<int(Streams)> declare_map(Options& command) {
   auto options = std::make_shared<MapArguments>();
-  options->declare(app, "map.png|map.svg", /*needed=*/false);
-  app.add_option("--parameter", options->parameter,
-                 "parameter on the x axis; default: the only one that was swept beside the method")
-      ->option_text("PARAMETER");
-  app.add_flag("--markdown", options->markdown, "print the map as a Markdown table; --out may be left out");
+  options->declare(command, "map.png|map.svg", /*needed=*/false);
+  command.add("--parameter", "PARAMETER", options->parameter,
+              "parameter on the x axis; default: the only one that was swept beside the method");
+  command.add_flag("--markdown", options->markdown,
+                   "print the map as a Markdown table; --out may be left out");
   return [options](Streams streams) { return map(*options, streams); };
 }
 

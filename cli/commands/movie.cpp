@@ -3,8 +3,7 @@
 #include <optional>
 #include <ostream>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/run/folder.hpp"
 #include "cli/run/frame_folders.hpp"
@@ -118,15 +117,13 @@ int movie(const MovieArguments& options, Streams streams) {
 
 }  // namespace
 
-std::function<int(Streams)> declare_movie(CLI::App& app) {
+std::function<int(Streams)> declare_movie(Options& command) {
   auto options = std::make_shared<MovieArguments>();
-  app.add_option("DIR", options->frames, "a run folder, or a folder of frames")->option_text(" ")->required();
-  app.add_option("--out", options->out, "movie to write")->option_text("movie.mp4|movie.gif")->required();
-  app.add_option("--fps", options->fps, "frames per second; default: 30")
-      ->option_text("N")
-      ->check(positive_number);
-  app.add_flag("--orbit", options->orbit,
-               "3D runs with saved particles: redraw the frames while the camera circles the scene once");
+  command.add_argument("DIR", options->frames, "a run folder, or a folder of frames").required();
+  command.add("--out", "movie.mp4|movie.gif", options->out, "movie to write").required();
+  command.add("--fps", "N", options->fps, "frames per second; default: 30").check(positive_number);
+  command.add_flag("--orbit", options->orbit,
+                   "3D runs with saved particles: redraw the frames while the camera circles the scene once");
   return [options](Streams streams) { return movie(*options, streams); };
 }
 

@@ -2,8 +2,7 @@
 #include <filesystem>
 #include <set>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/run/folder.hpp"
 #include "cli/run/history.hpp"
@@ -80,21 +79,18 @@ int plot(const PlotArguments& options, Streams streams) {
 
 }  // namespace
 
-std::function<int(Streams)> declare_plot(CLI::App& app) {
+std::function<int(Streams)> declare_plot(Options& command) {
   auto options = std::make_shared<PlotArguments>();
-  app.add_option("DIR", options->runs, "one or more run folders; each panel shows all runs")
-      ->option_text(" ")
-      ->required();
-  app.add_option("--columns", options->columns,
-                 "columns of history.csv, one panel each; default: all probes, else total_energy")
-      ->option_text("COLUMN,...")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  app.add_option("--x", options->x, "column of the x axis; default: t")->option_text("COLUMN");
-  app.add_option("--out", options->out,
-                 "picture to write; the gnuplot script (.gp) and its data (.dat) are written beside it")
-      ->option_text("plot.png|plot.svg")
-      ->required();
+  command.add_argument("DIR", options->runs, "one or more run folders; each panel shows all runs").required();
+  command
+      .add("--columns", "COLUMN,...", options->columns,
+           "columns of history.csv, one panel each; default: all probes, else total_energy")
+      .comma_separated();
+  command.add("--x", "COLUMN", options->x, "column of the x axis; default: t");
+  command
+      .add("--out", "plot.png|plot.svg", options->out,
+           "picture to write; the gnuplot script (.gp) and its data (.dat) are written beside it")
+      .required();
   return [options](Streams streams) { return plot(*options, streams); };
 }
 

@@ -1,8 +1,7 @@
 #include <filesystem>
 #include <ostream>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/drawing/frames.hpp"
 #include "cli/drawing/options.hpp"
@@ -90,19 +89,16 @@ int render(const RenderArguments& options, Streams streams) {
 
 }  // namespace
 
-std::function<int(Streams)> declare_render(CLI::App& app) {
+std::function<int(Streams)> declare_render(Options& command) {
   auto options = std::make_shared<RenderArguments>();
-  app.add_option("DIR", options->run, "a run folder with particles (`taut run --save-particles`)")
-      ->option_text(" ")
-      ->required();
-  declare_drawing_options(app, *options);
-  app.add_option("--out", options->out, "folder for the frames; default: replace the frames of the run")
-      ->option_text("DIR");
-  app.add_flag("--orbit", options->orbit, "3D: the camera circles the scene once");
-  app.add_option("--threads", options->threads, "number of frames drawn at once; default: all cores")
-      ->option_text("N")
-      ->check(positive_whole_number);
-  app.add_flag("--quiet", options->quiet, "print no progress on stderr");
+  command.add_argument("DIR", options->run, "a run folder with particles (`taut run --save-particles`)")
+      .required();
+  declare_drawing_options(command, *options);
+  command.add("--out", "DIR", options->out, "folder for the frames; default: replace the frames of the run");
+  command.add_flag("--orbit", options->orbit, "3D: the camera circles the scene once");
+  command.add("--threads", "N", options->threads, "number of frames drawn at once; default: all cores")
+      .check(positive_whole_number);
+  command.add_flag("--quiet", options->quiet, "print no progress on stderr");
   return [options](Streams streams) { return render(*options, streams); };
 }
 

@@ -2,8 +2,7 @@
 #include <memory>
 #include <ostream>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/run/record.hpp"
 #include "cli/run/report.hpp"
@@ -24,33 +23,27 @@ struct RunArguments : RunOptions {
   bool quiet = false;
 };
 
-void declare_options(CLI::App& app, RunArguments& o) {
-  app.add_option("SCENE", o.scene, "a name from `taut list scenes`, or the path of a scene file")
-      ->option_text(" ");
-  declare_setting_options(app, o);
-  app.add_option("--out", o.out,
-                 "run folder, whose older run is replaced; default: "
-                 "out/SCENE-METHOD, followed by the changed settings, such as -v0=0.08")
-      ->option_text("DIR");
-  declare_output_options(app, o);
-  declare_particle_options(app, o);
-  app.add_option("--checkpoint-every", o.checkpoint_every,
-                 "write a checkpoint for --resume after each T of simulated time, s, and when interrupted; "
-                 "default: never")
-      ->option_text("T")
-      ->check(positive_number);
-  app.add_option(
-         "--resume", o.resume,
-         "continue the run in this folder from its last checkpoint, or from the start if there is none; "
-         "the results are the same as without the interruption; other options must agree with the run")
-      ->option_text("DIR");
-  app.add_option("--threads", o.threads, "number of threads; default: all cores, fewer for small scenes")
-      ->option_text("N")
-      ->check(positive_whole_number);
-  app.add_flag("--no-render", o.no_render, "draw no frames");
-  app.add_option("--fail-on", o.fail_on, "end with exit code 3 if the verdict is this one or worse")
-      ->option_text("VERDICT");
-  app.add_flag("--quiet", o.quiet, "print no progress on stderr");
+void declare_options(Options& command, RunArguments& o) {
+  command.add_argument("SCENE", o.scene, "a name from `taut list scenes`, or the path of a scene file");
+  declare_setting_options(command, o);
+  command.add("--out", "DIR", o.out,
+              "run folder, whose older run is replaced; default: "
+              "out/SCENE-METHOD, followed by the changed settings, such as -v0=0.08");
+  declare_output_options(command, o);
+  declare_particle_options(command, o);
+  command
+      .add("--checkpoint-every", "T", o.checkpoint_every,
+           "write a checkpoint for --resume after each T of simulated time, s, and when interrupted; "
+           "default: never")
+      .check(positive_number);
+  command.add("--resume", "DIR", o.resume,
+              "continue the run in this folder from its last checkpoint, or from the start if there is none; "
+              "the results are the same as without the interruption; other options must agree with the run");
+  command.add("--threads", "N", o.threads, "number of threads; default: all cores, fewer for small scenes")
+      .check(positive_whole_number);
+  command.add_flag("--no-render", o.no_render, "draw no frames");
+  command.add("--fail-on", "VERDICT", o.fail_on, "end with exit code 3 if the verdict is this one or worse");
+  command.add_flag("--quiet", o.quiet, "print no progress on stderr");
 }
 
 /// The plan, and the lock of its folder: of a run that goes on it is taken before anything is read.
@@ -118,9 +111,9 @@ int run(const RunArguments& options, Streams streams) {
 
 }  // namespace
 
-std::function<int(Streams)> declare_run(CLI::App& app) {
+std::function<int(Streams)> declare_run(Options& command) {
   auto options = std::make_shared<RunArguments>();
-  declare_options(app, *options);
+  declare_options(command, *options);
   return [options](Streams streams) { return run(*options, streams); };
 }
 

@@ -1,7 +1,6 @@
 #include <ostream>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/session/line_input.hpp"
 #include "cli/session/session_commands.hpp"
@@ -76,18 +75,18 @@ int converse(const SessionArguments& options, Streams streams) {
 
 }  // namespace
 
-std::function<int(Streams)> declare_session(CLI::App& app) {
+std::function<int(Streams)> declare_session(Options& command) {
   auto options = std::make_shared<SessionArguments>();
-  app.add_option("SCENE", options->scene, "a name from `taut list scenes`, or the path of a scene file")
-      ->option_text(" ")
-      ->required();
-  declare_setting_options(app, *options);
-  declare_drawing_options(app, options->drawing);
-  app.add_option("--threads", options->threads,
-                 "number of threads; default: all cores, fewer for small scenes")
-      ->option_text("N")
-      ->check(positive_whole_number);
-  app.add_flag("--strict", options->strict, "end the session at the first error, with exit code 2, 3 or 4");
+  command.add_argument("SCENE", options->scene, "a name from `taut list scenes`, or the path of a scene file")
+      .required();
+  declare_setting_options(command, *options);
+  declare_drawing_options(command, options->drawing);
+  command
+      .add("--threads", "N", options->threads,
+           "number of threads; default: all cores, fewer for small scenes")
+      .check(positive_whole_number);
+  command.add_flag("--strict", options->strict,
+                   "end the session at the first error, with exit code 2, 3 or 4");
   return [options](Streams streams) { return converse(*options, streams); };
 }
 

@@ -2,8 +2,7 @@
 #include <filesystem>
 #include <ostream>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/run/frame_folders.hpp"
 #include "cli/run/plan.hpp"
@@ -26,22 +25,18 @@ struct SnapshotArguments : RunOptions, DifferenceOptions {
   bool quiet = false;
 };
 
-void declare_options(CLI::App& app, SnapshotArguments& o) {
-  app.add_option("SCENE", o.scene, "a name from `taut list scenes`, or the path of a scene file")
-      ->option_text(" ")
-      ->required();
-  app.add_option("--baseline", o.baseline, "folder of the frames to compare with")
-      ->option_text("DIR")
-      ->required();
-  app.add_flag("--update", o.update, "replace the baseline by the frames of this run; check them first");
-  declare_difference_options(app, o);
-  declare_setting_options(app, o);
-  app.add_option("--out", o.out, "run folder; default: out/snapshot-BASELINE")->option_text("DIR");
-  declare_output_options(app, o);
-  app.add_option("--threads", o.threads, "number of threads; default: all cores, fewer for small scenes")
-      ->option_text("N")
-      ->check(positive_whole_number);
-  app.add_flag("--quiet", o.quiet, "print no progress on stderr");
+void declare_options(Options& command, SnapshotArguments& o) {
+  command.add_argument("SCENE", o.scene, "a name from `taut list scenes`, or the path of a scene file")
+      .required();
+  command.add("--baseline", "DIR", o.baseline, "folder of the frames to compare with").required();
+  command.add_flag("--update", o.update, "replace the baseline by the frames of this run; check them first");
+  declare_difference_options(command, o);
+  declare_setting_options(command, o);
+  command.add("--out", "DIR", o.out, "run folder; default: out/snapshot-BASELINE");
+  declare_output_options(command, o);
+  command.add("--threads", "N", o.threads, "number of threads; default: all cores, fewer for small scenes")
+      .check(positive_whole_number);
+  command.add_flag("--quiet", o.quiet, "print no progress on stderr");
 }
 
 /// "a/b/" is "a/b" with nothing linked, so that folders can be compared.
@@ -105,9 +100,9 @@ int snapshot(SnapshotArguments options, Streams streams) {
 
 }  // namespace
 
-std::function<int(Streams)> declare_snapshot(CLI::App& app) {
+std::function<int(Streams)> declare_snapshot(Options& command) {
   auto options = std::make_shared<SnapshotArguments>();
-  declare_options(app, *options);
+  declare_options(command, *options);
   return [options](Streams streams) { return snapshot(*options, streams); };
 }
 

@@ -2,8 +2,7 @@
 #include <filesystem>
 #include <ostream>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/sweep/emit.hpp"
 #include "cli/sweep/options.hpp"
@@ -40,10 +39,10 @@ std::string listing(const SweepPlan& plan) {
          " runs are done in " + plan.folder.string() + "\n";
 }
 
-int emit(const SweepOptions& o, const CLI::App& app, const SweepPlan& plan, std::ostream& out) {
+int emit(const SweepOptions& o, const Options& command, const SweepPlan& plan, std::ostream& out) {
   const EmitForm& form = find_emit_form(*o.emit);
-  const std::string script =
-      emit_script(form, plan.title, static_cast<int>(plan.runs.size()), o.run.threads, lasting_words(app));
+  const std::string script = emit_script(form, plan.title, static_cast<int>(plan.runs.size()), o.run.threads,
+                                         lasting_words(command));
   if (!o.run.out) {
     out << script;
     return exit_fine;
@@ -112,8 +111,8 @@ void tell_what_remains(const SweepPlan& plan, std::ostream& err) {
 
 bool fails(const SweepPlan& plan, const std::optional<Verdict>& fail_on) {
   const auto bad = [&](const SweepRun& run) {
-    if (run.state != RunState::done) return false;
-    return find_verdict(run.record.value("verdict", "")) >= fail_on;
+    const Json* verdict = run.record.find("verdict");
+    return run.state == RunState::done && verdict && find_verdict(verdict->text()) >= fail_on;
   };
   return fail_on && std::ranges::any_of(plan.runs, bad);
 }
@@ -178,10 +177,10 @@ int execute(SweepPlan& plan, const SweepOptions& o, Streams streams) {
   return fails(plan, fail_on) ? exit_diverged : exit_fine;
 }
 
-int sweep(const SweepOptions& o, const CLI::App& app, Streams streams) {
+int sweep(const SweepOptions& o, const Options& command, Streams streams) {
   if (o.emit) find_emit_form(*o.emit);
   SweepPlan plan = make_plan(o);
-  if (o.emit) return emit(o, app, plan, streams.out);
+  if (o.emit) return emit(o, command, plan, streams.out);
   if (!o.list) return execute(plan, o, streams);
   streams.out << listing(plan);
   return exit_fine;
@@ -189,10 +188,10 @@ int sweep(const SweepOptions& o, const CLI::App& app, Streams streams) {
 
 }  // namespace
 
-std::function<int(Streams)> declare_sweep(CLI::App& app) {
+std::function<int(Streams)> declare_sweep(Options& command) {
   auto options = std::make_shared<SweepOptions>();
-  declare_sweep_options(app, *options);
-  return [options, &app](Streams streams) { return sweep(*options, app, streams); };
+  declare_sweep_options(command, *options);
+  return [options, &command](Streams streams) { return sweep(*options, command, streams); };
 }
 
 }  // namespace taut::cli

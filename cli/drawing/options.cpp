@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/arguments/options.hpp"
 #include "cli/drawing/keys.hpp"
 
 namespace taut::cli {
@@ -12,12 +11,11 @@ bool DrawingOptions::any() const {
   return std::ranges::any_of(typed, [](const auto& option) { return option.second.has_value(); });
 }
 
-void declare_drawing_options(CLI::App& app, DrawingOptions& options) {
+void declare_drawing_options(Options& command, DrawingOptions& options) {
   for (const DrawingKey& key : drawing_keys()) {
     if (key.of_runs) continue;
     const std::string name(key.name);
-    app.add_option("--" + name, options.typed[name], std::string(key.help))
-        ->option_text(std::string(key.placeholder));
+    command.add("--" + name, key.placeholder, options.typed[name], key.help);
   }
 }
 

@@ -7,11 +7,9 @@
 
 #include "cli/drawing/drawing.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace taut::cli {
+
+class Options;
 
 /// The drawing options of a command as typed; what is left out stands in the scene.
 struct DrawingOptions {
@@ -21,7 +19,7 @@ struct DrawingOptions {
 };
 
 /// An option for every key of drawing that says how a picture looks.
-void declare_drawing_options(CLI::App& app, DrawingOptions& options);
+void declare_drawing_options(Options& command, DrawingOptions& options);
 
 /// What `drawing` becomes with the options. Throws UsageError.
 Drawing with_options(Drawing drawing, const DrawingOptions& options);

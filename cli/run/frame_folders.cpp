@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/arguments/options.hpp"
 #include "cli/run/folder.hpp"
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
@@ -85,13 +84,12 @@ FolderDifference compare_folders(const fs::path& a, const fs::path& b, const ren
   return result;
 }
 
-void declare_difference_options(CLI::App& app, DifferenceOptions& options) {
-  app.add_option(
-         "--max-difference", options.max_difference,
-         "largest allowed difference of a pixel (ΔE*ab; black and white differ by 100; 0: identical); "
-         "default: few pixels may differ visibly, if they are not close together")
-      ->option_text("X")
-      ->check(not_negative_number);
+void declare_difference_options(Options& command, DifferenceOptions& options) {
+  command
+      .add("--max-difference", "X", options.max_difference,
+           "largest allowed difference of a pixel (ΔE*ab; black and white differ by 100; 0: identical); "
+           "default: few pixels may differ visibly, if they are not close together")
+      .check(not_negative_number);
 }
 
 render::DifferenceLimit limit_of(const DifferenceOptions& options) {

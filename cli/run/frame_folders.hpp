@@ -7,11 +7,9 @@
 
 #include "render/image/image_difference.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace taut::cli {
+
+class Options;
 
 /// The PNG files in a folder, by name, sorted; none if there is no such folder.
 std::vector<std::string> picture_names(const std::filesystem::path& folder);
@@ -40,7 +38,7 @@ struct DifferenceOptions {
   std::optional<double> max_difference;  // ΔE*ab
 };
 
-void declare_difference_options(CLI::App& app, DifferenceOptions& options);
+void declare_difference_options(Options& command, DifferenceOptions& options);
 render::DifferenceLimit limit_of(const DifferenceOptions& options);
 
 /// What `diff` and `snapshot` print: "alike" or "different" in the first line, then the numbers.

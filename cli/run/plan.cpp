@@ -5,9 +5,9 @@
 #include <map>
 #include <ostream>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/arguments/options.hpp"
 #include "cli/drawing/keys.hpp"
 #include "cli/run/history.hpp"
 #include "cli/run/schedule.hpp"
@@ -186,36 +186,34 @@ std::string number_or_expression(const std::string& text) {
 
 }  // namespace
 
-void declare_setting_options(CLI::App& app, RunOptions& o) {
-  app.add_option_function<std::string>(
-         "--method",
-         [&o](const std::string& name) {
-           put_first(o.settings, {"method", name});
-         },
-         "formulation (`taut list methods`); default: the method of the scene")
-      ->option_text("METHOD");
-  app.add_option_function<std::vector<std::string>>(
-         "--set",
-         [&o](const std::vector<std::string>& assignments) {
-           const std::vector<Setting> by_options = o.settings;
-           for (const std::string& text : assignments) {
-             Setting setting = parse_setting(text);
-             refuse_second(by_options, setting.name);
-             o.settings.push_back(std::move(setting));
-           }
-         },
-         "change a parameter of the scene, a constant of the method (method.NAME) or a setting such as cfl")
-      ->option_text("NAME=VALUE ...")
-      ->allow_extra_args(false)
-      ->check(assignment);
+void declare_setting_options(Options& command, RunOptions& o) {
+  command.add(
+      "--method", "METHOD",
+      [&o](const std::string& name) {
+        put_first(o.settings, {"method", name});
+      },
+      "formulation (`taut list methods`); default: the method of the scene");
+  command
+      .add(
+          "--set", "NAME=VALUE ...",
+          [&o](const std::vector<std::string>& assignments) {
+            const std::vector<Setting> by_options = o.settings;
+            for (const std::string& text : assignments) {
+              Setting setting = parse_setting(text);
+              refuse_second(by_options, setting.name);
+              o.settings.push_back(std::move(setting));
+            }
+          },
+          "change a parameter of the scene, a constant of the method (method.NAME) or a setting such as cfl")
+      .one_word_each()
+      .check(assignment);
   const auto declare_number = [&](const std::string& name, const char* help, const char* placeholder) {
-    app.add_option_function<std::string>(
-           "--" + name,
-           [&o, name](const std::string& text) {
-             put_first(o.settings, {name, number_or_expression(text)});
-           },
-           help)
-        ->option_text(placeholder);
+    command.add(
+        "--" + name, placeholder,
+        [&o, name](const std::string& text) {
+          put_first(o.settings, {name, number_or_expression(text)});
+        },
+        help);
   };
   declare_number(
       "spacing",
@@ -224,31 +222,30 @@ void declare_setting_options(CLI::App& app, RunOptions& o) {
   declare_number("until", "end of the run, s; default: the scene's", "T");
 }
 
-void declare_output_options(CLI::App& app, RunOptions& o) {
+void declare_output_options(Options& command, RunOptions& o) {
   const DrawingKey& key = drawing_key("frames");
-  auto* frames = app.add_option("--frames", o.frames, std::string(key.help))
-                     ->option_text(std::string(key.placeholder))
-                     ->check(positive_whole_number);
-  app.add_option("--every", o.every, "time between frames, s; rounded so that the last frame shows the end")
-      ->option_text("DT")
-      ->check(positive_number)
-      ->excludes(frames);
-  app.add_option("--history", o.history,
-                 "time between rows of history.csv, s; default: the scene's, else 1/1000 of the run")
-      ->option_text("DT")
-      ->check(positive_number);
-  declare_drawing_options(app, o.drawing);
+  const Option frames =
+      command.add("--frames", key.placeholder, o.frames, key.help).check(positive_whole_number);
+  command
+      .add("--every", "DT", o.every, "time between frames, s; rounded so that the last frame shows the end")
+      .check(positive_number)
+      .excludes(frames);
+  command
+      .add("--history", "DT", o.history,
+           "time between rows of history.csv, s; default: the scene's, else 1/1000 of the run")
+      .check(positive_number);
+  declare_drawing_options(command, o.drawing);
 }
 
-void declare_particle_options(CLI::App& app, RunOptions& o) {
-  auto* save =
-      app.add_flag("--save-particles", o.save_particles,
-                   "write particles/*.vtp with each frame, for `taut render`, `taut compare` and ParaView");
-  app.add_option("--fields", o.fields, "fields to save with the particles (`taut list fields`); default: all")
-      ->option_text("FIELD,...")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->needs(save);
+void declare_particle_options(Options& command, RunOptions& o) {
+  const Option save = command.add_flag(
+      "--save-particles", o.save_particles,
+      "write particles/*.vtp with each frame, for `taut render`, `taut compare` and ParaView");
+  command
+      .add("--fields", "FIELD,...", o.fields,
+           "fields to save with the particles (`taut list fields`); default: all")
+      .comma_separated()
+      .needs(save);
 }
 
 void check_threads(int threads) {

@@ -8,11 +8,9 @@
 #include "cli/drawing/options.hpp"
 #include "cli/run/run.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace taut::cli {
+
+class Options;
 
 /// The options of `taut run` as typed; what is left out stands in the scene.
 struct RunOptions {
@@ -30,12 +28,12 @@ struct RunOptions {
 };
 
 /// --method, --set, --spacing, --until: what is simulated.
-void declare_setting_options(CLI::App& app, RunOptions& options);
+void declare_setting_options(Options& command, RunOptions& options);
 /// --frames, --every, --history and the drawing options: what is left of it.
-void declare_output_options(CLI::App& app, RunOptions& options);
+void declare_output_options(Options& command, RunOptions& options);
 
 /// --save-particles, --fields.
-void declare_particle_options(CLI::App& app, RunOptions& options);
+void declare_particle_options(Options& command, RunOptions& options);
 
 /// Throws UsageError for far more threads than there are cores.
 void check_threads(int threads);

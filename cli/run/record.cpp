@@ -3,8 +3,6 @@
 #include <cmath>
 #include <fstream>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/system/atomic_file.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/json_cursor.hpp"
@@ -13,12 +11,6 @@
 
 namespace taut::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json number(std::optional<double> value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
 
 std::string_view name(RunRecord::Status status) {
   switch (status) {
@@ -43,24 +35,24 @@ std::optional<RunRecord::Status> find_status(std::string_view text) {
 
 /// Empty if the object has no such text.
 std::string text_in(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+  const Json* found = object.find(key);
+  return found && found->is_text() ? found->text() : "";
 }
 
 std::optional<double> number_in(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_number() ? std::optional(found->get<double>()) : std::nullopt;
+  const Json* found = object.find(key);
+  return found && found->is_number() ? std::optional(found->number()) : std::nullopt;
 }
 
 Json parameters(const RunRecord& record) {
   Json all = Json::object();
-  for (const Parameter& p : record.parameters) all[p.name] = number(p.value);
+  for (const Parameter& p : record.parameters) all[p.name] = p.value;
   return all;
 }
 
 Json since(const RunRecord& record) {
   Json all = Json::object();
-  for (const auto& [verdict, time] : record.since) all[std::string(name(verdict))] = number(time);
+  for (const auto& [verdict, time] : record.since) all[std::string(name(verdict))] = time;
   return all;
 }
 
@@ -69,7 +61,7 @@ Json all_indicators(const RunRecord& record) {
   for (std::size_t k = 0; k < indicators.size(); ++k) {
     const IndicatorRecord& each = record.indicator[k];
     all[std::string(indicators[k].key)] = {
-        {"greatest", number(each.greatest())}, {"at", number(each.at)}, {"last", number(each.last)}};
+        {"greatest", each.greatest()}, {"at", each.at}, {"last", each.last}};
   }
   return all;
 }
@@ -79,11 +71,11 @@ Json measures(const RunRecord& record) {
   for (const MeasureResult& m : record.measures) {
     Json& one = all[m.name];
     one["kind"] = m.kind;
-    one["value"] = number(m.value);
+    one["value"] = m.value;
     one["unit"] = m.unit;
-    one["reference"] = number(m.reference);
+    one["reference"] = m.reference;
     one["reference_name"] = m.reference_name.empty() ? Json(nullptr) : Json(m.reference_name);
-    one["error"] = number(m.error);
+    one["error"] = m.error;
     if (!m.why.empty()) one["why"] = m.why;
   }
   return all;
@@ -125,19 +117,19 @@ Json to_json(const RunRecord& record) {
   if (!record.remark.empty()) json["remark"] = record.remark;
   if (record.contact) json["contact"] = *record.contact;
   json["stepping"] = record.stepping;
-  json["cfl"] = number(record.cfl);
+  json["cfl"] = record.cfl;
   json["parameters"] = parameters(record);
   json["dim"] = record.dim;
-  json["spacing"] = number(record.spacing);
-  if (record.spacing_asked) json["spacing_asked"] = number(record.spacing_asked);
+  json["spacing"] = record.spacing;
+  if (record.spacing_asked) json["spacing_asked"] = record.spacing_asked;
   if (record.jitter.share > 0) {
-    json["jitter"] = number(record.jitter.share);
+    json["jitter"] = record.jitter.share;
     json["jitter_seed"] = record.jitter.seed;
   }
   json["particles"] = record.particles;
-  json["mass"] = number(record.mass);
-  json["until"] = number(record.until);
-  json["reached"] = number(record.reached);
+  json["mass"] = record.mass;
+  json["until"] = record.until;
+  json["reached"] = record.reached;
   json["status"] = name(record.status);
   if (!record.reason.empty()) json["reason"] = record.reason;
   json["steps"] = record.steps;
@@ -147,18 +139,17 @@ Json to_json(const RunRecord& record) {
                      {"solve", record.seconds.solve},
                      {"render", record.seconds.render},
                      {"write", record.seconds.write}};
-  json["particle_steps_per_second"] = number(record.particle_steps_per_second());
+  json["particle_steps_per_second"] = record.particle_steps_per_second();
   json["verdict"] = name(record.verdict);
   json["since"] = since(record);
   if (record.beyond_law.share > 0)
-    json["beyond_law"] = {{"since", number(record.beyond_law.since)},
-                          {"share", number(record.beyond_law.share)}};
+    json["beyond_law"] = {{"since", record.beyond_law.since}, {"share", record.beyond_law.share}};
   json["indicators"] = all_indicators(record);
-  json["conservation"] = {{"linear_momentum", number(record.conservation.linear_momentum)},
-                          {"angular_momentum", number(record.conservation.angular_momentum)},
-                          {"energy", number(record.conservation.energy)},
-                          {"energy_gained", number(record.conservation.energy_gained)},
-                          {"energy_lost", number(record.conservation.energy_lost)}};
+  json["conservation"] = {{"linear_momentum", record.conservation.linear_momentum},
+                          {"angular_momentum", record.conservation.angular_momentum},
+                          {"energy", record.conservation.energy},
+                          {"energy_gained", record.conservation.energy_gained},
+                          {"energy_lost", record.conservation.energy_lost}};
   if (const std::string note = energy_note(record); !note.empty()) json["energy_note"] = note;
   json["measures"] = measures(record);
   return json;
@@ -175,7 +166,7 @@ std::optional<StoredRecord> checked_record(const std::filesystem::path& file) {
   record.reached = number_in(all, "reached");
   record.until = number_in(all, "until");
   record.spacing_asked = number_in(all, "spacing_asked");
-  record.all = std::make_shared<Json>(std::move(all));
+  record.all = std::move(all);
   return record;
 }
 

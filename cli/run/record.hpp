@@ -8,10 +8,9 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "cli/scene/scene_file.hpp"
 #include "cli/system/stopwatch.hpp"
+#include "cli/text/json.hpp"
 #include "engine/diagnostics/conservation.hpp"
 #include "engine/diagnostics/indicators.hpp"
 #include "engine/diagnostics/verdict.hpp"
@@ -57,7 +56,7 @@ struct RunRecord {
 std::string energy_note(const RunRecord& record);
 
 /// Keys in the order in which users read them; null for values that are unknown or not finite.
-nlohmann::ordered_json to_json(const RunRecord& record);
+Json to_json(const RunRecord& record);
 
 /// Contents of the run.json of another run; empty members for keys that are missing or null.
 struct StoredRecord {
@@ -66,7 +65,7 @@ struct StoredRecord {
   std::optional<Verdict> verdict;
   std::optional<double> reached, until;  // s
   std::optional<double> spacing_asked;   // m
-  std::shared_ptr<const nlohmann::ordered_json> all;
+  Json all;
 };
 
 /// None if there is no such file. UsageError, with the file and the key, if it is not whole, no record of taut,

@@ -5,8 +5,6 @@
 #include <limits>
 #include <numeric>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/run/checkpoint.hpp"
 #include "cli/run/outputs.hpp"
 #include "cli/run/report.hpp"
@@ -284,9 +282,7 @@ void Run::save(RunRecord::Status status) {
 }
 
 /// A reason may name a file, in whatever letters.
-std::string Run::record_text() const {
-  return to_json(record_).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
+std::string Run::record_text() const { return to_json(record_).dump(2) + "\n"; }
 
 void Run::write_record() const { write_atomically(plan_.folder.record(), record_text(), Kept::on_disk); }
 

@@ -5,17 +5,14 @@
 #include <cmath>
 #include <set>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/study/chart_errors.hpp"
 #include "cli/study/choose.hpp"
 #include "cli/text/format.hpp"
+#include "cli/text/json.hpp"
 #include "cli/text/markdown.hpp"
 
 namespace taut::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// From coarse to fine.
 std::set<double, std::greater<>> spacings(const Chart& chart) {
@@ -40,14 +37,10 @@ bool has_zero(const Chart& chart) {
   return false;
 }
 
-Json number(std::optional<double> value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
-
 Json point_json(const ChartPoint& point) {
-  return {{"spacing", number(point.spacing)},
-          {"error", number(point.error)},
-          {"cost", point.cost > 0 ? Json(point.cost) : Json(nullptr)},
+  return {{"spacing", point.spacing},
+          {"error", point.error},
+          {"cost", point.cost > 0 ? Json(point.cost) : Json()},
           {"verdict", point.verdict},
           {"stable", point.stable},
           {"cfl", point.cfl},
@@ -119,17 +112,17 @@ std::string chart_json(const Chart& chart) {
             {"error", error_label(chart)},
             {"unit", chart.unit.empty() ? "1" : chart.unit},
             {"cost", label(chart.cost)},
-            {"against", chart.against.empty() ? Json(nullptr) : Json(chart.against)},
+            {"against", chart.against.empty() ? Json() : Json(chart.against)},
             {"references", chart.references},
             {"machines", chart.machines},
             {"fixed", chart.fixed},
             {"series", Json::array()}};
   for (const ChartSeries& series : chart.series) {
-    Json one{{"name", series.name}, {"method", series.method}, {"order", number(series.order)}};
-    for (const ChartPoint& point : series.points) one["runs"].push_back(point_json(point));
-    json["series"].push_back(std::move(one));
+    Json one{{"name", series.name}, {"method", series.method}, {"order", series.order}};
+    for (const ChartPoint& point : series.points) one["runs"].add(point_json(point));
+    json["series"].add(std::move(one));
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2) + "\n";
 }
 
 std::string error_label(const Chart& chart) {

@@ -5,8 +5,6 @@
 #include <filesystem>
 #include <set>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/study/csv.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "cli/text/format.hpp"
@@ -183,14 +181,13 @@ StoredRun read_stored_run(const std::string& path) {
   if (!text || is_other) throw UsageError("'" + path + "' is neither a run folder nor a run.json");
   const auto json = parse_run_json(*text, file.string(), names_of_verdicts());
   StoredRun run{.file = file.string(), .cells = {{"folder", "."}}};
-  const auto leaves = json.flatten();
-  for (const auto& [pointer, value] : leaves.items()) {
+  for (const auto& [pointer, value] : json.leaves()) {
     std::string column = pointer.substr(1);
     std::ranges::replace(column, '/', '.');
-    if (value.is_string())
-      run.cells.emplace_back(column, value.get<std::string>());
+    if (value.is_text())
+      run.cells.emplace_back(column, value.text());
     else if (value.is_number())
-      run.cells.emplace_back(column, exact(value.get<double>()));
+      run.cells.emplace_back(column, exact(value.number()));
     else if (value.is_null())
       run.cells.emplace_back(column, "");
   }

@@ -4,8 +4,7 @@
 #include <filesystem>
 #include <sys/auxv.h>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/arguments/options.hpp"
 #include "cli/scene/shipped.hpp"
 #include "cli/sweep/emit.hpp"
 #include "cli/sweep/sweep_file.hpp"
@@ -66,39 +65,33 @@ SweepRequest request_of_file(const SweepOptions& o) {
 
 }  // namespace
 
-void declare_sweep_options(CLI::App& app, SweepOptions& o) {
-  app.add_option("SWEEP", o.what,
-                 "sweep file, or its name in scenes/studies/; with --grid, a scene as for `taut run`")
-      ->option_text(" ")
-      ->required();
-  app.add_option("--grid", o.grid,
-                 "name that --set takes, such as a parameter, method, spacing or jitter, and its values: "
-                 "v1,v2,... or lo:hi:step, both ends included; several --grid give every combination")
-      ->option_text("NAME=VALUES ...")
-      ->allow_extra_args(false);
-  app.add_flag("--list", o.list, "list the runs and their states; run nothing");
-  app.add_option("--jobs", o.jobs, "number of runs at a time; default: cores over --threads")
-      ->option_text("N")
-      ->check(positive_whole_number);
-  app.add_option("--index", o.index, "do only run N; the first run is 0")
-      ->option_text("N")
-      ->check(whole_number);
-  app.add_flag("--force", o.force, "repeat finished runs");
-  app.add_option("--emit", o.emit, "write a script that does the runs: a Slurm array job, or GNU parallel")
-      ->option_text(join(emit_names(), "|"));
-  app.add_option("--out", o.run.out, "folder for results and runs; default: out/FILE or out/SCENE-sweep")
-      ->option_text("DIR");
-  declare_setting_options(app, o.run);
-  app.add_flag("--render", o.render, "draw frames; every drawing option implies it");
-  declare_output_options(app, o.run);
-  declare_particle_options(app, o.run);
+void declare_sweep_options(Options& command, SweepOptions& o) {
+  command
+      .add_argument("SWEEP", o.what,
+                    "sweep file, or its name in scenes/studies/; with --grid, a scene as for `taut run`")
+      .required();
+  command
+      .add("--grid", "NAME=VALUES ...", o.grid,
+           "name that --set takes, such as a parameter, method, spacing or jitter, and its values: "
+           "v1,v2,... or lo:hi:step, both ends included; several --grid give every combination")
+      .one_word_each();
+  command.add_flag("--list", o.list, "list the runs and their states; run nothing");
+  command.add("--jobs", "N", o.jobs, "number of runs at a time; default: cores over --threads")
+      .check(positive_whole_number);
+  command.add("--index", "N", o.index, "do only run N; the first run is 0").check(whole_number);
+  command.add_flag("--force", o.force, "repeat finished runs");
+  command.add("--emit", join(emit_names(), "|"), o.emit,
+              "write a script that does the runs: a Slurm array job, or GNU parallel");
+  command.add("--out", "DIR", o.run.out, "folder for results and runs; default: out/FILE or out/SCENE-sweep");
+  declare_setting_options(command, o.run);
+  command.add_flag("--render", o.render, "draw frames; every drawing option implies it");
+  declare_output_options(command, o.run);
+  declare_particle_options(command, o.run);
   o.run.threads = 1;
-  app.add_option("--threads", o.run.threads, "number of threads of each run; default: 1")
-      ->option_text("N")
-      ->check(positive_whole_number);
-  app.add_option("--fail-on", o.fail_on, "end with exit code 3 if a verdict is this one or worse")
-      ->option_text("VERDICT");
-  app.add_flag("--quiet", o.quiet, "print no progress on stderr");
+  command.add("--threads", "N", o.run.threads, "number of threads of each run; default: 1")
+      .check(positive_whole_number);
+  command.add("--fail-on", "VERDICT", o.fail_on, "end with exit code 3 if a verdict is this one or worse");
+  command.add_flag("--quiet", o.quiet, "print no progress on stderr");
 }
 
 SweepRequest make_request(const SweepOptions& o) {
@@ -107,16 +100,14 @@ SweepRequest make_request(const SweepOptions& o) {
   return request;
 }
 
-std::vector<std::string> lasting_words(const CLI::App& app) {
-  const std::vector<std::string> passing = {"list", "jobs", "index", "force", "emit", "quiet"};
+std::vector<std::string> lasting_words(const Options& command) {
+  const std::vector<std::string> passing = {"--list", "--jobs", "--index", "--force", "--emit", "--quiet"};
   std::vector<std::string> words{path_of_program(), "sweep"};
-  for (const CLI::Option* option : app.get_options()) {
-    const std::string name = option->get_lnames().empty() ? "" : option->get_lnames().front();
-    if (option->count() == 0 || std::ranges::find(passing, name) != passing.end()) continue;
-    const bool flag = option->get_items_expected_max() == 0;
-    for (const std::string& value : option->results()) {
-      if (!name.empty())
-        words.push_back("--" + name + (flag ? "" : "=" + value));
+  for (const Option& option : command.all()) {
+    if (std::ranges::find(passing, option.name()) != passing.end()) continue;
+    for (const std::string& value : option.values()) {
+      if (!option.is_positional())
+        words.push_back(option.name() + (option.takes_value() ? "=" + value : ""));
       else
         words.push_back(value.starts_with('-') ? "./" + value : value);  // a file, and no option
     }

@@ -19,13 +19,13 @@ struct SweepOptions {
   bool list = false, force = false, render = false, quiet = false;
 };
 
-void declare_sweep_options(CLI::App& app, SweepOptions& options);
+void declare_sweep_options(Options& command, SweepOptions& options);
 
 /// Reads the sweep file or the grid. Throws UsageError and SceneError.
 SweepRequest make_request(const SweepOptions& options);
 
 /// The words of the command as given, without what belongs to this call of it alone, such as --list; an
 /// option and its value are one word.
-std::vector<std::string> lasting_words(const CLI::App& app);
+std::vector<std::string> lasting_words(const Options& command);
 
 }  // namespace taut::cli

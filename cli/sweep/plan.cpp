@@ -201,7 +201,7 @@ void SweepRun::read_folder() {
   } else {
     state = RunState::interrupted;
   }
-  if (state == RunState::done || (same && found->status == Status::interrupted)) record = *found->all;
+  if (state == RunState::done || (same && found->status == Status::interrupted)) record = found->all;
 }
 
 SweepPlan plan_sweep(const SweepRequest& request) {

@@ -5,11 +5,10 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/run/plan.hpp"
 #include "cli/study/study.hpp"
 #include "cli/sweep/grid.hpp"
+#include "cli/text/json.hpp"
 
 namespace taut::cli {
 
@@ -35,8 +34,8 @@ struct SweepRun {
   double work = 0;      // in proportion to the time it will take, as far as spacing and steps tell
   bool forced = false;  // it is to be done, whatever its folder says
   RunState state = RunState::to_do;
-  std::string problem;            // of a broken run
-  nlohmann::ordered_json record;  // run.json of a run that is done or was interrupted; else null
+  std::string problem;  // of a broken run
+  Json record;          // run.json of a run that is done or was interrupted; else null
 
   /// Reads state and record from the run folder.
   void read_folder();

@@ -10,18 +10,10 @@
 namespace taut::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::array times = {"threads", "machine", "seconds", "particle_steps_per_second"};
 
-/// A number where the grid has one.
-Json as_json(const std::string& value) {
-  const Json number = Json::parse(value, nullptr, /*allow_exceptions=*/false);
-  return number.is_number() ? number : Json(value);
-}
-
 std::string status(const SweepRun& run) {
-  if (run.record.is_object()) return run.record["status"].get<std::string>();
+  if (run.record.is_object()) return run.record.find("status")->text();
   return run.state == RunState::broken ? "error" : "to do";
 }
 
@@ -29,27 +21,31 @@ Json run_json(const SweepRun& run) {
   Json json;
   json["index"] = run.index;
   json["set"] = Json::object();
-  for (const Setting& s : run.settings) json["set"][s.name] = as_json(s.value);
+  for (const Setting& s : run.settings) json["set"][s.name] = number_or_text(s.value);
   json["status"] = status(run);
-  json["message"] = run.problem.empty() ? Json(nullptr) : Json(run.problem);
+  json["message"] = run.problem.empty() ? Json() : Json(run.problem);
   json["folder"] = run.folder;
   if (!run.record.is_object()) return json;
   const auto differs = [](const std::string& key) { return std::ranges::find(times, key) != times.end(); };
-  for (const auto& [key, value] : run.record.items())
-    if (key != "taut" && !json.contains(key) && !differs(key)) json[key] = value;
-  for (const char* key : times) json[key] = run.record.value(key, Json(nullptr));
+  for (const auto& [key, value] : run.record.members())
+    if (key != "taut" && !json.find(key) && !differs(key)) json[key] = value;
+  for (const char* key : times) {
+    const Json* time = run.record.find(key);
+    json[key] = time ? *time : Json();
+  }
   return json;
 }
 
 /// The leaves of a tree, with their paths; in the order of the tree.
-using Cells = std::vector<std::pair<std::string, Json>>;
+using Cells = std::vector<Json::Member>;
 
 void flatten(const Json& value, const std::string& path, Cells& cells) {
   if (!value.is_object()) {
     cells.emplace_back(path, value);
     return;
   }
-  for (const auto& [key, inner] : value.items()) flatten(inner, path.empty() ? key : path + "." + key, cells);
+  for (const auto& [key, inner] : value.members())
+    flatten(inner, path.empty() ? key : path + "." + key, cells);
 }
 
 /// The columns of all rows: one that a row brings along stands behind the one that it follows there.
@@ -67,22 +63,20 @@ std::vector<std::string> columns_of(const std::vector<Cells>& rows) {
 
 std::string cell_of(const Json& value) {
   if (value.is_null()) return "";
-  if (value.is_string()) return csv_cell(value.get<std::string>());
-  return value.is_number_float() ? exact(value.get<double>()) : csv_cell(value.dump());
+  if (value.is_text()) return csv_cell(value.text());
+  return value.is_float() ? exact(value.number()) : csv_cell(value.dump());
 }
 
 const Json* find(const Json& run, std::initializer_list<const char*> path) {
   const Json* value = &run;
-  for (const char* key : path) {
-    if (!value->is_object() || !value->contains(key)) return nullptr;
-    value = &(*value)[key];
-  }
-  return value->is_null() ? nullptr : value;
+  for (const char* key : path)
+    if (value) value = value->find(key);
+  return !value || value->is_null() ? nullptr : value;
 }
 
 std::string measure_cell(const SweepRun& run, const std::string& measure) {
   const Json* value = find(run.record, {"measures", measure.c_str(), "value"});
-  return value && run.state == RunState::done ? brief(value->get<double>()) : "-";
+  return value && run.state == RunState::done ? brief(value->number()) : "-";
 }
 
 /// The names of the measures with their units.
@@ -91,9 +85,9 @@ std::vector<std::pair<std::string, std::string>> measures_of(const SweepPlan& pl
   for (const SweepRun& run : plan.runs) {
     const Json* measures = find(run.record, {"measures"});
     if (!measures) continue;
-    for (const auto& [name, measure] : measures->items()) {
+    for (const auto& [name, measure] : measures->members()) {
       const Json* found = find(measure, {"unit"});
-      const std::string unit = found ? found->get<std::string>() : "";
+      const std::string unit = found ? found->text() : "";
       all.emplace_back(name, unit.empty() || unit == "1" ? name : name + ", " + unit);
     }
     break;  // all runs are of one scene
@@ -109,13 +103,12 @@ std::string results_json(const SweepPlan& plan) {
   json["title"] = plan.title;
   json["scene"] = plan.scene;
   json["swept"] = Json::array();
-  for (const Swept& s : plan.swept)
-    json["swept"].push_back({{"name", s.name}, {"unit", s.unit}, {"help", s.help}});
+  for (const Swept& s : plan.swept) json["swept"].add({{"name", s.name}, {"unit", s.unit}, {"help", s.help}});
   json["fixed"] = Json::object();
-  for (const Setting& s : plan.fixed) json["fixed"][s.name] = as_json(s.value);
+  for (const Setting& s : plan.fixed) json["fixed"][s.name] = number_or_text(s.value);
   json["runs"] = Json::array();
-  for (const SweepRun& run : plan.runs) json["runs"].push_back(run_json(run));
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";  // a message may name a file
+  for (const SweepRun& run : plan.runs) json["runs"].add(run_json(run));
+  return json.dump(2) + "\n";
 }
 
 std::string results_csv(const SweepPlan& plan) {
@@ -144,9 +137,9 @@ void write_results(const SweepPlan& plan) {
 std::string outcome(const SweepRun& run) {
   const Json* verdict = find(run.record, {"verdict"});
   if (!verdict || run.state != RunState::done) return status(run);
-  const auto name = verdict->get<std::string>();
+  const std::string& name = verdict->text();
   const Json* since = find(run.record, {"since", name.c_str()});
-  return name + (since ? " since " + brief(since->get<double>()) + " s" : "");
+  return name + (since ? " since " + brief(since->number()) + " s" : "");
 }
 
 std::string results_table(const SweepPlan& plan) {

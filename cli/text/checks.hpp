@@ -4,7 +4,7 @@
 
 namespace taut::cli {
 
-// Checks of an option's text for CLI11: what is wrong with it, or nothing. CLI11's own show the bounds of a
+// Checks of an option's text: each returns the problem, or nothing. The checks of CLI11 show the bounds of a
 // double with 309 digits.
 std::string positive_number(const std::string& text);
 std::string not_negative_number(const std::string& text);

@@ -1,45 +1,16 @@
 #include "cli/text/json_cursor.hpp"
 
 #include <algorithm>
-#include <set>
-
-#include <nlohmann/json.hpp>
 
 #include "cli/text/format.hpp"
+#include "cli/text/json.hpp"
 #include "cli/text/shown.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-using Event = nlohmann::detail::parse_event_t;
-
 const Json nothing;  // null
-
-[[noreturn]] void refuse(const std::string& file, const std::string& what) {
-  throw UsageError("'" + file + "' " + what);
-}
-
-/// Watches a parser at its work.
-class Watch {
- public:
-  explicit Watch(const std::string& file) : file_(file) {}
-
-  bool operator()(int depth, Event event, const Json& value) {
-    constexpr int deepest = 64;
-    if (depth > deepest) refuse(file_, "is nested more than 64 levels deep, unlike any file of taut");
-    if (event == Event::object_start) keys_.emplace_back();
-    if (event == Event::object_end) keys_.pop_back();
-    if (event == Event::key && !keys_.back().insert(value.get<std::string>()).second)
-      refuse(file_, "has the key '" + shown(value.get<std::string>(), 60) + "' twice");
-    return true;
-  }
-
- private:
-  const std::string& file_;
-  std::vector<std::set<std::string>> keys_;  // of the objects that are open
-};
 
 enum class Kind { text, number, object, choice_of_status, choice_of_verdict };
 
@@ -115,20 +86,10 @@ void check_below(const JsonCursor& value, const KeyOfRun& key, std::size_t part,
 
 }  // namespace
 
-Json parse_json(const std::string& text, const std::string& file) {
-  try {
-    return Json::parse(text, Watch(file));
-  } catch (const Json::exception& error) {
-    const std::string what = error.what();  // "[json.exception.parse_error.101] parse error at …"
-    refuse(file, "is not JSON: " + shown(what.substr(std::min(what.find("] "), what.size() - 2) + 2)));
-  }
-}
-
 Json parse_run_json(const std::string& text, const std::string& file,
                     const std::vector<std::string>& verdicts) {
   Json json = parse_json(text, file);
-  if (!json.is_object() || !json.contains("taut"))
-    throw UsageError("'" + file + "' is not the run.json of a run of taut");
+  if (!json.find("taut")) throw UsageError("'" + file + "' is not the run.json of a run of taut");
   const JsonCursor record(json, file);
   for (const KeyOfRun& key : keys_of_run()) check_below(record, key, 0, verdicts);
   return json;
@@ -141,15 +102,15 @@ bool JsonCursor::is_null() const { return value_->is_null(); }
 
 JsonCursor JsonCursor::at(const std::string& key) const {
   check_object();
-  const auto found = value_->find(key);
-  return {found == value_->end() ? nothing : *found, *file_, path_.empty() ? key : path_ + "." + key};
+  const Json* found = value_->find(key);
+  return {found ? *found : nothing, *file_, path_.empty() ? key : path_ + "." + key};
 }
 
 std::vector<std::pair<std::string, JsonCursor>> JsonCursor::members() const {
   std::vector<std::pair<std::string, JsonCursor>> all;
   if (is_null()) return all;
   check_object();
-  for (const auto& member : value_->items()) all.emplace_back(member.key(), at(member.key()));
+  for (const auto& member : value_->members()) all.emplace_back(member.first, at(member.first));
   return all;
 }
 
@@ -157,19 +118,20 @@ std::vector<JsonCursor> JsonCursor::items() const {
   std::vector<JsonCursor> all;
   if (is_null()) return all;
   if (!value_->is_array()) fail("an array");
-  for (const Json& item : *value_) all.emplace_back(item, *file_, path_ + "." + std::to_string(all.size()));
+  for (const Json& item : value_->items())
+    all.emplace_back(item, *file_, path_ + "." + std::to_string(all.size()));
   return all;
 }
 
 std::string JsonCursor::text() const {
   if (is_null()) return "";
-  if (!value_->is_string()) fail("a text");
-  return value_->get<std::string>();
+  if (!value_->is_text()) fail("a text");
+  return value_->text();
 }
 
 std::string JsonCursor::number_or_text() const {
-  if (!value_->is_string() && !value_->is_number()) fail("a number or a text");
-  return value_->is_string() ? value_->get<std::string>() : value_->dump();
+  if (!value_->is_text() && !value_->is_number()) fail("a number or a text");
+  return value_->is_text() ? value_->text() : value_->dump();
 }
 
 void JsonCursor::check_object() const {
@@ -182,14 +144,14 @@ void JsonCursor::check_number_or_null() const {
 
 std::string JsonCursor::choice(const std::vector<std::string>& allowed) const {
   if (is_null()) return "";
-  const bool known = value_->is_string() && std::ranges::count(allowed, value_->get<std::string>()) > 0;
+  const bool known = value_->is_text() && std::ranges::count(allowed, value_->text()) > 0;
   if (!known) fail("one of " + join(allowed));
-  return value_->get<std::string>();
+  return value_->text();
 }
 
 void JsonCursor::fail(const std::string& allowed) const {
-  const std::string is = shown(value_->dump(-1, ' ', false, Json::error_handler_t::replace), 60);
-  if (path_.empty()) refuse(*file_, "contains " + is + "; it must be " + allowed);
+  const std::string is = shown(value_->dump(), 60);
+  if (path_.empty()) throw UsageError("'" + *file_ + "' contains " + is + "; it must be " + allowed);
   throw UsageError("'" + *file_ + "': key '" + shown(path_) + "' is " + is + "; it must be " + allowed);
 }
 

@@ -6,20 +6,16 @@
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
+#include "cli/text/json.hpp"
 
 namespace taut::cli {
-
-/// The JSON that a file holds. UsageError for what is no JSON, is nested more than 64 deep (which no file of
-/// taut is, and the reader's stack does not hold without end) or has a key twice in one object.
-nlohmann::ordered_json parse_json(const std::string& text, const std::string& file);
 
 /// Typed access to a value of a JSON file. Every error is a UsageError with the file, the path of the key
 /// ("measures.period.value"), what is there and what may be.
 class JsonCursor {
  public:
   /// Both live longer than the cursor.
-  JsonCursor(const nlohmann::ordered_json& value, const std::string& file, std::string path = "");
+  JsonCursor(const Json& value, const std::string& file, std::string path = "");
 
   const std::string& path() const { return path_; }
   bool is_null() const;
@@ -40,14 +36,14 @@ class JsonCursor {
   [[noreturn]] void fail(const std::string& allowed) const;
 
  private:
-  const nlohmann::ordered_json* value_;
+  const Json* value_;
   const std::string* file_;
   std::string path_;
 };
 
 /// The run.json of a run of taut: every key that taut writes holds what taut writes there, or null; other keys
 /// hold what they like. `verdicts` are the names of verdicts. Throws as JsonCursor does.
-nlohmann::ordered_json parse_run_json(const std::string& text, const std::string& file,
-                                      const std::vector<std::string>& verdicts);
+Json parse_run_json(const std::string& text, const std::string& file,
+                    const std::vector<std::string>& verdicts);
 
 }  // namespace taut::cli

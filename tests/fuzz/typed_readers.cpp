@@ -48,12 +48,12 @@ void run_line(Session& session, const std::string& line, const Dialogue& to) {
 }
 
 /// Reads the options of `taut run` and all that the run would check beforehand.
-std::function<int(Streams)> declare_plan(CLI::App& app) {
+std::function<int(Streams)> declare_plan(Options& command) {
   auto options = std::make_shared<RunOptions>();
   options->scene = "small.toml";
-  declare_setting_options(app, *options);
-  declare_output_options(app, *options);
-  declare_particle_options(app, *options);
+  declare_setting_options(command, *options);
+  declare_output_options(command, *options);
+  declare_particle_options(command, *options);
   return [options](Streams) {
     make_plan(*options);
     return 0;
@@ -62,8 +62,8 @@ std::function<int(Streams)> declare_plan(CLI::App& app) {
 
 /// The options of a command are read; it does nothing.
 template <std::size_t Number>
-std::function<int(Streams)> declare_only(CLI::App& app) {
-  const std::function<int(Streams)> kept = commands()[Number].declare(app);
+std::function<int(Streams)> declare_only(Options& command) {
+  const std::function<int(Streams)> kept = commands()[Number].declare(command);
   return [kept](Streams) { return 0; };
 }
 

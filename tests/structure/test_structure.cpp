@@ -152,8 +152,21 @@ TEST_SUITE("structure") {
         }
   }
 
+  TEST_CASE("one source includes each third-party header that takes seconds to compile") {
+    for (const std::string header : {"<CLI/CLI.hpp>", "<nlohmann/json.hpp>", "<toml++/toml.h>"}) {
+      Texts users;
+      for (const std::string& part : parts)
+        for (const std::string& source : sources_below(top / part))
+          if (text_of(top / part / source).find("#include " + header) != std::string::npos)
+            users.push_back(source);
+      CAPTURE(header);
+      REQUIRE(users.size() == 1);
+      CHECK(users.front().ends_with(".cpp"));
+    }
+  }
+
   TEST_CASE("rooms and files stay small") {
-    constexpr std::size_t most_units = 20, most_rooms = 12, most_lines = 500;
+    constexpr std::size_t most_units = 20, most_rooms = 13, most_lines = 500;
     constexpr std::size_t most_columns = 122;  // of clang-format 110; raw texts and tables need some more
     std::map<std::string, std::set<std::string>> units;  // a header and its source are one
     std::set<std::string> rooms_of_cli;

@@ -3,9 +3,9 @@
 #include <map>
 #include <set>
 
-#include <CLI/CLI.hpp>
 #include <doctest/doctest.h>
 
+#include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/command_line/completion.hpp"
 #include "cli/command_line/placeholders.hpp"
@@ -101,18 +101,17 @@ TEST_SUITE("cli") {
     for (const taut::cli::Command& command : taut::cli::commands()) {
       const std::string name(command.name);
       CHECK(std::ranges::count(names, name) == 1);
-      CLI::App app;
-      command.declare(app);
+      taut::cli::Options declared({});
+      command.declare(declared);
       const Words options = words_for({name, "--"});
-      for (const CLI::Option* option : app.get_options()) {
-        if (option->nonpositional()) CHECK(std::ranges::count(options, option->get_name()) == 1);
-        const bool is_flag = option->get_items_expected_max() == 0;
-        const std::string placeholder =
-            option->nonpositional() ? option->get_option_text() : option->get_name();
+      for (const taut::cli::Option& option : declared.all()) {
+        if (!option.is_positional()) CHECK(std::ranges::count(options, option.name()) == 1);
+        const std::string placeholder = option.placeholder();
         CAPTURE(name);
         CAPTURE(placeholder);
         const taut::cli::Choices found = taut::cli::choices(placeholder, "", &scene);
-        CHECK((is_flag || numbers.contains(placeholder)) == (found.words.empty() && found.files.empty()));
+        CHECK((!option.takes_value() || numbers.contains(placeholder)) ==
+              (found.words.empty() && found.files.empty()));
       }
     }
   }

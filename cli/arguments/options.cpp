@@ -1,0 +1,164 @@
+#include "cli/arguments/options.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/text/suggest.hpp"
+#include "engine/error.hpp"
+
+namespace taut::cli {
+namespace {
+
+/// The option with several values that took more than one word; nullptr if none did.
+const CLI::Option* greedy_option(const CLI::App& app) {
+  for (const CLI::Option* o : app.get_options())
+    if (!o->get_positional() && o->get_items_expected_max() > 1 && o->count() > 1) return o;
+  return nullptr;
+}
+
+/// Replaces messages of CLI11 such as "1 required FLOAT missing".
+std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& e) {
+  const std::string text = e.what();
+  if (const CLI::Option* taker = greedy_option(app); taker && dynamic_cast<const CLI::RequiredError*>(&e))
+    return text + ": " + taker->get_name() + " takes all words that follow it; put the argument before it";
+  if (!dynamic_cast<const CLI::ArgumentMismatch*>(&e)) return text;
+  const bool too_many = text.find("received") != std::string::npos;
+  return text.substr(0, text.find(':')) + (too_many ? " can be given only once" : " needs a value");
+}
+
+Option with_placeholder(CLI::Option& option, std::string_view placeholder) {
+  option.option_text(std::string(placeholder));
+  return Option(option);
+}
+
+}  // namespace
+
+Option& Option::required(bool is_required) {
+  option_->required(is_required);
+  return *this;
+}
+
+Option& Option::check(std::string (*check)(const std::string& value)) {
+  option_->check(check);
+  return *this;
+}
+
+Option& Option::one_word_each() {
+  option_->allow_extra_args(false);
+  return *this;
+}
+
+Option& Option::comma_separated() {
+  option_->delimiter(',');
+  return one_word_each();
+}
+
+Option& Option::excludes(const Option& other) {
+  option_->excludes(other.option_);
+  return *this;
+}
+
+Option& Option::needs(const Option& other) {
+  option_->needs(other.option_);
+  return *this;
+}
+
+std::string Option::name() const { return option_->get_name(); }
+
+bool Option::has_name(const std::string& name) const { return option_->check_name(name); }
+
+std::string Option::placeholder() const { return is_positional() ? name() : option_->get_option_text(); }
+
+std::string Option::help() const { return option_->get_description(); }
+
+bool Option::is_positional() const { return !option_->nonpositional(); }
+
+bool Option::takes_value() const { return option_->get_items_expected_max() > 0; }
+
+bool Option::may_be_repeated() const { return option_->get_items_expected_max() > 1; }
+
+std::vector<std::string> Option::values() const { return option_->results(); }
+
+Options::Options(const Texts& texts) : app_(std::make_unique<CLI::App>(texts.summary, texts.program)) {
+  app_->allow_extras();
+  app_->set_help_flag("--help,-h", texts.help_flag);
+  app_->footer("Examples:\n" + texts.examples);
+  app_->get_formatter()->column_width(26);
+}
+
+Options::~Options() = default;
+
+template <class Target>
+Option Options::add(std::string_view name, std::string_view placeholder, Target& target,
+                    std::string_view help) {
+  return with_placeholder(*app_->add_option(std::string(name), target, std::string(help)), placeholder);
+}
+
+template Option Options::add(std::string_view, std::string_view, int&, std::string_view);
+template Option Options::add(std::string_view, std::string_view, double&, std::string_view);
+template Option Options::add(std::string_view, std::string_view, std::string&, std::string_view);
+template Option Options::add(std::string_view, std::string_view, std::optional<int>&, std::string_view);
+template Option Options::add(std::string_view, std::string_view, std::optional<double>&, std::string_view);
+template Option Options::add(std::string_view, std::string_view, std::optional<std::string>&,
+                             std::string_view);
+template Option Options::add(std::string_view, std::string_view, std::vector<double>&, std::string_view);
+template Option Options::add(std::string_view, std::string_view, std::vector<std::string>&, std::string_view);
+
+Option Options::add(std::string_view name, std::string_view placeholder,
+                    const std::function<void(const std::string&)>& take, std::string_view help) {
+  return with_placeholder(*app_->add_option_function(std::string(name), take, std::string(help)),
+                          placeholder);
+}
+
+Option Options::add(std::string_view name, std::string_view placeholder,
+                    const std::function<void(const std::vector<std::string>&)>& take, std::string_view help) {
+  return with_placeholder(*app_->add_option_function(std::string(name), take, std::string(help)),
+                          placeholder);
+}
+
+Option Options::add_flag(std::string_view name, bool& target, std::string_view help) {
+  return Option(*app_->add_flag(std::string(name), target, std::string(help)));
+}
+
+std::vector<Option> Options::all() const {
+  std::vector<Option> all;
+  for (CLI::Option* option : app_->get_options()) all.emplace_back(*option);
+  return all;
+}
+
+std::string Options::help() const { return app_->help(); }
+
+bool Options::read(const std::vector<std::string>& words) try {
+  std::vector<std::string> reversed(words.rbegin(), words.rend());
+  app_->parse(reversed);
+  refuse_unknown();
+  return true;
+} catch (const CLI::CallForHelp&) {
+  return false;
+} catch (const CLI::ParseError& e) {
+  refuse_unknown();  // a misspelt option is the better explanation of "SCENE is required"
+  throw UsageError(what_is_wrong(*app_, e) + "; see `" + app_->get_name() + " --help`");
+}
+
+/// CLI11 leaves unknown words in `remaining`; its own message has no nearest names.
+void Options::refuse_unknown() const {
+  std::vector<std::string> rest = app_->remaining();
+  std::erase(rest, "--");  // all words after it are arguments
+  const auto dashed = [](const std::string& word) { return word.size() > 1 && word[0] == '-'; };
+  const auto option = std::ranges::find_if(rest, dashed);
+  if (option != rest.end()) {
+    std::vector<std::string> names;
+    for (const Option& o : all())
+      if (!o.is_positional()) names.push_back(o.name());
+    const std::string name = option->substr(0, option->find('='));
+    if (std::ranges::find(names, name) != names.end())
+      throw UsageError("'" + name +
+                       "' follows '--', after which options are not allowed; put it before '--'");
+    throw UsageError(unknown_name("option", name, names));
+  }
+  if (!rest.empty()) throw UsageError("'" + rest.front() + "' is one argument too many; remove it");
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace taut::cli {
+
+/// A JSON value. Members of an object keep their order.
+class Json {
+ public:
+  using Member = std::pair<std::string, Json>;
+
+  Json(std::nullptr_t = nullptr) {}
+  Json(bool value) : value_(value) {}
+  template <std::integral Integer>
+  Json(Integer value)
+      : value_(
+            static_cast<std::conditional_t<std::is_signed_v<Integer>, std::int64_t, std::uint64_t>>(value)) {}
+  /// A number that is not finite is written as null.
+  Json(double value) : value_(value) {}
+  Json(std::optional<double> value);
+  Json(const char* text) : Json(std::string_view(text)) {}
+  Json(std::string_view text) : value_(std::string(text)) {}
+  Json(std::string text) : value_(std::move(text)) {}
+  Json(const std::vector<std::string>& texts);
+  /// An object.
+  Json(std::initializer_list<Member> members);
+  Json(const Json&);
+  Json(Json&&) noexcept;
+  ~Json();
+  Json& operator=(const Json&);
+  Json& operator=(Json&&) noexcept;
+
+  static Json array();
+  static Json object() { return std::initializer_list<Member>(); }
+
+  bool operator==(const Json& other) const;
+
+  bool is_null() const { return std::holds_alternative<std::monostate>(value_); }
+  bool is_object() const { return std::holds_alternative<std::vector<Member>>(value_); }
+  bool is_array() const { return std::holds_alternative<std::vector<Json>>(value_); }
+  bool is_text() const { return std::holds_alternative<std::string>(value_); }
+  bool is_number() const;
+  bool is_float() const { return std::holds_alternative<double>(value_); }
+
+  double number() const;
+  const std::string& text() const { return std::get<std::string>(value_); }
+  const std::vector<Json>& items() const { return std::get<std::vector<Json>>(value_); }
+  const std::vector<Member>& members() const { return std::get<std::vector<Member>>(value_); }
+  /// nullptr if this is no object or has no such key.
+  const Json* find(std::string_view key) const;
+
+  /// The member of an object, null if it is new. A null becomes an object.
+  Json& operator[](std::string_view key);
+  /// Appends to an array. A null becomes an array.
+  void add(Json item);
+
+  /// On one line; with `indent`, each value on its own line. Replaces bytes that are not UTF-8.
+  std::string dump(int indent = -1) const;
+  /// The values without members or items, with JSON pointers such as "/measures/period/value".
+  std::vector<Member> leaves() const;
+
+  const auto& value() const { return value_; }
+
+ private:
+  std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double, std::string, std::vector<Json>,
+               std::vector<Member>>
+      value_;
+};
+
+/// The JSON that a file contains. Throws UsageError if `text` is not JSON, is nested more than 64 levels deep, which
+/// no file of taut is, or repeats a key in an object.
+Json parse_json(const std::string& text, const std::string& file);
+
+/// A number if the text is a JSON number, else a text.
+Json number_or_text(const std::string& text);
+
+}  // namespace taut::cli
