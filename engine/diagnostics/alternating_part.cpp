@@ -13,9 +13,11 @@
 #include <Eigen/Core>
 
 #include "engine/core/growth.hpp"
+#include "engine/core/kernels_of.hpp"
 #include "engine/core/least_squares.hpp"
 #include "engine/core/parallel.hpp"
 #include "engine/core/point.hpp"
+#include "engine/diagnostics/kernels.hpp"
 #include "engine/neighbors/close_pairs.hpp"
 #include "engine/neighbors/linked.hpp"
 
@@ -223,6 +225,16 @@ AlternatingPart alternating_part(const Snapshot& start, double spacing, int thre
       static_cast<int>(moving.size()), threads, [&](int k) { return rows.make(near_of(k)); },
       [&](int k, const Rows::Made& made) { rows.add(near_of(k), made); });
   return rows.take();
+}
+
+AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing,
+                                 InstructionSet allowed) {
+  double out[6];
+  best_kernels<SharedKernels::history_row, HistoryKernels>(now.dim, "", allowed)
+      .alternating_sums(
+          {part.rows(), part.begin.data(), part.j.data(), part.first_weight.data(), part.weight.data()},
+          view_of(now), spacing, out);
+  return {{out[0], out[1], out[2]}, {out[3], out[4], out[5]}};
 }
 
 }  // namespace taut

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "engine/settings.hpp"
 #include "engine/snapshot.hpp"
 
 namespace taut {
@@ -34,5 +35,17 @@ struct AlternatingPart {
 };
 
 AlternatingPart alternating_part(const Snapshot& start, double spacing, int threads = 1);
+
+/// Sums of squares: of a length in m², of p and of the von Mises stress in Pa².
+struct SquareSums {
+  double x = 0, p = 0, von_mises = 0;
+};
+/// Over the particles that have a row.
+struct AlternatingSums {
+  SquareSums part;   // of the alternating parts; a length counts with one spacing at most
+  SquareSums whole;  // of the particles themselves, but for their places
+};
+AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing,
+                                 InstructionSet allowed = InstructionSet::x86_64_v4);
 
 }  // namespace taut

@@ -2,12 +2,24 @@
 
 #include <algorithm>
 #include <numeric>
+#include <vector>
 
-#include "engine/diagnostics/history_sums.hpp"
+#include "engine/core/kernels_of.hpp"
+#include "engine/diagnostics/kernels.hpp"
 
 namespace taut {
 
-Balance balance(const Snapshot& now, const Scene& scene) { return sums_of(now, scene); }
+Balance balance(const Snapshot& now, const Scene& scene, InstructionSet allowed) {
+  std::vector<StrainDivisors> divisors;
+  for (const Material& material : scene.materials)
+    divisors.push_back({2 * material.bulk_modulus(), 4 * material.shear_modulus()});
+  double out[10];
+  best_kernels<SharedKernels::history_row, HistoryKernels>(now.dim, "", allowed)
+      .balance(view_of(now), divisors.data(), now.contact_energy, out);
+  return {
+      out[0],     out[1],      {out[4], out[5], out[6]}, {out[7], out[8], out[9]}, out[2], out[3], now.work,
+      now.damped, now.of_walls};
+}
 
 double energy_of_rounding(const Scene& scene, const Snapshot& start) {
   double c2 = 0;  // m²/s²

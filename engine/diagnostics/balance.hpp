@@ -2,6 +2,7 @@
 
 #include "engine/core/point.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/settings.hpp"
 #include "engine/snapshot.hpp"
 
 namespace taut {
@@ -18,7 +19,7 @@ struct Balance {
   Impulse of_walls;   // so far: momenta less these are kept
 };
 
-Balance balance(const Snapshot& now, const Scene& scene);
+Balance balance(const Snapshot& now, const Scene& scene, InstructionSet allowed = InstructionSet::x86_64_v4);
 
 /// m c² times 1e-16, of speeds of 1e-8 sound speeds, J: more than what rounding makes of bodies without any.
 double energy_of_rounding(const Scene& scene, const Snapshot& start);

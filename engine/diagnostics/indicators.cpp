@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/diagnostics/history_sums.hpp"
-
 namespace taut {
 namespace {
 

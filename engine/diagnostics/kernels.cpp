@@ -1,5 +1,7 @@
 // Compiled once per instruction set; see engine/CMakeLists.txt.
 
+#include "engine/diagnostics/kernels.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -8,7 +10,6 @@
 #include "engine/core/pack.hpp"
 #include "engine/diagnostics/compensated_sum.hpp"
 #include "engine/diagnostics/deviator.hpp"
-#include "engine/diagnostics/history_kernels.hpp"
 
 namespace taut {
 namespace {

@@ -1,10 +1,11 @@
 // Compiled once per instruction set; see engine/CMakeLists.txt.
+#include "engine/neighbors/kernels.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
 
 #include "engine/core/kernels_of.hpp"
-#include "engine/neighbors/search_kernels.hpp"
 
 namespace taut {
 namespace {

@@ -9,7 +9,7 @@
 #include "engine/core/parallel.hpp"
 #include "engine/core/tensor.hpp"
 #include "engine/error.hpp"
-#include "engine/neighbors/search_kernels.hpp"
+#include "engine/neighbors/kernels.hpp"
 
 namespace taut {
 

@@ -40,7 +40,7 @@
 /// Below J = ½ the term in G of W is taken at c = ¼ + 1/(12 − 16 J), which goes on from J with its slope and
 /// stays above ¼, and W has (K + 4G/3)(1 − 2J)³ more: particles that are pressed together in a crease are
 /// pushed apart, and what is turned inside out comes back. That no force is left inside a
-/// body under a homogeneous strain: families/bonded/balance.hpp; what is cancelled at faces besides: bonds.hpp there.
+/// body under a homogeneous strain: families/bonded/layout/balance.hpp; what is cancelled at faces besides: bonds.hpp there.
 ///
 /// Which φ. Any with φ′(1) = 0 and φ″(1) = 1 gives the same law for linear displacements, but not for
 /// zigzags: these see the bonds alone. Of φ = ((1 − a) s² + (3a − 2) s + a/s)/8 + const, a = 0 lets zigzags

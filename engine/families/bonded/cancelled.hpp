@@ -8,7 +8,7 @@
 #include "engine/core/parallel.hpp"
 #include "engine/core/shared_rows.hpp"
 #include "engine/core/tensor.hpp"
-#include "engine/families/bonded/setup.hpp"
+#include "engine/families/bonded/layout/setup.hpp"
 #include "engine/terms/bond.hpp"
 
 namespace taut {

@@ -7,9 +7,9 @@
 #include "engine/core/parallel.hpp"
 #include "engine/core/tensor.hpp"
 #include "engine/families/bonded/closed_law.hpp"
-#include "engine/families/bonded/interfaces.hpp"
+#include "engine/families/bonded/layout/interfaces.hpp"
+#include "engine/families/bonded/layout/setup.hpp"
 #include "engine/families/bonded/packed_bonds.hpp"
-#include "engine/families/bonded/setup.hpp"
 #include "engine/terms/bond.hpp"
 
 namespace taut {

@@ -4,6 +4,7 @@
 
 #include "engine/core/cube_root.hpp"
 #include "engine/core/tensor.hpp"
+#include "engine/families/bonded/layout/recovered_gradient.hpp"
 #include "engine/materials/law.hpp"
 
 namespace taut {
@@ -39,14 +40,6 @@ ShownStress<double, Dim> shown_stress(const L& law, const Mat<double, Dim>& F) {
   for (int k = 0; k < Dim; ++k) sigma(k, k) += p;
   return {J, p, sigma, zz + p};
 }
-
-/// Plain data of a RecoveredGradient (recovered_gradient.hpp).
-struct RecoveredView {
-  const int *begin, *j, *row;
-  const double* g;
-  const float* halved;           // replaces g; else null
-  const unsigned char* between;  // null: none
-};
 
 /// Replaces F of the four particles from `first` on by the recovered gradient of the displacements u, in m, where there
 /// is one.

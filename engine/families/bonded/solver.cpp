@@ -6,7 +6,7 @@
 #include "engine/core/kernels_of.hpp"
 #include "engine/core/parallel.hpp"
 #include "engine/families/bonded/describe.hpp"
-#include "engine/families/bonded/layout_stiffness.hpp"
+#include "engine/families/bonded/layout/layout_stiffness.hpp"
 #include "engine/solver/particle_simulation.hpp"
 
 namespace taut {

@@ -8,8 +8,8 @@
 #include "engine/families/bonded/clamps.hpp"
 #include "engine/families/bonded/interface_sites.hpp"
 #include "engine/families/bonded/kernels.hpp"
-#include "engine/families/bonded/recovered_gradient.hpp"
-#include "engine/families/bonded/setup.hpp"
+#include "engine/families/bonded/layout/recovered_gradient.hpp"
+#include "engine/families/bonded/layout/setup.hpp"
 #include "engine/solver/scheme.hpp"
 
 namespace taut {

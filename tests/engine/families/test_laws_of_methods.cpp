@@ -9,7 +9,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/balance.hpp"
-#include "engine/families/bonded/bonds.hpp"
+#include "engine/families/bonded/layout/bonds.hpp"
 #include "engine/families/bonded/closed_law.hpp"
 #include "engine/methods/oenog.hpp"
 #include "tests/support/relative.hpp"

@@ -13,7 +13,7 @@
 
 #include "engine/diagnostics/balance.hpp"
 #include "engine/error.hpp"
-#include "engine/families/bonded/bonds.hpp"
+#include "engine/families/bonded/layout/bonds.hpp"
 #include "engine/methods/oenog.hpp"
 #include "engine/solver/face_loads.hpp"
 #include "tests/support/relative.hpp"

@@ -11,7 +11,7 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/families/bonded/bonds.hpp"
+#include "engine/families/bonded/layout/bonds.hpp"
 #include "engine/methods/oenog.hpp"
 #include "engine/solver/face_loads.hpp"
 #include "tests/support/relative.hpp"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/families/bonded/bonds.hpp"
-#include "engine/families/bonded/interfaces.hpp"
+#include "engine/families/bonded/layout/bonds.hpp"
+#include "engine/families/bonded/layout/interfaces.hpp"
 #include "engine/scene/initial_particles.hpp"
 #include "tests/support/neighbor_sweep.hpp"
 

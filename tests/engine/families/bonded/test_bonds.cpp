@@ -12,7 +12,7 @@
 #include "engine/core/shared_rows.hpp"
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/verdict.hpp"
-#include "engine/families/bonded/bonds.hpp"
+#include "engine/families/bonded/layout/bonds.hpp"
 #include "engine/materials/neo_hookean.hpp"
 #include "engine/methods/oenog.hpp"
 #include "engine/terms/bond.hpp"

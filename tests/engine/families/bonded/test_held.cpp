@@ -8,7 +8,7 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/families/bonded/constraints.hpp"
+#include "engine/families/bonded/layout/constraints.hpp"
 #include "engine/scene/initial_particles.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"

@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/families/bonded/layout_stiffness.hpp"
+#include "engine/families/bonded/layout/layout_stiffness.hpp"
 #include "tests/support/relative.hpp"
 
 namespace of_this_file {

@@ -75,7 +75,8 @@ void check_cancelled(double precision) {
     Sym<Pack, Dim> C;
     for (Pack& c : C.c) c = Pack{number(), number(), number(), number()} - 0.5;
     for (int k = 0; k < Dim; ++k) C(k, k) += 1.5;
-    const Cancelled cancelled(lanes, 1, [&](int i) { return of_particle[i]; });
+    const Cancelled owner(lanes, 1, [&](int i) { return of_particle[i]; });
+    const auto cancelled = owner.view();
     Sym<Pack, Dim> identity{};
     for (int k = 0; k < Dim; ++k) identity(k, k) += 1;
     for (const Pack& c : cancelled.slopes(0, identity).c)
@@ -113,7 +114,8 @@ void check_both_ends(const Scene& scene) {
   constants.dp = scene.spacing, constants.h = oenog.h_over_dp * scene.spacing;
   const BondedSetup setup = make_bonded_setup(
       {oenog, scene, initial, constants, materials, Law{}, ContactLaw{}, /*meets_itself*/ false, {}, 1});
-  const Packed packed(setup, ids);
+  const Packed owner(setup, ids);
+  const auto packed = owner.view();
   std::map<std::pair<int, int>, std::pair<double, Vec<double, Dim>>> seen;  // strength and area
   for (int first = 0; first < initial.size(); first += lanes) {
     const auto& own = packed.of(first / lanes);

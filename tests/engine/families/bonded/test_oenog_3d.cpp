@@ -16,7 +16,7 @@
 
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/verdict.hpp"
-#include "engine/families/bonded/bonds.hpp"
+#include "engine/families/bonded/layout/bonds.hpp"
 #include "engine/methods/oenog.hpp"
 #include "tests/engine/families/bonded/cantilever_3d.hpp"
 #include "tests/engine/families/bonded/naive_oenog.hpp"

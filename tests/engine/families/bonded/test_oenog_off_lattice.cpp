@@ -9,8 +9,8 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/balance.hpp"
-#include "engine/families/bonded/bonds.hpp"
-#include "engine/families/bonded/off_lattice.hpp"
+#include "engine/families/bonded/layout/bonds.hpp"
+#include "engine/families/bonded/layout/off_lattice.hpp"
 #include "engine/scene/shapes/given_particles.hpp"
 #include "tests/engine/families/bonded/cantilever_3d.hpp"
 #include "tests/support/relative.hpp"

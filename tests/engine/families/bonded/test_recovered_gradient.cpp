@@ -10,8 +10,8 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/families/bonded/bonds.hpp"
-#include "engine/families/bonded/recovered_gradient.hpp"
+#include "engine/families/bonded/layout/bonds.hpp"
+#include "engine/families/bonded/layout/recovered_gradient.hpp"
 #include "engine/methods/oenog.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"

@@ -1,4 +1,4 @@
-#include "engine/families/bonded/off_lattice.hpp"
+#include "engine/families/bonded/layout/off_lattice.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "engine/snapshot.hpp"
 
 namespace taut {
 
@@ -12,6 +13,17 @@ struct SnapshotView {
   const double* strain_energy;  // null: from p and s
   const int* material;
 };
+inline SnapshotView view_of(const Snapshot& now) {
+  return {.size = now.size(),
+          .x = now.x.data(),
+          .v = now.v.data(),
+          .m = now.m.data(),
+          .rho = now.rho.data(),
+          .p = now.p.data(),
+          .s = now.s.data(),
+          .strain_energy = now.strain_energy.empty() ? nullptr : now.strain_energy.data(),
+          .material = now.material.data()};
+}
 /// Plain data of an AlternatingPart.
 struct AlternatingView {
   int rows;
@@ -23,6 +35,7 @@ struct StrainDivisors {
   double twice_K, four_G;
 };
 
+/// The sums over all particles in a row of history.csv; the same to the last bit for any instruction set.
 struct HistoryKernels {
   /// Sums of squares of the alternating parts of x (with `spacing`² at most), p and stress, and of p and stress
   /// themselves: out[0 … 2] and out[3 … 5], see AlternatingSums.

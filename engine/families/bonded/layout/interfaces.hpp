@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/families/bonded/bonds.hpp"
+#include "engine/families/bonded/layout/bonds.hpp"
 #include "engine/methods/constants.hpp"
 
 namespace taut {

@@ -1,4 +1,4 @@
-#include "engine/families/bonded/balance.hpp"
+#include "engine/families/bonded/layout/balance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 #include <Eigen/SparseCholesky>
 
 #include "engine/core/parallel.hpp"
-#include "engine/families/bonded/bond_gradients.hpp"
-#include "engine/families/bonded/off_lattice.hpp"
+#include "engine/families/bonded/layout/bond_gradients.hpp"
+#include "engine/families/bonded/layout/off_lattice.hpp"
 
 namespace taut {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/families/bonded/setup.hpp"
+#include "engine/families/bonded/layout/setup.hpp"
 
 #include <algorithm>
 #include <cmath>

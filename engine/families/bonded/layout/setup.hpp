@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "engine/families/bonded/bonds.hpp"
-#include "engine/families/bonded/interfaces.hpp"
+#include "engine/families/bonded/layout/bonds.hpp"
+#include "engine/families/bonded/layout/interfaces.hpp"
 #include "engine/solver/solver_input.hpp"
 
 namespace taut {

@@ -1,4 +1,4 @@
-#include "engine/families/bonded/interfaces.hpp"
+#include "engine/families/bonded/layout/interfaces.hpp"
 
 #include <algorithm>
 #include <cmath>

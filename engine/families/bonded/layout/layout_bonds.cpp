@@ -1,4 +1,4 @@
-#include "engine/families/bonded/layout_bonds.hpp"
+#include "engine/families/bonded/layout/layout_bonds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 #include <span>
 
 #include "engine/core/parallel.hpp"
-#include "engine/families/bonded/balance.hpp"
-#include "engine/families/bonded/bond_gradients.hpp"
-#include "engine/families/bonded/bond_moments.hpp"
-#include "engine/families/bonded/off_lattice.hpp"
+#include "engine/families/bonded/layout/balance.hpp"
+#include "engine/families/bonded/layout/bond_gradients.hpp"
+#include "engine/families/bonded/layout/bond_moments.hpp"
+#include "engine/families/bonded/layout/off_lattice.hpp"
 #include "engine/neighbors/initial_neighbors.hpp"
 
 namespace taut {

@@ -1,4 +1,4 @@
-#include "engine/families/bonded/recovered_gradient.hpp"
+#include "engine/families/bonded/layout/recovered_gradient.hpp"
 
 #include <algorithm>
 #include <bit>

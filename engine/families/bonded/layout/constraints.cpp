@@ -1,4 +1,4 @@
-#include "engine/families/bonded/constraints.hpp"
+#include "engine/families/bonded/layout/constraints.hpp"
 
 #include <algorithm>
 

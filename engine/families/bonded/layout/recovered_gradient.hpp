@@ -2,10 +2,17 @@
 
 #include <vector>
 
-#include "engine/families/bonded/constraints.hpp"
-#include "engine/families/bonded/shown_stress.hpp"
+#include "engine/families/bonded/layout/constraints.hpp"
 
 namespace taut {
+
+/// Plain data of a RecoveredGradient.
+struct RecoveredView {
+  const int *begin, *j, *row;
+  const double* g;
+  const float* halved;           // replaces g; else null
+  const unsigned char* between;  // null: none
+};
 
 /// Gradients on the initial layout for snapshots, exact for quadratic fields up to the surface,
 ///   ∇f at i = Σ_j (f_j − f_i) ⊗ g_ij,   Σ_j X_ij ⊗ g_ij = I,   Σ_j X_ij ⊗ X_ij ⊗ g_ij = 0,

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/families/bonded/bonds.hpp"
+#include "engine/families/bonded/layout/bonds.hpp"
 #include "engine/scene/initial_particles.hpp"
 
 namespace taut {

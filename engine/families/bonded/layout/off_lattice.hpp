@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "engine/families/bonded/constraints.hpp"
+#include "engine/families/bonded/layout/constraints.hpp"
 #include "engine/neighbors/initial_neighbors.hpp"
 #include "engine/scene/initial_particles.hpp"
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/families/bonded/bonds.hpp"
+#include "engine/families/bonded/layout/bonds.hpp"
 
 namespace taut {
 

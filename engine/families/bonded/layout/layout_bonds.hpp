@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/families/bonded/bonds.hpp"
+#include "engine/families/bonded/layout/bonds.hpp"
 
 namespace taut {
 

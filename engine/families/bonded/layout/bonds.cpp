@@ -1,4 +1,4 @@
-#include "engine/families/bonded/bonds.hpp"
+#include "engine/families/bonded/layout/bonds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <ranges>
 #include <utility>
 
-#include "engine/families/bonded/bond_gradients.hpp"
-#include "engine/families/bonded/layout_bonds.hpp"
-#include "engine/families/bonded/solid_bonds.hpp"
+#include "engine/families/bonded/layout/bond_gradients.hpp"
+#include "engine/families/bonded/layout/layout_bonds.hpp"
+#include "engine/families/bonded/layout/solid_bonds.hpp"
 #include "engine/terms/bond.hpp"
 
 namespace taut {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/families/bonded/constraints.hpp"
+#include "engine/families/bonded/layout/constraints.hpp"
 #include "engine/methods/constants.hpp"
 
 namespace taut {

@@ -10,7 +10,7 @@
 #include <Eigen/LU>
 
 #include "engine/core/parallel.hpp"
-#include "engine/families/bonded/bonds.hpp"
+#include "engine/families/bonded/layout/bonds.hpp"
 
 namespace taut {
 
