@@ -224,17 +224,13 @@ void Bonded<Dim>::show(Snapshot& out, std::span<const int> groups) const {
   });
 }
 
-namespace {
-template <int Dim>
-std::unique_ptr<Simulation> made(const SolverInput& input) {
-  const auto& kernels = best_kernels<Family::bonded, BondedKernels<Dim>>(input.scene.dim, input.method.name,
-                                                                         input.instruction_set);
-  return simulation_by<Bonded<Dim>, Dim>(input, greatest_bond_reach * input.constants.h, kernels);
-}
-}  // namespace
-
 std::unique_ptr<Simulation> bonded::make(const SolverInput& input) {
-  return input.scene.dim == 3 ? made<3>(input) : made<2>(input);
+  const auto made = [&]<int Dim>() {
+    const auto& kernels = best_kernels<Family::bonded, BondedKernels<Dim>>(input.scene.dim, input.method.name,
+                                                                           input.instruction_set);
+    return simulation_by<Bonded<Dim>, Dim>(input, greatest_bond_reach * input.constants.h, kernels);
+  };
+  return input.scene.dim == 3 ? made.template operator()<3>() : made.template operator()<2>();
 }
 
 }  // namespace taut

@@ -64,17 +64,13 @@ void TlDisplacement<Dim>::show(Snapshot& out, std::span<const int> groups) const
   });
 }
 
-namespace {
-template <int Dim>
-std::unique_ptr<Simulation> made(const SolverInput& input) {
-  const auto& kernels = best_kernels<Family::tl_displacement, TlDisplacementKernels<Dim>, true>(
-      input.scene.dim, input.method.name, input.instruction_set);
-  return simulation_by<TlDisplacement<Dim>, Dim>(input, initial_support(input), kernels);
-}
-}  // namespace
-
 std::unique_ptr<Simulation> tl_displacement::make(const SolverInput& input) {
-  return input.scene.dim == 3 ? made<3>(input) : made<2>(input);
+  const auto made = [&]<int Dim>() {
+    const auto& kernels = best_kernels<Family::tl_displacement, TlDisplacementKernels<Dim>, true>(
+        input.scene.dim, input.method.name, input.instruction_set);
+    return simulation_by<TlDisplacement<Dim>, Dim>(input, initial_support(input), kernels);
+  };
+  return input.scene.dim == 3 ? made.template operator()<3>() : made.template operator()<2>();
 }
 
 }  // namespace taut

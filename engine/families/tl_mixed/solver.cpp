@@ -267,17 +267,13 @@ void TlMixed<Dim>::serialize(Archive& archive) {
   archive.fixed(now_.F, now_.J, now_.H);
 }
 
-namespace {
-template <int Dim>
-std::unique_ptr<Simulation> made(const SolverInput& input) {
-  const auto& kernels = best_kernels<Family::tl_mixed, TlMixedKernels<Dim>>(
-      input.scene.dim, input.method.name, input.instruction_set);
-  return simulation_by<TlMixed<Dim>, Dim>(input, initial_support(input), kernels);
-}
-}  // namespace
-
 std::unique_ptr<Simulation> tl_mixed::make(const SolverInput& input) {
-  return input.scene.dim == 3 ? made<3>(input) : made<2>(input);
+  const auto made = [&]<int Dim>() {
+    const auto& kernels = best_kernels<Family::tl_mixed, TlMixedKernels<Dim>>(
+        input.scene.dim, input.method.name, input.instruction_set);
+    return simulation_by<TlMixed<Dim>, Dim>(input, initial_support(input), kernels);
+  };
+  return input.scene.dim == 3 ? made.template operator()<3>() : made.template operator()<2>();
 }
 
 }  // namespace taut

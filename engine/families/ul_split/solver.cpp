@@ -212,17 +212,13 @@ void UlSplit<Dim>::serialize(Archive& archive) {
   }
 }
 
-namespace {
-template <int Dim>
-std::unique_ptr<Simulation> made(const SolverInput& input) {
-  const auto& kernels = best_kernels<Family::ul_split, UlSplitKernels<Dim>>(
-      input.scene.dim, input.method.name, input.instruction_set);
-  return simulation_by<UlSplit<Dim>, Dim>(input, kernels.support * input.constants.h, kernels);
-}
-}  // namespace
-
 std::unique_ptr<Simulation> ul_split::make(const SolverInput& input) {
-  return input.scene.dim == 3 ? made<3>(input) : made<2>(input);
+  const auto made = [&]<int Dim>() {
+    const auto& kernels = best_kernels<Family::ul_split, UlSplitKernels<Dim>>(
+        input.scene.dim, input.method.name, input.instruction_set);
+    return simulation_by<UlSplit<Dim>, Dim>(input, kernels.support * input.constants.h, kernels);
+  };
+  return input.scene.dim == 3 ? made.template operator()<3>() : made.template operator()<2>();
 }
 
 }  // namespace taut
