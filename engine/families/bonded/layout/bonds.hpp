@@ -61,8 +61,8 @@ struct Bonds {
     return row.empty() ? rows[b] : row[i] < 0 ? in_solid(i, b) : rows[row[i] + b - begin[i]];
   }
   std::span<const FaceTerm> face_terms_of(int i) const {
-    const auto own = std::ranges::equal_range(face_terms, i, {}, &FaceTerm::i);
-    return {own.begin(), own.end()};
+    return {std::ranges::lower_bound(face_terms, i, {}, &FaceTerm::i),
+            std::ranges::upper_bound(face_terms, i, {}, &FaceTerm::i)};
   }
   /// Returns g_ij, in 1/m: Σ_j (f_j − f_i) g_ij is the gradient of f at i.
   Point gradient(int i, int b) const { return gradient_of(B[i], of(i, b)); }
