@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"

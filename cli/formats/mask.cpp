@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fstream>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "engine/error.hpp"
 #include "engine/scene/contours.hpp"

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "cli/formats/mask.hpp"
 #include "cli/system/external_program.hpp"

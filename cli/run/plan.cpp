@@ -5,7 +5,7 @@
 #include <map>
 #include <ostream>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "cli/arguments/options.hpp"
 #include "cli/drawing/keys.hpp"

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <optional>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "cli/drawing/keys.hpp"
 #include "cli/scene/sections.hpp"

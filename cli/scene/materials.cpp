@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"

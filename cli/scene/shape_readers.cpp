@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "cli/text/format.hpp"
 #include "engine/scene/shapes/ellipse.hpp"

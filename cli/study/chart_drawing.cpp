@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "cli/study/chart_tables.hpp"
 #include "cli/study/curve_style.hpp"

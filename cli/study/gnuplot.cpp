@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "cli/study/letters.hpp"
 #include "cli/system/atomic_file.hpp"

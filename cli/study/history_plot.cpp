@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <map>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "cli/study/csv.hpp"
 #include "cli/study/curve_style.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "cli/study/curve_style.hpp"
 #include "cli/text/format.hpp"

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <sstream>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace taut::cli {
 namespace {

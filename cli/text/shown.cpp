@@ -1,6 +1,6 @@
 #include "cli/text/shown.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace taut::cli {
 namespace {
