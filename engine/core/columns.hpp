@@ -21,6 +21,8 @@ struct ColumnsView {
 /// Owner of such numbers.
 template <int N>
 class Columns : public ColumnsView<N> {
+  using ColumnsView<N>::all, ColumnsView<N>::length;
+
  public:
   Columns() = default;
   Columns(const Columns&) = delete;
@@ -28,9 +30,9 @@ class Columns : public ColumnsView<N> {
 
   /// All zero.
   void resize(int size) {
-    this->length = (size + lanes - 1) / lanes * lanes;
-    numbers_.assign(static_cast<std::size_t>(N) * this->length, 0.0);
-    this->all = numbers_.data();
+    length = (size + lanes - 1) / lanes * lanes;
+    numbers_.assign(static_cast<std::size_t>(N) * length, 0.0);
+    all = numbers_.data();
   }
 
  private:

@@ -26,9 +26,8 @@ inline Pack load(const double* from, int count) {
 }
 inline void store(const Pack& a, double* to) { *reinterpret_cast<UnalignedPack*>(to) = a; }
 
-/// A Pack in a std::vector. Vectors of the bare type would be one type for all builds of the solver, and the
-/// linker would let the one without AVX, for which a Pack is less aligned, make room for the others.
-struct StoredPack {
+/// A Pack as an element of an array: without AVX, GCC aligns a bare one less.
+struct AlignedPack {
   alignas(lanes * sizeof(double)) Pack value;
 };
 
@@ -38,9 +37,9 @@ struct HalfPack {
   alignas(lanes * sizeof(float)) Floats value;
 };
 
-inline Pack unpacked(const StoredPack& a) { return a.value; }
+inline Pack unpacked(const AlignedPack& a) { return a.value; }
 inline Pack unpacked(const HalfPack& a) { return __builtin_convertvector(a.value, Pack); }
-inline void pack_into(StoredPack& to, const Pack& a) { to.value = a; }
+inline void pack_into(AlignedPack& to, const Pack& a) { to.value = a; }
 inline void pack_into(HalfPack& to, const Pack& a) {
   to.value = __builtin_convertvector(a, HalfPack::Floats);
 }

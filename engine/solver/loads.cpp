@@ -1,4 +1,3 @@
-// Compiled once per instruction set; see engine/CMakeLists.txt.
 #include "engine/solver/loads.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// Compiled once per instruction set; see engine/CMakeLists.txt.
 #include "engine/solver/probe_kinds.hpp"
 
 #include <algorithm>

@@ -109,7 +109,7 @@ Sym<Pack, Dim> CancelledOnLattice<Dim>::slopes(const Sym<Pack, Dim>& C) const {
 
 /// Cancellation of bonds (THEORY.md, Energy) for four particles at once, as plain data for passes. It visits no
 /// neighbours: of a linear displacement a bond sees s° = e·C e. Opposite bonds are merged. Storage as in PackedBonds.
-template <int Dim, class Storage = StoredPack>
+template <int Dim, class Storage = AlignedPack>
 struct CancelledView {
   static constexpr int dyad_size = Sym<Pack, Dim>::size - 1;
   /// e ⊗ e of one bond of each of four particles, without the last component: the trace is 1.
@@ -134,7 +134,7 @@ struct CancelledView {
 };
 
 /// Owner of such data.
-template <int Dim, class Storage = StoredPack>
+template <int Dim, class Storage = AlignedPack>
 class CancelledBonds {
  public:
   using View = CancelledView<Dim, Storage>;

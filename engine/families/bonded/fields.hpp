@@ -45,7 +45,7 @@ struct BondedFields {
   const GroupRows* groups;
   const GroupLaw* group_laws;
   const Mat<Pack, Dim>* B;
-  BondsView<Dim, StoredPack> bonds;
+  BondsView<Dim, AlignedPack> bonds;
   BondsView<Dim, HalfPack> halved_bonds;  // off-lattice in 3D, where each particle has constants of its own
   bool halved;
 

@@ -55,7 +55,7 @@ struct BondToClamp {
 };
 
 /// Bonds of groups of four contiguous particles, with the constants of each, as plain data for passes. A particle sums
-/// over its bonds in the order in which their other ends are stored, bonds with an a_ij first. Storage is StoredPack, or
+/// over its bonds in the order in which their other ends are stored, bonds with an a_ij first. Storage is AlignedPack, or
 /// HalfPack if no two groups have the same constants.
 template <int Dim, class Storage>
 struct PackedBondsView {

@@ -190,7 +190,7 @@ ShownStress<Pack, Dim> stress_of_four(const BondedFields<Dim>& f, int group, con
 
 /// Energies and stresses of the groups, each into one of `out`, at `places`, with the displacements u, m.
 template <const Formulation& M, int Dim>
-void show_pass(const BondedFields<Dim>& f, const RecoveredView& recovered, const StoredPack* u,
+void show_pass(const BondedFields<Dim>& f, const RecoveredView& recovered, const AlignedPack* u,
                const int* groups, int count, ShownGroup<Dim>* out, const Threads& threads) {
   parallel_pass(count, threads, [&](int k) {
     const int group = groups[k];

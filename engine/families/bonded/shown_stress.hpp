@@ -44,7 +44,7 @@ ShownStress<double, Dim> shown_stress(const L& law, const Mat<double, Dim>& F) {
 /// Replaces F of the four particles from `first` on by the recovered gradient of the displacements u, in m, where there
 /// is one.
 template <int Dim>
-Mat<Pack, Dim> recovered_deformations(const RecoveredView& recovered, const StoredPack* u, int size,
+Mat<Pack, Dim> recovered_deformations(const RecoveredView& recovered, const AlignedPack* u, int size,
                                       int first, Mat<Pack, Dim> F) {
   const int count = std::min(lanes, size - first);
   for (int lane = 0; lane < count; ++lane) {

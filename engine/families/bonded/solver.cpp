@@ -59,7 +59,7 @@ auto Bonded<Dim>::stored(const BondedSetup& setup) const -> AnyBonds {
   };
   if constexpr (Dim == 3)
     if (setup.bonds.off_lattice) return with(HalfPack{});
-  return with(StoredPack{});
+  return with(AlignedPack{});
 }
 
 template <int Dim>
@@ -204,7 +204,7 @@ void Bonded<Dim>::show(Snapshot& out, std::span<const int> groups) const {
               places[k] + lanes * group_count());
   BondedFields<Dim> now = f_;
   now.places = places;
-  std::vector<StoredPack> displacements(p_.x.size());  // unused lanes are 0
+  std::vector<AlignedPack> displacements(p_.x.size());  // unused lanes are 0
   parallel_for(p_.size(), threads, [&](int i) {
     now.set_place(i);
     for (int k = 0; k < Dim; ++k) displacements[i].value[k] = p_.x[i][k] - common_.initial.x[p_.id[i]][k];

@@ -15,7 +15,7 @@ struct TlMixedKernels {
   bool has_J, has_H;  // the method follows the volume ratio, the cofactor
   void (*start_gradients)(const Fields& f);
   double (*greatest_stiffness)(const Fields& f, const Threads& threads);
-  void (*stiffnesses)(const Fields& f, StoredPack* out);
+  void (*stiffnesses)(const Fields& f, AlignedPack* out);
   void (*set_columns)(const Fields& f, const Threads& threads);
   void (*gather)(const Fields& f, const Threads& threads);
   void (*dissipate)(const Fields& f, const Constants& c, const Threads& threads);

@@ -79,7 +79,7 @@ double greatest_stiffness(const TlMixedFields<Dim>& f, const Threads& threads) {
 
 /// That of the particles of each group, into out[group].
 template <const Formulation& M, int Dim>
-void stiffnesses(const TlMixedFields<Dim>& f, StoredPack* out) {
+void stiffnesses(const TlMixedFields<Dim>& f, AlignedPack* out) {
   using U = UnknownsOf<M, Dim>;
   f.laws.template visit<M>([&]<class L>(const L* of_materials) {
     const LawsOfFour<L, M.several_materials> laws{of_materials, f.material};

@@ -89,7 +89,7 @@ void TlMixed<Dim>::make_strains() {
   for (int k = 0; k < Dim; ++k) one(k, k) = filled<Pack>(1);
   for (StrainArrays* strains : {&now_, &start_, &rate_}) {
     strains->F.assign(groups(), one);
-    if (kernels_.has_J) strains->J.assign(groups(), StoredPack{filled<Pack>(1)});
+    if (kernels_.has_J) strains->J.assign(groups(), AlignedPack{filled<Pack>(1)});
     if (kernels_.has_H) strains->H.assign(groups(), one);
   }
 }
@@ -130,7 +130,7 @@ template <int Dim>
 void TlMixed<Dim>::crushed() const {
   const double limit = greatest_wave_ratio * body_.wave_speed;
   int culprit = p_.size();  // id
-  std::vector<StoredPack> bound(groups());
+  std::vector<AlignedPack> bound(groups());
   kernels_.stiffnesses(f_, bound.data());
   for (int i = 0; i < p_.size(); ++i)
     if (!(bound[i / lanes].value[i % lanes] <= c_.rho0 * limit * limit))

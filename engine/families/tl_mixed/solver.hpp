@@ -47,7 +47,7 @@ class TlMixed final : public Scheme<Dim> {
   /// Owner of Strains.
   struct StrainArrays {
     std::vector<Mat<Pack, Dim>> F, H;
-    std::vector<StoredPack> J;
+    std::vector<AlignedPack> J;
 
     Strains<Dim> view() { return {F.data(), J.data(), H.data()}; }
   };

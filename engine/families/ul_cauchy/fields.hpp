@@ -11,14 +11,15 @@ namespace taut {
 /// Velocity (u or û), density, volume, place.
 template <int Dim>
 struct MotionRow : Row<2 * Dim + 2> {
+  using Row<2 * Dim + 2>::c;
   static constexpr int x_at = Dim + 2;
   void set(const Vec<double, Dim>& v, double rho, double V, const Vec<double, Dim>& x) {
-    for (int k = 0; k < Dim; ++k) this->c[k] = v[k], this->c[x_at + k] = x[k];
-    this->c[Dim] = rho;
-    this->c[Dim + 1] = V;
+    for (int k = 0; k < Dim; ++k) c[k] = v[k], c[x_at + k] = x[k];
+    c[Dim] = rho;
+    c[Dim + 1] = V;
   }
   void put_velocity(const Vec<double, Dim>& v) {
-    for (int k = 0; k < Dim; ++k) this->c[k] = v[k];
+    for (int k = 0; k < Dim; ++k) c[k] = v[k];
   }
 };
 template <int Dim>
@@ -140,12 +141,13 @@ struct StressRow {
 /// −σ⁺ in the form of StressRow::T: for itself, since not every particle asks for it.
 template <int Dim>
 struct RepulsionRow : Row<Dim * Dim> {
+  using Row<Dim * Dim>::c;
   void set(const Mat<double, Dim>& A) {
-    for (int k = 0; k < Dim * Dim; ++k) this->c[k] = A(k / Dim, k % Dim);
+    for (int k = 0; k < Dim * Dim; ++k) c[k] = A(k / Dim, k % Dim);
   }
   Mat<double, Dim> get() const {
     Mat<double, Dim> A;
-    for (int k = 0; k < Dim * Dim; ++k) A(k / Dim, k % Dim) = this->c[k];
+    for (int k = 0; k < Dim * Dim; ++k) A(k / Dim, k % Dim) = c[k];
     return A;
   }
   static Mat<Pack, Dim> gather(const RepulsionRow* rows, const int* j) {
@@ -186,8 +188,8 @@ struct UlCauchyFields {
   void* stress;                 // a StressRow of the method for each particle
   RepulsionRow<Dim>* repulsion;
   const int *begin, *j;               // neighbours that act as particles of one body, see Neighbors
-  StoredPack* w;                      // w(q) of kernels/kernel.hpp, for methods that look at it
-  const StoredPack* of_one_material;  // 1 or 0; null where all are
+  AlignedPack* w;                      // w(q) of kernels/kernel.hpp, for methods that look at it
+  const AlignedPack* of_one_material;  // 1 or 0; null where all are
   // of each body as a rigid one, since neighbours were last searched
   const V *drift, *centre;  // m/s, m
   const double* spin;       // 1/s

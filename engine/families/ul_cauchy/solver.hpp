@@ -68,7 +68,7 @@ class UlCauchy final : public Scheme<Dim> {
   std::vector<CacheLine> stress_;
   std::vector<RepulsionRow<Dim>> repulsion_;
   Neighbors near_;
-  std::vector<StoredPack> w_, of_one_material_;
+  std::vector<AlignedPack> w_, of_one_material_;
   // of each body as a rigid one, when neighbours were last searched; several that act as one have none
   std::vector<V> drift_;      // m/s
   std::vector<double> spin_;  // 1/s

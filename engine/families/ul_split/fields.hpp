@@ -11,10 +11,11 @@ namespace taut {
 /// The row that every pass gathers of a neighbour: velocity (or any other vector), pressure, volume.
 template <int Dim>
 struct FlowRow : Row<Dim + 2> {
+  using Row<Dim + 2>::c;
   void set(const Vec<double, Dim>& v, double p, double V) {
-    for (int k = 0; k < Dim; ++k) this->c[k] = v[k];
-    this->c[Dim] = p;
-    this->c[Dim + 1] = V;
+    for (int k = 0; k < Dim; ++k) c[k] = v[k];
+    c[Dim] = p;
+    c[Dim + 1] = V;
   }
 };
 template <int Dim, class T>
@@ -27,16 +28,17 @@ struct Flow {
 /// A symmetric tensor and a scalar of a particle, as the passes gather them.
 template <int Dim>
 struct TensorRow : Row<Sym<double, Dim>::size + 1> {
+  using Row<Sym<double, Dim>::size + 1>::c;
   void set(const Sym<double, Dim>& s, double a = 0) {
-    for (int k = 0; k < Sym<double, Dim>::size; ++k) this->c[k] = s.c[k];
-    this->c[Sym<double, Dim>::size] = a;
+    for (int k = 0; k < Sym<double, Dim>::size; ++k) c[k] = s.c[k];
+    c[Sym<double, Dim>::size] = a;
   }
   Sym<double, Dim> get() const {
     Sym<double, Dim> s;
-    for (int k = 0; k < Sym<double, Dim>::size; ++k) s.c[k] = this->c[k];
+    for (int k = 0; k < Sym<double, Dim>::size; ++k) s.c[k] = c[k];
     return s;
   }
-  double scalar() const { return this->c[Sym<double, Dim>::size]; }
+  double scalar() const { return c[Sym<double, Dim>::size]; }
 };
 
 template <int Dim>
@@ -94,7 +96,7 @@ struct PairGeometry {
 template <int Dim>
 struct PairCache {
   static constexpr bool halved = Dim == 3;
-  using Kept = std::conditional_t<halved, HalfPack, StoredPack>;
+  using Kept = std::conditional_t<halved, HalfPack, AlignedPack>;
   /// Of −r ∂W/∂r in those units, below which a pair at the edge of the kernel, or in one place, has no geometry:
   /// the inverses would be too great.
   static constexpr double least = halved ? 1e-30 : 0;

@@ -1,4 +1,3 @@
-// Compiled once per instruction set; see engine/CMakeLists.txt.
 #include "engine/solver/contact/face_contacts.hpp"
 
 #include <algorithm>

@@ -221,8 +221,8 @@ TEST_SUITE("term") {
   }
 
   TEST_CASE("bond: what is cancelled of four particles is the sum of each, on a lattice and off it") {
-    check_cancelled<2, StoredPack>(1e-12);
-    check_cancelled<3, StoredPack>(1e-12);
+    check_cancelled<2, AlignedPack>(1e-12);
+    check_cancelled<3, AlignedPack>(1e-12);
     check_cancelled<3, HalfPack>(1e-6);
   }
 
@@ -252,8 +252,8 @@ TEST_SUITE("term") {
 TEST_SUITE("conservation") {
   TEST_CASE("oenog: both ends of a bond have its strength to the last bit, and opposite areas") {
     for (const Scene& scene : {clamped_plate_of_two_materials(), ring_alone()})
-      check_both_ends<PackedBonds<2, StoredPack>, 2>(scene);
-    check_both_ends<PackedBonds<3, StoredPack>, 3>(small_clamped_block());
+      check_both_ends<PackedBonds<2, AlignedPack>, 2>(scene);
+    check_both_ends<PackedBonds<3, AlignedPack>, 3>(small_clamped_block());
     check_both_ends<PackedBonds<3, HalfPack>, 3>(jittered(small_clamped_block(), 0.2));
   }
 
