@@ -6,6 +6,7 @@
 
 #include "engine/core/machine.hpp"
 #include "engine/diagnostics/alternating_part.hpp"
+#include "engine/diagnostics/balance.hpp"
 #include "engine/simulation.hpp"
 #include "tests/support/made_snapshot.hpp"
 #include "tests/support/relative.hpp"
