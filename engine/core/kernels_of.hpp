@@ -5,10 +5,11 @@
 #include "engine/core/machine.hpp"
 #include "engine/settings.hpp"
 
-/// Kernels: functions that run once per particle and step, over plain data. A kernels.cpp makes tables of pointers to them
-/// (for a family of methods one for each method and dimension) and is compiled once per instruction set; everything else
-/// is compiled once and asks for the best table of the machine. In the builds for special instruction sets the macro
-/// `taut` renames the namespace (engine/CMakeLists.txt), so that the linker shares none of the functions that they inline.
+/// Kernels: functions that run once per particle and step, over plain data. A kernels.cpp makes tables of pointers to
+/// them (for a family of methods one for each method and dimension) and is compiled once per instruction set; everything
+/// else is compiled once and asks for the best table of the machine. In the builds for special instruction sets the macro
+/// `taut` renames the namespace (engine/CMakeLists.txt), so that the linker shares none of the functions that they
+/// inline.
 namespace taut {
 
 /// Kernels that are not those of a family of methods; numbers apart from those of Family.

@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// One method's share of a simulation. It has its own fields and refers to the Common part, which ParticleSimulation owns.
+/// One method's share of a simulation: its own fields, and a reference to the Common part, which ParticleSimulation owns.
 template <int Dim>
 class Scheme {
  public:

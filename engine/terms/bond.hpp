@@ -9,51 +9,12 @@
 #include "engine/core/tensor.hpp"
 #include "engine/methods/term_info.hpp"
 
-/// `oenog`, an objective relative of ENOG that no paper has.
-///
-/// [Zhang2024] Eq. 20 adds up a shear force along e_ij for each pair, but in axes fixed in space: a stressed
-/// body that turns keeps the force of its old attitude. Adding it up for each pair and letting it act along
-/// the present e_ij cures that. Since e_ij·v_ij = dr/dt, the sum over time is then a function of r alone,
-///   ∫ 2ζG (e·v_ij)/r W′(r0) V_i V_j dt = 2ζG W′(r0) V_i V_j ln(r/r0),
-/// so the history is that of a spring, and the whole method can be written as an energy of the positions,
+/// Functions of one bond and of one particle of `oenog`, derived in families/bonded/THEORY.md from the energy
 ///   E = Σ_i [ V_i W(F_i) + G V0_i Σ_j w_ij (φ(s_ij) − φ_c(s°_ij)) ],   F_i = Σ_j (x_j − x_i) ⊗ g_ij,
 ///   s = λ² = |x_j − x_i|²/r0_ij²,   s° = e·C_i e,   C = Fᵀ F,   e = X_ij/r0_ij,
 /// whose derivatives are the forces
 ///   f_i = Σ_j k_ij φ′(λ_ij)/λ_ij (x_j − x_i) + Σ_j (T_i g_ij − T_j g_ji),   k_ij = G (V0_i w_ij + V0_j w_ji)/r0_ij²,
 ///   T_i = V_i ∂W/∂F − G V0_i F_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e.
-/// What follows from there being an energy that no translation or rotation changes: linear and angular
-/// momentum are kept to round-off, a turned body keeps its stress, and the energy is kept as well as the time
-/// integrator can. The bonds resist every displacement of a particle against its neighbours: there is no
-/// zigzag mode.
-///
-/// Law. Under a linear displacement each s is its s°: what the bonds store is cancelled bond by bond, on any
-/// layout, at faces and in corners, for any law W, in 2D and 3D, and the energy is just W,
-///   W = G/2 (J^(−2/3) tr C − 3) + K/2 (J − 1)²,
-/// the neo-Hookean one, in 2D of plane strain, unless the scene asks for another one
-/// (families/bonded/closed_law.hpp). Under the linear law, which takes turns for strains, W is not objective,
-/// and the angular momentum is not kept. Of any other displacement the bonds keep what F_i does not see. φ_c
-/// is φ, continued linearly in s outside [¼, 6¼], in 3D [¼, 4]: −φ alone has no least value for a body pressed
-/// flat or drawn out without end. So the law is W up to a stretch of 2.5 along any bond, in 3D of 2; drawn out
-/// further a body is stiffer. (Of 108 blocks that meet a wall at 0.3 to 0.9 c0, ν = 0.4 to 0.49, 15 go through it
-/// or themselves or break, with 4 for 6¼ 19. Of 24 cubes in 3D, ν = 0.49, 0.4 to 0.7 c0, 21 do with 6¼ and 9 with
-/// 4; the least eigenvalues over all wave vectors are the same up to a pull of 2 either way.)
-/// Below J = ½ the term in G of W is taken at c = ¼ + 1/(12 − 16 J), which goes on from J with its slope and
-/// stays above ¼, and W has (K + 4G/3)(1 − 2J)³ more: particles that are pressed together in a crease are
-/// pushed apart, and what is turned inside out comes back. That no force is left inside a
-/// body under a homogeneous strain: families/bonded/layout/balance.hpp; what is cancelled at faces besides: bonds.hpp there.
-///
-/// Which φ. Any with φ′(1) = 0 and φ″(1) = 1 gives the same law for linear displacements, but not for
-/// zigzags: these see the bonds alone. Of φ = ((1 − a) s² + (3a − 2) s + a/s)/8 + const, a = 0 lets zigzags
-/// go once a square lattice is pressed to λ = 0.81 on all sides, a = 1 once it is pulled to 1.3; a = 1/3
-/// holds from 0.7 on all sides, or 0.64 on two with the others held, up to a pull of 2.0 (least eigenvalue
-/// over all wave vectors).
-///
-/// Damping. A blow leaves vibrations at the scale of the spacing, for which the continuum has no counterpart
-/// and which nothing takes away. Each bond has a dashpot in parallel, φ′/λ + τ dq/dt with q = (λ² − 1)/2 and
-/// τ = damping · dp/√(G/ρ0), of the fastest material (whatever share of G bonds have, bond_modulus): along
-/// x_j − x_i, so that both momenta stay. At 0.01 a
-/// zigzag falls to 1/e in about ten of its periods, the first bending mode of a plate of ten particles by 0.2
-/// to 0.4 % in thirty; the loss falls with dp. Zero keeps the energy.
 namespace taut {
 
 /// What stands for G in the bonds and in what is cancelled of them, Pa. Bonds alone have λ = G: where the law's
