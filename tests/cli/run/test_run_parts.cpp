@@ -21,15 +21,18 @@ using namespace taut::test;
 
 namespace {
 
-/// No particles: only the time goes by.
+/// A simulation without particles: only time passes.
 struct StandingSimulation : Simulation {
   void advance(double t, double) override {
-    time_ = t;
-    ++step_;
+    state.time = t;
+    ++state.steps;
   }
   std::string save() override { return {}; }
   void load(std::string_view) override {}
-  void take_snapshot() override {}
+  void take_snapshot(Snapshot&) const override {}
+  const RunState& run_state() const override { return state; }
+
+  RunState state;
 };
 
 }  // namespace
