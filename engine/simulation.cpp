@@ -1,8 +1,6 @@
 #include "engine/simulation.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,7 +11,6 @@
 #include "engine/families/families.hpp"
 #include "engine/scene/initial_particles.hpp"
 #include "engine/scene/overlap.hpp"
-#include "engine/terms/riemann_second_order.hpp"
 
 namespace taut {
 namespace {
@@ -59,10 +56,10 @@ bool same(const Material& a, const Material& b) {
 
 /// Throws SceneError if the method has no form in as many dimensions.
 void check_dimension(const Scene& scene, const MethodInfo& method) {
-  if (scene.dim <= greatest_dim(method.formulation)) return;
+  if (scene.dim <= method.formulation.greatest_dim) return;
   std::string others;
   for (const MethodInfo& other : methods())
-    if (greatest_dim(other.formulation) >= scene.dim)
+    if (other.formulation.greatest_dim >= scene.dim)
       others += (others.empty() ? "" : ", ") + std::string(other.name);
   throw SceneError("dim", fmt::format("method '{}' runs scenes of 2 dimensions only; methods for 3: {}",
                                       method.name, others));
@@ -72,7 +69,7 @@ void check_dimension(const Scene& scene, const MethodInfo& method) {
 std::string of_several(int dim) {
   std::string names;
   for (const MethodInfo& method : methods())
-    if (method.several_materials && greatest_dim(method.formulation) >= dim)
+    if (method.several_materials && method.formulation.greatest_dim >= dim)
       names += (names.empty() ? "" : ", ") + std::string(method.name);
   return names;
 }
@@ -94,7 +91,7 @@ void check_materials(const Scene& scene, const InitialParticles& initial, const 
 
 /// Throws SceneError for a displacement from a reference configuration that the method does not know.
 void check_displacements(const Scene& scene, const MethodInfo& method) {
-  if (keeps_neighbors(method.formulation)) return;
+  if (method.keeps_neighbors) return;
   for (const Body& body : scene.bodies)
     for (const Expression& component : body.displacement)
       if (component)
@@ -135,50 +132,18 @@ void check_walls(const Scene& scene, const InitialParticles& initial) {
   }
 }
 
-/// Speed of the CFL condition of methods with searched neighbours, m/s: c0 ([Zhang2024] Eq. 22, [Khayyer2024] Eq. 26)
-/// where G/K is at most that of the papers; else c0 times the ratio of √((K + ζG)/ρ0) to its value there. ζ = 4/3 gives
-/// the compression wave; `enog` has the greater ζ of its Laplacian.
-double step_speed(const Elasticity& m, double zeta_of_laplacian) {
-  const bool has_laplacian = zeta_of_laplacian > 0;
-  const double zeta = has_laplacian ? zeta_of_laplacian : 4.0 / 3;
-  // G/K: ν = 0.2, below which `enog` is lost at c0; ν = 0, [Khayyer2024] §4.3
-  const double known = has_laplacian ? 0.75 : 1.5;
-  constexpr double round_off = 1e-9;
-  if (!(m.G > known * (1 + round_off) * m.K)) return m.c0;
-  return m.c0 * std::sqrt((1 + zeta * m.G / m.K) / (1 + zeta * known));
-}
-
-/// Greatest riemann_step_speed() of two materials that the Riemann term joins, m/s: those of one body, under `sph` of
-/// the whole scene.
-double riemann_speed(const std::vector<Elasticity>& materials, const InitialParticles& initial,
-                     bool joins_bodies) {
-  std::set<std::pair<int, int>> materials_of_bodies;
-  for (std::size_t i = 0; i < initial.material.size(); ++i)
-    materials_of_bodies.emplace(joins_bodies ? 0 : initial.body[i], initial.material[i]);
-  double speed = 0;
-  for (const auto& [body, a] : materials_of_bodies)
-    for (const auto& [other, b] : materials_of_bodies)
-      if (body == other && materials[a].rho0 < materials[b].rho0)
-        speed = std::max(speed, riemann_step_speed(materials[a].rho0, materials[a].c0, materials[b].rho0,
-                                                   materials[b].c0));
-  return speed;
-}
-
-Constants constants_of(const std::vector<Elasticity>& materials, const InitialParticles& initial,
-                       const Scene& scene, const Settings& settings, const MethodInfo& method) {
-  check_constants(method, settings, scene.dim);
+/// The constants that every method has.
+Constants common_constants(const std::vector<Elasticity>& materials, const InitialParticles& initial,
+                           const Scene& scene, const Settings& settings, const MethodInfo& method,
+                           const ConstantValues& values) {
   const std::vector<int>& material = initial.material;
   Constants c{materials[material.front()]};
   for (const int used : material) c.c0 = std::max(c.c0, materials[used].c0);
   c.dp = scene.spacing;
+  c.h = values.at("h");
+  c.contact_stiffness = values.at("contact_stiffness");
   c.cfl = settings.cfl > 0 ? settings.cfl : method.cfl;
   c.step = settings.step;
-  set_constants(c, method.formulation, scene.dim, settings);
-  for (const int used : material) c.step_speed = std::max(c.step_speed, step_speed(materials[used], c.zeta));
-  if (method.formulation.viscosity == Viscosity::riemann)
-    c.step_speed = std::max(
-        c.step_speed,
-        c.riemann_factor * riemann_speed(materials, initial, contact_law(scene, method) == ContactLaw::sph));
   return c;
 }
 
@@ -202,17 +167,20 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Settings& 
   const LawRow* law = law_row(*method, settings);
   const std::vector<Elasticity> materials = elasticities(scene, law);
   const int threads = settings.threads > 0 ? settings.threads : useful_threads(initial.size());
+  check_constants(*method, settings, scene.dim);
+  const ConstantValues values = constant_values(method->formulation, scene.dim, scene.spacing, settings);
   const SolverInput input{method->formulation,
                           scene,
                           initial,
-                          constants_of(materials, initial, scene, settings, *method),
+                          common_constants(materials, initial, scene, settings, *method, values),
                           materials,
                           law ? law->law : Law::none,
                           contact_law(scene, *method),
-                          method->meets_itself,
+                          method->keeps_neighbors,
                           settings.stepping,
                           threads,
-                          settings.instruction_set};
+                          settings.instruction_set,
+                          values};
   return row_of(method->formulation.family).make(input);
 }
 

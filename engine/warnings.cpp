@@ -10,6 +10,7 @@
 
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/conservation.hpp"
+#include "engine/families/ul_cauchy/formulation.hpp"
 #include "engine/neighbors/close_pairs.hpp"
 
 namespace taut {
@@ -104,7 +105,8 @@ void warn_about_joined_bodies(std::vector<std::string>& warnings, const Scene& s
 std::string warning_about_reactions(const Scene& scene, const MethodInfo& method) {
   const auto is_reaction = [](const Probe& probe) { return probe.kind == Probe::Kind::reaction; };
   // the pair forces of [Khayyer2024] §3.4 are not equal and opposite
-  if (!method.formulation.tensile_control || std::ranges::none_of(scene.probes, is_reaction)) return "";
+  const auto* cauchy = as<UlCauchyFormulation>(method.formulation);
+  if (!cauchy || !cauchy->tensile_control || std::ranges::none_of(scene.probes, is_reaction)) return "";
   return fmt::format(
       "reaction forces of {} do not balance the loads, since tensile instability control does not conserve "
       "momentum: "

@@ -156,7 +156,7 @@ class SceneReading {
     read_jitter(root_, changes, file_.scene.jitter);
     read_outside(root_, file_.scene);
     read_materials(root_, file_.scene);
-    read_bodies(root_, keeps_neighbors(find_method(file_.settings.method)->formulation), file_);
+    read_bodies(root_, find_method(file_.settings.method)->keeps_neighbors, file_);
     name_touching(root_, file_);
   }
 

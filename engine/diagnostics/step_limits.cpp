@@ -8,14 +8,15 @@
 #include <string_view>
 
 #include "engine/families/catalogue.hpp"
+#include "engine/families/tl_displacement/describe.hpp"
+#include "engine/families/tl_displacement/methods.hpp"
 #include "engine/kernels/kernel.hpp"
-#include "engine/methods/all_methods.hpp"
 
 namespace taut {
 namespace {
 
 /// V B W′ of a method on an unbounded square or cubic lattice of spacing 1, as the gradients have it.
-template <const Formulation& M, int Dim>
+template <const TlDisplacementFormulation& M, int Dim>
 class Lattice {
  public:
   using V = std::array<double, Dim>;
@@ -80,35 +81,32 @@ class Lattice {
   double scale_ = 1;
 };
 
-template <const Formulation& M, int Dim>
+template <const TlDisplacementFormulation& M, int Dim>
 std::vector<StepLimit> limits_of(const Scene& scene, const Settings& settings) {
-  if constexpr (M.family != Family::tl_displacement) {
-    return {};
-  } else {
-    const Material& material = scene.materials.at(static_cast<std::size_t>(scene.bodies.front().material));
-    const double nu = material.poisson_ratio, dp = scene.spacing;
-    Constants c;
-    c.dp = 1;
-    set_constants(c, M, Dim, settings);
-    const Lattice<M, Dim> lattice(c.h, c.normalised);
-    const double stiffness = material.bulk_modulus() + 4.0 / 3 * material.shear_modulus();
-    const double c_p = std::sqrt(stiffness / material.density);
-    std::vector<StepLimit> limits{{"sharp limit of an unbounded lattice", "von Neumann",
-                                   2 * dp / (c_p * lattice.greatest_wave_number())}};
-    if (Dim == 2 && M.gradient == GradientCorrection::normalised) {
-      const double doubled_G = 2 * material.shear_modulus();
-      limits.push_back(
-          {"sufficient with four neighbours", "[Zhang2020] Eq. 15b",
-           dp / lattice.nearest() * std::sqrt(material.density * (1 - 2 * nu) / ((3 - 4 * nu) * doubled_G))});
-    }
-    return limits;
+  const Material& material = scene.materials.at(static_cast<std::size_t>(scene.bodies.front().material));
+  const double nu = material.poisson_ratio, dp = scene.spacing;
+  Constants all;
+  all.dp = 1;
+  const auto c =
+      constants_of(tl_displacement::constants(M, Dim), all, constant_values(M, Dim, all.dp, settings));
+  const Lattice<M, Dim> lattice(c.h, c.normalised);
+  const double stiffness = material.bulk_modulus() + 4.0 / 3 * material.shear_modulus();
+  const double c_p = std::sqrt(stiffness / material.density);
+  std::vector<StepLimit> limits{{"sharp limit of an unbounded lattice", "von Neumann",
+                                 2 * dp / (c_p * lattice.greatest_wave_number())}};
+  if (Dim == 2 && M.gradient == GradientCorrection::normalised) {
+    const double doubled_G = 2 * material.shear_modulus();
+    limits.push_back(
+        {"sufficient with four neighbours", "[Zhang2020] Eq. 15b",
+         dp / lattice.nearest() * std::sqrt(material.density * (1 - 2 * nu) / ((3 - 4 * nu) * doubled_G))});
   }
+  return limits;
 }
 
-template <const Formulation&... M>
+template <const auto&... M>
 std::vector<StepLimit> find_limits(const Scene& scene, const Settings& settings, MethodList<M...>) {
   std::vector<StepLimit> limits;
-  const auto of = [&]<const Formulation & One>() {
+  const auto of = [&]<const auto & One>() {
     return scene.dim == 3 ? limits_of<One, 3>(scene, settings) : limits_of<One, 2>(scene, settings);
   };
   static_cast<void>(((M.name == settings.method && (limits = of.template operator()<M>(), true)) || ...));
@@ -118,7 +116,7 @@ std::vector<StepLimit> find_limits(const Scene& scene, const Settings& settings,
 }  // namespace
 
 std::vector<StepLimit> step_limits(const Scene& scene, const Settings& settings) {
-  return find_limits(scene, settings, Methods{});
+  return find_limits(scene, settings, tl_displacement::Methods{});
 }
 
 }  // namespace taut

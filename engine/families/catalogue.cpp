@@ -1,14 +1,13 @@
 #include "engine/families/catalogue.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
 #include "engine/error.hpp"
+#include "engine/families/all_methods.hpp"
 #include "engine/families/families.hpp"
 #include "engine/materials/laws.hpp"
-#include "engine/methods/all_methods.hpp"
 #include "engine/scene/surface_mesh.hpp"
 #include "engine/solver/contact/motion_bound.hpp"
 #include "engine/solver/contact/wall_contacts.hpp"
@@ -27,7 +26,7 @@ std::vector<TermInfo> terms(const Formulation& m) {
     if (!own->test.empty()) term.test = own->test;
   }
   all.push_back(wall_info);
-  if (!row_of(m.family).searches) all.push_back(self_contact_info);
+  if (row_of(m.family).keeps_neighbors) all.push_back(self_contact_info);
   return all;
 }
 
@@ -53,38 +52,44 @@ std::string joined(const std::vector<ContactLaw>& laws) {
 }
 
 /// Its own, and the others that can be chosen.
-std::vector<LawChoice> laws(const Formulation& m) {
+std::vector<LawChoice> laws(const ElasticSwitches* m) {
   std::vector<LawChoice> all;
+  if (!m) return all;
   for (const LawRow& row : Laws::rows)
-    if (may_be_given(m, row)) all.push_back({row.choice, row.material_law, row.law});
-  std::stable_partition(all.begin(), all.end(), [&](const LawChoice& choice) { return choice.law == m.law; });
+    if (may_be_given(*m, row)) all.push_back({row.choice, row.material_law, row.law});
+  std::stable_partition(all.begin(), all.end(),
+                        [&](const LawChoice& choice) { return choice.law == m->law; });
   return all;
 }
 
 bool has_faces(const Scene& scene) { return scene.dim != 3 || can_have_surface_mesh(scene); }
 
 MethodInfo info(const Formulation& m) {
+  const FamilyRow& row = row_of(m.family);
+  const ElasticSwitches* elastic = row.elastic(m);
   return {
       .formulation = m,
       .name = m.name,
       .paper = m.paper,
       .summary = m.summary,
       .material_law = m.deviator == Deviator::in_plane ? "2d_deviator" : "neo_hookean",
-      .laws = laws(m),
+      .laws = laws(elastic),
+      .law = elastic ? elastic->law : Law::none,
       .conserves = m.conserves,
       .terms = terms(m),
       .constants = method_constants(m, 2),
       .cfl = m.cfl,
       .contact = m.contact,
-      .contact_laws = contact_laws_of(row_of(m.family).searches),
-      .meets_itself = !row_of(m.family).searches,
+      .contact_laws = contact_laws_of(!row.keeps_neighbors),
+      .keeps_neighbors = row.keeps_neighbors,
       .several_materials = m.several_materials,
   };
 }
 
-template <const Formulation&... M>
-auto table(MethodList<M...>) {
-  return std::array{info(M)...};
+std::vector<MethodInfo> table() {
+  std::vector<MethodInfo> all;
+  for (const Formulation* m : all_methods) all.push_back(info(*m));
+  return all;
 }
 
 /// The settings' law among those of the method; its first where they have none. Throws UsageError if it is
@@ -98,13 +103,14 @@ const LawChoice& chosen_law(const MethodInfo& method, const Settings& settings) 
 }  // namespace
 
 std::span<const MethodInfo> methods() {
-  static const auto all = table(Methods{});
+  static const auto all = table();
   return all;
 }
 
 StrainEnergy strain_energy(const Formulation& m) {
-  if (keeps_neighbors(m)) return StrainEnergy::potential;
-  return carries_stress(m) ? StrainEnergy::of_stress : StrainEnergy::recovered;
+  const FamilyRow& row = row_of(m.family);
+  if (row.keeps_neighbors) return StrainEnergy::potential;
+  return row.carries_stress(m) ? StrainEnergy::of_stress : StrainEnergy::recovered;
 }
 
 const MethodInfo* find_method(std::string_view name) {
@@ -115,19 +121,21 @@ const MethodInfo* find_method(std::string_view name) {
 
 std::vector<MethodConstant> method_constants(const Formulation& m, int dim) {
   std::vector<MethodConstant> all = row_of(m.family).constants(m, dim);
-  all.push_back({"contact_stiffness", &Constants::contact_stiffness, m.contact_stiffness, 0.01, 100.0,
+  all.push_back({"contact_stiffness", m.contact_stiffness, 0.01, 100.0,
                  "contact stiffness over K1 K2/(K1 + K2); `surface`: over half of the same of K + 4G/3; 1: "
                  "published, 2: as "
                  "stiff as the material"});
   return all;
 }
 
-void set_constants(Constants& c, const Formulation& m, int dim, const Settings& settings) {
+ConstantValues constant_values(const Formulation& m, int dim, double dp, const Settings& settings) {
+  ConstantValues values;
   for (const MethodConstant& constant : method_constants(m, dim)) {
     const auto given = settings.constants.find(std::string(constant.name));
     const double value = given == settings.constants.end() ? constant.value : given->second;
-    c.*constant.member = constant.in_spacings ? value * c.dp : value;
+    values[constant.name] = constant.in_spacings ? value * dp : value;
   }
+  return values;
 }
 
 std::string_view material_law(const MethodInfo& method, const Settings& settings, int dim) {
@@ -137,8 +145,7 @@ std::string_view material_law(const MethodInfo& method, const Settings& settings
 }
 
 const LawRow* law_row(const MethodInfo& method, const Settings& settings) {
-  const Law law =
-      method.laws.empty() && settings.law.empty() ? method.formulation.law : chosen_law(method, settings).law;
+  const Law law = method.laws.empty() && settings.law.empty() ? method.law : chosen_law(method, settings).law;
   return law == Law::none ? nullptr : &law_row(law);
 }
 

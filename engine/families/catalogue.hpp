@@ -7,9 +7,11 @@
 
 #include "engine/materials/law_row.hpp"
 #include "engine/methods/constants.hpp"
+#include "engine/methods/elastic_law.hpp"
 #include "engine/methods/formulation.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/settings.hpp"
+#include "engine/solver/solver_input.hpp"
 #include "engine/terms/contact_law_row.hpp"
 
 namespace taut {
@@ -37,13 +39,14 @@ struct MethodInfo {
   std::string_view summary;
   std::string_view material_law;  // the reference to compare with: "2d_deviator" or "neo_hookean"
   std::vector<LawChoice> laws;    // of elasticity, which may be chosen; the first is the published one
+  Law law;                        // the published one; none: the stress follows from its rate
   std::string_view conserves;
   std::vector<TermInfo> terms;
   std::vector<MethodConstant> constants;  // in 2D
   double cfl;                             // default acoustic CFL number
   ContactLaw contact;                     // the published one
   std::vector<ContactLaw> contact_laws;   // those that the method can run with
-  bool meets_itself;                      // contact acts between parts of one body, too
+  bool keeps_neighbors;                   // see FamilyRow; contact then acts between parts of one body, too
   bool several_materials;                 // in one scene
 };
 
@@ -53,8 +56,8 @@ std::span<const MethodInfo> methods();
 const MethodInfo* find_method(std::string_view name);
 /// The constants that a user may set, with their defaults in this dimension.
 std::vector<MethodConstant> method_constants(const Formulation& m, int dim);
-/// Gives `c`, whose dp is set, those of the settings and for the rest their defaults.
-void set_constants(Constants& c, const Formulation& m, int dim, const Settings& settings);
+/// Those of the settings, and for the rest their defaults, with the spacing `dp`, m.
+ConstantValues constant_values(const Formulation& m, int dim, double dp, const Settings& settings);
 
 /// Every law of elasticity.
 std::span<const LawRow> laws();

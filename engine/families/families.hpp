@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <type_traits>
+#include <vector>
 
 #include "engine/families/bonded/describe.hpp"
 #include "engine/families/tl_displacement/describe.hpp"
@@ -14,20 +17,51 @@ namespace taut {
 /// What the tables know of a family.
 struct FamilyRow {
   Family family;
-  bool searches;  // particles act on what comes near, and not just on their initial neighbours
+  bool keeps_neighbors;  // the neighbours of a particle inside its body are those of the start
   std::vector<TermInfo> (*terms)(const Formulation& m);
   std::vector<MethodConstant> (*constants)(const Formulation& m, int dim);
+  const ElasticSwitches* (*elastic)(const Formulation& m);  // null: the stress follows from its rate
+  bool (*carries_stress)(const Formulation& m);             // from its rate, and computes with it
   std::unique_ptr<Simulation> (*make)(const SolverInput& input);
 };
 
+/// The row of the family whose methods have the type `F`. Those on the initial configuration have a law of elasticity.
+template <class F, auto terms, auto constants>
+constexpr FamilyRow family_row(std::unique_ptr<Simulation> (*make)(const SolverInput& input)) {
+  constexpr bool elastic = std::is_base_of_v<ElasticSwitches, F>;
+  return {.family = F::own_family,
+          .keeps_neighbors = elastic,
+          .terms = [](const Formulation& m) { return terms(*as<F>(m)); },
+          .constants =
+              [](const Formulation& m, int dim) {
+                std::vector<MethodConstant> all;
+                for (const auto& row : constants(*as<F>(m), dim)) all.push_back(row.constant);
+                return all;
+              },
+          .elastic = []([[maybe_unused]] const Formulation& m) -> const ElasticSwitches* {
+            if constexpr (elastic)
+              return as<F>(m);
+            else
+              return nullptr;
+          },
+          .carries_stress =
+              []([[maybe_unused]] const Formulation& m) {
+                if constexpr (elastic)
+                  return false;
+                else
+                  return carries_stress(*as<F>(m));
+              },
+          .make = make};
+}
+
 /// Every family: a folder beside this file, an enumerator and its row here.
 inline constexpr std::array families{
-    FamilyRow{Family::ul_split, true, ul_split::terms, ul_split::constants, ul_split::make},
-    FamilyRow{Family::ul_cauchy, true, ul_cauchy::terms, ul_cauchy::constants, ul_cauchy::make},
-    FamilyRow{Family::bonded, false, bonded::terms, bonded::constants, bonded::make},
-    FamilyRow{Family::tl_displacement, false, tl_displacement::terms, tl_displacement::constants,
-              tl_displacement::make},
-    FamilyRow{Family::tl_mixed, false, tl_mixed::terms, tl_mixed::constants, tl_mixed::make},
+    family_row<UlSplitFormulation, ul_split::terms, ul_split::constants>(ul_split::make),
+    family_row<UlCauchyFormulation, ul_cauchy::terms, ul_cauchy::constants>(ul_cauchy::make),
+    family_row<BondedFormulation, bonded::terms, bonded::constants>(bonded::make),
+    family_row<TlDisplacementFormulation, tl_displacement::terms, tl_displacement::constants>(
+        tl_displacement::make),
+    family_row<TlMixedFormulation, tl_mixed::terms, tl_mixed::constants>(tl_mixed::make),
 };
 
 inline const FamilyRow& row_of(Family family) {

@@ -11,7 +11,7 @@
 namespace taut {
 
 /// Method M can run with the law.
-template <const Formulation& M, Law L>
+template <const auto& M, Law L>
 constexpr bool may_run_with = L == M.law || may_be_given(M, LawOf<L>::row);
 
 /// The law of each of four particles, of which two may be of different materials where there are `several`.
@@ -47,13 +47,13 @@ struct LawsInUse {
 
   /// `pass`(laws) with LawOf<law> of each material; compiled for each law that method M may run with. A call for each
   /// particle instead makes a step of `tl` with the linear law 1.4 times as long.
-  template <const Formulation& M, class Pass>
+  template <const auto& M, class Pass>
   auto visit(const Pass& pass) const {
     return visit_among<M>(pass, Laws{});
   }
 
  private:
-  template <const Formulation& M, class Pass, Law First, Law... Rest>
+  template <const auto& M, class Pass, Law First, Law... Rest>
   auto visit_among(const Pass& pass, LawList<First, Rest...>) const {
     if constexpr (may_run_with<M, First>)
       if (law == First) return pass(static_cast<const LawOf<First>*>(laws));

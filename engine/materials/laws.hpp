@@ -12,7 +12,7 @@
 #include "engine/materials/rotated_piola.hpp"
 #include "engine/materials/st_venant_kirchhoff.hpp"
 #include "engine/methods/constants.hpp"
-#include "engine/methods/formulation.hpp"
+#include "engine/methods/elastic_law.hpp"
 
 namespace taut {
 
@@ -36,8 +36,9 @@ static_assert([]<Law... L>(LawList<L...>) {
 }(Laws{}));
 
 /// May the method be given the law in place of its own?
-constexpr bool may_be_given(const Formulation& m, const LawRow& row) {
-  return m.free_law && !row.choice.empty() && (!follows_volume_ratio(m) || takes_volume_ratio(row.law));
+constexpr bool may_be_given(const ElasticSwitches& m, const LawRow& row) {
+  return m.others != OtherLaws::none && !row.choice.empty() &&
+         (m.others == OtherLaws::all || takes_volume_ratio(row.law));
 }
 
 constexpr const LawRow& law_row(Law law) { return *std::ranges::find(Laws::rows, law, &LawRow::law); }

@@ -17,4 +17,13 @@ enum class Law : std::uint8_t {
 /// Volume ratio and cofactor of F may be unknowns of their own; the other laws take them from F.
 constexpr bool takes_volume_ratio(Law law) { return law == Law::neo_hookean || law == Law::mooney_rivlin; }
 
+/// The laws that a user may choose in place of the published one, among those with a LawRow::choice.
+enum class OtherLaws : std::uint8_t { none, all, with_volume_ratio };
+
+/// The switches of every method on the initial configuration.
+struct ElasticSwitches {
+  Law law = Law::neo_hookean;  // the published one
+  OtherLaws others = OtherLaws::none;
+};
+
 }  // namespace taut

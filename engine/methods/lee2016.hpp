@@ -2,14 +2,12 @@
 
 #include "engine/methods/formulation.hpp"
 
-/// The total-Lagrangian methods of [Lee2016]. It has no contact between bodies: they take the penalty of
-/// [TranDuc2023] with the stiffness of a layer of the material.
+/// The data that the total-Lagrangian methods of [Lee2016] share. It has no contact between bodies: they take the
+/// penalty of [TranDuc2023] with the stiffness of a layer of the material.
 namespace taut {
 
 constexpr Formulation lee2016(Formulation m) {
   m.deviator = Deviator::plane_strain;
-  m.law = Law::neo_hookean;
-  m.free_law = true;
   m.several_materials =
       m.family != Family::tl_mixed;  // the momentum of two materials is not smooth where they meet
   m.contact = ContactLaw::penalty;
@@ -27,50 +25,5 @@ constexpr Formulation lee2016(Formulation m) {
   if (m.family == Family::tl_mixed) m.cfl = 0.25;
   return m;
 }
-
-inline constexpr Formulation tl = lee2016({
-    .name = "tl",
-    .paper = "Lee2016 §8.4",
-    .summary = "deformation gradient from positions, initial neighbours: "
-               "no tensile instability, but zigzag modes cost no energy",
-    .conserves = "linear momentum, angular momentum, energy",
-    .family = Family::tl_displacement,
-});
-inline constexpr Formulation pf = lee2016({
-    .name = "pf",
-    .paper = "Lee2016 §3.3",
-    .summary = "momentum and deformation gradient as unknowns, no dissipation: zigzag modes grow",
-    .conserves = "linear momentum, angular momentum",
-    .family = Family::tl_mixed,
-    .unknowns = Unknowns::v_F,
-});
-inline constexpr Formulation pf_jst = lee2016({
-    .name = "pf-jst",
-    .paper = "Lee2016 §3.4, §6",
-    .summary = "pf with Jameson–Schmidt–Turkel dissipation: no zigzag modes up to Poisson's ratio 0.495",
-    .conserves = "linear momentum, angular momentum",
-    .family = Family::tl_mixed,
-    .unknowns = Unknowns::v_F,
-    .jst = true,
-});
-inline constexpr Formulation pfj_jst = lee2016({
-    .name = "pfj-jst",
-    .paper = "Lee2016 §3.4, §6",
-    .summary = "pf-jst with the volume ratio as an unknown: smooth pressure near incompressibility",
-    .conserves = "linear momentum, angular momentum",
-    .family = Family::tl_mixed,
-    .unknowns = Unknowns::v_F_J,
-    .jst = true,
-});
-inline constexpr Formulation pfhj_jst = lee2016({
-    .name = "pfhj-jst",
-    .paper = "Lee2016 §4",
-    .summary =
-        "pfj-jst with the cofactor of the deformation gradient as another unknown: for laws that use it",
-    .conserves = "linear momentum, angular momentum",
-    .family = Family::tl_mixed,
-    .unknowns = Unknowns::v_F_H_J,
-    .jst = true,
-});
 
 }  // namespace taut

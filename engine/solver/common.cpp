@@ -23,7 +23,7 @@ Common<Dim>::Common(const SolverInput& input, double support)
       team(input.threads) {
   run.threads = input.threads;
   run.support = support;
-  run.keeps_neighbors = keeps_neighbors(input.method);
+  run.keeps_neighbors = input.keeps_neighbors;
   const auto point = [](const Point& p) {
     V v;
     for (int k = 0; k < Dim; ++k) v[k] = p[k];

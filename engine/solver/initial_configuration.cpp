@@ -29,7 +29,8 @@ double initial_support(const SolverInput& input) {
 }
 
 template <int Dim>
-InitialConfiguration<Dim>::InitialConfiguration(Common<Dim>& common, const SolverInput& input)
+InitialConfiguration<Dim>::InitialConfiguration(Common<Dim>& common, const SolverInput& input,
+                                                GradientCorrection gradient, double normalised)
     : materials(input.law, input.materials), common_(common) {
   // stored as they were made: along the rows of a lattice, the layers of a round body
   const Particles<Dim>& p = common.particles;
@@ -44,7 +45,7 @@ InitialConfiguration<Dim>::InitialConfiguration(Common<Dim>& common, const Solve
   for (int i = 0; i < p.size(); ++i) cells.push_back(V0[i] / initial.inside[i]);
   pairs = with_kernel(input.method.kernel, [&]<class K>(K) {
     return make_initial_pairs<K>(initial_neighbors(initial, reach_of_pairs<K>(h), input.threads), X, cells, h,
-                                 input.method.gradient, common.constants.normalised, input.threads);
+                                 gradient, normalised, input.threads);
   });
   check_pairs(input.scene, input.method);
   sites.assign(group_count, Sites<Dim>{});
@@ -56,7 +57,7 @@ InitialConfiguration<Dim>::InitialConfiguration(Common<Dim>& common, const Solve
     for (int c = 0; c < Sym<double, Dim>::size; ++c) of_four.B.c[c][i % lanes] = pairs.B[i].c[c];
   }
   // normalised gradients keep the loads of their paper: they say less than all of a uniform field
-  if (input.method.gradient == GradientCorrection::corrected)
+  if (gradient == GradientCorrection::corrected)
     common.external.loads.act_on_faces(input.scene, initial, FaceRule::uniform, surface(),
                                        common.run.support);
   common.run.pairs = static_cast<long>(pairs.j.size());

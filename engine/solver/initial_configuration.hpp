@@ -19,8 +19,9 @@ class InitialConfiguration {
   using V = Vec<double, Dim>;
 
   /// Puts the particles where they start, and lets loads act on faces. Throws SceneError for a
-  /// body that is too thin.
-  InitialConfiguration(Common<Dim>& common, const SolverInput& input);
+  /// body that is too thin. `normalised`: see TlDisplacementConstants.
+  InitialConfiguration(Common<Dim>& common, const SolverInput& input,
+                       GradientCorrection gradient = GradientCorrection::corrected, double normalised = 0);
 
   std::vector<V> X;        // m
   std::vector<double> V0;  // m^Dim
@@ -53,7 +54,7 @@ double initial_support(const SolverInput& input);
 /// The constant h of these methods.
 constexpr MethodConstant smoothing_length(const Formulation& m, int dim, double least) {
   const double h = dim == 3 && m.h_over_dp_3d > 0 ? m.h_over_dp_3d : m.h_over_dp;
-  return {"h", &Constants::h, h, least, 3.0, "smoothing length over the spacing", true};
+  return {"h", h, least, 3.0, "smoothing length over the spacing", true};
 }
 
 }  // namespace taut

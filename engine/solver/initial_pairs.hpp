@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,11 +13,14 @@
 #include "engine/core/shared_rows.hpp"
 #include "engine/error.hpp"
 #include "engine/kernels/kernel.hpp"
-#include "engine/methods/formulation.hpp"
+#include "engine/methods/term_info.hpp"
 #include "engine/neighbors/initial_neighbors.hpp"
 #include "engine/neighbors/lane_neighbors.hpp"
 
 namespace taut {
+
+/// How gradients on initial pairs are made right.
+enum class GradientCorrection : std::uint8_t { corrected, normalised };
 
 /// The pairs of particles of one body that are initial neighbours, seen from both sides, flat. They
 /// never change, and all that depends on them is computed once:

@@ -7,7 +7,9 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/families/all_methods.hpp"
 #include "engine/families/catalogue.hpp"
+#include "engine/families/families.hpp"
 #include "tests/support/relative.hpp"
 
 namespace of_this_file {
@@ -42,6 +44,28 @@ bool declares(const std::string& header, const std::string& name) {
   const std::regex declaration("(^|\n)(?! *//)[^\n=]*[\\w>&] (\\w+<[^\n]*>::)?" + name +
                                " *[({]|(struct|class) " + name + "\\b");
   return std::regex_search(header, declaration);
+}
+
+template <class F, class Constants>
+void check_constants(const F& method, std::vector<ConstantRow<Constants>> (*rows_of)(const F&, int)) {
+  CAPTURE(std::string(method.name));
+  const std::vector<ConstantRow<Constants>> rows = rows_of(method, 2);
+  for (const ConstantRow<Constants>& one : rows) {
+    CAPTURE(std::string(one.constant.name));
+    Settings settings;
+    settings.constants[std::string(one.constant.name)] = 0.75;
+    taut::Constants all;
+    all.dp = 2;
+    const Constants c = constants_of(rows, all, constant_values(method, 2, all.dp, settings));
+    for (const ConstantRow<Constants>& other : rows) {
+      const double value = &other == &one ? 0.75 : other.constant.value;
+      CHECK(c.*other.member == value * (other.constant.name == "h" ? all.dp : 1));
+    }
+  }
+}
+template <const auto&... M, class Rows>
+void check_constants(MethodList<M...>, const Rows& rows_of) {
+  (check_constants(M, rows_of), ...);
 }
 
 }  // namespace
@@ -83,21 +107,11 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("constants: each setting reaches a place of its own, and what is left out its default") {
-    for (const MethodInfo& method : methods()) {
-      CAPTURE(std::string(method.name));
-      for (const MethodConstant& one : method.constants) {
-        CAPTURE(std::string(one.name));
-        Settings settings;
-        settings.constants[std::string(one.name)] = 0.75;
-        Constants c;
-        c.dp = 2;
-        set_constants(c, method.formulation, 2, settings);
-        for (const MethodConstant& other : method.constants) {
-          const double value = other.name == one.name ? 0.75 : other.value;
-          CHECK(c.*other.member == value * (other.name == "h" ? c.dp : 1));
-        }
-      }
-    }
+    check_constants(ul_split::Methods{}, ul_split::constants);
+    check_constants(ul_cauchy::Methods{}, ul_cauchy::constants);
+    check_constants(bonded::Methods{}, bonded::constants);
+    check_constants(tl_displacement::Methods{}, tl_displacement::constants);
+    check_constants(tl_mixed::Methods{}, tl_mixed::constants);
     const auto spatial = method_constants(find_method("enog")->formulation, 3);
     CHECK(std::ranges::find(spatial, "zeta", &MethodConstant::name)->value == Approx(4.2));
   }

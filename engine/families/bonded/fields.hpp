@@ -2,6 +2,7 @@
 
 #include "engine/core/columns.hpp"
 #include "engine/families/bonded/cancelled.hpp"
+#include "engine/families/bonded/formulation.hpp"
 #include "engine/families/bonded/packed_bonds.hpp"
 #include "engine/families/bonded/shown_stress.hpp"
 #include "engine/materials/chosen_laws.hpp"

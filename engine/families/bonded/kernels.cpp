@@ -1,6 +1,7 @@
 // Compiled once per instruction set; see engine/CMakeLists.txt.
 #include "engine/families/bonded/kernels.hpp"
 
+#include "engine/families/bonded/methods.hpp"
 #include "engine/families/bonded/passes.hpp"
 #include "engine/families/kernel_tables.hpp"
 
@@ -8,7 +9,7 @@ namespace taut {
 namespace {
 
 struct Tables {
-  template <const Formulation& M, int Dim>
+  template <const BondedFormulation& M, int Dim>
   static constexpr BondedKernels<Dim> of{
       .half_drift = half_drift<M, Dim>,
       .stresses = stress_pass<M, Dim>,
@@ -22,7 +23,7 @@ struct Tables {
 
 template <>
 const void* kernels_of<int(Family::bonded)>(int dim, std::string_view method) {
-  return table_among<Family::bonded, Tables>(dim, method, Methods{});
+  return table_among<Tables>(dim, method, bonded::Methods{});
 }
 
 }  // namespace taut

@@ -29,7 +29,7 @@ struct StrainOfFour {
 };
 
 /// Advances x by `dt`, half a step, also in the columns.
-template <const Formulation&, int Dim>
+template <const BondedFormulation&, int Dim>
 void half_drift(const BondedFields<Dim>& f, double dt, const Threads& threads) {
   parallel_for(f.group_count(), threads, [&](int group) {
     const int first = lanes * group;
@@ -70,7 +70,7 @@ void strain(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds, in
 }
 
 /// Returns V_i W(F_i) minus the cancellation of four particles, in J.
-template <const Formulation& M, int Dim, class Storage>
+template <const BondedFormulation& M, int Dim, class Storage>
 Pack energy_of_four(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds, int group,
                     const Mat<Pack, Dim>& F) {
   const GroupLaw& own = f.law(group);
@@ -82,7 +82,7 @@ Pack energy_of_four(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& b
   return own.V * W - bonds.cancelled.energy(group, C);
 }
 
-template <const Formulation& M, int Dim>
+template <const BondedFormulation& M, int Dim>
 [[gnu::noinline]] Mat<Pack, Dim> piola_of_chosen_law(const BondedFields<Dim>& f, int group,
                                                      const Mat<Pack, Dim>& F) {
   return f.laws.template visit<M>(
@@ -90,7 +90,7 @@ template <const Formulation& M, int Dim>
 }
 
 /// Stores Q = T B.
-template <const Formulation& M, int Dim, class Storage>
+template <const BondedFormulation& M, int Dim, class Storage>
 void set_stress(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds, int group,
                 const StrainOfFour<Dim>& now) {
   const GroupLaw& own = f.law(group);
@@ -106,7 +106,7 @@ void set_stress(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds
 }
 
 /// Bond forces and Q of every particle. Returns the greatest stiffness of bonds and particles, over that at rest.
-template <const Formulation& M, int Dim>
+template <const BondedFormulation& M, int Dim>
 double stress_pass(const BondedFields<Dim>& f, const Threads& threads) {
   return f.with_bonds([&](const auto& bonds) {
     return parallel_max(block_count(f), threads, [&](int n) {
@@ -136,7 +136,7 @@ template <int Dim, class Storage>
 }
 
 /// Advances v by all forces and x by the second half step. Returns the greatest v², in m²/s².
-template <const Formulation&, int Dim>
+template <const BondedFormulation&, int Dim>
 double force_pass(const BondedFields<Dim>& f, const Kick<Dim>& kick, const Threads& threads) {
   return f.with_bonds([&](const auto& bonds) {
     if (kick.impulse)
@@ -160,7 +160,7 @@ double force_pass(const BondedFields<Dim>& f, const Kick<Dim>& kick, const Threa
 }
 
 /// The forces inside the bodies on every particle, N.
-template <const Formulation&, int Dim>
+template <const BondedFormulation&, int Dim>
 void inner_forces(const BondedFields<Dim>& f, Vec<double, Dim>* out, const Threads& threads) {
   f.with_bonds([&](const auto& bonds) {
     parallel_for(f.group_count(), threads, [&](int group) {
@@ -172,7 +172,7 @@ void inner_forces(const BondedFields<Dim>& f, Vec<double, Dim>* out, const Threa
 }
 
 /// Stress of F of four particles; rigid particles have none.
-template <const Formulation& M, int Dim>
+template <const BondedFormulation& M, int Dim>
 ShownStress<Pack, Dim> stress_of_four(const BondedFields<Dim>& f, int group, const Mat<Pack, Dim>& F) {
   if (f.own_law) return shown_neo_hookean(f.law(group).law.K, f.law(group).law.G, F);
   ShownStress<Pack, Dim> all{};
@@ -189,7 +189,7 @@ ShownStress<Pack, Dim> stress_of_four(const BondedFields<Dim>& f, int group, con
 }
 
 /// Energies and stresses of the groups, each into one of `out`, at `places`, with the displacements u, m.
-template <const Formulation& M, int Dim>
+template <const BondedFormulation& M, int Dim>
 void show_pass(const BondedFields<Dim>& f, const RecoveredView& recovered, const AlignedPack* u,
                const int* groups, int count, ShownGroup<Dim>* out, const Threads& threads) {
   parallel_pass(count, threads, [&](int k) {

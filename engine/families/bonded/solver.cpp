@@ -19,7 +19,7 @@ Bonded<Dim>::Bonded(Common<Dim>& common, const SolverInput& input, const Kernels
       p_(common.particles),
       c_(common.constants),
       materials_(input.materials),
-      own_law_(input.law == input.method.law),
+      own_law_(input.law == as<BondedFormulation>(input.method)->law),
       laws_(input.law, input.materials),
       constraints_(setup.bonds.constraints),
       wave_speed_(setup.wave_speed),
@@ -46,6 +46,12 @@ Bonded<Dim>::Bonded(Common<Dim>& common, const SolverInput& input, const Kernels
                        surface(setup.bonds), common_.run.support);
   common_.contact.search(p_);
   common_.show_contacts_to_probes();
+}
+
+template <int Dim>
+double Bonded<Dim>::damping_of(const SolverInput& input) {
+  const auto& method = *as<BondedFormulation>(input.method);
+  return constants_of(bonded::constants(method, Dim), input.constants, input.values).damping;
 }
 
 template <int Dim>

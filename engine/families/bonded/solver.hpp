@@ -36,7 +36,7 @@ class Bonded final : public Scheme<Dim> {
   using Kernels = BondedKernels<Dim>;
 
   Bonded(Common<Dim>& common, const SolverInput& input, const Kernels& kernels)
-      : Bonded(common, input, kernels, make_bonded_setup(input)) {}
+      : Bonded(common, input, kernels, make_bonded_setup(input, damping_of(input))) {}
 
   double step_size() const override;
   void step(double dt) override;
@@ -50,6 +50,7 @@ class Bonded final : public Scheme<Dim> {
                                       std::variant<StoredBonds<Dim, AlignedPack>, StoredBonds<Dim, HalfPack>>>;
 
   Bonded(Common<Dim>& common, const SolverInput& input, const Kernels& kernels, const BondedSetup& setup);
+  static double damping_of(const SolverInput& input);
   AnyBonds stored(const BondedSetup& setup) const;
   void add_group_constants(const Bonds& bonds);
   void make_columns(const BondedSetup& setup);

@@ -14,15 +14,16 @@ constexpr TermInfo time_info{"time", "position Verlet, one step", "[Zhang2020] E
 
 }  // namespace
 
-std::vector<TermInfo> terms(const Formulation& m) {
+std::vector<TermInfo> terms(const TlDisplacementFormulation& m) {
   return {deformation_info, law_row(m.law).term, internal_force_info, contact_info(m.contact), time_info};
 }
 
-std::vector<MethodConstant> constants(const Formulation& m, int dim) {
-  if (m.gradient == GradientCorrection::corrected) return {smoothing_length(m, dim, 0.8)};
-  return {smoothing_length(m, dim, 0.36),  // no more neighbours than the four nearest are asked for
-          {"normalised", &Constants::normalised, 1.0, 0.0, 1.0,
-           "1: gradients divided by the sum of the kernel; 0: not"}};
+std::vector<ConstantRow<TlDisplacementConstants>> constants(const TlDisplacementFormulation& m, int dim) {
+  using C = TlDisplacementConstants;
+  if (m.gradient == GradientCorrection::corrected) return {{&C::h, smoothing_length(m, dim, 0.8)}};
+  return {{&C::h, smoothing_length(m, dim, 0.36)},  // no more neighbours than the four nearest are asked for
+          {&C::normalised,
+           {"normalised", 1.0, 0.0, 1.0, "1: gradients divided by the sum of the kernel; 0: not"}}};
 }
 
 }  // namespace taut::tl_displacement

@@ -2,13 +2,14 @@
 #include "engine/families/tl_displacement/kernels.hpp"
 
 #include "engine/families/kernel_tables.hpp"
+#include "engine/families/tl_displacement/methods.hpp"
 #include "engine/families/tl_displacement/passes.hpp"
 
 namespace taut {
 namespace {
 
 struct Tables {
-  template <const Formulation& M, int Dim>
+  template <const TlDisplacementFormulation& M, int Dim>
   static constexpr TlDisplacementKernels<Dim> of{
       .drift = drift<M, Dim>,
       .stresses = stress_pass<M, Dim>,
@@ -21,7 +22,7 @@ struct Tables {
 
 template <>
 const void* kernels_of<int(Family::tl_displacement)>(int dim, std::string_view method) {
-  return table_among<Family::tl_displacement, Tables>(dim, method, Methods{});
+  return table_among<Tables>(dim, method, tl_displacement::Methods{});
 }
 
 }  // namespace taut

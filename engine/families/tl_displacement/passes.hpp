@@ -7,7 +7,7 @@
 namespace taut {
 
 /// x moves on, and u with it.
-template <const Formulation&, int Dim>
+template <const TlDisplacementFormulation&, int Dim>
 void drift(const TlDisplacementFields<Dim>& f, double dt, const Threads& threads) {
   parallel_for(f.groups(), threads, [&](int group) {
     const int first = lanes * group, count = f.size - first;
@@ -26,7 +26,7 @@ Mat<Pack, Dim> deformation(const TlDisplacementFields<Dim>& f, int group) {
 }
 
 /// V P(F) B of every particle.
-template <const Formulation& M, int Dim>
+template <const TlDisplacementFormulation& M, int Dim>
 void stress_pass(const TlDisplacementFields<Dim>& f, const Threads& threads) {
   f.laws.template visit<M>([&]<class L>(const L* of_materials) {
     const LawsOfFour<L, M.several_materials> laws{of_materials, f.material};
@@ -40,7 +40,7 @@ void stress_pass(const TlDisplacementFields<Dim>& f, const Threads& threads) {
 }
 
 /// Internal and contact force; then v and the second half of x. Returns the greatest v², m²/s².
-template <const Formulation&, int Dim>
+template <const TlDisplacementFormulation&, int Dim>
 double force_pass(const TlDisplacementFields<Dim>& f, const Kick<Dim>& kick, const Threads& threads) {
   if (kick.impulse)
     parallel_for(f.groups(), threads,
@@ -56,7 +56,7 @@ double force_pass(const TlDisplacementFields<Dim>& f, const Kick<Dim>& kick, con
 }
 
 /// F of the groups, each into one of `out`.
-template <const Formulation&, int Dim>
+template <const TlDisplacementFormulation&, int Dim>
 void deform(const TlDisplacementFields<Dim>& f, const int* groups, int count, Mat<Pack, Dim>* out,
             const Threads& threads) {
   parallel_pass(count, threads, [&](int k) { out[k] = deformation(f, groups[k]); });

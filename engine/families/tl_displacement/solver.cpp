@@ -8,13 +8,23 @@
 #include "engine/solver/particle_simulation.hpp"
 
 namespace taut {
+namespace {
+
+template <int Dim>
+InitialConfiguration<Dim> initial_configuration(Common<Dim>& common, const SolverInput& input) {
+  const auto& method = *as<TlDisplacementFormulation>(input.method);
+  const auto c = constants_of(tl_displacement::constants(method, Dim), input.constants, input.values);
+  return {common, input, method.gradient, c.normalised};
+}
+
+}  // namespace
 
 template <int Dim>
 TlDisplacement<Dim>::TlDisplacement(Common<Dim>& common, const SolverInput& input, const Kernels& kernels)
     : kernels_(kernels),
       common_(common),
       p_(common.particles),
-      body_(common, input),
+      body_(initial_configuration(common, input)),
       pair_lanes_(body_.pairs, input.threads, [&](int p) { return body_.pairs.k[p]; }) {
   body_.pairs = {};
   displacement_.resize(p_.size());

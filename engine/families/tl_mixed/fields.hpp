@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/columns.hpp"
+#include "engine/families/tl_mixed/formulation.hpp"
 #include "engine/materials/chosen_laws.hpp"
 #include "engine/solver/initial_pairs.hpp"
 #include "engine/solver/sites.hpp"

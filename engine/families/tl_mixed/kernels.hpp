@@ -18,8 +18,8 @@ struct TlMixedKernels {
   void (*stiffnesses)(const Fields& f, AlignedPack* out);
   void (*set_columns)(const Fields& f, const Threads& threads);
   void (*gather)(const Fields& f, const Threads& threads);
-  void (*dissipate)(const Fields& f, const Constants& c, const Threads& threads);
-  void (*project)(const Fields& f, const Constants& c, int first, int last);
+  void (*dissipate)(const Fields& f, const TlMixedConstants& c, const Threads& threads);
+  void (*project)(const Fields& f, const TlMixedConstants& c, int first, int last);
   void (*predict)(const Fields& f, const Kick<Dim>& kick, const Actions& actions, const Threads& threads);
   double (*correct)(const Fields& f, const Kick<Dim>& kick, const Actions& actions, const Threads& threads);
   void (*follow)(const Fields& f, double dt, const Threads& threads);

@@ -12,7 +12,7 @@
 namespace taut {
 
 /// Access to the unknowns of method M.
-template <const Formulation& M, int Dim>
+template <const TlMixedFormulation& M, int Dim>
 struct UnknownsOf {
   using Mat = taut::Mat<Pack, Dim>;
 
@@ -53,7 +53,7 @@ struct UnknownsOf {
 
 /// F, J and H of bodies that start displaced: F is the gradient that the kernel sees of their places, as its rate is of
 /// their velocities, J its determinant and H its cofactor. `flow` has x − X.
-template <const Formulation& M, int Dim>
+template <const TlMixedFormulation& M, int Dim>
 void start_gradients(const TlMixedFields<Dim>& f) {
   using U = UnknownsOf<M, Dim>;
   for (int group = 0; group < f.groups(); ++group) {
@@ -64,7 +64,7 @@ void start_gradients(const TlMixedFields<Dim>& f) {
 }
 
 /// ρ0 c² of the fastest wave through the strained bodies, at most, Pa.
-template <const Formulation& M, int Dim>
+template <const TlMixedFormulation& M, int Dim>
 double greatest_stiffness(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
   return f.laws.template visit<M>([&]<class L>(const L* of_materials) {
@@ -78,7 +78,7 @@ double greatest_stiffness(const TlMixedFields<Dim>& f, const Threads& threads) {
 }
 
 /// That of the particles of each group, into out[group].
-template <const Formulation& M, int Dim>
+template <const TlMixedFormulation& M, int Dim>
 void stiffnesses(const TlMixedFields<Dim>& f, AlignedPack* out) {
   using U = UnknownsOf<M, Dim>;
   f.laws.template visit<M>([&]<class L>(const L* of_materials) {
@@ -91,7 +91,7 @@ void stiffnesses(const TlMixedFields<Dim>& f, AlignedPack* out) {
 }
 
 /// The columns that the next passes gather: (v, J) and V P B.
-template <const Formulation& M, int Dim>
+template <const TlMixedFormulation& M, int Dim>
 void set_columns(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
   f.laws.template visit<M>([&]<class L>(const L* of_materials) {
@@ -108,7 +108,7 @@ void set_columns(const TlMixedFields<Dim>& f, const Threads& threads) {
 }
 
 /// dF/dt, dJ/dt, dH/dt, internal force and L[U].
-template <const Formulation& M, int Dim>
+template <const TlMixedFormulation& M, int Dim>
 void gather_pass(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
   const auto pairs = U::pairs(f);
@@ -138,8 +138,8 @@ inline constexpr TermInfo cofactor_info{
     "mixed: in 3D a block and a ball that collide, and a clamped block hit on its clamp"};
 
 /// D(U) = c_p dp ε₂ L[U] − c_p dp³ ε₄ L*[L[U]] of the velocity and of J.                [Lee2016] Eq. 35–38
-template <const Formulation& M, int Dim>
-void dissipation_pass(const TlMixedFields<Dim>& f, const Constants& c, const Threads& threads) {
+template <const TlMixedFormulation& M, int Dim>
+void dissipation_pass(const TlMixedFields<Dim>& f, const TlMixedConstants& c, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
   if constexpr (M.jst) {
     constexpr int fields = U::fields;
@@ -159,8 +159,8 @@ void dissipation_pass(const TlMixedFields<Dim>& f, const Constants& c, const Thr
 
 /// For the body first … last − 1: the sum of the accelerations and of their moments about Z comes to 0 (Eq. 45–49), and
 /// the sum of the dissipation of J (Eq. 51).
-template <const Formulation& M, int Dim>
-void project(const TlMixedFields<Dim>& f, const Constants& c, int first, int last) {
+template <const TlMixedFormulation& M, int Dim>
+void project(const TlMixedFields<Dim>& f, const TlMixedConstants& c, int first, int last) {
   project_on_momenta(f.a, f.x, f.V0, first, last, c.projection);
   if constexpr (UnknownsOf<M, Dim>::has_J) subtract_mean(f.dissipation_J, f.V0, first, last, c.projection);
 }
@@ -197,7 +197,7 @@ template <int Dim>
 }
 
 /// The first stage. Driven particles have the velocity of the end of the step.
-template <const Formulation& M, int Dim>
+template <const TlMixedFormulation& M, int Dim>
 void predict(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageActions<Dim>& actions,
              const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -223,7 +223,7 @@ void predict(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageActi
 }
 
 /// The mean of start and second stage, ½ (U + U* + Δt U̇(U*)). Returns the greatest v², m²/s².
-template <const Formulation& M, int Dim>
+template <const TlMixedFormulation& M, int Dim>
 double correct(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageActions<Dim>& actions,
                const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -253,7 +253,7 @@ double correct(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageAc
 }
 
 /// F, J and H follow positions that have moved on by `dt` times the velocities in `flow`.
-template <const Formulation& M, int Dim>
+template <const TlMixedFormulation& M, int Dim>
 void follow(const TlMixedFields<Dim>& f, double dt, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
   const auto pairs = U::pairs(f);

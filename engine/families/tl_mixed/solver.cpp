@@ -24,10 +24,10 @@ using K = Kernel<KernelName::wendland_c2>;  // of all methods of the family
 template <int Dim>
 TlMixed<Dim>::TlMixed(Common<Dim>& common, const SolverInput& input, const Kernels& kernels)
     : kernels_(kernels),
-      method_(input.method),
+      method_(*as<TlMixedFormulation>(input.method)),
       common_(common),
       p_(common.particles),
-      c_(common.constants),
+      c_(constants_of(tl_mixed::constants(method_, Dim), input.constants, input.values)),
       body_(common, input),
       v_start_(p_.x.size()) {
   make_pairs(input);

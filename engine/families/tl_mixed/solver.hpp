@@ -66,10 +66,10 @@ class TlMixed final : public Scheme<Dim> {
   void serialize(Archive& archive);
 
   const Kernels& kernels_;
-  const Formulation& method_;
+  const TlMixedFormulation& method_;
   Common<Dim>& common_;
   Particles<Dim>& p_;
-  const Constants& c_;
+  TlMixedConstants c_;
   InitialConfiguration<Dim> body_;
 
   // see TlMixedFields

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "engine/core/rows.hpp"
+#include "engine/families/ul_cauchy/formulation.hpp"
 #include "engine/kernels/kernel.hpp"
-#include "engine/methods/constants.hpp"
-#include "engine/methods/formulation.hpp"
 
 /// Plain data of the methods whose Cauchy stress acts as a whole, for their passes.
 namespace taut {
@@ -60,7 +59,7 @@ Motion<Dim> spread_motion(const MotionRow<Dim>& row) {
 }
 
 /// What the stress pass gathers: columns that the method does not use are not there.
-template <const Formulation& M, int Dim>
+template <const UlCauchyFormulation& M, int Dim>
 struct StressRow {
   static constexpr bool riemann = M.viscosity == Viscosity::riemann;
   static constexpr int S = Sym<double, Dim>::size;
@@ -167,7 +166,9 @@ struct Gradients {
 };
 
 /// The method looks at W itself, not only at its slope.
-constexpr bool needs_kernel(const Formulation& m) { return m.artificial_stress || m.transport_velocity; }
+constexpr bool needs_kernel(const UlCauchyFormulation& m) {
+  return m.artificial_stress || m.transport_velocity;
+}
 
 /// Fields of all particles and pairs; arrays that a method does not use are null.
 template <int Dim>
@@ -194,7 +195,7 @@ struct UlCauchyFields {
   const V *drift, *centre;  // m/s, m
   const double* spin;       // 1/s
 
-  template <const Formulation& M>
+  template <const UlCauchyFormulation& M>
   StressRow<M, Dim>* stress_rows() const {
     return static_cast<StressRow<M, Dim>*>(stress);
   }

@@ -2,13 +2,14 @@
 #include "engine/families/ul_cauchy/kernels.hpp"
 
 #include "engine/families/kernel_tables.hpp"
+#include "engine/families/ul_cauchy/methods.hpp"
 #include "engine/families/ul_cauchy/passes.hpp"
 
 namespace taut {
 namespace {
 
 struct Tables {
-  template <const Formulation& M, int Dim>
+  template <const UlCauchyFormulation& M, int Dim>
   static constexpr UlCauchyKernels<Dim> of{
       .support = Kernel<M.kernel>::support,
       .stress_row = sizeof(StressRow<M, Dim>),
@@ -24,7 +25,7 @@ struct Tables {
 
 template <>
 const void* kernels_of<int(Family::ul_cauchy)>(int dim, std::string_view method) {
-  return table_among<Family::ul_cauchy, Tables>(dim, method, Methods{});
+  return table_among<Tables>(dim, method, ul_cauchy::Methods{});
 }
 
 }  // namespace taut

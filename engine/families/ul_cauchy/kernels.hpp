@@ -16,11 +16,12 @@ struct UlCauchyKernels {
   double support;          // of the kernel, h
   std::size_t stress_row;  // bytes of a StressRow
   bool needs_kernel;       // the method looks at W itself
-  void (*gradients)(const Fields& f, const Constants& c, const Threads& threads);
-  double (*stresses)(const Fields& f, const Constants& c, const Kick<Dim>& kick, const Threads& threads);
-  double (*transport)(const Fields& f, const Constants& c, const Steering<Dim>& steering, double ahead,
-                      const Threads& threads);
-  void (*rates)(const Fields& f, const Constants& c, double dt, const Threads& threads);
+  void (*gradients)(const Fields& f, const UlCauchyConstants& c, const Threads& threads);
+  double (*stresses)(const Fields& f, const UlCauchyConstants& c, const Kick<Dim>& kick,
+                     const Threads& threads);
+  double (*transport)(const Fields& f, const UlCauchyConstants& c, const Steering<Dim>& steering,
+                      double ahead, const Threads& threads);
+  void (*rates)(const Fields& f, const UlCauchyConstants& c, double dt, const Threads& threads);
 };
 
 }  // namespace taut

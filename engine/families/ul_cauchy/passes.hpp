@@ -4,7 +4,6 @@
 
 #include "engine/core/parallel.hpp"
 #include "engine/families/ul_cauchy/fields.hpp"
-#include "engine/methods/formulation.hpp"
 #include "engine/solver/kick.hpp"
 #include "engine/terms/artificial_stress.hpp"
 #include "engine/terms/artificial_viscosity.hpp"
@@ -33,7 +32,7 @@ struct CauchyPair {
 /// The scales of W and ∇W, worked out once. The terms are written in ∂W/∂r, r and e_ij. The passes have
 /// ∇_i W = α/h^(Dim+2) w′/q (x_i − x_j) without a quotient: they hand the terms w′/q for ∂W/∂r, x_i − x_j for
 /// e_ij and `one` for r, and scale their sums.
-template <const Formulation& M, int Dim>
+template <const UlCauchyFormulation& M, int Dim>
 struct KernelScale {
   using K = Kernel<M.kernel>;
   double per_h, of_W, of_gradient, beyond2;
@@ -53,8 +52,8 @@ struct KernelScale {
 };
 
 /// T and R of particle i, and the other columns that the stress pass gathers.
-template <const Formulation& M, int Dim>
-void set_stress(const UlCauchyFields<Dim>& f, const Constants& c, int i, const Gradients<Dim>& g) {
+template <const UlCauchyFormulation& M, int Dim>
+void set_stress(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, int i, const Gradients<Dim>& g) {
   using Row = StressRow<M, Dim>;
   Row& row = f.template stress_rows<M>()[i];
   const double rho = f.rho[i], c0 = f.material_of(i).c0;
@@ -84,8 +83,8 @@ void set_stress(const UlCauchyFields<Dim>& f, const Constants& c, int i, const G
 
 /// ∇u, ∇ρ, the colour function and L_i of every particle, the W of pairs that the step works on, and from them the rows
 /// of stresses.
-template <const Formulation& M, int Dim>
-void gradient_pass(const UlCauchyFields<Dim>& f, const Constants& c, const Threads& threads) {
+template <const UlCauchyFormulation& M, int Dim>
+void gradient_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Threads& threads) {
   using K = Kernel<M.kernel>;
   const KernelScale<M, Dim> scale(c.h);
   parallel_pass(f.size, threads, [&](int i) {
@@ -117,10 +116,10 @@ void gradient_pass(const UlCauchyFields<Dim>& f, const Constants& c, const Threa
 }
 
 /// Σ_j of the artificial stress of particle i, in units of ∇W.
-template <const Formulation& M, int Dim>
+template <const UlCauchyFormulation& M, int Dim>
 class Repulsion {
  public:
-  explicit Repulsion(const Constants& c)
+  explicit Repulsion(const UlCauchyConstants& c)
       : scale_(c.h), per_w_dp_(1 / K::w(c.dp / c.h)), exponent_(c.exponent) {}
 
   /// Of the neighbours in pack `b`, which are `pair` from i and count by `weight`.
@@ -147,8 +146,8 @@ class Repulsion {
 
 /// dv/dt and the diffusion of density of every particle, kg/(m³ s); velocities go over the whole step. Returns the
 /// greatest v², m²/s².
-template <const Formulation& M, int Dim>
-double stress_pass(const UlCauchyFields<Dim>& f, const Constants& c, const Kick<Dim>& kick,
+template <const UlCauchyFormulation& M, int Dim>
+double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Kick<Dim>& kick,
                    const Threads& threads) {
   using Row = StressRow<M, Dim>;
   const KernelScale<M, Dim> scale(c.h);
@@ -210,8 +209,8 @@ double stress_pass(const UlCauchyFields<Dim>& f, const Constants& c, const Kick<
 /// û of every particle, from the new velocities.                                          [Khayyer2024] Eq. 14
 /// Clamped particles stay, guided and driven ones go as they are told. Geometry is taken `ahead`, s, of the start of
 /// the step. Returns the greatest square of a velocity against the rigid motion of the body, m²/s².
-template <const Formulation& M, int Dim>
-double transport_pass(const UlCauchyFields<Dim>& f, const Constants& c, const Steering<Dim>& steering,
+template <const UlCauchyFormulation& M, int Dim>
+double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Steering<Dim>& steering,
                       double ahead, const Threads& threads) {
   static_assert(Dim == 2);
   const double of_W = KernelScale<M, Dim>(c.h).of_W;
@@ -244,8 +243,8 @@ double transport_pass(const UlCauchyFields<Dim>& f, const Constants& c, const St
 
 /// Densities, stresses and positions with the rates of the new velocities, from ∇û and, where it is not −ρ tr ∇û, the
 /// rate of density. The geometry is that of `transported`.     [Khayyer2024] Eq. 8, 13, 27, 29
-template <const Formulation& M, int Dim>
-void rate_pass(const UlCauchyFields<Dim>& f, const Constants& c, double dt, const Threads& threads) {
+template <const UlCauchyFormulation& M, int Dim>
+void rate_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, double dt, const Threads& threads) {
   using K = Kernel<M.kernel>;
   const KernelScale<M, Dim> scale(c.h);
   parallel_pass(f.size, threads, [&](int i) {

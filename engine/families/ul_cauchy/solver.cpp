@@ -2,24 +2,59 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "engine/core/kernels_of.hpp"
 #include "engine/core/parallel.hpp"
 #include "engine/error.hpp"
 #include "engine/families/ul_cauchy/describe.hpp"
 #include "engine/solver/particle_simulation.hpp"
+#include "engine/solver/step_speed.hpp"
 #include "engine/terms/equation_of_state.hpp"
+#include "engine/terms/riemann_second_order.hpp"
 
 namespace taut {
+namespace {
+
+/// Greatest riemann_step_speed() of two materials that the Riemann term joins, m/s: those of one body, under `sph` of
+/// the whole scene.
+double riemann_speed(const SolverInput& input) {
+  const std::vector<Elasticity>& materials = input.materials;
+  const InitialParticles& initial = input.initial;
+  const bool joins_bodies = input.contact == ContactLaw::sph;
+  std::set<std::pair<int, int>> materials_of_bodies;
+  for (std::size_t i = 0; i < initial.material.size(); ++i)
+    materials_of_bodies.emplace(joins_bodies ? 0 : initial.body[i], initial.material[i]);
+  double speed = 0;
+  for (const auto& [body, a] : materials_of_bodies)
+    for (const auto& [other, b] : materials_of_bodies)
+      if (body == other && materials[a].rho0 < materials[b].rho0)
+        speed = std::max(speed, riemann_step_speed(materials[a].rho0, materials[a].c0, materials[b].rho0,
+                                                   materials[b].c0));
+  return speed;
+}
+
+UlCauchyConstants cauchy_constants(const SolverInput& input) {
+  const auto& method = *as<UlCauchyFormulation>(input.method);
+  UlCauchyConstants c =
+      constants_of(ul_cauchy::constants(method, input.scene.dim), input.constants, input.values);
+  c.step_speed = step_speed(input);
+  if (method.viscosity == Viscosity::riemann)
+    c.step_speed = std::max(c.step_speed, c.riemann_factor * riemann_speed(input));
+  return c;
+}
+
+}  // namespace
 
 template <int Dim>
 UlCauchy<Dim>::UlCauchy(Common<Dim>& common, const SolverInput& input, const Kernels& kernels)
     : kernels_(kernels),
-      method_(input.method),
+      method_(*as<UlCauchyFormulation>(input.method)),
       common_(common),
       p_(common.particles),
-      c_(common.constants),
+      c_(cauchy_constants(input)),
       materials_(input.materials),
       sph_contact_(input.contact == ContactLaw::sph && common.initial.first.size() > 2) {
   const std::size_t n = p_.x.size();

@@ -51,10 +51,10 @@ class UlCauchy final : public Scheme<Dim> {
   void serialize(Archive& archive);
 
   const Kernels& kernels_;
-  const Formulation& method_;
+  const UlCauchyFormulation& method_;
   Common<Dim>& common_;
   Particles<Dim>& p_;
-  const Constants& c_;
+  UlCauchyConstants c_;
   std::vector<Elasticity> materials_;
   bool several_materials_ = false;
   bool sph_contact_;  // bodies act on each other as one

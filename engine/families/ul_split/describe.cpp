@@ -11,7 +11,7 @@ constexpr TermInfo time_info{"time", "position Verlet, dual-criteria steps", "[Z
 
 }  // namespace
 
-std::vector<TermInfo> terms(const Formulation& m) {
+std::vector<TermInfo> terms(const UlSplitFormulation& m) {
   std::vector<TermInfo> t{equation_of_state_info, compression_info, riemann_pressure_info};
   if (m.shear == Shear::nested_stress)
     t.insert(t.end(), {velocity_gradient_info, jaumann_rate_info, nested_shear_info});
@@ -23,25 +23,27 @@ std::vector<TermInfo> terms(const Formulation& m) {
   return t;
 }
 
-std::vector<MethodConstant> constants(const Formulation& m, int dim) {
-  using C = Constants;
-  std::vector<MethodConstant> c{
-      {"h", &C::h, m.h_over_dp, 0.8, 3.0, "smoothing length over the spacing", true},
-      {"beta_least", &C::beta_least, m.beta_least, 0.0, 1.0,
-       "least β of the dissipation in P*: 1 linear, 0 limited"},
-      {"riemann_limiter", &C::riemann_limiter, 3.0, 0.0, 1000.0,
-       "β = min(max(limiter · closing speed/c0, beta_least), 1)"},
-      {"pressure_diffusion", &C::pressure_diffusion, 0.0, 0.0, 1.0,
-       "share of (p_i − p_j)/(2 ρ0 c0) in U*: 1 as in the Riemann solver of the paper, 0 without"},
-      {"cfl_advection", &C::cfl_advection, m.cfl_advection, 1e-3, 1.0,
-       "distance over h between rebuilds (Eq. 21)"},
+std::vector<ConstantRow<UlSplitConstants>> constants(const UlSplitFormulation& m, int dim) {
+  using C = UlSplitConstants;
+  std::vector<ConstantRow<UlSplitConstants>> c{
+      {&C::h, {"h", m.h_over_dp, 0.8, 3.0, "smoothing length over the spacing", true}},
+      {&C::beta_least,
+       {"beta_least", m.beta_least, 0.0, 1.0, "least β of the dissipation in P*: 1 linear, 0 limited"}},
+      {&C::riemann_limiter,
+       {"riemann_limiter", 3.0, 0.0, 1000.0, "β = min(max(limiter · closing speed/c0, beta_least), 1)"}},
+      {&C::pressure_diffusion,
+       {"pressure_diffusion", 0.0, 0.0, 1.0,
+        "share of (p_i − p_j)/(2 ρ0 c0) in U*: 1 as in the Riemann solver of the paper, 0 without"}},
+      {&C::cfl_advection,
+       {"cfl_advection", m.cfl_advection, 1e-3, 1.0, "distance over h between rebuilds (Eq. 21)"}},
   };
   if (m.shear == Shear::laplacian_velocity)
-    c.push_back({"zeta", &C::zeta, 0.7 * dim + 2.1, 0.0, 100.0,
-                 "ζ of the Laplacian: 0.7 d + 2.1 calibrated, d + 2 consistent"});
+    c.push_back({&C::zeta,
+                 {"zeta", 0.7 * dim + 2.1, 0.0, 100.0,
+                  "ζ of the Laplacian: 0.7 d + 2.1 calibrated, d + 2 consistent"}});
   if (m.artificial_stress) {
-    c.push_back({"epsilon", &C::epsilon, m.epsilon, 0.0, 10.0, "ε of the artificial stress"});
-    c.push_back({"exponent", &C::exponent, m.exponent, 0.0, 20.0, "n of the artificial stress"});
+    c.push_back({&C::epsilon, {"epsilon", m.epsilon, 0.0, 10.0, "ε of the artificial stress"}});
+    c.push_back({&C::exponent, {"exponent", m.exponent, 0.0, 20.0, "n of the artificial stress"}});
   }
   return c;
 }

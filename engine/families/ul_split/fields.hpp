@@ -3,7 +3,7 @@
 #include <type_traits>
 
 #include "engine/core/rows.hpp"
-#include "engine/methods/constants.hpp"
+#include "engine/families/ul_split/formulation.hpp"
 
 /// Plain data of the updated-Lagrangian methods with pressure and shear apart, for their passes.
 namespace taut {

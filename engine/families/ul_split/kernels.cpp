@@ -2,13 +2,14 @@
 #include "engine/families/ul_split/kernels.hpp"
 
 #include "engine/families/kernel_tables.hpp"
+#include "engine/families/ul_split/methods.hpp"
 #include "engine/families/ul_split/passes.hpp"
 
 namespace taut {
 namespace {
 
 struct Tables {
-  template <const Formulation& M, int Dim>
+  template <const UlSplitFormulation& M, int Dim>
   static constexpr UlSplitKernels<Dim> of{
       .support = Kernel<M.kernel>::support,
       .steepness = PairKernel<M, Dim>::steepness,
@@ -26,7 +27,7 @@ struct Tables {
 
 template <>
 const void* kernels_of<int(Family::ul_split)>(int dim, std::string_view method) {
-  return table_among<Family::ul_split, Tables>(dim, method, Methods{});
+  return table_among<Tables>(dim, method, ul_split::Methods{});
 }
 
 }  // namespace taut

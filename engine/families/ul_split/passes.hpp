@@ -5,7 +5,6 @@
 #include "engine/core/parallel.hpp"
 #include "engine/families/ul_split/fields.hpp"
 #include "engine/kernels/kernel.hpp"
-#include "engine/methods/formulation.hpp"
 #include "engine/solver/kick.hpp"
 #include "engine/terms/artificial_stress.hpp"
 #include "engine/terms/equation_of_state.hpp"
@@ -19,10 +18,10 @@
 namespace taut {
 
 /// Works out the geometry of pairs.
-template <const Formulation& M, int Dim>
+template <const UlSplitFormulation& M, int Dim>
 class PairKernel {
  public:
-  explicit PairKernel(const Constants& c)
+  explicit PairKernel(const UlSplitConstants& c)
       : per_h_(1 / c.h),
         alpha_(steepness(c)),
         least_(PairCache<Dim>::least * alpha_ * c.h),
@@ -30,7 +29,7 @@ class PairKernel {
         exponent_(c.exponent) {}
 
   /// α/h^(Dim+1)
-  static double steepness(const Constants& c) { return K::alpha(Dim) / power<Dim + 1>(c.h); }
+  static double steepness(const UlSplitConstants& c) { return K::alpha(Dim) / power<Dim + 1>(c.h); }
 
   /// With x_i − x_j = d. Coincident particles have no force on each other, as the filling.
   PairGeometry<Dim> geometry(const Vec<Pack, Dim>& d) const {
@@ -59,8 +58,8 @@ class PairKernel {
 };
 
 /// The geometry of every pair.
-template <const Formulation& M, int Dim>
-void geometry_pass(const UlSplitFields<Dim>& s, const Constants& c, const Threads& threads) {
+template <const UlSplitFormulation& M, int Dim>
+void geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Threads& threads) {
   // places, bodies and volumes, in rows that stand ready to be gathered
   parallel_for(s.size, threads, [&](int i) { s.flow[i].set(s.x[i], s.body[i], s.m[i] / s.rho[i]); });
   parallel_pass(s.size, threads, [&, kernel = PairKernel<M, Dim>(c)](int i) {
@@ -92,8 +91,8 @@ void geometry_pass(const UlSplitFields<Dim>& s, const Constants& c, const Thread
 /// Between bodies geometry is not cached: two that close at 2v would go half a spacing on stale gradients, come
 /// apart on steeper ones than they met on, and stick.
 /// Differs from [Zhang2024] §5, which caches all pairs between advection steps.
-template <const Formulation& M, int Dim>
-void contact_geometry_pass(const UlSplitFields<Dim>& s, const Constants& c) {
+template <const UlSplitFormulation& M, int Dim>
+void contact_geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c) {
   const PairKernel<M, Dim> kernel(c);
   for (int m = 0; m < s.mixed_count; ++m) {
     const auto [i, b] = s.mixed[m];
@@ -126,8 +125,8 @@ Vec<Pack, Dim> gradient_inside(const UlSplitFields<Dim>& s, int i, int b) {
 /// dv/dt of every particle: pressure from the Riemann problem of each pair, and shear. The terms are written in
 /// ∂W/∂r and e_ij; for the first they get `one`, and for the second the product of the two, ∇_i W.
 /// Velocities go over the whole step, Eq. 24, and positions to its end, Eq. 25. Returns the greatest v², m²/s².
-template <const Formulation& M, int Dim>
-double momentum_pass(const UlSplitFields<Dim>& s, const Constants& c, const Kick<Dim>& kick,
+template <const UlSplitFormulation& M, int Dim>
+double momentum_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Kick<Dim>& kick,
                      const Threads& threads) {
   const Dissipation dissipation{c.rho0 * c.c0, c.riemann_limiter / c.c0, c.beta_least};
   return parallel_max(s.size, threads, [&](int i) {
@@ -165,8 +164,8 @@ double momentum_pass(const UlSplitFields<Dim>& s, const Constants& c, const Kick
 
 /// On body `a` of body `b`, which act on each other as one: what momentum_pass last had of their pairs, N
 /// (per metre depth in 2D). Shear acts within a body only.
-template <const Formulation& M, int Dim>
-Vec<double, Dim> force_between(const UlSplitFields<Dim>& s, const Constants& c, int a, int b) {
+template <const UlSplitFormulation& M, int Dim>
+Vec<double, Dim> force_between(const UlSplitFields<Dim>& s, const UlSplitConstants& c, int a, int b) {
   const Dissipation dissipation{c.rho0 * c.c0, c.riemann_limiter / c.c0, c.beta_least};
   Vec<double, Dim> total{};
   for (int m = 0; m < s.mixed_count; ++m) {
@@ -191,9 +190,9 @@ Vec<double, Dim> force_between(const UlSplitFields<Dim>& s, const Constants& c, 
 
 /// The rates that follow from the new velocities, of density and of the stress or the shear acceleration; these go
 /// by them over `dt`, the second half of the step, Eq. 25.
-template <const Formulation& M, int Dim, bool pressure_diffusion>
-void rate_pass(const UlSplitFields<Dim>& s, const Constants& c, const Steering<Dim>& steering, double dt,
-               const Threads& threads) {
+template <const UlSplitFormulation& M, int Dim, bool pressure_diffusion>
+void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Steering<Dim>& steering,
+               double dt, const Threads& threads) {
   parallel_pass(s.size, threads, [&](int i) {
     const Flow<Dim, Pack> f_i = spread_flow(s.flow_new[i]);
     Pack compression{};  // 1/s
@@ -236,9 +235,9 @@ void rate_pass(const UlSplitFields<Dim>& s, const Constants& c, const Steering<D
       s.a_shear[i] += dt * s.da_shear[i];
   });
 }
-template <const Formulation& M, int Dim>
-void rate_pass(const UlSplitFields<Dim>& s, const Constants& c, const Steering<Dim>& steering, double dt,
-               const Threads& threads) {
+template <const UlSplitFormulation& M, int Dim>
+void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Steering<Dim>& steering,
+               double dt, const Threads& threads) {
   if (c.pressure_diffusion == 0)
     rate_pass<M, Dim, false>(s, c, steering, dt, threads);
   else
@@ -250,8 +249,8 @@ void rate_pass(const UlSplitFields<Dim>& s, const Constants& c, const Steering<D
 /// corrected gradient. [Zhang2024] Eq. 6–8, 26, 27
 /// The geometry of the pairs is cached meanwhile, so that this is the integral over all steps since; for that, volumes
 /// and the correction are cached too, where the paper has those of each time.
-template <const Formulation& M, int Dim>
-void recover_stress(const UlSplitFields<Dim>& s, const Constants& c, const FlowRow<Dim>* displacement,
+template <const UlSplitFormulation& M, int Dim>
+void recover_stress(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const FlowRow<Dim>* displacement,
                     const int* particles, int count, Sym<double, Dim>* out, const Threads& threads) {
   parallel_pass(count, threads, [&](int k) {
     const int i = particles ? particles[k] : k;
@@ -269,8 +268,8 @@ void recover_stress(const UlSplitFields<Dim>& s, const Constants& c, const FlowR
 }
 
 /// Positions, densities and shear to the middle of the step, Eq. 23: over `dt`, half of it.
-template <const Formulation& M, int Dim>
-void half_drift(const UlSplitFields<Dim>& s, const Constants& c, double dt, const Threads& threads) {
+template <const UlSplitFormulation& M, int Dim>
+void half_drift(const UlSplitFields<Dim>& s, const UlSplitConstants& c, double dt, const Threads& threads) {
   parallel_pass(s.size, threads, [&](int i) {
     s.x[i] += dt * s.v[i];
     s.rho[i] += dt * s.drho[i];

@@ -7,17 +7,30 @@
 #include "engine/core/parallel.hpp"
 #include "engine/families/ul_split/describe.hpp"
 #include "engine/solver/particle_simulation.hpp"
+#include "engine/solver/step_speed.hpp"
 #include "engine/terms/equation_of_state.hpp"
 
 namespace taut {
+namespace {
+
+UlSplitConstants split_constants(const SolverInput& input) {
+  const auto& method = *as<UlSplitFormulation>(input.method);
+  UlSplitConstants c =
+      constants_of(ul_split::constants(method, input.scene.dim), input.constants, input.values);
+  constexpr double known = 0.75;  // G/K of ν = 0.2, below which `enog` is lost at c0
+  c.step_speed = c.zeta > 0 ? step_speed(input, c.zeta, known) : step_speed(input);
+  return c;
+}
+
+}  // namespace
 
 template <int Dim>
 UlSplit<Dim>::UlSplit(Common<Dim>& common, const SolverInput& input, const Kernels& kernels)
     : kernels_(kernels),
-      method_(input.method),
+      method_(*as<UlSplitFormulation>(input.method)),
       common_(common),
       p_(common.particles),
-      c_(common.constants),
+      c_(split_constants(input)),
       stepping_(input.stepping),
       sph_contact_(input.contact == ContactLaw::sph && common.initial.first.size() > 2) {
   const std::size_t n = p_.x.size();

@@ -39,10 +39,10 @@ class UlSplit final : public Scheme<Dim> {
   void serialize(Archive& archive);
 
   const Kernels& kernels_;
-  const Formulation& method_;
+  const UlSplitFormulation& method_;
   Common<Dim>& common_;
   Particles<Dim>& p_;
-  const Constants& c_;
+  UlSplitConstants c_;
   Stepping stepping_;
   CellGrid<Dim> grid_;
   NeighborSearch<Dim> search_;

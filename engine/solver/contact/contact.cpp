@@ -11,7 +11,7 @@ template <int Dim>
 Contact<Dim>::Contact(const SolverInput& input) : walls_(input.scene) {
   const ContactLawRow& law = contact_row(input.contact);
   between_bodies_ = law.between != ContactBetween::all_neighbors && input.initial.first.size() > 2;
-  if (!between_bodies_ && !input.meets_itself && input.scene.walls.empty()) {
+  if (!between_bodies_ && !input.keeps_neighbors && input.scene.walls.empty()) {
     mechanism_ = std::make_unique<ContactMechanism<Dim>>();
   } else if (law.between == ContactBetween::faces) {
     auto faces = std::make_unique<ContactsOfFaces<Dim>>(input);

@@ -24,7 +24,7 @@ class FaceCandidates {
   FaceCandidates(const SolverInput& input, const MovingFaces& faces, double reach)
       : dp_(input.constants.dp),
         reach_(reach),
-        meets_itself_(input.meets_itself),
+        meets_itself_(input.keeps_neighbors),
         meets_others_(input.scene.bodies.size() > 1 || !input.scene.walls.empty()),
         all_nodes_(faces.size()),
         all_segments_(faces.outline().segments.size()) {

@@ -27,7 +27,7 @@ class FacetCandidates {
   FacetCandidates(const SolverInput& input, const MovingFacets& facets, double reach)
       : dp_(input.constants.dp),
         reach_(reach),
-        meets_itself_(input.meets_itself),
+        meets_itself_(input.keeps_neighbors),
         meets_others_(input.scene.bodies.size() > 1 || !input.scene.walls.empty()),
         near_(facets, cluster * input.constants.dp),
         nodes_(facets.nodes_of(near_.order())) {

@@ -24,7 +24,7 @@ class OwnPairs {
 
   /// Pairs nearer than `reach`, m, act.
   OwnPairs(const SolverInput& input, double reach) : dp_(input.constants.dp), reach_(reach) {
-    if (!input.meets_itself) return;
+    if (!input.keeps_neighbors) return;
     ids_ = particles_at_faces(input.scene, input.initial);
     for (const int id : ids_) {
       V x;

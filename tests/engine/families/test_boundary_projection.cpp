@@ -7,7 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/families/tl_mixed/boundary_projection.hpp"
-#include "engine/methods/lee2016.hpp"
+#include "engine/families/tl_mixed/methods.hpp"
 #include "tests/engine/dense.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"

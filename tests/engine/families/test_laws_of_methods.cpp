@@ -9,9 +9,9 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/balance.hpp"
-#include "engine/families/bonded/layout/bonds.hpp"
 #include "engine/families/bonded/closed_law.hpp"
-#include "engine/methods/oenog.hpp"
+#include "engine/families/bonded/layout/bonds.hpp"
+#include "engine/families/bonded/methods.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"

@@ -11,8 +11,8 @@
 
 #include "engine/diagnostics/balance.hpp"
 #include "engine/families/tl_mixed/corrected_laplacian.hpp"
+#include "engine/families/tl_mixed/methods.hpp"
 #include "engine/families/tl_mixed/momentum_projection.hpp"
-#include "engine/methods/lee2016.hpp"
 #include "engine/solver/initial_pairs.hpp"
 #include "tests/engine/dense.hpp"
 #include "tests/support/relative.hpp"

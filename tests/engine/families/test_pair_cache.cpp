@@ -7,8 +7,8 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/families/ul_split/methods.hpp"
 #include "engine/families/ul_split/passes.hpp"
-#include "engine/methods/zhang2024.hpp"
 
 namespace of_this_file {
 
@@ -16,8 +16,8 @@ using namespace taut;
 
 namespace {
 
-Constants constants_at(double dp) {
-  Constants c{};
+UlSplitConstants constants_at(double dp) {
+  UlSplitConstants c{};
   c.dp = dp;
   c.h = 1.3 * dp;
   c.exponent = 4;
@@ -31,7 +31,7 @@ struct Cached {
 };
 template <int Dim>
 Cached<Dim> cached_at(double dp, const Pack& distance) {
-  const Constants c = constants_at(dp);
+  const UlSplitConstants c = constants_at(dp);
   const PairKernel<enog, Dim> kernel(c);
   using Kept = typename PairCache<Dim>::Kept;
   std::vector<Kept> gradients(2 * Dim), slopes(2), distances(2);

@@ -7,7 +7,7 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/methods/oenog.hpp"
+#include "engine/families/bonded/methods.hpp"
 #include "tests/engine/families/bonded/naive_oenog.hpp"
 #include "tests/engine/families/naive_runs.hpp"
 #include "tests/support/agreement.hpp"

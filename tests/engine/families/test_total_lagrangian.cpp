@@ -9,10 +9,11 @@
 
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/verdict.hpp"
+#include "engine/families/tl_displacement/methods.hpp"
 #include "engine/families/tl_mixed/corrected_laplacian.hpp"
+#include "engine/families/tl_mixed/methods.hpp"
 #include "engine/families/tl_mixed/momentum_projection.hpp"
 #include "engine/materials/laws.hpp"
-#include "engine/methods/lee2016.hpp"
 #include "engine/scene/initial_particles.hpp"
 #include "engine/solver/initial_pairs.hpp"
 #include "tests/support/relative.hpp"

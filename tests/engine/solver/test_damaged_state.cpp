@@ -144,7 +144,7 @@ TEST_SUITE("restart") {
       for (const int dim : {2, 3}) {
         for (const Scene& laid : {touching_blocks(dim), folded_block(dim)}) {
           const MethodInfo& info = *find_method(method);
-          if (dim > greatest_dim(info.formulation) || (!info.meets_itself && laid.bodies.size() == 1))
+          if (dim > info.formulation.greatest_dim || (!info.keeps_neighbors && laid.bodies.size() == 1))
             continue;
           for (const ContactLaw law : info.contact_laws) {
             Scene scene = laid;

@@ -34,15 +34,15 @@ double greatest_wave_speed(const InitialParticles& initial, const std::vector<El
   return greatest;
 }
 
-double damping_lead(const InitialParticles& initial, const std::vector<Elasticity>& materials,
-                    const Constants& c) {
+double damping_lead(const InitialParticles& initial, const std::vector<Elasticity>& materials, double damping,
+                    double dp) {
   double shear_speed = 0, greatest_share = 0;  // of G that bonds have
   for (const int used : initial.material) {
     const Elasticity& m = materials[used];
     shear_speed = std::max(shear_speed, std::sqrt(m.G / m.rho0));
     greatest_share = std::max(greatest_share, modulus_of_bonds(initial.dim, m) / m.G);
   }
-  return 3 * c.damping * c.dp / (shear_speed * greatest_share);
+  return 3 * damping * dp / (shear_speed * greatest_share);
 }
 
 void add_clamp_places(const Scene& scene, BondedSetup& setup) {
@@ -96,7 +96,7 @@ std::vector<CancelledTerm> BondedSetup::cancelled_terms(int i) const {
   return out;
 }
 
-BondedSetup make_bonded_setup(const SolverInput& input) {
+BondedSetup make_bonded_setup(const SolverInput& input, double damping) {
   const InitialParticles& initial = input.initial;
   const std::vector<Elasticity>& materials = input.materials;
   Bonds bonds = make_bonds(input.scene, initial, make_constraints(input.scene, initial), input.constants.h,
@@ -104,7 +104,7 @@ BondedSetup make_bonded_setup(const SolverInput& input) {
   std::vector<double> mass = masses(initial, materials, bonds);
   Interfaces interfaces = make_interfaces(initial, materials, bonds, input.constants.dp);
   const double wave_speed = greatest_wave_speed(initial, materials, interfaces),
-               lead = damping_lead(initial, materials, input.constants);
+               lead = damping_lead(initial, materials, damping, input.constants.dp);
   BondedSetup setup{
       initial, materials, std::move(bonds), std::move(mass), std::move(interfaces), wave_speed, lead, {}, {}};
   add_clamp_places(input.scene, setup);

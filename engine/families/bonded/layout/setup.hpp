@@ -46,7 +46,8 @@ struct BondedSetup {
   std::vector<CancelledTerm> cancelled_terms(int i) const;
 };
 
-BondedSetup make_bonded_setup(const SolverInput& input);
+/// `damping`: see BondedConstants.
+BondedSetup make_bonded_setup(const SolverInput& input, double damping);
 
 /// Returns the particles with all rigid ones marked as held, for loads, which act on the others.
 InitialParticles with_rigid_held(const InitialParticles& initial, const Bonds& bonds);

@@ -15,8 +15,8 @@
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/measures.hpp"
 #include "engine/families/bonded/cancelled.hpp"
+#include "engine/families/bonded/methods.hpp"
 #include "engine/families/bonded/packed_bonds.hpp"
-#include "engine/methods/oenog.hpp"
 #include "engine/scene/shapes/polygon.hpp"
 #include "tests/engine/families/bonded/naive_oenog.hpp"
 #include "tests/support/agreement.hpp"
@@ -113,7 +113,7 @@ void check_both_ends(const Scene& scene) {
   Constants constants;
   constants.dp = scene.spacing, constants.h = oenog.h_over_dp * scene.spacing;
   const BondedSetup setup = make_bonded_setup(
-      {oenog, scene, initial, constants, materials, Law{}, ContactLaw{}, /*meets_itself*/ false, {}, 1});
+      {oenog, scene, initial, constants, materials, Law{}, ContactLaw{}, false, {}, 1}, /*damping*/ 0);
   const Packed owner(setup, ids);
   const auto packed = owner.view();
   std::map<std::pair<int, int>, std::pair<double, Vec<double, Dim>>> seen;  // strength and area

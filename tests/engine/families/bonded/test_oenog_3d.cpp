@@ -17,7 +17,7 @@
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/verdict.hpp"
 #include "engine/families/bonded/layout/bonds.hpp"
-#include "engine/methods/oenog.hpp"
+#include "engine/families/bonded/methods.hpp"
 #include "tests/engine/families/bonded/cantilever_3d.hpp"
 #include "tests/engine/families/bonded/naive_oenog.hpp"
 #include "tests/support/relative.hpp"

@@ -12,7 +12,7 @@
 
 #include "engine/families/bonded/layout/bonds.hpp"
 #include "engine/families/bonded/layout/recovered_gradient.hpp"
-#include "engine/methods/oenog.hpp"
+#include "engine/families/bonded/methods.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
