@@ -11,6 +11,7 @@
 #include "cli/system/stopwatch.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
+#include "engine/families/catalogue.hpp"
 #include "engine/snapshot_blend.hpp"
 #include "render/image/png.hpp"
 
@@ -28,9 +29,13 @@ std::unique_ptr<Simulation> start_heedful(const SceneFile& file) {
 std::string reason_against(const std::string& name, const SceneFile& file) {
   const auto is = [&](const char* other) { return name == other; };
   if (is("cfl")) return "";
-  if (is("method.h") || is("method.normalised"))
-    return "the initial neighbours and their weights depend on it";
-  if (name.starts_with("method.")) return "";
+  if (name.starts_with("method.")) {
+    const Formulation& method = find_method(file.settings.method)->formulation;
+    for (const MethodConstant& constant : method_constants(method, file.scene.dim))
+      if (constant.at_set_up && name.substr(7) == constant.name)
+        return "the initial neighbours and their weights depend on it";
+    return "";
+  }
   if (is("method") || is("stepping") || is("contact") || is("law"))
     return "it is fixed when the simulation starts";
   if (is("until")) return "a session has no end time; use `run until T`";

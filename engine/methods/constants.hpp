@@ -39,6 +39,8 @@ struct MethodConstant {
   double low, high;
   std::string_view help;
   bool in_spacings = false;  // the member is that many spacings, m
+  bool at_set_up =
+      false;  // initial neighbours and their weights depend on it: a running simulation cannot change it
 };
 
 /// A constant and the member that it sets of the constants `C` of a family.

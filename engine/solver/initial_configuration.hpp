@@ -54,7 +54,7 @@ double initial_support(const SolverInput& input);
 /// The constant h of these methods.
 constexpr MethodConstant smoothing_length(const Formulation& m, int dim, double least) {
   const double h = dim == 3 && m.h_over_dp_3d > 0 ? m.h_over_dp_3d : m.h_over_dp;
-  return {"h", h, least, 3.0, "smoothing length over the spacing", true};
+  return {"h", h, least, 3.0, "smoothing length over the spacing", true, true};
 }
 
 }  // namespace taut

@@ -112,6 +112,14 @@ TEST_SUITE("unit") {
     check_constants(bonded::Methods{}, bonded::constants);
     check_constants(tl_displacement::Methods{}, tl_displacement::constants);
     check_constants(tl_mixed::Methods{}, tl_mixed::constants);
+    Settings stiff;
+    stiff.constants["contact_stiffness"] = 0.75;
+    for (const MethodInfo& method : methods()) {
+      CAPTURE(std::string(method.name));
+      const Formulation& m = method.formulation;
+      CHECK(constant_values(m, 2, 2, stiff).at("contact_stiffness") == 0.75);
+      CHECK(constant_values(m, 2, 2, {}).at("contact_stiffness") == m.contact_stiffness);
+    }
     const auto spatial = method_constants(find_method("enog")->formulation, 3);
     CHECK(std::ranges::find(spatial, "zeta", &MethodConstant::name)->value == Approx(4.2));
   }

@@ -21,9 +21,10 @@ std::vector<TermInfo> terms(const TlDisplacementFormulation& m) {
 std::vector<ConstantRow<TlDisplacementConstants>> constants(const TlDisplacementFormulation& m, int dim) {
   using C = TlDisplacementConstants;
   if (m.gradient == GradientCorrection::corrected) return {{&C::h, smoothing_length(m, dim, 0.8)}};
-  return {{&C::h, smoothing_length(m, dim, 0.36)},  // no more neighbours than the four nearest are asked for
-          {&C::normalised,
-           {"normalised", 1.0, 0.0, 1.0, "1: gradients divided by the sum of the kernel; 0: not"}}};
+  return {
+      {&C::h, smoothing_length(m, dim, 0.36)},  // no more neighbours than the four nearest are asked for
+      {&C::normalised,
+       {"normalised", 1.0, 0.0, 1.0, "1: gradients divided by the sum of the kernel; 0: not", false, true}}};
 }
 
 }  // namespace taut::tl_displacement

@@ -58,7 +58,7 @@ std::vector<TermInfo> terms(const UlCauchyFormulation& m) {
 std::vector<ConstantRow<UlCauchyConstants>> constants(const UlCauchyFormulation& m, int) {
   using C = UlCauchyConstants;
   std::vector<ConstantRow<UlCauchyConstants>> c{
-      {&C::h, {"h", m.h_over_dp, 0.8, 3.0, "smoothing length over the spacing", true}}};
+      {&C::h, {"h", m.h_over_dp, 0.8, 3.0, "smoothing length over the spacing", true, true}}};
   if (m.viscosity == Viscosity::artificial)
     c.push_back({&C::alpha, {"alpha", 1.0, 0.0, 10.0, "α of the artificial viscosity"}});
   if (m.viscosity == Viscosity::riemann)

@@ -26,7 +26,7 @@ std::vector<TermInfo> terms(const UlSplitFormulation& m) {
 std::vector<ConstantRow<UlSplitConstants>> constants(const UlSplitFormulation& m, int dim) {
   using C = UlSplitConstants;
   std::vector<ConstantRow<UlSplitConstants>> c{
-      {&C::h, {"h", m.h_over_dp, 0.8, 3.0, "smoothing length over the spacing", true}},
+      {&C::h, {"h", m.h_over_dp, 0.8, 3.0, "smoothing length over the spacing", true, true}},
       {&C::beta_least,
        {"beta_least", m.beta_least, 0.0, 1.0, "least β of the dissipation in P*: 1 linear, 0 limited"}},
       {&C::riemann_limiter,
