@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "engine/settings.hpp"
 #include "engine/snapshot.hpp"
 
 namespace taut {
@@ -45,7 +44,6 @@ struct AlternatingSums {
   SquareSums part;   // of the alternating parts; a length counts with one spacing at most
   SquareSums whole;  // of the particles themselves, but for their places
 };
-AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing,
-                                 InstructionSet allowed = InstructionSet::x86_64_v4);
+AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing);
 
 }  // namespace taut

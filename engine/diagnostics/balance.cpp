@@ -9,13 +9,13 @@
 
 namespace taut {
 
-Balance balance(const Snapshot& now, const Scene& scene, InstructionSet allowed) {
+Balance balance(const Snapshot& now, const Scene& scene) {
   std::vector<StrainDivisors> divisors;
   for (const Material& material : scene.materials)
     divisors.push_back({2 * material.bulk_modulus(), 4 * material.shear_modulus()});
   double out[10];
-  best_kernels<SharedKernels::history_row, HistoryKernels>(now.dim, "", allowed)
-      .balance(view_of(now), divisors.data(), now.contact_energy, out);
+  best_kernels<SharedKernels::history_row, HistoryKernels>(now.dim).balance(view_of(now), divisors.data(),
+                                                                            now.contact_energy, out);
   return {
       out[0],     out[1],      {out[4], out[5], out[6]}, {out[7], out[8], out[9]}, out[2], out[3], now.work,
       now.damped, now.of_walls};

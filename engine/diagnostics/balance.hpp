@@ -2,7 +2,6 @@
 
 #include "engine/core/point.hpp"
 #include "engine/scene/scene.hpp"
-#include "engine/settings.hpp"
 #include "engine/snapshot.hpp"
 
 namespace taut {
@@ -19,7 +18,7 @@ struct Balance {
   Impulse of_walls;   // so far: momenta less these are kept
 };
 
-Balance balance(const Snapshot& now, const Scene& scene, InstructionSet allowed = InstructionSet::x86_64_v4);
+Balance balance(const Snapshot& now, const Scene& scene);
 
 /// m c² times 1e-16, of speeds of 1e-8 sound speeds, J: more than what rounding makes of bodies without any.
 double energy_of_rounding(const Scene& scene, const Snapshot& start);

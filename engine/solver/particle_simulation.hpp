@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/core/kernels_of.hpp"
 #include "engine/solver/common.hpp"
 #include "engine/solver/scheme.hpp"
 #include "engine/solver/simulation.hpp"
@@ -38,6 +39,12 @@ class ParticleSimulation final : public Simulation, private ProbeSource<Dim> {
   std::unique_ptr<Scheme<Dim>> scheme_;
   Snapshot seen_;  // for probes, which ask for few particles
 };
+
+/// The kernels of the input's method, of family F; see best_kernels.
+template <Family F, class Kernels, bool with_v4 = false>
+const Kernels& kernels_for(const SolverInput& input) {
+  return best_kernels<F, Kernels, with_v4>(input.scene.dim, input.method.name, input.kernels);
+}
 
 /// A simulation by `Method`, whose constructor takes the Common part, the input and `more`.
 template <class Method, int Dim, class... More>

@@ -36,8 +36,8 @@ struct SolverInput {
   bool keeps_neighbors;  // see FamilyRow; contact acts between parts of one body that were far apart
   Stepping stepping;
   int threads;
-  InstructionSet instruction_set = InstructionSet::x86_64_v4;  // the greatest allowed
-  ConstantValues values = {};                                  // for the constants of the family
+  InstructionSet kernels{};    // the greatest allowed
+  ConstantValues values = {};  // for the constants of the family
 };
 
 }  // namespace taut

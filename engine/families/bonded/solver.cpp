@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/kernels_of.hpp"
 #include "engine/core/parallel.hpp"
 #include "engine/families/bonded/describe.hpp"
 #include "engine/families/bonded/layout/layout_stiffness.hpp"
@@ -232,8 +231,7 @@ void Bonded<Dim>::show(Snapshot& out, std::span<const int> groups) const {
 
 std::unique_ptr<Simulation> bonded::make(const SolverInput& input) {
   const auto made = [&]<int Dim>() {
-    const auto& kernels = best_kernels<Family::bonded, BondedKernels<Dim>>(input.scene.dim, input.method.name,
-                                                                           input.instruction_set);
+    const auto& kernels = kernels_for<Family::bonded, BondedKernels<Dim>>(input);
     return simulation_by<Bonded<Dim>, Dim>(input, greatest_bond_reach * input.constants.h, kernels);
   };
   return input.scene.dim == 3 ? made.template operator()<3>() : made.template operator()<2>();

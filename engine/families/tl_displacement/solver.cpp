@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/core/kernels_of.hpp"
 #include "engine/core/parallel.hpp"
 #include "engine/families/tl_displacement/describe.hpp"
 #include "engine/solver/particle_simulation.hpp"
@@ -76,8 +75,7 @@ void TlDisplacement<Dim>::show(Snapshot& out, std::span<const int> groups) const
 
 std::unique_ptr<Simulation> tl_displacement::make(const SolverInput& input) {
   const auto made = [&]<int Dim>() {
-    const auto& kernels = best_kernels<Family::tl_displacement, TlDisplacementKernels<Dim>, true>(
-        input.scene.dim, input.method.name, input.instruction_set);
+    const auto& kernels = kernels_for<Family::tl_displacement, TlDisplacementKernels<Dim>, true>(input);
     return simulation_by<TlDisplacement<Dim>, Dim>(input, initial_support(input), kernels);
   };
   return input.scene.dim == 3 ? made.template operator()<3>() : made.template operator()<2>();

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/kernels_of.hpp"
 #include "engine/core/parallel.hpp"
 #include "engine/error.hpp"
 #include "engine/families/tl_mixed/describe.hpp"
@@ -269,8 +268,7 @@ void TlMixed<Dim>::serialize(Archive& archive) {
 
 std::unique_ptr<Simulation> tl_mixed::make(const SolverInput& input) {
   const auto made = [&]<int Dim>() {
-    const auto& kernels = best_kernels<Family::tl_mixed, TlMixedKernels<Dim>>(
-        input.scene.dim, input.method.name, input.instruction_set);
+    const auto& kernels = kernels_for<Family::tl_mixed, TlMixedKernels<Dim>>(input);
     return simulation_by<TlMixed<Dim>, Dim>(input, initial_support(input), kernels);
   };
   return input.scene.dim == 3 ? made.template operator()<3>() : made.template operator()<2>();

@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "engine/core/kernels_of.hpp"
 #include "engine/core/parallel.hpp"
 #include "engine/error.hpp"
 #include "engine/families/ul_cauchy/describe.hpp"
@@ -245,8 +244,7 @@ void UlCauchy<Dim>::serialize(Archive& archive) {
 }
 
 std::unique_ptr<Simulation> ul_cauchy::make(const SolverInput& input) {
-  const auto& kernels = best_kernels<Family::ul_cauchy, UlCauchyKernels<2>, true>(
-      input.scene.dim, input.method.name, input.instruction_set);
+  const auto& kernels = kernels_for<Family::ul_cauchy, UlCauchyKernels<2>, true>(input);
   return simulation_by<UlCauchy<2>, 2>(input, kernels.support * input.constants.h, kernels);
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/core/kernels_of.hpp"
 #include "engine/core/parallel.hpp"
 #include "engine/families/ul_split/describe.hpp"
 #include "engine/solver/particle_simulation.hpp"
@@ -227,8 +226,7 @@ void UlSplit<Dim>::serialize(Archive& archive) {
 
 std::unique_ptr<Simulation> ul_split::make(const SolverInput& input) {
   const auto made = [&]<int Dim>() {
-    const auto& kernels = best_kernels<Family::ul_split, UlSplitKernels<Dim>>(
-        input.scene.dim, input.method.name, input.instruction_set);
+    const auto& kernels = kernels_for<Family::ul_split, UlSplitKernels<Dim>>(input);
     return simulation_by<UlSplit<Dim>, Dim>(input, kernels.support * input.constants.h, kernels);
   };
   return input.scene.dim == 3 ? made.template operator()<3>() : made.template operator()<2>();
