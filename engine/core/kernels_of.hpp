@@ -5,14 +5,14 @@
 #include "engine/core/machine.hpp"
 #include "engine/settings.hpp"
 
-/// Kernels: functions that run once per particle and step, over plain data. A kernels.cpp makes tables of pointers to
+/// Kernels: the loops over particles and pairs, over plain data. A kernels.cpp makes tables of pointers to
 /// them (for a family of methods one for each method and dimension) and is compiled once per instruction set; everything
 /// else is compiled once and asks for the best table of the machine. In the builds for special instruction sets the macro
 /// `taut` renames the namespace (engine/CMakeLists.txt), so that the linker shares none of the functions that they
 /// inline.
 namespace taut {
 
-/// Kernels that are not those of a family of methods; numbers apart from those of Family.
+/// Kernels outside the families of methods; values from 100 on, so that none equals a Family.
 enum class SharedKernels { neighbor_search = 100, history_row };
 
 /// The table of these kernels for the instruction set of this build; null if there is none. `Key`: a Family or one of
@@ -35,7 +35,7 @@ const void* kernels_of(int dim, std::string_view method);
 
 namespace taut {
 
-/// The table for the best instruction set of this machine up to `allowed`. The builds have types of their own, with the
+/// The table for the best instruction set of this machine up to `allowed`. Each build has its own copy of these types, with the
 /// same names and layouts. `with_v4`: there are kernels for x86-64-v4, too.
 template <auto Key, class Kernels, bool with_v4 = false>
 const Kernels& best_kernels(int dim, std::string_view method = "",

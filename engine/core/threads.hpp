@@ -9,12 +9,13 @@ struct Threads {
   using Run = void (*)(int threads, int chunks, void (*work)(const void* of, int chunk) noexcept,
                        const void* of);
 
+  /// Greatest number of chunks of a loop.
   static constexpr int most_chunks = 4000;
 
   int count;
   Run run;
 
-  /// Helpers of the calling thread's team.
+  /// `count` threads: the calling thread and helpers of its team.
   Threads(int count);  // NOLINT: loops take a number of threads
 };
 

@@ -21,7 +21,7 @@ struct FamilyRow {
   std::vector<TermInfo> (*terms)(const Formulation& m);
   std::vector<MethodConstant> (*constants)(const Formulation& m, int dim);
   const ElasticSwitches* (*elastic)(const Formulation& m);  // null: the stress follows from its rate
-  bool (*carries_stress)(const Formulation& m);             // from its rate, and computes with it
+  bool (*carries_stress)(const Formulation& m);             // integrates a stress and uses it in the forces
   std::unique_ptr<Simulation> (*make)(const SolverInput& input);
 };
 

@@ -42,17 +42,17 @@ class Common {
   External<Dim> external;
   ProbeRecorder<Dim> probes;
   TeamSize team;
-  bool stepping = false;  // the set-up takes all threads
+  bool stepping = false;  // false during set-up, which takes all threads
   RunState run;
   double vmax = 0;  // greatest speed, m/s
 
   int size() const { return particles.size(); }
   int threads_now() const { return stepping ? team.threads() : run.threads; }
 
-  /// Puts the particles where they start; a method calls it once it has what it needs of the reference configuration.
+  /// Puts the particles where they start; a scheme calls it once it has what it needs of the reference configuration.
   void go_to_start();
 
-  /// `by_speed`, s, shorter where a contact that has stiffened would be the fastest motion; or the step of the settings.
+  /// `by_speed`, s, shortened where a stiffened contact limits the step; or the step of the settings, if given.
   double fixed_or(double by_speed) const {
     constexpr double spare = 1.5;
     return constants.step > 0 ? constants.step

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "engine/solver/drives.hpp"
@@ -32,7 +31,7 @@ struct External {
   void set_time(double dt, double t, const Particles<Dim>& p) {
     const int before = drives.number_of_active();
     drives.set_time(t);
-    if (drives.number_of_active() != before) update_steering();
+    if (drives.number_of_active() != before) update_steering();  // drives end, and none begins later
     loads.set_time(t - 0.5 * dt);
     if (reactions.active()) reactions.begin(p.v, dt);
   }
@@ -47,7 +46,8 @@ struct External {
 
   Steering<Dim> steering() const { return {drives.active() || guides.active() ? axes_.data() : nullptr}; }
 
-  /// Force on particle i from clamp, guide or drive over the last step, N. Weight is carried by it, loads are not.
+  /// Force on particle i from its clamp, guide or drive over the last step, N; it includes the weight that they carry, but
+  /// no loads.
   V reaction(const Particles<Dim>& p, int i) const {
     const int id = p.id[i];
     const bool free = p.mobile[i] != 0 && !drives.moves(id);

@@ -19,8 +19,8 @@ struct Kick {
   const V* contact;  // [i] N; null: no particle touches another body
   V* impulse;        // [i] N s, that probes of reactions ask for; null: none does
   void* outside;
-  /// Replaces `v`, the new velocity of particle i without them, by the one that loads, guides and drives leave; null if
-  /// there are none.
+  /// Given the new velocity of particle i without loads, guides and drives in `v`, replaces it by the one with them; null
+  /// if there are none.
   void (*act)(void* outside, int i, double dt, V& v);
 
   [[gnu::always_inline]] const V& by_acceleration(int i, V a) const {
@@ -41,14 +41,14 @@ struct Kick {
     separate(rows, columns);
     for (int k = 0; k < Dim; ++k) force[k] += columns[k];
   }
-  /// Adds the forces inside the bodies, N, and of contact to the impulses that probes ask for, before particles move. A
-  /// pass of its own, so that others have no code for it.
+  /// Adds the forces inside the bodies, N, and of contact to the impulses that probes ask for, before particles move. Only if
+  /// `impulse` is not null.
   void note(int first, Vec<Pack, Dim> force) const {
     if (contact) force += four_of(contact + first, size - first);
     for (int lane = 0; lane < std::min(lanes, size - first); ++lane)
       impulse[first + lane] += dt * lane_of(force, lane);
   }
-  /// Four particles at once, by the change of v from all forces; x follows the new v for `after`, s. Returns v² of each,
+  /// Adds `change` to v of four particles, then moves x by `after`, s, times the new v. Returns v² of each,
   /// m²/s². At the end there may be fewer.
   [[gnu::always_inline]] Pack by_changes(int first, const Pack (&change)[Dim], double after) const {
     Pack rows[Dim], columns[Dim], v2{};
@@ -74,7 +74,7 @@ struct Kick {
     for (const Pack& of_four : columns) v2 += of_four * of_four;
     return v2;
   }
-  /// The four particles from `first` on, or as many as there are, with `mobility` = mobile/m, 1/kg.
+  /// Advances v of four particles by `force` and contact, with `mobility` = mobile/m, 1/kg; x does not move.
   [[gnu::always_inline]] Vec<Pack, Dim> by_forces(int first, const Pack& mobility,
                                                   Vec<Pack, Dim> force) const {
     if (contact) force += four_of(contact + first, size - first);

@@ -90,7 +90,7 @@ struct PairGeometry {
   Pack inverse_distance;    // (1/r)/(∂W/∂r); 0 for pairs of two bodies: no shear between them
 };
 
-/// The geometry of all pairs, pack by pack, cached till the next rebuild; 0 in the filling. Gradients are opposite in
+/// The geometry of all pairs, pack by pack, cached till the next rebuild; 0 in padding lanes. Gradients are opposite in
 /// (i, j) and (j, i) to the last bit. In 3D, where pairs are many, it is kept in single precision, in the units of
 /// the kernel, so that numbers have room whatever a metre is to the spacing; sums over pairs are in double.
 template <int Dim>

@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// The functions of a method that run once per particle and step; passes.hpp documents them.
+/// The loops of a method; passes.hpp documents them.
 template <int Dim>
 struct UlSplitKernels {
   using Fields = UlSplitFields<Dim>;
