@@ -35,8 +35,8 @@ const void* kernels_of(int dim, std::string_view method);
 
 namespace taut {
 
-/// The table for the best instruction set of this machine up to `allowed`. Each build has its own copy of these types, with the
-/// same names and layouts. `with_v4`: there are kernels for x86-64-v4, too.
+/// The table for the best instruction set of this machine up to `allowed`. Each build has its own copy of these
+/// types, with the same names and layouts. `with_v4`: there are kernels for x86-64-v4, too.
 template <auto Key, class Kernels, bool with_v4 = false>
 const Kernels& best_kernels(int dim, std::string_view method = "",
                             InstructionSet allowed = InstructionSet::x86_64_v4) {

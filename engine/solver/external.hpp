@@ -46,8 +46,8 @@ struct External {
 
   Steering<Dim> steering() const { return {drives.active() || guides.active() ? axes_.data() : nullptr}; }
 
-  /// Force on particle i from its clamp, guide or drive over the last step, N; it includes the weight that they carry, but
-  /// no loads.
+  /// Force on particle i from its clamp, guide or drive over the last step, N; it includes the weight that they
+  /// carry, but no loads.
   V reaction(const Particles<Dim>& p, int i) const {
     const int id = p.id[i];
     const bool free = p.mobile[i] != 0 && !drives.moves(id);

@@ -41,8 +41,8 @@ struct Kick {
     separate(rows, columns);
     for (int k = 0; k < Dim; ++k) force[k] += columns[k];
   }
-  /// Adds the forces inside the bodies, N, and of contact to the impulses that probes ask for, before particles move. Only if
-  /// `impulse` is not null.
+  /// Adds the forces inside the bodies, N, and of contact to the impulses that probes ask for, before particles move.
+  /// Only if `impulse` is not null.
   void note(int first, Vec<Pack, Dim> force) const {
     if (contact) force += four_of(contact + first, size - first);
     for (int lane = 0; lane < std::min(lanes, size - first); ++lane)
