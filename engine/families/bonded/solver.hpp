@@ -46,8 +46,9 @@ class Bonded final : public Scheme<Dim> {
   void load(Loader& loader) override { loader(stiffest_); }
 
  private:
-  using AnyBonds = std::conditional_t<Dim == 2, std::variant<StoredBonds<Dim, AlignedPack>>,
-                                      std::variant<StoredBonds<Dim, AlignedPack>, StoredBonds<Dim, HalfPack>>>;
+  using AnyBonds =
+      std::conditional_t<Dim == 2, std::variant<StoredBonds<Dim, AlignedPack>>,
+                         std::variant<StoredBonds<Dim, AlignedPack>, StoredBonds<Dim, HalfPack>>>;
 
   Bonded(Common<Dim>& common, const SolverInput& input, const Kernels& kernels, const BondedSetup& setup);
   static double damping_of(const SolverInput& input);

@@ -13,7 +13,7 @@ namespace taut {
 template <int Dim>
 struct Strains {
   Mat<Pack, Dim>* F;
-  AlignedPack* J;      // volume ratio, where it is an unknown; else null
+  AlignedPack* J;     // volume ratio, where it is an unknown; else null
   Mat<Pack, Dim>* H;  // cofactor of F, where it is one; else null
 };
 

@@ -188,7 +188,7 @@ struct UlCauchyFields {
   MotionRow<Dim>* transported;  // with û
   void* stress;                 // a StressRow of the method for each particle
   RepulsionRow<Dim>* repulsion;
-  const int *begin, *j;               // neighbours that act as particles of one body, see Neighbors
+  const int *begin, *j;                // neighbours that act as particles of one body, see Neighbors
   AlignedPack* w;                      // w(q) of kernels/kernel.hpp, for methods that look at it
   const AlignedPack* of_one_material;  // 1 or 0; null where all are
   // of each body as a rigid one, since neighbours were last searched
