@@ -63,17 +63,20 @@ void FaceContacts::place_watched(const Particles<2>& s) {
 /// aside.
 template <class F>
 void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
+  std::vector<double> distance2;  // of the node from each of its segments, m²
   for (std::size_t k = 0; k < near.node.size(); ++k) {
     const int n = near.node[k];
     const auto segments = std::span(near.segment).subspan(near.begin[k], near.begin[k + 1] - near.begin[k]);
     Foot foot, twin;
-    const auto distance2 = [&](int l) { return faces_.distance2(n, l); };
-    const int nearest = *std::ranges::min_element(segments, {}, distance2);
+    distance2.clear();
+    for (const int l : segments) distance2.push_back(faces_.distance2(n, l));
+    const auto nearest = std::ranges::min_element(distance2) - distance2.begin();
     const auto is_sharp = [&](int l) { return faces_.has_sharp_end(l); };  // may be met from beyond its end
-    if (distance2(nearest) >= power<2>(reach * dp_) && std::ranges::none_of(segments, is_sharp)) continue;
-    faces_.measure(n, nearest, foot);  // first: few others can be the foot then
-    for (const int l : segments)
-      if (l != nearest) faces_.measure(n, l, foot);
+    if (distance2[nearest] >= power<2>(reach * dp_) && std::ranges::none_of(segments, is_sharp)) continue;
+    faces_.measure(n, segments[nearest], foot);  // first: few others can be the foot then
+    for (std::ptrdiff_t l = 0; l < std::ssize(segments); ++l)
+      if (l != nearest && (distance2[l] < foot.rank * foot.rank || is_sharp(segments[l])))
+        faces_.measure(n, segments[l], foot);
     if (foot.segment == Outline::none) continue;
     const auto touch = faces_.touch(foot);
     for (const int l : segments) {
