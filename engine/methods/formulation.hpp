@@ -61,7 +61,7 @@ constexpr bool consistent(const Formulation& m) {
 template <const auto&... M>
 struct MethodList {
   static_assert(((consistent(static_cast<const Formulation&>(M)) && consistent(M) &&
-                  as<std::remove_cvref_t<decltype(M)>>(M) != nullptr) &&
+                  M.family == std::remove_cvref_t<decltype(M)>::own_family) &&
                  ...));
   static constexpr int size = sizeof...(M);
 };

@@ -23,8 +23,9 @@ struct ContactLawRow {
   // initial gap of two faces that are about to touch, in spacings; particles of oblique faces touch before the faces
   double touching = 0.1;
 
-  // Functions of a law between particles, and of `sph` at walls: the force along a pair, N, and its energy, J (both
-  // per metre depth in 2D), at a distance r < dp, m; K is the modulus of the contact, Pa.
+  // A law between particles has a force with its energy, or an impulse; `sph` has a force and an energy for walls. The
+  // force along a pair, N, and its energy, J (both per metre depth in 2D), at a distance r < dp, m; K: modulus of the
+  // contact, Pa.
   double (*force)(double r, double dp, double K, int dim) = nullptr;
   double (*energy)(double r, double dp, double K, int dim) = nullptr;
   // Instead of a force: the impulse along a pair, N s (per metre depth in 2D); inverse masses in 1/kg.

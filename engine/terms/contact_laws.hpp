@@ -25,12 +25,6 @@ inline constexpr ContactLawRow sph_contact{
 inline constexpr std::array contact_laws{sph_contact, impulse_contact, penalty_contact, lennard_jones_contact,
                                          surface_contact};
 
-/// A law between particles has a force with its energy, or an impulse.
-static_assert(std::ranges::all_of(contact_laws, [](const ContactLawRow& law) {
-  return law.between != ContactBetween::particles ||
-         ((law.force && law.energy) != (law.impulse != nullptr) && !law.force == !law.energy);
-}));
-
 constexpr const ContactLawRow& contact_row(ContactLaw law) {
   return *std::ranges::find(contact_laws, law, &ContactLawRow::law);
 }

@@ -7,6 +7,7 @@
 
 #include "engine/diagnostics/balance.hpp"
 #include "engine/error.hpp"
+#include "engine/terms/contact_laws.hpp"
 #include "engine/terms/impulse_contact.hpp"
 #include "engine/terms/penalty_contact.hpp"
 #include "tests/support/relative.hpp"
@@ -264,6 +265,14 @@ TEST_SUITE("unit") {
       for (std::size_t k = 0; k < alone.size(); ++k)
         difference = std::max(difference, std::abs(beside[k] - alone[k]));
       CHECK(difference < 1e-9 * scene.materials[0].sound_speed());
+    }
+  }
+
+  TEST_CASE("contact: a law between particles has a force with its energy, or an impulse") {
+    for (const ContactLawRow& law : contact_laws) {
+      CAPTURE(name(law.law));
+      CHECK((law.force == nullptr) == (law.energy == nullptr));
+      if (law.between == ContactBetween::particles) CHECK((law.force == nullptr) != (law.impulse == nullptr));
     }
   }
 
