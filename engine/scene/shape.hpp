@@ -49,21 +49,21 @@ struct FacePatches {
   std::vector<Patch> patches;
 };
 
-/// The place of a particle at t = 0 and its volume, m^dim.
+/// A particle at t = 0.
 struct InitialSite {
-  Point x{};
-  double V0 = 0;
-  int turned = -1;  // the site that this one comes to when all are turned onto each other, -1: they cannot be
-  double inside = 1;              // the part of its cell that is inside the body
-  std::array<bool, 3> on_face{};  // across this axis, as the body is laid
-  Point middle{};                 // where x is but for jitter, as the body is placed: regions are told by it
+  Point x{};          // m
+  double V0 = 0;      // m^dim
+  int turned = -1;    // the next site under the symmetry rotation of a round body; -1: no symmetry
+  double inside = 1;  // fraction of its cell inside the body
+  std::array<bool, 3> on_face{};  // whether it lies on a face normal to this axis
+  Point middle{};                 // x without jitter, m; decides which regions contain the particle
 };
 
 /// Interface of all shapes; each is a struct of engine/scene/shapes/ that derives from it. Lengths are in m;
 /// components beyond `dim` are ignored.
 ///
-/// A shape that follows its own faces with layers of particles keeps its strain smooth up to them: steps of a
-/// lattice at a curved face leave a noise of the strain there that does not fall with the spacing.
+/// A shape can lay its own particles in layers along its faces. The strain is then smooth up to a curved face; the steps
+/// of a lattice would leave noise there that does not fall with the spacing.
 struct ShapeBase {
   virtual ~ShapeBase() = default;
   bool operator==(const ShapeBase&) const = default;
@@ -77,7 +77,7 @@ struct ShapeBase {
   /// Area or volume, m^dim; an upper bound if not exact.
   virtual double measure(int dim) const = 0;
   virtual bool has_exact_measure() const;
-  /// The extent that the spacing divides into whole particles, m; 0: none.
+  /// The extent that must hold a whole number of particles, m; 0: none.
   virtual double thinnest(int dim) const;
   /// The centre of reflections and rotations.
   virtual Point middle() const;
@@ -85,13 +85,13 @@ struct ShapeBase {
   virtual Point anchor() const;
   /// The particles of a body of this shape alone; empty if the lattice fills it.
   virtual std::vector<InitialSite> sites(int dim, double dp) const;
-  /// Faces in 2D: closed chains of points exactly on them, about dp apart, with the solid to the left of the way
-  /// from one to the next; corners are points. Empty in 3D.
+  /// Faces in 2D: closed chains of points exactly on the faces, about dp apart, with the solid on the left. Each corner
+  /// is a point. Empty in 3D.
   virtual std::vector<Chain> outline(int dim, double dp) const;
   /// Faces in 3D of a shape that lays its own particles; else empty.
   virtual FacePatches patches(double dp) const;
-  /// A shape can turn the lattice, with its anchor: the place of a lattice point, the lattice point of a place,
-  /// and the box along the lattice around the shape.
+  /// For shapes that turn the lattice: from lattice to space, from space to lattice, and the box around the shape along
+  /// the axes of the lattice.
   virtual Point from_lattice(const Point& x) const;
   virtual Point to_lattice(const Point& x) const;
   virtual Bounds lattice_bounds() const;

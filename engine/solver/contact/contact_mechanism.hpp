@@ -35,30 +35,35 @@ class ContactMechanism {
 
   /// Lists the candidates if the fastest particle, moving `way`, m, next, may leave the range of the last search, or if
   /// there is no `way`: particles have been stored in another order. Returns whether it searched.
-  virtual bool search(const Particles<Dim>&, const WallContacts<Dim>&, std::optional<double> /*way*/) {
+  virtual bool search(const Particles<Dim>& /*particles*/, const WallContacts<Dim>& /*walls*/,
+                      std::optional<double> /*way*/) {
     return false;
   }
   /// Particles that may get a force before the next search, in rising order.
   const std::vector<int>& touching() const { return touching_; }
 
   /// Sets the forces on `touching`, N (per metre depth in 2D), and books what walls give in `dt`, s.
-  virtual void evaluate(const Particles<Dim>&, double, WallContacts<Dim>&, std::vector<V>&, int) {}
+  virtual void evaluate(const Particles<Dim>& /*particles*/, double /*dt*/, WallContacts<Dim>& /*walls*/,
+                        std::vector<V>& /*force*/, int /*threads*/) {}
   /// J (per metre depth in 2D).
   virtual double energy(const Particles<Dim>&, const WallContacts<Dim>&) { return 0; }
   /// Largest ratio of the stiffness of a contact to the stiffness of the material, 1 at least, as last evaluated.
   virtual double stiffening() const { return 1; }
   /// Force on body `a` of body `b` or of a wall, N (per metre depth in 2D), as last evaluated.
-  virtual V between(const Particles<Dim>&, int, int) const { return {}; }
-  virtual V of_wall(const Particles<Dim>&, int, int, const WallContacts<Dim>&) const { return {}; }
+  virtual V between(const Particles<Dim>& /*particles*/, int /*a*/, int /*b*/) const { return {}; }
+  virtual V of_wall(const Particles<Dim>& /*particles*/, int /*a*/, int /*wall*/,
+                    const WallContacts<Dim>& /*walls*/) const {
+    return {};
+  }
 
   /// The law gives impulses and no forces.
   virtual bool has_impulses() const { return false; }
   /// Sets the impulses on `touching`, N s (per metre depth in 2D); see Contact::stop_approach. `inverse_mass` of
   /// each particle in `touching`, 1/kg.
-  virtual void stop_approach(const Particles<Dim>&, double, WallContacts<Dim>&, const std::vector<double>&,
-                             std::vector<V>&) {}
+  virtual void stop_approach(const Particles<Dim>& /*particles*/, double /*dt*/, WallContacts<Dim>& /*walls*/,
+                             const std::vector<double>& /*inverse_mass*/, std::vector<V>& /*impulse*/) {}
   /// Impulse on a body of another body, or of a wall if `wall` is not negative, in the last step, N s.
-  virtual V impulse(int, int, int) const { return {}; }
+  virtual V impulse(int /*a*/, int /*b*/, int /*wall*/) const { return {}; }
 
   /// Pairs of two bodies in the form in which probes look for neighbours.
   virtual Neighbors neighbors(int particles) const {
