@@ -13,7 +13,7 @@ namespace taut::cli {
 namespace {
 
 constexpr std::string_view kind = "taut checkpoint\n";
-constexpr int format = 12;  // to be raised when a `serialize` changes
+constexpr int format = 13;  // to be raised when a `serialize` changes
 
 std::uint32_t checksum(std::string_view bytes) {
   return static_cast<std::uint32_t>(::crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));

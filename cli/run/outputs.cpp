@@ -25,10 +25,10 @@ class OutputOf : public RunOutput {
   void load(Loader& loader) final { loader(static_cast<Kind&>(*this)); }
 };
 
-/// How often a run is judged at least, whatever rows are asked for.
-constexpr int least_looks = 200;
+/// How often a run is judged, whatever rows are asked for: to judge costs more than a row.
+constexpr int looks = 200;
 
-/// history.csv; and what the states say that it is taken at, or that are looked at between: indicators, drift, verdict.
+/// history.csv, and at the looks drift, indicators and verdict. Rows between them repeat the indicators of the last look.
 class HistoryOutput final : public OutputOf<HistoryOutput> {
  public:
   HistoryOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)
@@ -37,7 +37,7 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
         simulation_(simulation),
         result_(result),
         agenda_(plan.history_times),
-        looks_(times_in_parts(plan.file.scene.until, least_looks)),
+        looks_(times_in_parts(plan.file.scene.until, looks)),
         judge_(scene_, simulation),
         gauge_(scene_, simulation.snapshot(), simulation.threads()),
         conservation_(scene_, simulation.snapshot()) {}
@@ -49,17 +49,13 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
 
   void take() override {
     const Timed timed(result_.record.seconds.write);
-    const Snapshot& now = simulation_.snapshot();
-    const bool row = !agenda_.reached(now.time).empty(), look = !looks_.reached(now.time).empty();
-    const Balance sums = balance(now, scene_);
-    const Readings readings = gauge_(now);
-    judge_.observe(now, sums, readings);
-    conservation_.follow(sums);
+    const double time = simulation_.time();
+    const bool row = !agenda_.reached(time).empty(), look = !looks_.reached(time).empty();
     const bool at_end = !row && !look;
-    if (row || at_end) history_->add(simulation_, sums, judge_.pieces(), readings);
-    for (std::size_t k = 0; k < readings.size(); ++k) result_.record.indicator[k].take(readings[k], now.time);
-    take_verdict();
-    if (judge_.verdict() == Verdict::diverged) result_.failure = describe_divergence(now, sums);
+    const Snapshot& now = look || at_end ? simulation_.snapshot() : simulation_.motion();
+    const Balance sums = balance(now, scene_);
+    if (look || at_end) judge(now, sums);
+    if (row || at_end) history_->add(simulation_, sums, judge_.pieces(), readings_);
   }
 
   void put_on_disk() override { history_->put_on_disk(); }
@@ -68,11 +64,20 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(agenda_, looks_, judge_, conservation_, *history_, result_.record.indicator);
+    archive(agenda_, looks_, judge_, conservation_, *history_, readings_, result_.record.indicator);
     if constexpr (std::is_same_v<Archive, Loader>) take_verdict();
   }
 
  private:
+  void judge(const Snapshot& now, const Balance& sums) {
+    conservation_.follow(sums);
+    readings_ = gauge_(now);
+    judge_.observe(now, sums, readings_);
+    for (std::size_t k = 0; k < readings_.size(); ++k)
+      result_.record.indicator[k].take(readings_[k], now.time);
+    take_verdict();
+    if (judge_.verdict() == Verdict::diverged) result_.failure = describe_divergence(now, sums);
+  }
   void take_verdict() {
     result_.record.pieces = judge_.pieces();
     result_.record.verdict = judge_.verdict();
@@ -87,6 +92,7 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
   Agenda agenda_, looks_;
   Judge judge_;
   IndicatorGauge gauge_;
+  Readings readings_;  // at the last look
   ConservationWatch conservation_;
   std::optional<History> history_;
 };

@@ -48,7 +48,7 @@ struct BeyondLaw {
   double since = 0;  // s
 };
 
-/// Watches a run at history times.
+/// Judges a run at given times.
 ///
 /// hourglass: the hourglass error is above its threshold.
 /// penetrated: a particle lies inside another body, or inside a far part of its own; see Penetration.

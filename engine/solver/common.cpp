@@ -148,15 +148,33 @@ bool Common<Dim>::are_numbers() const {
 }
 
 template <int Dim>
-void Common<Dim>::begin_snapshot(Snapshot& out) const {
+void Common<Dim>::begin_motion(Snapshot& out) const {
   const std::size_t n = size();
+  out.dim = Dim;
+  out.x.resize(Dim * n), out.v.resize(Dim * n), out.m.resize(n);
   out.time = run.time;
   out.step = run.steps;
   out.contact_energy = contact.energy(particles);
   out.work = external.drives.work() + external.loads.work();
   out.damped = external.loads.damped();
   out.of_walls = contact.of_walls();
-  if (!out.m.empty()) return;
+}
+
+template <int Dim>
+void Common<Dim>::store_motion(Snapshot& out, int i) const {
+  const std::size_t id = particles.id[i];
+  for (int k = 0; k < Dim; ++k) {
+    out.x[id * Dim + k] = particles.x[i][k];
+    out.v[id * Dim + k] = particles.v[i][k];
+  }
+  out.m[id] = particles.m[i];
+}
+
+template <int Dim>
+void Common<Dim>::begin_snapshot(Snapshot& out) const {
+  begin_motion(out);
+  if (!out.x0.empty()) return;
+  const std::size_t n = size();
   out.resize(Dim, n);
   out.body = initial.body;
   out.material = initial.material;
@@ -171,12 +189,8 @@ void Common<Dim>::begin_snapshot(Snapshot& out) const {
 template <int Dim>
 void Common<Dim>::store(Snapshot& out, int i, double rho, double p, const Sym<double, Dim>& s,
                         double s_zz) const {
+  store_motion(out, i);
   const std::size_t id = particles.id[i];
-  for (int k = 0; k < Dim; ++k) {
-    out.x[id * Dim + k] = particles.x[i][k];
-    out.v[id * Dim + k] = particles.v[i][k];
-  }
-  out.m[id] = particles.m[i];
   out.rho[id] = rho;
   out.p[id] = p;
   if constexpr (Dim == 2)

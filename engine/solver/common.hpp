@@ -103,6 +103,10 @@ class Common {
     return (1 / dt) * contact.impulse(probe.bodies[0], probe.wall < 0 ? probe.bodies[1] : -1, probe.wall);
   }
 
+  /// Fills what Simulation::motion needs but the fields of particles.
+  void begin_motion(Snapshot& out) const;
+  /// Stores position, velocity and mass of particle i.
+  void store_motion(Snapshot& out, int i) const;
   /// Fills all of a snapshot but the fields of single particles that change.
   void begin_snapshot(Snapshot& out) const;
   /// Stores particle i with its density, kg/m³, pressure and deviatoric stress, Pa; s_zz in 2D.

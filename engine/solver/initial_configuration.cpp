@@ -111,6 +111,15 @@ void InitialConfiguration<Dim>::store(Snapshot& out, int i, const Mat<double, Di
   });
 }
 
+template <int Dim>
+void InitialConfiguration<Dim>::store_motion(Snapshot& out, int i, const Mat<double, Dim>& F,
+                                             double J) const {
+  common_.store_motion(out, i);
+  materials.visit(material[i], [&](const auto& law) {
+    out.strain_energy[common_.particles.id[i]] = V0[i] * law.energy(F, J);
+  });
+}
+
 template class InitialConfiguration<2>;
 template class InitialConfiguration<3>;
 

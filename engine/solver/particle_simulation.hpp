@@ -27,6 +27,7 @@ class ParticleSimulation final : public Simulation, private ProbeSource<Dim> {
  private:
   const RunState& run_state() const override { return common_->run; }
   void take_snapshot(Snapshot& out) const override;
+  bool take_motion(Snapshot& out) const override { return scheme_->show_motion(out); }
   /// Follows the probes at the end of a step.
   void record();
 

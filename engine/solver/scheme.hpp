@@ -20,6 +20,8 @@ class Scheme {
 
   /// Stores the particles of these groups of four, which ascend, in a snapshot that Common::begin_snapshot has begun.
   virtual void show(Snapshot& out, std::span<const int> groups) const = 0;
+  /// Stores only what Simulation::motion needs. Returns false if energies need the stresses.
+  virtual bool show_motion(Snapshot& /*out*/) const { return false; }
 
   /// On a body from another one or a wall over the last step, of `dt`, N; asked for by a probe.
   virtual Vec<double, Dim> contact_force(const Probe& probe, double dt) const = 0;

@@ -69,6 +69,8 @@ class Simulation {
     outdated_ = false;
     return snapshot_;
   }
+  /// Positions, velocities, masses and energies now; other fields may be empty. Costs at most as much as `snapshot`.
+  const Snapshot& motion() const { return outdated_ && take_motion(motion_) ? motion_ : snapshot(); }
   const Series& series() const { return run_state().series; }
   double time() const { return run_state().time; }  // s
   long steps() const { return run_state().steps; }
@@ -81,6 +83,8 @@ class Simulation {
  protected:
   virtual const RunState& run_state() const = 0;
   virtual void take_snapshot(Snapshot& out) const = 0;
+  /// Returns false if energies need the stresses.
+  virtual bool take_motion(Snapshot& /*out*/) const { return false; }
   bool asked_to_stop() const { return stop_->load(std::memory_order_relaxed) != 0; }
   bool has_snapshot() const { return !snapshot_.m.empty(); }
 
@@ -90,6 +94,7 @@ class Simulation {
  private:
   static inline const std::atomic<int> never_{0};
 
+  mutable Snapshot motion_;  // without other fields
   const std::atomic<int>* stop_ = &never_;
 };
 

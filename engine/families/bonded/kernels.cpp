@@ -15,6 +15,7 @@ struct Tables {
       .stresses = stress_pass<M, Dim>,
       .forces = force_pass<M, Dim>,
       .inner_forces = inner_forces<M, Dim>,
+      .energies = energy_pass<M, Dim>,
       .show = show_pass<M, Dim>,
   };
 };

@@ -171,6 +171,24 @@ void inner_forces(const BondedFields<Dim>& f, Vec<double, Dim>* out, const Threa
   });
 }
 
+/// Sets F and returns the energy of four particles at `places`, J.
+template <const BondedFormulation& M, int Dim>
+Pack strain_and_energy(const BondedFields<Dim>& f, int group, StrainOfFour<Dim>& now) {
+  return f.with_bonds([&](const auto& bonds) {
+    strain<true>(f, bonds, group, now);
+    return Pack(now.energy + energy_of_four<M>(f, bonds, group, now.F));
+  });
+}
+
+/// Energies of all groups, J.
+template <const BondedFormulation& M, int Dim>
+void energy_pass(const BondedFields<Dim>& f, AlignedPack* out, const Threads& threads) {
+  parallel_pass(f.group_count(), threads, [&](int group) {
+    StrainOfFour<Dim> now;
+    out[group].value = strain_and_energy<M>(f, group, now);
+  });
+}
+
 /// Stress of F of four particles; rigid particles have none.
 template <const BondedFormulation& M, int Dim>
 ShownStress<Pack, Dim> stress_of_four(const BondedFields<Dim>& f, int group, const Mat<Pack, Dim>& F) {
@@ -195,10 +213,7 @@ void show_pass(const BondedFields<Dim>& f, const RecoveredView& recovered, const
   parallel_pass(count, threads, [&](int k) {
     const int group = groups[k];
     StrainOfFour<Dim> now;
-    out[k].energy = f.with_bonds([&](const auto& bonds) {
-      strain<true>(f, bonds, group, now);
-      return Pack(now.energy + energy_of_four<M>(f, bonds, group, now.F));
-    });
+    out[k].energy = strain_and_energy<M>(f, group, now);
     // rigid particles, and tips whose bonds hardly span the space, have no F of their own
     const PackIndex has_own = f.law(group).V > 0;
     for (int a = 0; a < Dim; ++a) now.F(a, a) = has_own ? now.F(a, a) : filled<Pack>(1);

@@ -197,24 +197,46 @@ void Bonded<Dim>::renew_recovered() const {
                                   common_.run.threads, f_.halved);
 }
 
+/// Returns the fields with `places` of the particles now; those of the steps are half a step behind.
 template <int Dim>
-void Bonded<Dim>::show(Snapshot& out, std::span<const int> groups) const {
-  const int threads = common_.threads_now(), count = static_cast<int>(groups.size());
-  renew_recovered();
-  out.strain_energy.resize(out.size());
-  Columns<2 * Dim> places;  // those of the particles now; the columns of the steps are half a step behind
+BondedFields<Dim> Bonded<Dim>::fields_now(Columns<2 * Dim>& places) const {
   places.resize(places_.size());
   for (int k = 0; k < 2 * Dim; ++k)
     std::copy(places_[k] + lanes * group_count(), places_[k] + places_.size(),
               places[k] + lanes * group_count());
   BondedFields<Dim> now = f_;
   now.places = places;
+  parallel_for(p_.size(), common_.threads_now(), [&](int i) { now.set_place(i); });
+  clamps_.follow(p_, f_.lead, places);
+  return now;
+}
+
+template <int Dim>
+bool Bonded<Dim>::show_motion(Snapshot& out) const {
+  common_.begin_motion(out);
+  out.strain_energy.resize(out.size());
+  Columns<2 * Dim> places;
+  std::vector<AlignedPack> energies(group_count());
+  kernels_.energies(fields_now(places), energies.data(), common_.threads_now());
+  parallel_for(p_.size(), common_.threads_now(), [&](int i) {
+    common_.store_motion(out, i);
+    out.strain_energy[p_.id[i]] =
+        energies[i / lanes].value[i % lanes] + interfaces_.energy_of_kink(i, p_.x, law_of_one());
+  });
+  return true;
+}
+
+template <int Dim>
+void Bonded<Dim>::show(Snapshot& out, std::span<const int> groups) const {
+  const int threads = common_.threads_now(), count = static_cast<int>(groups.size());
+  renew_recovered();
+  out.strain_energy.resize(out.size());
+  Columns<2 * Dim> places;
+  const BondedFields<Dim> now = fields_now(places);
   std::vector<AlignedPack> displacements(p_.x.size());  // unused lanes are 0
   parallel_for(p_.size(), threads, [&](int i) {
-    now.set_place(i);
     for (int k = 0; k < Dim; ++k) displacements[i].value[k] = p_.x[i][k] - common_.initial.x[p_.id[i]][k];
   });
-  clamps_.follow(p_, f_.lead, places);
   std::vector<ShownGroup<Dim>> shown(groups.size());
   kernels_.show(now, recovered_.view(), displacements.data(), groups.data(), count, shown.data(), threads);
   parallel_for(count, threads, [&](int k) {

@@ -41,6 +41,7 @@ class Bonded final : public Scheme<Dim> {
   double step_size() const override;
   void step(double dt) override;
   void show(Snapshot& out, std::span<const int> groups) const override;
+  bool show_motion(Snapshot& out) const override;
   V contact_force(const Probe& probe, double dt) const override { return common_.contact_force(probe, dt); }
   void save(Saver& saver) override { saver(stiffest_); }
   void load(Loader& loader) override { loader(stiffest_); }
@@ -59,6 +60,7 @@ class Bonded final : public Scheme<Dim> {
   void find_layout_frequency();
   void pull_at_clamps();
   void renew_recovered() const;
+  BondedFields<Dim> fields_now(Columns<2 * Dim>& places) const;
   int group_count() const { return (p_.size() + lanes - 1) / lanes; }
   LawOfOne law_of_one() const { return {materials_, own_law_, laws_}; }
 

@@ -1,6 +1,7 @@
 #include "engine/families/tl_displacement/solver.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "engine/core/parallel.hpp"
 #include "engine/families/tl_displacement/describe.hpp"
@@ -52,9 +53,10 @@ void TlDisplacement<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
+/// take(i, F, J) of each particle of the groups.
 template <int Dim>
-void TlDisplacement<Dim>::show(Snapshot& out, std::span<const int> groups) const {
-  body_.begin(out);
+template <class Take>
+void TlDisplacement<Dim>::with_strains(std::span<const int> groups, const Take& take) const {
   Columns<Dim> displacement;
   displacement.resize(p_.size());
   for (int i = 0; i < p_.size(); ++i)
@@ -68,9 +70,24 @@ void TlDisplacement<Dim>::show(Snapshot& out, std::span<const int> groups) const
     const int first = lanes * groups[k];
     for (int lane = 0; lane < std::min(lanes, p_.size() - first); ++lane) {
       const Mat<double, Dim> own = lane_of(F[k], lane);
-      body_.store(out, first + lane, own, determinant(own));
+      take(first + lane, own, determinant(own));
     }
   });
+}
+
+template <int Dim>
+void TlDisplacement<Dim>::show(Snapshot& out, std::span<const int> groups) const {
+  body_.begin(out);
+  with_strains(groups, [&](int i, const auto& F, double J) { body_.store(out, i, F, J); });
+}
+
+template <int Dim>
+bool TlDisplacement<Dim>::show_motion(Snapshot& out) const {
+  body_.begin_motion(out);
+  std::vector<int> groups(body_.groups());
+  std::iota(groups.begin(), groups.end(), 0);
+  with_strains(groups, [&](int i, const auto& F, double J) { body_.store_motion(out, i, F, J); });
+  return true;
 }
 
 std::unique_ptr<Simulation> tl_displacement::make(const SolverInput& input) {

@@ -21,11 +21,15 @@ class TlDisplacement final : public Scheme<Dim> {
   double step_size() const override { return body_.step_size(); }
   void step(double dt) override;
   void show(Snapshot& out, std::span<const int> groups) const override;
+  bool show_motion(Snapshot& out) const override;
   V contact_force(const Probe& probe, double dt) const override { return common_.contact_force(probe, dt); }
   void save(Saver&) override {}
   void load(Loader&) override {}
 
  private:
+  template <class Take>
+  void with_strains(std::span<const int> groups, const Take& take) const;
+
   const Kernels& kernels_;
   Common<Dim>& common_;
   Particles<Dim>& p_;

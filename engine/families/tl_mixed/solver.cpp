@@ -248,16 +248,32 @@ void TlMixed<Dim>::stop_approach(double dt) {
   if (stopped) kernels_.follow(f_, 0.5 * dt, common_.threads_now());
 }
 
+/// take(i, F, J) of each particle of a group.
+template <int Dim>
+template <class Take>
+void TlMixed<Dim>::with_strains(int group, const Take& take) const {
+  const int first = lanes * group;
+  const Mat<Pack, Dim>& F = now_.F[group];
+  const Pack J = kernels_.has_J ? now_.J[group].value : determinant(F);
+  for (int lane = 0; lane < std::min(lanes, p_.size() - first); ++lane)
+    take(first + lane, lane_of(F, lane), J[lane]);
+}
+
 template <int Dim>
 void TlMixed<Dim>::show(Snapshot& out, std::span<const int> groups) const {
   body_.begin(out);
   parallel_for(static_cast<int>(groups.size()), common_.threads_now(), [&](int k) {
-    const int group = groups[k], first = lanes * group;
-    const Mat<Pack, Dim>& F = now_.F[group];
-    const Pack J = kernels_.has_J ? now_.J[group].value : determinant(F);
-    for (int lane = 0; lane < std::min(lanes, p_.size() - first); ++lane)
-      body_.store(out, first + lane, lane_of(F, lane), J[lane]);
+    with_strains(groups[k], [&](int i, const auto& F, double J) { body_.store(out, i, F, J); });
   });
+}
+
+template <int Dim>
+bool TlMixed<Dim>::show_motion(Snapshot& out) const {
+  body_.begin_motion(out);
+  parallel_for(body_.groups(), common_.threads_now(), [&](int group) {
+    with_strains(group, [&](int i, const auto& F, double J) { body_.store_motion(out, i, F, J); });
+  });
+  return true;
 }
 
 template <int Dim>

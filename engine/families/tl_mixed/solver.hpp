@@ -39,11 +39,14 @@ class TlMixed final : public Scheme<Dim> {
   double step_size() const override;
   void step(double dt) override;
   void show(Snapshot& out, std::span<const int> groups) const override;
+  bool show_motion(Snapshot& out) const override;
   V contact_force(const Probe& probe, double dt) const override { return common_.contact_force(probe, dt); }
   void save(Saver& saver) override { serialize(saver); }
   void load(Loader& loader) override { serialize(loader); }
 
  private:
+  template <class Take>
+  void with_strains(int group, const Take& take) const;
   /// Owner of Strains.
   struct StrainArrays {
     std::vector<Mat<Pack, Dim>> F, H;

@@ -1,5 +1,8 @@
 #include <cmath>
 #include <fstream>
+#include <set>
+#include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -219,13 +222,21 @@ TEST_SUITE("cli") {
   TEST_CASE("the verdict does not hang on the rows that are asked for") {
     const TemporaryFolder folder;
     const auto record = [&](const std::string& name, const std::string& history) {
-      REQUIRE(call(tiny_run(folder, name, {"--no-render", "--history", history, "--set", "speed=3"})).code ==
-              0);
+      REQUIRE(call(tiny_run(folder, name,
+                            {"--no-render", "--until", "0.008", "--history", history, "--set", "speed=3"}))
+                  .code == 0);
       return json_of(folder / name / "run.json");
     };
-    const auto few = record("few", "1"), many = record("many", "1e-5");  // s; a 200th of the run
+    const auto few = record("few", "1"),
+               many = record("many", "1e-6");  // s; each step is shorter than a look
     CHECK(lines_of(folder / "few/history.csv").size() == 3);
-    CHECK(lines_of(folder / "many/history.csv").size() > 80);
+    const std::vector<std::string> rows = lines_of(folder / "many/history.csv");
+    CHECK(rows.size() > 280);
+    const auto indicators = [](const std::string& row) { return row.substr(row.find(",2,") + 3); };
+    std::set<std::string> seen;  // rows between two looks repeat those of the last one
+    for (std::size_t k = 1; k < rows.size(); ++k) seen.insert(indicators(rows[k]));
+    CHECK(seen.size() > 150);
+    CHECK(seen.size() < 203);
     for (const char* key : {"verdict", "since", "indicators", "conservation"}) CHECK(few[key] == many[key]);
     CHECK(few["indicators"]["hourglass_error"]["at"] != few["reached"]);
   }

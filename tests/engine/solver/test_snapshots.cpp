@@ -8,6 +8,7 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/diagnostics/balance.hpp"
 #include "engine/error.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
@@ -103,6 +104,27 @@ TEST_SUITE("determinism") {
       for (const auto field : {&Snapshot::x, &Snapshot::v, &Snapshot::rho, &Snapshot::p, &Snapshot::s})
         CHECK(difference(exact->snapshot(), shown, field) < 1e-8);
       CHECK(difference(exact->snapshot(), shorter->snapshot(), &Snapshot::p) > 1e-4);  // a step is more
+    }
+  }
+
+  TEST_CASE("snapshots: motion has the positions, velocities and energies of a snapshot, to the bit") {
+    for (const Scene& scene :
+         {small_collision(), small_clamped_plate(), small_solid_collision(), small_clamped_block()}) {
+      for (const MethodInfo& method : methods()) {
+        if (method.formulation.greatest_dim < scene.dim) continue;
+        CAPTURE(scene.name);
+        CAPTURE(std::string(method.name));
+        const auto simulation = make_simulation(scene, with_method(std::string(method.name)));
+        make_steps(*simulation, 20);
+        const Snapshot motion = simulation->motion(), &all = simulation->snapshot();
+        for (const auto field : {&Snapshot::x, &Snapshot::v, &Snapshot::m, &Snapshot::strain_energy})
+          CHECK(same(motion.*field, all.*field));
+        const Balance a = balance(motion, scene), b = balance(all, scene);
+        CHECK(b.strain > 0);
+        CHECK(a.strain == b.strain);
+        CHECK(a.kinetic == b.kinetic);
+        CHECK(a.work == b.work);
+      }
     }
   }
 
