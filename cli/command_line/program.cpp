@@ -6,7 +6,9 @@
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/command_line/completion.hpp"
+#include "cli/system/build_info.hpp"
 #include "cli/system/exit_code.hpp"
+#include "cli/system/provenance.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
 
@@ -14,14 +16,14 @@ namespace taut::cli {
 namespace {
 
 void print_help(std::span<const Command> commands, std::ostream& out) {
-  out << "taut " TAUT_VERSION
-         ": simulates elastic solids with smoothed particle hydrodynamics and draws them\n\n"
+  out << "taut " << build_info.version
+      << ": simulates elastic solids with smoothed particle hydrodynamics and draws them\n\n"
          "Usage: taut COMMAND [OPTIONS]\n\nCommands:\n";
   for (const Command& c : commands)
     out << "  " << c.name << std::string(15 - c.name.size(), ' ') << c.summary << '\n';
   out << "\nOptions:\n"
          "  --help      show this text; `taut COMMAND --help` shows the options and examples of a command\n"
-         "  --version   show the version of the program\n\n"
+         "  --version   show version, compiler, libraries and file formats\n\n"
          "Exit codes:\n"
          "  0    success\n"
          "  1    diff, snapshot: pictures differ; check: a check failed; choose: no run is accurate enough;\n"
@@ -55,7 +57,7 @@ int run_command(const Command& command, const std::vector<std::string>& argument
 int dispatch(std::span<const Command> commands, const std::vector<std::string>& arguments, Streams streams) {
   const std::string first = arguments.empty() ? "" : arguments.front();
   if (first == "--version") {
-    streams.out << "taut " TAUT_VERSION "\n";
+    streams.out << version_text();
   } else if (first == "--help" || first == "-h" || first == "help") {
     print_help(commands, streams.out);
   } else if (first == "--complete") {

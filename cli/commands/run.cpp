@@ -83,8 +83,9 @@ std::string advice(const SceneFile& file, long steps) {
 
 /// Before it is gone.
 void tell_what_is_replaced(const RunArguments& options, const RunPlan& plan, std::ostream& err) {
-  if (!options.resume && read_record(plan.folder.record()))
-    err << "taut: the older run in '" << plan.folder.path().string() << "' is replaced\n";
+  const RunFolder& folder = plan.folder;
+  if (!options.resume && (read_record(folder.record()) || folder.is_damaged()))
+    err << "taut: the older run in '" << folder.path().string() << "' is replaced\n";
 }
 
 int run(const RunArguments& options, Streams streams) {

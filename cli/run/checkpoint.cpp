@@ -5,6 +5,8 @@
 #include <string_view>
 #include <zlib.h>
 
+#include <fmt/core.h>
+
 #include "cli/system/atomic_file.hpp"
 #include "engine/core/archive.hpp"
 #include "engine/error.hpp"
@@ -13,7 +15,6 @@ namespace taut::cli {
 namespace {
 
 constexpr std::string_view kind = "taut checkpoint\n";
-constexpr int format = 13;  // to be raised when a `serialize` changes
 
 std::uint32_t checksum(std::string_view bytes) {
   return static_cast<std::uint32_t>(::crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
@@ -21,12 +22,9 @@ std::uint32_t checksum(std::string_view bytes) {
 
 }  // namespace
 
-std::string program_version() { return TAUT_VERSION; }
-
-void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint, std::string version) {
+void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint, CheckpointHeader header) {
   Saver saver;
-  int number = format;
-  saver(version, number, checkpoint);
+  saver(header.version, header.format, checkpoint);
   std::string bytes = std::string(kind) + saver.take();
   const std::uint32_t sum = checksum(bytes);
   bytes.append(reinterpret_cast<const char*>(&sum), sizeof sum);
@@ -47,13 +45,14 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   rest.remove_suffix(sizeof sum);
   if (checksum(rest) != sum) throw refuse("is damaged or truncated: its checksum is wrong");
   Loader loader(rest.substr(kind.size()));
-  std::string version;
-  int number = 0;
-  loader(version, number);
-  if (version != TAUT_VERSION || number != format)
-    throw refuse("was written by taut " + version + " (format " + std::to_string(number) +
-                 "); this is taut " + TAUT_VERSION + " (format " + std::to_string(format) +
-                 "); the versions must be the same");
+  const CheckpointHeader known;
+  CheckpointHeader header;
+  loader(header.version, header.format);
+  if (header.format != known.format)
+    throw refuse(
+        fmt::format("has format {}, written by taut {}; taut {} reads format {} only; continue with taut {}, "
+                    "or start again without this file",
+                    header.format, header.version, known.version, known.format, header.version));
   Checkpoint checkpoint;
   try {
     loader(checkpoint);

@@ -6,6 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "cli/system/build_info.hpp"
+#include "cli/system/provenance.hpp"
+
 namespace taut::cli {
 
 /// A run at one moment, with all that it takes to go on with it.
@@ -28,14 +31,17 @@ struct Checkpoint {
   }
 };
 
-std::string program_version();
+/// Beginning of a checkpoint. The version is for messages only.
+struct CheckpointHeader {
+  std::string version{build_info.version};
+  int format = format_of("checkpoint.bin");
+};
 
-/// Replaces the file when all is written, so that a crash leaves the one before. It begins with its kind and
-/// the version of the program, and ends with a checksum of everything. Throws OutputError.
-void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint,
-                      std::string version = program_version());
+/// Replaces the file when all is written, so that a crash leaves the one before. It begins with its kind,
+/// the version of the program and the format number, and ends with a checksum of everything. Throws OutputError.
+void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint, CheckpointHeader header = {});
 
-/// Throws UsageError, with the reason, for a file that is no checkpoint of this version or is not whole.
+/// Throws UsageError, with the reason, for a file that is no checkpoint of this format or is not whole.
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
 }  // namespace taut::cli

@@ -61,9 +61,11 @@ void RunFolder::check() const {
 
 bool RunFolder::is_damaged() const {
   const std::optional<std::string> text = read_whole(record());
-  const std::size_t known = text ? std::min(text->size(), head_of_record.size()) : 0;
-  if (!text || text->substr(0, known) != head_of_record.substr(0, known) || read_record(record()))
-    return false;
+  if (!text || read_record(record())) return false;
+  std::error_code error;
+  if (fs::exists(scene(), error) && fs::exists(history(), error)) return true;
+  const std::size_t known = std::min(text->size(), head_of_record.size());
+  if (text->substr(0, known) != head_of_record.substr(0, known)) return false;
   std::set<std::string> names{run_lock_name};
   for (const fs::path& each :
        {record(), scene(), history(), lines(), checkpoint(), difference(), frames(), particles()})

@@ -19,7 +19,8 @@ class RunFolder {
 
   /// Throws UsageError when the folder holds something that no run of taut left there. Touches nothing.
   void check() const;
-  /// Of a run whose run.json is not whole, and nothing else: a disk was full or has lost it.
+  /// True for a run with an unreadable run.json: a disk was full, has lost it, or somebody has overwritten it. The
+  /// scene and the history identify a run; without them, the beginning of run.json does if all files are of a run.
   bool is_damaged() const;
   /// Creates the folder, and `record` as its run.json first of all, so that it is recognised at any time.
   /// Throws OutputError.

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "cli/system/atomic_file.hpp"
+#include "cli/system/build_info.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/json_cursor.hpp"
 #include "engine/error.hpp"
@@ -110,7 +111,8 @@ std::optional<double> RunRecord::particle_steps_per_second() const {
 
 Json to_json(const RunRecord& record) {
   Json json;
-  json["taut"] = TAUT_VERSION;
+  json["taut"] = build_info.version;
+  json["format"] = format_of("run.json");
   json["scene"] = record.scene;
   json["method"] = record.method;
   json["material_law"] = record.material_law;
@@ -152,6 +154,7 @@ Json to_json(const RunRecord& record) {
                           {"energy_lost", record.conservation.energy_lost}};
   if (const std::string note = energy_note(record); !note.empty()) json["energy_note"] = note;
   json["measures"] = measures(record);
+  json["provenance"] = record.provenance.to_json();
   return json;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/scene/scene_file.hpp"
+#include "cli/system/provenance.hpp"
 #include "cli/system/stopwatch.hpp"
 #include "cli/text/json.hpp"
 #include "engine/diagnostics/conservation.hpp"
@@ -47,6 +48,7 @@ struct RunRecord {
   std::array<IndicatorRecord, indicators.size()> indicator;
   Conservation conservation;
   std::vector<MeasureResult> measures;
+  Provenance provenance;
 
   /// Particles × steps / solve, 1/s; none before the first step.
   std::optional<double> particle_steps_per_second() const;

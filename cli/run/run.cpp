@@ -352,6 +352,7 @@ std::unique_ptr<Simulation> start(const SceneFile& file) try {
 RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress& progress,
                     double setup_seconds, const std::function<void()>& before_it_begins) {
   const Stopwatch watch;
+  const Provenance provenance;
   std::unique_ptr<Simulation> simulation;
   {
     const Interrupts::AtOnce nothing_to_lose;
@@ -360,6 +361,7 @@ RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress&
   }
   RunRecord record = new_record(plan, *simulation);
   record.seconds.setup = setup_seconds + watch.seconds();
+  record.provenance = provenance;
   Run run(plan, std::move(simulation), interrupts, progress, std::move(record));
   if (before_it_begins) {
     progress.clear();

@@ -9,6 +9,7 @@
 
 #include "cli/run/history.hpp"
 #include "cli/system/atomic_file.hpp"
+#include "cli/system/build_info.hpp"
 #include "cli/text/format.hpp"
 #include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/error.hpp"
@@ -185,7 +186,7 @@ void SweepRun::read_folder() {
   const std::optional<StoredRecord> found = read_record(files.record());
   if (!found && files.is_damaged()) state = RunState::damaged;
   if (!found) return;
-  const bool same = found->version == TAUT_VERSION &&
+  const bool same = found->version == build_info.version &&
                     are_of_one_run(read_whole(files.scene()).value_or(""), scene, last_frame >= 0);
   const bool failed = found->status == Status::failed;
   // a run that failed without diverging could not write its files

@@ -5,11 +5,14 @@
 
 #include "cli/study/csv.hpp"
 #include "cli/system/atomic_file.hpp"
+#include "cli/system/build_info.hpp"
+#include "cli/system/provenance.hpp"
 #include "cli/text/format.hpp"
 
 namespace taut::cli {
 namespace {
 
+constexpr std::array left_out = {"taut", "format", "provenance"};  // of run.json
 constexpr std::array times = {"threads", "machine", "seconds", "particle_steps_per_second"};
 
 std::string status(const SweepRun& run) {
@@ -26,9 +29,11 @@ Json run_json(const SweepRun& run) {
   json["message"] = run.problem.empty() ? Json() : Json(run.problem);
   json["folder"] = run.folder;
   if (!run.record.is_object()) return json;
-  const auto differs = [](const std::string& key) { return std::ranges::find(times, key) != times.end(); };
+  const auto is_of = [](const auto& keys, const std::string& key) {
+    return std::ranges::count(keys, key) > 0;
+  };
   for (const auto& [key, value] : run.record.members())
-    if (key != "taut" && !json.find(key) && !differs(key)) json[key] = value;
+    if (!is_of(left_out, key) && !is_of(times, key) && !json.find(key)) json[key] = value;
   for (const char* key : times) {
     const Json* time = run.record.find(key);
     json[key] = time ? *time : Json();
@@ -99,7 +104,8 @@ std::vector<std::pair<std::string, std::string>> measures_of(const SweepPlan& pl
 
 std::string results_json(const SweepPlan& plan) {
   Json json;
-  json["taut"] = TAUT_VERSION;
+  json["taut"] = build_info.version;
+  json["format"] = format_of("results.json");
   json["title"] = plan.title;
   json["scene"] = plan.scene;
   json["swept"] = Json::array();

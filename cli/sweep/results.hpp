@@ -8,14 +8,15 @@ namespace taut::cli {
 
 /// results.json of a sweep:
 ///
-///     { "taut": "0.1.0", "title": "...", "scene": "colliding-rings",
+///     { "taut": "0.2.0", "format": 1, "title": "...", "scene": "colliding-rings",
 ///       "swept": [{"name": "v0", "unit": "c0", "help": "..."}, {"name": "method", ...}],
 ///       "fixed": {"until": 0.3},                                     what was set for all runs
 ///       "runs": [
 ///         { "index": 0, "set": {"v0": 0.02, "method": "og"},         as the grid has it: numbers or texts
 ///           "status": "finished|failed|interrupted|to do|error",     failed: diverged; error: see message
 ///           "message": "...", "folder": "v0=0.02_method=og",         inside the sweep's folder
-///           what run.json says of the run, in its order, without "taut" and "status"; last of all what
+///           what run.json says of the run, in its order, without "taut", "format", "status" and
+///           "provenance"; last of all what
 ///           differs from time to time: "threads", "machine", "seconds", "particle_steps_per_second" },
 ///         ... ] }
 ///

@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "cli/system/atomic_file.hpp"
+#include "cli/system/provenance.hpp"
 #include "engine/error.hpp"
 
 namespace fs = std::filesystem;
@@ -45,11 +46,6 @@ bool is_taken(int error) { return error == EAGAIN || error == EACCES; }
 bool knows_no_locks(int error) {
   const auto all = {ENOLCK, ENOSYS, EINVAL, ENOTSUP, ENOTTY};
   return std::ranges::find(all, error) != all.end();
-}
-
-std::string host_name() {
-  std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
 }
 
 /// As the text of the file has it: a line each.

@@ -24,6 +24,7 @@ const std::vector<KeyOfRun>& keys_of_run() {
   using enum Kind;
   static const std::vector<KeyOfRun> keys = {
       {{"taut"}, text},
+      {{"format"}, number},
       {{"scene"}, text},
       {{"method"}, text},
       {{"material_law"}, text},
@@ -61,6 +62,7 @@ const std::vector<KeyOfRun>& keys_of_run() {
       {{"measures", "*", "reference_name"}, text},
       {{"measures", "*", "error"}, number},
       {{"measures", "*", "why"}, text},
+      {{"provenance"}, object},
   };
   return keys;
 }
@@ -89,7 +91,9 @@ void check_below(const JsonCursor& value, const KeyOfRun& key, std::size_t part,
 Json parse_run_json(const std::string& text, const std::string& file,
                     const std::vector<std::string>& verdicts) {
   Json json = parse_json(text, file);
-  if (!json.find("taut")) throw UsageError("'" + file + "' is not the run.json of a run of taut");
+  if (!json.find("taut"))
+    throw UsageError("'" + file +
+                     "' is not the run.json of a run of taut: the key 'taut' is missing; repeat the run");
   const JsonCursor record(json, file);
   for (const KeyOfRun& key : keys_of_run()) check_below(record, key, 0, verdicts);
   return json;

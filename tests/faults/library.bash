@@ -124,8 +124,8 @@ read_only() { [[ $TAUT_FAULTS_MOUNTS == yes ]] && mount --bind "$1" "$1" && moun
 
 # ---- what is whole
 
-# record FOLDER: run.json without what differs from one run to the next: times, speed, threads
-record() { sed -E '/"(setup|solve|render|write|particle_steps_per_second|threads|machine)":/d' "$1/run.json"; }
+# record FOLDER: run.json without what differs from one run to the next: times, speed, threads, provenance
+record() { sed -E '/^  "provenance": \{/,/^  \}/d; /"(setup|solve|render|write|particle_steps_per_second|threads|machine)":/d' "$1/run.json"; }
 
 # same_run GOOD FOLDER: the folder holds the bytes of a run that nobody disturbed, and nothing else
 same_run() {

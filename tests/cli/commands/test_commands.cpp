@@ -101,7 +101,13 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE("help and version are results") {
-    CHECK(call({"--version"}).out == "taut 0.1.0\n");
+    const std::string version = call({"--version"}).out;
+    CAPTURE(version);
+    static const std::regex first_line(R"(taut 0\.2\.0 \(([0-9a-f]{12}(-dirty)?|unknown)\)\n\n(.|\n)*)");
+    CHECK(std::regex_match(version, first_line));
+    for (const char* text : {"compiler  ", "instruction set  ", " Eigen 3.", " fmt ", ", osmesa ",
+                             "file formats     run.json 1, ", "history.csv 1", "checkpoint.bin "})
+      CHECK(contains(version, text));
     for (const std::string command :
          {"run", "render", "compare", "movie", "diff", "snapshot", "list", "describe"}) {
       CHECK(contains(call({"--help"}).out, "  " + command + " "));

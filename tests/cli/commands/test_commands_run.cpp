@@ -163,13 +163,16 @@ TEST_SUITE("cli") {
 
     const auto record = json_of(folder / "out/run.json");
     CHECK(keys(record) ==
-          std::vector<std::string>{"taut",        "scene",    "method",     "material_law",
-                                   "contact",     "stepping", "cfl",        "parameters",
-                                   "dim",         "spacing",  "particles",  "mass",
-                                   "until",       "reached",  "status",     "steps",
-                                   "threads",     "machine",  "seconds",    "particle_steps_per_second",
-                                   "verdict",     "since",    "indicators", "conservation",
-                                   "energy_note", "measures"});
+          std::vector<std::string>{"taut",         "format",       "scene",
+                                   "method",       "material_law", "contact",
+                                   "stepping",     "cfl",          "parameters",
+                                   "dim",          "spacing",      "particles",
+                                   "mass",         "until",        "reached",
+                                   "status",       "steps",        "threads",
+                                   "machine",      "seconds",      "particle_steps_per_second",
+                                   "verdict",      "since",        "indicators",
+                                   "conservation", "energy_note",  "measures",
+                                   "provenance"});
     CHECK(record["status"] == "finished");
     CHECK(record["verdict"] == "stable");
     CHECK(record["scene"] == "discs");

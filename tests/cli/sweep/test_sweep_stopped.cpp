@@ -159,6 +159,42 @@ TEST_SUITE("cli") {
     CHECK(ends(folder / "out").at("speed=4") == before.at("speed=4"));
   }
 
+  TEST_CASE("a run.json that is no record of a run is named, and its run is repeated") {
+    const TemporaryFolder folder;
+    const Texts sweep = tiny_sweep(folder, "out", {"--grid", "speed=1:7:1"});
+    REQUIRE(program(sweep).code == 0);
+    const auto expected = results(folder / "out");
+    const auto before = ends(folder / "out");
+    const std::string map = program({"map", folder.str("out"), "--markdown"}).out;
+    const Texts damaged{"", "{}", "[]", "null", "garbage", R"({"taut": 3})"};
+    for (std::size_t k = 0; k < damaged.size(); ++k) {
+      const fs::path run = folder / ("out/speed=" + std::to_string(k + 1));
+      std::ofstream(run / "run.json") << damaged[k];
+      std::ofstream(run / "notes.txt") << "mine";
+      for (const Texts& reader : {Texts{"check", run.string(), "--verdict", "stable"},
+                                  Texts{"plot", run.string(), "--out", folder.str("plot.svg")},
+                                  Texts{"run", "--resume", run.string()}}) {
+        const Outcome outcome = program(reader);
+        CAPTURE(outcome.err);
+        CHECK(outcome.code == 2);
+        CHECK(outcome.err.starts_with("taut: '" + (run / "run.json").string() + "'"));
+      }
+    }
+    CHECK(program({"map", folder.str("out"), "--markdown"}).out == map);  // read from results.csv
+    const Outcome outcome = program(sweep);
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 0);
+    for (std::size_t k = 0; k < damaged.size(); ++k) {
+      const std::string setting = "speed=" + std::to_string(k + 1);
+      CHECK(contains(outcome.err, "run " + std::to_string(k) + " (" + setting +
+                                      "): " + folder.str("out/" + setting + "/run.json") +
+                                      " is damaged; the run is repeated\n"));
+      CHECK(text_of(folder / ("out/" + setting) / "notes.txt") == "mine");
+    }
+    CHECK(results(folder / "out") == expected);
+    CHECK(ends(folder / "out").at("speed=7") == before.at("speed=7"));
+  }
+
   TEST_CASE("a cut run.json among files of somebody else is left alone") {
     const TemporaryFolder folder;
     fs::create_directories(folder / "out");

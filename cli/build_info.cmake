@@ -1,0 +1,17 @@
+# cmake -D TEMPLATE=… -D OUTPUT=… -D SOURCE=… -D …=… -P build_info.cmake: writes OUTPUT from TEMPLATE if its text changes,
+# so a new commit recompiles this one file. A clone has SOURCE/.git; an unpacked archive may lie in another repository.
+set(TAUT_COMMIT unknown)
+if(EXISTS ${SOURCE}/.git)
+  execute_process(COMMAND git --no-optional-locks -C ${SOURCE} describe --always --dirty --abbrev=12 --match=
+    OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
+  if(failed EQUAL 0)
+    set(TAUT_COMMIT ${commit})
+  endif()
+endif()
+set(TAUT_LIBRARIES "")
+foreach(library IN LISTS LIBRARIES)  # "fmt=9.1.0"; no version: some .pc files have none
+  string(REGEX REPLACE "=$" "=unknown" library "${library}")
+  string(REGEX REPLACE "^(.+)=(.+)$" "{\"\\1\", \"\\2\"},\n    " library "${library}")
+  string(APPEND TAUT_LIBRARIES "${library}")
+endforeach()
+configure_file(${TEMPLATE} ${OUTPUT} @ONLY)
