@@ -171,7 +171,7 @@ int execute(SweepPlan& plan, const SweepOptions& o, Streams streams) {
   streams.out << report(plan, o);
   if (!o.index) tell_what_remains(plan, streams.err);
   if (end.code != exit_fine) return end.code;
-  if (end.interrupted) return exit_interrupted;
+  if (end.interrupted) return Interrupts::exit_code();
   if (!o.index)
     if (const int code = draw_pictures(plan.pictures, plan.folder, streams); code != exit_fine) return code;
   return fails(plan, fail_on) ? exit_diverged : exit_fine;
