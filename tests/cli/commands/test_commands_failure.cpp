@@ -146,7 +146,8 @@ TEST_SUITE("cli") {
     ChildProgram::wait_for(folder / "out/frames/frame_00000.png");
     child.send(SIGINT);
     child.send(SIGTERM);
-    CHECK(child.exit_code() == 143);
+    const int code = child.exit_code();
+    CHECK((code == 130 || code == 143));  // the handler of the later signal may run first
     CHECK(json_of(folder / "out/run.json").contains("status"));
   }
 
