@@ -80,7 +80,7 @@ TEST_SUITE("cli") {
     sweep.send(SIGTERM);
     const int code = sweep.exit_code();
     CHECK((code == 130 || code == 143));  // the handler of the later signal may run first
-    std::ostringstream err;  // its runs would hold the lock
+    std::ostringstream err;               // its runs would hold the lock
     CHECK_NOTHROW(taut::cli::FolderLock(folder / "out", taut::cli::FolderLock::Of::sweep, "taut test", err));
     CHECK(statuses(folder / "out").size() == 2);
   }
@@ -98,6 +98,34 @@ TEST_SUITE("cli") {
     CHECK(run["message"] == "killed: Segmentation fault");
     CHECK_FALSE(run.contains("verdict"));
     CHECK(contains(program(endless_sweep(folder, {"--list"})).out, "to do"));
+  }
+
+  TEST_CASE(
+      "the exit code of a sweep is that of its gravest error: a crash, a file not written, a wrong scene") {
+    const TemporaryFolder folder;
+    std::string text = text_of(write_tiny_scene(folder));
+    const std::string parameters = "[parameters]\n";
+    text.insert(text.find(parameters) + parameters.size(),
+                "limit = { value = 1, unit = \"s\", help = \"of gravity\" }\n");
+    std::ofstream(folder / "nan.toml") << "gravity = [0, \"-sqrt(limit - t)\"]\n" << text;
+    fs::create_directories(folder / "out");
+    std::ofstream(folder / "out/sweep.lock") << "";
+    fs::create_symlink("/dev/full/no-such-folder", folder / "out/limit=2");
+    const auto sweep = [&](const std::string& limits, const Texts& more = {}) {
+      Texts words{"sweep", folder.str("nan.toml"), "--grid", "limit=" + limits,
+                  "--out", folder.str("out"),      "--quiet"};
+      words.insert(words.end(), more.begin(), more.end());
+      return words;
+    };
+    CHECK(program(sweep("0.001")).code == 2);
+    CHECK(program(sweep("0.001,2")).code == 4);
+    CHECK(program(sweep("2,0.001")).code == 4);
+    ChildProgram crashing(sweep("0.001,2,5000", {"--until", "1000", "--history", "0.001", "--jobs", "3"}));
+    ChildProgram::wait_for(folder / "out/limit=5000/history.csv");
+    ChildProgram::wait([&] { return children(crashing).size() == 1; });
+    ::kill(children(crashing).front(), SIGSEGV);
+    CHECK(crashing.exit_code() == 70);
+    CHECK(statuses(folder / "out") == Texts{"error", "error", "error"});
   }
 
   TEST_CASE("a run that cannot write its files is told of, and the others go on") {
