@@ -26,12 +26,12 @@ void print_help(std::span<const Command> commands, std::ostream& out) {
          "  --version   show version, compiler, libraries and file formats\n\n"
          "Exit codes:\n"
          "  0    success\n"
-         "  1    diff, snapshot: pictures differ; check: a check failed; choose: no run is accurate enough;\n"
-         "       other commands: a bug of taut\n"
+         "  1    diff, snapshot: pictures differ; check: a check failed; choose: no run is accurate enough\n"
          "  2    wrong command line or scene\n"
          "  3    the simulation diverged, or its verdict is as bad as --fail-on or worse\n"
          "  4    output could not be written\n"
-         "  130  interrupted\n\n"
+         "  70   a bug of taut\n"
+         "  130  interrupted by Ctrl-C; 143 by SIGTERM, 129 by SIGHUP (128 + number of the signal)\n\n"
          "Environment: TAUT_SCENES lists folders with your own scenes, separated by ':'.\n\n"
          "Example:\n  taut run colliding-rings\n";
 }

@@ -4,6 +4,7 @@
 
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
+#include "cli/command_line/report_options.hpp"
 #include "cli/study/expectation.hpp"
 #include "cli/system/exit_code.hpp"
 #include "engine/error.hpp"
@@ -11,7 +12,7 @@
 namespace taut::cli {
 namespace {
 
-struct CheckArguments {
+struct CheckArguments : ReportOptions {
   std::string run, baseline, tolerance, verdict;
   std::vector<std::string> measures;
 };
@@ -40,14 +41,44 @@ std::vector<Finding> findings(const CheckArguments& o, const StoredRun& run) {
   return all;
 }
 
-int check(const CheckArguments& options, std::ostream& out) {
-  const std::vector<Finding> all = findings(options, read_stored_run(options.run));
+std::string text(const std::vector<Finding>& all) {
   const auto failed = std::ranges::count(all, false, &Finding::fine);
-  out << findings_table(all) << '\n'
-      << (failed == 0 ? "fine"
-                      : std::to_string(failed) + " of " + std::to_string(all.size()) + " checks failed")
-      << '\n';
-  return failed == 0 ? exit_fine : exit_different;
+  return findings_table(all) + "\n" +
+         (failed == 0 ? "fine"
+                      : std::to_string(failed) + " of " + std::to_string(all.size()) + " checks failed") +
+         "\n";
+}
+
+Json json(const CheckArguments& options, const std::vector<Finding>& all) {
+  Json answer = json_answer("check");
+  answer["run"] = options.run;
+  answer["passed"] = std::ranges::all_of(all, &Finding::fine);
+  answer["checks"] = Json::array();
+  for (const Finding& f : all)
+    answer["checks"].add({{"name", f.name},
+                          {"passed", f.fine},
+                          {"expected", f.expected},
+                          {"is", f.is},
+                          {"value", f.value},
+                          {"difference", f.difference}});
+  return answer;
+}
+
+TestReport report(const CheckArguments& options, const std::vector<Finding>& all) {
+  TestReport report{"check", options.run, {}};
+  for (const Finding& f : all)
+    report.cases.push_back({f.name + " " + f.expected,
+                            f.fine ? TestCase::Result::passed : TestCase::Result::failed,
+                            f.name + ": expected " + f.expected + ", is " + f.is +
+                                (f.difference.empty() ? "" : " (" + f.difference + ")")});
+  return report;
+}
+
+int check(const CheckArguments& options, Streams streams) {
+  const std::vector<Finding> all = findings(options, read_stored_run(options.run));
+  streams.out << (options.json ? json(options, all).dump(2) + "\n" : text(all));
+  options.publish(report(options, all), streams.err);
+  return std::ranges::all_of(all, &Finding::fine) ? exit_fine : exit_different;
 }
 
 }  // namespace
@@ -65,7 +96,9 @@ std::function<int(Streams)> declare_check(Options& command) {
               "for measures without one of their own, and for --baseline");
   command.add("--verdict", "stable|VERDICT", options->verdict,
               "the worst verdict that is allowed, such as stable");
-  return [options](Streams streams) { return check(*options, streams.out); };
+  options->declare_json(command);
+  options->declare_junit(command);
+  return [options](Streams streams) { return check(*options, streams); };
 }
 
 }  // namespace taut::cli

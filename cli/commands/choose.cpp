@@ -7,6 +7,7 @@
 
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
+#include "cli/command_line/report_options.hpp"
 #include "cli/commands/picture_options.hpp"
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/shipped.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct ChooseArguments {
+struct ChooseArguments : ReportOptions {
   std::string scene, measure;
   std::vector<Setting> settings;
   std::optional<std::string> error;
@@ -88,6 +89,21 @@ std::string keep_those_of(const SceneFile& file, StoredResults& results) {
   return join(others);
 }
 
+Json json(const Chart& chart, const Wish* wish, std::optional<double> seconds,
+          const std::vector<Offer>& offers) {
+  Json answer = json_answer("choose");
+  answer["scene"] = chart.scene;
+  answer["measure"] = chart.measure;
+  answer["unit"] = chart.unit.empty() ? Json() : Json(chart.unit);
+  answer["error"] = wish ? Json(wish->error) : Json();
+  answer["seconds"] = seconds;
+  answer["granted"] = !offers.empty();
+  answer["runs"] = to_json(offers);
+  answer["references"] = chart.references;
+  answer["machines"] = chart.machines;
+  return answer;
+}
+
 int choose(const ChooseArguments& options, Streams streams) {
   std::optional<double> error;
   if (options.error) error = share(*options.error);
@@ -110,11 +126,14 @@ int choose(const ChooseArguments& options, Streams streams) {
   if (error && chart.unit.empty() && *error >= 1 && !options.error->ends_with('%'))
     streams.err << "taut: --error " << *options.error << " allows an error of " << brief(100 * *error)
                 << " %; write " << *options.error << "% for " << *options.error << " %\n";
-  const bool granted =
-      error ? !grants(chart, {*error, options.seconds}).empty() : !front(chart, options.seconds).empty();
-  streams.out << (error ? advice(chart, {*error, options.seconds}) : price_list(chart, options.seconds))
-              << "Results: " << join(files) << '\n';
-  return granted ? exit_fine : exit_not_granted;
+  const Wish wish{error.value_or(0), options.seconds};
+  const std::vector<Offer> offers = error ? grants(chart, wish) : front(chart, options.seconds);
+  if (options.json)
+    streams.out << json(chart, error ? &wish : nullptr, options.seconds, offers).dump(2) << '\n';
+  else
+    streams.out << (error ? advice(chart, wish) : price_list(chart, options.seconds))
+                << "Results: " << join(files) << '\n';
+  return offers.empty() ? exit_not_granted : exit_fine;
 }
 
 }  // namespace
@@ -139,6 +158,7 @@ std::function<int(Streams)> declare_choose(Options& command) {
   declare_measure(command, options->measure);
   command.add("--from", "FILE ...", options->from,
               "results.csv files of sweeps, or the folders of sweeps; default: all below out/");
+  options->declare_json(command);
   return [options](Streams streams) { return choose(*options, streams); };
 }
 

@@ -92,7 +92,7 @@ constexpr Command table[] = {
     {"check", "compare measures and the verdict of a run with expected values; exit code 1 if a check fails",
      "  taut check out/plate-enog --measure 'period=0.2545±1%' --verdict stable\n"
      "  taut check out/rings --measure 'rebound_ratio>0.8' --measure touch_time=0.0021+-1e-4\n"
-     "  taut check out/rings --baseline good/run.json --tolerance 1%\n"
+     "  taut check out/rings --baseline good/run.json --tolerance 1% --junit rings.xml\n"
      "An unfinished run and a measure without a value also fail.\n",
      declare_check},
     {"critical-step", "find the largest stable time step of a scene and a method by bisection",

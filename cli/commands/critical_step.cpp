@@ -100,7 +100,7 @@ int find(const CriticalStepArguments& options, Streams streams) {
     streams.out << result_json(file, found).dump(2) << '\n';
   else
     streams.out << result_text(file, found);
-  return found.interrupted ? exit_interrupted : exit_fine;
+  return found.interrupted ? Interrupts::exit_code() : exit_fine;
 }
 
 /// A finer one is below what rounding tells apart, a wider one says nothing.

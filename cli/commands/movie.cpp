@@ -11,6 +11,7 @@
 #include "cli/system/atomic_file.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/system/external_program.hpp"
+#include "cli/system/interrupts.hpp"
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
@@ -105,7 +106,7 @@ int movie(const MovieArguments& options, Streams streams) {
     throw UsageError("--out is '" + options.out + "'; it must end in .mp4 or .gif");
   std::optional<ScratchFolder> orbit;
   if (options.orbit && !draw_orbit(options.frames, orbit.emplace().path(), streams.err))
-    return exit_interrupted;
+    return Interrupts::exit_code();
   const fs::path folder = orbit ? orbit->path() : frames_of(options.frames);
   const int count = count_frames(folder);
   const int code = encode(options, folder);

@@ -10,6 +10,7 @@
 #include "cli/system/atomic_file.hpp"
 #include "cli/system/exit_code.hpp"
 #include "cli/system/folder_lock.hpp"
+#include "cli/system/interrupts.hpp"
 #include "cli/system/progress.hpp"
 #include "cli/text/checks.hpp"
 #include "engine/error.hpp"
@@ -84,7 +85,7 @@ int render(const RenderArguments& options, Streams streams) {
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
   const auto [frames, all] = redraw(run, folder, options.threads, progress);
   streams.out << "frames  " << folder.string() << " (" << frames << ")\n";
-  return all ? exit_fine : exit_interrupted;
+  return all ? exit_fine : Interrupts::exit_code();
 }
 
 }  // namespace

@@ -66,11 +66,11 @@ int converse(const SessionArguments& options, Streams streams) {
       return one;
     }();
     // the lines that a script has left expect what was not reached
-    if (Interrupts::asked() && (!typed || Interrupts::asked_to_end())) return exit_interrupted;
+    if (Interrupts::asked() && (!typed || Interrupts::asked_to_end())) return Interrupts::exit_code();
     if (options.strict && given.code != exit_fine) return given.code;
     if (!given.going) break;
   }
-  return exit_fine;
+  return Interrupts::asked_to_end() ? Interrupts::exit_code() : exit_fine;  // a signal at the prompt
 }
 
 }  // namespace

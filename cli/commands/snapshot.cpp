@@ -4,6 +4,7 @@
 
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
+#include "cli/command_line/report_options.hpp"
 #include "cli/run/frame_folders.hpp"
 #include "cli/run/plan.hpp"
 #include "cli/run/report.hpp"
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-struct SnapshotArguments : RunOptions, DifferenceOptions {
+struct SnapshotArguments : RunOptions, DifferenceOptions, ReportOptions {
   std::string baseline;
   bool update = false;
   bool quiet = false;
@@ -36,6 +37,8 @@ void declare_options(Options& command, SnapshotArguments& o) {
   declare_output_options(command, o);
   command.add("--threads", "N", o.threads, "number of threads; default: all cores, fewer for small scenes")
       .check(positive_whole_number);
+  o.declare_json(command);
+  o.declare_junit(command);
   command.add_flag("--quiet", o.quiet, "print no progress on stderr");
 }
 
@@ -59,25 +62,38 @@ void check_baseline(const SnapshotArguments& options, const fs::path& run_folder
                        ", which is not a frame and would be lost; name another folder with --baseline");
 }
 
-void update(const SnapshotArguments& options, const RunFolder& run, std::ostream& out) {
+/// What the command prints and writes into the JUnit file.
+struct Result {
+  int code = exit_fine;
+  std::string text;
+  Json json = json_answer("snapshot");
+  std::vector<TestCase> cases;
+  std::string worst;  // name of the most different picture; empty: none
+};
+
+void update(const SnapshotArguments& options, const RunFolder& run, Result& result) {
   std::vector<fs::path> files;
-  for (const std::string& name : picture_names(run.frames())) files.push_back(run.frames() / name);
+  for (const std::string& name : picture_names(run.frames())) {
+    files.push_back(run.frames() / name);
+    result.cases.push_back({name});
+  }
   write_whole_folder(options.baseline, files);
-  out << "baseline " << options.baseline << ": " << files.size() << " frames\n";
+  result.text = "baseline " + options.baseline + ": " + std::to_string(files.size()) + " frames\n";
 }
 
-int compare_with_baseline(const SnapshotArguments& options, const RunFolder& run, std::ostream& out) {
+void compare_with_baseline(const SnapshotArguments& options, const RunFolder& run, Result& result) {
   const fs::path baseline = options.baseline;
-  const FolderDifference difference = compare_folders(baseline, run.frames(), limit_of(options));
-  out << difference_report(difference, baseline.string(), run.frames().string());
-  if (difference.alike()) return exit_fine;
-  if (difference.different > 0) {
-    render::write_png(render::difference_picture(render::read_png(baseline / difference.worst),
-                                                 render::read_png(run.frames() / difference.worst)),
-                      run.difference());
-    out << "  picture of the differences: " << run.difference().string() << '\n';
-  }
-  return exit_different;
+  const std::string frames = run.frames().string();
+  const FolderDifference difference = compare_folders(baseline, frames, limit_of(options));
+  result.text = difference_report(difference, baseline.string(), frames);
+  result.json["pictures"] = pictures_json(difference);
+  result.cases = test_cases(difference, baseline.string(), frames);
+  if (difference.alike()) return;
+  result.code = exit_different;
+  if (difference.different() == 0) return;
+  result.worst = difference.worst;
+  result.json["difference"] = run.difference().string();
+  result.text += "  picture of the differences: " + run.difference().string() + "\n";
 }
 
 int snapshot(SnapshotArguments options, Streams streams) {
@@ -90,12 +106,28 @@ int snapshot(SnapshotArguments options, Streams streams) {
   plan.folder.check();  // another program may have been here
   const Interrupts interrupts;
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
-  const RunResult result = run_scene(plan, interrupts, progress, setup.seconds());
-  if (!result.failure.empty()) streams.err << "taut: " << result.failure << '\n';
-  if (const int code = exit_code(result); code != exit_fine) return code;
-  if (!options.update) return compare_with_baseline(options, plan.folder, streams.out);
-  update(options, plan.folder, streams.out);
-  return exit_fine;
+  const RunResult run = run_scene(plan, interrupts, progress, setup.seconds());
+  if (!run.failure.empty()) streams.err << "taut: " << run.failure << '\n';
+  Result result;
+  result.code = exit_code(run);
+  result.json["run"] = plan.folder.path().string();
+  result.json["baseline"] = options.baseline;
+  result.json["updated"] = options.update && result.code == exit_fine;
+  result.json["pictures"] = Json::array();
+  if (result.code != exit_fine)
+    result.cases = {{"run", TestCase::Result::error, run.failure.empty() ? "interrupted" : run.failure}};
+  else if (options.update)
+    update(options, plan.folder, result);
+  else
+    compare_with_baseline(options, plan.folder, result);
+  result.json["passed"] = result.code == exit_fine;
+  streams.out << (options.json ? result.json.dump(2) + "\n" : result.text);
+  options.publish({"snapshot", options.baseline, result.cases}, streams.err);
+  if (!result.worst.empty())
+    render::write_png(render::difference_picture(render::read_png(options.baseline / fs::path(result.worst)),
+                                                 render::read_png(plan.folder.frames() / result.worst)),
+                      plan.folder.difference());
+  return result.code;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
+#include "cli/command_line/report_options.hpp"
 #include "cli/sweep/emit.hpp"
 #include "cli/sweep/options.hpp"
 #include "cli/sweep/results.hpp"
@@ -19,6 +20,8 @@ namespace taut::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+struct SweepArguments : SweepOptions, ReportOptions {};
 
 SweepPlan make_plan(const SweepOptions& o) {
   SweepPlan plan = plan_sweep(make_request(o));
@@ -80,7 +83,13 @@ std::vector<SweepRun*> what_to_run(SweepPlan& plan, const SweepOptions& o, std::
   return runs;
 }
 
-std::string report(const SweepPlan& plan, const SweepOptions& o) {
+Json json(const SweepPlan& plan, std::optional<int> index) {
+  Json answer = json_answer("sweep");
+  answer["folder"] = plan.folder.string();
+  return answer.with(results_tree(plan, index));
+}
+
+std::string text(const SweepPlan& plan, const SweepOptions& o) {
   if (o.index) {
     const SweepRun& run = plan.runs[static_cast<std::size_t>(*o.index)];
     return "run " + std::to_string(run.index) + " (" + text_of(run.settings) + "): " + outcome(run) +
@@ -109,12 +118,29 @@ void tell_what_remains(const SweepPlan& plan, std::ostream& err) {
       << " kept, but not in the results: " << join(others) << (number > most ? ", ..." : "") << '\n';
 }
 
-bool fails(const SweepPlan& plan, const std::optional<Verdict>& fail_on) {
-  const auto bad = [&](const SweepRun& run) {
-    const Json* verdict = run.record.find("verdict");
-    return run.state == RunState::done && verdict && find_verdict(verdict->text()) >= fail_on;
-  };
-  return fail_on && std::ranges::any_of(plan.runs, bad);
+TestReport test_report(const SweepPlan& plan, std::optional<int> index,
+                       const std::optional<Verdict>& fail_on) {
+  TestReport report{"sweep", plan.title, {}};
+  for (const SweepRun& run : plan.runs)
+    if (!index || run.index == *index) report.cases.push_back(test_case(run, fail_on));
+  return report;
+}
+
+/// Prints the results and writes the JUnit file. Returns false if a verdict is `fail_on` or worse.
+bool answer(const SweepPlan& plan, const SweepArguments& o, const std::optional<Verdict>& fail_on,
+            Streams streams) {
+  using Result = TestCase::Result;
+  const TestReport report = test_report(plan, o.index, fail_on);
+  if (o.json) {
+    Json results = json(plan, o.index);
+    results["passed"] = std::ranges::all_of(
+        report.cases, [](Result r) { return r == Result::passed; }, &TestCase::result);
+    streams.out << results.dump(2) << '\n';
+  } else {
+    streams.out << text(plan, o);
+  }
+  o.publish(report, streams.err);
+  return std::ranges::find(report.cases, Result::failed, &TestCase::result) == report.cases.end();
 }
 
 /// Keeps the results of a whole sweep up to date; single runs leave them to a later call.
@@ -144,7 +170,7 @@ class ResultsWriter {
   Stopwatch since_written_;
 };
 
-int execute(SweepPlan& plan, const SweepOptions& o, Streams streams) {
+int execute(SweepPlan& plan, const SweepArguments& o, Streams streams) {
   for (const std::string& remark : plan.remarks) streams.err << "taut: " << remark << '\n';
   const std::optional<Verdict> fail_on = parse_verdict(o.fail_on);
   using Of = FolderLock::Of;
@@ -168,29 +194,37 @@ int execute(SweepPlan& plan, const SweepOptions& o, Streams streams) {
     end = runner.execute(plan.title);
     results.write();
   }
-  streams.out << report(plan, o);
+  const bool passed = answer(plan, o, fail_on, streams);
   if (!o.index) tell_what_remains(plan, streams.err);
   if (end.code != exit_fine) return end.code;
-  if (end.interrupted) return exit_interrupted;
+  if (end.interrupted) return Interrupts::exit_code();
+  std::ostream nowhere(nullptr);  // stdout holds the JSON alone
+  std::ostream& out = o.json ? nowhere : streams.out;
   if (!o.index)
-    if (const int code = draw_pictures(plan.pictures, plan.folder, streams); code != exit_fine) return code;
-  return fails(plan, fail_on) ? exit_diverged : exit_fine;
+    if (const int code = draw_pictures(plan.pictures, plan.folder, {out, streams.err}); code != exit_fine)
+      return code;
+  return passed ? exit_fine : exit_diverged;
 }
 
-int sweep(const SweepOptions& o, const Options& command, Streams streams) {
+int sweep(const SweepArguments& o, const Options& command, Streams streams) {
   if (o.emit) find_emit_form(*o.emit);
+  if (o.emit && o.json) throw UsageError("--emit prints a script; leave --json out");
+  if ((o.emit || o.list) && !o.junit.empty())
+    throw UsageError("--junit needs a sweep that runs; leave --emit and --list out");
   SweepPlan plan = make_plan(o);
   if (o.emit) return emit(o, command, plan, streams.out);
   if (!o.list) return execute(plan, o, streams);
-  streams.out << listing(plan);
+  streams.out << (o.json ? json(plan, o.index).dump(2) + "\n" : listing(plan));
   return exit_fine;
 }
 
 }  // namespace
 
 std::function<int(Streams)> declare_sweep(Options& command) {
-  auto options = std::make_shared<SweepOptions>();
+  auto options = std::make_shared<SweepArguments>();
   declare_sweep_options(command, *options);
+  options->declare_json(command);
+  options->declare_junit(command);
   return [options, &command](Streams streams) { return sweep(*options, command, streams); };
 }
 

@@ -7,6 +7,8 @@
 #include "cli/run/folder.hpp"
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
+#include "cli/text/json.hpp"
+#include "cli/text/test_report.hpp"
 #include "engine/error.hpp"
 #include "render/image/png.hpp"
 
@@ -64,6 +66,10 @@ fs::path frames_of(const fs::path& folder) {
   return fs::exists(run.record(), error) ? run.frames() : folder;
 }
 
+int FolderDifference::different() const {
+  return static_cast<int>(std::ranges::count(pictures, false, &PictureDifference::alike));
+}
+
 FolderDifference compare_folders(const fs::path& a, const fs::path& b, const render::DifferenceLimit& limit) {
   const std::vector<std::string> names_a = picture_names(a);
   const std::vector<std::string> names_b = picture_names(b);
@@ -74,8 +80,7 @@ FolderDifference compare_folders(const fs::path& a, const fs::path& b, const ren
   std::ranges::set_intersection(names_a, names_b, std::back_inserter(both));
   for (const std::string& name : both) {
     const render::ImageDifference difference = compare_files(a / name, b / name);
-    ++result.compared;
-    if (!alike(difference, limit)) ++result.different;
+    result.pictures.push_back({name, difference, alike(difference, limit)});
     if (result.worst.empty() || excess(difference, limit) > excess(result.at_worst, limit)) {
       result.worst = name;
       result.at_worst = difference;
@@ -103,7 +108,8 @@ std::string difference_report(const render::ImageDifference& difference,
 }
 
 std::string difference_report(const FolderDifference& d, const std::string& a, const std::string& b) {
-  Rows rows{{"pictures compared", std::to_string(d.compared)}, {"different", std::to_string(d.different)}};
+  Rows rows{{"pictures compared", std::to_string(d.pictures.size())},
+            {"different", std::to_string(d.different())}};
   if (!d.only_in_a.empty()) rows.push_back({"only in " + a, some_of(d.only_in_a)});
   if (!d.only_in_b.empty()) rows.push_back({"only in " + b, some_of(d.only_in_b)});
   if (d.at_worst.greatest > 0) {
@@ -112,6 +118,38 @@ std::string difference_report(const FolderDifference& d, const std::string& a, c
     rows.insert(rows.end(), worst.begin(), worst.end());
   }
   return verdict(d.alike()) + in_columns(rows);
+}
+
+Json pictures_json(const FolderDifference& difference) {
+  Json all = Json::array();
+  for (const auto& [name, d, same] : difference.pictures)
+    all.add(
+        {{"name", name},
+         {"passed", same},
+         {"share", d.share},
+         {"greatest", d.greatest},
+         {"densest", d.densest},
+         {"window", Json{{"column", d.column}, {"row", d.row}, {"width", d.width}, {"height", d.height}}}});
+  for (const std::string& name : difference.only_in_a)
+    all.add({{"name", name}, {"passed", false}, {"only_in", "a"}});
+  for (const std::string& name : difference.only_in_b)
+    all.add({{"name", name}, {"passed", false}, {"only_in", "b"}});
+  return all;
+}
+
+std::vector<TestCase> test_cases(const FolderDifference& difference, const std::string& a,
+                                 const std::string& b) {
+  std::vector<TestCase> all;
+  const auto add = [&all](const std::string& name, bool passed, const std::string& text) {
+    all.push_back({name, passed ? TestCase::Result::passed : TestCase::Result::failed, text});
+  };
+  for (const auto& [name, d, same] : difference.pictures)
+    add(name, same,
+        name + ": " + percent(d.share) + " of the pixels differ visibly, the greatest difference is " +
+            brief(d.greatest) + " (ΔE*ab)");
+  for (const std::string& name : difference.only_in_a) add(name, false, name + " is only in " + a);
+  for (const std::string& name : difference.only_in_b) add(name, false, name + " is only in " + b);
+  return all;
 }
 
 }  // namespace taut::cli

@@ -10,6 +10,8 @@
 namespace taut::cli {
 
 class Options;
+class Json;
+struct TestCase;
 
 /// The PNG files in a folder, by name, sorted; none if there is no such folder.
 std::vector<std::string> picture_names(const std::filesystem::path& folder);
@@ -17,16 +19,23 @@ std::vector<std::string> picture_names(const std::filesystem::path& folder);
 /// Where the pictures of `folder` are: the frames of a run folder, else the folder itself.
 std::filesystem::path frames_of(const std::filesystem::path& folder);
 
+/// Comparison of two pictures of one name.
+struct PictureDifference {
+  std::string name;
+  render::ImageDifference difference;
+  bool alike = false;
+};
+
 /// How the pictures of two folders differ, name by name.
 struct FolderDifference {
   std::vector<std::string> only_in_a, only_in_b;
-  int compared = 0;   // pictures that both have
-  int different = 0;  // of these
-  std::string worst;  // the most different of these, empty if there are none
+  std::vector<PictureDifference> pictures;  // in both folders
+  std::string worst;                        // the most different of these, empty if there are none
   render::ImageDifference at_worst;
 
+  int different() const;  // number of `pictures`
   /// The same names, and every picture alike.
-  bool alike() const { return only_in_a.empty() && only_in_b.empty() && different == 0; }
+  bool alike() const { return only_in_a.empty() && only_in_b.empty() && different() == 0; }
 };
 
 /// UsageError for a picture that cannot be read, or that differs in size.
@@ -46,5 +55,11 @@ std::string difference_report(const render::ImageDifference& difference,
                               const render::DifferenceLimit& limit);
 /// `a` and `b`: what the folders are called in it.
 std::string difference_report(const FolderDifference& difference, const std::string& a, const std::string& b);
+
+/// One object per picture, as `diff --json` and `snapshot --json` list them.
+Json pictures_json(const FolderDifference& difference);
+/// One test case per picture.
+std::vector<TestCase> test_cases(const FolderDifference& difference, const std::string& a,
+                                 const std::string& b);
 
 }  // namespace taut::cli

@@ -154,7 +154,7 @@ std::string run_report(const RunPlan& plan, const RunResult& result) {
 
 int exit_code(const RunResult& result, const std::optional<Verdict>& fail_on) {
   if (!result.failure.empty()) return exit_diverged;
-  if (result.record.status == RunRecord::Status::interrupted) return exit_interrupted;
+  if (result.record.status == RunRecord::Status::interrupted) return Interrupts::exit_code();
   return fail_on && result.record.verdict >= *fail_on ? exit_diverged : exit_fine;
 }
 

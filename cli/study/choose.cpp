@@ -152,4 +152,25 @@ std::string price_list(const Chart& chart, std::optional<double> seconds) {
          sources(chart);
 }
 
+Json to_json(const std::vector<Offer>& offers) {
+  Json all = Json::array();
+  for (const Offer& offer : offers) {
+    const ChartPoint& point = *offer.point;
+    const auto optional = [](const std::string& text) {
+      return text.empty() ? Json() : number_or_text(text);
+    };
+    all.add({{"name", offer.series->name},
+             {"method", offer.series->method},
+             {"spacing", point.spacing},
+             {"cfl", optional(point.cfl)},
+             {"stepping", optional(point.stepping)},
+             {"error", point.error},
+             {"error_up_to", offer.error},
+             {"finer_runs", offer.finer},
+             {"seconds", point.cost},
+             {"folder", point.folder}});
+  }
+  return all;
+}
+
 }  // namespace taut::cli

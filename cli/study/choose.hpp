@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/study/chart.hpp"
+#include "cli/text/json.hpp"
 
 namespace taut::cli {
 
@@ -33,5 +34,7 @@ std::vector<Offer> front(const Chart& chart, std::optional<double> seconds);
 std::string advice(const Chart& chart, const Wish& wish);
 /// For people: what each accuracy costs.
 std::string price_list(const Chart& chart, std::optional<double> seconds);
+/// One object per offer.
+Json to_json(const std::vector<Offer>& offers);
 
 }  // namespace taut::cli

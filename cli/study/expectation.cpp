@@ -136,7 +136,8 @@ Finding find_out(const StoredRun& run, const Expectation& e) {
   const bool bound = e.kind != Expectation::Kind::equal;
   if (!is || !std::isfinite(*is))
     return {e.name, shown(e, unit), "no value", run.text(measure_column(e.name, "why")), false, bound};
-  return {e.name, shown(e, unit), with_unit(*is, unit), shown_difference(e, *is, unit), holds(e, *is), bound};
+  return {e.name, shown(e, unit), with_unit(*is, unit), shown_difference(e, *is, unit), holds(e, *is), bound,
+          *is};
 }
 
 Finding find_out_verdict(const StoredRun& run, const std::string& worst) {

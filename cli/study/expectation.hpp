@@ -36,7 +36,8 @@ std::vector<Expectation> expectations_of(const StoredRun& baseline, const Tolera
 struct Finding {
   std::string name, expected, is, difference;
   bool fine = false;
-  bool bound = false;  // expected: a bound, which is violated, not a value, which has moved
+  bool bound = false;             // expected: a bound, which is violated, not a value, which has moved
+  std::optional<double> value{};  // behind `is`, if it is a finite number
 };
 /// A measure without a value, for instance of a run that was too short, is not fine. Throws UsageError for a name
 /// that run.json lacks, with the nearest names.

@@ -91,6 +91,7 @@ StabilityMap make_map(const StoredResults& results, const MapRequest& request) {
   const std::vector<std::string> columns = distinguishing_columns(results.runs, x);
   map.title = results.title;
   map.scene = results.scene;
+  map.parameter = parameter;
   map.label = results.label(parameter);
   for (const StoredRun& run : results.runs)
     if (const std::string value = run.text(x); !value.empty()) place_of(map.values, value);
@@ -112,6 +113,23 @@ std::string markdown(const StabilityMap& map) {
   for (std::vector<std::string>& row : rows)
     if (&row != &rows.front()) row.front() = "`" + row.front() + "`";
   return "**" + map.title + "**: verdict, and the time at which it first held\n\n" + markdown_table(rows);
+}
+
+Json to_json(const StabilityMap& map) {
+  Json json{{"title", map.title}, {"scene", map.scene}, {"parameter", map.parameter}, {"label", map.label}};
+  json["values"] = Json::array();
+  for (const std::string& value : map.values) json["values"].add(number_or_text(value));
+  json["rows"] = Json::array();
+  for (std::size_t r = 0; r < map.rows.size(); ++r) {
+    Json cells = Json::array();
+    for (const auto& cell : map.cells[r])
+      cells.add(cell ? Json{{"status", cell->status},
+                            {"verdict", cell->verdict.empty() ? Json() : Json(cell->verdict)},
+                            {"since", cell->since}}
+                     : Json());
+    json["rows"].add({{"name", map.rows[r]}, {"cells", cells}});
+  }
+  return json;
 }
 
 }  // namespace taut::cli

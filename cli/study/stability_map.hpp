@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/study/stored_results.hpp"
+#include "cli/text/json.hpp"
 
 namespace taut::cli {
 
@@ -23,6 +24,7 @@ struct MapCell {
 /// Values of a parameter × methods → verdicts. A method has a row for each choice of everything else.
 struct StabilityMap {
   std::string title, scene;
+  std::string parameter;
   std::string label;                                       // of the parameter, with its unit
   std::vector<std::string> values;                         // of it; numbers ascend
   std::vector<std::string> rows;                           // methods, in the order of the results
@@ -37,5 +39,7 @@ StabilityMap make_map(const StoredResults& results, const MapRequest& request);
 std::string map_table(const StabilityMap& map);
 /// The same as Markdown.
 std::string markdown(const StabilityMap& map);
+/// The same as JSON.
+Json to_json(const StabilityMap& map);
 
 }  // namespace taut::cli

@@ -101,7 +101,8 @@ SweepRequest make_request(const SweepOptions& o) {
 }
 
 std::vector<std::string> lasting_words(const Options& command) {
-  const std::vector<std::string> passing = {"--list", "--jobs", "--index", "--force", "--emit", "--quiet"};
+  const std::vector<std::string> passing = {"--list", "--jobs",  "--index", "--force",
+                                            "--emit", "--quiet", "--json",  "--junit"};
   std::vector<std::string> words{path_of_program(), "sweep"};
   for (const Option& option : command.all()) {
     if (std::ranges::find(passing, option.name()) != passing.end()) continue;

@@ -102,7 +102,7 @@ std::vector<std::pair<std::string, std::string>> measures_of(const SweepPlan& pl
 
 }  // namespace
 
-std::string results_json(const SweepPlan& plan) {
+Json results_tree(const SweepPlan& plan, std::optional<int> index) {
   Json json;
   json["taut"] = build_info.version;
   json["format"] = format_of("results.json");
@@ -113,9 +113,12 @@ std::string results_json(const SweepPlan& plan) {
   json["fixed"] = Json::object();
   for (const Setting& s : plan.fixed) json["fixed"][s.name] = number_or_text(s.value);
   json["runs"] = Json::array();
-  for (const SweepRun& run : plan.runs) json["runs"].add(run_json(run));
-  return json.dump(2) + "\n";
+  for (const SweepRun& run : plan.runs)
+    if (!index || run.index == *index) json["runs"].add(run_json(run));
+  return json;
 }
+
+std::string results_json(const SweepPlan& plan) { return results_tree(plan).dump(2) + "\n"; }
 
 std::string results_csv(const SweepPlan& plan) {
   std::vector<Cells> rows;
@@ -138,6 +141,21 @@ std::string results_csv(const SweepPlan& plan) {
 void write_results(const SweepPlan& plan) {
   write_atomically(plan.folder / "results.csv", results_csv(plan), Kept::on_disk);
   write_atomically(plan.folder / "results.json", results_json(plan), Kept::on_disk);
+}
+
+TestCase test_case(const SweepRun& run, const std::optional<Verdict>& fail_on) {
+  using Result = TestCase::Result;
+  TestCase test{text_of(run.settings), Result::error, run.problem.empty() ? outcome(run) : run.problem};
+  if (run.state != RunState::done) return test;
+  const Json* verdict = find(run.record, {"verdict"});
+  test.result =
+      fail_on && verdict && find_verdict(verdict->text()) >= fail_on ? Result::failed : Result::passed;
+  if (const Json* seconds = find(run.record, {"seconds"})) {
+    test.seconds = 0;
+    for (const auto& [part, value] : seconds->members())
+      if (value.is_number()) *test.seconds += value.number();
+  }
+  return test;
 }
 
 std::string outcome(const SweepRun& run) {

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "cli/sweep/plan.hpp"
+#include "cli/text/test_report.hpp"
+#include "engine/diagnostics/verdict.hpp"
 
 namespace taut::cli {
 
@@ -23,6 +26,8 @@ namespace taut::cli {
 /// All runs of the grid are there, in its order, in whatever order they ended. A run without a result ("to
 /// do", "error") has no keys behind "folder"; one that was interrupted has those of the part that was run.
 std::string results_json(const SweepPlan& plan);
+/// The same as a tree; with `index`, only this run.
+Json results_tree(const SweepPlan& plan, std::optional<int> index = {});
 
 /// results.csv: "runs" of results.json, a row each. The name of a column is the path in there:
 /// "set.v0", "verdict", "since.fractured", "measures.period.value", "seconds.solve", ... A cell without a
@@ -31,6 +36,9 @@ std::string results_csv(const SweepPlan& plan);
 
 /// Both, whole, into the sweep's folder. Throws OutputError.
 void write_results(const SweepPlan& plan);
+
+/// The run as a test: failed if its verdict is `fail_on` or worse, an error without a result.
+TestCase test_case(const SweepRun& run, const std::optional<Verdict>& fail_on);
 
 /// "fractured since 0.0031 s", "interrupted", "error", ...
 std::string outcome(const SweepRun& run);

@@ -46,7 +46,7 @@ double share_done(const SweepRun& run) {
   return std::clamp(*record->reached / *record->until, 0.0, 1.0);
 }
 
-/// A bug is graver than a full disk, and that than a wrong input.
+/// A bug is graver than a full disk, and a full disk graver than a wrong input.
 int gravest(int a, int b) {
   for (const int code : {exit_bug, exit_not_written, exit_wrong_input})
     if (a == code || b == code) return code;
@@ -104,7 +104,7 @@ void SweepRunner::finish(Job& job) {
   SweepRun& run = *job.run;
   run.read_folder();
   // asked to stop, it has either done so in good order or not yet begun
-  const bool stopped = passed_on_ && (end.code == exit_interrupted || end.signal == SIGTERM);
+  const bool stopped = passed_on_ && (end.code == exit_by_signal(SIGTERM) || end.signal == SIGTERM);
   if (run.state != RunState::done && !stopped) {
     const bool by_signal = end.signal != 0;
     run.state = RunState::broken;

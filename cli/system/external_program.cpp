@@ -138,7 +138,7 @@ int make_file(const Maker& maker, const std::vector<std::string>& arguments, con
   if (!result.found)
     throw OutputError(file.string(), maker.name + " is needed for " + maker.purpose +
                                          " and is not installed (apt-get install " + maker.package + ")");
-  if (result.stopped) return exit_interrupted;
+  if (result.stopped) return Interrupts::exit_code();
   throw OutputError(file.string(), error
                                        ? "cannot be written: " + error.message()
                                        : maker.name + " failed with exit code " +

@@ -15,12 +15,12 @@ static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_alw
 extern "C" void on_signal(int number) {
   if (at_once.load()) {
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, "\n", 1);  // where progress has a line
-    ::_exit(exit_interrupted);
+    ::_exit(exit_by_signal(number));
   }
   if (last_signal.load() == 0)
     last_signal.store(number);
   else if (number != SIGHUP)
-    ::_exit(exit_interrupted);
+    ::_exit(exit_by_signal(number));
 }
 
 }  // namespace
@@ -48,11 +48,13 @@ Interrupts::~Interrupts() {
 
 Interrupts::AtOnce::AtOnce() {
   at_once.store(true);
-  if (last_signal.load() != 0) ::_exit(exit_interrupted);  // it came before this
+  if (asked()) ::_exit(exit_code());  // the signal came before this
 }
 Interrupts::AtOnce::~AtOnce() { at_once.store(false); }
 
 bool Interrupts::asked_to_end() { return flag() == SIGTERM || flag() == SIGHUP; }
+
+int Interrupts::exit_code() { return exit_by_signal(flag()); }
 
 const std::atomic<int>& Interrupts::flag() { return last_signal; }
 

@@ -31,6 +31,8 @@ class Interrupts {
   static bool asked() { return flag() != 0; }
   /// By SIGTERM or SIGHUP: all is to end, not only what is going on.
   static bool asked_to_end();
+  /// 128 + the signal that asked.
+  static int exit_code();
   /// The signal, or 0; for whoever is to stop in the middle of a long piece of work.
   static const std::atomic<int>& flag();
 

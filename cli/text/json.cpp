@@ -129,6 +129,13 @@ void Json::add(Json item) {
   std::get<std::vector<Json>>(value_).push_back(std::move(item));
 }
 
+Json Json::with(const Json& other) const {
+  Json both = *this;
+  for (const auto& [key, value] : other.members())
+    if (!find(key)) both[key] = value;
+  return both;
+}
+
 std::string Json::dump(int indent) const {
   return std::visit(ToLibrary(), value_).dump(indent, ' ', false, Library::error_handler_t::replace);
 }

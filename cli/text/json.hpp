@@ -62,6 +62,8 @@ class Json {
   Json& operator[](std::string_view key);
   /// Appends to an array. A null becomes an array.
   void add(Json item);
+  /// A copy of an object with the members of another object that it lacks.
+  Json with(const Json& other) const;
 
   /// On one line; with `indent`, each value on its own line. Replaces bytes that are not UTF-8.
   std::string dump(int indent = -1) const;

@@ -46,7 +46,7 @@ taut() {
 sound() {
   case $code in
     132 | 134 | 135 | 136 | 139) crashed "signal $((code - 128)): $1" ;;
-    1) ! grep -q 'bug of taut' "$here/complained" || crashed "$1: $(complaint)" ;;
+    70) crashed "$1: $(complaint)" ;;
   esac
   ! grep -qE 'AddressSanitizer|runtime error|ThreadSanitizer' "$here/complained" || crashed "sanitizer: $1"
 }
@@ -195,15 +195,14 @@ no_rests() {
   [[ -z $rests ]] || lost "is left: $rests"
 }
 
-# stopped_by SIGNALS UNTOUCHED: how a program ends that was struck: with 130 in good order, by SIGKILL, or by the
-# signal itself where UNTOUCHED, a command, says that it is not at work: it has written nothing, or all
+# by_signal SIGNAL: the exit code of a program that SIGNAL ended, in good order or at once
+by_signal() { echo $((128 + $(kill -l "$1"))); }
+
+# stopped_by SIGNALS: a struck program has ended by one of them, or has finished before
 stopped_by() {
-  ((struck)) || { is_one_of "$code" "0" || wrong "exit code $code without a signal: $(complaint)"; return; }
-  case $1:$code in
-    *:0 | KILL:137 | *:130) return ;;
-    HUP:129 | TERM*:143) ${*:2} && return ;;
-  esac
-  wrong "exit code $code after SIG${1// / SIG}: $(complaint)"
+  local signal codes=0
+  ((!struck)) || for signal in $1; do codes+=" $(by_signal "$signal")"; done
+  is_one_of "$code" "$codes" || wrong "exit code $code after ${1:+SIG${1// / SIG}}: $(complaint)"
 }
 
 # sums FOLDER: of all files but the lock, which comes before handlers of signals, to see that nothing has changed

@@ -112,7 +112,7 @@ command_draw_solid() {
 command_snapshot() {
   local words=(colliding-rings --spacing 0.004 --until 4e-4 --frames 2 --size 160x120 --quiet)
   taut snapshot "${words[@]}" --baseline mine --update
-  taut snapshot "${words[@]}" --baseline mine
+  taut snapshot "${words[@]}" --baseline mine --json --junit mine.xml
   expect 1 taut snapshot "${words[@]}" --baseline mine --set v0=0.12
 }
 
@@ -120,15 +120,15 @@ command_sweep() {
   local words=(colliding-rings --grid method=og,oenog,tl --grid spacing=0.004,0.003 --until 4e-4 --out rings --quiet)
   taut sweep "${words[@]}" --list
   taut sweep "${words[@]}" --jobs 2 --threads 2 --render --frames 2 --size 160x120
-  taut sweep "${words[@]}" --index 1 --force
+  taut sweep "${words[@]}" --index 1 --force --json --junit rings.xml
   taut sweep "${words[@]}" --emit slurm
   taut sweep "${words[@]}" --emit parallel
   taut chart rings --measure least_diameter --against oenog --out chart.svg
   taut chart rings --measure least_diameter --against oenog --cost steps --methods og,tl --out chart.png \
     --markdown
   taut chart rings --measure least_diameter --against oenog --json
-  taut map rings --parameter spacing --out map.png
-  taut choose colliding-rings --from rings --measure mirror_asymmetry
+  taut map rings --parameter spacing --out map.png --json
+  taut choose colliding-rings --from rings --measure mirror_asymmetry --json
   taut choose colliding-rings --from rings --measure mirror_asymmetry --error 1 || [[ $? == 1 ]]
   taut sweep rings-accuracy --list
 }
@@ -139,7 +139,7 @@ command_numbers() {
   taut plot run other --out plot.svg
   taut plot run --columns total_energy,gap --x t --out plot.png
   taut check run --verdict diverged --measure 'conservation.energy<1'
-  taut check run --baseline run --tolerance '1%'
+  taut check run --baseline run --tolerance '1%' --json --junit run.xml
   expect 1 taut check run --measure 'conservation.energy<0'
   taut critical-step colliding-rings --spacing 0.004 --steps 20 --tolerance 0.1 --threads 2 --json
   taut critical-step colliding-balls --spacing 0.005 --steps 5 --tolerance 0.2 --threads 2

@@ -85,13 +85,13 @@ TEST_SUITE("cli") {
     program.wait_for("error: the number of steps is '0'");
     program.wait_for_prompt();
     program.send(SIGTERM);
-    CHECK(program.exit_code() == 0);
+    CHECK(program.exit_code() == 143);
     TerminalProgram other(tiny_session(folder), folder.str("state"));
     other.wait_for_prompt();
     other.type("run until 1000\r");
     other.wait_for("to 1000 s [");
     other.send(SIGTERM);
-    CHECK(other.exit_code() == 130);
+    CHECK(other.exit_code() == 143);
   }
 
   TEST_CASE("a script that is interrupted does not go on with its next line") {

@@ -59,7 +59,7 @@ trial() {
   fi
   choose KILL KILL TERM INT HUP; local signals=$chosen
   strike_at_random "$signals" "$took" $after "$name"
-  ((!struck)) || [[ $code == "$promised" ]] || stopped_by "$signals" true
+  ((!struck)) || [[ $code == "$promised" ]] || stopped_by "$signals"
   look
   [[ $signals == KILL ]] || no_rests .
   ends "$promised" $after "$name"

@@ -23,8 +23,6 @@ older_run() {
 
 has_ended() { [[ ! -e out/checkpoint.bin && $(status out) == finished ]] && cmp -s out/scene.toml "$straight/scene.toml"; }
 untouched() { [[ $(sums out 2>/dev/null) == "$before" ]]; }
-# a signal may come before its handlers are there, or when all is done and they are gone
-not_under_way() { untouched || has_ended; }
 
 trial() {
   local round every threads range signals
@@ -41,10 +39,11 @@ trial() {
     before=$(sums out 2>/dev/null)
     choose KILL KILL KILL KILL TERM HUP INT "INT INT" "TERM INT"; signals=$chosen
     strike_at_random "$signals" "$took" "${again[@]}"
-    stopped_by "$signals" not_under_way
+    stopped_by "$signals"
     [[ ! -d out ]] || part_of_run out "$straight" "$ground/older"
     has_ended && break
-    if [[ $code == 130 && $signals != *" "* && $(status out) != interrupted ]] && ! untouched; then
+    # a signal may come before its handlers are there
+    if is_one_of "$signals" "TERM HUP INT" && ((code > 128)) && [[ $(status out) != interrupted ]] && ! untouched; then
       wrong "run.json says '$(status out)' after SIG$signals"
     fi
     # before its first checkpoint it is begun anew; before it has begun there is nothing to go on with

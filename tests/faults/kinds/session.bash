@@ -27,7 +27,7 @@ trial() {
   choose KILL KILL TERM INT HUP; local signals=$chosen
   input=$ground/script
   strike_at_random "$signals" "$took" "${session[@]}"
-  stopped_by "$signals" true
+  stopped_by "$signals"
   one_of state 'state-*'
   one_of now.png 'frame-*.png'
   [[ -e state ]] || return 0

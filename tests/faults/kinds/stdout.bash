@@ -3,8 +3,9 @@ harm="standard output is full, closed or read by nobody: exit code 4, never a cr
 works=(
   "list scenes" "list methods --json" "describe enog" "describe scene-file" "describe $scene" "completion bash" "--help"
   "run --help" "--version" "check $ground/out --verdict stable" "chart $ground/sweep --json" "chart $ground/sweep --markdown"
-  "choose $scene --error 1000 --from $ground/sweep" "diff $ground/out $ground/out" "critical-step $scene --method tl"
+  "choose $scene --set until=0.002 --error 1000 --from $ground/sweep" "diff $ground/out $ground/out" "critical-step $scene --method tl"
   "sweep $scene --grid speed=0.4,0.8 --until 0.002 --list --out $ground/sweep" "plot $ground/out --out plot.svg"
+  "map $ground/sweep --json" "diff $ground/out $ground/out --json" "check $ground/out --verdict stable --json --junit junit.xml"
   "run $scene --until 0.01 --quiet --save-particles --out out" "sweep $scene --grid speed=0.4,0.8 --until 0.002 --out sweep"
   "snapshot $scene --until 0.01 --baseline base --update --quiet --out x" "compare $ground/out --out panel.png"
   "render $ground/out --quiet --out drawn" "movie $ground/out --out movie.gif" "session $scene"
