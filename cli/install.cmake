@@ -16,15 +16,16 @@ foreach(room . engine render cli scenes scenes/gallery scenes/studies scenes/stu
   install(FILES ${texts} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${room})
 endforeach()
 
-# Completion scripts, and a manual page for each command where help2man is installed.
+# Completion scripts, JSON Schemas, and a manual page for each command where help2man is installed.
 set(words ${CMAKE_CURRENT_BINARY_DIR}/words)
 add_custom_command(OUTPUT ${words}/done
   COMMAND ${CMAKE_CURRENT_LIST_DIR}/words $<TARGET_FILE:taut> ${words}
   DEPENDS taut ${CMAKE_CURRENT_LIST_DIR}/words
-  COMMENT "Completion and manual pages")
+  COMMENT "Completion, JSON Schemas and manual pages")
 add_custom_target(taut_words ALL DEPENDS ${words}/done)
 install(FILES ${words}/taut.bash RENAME taut DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(FILES ${words}/taut.zsh RENAME _taut DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(FILES ${words}/scene.schema.json ${words}/sweep.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/taut/scenes)
 install(DIRECTORY ${words}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
 
 set(CPACK_GENERATOR DEB)

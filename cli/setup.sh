@@ -4,7 +4,8 @@ build_packages=(g++ cmake ninja-build pkg-config libeigen3-dev libosmesa6-dev li
                 libmuparser-dev libfmt-dev nlohmann-json3-dev libcairo2-dev libfreetype-dev fonts-dejavu-core zlib1g-dev
                 libedit-dev libchafa-dev libglib2.0-dev libpolyclipping-dev gnuplot-nox librsvg2-bin)
 # the last three: a second OpenGL context, whose pictures are compared
-test_packages=(doctest-dev help2man python3-junitparser dpkg-dev libegl-dev libopengl-dev libgl1-mesa-dri)
+test_packages=(doctest-dev help2man python3-junitparser python3-jsonschema dpkg-dev libegl-dev libopengl-dev
+               libgl1-mesa-dri)
 
 fail() { echo "$0: $*" >&2; exit 1; }
 

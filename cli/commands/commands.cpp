@@ -119,7 +119,8 @@ constexpr Command table[] = {
      "  taut describe enog                        its equations, constants with bounds, source\n"
      "  taut describe scene-file                  all sections and keys of a scene file\n"
      "  taut describe body                        a section of scene files, a shape, a probe or a measure\n"
-     "  taut describe sweep-file\n",
+     "  taut describe sweep-file\n"
+     "  taut describe scene-file --schema         a JSON Schema, with which editors complete scenes\n",
      declare_describe},
     {"completion", "print a script for bash or zsh that completes commands, options and names with Tab",
      "  source <(taut completion bash)            for this shell; for all shells, put it into ~/.bashrc\n"

@@ -6,6 +6,7 @@
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/language/reference.hpp"
+#include "cli/language/schema.hpp"
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/sections.hpp"
 #include "cli/scene/shipped.hpp"
@@ -258,6 +259,14 @@ bool is_scene(const std::string& name) {
   return false;
 }
 
+int print_schema(const std::string& name, std::ostream& out) {
+  const bool of_scenes = name == "scene-file";
+  if (!of_scenes && name != "sweep-file")
+    throw UsageError("--schema cannot describe '" + name + "'; it describes scene-file and sweep-file");
+  out << (of_scenes ? scene_schema() : sweep_schema()).dump(2) << '\n';
+  return exit_fine;
+}
+
 int describe(const std::string& name, bool json, std::ostream& out) {
   const MethodInfo* method = find_method(name);
   if (!method && !is_scene(name)) {
@@ -276,7 +285,7 @@ int describe(const std::string& name, bool json, std::ostream& out) {
 std::function<int(Streams)> declare_describe(Options& command) {
   struct DescribeArguments {
     std::string name;
-    bool json = false;
+    bool json = false, schema = false;
   };
   auto options = std::make_shared<DescribeArguments>();
   command
@@ -285,8 +294,16 @@ std::function<int(Streams)> declare_describe(Options& command) {
           "a name that `taut list` shows (also of a law, field, key, ...), a section of scene files, or the "
           "path of a scene file")
       .required();
-  command.add_flag("--json", options->json, "print JSON, for scripts; not for scenes and methods");
-  return [options](Streams streams) { return describe(options->name, options->json, streams.out); };
+  const Option json =
+      command.add_flag("--json", options->json, "print JSON, for scripts; not for scenes and methods");
+  command
+      .add_flag("--schema", options->schema,
+                "print the JSON Schema (draft-07) of scene-file or sweep-file, for editors")
+      .excludes(json);
+  return [options](Streams streams) {
+    if (options->schema) return print_schema(options->name, streams.out);
+    return describe(options->name, options->json, streams.out);
+  };
 }
 
 }  // namespace taut::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,6 +35,7 @@ struct DrawingKey {
     char between = ':';             // them, where they are typed
     std::string_view in_file = {};  // "[low, high]": what may stand there beside "auto"
     std::string typed = {};         // what is right, for who typed something else
+    double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   };
 
   std::string_view name;               // "range": the option is --range
@@ -43,7 +45,8 @@ struct DrawingKey {
   bool may_be_open = false;            // "auto" in a scene file
   bool of_runs = false;                // how many pictures a run makes, not how each looks
   Words words = {};
-  bool of_text = false;  // free; "none" for nothing
+  bool of_text = false;           // free; "none" for nothing
+  std::string_view pattern = {};  // of a text that is not free: a regular expression; `typed` explains it
   Numbers numbers = {};
   /// What is wrong with the value, in the words of a scene file; else nothing, and the drawing has it. A word
   /// is one of the names, or "auto" where that is allowed. Whether a text and a camera go with the scene

@@ -20,7 +20,7 @@ using Texts = std::vector<std::string>;
 std::string text(std::string_view view) { return std::string(view); }
 
 Texts key_row(const KeyInfo& key) {
-  return {text(key.name), text(key.value), text(key.by_default.empty() ? "needed" : key.by_default),
+  return {text(key.name), type_text(key.type), text(key.by_default.empty() ? "needed" : key.by_default),
           text(key.help)};
 }
 
@@ -45,12 +45,6 @@ std::string compared_with(const MeasureKind& kind) {
   if (kind.table) compared.emplace_back("table");
   if (kind.solution) compared.emplace_back("solution");
   return join_with_or(compared);
-}
-
-std::vector<KeyInfo> keys_of_measure(const MeasureKind& kind) {
-  std::vector<KeyInfo> keys;
-  for (const std::string_view key : kind.keys) keys.push_back(measure_key(key));
-  return keys;
 }
 
 Topic topic_of(const Section& section) {
@@ -225,7 +219,11 @@ const Texts scene_rules{
     "Limits: 20 million particles, 500 parameters, 20 000 letters in an expression, 100 letters in a name, "
     "200 bytes in a title or a help. The file cli/PROMISES.md of the sources lists all limits.",
     "`taut run my.toml` runs the scene, and `taut describe my.toml` prints the scene as it was read. `taut "
-    "describe NAME` explains one section, shape, probe or measure of this page."};
+    "describe NAME` explains one section, shape, probe or measure of this page.",
+    "`taut describe scene-file --schema > scene.schema.json` writes a JSON Schema. An editor that reads it, "
+    "such as "
+    "VS Code with Even Better TOML, completes and checks a scene whose first line is `#:schema "
+    "./scene.schema.json`."};
 
 const Texts sweep_rules{
     "A sweep is a TOML file that runs a scene with every combination of some values: `taut sweep "

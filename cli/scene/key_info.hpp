@@ -1,22 +1,147 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace taut::cli {
 
-/// A key of a scene or sweep file, as the reference of the language says it.
+/// Allowed range of a number.
+struct Bounds {
+  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+  bool open_low = false, open_high = false;  // the bound itself is excluded
+};
+constexpr Bounds above(double low) { return {.low = low, .open_low = true}; }
+constexpr Bounds at_least(double low) { return {.low = low}; }
+
+/// Type of a key's value; the reference (`type_text`) and the JSON Schema are generated from it.
+struct KeyType {
+  enum class Kind : std::uint8_t {
+    number,  // or an expression in quotes
+    whole,   // the same, for whole numbers
+    flag,
+    text,
+    word,    // one of `words`, or of `names()`
+    vector,  // `size` numbers
+    table,   // a table with the keys of `section`
+  };
+  enum class Form : std::uint8_t { one, list, one_or_list };
+  static constexpr std::size_t any_size = static_cast<std::size_t>(-1);
+
+  Kind kind = Kind::text;
+  std::string_view shown = {};  // in the reference: "METHOD"; empty for the usual text of the kind
+  std::string_view unit = {};
+  Bounds bounds = {};                             // of numbers
+  std::array<std::string_view, 8> words = {};     // the unused ones are empty
+  std::vector<std::string> (*names)() = nullptr;  // words that another table lists
+  std::string_view section = {};                  // of a table; a number with a section can also be a table
+  std::string_view pattern = {};                  // of a text: a regular expression
+  std::size_t longest = any_size;                 // of a text
+  std::size_t size = 0;                           // of a vector; 0: one component per axis
+  std::string_view other = {};                    // also allowed: "auto"; "=EXPRESSION" for any text with =
+  Form form = Form::one;
+  std::size_t depth = 1;                   // of nested arrays, if the form is a list
+  std::size_t least = 0, most = any_size;  // items of the innermost array
+  std::string_view by = {};                // a table with one such value per name: "MEASURE"
+  std::string_view name_pattern = {};      // of these names
+
+  constexpr KeyType or_other(std::string_view word) const {
+    KeyType type = *this;
+    type.other = word;
+    return type;
+  }
+  constexpr KeyType list(std::size_t least_items = 0, std::size_t most_items = any_size) const {
+    KeyType type = *this;
+    type.form = Form::list, type.least = least_items, type.most = most_items;
+    return type;
+  }
+  constexpr KeyType or_list(std::size_t least_items = 0, std::size_t most_items = any_size) const {
+    KeyType type = list(least_items, most_items);
+    type.form = Form::one_or_list;
+    return type;
+  }
+  /// Arrays of such arrays.
+  constexpr KeyType nested() const {
+    KeyType type = *this;
+    ++type.depth;
+    return type;
+  }
+  constexpr KeyType by_name(std::string_view kind_of_name, std::string_view pattern_of_name = {}) const {
+    KeyType type = *this;
+    type.by = kind_of_name, type.name_pattern = pattern_of_name;
+    return type;
+  }
+};
+
+/// "number > 0, m", "spaced or lattice", "[[x, y], ...], m".
+std::string type_text(const KeyType& type);
+/// The words that a type of words allows.
+std::vector<std::string> words_of(const KeyType& type);
+
+namespace types {
+
+constexpr KeyType number(std::string_view unit = {}, Bounds bounds = {}) {
+  return {.kind = KeyType::Kind::number, .unit = unit, .bounds = bounds};
+}
+/// "expression of t", or another number that the reference shows by this name.
+constexpr KeyType expression(std::string_view shown) {
+  return {.kind = KeyType::Kind::number, .shown = shown};
+}
+constexpr KeyType whole(double low, double high) {
+  return {.kind = KeyType::Kind::whole, .bounds = {.low = low, .high = high}};
+}
+constexpr KeyType flag() { return {.kind = KeyType::Kind::flag}; }
+constexpr KeyType text(std::string_view shown = "text") { return {.shown = shown}; }
+/// A text that pictures and tables show (TomlCursor::line).
+constexpr KeyType line(std::string_view pattern = "^[^\\u0000-\\u001f\\u007f]*$") {
+  return {.shown = "text", .pattern = pattern, .longest = 200};
+}
+/// The name of a body, a probe, ...
+constexpr KeyType label() {
+  return {.shown = "letters, digits, _ and -", .pattern = "^[A-Za-z0-9_-]+$", .longest = 100};
+}
+template <class... Words>
+constexpr KeyType word(Words... words) {
+  return {.kind = KeyType::Kind::word, .words = {words...}};
+}
+constexpr KeyType one_of(std::string_view shown, std::vector<std::string> (*names)()) {
+  return {.kind = KeyType::Kind::word, .shown = shown, .names = names};
+}
+constexpr KeyType vector(std::string_view shown = "[x, y]", std::string_view unit = {}, Bounds bounds = {}) {
+  return {.kind = KeyType::Kind::vector, .shown = shown, .unit = unit, .bounds = bounds};
+}
+constexpr KeyType vector_of(std::size_t size, std::string_view shown, std::string_view unit = {},
+                            Bounds bounds = {}) {
+  return {.kind = KeyType::Kind::vector, .shown = shown, .unit = unit, .bounds = bounds, .size = size};
+}
+/// A number, or a table with the keys of `section`.
+constexpr KeyType number_or_table(std::string_view shown, std::string_view section) {
+  return {.kind = KeyType::Kind::number, .shown = shown, .section = section};
+}
+/// A section, which the reference shows as "[[body]]", "{ file, column }", ...
+constexpr KeyType table(std::string_view section, std::string_view shown) {
+  return {.kind = KeyType::Kind::table, .shown = shown, .section = section};
+}
+
+}  // namespace types
+
+/// A key of a scene or sweep file.
 struct KeyInfo {
-  std::string_view name;        // or `any_name`
-  std::string_view value;       // what it takes, with its unit: "[x, y], m"
-  std::string_view by_default;  // empty: the key is needed
+  std::string_view name;  // or `any_name`
+  KeyType type;
+  std::string_view by_default;  // empty: the key is needed; "or X": the key X, or its like, can stand instead
   std::string_view help;
 };
 
 /// The name of a key that whoever writes the file chooses.
 inline constexpr std::string_view any_name = "NAME";
 /// Of a table whose keys are all such.
-inline constexpr KeyInfo named_by_user[] = {{any_name, "", "", ""}};
+inline constexpr KeyInfo named_by_user[] = {{any_name, {}, "", ""}};
 
 /// A table of a scene or sweep file: what `taut describe` says of it, and the keys that its reader may ask
 /// for.
@@ -31,7 +156,9 @@ struct Section {
 std::span<const Section> scene_sections();
 /// Those of a sweep file.
 std::span<const Section> sweep_sections();
-/// The keys of one of either.
+/// One of either.
+const Section& find_section(std::string_view name);
+/// Its keys.
 std::span<const KeyInfo> keys_of(std::string_view section);
 
 }  // namespace taut::cli

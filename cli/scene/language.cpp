@@ -6,7 +6,10 @@
 
 #include "cli/drawing/keys.hpp"
 #include "cli/scene/key_info.hpp"
+#include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
+#include "engine/diagnostics/fields.hpp"
+#include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/families/catalogue.hpp"
 #include "engine/settings.hpp"
 
@@ -15,224 +18,255 @@
 namespace taut::cli {
 namespace {
 
+std::vector<std::string> names_of_reference_laws() {
+  std::vector<std::string> names{law_name(in_plane_law), std::string(in_plane_law)};
+  for (const LawRow& law : laws())
+    if (!law.choice.empty())
+      names.insert(names.end(), {law_name(law.material_law), std::string(law.material_law)});
+  return names;
+}
+
+constexpr std::string_view identifier = "^[A-Za-z_][A-Za-z0-9_]*$";
+constexpr KeyType method_name = types::one_of("METHOD", [] { return texts_to_set("method"); });
+constexpr KeyType rotation = types::number_or_table("degrees or { angle, about, axis }", "rotate");
+constexpr KeyType of_place = types::expression("expression of the place");
+
 constexpr KeyInfo top_keys[] = {
-    {"name", "text", "the file's name", "name of the run folder"},
-    {"title", "text", "the name", "title in pictures and lists"},
-    {"source", "text", "none", "origin of the scene, such as a paper"},
-    {"dim", "2 or 3", "2", "number of dimensions; 2 is plane strain"},
-    {"spacing", "number, m", "",
+    {"name", types::line("^[^/\\u0000-\\u001f\\u007f]*$"), "the file's name",
+     "name of the run folder, without /"},
+    {"title", types::line(), "the name", "title in pictures and lists"},
+    {"source", types::line(), "none", "origin of the scene, such as a paper"},
+    {"dim", types::whole(2, 3), "2", "number of dimensions; 2 is plane strain"},
+    {"spacing", types::number("m", above(0)), "",
      "particle spacing dp; changed to the nearest value that divides the thinnest side of the first shape "
      "into whole particles"},
-    {"jitter", "number, dp", "0",
-     "largest random shift of a particle to either side along each axis, in spacings; from 0 to below 0.5. "
+    {"jitter", types::number("dp", {0, 0.5, false, true}), "0",
+     "largest random shift of a particle to either side along each axis, in spacings. "
      "Volumes do not change. Particles are not shifted along held and driven axes, nor across a face with "
      "on_boundary"},
-    {"jitter_seed", "whole number", "1",
-     "seed of the random shifts, from 1 to 1e9; bodies of the same shape get the same shifts"},
-    {"until", "number, s", "", "end time of the run"},
-    {"history", "number, s", "until/1000", "interval between rows of history.csv"},
-    {"method", "METHOD", default_method, "simulation method: `taut list methods`"},
-    {"method_constants", "{ NAME = number }", "the method's",
+    {"jitter_seed", types::whole(1, 1e9), "1",
+     "seed of the random shifts; bodies of the same shape get the same shifts"},
+    {"until", types::number("s", above(0)), "", "end time of the run"},
+    {"history", types::number("s", above(0)), "until/1000", "interval between rows of history.csv"},
+    {"method", method_name, default_method, "simulation method: `taut list methods`"},
+    {"method_constants", types::number().by_name("NAME"), "the method's",
      "constants of the method: `taut describe METHOD`"},
-    {"law", "LAW", "the method's", "law of elasticity; the method must support it: `taut list laws`"},
-    {"contact", "CONTACT", "published", "contact law between bodies: `taut list contacts`"},
-    {"stepping", "dual or single", "dual",
+    {"law", types::one_of("LAW", [] { return texts_to_set("law"); }), "the method's",
+     "law of elasticity; the method must support it: `taut list laws`"},
+    {"contact", types::one_of("CONTACT", [] { return texts_to_set("contact"); }), "published",
+     "contact law between bodies: `taut list contacts`"},
+    {"stepping", types::word("dual", "single"), "dual",
      "dual: recomputes the geometry of pairs at advection steps only; single: at every step. Only the "
      "methods of [Zhang2024] use it"},
-    {"cfl", "number", "the method's", "factor of the time step (CFL number), 1e-6 or more"},
-    {"gravity", "[x, y] of t, m/s²", "none", "gravitational acceleration"},
-    {"damping", "number, 1/s", "0",
-     "coefficient c of a viscous force −c m v, 0 or more, for scenes that come to rest"},
-    {"parameters", "[parameters]", "none", "values that --set and sweeps can change"},
-    {"material", "[material.NAME]", "", "materials of the bodies"},
-    {"body", "[[body]]", "", "elastic bodies, at least one"},
-    {"wall", "[[wall]]", "none", "rigid half-spaces"},
-    {"probe", "[[probe]]", "none", "quantities recorded at every step"},
-    {"line", "[[line]]", "none", "fields sampled along lines at given times"},
-    {"measure", "[[measure]]", "none", "result numbers, computed from probes, lines and bodies"},
-    {"reference", "[[reference]]", "none", "independent solutions for the measures"},
-    {"render", "[render]", "all defaults", "settings of the pictures"},
+    {"cfl", types::number("", at_least(1e-6)), "the method's", "factor of the time step (CFL number)"},
+    {"gravity", types::vector("[x, y] of t", "m/s²"), "none", "gravitational acceleration"},
+    {"damping", types::number("1/s", at_least(0)), "0",
+     "coefficient c of a viscous force −c m v, for scenes that come to rest"},
+    {"parameters", types::table("parameters", "[parameters]").by_name("NAME", identifier), "none",
+     "values that --set and sweeps can change"},
+    {"material", types::table("material", "[material.NAME]").by_name("NAME"), "", "materials of the bodies"},
+    {"body", types::table("body", "[[body]]").list(1), "", "elastic bodies, at least one"},
+    {"wall", types::table("wall", "[[wall]]").list(), "none", "rigid half-spaces"},
+    {"probe", types::table("probe", "[[probe]]").list(), "none", "quantities recorded at every step"},
+    {"line", types::table("line", "[[line]]").list(), "none", "fields sampled along lines at given times"},
+    {"measure", types::table("measure", "[[measure]]").list(), "none",
+     "result numbers, computed from probes, lines and bodies"},
+    {"reference", types::table("reference", "[[reference]]").list(), "none",
+     "independent solutions for the measures"},
+    {"render", types::table("render", "[render]"), "all defaults", "settings of the pictures"},
 };
 
 constexpr KeyInfo parameter_keys[] = {
-    {"value", "number", "", "value; an expression may use dp and the parameters above it"},
-    {"unit", "text", "none", "only shown; values are not converted"},
-    {"min", "number", "none", "smallest allowed value"},
-    {"max", "number", "none", "largest allowed value"},
-    {"help", "text", "none", "description of the parameter"},
-    {"default", "number", "the value",
+    {"value", types::number(), "", "value; an expression may use dp and the parameters above it"},
+    {"unit", types::line(), "none", "only shown; values are not converted"},
+    {"min", types::number(), "none", "smallest allowed value"},
+    {"max", types::number(), "none", "largest allowed value"},
+    {"help", types::line(), "none", "description of the parameter"},
+    {"default", types::number(), "the value",
      "value before --set; taut writes this key into the scene.toml of a run"},
 };
 
 constexpr KeyInfo material_keys[] = {
-    {"density", "number, kg/m³", "", "initial density ρ, above 0"},
-    {"youngs_modulus", "number, Pa", "", "Young's modulus E, above 0"},
-    {"poisson_ratio", "number", "", "Poisson's ratio ν, above −1 and below 0.5"},
-    {"bulk_modulus", "number, Pa", "E/(3*(1 - 2*nu))",
-     "bulk modulus K, above 0; the default follows from E and ν"},
+    {"density", types::number("kg/m³", above(0)), "", "initial density ρ"},
+    {"youngs_modulus", types::number("Pa", above(0)), "", "Young's modulus E"},
+    {"poisson_ratio", types::number("", {-1, 0.5, true, true}), "", "Poisson's ratio ν"},
+    {"bulk_modulus", types::number("Pa", above(0)), "E/(3*(1 - 2*nu))",
+     "bulk modulus K; the default follows from E and ν"},
 };
 
 constexpr KeyInfo body_keys[] = {
-    {"name", "letters, digits, _ and -", "", "name of the body"},
-    {"material", "name of a material", "", "material of all particles outside the regions of `parts`"},
-    {"shape", "SHAPE or an array of them", "",
+    {"name", types::label(), "", "name of the body"},
+    {"material", types::text("name of a material"), "",
+     "material of all particles outside the regions of `parts`"},
+    {"shape", types::table("shape", "SHAPE").or_list(1), "",
      "shape of the body; an array is the union of its shapes, filled with one lattice"},
-    {"without", "SHAPE or an array of them", "none", "shapes that are cut out of the body"},
-    {"on_boundary", "true or false", "false",
+    {"without", types::table("shape", "SHAPE").or_list(1), "none", "shapes that are cut out of the body"},
+    {"on_boundary", types::flag(), "false",
      "true: particles lie on the faces of a single rectangle or box, one more along each side than there are "
      "cells. A particle on one, two or three faces has about 1/2, 1/4 or 1/8 of a cell. false: particles lie "
      "at the centres of cells"},
-    {"lattice", "square or hexagonal", "square",
+    {"lattice", types::word("square", "hexagonal"), "square",
      "lattice that shapes are cut from. hexagonal (2D only): rows along the longer side of the first shape, "
      "with particles 1.075 dp apart. Each particle has the area dp² on both lattices"},
-    {"rotate", "degrees or { angle, about, axis }", "none",
+    {"rotate", rotation, "none",
      "rotation of the layout. Expressions of the place, such as `held`, use the rotated positions. A single "
      "number is allowed in 2D only"},
-    {"velocity", "[x, y] of the place, m/s", "0", "initial velocity"},
-    {"held", "expression of the place", "none",
+    {"velocity", types::vector("[x, y] of the place", "m/s"), "0", "initial velocity"},
+    {"held", of_place.or_list(2, 3), "none",
      "particles where the expression is not 0 are clamped. An array, [\"x < dp\", \"\"], clamps single "
      "components of the velocity; an empty text leaves its component free. A body can turn about a single "
      "clamped particle, in 3D about a clamped row"},
-    {"displacement", "[x, y] of the place, m", "0",
+    {"displacement", types::vector("[x, y] of the place", "m"), "0",
      "displacement at the start from the stress-free layout; only for methods that use initial neighbours"},
-    {"mirror", "axis or an array of them", "none",
+    {"mirror", types::word("x", "y", "z").or_list(), "none",
      "axis, \"x\", \"y\" or \"z\", along which the layout is reflected; two bodies can then be exact mirror "
      "images"},
-    {"parts", "[{ material, where }]", "none", "regions of another material"},
-    {"driven", "[{ where, velocity, until }]", "none",
+    {"parts", types::table("parts", "[{ material, where }]").list(), "none", "regions of another material"},
+    {"driven", types::table("driven", "[{ where, velocity, until }]").list(), "none",
      "regions with a prescribed motion along all axes; overrides `held` along single axes"},
-    {"loaded", "[{ where, force, ramp }]", "none",
+    {"loaded", types::table("loaded", "[{ where, force, ramp }]").list(), "none",
      "loads on regions. A load moves with its particles and keeps its direction, so a compressed body may "
      "tip over"},
 };
 
 constexpr KeyInfo rotate_keys[] = {
-    {"axis", "[x, y, z]", "needed in 3D", "direction of the axis, by the right-hand rule; not allowed in 2D"},
-    {"angle", "number, degrees", "", "angle of rotation; counter-clockwise in 2D"},
-    {"about", "[x, y], m", "the centre of the first shape", "point on the axis"},
+    {"axis", types::vector_of(3, "[x, y, z]"), "needed in 3D",
+     "direction of the axis, by the right-hand rule; not allowed in 2D"},
+    {"angle", types::number("degrees"), "", "angle of rotation; counter-clockwise in 2D"},
+    {"about", types::vector("[x, y]", "m"), "the centre of the first shape", "point on the axis"},
 };
 
 constexpr KeyInfo part_keys[] = {
-    {"material", "name of a material", "", "material of the region"},
-    {"where", "expression of the place", "", "region: the particles where the expression is not 0"},
+    {"material", types::text("name of a material"), "", "material of the region"},
+    {"where", of_place, "", "region: the particles where the expression is not 0"},
 };
 
 constexpr KeyInfo driven_keys[] = {
-    {"where", "expression of the place", "", "region: the particles where the expression is not 0"},
-    {"velocity", "[x, y] of t, m/s", "", "prescribed velocity of the particles"},
-    {"until", "number, s", "never",
+    {"where", of_place, "", "region: the particles where the expression is not 0"},
+    {"velocity", types::vector("[x, y] of t", "m/s"), "", "prescribed velocity of the particles"},
+    {"until", types::number("s", above(0)), "never",
      "end of the prescribed motion, after which the particles are free. It has no effect at or after the end "
      "of the run"},
 };
 
 constexpr KeyInfo loaded_keys[] = {
-    {"where", "expression of the place", "", "region: the particles where the expression is not 0"},
-    {"force", "[x, y] of the place, N", "or another load",
+    {"where", of_place, "", "region: the particles where the expression is not 0"},
+    {"force", types::vector("[x, y] of the place", "N"), "or force_density or traction",
      "force, spread by volume over the region without particles that are clamped or driven to the end of the "
      "run; in 2D per metre of depth"},
-    {"force_density", "[x, y] of the place, N/m³", "or another load", "force per initial volume"},
-    {"traction", "[x, y] of the place, Pa", "or another load",
+    {"force_density", types::vector("[x, y] of the place", "N/m³"), "or force or traction",
+     "force per initial volume"},
+    {"traction", types::vector("[x, y] of the place", "Pa"), "or force or force_density",
      "force per area on the outer face of a layer one spacing deep; each face needs its own entry. It acts "
      "on the particles of the layer in methods that search neighbours, in tl-small-strain, and on curved "
      "faces cut from a lattice. On a hexagonal lattice the force is up to 7.5 % off"},
-    {"ramp", "expression of t", "1", "factor of the load over time"},
+    {"ramp", types::expression("expression of t"), "1", "factor of the load over time"},
 };
 
 constexpr KeyInfo shape_keys[] = {
-    {"type", "SHAPE", "", "type of the shape: `taut list shapes`; it determines the other keys"},
-    {"rotate", "degrees or { angle, about, axis }", "none",
+    {"type", types::one_of("SHAPE", [] { return names_of(shape_kinds()); }), "",
+     "type of the shape: `taut list shapes`; it determines the other keys"},
+    {"rotate", rotation, "none",
      "rotation, by default about the centre of the shape. The lattice of a body rotates with its first "
      "shape. A single number is allowed in 2D only"},
 };
 
 constexpr KeyInfo wall_keys[] = {
-    {"name", "letters, digits, _ and -", "", "name of the wall"},
-    {"at", "[x, y], m", "", "point on the face of the wall"},
-    {"normal", "[x, y]", "", "direction from the wall to the bodies, of any length above 0"},
+    {"name", types::label(), "", "name of the wall"},
+    {"at", types::vector("[x, y]", "m"), "", "point on the face of the wall"},
+    {"normal", types::vector(), "", "direction from the wall to the bodies, of any length above 0"},
 };
 
 constexpr KeyInfo probe_keys[] = {
-    {"name", "letters, digits, _ and -", "", "name of the column in history.csv"},
-    {"of", "PROBE", "", "kind of probe: `taut list probes`; it determines the other keys"},
+    {"name", types::label(), "", "name of the column in history.csv"},
+    {"of", types::one_of("PROBE", [] { return names_of(probe_kinds()); }), "",
+     "kind of probe: `taut list probes`; it determines the other keys"},
 };
 
 constexpr KeyInfo line_keys[] = {
-    {"name", "letters, digits, _ and -", "", "name in lines.csv"},
-    {"body", "name of a body", "", "body in which the field is sampled"},
-    {"field", "FIELD", "", "field to sample: `taut list fields`"},
-    {"from", "[x, y], m", "", "first point, in the initial configuration"},
-    {"to", "[x, y], m", "", "last point, in the initial configuration"},
-    {"points", "whole number", "", "number of evenly spaced points, from 2 to 100000"},
-    {"times", "[number, ...], s", "", "sampling times, in increasing order"},
-    {"frame", "body or space", "body",
+    {"name", types::label(), "", "name in lines.csv"},
+    {"body", types::text("name of a body"), "", "body in which the field is sampled"},
+    {"field", types::one_of("FIELD", names_of_fields), "", "field to sample: `taut list fields`"},
+    {"from", types::vector("[x, y]", "m"), "", "first point, in the initial configuration"},
+    {"to", types::vector("[x, y]", "m"), "", "last point, in the initial configuration"},
+    {"points", types::whole(2, 100000), "", "number of evenly spaced points"},
+    {"times", types::number("s", at_least(0)).list(1), "", "sampling times, in increasing order"},
+    {"frame", types::word("body", "space"), "body",
      "body: material points; space: fixed points, through which the body moves"},
 };
 
 constexpr KeyInfo measure_keys[] = {
-    {"name", "letters, digits, _ and -", "", "name of the key in run.json"},
-    {"of", "MEASURE", "", "kind of measure: `taut list measures`; it determines the other keys"},
-    {"unit", "text", "none", "only shown; values are not converted"},
+    {"name", types::label(), "", "name of the key in run.json"},
+    {"of", types::one_of("MEASURE", [] { return names_of(measure_kinds()); }), "",
+     "kind of measure: `taut list measures`; it determines the other keys"},
+    {"unit", types::line(), "none", "only shown; values are not converted"},
 };
 
 constexpr KeyInfo reference_keys[] = {
-    {"law", "LAW", "", "law of elasticity for which the reference is valid: `taut list laws`"},
-    {"name", "text", "", "description of the reference"},
-    {"when", "{ PARAMETER = number }", "the scene's own values",
+    {"law", types::one_of("LAW", names_of_reference_laws), "",
+     "law of elasticity for which the reference is valid: `taut list laws`"},
+    {"name", types::line(), "", "description of the reference"},
+    {"when", types::number().by_name("PARAMETER"), "the scene's own values",
      "parameter values for which the reference is valid"},
-    {"methods", "[METHOD, ...]", "all", "methods for which the reference is valid"},
-    {"values", "{ MEASURE = number }", "none", "reference values of measures"},
-    {"tables", "{ MEASURE = { file, column } }", "none", "reference series of measures, from CSV files"},
-    {"solutions", "{ MEASURE = expression of t }", "none",
+    {"methods", method_name.list(), "all", "methods for which the reference is valid"},
+    {"values", types::number().by_name("MEASURE"), "none", "reference values of measures"},
+    {"tables", types::table("tables", "{ file, column }").by_name("MEASURE"), "none",
+     "reference series of measures, from CSV files"},
+    {"solutions", types::expression("expression of t").or_list(1).by_name("MEASURE"), "none",
      "exact solutions of measures. Solutions of lines and fields may also use the place. Measures of several "
      "probes or fields take an array. A solution is valid for all values of the parameters that `when` does "
      "not name"},
-    {"let", "{ NAME = number }", "none", "names for use in the solutions; each may use the names above it"},
+    {"let", types::number().by_name("NAME"), "none",
+     "names for use in the solutions; each may use the names above it"},
 };
 
 constexpr KeyInfo table_keys[] = {
-    {"file", "path", "",
+    {"file", types::text("path"), "",
      "path of a CSV file, relative to the scene's folder; lines that start with # are comments"},
-    {"column", "text", "for one probe or line",
+    {"column", types::text(), "for one probe or line",
      "name of the column with the values. The table also needs a column t, the time in s; for a line a "
      "column s, the distance from its first point in m"},
-    {"columns", "[text, ...]", "for several probes", "one column name for each probe"},
+    {"columns", types::text().list(1), "for several probes", "one column name for each probe"},
 };
 
 constexpr KeyInfo sweep_keys[] = {
-    {"title", "text", "the file's name", "title of the study"},
-    {"scene", "SCENE", "", "name of a scene (`taut list scenes`), or a path relative to this file"},
-    {"set", "{ NAME = value }", "none", "settings of every run, as with --set"},
-    {"grid", "[grid]", "or [[row]]", "every combination of values"},
-    {"row", "[[row]]", "or [grid]", "settings of single runs"},
-    {"chart", "[chart]", "none", "picture of error against cost"},
-    {"map", "[map]", "none", "picture of the verdicts"},
-    {"history", "[history]", "none", "picture of the histories"},
+    {"title", types::line(), "the file's name", "title of the study"},
+    {"scene", types::text("SCENE"), "",
+     "name of a scene (`taut list scenes`), or a path relative to this file"},
+    {"set", types::table("set", "{ NAME = value }"), "none", "settings of every run, as with --set"},
+    {"grid", types::table("grid", "[grid]"), "or row", "every combination of values"},
+    {"row", types::table("row", "[[row]]").list(), "or grid", "settings of single runs"},
+    {"chart", types::table("chart", "[chart]"), "none", "picture of error against cost"},
+    {"map", types::table("map", "[map]"), "none", "picture of the verdicts"},
+    {"history", types::table("history", "[history]"), "none", "picture of the histories"},
 };
 
 constexpr KeyInfo grid_keys[] = {
-    {any_name, "values", "",
+    {any_name, types::expression("value").or_list(1), "",
      "values of a name that --set accepts: \"low:high:step\" with both ends, \"a, b\", or [a, b]. A name "
      "\"method.CONSTANT\" needs quotes"},
 };
 
 constexpr KeyInfo setting_keys[] = {
-    {any_name, "value", "", "value of a name that --set accepts. A name \"method.CONSTANT\" needs quotes"},
+    {any_name, types::expression("value"), "none",
+     "value of a name that --set accepts. A name \"method.CONSTANT\" needs quotes"},
 };
 
 constexpr KeyInfo chart_keys[] = {
-    {"measure", "MEASURE or an array of them", "shared by most runs",
+    {"measure", types::text("MEASURE").or_list(1), "shared by most runs",
      "measure whose error is drawn into chart-MEASURE.png; without this key the picture is chart.png"},
-    {"cost", "seconds or steps", "seconds", "axis of the cost: seconds of solving, or particles × steps"},
-    {"methods", "METHOD or an array of them", "all", "methods to draw"},
-    {"against", "METHOD", "the references", "method whose finest run replaces the references"},
+    {"cost", types::word("seconds", "steps"), "seconds",
+     "axis of the cost: seconds of solving, or particles × steps"},
+    {"methods", method_name.or_list(1), "all", "methods to draw"},
+    {"against", method_name, "the references", "method whose finest run replaces the references"},
 };
 
 constexpr KeyInfo map_keys[] = {
-    {"parameter", "NAME", "the swept parameter", "parameter of the x axis"},
+    {"parameter", types::text("NAME"), "the swept parameter", "parameter of the x axis"},
 };
 
 constexpr KeyInfo history_keys[] = {
-    {any_name, "text", "", "label of the axis of a column of history.csv: tip = \"tip, m\""},
+    {any_name, types::text(), "", "label of the axis of a column of history.csv: tip = \"tip, m\""},
 };
 
 /// Of the numbers of a law those that are keys of a material too.
@@ -242,7 +276,8 @@ std::vector<KeyInfo> all_material_keys() {
   texts.reserve(2 * laws().size());
   for (const LawRow& law : laws())
     for (const LawParameter& parameter : law.parameters)
-      keys.push_back({parameter.key, "number", texts.emplace_back(exact(parameter.value)), parameter.help});
+      keys.push_back({parameter.key, types::number("", {parameter.low, parameter.high}),
+                      texts.emplace_back(exact(parameter.value)), parameter.help});
   return keys;
 }
 
@@ -254,16 +289,28 @@ std::string default_text(const DrawingKey& key) {
   return numbers.size() == 1 ? numbers.front() : "[" + join(numbers) + "]";
 }
 
+KeyType type_of(const DrawingKey& key) {
+  constexpr std::size_t most_shown = 4;
+  const DrawingKey::Numbers& numbers = key.numbers;
+  const Bounds bounds{numbers.low, numbers.high};
+  KeyType type = types::vector_of(numbers.count, numbers.in_file, "", bounds);
+  if (numbers.count == 1)
+    type = numbers.whole ? types::whole(bounds.low, bounds.high) : types::number("", bounds);
+  if (key.of_text) type = types::text(key.placeholder.substr(0, key.placeholder.find('|')));
+  if (!key.pattern.empty()) type = {.shown = numbers.typed, .pattern = key.pattern};
+  if (key.takes_words())
+    type = types::one_of(key.words.names().size() > most_shown ? key.words.kind : "", key.words.names);
+  if (key.words.or_formula) return type.or_other("=EXPRESSION");
+  return key.may_be_open ? type.or_other(automatic) : type;
+}
+
 /// From the table of drawing keys.
 std::vector<KeyInfo> all_render_keys() {
   std::vector<KeyInfo> keys;
   static std::vector<std::string> defaults;
   defaults.reserve(drawing_keys().size());
   for (const DrawingKey& key : drawing_keys()) {
-    std::string_view value = key.words.kind;
-    if (key.of_text) value = key.placeholder.substr(0, key.placeholder.find('|'));
-    if (value.empty()) value = key.numbers.in_file;
-    keys.push_back({key.name, value, defaults.emplace_back(default_text(key)), key.help});
+    keys.push_back({key.name, type_of(key), defaults.emplace_back(default_text(key)), key.help});
   }
   return keys;
 }
@@ -313,11 +360,13 @@ std::span<const Section> sweep_sections() {
   return sections;
 }
 
-std::span<const KeyInfo> keys_of(std::string_view name) {
+const Section& find_section(std::string_view name) {
   for (const auto& sections : {scene_sections(), sweep_sections()})
     for (const Section& section : sections)
-      if (section.name == name) return section.keys;
+      if (section.name == name) return section;
   throw std::logic_error("there is no section '" + std::string(name) + "' of scene and sweep files");
 }
+
+std::span<const KeyInfo> keys_of(std::string_view section) { return find_section(section).keys; }
 
 }  // namespace taut::cli

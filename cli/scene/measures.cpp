@@ -138,41 +138,44 @@ struct MeasureKey : KeyInfo {
 };
 /// What a measure is made from: these say which material its numbers know.
 constexpr std::array objects = {
-    MeasureKey{{"probe", "name of a probe", "", "probe that gives the series"}, read_probe_of},
-    MeasureKey{
-        {"probes", "[PROBE, PROBE]", "", "probes of the components of one point: x and y, in 3D also z"},
-        read_probes_of},
-    MeasureKey{{"line", "name of a line", "", "line with the field"}, read_line_of},
-    MeasureKey{{"body", "name of a body", "", "body that is measured"}, read_body_of},
-    MeasureKey{{"fields", "[FIELD, ...]", "", "fields to compare: the components of one vector"},
+    MeasureKey{{"probe", types::text("name of a probe"), "", "probe that gives the series"}, read_probe_of},
+    MeasureKey{{"probes", types::text("PROBE").list(2, 3), "",
+                "probes of the components of one point: x and y, in 3D also z"},
+               read_probes_of},
+    MeasureKey{{"line", types::text("name of a line"), "", "line with the field"}, read_line_of},
+    MeasureKey{{"body", types::text("name of a body"), "", "body that is measured"}, read_body_of},
+    MeasureKey{{"fields", types::one_of("FIELD", names_of_fields).list(1, 3), "",
+                "fields to compare: the components of one vector"},
                read_fields_of},
-    MeasureKey{{"rigid_motion", "counts or free", "counts",
+    MeasureKey{{"rigid_motion", types::word("counts", "free"), "counts",
                 "free: subtracts the nearest small rigid motion from the error, for displacements of a body "
                 "whose loads do not fix it; counts: includes it"},
                read_rigid_motion},
 };
 constexpr std::array numbers = {
-    MeasureKey{{"axis", "[x, y, z]", "[0, 0, 1]", "axis of rotation through the origin; only in 3D"},
+    MeasureKey{{"axis", types::vector_of(3, "[x, y, z]"), "[0, 0, 1]",
+                "axis of rotation through the origin; only in 3D"},
                read_axis},
-    MeasureKey{{"threshold", "number", "0", "threshold, in the unit of the series"}, read_threshold},
-    MeasureKey{{"scale", "number", "1",
+    MeasureKey{{"threshold", types::number(), "0", "threshold, in the unit of the series"}, read_threshold},
+    MeasureKey{{"scale", types::number(), "1",
                 "divisor of the result, not 0. With the range of the reference, rmse is a relative error "
                 "with unit \"1\""},
                read_scale},
-    MeasureKey{
-        {"band", "[low, high], Hz", "", "range in which the frequency is searched, the lower end first"},
-        read_band},
-    MeasureKey{{"from", "number, s", "0", "start of the evaluated part of the series, 0 or more"}, read_from},
-    MeasureKey{
-        {"until", "number, s", "the end of the run", "end of the evaluated part of the series, after `from`"},
-        read_until},
-    MeasureKey{{"about", "number, or mean", "0",
+    MeasureKey{{"band", types::vector_of(2, "[low, high]", "Hz", at_least(0)), "",
+                "range in which the frequency is searched, the lower end first"},
+               read_band},
+    MeasureKey{{"from", types::number("s", at_least(0)), "0", "start of the evaluated part of the series"},
+               read_from},
+    MeasureKey{{"until", types::number("s", above(0)), "the end of the run",
+                "end of the evaluated part of the series, after `from`"},
+               read_until},
+    MeasureKey{{"about", types::number().or_other("mean"), "0",
                 "level of the oscillation, in the unit of the series; mean: the mean over whole periods"},
                read_about},
-    MeasureKey{{"time", "number, s", "", "time of the value, 0 or more"}, read_time},
-    MeasureKey{
-        {"free", "name of a probe", "none", "probe that is above the threshold when the bodies are apart"},
-        read_free},
+    MeasureKey{{"time", types::number("s", at_least(0)), "", "time of the value"}, read_time},
+    MeasureKey{{"free", types::text("name of a probe"), "none",
+                "probe that is above the threshold when the bodies are apart"},
+               read_free},
 };
 
 void read_keys(std::span<const MeasureKey> keys, const MeasureKind& kind, TomlCursor& cursor,
@@ -192,12 +195,21 @@ const Body& measured_body(const Measure& measure, const Scene& scene) {
   return scene.bodies[static_cast<std::size_t>(body)];
 }
 
+/// A key that kinds of measures take.
+const KeyInfo& measure_key(std::string_view name) {
+  const auto* key = std::ranges::find(objects, name, &MeasureKey::name);
+  if (key != objects.end()) return *key;
+  key = std::ranges::find(numbers, name, &MeasureKey::name);
+  if (key == numbers.end()) throw std::logic_error("no measure takes the key '" + std::string(name) + "'");
+  return *key;
+}
+
 Measure read_measure(TomlCursor& cursor, const Scene& scene) {
   Measure measure;
   measure.name = label(cursor, names_of(scene.measures));
   measure.kind = cursor.choice("of", names_of(measure_kinds()));
   const MeasureKind& kind = *find_measure_kind(measure.kind);
-  for (const std::string_view taken : kind.keys) cursor.also_takes(measure_key(taken));
+  cursor.also_takes(keys_of_measure(kind));
   read_keys(objects, kind, cursor, scene, measure);
   measure.unit = cursor.line("unit", "");
   const int material = measured_body(measure, scene).material;
@@ -209,12 +221,10 @@ Measure read_measure(TomlCursor& cursor, const Scene& scene) {
 
 }  // namespace
 
-const KeyInfo& measure_key(std::string_view name) {
-  const auto* key = std::ranges::find(objects, name, &MeasureKey::name);
-  if (key != objects.end()) return *key;
-  key = std::ranges::find(numbers, name, &MeasureKey::name);
-  if (key == numbers.end()) throw std::logic_error("no measure takes the key '" + std::string(name) + "'");
-  return *key;
+std::vector<KeyInfo> keys_of_measure(const MeasureKind& kind) {
+  std::vector<KeyInfo> keys;
+  for (const std::string_view key : kind.keys) keys.push_back(measure_key(key));
+  return keys;
 }
 
 void read_measures(TomlCursor& root, Scene& scene) {

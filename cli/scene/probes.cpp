@@ -12,27 +12,29 @@ namespace taut::cli {
 namespace {
 
 namespace key {
-constexpr KeyInfo body{"body", "name of a body", "", "observed body"};
-constexpr KeyInfo bodies{"bodies", "[BODY, BODY]", "", "the two observed bodies"};
-constexpr KeyInfo images{"bodies", "[BODY, BODY]", "or body",
+constexpr KeyInfo body{"body", types::text("name of a body"), "", "observed body"};
+constexpr KeyInfo bodies{"bodies", types::text("BODY").list(2, 2), "", "the two observed bodies"};
+constexpr KeyInfo images{"bodies", types::text("BODY").list(2, 2), "or body",
                          "two bodies that should be mirror images of each other"};
-constexpr KeyInfo own_image{"body", "name of a body", "or bodies",
+constexpr KeyInfo own_image{"body", types::text("name of a body"), "or bodies",
                             "one body that should be its own mirror image"};
-constexpr KeyInfo at{"at", "[x, y], m", "",
+constexpr KeyInfo at{"at", types::vector("[x, y]", "m"), "",
                      "material point, given by its position in the initial configuration"};
-constexpr KeyInfo to{"to", "[x, y], m", "", "second material point, given in the same way"};
-constexpr KeyInfo component{"component", "x, y or z", "",
+constexpr KeyInfo to{"to", types::vector("[x, y]", "m"), "", "second material point, given in the same way"};
+constexpr KeyInfo component{"component", types::word("x", "y", "z"), "",
                             "axis of the component; in mirror_asymmetry the normal of the mirror plane"};
-constexpr KeyInfo part{"component", "xx, yy, zz, xy, von_mises or pressure; in 3D xz, yz", "",
-                       "component or invariant of the stress"};
-constexpr KeyInfo held_where{"where", "expression of the place", "everywhere",
+constexpr KeyInfo part{"component", types::word("xx", "yy", "zz", "xy", "xz", "yz", "von_mises", "pressure"),
+                       "", "component or invariant of the stress"};
+constexpr KeyInfo held_where{"where", types::expression("expression of the place"), "everywhere",
                              "region of the summed particles, where the expression is not 0"};
-constexpr KeyInfo met{"bodies", "[BODY, BODY]", "or body and wall", "force of the second body on the first"};
-constexpr KeyInfo met_body{"body", "name of a body", "or bodies", "body on which the wall acts"};
-constexpr KeyInfo wall{"wall", "name of a wall", "or bodies", "wall that acts on `body`"};
-constexpr KeyInfo value{"value", "expression", "",
+constexpr KeyInfo met{"bodies", types::text("BODY").list(2, 2), "or body and wall",
+                      "force of the second body on the first"};
+constexpr KeyInfo met_body{"body", types::text("name of a body"), "or bodies", "body on which the wall acts"};
+constexpr KeyInfo wall{"wall", types::text("name of a wall"), "or bodies", "wall that acts on `body`"};
+constexpr KeyInfo value{"value", types::expression("expression"), "",
                         "expression of t and of the probes above it, such as \"2*gap + tip\""};
-constexpr KeyInfo axis{"axis", "[x, y, z]", "[0, 0, 1]", "axis of rotation through the origin; only in 3D"};
+constexpr KeyInfo axis{"axis", types::vector_of(3, "[x, y, z]"), "[0, 0, 1]",
+                       "axis of rotation through the origin; only in 3D"};
 }  // namespace key
 
 /// Rows of one line each are easier to compare.

@@ -14,6 +14,7 @@
 #include "cli/scene/key_info.hpp"
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/toml_cursor.hpp"
+#include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/scene/scene.hpp"
 
 /// The parts of a scene file, each read by a function of its own: it takes the cursor of the whole file and
@@ -136,8 +137,8 @@ std::span<const ProbeKind> probe_kinds();
 /// Of the values of a probe; empty where it is not known. Forces in the plane are per metre of depth.
 std::string_view unit_of(const Probe& probe, int dim);
 
-/// A key that kinds of measures take.
-const KeyInfo& measure_key(std::string_view name);
+/// The keys of a kind of measure, beside `name`, `of` and `unit`.
+std::vector<KeyInfo> keys_of_measure(const MeasureKind& kind);
 
 /// A way in which bodies act on each other.
 struct ContactChoice {

@@ -115,24 +115,24 @@ Shape read_difference(TomlCursor& shape, const ShapeSetting& setting) {
 }
 
 constexpr KeyInfo corner_keys[] = {
-    {"low", "[x, y], m", "", "corner with the smallest coordinates"},
-    {"high", "[x, y], m", "", "corner with the largest coordinates"},
+    {"low", types::vector("[x, y]", "m"), "", "corner with the smallest coordinates"},
+    {"high", types::vector("[x, y]", "m"), "", "corner with the largest coordinates"},
 };
 constexpr KeyInfo ball_keys[] = {
-    {"centre", "[x, y], m", "", "centre"},
-    {"radius", "number, m", "", "radius"},
+    {"centre", types::vector("[x, y]", "m"), "", "centre"},
+    {"radius", types::number("m", above(0)), "", "radius"},
 };
 constexpr KeyInfo disc_keys[] = {
     ball_keys[0],
     ball_keys[1],
-    {"layout", "spaced or lattice", "depends on the method",
+    {"layout", types::word("spaced", "lattice"), "depends on the method",
      "spaced: a central particle and layers of 6, 12, 18 … particles; lattice: cut from a square lattice"},
 };
 constexpr KeyInfo shell_keys[] = {
-    {"centre", "[x, y], m", "", "centre"},
-    {"inner", "number, m", "", "radius of the hole"},
-    {"outer", "number, m", "", "outer radius"},
-    {"layout", "aligned or lattice", "depends on the method",
+    {"centre", types::vector("[x, y]", "m"), "", "centre"},
+    {"inner", types::number("m", above(0)), "", "radius of the hole"},
+    {"outer", types::number("m", above(0)), "", "outer radius"},
+    {"layout", types::word("aligned", "lattice"), "depends on the method",
      "aligned: layers with the same number of particles, arranged like the six faces of a rounded cube; "
      "lattice: cut from a cubic lattice. Layers have the exact mass"},
 };
@@ -140,28 +140,33 @@ constexpr KeyInfo ring_keys[] = {
     shell_keys[0],
     shell_keys[1],
     shell_keys[2],
-    {"layout", "aligned, spaced or lattice", "depends on the method",
+    {"layout", types::word("aligned", "spaced", "lattice"), "depends on the method",
      "aligned: layers with the same number of particles; spaced: layers with particles about dp apart; "
      "lattice: cut from a square lattice. Layers have the exact mass"},
 };
 constexpr KeyInfo ellipse_keys[] = {
-    {"centre", "[x, y], m", "", "centre"},
-    {"semi_axes", "[a, b], m", "", "semi-axes along x and y, in 3D also z; `rotate` rotates them"},
+    {"centre", types::vector("[x, y]", "m"), "", "centre"},
+    {"semi_axes", types::vector("[a, b]", "m", above(0)), "",
+     "semi-axes along x and y, in 3D also z; `rotate` rotates them"},
 };
 constexpr KeyInfo polygon_keys[] = {
-    {"points", "[[x, y], ...], m", "or contours", "corners of one closed contour, at least three"},
-    {"contours", "[[[x, y], ...], ...], m", "or points",
+    {"points", types::vector("[x, y]", "m").list(3), "or contours",
+     "corners of one closed contour, at least three"},
+    {"contours", types::vector("[x, y]", "m").list(3).nested(), "or points",
      "closed contours that do not cross. A point is inside the polygon if an odd number of contours surround "
      "it"},
-    {"centre", "[x, y], m", "none",
+    {"centre", types::vector("[x, y]", "m"), "none",
      "origin of the points, and centre of rotation and reflection. The lattice is symmetric about it"},
 };
-constexpr KeyInfo file_key = {"file", "path", "", "path relative to the scene's folder"};
-constexpr KeyInfo height_key = {"height", "number, m", "or width", "height of the whole picture"};
-constexpr KeyInfo width_key = {"width", "number, m", "or height", "width of the whole picture"};
-constexpr KeyInfo middle_key = {"centre", "[x, y], m", "or low",
+constexpr KeyInfo file_key = {"file", types::text("path"), "", "path relative to the scene's folder"};
+constexpr KeyInfo height_key = {"height", types::number("m", above(0)), "or width",
+                                "height of the whole picture"};
+constexpr KeyInfo width_key = {"width", types::number("m", above(0)), "or height",
+                               "width of the whole picture"};
+constexpr KeyInfo middle_key = {"centre", types::vector("[x, y]", "m"), "or low",
                                 "centre of the whole picture; the lattice is symmetric about it"};
-constexpr KeyInfo low_key = {"low", "[x, y], m", "or centre", "lower left corner of the whole picture"};
+constexpr KeyInfo low_key = {"low", types::vector("[x, y]", "m"), "or centre",
+                             "lower left corner of the whole picture"};
 constexpr KeyInfo svg_keys[] = {file_key, height_key, width_key, middle_key, low_key};
 constexpr KeyInfo mask_keys[] = {
     file_key,
@@ -169,33 +174,35 @@ constexpr KeyInfo mask_keys[] = {
     width_key,
     middle_key,
     low_key,
-    {"threshold", "number", "0.5", "darkness at the face, between 0 (white) and 1 (black)"},
-    {"inside", "dark or light", "dark", "solid part of the picture; transparent pixels count as white"},
+    {"threshold", types::number("", {0, 1, true, true}), "0.5",
+     "darkness at the face, between 0 (white) and 1 (black)"},
+    {"inside", types::word("dark", "light"), "dark",
+     "solid part of the picture; transparent pixels count as white"},
 };
 constexpr KeyInfo expression_keys[] = {
-    {"inside", "expression of the place", "",
+    {"inside", types::expression("expression of the place"), "",
      "expression that is not 0 inside the shape: \"x^2 + y^2 < r^2\""},
-    {"low", "[x, y], m", "", "corner with the smallest coordinates of the box to search"},
-    {"high", "[x, y], m", "", "corner with the largest coordinates"},
+    {"low", types::vector("[x, y]", "m"), "", "corner with the smallest coordinates of the box to search"},
+    {"high", types::vector("[x, y]", "m"), "", "corner with the largest coordinates"},
 };
 constexpr KeyInfo particles_keys[] = {
-    {"file", "path", "",
+    {"file", types::text("path"), "",
      "CSV file with columns x, y, in 3D also z, and optionally volume in m² or m³. Without volumes, "
      "particles must be about dp apart, and each has the volume dp² or dp³. A .vtp file of a run gives its "
      "particles at their saved positions, with their initial volumes and without strain"},
-    {"of_body", "whole number", "all",
+    {"of_body", types::whole(0, 1e6), "all",
      "for a .vtp file of several bodies: number of the body to use, from 0"},
 };
 constexpr KeyInfo combined_keys[] = {
-    {"shapes", "[SHAPE, ...]", "",
+    {"shapes", types::table("shape", "SHAPE").list(2), "",
      "two or more shapes of any type except particles, on the lattice of the first"},
 };
 constexpr KeyInfo cylinder_keys[] = {
-    {"from", "[x, y, z], m", "", "centre of one end"},
-    {"to", "[x, y, z], m", "", "centre of the other end"},
-    {"radius", "number, m", "", "radius of the outer face"},
-    {"inner", "number, m", "none", "radius of the hole of a hollow cylinder"},
-    {"layout", "aligned or lattice", "depends on the method",
+    {"from", types::vector("[x, y, z]", "m"), "", "centre of one end"},
+    {"to", types::vector("[x, y, z]", "m"), "", "centre of the other end"},
+    {"radius", types::number("m", above(0)), "", "radius of the outer face"},
+    {"inner", types::number("m", above(0)), "none", "radius of the hole of a hollow cylinder"},
+    {"layout", types::word("aligned", "lattice"), "depends on the method",
      "of a hollow cylinder. aligned: layers with the same number of particles and the exact mass; lattice: "
      "cut from a cubic lattice"},
 };

@@ -77,6 +77,7 @@ command_describe() {
     taut describe "$what"
   done
   for what in scene-file sweep-file body; do taut describe $what --json; done
+  for what in scene-file sweep-file; do taut describe $what --schema; done
   for what in $(taut list scenes --json | sed -n 's/^ *"name": "\(.*\)".*/\1/p'); do taut describe "$what"; done
 }
 

@@ -93,7 +93,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE("a reader that asks for a key which the table of its section lacks is wrong itself") {
-    constexpr KeyInfo keys[] = {{"low", "number", "", ""}};
+    constexpr KeyInfo keys[] = {{"low", types::number(), "", ""}};
     TomlSource source;
     TomlValue table = parse_toml("low = 1", "a file");
     TomlCursor cursor(table, "", "the table", keys, {}, source);

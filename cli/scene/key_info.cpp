@@ -1,0 +1,69 @@
+#include "cli/scene/key_info.hpp"
+
+#include <cmath>
+
+#include "cli/text/format.hpp"
+
+namespace taut::cli {
+namespace {
+
+/// "number > 0", "0 ≤ number < 0.5".
+std::string bounded(std::string_view name, const Bounds& bounds) {
+  std::string text(name);
+  const bool low = std::isfinite(bounds.low), high = std::isfinite(bounds.high);
+  if (low && high) text = exact(bounds.low) + (bounds.open_low ? " < " : " ≤ ") + text;
+  if (low && !high) text += (bounds.open_low ? " > " : " ≥ ") + exact(bounds.low);
+  if (high) text += (bounds.open_high ? " < " : " ≤ ") + exact(bounds.high);
+  return text;
+}
+
+/// Of one value, without its unit.
+std::string one_text(const KeyType& type) {
+  using Kind = KeyType::Kind;
+  if (!type.shown.empty()) return std::string(type.shown);
+  if (type.kind == Kind::flag) return "true or false";
+  if (type.kind == Kind::word) {
+    std::vector<std::string> words = words_of(type);
+    if (!type.other.empty()) words.emplace_back(type.other);
+    return join_with_or(std::move(words));
+  }
+  if (type.kind == Kind::number) return bounded("number", type.bounds);
+  if (type.bounds.high == type.bounds.low + 1)
+    return exact(type.bounds.low) + " or " + exact(type.bounds.high);
+  return bounded("whole number", type.bounds);
+}
+
+std::string list_text(const KeyType& type, std::string text) {
+  constexpr std::size_t most_repeated = 3;
+  if (type.form == KeyType::Form::one_or_list)
+    return text + (type.kind == KeyType::Kind::word && type.shown.empty() ? "," : "") +
+           " or an array of them";
+  if (type.least > 1 && type.most <= most_repeated)
+    return "[" + join(std::vector<std::string>(type.least, text)) + "]";
+  for (std::size_t k = 0; k < type.depth; ++k) text = "[" + text + ", ...]";
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> words_of(const KeyType& type) {
+  if (type.names) return type.names();
+  std::vector<std::string> words;
+  for (const std::string_view word : type.words)
+    if (!word.empty()) words.emplace_back(word);
+  return words;
+}
+
+std::string type_text(const KeyType& type) {
+  std::string text = one_text(type);
+  const bool has_header = type.kind == KeyType::Kind::table && text.front() == '[';  // "[[body]]"
+  if (has_header) return text;
+  if (type.form != KeyType::Form::one) text = list_text(type, std::move(text));
+  const bool names_other = type.kind == KeyType::Kind::word && type.shown.empty();
+  if (!type.other.empty() && !names_other) text += " or " + std::string(type.other);
+  if (!type.by.empty()) text = "{ " + std::string(type.by) + " = " + text + " }";
+  if (!type.unit.empty()) text += ", " + std::string(type.unit);
+  return text;
+}
+
+}  // namespace taut::cli
