@@ -142,8 +142,8 @@ Json schema_of(const KeyInfo& key, int dim) {
   return schema;
 }
 
-/// Sets of keys; a table must have the keys of exactly one set: {bodies} or {body, wall}. The keys of a set share the text of
-/// their default, which names a key of each other set.
+/// Sets of keys; a table must have the keys of exactly one set: {bodies} or {body, wall}. The keys of a set share
+/// the text of their default, which names a key of each other set.
 std::vector<Keys> alternatives_to(const KeyInfo& first, std::span<const KeyInfo> keys) {
   const std::string named = std::string(first.by_default) + " ";
   const auto is_named = [&](const KeyInfo& key) {

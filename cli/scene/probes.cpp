@@ -24,7 +24,7 @@ constexpr KeyInfo to{"to", types::vector("[x, y]", "m"), "", "second material po
 constexpr KeyInfo component{"component", types::word("x", "y", "z"), "",
                             "axis of the component; in mirror_asymmetry the normal of the mirror plane"};
 constexpr KeyInfo part{"component", types::word("xx", "yy", "zz", "xy", "xz", "yz", "von_mises", "pressure"),
-                       "", "component or invariant of the stress"};
+                       "", "component or invariant of the stress; xz and yz only in 3D"};
 constexpr KeyInfo held_where{"where", types::expression("expression of the place"), "everywhere",
                              "region of the summed particles, where the expression is not 0"};
 constexpr KeyInfo met{"bodies", types::text("BODY").list(2, 2), "or body and wall",

@@ -1,5 +1,5 @@
 """read_schema.py SCHEMA FILE...: checks the schema itself, then prints for each TOML file the keys whose values the
-schema refuses, as taut names them (body.left.shape), or "valid"."""
+schema refuses, as taut names them (body.left.shape), or "the file", or "valid"."""
 import json
 import sys
 import tomllib
@@ -40,7 +40,7 @@ def keys_of(error, document):
         return [".".join(names + [key]) for key in error.instance if key not in error.schema["properties"]]
     if error.validator == "required":
         return [".".join(names + [key]) for key in error.validator_value if key not in error.instance]
-    return [".".join(names)]
+    return [".".join(names) or "the file"]
 
 
 schema = json.loads(Path(sys.argv[1]).read_text())

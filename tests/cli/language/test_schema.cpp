@@ -109,8 +109,8 @@ TEST_SUITE("cli") {
     CHECK(verdict("[grid]") == Texts{"grid"});
     CHECK(verdict("grid.v0 = 1\nchart.cost = 'hours'") == Texts{"chart.cost"});
     CHECK(verdict("grid.v0 = 1\nchrt.cost = 'steps'") == Texts{"chrt"});
-    CHECK(verdict("") == Texts{""});                                 // neither grid nor row
-    CHECK(verdict("grid.v0 = 1\nrow = [{ v0 = 1 }]") == Texts{""});  // both
+    CHECK(verdict("") == Texts{"the file"});                                 // neither grid nor row
+    CHECK(verdict("grid.v0 = 1\nrow = [{ v0 = 1 }]") == Texts{"the file"});  // both
   }
 
   TEST_CASE("schema: descriptions, defaults and bounds come from the tables of the reader") {
