@@ -32,13 +32,13 @@ void add_members(Json& to, const Json& from) {
   for (const auto& [name, member] : from.members()) to[name] = member;
 }
 
-void add_bounds(Json& schema, const Bounds& bounds) {
+void add_bounds(Json& schema, const NumberRange& bounds) {
   if (std::isfinite(bounds.low)) schema[bounds.open_low ? "exclusiveMinimum" : "minimum"] = bounds.low;
   if (std::isfinite(bounds.high)) schema[bounds.open_high ? "exclusiveMaximum" : "maximum"] = bounds.high;
 }
 
 /// A number, or an expression in quotes.
-Json number_schema(const char* type, const Bounds& bounds) {
+Json number_schema(const char* type, const NumberRange& bounds) {
   Json schema{{"type", Keys{type, "string"}}};
   add_bounds(schema, bounds);
   return schema;
@@ -234,7 +234,7 @@ Json section_schema(std::string_view name) {
 
 /// The bounds hold in 2D and in 3D.
 Json constant_schema(const MethodConstant& constant, const std::vector<MethodConstant>& in_3d) {
-  Bounds bounds{constant.low, constant.high};
+  NumberRange bounds{constant.low, constant.high};
   const auto other = std::ranges::find(in_3d, constant.name, &MethodConstant::name);
   if (other != in_3d.end()) bounds = {std::min(bounds.low, other->low), std::max(bounds.high, other->high)};
   Json schema = number_schema("number", bounds);

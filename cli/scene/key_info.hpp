@@ -12,12 +12,12 @@
 namespace taut::cli {
 
 /// Allowed range of a number.
-struct Bounds {
+struct NumberRange {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   bool open_low = false, open_high = false;  // the bound itself is excluded
 };
-constexpr Bounds above(double low) { return {.low = low, .open_low = true}; }
-constexpr Bounds at_least(double low) { return {.low = low}; }
+constexpr NumberRange above(double low) { return {.low = low, .open_low = true}; }
+constexpr NumberRange at_least(double low) { return {.low = low}; }
 
 /// Type of a key's value; the reference (`type_text`) and the JSON Schema are generated from it.
 struct KeyType {
@@ -36,7 +36,7 @@ struct KeyType {
   Kind kind = Kind::text;
   std::string_view shown = {};  // in the reference: "METHOD"; empty for the usual text of the kind
   std::string_view unit = {};
-  Bounds bounds = {};                             // of numbers
+  NumberRange bounds = {};                        // of numbers
   std::array<std::string_view, 8> words = {};     // the unused ones are empty
   std::vector<std::string> (*names)() = nullptr;  // words that another table lists
   std::string_view section = {};                  // of a table; a number with a section can also be a table
@@ -85,7 +85,7 @@ std::vector<std::string> words_of(const KeyType& type);
 
 namespace types {
 
-constexpr KeyType number(std::string_view unit = {}, Bounds bounds = {}) {
+constexpr KeyType number(std::string_view unit = {}, NumberRange bounds = {}) {
   return {.kind = KeyType::Kind::number, .unit = unit, .bounds = bounds};
 }
 /// "expression of t", or another number that the reference shows by this name.
@@ -112,11 +112,12 @@ constexpr KeyType word(Words... words) {
 constexpr KeyType one_of(std::string_view shown, std::vector<std::string> (*names)()) {
   return {.kind = KeyType::Kind::word, .shown = shown, .names = names};
 }
-constexpr KeyType vector(std::string_view shown = "[x, y]", std::string_view unit = {}, Bounds bounds = {}) {
+constexpr KeyType vector(std::string_view shown = "[x, y]", std::string_view unit = {},
+                         NumberRange bounds = {}) {
   return {.kind = KeyType::Kind::vector, .shown = shown, .unit = unit, .bounds = bounds};
 }
 constexpr KeyType vector_of(std::size_t size, std::string_view shown, std::string_view unit = {},
-                            Bounds bounds = {}) {
+                            NumberRange bounds = {}) {
   return {.kind = KeyType::Kind::vector, .shown = shown, .unit = unit, .bounds = bounds, .size = size};
 }
 /// A number, or a table with the keys of `section`.

@@ -292,7 +292,7 @@ std::string default_text(const DrawingKey& key) {
 KeyType type_of(const DrawingKey& key) {
   constexpr std::size_t most_shown = 4;
   const DrawingKey::Numbers& numbers = key.numbers;
-  const Bounds bounds{numbers.low, numbers.high};
+  const NumberRange bounds{numbers.low, numbers.high};
   KeyType type = types::vector_of(numbers.count, numbers.in_file, "", bounds);
   if (numbers.count == 1)
     type = numbers.whole ? types::whole(bounds.low, bounds.high) : types::number("", bounds);
