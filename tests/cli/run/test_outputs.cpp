@@ -1,4 +1,7 @@
 #include <cstdlib>
+#include <set>
+#include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -37,5 +40,27 @@ TEST_SUITE("cli") {
     REQUIRE(program(tiny_sweep(folder, "sweep", grid)).code == 0);
     CHECK(contains(text_of(folder / "sweep/results.csv"), ",\"max(2,3)\","));
     CHECK(read_with_python(folder, "sweep") == Texts{"results.csv 4"});
+  }
+
+  TEST_CASE("the verdict does not depend on the rows of history.csv, which repeat indicators") {
+    const TemporaryFolder folder;
+    const auto record = [&](const std::string& name, const std::string& history) {
+      REQUIRE(call(tiny_run(folder, name,
+                            {"--no-render", "--until", "0.008", "--history", history, "--set", "speed=3"}))
+                  .code == 0);
+      return json_of(folder / name / "run.json");
+    };
+    const auto few = record("few", "1"),
+               many = record("many", "1e-6");  // s; each step is shorter than a look
+    CHECK(lines_of(folder / "few/history.csv").size() == 3);
+    const std::vector<std::string> rows = lines_of(folder / "many/history.csv");
+    CHECK(rows.size() > 280);
+    const auto indicators = [](const std::string& row) { return row.substr(row.find(",2,") + 3); };
+    std::set<std::string> seen;  // rows between two looks repeat those of the last one
+    for (std::size_t k = 1; k < rows.size(); ++k) seen.insert(indicators(rows[k]));
+    CHECK(seen.size() > 150);
+    CHECK(seen.size() < 203);
+    for (const char* key : {"verdict", "since", "indicators", "conservation"}) CHECK(few[key] == many[key]);
+    CHECK(few["indicators"]["hourglass_error"]["at"] != few["reached"]);
   }
 }
