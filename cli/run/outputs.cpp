@@ -25,10 +25,10 @@ class OutputOf : public RunOutput {
   void load(Loader& loader) final { loader(static_cast<Kind&>(*this)); }
 };
 
-/// How often a run is judged, whatever rows are asked for: to judge costs more than a row.
-constexpr int looks = 200;
+/// A run is judged at its start and after each of these parts, whatever its rows: judging costs more than a row.
+constexpr int judged_parts = 200;
 
-/// history.csv, and at the looks drift, indicators and verdict. Rows between them repeat the indicators of the last look.
+/// history.csv, drift, indicators and verdict. Rows between two judgements repeat the indicators of the first.
 class HistoryOutput final : public OutputOf<HistoryOutput> {
  public:
   HistoryOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)
@@ -37,24 +37,26 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
         simulation_(simulation),
         result_(result),
         agenda_(plan.history_times),
-        looks_(times_in_parts(plan.file.scene.until, looks)),
+        judge_times_(times_in_parts(plan.file.scene.until, judged_parts)),
         judge_(scene_, simulation),
         gauge_(scene_, simulation.snapshot(), simulation.threads()),
         conservation_(scene_, simulation.snapshot()) {}
 
   void open(AppendFile::Start start) override { history_.emplace(path_, scene_, start); }
-  double next() const override { return std::min(agenda_.next(), looks_.next()); }
+  double next() const override { return std::min(agenda_.next(), judge_times_.next()); }
   bool is_at_its_time() const override { return false; }
-  bool lacks_the_end() const override { return history_->last_step() != simulation_.steps(); }
+  bool lacks_the_end() const override {
+    return std::min(history_->last_step(), judged_step_) != simulation_.steps();
+  }
 
   void take() override {
     const Timed timed(result_.record.seconds.write);
     const double time = simulation_.time();
-    const bool row = !agenda_.reached(time).empty(), look = !looks_.reached(time).empty();
-    const bool at_end = !row && !look;
-    const Snapshot& now = look || at_end ? simulation_.snapshot() : simulation_.motion();
+    const bool row = !agenda_.reached(time).empty(), judged = !judge_times_.reached(time).empty();
+    const bool at_end = !row && !judged;
+    const Snapshot& now = judged || at_end ? simulation_.snapshot() : simulation_.motion();
     const Balance sums = balance(now, scene_);
-    if (look || at_end) judge(now, sums);
+    if (judged || at_end) judge(now, sums);
     if (row || at_end) history_->add(simulation_, sums, judge_.pieces(), readings_);
   }
 
@@ -64,12 +66,14 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(agenda_, looks_, judge_, conservation_, *history_, readings_, result_.record.indicator);
+    archive(agenda_, judge_times_, judge_, conservation_, *history_, readings_, judged_step_,
+            result_.record.indicator);
     if constexpr (std::is_same_v<Archive, Loader>) take_verdict();
   }
 
  private:
   void judge(const Snapshot& now, const Balance& sums) {
+    judged_step_ = now.step;
     conservation_.follow(sums);
     readings_ = gauge_(now);
     judge_.observe(now, sums, readings_);
@@ -89,10 +93,11 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
   std::filesystem::path path_;
   const Simulation& simulation_;
   RunResult& result_;
-  Agenda agenda_, looks_;
+  Agenda agenda_, judge_times_;
   Judge judge_;
   IndicatorGauge gauge_;
-  Readings readings_;  // at the last look
+  long judged_step_ = -1;
+  Readings readings_;  // of that step
   ConservationWatch conservation_;
   std::optional<History> history_;
 };
@@ -103,7 +108,7 @@ LineRecorder start_lines(const SceneFile& file, const Simulation& simulation) tr
   throw locate(file, e);
 }
 
-/// The measures, and lines.csv of a scene with lines, which are measured too.
+/// The measures. If the scene has lines, also lines.csv; measures can use lines.
 class MeasuresOutput final : public OutputOf<MeasuresOutput> {
  public:
   MeasuresOutput(const RunPlan& plan, const Simulation& simulation, LastStep& last_step, RunResult& result)

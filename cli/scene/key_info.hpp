@@ -141,7 +141,7 @@ struct KeyInfo {
 
 /// The name of a key that whoever writes the file chooses.
 inline constexpr std::string_view any_name = "NAME";
-/// Of a table whose keys are all such.
+/// Keys of a table in which the user names all keys.
 inline constexpr KeyInfo named_by_user[] = {{any_name, {}, "", ""}};
 
 /// A table of a scene or sweep file: what `taut describe` says of it, and the keys that its reader may ask
@@ -153,13 +153,13 @@ struct Section {
   std::span<const KeyInfo> keys;
 };
 
-/// Those of a scene file, the file itself first. Shapes, probes and measures have more keys, by their kind.
+/// Sections of a scene file; the first is the file itself. Shapes, probes and measures have more keys, by their kind.
 std::span<const Section> scene_sections();
-/// Those of a sweep file.
+/// Sections of a sweep file.
 std::span<const Section> sweep_sections();
-/// One of either.
+/// Finds a section of a scene or sweep file.
 const Section& find_section(std::string_view name);
-/// Its keys.
+/// The keys of this section.
 std::span<const KeyInfo> keys_of(std::string_view section);
 
 }  // namespace taut::cli

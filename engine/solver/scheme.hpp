@@ -23,7 +23,7 @@ class Scheme {
   /// Stores only what Simulation::motion needs. Returns false if energies need the stresses.
   virtual bool show_motion(Snapshot& /*out*/) const { return false; }
 
-  /// On a body from another one or a wall over the last step, of `dt`, N; asked for by a probe.
+  /// Contact force on the body of `probe` from the other body or wall, over the last step of length `dt`, N.
   virtual Vec<double, Dim> contact_force(const Probe& probe, double dt) const = 0;
 
   virtual void save(Saver& saver) = 0;

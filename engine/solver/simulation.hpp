@@ -42,7 +42,8 @@ struct RunState {
   int threads = 1;  // greatest number in use
 };
 
-/// A running simulation. Virtual functions advance many steps; none is called inside a loop over particles.
+/// A running simulation. One call of `advance` makes many steps; no virtual function is called inside a loop over
+/// particles.
 class Simulation {
  public:
   virtual ~Simulation() = default;
@@ -50,20 +51,20 @@ class Simulation {
   /// Steps until the first step at or past time `t` (never cut short: output does not alter a run). Throws
   /// NumericalError when a value is no longer finite; `snapshot` is then the last one taken before.
   void advance_to(double t) { advance(t, std::numeric_limits<double>::infinity()); }
-  /// The same, but makes no step that ends at or past `short_of`: the state is then the last one before that time, or `t`
-  /// is reached.
+  /// The same, but makes no step that ends at or past `short_of`. Returns once `t` is reached, or after the last step
+  /// before `short_of`.
   virtual void advance(double t, double short_of) = 0;
   /// Makes `advance` return after the current step once `stop` is not 0. `stop` must outlive the simulation.
   void heed(const std::atomic<int>& stop) { stop_ = &stop; }
 
   /// All that its next steps depend on, and the series so far, as bytes for `load`.
   virtual std::string save() = 0;
-  /// Continues where another simulation of the same scene and settings was saved, in this program on this kind of
-  /// machine: the next steps give the same bytes. Throws UsageError for any other state; the simulation is of no use
+  /// Continues from a state of the same scene and settings, written with the same checkpoint format. The next steps give
+  /// the same bytes on this kind of machine. Throws UsageError for any other state; the simulation is of no use
   /// then. No state, damaged or made up, makes later steps reach foreign memory.
   virtual void load(std::string_view state) = 0;
 
-  /// The particles now; computed when it is first asked for.
+  /// The particles after the last step, computed on request. After NumericalError: the last snapshot before it.
   const Snapshot& snapshot() const {
     if (outdated_) take_snapshot(snapshot_);
     outdated_ = false;
