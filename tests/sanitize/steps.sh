@@ -129,8 +129,8 @@ command_sweep() {
     --markdown
   taut chart rings --measure least_diameter --against oenog --json
   taut map rings --parameter spacing --out map.png --json
-  taut choose colliding-rings --from rings --measure mirror_asymmetry --json
-  taut choose colliding-rings --from rings --measure mirror_asymmetry --error 1 || [[ $? == 1 ]]
+  taut choose colliding-rings --from rings --measure mirror_asymmetry --set until=4e-4 --json
+  taut choose colliding-rings --from rings --measure mirror_asymmetry --set until=4e-4 --error 1 || [[ $? == 1 ]]
   taut sweep rings-accuracy --list
 }
 
