@@ -24,7 +24,7 @@ Json array_of(std::vector<Json> items) {
   return array;
 }
 
-/// The names of a set of keys, such as those that are needed.
+/// Names of a set of keys, such as the required keys.
 using Keys = std::vector<std::string>;
 Json requires_keys(const Keys& keys) { return {{"required", keys}}; }
 

@@ -19,7 +19,7 @@ struct NumberRange {
 constexpr NumberRange above(double low) { return {.low = low, .open_low = true}; }
 constexpr NumberRange at_least(double low) { return {.low = low}; }
 
-/// Type of a key's value; the reference (`type_text`) and the JSON Schema are generated from it.
+/// Type of a key's value. LANGUAGE.md (`type_text`) and the JSON Schema are generated from it.
 struct KeyType {
   enum class Kind : std::uint8_t {
     number,  // or an expression in quotes
@@ -34,7 +34,7 @@ struct KeyType {
   static constexpr std::size_t any_size = static_cast<std::size_t>(-1);
 
   Kind kind = Kind::text;
-  std::string_view shown = {};  // in the reference: "METHOD"; empty for the usual text of the kind
+  std::string_view shown = {};  // in LANGUAGE.md: "METHOD"; empty for the usual text of the kind
   std::string_view unit = {};
   NumberRange bounds = {};                        // of numbers
   std::array<std::string_view, 8> words = {};     // the unused ones are empty
@@ -65,7 +65,7 @@ struct KeyType {
     type.form = Form::one_or_list;
     return type;
   }
-  /// Arrays of such arrays.
+  /// Nests the list: an array of arrays.
   constexpr KeyType nested() const {
     KeyType type = *this;
     ++type.depth;
@@ -88,7 +88,7 @@ namespace types {
 constexpr KeyType number(std::string_view unit = {}, NumberRange bounds = {}) {
   return {.kind = KeyType::Kind::number, .unit = unit, .bounds = bounds};
 }
-/// "expression of t", or another number that the reference shows by this name.
+/// A number that LANGUAGE.md shows by this name: "expression of t".
 constexpr KeyType expression(std::string_view shown) {
   return {.kind = KeyType::Kind::number, .shown = shown};
 }
@@ -124,7 +124,7 @@ constexpr KeyType vector_of(std::size_t size, std::string_view shown, std::strin
 constexpr KeyType number_or_table(std::string_view shown, std::string_view section) {
   return {.kind = KeyType::Kind::number, .shown = shown, .section = section};
 }
-/// A section, which the reference shows as "[[body]]", "{ file, column }", ...
+/// A section, which LANGUAGE.md shows as "[[body]]", "{ file, column }", ...
 constexpr KeyType table(std::string_view section, std::string_view shown) {
   return {.kind = KeyType::Kind::table, .shown = shown, .section = section};
 }

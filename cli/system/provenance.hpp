@@ -39,7 +39,7 @@ std::string host_name();
 /// Origin of a record: the build, and the process from the construction of this object on.
 class Provenance {
  public:
-  /// Values as they are now.
+  /// The object for run.json, with the times up to now.
   Json to_json() const;
 
  private:

@@ -103,7 +103,7 @@ class Common {
     return (1 / dt) * contact.impulse(probe.bodies[0], probe.wall < 0 ? probe.bodies[1] : -1, probe.wall);
   }
 
-  /// Fills what Simulation::motion needs but the fields of particles.
+  /// Fills the totals of a snapshot and makes room for the positions, velocities and masses.
   void begin_motion(Snapshot& out) const;
   /// Stores position, velocity and mass of particle i.
   void store_motion(Snapshot& out, int i) const;

@@ -39,7 +39,7 @@ class InitialConfiguration {
   /// Adds the strain energies of particles to a snapshot that has begun.
   static void begin(Snapshot& out) { out.strain_energy.resize(out.size()); }
   void begin_motion(Snapshot& out) const { common_.begin_motion(out), begin(out); }
-  /// As `store`, without the stress.
+  /// Stores motion and strain energy only.
   void store_motion(Snapshot& out, int i, const Mat<double, Dim>& F, double J) const;
   /// A particle with the deformation F and the volume ratio J that its stress comes from.
   void store(Snapshot& out, int i, const Mat<double, Dim>& F, double J) const;
