@@ -7,10 +7,10 @@
 
 #include "engine/core/machine.hpp"
 #include "engine/error.hpp"
-#include "engine/families/catalogue.hpp"
-#include "engine/families/families.hpp"
-#include "engine/scene/initial_particles.hpp"
-#include "engine/scene/overlap.hpp"
+#include "engine/layout/initial_particles.hpp"
+#include "engine/layout/overlap.hpp"
+#include "engine/methods/catalogue.hpp"
+#include "engine/methods/families.hpp"
 
 namespace taut {
 namespace {

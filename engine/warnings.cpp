@@ -10,7 +10,7 @@
 
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/conservation.hpp"
-#include "engine/families/ul_cauchy/formulation.hpp"
+#include "engine/methods/ul_cauchy/formulation.hpp"
 #include "engine/neighbors/close_pairs.hpp"
 
 namespace taut {

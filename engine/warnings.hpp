@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/solver/simulation.hpp"
 

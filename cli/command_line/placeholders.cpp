@@ -6,7 +6,7 @@
 #include "cli/language/reference.hpp"
 #include "cli/scene/shipped.hpp"
 #include "engine/diagnostics/verdict.hpp"
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 
 namespace taut::cli {
 namespace {

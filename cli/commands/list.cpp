@@ -12,7 +12,7 @@
 #include "cli/text/json.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 
 namespace taut::cli {
 namespace {

@@ -12,7 +12,7 @@
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 
 namespace taut::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "engine/error.hpp"
-#include "engine/scene/initial_particles.hpp"
+#include "engine/layout/initial_particles.hpp"
 
 namespace taut::cli {
 namespace {

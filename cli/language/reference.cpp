@@ -9,7 +9,7 @@
 #include "cli/text/markdown.hpp"
 #include "engine/diagnostics/fields.hpp"
 #include "engine/diagnostics/measure_kinds.hpp"
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 #include "render/colormap.hpp"
 
 namespace taut::cli {

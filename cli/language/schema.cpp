@@ -8,7 +8,7 @@
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
 #include "engine/diagnostics/measure_kinds.hpp"
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 
 /// Taplo, which completes TOML in editors, follows oneOf and anyOf but not if/then, and skips tables with allOf.
 /// Keys of a kind therefore stand under oneOf; if/then only adds checks.

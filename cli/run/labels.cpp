@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cli/text/format.hpp"
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 #include "render/page/ticks.hpp"
 
 namespace taut::cli {

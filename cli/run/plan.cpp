@@ -17,7 +17,7 @@
 #include "cli/text/suggest.hpp"
 #include "engine/core/machine.hpp"
 #include "engine/error.hpp"
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 #include "engine/warnings.hpp"
 
 namespace taut::cli {

@@ -8,7 +8,7 @@
 #include "cli/text/format.hpp"
 #include "cli/text/json_cursor.hpp"
 #include "engine/error.hpp"
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 
 namespace taut::cli {
 namespace {

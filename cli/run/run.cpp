@@ -13,7 +13,7 @@
 #include "cli/system/exit_code.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 #include "engine/simulation.hpp"
 #include "engine/warnings.hpp"
 

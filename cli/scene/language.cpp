@@ -10,7 +10,7 @@
 #include "cli/text/format.hpp"
 #include "engine/diagnostics/fields.hpp"
 #include "engine/diagnostics/measure_kinds.hpp"
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 #include "engine/settings.hpp"
 
 /// The language of scene and sweep files: every table and its keys. What shapes, probes and measures of a

@@ -2,7 +2,7 @@
 
 #include "cli/scene/sections.hpp"
 #include "cli/text/format.hpp"
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 
 namespace taut::cli {
 namespace {

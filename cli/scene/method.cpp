@@ -6,7 +6,7 @@
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/diagnostics/fields.hpp"
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 
 namespace taut::cli {
 namespace {

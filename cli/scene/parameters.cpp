@@ -5,7 +5,7 @@
 #include "cli/text/format.hpp"
 #include "cli/text/shown.hpp"
 #include "cli/text/suggest.hpp"
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 
 namespace taut::cli {
 namespace {

@@ -9,7 +9,7 @@
 #include "cli/scene/shape_readers.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
-#include "engine/scene/initial_particles.hpp"
+#include "engine/layout/initial_particles.hpp"
 #include "engine/scene/shapes/given_particles.hpp"
 #include "engine/scene/shapes/polygon.hpp"
 

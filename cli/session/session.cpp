@@ -11,7 +11,7 @@
 #include "cli/system/stopwatch.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 #include "engine/snapshot_blend.hpp"
 #include "render/image/png.hpp"
 

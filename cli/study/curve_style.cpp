@@ -9,7 +9,7 @@
 #include <fmt/core.h>
 
 #include "cli/text/format.hpp"
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 
 namespace taut::cli {
 namespace {

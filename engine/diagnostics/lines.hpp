@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/scene/material_point.hpp"
+#include "engine/layout/material_point.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/snapshot.hpp"
 

@@ -7,10 +7,10 @@
 #include <numeric>
 #include <string_view>
 
-#include "engine/families/catalogue.hpp"
-#include "engine/families/tl_displacement/describe.hpp"
-#include "engine/families/tl_displacement/methods.hpp"
 #include "engine/kernels/kernel.hpp"
+#include "engine/methods/catalogue.hpp"
+#include "engine/methods/tl_displacement/describe.hpp"
+#include "engine/methods/tl_displacement/methods.hpp"
 
 namespace taut {
 namespace {

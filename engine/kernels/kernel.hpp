@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "engine/core/pack.hpp"
-#include "engine/methods/kernel_name.hpp"
+#include "engine/kernels/kernel_name.hpp"
 
 namespace taut {
 

@@ -3,8 +3,8 @@
 #include <span>
 #include <string_view>
 
-#include "engine/methods/elastic_law.hpp"
-#include "engine/methods/term_info.hpp"
+#include "engine/materials/elastic_law.hpp"
+#include "engine/terms/term_info.hpp"
 
 namespace taut {
 

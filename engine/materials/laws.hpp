@@ -6,13 +6,13 @@
 #include <variant>
 #include <vector>
 
+#include "engine/materials/elastic_law.hpp"
 #include "engine/materials/linear_elastic.hpp"
 #include "engine/materials/mooney_rivlin.hpp"
 #include "engine/materials/neo_hookean.hpp"
 #include "engine/materials/rotated_piola.hpp"
 #include "engine/materials/st_venant_kirchhoff.hpp"
 #include "engine/methods/constants.hpp"
-#include "engine/methods/elastic_law.hpp"
 
 namespace taut {
 

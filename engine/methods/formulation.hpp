@@ -5,13 +5,13 @@
 #include <string_view>
 #include <type_traits>
 
-#include "engine/methods/kernel_name.hpp"
-#include "engine/methods/term_info.hpp"
-#include "engine/scene/contact_law.hpp"
+#include "engine/contact/contact_law.hpp"
+#include "engine/kernels/kernel_name.hpp"
+#include "engine/terms/term_info.hpp"
 
 namespace taut {
 
-/// The algorithm that runs a method, a folder of engine/families/.
+/// The algorithm that runs a method, a folder of engine/methods/.
 enum class Family : std::uint8_t {
   ul_split,         // updated Lagrangian, pressure and shear stress act apart; [Zhang2024] §5
   ul_cauchy,        // updated Lagrangian, the divergence of σ = −pI + s as a whole; [Khayyer2024] Eq. 9

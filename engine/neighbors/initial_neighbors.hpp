@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/scene/initial_particles.hpp"
+#include "engine/layout/initial_particles.hpp"
 
 namespace taut {
 

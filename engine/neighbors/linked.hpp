@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/scene/material_point.hpp"
+#include "engine/layout/material_point.hpp"
 
 namespace taut {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "engine/core/tensor.hpp"
+#include "engine/layout/initial_particles.hpp"
 #include "engine/neighbors/neighbors.hpp"
-#include "engine/scene/initial_particles.hpp"
 
 namespace taut {
 

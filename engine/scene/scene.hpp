@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/contact/contact_law.hpp"
 #include "engine/core/point.hpp"
-#include "engine/scene/contact_law.hpp"
 #include "engine/scene/shape.hpp"
 
 namespace taut {

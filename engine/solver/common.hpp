@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
+#include "engine/contact/contact.hpp"
 #include "engine/core/archive.hpp"
 #include "engine/core/team_size.hpp"
+#include "engine/layout/initial_particles.hpp"
 #include "engine/methods/constants.hpp"
-#include "engine/scene/initial_particles.hpp"
-#include "engine/solver/contact/contact.hpp"
 #include "engine/solver/external.hpp"
 #include "engine/solver/kick.hpp"
 #include "engine/solver/probes.hpp"

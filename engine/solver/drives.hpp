@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include "engine/scene/initial_particles.hpp"
+#include "engine/layout/initial_particles.hpp"
 #include "engine/solver/particles.hpp"
 
 namespace taut {
@@ -44,7 +44,7 @@ class Guides {
 
 /// Particles whose velocity is given up to a time (Drive in engine/scene/scene.hpp). Everything else about
 /// them goes on as usual: density and stress follow from the velocities where those of what is held do
-/// (strains_what_is_held in families/ul_split/), and others feel them.
+/// (strains_what_is_held in methods/ul_split/), and others feel them.
 ///
 /// In each step: `set_time`, then `replace` for each new velocity before it is used.
 template <int Dim>

@@ -13,9 +13,9 @@
 #include "engine/core/shared_rows.hpp"
 #include "engine/error.hpp"
 #include "engine/kernels/kernel.hpp"
-#include "engine/methods/term_info.hpp"
 #include "engine/neighbors/initial_neighbors.hpp"
 #include "engine/neighbors/lane_neighbors.hpp"
+#include "engine/terms/term_info.hpp"
 
 namespace taut {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/scene/initial_particles.hpp"
+#include "engine/layout/initial_particles.hpp"
 #include "engine/solver/face_loads.hpp"
 #include "engine/solver/particles.hpp"
 

@@ -9,9 +9,9 @@
 #include <numeric>
 #include <string>
 
+#include "engine/contact/face_contacts.hpp"
+#include "engine/contact/facet_contacts.hpp"
 #include "engine/error.hpp"
-#include "engine/solver/contact/face_contacts.hpp"
-#include "engine/solver/contact/facet_contacts.hpp"
 
 namespace taut {
 namespace {

@@ -3,12 +3,12 @@
 #include <utility>
 #include <vector>
 
+#include "engine/contact/contact_mechanism.hpp"
+#include "engine/layout/initial_particles.hpp"
+#include "engine/layout/material_point.hpp"
 #include "engine/neighbors/neighbors.hpp"
-#include "engine/scene/initial_particles.hpp"
-#include "engine/scene/material_point.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/snapshot.hpp"
-#include "engine/solver/contact/contact_mechanism.hpp"
 #include "engine/solver/particles.hpp"
 
 namespace taut {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/scene/initial_particles.hpp"
+#include "engine/layout/initial_particles.hpp"
 #include "engine/solver/particles.hpp"
 #include "engine/solver/probe_kinds.hpp"
 #include "engine/solver/simulation.hpp"

@@ -4,10 +4,10 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/layout/initial_particles.hpp"
+#include "engine/materials/elastic_law.hpp"
 #include "engine/methods/constants.hpp"
-#include "engine/methods/elastic_law.hpp"
 #include "engine/methods/formulation.hpp"
-#include "engine/scene/initial_particles.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/settings.hpp"
 

@@ -7,9 +7,9 @@
 #include "engine/core/cube_root.hpp"
 #include "engine/core/pack.hpp"
 #include "engine/core/tensor.hpp"
-#include "engine/methods/term_info.hpp"
+#include "engine/terms/term_info.hpp"
 
-/// Functions of one bond and of one particle of `oenog`, derived in families/bonded/THEORY.md from the energy
+/// Functions of one bond and of one particle of `oenog`, derived in methods/bonded/THEORY.md from the energy
 ///   E = Σ_i [ V_i W(F_i) + G V0_i Σ_j w_ij (φ(s_ij) − φ_c(s°_ij)) ],   F_i = Σ_j (x_j − x_i) ⊗ g_ij,
 ///   s = λ² = |x_j − x_i|²/r0_ij²,   s° = e·C_i e,   C = Fᵀ F,   e = X_ij/r0_ij,
 /// whose derivatives are the forces

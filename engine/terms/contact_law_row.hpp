@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "engine/methods/term_info.hpp"
-#include "engine/scene/contact_law.hpp"
+#include "engine/contact/contact_law.hpp"
+#include "engine/terms/term_info.hpp"
 
 namespace taut {
 

@@ -14,7 +14,7 @@ namespace taut {
 /// normal at angles θ_k to the pairs the approach is stopped Σ cos²θ_k times. Below 2 the contact loses
 /// energy still; beyond it would gain some.
 /// Differs from the paper: masses come as inverse masses, 1/kg, and that of a held particle is 0 (the paper
-/// has none). Where in a step it acts and how near the particles are: see solver/contact/pair_contacts.hpp.
+/// has none). Where in a step it acts and how near the particles are: see contact/pair_contacts.hpp.
 inline double stopping_impulse(double closing_speed, double inv_m_i, double inv_m_j) {
   const double inv_mu = inv_m_i + inv_m_j;
   return inv_mu > 0 ? std::max(closing_speed, 0.0) / inv_mu : 0;

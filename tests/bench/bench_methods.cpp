@@ -3,7 +3,7 @@
 //                             all passes and rebuilds together
 //   enog/2d/to_transcription  how many times as fast as the transcription of its paper on the same particles,
 //                             both on one thread, turn by turn, the best of each
-// The transcriptions (tests/engine/families/naive_*.hpp) are what one would write first: pair by pair with
+// The transcriptions (tests/engine/methods/naive_*.hpp) are what one would write first: pair by pair with
 // lists of neighbours in std::vector, small matrices, every kernel and stress evaluated where the paper has
 // it, at -O2. That of oenog takes its forces worked out, not from dual numbers.
 
@@ -19,11 +19,11 @@
 
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/shipped.hpp"
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 #include "engine/simulation.hpp"
 #include "tests/bench/benchmarks.hpp"
-#include "tests/engine/families/bonded/naive_oenog.hpp"
-#include "tests/engine/families/naive_runs.hpp"
+#include "tests/engine/methods/bonded/naive_oenog.hpp"
+#include "tests/engine/methods/naive_runs.hpp"
 
 namespace taut::bench {
 namespace {

@@ -7,9 +7,9 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/families/all_methods.hpp"
-#include "engine/families/catalogue.hpp"
-#include "engine/families/families.hpp"
+#include "engine/methods/all_methods.hpp"
+#include "engine/methods/catalogue.hpp"
+#include "engine/methods/families.hpp"
 #include "tests/support/relative.hpp"
 
 namespace of_this_file {

@@ -14,7 +14,7 @@
 #include "engine/diagnostics/measures.hpp"
 #include "engine/diagnostics/verdict.hpp"
 #include "engine/error.hpp"
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 #include "engine/simulation.hpp"
 
 namespace of_this_file {

@@ -16,7 +16,7 @@
 #include "engine/diagnostics/lines.hpp"
 #include "engine/diagnostics/measures.hpp"
 #include "engine/diagnostics/verdict.hpp"
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 #include "engine/simulation.hpp"
 
 namespace of_this_file {

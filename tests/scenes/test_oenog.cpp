@@ -14,7 +14,7 @@
 #include "engine/diagnostics/indicators.hpp"
 #include "engine/diagnostics/measures.hpp"
 #include "engine/diagnostics/verdict.hpp"
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 #include "engine/simulation.hpp"
 #include "tests/support/relative.hpp"
 

@@ -21,7 +21,7 @@ struct RoomRow {
 ///     | room | what for | may include |
 ///     |---|---|---|
 ///     | `core/` | numbers only | `error.hpp` |
-///     | `families/` | one algorithm box a room | all above |
+///     | `methods/` | one algorithm box a room | all above |
 class RoomTable {
  public:
   /// None without such a table.

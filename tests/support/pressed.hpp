@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/families/catalogue.hpp"
-#include "engine/solver/contact/face_contacts.hpp"
-#include "engine/solver/contact/facet_contacts.hpp"
+#include "engine/contact/face_contacts.hpp"
+#include "engine/contact/facet_contacts.hpp"
+#include "engine/methods/catalogue.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 #include "engine/simulation.hpp"
 #include "engine/snapshot_blend.hpp"
 

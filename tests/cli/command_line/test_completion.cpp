@@ -12,7 +12,7 @@
 #include "cli/commands/commands.hpp"
 #include "cli/scene/shipped.hpp"
 #include "cli/text/format.hpp"
-#include "engine/families/catalogue.hpp"
+#include "engine/methods/catalogue.hpp"
 #include "render/colormap.hpp"
 #include "tests/support/program_runner.hpp"
 

@@ -10,8 +10,8 @@
 
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/shipped.hpp"
-#include "engine/families/catalogue.hpp"
-#include "engine/scene/initial_particles.hpp"
+#include "engine/layout/initial_particles.hpp"
+#include "engine/methods/catalogue.hpp"
 #include "engine/scene/shapes/box.hpp"
 #include "engine/scene/shapes/round_shapes.hpp"
 #include "tests/support/relative.hpp"

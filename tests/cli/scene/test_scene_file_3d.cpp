@@ -8,7 +8,7 @@
 
 #include "cli/scene/shipped.hpp"
 #include "engine/error.hpp"
-#include "engine/scene/initial_particles.hpp"
+#include "engine/layout/initial_particles.hpp"
 #include "engine/scene/shapes/round_shapes.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/scene_text.hpp"

@@ -3,7 +3,7 @@
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/shipped.hpp"
 #include "cli/scene/toml_cursor.hpp"
-#include "engine/scene/initial_particles.hpp"
+#include "engine/layout/initial_particles.hpp"
 #include "tests/support/scene_text.hpp"
 
 using namespace taut;

@@ -4,7 +4,7 @@
 
 #include "cli/scene/scene_file.hpp"
 #include "engine/error.hpp"
-#include "engine/scene/initial_particles.hpp"
+#include "engine/layout/initial_particles.hpp"
 #include "engine/simulation.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/scene_text.hpp"

@@ -5,7 +5,7 @@
 #include "cli/scene/scene_file.hpp"
 #include "cli/scene/shipped.hpp"
 #include "cli/text/format.hpp"
-#include "engine/scene/initial_particles.hpp"
+#include "engine/layout/initial_particles.hpp"
 #include "engine/scene/shapes/box.hpp"
 #include "engine/scene/shapes/round_shapes.hpp"
 #include "tests/support/relative.hpp"

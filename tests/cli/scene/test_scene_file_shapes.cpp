@@ -9,7 +9,7 @@
 #include "cli/formats/mask.hpp"
 #include "cli/formats/particle_file.hpp"
 #include "cli/scene/scene_file.hpp"
-#include "engine/scene/initial_particles.hpp"
+#include "engine/layout/initial_particles.hpp"
 #include "render/image/png.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/scene_text.hpp"

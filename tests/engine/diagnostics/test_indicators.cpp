@@ -7,7 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/indicators.hpp"
-#include "engine/scene/initial_particles.hpp"
+#include "engine/layout/initial_particles.hpp"
 #include "tests/support/made_snapshot.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"

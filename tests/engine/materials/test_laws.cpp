@@ -8,8 +8,8 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/families/all_methods.hpp"
 #include "engine/materials/chosen_laws.hpp"
+#include "engine/methods/all_methods.hpp"
 #include "tests/support/relative.hpp"
 
 namespace of_this_file {

@@ -7,8 +7,8 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/layout/surface_mesh.hpp"
 #include "engine/scene/shapes/turned.hpp"
-#include "engine/scene/surface_mesh.hpp"
 #include "tests/support/pressed.hpp"
 #include "tests/support/relative.hpp"
 

@@ -8,8 +8,8 @@
 #include <doctest/doctest.h>
 
 #include "engine/error.hpp"
-#include "engine/scene/initial_particles.hpp"
-#include "engine/scene/outline.hpp"
+#include "engine/layout/initial_particles.hpp"
+#include "engine/layout/outline.hpp"
 #include "engine/scene/shapes/combined.hpp"
 #include "engine/scene/shapes/ellipse.hpp"
 #include "engine/scene/shapes/given_particles.hpp"

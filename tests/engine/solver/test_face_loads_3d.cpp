@@ -11,8 +11,8 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/families/bonded/layout/bonds.hpp"
-#include "engine/families/bonded/methods.hpp"
+#include "engine/methods/bonded/layout/bonds.hpp"
+#include "engine/methods/bonded/methods.hpp"
 #include "engine/solver/face_loads.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"

@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/balance.hpp"
-#include "engine/scene/initial_particles.hpp"
+#include "engine/layout/initial_particles.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"

@@ -10,7 +10,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/error.hpp"
-#include "engine/scene/material_point.hpp"
+#include "engine/layout/material_point.hpp"
 #include "tests/support/pressed.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "engine/contact/face_search.hpp"
+#include "engine/contact/motion_bound.hpp"
+#include "engine/contact/moving_faces.hpp"
+#include "engine/contact/wall_contacts.hpp"
+#include "engine/solver/particles.hpp"
+#include "engine/solver/solver_input.hpp"
+
+namespace taut {
+
+/// Candidates of contact between faces in 2D: nodes with segments of other bodies, nodes with segments of their own
+/// body if it may fold, and nodes near walls. Own segments count if they were further than `far_apart` from the node
+/// at the start.
+class FaceCandidates {
+ public:
+  using V = Vec<double, 2>;
+
+  FaceCandidates(const SolverInput& input, const MovingFaces& faces, double reach)
+      : dp_(input.constants.dp),
+        reach_(reach),
+        meets_itself_(input.keeps_neighbors),
+        meets_others_(input.scene.bodies.size() > 1 || !input.scene.walls.empty()),
+        all_nodes_(faces.size()),
+        all_segments_(faces.outline().segments.size()) {
+    std::iota(all_nodes_.begin(), all_nodes_.end(), 0);
+    std::iota(all_segments_.begin(), all_segments_.end(), 0);
+  }
+
+  NearFaces other_faces, own_faces;
+  std::vector<std::pair<int, int>> near_wall;        // (node, wall)
+  std::vector<int> watched_nodes, watched_segments;  // whose positions count, in rising order
+  std::vector<int> particles;                        // of the watched nodes, in rising order
+
+  /// See ContactMechanism::search.
+  bool search(const Particles<2>& s, MovingFaces& faces, const WallContacts<2>& walls,
+              std::optional<double> way);
+
+  template <class Archive>
+  void serialize(Archive& archive, const MovingFaces& faces, int walls) {
+    for (NearFaces* near : {&other_faces, &own_faces})
+      near->serialize(archive, all_nodes_.size(), all_segments_.size());
+    archive.indices(near_wall, std::pair(faces.size(), walls));
+    archive(others_bound_, own_bound_);
+    if constexpr (Archive::loads) watch(faces);
+  }
+
+ private:
+  // in spacings
+  static constexpr double skin = 1;          // a longer one takes fewer searches and more pairs
+  static constexpr double horizon = 4;       // range of a search, which limits how long it is valid
+  static constexpr double far_apart = 3;     // the two faces of a thinner wall do not act on each other
+  static constexpr double aside = 0.5;       // cosine of normals from which on two faces are far from facing
+  static constexpr double close_by = 4;      // at the start: such faces face each other only where the body
+  static constexpr double folded = -0.1;     // has folded, below this cosine of normals
+  static constexpr double turn_slack = 0.5;  // of two nodes around the particles behind them
+
+  void search_others(const MovingFaces& faces, const WallContacts<2>& walls);
+  void search_own(const Particles<2>& s, const MovingFaces& faces);
+  bool looks_aside(const MovingFaces& faces, int node, int segment) const;
+  void watch(const MovingFaces& faces);
+
+  double dp_;                         // m
+  double reach_;                      // of what acts, in spacings
+  bool meets_itself_, meets_others_;  // others: bodies or walls
+  std::vector<int> all_nodes_, all_segments_;
+  FaceSearch find_;
+  std::vector<V> normal_;  // [segment] at a search
+  MotionBound<2> others_bound_, own_bound_;
+  std::vector<V> behind_;  // [node] position of the particle behind it, m
+};
+
+}  // namespace taut

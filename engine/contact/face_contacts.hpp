@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "engine/contact/contact_mechanism.hpp"
+#include "engine/contact/face_candidates.hpp"
+#include "engine/contact/moving_faces.hpp"
+#include "engine/contact/wall_contacts.hpp"
+#include "engine/solver/particles.hpp"
+#include "engine/solver/solver_input.hpp"
+#include "engine/terms/surface_contact.hpp"
+
+namespace taut {
+
+/// Contact between overlapping faces in 2D, by the law of terms/surface_contact.hpp. Each node of a face is pushed to
+/// its closest point of the other face, which is pushed back. That force goes to the ends of its segment by ξ, and from
+/// nodes to particles by their weights. A node presses with the length of its face that lies over the other one. Both
+/// momenta are conserved, and the force is the slope of an energy except where facing_share changes at a corner that
+/// turns. A body that folds meets itself.
+class FaceContacts final : public ContactMechanism<2> {
+ public:
+  using V = Vec<double, 2>;
+
+  explicit FaceContacts(const SolverInput& input);
+
+  bool search(const Particles<2>& s, const WallContacts<2>& walls, std::optional<double> way) override;
+
+  /// Uses one thread: a touching face has too few nodes for a second one.
+  void evaluate(const Particles<2>& s, double dt, WallContacts<2>& walls, std::vector<V>& force,
+                int threads) override;
+  double energy(const Particles<2>& s, const WallContacts<2>& walls) override;
+  double stiffening() const override { return touching_.empty() ? 1 : stiffer_than_material(stiffness_); }
+  V between(const Particles<2>& s, int a, int b) const override;
+  V of_wall(const Particles<2>& s, int a, int wall, const WallContacts<2>& walls) const override;
+
+  /// Least signed distance of a node of one of two bodies from a face of the other, m, negative where they overlap;
+  /// `reach` if they are further apart.
+  double gap(const Particles<2>& s, int a, int b);
+
+  void serialize(Saver& archive, int particles, const WallContacts<2>& walls) override {
+    faces_.serialize(archive, particles);
+    candidates_.serialize(archive, faces_, walls.count());
+  }
+  void serialize(Loader& archive, int particles, const WallContacts<2>& walls) override {
+    faces_.serialize(archive, particles);
+    candidates_.serialize(archive, faces_, walls.count());
+    touching_ = candidates_.particles;
+  }
+
+ private:
+  // in spacings
+  static constexpr double reach = 1;   // a node that is further behind a face is not of this contact
+  static constexpr double tie = 1e-6;  // of distances that are the same but for round-off
+
+  void refuse_thin(const Scene& scene) const;
+  void place_watched(const Particles<2>& s);
+  template <class F>
+  void for_each_touch(const NearFaces& near, const F& f) const;
+  template <class F>
+  void for_each_wall(const WallContacts<2>& walls, const F& f) const;
+  void act_on_nodes(const Particles<2>& s, double dt, WallContacts<2>& walls);
+  double stiffness(int node, int segment) const {  // Pa/m
+    const std::array<int, 2>& end = faces_.segment(segment).node;
+    return surface_stiffness(M_[node], 0.5 * (M_[end[0]] + M_[end[1]]), stiffness_, dp_);
+  }
+
+  double dp_, stiffness_;
+  MovingFaces faces_;
+  std::vector<double> M_;  // [node] K + 4G/3, Pa
+  FaceCandidates candidates_;
+  // [node] N; apart, so that each is summed in the order of nodes, which mirrored bodies share
+  std::vector<V> own_force_;  // from what the nodes of its own body meet
+  std::vector<V> reaction_;   // from nodes of other bodies
+};
+
+}  // namespace taut

@@ -1,0 +1,155 @@
+#pragma once
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "engine/contact/facet_pairs.hpp"
+#include "engine/contact/motion_bound.hpp"
+#include "engine/contact/moving_facets.hpp"
+#include "engine/contact/near_other_bodies.hpp"
+#include "engine/contact/wall_contacts.hpp"
+#include "engine/solver/solver_input.hpp"
+
+namespace taut {
+
+/// Candidates of contact between facets: pairs of two bodies, pairs of a body that folds, which were further apart at
+/// the start than `far_apart`, or `far_inside` with the body between them, and facets near walls. A search is valid
+/// until the particles behind facets have moved by the difference of its range and the range of contact.
+class FacetCandidates {
+ public:
+  using V = Vec<double, 3>;
+
+  /// Facets whose middles are less than `reach`, m, apart may act.
+  FacetCandidates(const SolverInput& input, const MovingFacets& facets, double reach)
+      : dp_(input.constants.dp),
+        reach_(reach),
+        meets_itself_(input.keeps_neighbors),
+        meets_others_(input.scene.bodies.size() > 1 || !input.scene.walls.empty()),
+        near_(facets, cluster * input.constants.dp),
+        nodes_(facets.nodes_of(near_.order())) {
+    for (int f = 0; f < facets.size(); ++f) normal_.push_back(facets[f].normal);
+  }
+
+  /// Pairs of facets, each in both orders, and facets with walls, in rising order.
+  std::vector<std::pair<int, int>> pairs, near_wall;
+
+  /// See ContactMechanism::search.
+  bool search(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls,
+              std::optional<double> way) {
+    const bool others = meets_others_ && !(way && others_bound_.holds(*way));
+    bool own = meets_itself_ && !(way && own_bound_.holds(*way));
+    if (others || own) facets.follow(s, behind_);
+    if (others) {
+      search_others(s, facets, walls);
+      if (way) others_bound_.holds(*way);
+    }
+    own = own && !(way && own_bound_.still_holds(behind_, near_.bodies(), *way));
+    if (own) {
+      search_own(s, facets);
+      if (way) own_bound_.holds(*way);
+    }
+    if (others || own) join();
+    return others || own;
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive, int walls) {
+    const int count = near_.size();
+    for (auto* list : {&others_, &own_}) {
+      archive.indices(*list, std::pair(count, count));
+      archive.check("the pairs of facets", [&] { return are_both_ways(*list); });
+    }
+    if constexpr (Archive::loads) join();
+    archive.indices(near_wall, std::pair(count, walls));
+    archive(others_bound_, own_bound_);
+  }
+
+ private:
+  // in spacings
+  static constexpr double skin = 1.4;        // longer: fewer searches, more pairs
+  static constexpr double horizon = 4.25;    // how far a search looks, for how long it may hold
+  static constexpr double cluster = 4;       // of facets that a search looks at together first
+  static constexpr double far_apart = 4;     // along a face that bends, or through a gap
+  static constexpr double far_inside = 8;    // the two faces of a thinner wall do not act on each other
+  static constexpr double flat = 1e-6;       // of two facets of one plane, but for round-off
+  static constexpr double aside = 0.5;       // cosine of normals from which on two facets are far from facing
+  static constexpr double turn_slack = 0.5;  // of two facets around the particles behind them
+
+  void search_others(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
+    constexpr double margin = horizon + 2;  // 2: from two particles to their faces
+    const std::vector<char> near = near_other_bodies<3>(behind_, near_.bodies(), margin * dp_);
+    std::vector<int> candidates = near_.order();
+    std::erase_if(candidates, [&](int f) { return !near[f]; });
+    facets.place(s, facets.nodes_of(candidates), candidates, 1);
+    others_bound_.restart(find<PairsOf::two_bodies>(
+                              facets, candidates, [](int, int) { return true; }, others_),
+                          {});
+    near_wall.clear();
+    for (int f = 0; f < near_.size(); ++f)
+      for (int w = 0; w < walls.count(); ++w)
+        if (walls.height(w, behind_[f]) < horizon * dp_) near_wall.emplace_back(f, w);
+  }
+  void search_own(const Particles<3>& s, MovingFacets& facets) {
+    const auto wanted = [&](int f, int g) {
+      const V D = near_.start(f) - near_.start(g);
+      return dot(D, D) > far_inside * far_inside * dp_ * dp_ || dot(D, normal_[g] - normal_[f]) > -flat * dp_;
+    };
+    facets.place(s, nodes_, near_.order(), 1);
+    own_bound_.restart(find<PairsOf::one_body>(facets, near_.order(), wanted, own_), behind_);
+  }
+
+  /// How much nearer the nearest one that is not listed may come. Two facets that look the same way now, as
+  /// those of a face that is pressed along itself do, are not of them: to act on each other
+  /// (terms/surface_contact.hpp:facing_share) they would have to turn by 44° before the next search, up to
+  /// which no point goes as far as a spacing, within a body beside the body. If they do, they act from then on.
+  template <PairsOf kind, class Wanted>
+  double find(const MovingFacets& facets, const std::vector<int>& candidates, const Wanted& wanted,
+              std::vector<std::pair<int, int>>& list) {
+    found_.clear();
+    const double beyond = near_.template find<kind>(
+        facets, candidates,
+        {.listed = reach_ + skin * dp_, .horizon = horizon * dp_, .far = far_apart * dp_, .cosine = aside},
+        wanted, [&](int f, int g) { found_.emplace_back(f, g); });
+    list_both_ways(list);
+    return beyond - reach_ - turn_slack * dp_;
+  }
+
+  /// What was found, sorted.
+  void list_both_ways(std::vector<std::pair<int, int>>& list) {
+    std::vector<int> end(near_.size() + 1);  // of the pairs of each facet
+    for (const auto& [f, g] : found_) ++end[f + 1], ++end[g + 1];
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    const std::vector<int> begin = end;
+    list.resize(2 * found_.size());
+    for (const auto& [f, g] : found_) list[end[f]++] = {f, g}, list[end[g]++] = {g, f};
+    for (std::size_t f = 0; f + 1 < begin.size(); ++f)
+      std::sort(list.begin() + begin[f], list.begin() + begin[f + 1]);
+  }
+
+  /// As `list_both_ways` makes them.
+  static bool are_both_ways(const std::vector<std::pair<int, int>>& list) {
+    return std::ranges::is_sorted(list) && std::ranges::all_of(list, [&](const auto& pair) {
+             return std::ranges::binary_search(list, std::pair(pair.second, pair.first));
+           });
+  }
+
+  void join() {
+    pairs.clear();
+    std::merge(others_.begin(), others_.end(), own_.begin(), own_.end(), std::back_inserter(pairs));
+  }
+
+  double dp_, reach_;                 // m
+  bool meets_itself_, meets_others_;  // others: bodies or walls
+  FacetPairs near_;
+  std::vector<int> nodes_;  // of all facets
+  std::vector<V> normal_;   // [facet] at the start
+  std::vector<V> behind_;   // [facet] the place of the particle behind it, m
+  std::vector<std::pair<int, int>> others_, own_, found_;
+  MotionBound<3> others_bound_, own_bound_;
+};
+
+}  // namespace taut

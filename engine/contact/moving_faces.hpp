@@ -1,0 +1,349 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+#include "engine/layout/outline.hpp"
+#include "engine/solver/particles.hpp"
+#include "engine/terms/surface_contact.hpp"
+
+namespace taut {
+
+/// The half of one of a node's two sides that belongs to the node, as far as it lies over a segment and faces it.
+struct FacingHalf {
+  int side = Outline::none;
+  double half = 0;                   // its length at the start, m
+  double share = 0, slope = 0;       // facing_share and its slope
+  std::array<double, 2> at{};        // where it crosses the segment's ends: 0 at the node, 1 at its other end
+  std::array<double, 2> over{1, 1};  // the share of it within each end
+  std::array<double, 2> rise{};      // the slope of that in `at`
+  double past = 1;                   // beyond an end: as far as the face that goes on there does not face it
+  double past_slope = 0;             // of that in the cosine of the two
+  int next = Outline::none;          // that face
+
+  double covered() const { return over[0] * over[1]; }
+  double area() const { return half * share * covered() * past; }  // m
+};
+
+/// The closest point of a segment to a node.
+struct Foot {
+  int node = Outline::none, segment = Outline::none;
+  double xi = 0;                                          // from the first end to the second
+  double distance2 = 0;                                   // m²
+  double rank = std::numeric_limits<double>::infinity();  // m: the least is the foot
+  double weight = 1;                                      // of two that are as near
+  std::array<FacingHalf, 2> halves{};
+  Vec<double, 2> offset{}, normal{};  // node − point, m; outwards
+
+  double area() const { return weight * (halves[0].area() + halves[1].area()); }  // m
+};
+
+/// Where the faces of layout/outline.hpp are now: a node is a mean of particles, and what acts on a node acts
+/// on them by the same weights.
+class MovingFaces {
+ public:
+  using V = Vec<double, 2>;
+
+  explicit MovingFaces(Outline outline)
+      : outline_(std::move(outline)), place_(outline_.size()), normal_(outline_.segments.size()) {
+    for (int n = 0; n < size(); ++n) {
+      const auto first = outline_.shares.begin() + outline_.begin[n],
+                 last = outline_.shares.begin() + outline_.begin[n + 1];
+      const auto most = std::ranges::max_element(first, last, {}, &PointWeight::weight);
+      behind_.push_back(static_cast<int>(most - outline_.shares.begin()));
+    }
+    find_sharp_ends();
+  }
+
+  const Outline& outline() const { return outline_; }
+  int size() const { return outline_.size(); }
+  const Outline::Segment& segment(int k) const { return outline_.segments[k]; }
+  /// One begins where the other ends.
+  bool beside(int k, int l) const {
+    const auto &a = outline_.segments[k].node, &b = outline_.segments[l].node;
+    return a[0] == b[1] || a[1] == b[0];
+  }
+  int body_of_segment(int k) const { return outline_.body_of(outline_.segments[k]); }
+  V x0(int node) const {  // m
+    V x;
+    for (int k = 0; k < 2; ++k) x[k] = outline_.x[node][k];
+    return x;
+  }
+
+  /// After particles were stored in another order.
+  void renumber(const Particles<2>& s) {
+    const std::vector<int> where = s.places_of_ids();
+    stored_.clear();
+    for (const PointWeight& share : outline_.shares) stored_.push_back(where[share.particle]);
+  }
+
+  /// Brings nodes to where their particles are.
+  void place(const Particles<2>& s, int node) {
+    V x{};
+    for_each_share(node, [&](int i, double weight) { x += weight * s.x[i]; });
+    place_[node] = x;
+  }
+  void place_all(const Particles<2>& s) {
+    for (int n = 0; n < size(); ++n) place(s, n);
+    for (int k = 0; k < static_cast<int>(normal_.size()); ++k) set_normal(k);
+  }
+  /// After its nodes were brought there.
+  void set_normal(int k) {
+    const auto& [node, length, sense] = outline_.segments[k];
+    const V t = place_[node[1]] - place_[node[0]];
+    const double factor = sense / std::sqrt(dot(t, t));
+    normal_[k] = {factor * t[1], -factor * t[0]};
+  }
+  const std::vector<V>& places() const { return place_; }  // [node] m
+  /// The place of the particle that counts most for each node, m.
+  void follow(const Particles<2>& s, std::vector<V>& x) const {
+    x.clear();
+    for (const int share : behind_) x.push_back(s.x[stored_[share]]);
+  }
+
+  /// f(i, weight) for each stored particle that a node is a mean of.
+  template <class F>
+  void for_each_share(int node, const F& f) const {
+    for (int k = outline_.begin[node]; k < outline_.begin[node + 1]; ++k)
+      f(stored_[k], outline_.shares[k].weight);
+  }
+
+  /// Of length 1, outwards.
+  const V& normal_of(int k) const { return normal_[k]; }
+
+  bool has_sharp_end(int k) const { return sharp_[k][0] || sharp_[k][1]; }
+
+  /// Of a node from a segment, m².
+  double distance2(int node, int k) const {
+    const std::array<int, 2>& end = outline_.segments[k].node;
+    const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
+    const V offset = d - std::clamp(dot(d, t) / dot(t, t), 0.0, 1.0) * t;
+    return dot(offset, offset);
+  }
+
+  /// The length of face that belongs to a node, m at the start, as far as it faces a face of this normal.
+  double facing(int node, const V& normal) const {
+    double area = 0;
+    for (const int k : outline_.beside[node])
+      if (k != Outline::none)
+        area += 0.5 * outline_.segments[k].length * facing_share(dot(normal_of(k), normal));
+    return area;
+  }
+
+  /// What an energy per length of that turns a node's sides with: give(n, f), N (per metre depth in 2D).
+  template <class Give>
+  void push_facing(int node, const V& normal, double energy, const Give& give) const {
+    for (const int k : outline_.beside[node])
+      if (k != Outline::none)
+        if (const double slope = facing_slope(dot(normal_of(k), normal)); slope != 0)
+          turn(k, normal, energy * 0.5 * outline_.segments[k].length * slope, give);
+  }
+
+  /// Takes a segment's point for the foot of a node if it is nearer and the node faces it. A face that no side of
+  /// the node looks at straight counts as up to half its length further off: a corner that comes upon a corner is
+  /// pushed back by the face before it. By the one beside it, which is as near, two tips went into each other, and
+  /// the energy jumped when they had turned. A node beyond a sharp end presses with what its side has over the
+  /// segment, as deep as the side is at the end.
+  void measure(int node, int k, Foot& best) const {
+    const std::array<int, 2>& end = outline_.segments[k].node;
+    const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
+    const double along = dot(d, t) / dot(t, t);
+    const double xi = std::clamp(along, sharp_[k][0] ? std::min(along, 0.0) : 0.0,
+                                 sharp_[k][1] ? std::max(along, 1.0) : 1.0);
+    const V offset = d - xi * t;
+    const double distance2 = dot(offset, offset);
+    if (xi >= 0 && xi <= 1 && distance2 >= best.rank * best.rank) return;
+    Foot foot;
+    foot.node = node, foot.segment = k, foot.xi = xi, foot.distance2 = distance2;
+    foot.offset = offset, foot.normal = normal_of(k);
+    auto& [one, two] = foot.halves;
+    one = facing_half(foot, outline_.beside[node][0]);
+    two = facing_half(foot, outline_.beside[node][1]);
+    if (!(foot.area() > 0)) return;
+    if (is_beyond(foot)) (one.area() > two.area() ? two : one) = {};  // one of them comes in over the end
+    const double straight = std::max(one.share, two.share);
+    const double distance = is_beyond(foot) ? std::abs(touch(foot).depth) : std::sqrt(foot.distance2);
+    foot.rank = distance + 0.5 * (1 - straight) * outline_.segments[k].length;
+    if (foot.rank < best.rank) best = foot;
+  }
+
+  struct Touch {
+    double depth;  // of the node, or its side, behind the face, m; below 0 before it
+    V out;         // unit vector along which the node is pushed, if it is behind
+  };
+  /// Beside an end that is not sharp, where two segments meet, the mean of their normals says which side is inside;
+  /// what is across it is beside the face, as a node that has just left a tip.
+  Touch touch(const Foot& foot) const {
+    if (is_beyond(foot)) {
+      const FacingHalf& half = foot.halves[foot.halves[0].side == Outline::none ? 1 : 0];
+      return {depth_at(foot, half, foot.xi > 1), foot.normal};
+    }
+    const bool second = foot.xi >= 1;
+    if ((foot.xi > 0 && foot.xi < 1) || sharp_[foot.segment][second])
+      return {-dot(foot.offset, foot.normal), foot.normal};
+    const int next = outline_.beside[outline_.segments[foot.segment].node[second]][second];
+    const V normal = next == Outline::none ? foot.normal : foot.normal + normal_of(next);
+    const double distance = std::sqrt(foot.distance2);
+    constexpr double across = 0.25;  // cosine
+    if (dot(foot.offset, normal) >= -across * distance * std::sqrt(dot(normal, normal)))
+      return {-distance, foot.normal};
+    return {distance, (-1 / distance) * foot.offset};
+  }
+
+  /// What the energy of a node at its foot, k the stiffness, pushes each node with: own(n, f) of the node's face, and
+  /// other(n, f) of the segment's, N (per metre depth in 2D). The slopes of the depth, of how much of the sides lies over
+  /// the segment, and of how they face each other.
+  template <class Own, class Other>
+  void push(const Foot& foot, const Touch& touch, double k, const Own& own, const Other& other) const {
+    const std::array<int, 2>& end = outline_.segments[foot.segment].node;
+    const double size = surface_force(touch.depth, foot.area(), k);
+    if (!is_beyond(foot)) {
+      own(foot.node, size * touch.out);
+      other(end[0], (-(1 - foot.xi) * size) * touch.out);
+      other(end[1], (-foot.xi * size) * touch.out);
+    }
+    for (const FacingHalf& h : foot.halves) {
+      if (!(h.share > 0)) continue;
+      const double per_length = surface_energy(touch.depth, foot.weight, k) * h.half;
+      if (is_beyond(foot)) push_at_end(foot, h, touch.depth, size, own, other);
+      for (const int e : {0, 1})
+        if (h.rise[e] != 0)
+          push_along(foot, h, e, per_length * h.share * h.past * h.over[1 - e] * h.rise[e], own, other);
+      if (h.slope != 0)
+        push_turning(h.side, foot.segment, per_length * h.slope * h.covered() * h.past, own, other);
+      if (h.past_slope != 0)
+        push_turning(h.side, h.next, per_length * h.share * h.covered() * h.past_slope, own, other);
+    }
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive, int particles) {
+    archive.fixed(stored_);
+    archive.check("a particle of a face", [&] {
+      return std::ranges::all_of(stored_, [&](int i) { return i >= 0 && i < particles; });
+    });
+  }
+
+ private:
+  /// Whether the foot lies past an end of its segment, on the line through it.
+  static bool is_beyond(const Foot& foot) { return foot.xi < 0 || foot.xi > 1; }
+
+  int other_end(int node, int side) const {
+    const auto& ends = outline_.segments[side].node;
+    return ends[ends[0] == node ? 1 : 0];
+  }
+  /// From the node along one of its sides to that one's other end.
+  V way(int node, int side) const { return place_[other_end(node, side)] - place_[node]; }
+
+  FacingHalf facing_half(const Foot& foot, int side) const {
+    FacingHalf h;
+    if (side == Outline::none) return h;
+    const auto [node, k, xi] = std::tuple(foot.node, foot.segment, foot.xi);
+    const V normal = normal_of(side);
+    const double cosine = dot(normal, foot.normal);
+    h.side = side, h.half = 0.5 * outline_.segments[side].length;
+    h.share = facing_share(cosine), h.slope = facing_slope(cosine);
+    if (!(h.share > 0) || !has_sharp_end(k)) return h;
+    const auto& ends = outline_.segments[k].node;
+    const V t = place_[ends[1]] - place_[ends[0]], w = way(node, side);
+    const double along = dot(t, w);
+    for (const int e : {0, 1}) {
+      if (!sharp_[k][e]) continue;
+      h.at[e] = -dot(t, place_[node] - place_[ends[e]]) / along;
+      const bool ahead = (along > 0) == (e == 0);  // the side comes in over this end
+      const double u = std::clamp(ahead ? 1 - 2 * h.at[e] : 2 * h.at[e], 0.0, 1.0);
+      h.over[e] = u * u * (3 - 2 * u);  // faces of one length that lie on each other slide nowhere
+      h.rise[e] = (ahead ? -12 : 12) * u * (1 - u);
+    }
+    if (xi >= 0 && xi <= 1) return h;
+    const bool e = xi > 1;
+    h.next = outline_.beside[ends[e]][e];
+    const double to_next = dot(normal, normal_of(h.next));
+    h.past = 1 - facing_share(to_next), h.past_slope = -facing_slope(to_next);
+    return h;
+  }
+
+  /// How deep a side is behind the segment where it crosses the line across its end e, m.
+  double depth_at(const Foot& foot, const FacingHalf& h, int e) const {
+    const V place = place_[foot.node] + h.at[e] * way(foot.node, h.side);
+    return -dot(place - place_[outline_.segments[foot.segment].node[e]], foot.normal);
+  }
+
+  /// With δ of the segment t, its end e and the side w from x to z, r = n·w/t·w and s where the side crosses the end:
+  ///   δdepth = −(n − r t)·((1 − s) δx + s δz − δe) − r depth n·δt
+  template <class Own, class Other>
+  void push_at_end(const Foot& foot, const FacingHalf& h, double depth, double size, const Own& own,
+                   const Other& other) const {
+    const auto& ends = outline_.segments[foot.segment].node;
+    const int e = foot.xi > 1;
+    const V t = place_[ends[1]] - place_[ends[0]], w = way(foot.node, h.side);
+    const double r = dot(foot.normal, w) / dot(t, w);
+    const V out = foot.normal - r * t;
+    own(foot.node, ((1 - h.at[e]) * size) * out);
+    own(other_end(foot.node, h.side), (h.at[e] * size) * out);
+    other(ends[e], -size * out);
+    other(ends[1], (r * depth * size) * foot.normal);
+    other(ends[0], (-r * depth * size) * foot.normal);
+  }
+
+  /// By the slope of the energy in s: δs = −(t·((1 − s) δx + s δz − δe) − depth n·δt)/t·w, the depth that of the
+  /// side at the end.
+  template <class Own, class Other>
+  void push_along(const Foot& foot, const FacingHalf& h, int e, double slope, const Own& own,
+                  const Other& other) const {
+    const auto& ends = outline_.segments[foot.segment].node;
+    const V t = place_[ends[1]] - place_[ends[0]];
+    const double by = slope / dot(t, way(foot.node, h.side)), turning = by * depth_at(foot, h, e);
+    own(foot.node, ((1 - h.at[e]) * by) * t);
+    own(other_end(foot.node, h.side), (h.at[e] * by) * t);
+    other(ends[e], -by * t);
+    other(ends[1], -turning * foot.normal);
+    other(ends[0], turning * foot.normal);
+  }
+
+  /// By the slope of the energy in the cosine of a side's normal and another one: δn = −t n·δt/|t|².
+  template <class Give>
+  void turn(int side, const V& normal, double slope, const Give& give) const {
+    const auto& ends = outline_.segments[side].node;
+    const V t = place_[ends[1]] - place_[ends[0]];
+    const V f = (slope * dot(t, normal) / dot(t, t)) * normal_of(side);
+    give(ends[1], f), give(ends[0], -1.0 * f);
+  }
+  template <class Own, class Other>
+  void push_turning(int side, int segment, double slope, const Own& own, const Other& other) const {
+    turn(side, normal_of(segment), slope, own), turn(segment, normal_of(side), slope, other);
+  }
+
+  /// Ends where the face turns by more than 60 degrees, outwards.
+  void find_sharp_ends() {
+    for (int k = 0; k < static_cast<int>(outline_.segments.size()); ++k) {
+      std::array<bool, 2>& sharp = sharp_.emplace_back();
+      for (const int end : {0, 1}) {
+        const int next = outline_.beside[outline_.segments[k].node[end]][end];
+        if (next == Outline::none) continue;
+        const V corner = x0(outline_.segments[k].node[end]), beyond = x0(outline_.segments[next].node[end]);
+        const V n = normal_at_start(k);
+        sharp[end] = dot(n, normal_at_start(next)) < 0.5 && dot(n, beyond - corner) < 0;
+      }
+    }
+  }
+  V normal_at_start(int k) const {
+    const auto& [node, length, sense] = outline_.segments[k];
+    const V t = x0(node[1]) - x0(node[0]);
+    const double factor = sense / std::sqrt(dot(t, t));
+    return {factor * t[1], -factor * t[0]};
+  }
+
+  Outline outline_;
+  std::vector<std::array<bool, 2>> sharp_;  // [segment] its ends
+  std::vector<int> stored_;                 // [share] where its particle is
+  std::vector<int> behind_;                 // [node] the share of the particle behind it
+  std::vector<V> place_;                    // [node] m
+  std::vector<V> normal_;                   // [segment] as normal_of
+};
+
+}  // namespace taut

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/contact/contact_mechanism.hpp"
+#include "engine/contact/pair_candidates.hpp"
+#include "engine/solver/particles.hpp"
+#include "engine/solver/solver_input.hpp"
+#include "engine/terms/contact_law_row.hpp"
+
+namespace taut {
+
+/// Contact between particles of two bodies, or of two parts of a body that folds, that are less than a spacing apart,
+/// by a law of forces or of impulses. It acts along the pair and is equal and opposite to the last bit. A wall acts as
+/// the particle's mirror image.
+///
+/// Differs from [Khayyer2024] Eq. 53–54: there the impulses are a force that stops the approach of the old velocities,
+/// and the approach added during the step is not stopped. Under a pressure p faces then creep into each other at about
+/// p/(ρ c0), whatever the resolution; colliding rings interlock. Here the new velocities are stopped before any
+/// position follows them. The paper does not give the distance of contact: here one spacing, as between two layers of
+/// a body.
+template <int Dim>
+class PairContacts final : public ContactMechanism<Dim> {
+ public:
+  using V = Vec<double, Dim>;
+  using ContactMechanism<Dim>::touching_;
+
+  PairContacts(const SolverInput& input, const ContactLawRow& law, bool between_bodies);
+
+  bool search(const Particles<Dim>& s, const WallContacts<Dim>& walls, std::optional<double> way) override;
+
+  /// Uses one thread: a touching face has too few particles for a second one.
+  void evaluate(const Particles<Dim>& s, double dt, WallContacts<Dim>& walls, std::vector<V>& force,
+                int threads) override;
+  double energy(const Particles<Dim>& s, const WallContacts<Dim>& walls) override;
+  V between(const Particles<Dim>& s, int a, int b) const override;
+  V of_wall(const Particles<Dim>& s, int a, int wall, const WallContacts<Dim>& walls) const override;
+
+  bool has_impulses() const override { return law_.impulse != nullptr; }
+  void stop_approach(const Particles<Dim>& s, double gone, WallContacts<Dim>& walls,
+                     const std::vector<double>& inverse_mass, std::vector<V>& impulse) override;
+  V impulse(int body, int other, int wall) const override;
+
+  Neighbors neighbors(int particles) const override { return candidates_.neighbors(particles); }
+
+  void serialize(Saver& archive, int particles, const WallContacts<Dim>& walls) override {
+    candidates_.serialize(archive, particles, walls.count());
+  }
+  void serialize(Loader& archive, int particles, const WallContacts<Dim>& walls) override {
+    candidates_.serialize(archive, particles, walls.count());
+    touching_ = candidates_.particles(particles);
+  }
+
+ private:
+  /// Modulus of the contact of two particles, Pa.
+  double modulus(const Particles<Dim>& s, int i, int j) const;
+  template <class F>
+  void for_each_touch(const Particles<Dim>& s, int i, double gone, const F& f) const;
+  template <class F>
+  void for_each_wall_touch(const Particles<Dim>& s, const WallContacts<Dim>& walls, double gone,
+                           const F& f) const;
+  int bodies() const { return static_cast<int>(given_.size()); }
+  void note(int body, int other, const V& impulse) {
+    if (!given_.empty()) given_[body][other] += impulse;
+  }
+
+  const ContactLawRow& law_;
+  double dp_;              // m
+  double stiffness_;       // over K1 K2/(K1 + K2)
+  std::vector<double> K_;  // [id] Pa
+  PairCandidates<Dim> candidates_;
+  std::vector<std::vector<V>>
+      given_;  // [body][body, then wall] N s in the last step; empty if no probe measures it
+};
+
+}  // namespace taut

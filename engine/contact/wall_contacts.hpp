@@ -1,0 +1,64 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/core/tensor.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/snapshot.hpp"
+#include "engine/terms/term_info.hpp"
+
+namespace taut {
+
+/// Rigid walls: half-spaces that nothing enters. A wall acts on a particle as the particle's own mirror image
+/// in it would by the law of contact, twice the height away, so that a body on a wall does what it would do
+/// on an equal one that meets it. Without friction. What it gives to the bodies is booked.
+template <int Dim>
+class WallContacts {
+ public:
+  using V = Vec<double, Dim>;
+
+  explicit WallContacts(const Scene& scene) {
+    for (const Wall& wall : scene.walls) {
+      Plane plane;
+      for (int k = 0; k < Dim; ++k) plane.at[k] = wall.at[k], plane.normal[k] = wall.normal[k];
+      planes_.push_back(plane);
+    }
+  }
+
+  bool any() const { return !planes_.empty(); }
+  int count() const { return static_cast<int>(planes_.size()); }
+  const V& normal(int wall) const { return planes_[wall].normal; }  // to the side of the bodies
+  double height(int wall, const V& x) const {                       // of x over it, m
+    return dot(x - planes_[wall].at, planes_[wall].normal);
+  }
+
+  /// An impulse, N s, that a particle at x has got.
+  void book(const V& x, const V& impulse) {
+    for (int k = 0; k < Dim; ++k) given_.linear[k] += impulse[k];
+    given_.angular[2] += x[0] * impulse[1] - x[1] * impulse[0];
+    if constexpr (Dim == 3) {
+      given_.angular[0] += x[1] * impulse[2] - x[2] * impulse[1];
+      given_.angular[1] += x[2] * impulse[0] - x[0] * impulse[2];
+    }
+  }
+  const Impulse& given() const { return given_; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(given_);
+  }
+
+ private:
+  struct Plane {
+    V at, normal;  // m, of length 1
+  };
+
+  std::vector<Plane> planes_;
+  Impulse given_;
+};
+
+inline constexpr TermInfo wall_info{
+    "wall", "the law of contact with the body's own mirror image; sph: the penalty law", "ours",
+    "contact/wall_contacts.hpp:WallContacts", "wall: a body meets its mirror image"};
+
+}  // namespace taut

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <vector>
+
+#include "engine/layout/initial_particles.hpp"
+#include "engine/layout/material_point.hpp"
+
+namespace taut {
+
+/// Points on the faces of bodies, each a mean of particles, with which it moves.
+struct FaceNodes {
+  std::vector<Point> x;             // [node] at the start, on the face, m
+  std::vector<int> begin{0};        // [node] its first share; and one past the last of all
+  std::vector<PointWeight> shares;  // x = Σ weight x_particle, exact for linear fields
+
+  int size() const { return static_cast<int>(x.size()); }
+  void add(const Point& at, const std::vector<PointWeight>& of) {
+    x.push_back(at);
+    shares.insert(shares.end(), of.begin(), of.end());
+    begin.push_back(static_cast<int>(shares.size()));
+  }
+};
+
+/// What makes the shares of the nodes of one body.
+class ParticlesAround {
+ public:
+  ParticlesAround(const InitialParticles& initial, int body, double dp);
+
+  /// Of a node at x: from the nearest particles that do not make it too light. None where too few lie around
+  /// it, or in a plane.
+  std::vector<PointWeight> shares_of(const Point& x) const;
+
+ private:
+  using Cell = std::array<long, 3>;
+  Cell cell_of(const Point& x) const;
+  std::vector<int> near(const Point& x) const;
+
+  const InitialParticles& initial_;
+  double dp_;  // m
+  std::map<Cell, std::vector<int>> cells_;
+};
+
+}  // namespace taut

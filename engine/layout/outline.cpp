@@ -1,0 +1,142 @@
+#include "engine/layout/outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/core/index.hpp"
+#include "engine/scene/shapes/box.hpp"
+#include "engine/scene/shapes/combined.hpp"
+#include "engine/scene/shapes/round_shapes.hpp"
+
+namespace taut {
+namespace {
+
+bool any_holds(const std::vector<Shape>& shapes, const Point& x, double tolerance) {
+  return std::ranges::any_of(shapes, [&](const Shape& shape) { return shape->holds(x, 2, tolerance); });
+}
+
+/// Another of the shapes lies at `x`, or holds the middle of the segment and comes before `own`, as where two
+/// faces lie in one.
+bool covered(const std::vector<Shape>& shapes, std::size_t own, const Point& x, const Point& middle,
+             double dp) {
+  const double thin = 1e-6 * dp;
+  for (std::size_t k = 0; k < shapes.size(); ++k)
+    if (k != own && (shapes[k]->holds(x, 2, -thin) || (k < own && shapes[k]->holds(middle, 2, thin))))
+      return true;
+  return false;
+}
+
+/// The segment of the shape `own`, or of what is cut out, is a face of the body: the solid lies behind it.
+bool is_face(const Body& body, bool cut, std::size_t own, const Point& a, const Point& b, double dp) {
+  const double off = 1e-3 * dp / distance_between(a, b, 2);  // a thousandth of a spacing
+  const Point middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0};
+  const Point before{middle[0] + off * (b[1] - a[1]), middle[1] - off * (b[0] - a[0]), 0};
+  const Point behind{middle[0] - off * (b[1] - a[1]), middle[1] + off * (b[0] - a[0]), 0};
+  if (cut) return any_holds(body.shapes, behind, 0) && !covered(body.without, own, behind, middle, dp);
+  return !any_holds(body.without, behind, 0) && !covered(body.shapes, own, before, middle, dp);
+}
+
+bool needs_clipping(const Body& body) {
+  const auto is_other = [](const Shape& shape) {
+    return !shape.as<Box>() && !shape.as<Disc>() && !shape.as<Ring>();
+  };
+  return std::ranges::any_of(body.shapes, is_other) || std::ranges::any_of(body.without, is_other);
+}
+
+/// Of a body with shapes whose sides are no multiples of the spacing: its faces meet where its shapes cross.
+std::vector<Chain> whole_outline(const Body& body, int dim, double dp) {
+  const auto one = [](const std::vector<Shape>& shapes) {
+    return shapes.size() == 1 ? shapes.front() : Shape(Combined{Combination::together, shapes});
+  };
+  Shape whole = one(body.shapes);
+  if (!body.without.empty()) whole = Combined{Combination::difference, {whole, one(body.without)}};
+  return whole->outline(dim, dp);
+}
+
+class OutlineMaker {
+ public:
+  OutlineMaker(const Scene& scene, const InitialParticles& initial) : scene_(scene), initial_(initial) {}
+
+  Outline make() {
+    for (std::size_t b = 0; b < scene_.bodies.size(); ++b) add(static_cast<int>(b));
+    return std::move(out_);
+  }
+
+ private:
+  /// A reflected or rotated outline is made as the layout is.
+  void add(int b) {
+    const Body body = as_laid(scene_.bodies[as_index(b)], scene_.dim);
+    const ParticlesAround particles(initial_, b, scene_.spacing);
+    if (needs_clipping(body)) {
+      const auto all_are = [](const Point&, const Point&) { return true; };
+      for (const Chain& chain : whole_outline(body, scene_.dim, scene_.spacing))
+        add(b, chain, particles, all_are);
+      return;
+    }
+    const auto add_all = [&](const std::vector<Shape>& shapes, bool cut) {
+      for (std::size_t own = 0; own < shapes.size(); ++own) {
+        for (Chain& chain : shapes[own]->outline(scene_.dim, scene_.spacing)) {
+          if (cut) std::ranges::reverse(chain);
+          add(b, chain, particles, [&](const Point& from, const Point& to) {
+            return is_face(body, cut, own, from, to, scene_.spacing);
+          });
+        }
+      }
+    };
+    add_all(body.shapes, false);
+    add_all(body.without, true);
+  }
+
+  template <class IsFace>
+  void add(int b, const Chain& chain, const ParticlesAround& particles, const IsFace& is_face) {
+    const std::size_t n = chain.size();
+    std::vector<int> node(n, Outline::none);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Point &from = chain[k], &to = chain[(k + 1) % n];
+      if (!is_face(from, to)) continue;
+      const int first = node_at(node[k], b, from, particles),
+                second = node_at(node[(k + 1) % n], b, to, particles);
+      if (first == Outline::none || second == Outline::none) continue;
+      const std::array<bool, 3>& mirror = scene_.bodies[as_index(b)].mirror;
+      const double sense = (mirror[0] != mirror[1]) ? -1 : 1;
+      out_.beside[as_index(first)][1] = out_.beside[as_index(second)][0] =
+          static_cast<int>(out_.segments.size());
+      out_.segments.push_back({{first, second}, distance_between(from, to, 2), sense});
+    }
+  }
+
+  /// The node of a place of a chain, made when it is first asked for; where the chains of two shapes meet, it
+  /// is of both.
+  int node_at(int& known, int b, const Point& laid, const ParticlesAround& particles) {
+    if (known != Outline::none) return known;
+    const Point x = placed(scene_.bodies[as_index(b)], laid, scene_.dim);
+    std::erase_if(open_, [&](int n) {
+      return out_.body[as_index(n)] != b || std::ranges::count(out_.beside[as_index(n)], Outline::none) == 0;
+    });
+    for (const int n : open_)
+      if (distance_between(out_.x[as_index(n)], x, 2) < 1e-6 * scene_.spacing) return known = n;
+    const std::vector<PointWeight> shares = particles.shares_of(x);
+    if (shares.empty()) return Outline::none;
+    known = out_.size();
+    open_.push_back(known);
+    out_.add(x, shares);
+    out_.body.push_back(b);
+    out_.beside.push_back({Outline::none, Outline::none});
+    return known;
+  }
+
+  const Scene& scene_;
+  const InitialParticles& initial_;
+  Outline out_;
+  std::vector<int> open_;  // nodes that lack a segment
+};
+
+}  // namespace
+
+Outline make_outline(const Scene& scene, const InitialParticles& initial) {
+  if (scene.dim != 2) return {};
+  return OutlineMaker(scene, initial).make();
+}
+
+}  // namespace taut

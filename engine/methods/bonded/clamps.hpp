@@ -1,0 +1,85 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "engine/core/columns.hpp"
+#include "engine/methods/bonded/packed_bonds.hpp"
+#include "engine/solver/drives.hpp"
+#include "engine/solver/particles.hpp"
+#include "engine/terms/bond.hpp"
+
+namespace taut {
+
+/// Clamp places as columns behind the particles. The places of a driven region follow it.
+template <int Dim>
+class Clamps {
+ public:
+  using V = Vec<double, Dim>;
+
+  /// Resizes the columns and appends the places, where the stress is 0.
+  void add_places(const std::vector<ClampPlace>& all, const Particles<Dim>& s, const Drives<Dim>& drives,
+                  Columns<2 * Dim>& places, Columns<Dim * Dim>& Q) {
+    const std::vector<int> where = stored_places(s.id);
+    first_ = (s.size() + lanes - 1) / lanes * lanes;
+    const int count = static_cast<int>(all.size());
+    places.resize(first_ + count);
+    Q.resize(first_ + count);
+    for (int i = 0; i < count; ++i) {
+      const int behind = behind_.emplace_back(where[all[i].behind]);
+      V from_behind;
+      for (int k = 0; k < Dim; ++k) {
+        places[k][first_ + i] = places[Dim + k][first_ + i] = all[i].x[k];
+        from_behind[k] = all[i].x[k] - s.x[behind][k];
+      }
+      if (drives.lasts(all[i].behind)) driven_.push_back({first_ + i, behind, from_behind});
+    }
+  }
+
+  bool has_driven() const { return !driven_.empty(); }
+
+  /// Moves the places with the driven particles behind them; `ahead`, in s, as in x + ahead v.
+  void follow(const Particles<Dim>& s, double ahead, const ColumnsView<2 * Dim>& places) const {
+    for (const auto& [place, behind, from_behind] : driven_)
+      for (int k = 0; k < Dim; ++k) {
+        const double x = s.x[behind][k] + from_behind[k];
+        places[k][place] = x, places[Dim + k][place] = x + ahead * s.v[behind][k];
+      }
+  }
+
+  /// Calls use(particle behind the place, force on the free particle, in N) for each bond into a clamp.
+  template <class Storage, class Use>
+  void for_each_pull(const PackedBonds<Dim, Storage>& packed, const ColumnsView<2 * Dim>& places,
+                     const ColumnsView<Dim * Dim>& Q, double least_r2, const Use& use) const {
+    const auto bonds = packed.view();
+    for (const auto& [group, lane, b, place] : packed.bonds_to_clamp()) {
+      const int i = lanes * group + lane, j = first_ + place;
+      const auto& own = bonds.of(group);
+      const auto& spring = bonds.springs(own)[b];
+      V d, ahead, pull{};
+      for (int k = 0; k < Dim; ++k)
+        d[k] = places[k][j] - places[k][i], ahead[k] = places[Dim + k][j] - places[Dim + k][i];
+      if (b < own.a_count) {
+        const V a_ij = lane_of(unpacked(bonds.a_ij(own)[b]), lane);
+        for (int k = 0; k < Dim; ++k)
+          for (int l = 0; l < Dim; ++l) pull[k] += Q[k * Dim + l][i] * a_ij[l];
+      }
+      const Pack r2 = filled<Pack>(std::max(dot(d, d), least_r2));
+      const double slopes =
+          three_bond_slopes(dot(d, ahead) * spring.per_r02()[lane], spring.half_inverse(r2)[lane]);
+      pull += (spring.third()[lane] * slopes) * d;
+      use(behind_[place], pull);
+    }
+  }
+
+ private:
+  struct Driven {
+    int place, behind;  // stored indices
+    V from_behind;      // from the particle to the place, m
+  };
+  int first_ = 0;            // first place in the columns
+  std::vector<int> behind_;  // [place] stored index of the rigid particle
+  std::vector<Driven> driven_;
+};
+
+}  // namespace taut

@@ -1,0 +1,32 @@
+#include "engine/methods/bonded/describe.hpp"
+
+#include "engine/methods/bonded/bond_sums.hpp"
+#include "engine/methods/bonded/interface_sites.hpp"
+#include "engine/terms/contact_laws.hpp"
+
+namespace taut::bonded {
+namespace {
+
+constexpr TermInfo time_info{
+    "time", "position Verlet, one step", "[Zhang2024] Eq. 22–25", "methods/bonded/solver.cpp:step",
+    "oenog: 40 steps are those of the formulas, with a clamp, two materials and on a ring"};
+
+}  // namespace
+
+std::vector<TermInfo> terms(const BondedFormulation& m) {
+  return {bond_energy_info, bond_force_info,     cancelled_info,          stress_info,
+          interface_info,   bonded_damping_info, contact_info(m.contact), time_info};
+}
+
+std::vector<ConstantRow<BondedConstants>> constants(const BondedFormulation& m, int dim) {
+  constexpr std::string_view help = "half of the least reach of bonds over the spacing";
+  // in 3D the 26 nearest of a cubic lattice and no others, for which there are weights: between √3/2 and 1
+  const MethodConstant h = dim == 3 ? MethodConstant{"h", m.h_over_dp_3d, 0.87, 0.99, help, true, true}
+                                    : MethodConstant{"h", m.h_over_dp, 0.8, 2.0, help, true, true};
+  return {{&BondedConstants::h, h},
+          {&BondedConstants::damping,
+           {"damping", 0.01, 0.0, 0.05,
+            "damping time τ of the bonds over dp √(ρ0/G), against noise after impacts; 0 conserves energy"}}};
+}
+
+}  // namespace taut::bonded

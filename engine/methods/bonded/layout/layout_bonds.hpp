@@ -1,0 +1,12 @@
+#pragma once
+
+#include "engine/methods/bonded/layout/bonds.hpp"
+
+namespace taut {
+
+/// Returns balanced bonds in 2D that do not end at clamps yet, without volumes and masses. No two particles share a
+/// row. Lengths in m.
+Bonds layout_bonds(const InitialParticles& initial, const Constraints& constraints, double spacing, double h,
+                   int threads);
+
+}  // namespace taut

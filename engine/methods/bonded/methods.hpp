@@ -1,0 +1,29 @@
+#pragma once
+
+#include "engine/methods/bonded/formulation.hpp"
+
+namespace taut {
+
+inline constexpr BondedFormulation oenog{
+    {
+        .name = "oenog",
+        .paper = "none: ours",
+        .summary = "objective ENOG: forces rotate with the initial pairs and derive from an energy; "
+                   "no neighbour search within a body",
+        .conserves = "linear momentum, angular momentum",
+        .family = Family::bonded,
+        .deviator = Deviator::plane_strain,
+        .contact = ContactLaw::surface,
+        .contact_stiffness = 2,  // (K + 4G/3)/2 per spacing, see terms/surface_contact.hpp
+        .several_materials = true,
+        .h_over_dp = 0.8,     // the eight nearest on a square lattice, see THEORY.md
+        .h_over_dp_3d = 0.9,  // the 26 nearest of a cubic one
+        .cfl = 0.64,          // over dp/(c_p + |v|max), c_p of compression; the lattice is stable up to 0.97
+    },
+    {.law = Law::neo_hookean, .others = OtherLaws::all}};
+
+namespace bonded {
+using Methods = MethodList<oenog>;
+}
+
+}  // namespace taut

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "engine/core/shared_rows.hpp"
+#include "engine/methods/bonded/clamps.hpp"
+#include "engine/methods/bonded/interface_sites.hpp"
+#include "engine/methods/bonded/kernels.hpp"
+#include "engine/methods/bonded/layout/recovered_gradient.hpp"
+#include "engine/methods/bonded/layout/setup.hpp"
+#include "engine/solver/scheme.hpp"
+
+namespace taut {
+
+/// Owner of the bonds of a run and of their cancellation.
+template <int Dim, class Storage>
+struct StoredBonds {
+  PackedBonds<Dim, Storage> packed;
+  CancelledBonds<Dim, Storage> cancelled;
+
+  BondsView<Dim, Storage> view() const { return {packed.view(), cancelled.view()}; }
+};
+
+/// Bodies held together by bonds (THEORY.md), which touch by a contact law. Time integration is position Verlet.
+///
+/// Two passes a step over groups of four particles, one a lane. The stress pass visits x_j and v_j; it computes F_i, the
+/// bond forces and Q_i = T_i B_i. With g_ij = B_i a_ij and a_ij = −a_ji the stress force is
+///   Σ_j (T_i g_ij − T_j g_ji) = Σ_j (Q_i + Q_j) a_ij,
+/// which the force pass computes from Q. So the passes share one vector a bond.
+template <int Dim>
+class Bonded final : public Scheme<Dim> {
+ public:
+  using V = Vec<double, Dim>;
+  using Kernels = BondedKernels<Dim>;
+
+  Bonded(Common<Dim>& common, const SolverInput& input, const Kernels& kernels)
+      : Bonded(common, input, kernels, make_bonded_setup(input, damping_of(input))) {}
+
+  double step_size() const override;
+  void step(double dt) override;
+  void show(Snapshot& out, std::span<const int> groups) const override;
+  bool show_motion(Snapshot& out) const override;
+  V contact_force(const Probe& probe, double dt) const override { return common_.contact_force(probe, dt); }
+  void save(Saver& saver) override { saver(stiffest_); }
+  void load(Loader& loader) override { loader(stiffest_); }
+
+ private:
+  using AnyBonds =
+      std::conditional_t<Dim == 2, std::variant<StoredBonds<Dim, AlignedPack>>,
+                         std::variant<StoredBonds<Dim, AlignedPack>, StoredBonds<Dim, HalfPack>>>;
+
+  Bonded(Common<Dim>& common, const SolverInput& input, const Kernels& kernels, const BondedSetup& setup);
+  static double damping_of(const SolverInput& input);
+  AnyBonds stored(const BondedSetup& setup) const;
+  void add_group_constants(const Bonds& bonds);
+  void make_columns(const BondedSetup& setup);
+  void bind_fields();
+  void find_layout_frequency();
+  void pull_at_clamps();
+  void renew_recovered() const;
+  BondedFields<Dim> fields_now(Columns<2 * Dim>& places) const;
+  int group_count() const { return (p_.size() + lanes - 1) / lanes; }
+  LawOfOne law_of_one() const { return {materials_, own_law_, laws_}; }
+
+  const Kernels& kernels_;
+  Common<Dim>& common_;
+  Particles<Dim>& p_;
+  const Constants& c_;
+  std::vector<Elasticity> materials_;
+  bool own_law_;  // the law in GroupLaw
+  Materials laws_;
+  std::vector<int> material_;  // [stored], with the filling of the last group
+  Constraints constraints_;    // [id]
+  double wave_speed_;          // m/s, see BondedSetup
+  double layout_ = 1;          // ω² of the highest mode at the start over ω² of a lattice, at least 1
+  double stiffest_ = 1;  // greatest stiffness of bonds and particles in the last step, over the one at rest
+  SharedRows<GroupLaw> group_laws_;
+  SharedRows<Mat<Pack, Dim>> B_;
+  std::vector<GroupRows> groups_;
+  AnyBonds bonds_;
+  InterfaceSites<Dim> interfaces_;
+  Clamps<Dim> clamps_;
+  Columns<2 * Dim> places_;
+  Columns<Dim * Dim> Q_;
+  Columns<1> mobility_;
+  std::vector<Vec<Pack, Dim>> bond_force_;
+  BondedFields<Dim> f_{};  // pointers to all of these
+  // computed for the first snapshot, and again once a drive has ended
+  mutable RecoveredGradient recovered_;
+  mutable long released_ = 0;  // particles whose drive has ended, in recovered_
+};
+
+}  // namespace taut

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "engine/core/columns.hpp"
+#include "engine/materials/chosen_laws.hpp"
+#include "engine/methods/tl_displacement/formulation.hpp"
+#include "engine/solver/initial_pairs.hpp"
+#include "engine/solver/sites.hpp"
+
+namespace taut {
+
+/// Plain data of a total-Lagrangian method whose only unknowns are the positions, for its passes.
+template <int Dim>
+struct TlDisplacementFields {
+  using V = Vec<double, Dim>;
+
+  int size;  // particles
+  V* x;      // m
+  const V *v, *X;
+  const int* material;
+  const Sites<Dim>* sites;
+  LawsInUse laws;
+  PairLanesView<Dim> pairs;
+  ColumnsView<Dim> displacement;  // u = x − X, m
+  ColumnsView<Dim * Dim> stress;  // V P B, row by row, N/m^(Dim − 1)
+
+  int groups() const { return (size + lanes - 1) / lanes; }
+};
+
+}  // namespace taut

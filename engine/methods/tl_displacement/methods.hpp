@@ -1,0 +1,60 @@
+#pragma once
+
+#include "engine/methods/lee2016.hpp"
+#include "engine/methods/tl_displacement/formulation.hpp"
+
+namespace taut {
+
+/// [TranDuc2023] on the initial configuration, with its kernel of §2.1 and its penalty contact.
+inline constexpr TlDisplacementFormulation icb{
+    {
+        .name = "icb",
+        .paper = "TranDuc2023 §2.3",
+        .summary = "second Piola–Kirchhoff stress, rotated with each particle: for moderate strains",
+        .conserves = "linear momentum, angular momentum",
+        .family = Family::tl_displacement,
+        .deviator = Deviator::plane_strain,
+        .kernel = KernelName::sinc,
+        .contact = ContactLaw::penalty,
+        .several_materials = true,
+        .h_over_dp = 1.2,
+    },
+    {.law = Law::rotated_piola},
+    {}};
+
+inline constexpr TlDisplacementFormulation tl{
+    lee2016({
+        .name = "tl",
+        .paper = "Lee2016 §8.4",
+        .summary = "deformation gradient from positions, initial neighbours: "
+                   "no tensile instability, but zigzag modes cost no energy",
+        .conserves = "linear momentum, angular momentum, energy",
+        .family = Family::tl_displacement,
+    }),
+    {.law = Law::neo_hookean, .others = OtherLaws::all},
+    {}};
+
+/// [Zhang2020] states neither h nor where the Gaussian ends, and has no numbers for its contact. h = dp: sums
+/// over a square lattice are right to 1e-3 then, and not with less.
+inline constexpr TlDisplacementFormulation tl_small_strain{
+    {
+        .name = "tl-small-strain",
+        .paper = "Zhang2020",
+        .summary = "linear strain on initial neighbours: for small strains with little rotation",
+        .conserves = "linear momentum, energy",
+        .family = Family::tl_displacement,
+        .deviator = Deviator::plane_strain,
+        .kernel = KernelName::gauss,
+        .contact = ContactLaw::lennard_jones,
+        .contact_stiffness = 2,
+        .several_materials = true,
+        .h_over_dp = 1,
+    },
+    {.law = Law::linear_elastic},
+    {.gradient = GradientCorrection::normalised}};
+
+namespace tl_displacement {
+using Methods = MethodList<icb, tl, tl_small_strain>;
+}
+
+}  // namespace taut

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "engine/methods/tl_displacement/kernels.hpp"
+#include "engine/solver/initial_configuration.hpp"
+#include "engine/solver/scheme.hpp"
+
+namespace taut {
+
+/// Total-Lagrangian methods whose only unknowns are the positions: the deformation gradient comes from them
+/// at every step. [Lee2016] Eq. 34, [TranDuc2023] §2.3, [Zhang2020]. The forces are those of an energy,
+/// unless the law has none, and time goes in position Verlet steps (the leap-frog of [Zhang2020] Eq. 10, 11
+/// with its forces at mid-step), so that the energy has no drift. There is no dissipation.
+template <int Dim>
+class TlDisplacement final : public Scheme<Dim> {
+ public:
+  using V = Vec<double, Dim>;
+  using Kernels = TlDisplacementKernels<Dim>;
+
+  TlDisplacement(Common<Dim>& common, const SolverInput& input, const Kernels& kernels);
+
+  double step_size() const override { return body_.step_size(); }
+  void step(double dt) override;
+  void show(Snapshot& out, std::span<const int> groups) const override;
+  bool show_motion(Snapshot& out) const override;
+  V contact_force(const Probe& probe, double dt) const override { return common_.contact_force(probe, dt); }
+  void save(Saver&) override {}
+  void load(Loader&) override {}
+
+ private:
+  template <class Take>
+  void with_strains(std::span<const int> groups, const Take& take) const;
+
+  const Kernels& kernels_;
+  Common<Dim>& common_;
+  Particles<Dim>& p_;
+  InitialConfiguration<Dim> body_;
+  PairLanes<Dim> pair_lanes_;
+  Columns<Dim> displacement_;
+  Columns<Dim * Dim> stress_;
+  TlDisplacementFields<Dim> f_;  // pointers to all of these
+};
+
+}  // namespace taut

@@ -1,0 +1,98 @@
+#pragma once
+
+#include "engine/core/columns.hpp"
+#include "engine/terms/term_info.hpp"
+
+namespace taut {
+
+/// What turns, of four particles at a time: about the axis beside the plane in 2D, about any axis in 3D.
+template <int Dim>
+struct Turning;
+template <>
+struct Turning<2> {
+  Pack torque{}, inertia{};
+
+  void add(const Pack& V, const Vec<Pack, 2>& z, const Vec<Pack, 2>& a) {
+    torque += V * (z[0] * a[1] - z[1] * a[0]);
+    inertia += V * dot(z, z);
+  }
+  double rate() const { return sum(torque) / sum(inertia); }
+  static Vec<Pack, 2> times(double lambda, const Vec<Pack, 2>& z) { return {-lambda * z[1], lambda * z[0]}; }
+};
+template <>
+struct Turning<3> {
+  Vec<Pack, 3> torque{};
+  Sym<Pack, 3> inertia{};
+
+  void add(const Pack& V, const Vec<Pack, 3>& z, const Vec<Pack, 3>& a) {
+    torque += V * cross(z, a);
+    add_outer(inertia, Pack(-V), z);
+    for (int k = 0; k < 3; ++k) inertia(k, k) += V * dot(z, z);
+  }
+  Vec<double, 3> rate() const { return inverse(sum(inertia)) * sum(torque); }  // 0 for particles on one line
+  static Vec<Pack, 3> times(const Vec<double, 3>& lambda, const Vec<Pack, 3>& z) {
+    return cross(spread(lambda), z);
+  }
+};
+
+/// The volumes of the four particles from i on, 0 from `last` on.
+inline Pack volumes_of_four(const double* V, int i, int last) {
+  if (i + lanes <= last) return load(V + i);
+  Pack four{};
+  for (int lane = 0; i + lane < last; ++lane) four[lane] = V[i + lane];
+  return four;
+}
+
+/// The accelerations nearest to `a`, in the mean square over the volume, that change neither the linear nor
+/// the angular momentum of a body:  Σ V a = 0,  Σ V Z × a = 0.                          [Lee2016] Eq. 45–48
+/// a_i − ω × (Z_i − Z̄) − ā, with Z̄ and ā means over the volume and ω the torque over the inertia about Z̄:
+/// the paper's system (Eq. 48) with its two unknowns apart. One body is the particles first … last − 1, of
+/// one density. The sums are taken in the order of the particles, four of the body at a time, so that they
+/// depend neither on the number of threads nor on where the body is stored. With a share below 1 the
+/// accelerations go that part of the way. `a` has room for a pack that begins at the last particle.
+template <int Dim>
+void project_on_momenta(const ColumnsView<Dim>& a, const Vec<double, Dim>* Z, const double* V, int first,
+                        int last, double share = 1) {
+  const auto places = [&](int i) { return four_of(Z + i, last - i); };
+  Pack volume{};
+  Vec<Pack, Dim> sum_a{}, sum_Z{};
+  for (int i = first; i < last; i += lanes) {
+    const Pack V_i = volumes_of_four(V, i, last);
+    volume += V_i;
+    sum_a += V_i * vector_at<Dim>(a, i);
+    sum_Z += V_i * places(i);
+  }
+  const Pack per_volume = filled<Pack>(1 / sum(volume));
+  const Vec<Pack, Dim> mean_a = per_volume * spread(sum(sum_a)), mean_Z = per_volume * spread(sum(sum_Z));
+  Turning<Dim> turning;  // torque and inertia over the density
+  for (int i = first; i < last; i += lanes)
+    turning.add(volumes_of_four(V, i, last), places(i) - mean_Z, vector_at<Dim>(a, i));
+  const auto omega = turning.rate();
+  for (int i = first; i < last; i += lanes) {
+    const Vec<Pack, Dim> rigid = Turning<Dim>::times(omega, places(i) - mean_Z) + mean_a;
+    const Vec<Pack, Dim> left = vector_at<Dim>(a, i) - filled<Pack>(share) * rigid;
+    if (i + lanes <= last)
+      put(left, a, i);
+    else
+      for (int k = 0; k < Dim; ++k)
+        for (int lane = 0; lane < last - i; ++lane) a[k][i + lane] = left[k][lane];
+  }
+}
+/// f − Σ V f/Σ V of a body.                                                                 [Lee2016] Eq. 51
+inline void subtract_mean(const ColumnsView<1>& f, const double* V, int first, int last, double share) {
+  Pack volume{}, total{};
+  for (int i = first; i < last; i += lanes) {
+    const Pack V_i = volumes_of_four(V, i, last);
+    volume += V_i;
+    total += V_i * load(f[0] + i);
+  }
+  const double mean = sum(total) / sum(volume);
+  for (int i = first; i < last; ++i) f[0][i] -= share * mean;
+}
+
+inline constexpr TermInfo projection_info{
+    "projection", "forces and D(v) nearest to those with Σ V a = 0, Σ V Z × a = 0", "[Lee2016] Eq. 45–51",
+    "methods/tl_mixed/momentum_projection.hpp:project_on_momenta",
+    "projection: the nearest accelerations without force and torque"};
+
+}  // namespace taut

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "engine/methods/tl_mixed/boundary_projection.hpp"
+#include "engine/solver/initial_pairs.hpp"
+
+namespace taut {
+
+/// V_a W̃_a(X_i) of particle i and its neighbours of the start, W̃ = α (1 + β·(X_i − X_a)) W with Σ V_a W̃_a
+/// = 1 and Σ V_a W̃_a (X_i − X_a) = 0.
+/// [Lee2016] Eq. 23
+template <class K, int Dim>
+std::vector<std::pair<int, double>> corrected_kernel(const InitialPairs<Dim>& pairs,
+                                                     const std::vector<Vec<double, Dim>>& X,
+                                                     const std::vector<double>& V, double h, int i) {
+  std::vector<std::pair<int, double>> w{{i, V[i] * K::w(0.0)}};  // over α_K/hᵈ, which α takes off
+  double M0 = w[0].second;
+  Vec<double, Dim> M1{};
+  Sym<double, Dim> M2{};
+  for (int p = pairs.begin[i]; p < pairs.begin[i + 1]; ++p) {
+    const int a = pairs.j[p];
+    const Vec<double, Dim> d = X[i] - X[a];
+    const double VW = V[a] * K::w(std::sqrt(dot(d, d)) / h);
+    w.emplace_back(a, VW);
+    M0 += VW;
+    M1 += VW * d;
+    for (int k = 0; k < Dim; ++k)
+      for (int l = k; l < Dim; ++l) M2(k, l) += VW * d[k] * d[l];
+  }
+  Vec<double, Dim> beta{};
+  const Sym<double, Dim> inverse_M2 = inverse(M2);
+  for (int k = 0; k < Dim; ++k)
+    for (int l = 0; l < Dim; ++l) beta[k] -= inverse_M2(k, l) * M1[l];
+  const double alpha = 1 / (M0 + dot(beta, M1));
+  for (auto& [a, value] : w) value *= alpha * (1 + dot(beta, X[i] - X[a]));
+  return w;
+}
+
+/// Particles with prescribed velocities, body by body, and the projection of those around them.
+template <class K, int Dim>
+class PrescribedBoundary {
+ public:
+  using V = Vec<double, Dim>;
+
+  /// `axes`: bit k of [i] where component k of particle i is prescribed. Of particles of volumes V0, m^Dim,
+  /// and masses m.
+  void prescribe(std::vector<unsigned char> axes, const InitialPairs<Dim>& pairs, const std::vector<V>& X,
+                 const std::vector<double>& V0, const std::vector<double>& m, const std::vector<int>& first,
+                 double h) {
+    if (axes == axes_) return;
+    axes_ = std::move(axes);
+    bodies_.clear();
+    for (std::size_t b = 0; b + 1 < first.size(); ++b) {
+      std::vector<int> points, particles, index(V0.size(), -1);
+      std::vector<BoundaryPoint> seen;
+      for (int i = first[b]; i < first[b + 1]; ++i) {
+        if (axes_[i] == 0) continue;
+        points.push_back(i);
+        seen.push_back({corrected_kernel<K>(pairs, X, V0, h, i), axes_[i], {}});
+        for (auto& [a, w] : seen.back().w) {
+          if (index[a] < 0) {
+            index[a] = static_cast<int>(particles.size());
+            particles.push_back(a);
+          }
+          a = index[a];
+        }
+      }
+      if (points.empty()) continue;
+      std::vector<double> masses;
+      for (const int a : particles) masses.push_back(m[a]);
+      bodies_.push_back({points, particles, BoundaryProjection(std::move(seen), std::move(masses))});
+    }
+  }
+
+  /// Sets the components of `v(i)` that are prescribed to those of `given(i)`, and projects velocities
+  /// around.
+  template <class Velocity, class Given, class Place>
+  void project(const Velocity& v, const Given& given, const Place& x) {
+    for (Body& body : bodies_) {
+      for (std::size_t p = 0; p < body.points.size(); ++p) {
+        const V prescribed = given(body.points[p]);
+        BoundaryPoint& point = body.projection.points()[p];
+        for (int k = 0; k < Dim; ++k) {
+          point.velocity[k] = prescribed[k];
+          if (point.axes >> k & 1) v(body.points[p])[k] = prescribed[k];
+        }
+      }
+      std::vector<Point> velocities, places;
+      for (const int a : body.particles) {
+        velocities.push_back(point_of(v(a)));
+        places.push_back(point_of(x(a)));
+      }
+      body.projection(velocities, places);
+      for (std::size_t a = 0; a < body.particles.size(); ++a)
+        for (int k = 0; k < Dim; ++k) v(body.particles[a])[k] = velocities[a][k];
+    }
+  }
+
+ private:
+  struct Body {
+    std::vector<int> points, particles;  // stored particles
+    BoundaryProjection projection;
+  };
+  static Point point_of(const V& v) {
+    Point p{};
+    for (int k = 0; k < Dim; ++k) p[k] = v[k];
+    return p;
+  }
+
+  std::vector<unsigned char> axes_;
+  std::vector<Body> bodies_;
+};
+
+}  // namespace taut

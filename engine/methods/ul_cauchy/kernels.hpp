@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+
+#include "engine/core/threads.hpp"
+#include "engine/methods/ul_cauchy/fields.hpp"
+#include "engine/solver/kick.hpp"
+
+namespace taut {
+
+/// The loops of a method; passes.hpp documents them.
+template <int Dim>
+struct UlCauchyKernels {
+  using Fields = UlCauchyFields<Dim>;
+
+  double support;          // of the kernel, h
+  std::size_t stress_row;  // bytes of a StressRow
+  bool needs_kernel;       // the method looks at W itself
+  void (*gradients)(const Fields& f, const UlCauchyConstants& c, const Threads& threads);
+  double (*stresses)(const Fields& f, const UlCauchyConstants& c, const Kick<Dim>& kick,
+                     const Threads& threads);
+  double (*transport)(const Fields& f, const UlCauchyConstants& c, const Steering<Dim>& steering,
+                      double ahead, const Threads& threads);
+  void (*rates)(const Fields& f, const UlCauchyConstants& c, double dt, const Threads& threads);
+};
+
+}  // namespace taut

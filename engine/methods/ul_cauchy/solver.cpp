@@ -1,0 +1,251 @@
+#include "engine/methods/ul_cauchy/solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "engine/core/parallel.hpp"
+#include "engine/error.hpp"
+#include "engine/methods/ul_cauchy/describe.hpp"
+#include "engine/solver/particle_simulation.hpp"
+#include "engine/solver/step_speed.hpp"
+#include "engine/terms/equation_of_state.hpp"
+#include "engine/terms/riemann_second_order.hpp"
+
+namespace taut {
+namespace {
+
+/// Greatest riemann_step_speed() of two materials that the Riemann term joins, m/s: those of one body, under `sph` of
+/// the whole scene.
+double riemann_speed(const SolverInput& input) {
+  const std::vector<Elasticity>& materials = input.materials;
+  const InitialParticles& initial = input.initial;
+  const bool joins_bodies = input.contact == ContactLaw::sph;
+  std::set<std::pair<int, int>> materials_of_bodies;
+  for (std::size_t i = 0; i < initial.material.size(); ++i)
+    materials_of_bodies.emplace(joins_bodies ? 0 : initial.body[i], initial.material[i]);
+  double speed = 0;
+  for (const auto& [body, a] : materials_of_bodies)
+    for (const auto& [other, b] : materials_of_bodies)
+      if (body == other && materials[a].rho0 < materials[b].rho0)
+        speed = std::max(speed, riemann_step_speed(materials[a].rho0, materials[a].c0, materials[b].rho0,
+                                                   materials[b].c0));
+  return speed;
+}
+
+UlCauchyConstants cauchy_constants(const SolverInput& input) {
+  const auto& method = *as<UlCauchyFormulation>(input.method);
+  UlCauchyConstants c =
+      constants_of(ul_cauchy::constants(method, input.scene.dim), input.constants, input.values);
+  c.step_speed = step_speed(input);
+  if (method.viscosity == Viscosity::riemann)
+    c.step_speed = std::max(c.step_speed, c.riemann_factor * riemann_speed(input));
+  return c;
+}
+
+}  // namespace
+
+template <int Dim>
+UlCauchy<Dim>::UlCauchy(Common<Dim>& common, const SolverInput& input, const Kernels& kernels)
+    : kernels_(kernels),
+      method_(*as<UlCauchyFormulation>(input.method)),
+      common_(common),
+      p_(common.particles),
+      c_(cauchy_constants(input)),
+      materials_(input.materials),
+      sph_contact_(input.contact == ContactLaw::sph && common.initial.first.size() > 2) {
+  const std::size_t n = p_.x.size();
+  rho_.assign(n, 0), drho_.assign(n, 0), s_.assign(n, {});
+  for (int i = 0; i < p_.size(); ++i) {
+    rho_[i] = material(i).rho0;
+    if (p_.material[i] != p_.material[0]) several_materials_ = true;
+  }
+  if (sph_contact_) refuse_contact_forces(input.scene);
+  motion_.resize(n), moved_.resize(n), transported_.resize(n);
+  stress_.resize((n * kernels_.stress_row + sizeof(CacheLine) - 1) / sizeof(CacheLine));
+  if (method_.artificial_stress) repulsion_.resize(n);
+  rebuild();
+}
+
+/// Bodies that act on each other as one do so by all of their stress, in the sums over all neighbours.
+template <int Dim>
+void UlCauchy<Dim>::refuse_contact_forces(const Scene& scene) const {
+  for (const Probe& probe : scene.probes)
+    if (probe.kind == Probe::Kind::contact_force && probe.wall < 0)
+      throw SceneError("probe." + probe.name,
+                       "the probe '" + probe.name +
+                           "' has no force to measure: with contact = \"sph\" the method '" +
+                           std::string(method_.name) +
+                           "' takes two bodies that touch for one; take another law, such as \"penalty\"");
+}
+
+/// s, [Khayyer2024] Eq. 26, with c0 wherever shear is as soft as there
+template <int Dim>
+double UlCauchy<Dim>::step_size() const {
+  return common_.fixed_or(c_.cfl * c_.h / c_.step_speed);
+}
+
+/// One step of the symplectic Euler scheme.
+/// Differs from [Khayyer2024] Eq. 22–25, where all rates are those of the old state: an elastic wave grows
+/// without limit that way. ∇u is taken in the middle of the step (`geometry` = ½): at its start, as printed,
+/// a body that turns with ω swells by (ω dt)²/2 a step and has no strain of it.
+template <int Dim>
+void UlCauchy<Dim>::step(double dt) {
+  if (2 * way_ > skin * c_.dp) rebuild();
+  if (common_.contact.prepare(p_, common_.vmax * dt)) show_neighbors_to_probes();
+  common_.contact.evaluate(p_, dt, common_.threads_now());
+  kernels_.gradients(f_, c_, common_.threads_now());
+  accelerate(dt);
+  transport(dt);
+  kernels_.rates(f_, c_, dt, common_.threads_now());
+  common_.finish_step(dt);
+}
+
+/// Velocities over the whole step, from the stresses of its start and the contact of bodies.
+template <int Dim>
+void UlCauchy<Dim>::accelerate(double dt) {
+  const Kick<Dim> kick = common_.kick(dt, common_.run.time + 0.5 * dt);
+  common_.set_greatest_speed(kernels_.stresses(f_, c_, kick, common_.threads_now()));
+  common_.stop_approach(0, [&](int i, const V&) { moved_[i].put_velocity(p_.v[i]); });
+}
+
+/// û from the new velocities, and the ways that particles have gone against the motion of their bodies.
+template <int Dim>
+void UlCauchy<Dim>::transport(double dt) {
+  const double fastest2 =
+      kernels_.transport(f_, c_, common_.external.steering(), c_.geometry * dt, common_.threads_now());
+  way_ += dt * std::sqrt(fastest2);
+  for (std::size_t body = 0; body < drift_.size(); ++body) centre_[body] += dt * drift_[body];
+  // a pair that turns by ω dt along its tangents parts by the square of that: each end by a quarter
+  const double turn = dt * *std::ranges::max_element(spin_, {}, [](double spin) { return std::abs(spin); });
+  way_ += 0.25 * turn * turn * (common_.run.support + skin * c_.dp);
+}
+
+/// Particles to the order of their cells, and the lists of neighbours.
+template <int Dim>
+void UlCauchy<Dim>::rebuild() {
+  const double reach = common_.run.support + skin * c_.dp;
+  const int threads = common_.threads_now();
+  reorder(grid_.sort(p_.x, reach), threads, p_.x, p_.v, p_.m, p_.mobile, rho_, drho_, s_, p_.id, p_.body,
+          p_.material);
+  search_(grid_, p_.x, reach, threads, near_, common_.contact.between_bodies() ? p_.body.data() : nullptr);
+  common_.run.pairs = near_.pairs;
+  mark_materials();
+  set_motion();
+  set_rigid_motion();
+  bind_fields();
+  common_.contact.search(p_);
+  show_neighbors_to_probes();
+  way_ = 0;
+}
+
+template <int Dim>
+void UlCauchy<Dim>::bind_fields() {
+  if (kernels_.needs_kernel) w_.resize(near_.begin.back());
+  f_ = {.size = p_.size(),
+        .x = p_.x.data(),
+        .v = p_.v.data(),
+        .m = p_.m.data(),
+        .mobile = p_.mobile.data(),
+        .id = p_.id.data(),
+        .body = p_.body.data(),
+        .material = p_.material.data(),
+        .materials = materials_.data(),
+        .rho = rho_.data(),
+        .drho = drho_.data(),
+        .s = s_.data(),
+        .motion = motion_.data(),
+        .moved = moved_.data(),
+        .transported = transported_.data(),
+        .stress = stress_.data(),
+        .repulsion = repulsion_.data(),
+        .begin = near_.begin.data(),
+        .j = near_.j.data(),
+        .w = w_.data(),
+        .of_one_material = of_one_material_.empty() ? nullptr : of_one_material_.data(),
+        .drift = drift_.data(),
+        .centre = centre_.data(),
+        .spin = spin_.data()};
+}
+
+/// Pairs of two bodies are in the lists only where they act as in one.
+template <int Dim>
+void UlCauchy<Dim>::show_neighbors_to_probes() {
+  if (!sph_contact_) return common_.show_contacts_to_probes();
+  common_.probes.rebuilt(p_, near_, common_.run.support);
+}
+
+template <int Dim>
+void UlCauchy<Dim>::mark_materials() {
+  if (!method_.density_diffusion || !several_materials_) return;
+  of_one_material_.resize(near_.begin.back());
+  parallel_for(p_.size(), common_.threads_now(), [&](int i) {
+    for (int b = near_.begin[i]; b < near_.begin[i + 1]; ++b)
+      for (int lane = 0; lane < lanes; ++lane)
+        of_one_material_[b].value[lane] = p_.material[near_.pack(b)[lane]] == p_.material[i];
+  });
+}
+
+/// The rows of the particles in their new order.
+template <int Dim>
+void UlCauchy<Dim>::set_motion() {
+  for (int i = 0; i < p_.size(); ++i) motion_[i].set(p_.v[i], rho_[i], p_.m[i] / rho_[i], p_.x[i]);
+}
+
+/// Of each body its velocity and spin, from both momenta; any other would be as right, with more searches.
+template <int Dim>
+void UlCauchy<Dim>::set_rigid_motion() {
+  static_assert(Dim == 2);
+  const std::size_t bodies = common_.initial.first.size() - 1;
+  std::vector<double> mass(bodies), inertia(bodies);
+  drift_.assign(bodies, V{}), centre_.assign(bodies, V{}), spin_.assign(bodies, 0);
+  if (sph_contact_) return;
+  for (int i = 0; i < p_.size(); ++i) {
+    const int body = p_.body[i];
+    mass[body] += p_.m[i];
+    drift_[body] += p_.m[i] * p_.v[i], centre_[body] += p_.m[i] * p_.x[i];
+  }
+  for (std::size_t body = 0; body < bodies; ++body)
+    drift_[body] = (1 / mass[body]) * drift_[body], centre_[body] = (1 / mass[body]) * centre_[body];
+  for (int i = 0; i < p_.size(); ++i) {
+    const int body = p_.body[i];
+    const V arm = p_.x[i] - centre_[body], v = p_.v[i] - drift_[body];
+    inertia[body] += p_.m[i] * dot(arm, arm);
+    spin_[body] += p_.m[i] * (arm[0] * v[1] - arm[1] * v[0]);
+  }
+  for (std::size_t body = 0; body < bodies; ++body)
+    spin_[body] = inertia[body] > 0 ? spin_[body] / inertia[body] : 0;
+}
+
+template <int Dim>
+void UlCauchy<Dim>::show(Snapshot& out, std::span<const int> groups) const {
+  parallel_for(static_cast<int>(groups.size()), common_.threads_now(), [&](int k) {
+    for (int i = lanes * groups[k]; i < std::min(lanes * (groups[k] + 1), p_.size()); ++i) {
+      const double p = pressure(rho_[i], material(i).rho0, material(i).c0);
+      common_.store(out, i, rho_[i], p, s_[i], -trace(s_[i]));
+    }
+  });
+}
+
+template <int Dim>
+template <class Archive>
+void UlCauchy<Dim>::serialize(Archive& archive) {
+  archive.fixed(rho_, drho_, s_, motion_);
+  near_.serialize(archive, motion_.size());
+  archive(of_one_material_);
+  archive.check("the materials of pairs", [&] {
+    return of_one_material_.empty() || std::cmp_equal(of_one_material_.size(), near_.begin.back());
+  });
+  archive.fixed(drift_, spin_, centre_);
+  archive(way_);
+  if constexpr (Archive::loads) bind_fields();
+}
+
+std::unique_ptr<Simulation> ul_cauchy::make(const SolverInput& input) {
+  const auto& kernels = kernels_for<Family::ul_cauchy, UlCauchyKernels<2>, true>(input);
+  return simulation_by<UlCauchy<2>, 2>(input, kernels.support * input.constants.h, kernels);
+}
+
+}  // namespace taut

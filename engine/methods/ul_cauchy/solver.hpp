@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/methods/ul_cauchy/kernels.hpp"
+#include "engine/neighbors/neighbors.hpp"
+#include "engine/solver/scheme.hpp"
+
+namespace taut {
+
+/// The updated-Lagrangian methods whose Cauchy stress σ = −pI + s acts as a whole: those of [Khayyer2024] and
+/// the current-configuration ones of [TranDuc2023].
+///
+/// Lists of neighbours reach a skin farther than the kernel, and hold until a particle has gone half the skin
+/// against the motion of its body as a rigid one; particles beyond the kernel's support have no weight.
+template <int Dim>
+class UlCauchy final : public Scheme<Dim> {
+ public:
+  using V = Vec<double, Dim>;
+  using S = Sym<double, Dim>;
+  using Kernels = UlCauchyKernels<Dim>;
+
+  UlCauchy(Common<Dim>& common, const SolverInput& input, const Kernels& kernels);
+
+  double step_size() const override;
+  void step(double dt) override;
+  void show(Snapshot& out, std::span<const int> groups) const override;
+  V contact_force(const Probe& probe, double dt) const override { return common_.contact_force(probe, dt); }
+  void save(Saver& saver) override { serialize(saver); }
+  void load(Loader& loader) override { serialize(loader); }
+
+ private:
+  /// Longer: fewer searches, more pairs; in spacings.
+  static constexpr double skin = 0.25;
+  struct alignas(64) CacheLine {
+    double c[8];
+  };
+
+  const Elasticity& material(int i) const { return materials_[p_.material[i]]; }
+  void refuse_contact_forces(const Scene& scene) const;
+  void rebuild();
+  void show_neighbors_to_probes();
+  void mark_materials();
+  void set_motion();
+  void set_rigid_motion();
+  void accelerate(double dt);
+  void transport(double dt);
+  void bind_fields();
+  template <class Archive>
+  void serialize(Archive& archive);
+
+  const Kernels& kernels_;
+  const UlCauchyFormulation& method_;
+  Common<Dim>& common_;
+  Particles<Dim>& p_;
+  UlCauchyConstants c_;
+  std::vector<Elasticity> materials_;
+  bool several_materials_ = false;
+  bool sph_contact_;  // bodies act on each other as one
+  CellGrid<Dim> grid_;
+  NeighborSearch<Dim> search_;
+
+  // see UlCauchyFields
+  std::vector<double> rho_, drho_;
+  std::vector<S> s_;
+  std::vector<MotionRow<Dim>> motion_, moved_, transported_;
+  std::vector<CacheLine> stress_;
+  std::vector<RepulsionRow<Dim>> repulsion_;
+  Neighbors near_;
+  std::vector<AlignedPack> w_, of_one_material_;
+  // of each body as a rigid one, when neighbours were last searched; several that act as one have none
+  std::vector<V> drift_;      // m/s
+  std::vector<double> spin_;  // 1/s
+  std::vector<V> centre_;     // where it has drifted to since, m
+  double way_ = 0;            // against that motion since, of the particle that goes farthest, m
+  UlCauchyFields<Dim> f_{};   // pointers to all of these
+};
+
+}  // namespace taut

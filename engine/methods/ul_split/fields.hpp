@@ -1,0 +1,174 @@
+#pragma once
+
+#include <type_traits>
+
+#include "engine/core/rows.hpp"
+#include "engine/methods/ul_split/formulation.hpp"
+
+/// Plain data of the updated-Lagrangian methods with pressure and shear apart, for their passes.
+namespace taut {
+
+/// The row that every pass gathers of a neighbour: velocity (or any other vector), pressure, volume.
+template <int Dim>
+struct FlowRow : Row<Dim + 2> {
+  using Row<Dim + 2>::c;
+  void set(const Vec<double, Dim>& v, double p, double V) {
+    for (int k = 0; k < Dim; ++k) c[k] = v[k];
+    c[Dim] = p;
+    c[Dim + 1] = V;
+  }
+};
+template <int Dim, class T>
+struct Flow {
+  Vec<T, Dim> v;  // m/s
+  T p;            // Pa
+  T V;            // m^Dim
+};
+
+/// A symmetric tensor and a scalar of a particle, as the passes gather them.
+template <int Dim>
+struct TensorRow : Row<Sym<double, Dim>::size + 1> {
+  using Row<Sym<double, Dim>::size + 1>::c;
+  void set(const Sym<double, Dim>& s, double a = 0) {
+    for (int k = 0; k < Sym<double, Dim>::size; ++k) c[k] = s.c[k];
+    c[Sym<double, Dim>::size] = a;
+  }
+  Sym<double, Dim> get() const {
+    Sym<double, Dim> s;
+    for (int k = 0; k < Sym<double, Dim>::size; ++k) s.c[k] = c[k];
+    return s;
+  }
+  double scalar() const { return c[Sym<double, Dim>::size]; }
+};
+
+template <int Dim>
+Flow<Dim, Pack> gather_flow(const FlowRow<Dim>* rows, const int* j) {
+  Pack column[Dim + 2];
+  gather<Dim + 2, FlowRow<Dim>::width>(rows[0].c, j, column);
+  Flow<Dim, Pack> f;
+  for (int k = 0; k < Dim; ++k) f.v[k] = column[k];
+  f.p = column[Dim];
+  f.V = column[Dim + 1];
+  return f;
+}
+template <int Dim>
+Flow<Dim, Pack> spread_flow(const FlowRow<Dim>& row) {
+  Flow<Dim, Pack> f;
+  for (int k = 0; k < Dim; ++k) f.v[k] = filled<Pack>(row.c[k]);
+  f.p = filled<Pack>(row.c[Dim]);
+  f.V = filled<Pack>(row.c[Dim + 1]);
+  return f;
+}
+
+template <int Dim>
+struct Tensor {
+  Sym<Pack, Dim> s;
+  Pack a;
+};
+template <int Dim>
+Tensor<Dim> gather_tensor(const TensorRow<Dim>* rows, const int* j) {
+  Pack column[TensorRow<Dim>::width];
+  gather<TensorRow<Dim>::width>(rows[0].c, j, column);
+  Tensor<Dim> t;
+  for (int k = 0; k < Sym<Pack, Dim>::size; ++k) t.s.c[k] = column[k];
+  t.a = column[Sym<Pack, Dim>::size];
+  return t;
+}
+template <int Dim>
+Tensor<Dim> spread_tensor(const TensorRow<Dim>& row) {
+  Tensor<Dim> t;
+  for (int k = 0; k < Sym<Pack, Dim>::size; ++k) t.s.c[k] = filled<Pack>(row.c[k]);
+  t.a = filled<Pack>(row.c[Sym<Pack, Dim>::size]);
+  return t;
+}
+
+/// Geometry of four pairs.
+template <int Dim>
+struct PairGeometry {
+  Vec<Pack, Dim> gradient;  // ∇_i W = ∂W/∂r e_ij, 1/m^(Dim+1)
+  Pack inverse_slope;       // 1/(∂W/∂r)
+  Pack inverse_distance;    // (1/r)/(∂W/∂r); 0 for pairs of two bodies: no shear between them
+};
+
+/// The geometry of all pairs, pack by pack, cached till the next rebuild; 0 in padding lanes. Gradients are opposite in
+/// (i, j) and (j, i) to the last bit. In 3D, where pairs are many, it is kept in single precision, in the units of
+/// the kernel, so that numbers have room whatever a metre is to the spacing; sums over pairs are in double.
+template <int Dim>
+struct PairCache {
+  static constexpr bool halved = Dim == 3;
+  using Kept = std::conditional_t<halved, HalfPack, AlignedPack>;
+  /// Of −r ∂W/∂r in those units, below which a pair at the edge of the kernel, or in one place, has no geometry:
+  /// the inverses would be too great.
+  static constexpr double least = halved ? 1e-30 : 0;
+
+  Kept* gradients;  // Dim of each pack
+  Kept *inverse_slopes, *inverse_distances;
+  Kept* closeness_of;        // where the method has artificial stress
+  double steepness, length;  // of the kernel, 1/m^(Dim+1), m; 1 where it is not halved
+
+  void set(int b, const PairGeometry<Dim>& pairs) const {
+    for (int k = 0; k < Dim; ++k) pack_into(gradients[Dim * b + k], pairs.gradient[k] * (1 / steepness));
+    pack_into(inverse_slopes[b], pairs.inverse_slope * steepness);
+    pack_into(inverse_distances[b], pairs.inverse_distance * (steepness * length));
+  }
+  /// (W/W(dp))ⁿ
+  void set_closeness(int b, const Pack& closeness) const { pack_into(closeness_of[b], closeness); }
+  Pack closeness(int b) const { return unpacked(closeness_of[b]); }
+  PairGeometry<Dim> operator[](int b) const { return {gradient(b), inverse_slope(b), inverse_distance(b)}; }
+  Vec<Pack, Dim> gradient(int b) const {
+    Vec<Pack, Dim> g;
+    for (int k = 0; k < Dim; ++k) g[k] = scaled(unpacked(gradients[Dim * b + k]), steepness);
+    return g;
+  }
+  Pack inverse_slope(int b) const { return scaled(unpacked(inverse_slopes[b]), 1 / steepness); }
+  Pack inverse_distance(int b) const {
+    return scaled(unpacked(inverse_distances[b]), 1 / (steepness * length));
+  }
+
+ private:
+  static Pack scaled(const Pack& a, double unit) {
+    if constexpr (halved) return unit * a;
+    return a;
+  }
+};
+
+/// Pack `pack` of the neighbours of i has one of another body, on which i acts as on one of its own.
+struct MixedPack {
+  int i, pack;
+};
+
+/// Fields of all particles and pairs; arrays that a method does not use are null.
+template <int Dim>
+struct UlSplitFields {
+  using V = Vec<double, Dim>;
+  using S = Sym<double, Dim>;
+
+  int size;    // particles
+  V* x;        // m
+  const V* v;  // m/s
+  const double *m, *mobile;
+  const int *id, *body;
+  double *rho, *drho;     // kg/m³ and its rate
+  V *a_shear, *da_shear;  // accumulated shear acceleration, m/s², and its rate
+  S *s, *ds;              // deviatoric stress, Pa, and its rate
+  bool sph_contact;       // particles of several bodies act on each other as those of one
+
+  // gathered by the passes
+  FlowRow<Dim>* flow;         // at the middle of the step: v, p, V
+  FlowRow<Dim>* flow_new;     // with the new velocity
+  TensorRow<Dim>* stress;     // s
+  TensorRow<Dim>* repulsion;  // artificial stress R and mass
+  // of methods whose stress is only shown, at the last rebuild: correction of the kernel gradient, and volume
+  TensorRow<Dim>* recovery;
+
+  // of the last rebuild
+  const int *begin, *j;  // neighbours, see Neighbors
+  int* meets;            // 1: not all neighbours of i are of its own body
+  PairCache<Dim> pairs;
+  const MixedPack* mixed;
+  int mixed_count;
+
+  const int* pack(int b) const { return j + static_cast<std::ptrdiff_t>(lanes) * b; }
+};
+
+}  // namespace taut

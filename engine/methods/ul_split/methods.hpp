@@ -1,0 +1,52 @@
+#pragma once
+
+#include "engine/methods/ul_split/formulation.hpp"
+
+/// [Zhang2024]: its own method, ENOG, and those that it compares with. The artificial stress it names without
+/// equations or values; those are of Gray, Monaghan, Swift (2001).
+namespace taut {
+
+inline constexpr UlSplitFormulation og{
+    {
+        .name = "og",
+        .paper = "Zhang2024 §3",
+        .summary =
+            "nested shear stress, low-dissipation Riemann terms, no cure for tensile instability: fractures",
+        .conserves = "linear momentum",
+        .family = Family::ul_split,
+    },
+    {.shear = Shear::nested_stress, .beta_least = 0}};
+inline constexpr UlSplitFormulation oas{
+    {
+        .name = "oas",
+        .paper = "Zhang2024 §6",
+        .summary = "og with Gray's artificial stress: fractures later, zigzag modes remain",
+        .conserves = "linear momentum",
+        .family = Family::ul_split,
+    },
+    {.shear = Shear::nested_stress, .artificial_stress = true, .epsilon = 0.3, .exponent = 4}};
+inline constexpr UlSplitFormulation enog{
+    {
+        .name = "enog",
+        .paper = "Zhang2024 §4",
+        .summary = "shear acceleration from a non-nested Laplacian of the velocity: "
+                   "no zigzag modes, no tensile instability",
+        .conserves = "linear momentum",
+        .family = Family::ul_split,
+    },
+    {.shear = Shear::laplacian_velocity}};
+inline constexpr UlSplitFormulation enog_nonconservative{
+    {
+        .name = "enog-nonconservative",
+        .paper = "Zhang2024 Eq. 18, Fig. 7",
+        .summary = "enog with the plain Laplacian: resists rotation, as published",
+        .conserves = "linear momentum",
+        .family = Family::ul_split,
+    },
+    {.shear = Shear::laplacian_velocity_nonconservative}};
+
+namespace ul_split {
+using Methods = MethodList<og, oas, enog, enog_nonconservative>;
+}
+
+}  // namespace taut

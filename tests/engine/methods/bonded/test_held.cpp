@@ -1,0 +1,215 @@
+// oenog: bodies that turn about what is held of them, and clamps, about which they do not.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "engine/layout/initial_particles.hpp"
+#include "engine/methods/bonded/layout/constraints.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/runs.hpp"
+#include "tests/support/scenes.hpp"
+
+namespace of_this_file {
+
+using namespace taut;
+using namespace taut::test;
+
+namespace {
+
+constexpr double dp = 0.02, omega = 1, length = 0.7, half = 0.05;  // m, rad/s
+
+/// Held where x² + y² < held_to², in 3D along the whole of z, and thrown about the origin.
+Scene bar(int dim, double held_to) {
+  Scene scene;
+  scene.dim = dim;
+  scene.spacing = dp;
+  scene.materials = {{"stiff", /*ρ0*/ 1000, /*E*/ 3e7, /*ν*/ 0.3}};
+  Body body;
+  body.shapes = {Box{{-half, -half, -half}, {length - half, half, half}}};
+  body.held = [=](const Point& x) { return x[0] * x[0] + x[1] * x[1] < held_to * held_to ? 1.0 : 0.0; };
+  body.velocity[0] = [](const Point& x) { return -omega * x[1]; };
+  body.velocity[1] = [](const Point& x) { return omega * x[0]; };
+  scene.bodies = {body};
+  Probe turn = make_probe("turn", Probe::Kind::turn), pull = make_probe("pull", Probe::Kind::reaction);
+  turn.at = {length - 2 * half, 0, 0};
+  turn.turns_about = {0, 0, 1};
+  scene.probes = {turn, pull};
+  return scene;
+}
+
+double turned(const Scene& scene, const char* method, double t) {
+  const auto simulation = make_simulation(scene, with_method(method));
+  simulation->advance_to(t);
+  return simulation->series().value[0].back();
+}
+
+/// A bar of 32 × 12 mm (ν = 0) between what is held and what draws it out by 10 µm, or with `both` what is driven at rest
+/// and that: the force at rest over E A u/L. `until`: when the ends will be let go, s.
+double resistance(double spacing, bool both, const char* method, std::optional<double> until = {}) {
+  constexpr double E = 1e6, clamp = 0.004, width = 0.012, free = 0.032, u = 1e-5;
+  Scene scene;
+  scene.spacing = spacing;
+  scene.damping = 200;
+  scene.materials = {{"soft", /*ρ0*/ 1000, E, /*ν*/ 0}};
+  Body body;
+  body.shapes = {Box{{0, 0, 0}, {free + 2 * clamp, width, 0}}};
+  const Expression left = [](const Point& x) { return x[0] < clamp ? 1.0 : 0.0; };
+  const Expression right = [](const Point& x) { return x[0] > clamp + free ? 1.0 : 0.0; };
+  Drive drive;
+  drive.where = right;
+  drive.velocity[0] = [](double t) { return t < 0.02 ? u / 0.02 : 0.0; };
+  drive.until = until;
+  body.drives = {drive};
+  if (both)
+    body.drives.push_back({left, {}, until});
+  else
+    body.held = left;
+  scene.bodies = {body};
+  Probe force = make_probe("force", Probe::Kind::reaction);
+  force.where = right;
+  scene.probes = {force};
+  const auto simulation = make_simulation(scene, with_method(method));
+  simulation->advance_to(0.12);
+  return std::abs(simulation->series().value[0].back()) / (E * width * u / free);
+}
+
+}  // namespace
+
+TEST_SUITE("analytic") {
+  TEST_CASE("driven: to the end it is a clamp that moves, to be let go a body that acts 0.4 dp farther in") {
+    for (const double spacing : {0.002, 0.001}) {
+      CAPTURE(spacing);
+      const double length = 0.032, later = 1;
+      for (const bool both : {false, true}) {
+        CAPTURE(both);
+        const double farther = (both ? 0.78 : 0.39) * spacing;
+        CHECK(resistance(spacing, both, "oenog") == relative(1, 1e-3));
+        CHECK(resistance(spacing, both, "oenog", later) == relative(1 / (1 + farther / length), 1e-3));
+        CHECK(resistance(spacing, both, "tl") == relative(1 / (1 + 2 * spacing / length), 1e-3));
+      }
+      CHECK(resistance(spacing, true, "tl") == relative(resistance(spacing, false, "tl"), 1e-9));
+      CHECK(resistance(spacing, false, "tl", later) == relative(resistance(spacing, false, "tl"), 1e-9));
+    }
+  }
+
+  TEST_CASE("driven: on a face it is a part of the body, whether it is let go or not, and shows its stress") {
+    for (const int dim : {2, 3}) {
+      CAPTURE(dim);
+      Scene scene = bar(dim, 0);
+      scene.until = 1;
+      Body& body = scene.bodies[0];
+      body.on_boundary = true;
+      body.held = [](const Point& x) { return x[0] < -half + 0.1 * dp ? 1.0 : 0.0; };
+      body.velocity = {};
+      Drive drive;
+      drive.where = [](const Point& x) { return x[0] > length - half - 0.1 * dp ? 1.0 : 0.0; };
+      drive.velocity[1] = [](double) { return 1.0; };
+      body.drives = {drive};
+      const Snapshot lasting = state_after(100, scene, with_method("oenog"));
+      body.drives[0].until = 0.5;
+      const Snapshot let_go = state_after(100, scene, with_method("oenog"));
+      CHECK(lasting.x == let_go.x);
+      CHECK(lasting.s == let_go.s);
+      double greatest = 0;
+      for (std::size_t i = 0; i < lasting.size(); ++i)
+        if (lasting.driven[i]) greatest = std::max(greatest, std::abs(lasting.stress(i).xy));
+      CHECK(greatest > 0);
+    }
+  }
+
+  TEST_CASE("driven: what is rigid does not pull at what is held beside it") {
+    constexpr double speed = 1;  // m/s
+    for (const int dim : {2, 3}) {
+      CAPTURE(dim);
+      Scene scene = bar(dim, 0);
+      Body& body = scene.bodies[0];
+      body.held = [](const Point& x) { return x[0] < 0.3 ? 1.0 : 0.0; };
+      body.velocity = {};
+      Drive drive;
+      drive.where = [](const Point& x) { return x[0] > 0.3 ? 1.0 : 0.0; };
+      drive.velocity[0] = [](double) { return speed; };
+      body.drives = {drive};
+      const auto simulation = make_simulation(scene, with_method("oenog"));
+      simulation->advance_to(2 * dp / speed);
+      const double unit = scene.materials[0].youngs_modulus * 4 * half * half;  // N
+      CHECK(std::abs(simulation->series().value[1].back()) < 1e-12 * unit);
+    }
+  }
+
+  TEST_CASE("pins: a bar thrown about one of its particles turns on, in 3D about a row of them") {
+    const double t = 0.4;  // several periods of its first bending
+    for (const int dim : {2, 3}) {
+      CAPTURE(dim);
+      const Scene scene = bar(dim, 0.3 * dp);
+      CHECK(turned(scene, "oenog", t) == relative(omega * t, 2e-3));
+      CHECK(turned(scene, "tl", t) == relative(omega * t, 2e-3));
+    }
+    CHECK(std::abs(turned(bar(2, 1.2 * dp), "oenog", t)) < 0.2 * omega * t);  // five particles are a clamp
+  }
+
+  TEST_CASE("pins: the pull at one is what it takes to keep the bar's mass on its circle") {
+    const auto simulation = make_simulation(bar(2, 0.3 * dp), with_method("oenog"));
+    simulation->advance_to(0.3);
+    const Series& series = simulation->series();
+    double impulse = 0;
+    for (std::size_t n = 1; n < series.time.size(); ++n)
+      impulse += series.value[1][n] * (series.time[n] - series.time[n - 1]);
+    // of the mass centre, which stands beside the pin and moves with ω x e_y
+    const double mass = 1000 * length * 2 * half, centre = 0.5 * length - half;
+    CHECK(impulse == relative(mass * omega * centre * -std::sin(omega * 0.3), 0.03));
+  }
+}
+
+TEST_SUITE("term") {
+  TEST_CASE("clamp: a uniform strain leaves no force on the particles before its face") {
+    constexpr double size = 1e-3;  // of strains that leave the face where it is
+    for (const int dim : {2, 3}) {
+      for (const std::size_t along : {0, 1}) {
+        CAPTURE(dim);
+        CAPTURE(along);
+        Scene scene = bar(dim, 0);
+        scene.bodies[0].shapes = {Box{{-3 * dp, -0.1, -0.1}, {0.2, 0.1, 0.1}}};
+        scene.bodies[0].held = [](const Point& x) { return x[0] < 0 ? 1.0 : 0.0; };
+        scene.bodies[0].velocity = {};
+        scene.bodies[0].displacement[along] = [](const Point& x) { return std::max(size * x[0], 0.0); };
+        scene.probes.clear();
+        const auto simulation = make_simulation(scene, with_method("oenog"));
+        make_steps(*simulation, 1);
+        const Snapshot& now = simulation->snapshot();
+        const double unit =
+            size * scene.materials[0].shear_modulus() / (scene.materials[0].density * dp);  // m/s²
+        double greatest = 0;
+        for (std::size_t i = 0; i < now.size(); ++i) {
+          const Point X = now.initial(i);
+          const bool before =
+              X[0] > 0 && X[0] < 3 * dp && std::abs(X[1]) < dp && (dim == 2 || std::abs(X[2]) < dp);
+          if (before) greatest = std::max(greatest, std::abs(now.velocity(i)[along]) / (unit * now.time));
+        }
+        CHECK(greatest < 1e-3);
+      }
+    }
+  }
+}
+
+TEST_SUITE("unit") {
+  TEST_CASE("pins: one particle in 2D, a row in 3D, and neither a block nor a face") {
+    const auto count = [](const Scene& scene) {
+      const InitialParticles initial = make_initial_particles(scene);
+      return std::ranges::count(make_constraints(scene, initial), Constraint::pinned);
+    };
+    CHECK(count(bar(2, 0.3 * dp)) == 1);
+    CHECK(count(bar(3, 0.3 * dp)) == 5);
+    CHECK(count(bar(2, 1.2 * dp)) == 0);
+    CHECK(count(bar(3, 1.2 * dp)) == 0);
+    Scene face = bar(2, 0);
+    face.bodies[0].held = [](const Point& x) { return x[0] < -half + dp ? 1.0 : 0.0; };
+    CHECK(count(face) == 0);
+  }
+}
+
+}  // namespace of_this_file

@@ -1,0 +1,322 @@
+// oenog on layouts that are no lattice: jittered, body-centred, given one by one.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Core>
+#include <doctest/doctest.h>
+
+#include "engine/diagnostics/balance.hpp"
+#include "engine/methods/bonded/layout/bonds.hpp"
+#include "engine/methods/bonded/layout/off_lattice.hpp"
+#include "engine/scene/shapes/given_particles.hpp"
+#include "tests/engine/methods/bonded/cantilever_3d.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/runs.hpp"
+#include "tests/support/scenes.hpp"
+
+namespace of_this_file {
+
+using namespace taut;
+using namespace taut::test;
+
+namespace {
+
+constexpr double dp = 0.001;
+constexpr double h_over_dp = 0.9;  // the default in 3D
+
+Scene block(int n) {
+  Scene scene = small_solid_collision();
+  scene.bodies.pop_back();
+  scene.bodies[0].shapes = {Box{{0, 0, 0}, {n * dp, n * dp, n * dp}}};
+  return scene;
+}
+
+/// A square in the plane, n particles along each side.
+Scene square(int n) {
+  Scene scene = small_collision();
+  scene.bodies.resize(1);
+  scene.bodies[0].shapes = {Box{{0, 0, 0}, {n * dp, n * dp, 0}}};
+  scene.bodies[0].velocity = {};
+  scene.spacing = dp;
+  return scene;
+}
+
+/// As many as of a cubic lattice of the same spacing, two in each cell.
+Scene body_centred(int n) {
+  Scene scene = block(n);
+  const double cell = std::cbrt(2.0) * dp;
+  std::vector<Point> places;
+  for (int x = 0; x < 2 * n; ++x)
+    for (int y = 0; y < 2 * n; ++y)
+      for (int z = 0; z < 2 * n; ++z)
+        if (x % 2 == y % 2 && y % 2 == z % 2) places.push_back({x * cell / 2, y * cell / 2, z * cell / 2});
+  const std::vector<double> volumes(places.size(), dp * dp * dp);
+  scene.bodies[0].shapes = {GivenParticles(std::move(places), volumes, 3)};
+  return scene;
+}
+
+struct Own {  // bonds that a particle has asked for
+  std::vector<Eigen::Vector3d> X;
+  std::vector<double> w;
+};
+Own own_bonds(const Bonds& bonds, int i) {
+  Own own;
+  for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b) {
+    if (bonds.of(i, b).weight == 0) continue;
+    own.X.push_back(Eigen::Vector3d(bonds.of(i, b).X.data()));
+    own.w.push_back(bonds.of(i, b).weight);
+  }
+  return own;
+}
+
+/// When the first probe is back where it began, s.
+double half_period(const Scene& scene, double until, const Settings& settings = with_damping(0)) {
+  const auto simulation = make_simulation(scene, settings);
+  simulation->advance_to(until);
+  const std::vector<double>&t = simulation->series().time, &y = simulation->series().value[0];
+  for (std::size_t k = 2; k < t.size(); ++k)
+    if ((y[k - 1] > 0) != (y[k] > 0)) return t[k - 1] + (t[k] - t[k - 1]) * y[k - 1] / (y[k - 1] - y[k]);
+  FAIL("it does not come back");
+  return 0;
+}
+
+/// As of a ring that rings in its mode n = 2.
+Scene ringing(double spacing) {
+  Scene scene = colliding_rings(0, spacing);
+  scene.bodies.pop_back();
+  scene.bodies[0].shapes = {Ring{{}, 0.03, 0.04}};
+  scene.bodies[0].mirror[0] = false;
+  scene.bodies[0].velocity[0] = [](const Point& x) { return 5 * x[0]; };
+  scene.bodies[0].velocity[1] = [](const Point& x) { return -5 * x[1]; };
+  scene.probes = {make_probe("side", Probe::Kind::displacement)};
+  scene.probes[0].at = {0.035, 0, 0};
+  return scene;
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("off a lattice: bonds of a lattice are as stiff as the solid, of a face nowhere stiffer") {
+    const Scene scene = block(5);
+    const Bonds bonds = make_bonds(scene, make_initial_particles(scene), h_over_dp * dp);
+    CHECK_FALSE(bonds.off_lattice);
+    const Own middle = own_bonds(bonds, 62), face = own_bonds(bonds, 12), corner = own_bonds(bonds, 0);
+    CHECK(excess(middle.X, middle.w) == relative(1, 1e-9));
+    CHECK(excess(face.X, face.w) < 0.99);
+    CHECK(excess(corner.X, corner.w) < 0.9);
+    std::vector<double> doubled = middle.w;
+    for (double& w : doubled) w *= 2;
+    CHECK(excess(middle.X, doubled) == relative(2, 1e-9));
+    // an axis alone: 3 of its e_x⁴ against (λ + 2μ), where σ_y and σ_z are 0 by strains of −ν
+    CHECK(excess(std::vector{Eigen::Vector3d(1, 0, 0)}, {1}) == relative(0.4, 1e-9));
+    using Flat = std::vector<Eigen::Vector2d>;
+    const Flat square{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
+    CHECK(excess(square, std::vector(8, 1.0)) == relative(1, 1e-9));
+    // an axis alone: 1 against λ + 2μ − λ²/(λ + 2μ) = 8/3, where σ_y is 0
+    CHECK(excess(Flat{{1, 0}}, {1}) == relative(0.375, 1e-9));
+    CHECK_FALSE(is_at_surface(square));
+    CHECK(is_at_surface(Flat{{1, 0}, {0, 1}}));
+    CHECK(is_at_surface(Flat{{1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}}));
+    CHECK_FALSE(is_at_surface(middle.X));
+    CHECK(is_at_surface(face.X));
+    CHECK(is_at_surface(corner.X));
+    CHECK(is_on_lattice(face.X, dp));
+    CHECK_FALSE(is_on_lattice(face.X, 1.01 * dp));
+  }
+
+  TEST_CASE("off a lattice: bonds are nowhere stiffer than the solid, and as stiff inside") {
+    for (const Scene& scene : {jittered(block(7), 0.2), body_centred(7)}) {
+      const InitialParticles initial = make_initial_particles(scene);
+      const Bonds bonds = make_bonds(scene, initial, h_over_dp * dp);
+      CHECK(bonds.off_lattice);
+      double greatest = 0;
+      int as_stiff = 0;
+      for (int i = 0; i < initial.size(); ++i) {
+        const Own own = own_bonds(bonds, i);
+        const double stiff = excess(own.X, own.w);
+        greatest = std::max(greatest, stiff);
+        as_stiff += stiff > 1 - 1e-8;
+        CHECK(*std::ranges::min_element(own.w) > 0);
+        Eigen::Matrix3d one = Eigen::Matrix3d::Zero();
+        for (int b = bonds.begin[i]; b < bonds.begin[i + 1]; ++b)
+          one += Eigen::Vector3d(bonds.of(i, b).X.data()) * Eigen::RowVector3d(bonds.gradient(i, b).data());
+        CHECK((one - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-12);
+      }
+      CHECK(greatest < 1 + 1e-8);
+      CHECK(as_stiff > initial.size() / 4);
+    }
+  }
+}
+
+TEST_SUITE("failure") {
+  TEST_CASE(
+      "oenog: off a lattice a body at rest stays there, though its bonds are kept in single precision") {
+    Scene layers = block(7);
+    layers.bodies[0].shapes = {Ring{{}, 3 * dp, 6 * dp, RoundLayout::aligned}};
+    for (Scene scene : {layers, jittered(block(7), 0.2)}) {
+      scene.bodies[0].velocity = {};
+      const auto simulation = make_simulation(scene, with_damping(0));
+      make_steps(*simulation, 200);
+      const double sound = std::sqrt(scene.materials[0].youngs_modulus / scene.materials[0].density);
+      for (const double v : simulation->snapshot().v) CHECK(std::abs(v) < 1e-12 * sound);
+    }
+  }
+}
+
+TEST_SUITE("analytic") {
+  TEST_CASE("oenog: jittered bodies of any size are at rest without stress") {
+    for (const int n : {40, 55}) {  // the second has more rows to balance than are solved to the end
+      CAPTURE(n);
+      Scene scene = jittered(square(n), 0.1);
+      const Snapshot now = make_simulation(scene, with_method("oenog"))->snapshot();
+      double energy = 0, greatest = 0;
+      for (std::size_t i = 0; i < now.size(); ++i)
+        energy += std::abs(now.strain_energy[i]), greatest = std::max(greatest, std::abs(now.p[i]));
+      CHECK(energy < 1e-12 * ring_rubber().bulk_modulus() * n * n * dp * dp);
+      CHECK(greatest < 1e-9 * ring_rubber().bulk_modulus());
+    }
+  }
+
+  TEST_CASE("oenog: off a lattice a jittered bar bends a little too slowly") {
+    constexpr double period = 0.27691;  // s, finite elements
+    // 0.6, 1.6 and 6 %; where a third of the particles takes its gradient from the nearest alone 7 %
+    const double lattice = error_of_period(bending_cantilever(5), period),
+                 little = error_of_period(jittered(bending_cantilever(5), 0.1), period),
+                 much = error_of_period(jittered(bending_cantilever(5), 0.2), period);
+    CHECK(lattice < little);
+    CHECK(little < 0.025);
+    CHECK(little < much);
+    CHECK(much < 0.066);
+  }
+}
+
+TEST_SUITE("analytic") {
+  TEST_CASE("oenog: a plate of particles that are off their lattice by round-off swings as on it") {
+    const Scene plate = oscillating_plate(0.01, 5);
+    const double lattice = half_period(plate, 0.15);
+    constexpr double exact = 0.25522 / 2;  // s, finite elements
+    CHECK(lattice == relative(exact, 0.003));
+    // balanced like layers they were 1 to 5 % too slow from 1e-9 on
+    for (const double share : {1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-7, 1e-5, 1e-3}) {
+      CAPTURE(share);
+      const double period = half_period(jittered(plate, share), 0.2);
+      if (share < 1e-11)
+        CHECK(period == relative(lattice, 1e-5));
+      else
+        CHECK(period == relative(exact, 0.009));  // 0.8 % too slow
+    }
+  }
+
+  TEST_CASE("oenog: a jittered ring and plate swing a little too slowly, the finer the less") {
+    const auto too_slow = [](const Scene& scene, double share, double lattice) {
+      return half_period(jittered(scene, share), 1.5 * lattice) / lattice - 1;
+    };
+    const Scene coarse = ringing(0.002), fine = ringing(0.001), plate = oscillating_plate(0.01, 10);
+    const double of_coarse = half_period(coarse, 0.006), of_fine = half_period(fine, 0.006),
+                 of_plate = half_period(plate, 0.15);
+    for (const auto& [share, most] : {std::pair(0.1, 0.01), std::pair(0.2, 0.03)}) {
+      CAPTURE(share);
+      const double of_two = too_slow(coarse, share, of_coarse), of_one = too_slow(fine, share, of_fine);
+      CHECK(of_one > 0);
+      CHECK(of_one < most);
+      CHECK(of_one < of_two);
+      CHECK(of_two < 2 * most);
+    }
+    CHECK(too_slow(plate, 0.1, of_plate) < 0.015);
+    CHECK(too_slow(plate, 0.2, of_plate) < 0.04);
+  }
+}
+
+TEST_SUITE("failure") {
+  TEST_CASE("oenog: jittered by 0.1 dp a plate of tl is far softer") {
+    const Scene plate = oscillating_plate(0.01, 10);
+    const auto half = [](const Scene& scene) { return half_period(scene, 0.2, with_method("tl")); };
+    CHECK(half(jittered(plate, 0.1)) > 1.2 * half(plate));
+  }
+
+  TEST_CASE("oenog: off a lattice a shaken block lives with the steps of its layout, and keeps its energy") {
+    for (const double share : {0.1, 0.2, 0.3, 0.4, 0.45}) {
+      CAPTURE(share);
+      const Scene scene = jittered(block(7), share);
+      const auto simulation = make_simulation(scene, with_damping(0));
+      const double start = balance(simulation->snapshot(), scene).kinetic;
+      const std::array<double, 3> momentum = balance(simulation->snapshot(), scene).linear_momentum;
+      make_steps(*simulation, 1000);
+      const Balance now = balance(simulation->snapshot(), scene);
+      CHECK(now.kinetic + now.strain == relative(start, 2e-3));
+      for (int k = 0; k < 3; ++k)
+        CHECK(std::abs(now.linear_momentum[k] - momentum[k]) < 1e-12 * std::abs(momentum[0]));
+    }
+  }
+
+  TEST_CASE("oenog: in 2D too a jittered plate swings on and keeps its energy") {
+    for (const double share : {0.1, 0.2, 0.3}) {
+      CAPTURE(share);
+      const Scene scene = jittered(oscillating_plate(0.01, 10), share);
+      const auto simulation = make_simulation(scene, with_damping(0));
+      const double start = balance(simulation->snapshot(), scene).kinetic;
+      make_steps(*simulation, 3000);
+      const Balance now = balance(simulation->snapshot(), scene);
+      CHECK(now.kinetic + now.strain == relative(start, 1e-2));
+      CHECK(now.strain > 0.1 * start);
+    }
+  }
+
+  TEST_CASE("oenog: a jittered body with a tip of one particle after the other stays whole") {
+    Scene scene = oscillating_plate(0.01, 5);
+    const double spacing = scene.spacing, L = 0.05;
+    scene.bodies[0].shapes = {Box{{0, 0, 0}, {L, 10 * spacing, 0}},
+                              Box{{L, 4 * spacing, 0}, {L + 3 * spacing, 5 * spacing, 0}}};
+    scene.probes.clear();
+    scene.bodies[0].held = {};
+    scene.bodies[0].velocity[0] = scene.bodies[0].velocity[1] = [](const Point& x) {
+      return 0.5 * std::sin(x[1] / 0.01 + x[0] / 0.02);
+    };
+    for (const int seed : {1, 2, 3}) {
+      CAPTURE(seed);
+      scene.jitter = {0.1, seed};
+      const auto simulation = make_simulation(scene, with_damping(0));
+      const double start = balance(simulation->snapshot(), scene).kinetic;
+      make_steps(*simulation, 1000);
+      const Balance now = balance(simulation->snapshot(), scene);
+      CHECK(now.kinetic + now.strain == relative(start, 0.01));
+      CHECK(now.strain > 0.1 * start);
+    }
+  }
+
+  TEST_CASE("oenog: parts of a body that a slot of one spacing separates do not hold on to each other") {
+    Scene scene = square(10);
+    scene.bodies[0].shapes = {Box{{-20 * dp, 0, 0}, {0, 10 * dp, 0}}, Box{{dp, 0, 0}, {21 * dp, 10 * dp, 0}}};
+    scene.bodies[0].velocity[0] = [](const Point& x) { return x[0] > 0 ? 1.0 : 0.0; };
+    SUBCASE("of a hexagonal lattice") { scene.bodies[0].lattice = Lattice::hexagonal; }
+    SUBCASE("of bonds that reach two spacings") { scene.jitter.share = 1e-6; }
+    const auto simulation = make_simulation(scene, with_method("oenog"));
+    simulation->advance_to(0.01);
+    const Snapshot now = simulation->snapshot();
+    for (std::size_t i = 0; i < now.size(); ++i)
+      REQUIRE(std::abs(now.v[2 * i] - (now.x0[2 * i] > 0 ? 1 : 0)) < 1e-6);
+  }
+
+  TEST_CASE("oenog: off a lattice steps are hardly shorter") {
+    const auto time_of = [](const Scene& scene) {
+      const auto simulation = make_simulation(scene, with_method("oenog"));
+      make_steps(*simulation, 20);
+      return simulation->time();
+    };
+    const Scene plate = oscillating_plate(0.01, 5);
+    CHECK(time_of(jittered(plate, 0.2)) == relative(time_of(plate), 0.01));
+    const double lattice = time_of(block(6));
+    CHECK(time_of(jittered(block(6), 0.05)) == relative(lattice, 0.05));
+    // 0.5 of it by 0.2 dp where a third of the particles takes its gradient from the nearest alone
+    for (const double share : {0.2, 0.45}) {
+      const double jumbled = time_of(jittered(block(6), share)) / lattice;
+      CHECK(jumbled > 0.8);
+      CHECK(jumbled < 1.05);
+    }
+  }
+}
+
+}  // namespace of_this_file

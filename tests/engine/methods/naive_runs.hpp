@@ -1,0 +1,142 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "engine/layout/initial_particles.hpp"
+#include "engine/methods/catalogue.hpp"
+#include "tests/engine/methods/naive_cauchy.hpp"
+#include "tests/engine/methods/naive_lee2016.hpp"
+#include "tests/engine/methods/naive_total_lagrangian.hpp"
+#include "tests/engine/methods/naive_zhang2024.hpp"
+
+/// A transcription's run of a scene, with the particles and the constants that the engine would take; not yet
+/// started. All that the two share is here.
+namespace taut::test {
+
+/// A vector of a transcription, of `Dim` components of the engine's.
+template <class Vector>
+Vector vector_of(const Point& x) {
+  Vector v;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(v.size()); ++k) v[k] = x[k];
+  return v;
+}
+
+/// `lay(a, i, initial)` sets what is called differently in each transcription.
+template <class Run, class Lay>
+void lay_particles(Run& run, const Scene& scene, const Lay& lay) {
+  const InitialParticles initial = make_initial_particles(scene);
+  for (int i = 0; i < initial.size(); ++i) {
+    auto& a = run.particles.emplace_back();
+    a.body = initial.body[i];
+    a.held = initial.held[i];
+    lay(a, i, initial);
+  }
+}
+
+/// A constant of the method as it is set, or its default; 0 where the method has none of the name.
+inline double constant_of(const Settings& settings, int dim, const std::string& name) {
+  const auto set = settings.constants.find(name);
+  if (set != settings.constants.end()) return set->second;
+  for (const MethodConstant& c : method_constants(find_method(settings.method)->formulation, dim))
+    if (c.name == name) return c.value;
+  return 0;
+}
+
+/// [Zhang2024]
+template <int Dim>
+naive::Run<Dim> naive_split(const Scene& scene, const Settings& settings) {
+  const Material& material = scene.materials[0];
+  naive::Run<Dim> run(naive::method_named(settings.method), settings.stepping == Stepping::dual,
+                      scene.spacing, material.density, material.sound_speed(), material.shear_modulus());
+  run.pressure_diffusion = constant_of(settings, Dim, "pressure_diffusion");
+  lay_particles(run, scene, [&](auto& a, int i, const InitialParticles& initial) {
+    a.x = vector_of<naive::Vector<Dim>>(initial.x[i]);
+    a.v = vector_of<naive::Vector<Dim>>(initial.v[i]);
+    a.m = material.density * initial.V0[i];
+  });
+  return run;
+}
+
+/// [Khayyer2024], [TranDuc2023] §2.2
+inline naive_cauchy::Run naive_current(const Scene& scene, const Settings& settings) {
+  double c0 = 0;
+  for (const Material& material : scene.materials) c0 = std::max(c0, material.sound_speed());
+  naive_cauchy::Run run(naive_cauchy::method_named(settings.method), scene.spacing, c0);
+  run.riemann_factor = constant_of(settings, 2, "riemann_factor");
+  run.geometry = constant_of(settings, 2, "geometry");
+  lay_particles(run, scene, [&](auto& a, int i, const InitialParticles& initial) {
+    const Material& material = scene.materials[initial.material[i]];
+    a.r = vector_of<naive_cauchy::Vector>(initial.x[i]);
+    a.u = vector_of<naive_cauchy::Vector>(initial.v[i]);
+    a.material = {material.density, material.bulk_modulus(), material.shear_modulus()};
+    a.m = material.density * initial.V0[i];
+    a.rho = material.density;
+    a.of_material = initial.material[i];
+  });
+  return run;
+}
+
+/// tl with each of its laws, icb, tl-small-strain
+template <int Dim>
+naive_reference::Run<Dim> naive_total_lagrangian(const Scene& scene, const Settings& settings) {
+  const Material& material = scene.materials[0];
+  naive_reference::Run<Dim> run{naive_reference::method_named(settings.method, settings.law),
+                                scene.spacing,
+                                constant_of(settings, Dim, "h") * scene.spacing,
+                                find_method(settings.method)->cfl,
+                                material.density,
+                                material.bulk_modulus(),
+                                material.shear_modulus(),
+                                constant_of(settings, Dim, "contact_stiffness"),
+                                {}};
+  lay_particles(run, scene, [&](auto& a, int i, const InitialParticles& initial) {
+    a.X = a.x = vector_of<naive_reference::Vector<Dim>>(initial.x[i]);
+    a.v = vector_of<naive_reference::Vector<Dim>>(initial.v[i]);
+    a.V = initial.V0[i];
+    a.m = material.density * a.V;
+  });
+  return run;
+}
+
+/// The mixed methods of [Lee2016]; with a step of its own where the settings have one.
+template <int Dim>
+naive_lee::Run<Dim> naive_mixed(const Scene& scene, const Settings& settings) {
+  const Material& material = scene.materials[0];
+  const std::string& name = settings.method;
+  const auto constant = [&](const char* key) { return constant_of(settings, Dim, key); };
+  naive_lee::Run<Dim> run{.jst = name != "pf",
+                          .with_J = name.starts_with("pfj") || name == "pfhj-jst",
+                          .with_H = Dim == 3 && name == "pfhj-jst",
+                          .dp = scene.spacing,
+                          .h = constant("h") * scene.spacing,
+                          .cfl = settings.step > 0 ? 0 : find_method(name)->cfl,
+                          .rho0 = material.density,
+                          .K = material.bulk_modulus(),
+                          .G = material.shear_modulus(),
+                          .contact_stiffness = constant("contact_stiffness"),
+                          .eps_p2 = constant("eps_v2"),
+                          .eps_p4 = constant("eps_v4"),
+                          .eps_J2 = constant("eps_J2"),
+                          .eps_J4 = constant("eps_J4"),
+                          .projection = constant("projection") != 0,
+                          .adjoint = constant("adjoint") != 0,
+                          .particles = {},
+                          .dt = settings.step};
+  lay_particles(run, scene, [&](auto& a, int i, const InitialParticles& initial) {
+    a.X = a.x = vector_of<naive_lee::Vec<Dim>>(initial.x[i]);
+    a.p = material.density * vector_of<naive_lee::Vec<Dim>>(initial.v[i]);
+    a.V = initial.V0[i];
+  });
+  return run;
+}
+
+/// A run that has been started and made its steps.
+template <class Run>
+Run after_steps(Run run, int steps) {
+  if constexpr (requires { run.start(); }) run.start();
+  for (int k = 0; k < steps; ++k) run.step();
+  return run;
+}
+
+}  // namespace taut::test
