@@ -230,7 +230,7 @@ bool ProbeKind::takes(std::string_view key) const {
 std::span<const ProbeKind> probe_kinds() { return kinds; }
 
 std::string_view unit_of(const Probe& probe, int dim) {
-  if (is_force(probe.kind)) return dim == 2 ? "N/m" : "N";
+  if (probe.kind.is_force) return dim == 2 ? "N/m" : "N";
   if (probe.kind == Probe::Kind::expression) return "";
   return kinds[index_of(kinds, probe.kind.name)].unit;
 }

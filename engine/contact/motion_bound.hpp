@@ -7,7 +7,7 @@
 
 #include "engine/core/tensor.hpp"
 #include "engine/materials/rotated_piola.hpp"
-#include "engine/terms/term_info.hpp"
+#include "engine/term_info.hpp"
 
 namespace taut {
 

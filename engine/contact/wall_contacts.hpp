@@ -5,7 +5,7 @@
 #include "engine/core/tensor.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/snapshot.hpp"
-#include "engine/terms/term_info.hpp"
+#include "engine/term_info.hpp"
 
 namespace taut {
 

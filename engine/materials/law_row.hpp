@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "engine/materials/elastic_law.hpp"
-#include "engine/terms/term_info.hpp"
+#include "engine/term_info.hpp"
 
 namespace taut {
 

@@ -7,7 +7,7 @@
 
 #include "engine/contact/contact_law.hpp"
 #include "engine/kernels/kernel_name.hpp"
-#include "engine/terms/term_info.hpp"
+#include "engine/term_info.hpp"
 
 namespace taut {
 

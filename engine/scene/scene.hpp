@@ -138,6 +138,7 @@ struct Probe {
   /// A kind of probe, by its name in scene files. solver/probe_kinds.cpp has a row for each kind.
   struct Kind {
     std::string_view name;
+    bool is_force = false;  // values are means over the last step, in N
 
     bool operator==(const Kind&) const = default;
 
@@ -179,14 +180,11 @@ inline constexpr Probe::Kind Probe::Kind::displacement{"displacement"}, Probe::K
     Probe::Kind::mean_velocity{"mean_velocity"}, Probe::Kind::mean_position{"mean_position"},
     Probe::Kind::greatest_position{"greatest_position"}, Probe::Kind::gap{"gap"},
     Probe::Kind::mirror_asymmetry{"mirror_asymmetry"}, Probe::Kind::turn{"turn"},
-    Probe::Kind::stress{"stress"}, Probe::Kind::reaction{"reaction"},
-    Probe::Kind::contact_force{"contact_force"}, Probe::Kind::expression{"expression"};
+    Probe::Kind::stress{"stress"}, Probe::Kind::reaction{"reaction", true},
+    Probe::Kind::contact_force{"contact_force", true}, Probe::Kind::expression{"expression"};
 
-constexpr bool is_force(Probe::Kind kind) {
-  return kind == Probe::Kind::reaction || kind == Probe::Kind::contact_force;
-}
 /// Its samples are means over the steps before, and not values at their times.
-inline bool is_of_steps(const Probe& probe) { return is_force(probe.kind) || probe.of_forces; }
+inline bool is_of_steps(const Probe& probe) { return probe.kind.is_force || probe.of_forces; }
 
 /// Points of a body, evenly spaced along a straight line, at which a field is sampled.
 struct SampleLine {

@@ -15,7 +15,7 @@
 #include "engine/kernels/kernel.hpp"
 #include "engine/neighbors/initial_neighbors.hpp"
 #include "engine/neighbors/lane_neighbors.hpp"
-#include "engine/terms/term_info.hpp"
+#include "engine/term_info.hpp"
 
 namespace taut {
 

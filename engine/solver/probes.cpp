@@ -48,7 +48,7 @@ void ProbeRecorder<Dim>::record(const Particles<Dim>& s, double time, ProbeSourc
                             series.time.size() % now_and_then == 1};
   for (std::size_t k = 0; k < followers_.size(); ++k) {
     ProbeFollower<Dim>& f = followers_[k];
-    values.push_back(dt > 0 || !is_force(f.probe.kind) ? f.row->value(f, step) : 0);
+    values.push_back(dt > 0 || !f.probe.kind.is_force ? f.row->value(f, step) : 0);
     series.value[k].push_back(values.back());
   }
 }

@@ -4,7 +4,7 @@
 
 #include "engine/core/principal_axes.hpp"
 #include "engine/core/tensor.hpp"
-#include "engine/terms/term_info.hpp"
+#include "engine/term_info.hpp"
 
 /// Gray's artificial stress: tension is met by a small repulsion between close particles.
 /// [Zhang2024] names it for SPH-OAS with neither equations nor values; these are Gray, Monaghan, Swift

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/pack.hpp"
-#include "engine/terms/term_info.hpp"
+#include "engine/term_info.hpp"
 
 namespace taut {
 

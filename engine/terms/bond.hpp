@@ -7,7 +7,7 @@
 #include "engine/core/cube_root.hpp"
 #include "engine/core/pack.hpp"
 #include "engine/core/tensor.hpp"
-#include "engine/terms/term_info.hpp"
+#include "engine/term_info.hpp"
 
 /// Functions of one bond and of one particle of `oenog`, derived in methods/bonded/THEORY.md from the energy
 ///   E = Σ_i [ V_i W(F_i) + G V0_i Σ_j w_ij (φ(s_ij) − φ_c(s°_ij)) ],   F_i = Σ_j (x_j − x_i) ⊗ g_ij,

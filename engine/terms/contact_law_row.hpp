@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "engine/contact/contact_law.hpp"
-#include "engine/terms/term_info.hpp"
+#include "engine/term_info.hpp"
 
 namespace taut {
 

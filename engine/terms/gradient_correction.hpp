@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/tensor.hpp"
-#include "engine/terms/term_info.hpp"
+#include "engine/term_info.hpp"
 
 /// The kernel gradient is corrected so that the gradient of a linear field is exact, L_i·∇_i W in place of
 /// ∇_i W.

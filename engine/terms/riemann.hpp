@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/pack.hpp"
-#include "engine/terms/term_info.hpp"
+#include "engine/term_info.hpp"
 
 /// The low-dissipation Riemann problem of a pair along e_ij (from j to i), with the left state i:
 ///   U_L = −v_i·e_ij,  U_R = −v_j·e_ij,  so U_L − U_R = −v_ij·e_ij is the speed at which the pair closes.

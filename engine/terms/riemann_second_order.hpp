@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/core/tensor.hpp"
-#include "engine/terms/term_info.hpp"
+#include "engine/term_info.hpp"
 
 /// Dissipation from the Riemann problem of each pair, with velocities reconstructed half way to each other:
 /// it vanishes where the velocity is linear.

@@ -2,7 +2,7 @@
 
 #include "engine/core/tensor.hpp"
 #include "engine/methods/formulation.hpp"
-#include "engine/terms/term_info.hpp"
+#include "engine/term_info.hpp"
 
 namespace taut {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/tensor.hpp"
-#include "engine/terms/term_info.hpp"
+#include "engine/term_info.hpp"
 
 /// In the inner region the stress divergence of a particle in tension takes differences instead of sums: with
 /// R = −σ⁺, σ⁺ the tensile part, σ_i·L_i becomes (σ_i + 2 R_i)·L_i.              [Khayyer2024] §3.4

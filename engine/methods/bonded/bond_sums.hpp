@@ -3,8 +3,8 @@
 #include "engine/core/columns.hpp"
 #include "engine/methods/bonded/cancelled.hpp"
 #include "engine/methods/bonded/packed_bonds.hpp"
+#include "engine/term_info.hpp"
 #include "engine/terms/bond.hpp"
-#include "engine/terms/term_info.hpp"
 
 namespace taut {
 

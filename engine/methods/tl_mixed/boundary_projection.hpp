@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/core/point.hpp"
-#include "engine/terms/term_info.hpp"
+#include "engine/term_info.hpp"
 
 namespace taut {
 
