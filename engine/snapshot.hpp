@@ -34,11 +34,12 @@ struct Snapshot {
       strain_energy;          // of methods that have one of their own, J (per metre depth in 2D); else empty
   double contact_energy = 0;  // of the contacts of bodies, J (per metre depth in 2D)
   double work = 0;            // of driven particles, loads and gravity so far, J (per metre depth in 2D)
-  double damped = 0;          // taken by the scene's damping so far, J (per metre depth in 2D)
-  Impulse of_walls;           // so far
-  std::vector<double> diameter;  // of a particle as drawn: V0^(1/dim), m
-  std::vector<int> body;         // index into Scene::bodies
-  std::vector<int> material;     // index into Scene::materials
+  std::vector<double> body_work;  // [body] its part of `work`
+  double damped = 0;              // taken by the scene's damping so far, J (per metre depth in 2D)
+  Impulse of_walls;               // so far
+  std::vector<double> diameter;   // of a particle as drawn: V0^(1/dim), m
+  std::vector<int> body;          // index into Scene::bodies
+  std::vector<int> material;      // index into Scene::materials
   std::vector<unsigned char> held;
   std::vector<unsigned char> driven;  // of a region that the scene moves up to some time
 

@@ -17,11 +17,11 @@ Snapshot blend(const Snapshot& before, const Snapshot& after, double t) {
   if (t == after.time) return out;
   const double dt = after.time - before.time, share = (t - before.time) / dt;
   // all members: whoever adds one decides here whether it goes on from step to step
-  auto& [dim, time, step, x0, x, v, m, rho, p, s, strain_energy, contact_energy, work, damped, of_walls,
-         diameter, body, material, held, driven] = out;
+  auto& [dim, time, step, x0, x, v, m, rho, p, s, strain_energy, contact_energy, work, body_work, damped,
+         of_walls, diameter, body, material, held, driven] = out;
   time = t;
-  for (const auto field :
-       {&Snapshot::x, &Snapshot::v, &Snapshot::rho, &Snapshot::p, &Snapshot::s, &Snapshot::strain_energy})
+  for (const auto field : {&Snapshot::x, &Snapshot::v, &Snapshot::rho, &Snapshot::p, &Snapshot::s,
+                           &Snapshot::strain_energy, &Snapshot::body_work})
     move_back(out.*field, before.*field, share);
   const double bend = 0.5 * share * (1 - share) * dt;  // s
   for (std::size_t k = 0; k < x.size(); ++k) x[k] -= bend * (after.v[k] - before.v[k]);

@@ -5,7 +5,7 @@
 #include "cli/drawing/keys.hpp"
 #include "cli/language/reference.hpp"
 #include "cli/scene/shipped.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/methods/catalogue.hpp"
 
 namespace taut::cli {

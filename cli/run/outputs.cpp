@@ -83,10 +83,20 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
     if (judge_.verdict() == Verdict::diverged) result_.failure = describe_divergence(now, sums);
   }
   void take_verdict() {
+    if (const long particle = result_.record.indicator[0].particle; particle >= 0) {
+      const Snapshot& start = simulation_.snapshot();
+      const auto first = start.x0.begin() + start.dim * particle;
+      result_.record.patch_body = scene_.bodies[start.body[particle]].name;
+      result_.record.patch_place.assign(first, first + start.dim);
+    } else {
+      result_.record.patch_body.clear();
+    }
     result_.record.pieces = judge_.pieces();
     result_.record.verdict = judge_.verdict();
     result_.record.since = judge_.since();
     result_.record.beyond_law = judge_.beyond_law();
+    result_.record.energy_gain = judge_.energy_gain();
+    result_.record.turn = judge_.turn();
   }
 
   const Scene& scene_;

@@ -14,7 +14,7 @@
 #include "cli/text/json.hpp"
 #include "engine/diagnostics/conservation.hpp"
 #include "engine/diagnostics/indicators.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 
 namespace taut::cli {
 
@@ -44,8 +44,11 @@ struct RunRecord {
   Verdict verdict = Verdict::stable;
   std::map<Verdict, double> since;  // s
   BeyondLaw beyond_law;
+  Excess energy_gain, turn;
   int pieces = 0;
   std::array<IndicatorRecord, indicators.size()> indicator;
+  std::string patch_body;  // with the patch of the greatest hourglass error; empty: no patch, but a body
+  std::vector<double> patch_place;  // its middle in the initial configuration, m
   Conservation conservation;
   std::vector<MeasureResult> measures;
   Provenance provenance;
@@ -53,6 +56,15 @@ struct RunRecord {
   /// Particles × steps / solve, 1/s; none before the first step.
   std::optional<double> particle_steps_per_second() const;
 };
+
+/// Fault of a run that does not change its verdict.
+struct RunWarning {
+  std::string key;   // in run.json
+  std::string text;  // "gains energy since t = 0.1 s: …"
+  Json figures;      // in run.json
+};
+/// "gains energy" and "loses energy" by more than a tenth, "turns by itself".
+std::vector<RunWarning> warnings(const RunRecord& record);
 
 /// Explains an energy drift of 1 % or more: dissipated, created, or only apparent; else empty.
 std::string energy_note(const RunRecord& record);

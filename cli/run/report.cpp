@@ -44,6 +44,11 @@ std::string indicators_line(const RunRecord& record) {
   for (std::size_t k = 0; k < indicators.size(); ++k) {
     (text += k == 0 ? "" : ", ") += indicators[k].key;
     (text += ' ') += brief(record.indicator[k].greatest());
+    if (k > 0 || record.patch_body.empty()) continue;
+    text += " (" + record.patch_body + " at ";
+    for (std::size_t axis = 0; axis < record.patch_place.size(); ++axis)
+      text += (axis == 0 ? "[" : ", ") + brief(record.patch_place[axis]);
+    text += "])";
   }
   return text;
 }
@@ -138,6 +143,7 @@ std::string run_report(const RunPlan& plan, const RunResult& result) {
                       brief(seconds.render) + ", writing " + brief(seconds.write)}};
   if (const std::string note = energy_note(record); !note.empty())
     rows.insert(rows.begin() + 3, {"energy", note});
+  for (const RunWarning& warning : warnings(record)) rows.push_back({"warning", warning.text});
   if (const BeyondLaw& beyond = record.beyond_law; beyond.share > 0)
     rows.push_back({"law", "not followed since t = " + brief(beyond.since) + " s: up to " +
                                percent(beyond.share) +

@@ -60,11 +60,11 @@ const std::vector<ProbeKind> kinds{
     {"stress", "Pa",
      "Cauchy stress at a material point, as in the fields: positive in tension, pressure positive in compression",
      {key::body, key::at, key::part}},
-    {"reaction", "N, in 2D N/m",
+    {"reaction", ProbeKind::force_unit,
      "sum of the reaction forces on clamped and driven particles of a body. Without loads and damping, "
      "only reaction, contact force and weight change the momentum of the body",
      {key::body, key::held_where, key::component}},
-    {"contact_force", "N, in 2D N/m",
+    {"contact_force", ProbeKind::force_unit,
      "contact force of another body or of a wall on a body",
      {key::met, key::met_body, key::wall, key::component}},
     {"expression", "unit of value", "expression of other probes", {key::value}},

@@ -130,7 +130,8 @@ struct ProbeKind {
   std::string_view unit, help;
   std::vector<KeyInfo> keys;  // beside `name` and `of`
 
-  Probe::Kind kind() const { return {name}; }
+  static constexpr std::string_view force_unit = "N, in 2D N/m";
+  Probe::Kind kind() const { return {name, unit == force_unit}; }
   bool takes(std::string_view key) const;
 };
 std::span<const ProbeKind> probe_kinds();

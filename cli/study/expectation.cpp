@@ -6,7 +6,7 @@
 
 #include "cli/text/format.hpp"
 #include "cli/text/suggest.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {

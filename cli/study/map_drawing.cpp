@@ -8,7 +8,7 @@
 
 #include "cli/study/curve_style.hpp"
 #include "cli/text/format.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 
 namespace taut::cli {
 namespace {

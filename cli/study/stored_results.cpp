@@ -11,7 +11,7 @@
 #include "cli/text/json_cursor.hpp"
 #include "cli/text/shown.hpp"
 #include "cli/text/suggest.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/error.hpp"
 
 namespace taut::cli {

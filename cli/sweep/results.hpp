@@ -5,7 +5,7 @@
 
 #include "cli/sweep/plan.hpp"
 #include "cli/text/test_report.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 
 namespace taut::cli {
 

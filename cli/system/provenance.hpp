@@ -23,7 +23,7 @@ inline constexpr std::array<FileFormat, 7> file_formats{{{"run.json", 1},
                                                          {"history.csv", 1},
                                                          {"lines.csv", 1},
                                                          {"particles", 1},
-                                                         {"checkpoint.bin", 13}}};
+                                                         {"checkpoint.bin", 14}}};
 
 consteval int format_of(std::string_view file) {
   for (const FileFormat& format : file_formats)

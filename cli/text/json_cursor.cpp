@@ -52,6 +52,7 @@ const std::vector<KeyOfRun>& keys_of_run() {
       {{"verdict"}, choice_of_verdict},
       {{"since", "*"}, number},
       {{"beyond_law", "*"}, number},
+      {{"warnings", "*", "*"}, number},
       {{"indicators"}, object},
       {{"conservation", "*"}, number},
       {{"energy_note"}, text},

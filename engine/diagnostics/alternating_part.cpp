@@ -229,10 +229,11 @@ AlternatingPart alternating_part(const Snapshot& start, double spacing, int thre
 
 AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing) {
   double out[6];
+  std::vector<double> x(static_cast<std::size_t>(part.rows()));
   best_kernels<SharedKernels::history_row, HistoryKernels>(now.dim).alternating_sums(
       {part.rows(), part.begin.data(), part.j.data(), part.first_weight.data(), part.weight.data()},
-      view_of(now), spacing, out);
-  return {{out[0], out[1], out[2]}, {out[3], out[4], out[5]}};
+      view_of(now), spacing, out, x.data());
+  return {std::move(x), {out[0], out[1], out[2]}, {out[3], out[4], out[5]}};
 }
 
 }  // namespace taut

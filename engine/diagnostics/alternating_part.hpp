@@ -41,8 +41,9 @@ struct SquareSums {
 };
 /// Over the particles that have a row.
 struct AlternatingSums {
-  SquareSums part;   // of the alternating parts; a length counts with one spacing at most
-  SquareSums whole;  // of the particles themselves, but for their places
+  std::vector<double> x;  // [row] squares of the alternating parts, with one spacing at most, m²
+  SquareSums part;        // of the alternating parts; a length counts with one spacing at most
+  SquareSums whole;       // of the particles themselves, but for their places
 };
 AlternatingSums alternating_sums(const AlternatingPart& part, const Snapshot& now, double spacing);
 

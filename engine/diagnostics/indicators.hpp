@@ -24,6 +24,7 @@ inline constexpr std::array indicators = {
 /// An indicator at one time.
 struct Reading {
   double part = 0, whole = 0;  // of one unit, see Indicator
+  int particle = -1;           // in the middle of the worst patch; −1: a body as a whole is worse
   /// 0 where there is nothing.
   double share() const { return part == 0 ? 0 : part / whole; }
 };
@@ -33,8 +34,9 @@ using Readings = std::array<Reading, indicators.size()>;
 /// What a run shows of one indicator.
 struct IndicatorRecord {
   double greatest_part = 0, greatest_whole = 0;
-  double at = 0;    // s, of the greatest part
-  double last = 0;  // share
+  double at = 0;      // s, of the greatest part
+  long particle = -1;  // see Reading
+  double last = 0;     // share
   /// The greatest part over the greatest whole of the run, as the eye sees it where all frames share one
   /// range of colours: the noise of a body that has sprung back counts for what it is, not for all there is.
   double greatest() const { return Reading{greatest_part, greatest_whole}.share(); }
@@ -45,7 +47,8 @@ struct IndicatorRecord {
 /// particle, r(q)_i = Σ_j w_ij q_j of AlternatingPart, to which smooth fields, curved or at a surface, add
 /// next to nothing; rms is the root of the mean square over the particles that have such a row.
 ///
-/// hourglass_error = rms |r(x)| / dp. By Σ_j w_ij = 0 and Σ_j w_ij X_ij = 0 that is rms |Σ_j w_ij E_ij| / dp
+/// hourglass_error = rms |r(x)| / dp, the greatest of all bodies, or 0.3 times the greatest of all patches: of a particle and
+///   the particles in its row. Bodies without zigzags thus do not hide one, and neither do smooth parts. By Σ_j w_ij = 0 and Σ_j w_ij X_ij = 0 that is rms |Σ_j w_ij E_ij| / dp
 ///   with the error vectors E_ij = F_i X_ij − x_ij of [Ganzenmueller2015], whatever F_i is. A zigzag of
 ///   amplitude a gives a/dp; rigid motion and every quadratic map give 0. A particle counts with one spacing
 ///   at most: beyond that its place among those that were its neighbours is lost, as it is beside a crack,
@@ -68,8 +71,13 @@ class IndicatorGauge {
   Readings operator()(const Snapshot& now) const;
 
  private:
+  Reading hourglass(const std::vector<double>& squared) const;
+
   AlternatingPart part_;
-  double spacing_ = 0;       // m
+  std::vector<int> row_of_;  // [particle] −1: none
+  std::vector<int>
+      first_row_;       // [body] and one past the last of all; bodies at the end without rows are left out
+  double spacing_ = 0;  // m
   double least_stress_ = 0;  // Pa
 };
 

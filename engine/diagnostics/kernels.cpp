@@ -65,14 +65,16 @@ void put_by_kind(double x, const Fields<Dim>& squares, double* out) {
 }
 
 template <int Dim>
-void alternating_sums(const AlternatingView& part, const SnapshotView& now, double spacing, double* out) {
+void alternating_sums(const AlternatingView& part, const SnapshotView& now, double spacing, double* out,
+                      double* squared) {
   Fields<Dim> parts{}, wholes{};
   double x = 0;
   for (int row = 0; row < part.rows; ++row) {
     const Fields<Dim> r = filtered<Dim>(part, row, now);
     double x2 = 0;
     for (int k = 0; k < Dim; ++k) x2 += r[k] * r[k];
-    x += std::min(x2, spacing * spacing);
+    squared[row] = std::min(x2, spacing * spacing);
+    x += squared[row];
     add_squares(parts, r);
     add_squares(wholes, fields_of<Dim>(now, part.j[part.begin[row]]));
   }

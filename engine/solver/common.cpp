@@ -173,6 +173,9 @@ void Common<Dim>::store_motion(Snapshot& out, int i) const {
 template <int Dim>
 void Common<Dim>::begin_snapshot(Snapshot& out) const {
   begin_motion(out);
+  out.body_work.assign(initial.first.size() - 1, 0);
+  for (int id = 0; id < size(); ++id)
+    out.body_work[initial.body[id]] += external.drives.work(id) + external.loads.work(id);
   if (!out.x0.empty()) return;
   const std::size_t n = size();
   out.resize(Dim, n);

@@ -79,6 +79,8 @@ class Drives {
     v = given;
   }
 
+  /// On a particle so far, J (per metre depth in 2D).
+  double work(int id) const { return work_.empty() ? 0 : work_[id]; }
   /// Of all drives so far, J (per metre depth in 2D).
   double work() const { return std::accumulate(work_.begin(), work_.end(), 0.0); }
 

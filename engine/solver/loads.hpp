@@ -62,6 +62,8 @@ class Loads {
     damped_[s.id[i]] += dt * s.mobile[i] * s.m[i] * damping_ * dot(mean, mean);
   }
 
+  /// Of loads and gravity on a particle so far, J (per metre depth in 2D).
+  double work(int id) const { return work_.empty() ? 0 : work_[id]; }
   /// Of loads and gravity so far, J (per metre depth in 2D).
   double work() const { return std::accumulate(work_.begin(), work_.end(), 0.0); }
   /// What the viscous force has taken so far, J (per metre depth in 2D).

@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/balance.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"

@@ -12,7 +12,7 @@
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/indicators.hpp"
 #include "engine/diagnostics/measures.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/error.hpp"
 #include "engine/methods/catalogue.hpp"
 #include "engine/simulation.hpp"

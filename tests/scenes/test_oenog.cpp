@@ -13,7 +13,7 @@
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/indicators.hpp"
 #include "engine/diagnostics/measures.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/methods/catalogue.hpp"
 #include "engine/simulation.hpp"
 #include "tests/support/relative.hpp"

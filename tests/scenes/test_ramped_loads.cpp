@@ -6,7 +6,7 @@
 #include "cli/scene/scene_file.hpp"
 #include "cli/text/format.hpp"
 #include "engine/diagnostics/balance.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/simulation.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/runs.hpp"

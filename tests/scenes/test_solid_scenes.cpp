@@ -16,7 +16,7 @@
 #include "engine/diagnostics/curve.hpp"
 #include "engine/diagnostics/indicators.hpp"
 #include "engine/diagnostics/measures.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/methods/catalogue.hpp"
 #include "engine/simulation.hpp"
 

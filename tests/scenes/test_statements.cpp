@@ -10,7 +10,7 @@
 #include "cli/text/format.hpp"
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/indicators.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/simulation.hpp"
 
 namespace of_this_file {

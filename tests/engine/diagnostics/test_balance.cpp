@@ -138,7 +138,8 @@ TEST_SUITE("unit") {
       const auto sums_by = [&](InstructionSet allowed) {
         const auto& kernels = best_kernels<SharedKernels::history_row, HistoryKernels>(dim, "", allowed);
         std::array<double, 16> sums;
-        kernels.alternating_sums(view, view_of(now), 0.1, sums.data());
+        std::vector<double> squared(static_cast<std::size_t>(part.rows()));
+        kernels.alternating_sums(view, view_of(now), 0.1, sums.data(), squared.data());
         kernels.balance(view_of(now), divisors.data(), 0, sums.data() + 6);
         return sums;
       };

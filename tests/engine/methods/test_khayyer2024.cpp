@@ -7,7 +7,7 @@
 
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/indicators.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"

@@ -8,7 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/balance.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/layout/initial_particles.hpp"
 #include "engine/materials/laws.hpp"
 #include "engine/methods/tl_displacement/methods.hpp"

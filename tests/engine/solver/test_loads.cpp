@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/balance.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/error.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"

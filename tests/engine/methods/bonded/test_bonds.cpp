@@ -11,7 +11,7 @@
 
 #include "engine/core/shared_rows.hpp"
 #include "engine/diagnostics/balance.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/materials/neo_hookean.hpp"
 #include "engine/methods/bonded/layout/bonds.hpp"
 #include "engine/methods/bonded/methods.hpp"

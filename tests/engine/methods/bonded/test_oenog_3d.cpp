@@ -15,7 +15,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/balance.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/verdict.hpp"
 #include "engine/methods/bonded/layout/bonds.hpp"
 #include "engine/methods/bonded/methods.hpp"
 #include "tests/engine/methods/bonded/cantilever_3d.hpp"

@@ -1,4 +1,4 @@
-#include "engine/diagnostics/penetration.hpp"
+#include "engine/judge/penetration.hpp"
 
 #include <algorithm>
 #include <array>

@@ -12,7 +12,8 @@
 #include "engine/diagnostics/balance.hpp"
 #include "engine/diagnostics/indicators.hpp"
 #include "engine/diagnostics/measures.hpp"
-#include "engine/diagnostics/penetration.hpp"
+#include "engine/judge/energies.hpp"
+#include "engine/judge/penetration.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/snapshot.hpp"
 #include "engine/solver/simulation.hpp"
@@ -60,15 +61,8 @@ struct BeyondLaw {
 ///   Fractured = more pieces of the graph of unbroken bonds than at the start ("at the start", not "bodies":
 ///   a body may consist of parts), or a broken bond whose ends are more than 8 unbroken bonds apart: a crack
 ///   at least five particles deep. A ring that is cut once stays one piece.
-/// energy: the run diverged when a value is not finite, or when an energy departs from the energy that the scene
-///   received. Received = energy at the start plus the work of drives, loads and gravity, at its greatest so far.
-///   - Kinetic, or kinetic + strain, above twice the received energy. For methods with searched neighbours the
-///     strain energy counts only while at least a tenth of the received energy moves: their forces do not derive
-///     from it.
-///   - Strain energy below its start by a tenth of the received energy, at two observations in a row, for methods
-///     with initial neighbours: a law without a minimum of its energy.
-///   Neither is judged before the received energy exceeds the round-off of the scene, see floor_.
-///   In a closed scene the energy of the common motion at the start does not count.
+/// energy: the run diverged when a value is not finite, or when the energy of a body departs from the energy that it
+///   received; see EnergyTest.
 class Judge {
  public:
   Judge(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors, int threads = 1);
@@ -82,12 +76,15 @@ class Judge {
   const std::map<Verdict, double>& since() const { return since_; }
   int pieces() const { return pieces_; }  // of the graph of unbroken bonds, when last observed
   const BeyondLaw& beyond_law() const { return beyond_law_; }
+  const Excess& energy_gain() const { return energies_.gain(); }
+  const Excess& turn() const { return energies_.turn(); }
 
   /// What it has seen so far; the rest comes from the start.
   template <class Archive>
   void serialize(Archive& archive) {
     for (Bond& bond : bonds_) archive(bond.broken);
-    archive(given_energy_, fell_, pieces_, beyond_law_.share, beyond_law_.since, since_);
+    archive(pieces_, beyond_law_.share, beyond_law_.since, since_);
+    energies_.serialize(archive);
     archive.check("a verdict", [&] {
       const auto is_failure = [](const auto& failure) {
         return failure.first > Verdict::stable && failure.first <= Verdict::diverged;
@@ -107,33 +104,26 @@ class Judge {
   bool update_broken_in(const Snapshot& now);
   template <int Dim>
   bool stands_out(const Bond& bond, const Snapshot& now) const;
+  double compliance(const Bond& bond, const Snapshot& now) const;
   template <int Dim>
   static double squared_stretch(const Bond& bond, const Snapshot& now);
-  double motion(const Balance& balance) const;
   int count_pieces() const;
   bool has_crack() const;
   bool bypassed(int bond, std::vector<int>& seen) const;
 
+  std::vector<double> compliance_;  // [material] 1/Young's modulus, 1/Pa
   std::vector<Bond> bonds_;
   std::vector<int> first_of_;  // [particles + 1] where in bonds_of_ those of each begin
   std::vector<int> bonds_of_;  // indices
   std::size_t particles_ = 0;
   double longest_ = 0;  // m, up to which a bond is never broken
   bool keeps_neighbors_ = false;
-  double closed_mass_ = 0;   // kg, of all; 0 where something acts from outside
-  Point start_momentum_{};   // kg m/s
-  double start_energy_ = 0;  // J
-  double given_energy_ = 0;  // J, greatest so far
-  double least_strain_ = 0;  // J, strain energy at the start if negative (round-off), else 0
-  /// Received energy from which energies are judged, J: speeds of 1e-6 c0, or ten times the round-off of the strain
-  /// energy at the start.
-  double floor_ = 0;
-  bool fell_ = false;  // the strain energy, when last observed
   int start_pieces_ = 0;
   int pieces_ = 0;
   double lawful_stretch_ = std::numeric_limits<double>::infinity();
   double shortest_ = 0;  // m, of a bond before any displacement
   BeyondLaw beyond_law_;
+  EnergyTest energies_;
   Penetration penetration_;
   std::map<Verdict, double> since_;
 };

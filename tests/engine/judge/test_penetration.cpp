@@ -5,8 +5,8 @@
 
 #include "engine/core/archive.hpp"
 #include "engine/diagnostics/balance.hpp"
-#include "engine/diagnostics/penetration.hpp"
-#include "engine/diagnostics/verdict.hpp"
+#include "engine/judge/penetration.hpp"
+#include "engine/judge/verdict.hpp"
 #include "tests/support/made_snapshot.hpp"
 #include "tests/support/relative.hpp"
 
