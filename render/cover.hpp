@@ -7,15 +7,14 @@
 
 namespace taut::render {
 
-/// What some balls leave to be seen of others. It knows the samples that SolidPainter takes, four a pixel.
+/// Occlusion test for balls, at the samples of SolidPainter: 2 × 2 per pixel.
 class Cover {
  public:
-  /// Of a plot of so many pixels.
+  /// Size of the plot, pixels.
   Cover(int width, int height);
 
   void clear();
-  /// Whether the balls that were added cover all that could be seen of this one. Where it is not sure it says
-  /// no.
+  /// Whether the added balls hide this ball completely. Conservative: false if in doubt.
   bool hides(const Ball& ball) const;
   void add(const Ball& ball);
 
@@ -26,8 +25,8 @@ class Cover {
 
   int width_, height_;            // samples
   int tile_columns_, tile_rows_;  // a tile is a square of samples
-  std::vector<float> depth_;      // of each sample: no less than this, pixels towards the camera, is covered
-  std::vector<float> tile_;       // the least of each tile
+  std::vector<float> depth_;      // per sample: z up to which it is covered, pixels towards the camera
+  std::vector<float> tile_;       // least depth of each tile
 };
 
 }  // namespace taut::render

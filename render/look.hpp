@@ -9,11 +9,11 @@
 
 namespace taut::render {
 
-/// Of the width and the height of a picture, pixels.
+/// Bounds of a picture's width and height, pixels.
 inline constexpr int least_size = 64;
 inline constexpr int greatest_size = 8192;
 
-/// Of a particle as drawn, of its diameter.
+/// Bounds of the drawn diameter, in particle diameters.
 inline constexpr double least_glyph = 0.05;
 inline constexpr double greatest_glyph = 20;
 
@@ -29,21 +29,20 @@ struct Size {
   bool operator==(const Size&) const = default;
 };
 
-/// How pictures look. What is none is open: who knows all that they will show chooses it before the first is
-/// drawn.
+/// Appearance of pictures. An empty option is open; the caller must set it before the first picture is drawn.
 struct Look {
-  std::optional<View> view;            // what is seen; in 3D in the plane of the picture
-  std::optional<Camera> camera{};      // of scenes in 3D; in 2D there is none
-  std::optional<Range> range;          // of the colours; values beyond it take the colour of the end
+  std::optional<View> view;            // visible part of the scene; in 3D of the picture plane
+  std::optional<Camera> camera{};      // only of 3D scenes
+  std::optional<Range> range;          // of the colours; values outside get the colour of the end
   const Colormap* colormap = nullptr;  // nullptr: open
-  double middle = 0;                   // what a diverging map's middle stands for, if it is in the range
-  std::string unit{};                  // of the values: numbers beside the bar have room as they are in it
-  std::optional<Size> size = Size{};   // each from least_size to greatest_size
-  bool bare = false;                   // particles only, over the whole picture
-  double glyph = 1;                    // a particle's diameter as drawn, of its own
-  Rgb background = white;              // texts and lines stand out from it
-  /// Names of what the values count, from 0: each has a colour of its own, and a legend stands in place of
-  /// the bar. Then range and colour map do not matter, and may be open.
+  double middle = 0;                   // value of a diverging map's middle, if within the range
+  std::string unit{};                  // of the values; the layout reserves space for numbers in this unit
+  std::optional<Size> size = Size{};   // width and height from least_size to greatest_size
+  bool bare = false;                   // particles only, filling the whole picture
+  double glyph = 1;                    // drawn diameter, in particle diameters
+  Rgb background = white;              // texts and lines contrast with it
+  /// Names of categories, if values are category numbers from 0. Each has its own colour and a legend replaces the
+  /// bar; range and colour map are ignored and may be open.
   std::vector<std::string> categories{};
 };
 

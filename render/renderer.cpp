@@ -82,7 +82,7 @@ double width_of(const ColorKey& key, const Look& look) {
   return size.font > 0 ? key.width(size.key_height, size.font, look.unit) : 0;
 }
 
-/// Of lines among solids: stands out from the background a little; bytes R, G, B, 255 in memory.
+/// Colour of lines among solids, of low contrast; bytes R, G, B, 255 in memory.
 std::uint32_t line_color(Rgb background) {
   constexpr double contrast = 0.4;
   const double most = is_light(background) ? 0 : 255;
@@ -100,16 +100,16 @@ struct Renderer::Parts {
   PageLayout layout;
   Image image;
   std::optional<Projection> projection;       // in 3D
-  std::optional<DiscPainter> disc_painter;    // while the image holds discs and nothing else in the plot
-  std::optional<GlContext> context;           // these two are made when they are needed: cells are solids in
-  std::optional<SolidPainter> solid_painter;  // 2D too
+  std::optional<DiscPainter> disc_painter;    // set while the plot contains only discs
+  std::optional<GlContext> context;           // context and painter are created on demand:
+  std::optional<SolidPainter> solid_painter;  // cells are solids in 2D too
   std::optional<Annotation> annotation;       // none in pictures too small for text
-  std::optional<Canvas> canvas;               // of walls in 2D, where there are any
+  std::optional<Canvas> canvas;               // for walls in 2D
   Rgb background;
   double glyph;
   std::vector<Dot> discs;
   Solids solids;
-  OffScale off_scale;  // of what is placed in the picture
+  OffScale off_scale;  // of the placed particles
 
   Parts(const Look& look, double until);
   void check(const FrameView& frame) const;
@@ -152,13 +152,13 @@ void Renderer::Parts::place_discs(const FrameView& frame) {
   discs.reserve(frame.value.size());
   off_scale = {};
   for (std::size_t i = 0; i < frame.value.size(); ++i) {
-    // doubles up to here: single precision would not tell the particles of a view far from the origin apart
+    // double precision: in float, the particles of a view far from the origin would coincide
     const double x = layout.column(frame.x[2 * i]);
     const double y = layout.row(frame.x[2 * i + 1]);
     const double size = 0.5 * glyph * frame.diameter[i] * layout.pixels_per_metre;
     const double radius = drawn_radius(size);
     const double reach = radius + 1;  // with the antialiased rim
-    // written so that a NaN is left out
+    // a NaN is left out
     const bool seen = size > 0 && x > -reach && x < width + reach && y > -reach && y < height + reach;
     if (!seen) continue;
     off_scale |= coloring.off_scale(frame.value[i]);

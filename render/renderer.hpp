@@ -10,23 +10,23 @@ namespace taut::render {
 
 struct OffScale;
 
-/// Draws frames into one image, that it keeps.
+/// Draws frames into one image, which it owns.
 class Renderer {
  public:
-  /// Nothing of the look may be open. `until` is the time of the last frame, s: all times are shown in its
-  /// unit; 0: each in its own. UsageError if something is out of bounds, OutputError if the font is missing.
+  /// The look must be complete. All times use the unit of `until`, the time of the last frame in s; 0: each time has
+  /// its own unit. UsageError if a setting is out of bounds, OutputError if the font is missing.
   explicit Renderer(const Look& look, double until = 0);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// From now on a scene in 3D is seen from elsewhere; the view is of the size that the look has.
+  /// Changes the viewpoint of a 3D scene. `view` must have the size of the look's view.
   void look_from(const Camera& camera, const View& view);
 
-  /// Valid until the next call. The same frame gives the same bytes. Particles whose position or size is not
-  /// finite are left out.
+  /// The image is valid until the next call. The same frame gives the same bytes. Particles with a non-finite
+  /// position or size are omitted.
   const Image& draw(const FrameView& frame);
-  /// What the picture that was drawn last shows beyond its range, or of no number.
+  /// Off-scale values visible in the last picture.
   const OffScale& off_scale() const;
 
  private:

@@ -9,8 +9,8 @@
 
 namespace taut::render {
 
-/// Lines on the face of a wall in 3D, from end to end, m: a grid of cells of this length that stays with the
-/// wall, under and about the points. None where there is no point.
+/// Grid lines on the face of a wall in 3D, from end to end, m. The grid is fixed to the wall, has square cells of
+/// length `cell` and extends under and around the points. Empty without points.
 std::vector<std::pair<Vector, Vector>> grid_on(const WallFace& wall, std::span<const Vector> points,
                                                double cell);
 

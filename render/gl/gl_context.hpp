@@ -7,8 +7,7 @@
 
 namespace taut::render {
 
-/// An OpenGL 3.3 core context without a window, in software. Which library provides it is chosen when taut is
-/// built (TAUT_GL): gl_context_TAUT_GL.cpp knows, and nothing else.
+/// An OpenGL 3.3 core context without a window, in software. The build option TAUT_GL selects its source file.
 class GlContext {
  public:
   explicit GlContext(int width, int height);
@@ -16,13 +15,13 @@ class GlContext {
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
-  /// While it lives, the context is current in this thread, and what is drawn into `framebuffer()` is drawn
-  /// into `target`, which must be of the context's size. Row 0 of OpenGL is the bottom row of the image.
+  /// Makes the context current in this thread for its lifetime. Drawing into `framebuffer()` draws into `target`,
+  /// which must have the context's size. Row 0 of OpenGL is the bottom row of the image.
   class Current {
    public:
-    /// Throws UsageError where there is no memory for such a picture.
+    /// Throws UsageError if there is no memory for the picture.
     Current(GlContext& context, Image& target);
-    ~Current();  // the finished picture is in the image
+    ~Current();  // writes the finished picture to the image
     Current(const Current&) = delete;
     Current& operator=(const Current&) = delete;
 

@@ -4,8 +4,7 @@
 
 namespace taut::render {
 
-/// CIE 1976 L*a*b*, white point D65: equal distances look about equally different. A distance of 2.3 is just
-/// noticeable.
+/// CIE 1976 L*a*b*, white point D65. Equal distances look about equally different.
 struct Lab {
   double L, a, b;
 };

@@ -22,16 +22,15 @@
 namespace taut::render {
 namespace {
 
-/// Keep a forged header from asking for all of the memory: twice the largest side that is drawn, for panels, and
-/// as many pixels as are drawn.
+// Limits against forged headers that would exhaust the memory. The side allows for panels.
 constexpr png_uint_32 greatest_side = 16384;
 constexpr png_alloc_size_t most_beside =
-    8 << 20;  // bytes of a chunk beside the pixels, as of a palette or a text
+    8 << 20;  // bytes of a chunk other than pixels, such as a palette or text
 constexpr std::int64_t most_pixels = std::int64_t{8192} * 8192;
 
-// libpng's simplified API has no longjmp, but converts what it reads to sRGB, so the classic one it is.
+// libpng's simplified API needs no longjmp, but converts pixels to sRGB; hence the classic API.
 
-/// What libpng complained of. It leaves through longjmp, so this outlives the frames that are skipped.
+/// Error message of libpng. It must outlive the stack frames that longjmp skips.
 struct Complaint {
   char message[128] = {0};
 };
@@ -44,7 +43,7 @@ void on_error(png_structp png, png_const_charp message) {
 
 void on_warning(png_structp, png_const_charp) {}
 
-/// Calls `work`; false if libpng gave up in it. longjmp runs no destructors: nothing in `work` may need one.
+/// Calls `work`; false if libpng failed. longjmp runs no destructors: `work` must not need any.
 template <class Work>
 bool completes(png_structp png, const Work& work) {
   if (setjmp(png_jmpbuf(png))) return false;
@@ -67,7 +66,7 @@ void read_header(Reader& reader, std::FILE* file, Alpha alpha) {
   png_set_user_limits(reader.png, greatest_side, greatest_side);
   png_set_chunk_malloc_max(reader.png, most_beside);
   png_read_info(reader.png, reader.info);
-  // whatever the file holds becomes B, G, R, 255 or how opaque it is
+  // converts every format to B, G, R and opacity or 255
   png_set_expand(reader.png);
   png_set_scale_16(reader.png);
   if (alpha == Alpha::dropped) png_set_strip_alpha(reader.png);
@@ -78,12 +77,12 @@ void read_header(Reader& reader, std::FILE* file, Alpha alpha) {
   png_read_update_info(reader.png, reader.info);
 }
 
-/// The highest byte first.
+/// Appends the most significant byte first.
 void append_number(std::vector<std::uint8_t>& bytes, std::uint32_t number) {
   for (const int shift : {24, 16, 8, 0}) bytes.push_back(static_cast<std::uint8_t>(number >> shift));
 }
 
-/// A part of a PNG file: its length, its kind, what it holds, and a checksum [PNG §5.3].
+/// Appends a chunk of a PNG file: length, kind, content, checksum [PNG §5.3].
 void append_chunk(std::vector<std::uint8_t>& file, std::string_view kind,
                   std::span<const std::uint8_t> holds) {
   append_number(file, static_cast<std::uint32_t>(holds.size()));
@@ -93,7 +92,7 @@ void append_chunk(std::vector<std::uint8_t>& file, std::string_view kind,
   append_number(file, crc32_gzip_refl(0, &file[from], file.size() - from));
 }
 
-/// R, G, B of each pixel of a row, behind the filter that it has: none, which flat colours do not need.
+/// Writes the filter type, none, and R, G, B of each pixel of a row. Flat colours need no filter.
 void put_row(const Image& image, int row, std::uint8_t* to) {
   *to++ = PNG_FILTER_VALUE_NONE;
   const std::uint8_t* from = &image.pixels[image.offset(0, row)];
@@ -101,15 +100,14 @@ void put_row(const Image& image, int row, std::uint8_t* to) {
     to[0] = from[2], to[1] = from[1], to[2] = from[0];
 }
 
-/// Level 0, with a code made for the picture: on pictures of particles as quick as level 1 and nearly as small. In
-/// ISA-L 2.30 that and level 2 give other bytes for one of some thousand places in memory where a picture lies. Large:
-/// not for the stack.
+/// ISA-L compressor of level 0 with a code made for the picture: as fast as level 1 and nearly as compact. In ISA-L
+/// 2.30, levels 1 and 2 depend on the picture's address in rare cases. Too large for the stack.
 struct Deflater {
   isal_zstream stream;
   isal_hufftables code;
   std::uint8_t deflated[1 << 16];
 
-  /// `seen`: what a part of the bytes is made of.
+  /// `seen`: histogram of a sample of the bytes.
   explicit Deflater(isal_huff_histogram& seen) {
     isal_deflate_init(&stream);
     stream.gzip_flag = IGZIP_ZLIB;
@@ -118,10 +116,10 @@ struct Deflater {
         isal_deflate_set_hufftables(&stream, &code, IGZIP_HUFFTABLE_CUSTOM) != COMP_OK)
       throw std::logic_error("the compression code of a picture cannot be set up");
   }
-  Deflater(const Deflater&) = delete;  // too large to be copied unnoticed
+  Deflater(const Deflater&) = delete;  // prevents accidental copies of a large object
   Deflater& operator=(const Deflater&) = delete;
 
-  /// Appends to `out` what comes of `bytes`, and at the end of the stream all that is left of it.
+  /// Appends compressed `bytes` to `out`; at the end of the stream also all buffered output.
   void add(std::span<std::uint8_t> bytes, bool at_end, std::vector<std::uint8_t>& out) {
     stream.next_in = bytes.data();
     stream.avail_in = static_cast<std::uint32_t>(bytes.size());
@@ -135,14 +133,14 @@ struct Deflater {
   }
 };
 
-/// The rows as a PNG file holds them, a few at a time, which stay in the cache.
+/// The filtered rows of a PNG file, in bands that fit into the cache.
 class Bands {
  public:
   explicit Bands(const Image& image)
       : image_(image), width_(3 * static_cast<std::size_t>(image.width) + 1), rows_(rows_at_once * width_) {}
 
   int count() const { return (image_.height + rows_at_once - 1) / rows_at_once; }
-  /// Good until the next call.
+  /// Valid until the next call.
   std::span<std::uint8_t> operator()(int band) {
     const int first = band * rows_at_once, rows = std::min(rows_at_once, image_.height - first);
     for (int k = 0; k < rows; ++k) put_row(image_, first + k, &rows_[static_cast<std::size_t>(k) * width_]);
@@ -156,7 +154,7 @@ class Bands {
   std::vector<std::uint8_t> rows_;
 };
 
-/// Of a sixth of the bands, which tells enough of a picture.
+/// Histogram of every sixth band, which represents the picture well enough.
 std::unique_ptr<isal_huff_histogram> histogram(Bands& bands) {
   constexpr int apart = 6;
   auto seen = std::make_unique<isal_huff_histogram>();  // all zero
@@ -200,7 +198,7 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
 void write_png(const Image& image, const std::filesystem::path& path) { write_png(encode_png(image), path); }
 
 void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
-  // In the same folder, so that the rename stays within one file system and is atomic.
+  // same folder: a rename within a file system is atomic
   std::filesystem::path part = path;
   part += ".part" + std::to_string(getpid());
 
@@ -208,7 +206,7 @@ void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path&
   if (!file) fail_to_write(path, std::strerror(errno));
   const bool all = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
   int reason = all ? 0 : errno;
-  // a full disk may show only when the last bytes leave the buffer
+  // a full disk may be detected only by fclose
   if (std::fclose(file) != 0 && all) reason = errno;
 
   std::error_code error;

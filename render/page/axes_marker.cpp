@@ -7,8 +7,8 @@ namespace {
 
 // Lengths in em.
 constexpr double axis_length = 1.5;
-constexpr double letter_at = 1.95;  // from where the axes meet
-constexpr double corner_gap = 2.4;  // from the corner to there
+constexpr double letter_at = 1.95;  // from the origin of the axes
+constexpr double corner_gap = 2.4;  // from the corner to that origin
 constexpr double letter_size = 0.94;
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace taut::render {
 
-/// Colours and the names of what has them, below each other.
+/// A column of colours and names.
 class Legend {
  public:
   struct Entry {
@@ -17,9 +17,9 @@ class Legend {
   };
   explicit Legend(std::vector<Entry> entries) : entries_(std::move(entries)) {}
 
-  /// Names that are too long are shortened; for entries that find no room a line says how many they are.
+  /// Shortens long names. A last line counts the entries that do not fit.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view title) const;
-  /// About as wide as what is written where it is `height` pixels high, em.
+  /// Approximate width for a height in pixels, em.
   double width(int height, double em) const;
 
  private:

@@ -6,10 +6,10 @@
 namespace taut::render {
 namespace {
 
-// Below these sizes letters would take the room from the particles.
+// Smaller pictures have no texts, to leave space for the particles.
 constexpr int least_text_width = 240;
 constexpr int least_text_height = 120;
-constexpr double least_font = 9;  // the smallest that DejaVu Sans is legible at
+constexpr double least_font = 9;  // smallest legible size of DejaVu Sans
 
 // Lengths in em, the height of the font.
 constexpr double margin = 1.1;
