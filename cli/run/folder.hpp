@@ -12,28 +12,26 @@
 
 namespace taut::cli {
 
-/// Where a run leaves its output; cli/COMMANDS.md says what each file holds.
+/// Run folder; cli/COMMANDS.md describes its files.
 class RunFolder {
  public:
   explicit RunFolder(std::filesystem::path path) : path_(std::move(path)) {}
 
-  /// Throws UsageError when the folder holds something that no run of taut left there. Touches nothing.
+  /// Throws UsageError if the folder contains files that are not from a run. Changes nothing.
   void check() const;
-  /// True for a run with an unreadable run.json: a disk was full, has lost it, or somebody has overwritten it. The
-  /// scene and the history identify a run; without them, the beginning of run.json does if all files are of a run.
+  /// Whether a run has an unreadable run.json. A run is recognised by its scene and history; without them by the
+  /// beginning of run.json, if all files are names of a run.
   bool is_damaged() const;
-  /// Creates the folder, and `record` as its run.json first of all, so that it is recognised at any time.
-  /// Throws OutputError.
+  /// Creates the folder and first `record` as run.json, which marks it as a run. Throws OutputError.
   void claim(std::string_view record) const;
-  /// Removes what an earlier run has shown, and makes room for the next one. Throws OutputError.
+  /// Removes the results of an earlier run. Throws OutputError.
   void clear() const;
-  /// Remove all frames, or all particle files, but the first ones, which a run that goes on has written
-  /// already. Throw OutputError.
+  /// Remove all but the first `number` frames or particle files, for a continued run. Throw OutputError.
   void keep_frames(int number) const;
   void keep_particle_files(int number) const;
-  /// Removes the checkpoint, whole or in the making. Throws OutputError.
+  /// Throws OutputError.
   void clear_checkpoint() const;
-  /// Removes what shows the frames that there are, before others are drawn. Throws OutputError.
+  /// Removes frames and difference.png. Throws OutputError.
   void clear_frames() const;
 
   const std::filesystem::path& path() const { return path_; }
@@ -47,9 +45,8 @@ class RunFolder {
   std::filesystem::path lines() const { return path_ / "lines.csv"; }
   std::filesystem::path scene() const { return path_ / "scene.toml"; }
   std::filesystem::path record() const { return path_ / "run.json"; }
-  /// To go on from, while the run is not finished.
   std::filesystem::path checkpoint() const { return path_ / "checkpoint.bin"; }
-  /// Where the frames differ from a baseline that they were compared with.
+  /// Differences from the baseline of a snapshot.
   std::filesystem::path difference() const { return path_ / "difference.png"; }
 
  private:
@@ -58,9 +55,9 @@ class RunFolder {
   std::filesystem::path path_;
 };
 
-/// The folder to lock before `path` is written: that of the run which it lies in; else none.
+/// The run folder that contains `path`, if any; it must be locked before `path` is written.
 std::optional<std::filesystem::path> run_around(const std::filesystem::path& path);
-/// While something is written that may lie in the folder of a run; else nothing. Throws what FolderLock throws.
+/// Locks that folder; nullptr if there is none. Throws as FolderLock.
 std::unique_ptr<const FolderLock> lock_around(const std::filesystem::path& path, std::string_view command);
 
 }  // namespace taut::cli

@@ -7,14 +7,13 @@
 
 namespace taut::cli {
 
-/// One picture of a panel; no particles where the run had ended.
+/// One picture of a panel; without particles after the end of the run.
 struct PanelCell {
   std::optional<ColoredParticles> particles;
-  std::string remark;  // in the corner with particles, in the middle without
+  std::string remark;  // in the corner with particles, else in the middle
 };
 
-/// The saved particles nearest to `time` (s), with a remark where they are of another time than that. `until`
-/// (s) gives the unit of all times of the panel.
+/// The saved particles nearest to `time` (s); a remark shows a different time. `until` (s) sets the unit of times.
 PanelCell cell_at(const SavedRun& run, double time, double until, const Drawing& drawing,
                   const Origins& origins);
 

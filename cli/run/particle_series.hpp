@@ -8,17 +8,17 @@
 
 namespace taut::cli {
 
-/// Saves the particles of a run: a file per time, whole as soon as it has its name, and an index of them all.
+/// Saves particles: one atomically written file per time, and their index.
 class ParticleSeries {
  public:
-  /// The time it takes is added to `seconds`.
+  /// Adds the elapsed time to `seconds`.
   ParticleSeries(std::vector<const Field*> fields, const RunFolder& folder, Seconds& seconds);
 
   void add(const Snapshot& snapshot);
-  /// The index of the files that there are by now. Throws OutputError, as `add` does.
+  /// Writes the index of the current files. Throws OutputError, as `add` does.
   void save_index();
   int written() const { return static_cast<int>(times_.size()); }
-  /// Waits until all of them are on disk.
+  /// Waits until all files are on disk.
   void put_on_disk();
 
   template <class Archive>
@@ -32,8 +32,8 @@ class ParticleSeries {
   RunFolder folder_;
   Seconds& seconds_;
   std::vector<double> times_;  // s
-  std::size_t on_disk_ = 0;    // of the first files
-  std::size_t indexed_ = 0;    // files, by this program
+  std::size_t on_disk_ = 0;    // number of files
+  std::size_t indexed_ = 0;    // number of files in the index
 };
 
 }  // namespace taut::cli

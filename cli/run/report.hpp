@@ -8,15 +8,15 @@
 
 namespace taut::cli {
 
-/// Text that `taut run` prints at the end: measures with their references, verdict, speed and the output files.
+/// Final text of `taut run`: measures with references, verdict, speed, output files.
 std::string run_report(const RunPlan& plan, const RunResult& result);
 
-/// Exit code of a run. `fail_on`: the mildest verdict that fails; without it only divergence does.
+/// Exit code of a run. `fail_on`: mildest failing verdict; without it, only divergence fails.
 int exit_code(const RunResult& result, const std::optional<Verdict>& fail_on = {});
 
-/// Message for a run that ended in an error of the solver.
+/// Message for a numerical error.
 std::string describe_divergence(const NumericalError& error);
-/// Message for a state that was judged to have diverged: its energy and its fastest particle.
+/// Message for a diverged state: its energy and fastest particle.
 std::string describe_divergence(const Snapshot& now, const Balance& sums);
 
 }  // namespace taut::cli

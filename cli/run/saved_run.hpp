@@ -12,17 +12,17 @@
 
 namespace taut::cli {
 
-/// A run folder whose particles were saved.
+/// A run folder with saved particles.
 struct SavedRun {
   RunFolder folder;
-  SceneFile file;                       // the scene as run
-  std::vector<ParticleFile> particles;  // in the order of time
+  SceneFile file;                       // as run
+  std::vector<ParticleFile> particles;  // in order of time
 };
 
-/// UsageError if the folder is no run or holds no particles, saying how to get them.
+/// Throws UsageError if the folder is not a run or has no particles, with the remedy.
 SavedRun open_saved_run(const std::filesystem::path& folder);
 
-/// The particles of one time, coloured by a field.
+/// Particles at one time with their colour values.
 struct ColoredParticles {
   int dim = 2;
   double time = 0;                         // s
@@ -31,7 +31,7 @@ struct ColoredParticles {
   FrameView view() const;
 };
 
-/// As the drawing colours them; `origins` are those of the run. UsageError if a field was not saved.
+/// Reads particles for a drawing; `origins` belong to the run. UsageError if a field was not saved.
 ColoredParticles read_colored(const ParticleFile& file, const Drawing& drawing, const Origins& origins);
 
 }  // namespace taut::cli
