@@ -11,15 +11,15 @@
 
 namespace taut::cli {
 
-/// State of a run with everything needed to continue it.
+/// Everything needed to continue a run.
 struct Checkpoint {
   std::string method;
   std::string scene;                    // text of scene.toml
-  std::vector<std::string> fields;      // of saved particles; none: not saved
+  std::vector<std::string> fields;      // none: particles are not saved
   std::optional<double> spacing_asked;  // m
-  double every = 0;                     // simulated time between checkpoints, s
-  bool draws = true;                    // draws frames
-  std::string state;                    // bytes; empty: the run is at its start
+  double every = 0;                     // simulated time, s
+  bool draws = true;
+  std::string state;  // empty: the run is at its start
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -37,11 +37,10 @@ struct CheckpointHeader {
   int format = format_of("checkpoint.bin");
 };
 
-/// Replaces the file atomically. It contains its kind, taut's version, the format number, the state and a checksum.
-/// Throws OutputError.
+/// Replaces the file atomically; it ends with a checksum. Throws OutputError.
 void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint, CheckpointHeader header = {});
 
-/// Throws UsageError if the file is damaged or has another format.
+/// Throws UsageError for a damaged file or another format.
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
 }  // namespace taut::cli

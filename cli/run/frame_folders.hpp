@@ -13,28 +13,25 @@ class Options;
 class Json;
 struct TestCase;
 
-/// Sorted names of the PNG files in a folder; none if it does not exist.
+/// Sorted PNG names; none if the folder does not exist.
 std::vector<std::string> picture_names(const std::filesystem::path& folder);
 
-/// Folder of the pictures: the frames of a run folder, else `folder` itself.
+/// The frames of a run folder, else `folder` itself.
 std::filesystem::path frames_of(const std::filesystem::path& folder);
 
-/// Comparison of two pictures with the same name.
 struct PictureDifference {
   std::string name;
   render::ImageDifference difference;
   bool alike = false;
 };
 
-/// Differences of the pictures of two folders, by name.
 struct FolderDifference {
   std::vector<std::string> only_in_a, only_in_b;
   std::vector<PictureDifference> pictures;  // in both folders
-  std::string worst;                        // name of the most different picture, empty if none
+  std::string worst;                        // most different picture, may be empty
   render::ImageDifference at_worst;
 
-  int different() const;  // number of `pictures`
-  /// Whether names and pictures agree.
+  int different() const;
   bool alike() const { return only_in_a.empty() && only_in_b.empty() && different() == 0; }
 };
 
@@ -49,15 +46,13 @@ struct DifferenceOptions {
 void declare_difference_options(Options& command, DifferenceOptions& options);
 render::DifferenceLimit limit_of(const DifferenceOptions& options);
 
-/// Text of `diff` and `snapshot`: "alike" or "different", then the numbers.
+/// Begins with "alike" or "different".
 std::string difference_report(const render::ImageDifference& difference,
                               const render::DifferenceLimit& limit);
-/// `a` and `b`: names of the folders in the text.
+/// `a` and `b`: folder names in the text.
 std::string difference_report(const FolderDifference& difference, const std::string& a, const std::string& b);
 
-/// One object per picture, for `--json`.
 Json pictures_json(const FolderDifference& difference);
-/// One test case per picture.
 std::vector<TestCase> test_cases(const FolderDifference& difference, const std::string& a,
                                  const std::string& b);
 

@@ -41,7 +41,7 @@ std::vector<std::string> history_columns(const Scene& scene) {
 std::string history_unit(const std::string& column, const Scene& scene) {
   const auto probe = std::ranges::find(scene.probes, column, &Probe::name);
   if (probe != scene.probes.end()) return std::string(unit_of(*probe, scene.dim));
-  const std::string depth = scene.dim == 2 ? " per m" : "";  // per metre of depth
+  const std::string depth = scene.dim == 2 ? " per m" : "";
   if (column == "t") return "s";
   if (column.ends_with("_energy") || column == "work" || column == "damped") return "J" + depth;
   if (column.starts_with("momentum_")) return "kg m/s" + depth;

@@ -14,10 +14,10 @@
 namespace taut::cli {
 
 std::vector<std::string> history_columns(const Scene& scene);
-/// Unit of a column of history.csv; empty for a number.
+/// Empty for a number.
 std::string history_unit(const std::string& column, const Scene& scene);
 
-/// Length of a file at the time of a checkpoint.
+/// File length at the time of a checkpoint.
 struct SavedLength {
   std::int64_t length = 0;  // bytes
 
@@ -40,7 +40,7 @@ class History {
 
   /// Step of the last row; −1: none.
   long last_step() const { return last_step_; }
-  /// Adds a row for the current state, unless the last row is for the same step.
+  /// Adds a row, unless the last row is for the same step.
   void add(const Simulation& simulation, const Balance& balance, int pieces, const Readings& readings);
 
   template <class Archive>
@@ -48,7 +48,7 @@ class History {
     saved_.serialize(archive, file_);
     archive(last_step_);
   }
-  /// Removes rows written after the loaded checkpoint. Throws OutputError.
+  /// Removes rows newer than the checkpoint. Throws OutputError.
   void take_back() { file_.cut(saved_.length); }
   void put_on_disk() const { file_.put_on_disk(); }
 
@@ -56,15 +56,14 @@ class History {
   AppendFile file_;
   SavedLength saved_;
   int dim_;
-  bool works_, damps_;  // external work is possible; the scene has damping
+  bool works_, damps_;  // has external work, has damping
   long last_step_ = -1;
 };
 
-/// lines.csv: a row for each point of each line sample, in SI units, written immediately. `reference` is the exact
-/// solution for the method's law, or empty.
+/// lines.csv: a row per point of each line sample, in SI units, written immediately. `reference`: exact solution of
+/// the method's law, or empty.
 class LineSamplesFile {
  public:
-  /// Opens an empty file, or the file of a run to be loaded.
   LineSamplesFile(const std::filesystem::path& path, const Scene& scene, const std::string& law,
                   AppendFile::Start start = AppendFile::Start::empty);
 

@@ -10,7 +10,7 @@
 namespace taut::cli {
 namespace {
 
-/// A property of a run; `name` identifies it in other runs.
+/// A property of a run, comparable by `name`.
 struct Remark {
   std::string name, text;
   bool operator==(const Remark&) const = default;
@@ -21,7 +21,7 @@ std::string spacing_text(double spacing) {
   return "dp = " + brief(spacing * scale.factor) + " " + scale.unit;
 }
 
-/// Adds the settings that differ from the method's defaults.
+/// Adds settings that are not the method's defaults.
 void add_settings(std::vector<Remark>& remarks, const SceneFile& file) {
   const MethodInfo& method = *find_method(file.settings.method);
   for (const MethodConstant& constant : method_constants(method.formulation, file.scene.dim)) {
@@ -56,7 +56,6 @@ bool all_say(const std::vector<std::vector<Remark>>& runs, const Remark& remark)
                              [&](const auto& remarks) { return std::ranges::count(remarks, remark) > 0; });
 }
 
-/// Title: the first text; note: the others.
 render::Heading heading_of(const std::vector<std::string>& texts, const SavedRun& run) {
   if (texts.empty()) return {(run.folder.path() / "").parent_path().filename().string(), ""};
   return {texts.front(), join({texts.begin() + 1, texts.end()})};

@@ -8,15 +8,14 @@
 
 namespace taut::cli {
 
-/// Labels of runs shown side by side.
 struct RunLabels {
-  std::string title, note;               // common to all: scene, method
-  std::vector<render::Heading> columns;  // differences: scene, method, parameters, spacing, constants
+  std::string title, note;               // common to all runs
+  std::vector<render::Heading> columns;  // differences between the runs
 };
 
 RunLabels label_runs(const std::vector<SavedRun>& runs);
 
-/// "t = 1.5 ms": one unit, with the fewest decimals that represent all times exactly.
+/// "t = 1.5 ms": one unit, with the fewest decimals that are exact for all times.
 std::vector<std::string> time_labels(const std::vector<double>& times, double until);
 
 }  // namespace taut::cli

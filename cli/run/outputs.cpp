@@ -17,7 +17,6 @@
 namespace taut::cli {
 namespace {
 
-/// Saves and loads the members listed in `Kind::serialize`.
 template <class Kind>
 class OutputOf : public RunOutput {
  public:
@@ -25,10 +24,10 @@ class OutputOf : public RunOutput {
   void load(Loader& loader) final { loader(static_cast<Kind&>(*this)); }
 };
 
-/// Number of judgements after the initial one. They are independent of the rows, which cost less.
+/// Judgements after the initial one, independent of the rows, which cost less.
 constexpr int judged_parts = 200;
 
-/// history.csv, drift, indicators and verdict. Rows between judgements repeat the last indicators.
+/// history.csv, drift, indicators, verdict. Rows between judgements repeat the last indicators.
 class HistoryOutput final : public OutputOf<HistoryOutput> {
  public:
   HistoryOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)
@@ -97,7 +96,7 @@ class HistoryOutput final : public OutputOf<HistoryOutput> {
   Judge judge_;
   IndicatorGauge gauge_;
   long judged_step_ = -1;
-  Readings readings_;  // of judged_step_
+  Readings readings_;
   ConservationWatch conservation_;
   std::optional<History> history_;
 };
@@ -108,7 +107,7 @@ LineRecorder start_lines(const SceneFile& file, const Simulation& simulation) tr
   throw locate(file, e);
 }
 
-/// Measures, and lines.csv if the scene has lines.
+/// Measures and lines.csv.
 class MeasuresOutput final : public OutputOf<MeasuresOutput> {
  public:
   MeasuresOutput(const RunPlan& plan, const Simulation& simulation, LastStep& last_step, RunResult& result)
@@ -158,7 +157,6 @@ class MeasuresOutput final : public OutputOf<MeasuresOutput> {
   std::optional<LineSamplesFile> file_;
 };
 
-/// Whether the view contains the centre of a particle.
 bool shows_some(const render::View& view, const Snapshot& now) {
   const auto dim = static_cast<std::size_t>(now.dim);
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -179,7 +177,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
         frames_(*plan.drawing, origins_of(simulation.snapshot()), plan.folder.frames(),
                 {plan.file.scene.title, result.record.method, result.record.until}, simulation.threads(),
                 result.record.seconds) {
-    // the frames before a checkpoint are unknown
+    // earlier frames are unknown
     if (!plan.drawing->followed && !plan.state) unseen_ = plan.drawing->look.view;
   }
 
@@ -205,7 +203,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
     frames_.finish();
     const int count = frames_.kept();
     if (count == 0) return true;
-    // frames of an interrupted run are drawn too
+    // an interrupted run is drawn too
     const bool asked_before = interrupts.asked();
     progress.begin("drawing " + std::to_string(count) + " frames");
     const bool all = frames_.draw_kept([&](int drawn) {
@@ -233,11 +231,10 @@ class FramesOutput final : public OutputOf<FramesOutput> {
   RunResult& result_;
   Agenda agenda_;
   Frames frames_;
-  std::optional<render::View> unseen_;  // view that has shown no particle yet
-  int on_disk_ = 0;                     // first frame not known to be on disk
+  std::optional<render::View> unseen_;
+  int on_disk_ = 0;  // number of frames
 };
 
-/// particles/, at the frame times.
 class ParticlesOutput final : public OutputOf<ParticlesOutput> {
  public:
   ParticlesOutput(const RunPlan& plan, const Simulation& simulation, LastStep& last_step, RunResult& result)
@@ -284,7 +281,7 @@ const Snapshot& LastStep::at(double t) {
 std::vector<std::unique_ptr<RunOutput>> make_outputs(const RunPlan& plan, const Simulation& simulation,
                                                      LastStep& last_step, RunResult& result) {
   std::vector<std::unique_ptr<RunOutput>> all;
-  // history.csv comes first, to stop the output of diverged states
+  // first, to stop the output of diverged states
   all.push_back(std::make_unique<HistoryOutput>(plan, simulation, result));
   all.push_back(std::make_unique<MeasuresOutput>(plan, simulation, last_step, result));
   if (plan.drawing) all.push_back(std::make_unique<FramesOutput>(plan, simulation, last_step, result));

@@ -9,7 +9,6 @@
 namespace taut::cli {
 namespace {
 
-/// Explains why a run has no later particles.
 std::string ending(const SavedRun& run, double until) {
   const std::optional<StoredRecord> record = checked_record(run.folder.record());
   const bool failed = record && record->status == RunRecord::Status::failed;

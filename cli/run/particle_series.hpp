@@ -8,17 +8,16 @@
 
 namespace taut::cli {
 
-/// Saves particles: one atomically written file per time, and their index.
+/// Writes one atomic file per time, and their index.
 class ParticleSeries {
  public:
-  /// Adds the elapsed time to `seconds`.
+  /// Adds its time to `seconds`.
   ParticleSeries(std::vector<const Field*> fields, const RunFolder& folder, Seconds& seconds);
 
   void add(const Snapshot& snapshot);
-  /// Writes the index of the current files. Throws OutputError, as `add` does.
+  /// Throws OutputError, as `add`.
   void save_index();
   int written() const { return static_cast<int>(times_.size()); }
-  /// Waits until all files are on disk.
   void put_on_disk();
 
   template <class Archive>
@@ -33,7 +32,7 @@ class ParticleSeries {
   Seconds& seconds_;
   std::vector<double> times_;  // s
   std::size_t on_disk_ = 0;    // number of files
-  std::size_t indexed_ = 0;    // number of files in the index
+  std::size_t indexed_ = 0;
 };
 
 }  // namespace taut::cli

@@ -25,7 +25,7 @@ namespace {
 
 constexpr int default_history_rows = 1000;
 
-/// Checked first, since the method affects the reading of the scene.
+/// Checked first: the scene depends on the method.
 void check_methods(const std::vector<Setting>& settings) {
   std::vector<std::string> names;
   for (const MethodInfo& m : methods()) names.emplace_back(m.name);
@@ -34,7 +34,7 @@ void check_methods(const std::vector<Setting>& settings) {
       throw UsageError(unknown_name("method", setting.value, names));
 }
 
-/// Refuses an option and --set for the same value.
+/// Refuses an option together with --set.
 void refuse_second(const std::vector<Setting>& settings, const std::string& name) {
   if (std::ranges::find(settings, name, &Setting::name) != settings.end())
     throw UsageError(fmt::format("--{0} and --set {0}=... set the same value; leave one of them out", name));
@@ -65,7 +65,7 @@ double history_interval(const RunOptions& options, const SceneFile& file) {
   return interval;
 }
 
-/// Value of a setting, for the folder name.
+/// For the folder name.
 std::string value_in(const SceneFile& file, const Setting& setting) {
   constexpr std::string_view prefix = "method.";
   const auto parameter = std::ranges::find(file.parameters, setting.name, &Parameter::name);
@@ -79,11 +79,11 @@ std::string value_in(const SceneFile& file, const Setting& setting) {
   if (setting.name == "law") return file.settings.law;
   if (setting.name == "contact") return std::string(name(file.scene.contact));
   if (setting.name == "stepping") return file.settings.stepping == Stepping::single ? "single" : "dual";
-  // the requested spacing, not the rounded one
+  // the requested spacing
   return parsed<double>(setting.value) ? setting.value : exact(file.spacing_asked);
 }
 
-/// Folder of the run that wrote this scene.toml, if any.
+/// Folder of the run that wrote this scene.toml.
 std::optional<std::filesystem::path> left_by(const SceneFile& file) {
   const RunFolder folder(std::filesystem::absolute(file.path).parent_path());
   std::error_code error;
@@ -92,18 +92,18 @@ std::optional<std::filesystem::path> left_by(const SceneFile& file) {
   return folder.path();
 }
 
-/// Text such as "-v0=0.08-spacing=0.002": the differences from the scene's defaults and published constants. It gives
-/// different runs different folders.
+/// Differences from the scene's defaults and published constants, such as "-v0=0.08-spacing=0.002"; different runs
+/// get different folders.
 std::string changes_text(const RunOptions& options, const SceneFile& file) {
   constexpr std::size_t longest = 120;
   std::vector<Setting> method;
-  std::map<std::string, Setting> last;  // for repeated names, the last one counts
+  std::map<std::string, Setting> last;  // the last setting of a name counts
   for (const Setting& setting : options.settings)
     if (setting.name == "method")
       method = {setting};
     else
       last[setting.name] = setting;
-  for (const Parameter& parameter : file.parameters)  // set by --set in a copied scene.toml
+  for (const Parameter& parameter : file.parameters)  // of a copied scene.toml
     if (!left_by(file) && parameter.value != parameter.default_value)
       last.try_emplace(parameter.name, Setting{parameter.name, ""});
   if (last.empty()) return "";
@@ -141,7 +141,6 @@ std::string no_use(const RunOptions& options) {
   return names.empty() ? "" : "without effect, since no frames are drawn: " + join(names);
 }
 
-/// Throws for a probe named like another column of history.csv.
 void refuse_second_columns(const SceneFile& file) {
   std::vector<std::string> columns = history_columns(file.scene);
   for (const Probe& probe : file.scene.probes)
@@ -178,7 +177,7 @@ std::vector<const Field*> particle_fields(const RunOptions& options, int dim) {
 
 namespace {
 
-/// Normalises a number; leaves an expression to the scene reader.
+/// Normalises a number; keeps an expression.
 std::string number_or_expression(const std::string& text) {
   const auto number = parsed<double>(text);
   return number ? exact(*number) : text;
@@ -249,7 +248,7 @@ void declare_particle_options(Options& command, RunOptions& o) {
 }
 
 void check_threads(int threads) {
-  constexpr int few = 8;  // per core; more would only wait
+  constexpr int few = 8;  // per core; more would wait
   const int most = std::max(2 * few, few * cores());
   if (threads > most)
     throw UsageError("--threads is " + std::to_string(threads) + "; at most " + std::to_string(most) +

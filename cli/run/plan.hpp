@@ -12,10 +12,10 @@ namespace taut::cli {
 
 class Options;
 
-/// Options of `taut run`; omitted values come from the scene.
+/// Omitted values come from the scene.
 struct RunOptions {
   std::string scene;
-  std::vector<Setting> settings;  // first --method, --spacing, --until, then --set
+  std::vector<Setting> settings;  // --method, --spacing, --until, then --set
   std::optional<std::string> out;
   std::optional<double> every, history;
   std::optional<int> frames;
@@ -24,7 +24,7 @@ struct RunOptions {
   std::optional<double> checkpoint_every;  // s
   bool no_render = false;
   bool save_particles = false;
-  std::vector<std::string> fields;  // of saved particles; none: all
+  std::vector<std::string> fields;  // to save; none: all
 };
 
 /// --method, --set, --spacing, --until.
@@ -37,19 +37,18 @@ void declare_particle_options(Options& command, RunOptions& options);
 
 /// Throws UsageError for far more threads than cores.
 void check_threads(int threads);
-/// The scene with the changed settings. Throws UsageError and SceneError.
+/// Reads the scene with its settings. Throws UsageError and SceneError.
 SceneFile scene_to_run(const RunOptions& options);
 
-/// Prints the remark of a scene file, if any.
 void tell(const SceneFile& file, std::ostream& err);
 
-/// Checks all input without changing the run folder. Throws UsageError and SceneError.
+/// Checks all input; does not change the run folder. Throws UsageError and SceneError.
 RunPlan make_plan(const RunOptions& options);
 
-/// Fields of saved particles; none: particles are not saved.
+/// None: particles are not saved.
 std::vector<const Field*> particle_fields(const RunOptions& options, int dim);
 
-/// Throws UsageError with the nearest names for an unknown verdict or `stable`.
+/// Throws UsageError for an unknown verdict or `stable`.
 std::optional<Verdict> parse_verdict(const std::optional<std::string>& text);
 
 }  // namespace taut::cli

@@ -22,14 +22,14 @@ struct RunRecord {
   enum class Status { running, finished, interrupted, failed };
 
   std::string scene, method, material_law;
-  std::string remark;                  // warnings about the scene, usually empty
-  std::optional<std::string> contact;  // contact law, with several bodies or walls
+  std::string remark;                  // warnings, usually empty
+  std::optional<std::string> contact;  // of several bodies or walls
   std::string stepping;                // dual or single
   double cfl = 0;                      // factor of the time step
   std::vector<Parameter> parameters;
   int dim = 2;
   double spacing = 0;                   // m, as used
-  std::optional<double> spacing_asked;  // m, if it differs from spacing
+  std::optional<double> spacing_asked;  // m, if different
   Jitter jitter;
   long particles = 0;
   double mass = 0;                // kg, in 2D per metre of depth
@@ -56,12 +56,12 @@ struct RunRecord {
 /// Explains an energy drift of 1 % or more; else empty.
 std::string energy_note(const RunRecord& record);
 
-/// Contains null for unknown or non-finite values.
+/// null: unknown or not finite.
 Json to_json(const RunRecord& record);
 
-/// Content of a run.json; empty members for missing or null keys.
+/// Empty members: missing or null keys.
 struct StoredRecord {
-  std::string version;  // of taut; empty: unknown
+  std::string version;  // of taut
   std::optional<RunRecord::Status> status;
   std::optional<Verdict> verdict;
   std::optional<double> reached, until;  // s
@@ -69,12 +69,12 @@ struct StoredRecord {
   Json all;
 };
 
-/// None if the file does not exist. Throws UsageError with file and key if it is not a valid record of taut.
+/// None without a file. Throws UsageError with file and key for an invalid record.
 std::optional<StoredRecord> checked_record(const std::filesystem::path& file);
-/// The same without errors: none for an invalid record.
+/// None for an invalid record.
 std::optional<StoredRecord> read_record(const std::filesystem::path& file);
 
-/// Name of this machine's processor, or "unknown".
+/// Processor name, or "unknown".
 std::string machine_name();
 
 }  // namespace taut::cli

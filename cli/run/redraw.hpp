@@ -8,16 +8,16 @@
 
 namespace taut::cli {
 
-/// Throws UsageError if the drawing cannot be made from the saved particles.
+/// Throws UsageError if the particles do not suffice.
 void check_redrawing(const SavedRun& run);
 
-/// Number of frames drawn; `all` is false after an interrupt.
+/// `all` is false after an interrupt.
 struct Redrawn {
   int frames = 0;
   bool all = true;
 };
 
-/// Draws all frames of a run from its particles. `threads` = 0: all cores.
+/// `threads` = 0: all cores.
 Redrawn redraw(const SavedRun& run, const std::filesystem::path& folder, int threads, Progress& progress);
 
 }  // namespace taut::cli

@@ -57,7 +57,7 @@ std::string heading(const RunRecord& record) {
   return text + "\n";
 }
 
-/// Explains why a measure has no reference although the scene has one; else empty.
+/// Empty if the scene has no reference at all.
 std::string missing_reference(const SceneFile& file, const RunRecord& record, const std::string& measure) {
   std::vector<std::string> laws;
   for (const auto& [law, reference] : file.scene.references)
@@ -69,9 +69,9 @@ std::string missing_reference(const SceneFile& file, const RunRecord& record, co
   return unmet == file.unmet_references.end() ? "" : "the scene's reference " + unmet->second;
 }
 
-/// Explains empty references; measures with the same explanation share a line.
+/// Measures with the same explanation share a line.
 std::string notes_on_references(const SceneFile& file, const RunRecord& record) {
-  std::vector<std::pair<std::string, std::string>> notes;  // explanation, names of measures
+  std::vector<std::pair<std::string, std::string>> notes;  // explanation, measures
   for (const MeasureResult& m : record.measures) {
     if (m.reference) continue;
     const std::string why = missing_reference(file, record, m.name);

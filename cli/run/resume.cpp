@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-/// Throws if `folder` is not a run or nothing is left to do.
+/// Throws if `folder` is not a run or is complete.
 void check_something_is_left(const RunFolder& folder, const std::optional<StoredRecord>& record) {
   std::error_code error;
   const std::string name = '\'' + folder.path().string() + '\'';
@@ -34,7 +34,7 @@ void check_same_scene(const Checkpoint& checkpoint, const RunFolder& folder, con
                      ": it is from another scene, or the scene was changed");
 }
 
-/// The run's original options, as far as known.
+/// Original options, as known.
 RunOptions stored_options(const RunFolder& folder, const std::optional<Checkpoint>& checkpoint,
                           const RunOptions& given) {
   RunOptions options;
@@ -55,7 +55,7 @@ RunOptions stored_options(const RunFolder& folder, const std::optional<Checkpoin
   return options;
 }
 
-/// The first given option that would change the run `plan`, made from `stored`; "" if none.
+/// First option that would change `plan`, which was made from `stored`; or "".
 std::string what_differs(const RunOptions& given, const RunOptions& stored, const RunPlan& plan) {
   std::error_code error;
   if (given.out && !fs::equivalent(*given.out, plan.folder.path(), error)) return "--out " + *given.out;

@@ -12,17 +12,17 @@
 
 namespace taut::cli {
 
-/// A run folder with saved particles.
+/// A run with saved particles.
 struct SavedRun {
   RunFolder folder;
-  SceneFile file;                       // as run
+  SceneFile file;
   std::vector<ParticleFile> particles;  // in order of time
 };
 
-/// Throws UsageError if the folder is not a run or has no particles, with the remedy.
+/// Throws UsageError if there are no particles.
 SavedRun open_saved_run(const std::filesystem::path& folder);
 
-/// Particles at one time with their colour values.
+/// Particles with their colour values.
 struct ColoredParticles {
   int dim = 2;
   double time = 0;                         // s
@@ -31,7 +31,7 @@ struct ColoredParticles {
   FrameView view() const;
 };
 
-/// Reads particles for a drawing; `origins` belong to the run. UsageError if a field was not saved.
+/// `origins` belong to the run. UsageError if a field was not saved.
 ColoredParticles read_colored(const ParticleFile& file, const Drawing& drawing, const Origins& origins);
 
 }  // namespace taut::cli

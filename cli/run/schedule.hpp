@@ -8,17 +8,17 @@ namespace taut::cli {
 
 /// 0, until/parts, … until.
 std::vector<double> times_in_parts(double until, int parts);
-/// 0, interval, 2·interval, … as long as they are not past `until`.
+/// 0, interval, 2·interval, … up to `until`.
 std::vector<double> times_every(double until, double interval);
 
-/// Output times of a run, passed in order.
+/// Passes output times in order.
 class Agenda {
  public:
   explicit Agenda(std::vector<double> times) : times_(std::move(times)) {}
 
-  /// Next time, infinity if there is none.
+  /// Infinity at the end.
   double next() const;
-  /// The times up to `now` since the last call.
+  /// Times up to `now` since the last call.
   std::span<const double> reached(double now);
   std::size_t done() const { return done_; }
 
@@ -33,7 +33,7 @@ class Agenda {
   std::size_t done_ = 0;
 };
 
-/// Length of the next slice of a run, from its speed: interrupts are checked about every 0.2 s.
+/// Slices of a run that take about 0.2 s, for interrupts.
 class Pace {
  public:
   /// Starts with a millionth of the run, usually one step.
