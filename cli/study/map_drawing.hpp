@@ -7,9 +7,9 @@
 
 namespace taut::cli {
 
-/// The cells of a map as gnuplot reads them, a block for each verdict.
+/// A block per verdict.
 std::string map_data(const StabilityMap& map);
-/// The gnuplot script: a coloured cell for each run with the time of its failure.
+/// A coloured cell per run with the time of failure.
 std::string map_script(const StabilityMap& map, const PlotFiles& files);
 
 }  // namespace taut::cli
