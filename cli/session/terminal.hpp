@@ -9,20 +9,18 @@
 
 namespace taut::cli {
 
-/// The terminal on stdout as a screen for pictures: of pixels where it can show them (kitty, iTerm2, sixels),
-/// else of coloured characters.
+/// Terminal on stdout: shows pixels (kitty, iTerm2, sixels) or coloured characters.
 class Terminal {
  public:
-  /// UsageError if `out` is no terminal.
+  /// Throws UsageError unless `out` is a terminal.
   explicit Terminal(const std::ostream& out);
   ~Terminal();
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// Gives the look the size of a picture here. Characters are too coarse for texts: it becomes bare for
-  /// them.
+  /// Sets the picture size. Pictures of characters become bare.
   void suit(render::Look& look) const;
-  /// What the terminal makes the picture of, with the end of its last line.
+  /// Terminal output of a picture, with a final line break.
   std::string text_of(const render::Image& image) const;
 
  private:
