@@ -24,13 +24,13 @@ struct RenderArguments : DrawingOptions {
   std::string run;
   std::optional<std::string> out;
   bool orbit = false;
-  int threads = 0;  // 0: as many as there are cores
+  int threads = 0;  // 0: all cores
   bool quiet = false;
 };
 
 bool is_lock(const fs::path& file) { return file.filename() == run_lock_name; }
 
-/// A folder for frames alone: they would be lost among other files, and other files among them.
+/// Requires a folder without other files.
 void check_for_frames(const fs::path& folder) {
   if (!fs::exists(folder)) return;
   if (!fs::is_directory(folder)) throw UsageError("'" + folder.string() + "' is not a folder");
@@ -42,12 +42,12 @@ void check_for_frames(const fs::path& folder) {
 
 void clear_for_frames(const fs::path& folder) {
   make_folders(folder);
-  check_for_frames(folder);  // another program may have been here
+  check_for_frames(folder);  // another program may have changed it
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (!is_lock(entry.path())) fs::remove(entry.path());
 }
 
-/// Makes room for the frames; in the run's own folder, scene.toml says from now on how they are drawn.
+/// Removes old frames; in the run's folder also updates scene.toml.
 fs::path prepare(const RenderArguments& options, SavedRun& run) {
   if (options.out) {
     clear_for_frames(*options.out);
@@ -55,7 +55,7 @@ fs::path prepare(const RenderArguments& options, SavedRun& run) {
   }
   run.folder.check();
   const std::string scene = resolved_text(run.file, run.folder.path());
-  // its next frames would be drawn otherwise than those
+  // a continued run would draw its frames differently
   if (fs::exists(run.folder.checkpoint()) && read_whole(run.folder.scene()) != scene)
     throw UsageError("the run in '" + run.folder.path().string() +
                      "' is not finished, so its frames cannot change; "
@@ -65,7 +65,7 @@ fs::path prepare(const RenderArguments& options, SavedRun& run) {
   return run.folder.frames();
 }
 
-/// Where the frames go to: the run's own folder, one of their own, or the frames/ of another run.
+/// The run's folder, that of another run's frames/, or a folder of frames.
 fs::path folder_to_lock(const RenderArguments& options) {
   if (!options.out) return options.run;
   check_for_frames(*options.out);
@@ -74,13 +74,13 @@ fs::path folder_to_lock(const RenderArguments& options) {
 
 int render(const RenderArguments& options, Streams streams) {
   check_threads(options.threads);
-  SavedRun run = open_saved_run(options.run);  // nothing is locked in a folder of somebody else
+  SavedRun run = open_saved_run(options.run);  // before locking: must be a run
   const FolderLock lock(folder_to_lock(options), FolderLock::Of::run, "taut render", streams.err);
-  run = open_saved_run(options.run);  // another program may have been here
+  run = open_saved_run(options.run);  // another program may have changed it
   run.file.drawing = with_options(run.file.drawing, options);
   suit(run.file.drawing, run.file);
   run.file.drawing.orbit = options.orbit;
-  check_redrawing(run);  // before anything is removed
+  check_redrawing(run);  // before removing anything
   const fs::path folder = prepare(options, run);
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
   const auto [frames, all] = redraw(run, folder, options.threads, progress);
