@@ -11,19 +11,18 @@
 
 namespace taut::render {
 
-/// Maps values to colours. The look must be complete.
+/// Colours of values, for a complete look.
 class Coloring {
  public:
   explicit Coloring(const Look& look);
 
-  std::uint32_t operator()(double value) const;  // bytes R, G, B, 255 in memory
-  /// Whether the value is NaN or beyond an end of the range by more than half a colour step.
+  std::uint32_t operator()(double value) const;  // bytes R, G, B, 255
+  /// Whether the value is NaN or more than half a colour step out of range.
   OffScale off_scale(double value) const;
-  /// Colour bar or legend.
   const ColorKey& key() const { return key_; }
 
  private:
-  std::optional<Range> range_;  // none: values are category numbers
+  std::optional<Range> range_;  // none: categories
   std::vector<std::uint32_t> colors_;
   ColorKey key_;
 };

@@ -6,12 +6,12 @@
 namespace taut::render {
 namespace {
 
-constexpr int samples = 2;  // per pixel and direction
+constexpr int samples = 2;  // per direction
 constexpr int side = 8;     // of a tile, samples
 constexpr float nothing = -1e30f;
-constexpr float doubt = 0.1f;  // samples: margin for OpenGL's rounding
+constexpr float doubt = 0.1f;  // samples, for OpenGL's rounding
 
-/// Samples [from, to) with centres within `half` of `centre`.
+/// Samples with centres within `half` of `centre`.
 struct Span {
   int from, to;
 };
@@ -21,7 +21,7 @@ Span span_of(float centre, float half, int most) {
           std::clamp(static_cast<int>(std::floor(centre + half - 0.5f)) + 1, 0, most)};
 }
 
-/// Calls `visit(from, to)` with the samples [from, to) of each row within `radius` of (x, y).
+/// Visits the samples [from, to) of each row within `radius`.
 template <class Visit>
 void for_rows(float x, float y, float radius, int width, int height, const Visit& visit) {
   const Span rows = span_of(y, radius, height);
@@ -35,7 +35,7 @@ void for_rows(float x, float y, float radius, int width, int height, const Visit
 
 }  // namespace
 
-/// Tiles touched by a ball: columns [left, right), rows [top, bottom).
+/// Tiles touched by a ball.
 struct Cover::Tiles {
   int left, right, top, bottom;
 

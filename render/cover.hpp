@@ -7,14 +7,14 @@
 
 namespace taut::render {
 
-/// Occlusion test for balls, at the samples of SolidPainter: 2 × 2 per pixel.
+/// Occlusion test at the samples of SolidPainter, 2 × 2 per pixel.
 class Cover {
  public:
   /// Size of the plot, pixels.
   Cover(int width, int height);
 
   void clear();
-  /// Whether the added balls hide this ball completely. Conservative: false if in doubt.
+  /// Whether added balls hide this ball; false if in doubt.
   bool hides(const Ball& ball) const;
   void add(const Ball& ball);
 
@@ -24,9 +24,9 @@ class Cover {
   void update(const Tiles& tiles);
 
   int width_, height_;            // samples
-  int tile_columns_, tile_rows_;  // a tile is a square of samples
-  std::vector<float> depth_;      // per sample: z up to which it is covered, pixels towards the camera
-  std::vector<float> tile_;       // least depth of each tile
+  int tile_columns_, tile_rows_;  // squares of samples
+  std::vector<float> depth_;      // covered up to this z, pixels towards the camera
+  std::vector<float> tile_;       // least depth
 };
 
 }  // namespace taut::render

@@ -8,30 +8,27 @@
 
 namespace taut::render {
 
-/// A round particle in the plot.
 struct Dot {
-  float x, y;           // centre, pixels from the plot's top left corner, y downwards
+  float x, y;           // centre, pixels from the plot's top left, y downwards
   float radius;         // pixels
-  std::uint32_t color;  // bytes R, G, B, 255 in memory
+  std::uint32_t color;  // bytes R, G, B, 255
 };
 
-/// Draws antialiased discs. The same discs give the same pixels on every machine.
+/// Draws antialiased discs, equally on every machine.
 ///
-/// Where discs overlap, a pixel belongs to the disc with the nearest centre, in radii. Overlapping neighbours thus
-/// meet in a straight line, and the particle order matters only where two rims meet.
-///
-/// Drawing proceeds in bands of rows, whose samples fit into the processor cache, and in tiles of a band. Empty
-/// tiles are skipped.
+/// Where discs overlap, a pixel belongs to the nearest centre, in radii: neighbours meet in a straight line, and
+/// their order matters only where rims meet. Drawing in bands uses the processor cache; empty tiles of a band are
+/// skipped.
 class DiscPainter {
  public:
-  /// The plot must have the background's colour, and nothing else may draw into it.
+  /// The plot must have this background, and nothing else may draw into it.
   explicit DiscPainter(const Rect& plot, Rgb background = white);
 
-  /// Draws the discs into the plot, in place of the previous discs.
+  /// Replaces the previous discs.
   void draw(Image& image, std::span<const Dot> discs);
 
  private:
-  struct Bands;  // first and last band of a disc
+  struct Bands;  // of a disc
   Bands bands_of(const Dot& disc) const;
   void sort_into_bands(std::span<const Dot> discs);
   std::span<const std::uint32_t> discs_of(int band) const;
@@ -43,15 +40,15 @@ class DiscPainter {
   std::size_t sample(int column, int row) const { return static_cast<std::size_t>(row) * stride_ + column; }
 
   Rect plot_;
-  std::uint32_t background_;             // bytes B, G, R, 255 in memory
-  int bands_, tiles_;                    // number of bands downwards, of tiles to the right
-  std::size_t stride_;                   // distance between rows of samples
-  std::vector<std::uint32_t> end_;       // end of each band's discs in `sorted_`, after a leading 0
-  std::vector<std::uint32_t> sorted_;    // disc numbers by band, in the order of the discs
-  std::vector<std::uint32_t> color_;     // samples of a band; bytes B, G, R, 255 in memory
-  std::vector<float> depth_;             // per sample: distance to the nearest disc centre, 0 to 1
-  std::vector<std::uint8_t> touched_;    // per tile of the band: a disc touches it
-  std::vector<std::uint8_t> was_drawn_;  // per tile of the plot: it contains discs
+  std::uint32_t background_;             // bytes B, G, R, 255
+  int bands_, tiles_;                    // downwards, to the right
+  std::size_t stride_;                   // between rows of samples
+  std::vector<std::uint32_t> end_;       // of each band's discs in `sorted_`, after a 0
+  std::vector<std::uint32_t> sorted_;    // disc numbers by band
+  std::vector<std::uint32_t> color_;     // samples of a band; bytes B, G, R, 255
+  std::vector<float> depth_;             // distance from the nearest centre, 0 to 1
+  std::vector<std::uint8_t> touched_;    // tiles with discs, in the band
+  std::vector<std::uint8_t> was_drawn_;  // tiles with discs, in the plot
 };
 
 }  // namespace taut::render

@@ -9,15 +9,15 @@
 
 namespace taut::render {
 
-/// Bounds of a picture's width and height, pixels.
+/// Of pictures, pixels.
 inline constexpr int least_size = 64;
 inline constexpr int greatest_size = 8192;
 
-/// Bounds of the drawn diameter, in particle diameters.
+/// Of the drawn over the true diameter.
 inline constexpr double least_glyph = 0.05;
 inline constexpr double greatest_glyph = 20;
 
-/// Values of a field, in its unit.
+/// In the field's unit.
 struct Range {
   double low = 0, high = 1;
   bool operator==(const Range&) const = default;
@@ -29,20 +29,19 @@ struct Size {
   bool operator==(const Size&) const = default;
 };
 
-/// Appearance of pictures. An empty option is open; the caller must set it before the first picture is drawn.
+/// Appearance of pictures. Open options must be set before drawing.
 struct Look {
-  std::optional<View> view;            // visible part of the scene; in 3D of the picture plane
-  std::optional<Camera> camera{};      // only of 3D scenes
-  std::optional<Range> range;          // of the colours; values outside get the colour of the end
+  std::optional<View> view;            // visible region; in 3D of the picture plane
+  std::optional<Camera> camera{};      // only in 3D
+  std::optional<Range> range;          // of the colours; values outside are clamped
   const Colormap* colormap = nullptr;  // nullptr: open
-  double middle = 0;                   // value of a diverging map's middle, if within the range
-  std::string unit{};                  // of the values; the layout reserves space for numbers in this unit
-  std::optional<Size> size = Size{};   // width and height from least_size to greatest_size
-  bool bare = false;                   // particles only, filling the whole picture
-  double glyph = 1;                    // drawn diameter, in particle diameters
+  double middle = 0;                   // of a diverging map, if within the range
+  std::string unit{};                  // of the values, for the width of their numbers
+  std::optional<Size> size = Size{};   // sides from least_size to greatest_size
+  bool bare = false;                   // only particles, filling the picture
+  double glyph = 1;                    // drawn over true diameter
   Rgb background = white;              // texts and lines contrast with it
-  /// Names of categories, if values are category numbers from 0. Each has its own colour and a legend replaces the
-  /// bar; range and colour map are ignored and may be open.
+  /// If values are category numbers: names from 0, with a legend. Range and colour map may then be open.
   std::vector<std::string> categories{};
 };
 

@@ -10,15 +10,15 @@
 
 namespace taut::render {
 
-/// Heading of a column: a bold title and a gray note below.
+/// A bold title above a gray note.
 struct Heading {
   std::string title, note;
 };
 
-/// A figure of pictures in rows and columns with a common colour range and length scale.
+/// Pictures in rows and columns with one colour range and length scale.
 struct PanelOptions {
-  Look look;                // open size: from the view, legible at 1:1
-  std::string title, note;  // apply to all pictures
+  Look look;                // an open size is chosen, legible at 1:1
+  std::string title, note;  // of all pictures
   std::string field, unit;
   std::vector<Heading> columns;
   std::vector<std::string> rows;  // "t = 3 ms"
@@ -26,15 +26,14 @@ struct PanelOptions {
 
 class Panel {
  public:
-  /// Only the look's size may be open. A bare look leaves out all texts. UsageError if the size is out of bounds or
-  /// too small for the number of pictures.
+  /// Only the size may be open. A bare look omits all texts. UsageError if the size is out of bounds or too small.
   explicit Panel(const PanelOptions& options);
   ~Panel();
 
   void draw(int column, int row, const FrameView& particles);
-  /// Writes into the top left corner of a picture.
+  /// At the top left.
   void write_corner(int column, int row, const std::string& text);
-  /// Writes into the middle of a picture without particles.
+  /// For pictures without particles.
   void write_middle(int column, int row, const std::string& text);
   /// Draws the texts around the pictures.
   const Image& finish();

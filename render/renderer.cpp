@@ -82,7 +82,7 @@ double width_of(const ColorKey& key, const Look& look) {
   return size.font > 0 ? key.width(size.key_height, size.font, look.unit) : 0;
 }
 
-/// Colour of lines among solids, of low contrast; bytes R, G, B, 255 in memory.
+/// Low contrast, for lines among solids; bytes R, G, B, 255.
 std::uint32_t line_color(Rgb background) {
   constexpr double contrast = 0.4;
   const double most = is_light(background) ? 0 : 255;
@@ -100,16 +100,16 @@ struct Renderer::Parts {
   PageLayout layout;
   Image image;
   std::optional<Projection> projection;       // in 3D
-  std::optional<DiscPainter> disc_painter;    // set while the plot contains only discs
-  std::optional<GlContext> context;           // context and painter are created on demand:
-  std::optional<SolidPainter> solid_painter;  // cells are solids in 2D too
-  std::optional<Annotation> annotation;       // none in pictures too small for text
+  std::optional<DiscPainter> disc_painter;    // while the plot has only discs
+  std::optional<GlContext> context;           // these two on demand:
+  std::optional<SolidPainter> solid_painter;  // 2D cells need them too
+  std::optional<Annotation> annotation;       // none in small pictures
   std::optional<Canvas> canvas;               // for walls in 2D
   Rgb background;
   double glyph;
   std::vector<Dot> discs;
   Solids solids;
-  OffScale off_scale;  // of the placed particles
+  OffScale off_scale;  // of placed particles
 
   Parts(const Look& look, double until);
   void check(const FrameView& frame) const;
@@ -152,13 +152,13 @@ void Renderer::Parts::place_discs(const FrameView& frame) {
   discs.reserve(frame.value.size());
   off_scale = {};
   for (std::size_t i = 0; i < frame.value.size(); ++i) {
-    // double precision: in float, the particles of a view far from the origin would coincide
+    // in float, particles far from the origin would coincide
     const double x = layout.column(frame.x[2 * i]);
     const double y = layout.row(frame.x[2 * i + 1]);
     const double size = 0.5 * glyph * frame.diameter[i] * layout.pixels_per_metre;
     const double radius = drawn_radius(size);
-    const double reach = radius + 1;  // with the antialiased rim
-    // a NaN is left out
+    const double reach = radius + 1;  // with its rim
+    // false for NaN
     const bool seen = size > 0 && x > -reach && x < width + reach && y > -reach && y < height + reach;
     if (!seen) continue;
     off_scale |= coloring.off_scale(frame.value[i]);
@@ -185,7 +185,7 @@ void Renderer::Parts::draw_walls(const FrameView& frame) {
   canvas->end();
 }
 
-/// Over the page of the frame before, where that was one of discs too and nothing else stands among them.
+/// Keeps the previous page if it also had only discs, and no walls.
 void Renderer::Parts::draw_discs(const FrameView& frame) {
   const bool page_stands =
       disc_painter && frame.walls.empty() && (!annotation || annotation->stands_for(frame));

@@ -12,25 +12,25 @@
 
 namespace taut::render {
 
-/// The particles of a frame in picture coordinates.
+/// Particles in picture coordinates.
 class Solids {
  public:
-  /// Spheres are drawn with `glyph` times the particle diameter.
+  /// `glyph`: drawn over true diameter.
   explicit Solids(const PageLayout& layout, double glyph = 1)
       : layout_(layout), glyph_(glyph), cover_(layout.plot.width, layout.plot.height) {}
 
-  /// Places spheres of the particles' size; hidden spheres are omitted.
+  /// Spheres; hidden ones are omitted.
   void place_balls(const FrameView& frame, const Projection& projection,
                    std::span<const std::uint32_t> colors);
-  /// Places the lit cell faces that face the camera.
+  /// The shaded cell faces that face the camera.
   void place_boxes(const FrameView& frame, const Projection& projection,
                    std::span<const std::uint32_t> colors);
-  /// Adds lines in `color` on 3D wall faces. Particles hide them.
+  /// Adds lines on 3D wall faces, in `color`, behind particles.
   void place_walls(const FrameView& frame, const Projection& projection, std::uint32_t color);
-  /// Places the cells of a 2D frame.
+  /// Cells in 2D.
   void place_parallelograms(const FrameView& frame, std::span<const std::uint32_t> colors);
 
-  /// Indices of the particles within the picture, including hidden ones.
+  /// Particles in the picture, also hidden ones.
   std::span<const std::size_t> placed() const { return placed_; }
   std::span<const Ball> balls() const { return balls_; }
   std::span<const Corner> corners() const { return corners_; }
@@ -51,10 +51,8 @@ class Solids {
   Cover cover_;
 };
 
-/// Radius that a round particle is drawn with, in pixels.
-///
-/// A gap narrower than a pixel would cause moiré and pale colours. Small particles therefore grow, by less than
-/// 0.7 pixel; with a diameter of 2 pixels a particle fills its square.
+/// Drawn radius, pixels. Gaps narrower than a pixel would cause moiré and pale colours; so small particles grow, by
+/// less than 0.7 pixel, and below a diameter of 2 pixels fill their square.
 double drawn_radius(double radius);
 
 }  // namespace taut::render

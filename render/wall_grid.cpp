@@ -6,7 +6,7 @@
 namespace taut::render {
 namespace {
 
-/// Two orthonormal directions of the face, the first as close to a coordinate axis as possible.
+/// Orthonormal directions of the face, the first close to an axis.
 std::pair<Vector, Vector> axes_on(const Vector& normal) {
   const auto least = std::ranges::min_element(normal, {}, [](double n) { return std::abs(n); });
   Vector axis{};
@@ -18,10 +18,10 @@ std::pair<Vector, Vector> axes_on(const Vector& normal) {
   return {along, cross(normal, along)};
 }
 
-/// First and last line across one direction of the face; `x`: positions of the points, in cells.
+/// First and last line in one direction; `x` in cells.
 std::pair<double, double> ends(std::vector<double> x) {
-  constexpr double margin = 2;     // cells beyond the points
-  constexpr double farthest = 50;  // cells from the median point: limits the grid if a particle is lost
+  constexpr double margin = 2;     // cells
+  constexpr double farthest = 50;  // cells from the median point, if particles are lost
   const auto [low, high] = std::ranges::minmax(x);
   const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
   std::ranges::nth_element(x, middle);

@@ -9,8 +9,7 @@
 
 namespace taut::render {
 
-/// Grid lines on the face of a wall in 3D, from end to end, m. The grid is fixed to the wall, has square cells of
-/// length `cell` and extends under and around the points. Empty without points.
+/// Grid lines on the face of a wall in 3D, m, fixed to it, with square cells around the points. Empty without points.
 std::vector<std::pair<Vector, Vector>> grid_on(const WallFace& wall, std::span<const Vector> points,
                                                double cell);
 

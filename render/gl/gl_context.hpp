@@ -7,7 +7,7 @@
 
 namespace taut::render {
 
-/// An OpenGL 3.3 core context without a window, in software. The build option TAUT_GL selects its source file.
+/// OpenGL 3.3 core context in software. The build option TAUT_GL selects its source file.
 class GlContext {
  public:
   explicit GlContext(int width, int height);
@@ -15,13 +15,13 @@ class GlContext {
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
-  /// Makes the context current in this thread for its lifetime. Drawing into `framebuffer()` draws into `target`,
-  /// which must have the context's size. Row 0 of OpenGL is the bottom row of the image.
+  /// Makes the context current in this thread. `framebuffer()` draws into `target`, of the context's size; OpenGL's
+  /// row 0 is the bottom row.
   class Current {
    public:
-    /// Throws UsageError if there is no memory for the picture.
+    /// Throws UsageError without enough memory.
     Current(GlContext& context, Image& target);
-    ~Current();  // writes the finished picture to the image
+    ~Current();  // completes the picture in the image
     Current(const Current&) = delete;
     Current& operator=(const Current&) = delete;
 

@@ -18,12 +18,12 @@ namespace {
   throw std::runtime_error("EGL " + what + " (error " + std::to_string(eglGetError()) + ")");
 }
 
-/// Opens Mesa's display without a screen, for drawing into buffers only [EGL_MESA_platform_surfaceless,
-/// EGL_KHR_surfaceless_context]. It is never closed: all threads have contexts on it.
+/// Mesa's display without a screen [EGL_MESA_platform_surfaceless, EGL_KHR_surfaceless_context]. Never closed: all
+/// threads use it.
 EGLDisplay open_display() {
-  // software rendering gives the same bytes on every machine
+  // the same bytes on every machine
   setenv("LIBGL_ALWAYS_SOFTWARE", "true", 1);
-  // The shaders compile quickly; a cache would write files and warnings to the home folder.
+  // not worth files in the home folder, or warnings
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   const EGLDisplay display =
       eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
@@ -42,7 +42,7 @@ EGLDisplay display() {
 
 struct GlContext::Handle {
   EGLContext context = EGL_NO_CONTEXT;
-  GLuint framebuffer = 0, color = 0;  // the draw target; destroyed with the context
+  GLuint framebuffer = 0, color = 0;  // destroyed with the context
   ~Handle() {
     if (context != EGL_NO_CONTEXT) eglDestroyContext(display(), context);
   }
@@ -52,7 +52,7 @@ GlContext::GlContext(int width, int height)
     : handle_(std::make_unique<Handle>()), width_(width), height_(height) {
   check_memory(width, height);
   const EGLDisplay on = display();
-  eglBindAPI(EGL_OPENGL_API);  // applies to this thread
+  eglBindAPI(EGL_OPENGL_API);  // per thread
   const EGLint wanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
   EGLConfig config = nullptr;
   EGLint count = 0;
@@ -97,7 +97,7 @@ GlContext::Current::~Current() {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer());
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
   glReadPixels(0, 0, target_.width, target_.height, GL_BGRA, GL_UNSIGNED_BYTE, target_.pixels.data());
-  // the first row of the image is the top row
+  // the first row is the top row
   const auto row = [&](int number) {
     return target_.pixels.begin() + static_cast<std::ptrdiff_t>(target_.offset(0, number));
   };

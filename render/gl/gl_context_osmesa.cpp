@@ -22,10 +22,10 @@ struct GlContext::Handle {
 GlContext::GlContext(int width, int height)
     : handle_(std::make_unique<Handle>()), width_(width), height_(height) {
   check_memory(width, height);
-  // All threads share the environment.
+  // threads share the environment
   static std::mutex one_at_a_time;
   const std::scoped_lock lock(one_at_a_time);
-  // The shaders compile quickly; a cache would write files and warnings to the home folder.
+  // not worth files in the home folder, or warnings
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   const int attributes[] = {OSMESA_FORMAT,
                             OSMESA_BGRA,
@@ -53,7 +53,7 @@ GlContext::Current::Current(GlContext& context, Image& target) : context_(contex
                          target.height)) {
     fail_for_memory(target.width, target.height);
   }
-  OSMesaPixelStore(OSMESA_Y_UP, 0);  // the first row of the image is the top row
+  OSMesaPixelStore(OSMESA_Y_UP, 0);  // the first row is the top row
 }
 
 GlContext::Current::~Current() {

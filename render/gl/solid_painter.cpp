@@ -16,14 +16,14 @@
 namespace taut::render {
 namespace {
 
-// per pixel and direction
+// per direction
 constexpr int samples = 2;
 
-// Limits the buffers of a band to 16 Mi samples of 8 bytes; 1920 × 1080 needs one band.
+// bounds the buffers; 1920 × 1080 needs one band
 constexpr int samples_per_band = 1 << 24;
 
-// Shading: x to the right, y downwards, z towards the camera. A surface that faces the camera keeps its colour; one
-// that faces away from the light keeps the share `ambient`.
+// x to the right, y downwards, z towards the camera. A surface keeps its colour if it faces the camera, the share
+// `ambient` if it faces away from the light.
 constexpr std::array<float, 3> to_light = {-0.32f, -0.44f, 0.839f};
 constexpr float ambient = 0.72f;  // of a particle
 #define TAUT_LIGHT                                                  \
@@ -33,7 +33,7 @@ constexpr float ambient = 0.72f;  // of a particle
   "  return min(ambient + (1.0 - ambient) * light, 1.0);\n"         \
   "}\n"
 
-// `band`: width of the plot, top and height of the band, pixels; `depth`: greatest z, and 1 / range of z.
+// `band`: width of the plot, top and height of the band, pixels; `depth`: greatest z, 1 / range of z
 constexpr const char* ball_vertex_shader = R"(#version 330 core
 layout(location = 0) in vec4 ball;   // x, y, z, radius in pixels
 layout(location = 1) in vec4 color;
@@ -85,9 +85,8 @@ void main() { color = vec4(triangle_color.rgb, 1.0); })";
 constexpr const char* resolve_vertex_shader = R"(#version 330 core
 void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); })";
 
-// Samples pairs of opposite points around the pixel. Their mean depth equals the pixel's on a plane and is nearer in
-// a hollow; half their difference is the slope. Points much farther away than the pair is wide belong to another
-// object.
+// Samples opposite points: on a plane their mean depth equals the pixel's, in a hollow it is nearer; half their
+// difference is the slope. Much farther points belong to another object.
 constexpr const char* resolve_fragment_shader = "#version 330 core\n" TAUT_LIGHT R"(
 uniform sampler2D colors, depths;
 uniform ivec2 corner;    // of the picture's part, pixels
@@ -144,7 +143,7 @@ GLuint make_texture(GLint format, GLenum kind, GLenum type, GLint filter, int wi
   return texture;
 }
 
-/// Declares the vertex layout: `floats` numbers followed by a colour.
+/// `floats` numbers, then a colour.
 void declare_attributes(int floats, std::size_t stride) {
   const auto place = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
   const auto bytes = static_cast<GLsizei>(stride);
@@ -161,7 +160,7 @@ float light_on(float x, float y, float z) {
   return std::min(ambient + (1 - ambient) * light, 1.0f);
 }
 
-/// Bounds of all drawn objects, in pixels of the plot and of depth.
+/// Bounds of all objects, pixels.
 struct SolidPainter::Extent {
   float left = 1e30f, right = -1e30f, top = 1e30f, bottom = -1e30f, far = 1e30f, near = -1e30f;
 
@@ -170,9 +169,7 @@ struct SolidPainter::Extent {
     top = std::min(top, y - radius), bottom = std::max(bottom, y + radius);
     far = std::min(far, z - radius), near = std::max(near, z + radius);
   }
-  float range() const {
-    return std::max(near - far, 1e-3f) * 1.001f;
-  }  // the factor keeps the farthest point off the background
+  float range() const { return std::max(near - far, 1e-3f) * 1.001f; }  // beyond the farthest point
 };
 
 SolidPainter::SolidPainter(int image_width, int image_height, const Rect& plot, Rgb background)
@@ -254,13 +251,13 @@ void SolidPainter::draw_band(int top, int height, int ball_corners, int corners,
   }
 }
 
-/// Resolves `height` rows from `top`; the band has `below` more rows at its lower end.
+/// Rows from `top`; the band has `below` more at its lower end.
 void SolidPainter::resolve(std::uint32_t picture, int top, int height, int below, const Extent& extent) {
-  const int bottom = image_height_ - (plot_.y + top + height);  // row 0 of OpenGL is the bottom row
+  const int bottom = image_height_ - (plot_.y + top + height);  // OpenGL's row 0 is at the bottom
   glBindFramebuffer(GL_FRAMEBUFFER, picture);
   glViewport(0, 0, image_width_, image_height_);
   glDisable(GL_DEPTH_TEST);
-  // only the drawn part: the rest has the background's colour
+  // the rest has the background's colour
   const auto within = [](float value, int most) {
     return static_cast<int>(std::clamp(value, 0.0f, static_cast<float>(most)));
   };

@@ -20,7 +20,7 @@ void require_same_size(const Image& a, const Image& b) {
                    "; draw both with the same --size");
 }
 
-/// Finds the window with the most differing pixels, fed row by row.
+/// Window with the most differing pixels.
 class DensestWindow {
  public:
   DensestWindow(int width, int height)
@@ -30,7 +30,7 @@ class DensestWindow {
         history_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height_)) {}
 
   void add_row(int row, const std::vector<std::uint8_t>& differs) {
-    // ring buffer: the row that enters the window replaces the row that leaves it
+    // ring buffer: a new row replaces the one that leaves the window
     std::uint8_t* slot = &history_[static_cast<std::size_t>(row % height_) * differs.size()];
     for (std::size_t i = 0; i < differs.size(); ++i) {
       column_sums_[i] += differs[i] - slot[i];
@@ -115,7 +115,7 @@ bool alike(const ImageDifference& difference, const DifferenceLimit& limit) {
 Image difference_picture(const Image& a, const Image& b, double tolerance) {
   constexpr Rgb slight = {0xfd, 0x8d, 0x3c};
   constexpr Rgb strong = {0x80, 0x00, 0x26};
-  constexpr double strong_at = 50;  // ΔE*ab of the darkest colour, half of black to white
+  constexpr double strong_at = 50;  // ΔE*ab of the darkest colour
   const ImageDifference difference = compare(a, b, tolerance);
   Image picture(a.width, a.height);
   for (int row = 0; row < a.height; ++row) {

@@ -22,15 +22,14 @@
 namespace taut::render {
 namespace {
 
-// Limits against forged headers that would exhaust the memory. The side allows for panels.
+// Protect from forged headers; sides allow for panels.
 constexpr png_uint_32 greatest_side = 16384;
-constexpr png_alloc_size_t most_beside =
-    8 << 20;  // bytes of a chunk other than pixels, such as a palette or text
+constexpr png_alloc_size_t most_beside = 8 << 20;  // bytes of other chunks, e.g. texts
 constexpr std::int64_t most_pixels = std::int64_t{8192} * 8192;
 
-// libpng's simplified API needs no longjmp, but converts pixels to sRGB; hence the classic API.
+// libpng's simplified API would convert to sRGB.
 
-/// Error message of libpng. It must outlive the stack frames that longjmp skips.
+/// libpng's error; must outlive the frames that longjmp skips.
 struct Complaint {
   char message[128] = {0};
 };
@@ -43,7 +42,7 @@ void on_error(png_structp png, png_const_charp message) {
 
 void on_warning(png_structp, png_const_charp) {}
 
-/// Calls `work`; false if libpng failed. longjmp runs no destructors: `work` must not need any.
+/// False if libpng failed. longjmp runs no destructors: `work` must not need any.
 template <class Work>
 bool completes(png_structp png, const Work& work) {
   if (setjmp(png_jmpbuf(png))) return false;
@@ -66,7 +65,7 @@ void read_header(Reader& reader, std::FILE* file, Alpha alpha) {
   png_set_user_limits(reader.png, greatest_side, greatest_side);
   png_set_chunk_malloc_max(reader.png, most_beside);
   png_read_info(reader.png, reader.info);
-  // converts every format to B, G, R and opacity or 255
+  // converts any format to B, G, R and opacity or 255
   png_set_expand(reader.png);
   png_set_scale_16(reader.png);
   if (alpha == Alpha::dropped) png_set_strip_alpha(reader.png);
@@ -77,12 +76,12 @@ void read_header(Reader& reader, std::FILE* file, Alpha alpha) {
   png_read_update_info(reader.png, reader.info);
 }
 
-/// Appends the most significant byte first.
+/// Most significant byte first.
 void append_number(std::vector<std::uint8_t>& bytes, std::uint32_t number) {
   for (const int shift : {24, 16, 8, 0}) bytes.push_back(static_cast<std::uint8_t>(number >> shift));
 }
 
-/// Appends a chunk of a PNG file: length, kind, content, checksum [PNG §5.3].
+/// Length, kind, content, checksum [PNG §5.3].
 void append_chunk(std::vector<std::uint8_t>& file, std::string_view kind,
                   std::span<const std::uint8_t> holds) {
   append_number(file, static_cast<std::uint32_t>(holds.size()));
@@ -92,7 +91,7 @@ void append_chunk(std::vector<std::uint8_t>& file, std::string_view kind,
   append_number(file, crc32_gzip_refl(0, &file[from], file.size() - from));
 }
 
-/// Writes the filter type, none, and R, G, B of each pixel of a row. Flat colours need no filter.
+/// Filter type none, then R, G, B of each pixel.
 void put_row(const Image& image, int row, std::uint8_t* to) {
   *to++ = PNG_FILTER_VALUE_NONE;
   const std::uint8_t* from = &image.pixels[image.offset(0, row)];
@@ -100,14 +99,14 @@ void put_row(const Image& image, int row, std::uint8_t* to) {
     to[0] = from[2], to[1] = from[1], to[2] = from[0];
 }
 
-/// ISA-L compressor of level 0 with a code made for the picture: as fast as level 1 and nearly as compact. In ISA-L
-/// 2.30, levels 1 and 2 depend on the picture's address in rare cases. Too large for the stack.
+/// ISA-L at level 0 with the picture's own code: as fast as level 1, nearly as compact. In ISA-L 2.30, levels 1 and 2
+/// may depend on addresses. Too large for the stack.
 struct Deflater {
   isal_zstream stream;
   isal_hufftables code;
   std::uint8_t deflated[1 << 16];
 
-  /// `seen`: histogram of a sample of the bytes.
+  /// `seen`: of a part of the bytes.
   explicit Deflater(isal_huff_histogram& seen) {
     isal_deflate_init(&stream);
     stream.gzip_flag = IGZIP_ZLIB;
@@ -116,10 +115,10 @@ struct Deflater {
         isal_deflate_set_hufftables(&stream, &code, IGZIP_HUFFTABLE_CUSTOM) != COMP_OK)
       throw std::logic_error("the compression code of a picture cannot be set up");
   }
-  Deflater(const Deflater&) = delete;  // prevents accidental copies of a large object
+  Deflater(const Deflater&) = delete;
   Deflater& operator=(const Deflater&) = delete;
 
-  /// Appends compressed `bytes` to `out`; at the end of the stream also all buffered output.
+  /// Appends to `out`, at the end of the stream completely.
   void add(std::span<std::uint8_t> bytes, bool at_end, std::vector<std::uint8_t>& out) {
     stream.next_in = bytes.data();
     stream.avail_in = static_cast<std::uint32_t>(bytes.size());
@@ -133,7 +132,7 @@ struct Deflater {
   }
 };
 
-/// The filtered rows of a PNG file, in bands that fit into the cache.
+/// Rows in the file's format, in bands that fit into the cache.
 class Bands {
  public:
   explicit Bands(const Image& image)
@@ -154,7 +153,7 @@ class Bands {
   std::vector<std::uint8_t> rows_;
 };
 
-/// Histogram of every sixth band, which represents the picture well enough.
+/// Of every sixth band.
 std::unique_ptr<isal_huff_histogram> histogram(Bands& bands) {
   constexpr int apart = 6;
   auto seen = std::make_unique<isal_huff_histogram>();  // all zero
@@ -165,7 +164,7 @@ std::unique_ptr<isal_huff_histogram> histogram(Bands& bands) {
   return seen;
 }
 
-/// All rows, as a zlib stream.
+/// As a zlib stream.
 std::vector<std::uint8_t> compressed_rows(const Image& image) {
   Bands bands(image);
   const auto deflater = std::make_unique<Deflater>(*histogram(bands));
@@ -198,7 +197,7 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
 void write_png(const Image& image, const std::filesystem::path& path) { write_png(encode_png(image), path); }
 
 void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
-  // same folder: a rename within a file system is atomic
+  // same folder: renaming is atomic
   std::filesystem::path part = path;
   part += ".part" + std::to_string(getpid());
 
@@ -206,7 +205,7 @@ void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path&
   if (!file) fail_to_write(path, std::strerror(errno));
   const bool all = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
   int reason = all ? 0 : errno;
-  // a full disk may be detected only by fclose
+  // may be the first to detect a full disk
   if (std::fclose(file) != 0 && all) reason = errno;
 
   std::error_code error;

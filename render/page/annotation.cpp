@@ -10,9 +10,9 @@ namespace {
 // Lengths in em.
 constexpr double title_size = 1.3;
 constexpr double baseline_of_header = 1.8;
-constexpr double end_of_header = 2.4;  // below the title, above the number at the bar's end
+constexpr double end_of_header = 2.4;  // between title and bar
 
-constexpr double most_of_note = 0.5;  // share of the space, if the title is long too
+constexpr double most_of_note = 0.5;  // share of the space
 
 constexpr double most_room_of_legend = 14;
 

@@ -13,38 +13,37 @@
 
 namespace taut::render {
 
-/// Key of the colours: colour bar or legend.
+/// Colour bar or legend.
 class ColorKey {
  public:
   explicit ColorKey(ColorBar bar) : key_(std::move(bar)) {}
   explicit ColorKey(Legend legend) : key_(std::move(legend)) {}
 
-  /// Draws at the left of `room`, over its full height.
+  /// Fills the height of `room`, from its left edge.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view field, std::string_view unit);
   void draw_off_scale(Canvas& canvas, const Rect& room, double em, const OffScale& off_scale);
-  /// Required width for a height in pixels and values in `unit`, em.
+  /// Width for a height in pixels and values in `unit`, em.
   double width(int height, double em, std::string_view unit) const;
 
  private:
   std::variant<ColorBar, Legend> key_;
 };
 
-/// Title, method, time, colour bar or legend, scale bar and 3D axes of a picture.
+/// All texts and scales of a picture.
 class Annotation {
  public:
-  /// The image must outlive the annotation and must not move its pixels. `until` (time of the last frame, s) sets the
-  /// unit of all times; 0: each time has its own unit.
+  /// The image's pixels must outlive the annotation. `until` (last time, s) sets the unit of all times; 0: each has
+  /// its own.
   Annotation(Image& image, const PageLayout& layout, ColorKey key, double until, Rgb background);
 
-  /// Sets the axes of a 3D scene.
   void show(const AxesMarker& axes) { axes_ = axes; }
-  /// For perspective pictures, which have no uniform scale.
+  /// For perspective pictures.
   void leave_out_scale_bar() { has_scale_bar_ = false; }
 
   void draw(const FrameView& frame, const OffScale& off_scale);
-  /// Whether the last drawing stays valid for this frame, except for the header and the off-scale marks.
+  /// Whether only header and off-scale marks may differ.
   bool stands_for(const FrameView& frame) const { return frame.field == field_ && frame.unit == unit_; }
-  /// Replaces title, method, time and off-scale marks of the last drawing.
+  /// Replaces header and off-scale marks.
   void draw_again(const FrameView& frame, const OffScale& off_scale);
 
  private:
@@ -57,10 +56,10 @@ class Annotation {
   OffScale off_scale_;  // last drawn
   std::optional<AxesMarker> axes_;
   bool has_scale_bar_ = true;
-  std::string field_, unit_;  // of the last drawn key
+  std::string field_, unit_;  // last drawn
 };
 
-/// Draws a bold title followed by a gray note, within the width `room`.
+/// A bold title and a gray note, within `room`.
 void draw_title(Canvas& canvas, const std::string& title, const std::string& note, double left, double y,
                 double room, double em);
 

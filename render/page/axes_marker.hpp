@@ -5,7 +5,7 @@
 
 namespace taut::render {
 
-/// Draws the three labelled axes in the lower right corner of a plot.
+/// In the lower right corner.
 void draw_axes_marker(Canvas& canvas, const Rect& plot, const AxesMarker& axes, double em);
 
 }  // namespace taut::render

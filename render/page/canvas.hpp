@@ -11,38 +11,38 @@
 
 namespace taut::render {
 
-// Gray levels: 1 is the background, 0 the strongest contrast. Pure black is too hard on white.
+// From 0 (full contrast) to 1 (background); full contrast is too hard.
 inline constexpr double ink = 0.13;
 inline constexpr double faint = 0.42;
-inline constexpr double cap_height = 0.73;  // of the digits of DejaVu Sans, relative to the font size
+inline constexpr double cap_height = 0.73;  // of digits, over the font size
 
-/// Width of a thin line, in whole pixels.
+/// Thin, in whole pixels.
 double line_width(double em);
 
-/// Draws texts and lines over an image with Cairo. Coordinates are pixels from the top left corner.
+/// Draws over an image with Cairo; pixels from the top left.
 class Canvas {
  public:
   enum class Align { left, centre, right };
 
-  /// The image must outlive the canvas and must not move its pixels.
+  /// The image's pixels must outlive the canvas.
   explicit Canvas(Image& image, Rgb background = white);
 
-  /// `begin` must follow any other drawing into the image; `end` completes the drawing.
+  /// To be called after other changes to the image, and after drawing.
   void begin();
   void end();
 
   cairo_t* cairo() { return cairo_.get(); }
-  /// Sets a gray level, from 0 (white on a dark background, black on a light one) to 1 (the background).
+  /// From 0 (white on dark, black on light) to 1 (background).
   void gray(double level);
   void color(Rgb color);
   void use(Weight weight, double size);
   void fill(double x, double y, double width, double height);
-  /// Draws text with its baseline at (x, y).
+  /// Baseline at (x, y).
   void text(const std::string& text, double x, double y, Align align);
-  /// Draws text upwards, with the middle of its baseline at (x, y).
+  /// Upwards, with the middle of its baseline at (x, y).
   void turned_text(const std::string& text, double x, double y);
   double width_of(const std::string& text);
-  /// Shortens text with an ellipsis to the width `room`.
+  /// Shortened with an ellipsis to `room`.
   std::string fitted(std::string text, double room);
 
  private:
@@ -52,7 +52,7 @@ class Canvas {
   };
   Font regular_, bold_;
   Rgb background_;
-  double contrast_;  // 0 or 1: the strongest contrast to the background
+  double contrast_;  // strongest contrast, 0 or 1
   std::unique_ptr<cairo_surface_t, Deleter> surface_;
   std::unique_ptr<cairo_t, Deleter> cairo_;
 };

@@ -13,12 +13,12 @@
 namespace taut::render {
 namespace {
 
-// on Debian, Fedora, Arch and openSUSE
+// Debian, Fedora, Arch, openSUSE
 constexpr std::array<std::string_view, 4> folders = {"/usr/share/fonts/truetype/dejavu",
                                                      "/usr/share/fonts/dejavu-sans-fonts",
                                                      "/usr/share/fonts/TTF", "/usr/share/fonts/truetype"};
 
-/// Owned by Cairo, which may use the face after the Font is gone.
+/// Owned by Cairo, which may outlive the Font.
 struct Face {
   FT_Library library = nullptr;
   FT_Face face = nullptr;

@@ -10,16 +10,15 @@ namespace taut::render {
 
 enum class Weight { regular, bold };
 
-/// Finds the file of DejaVu Sans in the systems' folders. OutputError naming its package if it is missing.
+/// DejaVu Sans. OutputError with its package if it is missing.
 std::filesystem::path find_font(Weight weight);
 
-/// A font for Cairo, read directly from its file. Without fontconfig and hinting, letters are the same on all
-/// machines.
+/// A font from its file. Without fontconfig and hinting, letters are the same everywhere.
 class Font {
  public:
   explicit Font(const std::filesystem::path& file);
 
-  /// Selects the font; size in pixels.
+  /// `size` in pixels.
   void use(cairo_t* cairo, double size) const;
 
  private:

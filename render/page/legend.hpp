@@ -8,7 +8,6 @@
 
 namespace taut::render {
 
-/// A column of colours and names.
 class Legend {
  public:
   struct Entry {
@@ -17,9 +16,9 @@ class Legend {
   };
   explicit Legend(std::vector<Entry> entries) : entries_(std::move(entries)) {}
 
-  /// Shortens long names. A last line counts the entries that do not fit.
+  /// Shortens long names, and counts entries that do not fit.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view title) const;
-  /// Approximate width for a height in pixels, em.
+  /// Approximate, for a height in pixels, em.
   double width(int height, double em) const;
 
  private:

@@ -8,9 +8,9 @@
 
 namespace taut::render {
 
-/// Kinds of values in a picture that the colour bar does not contain.
+/// Values in a picture outside its colour bar.
 struct OffScale {
-  bool below = false, above = false;  // beyond an end, drawn in its colour
+  bool below = false, above = false;  // drawn in the colour of an end
   bool no_number = false;
   bool operator==(const OffScale&) const = default;
   OffScale& operator|=(const OffScale& other) {
@@ -19,17 +19,16 @@ struct OffScale {
   }
 };
 
-/// Colour bar with numbers and a label.
 class ColorBar {
  public:
-  /// `colors` are evenly spaced from `low` to `high`; `no_number` is the colour of NaN.
+  /// `no_number`: colour of NaN.
   ColorBar(double low, double high, const std::array<Rgb, 256>& colors, Rgb no_number);
 
-  /// Required width for a height in pixels and values in `unit`, em.
+  /// Width for a height in pixels and values in `unit`, em.
   double width(int height, double em, std::string_view unit) const;
-  /// Draws at the left of `room`, over its full height. Numbers are omitted if they, or the unit, do not fit.
+  /// Fills the height of `room`, from its left edge. Omits numbers that do not fit, or whose unit does not.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view field, std::string_view unit);
-  /// Draws arrows at the exceeded ends, and the NaN swatch below, in place of previous ones.
+  /// Replaces the arrows at exceeded ends, and the NaN swatch below.
   void draw_off_scale(Canvas& canvas, const Rect& room, double em, const OffScale& found) const;
 
  private:
@@ -40,14 +39,13 @@ class ColorBar {
   std::array<Rgb, 256> colors_;
   Rgb no_number_;
   Ticks ticks_;
-  std::string tick_unit_;  // unit of ticks_
+  std::string tick_unit_;  // of ticks_
 };
 
-/// "von Mises stress (MPa)", at most `room` long: the name is shortened, never the unit. Empty if the unit does not
-/// fit.
+/// "von Mises stress (MPa)": to fit, the name is shortened, never the unit. May be empty.
 std::string label_of_bar(Canvas& canvas, std::string_view field, const std::string& unit, double room);
 
-/// Draws a bar of a round length below a plot, about a fifth of its width.
+/// Of a round length, about a fifth of the plot.
 void draw_scale_bar(Canvas& canvas, const Rect& plot, double pixels_per_metre, double em);
 
 }  // namespace taut::render

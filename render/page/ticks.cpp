@@ -12,14 +12,14 @@ constexpr int least_prefix = -15;
 constexpr std::array<std::string_view, 10> prefixes = {"f", "p", "n", "µ", "m", "", "k", "M", "G", "T"};
 constexpr int greatest_prefix = 12;
 
-/// Floor of the decimal logarithm; 999.9999999 counts as 1000.
+/// 999.9999999 counts as 1000.
 int decade(double value) { return static_cast<int>(std::floor(std::log10(value) + 1e-9)); }
 
 int floor_to_three(int exponent) {
   return 3 * static_cast<int>(std::floor(static_cast<double>(exponent) / 3.0));
 }
 
-/// A prefix multiplies the symbol with its power ("mm²" is 1e-6 m²), and kg already has one.
+/// Excludes powers ("mm²" is 1e-6 m²) and kg, which has a prefix.
 bool takes_prefix(std::string_view unit) {
   constexpr std::array<std::string_view, 7> symbols = {"Pa", "m", "s", "N", "J", "W", "Hz"};
   return std::ranges::any_of(symbols, [&](std::string_view symbol) {
@@ -36,7 +36,7 @@ std::string power_of_ten(int exponent) {
   return text;
 }
 
-/// Smallest 1, 2 or 5 times a power of ten that is at least `length` > 0.
+/// Least 1, 2 or 5 times a power of ten from `length` > 0.
 double nice_step(double length) {
   const double power = std::pow(10.0, decade(length));
   for (const double digit : {1.0, 2.0, 5.0}) {
@@ -68,7 +68,7 @@ Ticks nice_ticks(double low, double high, std::string_view unit, int most) {
   const double from = low * scale.factor;
   const double to = high * scale.factor;
   if (!(to > from) || !std::isfinite(to - from)) return ticks;
-  // smallest step with at most `most` ticks; smaller steps than the first have more
+  // smallest step with at most `most` ticks
   double step = nice_step((to - from) / (most + 1));
   const auto first = [&] { return std::ceil(from / step - 1e-6); };
   const auto last = [&] { return std::floor(to / step + 1e-6); };
