@@ -7,8 +7,7 @@
 
 namespace {
 
-/// Prevents opened files from replacing a closed stream, which would receive the program's output. Using such a
-/// stream remains an error.
+/// Opened files must not replace a closed stream and receive its output. Using such a stream remains an error.
 void occupy_closed_streams() {
   for (const int stream : {0, 1, 2})
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);
@@ -18,6 +17,6 @@ void occupy_closed_streams() {
 
 int main(int argc, char** argv) {
   occupy_closed_streams();
-  std::signal(SIGXFSZ, SIG_IGN);  // exceeding `ulimit -f` is an error, like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // exceeding `ulimit -f` is then an error
   return taut::cli::run_program(taut::cli::commands(), {argv + 1, argv + argc}, {std::cout, std::cerr});
 }

@@ -37,7 +37,7 @@ double share(const std::string& text) {
   return percents ? *value / 100 : *value;
 }
 
-/// Finds the results of the scene below out/.
+/// The scene's results below out/.
 std::vector<std::string> stored_results(const std::string& scene) {
   constexpr int deepest = 3;
   std::vector<std::string> files;
@@ -59,7 +59,7 @@ std::vector<std::string> stored_results(const std::string& scene) {
   return files;
 }
 
-/// The scene's value of a swept name; empty if unknown.
+/// The scene's value of a swept name, or empty.
 std::string value_in(const SceneFile& file, const std::string& name) {
   const auto parameter = std::ranges::find(file.parameters, name, &Parameter::name);
   if (parameter != file.parameters.end()) return exact(parameter->value);
@@ -73,7 +73,7 @@ bool is_same(const std::string& a, const std::string& b) {
   return x && y ? std::abs(*x - *y) <= 1e-9 * std::abs(*y) : a == b;
 }
 
-/// Removes runs with other scene settings; returns the settings that removed some.
+/// Removes runs with other scene settings; returns the deciding settings.
 std::string keep_those_of(const SceneFile& file, StoredResults& results) {
   std::vector<std::string> others;
   for (const std::string& name : names_of_scene(results.runs)) {

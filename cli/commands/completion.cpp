@@ -12,7 +12,7 @@
 namespace taut::cli {
 namespace {
 
-/// Completion script of a shell. The program provides the choices.
+/// The script calls the program for the choices.
 struct Script {
   std::string_view shell;
   std::string_view text;

@@ -103,7 +103,6 @@ int find(const CriticalStepArguments& options, Streams streams) {
   return found.interrupted ? Interrupts::exit_code() : exit_fine;
 }
 
-/// Smaller values are below rounding, larger ones useless.
 std::string tolerance_in_bounds(const std::string& text) {
   const auto value = parsed<double>(text);
   return value && *value >= 1e-9 && *value <= 0.5 ? "" : "'" + text + "' is not a number from 1e-9 to 0.5";

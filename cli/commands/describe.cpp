@@ -68,7 +68,6 @@ Rows rows_of_measures(const Scene& scene) {
   return rows;
 }
 
-/// "x and z"; may be empty.
 std::string axes_of(const std::array<Expression, 3>& components) {
   std::string axes;
   for (std::size_t k = 0; k < components.size(); ++k)
@@ -102,7 +101,7 @@ Rows body_rows(const Scene& scene) {
   return rows;
 }
 
-/// At the end of the run; gravity may vary.
+/// Gravity at the end of the run.
 std::string gravity_text(const Scene& scene) {
   std::string text;
   for (std::size_t k = 0; k < static_cast<std::size_t>(scene.dim); ++k)
@@ -110,7 +109,6 @@ std::string gravity_text(const Scene& scene) {
   return text + " m/s² at the end";
 }
 
-/// With the method of the file.
 std::string contact_text(const SceneFile& file) {
   const std::string of_file(name(file.scene.contact));
   if (file.scene.contact != ContactLaw::published) return of_file + "; --set contact=LAW changes it";
@@ -251,7 +249,7 @@ bool describe_language(const std::string& name, bool json, std::ostream& out) {
   throw UsageError(unknown_name("name", name, names) + "; `taut list` shows the kinds of names");
 }
 
-/// A path counts as a scene even if missing.
+/// A path counts as a scene, even if missing.
 bool is_scene(const std::string& name) {
   if (name.ends_with(".toml") || name.find('/') != std::string::npos) return true;
   for (const std::string& known : scene_names())

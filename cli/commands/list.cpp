@@ -17,7 +17,7 @@
 namespace taut::cli {
 namespace {
 
-/// A list: one object per row, with equal keys; the first is the name.
+/// Rows are objects with equal keys, the name first.
 struct Listing {
   std::string_view kind;
   Json (*rows)();
@@ -54,7 +54,6 @@ Json of_language() {
   return as_objects(rows());
 }
 
-/// Each equation once, with its first description.
 Json equation_rows() {
   Json rows = Json::array();
   for (const MethodInfo& m : methods()) {
@@ -101,7 +100,6 @@ const Listing& find_listing(const std::string& kind) {
   throw UsageError(unknown_name("list of", kind, kinds()));
 }
 
-/// Kinds with their number and command.
 int list_kinds(std::ostream& out) {
   std::vector<std::vector<std::string>> rows;
   for (const Listing& l : listings) {

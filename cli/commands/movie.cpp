@@ -27,7 +27,7 @@ struct MovieArguments {
   bool orbit = false;
 };
 
-/// Requires frames without a gap, where ffmpeg would stop silently.
+/// Requires frames without a gap; ffmpeg would stop there silently.
 int count_frames(const fs::path& folder) {
   const int count = static_cast<int>(picture_names(folder).size());
   if (!fs::exists(folder / frame_name(0)))
@@ -63,7 +63,7 @@ class ScratchFolder {
   fs::path path_;
 };
 
-/// Draws the run from all sides. False if interrupted.
+/// Returns false if interrupted.
 bool draw_orbit(const fs::path& folder, const fs::path& frames, std::ostream& err) {
   SavedRun run = open_saved_run(folder);
   run.file.drawing.orbit = true;
@@ -72,7 +72,7 @@ bool draw_orbit(const fs::path& folder, const fs::path& frames, std::ostream& er
   return redraw(run, frames, 0, progress).all;
 }
 
-/// ffmpeg options. Videos need even sides, hence a white edge; GIFs need few colours.
+/// Videos need even sides, hence a white edge; GIFs need few colours.
 std::vector<std::string> encoding(const std::string& extension) {
   if (extension == ".gif")
     return {"-vf", "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=none"};
@@ -89,7 +89,7 @@ std::vector<std::string> arguments_of(const MovieArguments& options, const fs::p
                                      "-framerate", exact(options.fps), "-i",        "frame_%05d.png"};
   const std::vector<std::string> rest = encoding(movie.extension().string());
   arguments.insert(arguments.end(), rest.begin(), rest.end());
-  arguments.push_back("file:" + movie.string());  // else a ':' would name a protocol
+  arguments.push_back("file:" + movie.string());  // prevents a protocol
   return arguments;
 }
 

@@ -7,12 +7,11 @@
 
 namespace taut::cli {
 
-/// Options of pictures of stored results.
 struct PictureOptions {
   std::vector<std::string> results;
   std::string out;
 
-  /// `formats`: file names such as "chart.png|chart.svg".
+  /// `formats`: such as "chart.png|chart.svg".
   void declare(Options& command, const std::string& formats, bool needed = true) {
     command
         .add_argument("RESULTS.csv", results,

@@ -21,7 +21,6 @@ struct PlotArguments {
   std::string x = "t", out;
 };
 
-/// Reads the scene beside the run's run.json.
 Scene scene_of(const StoredRun& run) {
   const RunFolder folder(fs::path(run.file).parent_path());
   std::error_code error;
@@ -37,7 +36,6 @@ std::vector<std::string> default_columns(const Scene& scene) {
   return names.empty() ? std::vector<std::string>{"total_energy"} : names;
 }
 
-/// An axis must have one unit.
 void refuse_two_units(const std::string& column, const StoredRun& run, const Scene& scene,
                       const StoredRun& first, const Scene& of_first) {
   const std::string unit = history_unit(column, scene), before = history_unit(column, of_first);

@@ -30,7 +30,7 @@ struct RenderArguments : DrawingOptions {
 
 bool is_lock(const fs::path& file) { return file.filename() == run_lock_name; }
 
-/// Requires a folder without other files.
+/// Refuses folders with other files.
 void check_for_frames(const fs::path& folder) {
   if (!fs::exists(folder)) return;
   if (!fs::is_directory(folder)) throw UsageError("'" + folder.string() + "' is not a folder");
@@ -42,12 +42,12 @@ void check_for_frames(const fs::path& folder) {
 
 void clear_for_frames(const fs::path& folder) {
   make_folders(folder);
-  check_for_frames(folder);  // another program may have changed it
+  check_for_frames(folder);  // may have changed
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (!is_lock(entry.path())) fs::remove(entry.path());
 }
 
-/// Removes old frames; in the run's folder also updates scene.toml.
+/// Removes old frames; updates scene.toml in the run's folder.
 fs::path prepare(const RenderArguments& options, SavedRun& run) {
   if (options.out) {
     clear_for_frames(*options.out);
@@ -55,7 +55,7 @@ fs::path prepare(const RenderArguments& options, SavedRun& run) {
   }
   run.folder.check();
   const std::string scene = resolved_text(run.file, run.folder.path());
-  // a continued run would draw its frames differently
+  // a continued run would draw differently
   if (fs::exists(run.folder.checkpoint()) && read_whole(run.folder.scene()) != scene)
     throw UsageError("the run in '" + run.folder.path().string() +
                      "' is not finished, so its frames cannot change; "
@@ -65,7 +65,7 @@ fs::path prepare(const RenderArguments& options, SavedRun& run) {
   return run.folder.frames();
 }
 
-/// The run's folder, that of another run's frames/, or a folder of frames.
+/// The run's folder, or that of the frames or of their run.
 fs::path folder_to_lock(const RenderArguments& options) {
   if (!options.out) return options.run;
   check_for_frames(*options.out);
@@ -74,13 +74,13 @@ fs::path folder_to_lock(const RenderArguments& options) {
 
 int render(const RenderArguments& options, Streams streams) {
   check_threads(options.threads);
-  SavedRun run = open_saved_run(options.run);  // before locking: must be a run
+  SavedRun run = open_saved_run(options.run);  // checks that it is a run
   const FolderLock lock(folder_to_lock(options), FolderLock::Of::run, "taut render", streams.err);
-  run = open_saved_run(options.run);  // another program may have changed it
+  run = open_saved_run(options.run);  // may have changed
   run.file.drawing = with_options(run.file.drawing, options);
   suit(run.file.drawing, run.file);
   run.file.drawing.orbit = options.orbit;
-  check_redrawing(run);  // before removing anything
+  check_redrawing(run);  // before anything is removed
   const fs::path folder = prepare(options, run);
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
   const auto [frames, all] = redraw(run, folder, options.threads, progress);

@@ -19,10 +19,10 @@ struct SessionArguments : RunOptions {
 
 struct Answer {
   int code = exit_fine;  // of an error
-  bool going = true;     // continue
+  bool going = true;
 };
 
-/// Scripts get "ok" after an answer; a terminal has its prompt.
+/// "ok" ends an answer for scripts; a terminal shows a prompt.
 Answer answer(Session& session, const std::string& line, const Dialogue& to, bool typed) {
   const auto fail = [&](const std::string& message, int code) {
     to.out << "error: " << message << '\n';
@@ -64,7 +64,7 @@ int converse(const SessionArguments& options, Streams streams) {
       if (!streams.out.flush()) throw OutputError("standard output", "cannot be written");
       return one;
     }();
-    // a script's remaining lines rely on the interrupted one
+    // a script's next lines rely on this one
     if (Interrupts::asked() && (!typed || Interrupts::asked_to_end())) return Interrupts::exit_code();
     if (options.strict && given.code != exit_fine) return given.code;
     if (!given.going) break;

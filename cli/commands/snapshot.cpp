@@ -42,7 +42,7 @@ void declare_options(Options& command, SnapshotArguments& o) {
   command.add_flag("--quiet", o.quiet, "print no progress on stderr");
 }
 
-/// Resolves links and removes a final slash, for comparison.
+/// Resolves links, removes a final slash.
 fs::path plain_path(const fs::path& path) { return (fs::weakly_canonical(path) / "").parent_path(); }
 
 void check_baseline(const SnapshotArguments& options, const fs::path& run_folder) {
@@ -67,7 +67,7 @@ struct Result {
   std::string text;
   Json json = json_answer("snapshot");
   std::vector<TestCase> cases;
-  std::string worst;  // most different picture, may be empty
+  std::string worst;  // may be empty
 };
 
 void update(const SnapshotArguments& options, const RunFolder& run, Result& result) {
@@ -102,7 +102,7 @@ int snapshot(SnapshotArguments options, Streams streams) {
   tell(plan.file, streams.err);
   check_baseline(options, plan.folder.path());
   const FolderLock lock(plan.folder.path(), FolderLock::Of::run, "taut snapshot", streams.err);
-  plan.folder.check();  // another program may have changed it
+  plan.folder.check();  // may have changed
   const Interrupts interrupts;
   Progress progress(streams.err, progress_style(streams.err, options.quiet));
   const RunResult run = run_scene(plan, interrupts, progress, setup.seconds());

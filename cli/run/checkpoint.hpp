@@ -19,7 +19,7 @@ struct Checkpoint {
   std::optional<double> spacing_asked;  // m
   double every = 0;                     // simulated time, s
   bool draws = true;
-  std::string state;  // empty: the run is at its start
+  std::string state;  // empty: at the start
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -37,10 +37,10 @@ struct CheckpointHeader {
   int format = format_of("checkpoint.bin");
 };
 
-/// Replaces the file atomically; it ends with a checksum. Throws OutputError.
+/// Replaces the file atomically, with a checksum. Throws OutputError.
 void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint, CheckpointHeader header = {});
 
-/// Throws UsageError for a damaged file or another format.
+/// Throws UsageError for damage or another format.
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
 }  // namespace taut::cli

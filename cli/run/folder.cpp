@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-constexpr std::string_view head_of_record = "{\n  \"taut\": \"";  // as written by `to_json`
+constexpr std::string_view head_of_record = "{\n  \"taut\": \"";  // as in `to_json`
 
 /// Includes temporary files.
 bool is_particle_file(const fs::path& path) {
@@ -51,7 +51,7 @@ void RunFolder::check() const {
       throw UsageError("'" + inner.string() +
                        "' is a link; files would be written and removed in its target; " +
                        "remove it or name another folder with --out");
-  // left by a run killed at its start
+  // a run was killed at its start
   const bool begun = holds_only({run_lock_name, record().filename().string() + ".tmp"});
   if (!read_record(record()) && !begun && !is_damaged())
     throw UsageError("'" + path_.string() +

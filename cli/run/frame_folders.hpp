@@ -13,10 +13,10 @@ class Options;
 class Json;
 struct TestCase;
 
-/// Sorted PNG names; none if the folder does not exist.
+/// Sorted PNG names, possibly none.
 std::vector<std::string> picture_names(const std::filesystem::path& folder);
 
-/// The frames of a run folder, else `folder` itself.
+/// The frames of a run folder, else `folder`.
 std::filesystem::path frames_of(const std::filesystem::path& folder);
 
 struct PictureDifference {
@@ -28,14 +28,14 @@ struct PictureDifference {
 struct FolderDifference {
   std::vector<std::string> only_in_a, only_in_b;
   std::vector<PictureDifference> pictures;  // in both folders
-  std::string worst;                        // most different picture, may be empty
+  std::string worst;                        // may be empty
   render::ImageDifference at_worst;
 
   int different() const;
   bool alike() const { return only_in_a.empty() && only_in_b.empty() && different() == 0; }
 };
 
-/// Throws UsageError for an unreadable picture or different sizes.
+/// Throws UsageError for unreadable pictures or different sizes.
 FolderDifference compare_folders(const std::filesystem::path& a, const std::filesystem::path& b,
                                  const render::DifferenceLimit& limit);
 
@@ -46,10 +46,9 @@ struct DifferenceOptions {
 void declare_difference_options(Options& command, DifferenceOptions& options);
 render::DifferenceLimit limit_of(const DifferenceOptions& options);
 
-/// Begins with "alike" or "different".
 std::string difference_report(const render::ImageDifference& difference,
                               const render::DifferenceLimit& limit);
-/// `a` and `b`: folder names in the text.
+/// `a`, `b`: names of the folders.
 std::string difference_report(const FolderDifference& difference, const std::string& a, const std::string& b);
 
 Json pictures_json(const FolderDifference& difference);

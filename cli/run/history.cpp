@@ -8,7 +8,6 @@
 namespace taut::cli {
 namespace {
 
-/// The exact solution that the line's measures use.
 Solution reference_of(const SampleLine& line, const Scene& scene, const std::string& law) {
   const auto reference = scene.references.find(law);
   if (reference == scene.references.end()) return {};

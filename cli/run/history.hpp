@@ -17,7 +17,6 @@ std::vector<std::string> history_columns(const Scene& scene);
 /// Empty for a number.
 std::string history_unit(const std::string& column, const Scene& scene);
 
-/// File length at the time of a checkpoint.
 struct SavedLength {
   std::int64_t length = 0;  // bytes
 
@@ -34,13 +33,13 @@ struct SavedLength {
 /// history.csv: a row per history time, in SI units, written immediately.
 class History {
  public:
-  /// Opens an empty file, or the file of a run to be loaded.
+  /// `start` selects an empty file, or that of a run to be loaded.
   History(const std::filesystem::path& path, const Scene& scene,
           AppendFile::Start start = AppendFile::Start::empty);
 
   /// Step of the last row; −1: none.
   long last_step() const { return last_step_; }
-  /// Adds a row, unless the last row is for the same step.
+  /// Adds a row, unless the step has one.
   void add(const Simulation& simulation, const Balance& balance, int pieces, const Readings& readings);
 
   template <class Archive>
@@ -56,18 +55,18 @@ class History {
   AppendFile file_;
   SavedLength saved_;
   int dim_;
-  bool works_, damps_;  // has external work, has damping
+  bool works_, damps_;
   long last_step_ = -1;
 };
 
-/// lines.csv: a row per point of each line sample, in SI units, written immediately. `reference`: exact solution of
-/// the method's law, or empty.
+/// lines.csv: a row per point of each sample, in SI units, written immediately; `reference`: exact solution of the
+/// method's law, or empty.
 class LineSamplesFile {
  public:
   LineSamplesFile(const std::filesystem::path& path, const Scene& scene, const std::string& law,
                   AppendFile::Start start = AppendFile::Start::empty);
 
-  /// Writes the samples added since the last call.
+  /// Writes new samples.
   void add(const std::vector<std::vector<LineSample>>& samples);
 
   template <class Archive>

@@ -10,7 +10,7 @@
 namespace taut::cli {
 namespace {
 
-/// A property of a run, comparable by `name`.
+/// Property of a run, comparable by `name`.
 struct Remark {
   std::string name, text;
   bool operator==(const Remark&) const = default;
@@ -21,7 +21,6 @@ std::string spacing_text(double spacing) {
   return "dp = " + brief(spacing * scale.factor) + " " + scale.unit;
 }
 
-/// Adds settings that are not the method's defaults.
 void add_settings(std::vector<Remark>& remarks, const SceneFile& file) {
   const MethodInfo& method = *find_method(file.settings.method);
   for (const MethodConstant& constant : method_constants(method.formulation, file.scene.dim)) {

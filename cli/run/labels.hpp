@@ -9,13 +9,13 @@
 namespace taut::cli {
 
 struct RunLabels {
-  std::string title, note;               // common to all runs
-  std::vector<render::Heading> columns;  // differences between the runs
+  std::string title, note;               // of all runs
+  std::vector<render::Heading> columns;  // differences
 };
 
 RunLabels label_runs(const std::vector<SavedRun>& runs);
 
-/// "t = 1.5 ms": one unit, with the fewest decimals that are exact for all times.
+/// "t = 1.5 ms": in one unit, with the fewest exact decimals.
 std::vector<std::string> time_labels(const std::vector<double>& times, double until);
 
 }  // namespace taut::cli

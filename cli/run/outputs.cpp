@@ -24,10 +24,10 @@ class OutputOf : public RunOutput {
   void load(Loader& loader) final { loader(static_cast<Kind&>(*this)); }
 };
 
-/// Judgements after the initial one, independent of the rows, which cost less.
+/// Judgements cost more than rows, and are independent of them.
 constexpr int judged_parts = 200;
 
-/// history.csv, drift, indicators, verdict. Rows between judgements repeat the last indicators.
+/// history.csv, drift, verdict, indicators, which rows repeat between judgements.
 class HistoryOutput final : public OutputOf<HistoryOutput> {
  public:
   HistoryOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)
@@ -107,7 +107,6 @@ LineRecorder start_lines(const SceneFile& file, const Simulation& simulation) tr
   throw locate(file, e);
 }
 
-/// Measures and lines.csv.
 class MeasuresOutput final : public OutputOf<MeasuresOutput> {
  public:
   MeasuresOutput(const RunPlan& plan, const Simulation& simulation, LastStep& last_step, RunResult& result)
@@ -203,7 +202,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
     frames_.finish();
     const int count = frames_.kept();
     if (count == 0) return true;
-    // an interrupted run is drawn too
+    // draw also after an interrupt
     const bool asked_before = interrupts.asked();
     progress.begin("drawing " + std::to_string(count) + " frames");
     const bool all = frames_.draw_kept([&](int drawn) {
@@ -232,7 +231,7 @@ class FramesOutput final : public OutputOf<FramesOutput> {
   Agenda agenda_;
   Frames frames_;
   std::optional<render::View> unseen_;
-  int on_disk_ = 0;  // number of frames
+  int on_disk_ = 0;
 };
 
 class ParticlesOutput final : public OutputOf<ParticlesOutput> {

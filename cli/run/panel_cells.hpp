@@ -7,13 +7,13 @@
 
 namespace taut::cli {
 
-/// One picture; empty after the end of the run.
 struct PanelCell {
   std::optional<ColoredParticles> particles;
-  std::string remark;  // in the corner of particles, else in the middle
+  std::string remark;  // in the corner, or in the middle without particles
 };
 
-/// Particles nearest to `time` (s); a remark shows a different time. `until` (s) sets the unit.
+/// Particles nearest to `time` (s), with their time if different, in the unit of `until` (s). None after the run's
+/// end.
 PanelCell cell_at(const SavedRun& run, double time, double until, const Drawing& drawing,
                   const Origins& origins);
 

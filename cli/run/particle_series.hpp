@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// Writes one atomic file per time, and their index.
+/// Writes atomic files, one per time, and their index.
 class ParticleSeries {
  public:
   /// Adds its time to `seconds`.
@@ -31,7 +31,7 @@ class ParticleSeries {
   RunFolder folder_;
   Seconds& seconds_;
   std::vector<double> times_;  // s
-  std::size_t on_disk_ = 0;    // number of files
+  std::size_t on_disk_ = 0;
   std::size_t indexed_ = 0;
 };
 

@@ -34,7 +34,6 @@ void check_methods(const std::vector<Setting>& settings) {
       throw UsageError(unknown_name("method", setting.value, names));
 }
 
-/// Refuses an option together with --set.
 void refuse_second(const std::vector<Setting>& settings, const std::string& name) {
   if (std::ranges::find(settings, name, &Setting::name) != settings.end())
     throw UsageError(fmt::format("--{0} and --set {0}=... set the same value; leave one of them out", name));
@@ -65,7 +64,6 @@ double history_interval(const RunOptions& options, const SceneFile& file) {
   return interval;
 }
 
-/// For the folder name.
 std::string value_in(const SceneFile& file, const Setting& setting) {
   constexpr std::string_view prefix = "method.";
   const auto parameter = std::ranges::find(file.parameters, setting.name, &Parameter::name);
@@ -79,11 +77,11 @@ std::string value_in(const SceneFile& file, const Setting& setting) {
   if (setting.name == "law") return file.settings.law;
   if (setting.name == "contact") return std::string(name(file.scene.contact));
   if (setting.name == "stepping") return file.settings.stepping == Stepping::single ? "single" : "dual";
-  // the requested spacing
+  // as requested
   return parsed<double>(setting.value) ? setting.value : exact(file.spacing_asked);
 }
 
-/// Folder of the run that wrote this scene.toml.
+/// The run folder of this scene.toml.
 std::optional<std::filesystem::path> left_by(const SceneFile& file) {
   const RunFolder folder(std::filesystem::absolute(file.path).parent_path());
   std::error_code error;
@@ -92,12 +90,11 @@ std::optional<std::filesystem::path> left_by(const SceneFile& file) {
   return folder.path();
 }
 
-/// Differences from the scene's defaults and published constants, such as "-v0=0.08-spacing=0.002"; different runs
-/// get different folders.
+/// Differences from defaults and published constants, such as "-v0=0.08-spacing=0.002", to separate folders.
 std::string changes_text(const RunOptions& options, const SceneFile& file) {
   constexpr std::size_t longest = 120;
   std::vector<Setting> method;
-  std::map<std::string, Setting> last;  // the last setting of a name counts
+  std::map<std::string, Setting> last;  // of equal names the last counts
   for (const Setting& setting : options.settings)
     if (setting.name == "method")
       method = {setting};
@@ -128,7 +125,6 @@ std::string default_folder(const RunOptions& options, const SceneFile& file) {
   return "out/" + file.scene.name + "-" + file.settings.method + changes_text(options, file);
 }
 
-/// Warns about options without effect.
 std::string no_use(const RunOptions& options) {
   if (!options.no_render) return "";
   std::vector<std::string> names;
@@ -177,7 +173,7 @@ std::vector<const Field*> particle_fields(const RunOptions& options, int dim) {
 
 namespace {
 
-/// Normalises a number; keeps an expression.
+/// Expressions are left to the scene.
 std::string number_or_expression(const std::string& text) {
   const auto number = parsed<double>(text);
   return number ? exact(*number) : text;
@@ -248,7 +244,7 @@ void declare_particle_options(Options& command, RunOptions& o) {
 }
 
 void check_threads(int threads) {
-  constexpr int few = 8;  // per core; more would wait
+  constexpr int few = 8;  // per core
   const int most = std::max(2 * few, few * cores());
   if (threads > most)
     throw UsageError("--threads is " + std::to_string(threads) + "; at most " + std::to_string(most) +

@@ -27,28 +27,25 @@ struct RunOptions {
   std::vector<std::string> fields;  // to save; none: all
 };
 
-/// --method, --set, --spacing, --until.
 void declare_setting_options(Options& command, RunOptions& options);
-/// --frames, --every, --history and the drawing options.
 void declare_output_options(Options& command, RunOptions& options);
 
-/// --save-particles, --fields.
 void declare_particle_options(Options& command, RunOptions& options);
 
-/// Throws UsageError for far more threads than cores.
+/// Throws UsageError for too many threads.
 void check_threads(int threads);
-/// Reads the scene with its settings. Throws UsageError and SceneError.
+/// Throws UsageError and SceneError.
 SceneFile scene_to_run(const RunOptions& options);
 
 void tell(const SceneFile& file, std::ostream& err);
 
-/// Checks all input; does not change the run folder. Throws UsageError and SceneError.
+/// Checks all input without changing the run folder. Throws UsageError and SceneError.
 RunPlan make_plan(const RunOptions& options);
 
 /// None: particles are not saved.
 std::vector<const Field*> particle_fields(const RunOptions& options, int dim);
 
-/// Throws UsageError for an unknown verdict or `stable`.
+/// Throws UsageError for unknown names and `stable`.
 std::optional<Verdict> parse_verdict(const std::optional<std::string>& text);
 
 }  // namespace taut::cli

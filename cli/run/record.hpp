@@ -22,9 +22,9 @@ struct RunRecord {
   enum class Status { running, finished, interrupted, failed };
 
   std::string scene, method, material_law;
-  std::string remark;                  // warnings, usually empty
+  std::string remark;                  // warnings
   std::optional<std::string> contact;  // of several bodies or walls
-  std::string stepping;                // dual or single
+  std::string stepping;                // "dual" or "single"
   double cfl = 0;                      // factor of the time step
   std::vector<Parameter> parameters;
   int dim = 2;
@@ -53,13 +53,13 @@ struct RunRecord {
   std::optional<double> particle_steps_per_second() const;
 };
 
-/// Explains an energy drift of 1 % or more; else empty.
+/// Explains an energy drift of 1 % or more.
 std::string energy_note(const RunRecord& record);
 
-/// null: unknown or not finite.
+/// Unknown and non-finite values become null.
 Json to_json(const RunRecord& record);
 
-/// Empty members: missing or null keys.
+/// Missing and null keys give empty members.
 struct StoredRecord {
   std::string version;  // of taut
   std::optional<RunRecord::Status> status;
@@ -69,12 +69,11 @@ struct StoredRecord {
   Json all;
 };
 
-/// None without a file. Throws UsageError with file and key for an invalid record.
+/// None without a file. Throws UsageError with file and key for invalid records.
 std::optional<StoredRecord> checked_record(const std::filesystem::path& file);
-/// None for an invalid record.
+/// None for invalid records.
 std::optional<StoredRecord> read_record(const std::filesystem::path& file);
 
-/// Processor name, or "unknown".
 std::string machine_name();
 
 }  // namespace taut::cli

@@ -17,7 +17,6 @@ struct Redrawn {
   bool all = true;
 };
 
-/// `threads` = 0: all cores.
 Redrawn redraw(const SavedRun& run, const std::filesystem::path& folder, int threads, Progress& progress);
 
 }  // namespace taut::cli

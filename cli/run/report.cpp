@@ -19,7 +19,7 @@ std::string with_unit(std::optional<double> value, const std::string& unit) {
   return brief(*value) + (unit.empty() || unit == "1" ? "" : " " + unit);
 }
 
-/// Relative error; in the measure's unit if the reference is 0 or a table.
+/// Relative; in the measure's unit if the reference is 0 or a table.
 std::string error(const MeasureResult& m) {
   const bool relative = m.error && m.reference && *m.reference != 0;
   return relative ? percent(*m.error) : with_unit(m.error, m.unit);
@@ -57,7 +57,6 @@ std::string heading(const RunRecord& record) {
   return text + "\n";
 }
 
-/// Empty if the scene has no reference at all.
 std::string missing_reference(const SceneFile& file, const RunRecord& record, const std::string& measure) {
   std::vector<std::string> laws;
   for (const auto& [law, reference] : file.scene.references)
@@ -69,7 +68,7 @@ std::string missing_reference(const SceneFile& file, const RunRecord& record, co
   return unmet == file.unmet_references.end() ? "" : "the scene's reference " + unmet->second;
 }
 
-/// Measures with the same explanation share a line.
+/// Measures with one explanation share a line.
 std::string notes_on_references(const SceneFile& file, const RunRecord& record) {
   std::vector<std::pair<std::string, std::string>> notes;  // explanation, measures
   for (const MeasureResult& m : record.measures) {
@@ -107,7 +106,7 @@ double speed(const Snapshot& now, std::size_t particle) {
   return std::sqrt(sum);
 }
 
-/// The first particle with a non-finite speed, else the fastest.
+/// First particle of non-finite speed, else the fastest.
 std::size_t worst_particle(const Snapshot& now) {
   std::size_t worst = 0;
   for (std::size_t i = 0; i < now.size(); ++i) {

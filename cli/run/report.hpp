@@ -8,14 +8,12 @@
 
 namespace taut::cli {
 
-/// Final text of `taut run`.
 std::string run_report(const RunPlan& plan, const RunResult& result);
 
-/// `fail_on`: mildest failing verdict; without it, only divergence fails.
+/// `fail_on`: mildest failing verdict; default: diverged.
 int exit_code(const RunResult& result, const std::optional<Verdict>& fail_on = {});
 
 std::string describe_divergence(const NumericalError& error);
-/// For a diverged state: energy and fastest particle.
 std::string describe_divergence(const Snapshot& now, const Balance& sums);
 
 }  // namespace taut::cli

@@ -11,7 +11,6 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-/// Throws if `folder` is not a run or is complete.
 void check_something_is_left(const RunFolder& folder, const std::optional<StoredRecord>& record) {
   std::error_code error;
   const std::string name = '\'' + folder.path().string() + '\'';
@@ -34,7 +33,6 @@ void check_same_scene(const Checkpoint& checkpoint, const RunFolder& folder, con
                      ": it is from another scene, or the scene was changed");
 }
 
-/// Original options, as known.
 RunOptions stored_options(const RunFolder& folder, const std::optional<Checkpoint>& checkpoint,
                           const RunOptions& given) {
   RunOptions options;
@@ -55,7 +53,7 @@ RunOptions stored_options(const RunFolder& folder, const std::optional<Checkpoin
   return options;
 }
 
-/// First option that would change `plan`, which was made from `stored`; or "".
+/// First option that would change `plan`, which `stored` gave; or "".
 std::string what_differs(const RunOptions& given, const RunOptions& stored, const RunPlan& plan) {
   std::error_code error;
   if (given.out && !fs::equivalent(*given.out, plan.folder.path(), error)) return "--out " + *given.out;

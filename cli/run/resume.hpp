@@ -6,12 +6,11 @@
 
 namespace taut::cli {
 
-/// Throws UsageError if `folder` has no run that can continue.
+/// Throws UsageError if the run cannot continue.
 void check_goes_on(const std::filesystem::path& folder);
 
-/// Continues the run in `folder` from its checkpoint, or from the start without one. Options `given` must agree with
-/// the run, except --threads; without a checkpoint file, they select frames, particles and checkpoints. Throws
-/// UsageError with the remedy.
+/// Continues the run in `folder` from its checkpoint, else from the start. Options `given` must agree with it, except
+/// --threads; without a checkpoint file, they select frames, particles and checkpoints. Throws UsageError.
 RunPlan resume_plan(const std::filesystem::path& folder, const RunOptions& given);
 
 }  // namespace taut::cli

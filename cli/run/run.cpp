@@ -103,7 +103,7 @@ RunResult Run::execute() {
   return std::move(result_);
 }
 
-/// Writes the files for a restart first: the run may be killed.
+/// Writes what a restart needs first: the run may be killed.
 void Run::begin() {
   write_atomically(plan_.folder.scene(), plan_.scene_text(), Kept::on_disk);
   plan_.checkpoint_every ? write_checkpoint("") : plan_.folder.clear_checkpoint();
@@ -143,7 +143,7 @@ void Run::open_files(AppendFile::Start start) {
   for (const auto& output : outputs_) output->open(start);
 }
 
-/// Other files are on disk first: the checkpoint refers to them.
+/// The checkpoint refers to other files; they are on disk first.
 void Run::save_checkpoint() {
   if (!plan_.checkpoint_every) return;
   put_on_disk();
@@ -199,7 +199,7 @@ void Run::step_through() {
     advance(std::min({next_output(), next_checkpoint_, record_.until}));
     const bool stopped = interrupts_.asked();
     show_what_is_due(false);
-    // after outputs, since they need the state before the step; before the final row of history.csv
+    // after outputs, which need the state before the step; before the final row
     const bool well = result_.failure.empty();
     if (well && (stopped || record_.reached >= next_checkpoint_)) save_checkpoint();
     going = well && !stopped && record_.reached < record_.until;
@@ -222,7 +222,6 @@ double Run::next_between_steps() const {
   return next;
 }
 
-/// Omits diverged states.
 void Run::show_what_is_due(bool at_end) {
   for (const auto& output : outputs_) {
     if (!result_.failure.empty()) return;
@@ -230,7 +229,7 @@ void Run::show_what_is_due(bool at_end) {
   }
 }
 
-/// Slices allow interrupts and do not change the steps.
+/// Slices allow interrupts and keep the steps.
 void Run::advance(double target) {
   while (record_.reached < target && !interrupts_.asked()) {
     const Stopwatch watch;
@@ -283,7 +282,6 @@ void Run::write_record() const { write_atomically(plan_.folder.record(), record_
 
 /// Tries even with a full disk or memory.
 void Run::save_failure(const std::string& reason) {
-  // only the first failure is reported
   const auto tried = [](const auto& work) {
     try {
       work();

@@ -30,7 +30,6 @@ struct RunPlan {
   std::string scene_text() const { return resolved_text(file, folder.path()); }
 };
 
-/// Scene errors get their place in the file.
 std::unique_ptr<Simulation> start(const SceneFile& file);
 
 struct RunResult {
@@ -39,8 +38,8 @@ struct RunResult {
   std::string failure;  // empty: none
 };
 
-/// Simulates `plan` into its folder. Throws OutputError; also the errors of make_simulation, before it changes the
-/// folder and calls `before_it_begins`. `setup_seconds`: already spent on the scene.
+/// Simulates `plan`. Throws OutputError; before changing the folder, also the errors of make_simulation.
+/// `setup_seconds` were spent on reading. `before_it_begins` precedes changes of the folder.
 RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress& progress,
                     double setup_seconds, const std::function<void()>& before_it_begins = {});
 

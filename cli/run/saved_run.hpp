@@ -12,17 +12,15 @@
 
 namespace taut::cli {
 
-/// A run with saved particles.
 struct SavedRun {
   RunFolder folder;
   SceneFile file;
   std::vector<ParticleFile> particles;  // in order of time
 };
 
-/// Throws UsageError if there are no particles.
+/// Throws UsageError if there are none.
 SavedRun open_saved_run(const std::filesystem::path& folder);
 
-/// Particles with their colour values.
 struct ColoredParticles {
   int dim = 2;
   double time = 0;                         // s
@@ -31,7 +29,7 @@ struct ColoredParticles {
   FrameView view() const;
 };
 
-/// `origins` belong to the run. UsageError if a field was not saved.
+/// `origins`: of the run. UsageError for a field that was not saved.
 ColoredParticles read_colored(const ParticleFile& file, const Drawing& drawing, const Origins& origins);
 
 }  // namespace taut::cli

@@ -33,10 +33,10 @@ class Agenda {
   std::size_t done_ = 0;
 };
 
-/// Slices of a run that take about 0.2 s, for interrupts.
+/// Slices of about 0.2 s, for interrupts.
 class Pace {
  public:
-  /// Starts with a millionth of the run, usually one step.
+  /// The first slice is usually one step.
   explicit Pace(double until) : slice_(1e-6 * until) {}
 
   double slice() const { return slice_; }  // s
