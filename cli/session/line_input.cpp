@@ -22,14 +22,14 @@ constexpr int lines_kept = 1000;
 LineInput::Complete complete_words;
 std::vector<std::string> found;
 
-/// The next element of `found`, freed by libedit; nullptr at the end.
+/// The next of `found`, freed by libedit; nullptr at the end.
 char* next_found(const char*, int state) {
   static std::size_t next = 0;
   if (state == 0) next = 0;
   return next < found.size() ? ::strdup(found[next++].c_str()) : nullptr;
 }
 
-/// nullptr: file name completion, or none if `rl_attempted_completion_over`.
+/// nullptr: file names, or none if `rl_attempted_completion_over`.
 char** complete_last_word(const char* last, int start, int) {
   std::istringstream before(std::string(rl_line_buffer, static_cast<std::size_t>(start)));
   std::vector<std::string> words;
@@ -44,7 +44,7 @@ char** complete_last_word(const char* last, int start, int) {
   return found.empty() ? nullptr : rl_completion_matches(last, next_found);
 }
 
-/// XDG base directory specification; empty: none.
+/// As in the XDG base directory specification; may be empty.
 fs::path history_file() {
   const char* const state = std::getenv("XDG_STATE_HOME");
   const char* const home = std::getenv("HOME");
@@ -59,17 +59,17 @@ LineInput::LineInput(Complete complete) : typed_(::isatty(STDIN_FILENO) && ::isa
   if (!typed_) return;
   complete_words = std::move(complete);
   rl_readline_name = "taut";
-  rl_catch_signals = 1;  // restores the terminal for signal handlers
+  rl_catch_signals = 1;  // restores the terminal for signals
   rl_basic_word_break_characters = " \t";
   rl_attempted_completion_function = complete_last_word;
   using_history();
   stifle_history(lines_kept);
-  read_history(history_file().c_str());  // may not exist
+  read_history(history_file().c_str());
 }
 
 LineInput::~LineInput() {
   if (!typed_) return;
-  std::error_code ignored;  // failures are not reported
+  std::error_code ignored;
   const fs::path file = history_file();
   fs::create_directories(file.parent_path(), ignored);
   write_history(file.c_str());

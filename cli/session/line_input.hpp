@@ -9,7 +9,7 @@
 
 namespace taut::cli {
 
-/// Lines of stdin. On a terminal, with editing, completion and a saved history.
+/// Lines of stdin; on a terminal with editing, completion and a saved history.
 class LineInput {
  public:
   /// Completes the last word, which may be empty.
@@ -20,9 +20,8 @@ class LineInput {
   LineInput(const LineInput&) = delete;
   LineInput& operator=(const LineInput&) = delete;
 
-  /// Whether stdin and stdout are a terminal.
   bool is_typed() const { return typed_; }
-  /// None at the end or after a request to terminate. Ctrl-C discards a partial line.
+  /// None at the end or when asked to terminate. Ctrl-C discards a partial line.
   std::optional<std::string> next();
 
  private:

@@ -15,7 +15,7 @@
 
 namespace taut::cli {
 
-/// An interactive simulation. Every member throws UsageError for invalid input, without changing anything.
+/// An interactive simulation. Members throw UsageError for wrong input, and then change nothing.
 class Session {
  public:
   /// Also throws SceneError.
@@ -24,34 +24,32 @@ class Session {
   const SceneFile& file() const { return file_; }
   const Simulation& simulation() const { return *simulation_; }
 
-  /// Both stop at an interrupt, and throw NumericalError if the simulation diverges.
+  /// Both stop at an interrupt, and throw NumericalError.
   void step(long count, const Interrupts& interrupts);
-  /// Runs to the first step at or past `t`; `shown` then gives the state at `t`.
+  /// Runs to the first step at or past `t`; then shows `t` exactly.
   void run_until(double t, const Interrupts& interrupts, Progress& progress);
 
   const Snapshot& shown() const { return between_ ? *between_ : simulation_->snapshot(); }
 
-  /// Changes cfl or a method constant that does not affect the initial configuration.
+  /// Changes cfl, or constants without effect on the initial configuration.
   void set(const Setting& setting);
   std::vector<std::string> names_to_change() const;
 
-  /// Sets a drawing key from text.
   void set_look(const DrawingKey& key, const std::string& text);
   /// Moves the view, m.
   void pan(double dx, double dy);
-  /// Enlarges by `factor` > 0 about the centre of the view.
+  /// Enlarges by `factor` > 0.
   void zoom(double factor);
-  /// Orbits the camera of a 3D scene, degrees.
+  /// Turns the 3D camera, degrees.
   void orbit(double right, double upwards);
-  /// Current drawing with automatic values filled in.
+  /// Fills in automatic values.
   Drawing drawing() const;
-  /// Writes a frame as `taut run` would.
   void frame(const std::filesystem::path& file) const;
   /// `drawing` must be complete.
   render::Image picture(const Drawing& drawing) const;
 
   void save(const std::filesystem::path& file) const;
-  /// Loads a state saved with the same scene and method.
+  /// Loads a state of the same scene and method.
   void load(const std::filesystem::path& file);
 
  private:
@@ -60,9 +58,9 @@ class Session {
   RunOptions options_;
   SceneFile file_;
   Drawing drawing_;
-  std::optional<render::View> window_;  // 3D view after pan or zoom
+  std::optional<render::View> window_;  // in 3D, after pan or zoom
   std::unique_ptr<Simulation> simulation_;
-  std::optional<Snapshot> between_;  // interpolated within the last step
+  std::optional<Snapshot> between_;  // within the last step
 };
 
 }  // namespace taut::cli

@@ -10,25 +10,24 @@
 
 namespace taut::cli {
 
-/// Environment of a session command.
 struct Dialogue {
-  std::ostream& out;  // for answers
+  std::ostream& out;  // answers
   const Interrupts& interrupts;
   Progress& progress;
 };
 
 struct SessionCommand {
   std::string name;
-  std::string arguments;  // for `help`
+  std::string arguments;
   std::string help;
   /// `words`: arguments.
   std::function<void(Session& session, const std::vector<std::string>& words, const Dialogue& to)> run;
 };
 
-/// In the order of `help`, including drawing keys.
+/// The commands in the order of `help`.
 std::span<const SessionCommand> session_commands();
 
-/// Runs one line; false for `quit`. Ignores empty lines and comments (#). Throws UsageError.
+/// Returns false for `quit`. Ignores empty lines and comments (#). Throws UsageError.
 bool run_session_line(Session& session, const std::string& line, const Dialogue& to);
 
 }  // namespace taut::cli

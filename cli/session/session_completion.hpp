@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// Completes the last of `words` in a partial line, from the commands and arguments in `help`.
+/// Completes the last of `words`, as in `help`.
 Choices session_choices(const Session& session, const std::vector<std::string>& words);
 
 }  // namespace taut::cli

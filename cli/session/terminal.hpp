@@ -9,18 +9,17 @@
 
 namespace taut::cli {
 
-/// Terminal on stdout: shows pixels (kitty, iTerm2, sixels) or coloured characters.
+/// Shows pixels (kitty, iTerm2, sixels) or coloured characters.
 class Terminal {
  public:
-  /// Throws UsageError unless `out` is a terminal.
+  /// Throws UsageError without a terminal.
   explicit Terminal(const std::ostream& out);
   ~Terminal();
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// Sets the picture size. Pictures of characters become bare.
+  /// Sets the size. Pictures of characters become bare.
   void suit(render::Look& look) const;
-  /// Terminal output of a picture, with a final line break.
   std::string text_of(const render::Image& image) const;
 
  private:

@@ -54,7 +54,7 @@ std::string machine_of(const StoredRun& run) {
          (threads == "1" ? " thread" : " threads");
 }
 
-/// With their methods, if there are several references and few methods.
+/// Includes methods if there are several references and few methods.
 std::vector<std::string> references_of(const StoredResults& results, const std::string& measure) {
   std::vector<std::pair<std::string, std::vector<std::string>>> methods;
   for (const StoredRun& run : results.runs) {
@@ -91,7 +91,6 @@ std::string common(const StoredResults& results, std::string_view column) {
   return value;
 }
 
-/// Settings common to all runs.
 std::vector<std::string> fixed_in(const StoredResults& results) {
   std::vector<std::string> all;
   const auto is_set = [&](std::string_view name) {
@@ -144,7 +143,7 @@ std::optional<double> convergence_order(const std::vector<ChartPoint>& points) {
     xx_sum += x * x;
     xy_sum += x * y;
   }
-  const double spread = n * xx_sum - x_sum * x_sum;  // n² times the variance, not 0: all spacings differ
+  const double spread = n * xx_sum - x_sum * x_sum;  // n² times the variance, not 0
   if (n < 2) return std::nullopt;
   return (n * xy_sum - x_sum * y_sum) / spread;
 }

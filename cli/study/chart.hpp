@@ -22,7 +22,7 @@ struct ChartRequest {
   std::string measure;  // empty: default
   Cost cost = Cost::seconds;
   std::vector<std::string> methods{};  // empty: all
-  std::string against{};               // method whose finest run is the reference; empty: the scene's
+  std::string against{};               // method whose finest run replaces references
 };
 
 struct ChartPoint {
@@ -45,29 +45,28 @@ struct ChartSeries {
 struct Chart {
   std::string title, scene, measure;
   std::string unit;      // of the errors; empty: a share
-  bool relative = true;  // errors are relative to the reference
+  bool relative = true;  // to the reference
   Cost cost = Cost::seconds;
   int dim = 2;
-  std::string against;                  // "oenog at 0.5 mm"; empty: the references
-  std::vector<std::string> fixed;       // "single stepping", "until = 0.3"
-  std::vector<ChartSeries> series;      // in order of the results
+  std::string against;             // "oenog at 0.5 mm"; empty: the references
+  std::vector<std::string> fixed;  // "single stepping", "until = 0.3"
+  std::vector<ChartSeries> series;
   std::vector<std::string> references;  // "finite elements (oenog, tl)"
   std::vector<std::string> machines;    // "AMD EPYC, 1 thread"
   int without_result = 0;               // unfinished runs
 };
 
-/// Reason for a missing error, such as "no reference" or the verdict; else empty.
+/// Why there is no error: such as "no reference", or the verdict.
 std::string without_error(const ChartPoint& point);
 
 /// "1.2 %" or "3 mm".
 std::string shown_error(const Chart& chart, double error);
 
-/// Slope of log error over log spacing of the stable runs, by least squares; none with fewer than two.
+/// Least-squares slope of log error over log spacing of stable runs; none for fewer than two.
 std::optional<double> convergence_order(const std::vector<ChartPoint>& points);
 
-/// The default measure has an error in most runs; at a tie, the scene's first. Measures `*_time` and errors with a
-/// unit come last. Throws UsageError for an unknown measure, or one without any error. Of repeated runs, the cheapest
-/// counts. A reference run has no point.
+/// The default measure has an error in most runs; `*_time` and errors with a unit come last. Throws UsageError for an
+/// unknown measure, or one without any error. Of repeated runs, the cheapest counts. Reference runs have no point.
 Chart make_chart(const StoredResults& results, const ChartRequest& request);
 
 }  // namespace taut::cli

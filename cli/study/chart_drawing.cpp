@@ -14,12 +14,11 @@
 namespace taut::cli {
 namespace {
 
-constexpr std::size_t most_series = 24;  // that fit into the legend
-// of axes; gnuplot needs some room beyond
+constexpr std::size_t most_series = 24;  // in the legend
+// gnuplot needs room beyond an axis
 constexpr double least = 1e-290, greatest = 1e290;
 constexpr double field = 520, row = 17, above = 52, below = 69, note = 21;
 
-/// Range of positive values.
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = 0;
 
@@ -28,7 +27,7 @@ struct Range {
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  /// Wide enough for two ticks.
+  /// Range wide enough for two ticks.
   Range wide() const {
     if (high == 0) return {0.13, 13};  // no tick at an end
     const double margin = std::max(1.4, std::sqrt(6 / (high / low)));
@@ -52,7 +51,6 @@ struct Layout {
 
   double foot() const { return below + note * notes; }
   double height() const { return above + row * strip_rows + field + foot(); }
-  /// Error coordinate in the strip.
   double in_strip(double rows_above_field) const {
     return error.high * std::pow(10, error.decades() * row * rows_above_field / field);
   }
@@ -79,7 +77,7 @@ Layout layout_of(const Chart& chart) {
   return layout;
 }
 
-/// At 1, 2, 5 of each decade; in long ranges only at powers of ten.
+/// Ticks at 1, 2, 5 of each decade; in long ranges at powers of ten.
 std::string ticks(const Range& range, std::string (*show)(double)) {
   const bool many = range.decades() > 3.5;
   const int step = static_cast<int>(range.decades() / 10) + 1;
@@ -116,7 +114,6 @@ std::string frame(const Chart& chart, const Layout& layout) {
   return text;
 }
 
-/// Strip of the runs without an error.
 std::string strip(const Layout& layout) {
   if (layout.strip_rows == 0) return "";
   std::string text = "set object rectangle from graph 0, first " + exact(layout.error.high) +
@@ -131,7 +128,7 @@ std::string strip(const Layout& layout) {
   return text;
 }
 
-/// At order p, error ∝ cost^(−p/(dim + 1)), since particles grow as 1/dp^dim and steps as 1/dp.
+/// At order p, error ∝ cost^(−p/(dim + 1)): particles grow as 1/dp^dim, steps as 1/dp.
 std::string guide(const Chart& chart, const Layout& layout, int order) {
   const double slope = -order / (chart.dim + 1.0);
   return exact(layout.error.centre()) + " * (x / " + exact(layout.cost.centre()) + ")**(" + exact(slope) +
@@ -139,7 +136,7 @@ std::string guide(const Chart& chart, const Layout& layout, int order) {
          " title 'slope of order " + std::to_string(order) + "'";
 }
 
-/// A thin line through all runs, a thick one through stable runs, and markers.
+/// Thin line through all runs, thick line through stable runs, markers.
 std::vector<std::string> curve(const Chart& chart, const Layout& layout, std::size_t k) {
   const auto& points = chart.series[k].points;
   const CurveStyle& style = layout.styles[k];

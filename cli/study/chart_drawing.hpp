@@ -7,11 +7,10 @@
 
 namespace taut::cli {
 
-/// One block per series, one line per run, coarse to fine.
+/// A block per series, a line per run, coarse to fine.
 std::string chart_data(const Chart& chart);
-/// Work-precision diagram: log error over log cost, a line per series, slopes of order 1 and 2. Unstable runs have
-/// thin lines and crossed open markers. Runs without an error are in a strip at the top. Throws UsageError for too
-/// many series.
+/// Work-precision diagram with a line per series, and slopes of order 1 and 2. Unstable runs have thin lines and
+/// crossed open markers; runs without an error form a strip at the top. Throws UsageError for too many series.
 std::string chart_script(const Chart& chart, const PlotFiles& files);
 
 }  // namespace taut::cli

@@ -14,7 +14,7 @@ struct ChartErrors {
   std::vector<const StoredRun*> against{};  // one reference per swept scene
   std::vector<std::string> swept{};         // names in which these scenes differ
 
-  /// nullptr if the run's scene has none.
+  /// nullptr if there is none.
   const StoredRun* reference_of(const StoredRun& run) const;
   std::optional<double> of(const StoredRun& run) const;
   /// Whether there is a value, with or without a reference.
@@ -24,12 +24,11 @@ struct ChartErrors {
   std::string unit(const StoredRun& run) const;
 };
 
-/// Chooses as make_chart().
 ChartErrors chosen_errors(const StoredResults& results, const ChartRequest& request);
 
 /// "measures.period.error".
 std::string measure_column(const std::string& measure, std::string_view what);
-/// "0.5 mm"
+/// "0.5 mm".
 std::string shown_spacing(double spacing);
 
 }  // namespace taut::cli

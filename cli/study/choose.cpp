@@ -57,7 +57,6 @@ std::string sources(const Chart& chart) {
   return "\nReference: " + join(chart.references, "; ") + "\nTime: " + join(chart.machines, "; ") + "\n";
 }
 
-/// All runs of the chosen method, and the cheapest of the others.
 std::string evidence(const Chart& chart, const std::vector<Offer>& all) {
   const std::vector<std::string> heading{"method", "spacing, m", "cfl", "error", "s", "verdict"};
   std::vector<std::vector<std::string>> own{heading}, others{heading};
@@ -74,7 +73,7 @@ std::string nothing_stable(std::optional<double> seconds) {
   return "There is no stable run with a measured error" + std::string(seconds ? " in this time" : "") + ".\n";
 }
 
-/// The one with the least error.
+/// The stable run with the least error.
 std::string nearest_run(const Chart& chart, const Wish& wish) {
   const ChartSeries* series = nullptr;
   const ChartPoint* nearest = nullptr;

@@ -8,7 +8,7 @@
 namespace taut::cli {
 namespace {
 
-// protects memory; files of taut are far smaller
+// protects memory
 constexpr std::size_t most_columns = 10000;
 constexpr std::uintmax_t most_mebibytes = 256;
 
@@ -84,7 +84,7 @@ CsvTable parse_csv(const std::string& text, const std::string& file) {
 
 CsvTable read_csv(const std::filesystem::path& path) {
   std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);  // a pipe has none
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (!error && size > most_mebibytes << 20)
     throw UsageError("'" + path.string() + "' has " + std::to_string(size >> 20) + " MiB; at most " +
                      std::to_string(most_mebibytes) + " MiB are allowed");

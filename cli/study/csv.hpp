@@ -11,9 +11,9 @@ struct CsvTable {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// RFC 4180. Throws UsageError with the line for a wrong number of cells.
+/// Parses RFC 4180. Throws UsageError for a wrong number of cells.
 CsvTable parse_csv(const std::string& text, const std::string& file);
-/// Throws UsageError, also for an unreadable file.
+/// Throws UsageError.
 CsvTable read_csv(const std::filesystem::path& path);
 
 std::string csv_cell(const std::string& text);

@@ -14,7 +14,7 @@
 namespace taut::cli {
 namespace {
 
-// Okabe and Ito, for colour-blind readers, with darker colours for yellow and black
+// Okabe and Ito, for colour-blind readers; darker for yellow and black
 constexpr std::array colors = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                "#56B4E9", "#E69F00", "#6A3D9A", "#444444"};
 // disc, square, triangle, diamond, inverted triangle, pentagon
@@ -25,7 +25,7 @@ constexpr std::array dashes = {1, 2, 4, 3, 5};
 constexpr std::array<std::array<double, 3>, 5> ramp = {
     {{68, 1, 84}, {62, 74, 137}, {38, 130, 142}, {53, 183, 121}, {144, 215, 65}}};
 constexpr std::array ramp_dashes = {1, 2, 4};
-constexpr std::size_t most_solid = 8;  // lines that differ in colour only
+constexpr std::size_t most_solid = 8;  // lines without dashes
 
 std::string ramp_color(double t) {
   const double place = t * (ramp.size() - 1);
@@ -37,7 +37,7 @@ std::string ramp_color(double t) {
   return color;
 }
 
-/// Index in the catalogue; arbitrary if unknown.
+/// Index in the catalogue, else any.
 std::size_t number_of(const std::string& method) {
   const auto all = methods();
   const auto found = std::ranges::find(all, method, &MethodInfo::name);
@@ -55,7 +55,7 @@ std::string CurveStyle::marker() const {
 
 std::vector<CurveStyle> curve_styles(const std::vector<std::string>& names) {
   std::vector<CurveStyle> all;
-  std::map<std::string, std::size_t> of_method, of_color;  // number of uses
+  std::map<std::string, std::size_t> of_method, of_color;  // uses
   for (const std::string& method : names) {
     const std::size_t k = number_of(method);
     CurveStyle style{.color = colors[k % colors.size()]};

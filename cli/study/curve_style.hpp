@@ -5,18 +5,18 @@
 
 namespace taut::cli {
 
-/// Style of a method in all pictures. Methods of one colour, and lines of one method, differ in dashes.
+/// A method has one style in all pictures. Lines of one method or colour differ in dashes.
 struct CurveStyle {
   std::string color;         // "#0072B2"
   int dash = 1;              // of gnuplot; 1: solid
-  int filled = 7, open = 6;  // point types of gnuplot
+  int filled = 7, open = 6;  // gnuplot's point types
 
   std::string line() const;    // "linecolor '#0072B2' dashtype 1"
-  std::string marker() const;  // "pointtype 7 linecolor '#0072B2'", if stable
+  std::string marker() const;  // "pointtype 7 linecolor '#0072B2'"
 };
 
 std::vector<CurveStyle> curve_styles(const std::vector<std::string>& methods);
-/// Without markers: lines of one method, or that look alike, get colours from dark to light.
+/// Lines of one method, or that look alike, get colours from dark to light.
 std::vector<CurveStyle> line_styles(const std::vector<std::string>& methods);
 inline constexpr std::size_t most_told_apart = 24;  // lines
 

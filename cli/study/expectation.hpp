@@ -12,34 +12,31 @@ struct Tolerance {
   double size = 0;
   bool relative = false;  // to the expected value
 };
-/// "1%" or "0.002". Throws UsageError, which names `option`.
+/// Parses "1%" or "0.002". Throws UsageError, which names `option`.
 Tolerance parse_tolerance(const std::string& text, const std::string& option);
 
 struct Expectation {
   enum class Kind { equal, below, above };
-  std::string name;  // measure, or path such as "conservation.energy"
+  std::string name;  // measure or path: "conservation.energy"
   Kind kind = Kind::equal;
-  bool or_equal = false;  // of a bound
+  bool or_equal = false;  // for bounds
   double value = 0;       // in the measure's unit
   Tolerance tolerance{};
 };
 
-/// "period=0.2545±1%", "period=0.2545+-0.002", "period<0.26", "period>=0.25"; `for_all`: default tolerance. Throws
-/// UsageError.
+/// Parses "period=0.2545±1%", "period=0.2545+-0.002", "period<0.26", "period>=0.25". Throws UsageError.
 Expectation parse_expectation(const std::string& text, const std::optional<Tolerance>& for_all);
 std::vector<Expectation> expectations_of(const StoredRun& baseline, const Tolerance& tolerance);
 
 struct Finding {
   std::string name, expected, is, difference;
   bool fine = false;
-  bool bound = false;             // violated, not moved
+  bool bound = false;             // a bound is violated, a value has moved
   std::optional<double> value{};  // if finite
 };
-/// A measure without a value fails. Throws UsageError with the nearest names for an unknown name.
+/// A measure without a value fails. Throws UsageError for unknown names.
 Finding find_out(const StoredRun& run, const Expectation& expected);
-/// Requires a verdict up to `worst`.
 Finding find_out_verdict(const StoredRun& run, const std::string& worst);
-/// Requires a finished run.
 Finding find_out_end(const StoredRun& run);
 
 std::string findings_table(const std::vector<Finding>& findings);

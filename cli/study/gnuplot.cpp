@@ -24,7 +24,7 @@ std::string one_line(std::string_view text) {
 /// False for continuation bytes of UTF-8.
 bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
 
-/// Quoted file name. "./" hides a leading '|', '<' or '-'. Control characters, and letters without a font, are octal.
+/// "./" protects from a leading '|', '<' or '-'. Control characters, and letters without a font, become octal.
 std::string plot_file(const fs::path& file) {
   const std::string name = file.filename().string();
   const bool drawable = with_letters_of_fonts(name) == name;
@@ -76,7 +76,7 @@ std::string shortened(const std::string& name) {
 }
 
 double text_width(std::string_view text, double size) {
-  constexpr double letter = 0.62;  // of DejaVu Sans, average plus a margin
+  constexpr double letter = 0.62;  // average, plus a margin
   return static_cast<double>(std::ranges::count_if(text, begins_letter)) * letter * size * 96 / 72;
 }
 
@@ -120,7 +120,7 @@ std::string titled(std::string_view title) {
 }
 
 int font_that_fits(std::string_view text, double room, int size) {
-  constexpr double width = 0.56;  // of a letter, at 96 dpi
+  constexpr double width = 0.56;  // at 96 dpi
   const auto letters = static_cast<double>(std::ranges::count_if(text, begins_letter));
   const double fits = room / (std::max(letters, 1.0) * width * 96 / 72);
   return static_cast<int>(std::clamp(std::floor(fits), smallest_font, static_cast<double>(size)));
@@ -134,7 +134,7 @@ std::string plot_note(std::string_view note, double height) {
 int draw_plot(const PlotFiles& files, const std::string& script, const std::string& data) {
   const fs::path picture = fs::absolute(files.picture);
   make_folder_of(files.picture);
-  const bool vector = picture.extension() == ".svg";  // fonts of the viewer
+  const bool vector = picture.extension() == ".svg";  // the viewer has the fonts
   write_atomically(files.data(), vector ? data : with_letters_of_fonts(data));
   write_atomically(files.script(), vector ? script : with_letters_of_fonts(script));
   const std::string output = "picture = " + plot_file(unfinished(picture));

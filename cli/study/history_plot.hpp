@@ -11,14 +11,14 @@ namespace taut::cli {
 
 struct HistoryColumn {
   std::string name, label;  // "tip", "tip, m"
-  FilePlace place = {};     // in the study
+  FilePlace place = {};     // in a study
 };
 
 struct HistoryPlot {
   struct Curve {
-    std::string name;  // method and differences
+    std::string name;
     std::string method;
-    std::vector<std::vector<double>> rows;  // x, columns; NaN: empty cell
+    std::vector<std::vector<double>> rows;  // x, columns; NaN: empty
   };
   std::string title, scene;
   HistoryColumn x{"t", "t, s"};
@@ -26,11 +26,10 @@ struct HistoryPlot {
   std::vector<Curve> curves;
 };
 
-/// Throws UsageError for an unknown column, and for an unreadable or empty history.
+/// Throws UsageError for unknown columns, and for unreadable or empty histories.
 HistoryPlot make_history_plot(const StoredResults& results, const std::vector<HistoryColumn>& columns,
                               const HistoryColumn& x = {"t", "t, s"});
 
-/// A block per run.
 std::string history_data(const HistoryPlot& plot);
 /// A panel per column, a line per run.
 std::string history_script(const HistoryPlot& plot, const PlotFiles& files);

@@ -5,7 +5,7 @@
 
 namespace taut::cli {
 
-/// Replaces letters (UTF-8) without a font by '□': Pango, which draws gnuplot's PNG, would draw huge boxes.
+/// Replaces letters without a font by '□', for which Pango, in gnuplot's PNG, would draw huge boxes.
 std::string with_letters_of_fonts(std::string_view text);
 
 }  // namespace taut::cli

@@ -13,12 +13,11 @@
 namespace taut::cli {
 namespace {
 
-/// A verdict, or none.
 struct Kind {
   std::string name, color;
 };
 
-/// Darker with severity, for grey prints; "no result" is last.
+/// Colours darken with severity, for grey prints.
 std::vector<Kind> kinds() {
   constexpr std::array colors = {"#cfe8f3", "#fbdc7f", "#c9b0e6", "#ee8f4f", "#a3303f"};
   const std::vector<std::string> names = names_of_verdicts();
@@ -64,7 +63,6 @@ std::vector<std::size_t> kinds_in(const StabilityMap& map, const std::vector<Kin
   return found;
 }
 
-/// Start of the verdict, else the status.
 std::string shown(const MapCell& cell, const TimeUnit& unit) {
   if (cell.since) return fmt::format("{:.3g}", *cell.since * unit.scale);
   return cell.verdict.empty() ? cell.status : "";
@@ -72,11 +70,11 @@ std::string shown(const MapCell& cell, const TimeUnit& unit) {
 
 /// Layout, pixels.
 struct Page {
-  double left = 0, right = 0;  // of the cells
-  double cell = 0;             // width
-  int tick_step = 1;           // cells per value label
-  int font = 0;                // of cells, points; 0: no text
-  int most_letters = 0;        // per cell
+  double left = 0, right = 0;
+  double cell = 0;
+  int tick_step = 1;     // cells per label
+  int font = 0;          // points; 0: no text
+  int most_letters = 0;  // per cell
 };
 
 Page page_of(const StabilityMap& map) {

@@ -7,9 +7,7 @@
 
 namespace taut::cli {
 
-/// A block per verdict.
 std::string map_data(const StabilityMap& map);
-/// A coloured cell per run with the time of failure.
 std::string map_script(const StabilityMap& map, const PlotFiles& files);
 
 }  // namespace taut::cli

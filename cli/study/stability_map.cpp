@@ -45,7 +45,6 @@ std::string chosen_parameter(const std::vector<StoredRun>& runs, const std::stri
   throw UsageError("several parameters were swept (" + join(swept) + "); name one with --parameter");
 }
 
-/// Values that are not all numbers keep their order.
 void sort_numbers(std::vector<std::string>& values) {
   const auto number = [](const std::string& text) { return parsed<double>(text); };
   if (std::ranges::all_of(values, [&](const std::string& text) { return number(text).has_value(); }))

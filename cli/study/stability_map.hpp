@@ -10,7 +10,7 @@
 namespace taut::cli {
 
 struct MapRequest {
-  std::string parameter;  // empty: the one swept beside the method
+  std::string parameter;  // empty: the only one besides the method
 };
 
 struct MapCell {
@@ -19,17 +19,17 @@ struct MapCell {
   std::optional<double> since;  // start of the verdict, s
 };
 
-/// Verdicts by parameter value and method; a row per method and other settings.
+/// Verdicts by value and method; a row per method and other settings.
 struct StabilityMap {
   std::string title, scene;
   std::string parameter;
-  std::string label;                                       // with unit
-  std::vector<std::string> values;                         // ascending
-  std::vector<std::string> rows;                           // in order of the results
+  std::string label;
+  std::vector<std::string> values;  // ascending
+  std::vector<std::string> rows;
   std::vector<std::vector<std::optional<MapCell>>> cells;  // by row and value
 };
 
-/// Throws UsageError for an unknown parameter, or without one if several were swept.
+/// Throws UsageError for an unknown parameter, or if it is missing and several were swept.
 StabilityMap make_map(const StoredResults& results, const MapRequest& request);
 
 std::string map_table(const StabilityMap& map);

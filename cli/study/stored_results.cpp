@@ -57,7 +57,7 @@ std::vector<StoredRun> read_runs(const fs::path& file) {
   return runs;
 }
 
-/// Reads title and units; returns the common settings.
+/// Adds title and units; returns common settings.
 StoredSettings add_names(const fs::path& table, StoredResults& results) {
   const std::string file = (table.parent_path() / "results.json").string();
   const auto text = read_whole(file);
@@ -91,7 +91,7 @@ std::string without_prefix(const std::string& column) {
   return column;
 }
 
-/// Settings first, then their consequences.
+/// Settings first, then parameters that depend on them.
 std::vector<std::string> candidates(const std::vector<StoredRun>& runs) {
   std::vector<std::string> set, parameters;
   for (const StoredRun& run : runs)
@@ -136,7 +136,7 @@ std::vector<std::string> StoredResults::measures() const {
   for (const StoredRun& run : runs)
     for (const auto& [column, value] : run.cells) {
       if (!column.starts_with(prefix)) continue;
-      const std::size_t end = column.find('.', prefix.size());  // names contain no dot
+      const std::size_t end = column.find('.', prefix.size());
       const std::string name = column.substr(prefix.size(), end - prefix.size());
       if (std::ranges::find(names, name) == names.end()) names.push_back(name);
     }
@@ -223,7 +223,6 @@ std::vector<std::string> names_of_scene(const std::vector<StoredRun>& runs) {
   return names;
 }
 
-/// Unfinished runs only have settings.
 std::string value_of(const StoredRun& run, const std::string& name) {
   for (const std::string_view prefix : {parameter_prefix, std::string_view(), set_prefix, fixed_prefix})
     if (const std::string value = run.text(std::string(prefix) + name); !value.empty()) return value;

@@ -55,7 +55,7 @@ void check_name(const std::filesystem::path& file, std::string_view kind, const 
                    unknown_name(kind, name, {known.begin(), known.end()}));
 }
 
-/// If several parameters are swept, one must be named.
+/// With several swept parameters, one must be named.
 void check_map(const StudyPictures::Mapped& map, const std::filesystem::path& file, Shown shown) {
   const std::string& wanted = map.request.parameter;
   for (auto* names : {&shown.swept, &shown.varied}) std::erase(*names, "method");
@@ -69,7 +69,6 @@ void check_map(const StudyPictures::Mapped& map, const std::filesystem::path& fi
                                        "); name one of them, such as parameter = \"" + all.front() + "\"");
 }
 
-/// Checks that some run has an error.
 void check_chart(const StudyPictures::Charted& chart, const std::filesystem::path& file, const Shown& shown) {
   const auto& [request, place] = chart;
   const auto fail = [&](const std::string& why) {

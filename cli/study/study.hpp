@@ -16,7 +16,7 @@
 
 namespace taut::cli {
 
-/// Pictures of a study: the sections [chart], [map] and [history] of a sweep file (cli/COMMANDS.md).
+/// Sections [chart], [map] and [history] of a sweep file (cli/COMMANDS.md).
 struct StudyPictures {
   struct Named {
     std::string name;
@@ -31,7 +31,7 @@ struct StudyPictures {
     FilePlace place;
   };
   std::vector<Charted> charts;
-  std::vector<Named> methods;  // in charts
+  std::vector<Named> methods;
   std::optional<Mapped> map;
   std::vector<HistoryColumn> history;  // empty: none
 };
@@ -39,26 +39,26 @@ struct StudyPictures {
 /// Throws SceneError.
 StudyPictures read_pictures(TomlCursor& root);
 
-/// Contents of a study's runs, known in advance.
+/// Known contents of runs.
 struct Shown {
   std::set<std::string> measures;
-  std::set<std::string> referenced;   // with a reference in some run
-  std::set<std::string> differences;  // measures that are differences from a reference
+  std::set<std::string> referenced;   // with a reference
+  std::set<std::string> differences;  // from a reference
   std::set<std::string> methods;
-  std::set<std::string> columns;   // of history.csv
-  std::vector<std::string> swept;  // in the grid
+  std::set<std::string> columns;  // of history.csv
+  std::vector<std::string> swept;
   std::vector<std::string> varied;
 };
 
 /// Throws SceneError for pictures without data.
 void check_pictures(const StudyPictures& pictures, const std::filesystem::path& file, const Shown& shown);
 
-/// Draws from and into `folder`. Returns the exit code. Throws UsageError and OutputError.
+/// Draws into `folder`; returns the exit code. Throws UsageError and OutputError.
 int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& folder, Streams streams);
 
 /// Warns of omitted runs. Throws UsageError.
 Chart read_chart(const std::vector<std::string>& results, const ChartRequest& request, std::ostream& err);
-/// Draw a picture; print its files, and the table of a chart or map. Return the exit code. Throw UsageError and
+/// Draw a picture and print its files, also a table of a chart or map. Return the exit code. Throw UsageError and
 /// OutputError.
 int draw_chart(const std::vector<std::string>& results, const ChartRequest& request, const PlotFiles& files,
                Streams streams);

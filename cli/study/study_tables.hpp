@@ -7,7 +7,7 @@
 
 namespace taut::cli {
 
-/// Markdown tables for a study's pictures: errors and prices, verdicts, measures. Throws UsageError.
+/// Tables of errors, prices, verdicts and measures. Throws UsageError.
 std::string study_tables(const StudyPictures& pictures, const std::vector<std::string>& results);
 
 }  // namespace taut::cli

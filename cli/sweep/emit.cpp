@@ -59,7 +59,6 @@ std::string command(const std::vector<std::string>& arguments) {
   return join(words, " ");
 }
 
-/// For comments.
 std::string one_line(std::string text) {
   std::ranges::replace_if(
       text, [](unsigned char c) { return c < ' '; }, ' ');

@@ -6,9 +6,9 @@
 
 namespace taut::cli {
 
-/// A shell script that does the runs of a sweep on other machines or processors.
+/// A shell script for the runs of a sweep.
 struct EmitForm {
-  std::string_view name;  // of --emit
+  std::string_view name;
   std::string_view file;  // in the sweep's folder
   std::string_view text;  // with @WORD@ for values
 };
@@ -17,7 +17,7 @@ std::vector<std::string> emit_names();
 /// Throws UsageError with the nearest names.
 const EmitForm& find_emit_form(const std::string& name);
 
-/// `runs`: number of runs, with `threads` each. `sweep`: command without --index, which also collects the results.
+/// `runs` have `threads` each. `sweep`, without --index, also collects the results.
 std::string emit_script(const EmitForm& form, const std::string& title, int runs, int threads,
                         const std::vector<std::string>& sweep);
 

@@ -21,7 +21,6 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }
 
-/// Ignores separators in brackets.
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts(1);
   int depth = 0;
@@ -47,7 +46,7 @@ double end_of_range(const std::string& part, const std::string& range) {
   return value;
 }
 
-/// Removes round-off below 1e-12 of the range's greatest number.
+/// Removes errors below 1e-12 of `greatest`.
 std::string without_round_off(double value, double greatest) {
   if (std::abs(value) < 1e-12 * greatest) return "0";
   std::array<char, 32> digits{};

@@ -7,7 +7,6 @@
 
 namespace taut::cli {
 
-/// Settings of one run.
 using GridRow = std::vector<Setting>;
 
 struct Axis {
@@ -15,21 +14,20 @@ struct Axis {
   std::vector<Setting> values;
 };
 
-/// Parses "v1,v2,..." or "lo:hi:step" with both ends, without round-off. Commas in brackets belong to an expression.
-/// Returns canonical values. Throws UsageError for a step that does not divide the range, and for a repeated value.
+/// Parses "v1,v2,..." or "lo:hi:step" with both ends. Commas in brackets belong to expressions. Values are canonical.
+/// Throws UsageError for a step that does not divide the range, and repeated values.
 std::vector<std::string> parse_values(const std::string& text);
-/// "name=values". Throws UsageError.
+/// Parses "name=values". Throws UsageError.
 Axis parse_axis(const std::string& text);
 /// Shortest form of a number; trims other texts.
 std::string canonical_value(const std::string& text);
 
-/// The last axis varies fastest. Throws UsageError for a repeated axis.
+/// The last axis varies fastest. Throws UsageError for repeated axes.
 std::vector<GridRow> all_combinations(const std::vector<Axis>& axes);
 /// Throws UsageError for too many or repeated runs.
 void check_rows(const std::vector<GridRow>& rows);
 
-/// Folder name such as "v0=0.06_method=og", of letters, digits and ".=_+-". A hash makes changed or shortened names
-/// unique.
+/// Name such as "v0=0.06_method=og", of letters, digits and ".=_+-", with a hash if changed or shortened.
 std::string folder_name(const GridRow& row);
 /// "v0=0.06, method=og".
 std::string text_of(const GridRow& row);

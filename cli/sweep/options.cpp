@@ -26,7 +26,7 @@ std::string path_of_program() {
 }
 
 bool draws(const SweepOptions& o) {
-  // frame times are also those of saved particles
+  // also the times of saved particles
   const bool times_of_frames = !o.run.save_particles && (o.run.frames || o.run.every);
   return o.render || times_of_frames || o.run.drawing.any();
 }
@@ -110,7 +110,7 @@ std::vector<std::string> lasting_words(const Options& command) {
       if (!option.is_positional())
         words.push_back(option.name() + (option.takes_value() ? "=" + value : ""));
       else
-        words.push_back(value.starts_with('-') ? "./" + value : value);  // a file, not an option
+        words.push_back(value.starts_with('-') ? "./" + value : value);  // a file
     }
   }
   return words;

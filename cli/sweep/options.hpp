@@ -12,7 +12,7 @@ namespace taut::cli {
 struct SweepOptions {
   std::string what;  // sweep file or scene
   std::vector<std::string> grid;
-  RunOptions run;  // of every run
+  RunOptions run;  // for every run
   std::optional<std::string> emit, fail_on;
   std::optional<int> jobs, index;
   bool list = false, force = false, render = false, quiet = false;
@@ -20,10 +20,10 @@ struct SweepOptions {
 
 void declare_sweep_options(Options& command, SweepOptions& options);
 
-/// Reads the sweep file or the grid. Throws UsageError and SceneError.
+/// Throws UsageError and SceneError.
 SweepRequest make_request(const SweepOptions& options);
 
-/// The command for later calls, without options such as --list; an option and its value are one word.
+/// The command without options such as --list; an option and its value are one word.
 std::vector<std::string> lasting_words(const Options& command);
 
 }  // namespace taut::cli

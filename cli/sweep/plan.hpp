@@ -12,65 +12,63 @@
 
 namespace taut::cli {
 
-/// State of a run, from its folder.
 enum class RunState {
   to_do,
-  outdated,     // other settings or version of taut
+  outdated,     // other settings or version
   interrupted,  // or killed
-  damaged,      // unreadable run.json
-  broken,       // crashed or not written
+  damaged,      // its run.json
+  broken,       // no result
   done,         // finished or diverged
 };
 std::string_view name(RunState);
 
-/// A validated run of a sweep.
+/// A validated run.
 struct SweepRun {
   int index = 0;
-  GridRow settings;     // swept settings
-  RunOptions options;   // complete options
+  GridRow settings;  // swept
+  RunOptions options;
   std::string folder;   // in the sweep's folder
-  std::string scene;    // future scene.toml
+  std::string scene;    // scene.toml
   int last_frame = -1;  // -1: none
-  double work = 0;      // relative duration, estimated from spacing and steps
-  bool forced = false;  // repeat even if done
+  double work = 0;      // relative duration
+  bool forced = false;  // even if done
   RunState state = RunState::to_do;
   std::string problem;  // of a broken run
-  Json record;          // run.json if done or interrupted, else null
+  Json record;          // run.json; null without a result
 
   void read_folder();
-  /// Resets to an empty folder.
   void forget();
 };
 
 struct Swept {
   std::string name;
-  std::string unit, help;  // of a scene parameter
+  std::string unit, help;  // of a parameter
 };
 
 struct SweepPlan {
   std::string title;
-  std::string scene;  // its name
+  std::string scene;
   std::filesystem::path folder;
   std::vector<Swept> swept;
   std::vector<Setting> fixed;  // for all runs
   std::vector<SweepRun> runs;  // in grid order
   StudyPictures pictures;
-  std::set<std::string> remarks;  // about its scenes
+  std::set<std::string> remarks;
 };
 
-/// Settings from a file include their place.
+/// Settings from files contain their place.
 struct SweepRequest {
   std::string title;
   std::filesystem::path file;  // empty: command line
   RunOptions base;
-  std::vector<Setting> set;  // for all runs, from the file; no name of `base`
+  std::vector<Setting> set;  // from the file; no name of `base`
   std::filesystem::path folder;
   std::vector<GridRow> rows;
   StudyPictures pictures;
 };
 
-/// Checks every run and picture and reads the run folders; starts nothing. Throws SceneError with the place in the
-/// sweep file, or UsageError with the run.
+/// Checks all runs and pictures, reads run folders, starts nothing. Throws SceneError with the place in the sweep
+/// file, or UsageError with the run.
 SweepPlan plan_sweep(const SweepRequest& request);
 
 }  // namespace taut::cli

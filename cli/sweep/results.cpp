@@ -41,7 +41,7 @@ Json run_json(const SweepRun& run) {
   return json;
 }
 
-/// Leaves of a tree with their paths, in order.
+/// Leaves of a tree with their paths.
 using Cells = std::vector<Json::Member>;
 
 void flatten(const Json& value, const std::string& path, Cells& cells) {
@@ -53,7 +53,7 @@ void flatten(const Json& value, const std::string& path, Cells& cells) {
     flatten(inner, path.empty() ? key : path + "." + key, cells);
 }
 
-/// Columns of all rows; a new column follows its predecessor in its row.
+/// A new column follows its predecessor in its row.
 std::vector<std::string> columns_of(const std::vector<Cells>& rows) {
   std::vector<std::string> columns;
   for (const Cells& row : rows) {
@@ -84,7 +84,7 @@ std::string measure_cell(const SweepRun& run, const std::string& measure) {
   return value && run.state == RunState::done ? brief(value->number()) : "-";
 }
 
-/// Names, and names with units.
+/// Names without and with units.
 std::vector<std::pair<std::string, std::string>> measures_of(const SweepPlan& plan) {
   std::vector<std::pair<std::string, std::string>> all;
   for (const SweepRun& run : plan.runs) {

@@ -13,9 +13,9 @@
 namespace taut::cli {
 namespace {
 
-constexpr double look_interval = 2.0;  // s between readings of the runs' progress
+constexpr double look_interval = 2.0;  // s between readings of progress
 
-/// Child process: `taut run` without output. Skips a run that another program has done meanwhile.
+/// `taut run` in a child, without output; another program may have done the run.
 int run_alone(SweepRun run) {
   const auto work = [&]() -> int {
     const Stopwatch setup;
@@ -30,7 +30,6 @@ int run_alone(SweepRun run) {
   return guarded(work, std::cerr);
 }
 
-/// The child's error message.
 std::string last_line(std::string text) {
   text.erase(text.find_last_not_of('\n') + 1);
   text.erase(0, text.rfind('\n') + 1);
@@ -38,14 +37,14 @@ std::string last_line(std::string text) {
   return text.starts_with(prefix) ? text.substr(prefix.size()) : text;
 }
 
-/// Progress of a run, from its run.json.
+/// Progress, from run.json.
 double share_done(const SweepRun& run) {
   const std::optional<StoredRecord> record = read_record(RunFolder(*run.options.out).record());
   if (!record || record->status != RunRecord::Status::running || !record->reached || !record->until) return 0;
   return std::clamp(*record->reached / *record->until, 0.0, 1.0);
 }
 
-/// Bug, then full disk, then wrong input.
+/// Bug, then output, then input.
 int gravest(int a, int b) {
   for (const int code : {exit_bug, exit_not_written, exit_wrong_input})
     if (a == code || b == code) return code;
@@ -102,7 +101,7 @@ void SweepRunner::finish(Job& job) {
   job.process.reset();
   SweepRun& run = *job.run;
   run.read_folder();
-  // an interrupted run has ended properly or not begun
+  // an interrupted run ended properly or has not begun
   const bool stopped = passed_on_ && (end.code == exit_by_signal(SIGTERM) || end.signal == SIGTERM);
   if (run.state != RunState::done && !stopped) {
     const bool by_signal = end.signal != 0;

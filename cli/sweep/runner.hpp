@@ -13,15 +13,15 @@ namespace taut::cli {
 
 struct SweepEnd {
   bool interrupted = false;
-  int code = 0;  // gravest exit code of broken runs; 0: none
+  int code = 0;  // gravest of broken runs
 };
 
 struct SweepEvents {
-  std::function<void(const SweepRun&)> ended;  // a run with its new state
-  std::function<void()> waiting;               // about ten times a second
+  std::function<void(const SweepRun&)> ended;
+  std::function<void()> waiting;  // about ten times a second
 };
 
-/// Does `jobs` runs at a time, each in its own process. Long runs start first, to keep all cores busy.
+/// Does `jobs` runs at a time in processes; long runs first, to keep cores busy.
 class SweepRunner {
  public:
   SweepRunner(std::vector<SweepRun*> runs, int jobs, const Interrupts& interrupts, Progress& progress,
@@ -41,7 +41,7 @@ class SweepRunner {
   void pass_on_interrupt();
   void show_progress();
 
-  std::vector<SweepRun*> waiting_;  // the last one starts next
+  std::vector<SweepRun*> waiting_;  // starts with the last
   std::size_t jobs_;
   const Interrupts& interrupts_;
   Progress& progress_;

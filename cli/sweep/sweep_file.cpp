@@ -17,7 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = TomlValue::Kind;
 
-/// Reads the settings or axes of a table.
 class SettingsReader {
  public:
   explicit SettingsReader(TomlCursor& table) : table_(table) {}
@@ -83,7 +82,7 @@ class SettingsReader {
   TomlCursor& table_;
 };
 
-/// A path relative to the sweep file, or a name.
+/// Path relative to the sweep file, or name.
 std::string find_scene_of(TomlCursor& root, const fs::path& file) {
   const std::string scene = root.text("scene");
   std::error_code error;
