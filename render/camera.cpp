@@ -11,7 +11,7 @@ Vector normalised(const Vector& a) {
   return {a[0] / length, a[1] / length, a[2] / length};
 }
 
-/// Rotation around the unit vector `axis`, degrees (Rodrigues).
+/// Rotates around a unit vector by degrees (Rodrigues).
 Vector turned(const Vector& a, const Vector& axis, double degrees) {
   const double angle = degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
   const Vector across = cross(axis, a);
@@ -31,7 +31,7 @@ Vector cross(const Vector& a, const Vector& b) {
 CameraAxes axes_of(const Camera& camera) {
   CameraAxes axes;
   axes.back = normalised(camera.from);
-  constexpr double least_angle = 1e-6;  // rad; below, `up` does not determine the axes
+  constexpr double least_angle = 1e-6;  // rad; below, `up` is useless
   for (const Vector& up : {camera.up, Vector{0, 1, 0}, Vector{1, 0, 0}}) {
     const Vector right = cross(normalised(up), axes.back);
     if (!(std::sqrt(dot(right, right)) > least_angle)) continue;

@@ -6,27 +6,27 @@
 
 namespace taut::render {
 
-/// m or dimensionless.
+/// A vector, m or dimensionless.
 using Vector = std::array<double, 3>;
 
-/// Viewpoint of a 3D scene. A View then bounds the picture plane, from the scene's origin.
+/// Viewpoint of a 3D scene. Its View bounds the picture plane.
 struct Camera {
-  Vector from = {1, -2, 1};  // towards the camera, of any length
-  Vector up = {0, 0, 1};     // of any length; y or x if parallel to `from`
+  Vector from = {1, -2, 1};  // towards the camera, any length
+  Vector up = {0, 0, 1};     // any length; y or x if parallel to `from`
   double field_of_view = 0;  // vertical, degrees; 0: parallel projection
-  double front = 0;          // in perspective: height along `from` where lengths are true, m
+  double front = 0;          // perspective: height along `from` of true lengths, m
   bool operator==(const Camera&) const = default;
 };
 
 inline constexpr double greatest_field_of_view = 120;  // degrees
 
-/// Orthonormal: right and up in the picture, towards the camera.
+/// Orthonormal axes: right and up in the picture, towards the camera.
 struct CameraAxes {
   Vector right, up, back;
 };
 
 CameraAxes axes_of(const Camera& camera);
-/// Orbits the scene: first to the right around `up`, then upwards, degrees.
+/// Turns the camera right around `up`, then upwards, degrees.
 Camera orbited(const Camera& camera, double right, double upwards);
 AxesMarker marker_of(const Camera& camera);
 
@@ -37,10 +37,10 @@ class Projection {
  public:
   Projection(const Camera& camera, const View& view);
 
-  /// Coordinates to the right, up and towards the camera, m; the first two times `scale`.
+  /// Right, up and towards the camera, m; the first two scaled.
   struct Seen {
     Vector at;
-    double scale;  // projected over true length; not positive behind the camera
+    double scale;  // projected / true length; not positive behind the camera
   };
   Seen operator()(const Vector& x) const;
   /// Projects a short vector at `from`.

@@ -8,7 +8,6 @@
 namespace taut::render {
 namespace {
 
-/// Gives a constant field the middle colour.
 Range widened(const Range& range) {
   const double magnitude = std::max(std::abs(range.low), std::abs(range.high));
   if (range.high - range.low > 1e-9 * magnitude && range.high != range.low) return range;
@@ -25,7 +24,7 @@ std::optional<Range> range_of(const Look& look) {
   return look.categories.empty() ? std::optional(widened(*look.range)) : std::nullopt;
 }
 
-/// A diverging map has its neutral colour at `look.middle`, and equal colours at equal distances.
+/// A diverging map is neutral at `look.middle`, with equal colours at equal distances.
 std::array<Rgb, 256> colors_of(const Look& look, const Range& range) {
   const double below = look.middle - range.low, above = range.high - look.middle;
   if (!look.colormap->diverging || !(below > 0 && above > 0)) return look.colormap->table();

@@ -11,13 +11,12 @@
 
 namespace taut::render {
 
-/// Colours of values, for a complete look.
 class Coloring {
  public:
   explicit Coloring(const Look& look);
 
   std::uint32_t operator()(double value) const;  // bytes R, G, B, 255
-  /// Whether the value is NaN or more than half a colour step out of range.
+  /// Tests for NaN, and values more than half a colour step out of range.
   OffScale off_scale(double value) const;
   const ColorKey& key() const { return key_; }
 

@@ -7,9 +7,9 @@ namespace taut::render {
 namespace {
 
 constexpr int samples = 2;  // per direction
-constexpr int side = 8;     // of a tile, samples
+constexpr int side = 8;     // samples of a tile
 constexpr float nothing = -1e30f;
-constexpr float doubt = 0.1f;  // samples, for OpenGL's rounding
+constexpr float doubt = 0.1f;  // samples; OpenGL rounds differently
 
 /// Samples with centres within `half` of `centre`.
 struct Span {
@@ -21,7 +21,7 @@ Span span_of(float centre, float half, int most) {
           std::clamp(static_cast<int>(std::floor(centre + half - 0.5f)) + 1, 0, most)};
 }
 
-/// Visits the samples [from, to) of each row within `radius`.
+/// Visits samples [from, to) of each row within `radius`.
 template <class Visit>
 void for_rows(float x, float y, float radius, int width, int height, const Visit& visit) {
   const Span rows = span_of(y, radius, height);
@@ -35,7 +35,6 @@ void for_rows(float x, float y, float radius, int width, int height, const Visit
 
 }  // namespace
 
-/// Tiles touched by a ball.
 struct Cover::Tiles {
   int left, right, top, bottom;
 

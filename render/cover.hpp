@@ -7,14 +7,14 @@
 
 namespace taut::render {
 
-/// Occlusion test at the samples of SolidPainter, 2 × 2 per pixel.
+/// Occlusion test at SolidPainter's samples, 2 × 2 per pixel.
 class Cover {
  public:
-  /// Size of the plot, pixels.
+  /// Takes the plot's size, pixels.
   Cover(int width, int height);
 
   void clear();
-  /// Whether added balls hide this ball; false if in doubt.
+  /// Returns false if in doubt.
   bool hides(const Ball& ball) const;
   void add(const Ball& ball);
 
@@ -25,7 +25,7 @@ class Cover {
 
   int width_, height_;            // samples
   int tile_columns_, tile_rows_;  // squares of samples
-  std::vector<float> depth_;      // covered up to this z, pixels towards the camera
+  std::vector<float> depth_;      // z of the cover, pixels
   std::vector<float> tile_;       // least depth
 };
 

@@ -12,7 +12,7 @@ namespace {
 constexpr int samples = 2;      // per direction
 constexpr int band_height = 8;  // pixels
 constexpr int tile_width = 16;  // pixels
-constexpr int lanes = 4;        // samples at once, for any x86-64
+constexpr int lanes = 4;        // samples at once, on every x86-64
 
 using Floats = float __attribute__((vector_size(4 * lanes)));
 using Ints = std::int32_t __attribute__((vector_size(4 * lanes)));
@@ -26,7 +26,7 @@ Vector loaded(const void* from) {
   return vector;
 }
 
-/// `over` has weight alpha / 255.
+/// Blends with weight alpha / 255 of `over`.
 Colors blended(const Colors& over, const Colors& under, const Ints& alpha) {
   const Ints of256 = alpha + (alpha >> 7);
   const Words a = reinterpret_cast<Words>(of256 | of256 << 16), b = 256 - a;
@@ -36,11 +36,11 @@ Colors blended(const Colors& over, const Colors& under, const Ints& alpha) {
   return reinterpret_cast<Colors>(even | (odd & 0xff00));
 }
 
-/// A row of samples; lengths in samples.
+/// Row of samples; lengths in samples.
 struct DiscRow {
   float dy2;    // squared distance from the centre
   float reach;  // outer radius of the rim
-  float depth;  // per distance from the centre
+  float depth;  // per distance
   std::uint32_t color;
 };
 
@@ -51,7 +51,7 @@ void paint(const DiscRow& row, float x, float* depth, std::uint32_t* color) {
   for (int k = 0; k < lanes; ++k) r[k] = std::sqrt(r2[k]);
   const Floats coverage = row.reach - r;
   const auto rim = coverage < 1;
-  // A rim sample, covered in part, never hides a fully covered one.
+  // A partly covered rim sample never hides a fully covered one.
   const Floats d = r * row.depth + (rim ? Floats{} + 0.5f : Floats{});
   const auto nearest = loaded<Floats>(depth);
   const auto under = loaded<Colors>(color);
@@ -63,7 +63,7 @@ void paint(const DiscRow& row, float x, float* depth, std::uint32_t* color) {
   std::memcpy(color, &new_color, sizeof new_color);
 }
 
-/// Of each byte, rounded up.
+/// Mean of each byte, rounded up.
 std::uint32_t mean(std::uint32_t p, std::uint32_t q) {
   constexpr std::uint32_t even = 0x00ff00ff, halves = 0x00010001;
   return ((((p & even) + (q & even) + halves) >> 1) & even) |
@@ -104,7 +104,7 @@ DiscPainter::DiscPainter(const Rect& plot, Rgb background)
       bands_(parts(plot.height, band_height)),
       tiles_(parts(plot.width, tile_width)),
       stride_(static_cast<std::size_t>(tiles_) * tile_width * samples),
-      color_(stride_ * band_height * samples + lanes),  // for the last vector
+      color_(stride_ * band_height * samples + lanes),  // space for the last vector
       depth_(color_.size()),
       touched_(static_cast<std::size_t>(tiles_)),
       was_drawn_(touched_.size() * static_cast<std::size_t>(bands_)) {}
@@ -117,7 +117,7 @@ DiscPainter::Bands DiscPainter::bands_of(const Dot& disc) const {
 }
 
 void DiscPainter::sort_into_bands(std::span<const Dot> discs) {
-  // shifted by one: a start becomes the band's end during filling
+  // shifted: starts become ends during filling
   end_.assign(static_cast<std::size_t>(bands_) + 2, 0);
   for (const Dot& disc : discs)
     for (auto [band, last] = bands_of(disc); band <= last; ++band) ++end_[static_cast<std::size_t>(band) + 2];
@@ -168,7 +168,7 @@ void DiscPainter::draw_disc(const Dot& disc, int band) {
   }
 }
 
-/// Means of the samples, or the background.
+/// Writes means of samples, or the background.
 void DiscPainter::resolve_tile(Image& image, int band, int tile) const {
   const int left = tile * tile_width, top = band * band_height;
   const auto bytes = static_cast<std::size_t>(std::min(tile_width, plot_.width - left)) * 4;

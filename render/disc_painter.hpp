@@ -16,19 +16,18 @@ struct Dot {
 
 /// Draws antialiased discs, equally on every machine.
 ///
-/// Where discs overlap, a pixel belongs to the nearest centre, in radii: neighbours meet in a straight line, and
-/// their order matters only where rims meet. Drawing in bands uses the processor cache; empty tiles of a band are
-/// skipped.
+/// A pixel belongs to the nearest centre, in radii: overlapping neighbours meet in a straight line, and order matters
+/// only where rims meet. Bands of samples fit into the cache; empty tiles are skipped.
 class DiscPainter {
  public:
-  /// The plot must have this background, and nothing else may draw into it.
+  /// The plot must have this background; nothing else may draw into it.
   explicit DiscPainter(const Rect& plot, Rgb background = white);
 
   /// Replaces the previous discs.
   void draw(Image& image, std::span<const Dot> discs);
 
  private:
-  struct Bands;  // of a disc
+  struct Bands;
   Bands bands_of(const Dot& disc) const;
   void sort_into_bands(std::span<const Dot> discs);
   std::span<const std::uint32_t> discs_of(int band) const;
@@ -40,15 +39,15 @@ class DiscPainter {
   std::size_t sample(int column, int row) const { return static_cast<std::size_t>(row) * stride_ + column; }
 
   Rect plot_;
-  std::uint32_t background_;             // bytes B, G, R, 255
-  int bands_, tiles_;                    // downwards, to the right
-  std::size_t stride_;                   // between rows of samples
-  std::vector<std::uint32_t> end_;       // of each band's discs in `sorted_`, after a 0
+  std::uint32_t background_;  // bytes B, G, R, 255
+  int bands_, tiles_;
+  std::size_t stride_;                   // of a row
+  std::vector<std::uint32_t> end_;       // in `sorted_`, after a 0
   std::vector<std::uint32_t> sorted_;    // disc numbers by band
   std::vector<std::uint32_t> color_;     // samples of a band; bytes B, G, R, 255
-  std::vector<float> depth_;             // distance from the nearest centre, 0 to 1
-  std::vector<std::uint8_t> touched_;    // tiles with discs, in the band
-  std::vector<std::uint8_t> was_drawn_;  // tiles with discs, in the plot
+  std::vector<float> depth_;             // from the nearest centre, 0 to 1
+  std::vector<std::uint8_t> touched_;    // tiles of the band with discs
+  std::vector<std::uint8_t> was_drawn_;  // tiles of the plot with discs
 };
 
 }  // namespace taut::render

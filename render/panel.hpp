@@ -10,12 +10,12 @@
 
 namespace taut::render {
 
-/// A bold title above a gray note.
+/// Bold title, gray note below.
 struct Heading {
   std::string title, note;
 };
 
-/// Pictures in rows and columns with one colour range and length scale.
+/// Pictures in rows and columns with equal colours and scales.
 struct PanelOptions {
   Look look;                // an open size is chosen, legible at 1:1
   std::string title, note;  // of all pictures
@@ -26,16 +26,16 @@ struct PanelOptions {
 
 class Panel {
  public:
-  /// Only the size may be open. A bare look omits all texts. UsageError if the size is out of bounds or too small.
+  /// Only the size may be open. A bare look omits texts. Throws UsageError for sizes out of bounds or too small.
   explicit Panel(const PanelOptions& options);
   ~Panel();
 
   void draw(int column, int row, const FrameView& particles);
-  /// At the top left.
+  /// Writes at the top left.
   void write_corner(int column, int row, const std::string& text);
-  /// For pictures without particles.
+  /// Writes where no particles are.
   void write_middle(int column, int row, const std::string& text);
-  /// Draws the texts around the pictures.
+  /// Draws the surrounding texts.
   const Image& finish();
 
  private:

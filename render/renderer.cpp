@@ -82,7 +82,7 @@ double width_of(const ColorKey& key, const Look& look) {
   return size.font > 0 ? key.width(size.key_height, size.font, look.unit) : 0;
 }
 
-/// Low contrast, for lines among solids; bytes R, G, B, 255.
+/// Faint colour of lines among solids; bytes R, G, B, 255.
 std::uint32_t line_color(Rgb background) {
   constexpr double contrast = 0.4;
   const double most = is_light(background) ? 0 : 255;
@@ -100,11 +100,11 @@ struct Renderer::Parts {
   PageLayout layout;
   Image image;
   std::optional<Projection> projection;       // in 3D
-  std::optional<DiscPainter> disc_painter;    // while the plot has only discs
-  std::optional<GlContext> context;           // these two on demand:
-  std::optional<SolidPainter> solid_painter;  // 2D cells need them too
+  std::optional<DiscPainter> disc_painter;    // if the plot has only discs
+  std::optional<GlContext> context;           // on demand
+  std::optional<SolidPainter> solid_painter;  // also for 2D cells
   std::optional<Annotation> annotation;       // none in small pictures
-  std::optional<Canvas> canvas;               // for walls in 2D
+  std::optional<Canvas> canvas;               // for 2D walls
   Rgb background;
   double glyph;
   std::vector<Dot> discs;
@@ -152,7 +152,7 @@ void Renderer::Parts::place_discs(const FrameView& frame) {
   discs.reserve(frame.value.size());
   off_scale = {};
   for (std::size_t i = 0; i < frame.value.size(); ++i) {
-    // in float, particles far from the origin would coincide
+    // float would merge particles far from the origin
     const double x = layout.column(frame.x[2 * i]);
     const double y = layout.row(frame.x[2 * i + 1]);
     const double size = 0.5 * glyph * frame.diameter[i] * layout.pixels_per_metre;
@@ -172,7 +172,7 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-/// In 2D, over the particles.
+/// Draws 2D walls over the particles.
 void Renderer::Parts::draw_walls(const FrameView& frame) {
   if (frame.walls.empty()) return;
   constexpr double em_of_height = 0.022;  // in pictures without text
@@ -185,7 +185,7 @@ void Renderer::Parts::draw_walls(const FrameView& frame) {
   canvas->end();
 }
 
-/// Keeps the previous page if it also had only discs, and no walls.
+/// Keeps the previous page if both have only discs, without walls.
 void Renderer::Parts::draw_discs(const FrameView& frame) {
   const bool page_stands =
       disc_painter && frame.walls.empty() && (!annotation || annotation->stands_for(frame));

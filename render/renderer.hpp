@@ -13,8 +13,8 @@ struct OffScale;
 /// Draws frames into its image.
 class Renderer {
  public:
-  /// The look must be complete. `until` (last time, s) sets the unit of all times; 0: each has its own. UsageError if
-  /// a value is out of bounds, OutputError without the font.
+  /// The look must be complete. `until` (last time, s) sets the unit of all times; 0: each has its own. Throws
+  /// UsageError for values out of bounds, OutputError without the font.
   explicit Renderer(const Look& look, double until = 0);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
@@ -23,9 +23,9 @@ class Renderer {
   /// Moves the camera. `view` must have the size of the look's view.
   void look_from(const Camera& camera, const View& view);
 
-  /// Valid until the next call. The same frame gives the same bytes. Non-finite particles are omitted.
+  /// Valid until the next call. Equal frames give equal bytes. Non-finite particles are omitted.
   const Image& draw(const FrameView& frame);
-  /// Of the last picture.
+  /// Values in the last picture.
   const OffScale& off_scale() const;
 
  private:

@@ -15,19 +15,19 @@ namespace taut::render {
 /// Particles in picture coordinates.
 class Solids {
  public:
-  /// `glyph`: drawn over true diameter.
+  /// `glyph`: drawn / true diameter.
   explicit Solids(const PageLayout& layout, double glyph = 1)
       : layout_(layout), glyph_(glyph), cover_(layout.plot.width, layout.plot.height) {}
 
-  /// Spheres; hidden ones are omitted.
+  /// Omits hidden spheres.
   void place_balls(const FrameView& frame, const Projection& projection,
                    std::span<const std::uint32_t> colors);
-  /// The shaded cell faces that face the camera.
+  /// Shades cell faces that face the camera.
   void place_boxes(const FrameView& frame, const Projection& projection,
                    std::span<const std::uint32_t> colors);
-  /// Adds lines on 3D wall faces, in `color`, behind particles.
+  /// Adds lines on 3D walls, behind particles.
   void place_walls(const FrameView& frame, const Projection& projection, std::uint32_t color);
-  /// Cells in 2D.
+  /// Places 2D cells.
   void place_parallelograms(const FrameView& frame, std::span<const std::uint32_t> colors);
 
   /// Particles in the picture, also hidden ones.
@@ -51,8 +51,8 @@ class Solids {
   Cover cover_;
 };
 
-/// Drawn radius, pixels. Gaps narrower than a pixel would cause moiré and pale colours; so small particles grow, by
-/// less than 0.7 pixel, and below a diameter of 2 pixels fill their square.
+/// Drawn radius, pixels. Gaps narrower than a pixel cause moiré and pale colours: small particles grow, by less than
+/// 0.7 pixel, and below a diameter of 2 pixels fill a square.
 double drawn_radius(double radius);
 
 }  // namespace taut::render

@@ -6,7 +6,7 @@
 
 namespace taut::cli {
 
-/// In the order of `taut --help`.
+/// All commands, in the order of `taut --help`.
 std::span<const Command> commands();
 
 }  // namespace taut::cli

@@ -14,7 +14,7 @@
 namespace taut::cli {
 namespace {
 
-/// From coarse to fine.
+/// All spacings, from coarse to fine.
 std::set<double, std::greater<>> spacings(const Chart& chart) {
   std::set<double, std::greater<>> all;
   for (const ChartSeries& series : chart.series)

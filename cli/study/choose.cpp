@@ -12,7 +12,7 @@ bool in_time(const ChartPoint& point, std::optional<double> seconds) {
   return !seconds || point.cost <= *seconds;
 }
 
-/// From fine to coarse.
+/// Offers of a series, from fine to coarse.
 std::vector<Offer> offers(const ChartSeries& series) {
   std::vector<Offer> all;
   double worst = 0;

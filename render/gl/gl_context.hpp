@@ -7,7 +7,7 @@
 
 namespace taut::render {
 
-/// OpenGL 3.3 core context in software. The build option TAUT_GL selects its source file.
+/// OpenGL 3.3 core context in software. TAUT_GL selects the source file.
 class GlContext {
  public:
   explicit GlContext(int width, int height);
@@ -15,13 +15,13 @@ class GlContext {
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
-  /// Makes the context current in this thread. `framebuffer()` draws into `target`, of the context's size; OpenGL's
-  /// row 0 is the bottom row.
+  /// Makes the context current in this thread; `framebuffer()` draws into `target`, of equal size. OpenGL's row 0 is
+  /// at the bottom.
   class Current {
    public:
     /// Throws UsageError without enough memory.
     Current(GlContext& context, Image& target);
-    ~Current();  // completes the picture in the image
+    ~Current();  // completes the image
     Current(const Current&) = delete;
     Current& operator=(const Current&) = delete;
 

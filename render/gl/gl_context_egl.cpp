@@ -18,12 +18,12 @@ namespace {
   throw std::runtime_error("EGL " + what + " (error " + std::to_string(eglGetError()) + ")");
 }
 
-/// Mesa's display without a screen [EGL_MESA_platform_surfaceless, EGL_KHR_surfaceless_context]. Never closed: all
-/// threads use it.
+/// Mesa's display without a screen [EGL_MESA_platform_surfaceless, EGL_KHR_surfaceless_context]. All threads use it;
+/// it is never closed.
 EGLDisplay open_display() {
-  // the same bytes on every machine
+  // equal bytes on all machines
   setenv("LIBGL_ALWAYS_SOFTWARE", "true", 1);
-  // not worth files in the home folder, or warnings
+  // avoids files and warnings
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   const EGLDisplay display =
       eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
@@ -42,7 +42,7 @@ EGLDisplay display() {
 
 struct GlContext::Handle {
   EGLContext context = EGL_NO_CONTEXT;
-  GLuint framebuffer = 0, color = 0;  // destroyed with the context
+  GLuint framebuffer = 0, color = 0;
   ~Handle() {
     if (context != EGL_NO_CONTEXT) eglDestroyContext(display(), context);
   }
@@ -97,7 +97,7 @@ GlContext::Current::~Current() {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer());
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
   glReadPixels(0, 0, target_.width, target_.height, GL_BGRA, GL_UNSIGNED_BYTE, target_.pixels.data());
-  // the first row is the top row
+  // the image begins at the top
   const auto row = [&](int number) {
     return target_.pixels.begin() + static_cast<std::ptrdiff_t>(target_.offset(0, number));
   };

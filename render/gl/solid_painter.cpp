@@ -19,11 +19,11 @@ namespace {
 // per direction
 constexpr int samples = 2;
 
-// bounds the buffers; 1920 × 1080 needs one band
+// one band for 1920 × 1080
 constexpr int samples_per_band = 1 << 24;
 
-// x to the right, y downwards, z towards the camera. A surface keeps its colour if it faces the camera, the share
-// `ambient` if it faces away from the light.
+// x to the right, y downwards, z towards the camera. Surfaces keep their colour if they face the camera, the share
+// `ambient` if they face away from the light.
 constexpr std::array<float, 3> to_light = {-0.32f, -0.44f, 0.839f};
 constexpr float ambient = 0.72f;  // of a particle
 #define TAUT_LIGHT                                                  \
@@ -33,7 +33,7 @@ constexpr float ambient = 0.72f;  // of a particle
   "  return min(ambient + (1.0 - ambient) * light, 1.0);\n"         \
   "}\n"
 
-// `band`: width of the plot, top and height of the band, pixels; `depth`: greatest z, 1 / range of z
+// `band`: width of the plot, top and height of the band, pixels; `depth`: greatest z, 1 / range
 constexpr const char* ball_vertex_shader = R"(#version 330 core
 layout(location = 0) in vec4 ball;   // x, y, z, radius in pixels
 layout(location = 1) in vec4 color;
@@ -85,8 +85,8 @@ void main() { color = vec4(triangle_color.rgb, 1.0); })";
 constexpr const char* resolve_vertex_shader = R"(#version 330 core
 void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); })";
 
-// Samples opposite points: on a plane their mean depth equals the pixel's, in a hollow it is nearer; half their
-// difference is the slope. Much farther points belong to another object.
+// Opposite points: their mean depth equals the pixel's on a plane, and is nearer in a hollow; half their difference
+// is the slope. Much farther points are other objects.
 constexpr const char* resolve_fragment_shader = "#version 330 core\n" TAUT_LIGHT R"(
 uniform sampler2D colors, depths;
 uniform ivec2 corner;    // of the picture's part, pixels
@@ -143,7 +143,7 @@ GLuint make_texture(GLint format, GLenum kind, GLenum type, GLint filter, int wi
   return texture;
 }
 
-/// `floats` numbers, then a colour.
+/// Declares `floats` numbers and a colour.
 void declare_attributes(int floats, std::size_t stride) {
   const auto place = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
   const auto bytes = static_cast<GLsizei>(stride);
@@ -251,13 +251,13 @@ void SolidPainter::draw_band(int top, int height, int ball_corners, int corners,
   }
 }
 
-/// Rows from `top`; the band has `below` more at its lower end.
+/// Draws rows from `top`; the band has `below` more below them.
 void SolidPainter::resolve(std::uint32_t picture, int top, int height, int below, const Extent& extent) {
-  const int bottom = image_height_ - (plot_.y + top + height);  // OpenGL's row 0 is at the bottom
+  const int bottom = image_height_ - (plot_.y + top + height);  // OpenGL's row 0
   glBindFramebuffer(GL_FRAMEBUFFER, picture);
   glViewport(0, 0, image_width_, image_height_);
   glDisable(GL_DEPTH_TEST);
-  // the rest has the background's colour
+  // the rest is background
   const auto within = [](float value, int most) {
     return static_cast<int>(std::clamp(value, 0.0f, static_cast<float>(most)));
   };

@@ -8,15 +8,15 @@
 
 namespace taut::render {
 
-/// A sphere; lengths in pixels.
+/// A sphere, pixels.
 struct Ball {
   float x, y;  // centre from the plot's top left, y downwards
-  float z;     // towards the camera, from any origin
+  float z;     // towards the camera
   float radius;
   std::uint32_t color;  // bytes R, G, B, 255
 };
 
-/// Of a triangle; coordinates as of Ball.
+/// Corner of a triangle, as a Ball.
 struct Corner {
   float x, y, z;
   std::uint32_t color;  // shaded
@@ -24,15 +24,15 @@ struct Corner {
 
 /// Draws spheres and triangles with OpenGL. Requires a current context throughout its lifetime.
 ///
-/// Light from behind the camera, upper left, dims colours and keeps their hue. It shades each sphere, and the visible
-/// surface by the depth around each pixel; hollows are darker [Luft, Colditz, Deussen: Image enhancement by unsharp
-/// masking the depth buffer, 2006].
+/// Light from behind the camera, upper left, dims colours and keeps hues. It shades spheres, and the visible surface
+/// by the depths around a pixel; hollows are darker [Luft, Colditz, Deussen: Image enhancement by unsharp masking the
+/// depth buffer, 2006].
 class SolidPainter {
  public:
   /// Throws UsageError without enough memory.
   SolidPainter(int image_width, int image_height, const Rect& plot, Rgb background = white);
 
-  /// Clears the framebuffer `picture`, and draws balls and triangles (three corners each) into the plot.
+  /// Clears `picture`, and draws balls and triangles (three corners each) into the plot.
   void draw(std::uint32_t picture, std::span<const Ball> balls, std::span<const Corner> corners);
 
  private:
@@ -50,13 +50,13 @@ class SolidPainter {
   Rect plot_;
   std::array<float, 3> background_;
   int reach_;        // of the shading, pixels
-  int band_height_;  // limits the buffers
+  int band_height_;  // limits buffers
   std::uint32_t framebuffer_ = 0, color_ = 0, depth_ = 0;
   Shape ball_, triangle_;
   std::uint32_t resolve_program_ = 0, no_vertices_ = 0;
 };
 
-/// Factor of a colour, from the unit normal: x to the right, y downwards, z towards the camera.
+/// Factor of a colour, from the unit normal: right, downwards, towards the camera.
 float light_on(float x, float y, float z);
 
 }  // namespace taut::render

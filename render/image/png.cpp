@@ -22,14 +22,14 @@
 namespace taut::render {
 namespace {
 
-// Protect from forged headers; sides allow for panels.
+// protect from forged headers; sides allow for panels
 constexpr png_uint_32 greatest_side = 16384;
-constexpr png_alloc_size_t most_beside = 8 << 20;  // bytes of other chunks, e.g. texts
+constexpr png_alloc_size_t most_beside = 8 << 20;  // bytes of other chunks
 constexpr std::int64_t most_pixels = std::int64_t{8192} * 8192;
 
 // libpng's simplified API would convert to sRGB.
 
-/// libpng's error; must outlive the frames that longjmp skips.
+/// libpng's error. It outlives the frames that longjmp skips.
 struct Complaint {
   char message[128] = {0};
 };
@@ -42,7 +42,7 @@ void on_error(png_structp png, png_const_charp message) {
 
 void on_warning(png_structp, png_const_charp) {}
 
-/// False if libpng failed. longjmp runs no destructors: `work` must not need any.
+/// Returns false if libpng failed. longjmp runs no destructors: `work` must not need any.
 template <class Work>
 bool completes(png_structp png, const Work& work) {
   if (setjmp(png_jmpbuf(png))) return false;
@@ -65,7 +65,7 @@ void read_header(Reader& reader, std::FILE* file, Alpha alpha) {
   png_set_user_limits(reader.png, greatest_side, greatest_side);
   png_set_chunk_malloc_max(reader.png, most_beside);
   png_read_info(reader.png, reader.info);
-  // converts any format to B, G, R and opacity or 255
+  // gives B, G, R and opacity or 255
   png_set_expand(reader.png);
   png_set_scale_16(reader.png);
   if (alpha == Alpha::dropped) png_set_strip_alpha(reader.png);
@@ -76,12 +76,12 @@ void read_header(Reader& reader, std::FILE* file, Alpha alpha) {
   png_read_update_info(reader.png, reader.info);
 }
 
-/// Most significant byte first.
+/// Appends the most significant byte first.
 void append_number(std::vector<std::uint8_t>& bytes, std::uint32_t number) {
   for (const int shift : {24, 16, 8, 0}) bytes.push_back(static_cast<std::uint8_t>(number >> shift));
 }
 
-/// Length, kind, content, checksum [PNG §5.3].
+/// Appends length, kind, content, checksum [PNG §5.3].
 void append_chunk(std::vector<std::uint8_t>& file, std::string_view kind,
                   std::span<const std::uint8_t> holds) {
   append_number(file, static_cast<std::uint32_t>(holds.size()));
@@ -91,7 +91,7 @@ void append_chunk(std::vector<std::uint8_t>& file, std::string_view kind,
   append_number(file, crc32_gzip_refl(0, &file[from], file.size() - from));
 }
 
-/// Filter type none, then R, G, B of each pixel.
+/// Writes filter type none, then R, G, B.
 void put_row(const Image& image, int row, std::uint8_t* to) {
   *to++ = PNG_FILTER_VALUE_NONE;
   const std::uint8_t* from = &image.pixels[image.offset(0, row)];
@@ -99,14 +99,14 @@ void put_row(const Image& image, int row, std::uint8_t* to) {
     to[0] = from[2], to[1] = from[1], to[2] = from[0];
 }
 
-/// ISA-L at level 0 with the picture's own code: as fast as level 1, nearly as compact. In ISA-L 2.30, levels 1 and 2
-/// may depend on addresses. Too large for the stack.
+/// ISA-L at level 0 with the picture's code, as good as level 1. In ISA-L 2.30, the output of levels 1 and 2 may
+/// depend on memory addresses. Too large for the stack.
 struct Deflater {
   isal_zstream stream;
   isal_hufftables code;
   std::uint8_t deflated[1 << 16];
 
-  /// `seen`: of a part of the bytes.
+  /// `seen`: histogram of some bytes.
   explicit Deflater(isal_huff_histogram& seen) {
     isal_deflate_init(&stream);
     stream.gzip_flag = IGZIP_ZLIB;
@@ -118,7 +118,7 @@ struct Deflater {
   Deflater(const Deflater&) = delete;
   Deflater& operator=(const Deflater&) = delete;
 
-  /// Appends to `out`, at the end of the stream completely.
+  /// Appends to `out`, completely at the end of the stream.
   void add(std::span<std::uint8_t> bytes, bool at_end, std::vector<std::uint8_t>& out) {
     stream.next_in = bytes.data();
     stream.avail_in = static_cast<std::uint32_t>(bytes.size());
@@ -132,7 +132,7 @@ struct Deflater {
   }
 };
 
-/// Rows in the file's format, in bands that fit into the cache.
+/// Rows of the file, in bands that fit into the cache.
 class Bands {
  public:
   explicit Bands(const Image& image)
@@ -153,10 +153,10 @@ class Bands {
   std::vector<std::uint8_t> rows_;
 };
 
-/// Of every sixth band.
+/// Histogram of every sixth band.
 std::unique_ptr<isal_huff_histogram> histogram(Bands& bands) {
   constexpr int apart = 6;
-  auto seen = std::make_unique<isal_huff_histogram>();  // all zero
+  auto seen = std::make_unique<isal_huff_histogram>();  // zeros
   for (int k = std::min(apart, bands.count()) / 2; k < bands.count(); k += apart) {
     const std::span<std::uint8_t> bytes = bands(k);
     isal_update_histogram(bytes.data(), static_cast<int>(bytes.size()), seen.get());
@@ -164,7 +164,6 @@ std::unique_ptr<isal_huff_histogram> histogram(Bands& bands) {
   return seen;
 }
 
-/// As a zlib stream.
 std::vector<std::uint8_t> compressed_rows(const Image& image) {
   Bands bands(image);
   const auto deflater = std::make_unique<Deflater>(*histogram(bands));
@@ -197,7 +196,7 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
 void write_png(const Image& image, const std::filesystem::path& path) { write_png(encode_png(image), path); }
 
 void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
-  // same folder: renaming is atomic
+  // renaming in a folder is atomic
   std::filesystem::path part = path;
   part += ".part" + std::to_string(getpid());
 
@@ -205,7 +204,7 @@ void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path&
   if (!file) fail_to_write(path, std::strerror(errno));
   const bool all = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
   int reason = all ? 0 : errno;
-  // may be the first to detect a full disk
+  // may report a full disk
   if (std::fclose(file) != 0 && all) reason = errno;
 
   std::error_code error;

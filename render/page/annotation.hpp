@@ -29,7 +29,6 @@ class ColorKey {
   std::variant<ColorBar, Legend> key_;
 };
 
-/// All texts and scales of a picture.
 class Annotation {
  public:
   /// The image's pixels must outlive the annotation. `until` (last time, s) sets the unit of all times; 0: each has
@@ -37,13 +36,12 @@ class Annotation {
   Annotation(Image& image, const PageLayout& layout, ColorKey key, double until, Rgb background);
 
   void show(const AxesMarker& axes) { axes_ = axes; }
-  /// For perspective pictures.
+  /// Perspective pictures have no scale.
   void leave_out_scale_bar() { has_scale_bar_ = false; }
 
   void draw(const FrameView& frame, const OffScale& off_scale);
-  /// Whether only header and off-scale marks may differ.
+  /// Whether only header and off-scale marks change.
   bool stands_for(const FrameView& frame) const { return frame.field == field_ && frame.unit == unit_; }
-  /// Replaces header and off-scale marks.
   void draw_again(const FrameView& frame, const OffScale& off_scale);
 
  private:
@@ -59,7 +57,7 @@ class Annotation {
   std::string field_, unit_;  // last drawn
 };
 
-/// A bold title and a gray note, within `room`.
+/// Draws a bold title and a gray note, within `room`.
 void draw_title(Canvas& canvas, const std::string& title, const std::string& note, double left, double y,
                 double room, double em);
 

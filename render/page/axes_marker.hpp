@@ -5,7 +5,6 @@
 
 namespace taut::render {
 
-/// In the lower right corner.
 void draw_axes_marker(Canvas& canvas, const Rect& plot, const AxesMarker& axes, double em);
 
 }  // namespace taut::render

@@ -11,10 +11,10 @@
 
 namespace taut::render {
 
-// From 0 (full contrast) to 1 (background); full contrast is too hard.
+// Gray levels from 0 (full contrast) to 1 (background).
 inline constexpr double ink = 0.13;
 inline constexpr double faint = 0.42;
-inline constexpr double cap_height = 0.73;  // of digits, over the font size
+inline constexpr double cap_height = 0.73;  // of digits, per font size
 
 /// Thin, in whole pixels.
 double line_width(double em);
@@ -27,22 +27,22 @@ class Canvas {
   /// The image's pixels must outlive the canvas.
   explicit Canvas(Image& image, Rgb background = white);
 
-  /// To be called after other changes to the image, and after drawing.
+  /// Call `begin` after other changes to the image, `end` after drawing.
   void begin();
   void end();
 
   cairo_t* cairo() { return cairo_.get(); }
-  /// From 0 (white on dark, black on light) to 1 (background).
+  /// Level from 0 (white on dark, black on light) to 1 (background).
   void gray(double level);
   void color(Rgb color);
   void use(Weight weight, double size);
   void fill(double x, double y, double width, double height);
   /// Baseline at (x, y).
   void text(const std::string& text, double x, double y, Align align);
-  /// Upwards, with the middle of its baseline at (x, y).
+  /// Upwards; (x, y) is the middle of its baseline.
   void turned_text(const std::string& text, double x, double y);
   double width_of(const std::string& text);
-  /// Shortened with an ellipsis to `room`.
+  /// Shortens with an ellipsis to `room`.
   std::string fitted(std::string text, double room);
 
  private:
@@ -52,7 +52,7 @@ class Canvas {
   };
   Font regular_, bold_;
   Rgb background_;
-  double contrast_;  // strongest contrast, 0 or 1
+  double contrast_;  // 0 or 1
   std::unique_ptr<cairo_surface_t, Deleter> surface_;
   std::unique_ptr<cairo_t, Deleter> cairo_;
 };

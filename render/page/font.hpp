@@ -10,15 +10,14 @@ namespace taut::render {
 
 enum class Weight { regular, bold };
 
-/// DejaVu Sans. OutputError with its package if it is missing.
+/// Finds DejaVu Sans. Throws OutputError with its package.
 std::filesystem::path find_font(Weight weight);
 
-/// A font from its file. Without fontconfig and hinting, letters are the same everywhere.
+/// A font from its file, without fontconfig and hinting: letters are equal on all machines.
 class Font {
  public:
   explicit Font(const std::filesystem::path& file);
 
-  /// `size` in pixels.
   void use(cairo_t* cairo, double size) const;
 
  private:

@@ -6,38 +6,38 @@
 
 namespace taut::render {
 
-/// Visible region, m; the picture extends it to its own aspect ratio.
+/// Visible region, m; the picture extends it to its aspect ratio.
 struct View {
   double x_min = 0, x_max = 1, y_min = 0, y_max = 1;
   bool operator==(const View&) const = default;
 };
 
-/// Unit vectors of x, y, z: components to the right, up and towards the viewer.
+/// Unit vectors of x, y, z: right, up and towards the viewer.
 using AxesMarker = std::array<std::array<double, 3>, 3>;
 
 struct PageLayout {
   double font = 0;   // em in pixels; 0: no texts
   Rect plot;         // particles
-  Rect key;          // bar with numbers, or legend
-  double right = 0;  // end of the texts, pixels
+  Rect key;          // bar or legend
+  double right = 0;  // of the texts, pixels
   double pixels_per_metre = 1;
   double x_origin = 0, y_origin = 0;  // scene origin, pixels from the plot's top left
 
-  double column(double x) const { return x_origin + x * pixels_per_metre; }  // in the plot
-  double row(double y) const { return y_origin - y * pixels_per_metre; }     // in the plot, downwards
+  double column(double x) const { return x_origin + x * pixels_per_metre; }
+  double row(double y) const { return y_origin - y * pixels_per_metre; }  // downwards
 };
 
 /// Minimum width of bar, numbers and label, em.
 inline constexpr double room_of_bar = 5.75;
 
-/// Pixels; 0: too small for texts.
+/// Sizes in pixels; 0: no texts.
 struct TextSize {
   double font = 0;
   int key_height = 0;
 };
 TextSize text_size(int width, int height);
 
-/// Without texts, the plot fills the picture. The key is `room` em wide, but at most 36 % of the picture.
+/// Without texts, the plot fills the picture. The key is `room` em wide, but at most 36 %.
 PageLayout make_layout(int width, int height, const View& view, bool texts = true, double room = room_of_bar);
 
 }  // namespace taut::render

@@ -8,7 +8,7 @@
 
 namespace taut::render {
 
-/// Values in a picture outside its colour bar.
+/// Values outside a colour bar.
 struct OffScale {
   bool below = false, above = false;  // drawn in the colour of an end
   bool no_number = false;
@@ -26,9 +26,9 @@ class ColorBar {
 
   /// Width for a height in pixels and values in `unit`, em.
   double width(int height, double em, std::string_view unit) const;
-  /// Fills the height of `room`, from its left edge. Omits numbers that do not fit, or whose unit does not.
+  /// Fills the height of `room`, from its left edge. Omits numbers if they, or their unit, do not fit.
   void draw(Canvas& canvas, const Rect& room, double em, std::string_view field, std::string_view unit);
-  /// Replaces the arrows at exceeded ends, and the NaN swatch below.
+  /// Replaces arrows at exceeded ends, and a NaN swatch.
   void draw_off_scale(Canvas& canvas, const Rect& room, double em, const OffScale& found) const;
 
  private:
@@ -45,7 +45,7 @@ class ColorBar {
 /// "von Mises stress (MPa)": to fit, the name is shortened, never the unit. May be empty.
 std::string label_of_bar(Canvas& canvas, std::string_view field, const std::string& unit, double room);
 
-/// Of a round length, about a fifth of the plot.
+/// Draws a bar of a round length, about a fifth of the plot.
 void draw_scale_bar(Canvas& canvas, const Rect& plot, double pixels_per_metre, double em);
 
 }  // namespace taut::render

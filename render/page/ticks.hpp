@@ -6,17 +6,16 @@
 
 namespace taut::render {
 
-/// Shown as `value * factor` in `unit`, e.g. 1e-6 and "MPa".
+/// `value * factor` in `unit`, e.g. 1e-6 and "MPa".
 struct Scale {
   double factor = 1;
   std::string unit;
 };
 
-/// Gives numbers up to `greatest` at most three digits before the point, with an SI prefix or, e.g. for 1/s, a power
-/// of ten.
+/// Gives numbers up to `greatest` at most three digits before the point, by an SI prefix or, e.g. for 1/s, a power of
+/// ten.
 Scale scale_for(double greatest, std::string_view unit);
 
-/// A round value.
 struct Tick {
   double value;       // in the range's unit
   std::string label;  // in the scale's unit
@@ -27,7 +26,7 @@ struct Ticks {
   std::string unit;
 };
 
-/// At most `most` (2 or more) multiples of 1, 2 or 5 times a power of ten.
+/// Places at most `most` (2 or more) multiples of 1, 2 or 5 times a power of ten.
 Ticks nice_ticks(double low, double high, std::string_view unit, int most);
 
 /// Greatest 1, 2 or 5 times a power of ten up to `length` > 0.

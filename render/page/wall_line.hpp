@@ -5,8 +5,8 @@
 
 namespace taut::render {
 
-/// A wall in 2D with strokes behind its face, fixed to (x, y): a point of the face, pixels, y downwards. (nx, ny):
-/// unit normal away from the wall.
+/// A 2D wall with strokes, fixed to (x, y) on its face: pixels, y downwards. (nx, ny): unit normal away from the
+/// wall.
 void draw_wall_line(Canvas& canvas, const Rect& plot, double x, double y, double nx, double ny, double em);
 
 }  // namespace taut::render
