@@ -9,12 +9,12 @@ namespace taut::render {
 /// A vector, m or dimensionless.
 using Vector = std::array<double, 3>;
 
-/// Viewpoint of a 3D scene. Its View bounds the picture plane.
+/// Viewpoint of a 3D scene. A View then bounds the picture plane, from the scene's origin.
 struct Camera {
   Vector from = {1, -2, 1};  // towards the camera, any length
   Vector up = {0, 0, 1};     // any length; y or x if parallel to `from`
   double field_of_view = 0;  // vertical, degrees; 0: parallel projection
-  double front = 0;          // perspective: height along `from` of true lengths, m
+  double front = 0;          // in perspective, height along `from` where lengths are true, m
   bool operator==(const Camera&) const = default;
 };
 
@@ -26,7 +26,7 @@ struct CameraAxes {
 };
 
 CameraAxes axes_of(const Camera& camera);
-/// Turns the camera right around `up`, then upwards, degrees.
+/// Turns the camera around the scene: to the right around `up`, then upwards, degrees.
 Camera orbited(const Camera& camera, double right, double upwards);
 AxesMarker marker_of(const Camera& camera);
 
@@ -37,7 +37,7 @@ class Projection {
  public:
   Projection(const Camera& camera, const View& view);
 
-  /// Right, up and towards the camera, m; the first two scaled.
+  /// Coordinates to the right, up and towards the camera, m; the first two are scaled.
   struct Seen {
     Vector at;
     double scale;  // projected / true length; not positive behind the camera

@@ -11,12 +11,13 @@
 
 namespace taut::render {
 
+/// The look must be complete.
 class Coloring {
  public:
   explicit Coloring(const Look& look);
 
   std::uint32_t operator()(double value) const;  // bytes R, G, B, 255
-  /// Tests for NaN, and values more than half a colour step out of range.
+  /// Detects NaN, and values out of range by more than half a colour step.
   OffScale off_scale(double value) const;
   const ColorKey& key() const { return key_; }
 

@@ -23,10 +23,10 @@ constexpr std::uint32_t coolwarm[] = {0x3b4cc0, 0x4d66d3, 0x5f7de2, 0x7192ea, 0x
                                       0xa5badf, 0xb3bed1, 0xbebebe, 0xcfb9ae, 0xdbaf9b, 0xe1a287,
                                       0xe38f72, 0xe0785e, 0xd65e49, 0xc73d37, 0xb40426};
 constexpr std::uint32_t rainbow[] = {0x0000ff, 0x00ffff, 0x00ff00, 0xffff00, 0xff0000};
-// not white, the background
+// stops short of white, the default background
 constexpr std::uint32_t gray[] = {0x101010, 0xe0e0e0};
 
-// Okabe & Ito 2002, "Color Universal Design", with gray for black
+// Okabe & Ito 2002, "Color Universal Design", with gray for black, which must be visible on black
 constexpr std::uint32_t categories[] = {0x0072b2, 0xe69f00, 0x009e73, 0xd55e00,
                                         0x56b4e9, 0xcc79a7, 0xf0e442, 0x999999};
 constexpr double darker = 0.6;  // in the second round

@@ -21,10 +21,11 @@ struct Colormap {
   /// Clamps `t` to [0, 1]; NaN gives the low end.
   Rgb at(double t) const;
 
+  /// Samples the part [from, to] of the map.
   std::array<Rgb, 256> table(double from = 0, double to = 1) const;
 };
 
-/// Neighbours differ for colour-blind readers, too. Colours 8 to 15 are darker; then they repeat.
+/// Neighbouring colours differ for colour-blind readers, too. Colours 8 to 15 are darker; then they repeat.
 Rgb category_color(std::size_t k);
 
 std::span<const Colormap> colormaps();

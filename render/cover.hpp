@@ -14,7 +14,7 @@ class Cover {
   Cover(int width, int height);
 
   void clear();
-  /// Returns false if in doubt.
+  /// Whether the added balls hide `ball`; false if in doubt.
   bool hides(const Ball& ball) const;
   void add(const Ball& ball);
 
@@ -25,8 +25,8 @@ class Cover {
 
   int width_, height_;            // samples
   int tile_columns_, tile_rows_;  // squares of samples
-  std::vector<float> depth_;      // z of the cover, pixels
-  std::vector<float> tile_;       // least depth
+  std::vector<float> depth_;      // samples are covered up to this z, pixels
+  std::vector<float> tile_;       // least depth in each tile
 };
 
 }  // namespace taut::render

@@ -40,7 +40,7 @@ Colors blended(const Colors& over, const Colors& under, const Ints& alpha) {
 struct DiscRow {
   float dy2;    // squared distance from the centre
   float reach;  // outer radius of the rim
-  float depth;  // per distance
+  float depth;  // depth per distance from the centre
   std::uint32_t color;
 };
 
@@ -117,7 +117,7 @@ DiscPainter::Bands DiscPainter::bands_of(const Dot& disc) const {
 }
 
 void DiscPainter::sort_into_bands(std::span<const Dot> discs) {
-  // shifted: starts become ends during filling
+  // shifted by one: starts become ends during filling
   end_.assign(static_cast<std::size_t>(bands_) + 2, 0);
   for (const Dot& disc : discs)
     for (auto [band, last] = bands_of(disc); band <= last; ++band) ++end_[static_cast<std::size_t>(band) + 2];

@@ -42,10 +42,10 @@ class DiscPainter {
   std::uint32_t background_;  // bytes B, G, R, 255
   int bands_, tiles_;
   std::size_t stride_;                   // of a row
-  std::vector<std::uint32_t> end_;       // in `sorted_`, after a 0
+  std::vector<std::uint32_t> end_;       // of each band's discs in `sorted_`, after a 0
   std::vector<std::uint32_t> sorted_;    // disc numbers by band
   std::vector<std::uint32_t> color_;     // samples of a band; bytes B, G, R, 255
-  std::vector<float> depth_;             // from the nearest centre, 0 to 1
+  std::vector<float> depth_;             // distance from the nearest centre, 0 to 1
   std::vector<std::uint8_t> touched_;    // tiles of the band with discs
   std::vector<std::uint8_t> was_drawn_;  // tiles of the plot with discs
 };

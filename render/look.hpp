@@ -32,12 +32,12 @@ struct Size {
 struct Look {
   std::optional<View> view;            // visible region; in 3D of the picture plane
   std::optional<Camera> camera{};      // only in 3D
-  std::optional<Range> range;          // of the colours; clamps values
+  std::optional<Range> range;          // of the colours; values outside are clamped
   const Colormap* colormap = nullptr;  // nullptr: open
-  double middle = 0;                   // of a diverging map, if in range
-  std::string unit{};                  // of the values
-  std::optional<Size> size = Size{};   // from least_size to greatest_size
-  bool bare = false;                   // only particles
+  double middle = 0;                   // value of a diverging map's middle, if in range
+  std::string unit{};                  // of the values; determines the width of their numbers
+  std::optional<Size> size = Size{};   // sides from least_size to greatest_size
+  bool bare = false;                   // only particles, over the whole picture
   double glyph = 1;                    // drawn / true diameter
   Rgb background = white;              // texts contrast with it
   /// Names of categories; values then count from 0, a legend replaces the bar, range and colour map may be open.

@@ -25,7 +25,7 @@ class Renderer {
 
   /// Valid until the next call. Equal frames give equal bytes. Non-finite particles are omitted.
   const Image& draw(const FrameView& frame);
-  /// Values in the last picture.
+  /// Off-scale values in the last picture.
   const OffScale& off_scale() const;
 
  private:

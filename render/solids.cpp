@@ -77,7 +77,7 @@ void Solids::place_balls(const FrameView& frame, const Projection& projection,
 
 /// Omits balls whose samples are covered, from front to back.
 void Solids::drop_hidden() {
-  constexpr std::size_t few = 2000;  // drawing is faster
+  constexpr std::size_t few = 2000;  // below, drawing all is faster
   if (balls_.size() < few) return;
   sort_roughly();
   cover_.clear();
@@ -88,7 +88,7 @@ void Solids::drop_hidden() {
   });
 }
 
-/// Nearest first, in slices: exact order only finds more hidden balls.
+/// Sorts nearest first, in slices: exact order only finds more hidden balls.
 void Solids::sort_roughly() {
   constexpr std::size_t slices = 4096;
   const auto [far, near] = std::ranges::minmax(balls_, {}, &Ball::z);
@@ -152,7 +152,7 @@ void Solids::place_walls(const FrameView& frame, const Projection& projection, s
     for (const auto& [from, to] : grid_on(wall, seen, cell)) add_line(from, to, projection, color);
 }
 
-/// Pieces behind the camera are omitted; each has a constant width.
+/// Draws pieces: those behind the camera are omitted; each has a constant width.
 void Solids::add_line(const Vector& from, const Vector& to, const Projection& projection,
                       std::uint32_t color) {
   constexpr int pieces = 16;

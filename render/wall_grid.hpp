@@ -9,7 +9,7 @@
 
 namespace taut::render {
 
-/// Grid lines on a 3D wall, m, fixed to it, with square cells around the points.
+/// Grid lines on a 3D wall, m, fixed to it, with square cells around the points. None without points.
 std::vector<std::pair<Vector, Vector>> grid_on(const WallFace& wall, std::span<const Vector> points,
                                                double cell);
 

@@ -7,7 +7,7 @@
 
 namespace taut::render {
 
-/// OpenGL 3.3 core context in software. TAUT_GL selects the source file.
+/// OpenGL 3.3 core context in software. The build option TAUT_GL selects its source file.
 class GlContext {
  public:
   explicit GlContext(int width, int height);
@@ -21,7 +21,7 @@ class GlContext {
    public:
     /// Throws UsageError without enough memory.
     Current(GlContext& context, Image& target);
-    ~Current();  // completes the image
+    ~Current();  // completes the picture in the image
     Current(const Current&) = delete;
     Current& operator=(const Current&) = delete;
 

@@ -23,7 +23,7 @@ namespace {
 EGLDisplay open_display() {
   // equal bytes on all machines
   setenv("LIBGL_ALWAYS_SOFTWARE", "true", 1);
-  // avoids files and warnings
+  // a cache is not worth files in the home folder
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   const EGLDisplay display =
       eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
@@ -97,7 +97,7 @@ GlContext::Current::~Current() {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer());
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
   glReadPixels(0, 0, target_.width, target_.height, GL_BGRA, GL_UNSIGNED_BYTE, target_.pixels.data());
-  // the image begins at the top
+  // the first row of the image is the top row
   const auto row = [&](int number) {
     return target_.pixels.begin() + static_cast<std::ptrdiff_t>(target_.offset(0, number));
   };

@@ -25,7 +25,7 @@ GlContext::GlContext(int width, int height)
   // threads share the environment
   static std::mutex one_at_a_time;
   const std::scoped_lock lock(one_at_a_time);
-  // avoids files and warnings
+  // a cache is not worth files in the home folder
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   const int attributes[] = {OSMESA_FORMAT,
                             OSMESA_BGRA,
@@ -53,11 +53,11 @@ GlContext::Current::Current(GlContext& context, Image& target) : context_(contex
                          target.height)) {
     fail_for_memory(target.width, target.height);
   }
-  OSMesaPixelStore(OSMESA_Y_UP, 0);  // the image begins at the top
+  OSMesaPixelStore(OSMESA_Y_UP, 0);  // the first row of the image is the top row
 }
 
 GlContext::Current::~Current() {
-  glFinish();  // completes the image
+  glFinish();  // completes the picture in the image
   OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
 }
 

@@ -19,7 +19,7 @@ namespace {
 // per direction
 constexpr int samples = 2;
 
-// one band for 1920 × 1080
+// limits the buffers; 1920 × 1080 needs one band
 constexpr int samples_per_band = 1 << 24;
 
 // x to the right, y downwards, z towards the camera. Surfaces keep their colour if they face the camera, the share
@@ -169,7 +169,7 @@ struct SolidPainter::Extent {
     top = std::min(top, y - radius), bottom = std::max(bottom, y + radius);
     far = std::min(far, z - radius), near = std::max(near, z + radius);
   }
-  float range() const { return std::max(near - far, 1e-3f) * 1.001f; }  // beyond the farthest point
+  float range() const { return std::max(near - far, 1e-3f) * 1.001f; }  // farthest point is not background
 };
 
 SolidPainter::SolidPainter(int image_width, int image_height, const Rect& plot, Rgb background)
@@ -253,11 +253,11 @@ void SolidPainter::draw_band(int top, int height, int ball_corners, int corners,
 
 /// Draws rows from `top`; the band has `below` more below them.
 void SolidPainter::resolve(std::uint32_t picture, int top, int height, int below, const Extent& extent) {
-  const int bottom = image_height_ - (plot_.y + top + height);  // OpenGL's row 0
+  const int bottom = image_height_ - (plot_.y + top + height);  // OpenGL's row 0 is the bottom
   glBindFramebuffer(GL_FRAMEBUFFER, picture);
   glViewport(0, 0, image_width_, image_height_);
   glDisable(GL_DEPTH_TEST);
-  // the rest is background
+  // the rest has the background's colour
   const auto within = [](float value, int most) {
     return static_cast<int>(std::clamp(value, 0.0f, static_cast<float>(most)));
   };

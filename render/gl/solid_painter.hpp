@@ -11,7 +11,7 @@ namespace taut::render {
 /// A sphere, pixels.
 struct Ball {
   float x, y;  // centre from the plot's top left, y downwards
-  float z;     // towards the camera
+  float z;     // towards the camera, from any origin
   float radius;
   std::uint32_t color;  // bytes R, G, B, 255
 };
@@ -49,14 +49,14 @@ class SolidPainter {
   int image_width_, image_height_;
   Rect plot_;
   std::array<float, 3> background_;
-  int reach_;        // of the shading, pixels
-  int band_height_;  // limits buffers
+  int reach_;        // radius of the shading, pixels
+  int band_height_;  // limits the buffers of large pictures
   std::uint32_t framebuffer_ = 0, color_ = 0, depth_ = 0;
   Shape ball_, triangle_;
   std::uint32_t resolve_program_ = 0, no_vertices_ = 0;
 };
 
-/// Factor of a colour, from the unit normal: right, downwards, towards the camera.
+/// Factor of a face's colour, from its unit normal: x to the right, y downwards, z towards the camera.
 float light_on(float x, float y, float z);
 
 }  // namespace taut::render

@@ -4,7 +4,7 @@
 
 namespace taut::render {
 
-/// CIE 1976 L*a*b*, white point D65.
+/// CIE 1976 L*a*b*, white point D65. Equal distances look about equal.
 struct Lab {
   double L, a, b;
 };

@@ -7,7 +7,7 @@
 
 namespace taut::render {
 
-/// Pixels from the top left.
+/// Part of a picture, pixels from the top left.
 struct Rect {
   int x = 0, y = 0, width = 0, height = 0;
 };
@@ -15,10 +15,11 @@ struct Rect {
 using Rgb = std::array<std::uint8_t, 3>;
 inline constexpr Rgb white = {255, 255, 255};
 
-/// Whether black is easier to read on it than white: ITU-R BT.709 of stored values; contrasts are equal at 118.
+/// Whether black is easier to read on this colour than white: ITU-R BT.709 of stored values; contrasts are equal at
+/// 118.
 inline bool is_light(Rgb color) { return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2] > 118; }
 
-/// Rows from the top; bytes B, G, R, 255.
+/// A picture, by rows from the top. A pixel is B, G, R, 255.
 struct Image {
   int width = 0;
   int height = 0;

@@ -101,9 +101,8 @@ ImageDifference compare(const Image& a, const Image& b, double tolerance) {
 }
 
 double excess(const ImageDifference& difference, const DifferenceLimit& limit) {
-  const auto times = [](double value, double most) {
-    return value > 0 ? value / most : 0.0;
-  };  // limits may be 0
+  // limits may be 0
+  const auto times = [](double value, double most) { return value > 0 ? value / most : 0.0; };
   return std::max({times(difference.share, limit.share), times(difference.densest, limit.densest),
                    times(difference.greatest, limit.greatest)});
 }

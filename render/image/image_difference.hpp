@@ -13,12 +13,12 @@ inline constexpr double just_noticeable = 2.3;
 struct ImageDifference {
   double share = 0;           // of pixels beyond the tolerance, 0 to 1
   double greatest = 0;        // ΔE*ab
-  double densest = 0;         // share in the worst window, 16 × 16 pixels
+  double densest = 0;         // share in the worst window of 16 × 16 pixels
   int column = 0, row = 0;    // top left of that window
-  int width = 0, height = 0;  // smaller in small pictures
+  int width = 0, height = 0;  // of that window; smaller in small pictures
 };
 
-/// Rounding may move edges across pixel centres, but rarely side by side.
+/// Limits for equal pictures. Rounding may move edges across pixel centres, but rarely side by side.
 struct DifferenceLimit {
   double share = 0.002;
   double densest = 0.05;

@@ -27,7 +27,7 @@ constexpr png_uint_32 greatest_side = 16384;
 constexpr png_alloc_size_t most_beside = 8 << 20;  // bytes of other chunks
 constexpr std::int64_t most_pixels = std::int64_t{8192} * 8192;
 
-// libpng's simplified API would convert to sRGB.
+// libpng's simplified API needs no longjmp, but converts to sRGB.
 
 /// libpng's error. It outlives the frames that longjmp skips.
 struct Complaint {
@@ -91,7 +91,7 @@ void append_chunk(std::vector<std::uint8_t>& file, std::string_view kind,
   append_number(file, crc32_gzip_refl(0, &file[from], file.size() - from));
 }
 
-/// Writes filter type none, then R, G, B.
+/// Writes filter type none, which flat colours do not need, then R, G, B.
 void put_row(const Image& image, int row, std::uint8_t* to) {
   *to++ = PNG_FILTER_VALUE_NONE;
   const std::uint8_t* from = &image.pixels[image.offset(0, row)];
@@ -204,7 +204,7 @@ void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path&
   if (!file) fail_to_write(path, std::strerror(errno));
   const bool all = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
   int reason = all ? 0 : errno;
-  // may report a full disk
+  // a full disk may appear only here
   if (std::fclose(file) != 0 && all) reason = errno;
 
   std::error_code error;

@@ -40,7 +40,7 @@ class Annotation {
   void leave_out_scale_bar() { has_scale_bar_ = false; }
 
   void draw(const FrameView& frame, const OffScale& off_scale);
-  /// Whether only header and off-scale marks change.
+  /// Whether only header and off-scale marks would change.
   bool stands_for(const FrameView& frame) const { return frame.field == field_ && frame.unit == unit_; }
   void draw_again(const FrameView& frame, const OffScale& off_scale);
 

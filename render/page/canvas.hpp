@@ -16,7 +16,7 @@ inline constexpr double ink = 0.13;
 inline constexpr double faint = 0.42;
 inline constexpr double cap_height = 0.73;  // of digits, per font size
 
-/// Thin, in whole pixels.
+/// Width of a thin line, in whole pixels.
 double line_width(double em);
 
 /// Draws over an image with Cairo; pixels from the top left.
@@ -37,12 +37,12 @@ class Canvas {
   void color(Rgb color);
   void use(Weight weight, double size);
   void fill(double x, double y, double width, double height);
-  /// Baseline at (x, y).
+  /// Draws text with its baseline at (x, y).
   void text(const std::string& text, double x, double y, Align align);
-  /// Upwards; (x, y) is the middle of its baseline.
+  /// Draws text upwards; (x, y) is the middle of its baseline.
   void turned_text(const std::string& text, double x, double y);
   double width_of(const std::string& text);
-  /// Shortens with an ellipsis to `room`.
+  /// Shortens text with an ellipsis to `room`.
   std::string fitted(std::string text, double room);
 
  private:
@@ -52,7 +52,7 @@ class Canvas {
   };
   Font regular_, bold_;
   Rgb background_;
-  double contrast_;  // 0 or 1
+  double contrast_;  // strongest contrast to the background, 0 or 1
   std::unique_ptr<cairo_surface_t, Deleter> surface_;
   std::unique_ptr<cairo_t, Deleter> cairo_;
 };

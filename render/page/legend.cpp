@@ -11,7 +11,7 @@ constexpr double line_height = 1.55;
 constexpr double title_height = 1.75;
 constexpr double disc_radius = 0.45;
 constexpr double text_left = 1.4;
-constexpr double letter_width = 0.62;  // with a margin
+constexpr double letter_width = 0.62;  // average, with a margin
 constexpr double small_size = 0.94;
 
 /// Counts characters, not bytes.

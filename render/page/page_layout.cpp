@@ -9,7 +9,7 @@ namespace {
 // smaller pictures have no texts
 constexpr int least_text_width = 240;
 constexpr int least_text_height = 120;
-constexpr double least_font = 9;  // legible
+constexpr double least_font = 9;  // smallest legible size
 
 // Lengths in em.
 constexpr double margin = 1.1;

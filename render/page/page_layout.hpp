@@ -19,7 +19,7 @@ struct PageLayout {
   double font = 0;   // em in pixels; 0: no texts
   Rect plot;         // particles
   Rect key;          // bar or legend
-  double right = 0;  // of the texts, pixels
+  double right = 0;  // right end of the texts, pixels
   double pixels_per_metre = 1;
   double x_origin = 0, y_origin = 0;  // scene origin, pixels from the plot's top left
 

@@ -12,13 +12,13 @@ constexpr double small_size = 0.94;
 constexpr double tick_length = 0.3;
 constexpr double tick_gap = 0.25;
 constexpr double tick_spacing = 3.8;   // minimum between numbers
-constexpr double label_gap = 0.75;     // after the numbers
+constexpr double label_gap = 0.75;     // between numbers and label
 constexpr double most_beyond = 0.3;    // into the margin
-constexpr double arrow_height = 0.42;  // both fit below the header
+constexpr double arrow_height = 0.42;  // arrow and gap fit below the header
 constexpr double arrow_gap = 0.13;
-constexpr double swatch_size = 0.75;     // of NaN
+constexpr double swatch_size = 0.75;     // of NaN, below the arrow
 constexpr double swatch_gap = 0.35;      // to its text
-constexpr double width_of_swatch = 6.6;  // with text
+constexpr double width_of_swatch = 6.6;  // with its text
 
 Rect bar_in(const Rect& room, double em) {
   return {room.x, room.y, static_cast<int>(std::lround(bar_width * em)), room.height};
@@ -81,7 +81,7 @@ void ColorBar::draw(Canvas& canvas, const Rect& room, double em, std::string_vie
   for (const Tick& tick : ticks_.at) widest = std::max(widest, canvas.width_of(tick.label));
   canvas.use(Weight::regular, em);
   const std::string label = label_of_bar(canvas, field, ticks_.unit, bar.height);
-  const double right = bar.width + (width_with(widest / em) - bar_width) * em;  // whole pixels
+  const double right = bar.width + (width_with(widest / em) - bar_width) * em;  // the bar has whole pixels
   if (right > room.width + most_beyond * em || (label.empty() && !ticks_.unit.empty())) return;
   canvas.turned_text(label, bar.x + right, bar.y + 0.5 * bar.height);
   draw_ticks(canvas, bar, em);
