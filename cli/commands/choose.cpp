@@ -73,7 +73,7 @@ bool is_same(const std::string& a, const std::string& b) {
   return x && y ? std::abs(*x - *y) <= 1e-9 * std::abs(*y) : a == b;
 }
 
-/// Removes runs with other scene settings; returns the deciding settings.
+/// Removes runs with other scene settings; returns the settings that removed some.
 std::string keep_those_of(const SceneFile& file, StoredResults& results) {
   std::vector<std::string> others;
   for (const std::string& name : names_of_scene(results.runs)) {

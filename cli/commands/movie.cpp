@@ -89,7 +89,7 @@ std::vector<std::string> arguments_of(const MovieArguments& options, const fs::p
                                      "-framerate", exact(options.fps), "-i",        "frame_%05d.png"};
   const std::vector<std::string> rest = encoding(movie.extension().string());
   arguments.insert(arguments.end(), rest.begin(), rest.end());
-  arguments.push_back("file:" + movie.string());  // prevents a protocol
+  arguments.push_back("file:" + movie.string());  // otherwise ':' ends a protocol
   return arguments;
 }
 

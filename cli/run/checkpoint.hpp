@@ -40,7 +40,7 @@ struct CheckpointHeader {
 /// Replaces the file atomically, with a checksum. Throws OutputError.
 void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint, CheckpointHeader header = {});
 
-/// Throws UsageError for damage or another format.
+/// Throws UsageError for a damaged file or another format.
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
 }  // namespace taut::cli

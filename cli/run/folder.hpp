@@ -19,8 +19,8 @@ class RunFolder {
 
   /// Throws UsageError for files that are not from a run. Changes nothing.
   void check() const;
-  /// Whether run.json is unreadable. Scene and history identify a run, else the beginning of run.json and all file
-  /// names.
+  /// Whether run.json is unreadable. A run is identified by scene and history, else by the beginning of run.json and
+  /// all file names.
   bool is_damaged() const;
   /// Creates the folder and first run.json, which identifies a run. Throws OutputError.
   void claim(std::string_view record) const;
@@ -54,7 +54,7 @@ class RunFolder {
 };
 
 std::optional<std::filesystem::path> run_around(const std::filesystem::path& path);
-/// Locks that folder, if there is one. Throws as FolderLock.
+/// Locks the run folder that contains `path`, if any. Throws as FolderLock.
 std::unique_ptr<const FolderLock> lock_around(const std::filesystem::path& path, std::string_view command);
 
 }  // namespace taut::cli

@@ -27,7 +27,7 @@ class OutputOf : public RunOutput {
 /// Judgements cost more than rows, and are independent of them.
 constexpr int judged_parts = 200;
 
-/// history.csv, drift, verdict, indicators, which rows repeat between judgements.
+/// history.csv, drift, verdict and indicators. Rows between judgements repeat the indicators.
 class HistoryOutput final : public OutputOf<HistoryOutput> {
  public:
   HistoryOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)

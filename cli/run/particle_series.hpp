@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// Writes atomic files, one per time, and their index.
+/// Writes a file per time, atomically, and their index.
 class ParticleSeries {
  public:
   /// Adds its time to `seconds`.

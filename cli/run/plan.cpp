@@ -77,7 +77,7 @@ std::string value_in(const SceneFile& file, const Setting& setting) {
   if (setting.name == "law") return file.settings.law;
   if (setting.name == "contact") return std::string(name(file.scene.contact));
   if (setting.name == "stepping") return file.settings.stepping == Stepping::single ? "single" : "dual";
-  // as requested
+  // as requested, not rounded
   return parsed<double>(setting.value) ? setting.value : exact(file.spacing_asked);
 }
 
@@ -100,7 +100,7 @@ std::string changes_text(const RunOptions& options, const SceneFile& file) {
       method = {setting};
     else
       last[setting.name] = setting;
-  for (const Parameter& parameter : file.parameters)  // of a copied scene.toml
+  for (const Parameter& parameter : file.parameters)  // changed in a copied scene.toml
     if (!left_by(file) && parameter.value != parameter.default_value)
       last.try_emplace(parameter.name, Setting{parameter.name, ""});
   if (last.empty()) return "";

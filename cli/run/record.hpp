@@ -53,7 +53,7 @@ struct RunRecord {
   std::optional<double> particle_steps_per_second() const;
 };
 
-/// Explains an energy drift of 1 % or more.
+/// Explains an energy drift of 1 % or more; else empty.
 std::string energy_note(const RunRecord& record);
 
 /// Unknown and non-finite values become null.

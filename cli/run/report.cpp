@@ -19,7 +19,7 @@ std::string with_unit(std::optional<double> value, const std::string& unit) {
   return brief(*value) + (unit.empty() || unit == "1" ? "" : " " + unit);
 }
 
-/// Relative; in the measure's unit if the reference is 0 or a table.
+/// Relative error; in the measure's unit if the reference is 0 or a table.
 std::string error(const MeasureResult& m) {
   const bool relative = m.error && m.reference && *m.reference != 0;
   return relative ? percent(*m.error) : with_unit(m.error, m.unit);

@@ -53,7 +53,7 @@ RunOptions stored_options(const RunFolder& folder, const std::optional<Checkpoin
   return options;
 }
 
-/// First option that would change `plan`, which `stored` gave; or "".
+/// First option that would change `plan`, made from `stored`; or "".
 std::string what_differs(const RunOptions& given, const RunOptions& stored, const RunPlan& plan) {
   std::error_code error;
   if (given.out && !fs::equivalent(*given.out, plan.folder.path(), error)) return "--out " + *given.out;

@@ -83,7 +83,7 @@ Run::Run(const RunPlan& plan, std::unique_ptr<Simulation> simulation, const Inte
 
 RunResult Run::execute() {
   if (!plan_.state) plan_.folder.claim(record_text());
-  if (plan_.state) take_up(*plan_.state);  // may refuse; the run is unchanged
+  if (plan_.state) take_up(*plan_.state);  // may throw; the run is then unchanged
   try {
     if (!plan_.state) begin();
     simulate();
@@ -103,7 +103,7 @@ RunResult Run::execute() {
   return std::move(result_);
 }
 
-/// Writes what a restart needs first: the run may be killed.
+/// Writes first what a restart needs: the run may be killed.
 void Run::begin() {
   write_atomically(plan_.folder.scene(), plan_.scene_text(), Kept::on_disk);
   plan_.checkpoint_every ? write_checkpoint("") : plan_.folder.clear_checkpoint();
@@ -199,7 +199,7 @@ void Run::step_through() {
     advance(std::min({next_output(), next_checkpoint_, record_.until}));
     const bool stopped = interrupts_.asked();
     show_what_is_due(false);
-    // after outputs, which need the state before the step; before the final row
+    // after outputs, which need the state before the step; before the final row of history.csv
     const bool well = result_.failure.empty();
     if (well && (stopped || record_.reached >= next_checkpoint_)) save_checkpoint();
     going = well && !stopped && record_.reached < record_.until;
@@ -229,7 +229,7 @@ void Run::show_what_is_due(bool at_end) {
   }
 }
 
-/// Slices allow interrupts and keep the steps.
+/// Advances in slices, between which interrupts are checked; they do not change the steps.
 void Run::advance(double target) {
   while (record_.reached < target && !interrupts_.asked()) {
     const Stopwatch watch;

@@ -33,7 +33,7 @@ class Agenda {
   std::size_t done_ = 0;
 };
 
-/// Slices of about 0.2 s, for interrupts.
+/// Chooses slices of about 0.2 s, for interrupts.
 class Pace {
  public:
   /// The first slice is usually one step.

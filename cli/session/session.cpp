@@ -107,7 +107,7 @@ void Session::set_look(const DrawingKey& key, const std::string& text) {
   Drawing drawing = drawing_;
   set_typed(drawing, key, text);
   suit(drawing, file_);
-  fitted(drawing, shown());  // throws if nothing is left
+  fitted(drawing, shown());  // throws if a cut leaves nothing
   if (key.name == "view" || drawing.look.camera != drawing_.look.camera) window_.reset();
   drawing_ = std::move(drawing);
 }

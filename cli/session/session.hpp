@@ -40,9 +40,9 @@ class Session {
   void pan(double dx, double dy);
   /// Enlarges by `factor` > 0.
   void zoom(double factor);
-  /// Turns the 3D camera, degrees.
+  /// Orbits the 3D camera, degrees.
   void orbit(double right, double upwards);
-  /// Fills in automatic values.
+  /// The drawing with automatic values filled in.
   Drawing drawing() const;
   void frame(const std::filesystem::path& file) const;
   /// `drawing` must be complete.

@@ -11,7 +11,7 @@
 namespace taut::cli {
 
 struct Dialogue {
-  std::ostream& out;  // answers
+  std::ostream& out;
   const Interrupts& interrupts;
   Progress& progress;
 };

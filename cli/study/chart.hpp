@@ -28,7 +28,7 @@ struct ChartRequest {
 struct ChartPoint {
   double spacing = 0;           // m
   std::optional<double> error;  // none: no value or no reference
-  bool measured = true;         // has a value
+  bool measured = true;         // has a value, with or without an error
   double cost = 0;              // s or particle-steps; 0: unknown
   std::string verdict{}, folder{};
   std::string cfl{}, stepping{};  // empty: unknown
@@ -45,7 +45,7 @@ struct ChartSeries {
 struct Chart {
   std::string title, scene, measure;
   std::string unit;      // of the errors; empty: a share
-  bool relative = true;  // to the reference
+  bool relative = true;  // errors relative to the reference
   Cost cost = Cost::seconds;
   int dim = 2;
   std::string against;             // "oenog at 0.5 mm"; empty: the references
@@ -53,7 +53,7 @@ struct Chart {
   std::vector<ChartSeries> series;
   std::vector<std::string> references;  // "finite elements (oenog, tl)"
   std::vector<std::string> machines;    // "AMD EPYC, 1 thread"
-  int without_result = 0;               // unfinished runs
+  int without_result = 0;               // unfinished
 };
 
 /// Why there is no error: such as "no reference", or the verdict.
@@ -65,8 +65,9 @@ std::string shown_error(const Chart& chart, double error);
 /// Least-squares slope of log error over log spacing of stable runs; none for fewer than two.
 std::optional<double> convergence_order(const std::vector<ChartPoint>& points);
 
-/// The default measure has an error in most runs; `*_time` and errors with a unit come last. Throws UsageError for an
-/// unknown measure, or one without any error. Of repeated runs, the cheapest counts. Reference runs have no point.
+/// The default measure has an error in most runs, at a tie it is the scene's first; `*_time` and errors with a unit
+/// come last. Throws UsageError for an unknown measure, or one without any error. Of repeated runs, the cheapest
+/// counts. Reference runs have no point.
 Chart make_chart(const StoredResults& results, const ChartRequest& request);
 
 }  // namespace taut::cli

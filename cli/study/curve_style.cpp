@@ -37,7 +37,7 @@ std::string ramp_color(double t) {
   return color;
 }
 
-/// Index in the catalogue, else any.
+/// Index in the catalogue; any number if unknown.
 std::size_t number_of(const std::string& method) {
   const auto all = methods();
   const auto found = std::ranges::find(all, method, &MethodInfo::name);

@@ -33,7 +33,7 @@ std::string plot_title(std::string_view title);
 /// Small note at the left; `height` from 0 (bottom) to 1.
 std::string plot_note(std::string_view note, double height);
 std::string titled(std::string_view title);
-/// Points, at most `size`, for a text in `room` pixels.
+/// Font size in points, at most `size`, for a text in `room` pixels.
 int font_that_fits(std::string_view text, double room, int size);
 
 std::string plot_comment(std::string_view text);
@@ -44,12 +44,12 @@ inline constexpr int plot_width = 1280;     // pixels
 inline constexpr double axis_font = 11;     // points
 inline constexpr double smallest_font = 6;  // points
 
-/// Keeps both ends.
+/// Shortens a name, keeps both ends.
 std::string shortened(const std::string& name);
 /// Approximate pixels of the longest text; `size` in points.
 double text_width(std::string_view text, double size);
 double text_width(const std::vector<std::string>& texts, double size);
-/// Right edge of a plot beside its legend, as a share.
+/// Right edge of a plot beside its legend, as a share of the width.
 double right_margin(const std::vector<std::string>& names);
 
 /// Writes data and script, then runs gnuplot; returns its exit code. Throws OutputError without gnuplot or if it

@@ -24,7 +24,7 @@ struct StoredRun {
   /// Whether it finished or diverged.
   bool has_result() const;
   std::string method() const;  // known before a result if swept
-  std::string folder() const;  // path
+  std::string folder() const;
   bool is_stable() const { return has_result() && text("verdict") == "stable"; }
 };
 
@@ -48,14 +48,14 @@ StoredResults read_results(const std::vector<std::string>& files);
 /// Reads a run folder or run.json. Throws UsageError for others.
 StoredRun read_stored_run(const std::string& path);
 
-/// Removes other methods, if any are given. Throws UsageError for one without runs.
+/// Removes runs of other methods, if `methods` are given. Throws UsageError for one without runs.
 void keep_methods(StoredResults& results, const std::vector<std::string>& methods);
 
 /// Columns that distinguish runs of equal method and `x`. A setting represents dependent parameters.
 std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& runs, const std::string& x);
 /// Names set for the scene, not its simulation: "v0", "until", "law".
 std::vector<std::string> names_of_scene(const std::vector<StoredRun>& runs);
-/// Value, set or default, or "".
+/// Value of a name, set or default, or "".
 std::string value_of(const StoredRun& run, const std::string& name);
 /// "enog, cfl=0.5".
 std::string series_name(const StoredRun& run, const std::vector<std::string>& columns);

@@ -39,7 +39,7 @@ struct StudyPictures {
 /// Throws SceneError.
 StudyPictures read_pictures(TomlCursor& root);
 
-/// Known contents of runs.
+/// Contents of a study's runs, known before they start.
 struct Shown {
   std::set<std::string> measures;
   std::set<std::string> referenced;   // with a reference

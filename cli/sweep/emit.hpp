@@ -17,7 +17,7 @@ std::vector<std::string> emit_names();
 /// Throws UsageError with the nearest names.
 const EmitForm& find_emit_form(const std::string& name);
 
-/// `runs` have `threads` each. `sweep`, without --index, also collects the results.
+/// Each run has `threads` threads. `sweep`: command without --index, which also collects results.
 std::string emit_script(const EmitForm& form, const std::string& title, int runs, int threads,
                         const std::vector<std::string>& sweep);
 

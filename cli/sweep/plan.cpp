@@ -54,7 +54,7 @@ bool is_wrong(const RunOptions& options) try {
   return true;
 }
 
-/// The setting whose removal helps, or nullptr.
+/// The setting whose removal makes the run valid, or nullptr.
 const Setting* culprit(const SweepRequest& request, const GridRow& row) {
   for (const GridRow* settings : {&request.set, &row})
     for (const Setting& s : *settings)
@@ -62,7 +62,7 @@ const Setting* culprit(const SweepRequest& request, const GridRow& row) {
   return nullptr;
 }
 
-/// Reports an error at its cause.
+/// Reports an error at the place of its cause.
 [[noreturn]] void report(const SweepRequest& request, const GridRow& row, const std::string& what) {
   const std::string message = what + " (in the run " + text_of(row) + ")";
   if (request.file.empty()) throw UsageError(message);
@@ -119,7 +119,7 @@ void add_swept(Shown& shown, const std::string& name, const std::vector<GridRow>
   if (values.size() > 1) shown.varied.push_back(name);
 }
 
-/// Detects equal runs by equal rounded spacings.
+/// Detects runs made equal by rounded spacings.
 class Spacings {
  public:
   /// Returns a remark or "".
@@ -187,7 +187,7 @@ void SweepRun::read_folder() {
   const bool same = found->version == build_info.version &&
                     are_of_one_run(read_whole(files.scene()).value_or(""), scene, last_frame >= 0);
   const bool failed = found->status == Status::failed;
-  // other failed runs lack files
+  // other failed runs could not write their files
   const bool ended = found->status == Status::finished || (failed && found->verdict == Verdict::diverged);
   std::error_code error;
   const bool drawn = last_frame < 0 || fs::exists(files.frame(failed ? 0 : last_frame), error);
@@ -228,7 +228,7 @@ SweepPlan plan_sweep(const SweepRequest& request) {
     try {
       const RunPlan planned = make_plan(run.options);
       const SceneFile& file = planned.file;
-      // once per combination
+      // once per combination, since particles are created
       if (combinations.emplace(file.settings.method, file.scene.contact).second) check_particles(file);
       if (!file.remark.empty()) plan.remarks.insert(file.remark);
       if (const std::string same = spacings.add(row, file.scene.spacing); !same.empty())

@@ -16,8 +16,8 @@ enum class RunState {
   to_do,
   outdated,     // other settings or version
   interrupted,  // or killed
-  damaged,      // its run.json
-  broken,       // no result
+  damaged,      // unreadable run.json
+  broken,       // ended without a result
   done,         // finished or diverged
 };
 std::string_view name(RunState);
@@ -28,13 +28,13 @@ struct SweepRun {
   GridRow settings;  // swept
   RunOptions options;
   std::string folder;   // in the sweep's folder
-  std::string scene;    // scene.toml
+  std::string scene;    // future scene.toml
   int last_frame = -1;  // -1: none
-  double work = 0;      // relative duration
-  bool forced = false;  // even if done
+  double work = 0;      // relative duration, estimated
+  bool forced = false;  // repeat even if done
   RunState state = RunState::to_do;
   std::string problem;  // of a broken run
-  Json record;          // run.json; null without a result
+  Json record;          // run.json if done or interrupted, else null
 
   void read_folder();
   void forget();

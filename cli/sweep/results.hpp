@@ -10,7 +10,7 @@
 namespace taut::cli {
 
 /// results.json (cli/COMMANDS.md). A run without a result has no keys after "folder"; an interrupted run describes
-/// its completed part. Varying keys are last.
+/// its completed part. Keys that vary between repetitions come last.
 std::string results_json(const SweepPlan& plan);
 /// `index`: only this run.
 Json results_tree(const SweepPlan& plan, std::optional<int> index = {});

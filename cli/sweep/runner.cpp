@@ -15,7 +15,7 @@ namespace {
 
 constexpr double look_interval = 2.0;  // s between readings of progress
 
-/// `taut run` in a child, without output; another program may have done the run.
+/// `taut run` in a child process, without output, unless another program has done the run.
 int run_alone(SweepRun run) {
   const auto work = [&]() -> int {
     const Stopwatch setup;
@@ -44,7 +44,7 @@ double share_done(const SweepRun& run) {
   return std::clamp(*record->reached / *record->until, 0.0, 1.0);
 }
 
-/// Bug, then output, then input.
+/// Bug, then output error, then input error.
 int gravest(int a, int b) {
   for (const int code : {exit_bug, exit_not_written, exit_wrong_input})
     if (a == code || b == code) return code;

@@ -13,7 +13,7 @@ namespace taut::cli {
 
 struct SweepEnd {
   bool interrupted = false;
-  int code = 0;  // gravest of broken runs
+  int code = 0;  // gravest exit code of broken runs
 };
 
 struct SweepEvents {
@@ -41,7 +41,7 @@ class SweepRunner {
   void pass_on_interrupt();
   void show_progress();
 
-  std::vector<SweepRun*> waiting_;  // starts with the last
+  std::vector<SweepRun*> waiting_;  // the last one starts next
   std::size_t jobs_;
   const Interrupts& interrupts_;
   Progress& progress_;

@@ -20,7 +20,7 @@ struct SweepFile {
 
 /// Whether it is a sweep, not a scene. Throws SceneError unless it is TOML.
 bool is_sweep_file(const std::filesystem::path& path);
-/// Throws SceneError with its place. Ignores what names and values mean.
+/// Throws SceneError with its place. Does not check names and values against the scene.
 SweepFile read_sweep(const std::filesystem::path& path);
 
 }  // namespace taut::cli
