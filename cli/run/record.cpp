@@ -34,7 +34,6 @@ std::optional<RunRecord::Status> find_status(std::string_view text) {
   return std::nullopt;
 }
 
-/// Empty if the object has no such text.
 std::string text_in(const Json& object, const char* key) {
   const Json* found = object.find(key);
   return found && found->is_text() ? found->text() : "";

@@ -18,28 +18,27 @@
 
 namespace taut::cli {
 
-/// Contents of run.json.
 struct RunRecord {
   enum class Status { running, finished, interrupted, failed };
 
   std::string scene, method, material_law;
-  std::string remark;                  // what the user was told of the scene's reading; mostly empty
-  std::optional<std::string> contact;  // the law between bodies, where there are several
-  std::string stepping;                // dual or single
+  std::string remark;                  // warnings
+  std::optional<std::string> contact;  // of several bodies or walls
+  std::string stepping;                // "dual" or "single"
   double cfl = 0;                      // factor of the time step
   std::vector<Parameter> parameters;
   int dim = 2;
   double spacing = 0;                   // m, as used
-  std::optional<double> spacing_asked;  // m, where it is not the one used
+  std::optional<double> spacing_asked;  // m, if different
   Jitter jitter;
   long particles = 0;
-  double mass = 0;                // kg (per metre depth in 2D)
+  double mass = 0;                // kg, in 2D per metre of depth
   double until = 0, reached = 0;  // s
   Status status = Status::running;
-  std::string reason;  // why it failed
+  std::string reason;  // of a failure
   long steps = 0;
   int threads = 1;
-  std::string machine;  // what the seconds were measured on
+  std::string machine;  // processor
   Seconds seconds;
   Verdict verdict = Verdict::stable;
   std::map<Verdict, double> since;  // s
@@ -66,15 +65,15 @@ struct RunWarning {
 /// "gains energy" and "loses energy" by more than a tenth, "turns by itself".
 std::vector<RunWarning> warnings(const RunRecord& record);
 
-/// Explains an energy drift of 1 % or more: dissipated, created, or only apparent; else empty.
+/// Explains an energy drift of 1 % or more; else empty.
 std::string energy_note(const RunRecord& record);
 
-/// Keys in the order in which users read them; null for values that are unknown or not finite.
+/// Unknown and non-finite values become null.
 Json to_json(const RunRecord& record);
 
-/// Contents of the run.json of another run; empty members for keys that are missing or null.
+/// Missing and null keys give empty members.
 struct StoredRecord {
-  std::string version;  // of taut; empty where it does not say
+  std::string version;  // of taut
   std::optional<RunRecord::Status> status;
   std::optional<Verdict> verdict;
   std::optional<double> reached, until;  // s
@@ -82,13 +81,11 @@ struct StoredRecord {
   Json all;
 };
 
-/// None if there is no such file. UsageError, with the file and the key, if it is not whole, no record of taut,
-/// or holds what taut does not write.
+/// None without a file. Throws UsageError with file and key for invalid records.
 std::optional<StoredRecord> checked_record(const std::filesystem::path& file);
-/// The same, and none where that throws: for who begins anew then.
+/// None for invalid records.
 std::optional<StoredRecord> read_record(const std::filesystem::path& file);
 
-/// The processor that this program runs on, as it calls itself; "unknown" where it does not say.
 std::string machine_name();
 
 }  // namespace taut::cli

@@ -19,7 +19,7 @@ std::string with_unit(std::optional<double> value, const std::string& unit) {
   return brief(*value) + (unit.empty() || unit == "1" ? "" : " " + unit);
 }
 
-/// Relative to the reference; in the unit of the measure where the reference is 0 or a table.
+/// Relative error; in the measure's unit if the reference is 0 or a table.
 std::string error(const MeasureResult& m) {
   const bool relative = m.error && m.reference && *m.reference != 0;
   return relative ? percent(*m.error) : with_unit(m.error, m.unit);
@@ -62,7 +62,6 @@ std::string heading(const RunRecord& record) {
   return text + "\n";
 }
 
-/// Why a measure has no reference, where the scene has one under another condition; else empty.
 std::string missing_reference(const SceneFile& file, const RunRecord& record, const std::string& measure) {
   std::vector<std::string> laws;
   for (const auto& [law, reference] : file.scene.references)
@@ -74,9 +73,9 @@ std::string missing_reference(const SceneFile& file, const RunRecord& record, co
   return unmet == file.unmet_references.end() ? "" : "the scene's reference " + unmet->second;
 }
 
-/// Lines that explain empty cells of the table of measures; measures with one explanation share a line.
+/// Measures with one explanation share a line.
 std::string notes_on_references(const SceneFile& file, const RunRecord& record) {
-  std::vector<std::pair<std::string, std::string>> notes;  // explanation, names of measures
+  std::vector<std::pair<std::string, std::string>> notes;  // explanation, measures
   for (const MeasureResult& m : record.measures) {
     if (m.reference) continue;
     const std::string why = missing_reference(file, record, m.name);
@@ -112,7 +111,7 @@ double speed(const Snapshot& now, std::size_t particle) {
   return std::sqrt(sum);
 }
 
-/// The first particle whose speed is not finite, else the fastest.
+/// First particle of non-finite speed, else the fastest.
 std::size_t worst_particle(const Snapshot& now) {
   std::size_t worst = 0;
   for (std::size_t i = 0; i < now.size(); ++i) {
