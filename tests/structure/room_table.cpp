@@ -6,7 +6,7 @@
 namespace taut::test {
 namespace {
 
-/// The cells between the bars of a line; none for a line that is no row.
+/// Returns the cells of a Markdown table row; empty for other lines.
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;
   if (!line.starts_with('|')) return cells;

@@ -25,7 +25,7 @@ inline Snapshot made_snapshot(int dim, const std::vector<Point>& places) {
   return now;
 }
 
-/// One body per material.
+/// Scene with one body per material.
 inline Scene made_scene(int dim, double spacing, const std::vector<Material>& materials) {
   Scene scene;
   scene.dim = dim;
@@ -39,7 +39,7 @@ inline Scene made_scene(int dim, double spacing, const std::vector<Material>& ma
   return scene;
 }
 
-/// K = 1 Pa and G = 1.5 Pa exactly: E = 3, ν = 0.
+/// Material with K = 1 Pa and G = 1.5 Pa exactly: E = 3 Pa, ν = 0.
 inline Material unit_bulk() {
   return {.name = "soft", .density = 1, .youngs_modulus = 3, .poisson_ratio = 0};
 }

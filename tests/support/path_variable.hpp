@@ -6,7 +6,7 @@
 
 namespace taut::test {
 
-/// PATH is this folder alone while it lives.
+/// Sets PATH to one folder for the lifetime of this object.
 class OnlyPath {
  public:
   explicit OnlyPath(const fs::path& folder) : old_(std::getenv("PATH")) {

@@ -4,11 +4,11 @@
 
 namespace taut::test {
 
-/// Equal within `epsilon` of the value, 1.2e-5 unless it says otherwise, or of `scale` more where a value may be 0.
-/// That of doctest allows epsilon · (1 + |value|): anything, where values are metres or seconds of small things.
+/// Compares relative to the value, by default within 1.2e-5, plus `scale` where a value can be 0. doctest's Approx
+/// allows epsilon · (1 + |value|), which accepts any two small values in SI units.
 class Approx : public doctest::Approx {
  public:
-  explicit Approx(double value) : doctest::Approx(value) { scale(1e-290); }  // 0 is 0
+  explicit Approx(double value) : doctest::Approx(value) { scale(1e-290); }
 };
 
 inline doctest::Approx relative(double value, double epsilon = 1e-9) {
