@@ -28,7 +28,7 @@ at = [0, 0, -0.006]
 normal = [0, 0, 1]
 )";
 
-/// Two small cubes that fly towards each other.
+/// Writes a scene of two small cubes that fly towards each other.
 std::string write_cubes(const TemporaryFolder& folder, const std::string& more = {}) {
   std::ofstream(folder / "cubes.toml") << R"(
 dim = 3
