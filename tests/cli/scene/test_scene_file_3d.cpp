@@ -18,7 +18,7 @@ using namespace taut::test;
 
 namespace {
 
-/// A solid scene with `shape` and the `keys` of its body.
+/// A 3D scene with `shape` and further `keys` of its body.
 std::string solid_scene(const std::string& shape, const std::string& keys = "") {
   return "title = \"Solid\"\ndim = 3\nspacing = 0.1\nuntil = 2\n"
          "[material.rubber]\ndensity = 1200\nyoungs_modulus = 1e7\npoisson_ratio = 0.4\n"
@@ -28,7 +28,7 @@ std::string solid_scene(const std::string& shape, const std::string& keys = "") 
 
 const std::string brick = "{ type = \"box\", low = [0, 0, 0], high = [2, 1, 0.5] }";
 
-/// Reading `text`, in which '@' marks the place, must throw there with a message that holds each of `parts`.
+/// Checks that reading `text` throws at '@' with a message that contains each of `parts`.
 void check_solid_error(std::string text, std::initializer_list<const char*> parts) {
   const std::size_t mark = text.find('@');
   REQUIRE(mark != std::string::npos);
@@ -54,7 +54,7 @@ double volume(const InitialParticles& layout) {
   return std::accumulate(layout.V0.begin(), layout.V0.end(), 0.0);
 }
 
-/// The scene as a run writes it gives the same scene again, and the same text.
+/// Checks that the resolved scene of a run gives the same scene and the same text.
 void check_resolved(const SceneFile& file) {
   const std::string text = resolved_text(file, scratch_folder());
   const SceneFile again = read_text(text);
@@ -69,7 +69,7 @@ void check_resolved(const SceneFile& file) {
 }  // namespace
 
 TEST_SUITE("cli") {
-  TEST_CASE("scene in 3D: vectors have three components and expressions know x, y and z") {
+  TEST_CASE("scene in 3D: vectors have three components and expressions can use x, y and z") {
     const SceneFile file = read_text(
         "gravity = [0, 0, \"-9.8*t\"]\n" +
         solid_scene(brick,
@@ -95,7 +95,7 @@ TEST_SUITE("cli") {
                       {"low must be an array of 3 numbers", "not an array of 2"});
   }
 
-  TEST_CASE("scene in 3D: boxes, balls and shells") {
+  TEST_CASE("scene in 3D: boxes, balls and shells have their volumes") {
     const auto layout = [](const std::string& shape) {
       const SceneFile file = read_text(solid_scene(shape));
       check_resolved(file);
@@ -123,7 +123,7 @@ TEST_SUITE("cli") {
                       {"low.z = 1 must be less than high.z = 0"});
   }
 
-  TEST_CASE("scene in 3D: hollow round bodies are laid in layers for methods that keep their neighbours") {
+  TEST_CASE("scene in 3D: hollow round bodies are laid out in layers for methods with fixed neighbours") {
     const auto volume_of = [](const std::string& shape, const std::string& method) {
       const SceneFile file = read_text("method = \"" + method + "\"\n" + solid_scene(shape));
       check_resolved(file);
@@ -154,7 +154,7 @@ TEST_SUITE("cli") {
         {"layout", "inner"});
   }
 
-  TEST_CASE("scene: a shape of the other dimension is refused with the one that comes nearest") {
+  TEST_CASE("scene: a shape of the other dimension is refused with the nearest one") {
     const auto solid = [](const char* type, const char* instead) {
       check_solid_error(solid_scene(std::string("{ type = @\"") + type + "\" }"),
                         {type, "is a shape with dim = 2, but the scene has dim = 3; use ", instead});
