@@ -173,7 +173,7 @@ TEST_SUITE("cli") {
     check_solid_error(solid_scene("{ type = @\"bal\" }"), {"unknown type 'bal'", "did you mean 'ball'"});
   }
 
-  TEST_CASE("scene: held is one expression for all components, or one for each") {
+  TEST_CASE("scene: held is one expression for all components, or one per component") {
     const SceneFile file = read_text(solid_scene(
         brick, "velocity = [1, 2, 3]\nheld = [\"x < 0.1 || y < 0.1\", \"\", \"x < 0.1 && z < 0.1\"]"));
     check_resolved(file);
@@ -200,7 +200,7 @@ TEST_SUITE("cli") {
                 {"held must be an array of 2"});
   }
 
-  TEST_CASE("scene: what is cut out, rotated, laid on the faces and displaced") {
+  TEST_CASE("scene: a body can be cut out, rotated, laid on its boundary and displaced") {
     const SceneFile file = read_text(solid_scene(
         brick,
         "without = [{ type = \"ball\", centre = [2, 1, 0.5], radius = 0.4 }, { type = \"box\", low = [0, 0, "
@@ -236,7 +236,7 @@ TEST_SUITE("cli") {
                 {"'axis' has no effect"});
   }
 
-  TEST_CASE("scene: in 3D the constants of a method are the defaults of 3D") {
+  TEST_CASE("scene: in 3D the constants of a method have their 3D defaults") {
     const auto constant = [](const std::string& text, const char* method, const char* name) {
       return read_text(text, {{.name = "method", .value = method}}).settings.constants.at(name);
     };
@@ -253,9 +253,7 @@ TEST_SUITE("cli") {
     CHECK(constant(small_scene, "enog", "zeta") == relative(0.7 * 2 + 2.1));
   }
 
-  TEST_CASE(
-      "scene: the plate in 3D has the references of its modes, and on the published ring those of the "
-      "paper") {
+  TEST_CASE("scene: the plate in 3D has a reference per mode, and on the published ring those of the paper") {
     const auto period = [](const char* method, const char* m, const char* n, const char* ring) {
       const SceneFile file =
           read_scene(find_scene("oscillating-plate-3d"), {{.name = "method", .value = method},
@@ -271,7 +269,7 @@ TEST_SUITE("cli") {
     CHECK(period("oenog", "1", "1", "1") == 0.0524);
   }
 
-  TEST_CASE("scene: a layout that the engine refuses is refused at its key") {
+  TEST_CASE("scene: an error of the layout is reported at its key") {
     const auto refused = [](const std::string& keys, const char* part) {
       const SceneFile file = read_text(solid_scene(brick, keys));
       try {
