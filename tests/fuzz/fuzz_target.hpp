@@ -10,41 +10,40 @@
 
 namespace taut::fuzz {
 
-/// A reader, or a family of readers, of what somebody else has written.
+/// A reader, or a family of readers, of untrusted input.
 struct Target {
-  std::string_view name;  // of its folder in corpus/ and found/
+  std::string_view name;  // also its folder in corpus/ and found/
   void (*read)(std::string_view bytes);
 };
 
-/// All of them.
 std::span<const Target> targets();
 
-/// Has the target read the bytes, in an empty folder of its own. An error of taut's own, which names what is
-/// wrong with the input, is how it should be; whatever else is thrown goes on to the caller.
+/// Runs the target on the bytes in an empty folder. Accepts taut's own errors about the input; passes on other
+/// exceptions.
 void feed(const Target& target, std::string_view bytes);
 
-/// What came out is not what should have: no input is to blame.
+/// A wrong result: the fault of the reader, not of the input.
 class Finding : public std::logic_error {
  public:
   using std::logic_error::logic_error;
 };
 void expect(bool holds, const std::string& what);
 
-/// Does one of several readings of an input, so that its error does not keep the others from theirs.
+/// Runs one of several readings of an input; its errors do not stop the others.
 void attempt(const std::function<void()>& reading);
 
-/// The parts of an input of several files, between lines "%%%%"; as many as asked for, some empty.
+/// Splits an input of several files at lines "%%%%" into `count` parts; missing parts are empty.
 std::vector<std::string> parts_of(std::string_view bytes, std::size_t count);
 std::vector<std::string> lines_of(std::string_view bytes);
 
-/// The folder of the target at work, which is the current one.
+/// Folder of the running target, which is the current folder.
 std::filesystem::path folder();
-/// Writes a file there and gives its path.
+/// Writes a file into `folder()` and returns its path.
 std::filesystem::path write(const std::string& name, std::string_view bytes);
 
-/// A valid text or state of bytes in which the input changes something: a change is a place (4 bytes), what
-/// is done (1 byte) and a value (8 bytes). So a small input reaches deep into a large file, whatever its
-/// format is by now.
+/// Applies the changes encoded in the input to a valid text or state: each is a place (4 bytes), an operation (1
+/// byte) and
+/// a value (8 bytes). A small input thus reaches deep into a large file of any format.
 std::string changed(std::string bytes, std::string_view changes);
 
 }  // namespace taut::fuzz

@@ -10,7 +10,7 @@ namespace of_this_file {
 using namespace taut::cli;
 using namespace taut::test;
 
-/// The head of each shipped scene states how a run with its defaults ends.
+/// The header of each shipped scene states the verdict of a run with defaults.
 namespace {
 
 struct Documented {
