@@ -42,8 +42,7 @@ std::filesystem::path folder();
 std::filesystem::path write(const std::string& name, std::string_view bytes);
 
 /// Applies the changes encoded in the input to a valid text or state: each is a place (4 bytes), an operation (1
-/// byte) and
-/// a value (8 bytes). A small input thus reaches deep into a large file of any format.
+/// byte) and a value (8 bytes). A small input thus reaches deep into a large file of any format.
 std::string changed(std::string bytes, std::string_view changes);
 
 }  // namespace taut::fuzz

@@ -44,8 +44,7 @@ struct Run {
 };
 
 /// Maximum alternating part of the pressure over the maximum whole pressure, as the indicator computes it, for
-/// particles
-/// that start beyond x, in m.
+/// particles that start beyond x, in m.
 class PressureNoise {
  public:
   PressureNoise(const Snapshot& start, double spacing, double beyond)
@@ -197,8 +196,7 @@ TEST_SUITE("failure") {
   }
 
   // At 8³ particles ε₄ = 1/8 makes the top return early, whatever the spacing: with the same ε₄ dp³ the error stays
-  // at 10 %
-  // for half, a third and a quarter of the spacing.
+  // at 10 % for half, a third and a quarter of the spacing.
   TEST_CASE("tensile cube: the dissipation of 8³ makes the top return early at half the spacing too") {
     const double height = 0.26;  // m
     const Run fine =

@@ -20,8 +20,7 @@ using namespace taut::test;
 namespace {
 
 /// A clamped beam at rest, bent by a shear traction on half of it or by its weight; both grow from 0 during T. Its
-/// first
-/// energies are of the order of the round-off of its strain energy.
+/// first energies are of the order of the round-off of its strain energy.
 constexpr const char* beam = R"(
 title = "Beam at rest under a ramped load"
 spacing = "0.002"

@@ -36,8 +36,7 @@ constexpr Verdict stable = Verdict::stable, hourglass = Verdict::hourglass, frac
                   diverged = Verdict::diverged;
 
 /// Published statements that a verdict can check, up to the time at which the verdict shows. Includes statements that
-/// do
-/// not hold here, with the verdict obtained.
+/// do not hold here, with the verdict obtained.
 const std::vector<Statement> statements = {
     {"Zhang2024 Fig. 3(a)", "oscillating-plate", "og", {}, 0.05, fractured},
     {"Zhang2024 Fig. 3(b)", "oscillating-plate", "oas", {}, 0.05, hourglass},
@@ -82,8 +81,7 @@ const std::vector<Statement> statements = {
 
     {"Khayyer2024 Fig. 9", "rotating-plate", "d-ulsph-r-tic", {}, 0.15, stable},
     // ε = 0.15 and n = 8 just suffice here, with ∇u at mid-step. The plate zigzags with ε = 0.12, with dp = 0.02, and
-    // with
-    // ∇u at the start of the step, as printed in the paper
+    // with ∇u at the start of the step, as printed in the paper
     {"Khayyer2024 Fig. 9, (0.15, 8)", "rotating-plate", "d-ulsph-r-as", {}, 0.15, hourglass, stable},
     {"Khayyer2024 Fig. 9, (0.15, 8), as printed",
      "rotating-plate",

@@ -96,8 +96,7 @@ ShearError shear_error(const std::string& method, double spacing) {
 }
 
 /// Tip (x, y) over L of the thin beam theta'' = −a cos theta, theta(0) = 0, theta'(1) = 0, y downwards, by shooting
-/// with
-/// Runge–Kutta steps.
+/// with Runge–Kutta steps.
 std::array<double, 2> elastica(double a) {
   using State = std::array<double, 4>;  // theta, theta', x, y
   const auto rate = [a](const State& s) {

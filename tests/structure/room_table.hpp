@@ -13,9 +13,8 @@ struct RoomRow {
   bool all_above = false;  // "all above": may include all rooms of the rows above
 };
 
-/// The table of rooms in the README.md of a part, lowest room first: the first table with a column "may include".
-/// The first column names rooms, or files outside all rooms, in backticks. Rooms in one row cannot include each
-/// other;
+/// The table of rooms in the README.md of a part, lowest room first: the first table with a column "may include". The
+/// first column names rooms, or files outside all rooms, in backticks. Rooms in one row cannot include each other;
 /// files in one row can.
 ///
 ///     | room | what for | may include |

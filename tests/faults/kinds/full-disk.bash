@@ -16,14 +16,14 @@ prepare() {
   printf 'run until 0.01\nsave state\nrun until 0.02\nsave state\nframe now.png\n' >script
 }
 
-# fails_for_want_of_room ARGUMENT...: with 4 and the path, or it had room enough
+# fails_for_want_of_room ARGUMENT...: runs the command, which must exit with 4 and the path, or succeed
 fails_for_want_of_room() {
   ends "0 4" "$@"
   [[ $code != 4 ]] || { harmed; says_the_place; }
 }
 says_the_place() { grep -qE '(No space left on device|File too large|ffmpeg failed|gnuplot failed)' "$here/complained" "$here/said" || wrong "no reason: $(complaint)"; }
 
-# a disk of a random size up to $1 KiB; without mounts, files of at most a random size
+# small_disk KIB: mounts a disk of a random size up to KIB; without mounts, limits the file size instead
 small_disk() {
   pick "$1"
   room=$((4 + picked / 4 * 4))
@@ -71,13 +71,14 @@ of_session() {
   [[ ! -e state ]] || { input=../load; ends 0 session "$scene" --strict; input=/dev/null; }
 }
 
-# overwrite NAME OLD NEW ARGUMENT...: NAME stays as it was when there is no room for the new one
+# overwrite NAME OLD NEW ARGUMENT...: runs the command, which must leave NAME unchanged if the new version does not
+# fit
 overwrite() {
   local name=$1 old=$2 new=$3
   shift 3
   small_disk "$(($(du -sk "$old" "$new" | awk '{ sum += $1 } END { print sum }') * 2))"
   [[ $TAUT_FAULTS_MOUNTS == yes ]] || return
-  cp -a "$old" "$name" 2>/dev/null || return  # not even room for the old one
+  cp -a "$old" "$name" 2>/dev/null || return  # no room for the old version
   fails_for_want_of_room "$@"
   if [[ $code == 4 ]]; then old_or_new "$name" "$old" "$old"; else old_or_new "$name" "$new" "$new"; fi
   no_rests .

@@ -15,7 +15,7 @@ prepare() {
   how_long "${session[@]}"
 }
 
-# one_of FILE PATTERN: the file is one of those that the undisturbed session has left
+# one_of FILE PATTERN: the file equals one that the undisturbed session has saved
 one_of() {
   local good
   [[ -e $1 ]] || return 0

@@ -1,6 +1,6 @@
 harm="each signal at each stage of each kind of work: the exit code that is promised, and in good order nothing in the making"
 
-# name | what stands before (a function) | the condition under which the signal is sent | the command
+# name | preparation (a function) | condition for the signal | command
 stages=(
   "stepping|nothing|rows out/history.csv 5|run $scene --set speed=1 --until 100 --quiet --frames 100000 --out out"
   "stepping, with checkpoints|nothing|test -e out/checkpoint.bin|run $scene --until 100 --quiet --checkpoint-every 0.001 --out out"
@@ -40,7 +40,7 @@ trial() {
   finish "taut $command (SIG$signal)"
   promised=$(by_signal "${signal% *}")
   [[ $code == "$promised" ]] || wrong "$stage: exit code $code, not $promised, after SIG$signal: $(complaint)"
-  # two signals, and signals without a handler, end the program at once; one picture has nothing to put in order
+  # two signals, and signals without a handler, end the program at once; a panel has nothing to clean up
   is_one_of "$signal" "INT TERM HUP" && [[ $stage != panel ]] || return 0
   no_rests .
   if [[ -e out/history.csv && $before == nothing ]]; then

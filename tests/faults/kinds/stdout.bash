@@ -18,7 +18,7 @@ prepare() {
   printf 'step\ninfo\n%.0s' {1..20} >script
 }
 
-# with_output WHERE ARGUMENT...: $code
+# with_output WHERE ARGUMENT...: runs the command with this standard output; sets $code
 with_output() {
   local run=(timeout --kill-after 1 "$patience" "$program" "${@:2}")
   code=0
@@ -39,7 +39,7 @@ trial() {
   with_output "$where" $work
   harmed
   case $where in
-    # SIGPIPE ends what only prints; what is said into the air may have been said in time
+    # SIGPIPE ends commands that only print; all output can have been written before the reader ended
     nobody) is_one_of "$code" "0 4 141" || wrong "exit code $code: taut $work, standard output read by nobody: $(complaint)" ;;
     *) [[ $code == 4 ]] || wrong "exit code $code, not 4: taut $work, standard output $where: $(complaint)" ;;
   esac

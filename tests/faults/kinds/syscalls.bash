@@ -21,7 +21,7 @@ trial() {
   local call at how promised="0 2 4"
   can_trace || return
   choose "${calls[@]}"; call=$chosen
-  # the first ones are those of the loader; most of the calls of a run are writes
+  # the first calls belong to the loader; most calls of a run are writes
   pick "$([[ $call == write ]] && echo 150 || echo 40)"; at=$((picked + 1))
   choose error=ENOSPC error=EIO error=EACCES error=EINTR signal=KILL signal=KILL; how=$chosen
   [[ $call != close || $how == signal=KILL ]] || how=error=EIO
@@ -49,7 +49,7 @@ trial() {
   local what="$work, $how at the $at. $call"
   [[ $code != 124 ]] || hung "$what"
   sound "$what"
-  # 127: the loader met it
+  # 127: the fault hit the loader
   is_one_of "$code" "$promised 127" || wrong "exit code $code: $what: $(complaint)"
   case $work in
     run | resume)
