@@ -146,7 +146,7 @@ part_of_run() {
   done
   [[ ! -e $folder/run.json ]] || whole_json "$folder/run.json"
   file=$folder/particles/particles.pvd
-  [[ ! -e $file || $(tail -n 1 "$file") == '</VTKFile>' ]] || torn "$file is not whole"
+  [[ ! -e $file || $(tail -n 1 "$file") == '</VTKFile>' ]] || torn "$file is incomplete"
 }
 
 # how frames are compared: by bytes, or (whole_png) only for completeness if the range is that of the frames so far
@@ -157,7 +157,7 @@ whole_png() { [[ $(tail -c 8 "$1" | od -An -tx1) == " 49 45 4e 44 ae 42 60 82" ]
 as_in_one() {
   local good
   for good in "${@:3}"; do $1 "$2" "$good/${2#"$folder/"}" && return; done
-  torn "$2 is not whole"
+  torn "$2 is incomplete or differs"
 }
 
 # same_rows FILE GOOD: complete rows, equal to the first rows of GOOD; the last can differ, since it is the stop
@@ -169,7 +169,7 @@ same_rows() {
 }
 
 # all objects and arrays are closed; without a parser, since taut ends the file with "}" on its own line
-whole_json() { [[ $(tail -n 1 "$1") == "}" && $(head -n 1 "$1") == "{" ]] || torn "$1 is not whole"; }
+whole_json() { [[ $(tail -n 1 "$1") == "}" && $(head -n 1 "$1") == "{" ]] || torn "$1 is incomplete"; }
 
 # old_or_new PATH OLD NEW: a file, or a whole folder, equals OLD or NEW; "": it does not exist
 old_or_new() {
@@ -181,7 +181,7 @@ old_or_new() {
       return 0
     fi
   done
-  torn "$1 is neither as before nor as it shall be"
+  torn "$1 is neither the old nor the new version"
 }
 
 # status FOLDER: prints the status in run.json
@@ -191,7 +191,7 @@ status() { sed -n 's/^  "status": "\(.*\)",$/\1/p' "$1/run.json" 2>/dev/null; }
 no_rests() {
   local rests
   rests=$(find "$1" -name '*.tmp*' -o -name '*.part.*' -o -name '*.old[0-9]*' | head -n 3 | tr '\n' ' ')
-  [[ -z $rests ]] || lost "is left: $rests"
+  [[ -z $rests ]] || lost "temporary files are left: $rests"
 }
 
 # by_signal SIGNAL: prints the exit code of a program that SIGNAL ended

@@ -1,4 +1,4 @@
-harm="a file of a run, sweep or session is cut, has bits flipped, or is another thing: whatever reads it refuses it or goes on"
+harm="a file of a run, sweep or session is truncated, has flipped bits or other contents: commands refuse it or continue"
 
 # damaged files | exit codes | the command that reads them
 readers=(

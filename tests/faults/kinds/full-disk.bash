@@ -1,4 +1,4 @@
-harm="the disk is full in the middle of a run, sweep, session, movie or baseline: exit code 4, nothing torn; with room it goes on"
+harm="the disk is full during a run, sweep, session, movie or baseline: exit code 4, nothing torn; once there is room it continues"
 
 options=(--threads 1 --quiet --save-particles --fields pressure,speed)
 works=(run run run sweep session movie chart panel baseline drawn)
@@ -38,8 +38,8 @@ of_run() {
   [[ $code == 4 ]] || return
   part_of_run out "$ground/straight"
   if [[ -e out/run.json ]]; then
-    is_one_of "$(status out)" "failed running" || wrong "run.json says '$(status out)' after a full disk"
-    [[ $(status out) != failed ]] || grep -q '"reason"' out/run.json || wrong "run.json does not say why it failed"
+    is_one_of "$(status out)" "failed running" || wrong "run.json has status '$(status out)' after a full disk"
+    [[ $(status out) != failed ]] || grep -q '"reason"' out/run.json || wrong "run.json of a failed run has no reason"
   fi
   more_room || return
   if [[ -e out/checkpoint.bin ]]; then

@@ -1,4 +1,4 @@
-harm="movie, chart, map, plot, compare, diff, render and snapshot --update are struck: what was before, or what shall be"
+harm="movie, chart, map, plot, compare, diff, render and snapshot --update are struck: the old file or the new one"
 
 # file | exit code | the command that made its old version | the command that is struck; the last option names the
 # file

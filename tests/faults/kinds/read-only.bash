@@ -1,4 +1,4 @@
-harm="folders that cannot be written to: what only reads works, what writes ends with 4 and the path, and nothing changes"
+harm="read-only folders: commands that read work, commands that write exit with 4 and the path, and nothing changes"
 
 # with `all` read-only and `here` writable: exit code | path that the message must contain | command
 works=(
@@ -53,7 +53,7 @@ trial() {
   local promised place command before
   cp -a "$ground/all" .
   mkdir here
-  forbid || { ((number > 1)) || echo "read-only: nothing can be mounted, and root writes everywhere" >&2; return; }
+  forbid || { ((number > 1)) || echo "read-only: skipped, since mounting is not permitted and root can write everywhere" >&2; return; }
   IFS='|' read -r promised place command <<<"${works[(number - 1) % ${#works[@]}]}"
   before=$(sums all)
   input=$ground/script

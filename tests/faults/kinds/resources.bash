@@ -1,4 +1,4 @@
-harm="too few files may be open, too little memory, processes or stack: an error with its reason, or it does with less"
+harm="too few open files, too little memory, processes or stack: an error with its reason, or success"
 
 works=(
   "run $scene --until 0.01 --quiet --save-particles --out out" "run $scene --until 0.01 --threads 8 --quiet --no-render --out out"
@@ -34,7 +34,7 @@ trial() {
   sound "taut $work, ulimit -$option $value"
   # 127: the system could not load the program
   is_one_of "$code" "0 2 4 124 127" || wrong "exit code $code: taut $work, ulimit -$option $value: $(complaint)"
-  [[ $code == 0 || -s complained || -s said ]] || wrong "exit code $code without a word: taut $work, ulimit -$option $value"
+  [[ $code == 0 || -s complained || -s said ]] || wrong "exit code $code without a message: taut $work, ulimit -$option $value"
   if [[ $code == 0 && -e out/run.json ]]; then [[ $work != *save-particles* ]] || same_run "$ground/out" out; fi
   [[ ! -d out/frames ]] || part_of_run out "$ground/out"
 }

@@ -1,4 +1,4 @@
-harm="a run with checkpoints is struck up to five times and resumed to its end: the bytes of an undisturbed run"
+harm="a run with checkpoints is struck up to five times and resumed: the bytes of an undisturbed run"
 
 methods=(enog og oenog d-ulsph-r-tic tl pfj-jst ulsph-av-as ccb oas)
 options=(--quiet --save-particles --fields pressure,speed)
@@ -44,7 +44,7 @@ trial() {
     has_ended && break
     # a signal can come before its handler is installed
     if is_one_of "$signals" "TERM HUP INT" && ((code > 128)) && [[ $(status out) != interrupted ]] && ! untouched; then
-      wrong "run.json says '$(status out)' after SIG$signals"
+      wrong "run.json has status '$(status out)' after SIG$signals"
     fi
     # a run without a checkpoint restarts; with one it resumes
     [[ ! -e out/checkpoint.bin ]] || again=(run --resume out --threads "$threads" --quiet)

@@ -1,4 +1,4 @@
-harm="one call of the system fails or kills, the n-th write, rename, open, fsync ...: exit code 4 or 2, nothing torn (needs strace)"
+harm="the n-th write, rename, open, fsync ... fails or kills: exit code 4 or 2, nothing torn (needs strace)"
 
 options=(--threads 1 --quiet --save-particles --fields speed)
 calls=(write openat rename renameat2 fsync ftruncate mkdir unlink close lseek newfstatat getdents64 mmap fcntl)
@@ -6,7 +6,7 @@ calls=(write openat rename renameat2 fsync ftruncate mkdir unlink close lseek ne
 can_trace() { strace -e trace=none -o /dev/null true 2>/dev/null; }
 
 prepare() {
-  can_trace || { echo "syscalls: there is no strace, or it may not trace here" >&2; return; }
+  can_trace || { echo "syscalls: skipped, since strace is missing or not permitted" >&2; return; }
   ends 0 run "$scene" --until 0.02 "${options[@]}" --out run
   ends 0 run "$scene" --until 0.02 "${options[@]}" --set speed=1 --out other
   ends 0 snapshot "$scene" --until 0.02 --threads 1 --quiet --out x --update --baseline old

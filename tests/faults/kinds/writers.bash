@@ -1,4 +1,4 @@
-harm="two programs work in one folder at once: one of them is refused and says who is at work, the result is the other's"
+harm="two programs use one folder at once: one is refused and names the lock holder, the other completes"
 
 # first command | second command, started during the first; A and B are two scenes
 pairs=(
