@@ -42,7 +42,7 @@ run() {
   shift 3
   "$taut" run "$scene" --method "$method" ${spacing:+--spacing "$spacing"} --no-render --save-particles \
     --fields "$field" --every "$every" --until "$until" --out "$folder/$name" "$@" >/dev/null ||
-    [ $? -eq 3 ]  # a diverged run is part of the figure until it diverges
+    [ $? -eq 3 ]   # a diverged run is part of the figure until it diverges
   runs="$runs $folder/$name"
 }
 
@@ -155,6 +155,6 @@ case $figure in
     run oenog twisting-column oenog --set poisson_ratio=0.499
     panel 0.1,0.25 420x640 ;;
   *)
-    echo "$0: there is no figure '$figure'; the head of this script lists them" >&2
+    echo "$0: unknown figure '$figure'; the header of this script lists the figures" >&2
     exit 2 ;;
 esac

@@ -20,13 +20,13 @@ spacing=${2:-0.002}
 
 # 3. Derive the answer from results.csv by column names (results.json has the same as a tree).
 echo
-echo "The greatest speed up to which a method keeps the rings whole, in c0:"
+echo "Highest speed at which the rings stay intact, by method, in c0:"
 awk -F, '
   NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
   {
     method = $column["set.method"]; speed = $column["set.v0"]
     if (!(method in limit)) limit[method] = "none"
     if ($column["verdict"] != "stable") torn[method] = 1
-    if (!torn[method]) limit[method] = speed  # rows are ordered by rising speed
+    if (!torn[method]) limit[method] = speed      # rows are ordered by rising speed
   }
   END { for (method in limit) print "  " method, limit[method] }' "$folder/results.csv" | sort
