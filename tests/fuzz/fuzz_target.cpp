@@ -40,7 +40,7 @@ constexpr Target table[] = {
     {"resume", read_resumed},
 };
 
-/// Creates a temporary folder and makes it the current one during its lifetime; no other scenes have names there.
+/// A temporary current folder.
 class OwnFolder {
  public:
   OwnFolder() : before_(fs::current_path()) {

@@ -1,4 +1,4 @@
-// Entry points of libFuzzer; the variable TAUT_FUZZ_TARGET names the target.
+// TAUT_FUZZ_TARGET names the target.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  // processor time, so that other load makes no finding; libFuzzer's own limit catches waits
+  // processor time; libFuzzer limits waits
   constexpr double most = 10;  // s
   const std::clock_t begin = std::clock();
   taut::fuzz::feed(*target, {reinterpret_cast<const char*>(bytes), size});

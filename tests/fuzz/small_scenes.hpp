@@ -7,10 +7,9 @@
 
 namespace taut::fuzz {
 
-/// Returns true if the particles of a scene are made quickly; larger scenes are valid but slow.
+/// Larger scenes are valid but slow.
 bool is_small(const Scene& scene);
 
-/// A scene of a few particles and its method.
 struct SmallScene {
   std::string_view method, text;
 };
@@ -80,7 +79,7 @@ frames = 2
 size = [64, 64]
 )";
 
-/// One per family of methods, the ones with the largest state, and some in 3D.
+/// One per family, the ones with the largest state, some in 3D.
 inline constexpr std::array small_scenes = {
     SmallScene{"enog", two_discs},          SmallScene{"oenog", two_discs},
     SmallScene{"d-ulsph-r-tic", two_discs}, SmallScene{"tl", two_discs},

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> files_in(const fs::path& folder) {
   std::vector<fs::path> files;
-  std::error_code none;  // a target can lack inputs
+  std::error_code none;  // can be missing
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) files.push_back(entry.path());
   std::ranges::sort(files);
   return files;
@@ -28,14 +28,14 @@ std::string bytes_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Limits the memory of a target; ctest limits its time.
+/// Memory only; ctest limits time.
 void limit_memory() {
   constexpr rlim_t most = rlim_t{1} << 30;  // bytes
   const rlimit limit{most, most};
   ::setrlimit(RLIMIT_DATA, &limit);
 }
 
-/// Prints the name of each input before reading it, so that the last line names an input that crashes.
+/// Prints each name first: the last one crashed.
 int feed_all(const Target& target, const std::vector<fs::path>& files) {
   limit_memory();
   int failures = 0;

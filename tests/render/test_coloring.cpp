@@ -31,21 +31,20 @@ TEST_SUITE("image") {
       Range range;
       double middle, value, t;  // t: place in the map
     };
-    for (const auto& [range, middle, value, t] :
-         {Case{{-1e6, 4e6}, 0, 0, 0.5},
-          {{-1e6, 4e6}, 0, 4e6, 1},
-          {{-1e6, 4e6}, 0, 1e6, 0.625},
-          {{-1e6, 4e6}, 0, -1e6, 0.375},
-          {{-1e6, 4e6}, 0, -3e6, 0.375},  // clamped to the range
-          {{-4, 1}, 0, -4, 0},
-          {{0.5, 3}, 1, 1, 0.5},
-          {{0.5, 3}, 1, 0.5, 0.375},
-          {{-0.5, 2.5}, 1, 1, 0.5},
-          {{0, 4}, 0, 0, 0},  // the whole range is on one side of the middle
-          {{2, 4}, 0, 2, 0},
-          {{-3, 3}, 0, -3, 0},
-          {{-3, 3}, 0, 1.5, 0.75}}) {
-      const std::pair range_and_value(range.low, value);  // clang cannot capture structured bindings
+    for (const auto& [range, middle, value, t] : {Case{{-1e6, 4e6}, 0, 0, 0.5},
+                                                  {{-1e6, 4e6}, 0, 4e6, 1},
+                                                  {{-1e6, 4e6}, 0, 1e6, 0.625},
+                                                  {{-1e6, 4e6}, 0, -1e6, 0.375},
+                                                  {{-1e6, 4e6}, 0, -3e6, 0.375},
+                                                  {{-4, 1}, 0, -4, 0},
+                                                  {{0.5, 3}, 1, 1, 0.5},
+                                                  {{0.5, 3}, 1, 0.5, 0.375},
+                                                  {{-0.5, 2.5}, 1, 1, 0.5},
+                                                  {{0, 4}, 0, 0, 0},  // all on one side
+                                                  {{2, 4}, 0, 2, 0},
+                                                  {{-3, 3}, 0, -3, 0},
+                                                  {{-3, 3}, 0, 1.5, 0.75}}) {
+      const std::pair range_and_value(range.low, value);
       CAPTURE(range_and_value.first);
       CAPTURE(range_and_value.second);
       Look with = look(640, 360, unit_view);
@@ -56,10 +55,9 @@ TEST_SUITE("image") {
       const int row = layout.key.y + static_cast<int>(std::lround((1 - share) * (layout.key.height - 1)));
       const Rgb color = coolwarm.at(t);
       for (const Rgb& seen : {color_at(image, unit_view, 0, 0), image.at(layout.key.x + 4, row)})
-        for (std::size_t k = 0; k < 3; ++k)
-          CHECK(std::abs(seen[k] - color[k]) <= 3);  // the range has 256 colours
+        for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(seen[k] - color[k]) <= 3);  // 256 colours
     }
-    Look with = look(100, 100, unit_view);  // other maps span the whole range
+    Look with = look(100, 100, unit_view);  // spans the whole range
     with.range = {-1, 4};
     CHECK(color_at(picture(particle(0, 0, 0.4, -1), with), unit_view, 0, 0) == with.colormap->at(0));
   }
@@ -94,7 +92,7 @@ TEST_SUITE("image") {
   TEST_CASE("the colour of NaN is explained below the bar if the picture contains NaN") {
     const Look with = look(640, 360, unit_view);
     const PageLayout layout = make_layout(640, 360, unit_view);
-    const int bottom = layout.key.y + layout.key.height + 6;  // below the lowest number
+    const int bottom = layout.key.y + layout.key.height + 6;
     const Rect below{layout.key.x, bottom, 640 - layout.key.x, 360 - bottom};
     struct Found {
       int swatch = 0, other = 0, at_edge = 0;
@@ -116,13 +114,13 @@ TEST_SUITE("image") {
     CHECK(key_of(some).other > 30);
     CHECK(key_of(some).at_edge == 0);
     CHECK(key_of(none).swatch + key_of(none).other == 0);
-    CHECK(key_of(picture(particle(9, 0, 0.1, NAN), with)).swatch == 0);  // outside the picture
+    CHECK(key_of(picture(particle(9, 0, 0.1, NAN), with)).swatch == 0);  // outside
     int elsewhere = 0;
     for (int row = 0; row < below.y; ++row)
       for (int column = layout.plot.x + layout.plot.width; column < 640; ++column)
         elsewhere += some.at(column, row) != none.at(column, row);
     CHECK(elsewhere == 0);
-    Renderer renderer(with);  // one renderer, several frames
+    Renderer renderer(with);
     for (const double value : std::vector<double>{NAN, 0.5, NAN, -3}) {
       const Particles one = particle(0, 0, 0.1, value);
       CHECK(renderer.draw(one.frame()) == picture(one, with));
@@ -151,8 +149,7 @@ TEST_SUITE("image") {
       return picture(particle(0, 0, 0.1, 0), with);
     };
     const Image image = drawn(20, "a");
-    CHECK_FALSE(image == drawn(25, "a"));  // "and 13 more" differs from "and 18 more"
-    // "and 13 more" is wider than the names and must fit
+    CHECK_FALSE(image == drawn(25, "a"));  // 13 and 18 more
     const auto left_of_legend = [](const Image& of) {
       int column = of.width / 2;
       while (of.at(column, 30) == white) ++column;
@@ -174,7 +171,7 @@ TEST_SUITE("image") {
       Renderer renderer(of_both);
       const Image method = renderer.draw(with);
       CHECK_FALSE(method == Image(renderer.draw(without)));
-      CHECK_FALSE(method == Image(renderer.draw(other)));  // the last letter is visible
+      CHECK_FALSE(method == Image(renderer.draw(other)));  // differs in the last letter
     }
   }
 }

@@ -13,7 +13,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Bounding box of the pixels of a colour left of column `beyond`.
+/// Bounding box of a colour left of `beyond`.
 struct Found {
   int left = 1 << 20, right = -1, top = 1 << 20, bottom = -1;
 };
@@ -66,7 +66,7 @@ TEST_SUITE("image") {
     CHECK(first.bottom < last.top);
     CHECK(first.right - first.left == last.right - last.left);
     CHECK(first.bottom - first.top == last.bottom - last.top);
-    // tolerance: the rim is blended with the white background
+    // the rim is blended
     CHECK(first.right - first.left == Approx(first.bottom - first.top).epsilon(0.05));
   }
 
@@ -128,7 +128,7 @@ TEST_SUITE("image") {
     panel.draw(0, 0, one_disc(disc, 0));
     const Image& image = panel.finish();
     const Found found = find_color(image, {68, 1, 84}, image.width);
-    CHECK(found.right - found.left > 60);  // a fifth of the view; each picture is half of the panel
+    CHECK(found.right - found.left > 60);  // a fifth of the view
     int bright = 0;
     for (int row = 0; row < image.height; ++row)
       for (int column = 0; column < image.width; ++column) bright += image.at(column, row)[0] > 100;

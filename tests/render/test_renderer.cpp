@@ -30,7 +30,7 @@ Image drawn(const Particles& particles, const Look& with) {
   return renderer.draw(particles.frame());
 }
 
-/// Bounding box of the pixels that are not white.
+/// Bounding box of non-white pixels.
 Rect extent(const Image& image) {
   int left = image.width, right = -1, top = image.height, bottom = -1;
   for (int row = 0; row < image.height; ++row) {
@@ -69,7 +69,7 @@ TEST_SUITE("image") {
                                              {-0.001, white, white},
                                              {std::numeric_limits<double>::infinity(), high, white},
                                              {std::numeric_limits<double>::quiet_NaN(), white, white}}) {
-      const auto& value_now = value;  // clang cannot capture structured bindings
+      const auto& value_now = value;
       CAPTURE(value_now);
       const Image image = drawn(one_disc(0, 0, 0.1, value), with);
       CHECK(image.at(middle, above) == top);
@@ -94,7 +94,7 @@ TEST_SUITE("image") {
       CHECK(in_legend > 20);
     }
     with.categories.assign(100, "one of many");
-    CHECK(extent(drawn(three, with)).height < 360);  // entries without room are left out
+    CHECK(extent(drawn(three, with)).height < 360);  // some entries left out
   }
 
   TEST_CASE("on a dark background texts are light, and no white remains") {
@@ -121,7 +121,7 @@ TEST_SUITE("image") {
           light += color[0] > 200 && color[2] > 200;
           lighter += color[0] > 240 && color[2] > 240;
         }
-      CHECK(light > 100);  // pixels of texts
+      CHECK(light > 100);  // texts
       CHECK(lighter == 0);
     }
   }
@@ -158,7 +158,7 @@ TEST_SUITE("image") {
     frame.dim = 3;
     Renderer renderer(with);
     Image& image = const_cast<Image&>(renderer.draw(frame));
-    // a new image is white; fill it so that only clearing makes it white again
+    // new images are white already
     std::fill(image.pixels.begin(), image.pixels.end(), 7);
     renderer.draw(frame);
     CHECK(image == Image(160, 100));
@@ -187,7 +187,7 @@ TEST_SUITE("image") {
       CHECK(color_at(image, unit_view, 0.2, 0.3) == color);
       CHECK(color_at(image, unit_view, 0.2, 0.5) == color);
       CHECK(color_at(image, unit_view, 0.2, 0.6) == white);
-      CHECK(color_at(image, unit_view, 0.2, -0.3) == white);  // y points upwards
+      CHECK(color_at(image, unit_view, 0.2, -0.3) == white);  // y is up
       CHECK(color_at(image, unit_view, -0.2, 0.3) == white);
     }
   }
@@ -195,21 +195,21 @@ TEST_SUITE("image") {
   TEST_CASE("a disc is round, has its size and is smooth at its rim") {
     const Image image = drawn(one_disc(0.1, 0, 1.0, 0), look(200, 100, unit_view));
     const Rect rect = extent(image);
-    CHECK(rect.width == 50);  // in pixels: half of the view's height
+    CHECK(rect.width == 50);  // half of the view's height
     CHECK(rect.height == 50);
     double area = 0;
     for (int row = 0; row < 100; ++row) {
-      // the blue of viridis' first colour is 84 of 255: blue gives the covered part of a pixel
+      // viridis' first blue is 84: gives the covered part
       for (int column = 0; column < 200; ++column) area += (255 - image.at(column, row)[2]) / (255.0 - 84);
     }
     CHECK(area == Approx(M_PI * 25 * 25).epsilon(0.005));
   }
 
   TEST_CASE("a disc of a few pixels has its size, and a smaller one fills its square") {
-    // drawn radius: r from 2 pixels, √2 r + ¼ up to 1, interpolated between
+    // radius drawn: r from 2 pixels, √2 r + ¼ up to 1, interpolated between
     for (const auto& [radius, drawn_as] :
          {std::pair{0.8, 1.38137}, {1.0, 1.66421}, {1.5, 1.93566}, {2.0, 2.0}, {3.0, 3.0}, {6.0, 6.0}}) {
-      const auto& radius_now = radius;  // clang cannot capture structured bindings
+      const auto& radius_now = radius;
       CAPTURE(radius_now);
       const Image image = drawn(one_disc(0.003, 0.001, 2 * radius / 50, 0), look(100, 100, unit_view));
       double area = 0;
@@ -296,7 +296,7 @@ TEST_SUITE("image") {
     const Look with = look(640, 360, rings_view);
     Renderer first(with);
     Renderer second(with);
-    first.draw(other.frame());  // few particles, then many, then few
+    first.draw(other.frame());
     const Image once = first.draw(particles.frame());
     first.draw(other.frame());
     CHECK(second.draw(particles.frame()) == once);

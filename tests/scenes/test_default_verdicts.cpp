@@ -10,7 +10,6 @@ namespace of_this_file {
 using namespace taut::cli;
 using namespace taut::test;
 
-/// The header of each shipped scene states the verdict of a run with defaults.
 namespace {
 
 struct Documented {

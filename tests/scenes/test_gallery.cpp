@@ -68,7 +68,7 @@ TEST_SUITE("analytic") {
     simulation->advance_to(file.scene.until);
     const Series& series = simulation->series();
     const auto& [t, y] = std::tie(series.time, series.value[0]);
-    // iterates the mean over whole periods, between the first and the last downward crossing
+    // mean over whole periods
     double level = 0, period = 0;
     int crossings = 0;
     for (std::size_t i = 1; i < t.size(); ++i) level += (y[i] + y[i - 1]) / 2 * (t[i] - t[i - 1]) / t.back();
@@ -115,7 +115,7 @@ TEST_SUITE("analytic") {
         CAPTURE(at);
         const std::size_t i = std::ranges::lower_bound(stretch, at) - stretch.begin();
         REQUIRE(i < stretch.size());
-        double thin = 0.3, thick = 1.8;  // bounds of the lateral stretch at zero lateral stress
+        double thin = 0.3, thick = 1.8;  // zero lateral stress
         for (int k = 0; k < 50; ++k) {
           const double middle = 0.5 * (thin + thick);
           (piola(stretch[i], middle)(1, 1) > 0 ? thick : thin) = middle;

@@ -24,16 +24,16 @@ namespace of_this_file {
 using namespace taut;
 using namespace taut::cli;
 
-/// Statements of [Lee2016] §8.1 and §8.3–8.5, with its numbers of particles.
+/// Tests of [Lee2016] §8.1 and §8.3–8.5.
 namespace {
 
 struct Run {
   std::map<std::string, MeasureResult> measure;
   Verdict verdict = Verdict::stable;
-  double zigzag = 0, noise = 0;  // maxima, of positions and of the pressure
+  double zigzag = 0, noise = 0;  // of positions, of the pressure
   Conservation kept;
-  double gain = 0;    // maximum energy gain over the energy supplied
-  double volume = 1;  // volume farthest from the initial one, over the initial one
+  double gain = 0;    // over the energy supplied
+  double volume = 1;  // farthest from 1
 
   double value(const std::string& name) const {
     INFO(name);
@@ -43,8 +43,7 @@ struct Run {
   double off(const std::string& name) const { return value(name) - *measure.at(name).reference; }
 };
 
-/// Maximum alternating part of the pressure over the maximum whole pressure, as the indicator computes it, for
-/// particles that start beyond x, in m.
+/// Alternating part over the whole pressure, of particles that start beyond x, m.
 class PressureNoise {
  public:
   PressureNoise(const Snapshot& start, double spacing, double beyond)
@@ -128,7 +127,7 @@ TEST_SUITE("failure") {
     double before = speed;
     for (const std::string eps : {"0", "0.03125", "0.125"}) {
       CAPTURE(eps);
-      // until the wave has reached the free end and come half-way back
+      // the wave is half-way back
       const Run cable = run("cable-3d", "pf-jst", {{"method.eps_v2", eps}, {"until", "0.004"}});
       CHECK(cable.value("end_rmse") < 0.05 * displacement);
       const double beyond = std::max(cable.value("overshoot"), -cable.value("undershoot")) - speed;
@@ -157,8 +156,7 @@ TEST_SUITE("failure") {
     CHECK(*free.kept.angular_momentum > 1e-6);
   }
 
-  // Waves are too slow with ten particles per length. After one and three turns the corner errors, over the side, are
-  // 2.5 % and 6.5 % for pf-jst, and 1.3 % and 4.0 % for oenog.
+  // Corner errors after one and three turns: pf-jst 2.5 % and 6.5 %, oenog 1.3 % and 4.0 %.
   TEST_CASE("spinning cube: with ten particles along a side the corner moves like that of finite elements") {
     for (const std::string method : {"pf-jst", "oenog"}) {
       CAPTURE(method);
@@ -171,7 +169,7 @@ TEST_SUITE("failure") {
   // §8.4, Fig. 9 to 11
   TEST_CASE(
       "tensile cube: tl and pf without dissipation zigzag, and methods with dissipation do not and agree") {
-    const double height = 0.26;  // maximum rise of the top, m
+    const double height = 0.26;  // m
     const Run first = run("tensile-cube", "pf-jst");
     for (const std::string& method : with_jst) {
       CAPTURE(method);
@@ -179,7 +177,7 @@ TEST_SUITE("failure") {
       CHECK(cube.verdict == Verdict::stable);
       CHECK(std::abs(cube.off("top_580us")) < 0.05 * height);
       CHECK(std::abs(cube.off("top_1700us")) < 0.05 * height);
-      // measured: 9 %, due to the dissipation, see below
+      // 9 %, due to the dissipation, see below
       CHECK(std::abs(cube.off("top_2100us")) < 0.11 * height);
       CHECK(cube.value("foot_rmse") == 0);
       for (const char* top : {"top_580us", "top_1700us", "top_2100us"})
@@ -195,8 +193,7 @@ TEST_SUITE("failure") {
     }
   }
 
-  // At 8³ particles ε₄ = 1/8 makes the top return early, whatever the spacing: with the same ε₄ dp³ the error stays
-  // at 10 % for half, a third and a quarter of the spacing.
+  // With the same ε₄ dp³ the error stays at 10 % for half, a third and a quarter of the spacing.
   TEST_CASE("tensile cube: the dissipation of 8³ makes the top return early at half the spacing too") {
     const double height = 0.26;  // m
     const Run fine =
@@ -206,13 +203,12 @@ TEST_SUITE("failure") {
     CHECK(std::abs(fine.off("top_580us")) < 0.02 * height);
   }
 
-  // §8.5, Fig. 13, 14. Particles separate at the edge of the sticking punch. For a neo-Hookean material {p, F, H, J}
-  // equals {p, F, J} except for the time steps, as on the tensile cube.
+  // §8.5, Fig. 13, 14. Particles separate at the punch's edge. {p, F, H, J} equals {p, F, J} in a neo-Hookean material.
   TEST_CASE(
       "coining: at 46 % compression the pressure of pf has a checkerboard, and that of methods with "
       "dissipation has none") {
-    const double beyond = 0.015;             // half a punch width away from its edge, m
-    const double least_volume = 1 - 0.0285;  // finite elements, at 0.12 ms, in the first pressure wave
+    const double beyond = 0.015;             // half a punch from its edge, m
+    const double least_volume = 1 - 0.0285;  // finite elements, at 0.12 ms
     const Run rough = run("coining", "pf", {}, beyond), other = run("coining", "oenog");
     CHECK(std::abs(other.volume - least_volume) < 0.005);
     for (const std::string method : {"pf-jst", "pfj-jst"}) {
@@ -221,7 +217,7 @@ TEST_SUITE("failure") {
       CHECK(block.verdict == Verdict::hourglass);  // at the punch's edge
       CHECK(block.noise < 0.2 * rough.noise);
       CHECK(std::abs(block.off("bulge")) < 0.1 * 1.95e-3);
-      // finite elements have an uncertainty of ± 0.1 mm
+      // finite elements: ± 0.1 mm
       CHECK(std::abs(block.off("highest_point")) < 0.1 * 3.3e-3 + 0.1e-3);
       CHECK(std::abs(block.volume - least_volume) < 0.005);
       CHECK(block.gain < 1e-6);

@@ -24,7 +24,6 @@ using namespace taut;
 using namespace taut::cli;
 using taut::test::relative;
 
-/// Accuracy and convergence of `oenog` in the shipped dynamic scenes.
 namespace {
 
 SceneFile scene(const std::string& name, double spacing, std::vector<Setting> settings = {},
@@ -36,7 +35,6 @@ SceneFile scene(const std::string& name, double spacing, std::vector<Setting> se
   return file;
 }
 
-/// A run until the end of its scene.
 struct Whole {
   SceneFile file;
   std::unique_ptr<Simulation> simulation;
@@ -61,10 +59,10 @@ struct Whole {
   }
 };
 
-/// Order p of an error that falls as spacing^p.
+/// Order p of an error ∝ spacing^p.
 double order(double coarse, double fine, double ratio) { return std::log(coarse / fine) / std::log(ratio); }
 
-/// The colliding rings with the right one shifted by `across`, m, perpendicular to its velocity.
+/// The right ring is shifted by `across`, m.
 SceneFile askew_rings(double spacing, double across) {
   SceneFile file = scene("colliding-rings", spacing);
   for (Shape& shape : file.scene.bodies.at(1).shapes) shape.shift(1, across);
@@ -72,7 +70,7 @@ SceneFile askew_rings(double spacing, double across) {
 }
 
 Judge judged(const SceneFile& file) {
-  constexpr int looks = 1000;  // as many as rows in the history of a run
+  constexpr int looks = 1000;
   const auto simulation = make_simulation(file.scene, file.settings);
   Judge judge(file.scene, *simulation);
   IndicatorGauge gauge(file.scene, simulation->snapshot());
@@ -92,7 +90,7 @@ TEST_SUITE("convergence") {
     const auto error = [exact_period](double spacing) {
       return Whole(scene("ringing-ring", spacing)).measured("period") / exact_period - 1;
     };
-    // the errors, −1.57e-3, −0.82e-3, −0.54e-3, keep their sign: no zero crossing fakes the order
+    // −1.57e-3, −0.82e-3, −0.54e-3: no zero crossing fakes the order
     const double coarse = error(0.002), middle = error(0.00125), fine = error(0.001);
     CHECK(coarse > -2e-3);
     CHECK(coarse < middle);
@@ -110,7 +108,7 @@ TEST_SUITE("convergence") {
       CHECK(order(coarse.measured(line), fine.measured(line), 2) > 1);
     }
     for (const Whole* rings : {&coarse, &fine}) {
-      // 10 mm apart at 2 · 7.071068 m/s: surfaces touch at the same time for any spacing
+      // surfaces touch at the same time for any spacing
       CHECK(std::abs(rings->measured("touch_time") - 0.01 / (2 * 7.071068)) < 1e-7);  // s
       CHECK(rings->measured("mirror_asymmetry") == 0);
     }
@@ -121,7 +119,7 @@ TEST_SUITE("convergence") {
     const Whole rings(scene("colliding-rings", 0.001, {}, "enog"));
     for (const char* line : {"diameter_rmse", "speed_rmse"}) {
       CAPTURE(std::string(line));
-      CHECK(rings.measured(line) < 0.03);  // .025 and .028; no smaller at half the spacing
+      CHECK(rings.measured(line) < 0.03);  // also at half the spacing
       CHECK(rings.measured(line) > 0.02);
     }
   }
@@ -157,11 +155,11 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE("colliding rings: the contact of oenog never pulls") {
-    // the left ring moves to the right; a contact that only pushes never increases its speed
+    // the left ring moves right: a push never increases its speed
     for (const double spacing : {0.002, 0.001}) {
       const Whole rings(scene("colliding-rings", spacing));
       const std::vector<double>& speed = rings.probe("speed");
-      double pulled = 0;  // m/s, in the worst step
+      double pulled = 0;  // m/s, per step
       for (std::size_t k = 1; k < speed.size(); ++k) pulled = std::max(pulled, speed[k] - speed[k - 1]);
       CHECK(pulled < 1e-12 * speed.front());
       CHECK(speed.back() < -0.7 * speed.front());
@@ -194,7 +192,7 @@ TEST_SUITE("failure") {
 
   TEST_CASE("colliding rings: at 0.16 c0 and 0.8 mm the sides of the crease do not penetrate each other") {
     SceneFile file = scene("colliding-rings", 0.0008, {{"v0", "0.16"}});
-    file.scene.until = 0.005;  // the crease is sharpest at 4 ms; its sides start three spacings apart
+    file.scene.until = 0.005;  // sharpest at 4 ms
     CHECK(name(judged(file).verdict()) == "stable");
   }
 
@@ -202,13 +200,13 @@ TEST_SUITE("failure") {
     const auto fastest = [](const char* method, const char* h, const char* eps) {
       SceneFile file = scene("colliding-rings", 0.00125,
                              {{"v0", "0.16"}, {"method.h", h}, {"method.eps_v2", eps}}, method);
-      file.scene.until = 0.005;  // the crease is sharpest at 4.1 ms
+      file.scene.until = 0.005;  // sharpest at 4.1 ms
       return judged(file);
     };
     for (const char* method : {"pf-jst", "pfj-jst"}) {
       CAPTURE(std::string(method));
       CHECK(fastest(method, "0.8", "0").verdict() < Verdict::penetrated);
-      // shock dissipation removes the zigzags of the crease, and survives with a longer kernel too
+      // shock dissipation removes zigzags
       CHECK(name(fastest(method, "0.8", "0.125").verdict()) == "stable");
       CHECK(name(fastest(method, "1.05", "0.125").verdict()) == "stable");
     }

@@ -24,7 +24,6 @@ using namespace taut;
 using namespace taut::test;
 using namespace taut::cli;
 
-/// Shipped scenes with their original methods, compared with their references.
 namespace {
 
 struct Outcome {
@@ -66,7 +65,7 @@ TEST_SUITE("convergence") {
     CHECK(*coarse.measure.at("corner_error") < 0.03);
     CHECK(*fine.measure.at("corner_error") < 0.012);
     CHECK(*fine.measure.at("corner_error") < 0.5 * *coarse.measure.at("corner_error"));
-    CHECK(*fine.measure.at("corner_angle") < 1e-3);  // after more than three turns
+    CHECK(*fine.measure.at("corner_angle") < 1e-3);  // after three turns
   }
 }
 
@@ -74,14 +73,14 @@ TEST_SUITE("convergence") {
   TEST_CASE(
       "elastic cable: the error halves with the spacing with tensile control, and not with artificial "
       "stress") {
-    // [Khayyer2024] Table 3, with a quarter of the cable's length
+    // [Khayyer2024] Table 3, a quarter of the length
     const auto error = [](const char* method, double spacing) {
       const auto cable = run("elastic-cable", method, spacing, 2.5e-3, {{"L", "2.5"}});
       REQUIRE(cable.measure.at("end_rmse"));
       return *cable.measure.at("end_rmse");
     };
     const double coarse = error("d-ulsph-r-tic", 0.05);
-    // four rows of particles have no interior, where the methods would differ
+    // no interior in four rows
     CHECK(error("d-ulsph-r-as", 0.05) == coarse);
     CHECK(coarse > 1e-4);
     CHECK(error("d-ulsph-r-tic", 0.025) < 0.6 * coarse);
@@ -91,7 +90,7 @@ TEST_SUITE("convergence") {
 
 TEST_SUITE("analytic") {
   TEST_CASE("elastic cable: d-ulsph-r-tic is no farther from the exact solution than published") {
-    // errors here: 4.55e-4 and 2.35e-4 m, below those of [Khayyer2024] Table 3(a)
+    // here: 4.55e-4 and 2.35e-4 m; published: [Khayyer2024] Table 3(a)
     for (const auto& [spacing, published] : {std::pair(0.05, 4.88234e-4), {0.025, 2.44817e-4}}) {
       const auto cable = run("elastic-cable", "d-ulsph-r-tic", spacing, 0.01, {});
       REQUIRE(cable.measure.at("end_rmse"));
@@ -113,11 +112,11 @@ TEST_SUITE("analytic") {
         measure(file.scene, simulation->series(), "neo_hookean", lines.samples()).at(0);
     REQUIRE(rmse.value);
     CHECK(rmse.reference_name == "rod theory, M of plane strain");
-    CHECK(*rmse.value < 1e6);  // amplitude of the pulse: 24e6 Pa in aluminium, 34e6 Pa in copper
+    CHECK(*rmse.value < 1e6);  // pulse: 24e6 and 34e6 Pa
   }
 
   TEST_CASE("elastic cable: the end of oenog follows the exact solution") {
-    // the end moves by 2.5 mm and returns within 4.5e-3 s
+    // returns within 4.5e-3 s
     const Outcome cable = run("elastic-cable", "oenog", 0.1, 5e-3);
     REQUIRE(cable.measure.at("end_rmse"));
     CHECK(*cable.measure.at("end_rmse") < 1e-4);
@@ -126,7 +125,7 @@ TEST_SUITE("analytic") {
 
 TEST_SUITE("analytic") {
   TEST_CASE("ringing ring: only one mode rings, and its period converges to the exact one with the spacing") {
-    // a second mode would shift each zero crossing differently; the first period must equal the next two
+    // a second mode would change the later periods
     const auto period = [](double spacing, double& later) {
       SceneFile file =
           read_scene(find_scene("ringing-ring"), {{"method", "tl"}, {"spacing", exact(spacing)}});
@@ -143,7 +142,7 @@ TEST_SUITE("analytic") {
     const double coarse = period(0.001, coarse_later), fine = period(0.0005, fine_later);
     CHECK(std::abs(coarse / coarse_later - 1) < 5e-5);
     CHECK(std::abs(fine / fine_later - 1) < 5e-5);
-    // tl is of second order: extrapolates from two spacings
+    // second-order extrapolation
     const double limit = fine - (coarse - fine) / 3;
     CHECK(std::abs(limit / 10.40371e-3 - 1) < 1e-3);
   }
@@ -162,7 +161,7 @@ TEST_SUITE("conservation") {
   TEST_CASE("rotating plate: oenog conserves the angular momentum over three turns to round-off") {
     const Outcome plate = run("rotating-plate", "oenog", 0.1);
     const double start = plate.start.angular_momentum[2];
-    REQUIRE(start > 19000);  // ω ρ/6 = 19250 kg m²/s; a lattice has slightly less
+    REQUIRE(start > 19000);  // ω ρ/6 = 19250 kg m²/s, slightly less on a lattice
     CHECK(plate.reached >= 0.2);
     CHECK(std::abs(plate.end.angular_momentum[2] / start - 1) < 1e-12);
   }

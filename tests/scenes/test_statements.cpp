@@ -20,7 +20,7 @@ using namespace taut::cli;
 
 namespace {
 
-/// A published statement about a method in a scene; rings are coarser than published if the verdict is the same.
+/// Published statement; coarser rings if the verdict is the same.
 struct Statement {
   const char* figure;
   const char* scene;
@@ -28,15 +28,14 @@ struct Statement {
   std::map<std::string, std::string> set;
   double until;  // s
   Verdict published;
-  /// Verdict obtained here if it differs from the published one; the reason is stated below.
+  /// Verdict here, if it differs.
   std::optional<Verdict> here = {};
 };
 
 constexpr Verdict stable = Verdict::stable, hourglass = Verdict::hourglass, fractured = Verdict::fractured,
                   diverged = Verdict::diverged;
 
-/// Published statements that a verdict can check, up to the time at which the verdict shows. Includes statements that
-/// do not hold here, with the verdict obtained.
+/// `until` is the time at which the verdict shows.
 const std::vector<Statement> statements = {
     {"Zhang2024 Fig. 3(a)", "oscillating-plate", "og", {}, 0.05, fractured},
     {"Zhang2024 Fig. 3(b)", "oscillating-plate", "oas", {}, 0.05, hourglass},
@@ -67,21 +66,19 @@ const std::vector<Statement> statements = {
     {"Zhang2024 Fig. 18(a)", "ball-plate", "og", {}, 0.011, fractured},
     {"Zhang2024 Fig. 18(b)", "ball-plate", "oas", {}, 0.014, hourglass},
     {"Zhang2024 Fig. 18(c)", "ball-plate", "enog", {}, 0.04, stable},
-    // the published plate fractures from 0.012 s; here particles zigzag (0.17) but hold
+    // fractures from 0.012 s in the paper; here zigzags (0.17) hold
     {"Zhang2024 Fig. 19(a)", "ball-plate", "oas", {{"v0", "0.06"}}, 0.02, fractured, hourglass},
     {"Zhang2024 Fig. 19(b)", "ball-plate", "enog", {{"v0", "0.06"}}, 0.04, stable},
-    // smooth as published, but the energy of forces in space-fixed axes doubles
+    // smooth as published, but the energy doubles
     {"Zhang2024 Fig. 20", "ball-plate", "enog", {{"v0", "0.12"}}, 0.04, stable, diverged},
 
-    // in 3D, coarser than published: three layers at half the length and width, 4 particles across the balls' walls,
-    // 3 across the plate under the ball
+    // 3D, coarser: 4 particles across the balls' walls, 3 across the plates
     {"Zhang2024 Fig. 9", "oscillating-plate-3d", "enog", {{"side", "0.2"}}, 0.01, stable},
     {"Zhang2024 Fig. 16", "colliding-balls", "enog", {{"spacing", "0.0025"}}, 0.007, stable},
     {"Zhang2024 Fig. 21", "ball-plate-3d", "enog", {{"spacing", "0.0066667"}}, 0.015, stable},
 
     {"Khayyer2024 Fig. 9", "rotating-plate", "d-ulsph-r-tic", {}, 0.15, stable},
-    // ε = 0.15 and n = 8 just suffice here, with ∇u at mid-step. The plate zigzags with ε = 0.12, with dp = 0.02, and
-    // with ∇u at the start of the step, as printed in the paper
+    // just stable with ∇u at mid-step; zigzags with ε = 0.12, dp = 0.02, or ∇u at the start of the step, as printed
     {"Khayyer2024 Fig. 9, (0.15, 8)", "rotating-plate", "d-ulsph-r-as", {}, 0.15, hourglass, stable},
     {"Khayyer2024 Fig. 9, (0.15, 8), as printed",
      "rotating-plate",
@@ -122,7 +119,7 @@ const std::vector<Statement> statements = {
      0.15,
      hourglass},
 
-    // at the scene's 40 mm zigzags reach 0.96 of the limit
+    // at 40 mm zigzags reach 0.96 of the limit
     {"Lee2016 Fig. 11(a)", "rotating-plate", "tl", {{"spacing", "0.0333333333"}}, 0.1, hourglass},
     {"Lee2016 Fig. 11(b)", "rotating-plate", "pf-jst", {}, 0.2, stable},
     {"Lee2016 Fig. 11(c)", "rotating-plate", "pfj-jst", {}, 0.2, stable},

@@ -24,7 +24,6 @@ using namespace taut;
 using namespace taut::test;
 using namespace taut::cli;
 
-/// Coarse versions of the scenes with a static end state, compared with their references.
 namespace {
 
 struct Rest {
@@ -70,7 +69,7 @@ Rest run(const SceneFile& file) {
   return rest;
 }
 
-/// Errors of the shear stress σ_rθ of the sheared annulus at small strains, relative to its magnitude.
+/// Errors of σ_rθ at small strains, relative.
 struct ShearError {
   double rms = 0, worst = 0;
 };
@@ -85,7 +84,7 @@ ShearError shear_error(const std::string& method, double spacing) {
   for (std::size_t i = 0; i < now.size(); ++i) {
     const Point X = now.initial(i);
     const double r = std::hypot(X[0], X[1]), c = X[0] / r, s = X[1] / r;
-    if (r < a + spacing) continue;  // clamped
+    if (r < a + spacing) continue;
     const StressTensor sigma = now.stress(i);
     const double shear = sigma.xy * (c * c - s * s) + (sigma.yy - sigma.xx) * c * s;
     difference += std::pow(shear - q / (r * r), 2);
@@ -95,8 +94,7 @@ ShearError shear_error(const std::string& method, double spacing) {
   return {std::sqrt(difference / size), worst};
 }
 
-/// Tip (x, y) over L of the thin beam theta'' = −a cos theta, theta(0) = 0, theta'(1) = 0, y downwards, by shooting
-/// with Runge–Kutta steps.
+/// Tip (x, y) over L of theta'' = −a cos theta, theta(0) = 0, theta'(1) = 0, y downwards, by shooting (Runge–Kutta).
 std::array<double, 2> elastica(double a) {
   using State = std::array<double, 4>;  // theta, theta', x, y
   const auto rate = [a](const State& s) {
@@ -151,7 +149,7 @@ TEST_SUITE("analytic") {
         const SceneFile file = scene("truss", method, 0.005, {{"force", std::to_string(force)}});
         const double s =
             1 + file.scene.references.at("neo_hookean").solution.at("extension").at(0)({}, 0) / 0.2;
-        const double turned = 0.5 * (s * s - 1) * 1e5;  // second Piola–Kirchhoff stress times the section
+        const double turned = 0.5 * (s * s - 1) * 1e5;  // second Piola–Kirchhoff stress times section
         CHECK((method == std::string("icb") ? turned : s * turned) == Approx(force).epsilon(1e-9));
       }
     }
@@ -175,7 +173,7 @@ TEST_SUITE("analytic") {
     const Rest without = run(scene("loaded-square", "tl-small-strain", 2.5e-5, {{"method.normalised", "0"}}));
     CHECK(without.error("displacement_rmse") > 0.05);
     CHECK(without.error("displacement_error") > 0.3);
-    // linear: the relative error does not depend on the load, even for large displacements
+    // linear: independent of the load
     const Rest heavy = run(scene("loaded-square", "tl-small-strain", 2.5e-5, {{"load", "64"}}));
     CHECK(heavy.value("displacement_rmse") == Approx(with.value("displacement_rmse")).epsilon(1e-5));
   }
@@ -205,7 +203,7 @@ TEST_SUITE("analytic") {
   TEST_CASE("loaded square: the tension of tl and oenog at the loaded sides equals the load") {
     const double k = 50 * 0.02, l = 5e-4;
     for (const auto& [method, most] : {std::pair("tl", 0.01), std::pair("oenog", 0.05)}) {
-      const auto said = std::string(method);  // clang cannot capture structured bindings
+      const auto said = std::string(method);
       CAPTURE(said);
       SceneFile file = scene("loaded-square", method, 2.5e-5, {{"load", "0.02"}});
       const auto simulation = make_simulation(file.scene, file.settings);

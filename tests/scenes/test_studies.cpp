@@ -15,7 +15,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Runs a script of scenes/studies/ in `folder`.
 Outcome study(const TemporaryFolder& folder, const std::string& command) {
   const std::string line = "cd '" + folder.path().string() +
                            "' && TAUT='" TAUT_BINARY_DIR "/taut' '" TAUT_SOURCE_DIR "/scenes/studies/'" +
@@ -48,7 +47,7 @@ TEST_SUITE("cli") {
     CHECK(outcome.code == 0);
     CHECK(contains(outcome.out, "0 of 24 runs are done"));
     CHECK(lines_of(folder / "rings/results.csv").size() == 25);
-    // for each method: the highest speed below the first unstable one
+    // highest speed below the first unstable one
     for (const std::string method : {"og", "oas", "enog"}) {
       std::string limit = "none";
       const auto results = json_of(folder / "rings/results.json");
@@ -106,7 +105,7 @@ TEST_SUITE("cli") {
     CHECK(contains(accuracy, "| method | 5 mm | 2.5 mm | order | finest, s |"));
     CHECK(contains(accuracy, "error of rebound_ratio, % of the reference"));
     CHECK(contains(accuracy, "| method | within 5 % | within 1 % | within 0.5 % |"));
-    for (const auto& run : chart["runs"])  // errors of the table equal those of results.json
+    for (const auto& run : chart["runs"])
       if (run["set"]["method"] == "oenog")
         CHECK(contains(accuracy, " " + percent(run["measures"]["rebound_ratio"]["error"]) + " "));
     const std::string map = tables_of("small-map");
@@ -114,7 +113,7 @@ TEST_SUITE("cli") {
     CHECK(contains(map, "| `oenog` | stable | stable |"));
     const std::string history = tables_of("small-history");
     CHECK(contains(history, "| run | verdict | touch_time |"));
-    CHECK(tables_of("small-history") == history);  // deterministic
+    CHECK(tables_of("small-history") == history);
   }
 
   TEST_CASE("the study of limitations reproduces its stored page") {
@@ -128,7 +127,6 @@ TEST_SUITE("cli") {
     REQUIRE(first != std::string::npos);
     CHECK(contains(made, "  extension  "));
     CHECK(contains(stored, made.substr(first)));
-    // contains every command of METHODS.md
     const std::string methods = text_of(fs::path(TAUT_SOURCE_DIR) / "engine/METHODS.md");
     static const std::regex command("`taut run [^`]*`");
     for (std::sregex_iterator found(methods.begin(), methods.end(), command), end; found != end; ++found)

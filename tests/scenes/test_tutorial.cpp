@@ -15,18 +15,18 @@ using namespace taut::test;
 
 namespace {
 
-/// A command of a page, "taut run beam.toml", with the exit code announced in its comment.
+/// A command and the exit code announced in its comment.
 struct PageCommand {
   std::string line;
   int code = 0;
 };
 
-/// Follows a page like a new user: writes and appends the files of its fenced blocks, and runs its commands.
+/// Follows a page: writes the files of its fenced blocks and runs its commands.
 class Reader {
  public:
   explicit Reader(const fs::path& page) : text_(text_of(page)) {}
 
-  /// Calls `run` for each command in the order of the page, after it has written the preceding files to `folder`.
+  /// Calls `run` for each command, after the preceding files are written.
   template <class Run>
   void follow(const TemporaryFolder& folder, const Run& run) {
     static const std::regex target(R"((Write|Append) this (?:in)?to `([^`]+)`:$)");

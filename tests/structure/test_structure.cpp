@@ -26,7 +26,7 @@ std::string text_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Sorted paths relative to `folder`; skips hidden files and build folders.
+/// Sorted, relative; without hidden files and build folders.
 Texts files_below(const fs::path& folder, const std::set<std::string>& extensions) {
   Texts files;
   for (fs::recursive_directory_iterator entry(folder), end; entry != end; ++entry) {
@@ -49,7 +49,6 @@ RoomTable rooms_of(const std::string& part) {
   return *table;
 }
 
-/// Returns the headers of `part` that a source includes, as paths inside the part.
 Texts includes_of(const fs::path& source, const std::string& part) {
   const std::string before = "#include \"" + part + "/";
   std::istringstream lines(text_of(source));
@@ -65,7 +64,7 @@ std::size_t lines_of(const fs::path& file) {
   return static_cast<std::size_t>(std::ranges::count(text, '\n'));
 }
 
-/// In characters: UTF-8 continuation bytes do not count.
+/// In characters, not bytes.
 std::size_t widest_line(const fs::path& file) {
   std::istringstream lines(text_of(file));
   const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
@@ -75,8 +74,7 @@ std::size_t widest_line(const fs::path& file) {
   return widest;
 }
 
-/// Returns the link targets of a text and the paths it names in backticks. Skips backticked paths whose first folder
-/// does not exist in the repository: they belong to run folders, builds or machines.
+/// Link targets, and backticked paths whose first folder exists in the repository.
 std::set<std::string> named_paths(const std::string& text, const fs::path& folder) {
   std::set<std::string> paths;
   static const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))"),
@@ -167,9 +165,8 @@ TEST_SUITE("structure") {
 
   TEST_CASE("rooms and files stay small") {
     constexpr std::size_t most_units = 20, most_rooms = 13, most_lines = 500;
-    constexpr std::size_t most_columns =
-        122;  // clang-format breaks code at 110; raw strings and tables need more
-    std::map<std::string, std::set<std::string>> units;  // a header and its source are one unit
+    constexpr std::size_t most_columns = 122;            // clang-format: 110; raw strings need more
+    std::map<std::string, std::set<std::string>> units;  // header and source are one unit
     std::set<std::string> rooms_of_cli;
     for (const std::string part : {"engine", "render", "cli", "tests"})
       for (const std::string& source : sources_below(top / part)) {
@@ -181,7 +178,7 @@ TEST_SUITE("structure") {
         if (part == "cli" && path.parent_path() != "cli") rooms_of_cli.insert(path.parent_path().string());
       }
     for (const auto& [room, names] : units) {
-      const auto& room_now = room;  // clang cannot capture structured bindings
+      const auto& room_now = room;
       CAPTURE(room_now);
       CHECK(names.size() <= most_units);
     }

@@ -16,12 +16,12 @@
 namespace taut::test {
 
 using namespace std::chrono_literals;
-inline constexpr auto patience = 60s;  // a test normally waits only a moment
+inline constexpr auto patience = 60s;
 
-/// Runs the program as a child process that can receive signals.
+/// A child process that receives signals.
 class ChildProgram {
  public:
-  /// The program reads `input` as its standard input.
+  /// `input`: file for standard input.
   explicit ChildProgram(std::vector<std::string> arguments, const std::string& input = "/dev/null") {
     arguments.insert(arguments.begin(), TAUT_BINARY_DIR "/taut");
     std::vector<char*> raw;
@@ -56,7 +56,7 @@ class ChildProgram {
     return ::waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
            info.si_pid != 0;
   }
-  /// Signal that terminated the program; 0 if none.
+  /// Terminating signal; 0 if none.
   int ending_signal() {
     int status = 0;
     wait([&] { return ::waitpid(process_, &status, WNOHANG) != 0; });

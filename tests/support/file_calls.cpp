@@ -1,6 +1,5 @@
-// Preloaded library (LD_PRELOAD) that logs the program's writes, renames and syncs, in order, to the file
-// TAUT_FILE_CALLS. If TAUT_NO_LOCKS is set, locking fails as on file systems without locks. If TAUT_GATE is set, the
-// first lock call creates that file and waits until it is removed.
+// LD_PRELOAD library: logs writes, renames and syncs to TAUT_FILE_CALLS. TAUT_NO_LOCKS makes locks fail. The first
+// lock creates TAUT_GATE and waits for its removal.
 
 #include <array>
 #include <cerrno>
@@ -23,7 +22,7 @@ std::string path_of(int descriptor) {
 
 void note(const std::string& call, const std::string& path, const std::string& other = "") {
   const char* const log = std::getenv("TAUT_FILE_CALLS");
-  if (!log || path.empty() || path[0] != '/') return;  // skips streams and pipes
+  if (!log || path.empty() || path[0] != '/') return;  // streams, pipes
   const int file = ::open(log, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
   const std::string line = call + '\t' + path + '\t' + other + '\n';
   ::syscall(SYS_write, file, line.data(), line.size());

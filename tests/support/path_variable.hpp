@@ -6,7 +6,7 @@
 
 namespace taut::test {
 
-/// Sets PATH to one folder for the lifetime of this object.
+/// Sets PATH to one folder while alive.
 class OnlyPath {
  public:
   explicit OnlyPath(const fs::path& folder) : old_(std::getenv("PATH")) {

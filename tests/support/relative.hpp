@@ -4,8 +4,8 @@
 
 namespace taut::test {
 
-/// Compares relative to the value, by default within 1.2e-5, plus `scale` where a value can be 0. doctest's Approx
-/// allows epsilon · (1 + |value|), which accepts any two small values in SI units.
+/// Relative comparison, by default within 1.2e-5, plus `scale`; doctest's epsilon · (1 + |value|) accepts any small
+/// values.
 class Approx : public doctest::Approx {
  public:
   explicit Approx(double value) : doctest::Approx(value) { scale(1e-290); }

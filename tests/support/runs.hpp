@@ -12,12 +12,11 @@
 
 namespace taut::test {
 
-/// Returns true if particles interact with their initial neighbours, which are never rebuilt.
+/// Methods whose neighbours are never rebuilt.
 inline bool keeps_neighbors(const MethodInfo& method) {
   return std::ranges::find(method.contact_laws, ContactLaw::sph) == method.contact_laws.end();
 }
 
-/// Single-threaded settings of a method.
 inline Settings with_method(const std::string& method, Stepping stepping = Stepping::dual) {
   Settings settings;
   settings.method = method;
@@ -31,7 +30,7 @@ inline void make_steps(Simulation& simulation, long steps) {
   while (simulation.steps() < end) simulation.advance_to(std::nextafter(simulation.time(), 1.0));
 }
 
-/// State at the future time `t`, interpolated between two steps; the simulation has made the second one.
+/// State at `t`, interpolated; the simulation has passed `t`.
 inline Snapshot state_at(double t, Simulation& simulation) {
   simulation.advance(t, t);
   const Snapshot before = simulation.snapshot();
@@ -45,7 +44,7 @@ inline Snapshot state_after(long steps, const Scene& scene, const Settings& sett
   return simulation->snapshot();
 }
 
-/// First probe at time `t`, linearly interpolated between steps.
+/// First probe at `t`, interpolated.
 inline double value_at(const Series& series, double t) {
   const auto after = std::ranges::lower_bound(series.time, t) - series.time.begin();
   const double t0 = series.time[after - 1], t1 = series.time[after];

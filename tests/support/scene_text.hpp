@@ -14,7 +14,6 @@ namespace taut::test {
 
 using namespace cli;
 
-/// A temporary folder of this process, removed when the test program ends.
 inline std::filesystem::path scratch_folder() {
   struct Folder {
     std::filesystem::path path =
@@ -45,7 +44,6 @@ inline std::string replaced(std::string text, std::string_view old_part, std::st
   return text.replace(at, old_part.size(), new_part);
 }
 
-/// A small valid scene.
 inline const std::string small_scene = R"(title = "Small"
 spacing = 0.1
 until = 2
@@ -83,7 +81,7 @@ values = { peak = 3 }
 color = "von_mises"
 )";
 
-/// The small scene with one part replaced; '@' in the new part marks the expected place of the error.
+/// The small scene with one part replaced; '@' marks the expected place of the error.
 struct MarkedScene {
   std::string text;
   FilePlace place;
@@ -101,7 +99,7 @@ struct MarkedScene {
   }
 };
 
-/// Checks that reading the scene throws at the mark and that the message contains each of `parts`.
+/// Expects an error at the mark whose message contains all `parts`.
 inline void check_error(std::string_view old_part, std::string_view new_part,
                         std::initializer_list<const char*> parts) {
   const MarkedScene scene(old_part, new_part);

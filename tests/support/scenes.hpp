@@ -7,7 +7,6 @@
 #include "engine/scene/shapes/box.hpp"
 #include "engine/scene/shapes/round_shapes.hpp"
 
-/// C++ versions of shipped scenes, and small scenes of a few hundred particles.
 namespace taut::test {
 
 inline Expression constant(double value) {
@@ -92,14 +91,13 @@ inline Scene ball_plate(double v0 = 0.02, double dp = 0.0025) {
   return scene;
 }
 
-/// Off-lattice velocity pattern in −1 … 1 without symmetry; `wavelength` in m.
+/// Off-lattice pattern, −1 … 1; `wavelength` in m.
 inline double shake(const Point& x, double wavelength) {
   const double k = 2 * std::numbers::pi / wavelength;
   return std::sin(k * (x[0] + 0.37 * x[1])) * std::cos(k * (0.61 * x[0] - x[1]) + 0.4);
 }
 
-/// A ring and a disc, perturbed, that collide fast and off centre. Both strain at once, touch after about ten steps,
-/// and rebuild their neighbour lists every few steps.
+/// Perturbed ring and disc: touch after about ten steps, rebuild neighbours every few.
 inline Scene small_collision() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed();
   Scene scene;
@@ -119,7 +117,7 @@ inline Scene small_collision() {
   return scene;
 }
 
-/// A perturbed clamped plate and a disc that hits it at the edge of the clamp.
+/// Perturbed clamped plate, hit by a disc at the edge of the clamp.
 inline Scene small_clamped_plate() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed(), L = 0.016, H = 0.005;
   Scene scene;
@@ -139,7 +137,7 @@ inline Scene small_clamped_plate() {
   return scene;
 }
 
-/// A free square plate that rotates about its centre; `speed` of its corners in sound speeds.
+/// `speed` of the corners, in sound speeds.
 inline Scene rotating_plate(double speed) {
   const double dp = 0.001, half = 0.01;
   Scene scene;
@@ -156,7 +154,7 @@ inline Scene rotating_plate(double speed) {
   return scene;
 }
 
-/// In 3D: a rotating block and a ball that hits it off centre, both perturbed.
+/// 3D: a rotating block, hit off centre by a ball, both perturbed.
 inline Scene small_solid_collision() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed();
   Scene scene;
@@ -179,7 +177,7 @@ inline Scene small_solid_collision() {
   return scene;
 }
 
-/// In 3D: a perturbed clamped block and a ball that hits it at the edge of the clamp.
+/// 3D: a perturbed clamped block, hit by a ball at the edge of the clamp.
 inline Scene small_clamped_block() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed(), L = 0.006, H = 0.003;
   Scene scene;
@@ -201,7 +199,7 @@ inline Scene small_clamped_block() {
   return scene;
 }
 
-/// Moves each particle by up to `share` of a spacing along each axis.
+/// Offsets up to `share` of a spacing.
 inline Scene jittered(Scene scene, double share) {
   scene.jitter = {share, 5};
   return scene;

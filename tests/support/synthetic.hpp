@@ -52,7 +52,6 @@ inline Look look(int width, int height, View view) {
 inline constexpr View unit_view = {-1, 1, -1, 1};
 inline constexpr View rings_view = {-0.09, 0.09, -0.05, 0.05};
 
-/// Colour of the pixel at (x, y) of the scene.
 inline Rgb color_at(const Image& image, const View& view, double x, double y) {
   const PageLayout layout = make_layout(image.width, image.height, view);
   return image.at(layout.plot.x + static_cast<int>(std::floor(layout.column(x))),

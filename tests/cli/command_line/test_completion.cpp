@@ -29,7 +29,7 @@ Words words_for(const Words& typed) {
   return words;
 }
 
-/// Returns bash's completions for a line with the cursor at its end and the program in PATH, one per line.
+/// Completions by bash with the cursor at the end of `line`, one per line.
 Words offered_by_bash(const TemporaryFolder& folder, const std::string& line) {
   std::ofstream(folder / "ask.sh") << "source <(\"$1\"/taut completion bash)\n"
                                       "compopt() { :; }  # bash defines it only during a completion\n"
@@ -65,7 +65,7 @@ TEST_SUITE("cli") {
         {{"run", scene, "--fail-on", ""}, {"hourglass", "penetrated", "fractured", "diverged"}},
         {{"run", scene, "--range", ""}, {"auto"}},
         {{"run", scene, "--until", ""}, {}},
-        {{"run", scene, "--until", "1", "--unt"}, {}},  // --until is allowed only once
+        {{"run", scene, "--until", "1", "--unt"}, {}},  // not repeatable
         {{"run", scene, "--set", "pull=1", "--se"}, {"--set"}},
         {{"sweep", "rings-speed-l"}, {"rings-speed-limit"}},
         {{"sweep", scene, "--grid", "method=og,oe"}, {"method=og,oenog"}},
@@ -82,7 +82,7 @@ TEST_SUITE("cli") {
         {{}, {}},
     };
     for (const auto& [typed, expected] : cases) {
-      const std::string line = taut::cli::join(typed, " ");  // clang cannot capture structured bindings
+      const std::string line = taut::cli::join(typed, " ");
       CAPTURE(line);
       CHECK(words_for(typed) == expected);
     }
@@ -129,7 +129,7 @@ TEST_SUITE("cli") {
     CHECK(offered_by_bash(folder, "taut run discs.toml --set contact=i") == Words{"impulse"});
     CHECK(offered_by_bash(folder, "taut run discs.toml --method=oe") == Words{"oenog"});
     CHECK(offered_by_bash(folder, "taut run discs.toml --fr") == Words{"--frames"});
-    // bash inserts completions unquoted, so names that it would execute or split are not offered
+    // bash inserts completions unquoted: unsafe names are not offered
     for (const char* name : {"dip`touch x`", "dip $(touch x)", "dip;x", "dip\nx"})
       std::ofstream(folder / (std::string(name) + ".toml"));
     ::setenv("TAUT_SCENES", folder.path().c_str(), 1);

@@ -9,7 +9,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Writes a run folder that contains only run.json.
+/// Run folder with only run.json.
 std::string write_record(const TemporaryFolder& folder, const std::string& name, double period,
                          const std::string& status = "finished", const std::string& verdict = "stable") {
   fs::create_directories(folder / name);
@@ -38,11 +38,11 @@ TEST_SUITE("cli") {
         {"period>0.25", 0},
         {"period>0.26", 1},
         {"conservation.energy<1e-3", 0},
-        {"decay=1±50%", 1},  // a missing value fails the check
+        {"decay=1±50%", 1},
     };
     for (const auto& [text, code] : checks) {
       const Outcome outcome = call({"check", run, "--measure", text});
-      const auto& text_now = text;  // clang cannot capture structured bindings
+      const auto& text_now = text;
       CAPTURE(text_now);
       CHECK(outcome.code == code);
       CHECK(contains(outcome.out, code == 0 ? "\nfine\n" : "1 of 2 checks failed"));
@@ -142,7 +142,7 @@ TEST_SUITE("cli") {
     CHECK(typo.code == 2);
     CHECK(contains(typo.err, "unknown column of history.csv 'total_enery' (did you mean 'total_energy'?)"));
     CHECK(call({"plot", folder.str("none"), "--out", folder.str("t.png")}).code == 2);
-    const std::string table = folder.str("results.csv");  // DIR/* of a sweep expands to it
+    const std::string table = folder.str("results.csv");  // as in DIR/* of a sweep
     std::ofstream(table) << "status,scene\nfinished,tiny\n";
     const Outcome other = call({"plot", a, table, "--out", folder.str("t.png")});
     CHECK(other.code == 2);

@@ -117,7 +117,7 @@ TEST_SUITE("cli") {
     REQUIRE(compare(folder, {"fast", "slow"}).code == 0);
     CHECK_FALSE(render::read_png(folder / "panel.png") == quarters);
     REQUIRE(compare(folder, {"slow", "fast"}, {"--times", "0.0005,0.001,0.0015,0.0019"}).code == 0);
-    // the particles at 0.002 s are nearest, and the picture is labelled with their time
+    // 0.002 s is nearest, and labelled
     CHECK_FALSE(render::read_png(folder / "panel.png") == quarters);
     REQUIRE(compare(folder, {"slow", "fast"}, {"--size", "900x700", "--times", "0"}).code == 0);
     CHECK(render::read_png(folder / "panel.png").width == 900);
@@ -127,12 +127,12 @@ TEST_SUITE("cli") {
     const render::Image ended = render::read_png(folder / "panel.png");
     REQUIRE(compare(folder, {"slow", "slow"}, late).code == 0);
     CHECK_FALSE(render::read_png(folder / "panel.png") == ended);
-    CHECK(compare(folder, {"short"}, late).code == 2);  // past the end of every run
+    CHECK(compare(folder, {"short"}, late).code == 2);
   }
 
   TEST_CASE("a picture at another time than its row is labelled with its time") {
     const TemporaryFolder folder;
-    make_run(folder, "out", {"--frames", "2"});  // at 0, 1 and 2 ms
+    make_run(folder, "out", {"--frames", "2"});  // 0, 1 and 2 ms
     const SavedRun run = open_saved_run(folder / "out");
     const Drawing speed{.field = find_field("speed")};
     const Origins origins = origins_of(run.file.scene);
@@ -179,7 +179,6 @@ TEST_SUITE("cli") {
           0);
       return render::read_png(folder / "panel.png");
     };
-    // initial speed of all particles: 2 m/s in `slow`, 3 m/s in `fast`
     CHECK(panel({"slow", "fast"}, "auto") == panel({"slow", "fast"}, "2:3"));
     CHECK_FALSE(panel({"slow", "fast"}, "auto") == panel({"slow", "fast"}, "0:4"));
   }

@@ -28,7 +28,7 @@ TEST_SUITE("cli") {
     for (const char* part : {"discs with tl-small-strain", "largest stable step", " s",
                              "over the default step", "[Zhang2020] Eq. 15b", "von Neumann", "trials"})
       CHECK(contains(text.out, part));
-    CHECK(contains(text.err, "critical step"));  // progress
+    CHECK(contains(text.err, "critical step"));
 
     std::vector<std::string> as_json = quick;
     as_json.insert(as_json.end(), {"--json", "--quiet"});
@@ -42,7 +42,7 @@ TEST_SUITE("cli") {
     CHECK(result["over_default"].get<double>() == Approx(found / result["default_step"].get<double>()));
     CHECK(result["limits"].size() == 2);
 
-    // a run is stable well below the critical step (its verdict also checks contact energy), and not above
+    // stable well below the critical step (the verdict also checks contact energy), not above
     const double cfl = 0.4 * result["over_default"].get<double>();
     const auto run = [&](double share) {
       return call(tiny_run(

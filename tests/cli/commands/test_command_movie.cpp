@@ -11,7 +11,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Writes a shell script as the program ffmpeg.
 void write_ffmpeg(const TemporaryFolder& folder, const std::string& script) {
   fs::create_directories(folder / "bin");
   std::ofstream(folder / "bin/ffmpeg") << "#!/bin/sh\n" << script;
@@ -36,7 +35,7 @@ bool there_is(const std::string& program) {
 TEST_SUITE("cli") {
   TEST_CASE("ffmpeg gets the frames in order, and the movie gets its name when it is complete") {
     const TemporaryFolder folder;
-    // a shell, or a number pattern of ffmpeg, would misread these names
+    // special to a shell or to ffmpeg
     const fs::path frames = folder / "50%d of it; 'all'";
     write_frames(frames, 3);
     write_ffmpeg(folder,
@@ -51,7 +50,7 @@ TEST_SUITE("cli") {
     CHECK(seen[0] == fs::canonical(frames).string());
     CHECK(seen.back() == "file:" + folder.str("a b:c.part.mp4"));
     CHECK(contains(text_of(folder / "a b:c.mp4"), "-framerate\n12.5\n-i\nframe_%05d.png\n"));
-    CHECK(files_in(folder.path()) == 3);  // frames, bin, movie
+    CHECK(files_in(folder.path()) == 3);
   }
 
   TEST_CASE("a missing or failing ffmpeg gives exit code 4 and leaves no movie") {

@@ -122,7 +122,7 @@ TEST_SUITE("cli") {
     const Outcome all = call({"list", "all"}), kinds = call({"list"});
     CHECK(all.code == 0);
     CHECK(kinds.code == 0);
-    CHECK(std::ranges::count(kinds.out, '\n') < 24);  // one screen
+    CHECK(std::ranges::count(kinds.out, '\n') < 24);
     const auto json = nlohmann::json::parse(call({"list", "--json"}).out);
     for (const std::string kind : {"scenes", "methods", "equations", "fields", "measures", "colormaps"}) {
       CHECK(nlohmann::json::parse(call({"list", kind, "--json"}).out) == json[kind]);

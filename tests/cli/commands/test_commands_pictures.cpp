@@ -8,7 +8,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Writes a white picture with a red square of `side` pixels.
 void write_picture(const fs::path& path, int side, int width = 64) {
   fs::create_directories(path.parent_path());
   taut::render::Image image(width, 48);
@@ -17,7 +16,6 @@ void write_picture(const fs::path& path, int side, int width = 64) {
   taut::render::write_png(image, path);
 }
 
-/// Arguments of a snapshot of the tiny scene with baseline and run in `folder`.
 std::vector<std::string> tiny_snapshot(const TemporaryFolder& folder,
                                        const std::vector<std::string>& more = {}) {
   std::vector<std::string> arguments = tiny_run(folder, "out", {"--baseline", folder.str("base")});
@@ -53,8 +51,7 @@ TEST_SUITE("cli") {
     CHECK(contains(worse.out, "different\n"));
     CHECK(contains(worse.out, "frame_00001.png"));  // the worst picture
     CHECK_FALSE(contains(worse.out, "frame_00002.png"));
-    CHECK(taut::render::read_png(folder / "diff.png").at(15, 15)[1] <
-          180);  // only the larger square is red there
+    CHECK(taut::render::read_png(folder / "diff.png").at(15, 15)[1] < 180);
     CHECK(diff({"--max-difference", "150"}).code == 0);
   }
 
@@ -99,7 +96,7 @@ TEST_SUITE("cli") {
     const Outcome without = call(tiny_snapshot(folder));
     CHECK(without.code == 2);
     CHECK(contains(without.err, "--update"));
-    CHECK_FALSE(fs::exists(folder / "out"));  // refused before the run
+    CHECK_FALSE(fs::exists(folder / "out"));
 
     REQUIRE(call(tiny_snapshot(folder, {"--update"})).code == 0);
     CHECK(files_in(folder / "base") == 5);
@@ -114,16 +111,15 @@ TEST_SUITE("cli") {
 
     REQUIRE(call(tiny_snapshot(folder, {"--set", "speed=3", "--frames", "2", "--update"})).code == 0);
     CHECK(files_in(folder / "base") == 3);
-    CHECK(files_in(folder.path()) == 3);  // scene, run and baseline: no leftovers
+    CHECK(files_in(folder.path()) == 3);  // no leftovers
     CHECK(call(tiny_snapshot(folder, {"--set", "speed=3", "--frames", "2"})).code == 0);
-    CHECK_FALSE(fs::exists(folder / "out/difference.png"));  // the old difference picture is removed
+    CHECK_FALSE(fs::exists(folder / "out/difference.png"));
   }
 
   TEST_CASE("an invalid update never removes a baseline") {
     const TemporaryFolder folder;
     REQUIRE(call(tiny_snapshot(folder, {"--update"})).code == 0);
     const std::string frame = text_of(folder / "base/frame_00004.png");
-    // a diverged run is no baseline
     CHECK(call(tiny_snapshot(folder, {"--update", "--set", "cfl=20", "--until", "0.02"})).code == 3);
     CHECK(text_of(folder / "base/frame_00004.png") == frame);
     std::ofstream(folder / "base/mine.txt") << "mine";
@@ -131,7 +127,7 @@ TEST_SUITE("cli") {
     CHECK(outcome.code == 2);
     CHECK(contains(outcome.err, "mine.txt"));
     CHECK(text_of(folder / "base/mine.txt") == "mine");
-    // the run would overwrite its own baseline
+    // would overwrite its own baseline
     std::vector<std::string> inside = tiny_run(folder, "out", {"--baseline", folder.str("out/frames")});
     inside[0] = "snapshot";
     CHECK(call(inside).code == 2);

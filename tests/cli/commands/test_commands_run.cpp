@@ -27,7 +27,7 @@ std::vector<double> numbers(const std::string& row) {
   return values;
 }
 
-/// Returns stderr of a very short run of a rubber scene; `text` starts with keys that precede all sections.
+/// stderr of a short run; `text` starts with keys before all sections.
 std::string said_of(const std::string& text, const TemporaryFolder& folder) {
   std::ofstream(folder / "scene.toml")
       << "title = \"Still\"\nuntil = 1e-6\n"
@@ -189,7 +189,7 @@ TEST_SUITE("cli") {
       CAPTURE(key);
       const auto& indicator = record["indicators"][key];
       CHECK(keys(indicator) == std::vector<std::string>{"greatest", "at", "last"});
-      CHECK(indicator["greatest"].get<double>() > 0);  // the discs are pressed together
+      CHECK(indicator["greatest"].get<double>() > 0);
       CHECK(indicator["greatest"].get<double>() < 1);
       CHECK(indicator["at"].get<double>() > 0);
       CHECK(indicator["at"].get<double>() <= record["reached"].get<double>());
@@ -201,7 +201,7 @@ TEST_SUITE("cli") {
     CHECK(record["measures"]["touch_time"]["unit"] == "s");
     CHECK(record["measures"]["touch_time"]["reference"].is_null());
     CHECK(record["conservation"]["linear_momentum"].get<double>() < 1e-10);
-    // lattice particles of dp² each approximate the disc's area
+    // dp² per particle
     CHECK(record["mass"].get<double>() == Approx(record["particles"].get<double>() * 4e-6 * 1000));
   }
 
@@ -311,7 +311,7 @@ TEST_SUITE("cli") {
     const auto picture = [&](const std::string& name, int k) {
       return taut::render::read_png(folder / (name + "/frames/frame_0000" + std::to_string(k) + ".png"));
     };
-    const int header = 27;  // rows of texts above the particles: 3 em of 9 pixels
+    const int header = 27;  // rows: 3 em of 9 pixels
     for (int k = 0; k <= 4; ++k) {
       CAPTURE(k);
       const taut::render::Image one = picture("one", k), rounded = picture("rounded", k),
@@ -322,7 +322,7 @@ TEST_SUITE("cli") {
       };
       CHECK(texts(rounded) == texts(one));
       CHECK(texts(other) == texts(one));
-      CHECK((k > 0) == (texts(one) != texts(picture("one", 0))));  // the texts include the time
+      CHECK((k > 0) == (texts(one) != texts(picture("one", 0))));  // include the time
     }
     CHECK(call({"diff", folder.str("one/frames"), folder.str("rounded/frames")}).code == 0);
   }
@@ -339,7 +339,7 @@ TEST_SUITE("cli") {
   TEST_CASE("a folder with foreign contents is refused") {
     const TemporaryFolder folder;
     fs::create_directories(folder / "out");
-    CHECK(call(tiny_run(folder, "out", {"--frames", "1"})).code == 0);  // an empty folder is allowed
+    CHECK(call(tiny_run(folder, "out", {"--frames", "1"})).code == 0);
     fs::create_directories(folder / "foreign");
     for (const std::string content : {"{}", "{\"tau\": 1}", "no json"}) {
       for (const char* name : {"out", "foreign"}) std::ofstream(folder / name / "run.json") << content;

@@ -13,7 +13,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Writes a run folder that contains only run.json; `measures` is JSON.
+/// Run folder with only run.json; `measures` is JSON.
 std::string write_measured(const TemporaryFolder& folder, const std::string& name,
                            const std::string& measures, const std::string& status = "finished") {
   fs::create_directories(folder / name);
@@ -23,7 +23,7 @@ std::string write_measured(const TemporaryFolder& folder, const std::string& nam
   return folder.str(name);
 }
 
-/// Returns the JSON object that a command printed, after a check of its first keys.
+/// The JSON object that a command printed.
 Json answer_of(const Outcome& outcome, const std::string& command) {
   CAPTURE(outcome.err);
   CAPTURE(outcome.out);
@@ -46,7 +46,6 @@ const Json& item(const Json& array, std::size_t index) { return array.items().at
 
 bool python_is_installed() { return std::system("/usr/bin/python3 -c '' 2>/dev/null") == 0; }
 
-/// Returns the output of read_junit.py for a file.
 nlohmann::ordered_json read_junit(const fs::path& file) {
   const TemporaryFolder folder;
   const std::string command = "/usr/bin/python3 " TAUT_SOURCE_DIR "/tests/cli/commands/read_junit.py " +
@@ -55,7 +54,6 @@ nlohmann::ordered_json read_junit(const fs::path& file) {
   return json_of(folder / "read");
 }
 
-/// Sets the environment of a GitHub Actions step.
 class OnGitHub {
  public:
   explicit OnGitHub(const char* value = "true") { ::setenv("GITHUB_ACTIONS", value, 1); }
@@ -79,7 +77,7 @@ TEST_SUITE("cli") {
     CHECK(*answer.find("passed") == Json(false));
     CHECK(answer.find("run")->text() == run);
     const Json& checks = *answer.find("checks");
-    REQUIRE(checks.items().size() == 3);  // the status is always checked
+    REQUIRE(checks.items().size() == 3);  // including the status
     for (const Json& each : checks.items())
       CHECK(keys_in(each) == Texts{"name", "passed", "expected", "is", "value", "difference"});
     CHECK(item(checks, 2).find("name")->text() == "period");
@@ -203,7 +201,7 @@ TEST_SUITE("cli") {
     const Json answer = answer_of(outcome, "sweep");
     CHECK(keys_in(answer) ==
           Texts{"taut", "answer", "format", "folder", "title", "scene", "swept", "fixed", "runs", "passed"});
-    CHECK(*answer.find("passed") == Json(true));  // a verdict alone does not fail
+    CHECK(*answer.find("passed") == Json(true));
     const Json stored = parse_json(text_of(folder / "out/results.json"), "results.json");
     CHECK(*answer.find("runs") == *stored.find("runs"));
     CHECK(item(*answer.find("runs"), 1).find("verdict")->text() == "diverged");
@@ -291,7 +289,7 @@ TEST_SUITE("cli") {
     CHECK(contains(outcome.out, "\nfine\n"));
     fs::create_directories(folder / "junit.xml");
     CHECK(call({"check", run, "--measure", "period>0", "--junit", folder.str("junit.xml")}).code == 4);
-    CHECK(files_in(folder.path()) == 2);  // no temporary file
+    CHECK(files_in(folder.path()) == 2);
   }
 
   TEST_CASE("on GitHub each failure is an annotation on stderr, at most ten") {

@@ -20,7 +20,6 @@ namespace {
 
 constexpr int count = 20;  // frames; exceeds the number drawn concurrently
 
-/// The rings, moved and recoloured in every frame.
 struct Sequence {
   render::Look look;
   Particles particles = two_rings();
@@ -46,7 +45,6 @@ struct Sequence {
   }
 };
 
-/// Concatenates the names and contents of all frames.
 std::string all_bytes(const fs::path& folder, int most = count) {
   std::string bytes;
   for (int k = 0; k < most; ++k) bytes += frame_name(k) + text_of(folder / frame_name(k));
@@ -152,7 +150,7 @@ TEST_SUITE("image") {
       Sequence sequence;
       sequence.look.range.reset(), sequence.look.view.reset();
       for (std::size_t k = 0; k < sequence.particles.x.size(); k += 2) {
-        sequence.particles.x[k] = x + sequence.particles.x[k] / 64;  // rings of 2.5 mm
+        sequence.particles.x[k] = x + sequence.particles.x[k] / 64;
         sequence.particles.x[k + 1] = y + sequence.particles.x[k + 1] / 64;
       }
       for (double& diameter : sequence.particles.diameter) diameter /= 64;
@@ -163,7 +161,7 @@ TEST_SUITE("image") {
       frames.draw_kept([](int) { return true; });
       return render::read_png(folder / frame_name(0));
     };
-    // double precision errs by 1e-13 m at this distance, single precision by a ring's radius
+    // errors here: 1e-13 m in double precision, a ring's radius in single precision
     const render::ImageDifference difference = compare(frame_at(1000, 2000), frame_at(0, 0));
     CHECK(difference.share < 0.001);
   }
@@ -184,7 +182,7 @@ TEST_SUITE("image") {
       for (int column = layout.plot.x; column < layout.plot.x + layout.plot.width / 2; ++column)
         colors.insert(image.at(column, row));
     const auto is_seen = [&](const render::Rgb& color) { return colors.contains(color); };
-    // in single precision all values would be equal; blended rims rarely match a colour of the map
+    // equal in single precision; blended rims rarely match a colour of the map
     CHECK(std::ranges::count_if(sequence.look.colormap->table(), is_seen) > 50);
   }
 }

@@ -15,7 +15,7 @@ using namespace taut::test;
 
 namespace {
 
-/// A drawing in which no key has its default and none is automatic.
+/// Every key has a non-default, non-automatic value.
 Drawing other_drawing() {
   return {.field = find_field("pressure"),
           .look = {.view = render::View{-1, 2, -3, 4},
@@ -46,7 +46,7 @@ TEST_SUITE("unit") {
     Drawing copy;
     for (const DrawingKey& key : drawing_keys()) {
       CAPTURE(key.name);
-      CHECK(key.get(copy) != key.get(other));  // copies of other keys did not change this one
+      CHECK(key.get(copy) != key.get(other));  // not changed by other keys
       CHECK(key.set(copy, key.get(other)).empty());
       CHECK(key.get(copy) == key.get(other));
     }
@@ -118,7 +118,7 @@ TEST_SUITE("unit") {
           std::array{"text", "non", "unknown text 'non' (did you mean 'none'?)"},
           std::array{"color", "presure", "unknown field 'presure' (did you mean 'pressure'?)"},
           std::array{"colormap", "plasm", "unknown colour map 'plasm' (did you mean 'plasma'?)"}}) {
-      const auto& name_now = name;  // clang cannot capture structured bindings
+      const auto& name_now = name;
       CAPTURE(name_now);
       const auto& text_now = text;
       CAPTURE(text_now);
@@ -144,7 +144,7 @@ TEST_SUITE("unit") {
     CHECK(look.view->x_max == Approx(1.1 + margin));
     CHECK(look.view->y_min == Approx(-0.1 - margin));
     CHECK(look.view->y_max == Approx(3.1 + margin));
-    CHECK(look.camera->front == Approx(0.1));  // front of the first particle; the second is 2 m behind
+    CHECK(look.camera->front == Approx(0.1));  // of the first particle; the second is 2 m behind
   }
 
   TEST_CASE("an automatic range omits outliers, but keeps near ends and small regions of high values") {
@@ -155,26 +155,26 @@ TEST_SUITE("unit") {
     };
     std::vector<double> values;
     for (int k = 0; k <= 1000; ++k) values.push_back(k);
-    CHECK(range_of(values) == render::Range{0, 1000});  // the end 1000 is near the quantile 990
+    CHECK(range_of(values) == render::Range{0, 1000});  // 1000 is near the quantile 990
     CHECK(range_of(values, 0.0) == render::Range{-1000, 1000});
     CHECK(range_of(values, 1.0) == render::Range{-998, 1000});
     values.push_back(1e9);
     CHECK(range_of(values) == render::Range{0, 991});
     values.push_back(-1e9);
     CHECK(range_of(values) == render::Range{9, 991});
-    values.insert(values.end(), 500000, 0.0);  // a body not reached by the wave yet
+    values.insert(values.end(), 500000, 0.0);  // a body still at rest
     CHECK(range_of(values) == render::Range{0, 991});
     values.assign(10, 0.0);
     CHECK(range_of(values) == render::Range{0, 1});
-    CHECK(range_of({5, 5}) == render::Range{2.5, 7.5});  // equal values get the middle colour
+    CHECK(range_of({5, 5}) == render::Range{2.5, 7.5});  // middle colour
     CHECK(range_of({-4}) == render::Range{-6, -2});
     CHECK(range_of({1, 1}, 1.0) == render::Range{0.5, 1.5});
-    CHECK(range_of({0, 0}, 0.0) == render::Range{-1, 1});  // zero gets the map's neutral colour
+    CHECK(range_of({0, 0}, 0.0) == render::Range{-1, 1});  // neutral colour
     CHECK(range_of({NAN, INFINITY}) == render::Range{0, 1});
     CHECK(range_of({NAN, 2, INFINITY, 0}) == render::Range{0, 2});
-    CHECK(range_of({1e300, 2, -1e300, 0}) == render::Range{0, 2});  // too wide to compute with
+    CHECK(range_of({1e300, 2, -1e300, 0}) == render::Range{0, 2});  // too wide
     CHECK(range_of({1200, 1200.000001}) == render::Range{1200, 1200.000001});
-    // more values than are stored: a sample gives the same range
+    // more values than are stored
     std::vector<double> many;
     for (int k = 0; k < 9000000; ++k) many.push_back(k % 1000);
     many.insert(many.end(), 10, 1e9);
@@ -196,7 +196,7 @@ TEST_SUITE("unit") {
     open.field = find_field("pressure");
     CHECK(fitted(open, shown).look.range == render::Range{-3, 3});
     CHECK(fitted(open, shown).look.colormap == render::find_colormap("coolwarm"));
-    open.round_off = 100;  // differences below it are not stretched over all colours
+    open.round_off = 100;  // exceeds the spread of values
     CHECK(fitted(open, shown).look.range == render::Range{-50, 50});
     open.field = find_field("von_mises");
     CHECK(fitted(open, shown).look.range == render::Range{0, 100});

@@ -28,7 +28,6 @@ at = [0, 0, -0.006]
 normal = [0, 0, 1]
 )";
 
-/// Writes a scene of two small cubes that fly towards each other.
 std::string write_cubes(const TemporaryFolder& folder, const std::string& more = {}) {
   std::ofstream(folder / "cubes.toml") << R"(
 dim = 3
@@ -104,11 +103,11 @@ TEST_SUITE("cli") {
     }
   }
 
-#ifndef __SANITIZE_ADDRESS__  // AddressSanitizer reserves the whole address space
+#ifndef __SANITIZE_ADDRESS__  // reserves the whole address space
   TEST_CASE("pictures that do not fit into memory are refused with their size and a remedy") {
     const TemporaryFolder folder;
     REQUIRE(run(folder, "a", {"--save-particles", "--no-render"}).code == 0);
-    // kB: enough for the program and one such picture, too little for OpenGL
+    // kB: too little for OpenGL
     const std::string command = "ulimit -c 0; ulimit -v 600000; timeout 60 " TAUT_BINARY_DIR "/taut render " +
                                 folder.str("a") + " --size 8000x8000 --threads 1 --quiet 2>" +
                                 folder.str("said");
@@ -129,7 +128,7 @@ TEST_SUITE("cli") {
     REQUIRE(call({"render", folder.str("a"), "--orbit", "--camera", "0:-1:0", "--out", folder.str("o"),
                   "--quiet"})
                 .code == 0);
-    // views along y, x, -y, -x: the cubes appear side by side, or one behind the other
+    // views along y, x, -y, -x
     const auto width = [](const taut::render::Image& image) {
       const taut::render::PageLayout layout = taut::render::make_layout(image.width, image.height, {});
       int left = image.width, right = 0;
@@ -140,7 +139,7 @@ TEST_SUITE("cli") {
       return right - left + 1;
     };
     CHECK(width(frame(0)) > 2 * width(frame(1)));
-    const double nearer = 1 - 2 * 2.0 * 0.001 / 3 / 0.022;  // speed 2 m/s each, at two thirds of 0.5 ms
+    const double nearer = 1 - 2 * 2.0 * 0.001 / 3 / 0.022;  // 2 m/s each, at two thirds of 0.5 ms
     CHECK(std::abs(width(frame(2)) - nearer * width(frame(0))) <= 3);
     CHECK(std::abs(width(frame(3)) - width(frame(1))) <= 3);
     REQUIRE(call(tiny_run(folder, "flat", {"--save-particles"})).code == 0);

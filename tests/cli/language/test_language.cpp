@@ -16,7 +16,7 @@ namespace {
 
 bool has_header(const Section& section) { return section.header.empty() || section.header.starts_with('['); }
 
-/// Concatenates the examples of all sections with a header except `without`.
+/// Examples of all sections with a header except `without`.
 std::string whole_file(std::span<const Section> sections, std::string_view without = "") {
   std::string text;
   for (const Section& section : sections)
@@ -24,7 +24,7 @@ std::string whole_file(std::span<const Section> sections, std::string_view witho
   return text;
 }
 
-/// Returns `text` with `lines` inserted after the first `header`, in place of an existing line of `key`.
+/// Inserts `lines` after the first `header`, in place of an existing `key`.
 std::string with_key(std::string text, std::string_view header, std::string_view key,
                      std::string_view lines) {
   const std::size_t begin = text.find(header) + header.size() + 1;
@@ -34,7 +34,6 @@ std::string with_key(std::string text, std::string_view header, std::string_view
   return text.insert(begin, lines);
 }
 
-/// Scene of one body with this shape.
 std::string scene_of_shape(const ShapeKind& kind) {
   return "dim = " + std::to_string(kind.dim == 0 ? 2 : kind.dim) +
          "\nspacing = 0.002\nuntil = 1\n[material.rubber]\ndensity = 1200\nyoungs_modulus = 1e7\n"

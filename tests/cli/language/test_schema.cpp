@@ -16,7 +16,7 @@ bool jsonschema_is_there() {
   return std::system("/usr/bin/python3 -c 'import tomllib, jsonschema' 2>/dev/null") == 0;
 }
 
-/// Validates files with the JSON Schema of `kind`: returns "valid" or the refused keys of each file.
+/// Per file: "valid" or the keys that the JSON Schema refuses.
 Texts verdicts(const std::string& kind, const std::vector<fs::path>& files) {
   const TemporaryFolder folder;
   std::ofstream(folder / "schema.json") << call({"describe", kind, "--schema"}).out;
@@ -43,7 +43,6 @@ void check_valid(const std::string& kind, const std::vector<fs::path>& files) {
   }
 }
 
-/// Key of the SceneError that this scene throws.
 std::string refused_key(const std::string& text) {
   try {
     read_text(text);

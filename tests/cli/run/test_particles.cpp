@@ -14,7 +14,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Checks that both folders contain files of the same names and bytes.
 void check_same_files(const fs::path& a, const fs::path& b) {
   REQUIRE(files_in(a) > 0);
   CHECK(files_in(a) == files_in(b));
@@ -42,10 +41,9 @@ TEST_SUITE("cli") {
       CHECK(contains(index, "timestep=\"" + exact(file.time()) + "\" part=\"0\" file=\"" + name + "\""));
       CHECK(static_cast<long>(file.fields().size()) == static_cast<long>(fields(2).size()));
     }
-    // the last step ends past `until`
     CHECK(json_of(folder / "out/run.json")["reached"].get<double>() > 0.002);
     REQUIRE(call(tiny_run(folder, "out", {"--no-render"})).code == 0);
-    CHECK_FALSE(fs::exists(folder / "out/particles"));  // the older run's particles are removed
+    CHECK_FALSE(fs::exists(folder / "out/particles"));
   }
 
   TEST_CASE("particles saved more often than there are steps each have their own time") {
@@ -83,7 +81,7 @@ TEST_SUITE("cli") {
     const Outcome outcome = call({"render", folder.str("with"), "--color", "density", "--quiet"});
     CHECK(outcome.code == 2);
     CHECK(contains(outcome.err, "speed, pressure"));
-    check_same_files(folder / "with/frames", folder / "without/frames");  // the old frames are kept
+    check_same_files(folder / "with/frames", folder / "without/frames");
   }
 
   TEST_CASE("render needs saved particles but not the frames of the run") {
@@ -141,7 +139,7 @@ TEST_SUITE("determinism") {
   TEST_CASE("render gives the bytes that the run would have drawn with the same options") {
     const std::vector<std::vector<std::string>> cases{
         {},
-        {"--color", "pressure"},  // range over the whole sequence
+        {"--color", "pressure"},  // range of the whole sequence
         {"--color", "displacement_x", "--range", "-1e-3:1e-3", "--colormap", "rainbow"},
         {"--view", "-0.02:0:-0.01:0.01", "--size", "300x200"},
         {"--view", "auto", "--range", "auto"},

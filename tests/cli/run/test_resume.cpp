@@ -22,7 +22,7 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-/// Contact and rebound happen within this run.
+/// Includes contact and rebound.
 const Arguments long_run = {"--until", "0.1", "--history", "1e-4"};
 const Arguments with_checkpoints = {"--checkpoint-every", "0.001"};
 
@@ -43,7 +43,7 @@ std::set<std::string> files_below(const fs::path& folder) {
   return names;
 }
 
-/// Compares all files of two runs except for their wall-clock times.
+/// Compares all files except for wall-clock times.
 void check_same_run(const fs::path& a, const fs::path& b) {
   REQUIRE(files_below(a) == files_below(b));
   for (const std::string& name : files_below(a)) {
@@ -60,7 +60,7 @@ void check_same_run(const fs::path& a, const fs::path& b) {
   }
 }
 
-/// Kills the program once history.csv exceeds `bytes`. Returns false if the program ended before.
+/// Kills the program once `history` exceeds `bytes`; false if it ended before.
 bool run_and_kill(const Arguments& arguments, const fs::path& history, std::uintmax_t bytes) {
   ChildProgram child(arguments);
   ChildProgram::wait([&] {
@@ -72,7 +72,6 @@ bool run_and_kill(const Arguments& arguments, const fs::path& history, std::uint
   return child.ending_signal() == SIGKILL;
 }
 
-/// Leaves a run in the folder "out", interrupted after its first checkpoint.
 void leave_interrupted(const TemporaryFolder& folder, const Arguments& more = {}) {
   ChildProgram child(
       tiny_run(folder, "out", Arguments{"--until", "1000", "--no-render"} + with_checkpoints + more));
@@ -81,7 +80,7 @@ void leave_interrupted(const TemporaryFolder& folder, const Arguments& more = {}
   REQUIRE(child.exit_code() == 130);
 }
 
-/// Stream buffer that calls `look` at each write: here at the progress line of each quarter of a run.
+/// Calls `look` at each write, here a progress line per quarter of a run.
 class Watch : public std::stringbuf {
  public:
   explicit Watch(std::function<void()> look) : look_(std::move(look)) {}
@@ -96,7 +95,7 @@ class Watch : public std::stringbuf {
 
 void check_refused(const TemporaryFolder& folder, const std::string& reason, const Arguments& more = {}) {
   auto before = files_below(folder / "out");
-  before.erase("run.lock");  // left by a killed run
+  before.erase("run.lock");
   const std::string history = text_of(folder / "out/history.csv");
   const Outcome outcome = call(resume(folder, "out", more));
   CAPTURE(outcome.err);
@@ -123,7 +122,6 @@ TEST_SUITE("restart") {
                                            static_cast<double>(length));
       };
       const fs::path history = folder / "out/history.csv";
-      // kill only after the first checkpoint
       kills += run_and_kill(tiny_run(folder, "out", all + with_checkpoints), history, somewhere(0.1));
       if (!fs::exists(folder / "out/checkpoint.bin")) continue;
       kills += run_and_kill(resume(folder, "out"), history, somewhere(0.3));
@@ -174,7 +172,7 @@ normal = [0, 1]
 
   TEST_CASE("outputs between two steps have the same bytes wherever the checkpoint is") {
     const TemporaryFolder folder;
-    // several outputs per step, and a checkpoint at each step
+    // several outputs per step, a checkpoint at each step
     const Arguments all{"--until",          "0.01",     "--frames", "1500",
                         "--save-particles", "--fields", "speed",    "--no-render"};
     REQUIRE(call(tiny_run(folder, "straight", all)).code == 0);
@@ -205,7 +203,7 @@ normal = [0, 1]
     const Arguments all = long_run + Arguments{"--no-render", "--spacing", "0.0021"};
     REQUIRE(call(tiny_run(folder, "straight", all)).code == 0);
     const auto some = fs::file_size(folder / "straight/history.csv") / 10;
-    // a run with checkpoints has recorded its options; without them, --no-render must be repeated
+    // only a run with checkpoints records its options
     const Arguments later{"--checkpoint-every", "1"};
     REQUIRE(run_and_kill(tiny_run(folder, "out", all + later), folder / "out/history.csv", some));
     REQUIRE(run_and_kill(tiny_run(folder, "bare", all), folder / "bare/history.csv", some));
@@ -279,9 +277,9 @@ normal = [0, 1]
       damage(checkpoint.state);
       write_checkpoint(folder / "out/checkpoint.bin", checkpoint);
     };
-    leave([](std::string& state) { state[sizeof(std::uint64_t)] ^= 1; });  // the number of particles
+    leave([](std::string& state) { state[sizeof(std::uint64_t)] ^= 1; });  // number of particles
     check_refused(folder, "checkpoint.bin' cannot be used: the saved state is damaged");
-    std::uint64_t simulation = 0;  // size of the simulation's state; the state of the outputs follows it
+    std::uint64_t simulation = 0;  // size; the state of the outputs follows
     std::memcpy(&simulation, whole.state.data(), sizeof simulation);
     std::mt19937 random(18);
     int refused = 0;
@@ -322,7 +320,7 @@ normal = [0, 1]
     CHECK(contains(refused.err, "is not finished, so its frames cannot change"));
     CHECK(call({"render", folder.str("out"), "--color", "pressure", "--quiet", "--out", folder.str("other")})
               .code == 0);
-    CHECK(call({"render", folder.str("out"), "--quiet"}).code == 0);  // with its own options
+    CHECK(call({"render", folder.str("out"), "--quiet"}).code == 0);
     CHECK(call(resume(folder, "out")).code == 0);
     check_same_run(folder / "straight", folder / "out");
   }
@@ -383,14 +381,14 @@ normal = [0, 1]
 
   TEST_CASE("the first checkpoint is written at the end of the first interval") {
     const TemporaryFolder folder;
-    std::vector<std::size_t> sizes;  // of the checkpoint's state, at the start and at each quarter
+    std::vector<std::size_t> sizes;  // at the start and at each quarter
     Watch watch([&] {
       if (fs::exists(folder / "out/checkpoint.bin"))
         sizes.push_back(read_checkpoint(folder / "out/checkpoint.bin").state.size());
     });
     std::ostream err(&watch);
     std::ostringstream out;
-    // the interval ends between a quarter and half of the run of 0.002 s
+    // the interval ends before half of the run
     Arguments arguments =
         tiny_run(folder, "out", {"--no-render", "--checkpoint-every", "0.00098", "--set", "cfl=0.02"});
     std::erase(arguments, "--quiet");

@@ -21,7 +21,7 @@ using namespace taut::test;
 
 namespace {
 
-/// A simulation without particles: only its time advances.
+/// Only time advances.
 struct StandingSimulation : Simulation {
   void advance(double t, double) override {
     state.time = t;
@@ -94,7 +94,7 @@ TEST_SUITE("unit") {
     CHECK(view.y_min < -0.1);
     CHECK(view.y_max > 2.2);
     CHECK(view.y_max < 2.5);
-    // margin: 5 % of the longer side, here the height of 2.2 with the particles' radii
+    // 5 % of the longer side, 2.2 with the radii
     CHECK(view.x_min == Approx(-1.1 - 0.11));
     CHECK(view.x_max == Approx(1.1 + 0.11));
     CHECK(view.y_min == Approx(-0.1 - 0.11));
@@ -196,7 +196,7 @@ TEST_SUITE("unit") {
     write_atomically(folder / "a.txt", "new");
     CHECK(text_of(folder / "a.txt") == "new");
     CHECK_FALSE(fs::exists(folder / "a.txt.tmp"));
-    fs::create_directories(folder / "b/full");  // a file cannot replace a folder
+    fs::create_directories(folder / "b/full");
     CHECK_THROWS_AS(write_atomically(folder / "b", "text"), OutputError);
     CHECK_FALSE(fs::exists(folder / "b.tmp"));
     AppendFile full("/dev/full");

@@ -12,7 +12,6 @@ using taut::cli::Names;
 
 namespace {
 
-/// Error that `text` throws.
 ExpressionError error_of(const std::string& text, const Names& names = {}) {
   try {
     taut::cli::evaluate(text, names);

@@ -70,7 +70,7 @@ TEST_SUITE("unit") {
     REQUIRE(scene.bodies.size() == 2);
     const double c0 = std::sqrt(1e7 / (3 * (1 - 2 * 0.4)) / 1200);
     CHECK(scene.bodies[0].velocity[0]({2, 0, 0}) == Approx(0.06 * c0 * 2).epsilon(1e-14));
-    CHECK_FALSE(scene.bodies[0].velocity[1]);  // 0 has no function
+    CHECK_FALSE(scene.bodies[0].velocity[1]);
     CHECK_FALSE(scene.bodies[0].held);
     const auto& ring = *scene.bodies[1].shapes[0].as<Ring>();
     CHECK(ring.inner == 1);
@@ -102,8 +102,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("the spacing is rounded to divide the first body, and dp is the rounded one") {
-    const std::string text =
-        replaced(small_scene, "spacing = 0.1", "spacing = \"v0*4\"");  // 0.24: 1/0.24 = 4.17
+    const std::string text = replaced(small_scene, "spacing = 0.1", "spacing = \"v0*4\"");  // 1/0.24 = 4.17
     CHECK(read_text(text).scene.spacing == 0.25);
     const SceneFile file = read_text(replaced(text, "at = [2, 0.5]", "at = [\"2 - dp\", \"dp\"]"));
     CHECK(file.scene.probes[0].at == Point{1.75, 0.25, 0});
@@ -135,7 +134,7 @@ TEST_SUITE("unit") {
     const std::string when = replaced(text, "let =", "when = { v0 = 0.06 }\nlet =");
     CHECK(peak(when) == Approx(16.2).epsilon(1e-14));
     CHECK(read_text(when, set({{"v0", "0.5"}})).scene.references.empty());
-    // also beside a value, which holds only for the default parameters
+    // a value holds only for the default parameters
     const std::string valued = replaced(text, "let =", "values = { peak = 3 }\nlet =");
     CHECK(read_text(valued).scene.references.at("neo_hookean").value.at("peak") == 3);
     CHECK(peak(valued) == Approx(16.2).epsilon(1e-14));
@@ -145,7 +144,6 @@ TEST_SUITE("unit") {
 
   TEST_CASE("scenes are found by name and by path") {
     const std::vector<std::string> names = scene_names();
-    // scenes of the gallery come last
     const auto of_gallery = [](const std::string& name) { return name.starts_with("gallery/"); };
     CHECK(std::ranges::is_partitioned(names, std::not_fn(of_gallery)));
     CHECK(std::ranges::is_sorted(names.begin(), std::ranges::find_if(names, of_gallery)));
@@ -210,7 +208,6 @@ TEST_SUITE("unit") {
       CHECK(ring.centre == Point{b == 0 ? -0.045 : 0.045, 0, 0});
       CHECK(ring.inner == 0.03);
       CHECK(ring.outer == 0.04);
-      // 7.07106781 m/s is 0.06 c0
       CHECK(scene.bodies[b].velocity[0]({}) == Approx(b == 0 ? 7.07106781 : -7.07106781).epsilon(1e-8));
       CHECK(scene.bodies[b].mirror[0] == (b == 1));
     }
@@ -237,7 +234,7 @@ TEST_SUITE("unit") {
     CHECK(scene.bodies[0].held({-1e-9, 0, 0}) != 0);
     CHECK(scene.bodies[0].held({0, 0, 0}) == 0);
     CHECK(particles(scene) == 1612);
-    // Eq. 28–29: the tip starts with vf c0, the clamp is at rest; the value at the middle was computed separately
+    // Eq. 28–29: tip at vf c0, clamp at rest, middle computed separately
     const auto& velocity = scene.bodies[0].velocity[1];
     const double c0 = scene.materials[0].sound_speed();
     CHECK(velocity({0.2, 0, 0}) == Approx(0.05 * c0).epsilon(1e-14));
@@ -358,7 +355,7 @@ TEST_SUITE("unit") {
                      G = scene.materials[material].shear_modulus();
         const double lateral = law[0] == 'n' ? K - 2 * G / 3 : K - G,
                      own = law[0] == 'n' ? K + 4 * G / 3 : K + G;
-        return own - lateral * lateral / own;  // free lateral contraction
+        return own - lateral * lateral / own;
       };
       const double M[] = {modulus(0), modulus(1)}, rho[] = {2785, 8930};
       std::vector<double> u(2 * n + 1), v(2 * n + 1), stress(2 * n);

@@ -18,7 +18,6 @@ using namespace taut::test;
 
 namespace {
 
-/// A 3D scene with `shape` and further `keys` of its body.
 std::string solid_scene(const std::string& shape, const std::string& keys = "") {
   return "title = \"Solid\"\ndim = 3\nspacing = 0.1\nuntil = 2\n"
          "[material.rubber]\ndensity = 1200\nyoungs_modulus = 1e7\npoisson_ratio = 0.4\n"
@@ -28,7 +27,7 @@ std::string solid_scene(const std::string& shape, const std::string& keys = "") 
 
 const std::string brick = "{ type = \"box\", low = [0, 0, 0], high = [2, 1, 0.5] }";
 
-/// Checks that reading `text` throws at '@' with a message that contains each of `parts`.
+/// Checks that reading `text` throws at '@' with all `parts` in the message.
 void check_solid_error(std::string text, std::initializer_list<const char*> parts) {
   const std::size_t mark = text.find('@');
   REQUIRE(mark != std::string::npos);
@@ -54,7 +53,7 @@ double volume(const InitialParticles& layout) {
   return std::accumulate(layout.V0.begin(), layout.V0.end(), 0.0);
 }
 
-/// Checks that the resolved scene of a run gives the same scene and the same text.
+/// Checks that the resolved text gives the same scene and text.
 void check_resolved(const SceneFile& file) {
   const std::string text = resolved_text(file, scratch_folder());
   const SceneFile again = read_text(text);

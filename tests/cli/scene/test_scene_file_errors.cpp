@@ -12,7 +12,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Message of the UsageError that these settings throw.
 std::string usage_error(const std::vector<Setting>& settings) {
   try {
     read_text(small_scene, settings);
@@ -425,7 +424,7 @@ TEST_SUITE("cli") {
     CHECK(says(file_error(scratch_folder() / "absent.toml"), "no such file"));
     CHECK(says(file_error(scratch_folder()), "folder"));
     CHECK(says(file_error(write_scene(std::string((4 << 20) + 1, ' '))), "larger than 4 MiB"));
-    if (geteuid() != 0) {  // root can read everything
+    if (geteuid() != 0) {
       const auto path = write_scene(small_scene);
       std::filesystem::permissions(path, std::filesystem::perms::none);
       CHECK(says(file_error(path), "cannot be read"));

@@ -13,7 +13,6 @@ using namespace taut::test;
 
 namespace {
 
-/// A 3D scene with `tables` after its body.
 std::string judged_solid(const std::string& tables) {
   return "title = \"Solid\"\ndim = 3\nspacing = 0.1\nuntil = 2\n"
          "[material.rubber]\ndensity = 1200\nyoungs_modulus = 1e7\npoisson_ratio = 0.4\n"

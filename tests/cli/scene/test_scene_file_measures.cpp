@@ -35,14 +35,14 @@ const std::map<std::string_view, std::string> values = {
     {"until", "9"},
 };
 
-/// The small scene with one more measure, which has every key of its kind.
+/// The small scene with one more measure with every key of its kind.
 std::string scene_with(const MeasureKind& kind, const std::string& more = "") {
   std::string measure =
       "\n[[line]]\nname = \"middle\"\nbody = \"block\"\nfield = \"pressure\"\nfrom = [0, 0.5]\n"
       "to = [2, 0.5]\npoints = 3\ntimes = [1]\n[[measure]]\nname = \"m\"\nof = \"" +
       std::string(kind.name) + "\"\n";
   for (const std::string_view key : kind.keys)
-    if (key != "axis")  // only in 3D
+    if (key != "axis")  // 3D only
       measure += std::string(key) + " = " + values.at(key) + "\n";
   return small_scene + measure + more;
 }
@@ -72,7 +72,7 @@ TEST_SUITE("cli") {
       CHECK(m.about == (takes(kind, "about") ? 2 : 0));
       CHECK(m.until == (takes(kind, "until") ? std::optional(9.0) : std::nullopt));
       for (const auto& [key, value] : values) {
-        const auto& key_now = key;  // clang cannot capture structured bindings
+        const auto& key_now = key;
         CAPTURE(key_now);
         if (!takes(kind, key))
           CHECK_THROWS_WITH_AS(read_text(scene_with(kind, std::string(key) + " = " + value + "\n")),
@@ -161,12 +161,12 @@ TEST_SUITE("cli") {
     CHECK(sum.bodies == std::vector{0});
     CHECK(unit_of(sum, 2).empty());
     CHECK(sum.value({10, 0}, 3) == Approx(20 + 0.06 * 3 + 0.1));
-    CHECK(read_text(with("\"tip\"", "later-one")).scene.probes.size() == 2);  // cannot be a variable
+    CHECK(read_text(with("\"tip\"", "later-one")).scene.probes.size() == 2);  // not a variable
     const auto refused = [&](const std::string& text, const char* message) {
       CHECK_THROWS_WITH_AS(read_text(text), doctest::Contains(message), SceneError);
     };
     refused(with("\"2*tp\""), "unknown name 'tp'");
-    // names of a material are known if the bodies concerned share it
+    // unknown if the bodies differ in material
     CHECK(read_text(with("\"0*t + K/G\"")).scene.probes.at(1).value({0, 0}, 0) == Approx(14.0 / 3));
     const std::string soft =
         "[material.soft]\ndensity = 1000\nyoungs_modulus = 1e6\npoisson_ratio = 0.3\n[[body]]\nname = "
@@ -177,9 +177,9 @@ TEST_SUITE("cli") {
     CHECK_NOTHROW(
         read_text(replaced(replaced(with("\"tip + 0*K\""), "[[body]]\nname = \"block\"", soft),
                            "outer = 2 }\nmaterial = \"rubber\"", "outer = 2 }\nmaterial = \"soft\"")));
-    refused(with("\"2*sum\""), "unknown name 'sum'");  // itself
+    refused(with("\"2*sum\""), "unknown name 'sum'");
     refused(with("\"2*tip +\""), "is not an expression");
-    CHECK(read_text(with("\"3*t\"")).scene.probes.size() == 2);  // although no measure uses the first probe
+    CHECK(read_text(with("\"3*t\"")).scene.probes.size() == 2);
     refused(replaced(with("\"tip\""), "v0 = {", "tip = { value = 1 }\nv0 = {"),
             "name of a probe and of a number");
   }

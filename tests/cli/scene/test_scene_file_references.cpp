@@ -12,7 +12,7 @@ using namespace taut::test;
 
 namespace {
 
-/// The small scene with other references; the measure `peak` is the position of the tip at rest.
+/// The small scene with other references; `peak` is the tip at rest.
 std::string with_references(const std::string& references) {
   const std::string old = "[[reference]]\nlaw = \"neo_hookean\"\nname = \"made up\"\nvalues = { peak = 3 }\n";
   return replaced(replaced(small_scene, "of = \"maximum\"", "of = \"at_rest\""), old, references);
@@ -63,7 +63,7 @@ TEST_SUITE("cli") {
     CHECK(chosen(with_references(own), "enog", "0.1") == "none");
     CHECK_THROWS_WITH_AS(read_text(with_references(any + any)), doctest::Contains("two references"),
                          SceneError);
-    // each measure is chosen separately
+    // chosen per measure
     const std::string more = "[[measure]]\nname = \"least\"\nof = \"minimum\"\nprobe = \"tip\"\n";
     const Reference both =
         read_text(with_references(more + any + reference("other", "values = { least = 1 }")))

@@ -21,12 +21,10 @@ std::string with_block(const std::string& keys) {
   return replaced(small_scene, block_material, "material = \"rubber\"\n" + keys + "\nvelocity");
 }
 
-/// Checks the error of a block with `keys` at the mark.
 void check_block_error(const std::string& keys, std::initializer_list<const char*> parts) {
   check_error(block_material, "material = \"rubber\"\n" + keys + "\nvelocity", parts);
 }
 
-/// Error of the layout with its place in the file.
 SceneError layout_error(const std::string& keys) {
   const SceneFile file = read_text(with_block(keys));
   try {
@@ -194,7 +192,7 @@ TEST_SUITE("cli") {
     const Scene scene =
         read_text(replaced(small_scene, "of = \"maximum\"", kind + "band = [2, 5]\nfrom = 3")).scene;
     CHECK(scene.measures[0].band == std::array{2.0, 5.0});
-    CHECK(scene.measures[0].from == 3);  // past the end of a short run: no value, no error
+    CHECK(scene.measures[0].from == 3);  // past the end: no value, no error
     check_error("of = \"maximum\"", kind + "band = @[5, 2]", {"the lower one first"});
     check_error("of = \"maximum\"", kind + "band = [2, 5]\nfrom = @-1", {"must be at least 0"});
     CHECK_THROWS_AS(read_text(replaced(small_scene, "of = \"maximum\"", kind)), SceneError);
@@ -221,7 +219,7 @@ TEST_SUITE("cli") {
     CHECK_THROWS_AS(changed("linaer", nullptr), UsageError);
     CHECK_THROWS_AS(changed("linear", "icb"), UsageError);
     CHECK_THROWS_AS(changed("linear", "pfj-jst"), UsageError);
-    // methods that do not support the file's law report the law they use
+    // other methods report the law they use
     CHECK(file.remark.empty());
     CHECK(changed(nullptr, "oenog") == "linear");
     CHECK(read_changed(nullptr, "oenog").remark.empty());

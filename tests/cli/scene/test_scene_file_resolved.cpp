@@ -17,7 +17,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Checks that both are empty or have equal values.
 void check_same(const Expression& a, const Expression& b) {
   REQUIRE(static_cast<bool>(a) == static_cast<bool>(b));
   if (!a) return;
@@ -45,7 +44,7 @@ bool equal_as(const Shape& a, const Shape& b) {
   return ((a.as<Kinds>() && b.as<Kinds>() && *a.as<Kinds>() == *b.as<Kinds>()) || ...);
 }
 
-/// True for shapes with a comparison; others are compared by their particles.
+/// Comparable shapes; others are compared by their particles.
 bool is_simple(const Shape& shape) { return equal_as<Box, Disc, Ring, Cylinder>(shape, shape); }
 
 void check_same(const Body& a, const Body& b) {
@@ -144,7 +143,6 @@ void check_same(const SceneFile& a, const SceneFile& b) {
   CHECK(resolved_text(a, scratch_folder()) == resolved_text(b, scratch_folder()));
 }
 
-/// Reads the resolved text of a scene and checks that both are equal.
 SceneFile check_round_trip(const SceneFile& file) {
   const SceneFile again = read_text(resolved_text(file, scratch_folder()));
   check_same(file, again);
@@ -166,7 +164,7 @@ TEST_SUITE("unit") {
       const SceneFile file = read_scene(find_scene(name));
       const SceneFile again = check_round_trip(file);
       CHECK(again.scene.name == std::filesystem::path(name).stem());
-      // the text does not depend on the installation folder
+      // independent of the installation folder
       CHECK(resolved_text(file, scratch_folder()).find(scene_folders().back().string()) == std::string::npos);
       CHECK(again.scene.references.size() == file.scene.references.size());
     }
@@ -196,7 +194,7 @@ TEST_SUITE("unit") {
     CHECK(again.scene.materials[0].bulk_modulus() == 2e11);
     CHECK(again.scene.bodies[0].parts[0].material == 0);
     CHECK(again.scene.bodies[0].drives[0].until == 0.7);
-    CHECK_FALSE(again.scene.bodies[0].drives[1].until);  // independent of --until
+    CHECK_FALSE(again.scene.bodies[0].drives[1].until);
     CHECK(read_text(small_scene, set({{"method", "oenog"}})).scene.contact == ContactLaw::published);
   }
 
@@ -261,7 +259,7 @@ TEST_SUITE("unit") {
     const std::string text = replaced(small_scene, "\"Small\"", "\"a \\\"b\\\" \\\\ c ν\"");
     CHECK(read_text(text).scene.title == "a \"b\" \\ c ν");
     check_round_trip(read_text(text));
-    // a title is one line; other texts can have several
+    // only titles must be one line
     TomlValue lines;
     lines.set("a", TomlValue(std::string("b\n\t\x01 ν")));
     CHECK(parse_toml(print_toml(lines), "").find("a")->value.text == "b\n\t\x01 ν");

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::string_view block = R"({ type = "rectangle", low = [0, 0], high = [2, 1] })";
 
-/// A scene whose only body has this shape; the scene and the files it names are in a scratch folder.
+/// Scene of one body; it and its files are in a scratch folder.
 std::string scene_text(const std::string& shape, const std::string& keys = "", int dim = 2) {
   return "dim = " + std::to_string(dim) + R"(
 spacing = 0.05
@@ -42,7 +42,6 @@ velocity = ["r", )" +
 InitialParticles laid(const std::string& text) {
   const SceneFile file = read_text(text);
   const InitialParticles layout = make_initial_particles(file.scene);
-  // the resolved text gives the same layout
   const SceneFile again = read_text(resolved_text(file, scratch_folder()));
   CHECK(make_initial_particles(again.scene).x == layout.x);
   CHECK(make_initial_particles(again.scene).V0 == layout.V0);
@@ -201,7 +200,7 @@ unit = "s"
       CHECK(error_of(far, 0).find("too far apart, or too far from the origin") != std::string::npos);
     CHECK(error_of("x,y,volume\n0,0,6e-4\n.1,.1,6e-4\n", 0).find("about 0.0245 m apart") !=
           std::string::npos);
-    // without volumes each particle would have 0.05² m² whatever its neighbours' distance
+    // without volumes each has 0.05² m² for any distance
     for (const auto* other : {"x,y\n0,0\n.1,0\n.2,0\n0,.1\n", "x,y\n0,0\n.025,0\n.025,.025\n"})
       CHECK(error_of(other, 0).find("without a column volume") != std::string::npos);
     CHECK(error_of("x,y,volume\n0,0,1e-300\n1,1,1\n", 0).find("does not fit a spacing") != std::string::npos);
@@ -287,7 +286,6 @@ unit = "s"
     CHECK(volume(whole) == relative(8.0, 0.01));
     CHECK(std::ranges::min(whole.x)[0] == relative(1.025, 0.01));
     CHECK(volume(laid(file("evenodd"))) == relative(6.0, 0.01));
-    // y is up: the lower edge of the drawing is below
     write_file(
         "up.svg",
         R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10"><path d="M0 0 L10 10 H0 Z"/></svg>)");

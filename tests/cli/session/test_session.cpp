@@ -11,7 +11,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Runs a session of the tiny scene with `script` as its input.
 Outcome session(const TemporaryFolder& folder, const std::string& script,
                 const std::vector<std::string>& more = {}) {
   std::istringstream input(script);
@@ -162,7 +161,6 @@ TEST_SUITE("cli") {
     CAPTURE(outcome.out);
     CHECK(contains(outcome.out, "error: the simulation diverged at t = "));
     CHECK(outcome.out.ends_with("ok\n"));
-    // a diverged simulation can neither step nor be saved
     const std::string file = folder.str("state.bin");
     for (const std::string& more : {std::string("step 50"), "save " + file, std::string("set cfl=0.1")}) {
       CAPTURE(more);

@@ -17,7 +17,7 @@ namespace {
 
 const std::string up = "\x1b[A", backspace = "\x7f", interrupt = "\x03", end_of_input = "\x04";
 
-/// Smallest distance, by the worst channel, between `color` and the colours set in `shown` (ESC[38;2;R;G;Bm).
+/// Smallest distance, by the worst channel, of `color` to colours set in `shown` (ESC[38;2;R;G;Bm).
 int nearest_color(const std::string& shown, const std::array<int, 3>& color) {
   int nearest = 255;
   for (std::size_t at = shown.find("8;2;"); at != std::string::npos; at = shown.find("8;2;", at + 1)) {
@@ -53,7 +53,7 @@ TEST_SUITE("cli") {
       program.type(up + backspace + "3\r");
       program.wait_for("step=5\r\n");
       program.wait_for_prompt();
-      program.type("quit" + interrupt);  // discards the line
+      program.type("quit" + interrupt);
       program.wait_for("\n");
       program.wait_for_prompt();
       program.type("colr\r");
@@ -99,7 +99,7 @@ TEST_SUITE("cli") {
                                      << folder.str("next") << '\n';
     ChildProgram program(tiny_session(folder), folder.str("script"));
     ChildProgram::wait_for(folder / "begun");
-    std::this_thread::sleep_for(50ms);  // until the next line runs
+    std::this_thread::sleep_for(50ms);
     program.send(SIGINT);
     CHECK(program.exit_code() == 130);
     CHECK_FALSE(fs::exists(folder / "next"));
@@ -112,7 +112,7 @@ TEST_SUITE("cli") {
     program.type("preview\r");
     const std::string shown = program.wait_for("speed 0 to 4 m/s, t = 0 s, x -0.03 to 0.03 m");
     CHECK(std::ranges::count(shown, '\n') >= 21);
-    // both discs move at 2 m/s: the middle of viridis
+    // 2 m/s: the middle of viridis
     CHECK(nearest_color(shown, {33, 145, 140}) <= 2);
     program.type("\rquit\r");
     CHECK(program.exit_code() == 0);
@@ -143,8 +143,8 @@ TEST_SUITE("cli") {
     const Words constants = words({"set", ""});
     CHECK(std::ranges::count(constants, "method.zeta=") == 1);
     CHECK(std::ranges::count(constants, "cfl=") == 1);
-    CHECK(std::ranges::count(constants, "speed=") == 0);     // fixed after the start
-    CHECK(std::ranges::count(constants, "method.h=") == 0);  // fixed as well
+    CHECK(std::ranges::count(constants, "speed=") == 0);  // fixed after the start
+    CHECK(std::ranges::count(constants, "method.h=") == 0);
     CHECK(taut::cli::session_choices(session, {"save", ""}).files == "*");
     CHECK(taut::cli::session_choices(session, {"frame", ""}).files == "*.png");
     CHECK(words({"nothing", ""}).empty());

@@ -29,7 +29,6 @@ taut::cli::Chart chart_of(const std::string& file, const taut::cli::ChartRequest
   return taut::cli::make_chart(taut::cli::read_results({file}), request);
 }
 
-/// Runs a coarse, short sweep of the rings.
 void sweep_rings(const TemporaryFolder& folder) {
   const Outcome outcome =
       program({"sweep", "colliding-rings", "--grid", "method=oenog,tl", "--grid", "spacing=0.005,0.0025",
@@ -38,7 +37,6 @@ void sweep_rings(const TemporaryFolder& folder) {
   REQUIRE(outcome.code == 0);
 }
 
-/// Words of the data lines, without comments.
 std::vector<std::vector<std::string>> data_of(const fs::path& file) {
   std::vector<std::vector<std::string>> rows;
   for (const std::string& line : lines_of(file)) {
@@ -76,7 +74,7 @@ TEST_SUITE("cli") {
     REQUIRE(tl.points.size() == 4);
     CHECK_FALSE(tl.points[2].stable);
     CHECK_FALSE(chart.series[1].points[1].error.has_value());
-    // points off a straight line: slopes of 1 and 3 between neighbours
+    // slopes of 1 and 3 between neighbours
     const std::vector<taut::cli::ChartPoint> bent{
         {.spacing = 4, .error = 16}, {.spacing = 2, .error = 2}, {.spacing = 1, .error = 1}};
     CHECK(*taut::cli::convergence_order(bent) == Approx(2));
@@ -149,7 +147,6 @@ TEST_SUITE("cli") {
       CHECK(std::stod(row[2]) == record["seconds"]["solve"].get<double>());
       CHECK(row[5] == record["verdict"]);
     }
-    // a user can redraw it from the script alone
     fs::remove(folder / "one/a.png");
     REQUIRE(std::system(("cd '" + folder.str("one") + "' && gnuplot a.gp").c_str()) == 0);
     CHECK(text_of(folder / "one/a.png") == text_of(folder / "two/a.png"));
@@ -167,7 +164,7 @@ TEST_SUITE("cli") {
       REQUIRE(chart.series.size() == 1);
       return chart.series[0];
     };
-    // 6 to 10 particles across the plate; measured orders: 1.60, 1.30 and 1.62
+    // measured orders: 1.60, 1.30 and 1.62
     const auto oenog = series("oenog", "0.8"), tl = series("tl", "0.8"), tl_of_twelve = series("tl", "1.05");
     CHECK(*oenog.order > 1.5);
     CHECK(*oenog.order < 1.7);
@@ -175,7 +172,7 @@ TEST_SUITE("cli") {
     CHECK(*tl.order < 1.45);
     CHECK(*tl_of_twelve.order > 1.4);
     CHECK(*tl_of_twelve.order < 1.75);
-    // with the eight nearest neighbours the error is smaller at every spacing
+    // eight neighbours give smaller errors
     REQUIRE(tl.points.size() == tl_of_twelve.points.size());
     for (std::size_t k = 0; k < tl.points.size(); ++k)
       CHECK(tl.points[k].error.value() < 0.75 * tl_of_twelve.points[k].error.value());
@@ -225,13 +222,13 @@ TEST_SUITE("cli") {
     CHECK(contains(script, "set xlabel 'time to solve, s'"));
     CHECK(contains(script, "set ylabel 'error of bend, % of the reference'"));
     CHECK(contains(script, "'×') with labels offset"));
-    CHECK(contains(script, "set label 'og' at graph 1.01"));  // a run without a value has a row of its own
-    CHECK_FALSE(contains(script, "set label 'tl' at graph 1.01"));  // tl has all values
-    // cost grows as n³ and the error falls as n⁻², so error ∝ cost^(-2/3)
+    CHECK(contains(script, "set label 'og' at graph 1.01"));  // has runs without a value
+    CHECK_FALSE(contains(script, "set label 'tl' at graph 1.01"));
+    // cost ∝ n³, error ∝ n⁻²
     CHECK(contains(script, "**(-0.6666666666666666) with lines"));
     REQUIRE(call({"chart", file, "--methods", "og", "--out", folder.str("og.svg")}).code == 0);
     CHECK_FALSE(contains(text_of(folder / "og.dat"), "# tl"));
-    // the colour of a method does not depend on the other methods
+    // a method keeps its colour
     const auto color = [](const std::string& text, const std::string& title) {
       const std::size_t at = text.rfind("linecolor '", text.find("title '" + title + "'"));
       return text.substr(at + 11, 7);
@@ -253,7 +250,7 @@ TEST_SUITE("cli") {
                                               "finished,tl,tl,0.4,10,stable,,0,2,4,\n"
                                               "finished,tl,tl,0.2,10,stable,,0.1,2,4,\n"));
     CHECK(chart.series[0].points[0].error == 0.0);
-    CHECK_FALSE(chart.series[0].order.has_value());  // needs more than one logarithm
+    CHECK_FALSE(chart.series[0].order.has_value());
   }
 
   TEST_CASE("without a reference runs are compared with the finest run of a method, which gets no point") {
@@ -395,7 +392,7 @@ TEST_SUITE("cli") {
       REQUIRE(std::system(
                   ("cd " + shell_word(folder.path().string()) + " && gnuplot " + shell_word("./" + script))
                       .c_str()) == 0);
-      CHECK(text_of(picture) == drawn);  // drawn by hand
+      CHECK(text_of(picture) == drawn);
     }
     CHECK_FALSE(fs::exists(folder / "x"));
     CHECK(files_in(folder.path()) == 1 + 3 * 8);

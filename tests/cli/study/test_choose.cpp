@@ -11,9 +11,8 @@ using namespace taut::test;
 
 namespace {
 
-// errors are shares of the reference 2
 const std::string runs =
-    "finished,tl,tl,0.4,10,stable,,0.005,2,1,\n"  // accurate by chance: the next finer run is worse
+    "finished,tl,tl,0.4,10,stable,,0.005,2,1,\n"  // accurate by chance: the finer run is worse
     "finished,tl,tl,0.2,20,stable,,0.05,2,8,\n"
     "finished,tl,tl,0.1,40,stable,,0.009,2,64,\n"
     "finished,icb,icb,0.4,10,stable,,0.008,2,30,\n"
@@ -44,7 +43,7 @@ TEST_SUITE("cli") {
     CHECK(rough.front().finer == 2);
     CHECK(taut::cli::grants(chart, {0.06, 0.5}).empty());
     CHECK(taut::cli::grants(chart, {0.003, std::nullopt}).empty());
-    // the limit is inclusive: 0.8 % satisfies 0.8 %, and not 0.79 %
+    // inclusive limit
     CHECK(taut::cli::grants(chart, {0.008, std::nullopt}).front().point->error == 0.008);
     CHECK(taut::cli::grants(chart, {0.0079, std::nullopt}).front().point->error == 0.004);
     CHECK(taut::cli::grants(chart, {0.0039, std::nullopt}).empty());
@@ -82,7 +81,7 @@ TEST_SUITE("cli") {
     const TemporaryFolder folder;
     const taut::cli::Chart chart = chart_of(folder);
     const auto all = taut::cli::front(chart, std::nullopt);
-    // the first run of tl counts with the 5 % of the next finer run; icb's first run dominates the third of tl
+    // tl's first run counts with the finer 5 %; icb's first dominates tl's third
     REQUIRE(all.size() == 3);
     CHECK(all[0].series->name == "tl");
     CHECK(all[0].point->spacing == 0.4);

@@ -17,17 +17,15 @@ using namespace taut::test;
 
 namespace {
 
-/// Record of a run of the method tl with these parameters.
 std::string record_with(const std::string& parameters) {
   return R"({"taut": "0.1.0", "scene": "rod", "method": "tl", "status": "finished", "until": 1, "reached": 1,)"
          R"( "verdict": "stable", "since": {}, "measures": {}, "parameters": {)" +
          parameters + "}}";
 }
 
-using NamedRuns =
-    std::vector<std::pair<std::string, std::string>>;  // method, and the settings that identify the run
+using NamedRuns = std::vector<std::pair<std::string, std::string>>;  // method, settings
 
-/// Plot of a line per run that falls from `high`.
+/// A line per run, falling from `high`.
 HistoryPlot falling(const NamedRuns& runs, double high = 1) {
   HistoryPlot plot;
   plot.title = "A rod", plot.columns = {{"tip", "tip, m"}};
@@ -42,7 +40,6 @@ NamedRuns speeds_of(const std::string& method, int count) {
   return names;
 }
 
-/// Appearance of each line of the legend.
 std::set<std::string> looks(const std::string& script) {
   std::set<std::string> all;
   for (std::size_t at = script.find("keyentry "); at != std::string::npos;
@@ -71,7 +68,7 @@ TEST_SUITE("cli") {
     const NamedRuns more = speeds_of("oenog", 7);
     two.insert(two.end(), more.begin(), more.end());
     CHECK(looks(script_of(falling(two))).size() == 14);
-    // lines that differ by method have the method's usual look
+    // methods keep their look
     const std::string methods = script_of(falling({{"og", ""}, {"tl", ""}}));
     const std::string alone = script_of(falling({{"og", ""}}));
     CHECK(looks(methods).contains(*looks(alone).begin()));
@@ -95,7 +92,7 @@ TEST_SUITE("cli") {
     CHECK(shortened("short, ν=0.4") == "short, ν=0.4");
     std::string greek;
     for (int k = 0; k < 60; ++k) greek += "ν";
-    CHECK(shortened(greek).size() == 2 * 45 + 3);  // 46 letters, none cut in half
+    CHECK(shortened(greek).size() == 2 * 45 + 3);  // 46 letters, none cut
   }
 
   TEST_CASE("runs are ordered by rising swept values, in whatever order they are given") {
@@ -114,7 +111,7 @@ TEST_SUITE("cli") {
   }
 
   TEST_CASE("a letter missing in every font is a box of its size in PNG, and itself in SVG") {
-    const std::string nowhere = "\xf4\x8f\xbf\xbd";  // U+10FFFD, private use
+    const std::string nowhere = "\xf4\x8f\xbf\xbd";  // private use
     CHECK(with_letters_of_fonts("été □ 2 µm") == "été □ 2 µm");
     CHECK(with_letters_of_fonts("a" + nowhere + nowhere + "b") == "a□□b");
     CHECK(with_letters_of_fonts("no UTF-8: \xe9\xff") == "no UTF-8: \xe9\xff");
@@ -149,8 +146,8 @@ TEST_SUITE("cli") {
     for (std::size_t at = picture.find(key); at != std::string::npos; at = picture.find(key, at + 1))
       sizes.insert(std::stod(picture.substr(at + key.size())));
     REQUIRE_FALSE(sizes.empty());
-    CHECK(*sizes.rbegin() == Approx(20));                           // 15 points at 96 dots per inch
-    CHECK(*sizes.begin() == Approx(11 * 96.0 / 72).epsilon(0.01));  // the smallest: 11 points
+    CHECK(*sizes.rbegin() == Approx(20));                           // 15 points at 96 dpi
+    CHECK(*sizes.begin() == Approx(11 * 96.0 / 72).epsilon(0.01));  // 11 points
   }
 
   TEST_CASE("a column with different units in two runs is refused, and one without a unit is drawn") {

@@ -42,13 +42,13 @@ TEST_SUITE("cli") {
     CHECK(outcome.code == 0);
     CHECK(contains(outcome.out, "og     stable  -         fractured 0.003 s\n"));
     CHECK(contains(outcome.out, "enog   stable  diverged  error\n"));
-    CHECK(contains(text_of(folder / "map.dat"), "\n3 1 0.003 \"10\" \"og\" \"3\"\n"));  // 3 ms
+    CHECK(contains(text_of(folder / "map.dat"), "\n3 1 0.003 \"10\" \"og\" \"3\"\n"));
     CHECK(fs::exists(folder / "map.png"));
   }
 
   TEST_CASE("a verdict without cells leaves no gap: gnuplot counts only blocks with lines") {
     const TemporaryFolder folder;
-    const std::string file = write_results(folder / "a", speeds, "rod", "speed");  // no run is hourglass
+    const std::string file = write_results(folder / "a", speeds, "rod", "speed");  // no hourglass
     REQUIRE(call({"map", file, "--out", folder.str("map.png")}).code == 0);
     const std::string data = text_of(folder / "map.dat"), script = text_of(folder / "map.gp");
     CHECK_FALSE(contains(data, "hourglass"));
@@ -115,7 +115,7 @@ TEST_SUITE("cli") {
     std::set<std::string> colors;
     for (std::size_t at = script.find(mark); at != std::string::npos; at = script.find(mark, at + 1))
       colors.insert(script.substr(at + mark.size(), 7));
-    CHECK(colors.size() == 6);  // including a cell without a verdict
+    CHECK(colors.size() == 6);  // including no verdict
   }
 
   TEST_CASE("a map without a swept parameter is refused with the reason") {

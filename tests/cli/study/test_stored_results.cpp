@@ -18,7 +18,6 @@ namespace {
 
 const std::string one_row = "finished,tl,tl,0.4,10,stable,,0.32,2,4,\n";
 
-/// A valid record, in which each test damages one part.
 const std::string record =
     R"({"taut": "0.1.0", "scene": "rod", "method": "tl", "status": "finished", "until": 1, "reached": 1,)"
     R"( "verdict": "stable", "since": {}, "measures": {"period": {"value": 2, "unit": "s", "error": null}}})";
@@ -76,7 +75,7 @@ TEST_SUITE("cli") {
              {"{}", "is not the run.json of a run of taut"},
              {"[]", "is not the run.json of a run of taut"},
          }) {
-      const auto& text_now = text;  // clang cannot capture structured bindings
+      const auto& text_now = text;
       CAPTURE(text_now);
       write(file, text);
       const std::string message = error_of([&] { read_stored_run(file); });
@@ -125,7 +124,7 @@ TEST_SUITE("cli") {
           {R"({"fixed": {"until": []}})", "key 'fixed.until' is []; it must be a number or a text"},
           {R"({"title": "a)", "is not JSON: "},
           {R"(3)", "contains 3; it must be an object"}}) {
-      const auto& text_now = text;  // clang cannot capture structured bindings
+      const auto& text_now = text;
       CAPTURE(text_now);
       write(file, text);
       const std::string message = error_of([&] { read_results({table}); });
@@ -163,7 +162,7 @@ TEST_SUITE("cli") {
     CHECK(chart.fixed == std::vector<std::string>{"until = 0.3"});
     CHECK(read_results({law}).fixed.size() == 3);
     CHECK(make_chart(read_results({law}), {}).series[0].name == "tl");
-    // without a results.json the fixed settings are unknown
+    // unknown without results.json
     fs::remove(folder / "plain/results.json");
     CHECK(read_results({law, plain}).fixed.empty());
   }
@@ -171,7 +170,7 @@ TEST_SUITE("cli") {
   TEST_CASE("a table larger than any of taut is refused unread") {
     const TemporaryFolder folder;
     write(folder / "a.csv", "");
-    fs::resize_file(folder / "a.csv", std::uintmax_t{300} << 20);  // sparse: uses no disk space
+    fs::resize_file(folder / "a.csv", std::uintmax_t{300} << 20);  // sparse
     CHECK(
         contains(error_of([&] { read_csv(folder / "a.csv"); }), "has 300 MiB; at most 256 MiB are allowed"));
     std::string wide = "t";
@@ -185,7 +184,7 @@ TEST_SUITE("cli") {
     const PlotFiles files{folder.str("a.svg")};
     for (const auto& [error, cost] : std::initializer_list<std::pair<const char*, const char*>>{
              {"1e308", "1e308"}, {"5e-324", "5e-324"}, {"0", "0"}, {"-1", "-1"}}) {
-      const auto& error_now = error;  // clang cannot capture structured bindings
+      const auto& error_now = error;
       CAPTURE(error_now);
       const std::string row = std::string(",stable,,") + error + ",2," + cost + ",\n";
       const StoredResults results = read_results(

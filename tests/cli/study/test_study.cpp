@@ -10,7 +10,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Writes a coarse, short study of the rings with `sections`.
 std::string write_study(const TemporaryFolder& folder, const std::string& sections) {
   std::ofstream(folder / "study.toml") << "title = \"Rings\"\n"
                                           "scene = \"colliding-rings\"\n"

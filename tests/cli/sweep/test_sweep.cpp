@@ -38,7 +38,6 @@ TEST_SUITE("cli") {
     REQUIRE(again.code == 0);
     CHECK_FALSE(contains(again.err, "replaced"));
     CHECK(ends(folder / "out") == before);
-    // a change of a solver setting repeats the run
     Texts other = grid;
     other.insert(other.end(), {"--set", "cfl=0.3"});
     const Outcome anew = program(tiny_sweep(folder, "out", other));
@@ -61,7 +60,7 @@ TEST_SUITE("cli") {
 
   TEST_CASE("a sweep creates a folder for each run and a row in the order of the grid") {
     const TemporaryFolder folder;
-    // the second of three rows is the longest, so it starts first
+    // the second of three rows is the longest and starts first
     const Outcome outcome = program(tiny_sweep(
         folder, "out", {"--grid", "until=0.001,0.004,0.002", "--grid", "method=og,enog", "--jobs", "3"}));
     CAPTURE(outcome.err);
@@ -163,7 +162,6 @@ TEST_SUITE("cli") {
         outcome.err,
         "the runs spacing=0.002 and spacing=0.00201 are the same: both spacings are rounded to 0.002 m"));
     CHECK_FALSE(contains(outcome.err, "0.004"));
-    // equal up to round-off
     const Outcome rings = program({"sweep", "colliding-rings", "--grid", "spacing=0.002,0.0021", "--set",
                                    "until=1e-6", "--out", folder.str("rings"), "--quiet"});
     CHECK(contains(rings.err, "the runs spacing=0.002 and spacing=0.0021 are the same"));
@@ -235,7 +233,7 @@ tables = { gap_rmse = { file = "tables/gap.csv", column = "gap" } }
     const fs::path diverged = folder / "out/pull=0_cfl=20/run.json";
     const auto time = fs::last_write_time(diverged);
     CHECK(program(sweep).code == 0);
-    CHECK(fs::last_write_time(diverged) == time);  // a divergence is a result and is not repeated
+    CHECK(fs::last_write_time(diverged) == time);  // not repeated
   }
 
   TEST_CASE("wrong names, values and options of a sweep are refused before anything runs") {

@@ -12,13 +12,12 @@ namespace {
 
 int shell(const std::string& command) { return std::system((command + " >/dev/null 2>&1").c_str()); }
 
-/// A name with special characters for sh, GNU parallel, Slurm and CLI11.
 const std::string strange =
     "-a b {} {#} {= `touch ran`; =} $(touch ran) `touch ran` 'q' \"r\" \\ %d @x # ;[y]\n#SBATCH -z\ntouch "
     "ran";
 
-/// Writes a substitute for GNU parallel: takes options up to -q, then runs a command per input line, with {} and {#}
-/// replaced. A {= is executed, so that a test can detect it.
+/// Substitute for GNU parallel: options up to -q, then a command per input line, with {} and {#} replaced. Executes {=
+/// where it occurs.
 void write_parallel(const TemporaryFolder& folder) {
   fs::create_directories(folder / "bin");
   std::ofstream(folder / "bin/parallel") << R"(#!/bin/sh
@@ -40,7 +39,6 @@ while read -r n; do (
   fs::permissions(folder / "bin/parallel", fs::perms::owner_all);
 }
 
-/// Emits the script of a sweep with the path of the built program.
 std::string emitted(const TemporaryFolder& folder, const std::string& kind, const Texts& grid) {
   Texts arguments = tiny_sweep(folder, "out", grid);
   arguments.insert(arguments.end(), {"--emit", kind});
@@ -60,7 +58,7 @@ TEST_SUITE("cli") {
     const auto task = [&](int index) {
       return shell("cd / && SLURM_ARRAY_TASK_ID=" + std::to_string(index) + " sh " + script);
     };
-    for (const int index : {5, 0, 7, 2, 6, 1, 3}) CHECK(task(index) == 0);  // index 4 is missing
+    for (const int index : {5, 0, 7, 2, 6, 1, 3}) CHECK(task(index) == 0);  // without 4
     CHECK(task(8) != 0);
     CHECK_FALSE(fs::exists(folder / "out/results.csv"));
     const auto before = ends(folder / "out");
@@ -105,7 +103,7 @@ TEST_SUITE("cli") {
     CHECK(statuses(sweep) == Texts{"finished", "finished"});
     CHECK_FALSE(contains(text_of(folder / "calls"), strange));
     if (shell("parallel --version") != 0) return;
-    emitted_and_run("parallel", "");  // the real GNU parallel
+    emitted_and_run("parallel", "");  // the real one
     CHECK(statuses(sweep) == Texts{"finished", "finished"});
   }
 

@@ -10,7 +10,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Writes `text`, without its '@', as sweep.toml beside the scene; returns the place of the '@'.
+/// Writes sweep.toml without the '@'; returns its place.
 FilePlace write_sweep(const TemporaryFolder& folder, std::string text) {
   write_tiny_scene(folder);
   FilePlace place{1, 1};
@@ -24,7 +24,7 @@ FilePlace write_sweep(const TemporaryFolder& folder, std::string text) {
   return place;
 }
 
-/// Checks that the sweep is refused at the '@' with a message that contains `part`.
+/// Checks that the sweep is refused at the '@' with `part` in the message.
 void check_refused(const std::string& text, const std::string& part) {
   const TemporaryFolder folder;
   const FilePlace place = write_sweep(folder, text);
@@ -109,7 +109,7 @@ TEST_SUITE("cli") {
   TEST_CASE("the shipped sweep files are valid") {
     int count = 0;
     for (const auto& entry : fs::directory_iterator(TAUT_SOURCE_DIR "/scenes/studies")) {
-      if (entry.path().extension() != ".toml") continue;  // scripts have tests of their own
+      if (entry.path().extension() != ".toml") continue;
       const TemporaryFolder folder;
       const std::string study = entry.path().stem().string();
       CAPTURE(study);

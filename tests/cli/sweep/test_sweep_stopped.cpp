@@ -13,20 +13,19 @@ void wait_until_one_has_ended(const fs::path& folder) {
   ChildProgram::wait([&] { return contains(text_of(folder / "results.csv"), ",finished,"); });
 }
 
-/// The endless run has started by then as well.
+/// The endless run has started too.
 void wait_until_the_short_run_has_ended(const fs::path& folder) {
   wait_until_one_has_ended(folder);
   ChildProgram::wait_for(folder / "until=1000/history.csv");
 }
 
-/// A short and an endless run in parallel: discs at rest, which cannot fail.
+/// A short and an endless run in parallel, with discs at rest.
 Texts endless_sweep(const TemporaryFolder& folder, const Texts& more = {}) {
   Texts all{"--grid", "until=1000,0.001", "--set", "speed=0", "--history", "0.001", "--jobs", "2"};
   all.insert(all.end(), more.begin(), more.end());
   return tiny_sweep(folder, "out", all);
 }
 
-/// Child processes of a sweep.
 std::vector<pid_t> children(const ChildProgram& sweep) {
   const std::string process = std::to_string(sweep.process());
   std::istringstream text(text_of("/proc/" + process + "/task/" + process + "/children"));
@@ -47,7 +46,7 @@ TEST_SUITE("cli") {
     }
     const auto before = ends(folder / "killed");
     CHECK(before.size() >= 1);
-    WARN(before.size() < 6);  // otherwise the machine was too busy for the signal to arrive in time
+    WARN(before.size() < 6);  // else the signal came too late
     REQUIRE(program(tiny_sweep(folder, "killed", grid)).code == 0);
     const auto after = ends(folder / "killed");
     CHECK(after.size() == 6);
@@ -74,12 +73,12 @@ TEST_SUITE("cli") {
     const TemporaryFolder folder;
     ChildProgram sweep(endless_sweep(folder));
     wait_until_the_short_run_has_ended(folder / "out");
-    // a stopped run keeps the sweep from ending after the first signal
+    // a stopped run delays the end
     for (const pid_t child : children(sweep)) ::kill(child, SIGSTOP);
     sweep.send(SIGINT);
     sweep.send(SIGTERM);
     const int code = sweep.exit_code();
-    CHECK((code == 130 || code == 143));  // the handler of the later signal can run first
+    CHECK((code == 130 || code == 143));  // either handler can run first
     std::ostringstream err;               // a surviving run would hold the lock
     CHECK_NOTHROW(taut::cli::FolderLock(folder / "out", taut::cli::FolderLock::Of::sweep, "taut test", err));
     CHECK(statuses(folder / "out").size() == 2);

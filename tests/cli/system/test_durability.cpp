@@ -14,7 +14,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Runs the program with tests/support/file_calls.cpp preloaded.
 Outcome watched(const std::vector<std::string>& arguments, const std::string& setting) {
   const TemporaryFolder streams;
   std::string command =
@@ -25,7 +24,7 @@ Outcome watched(const std::vector<std::string>& arguments, const std::string& se
   return {WEXITSTATUS(status), text_of(streams / "out"), text_of(streams / "err")};
 }
 
-/// Replays a log of calls: which files and folders a power cut could lose.
+/// Replays a log of calls to find files that a power cut could lose.
 class Disk {
  public:
   explicit Disk(const fs::path& log) {
@@ -39,9 +38,9 @@ class Disk {
     }
   }
 
-  /// By the name of a renamed file: whether all files were on disk at that time, and whether it was itself.
+  /// Per renamed file: whether all files were on disk, and the file itself.
   std::map<std::string, std::vector<bool>> all_before, itself_before;
-  std::set<std::string> lacking;  // at the end
+  std::set<std::string> lacking;
 
  private:
   void take(const std::string& call, const std::string& path, const std::string& other) {
@@ -49,7 +48,7 @@ class Disk {
     if (call == "sync") lacking.erase(path);
     if (call != "rename") return;
     const fs::path to = other;
-    // pictures are written by fwrite, which the log does not show
+    // written by fwrite, not in the log
     const bool itself = !lacking.contains(path) && to.extension() != ".png";
     lacking.erase(path);
     itself_before[to.filename()].push_back(itself);
@@ -63,7 +62,7 @@ class Disk {
 
 TEST_SUITE("cli") {
   TEST_CASE("files needed by a checkpoint or a finished run are on disk before them") {
-    for (const std::string range : {"0:4", "auto"}) {  // pictures are drawn during the run, or at its end
+    for (const std::string range : {"0:4", "auto"}) {  // drawn during the run, or at its end
       CAPTURE(range);
       const TemporaryFolder folder;
       const Outcome outcome = watched(tiny_run(folder, "out",
@@ -120,7 +119,7 @@ TEST_SUITE("cli") {
     Outcome outcome;
     std::jthread other(
         [&] { outcome = watched(tiny_run(folder, "out"), "TAUT_GATE=" + folder.str("gate")); });
-    ChildProgram::wait_for(folder / "gate");  // the other process has opened the file
+    ChildProgram::wait_for(folder / "gate");  // the file is open
     first.reset();
     const auto second = take();
     fs::remove(folder / "gate");

@@ -23,7 +23,7 @@ namespace {
 
 using Of = FolderLock::Of;
 
-/// Message of an attempt to lock; empty on success.
+/// Empty on success.
 std::string refusal(const fs::path& folder, Of of) {
   std::ostringstream err;
   try {
@@ -67,7 +67,7 @@ TEST_SUITE("unit") {
     const FolderLock all(folder.path(), Of::sweep, "taut sweep", err);
     CHECK(contains(refusal(folder.path(), Of::sweep), "in use by `taut sweep`"));
     CHECK(contains(refusal(folder.path(), Of::part_of_sweep), "in use by `taut sweep`"));
-    CHECK(refusal(folder.path(), Of::run).empty());  // the lock of a run is independent
+    CHECK(refusal(folder.path(), Of::run).empty());  // independent
   }
 
   TEST_CASE("a lock ends with its process, and its file is taken by the next one") {
@@ -96,7 +96,7 @@ TEST_SUITE("unit") {
           std::this_thread::sleep_for(std::chrono::microseconds(20));
           --holders;
           ++turns;
-        } catch (const UsageError&) {  // another thread was first
+        } catch (const UsageError&) {
         }
       }
     };

@@ -14,7 +14,7 @@ using namespace taut::cli;
 
 namespace {
 
-/// Blocks threads until it is opened, so that their order is known.
+/// Blocks threads until it is opened.
 class Gate {
  public:
   void open() {
@@ -62,7 +62,7 @@ TEST_SUITE("unit") {
     Gate gate;
     std::vector<int> order;
     work.add([&](int) {
-      gate.pass();  // opened by the last piece, which is done first
+      gate.pass();  // opened by the last piece
       return [&] { order.push_back(0); };
     });
     for (int k = 1; k < 4; ++k)
@@ -99,7 +99,7 @@ TEST_SUITE("unit") {
       });
     work.finish();
     CHECK(most <= work.room());
-    // at the limit `add` waits until a piece is done
+    // `add` waits at the limit
     Gate gate;
     std::atomic<int> done = 0;
     for (int k = 0; k < work.room(); ++k)
@@ -123,7 +123,7 @@ TEST_SUITE("unit") {
       for (const bool in_second_half : {false, true}) {
         OrderedWork work(workers);
         std::vector<int> order;
-        Gate gate;  // later pieces are in progress when one fails
+        Gate gate;  // keeps later pieces in progress
         if (workers == 0) gate.open();
         const auto fail_at = [&](int number) {
           if (number == 5 || number == 6) throw std::runtime_error("piece " + std::to_string(number));

@@ -17,7 +17,6 @@ TEST_SUITE("cli") {
     CHECK(long_time_left(1e-12, 1, 10) == "centuries");
     CHECK(long_time_left(1e-12, 1, 0.5).empty());  // too early
     CHECK(long_time_left(0.9, 0.1, 10 * day) == "27 hours");
-    // the first of a sweep's runs can take long
     CHECK(long_time_left(0, 1, 60).empty());
     CHECK(long_time_left(0, 1, day).empty());
   }
@@ -37,7 +36,7 @@ TEST_SUITE("cli") {
       CHECK(line.starts_with("oscillatin"));
       CHECK(line.find("] 40 %  0:12 left") != std::string::npos);
       CHECK((line.find("particle-steps/s") != std::string::npos) == (width >= 200));
-      // the bar keeps its length when the time left becomes known
+      // constant length of the bar
       CHECK(bar_line(name, 0.4, "", "", width).find(']') - bar_line(name, 0.4, "", "", width).find('[') ==
             line.find(']') - line.find('['));
     }
@@ -53,7 +52,7 @@ TEST_SUITE("cli") {
         progress.prepare("rings, setting up");
         CHECK(err.str() == (style == Progress::Style::bar ? "\rrings, setting up\x1b[K" : ""));
       }
-      if (style == Progress::Style::bar) CHECK(err.str().ends_with("\r\x1b[K"));  // an error leaves no line
+      if (style == Progress::Style::bar) CHECK(err.str().ends_with("\r\x1b[K"));  // removes the line
     }
   }
 }

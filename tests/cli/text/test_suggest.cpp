@@ -11,7 +11,7 @@ TEST_SUITE("unit") {
   TEST_CASE("nearest names are few edits away, the nearest first") {
     const Names methods = {"og", "oas", "enog", "oenog"};
     CHECK(nearest("enogg", methods) == Names{"enog"});
-    CHECK(nearest("oneog", methods) == Names{"oenog"});  // a swap of neighbours is one edit
+    CHECK(nearest("oneog", methods) == Names{"oenog"});  // a swap is one edit
     CHECK(nearest("eno", methods) == Names{"enog", "oenog"});
     CHECK(nearest("viridis", methods).empty());
   }

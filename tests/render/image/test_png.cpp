@@ -18,7 +18,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Image with a different colour in every pixel, so that any swap is noticed.
+/// A different colour in every pixel.
 Image gradient(int width, int height) {
   Image image(width, height);
   for (int row = 0; row < height; ++row) {
@@ -31,7 +31,6 @@ Image gradient(int width, int height) {
   return image;
 }
 
-/// Incompressible noise.
 Image noise(int width, int height) {
   Image image(width, height);
   std::uint32_t state = 1;
@@ -49,7 +48,7 @@ std::uint32_t checksum(const std::string& bytes) {
   return ~crc;
 }
 
-/// Limits the size of files of this process to `bytes` during its lifetime; simulates a full disk.
+/// Simulates a full disk: limits the size of files to `bytes`.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -94,11 +93,11 @@ TEST_SUITE("unit") {
       return same;
     };
     CHECK(comes_back(Image(1, 1)));
-    CHECK(comes_back(noise(300, 200)));  // more than one compressed block
+    CHECK(comes_back(noise(300, 200)));  // several blocks
     CHECK(comes_back(noise(1, 3000)));
-    CHECK(comes_back(Image(12000, 3)));  // a row longer than the maximum match distance
+    CHECK(comes_back(Image(12000, 3)));  // exceeds the maximum match distance
     CHECK(comes_back(gradient(12000, 3)));
-    CHECK(comes_back(Image(700, 9000)));  // repeated rows fill more than one block
+    CHECK(comes_back(Image(700, 9000)));  // several blocks
   }
 
   TEST_CASE("flat colours make small files") {
@@ -117,8 +116,8 @@ TEST_SUITE("unit") {
     const std::string bytes = text_of(folder / "a.png");
     CHECK(bytes == text_of(folder / "b.png"));
     REQUIRE(bytes.size() > 26);
-    CHECK(bytes[24] == 8);  // bits per channel
-    CHECK(bytes[25] == 2);  // colour type RGB
+    CHECK(bytes[24] == 8);
+    CHECK(bytes[25] == 2);
   }
 
   TEST_CASE("the bytes of a picture do not depend on those that were encoded before") {
@@ -156,7 +155,7 @@ TEST_SUITE("unit") {
   TEST_CASE("a full disk leaves the old file and nothing else") {
     const TemporaryFolder folder;
     write_png(gradient(5, 4), folder / "a.png");
-    // the small picture fails when its buffer is flushed, the large one while it is written
+    // fails at the flush, or during writing
     for (const rlim_t bytes : {rlim_t{0}, rlim_t{20000}}) {
       const FileSizeLimit limit(bytes);
       try {
@@ -197,7 +196,7 @@ TEST_SUITE("unit") {
     const TemporaryFolder folder;
     write_png(gradient(4, 4), folder / "a.png");
     std::string bytes = text_of(folder / "a.png");
-    bytes[18] = 0x4e, bytes[19] = 0x20;  // the width, big-endian: 20000
+    bytes[18] = 0x4e, bytes[19] = 0x20;  // width, big-endian: 20000
     const std::uint32_t sum = checksum(bytes.substr(12, 17));
     for (int i = 0; i < 4; ++i) bytes[29 + i] = static_cast<char>(sum >> (24 - 8 * i));
     std::ofstream(folder / "b.png", std::ios::binary) << bytes;

@@ -11,7 +11,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Number of non-white pixels at or right of column `left`, above row `bottom`.
+/// Non-white pixels right of `left` and above `bottom`.
 int painted_from(const Image& image, int left, int bottom) {
   int count = 0;
   for (int row = 0; row < bottom; ++row)
@@ -32,13 +32,13 @@ TEST_SUITE("image") {
       with.range = {0, factor}, frame.unit = unit;
       return Image(Renderer(with).draw(frame));
     };
-    // the numbers are equal; the labels must differ
+    // equal numbers, different labels
     for (const std::string_view unit : {"", "1/s"}) CHECK_FALSE(drawn(1e6, unit) == drawn(1e9, unit));
     CHECK_FALSE(drawn(1, "kg/m³") == drawn(1, "1/s"));
     CHECK_FALSE(drawn(1e6, "Pa") == drawn(1e3, "Pa"));
     const PageLayout layout = make_layout(320, 180, unit_view);
     const Image image = drawn(1e6, "kg/m³");
-    int beyond = 0;  // painted pixels below and right of the bar
+    int beyond = 0;
     for (int row = layout.key.y + layout.key.height + 4; row < 180; ++row)
       for (int column = layout.key.x + 20; column < 320; ++column) beyond += image.at(column, row) != white;
     CHECK(beyond == 0);
