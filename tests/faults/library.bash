@@ -127,14 +127,14 @@ read_only() { [[ $TAUT_FAULTS_MOUNTS == yes ]] && mount --bind "$1" "$1" && moun
 # record FOLDER: prints run.json without entries that vary between repetitions: times, speed, threads, provenance
 record() { sed -E '/^  "provenance": \{/,/^  \}/d; /"(setup|solve|render|write|particle_steps_per_second|threads|machine)":/d' "$1/run.json"; }
 
-# same_run GOOD FOLDER: the folder equals that of the undisturbed run GOOD
+# same_run GOOD FOLDER: the folder equals the folder GOOD of an undisturbed run
 same_run() {
   local differs
   differs=$(diff -rq --exclude run.json --exclude run.lock "$1" "$2" 2>&1) || lost "$(head -n 3 <<<"$differs")"
   differs=$(diff <(record "$1") <(record "$2") 2>&1) || lost "run.json: $(head -n 3 <<<"$differs" | tr '\n' ' ')"
 }
 
-# part_of_run FOLDER GOOD...: all files of a stopped run are complete, and equal those of one undisturbed run GOOD
+# part_of_run FOLDER GOOD...: all files of a stopped run are complete, and equal the files of one undisturbed run GOOD
 part_of_run() {
   local folder=$1 file
   for file in "$folder"/frames/*.png; do [[ ! -e $file ]] || as_in_one "$frames_are" "$file" "${@:2}"; done
@@ -149,7 +149,7 @@ part_of_run() {
   [[ ! -e $file || $(tail -n 1 "$file") == '</VTKFile>' ]] || torn "$file is incomplete"
 }
 
-# how frames are compared: by bytes, or (whole_png) only for completeness if the range is that of the frames so far
+# how frames are compared: by bytes, or (whole_png) only for completeness if the range depends on the frames drawn so far
 frames_are="cmp -s"
 whole_png() { [[ $(tail -c 8 "$1" | od -An -tx1) == " 49 45 4e 44 ae 42 60 82" ]]; }
 

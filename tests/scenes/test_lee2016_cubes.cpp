@@ -157,7 +157,7 @@ TEST_SUITE("failure") {
   }
 
   // Corner errors after one and three turns: pf-jst 2.5 % and 6.5 %, oenog 1.3 % and 4.0 %.
-  TEST_CASE("spinning cube: with ten particles along a side the corner moves like that of finite elements") {
+  TEST_CASE("spinning cube: with ten particles along a side the corner follows finite elements") {
     for (const std::string method : {"pf-jst", "oenog"}) {
       CAPTURE(method);
       CHECK(run("spinning-cube", method, {{"spacing", "1/9"}, {"until", "0.05"}}).value("corner_error") <
@@ -203,10 +203,10 @@ TEST_SUITE("failure") {
     CHECK(std::abs(fine.off("top_580us")) < 0.02 * height);
   }
 
-  // §8.5, Fig. 13, 14. Particles separate at the punch's edge. {p, F, H, J} equals {p, F, J} in a neo-Hookean material.
+  // §8.5, Fig. 13, 14. Particles separate at the punch's edge. {p, F, H, J} equals {p, F, J} for neo-Hookean.
   TEST_CASE(
-      "coining: at 46 % compression the pressure of pf has a checkerboard, and that of methods with "
-      "dissipation has none") {
+      "coining: at 46 % of its height pf has a pressure checkerboard, and methods with dissipation have "
+      "none") {
     const double beyond = 0.015;             // half a punch from its edge, m
     const double least_volume = 1 - 0.0285;  // finite elements, at 0.12 ms
     const Run rough = run("coining", "pf", {}, beyond), other = run("coining", "oenog");

@@ -99,8 +99,7 @@ TEST_SUITE("convergence") {
     CHECK(order(-coarse, -fine, 2) > 1.5);
   }
 
-  TEST_CASE(
-      "colliding rings: time lines of oenog converge to those of finite elements with order 1 at least") {
+  TEST_CASE("colliding rings: time lines of oenog converge to finite elements with order 1 at least") {
     const Whole coarse(scene("colliding-rings", 0.002)), fine(scene("colliding-rings", 0.001));
     for (const char* line : {"diameter_rmse", "speed_rmse"}) {
       CAPTURE(std::string(line));
@@ -124,8 +123,7 @@ TEST_SUITE("convergence") {
     }
   }
 
-  TEST_CASE(
-      "ball and plate: time lines of oenog converge to those of finite elements with order 1.5 at least") {
+  TEST_CASE("ball and plate: time lines of oenog converge to finite elements with order 1.5 at least") {
     const Whole coarse(scene("ball-plate", 0.004)), fine(scene("ball-plate", 0.0025));
     for (const char* line : {"deflection_rmse", "speed_rmse"}) {
       CAPTURE(std::string(line));

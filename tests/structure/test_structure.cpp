@@ -111,8 +111,7 @@ TEST_SUITE("structure") {
     CHECK_FALSE(RoomTable::read("| room | holds |\n|---|---|\n| `a/` | b |\n"));
   }
 
-  TEST_CASE(
-      "every room includes only the rooms that its table allows, and allowed rooms stand in rows above") {
+  TEST_CASE("every room includes only the rooms that its table allows, and allowed rooms are in rows above") {
     for (const std::string& part : parts) {
       const RoomTable table = rooms_of(part);
       for (std::size_t row = 0; row < table.rows().size(); ++row) {

@@ -252,7 +252,8 @@ TEST_SUITE("cli") {
     CHECK(constant(small_scene, "enog", "zeta") == relative(0.7 * 2 + 2.1));
   }
 
-  TEST_CASE("scene: the plate in 3D has a reference per mode, and on the published ring those of the paper") {
+  TEST_CASE(
+      "scene: the plate in 3D has a reference per mode, and the paper's references on the published ring") {
     const auto period = [](const char* method, const char* m, const char* n, const char* ring) {
       const SceneFile file =
           read_scene(find_scene("oscillating-plate-3d"), {{.name = "method", .value = method},

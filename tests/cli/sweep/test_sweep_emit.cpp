@@ -16,7 +16,7 @@ const std::string strange =
     "-a b {} {#} {= `touch ran`; =} $(touch ran) `touch ran` 'q' \"r\" \\ %d @x # ;[y]\n#SBATCH -z\ntouch "
     "ran";
 
-/// Substitute for GNU parallel: options up to -q, then a command per input line, with {} and {#} replaced. Executes {=
+/// Substitute for GNU parallel: options up to -q, then a command per input line with {} and {#} replaced. Executes {=
 /// where it occurs.
 void write_parallel(const TemporaryFolder& folder) {
   fs::create_directories(folder / "bin");

@@ -27,7 +27,7 @@ strike_child() {
   is_one_of "$code" "0 70" || wrong "exit code $code after a child was killed: $(complaint)"
 }
 
-# rows of finished runs in results.csv equal those of the undisturbed sweep
+# rows of finished runs in results.csv equal the rows of the undisturbed sweep
 whole_results() {
   local row
   [[ -e out/results.csv ]] || return 0
