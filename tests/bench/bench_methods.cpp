@@ -2,8 +2,8 @@
 //   enog/2d/threads:1         particle-steps/s, and seconds per directed pair and step, including rebuilds
 //   enog/2d/to_transcription  speed-up over the paper's transcription (tests/engine/methods/naive_*.hpp) on one
 //                             thread, best of alternating runs
-// Transcriptions evaluate every kernel and stress where the paper does. The one of oenog uses explicit forces instead of
-// dual numbers.
+// Transcriptions evaluate every kernel and stress where the paper does. The transcription of oenog uses explicit
+// forces, not dual numbers.
 
 #include <algorithm>
 #include <chrono>

@@ -47,7 +47,7 @@ TEST_SUITE("unit") {
     CHECK(taut::cli::evaluate("a >= 0 ? 10*a : 7", {{"a", -2}}) == 7);
   }
 
-  TEST_CASE("an expression compiles to an expression compiles to a function of the position") {
+  TEST_CASE("an expression compiles to a function of the position") {
     const auto f = taut::cli::compile("x < 0 ? 0 : a*x + 10*y + 100*z", {{"a", 2}});
     CHECK(f({1, 2, 3}) == 322);
     CHECK(f({-1, 2, 3}) == 0);
