@@ -61,13 +61,14 @@ TEST_SUITE("cli") {
 }
 
 TEST_SUITE("analytic") {
-  TEST_CASE("gallery: the period of a beam that swings to one side is that of its crossings of their mean") {
+  TEST_CASE(
+      "gallery: the period of a beam that swings to one side follows from crossings of the mean deflection") {
     const SceneFile file = read(gallery / "swinging-beam.toml", "0.005");
     const auto simulation = make_simulation(file.scene, file.settings);
     simulation->advance_to(file.scene.until);
     const Series& series = simulation->series();
     const auto& [t, y] = std::tie(series.time, series.value[0]);
-    // from the mean of all to that over the whole periods between the first crossing downwards and the last
+    // mean over whole periods
     double level = 0, period = 0;
     int crossings = 0;
     for (std::size_t i = 1; i < t.size(); ++i) level += (y[i] + y[i - 1]) / 2 * (t[i] - t[i - 1]) / t.back();
@@ -91,9 +92,7 @@ TEST_SUITE("analytic") {
     CHECK(std::abs(*measured[0].value / period - 1) < 0.01);
   }
 
-  TEST_CASE(
-      "gallery: the force of a bar that is drawn out is that of its law, with a negative Poisson's ratio "
-      "too") {
+  TEST_CASE("gallery: the force of a pulled bar follows its law, also with a negative Poisson's ratio") {
     for (const double poisson_ratio : {0.4, -0.4}) {
       CAPTURE(poisson_ratio);
       SceneFile file = read(gallery / "pulled-bar.toml");
@@ -116,7 +115,7 @@ TEST_SUITE("analytic") {
         CAPTURE(at);
         const std::size_t i = std::ranges::lower_bound(stretch, at) - stretch.begin();
         REQUIRE(i < stretch.size());
-        double thin = 0.3, thick = 1.8;  // where nothing pulls across
+        double thin = 0.3, thick = 1.8;  // zero lateral stress
         for (int k = 0; k < 50; ++k) {
           const double middle = 0.5 * (thin + thick);
           (piola(stretch[i], middle)(1, 1) > 0 ? thick : thin) = middle;
