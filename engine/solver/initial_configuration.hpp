@@ -9,17 +9,16 @@
 
 namespace taut {
 
-/// The initial configuration of total-Lagrangian methods: bodies whose particles act on their initial neighbours
-/// through a law of elasticity.
-/// The papers put particles on the boundary; here they are in the middle of cells unless the body says so
-/// (Body::on_boundary): the outermost stand half a spacing inside the face.
+/// Initial configuration of total-Lagrangian methods, whose particles act on their initial neighbours by a law of
+/// elasticity. Unlike in the papers, particles lie at cell centres, half a spacing inside the face, unless
+/// Body::on_boundary is set.
 template <int Dim>
 class InitialConfiguration {
  public:
   using V = Vec<double, Dim>;
 
-  /// Puts the particles where they start, and lets loads act on faces. Throws SceneError for a
-  /// body that is too thin. `normalised`: see TlDisplacementConstants.
+  /// Moves the particles to their start and makes loads act on faces. Throws SceneError if a body is too thin.
+  /// `normalised`: see TlDisplacementConstants.
   InitialConfiguration(Common<Dim>& common, const SolverInput& input,
                        GradientCorrection gradient = GradientCorrection::corrected, double normalised = 0);
 
@@ -27,21 +26,22 @@ class InitialConfiguration {
   std::vector<double> V0;  // m^Dim
   InitialPairs<Dim> pairs;
   std::vector<Sites<Dim>> sites;
-  std::vector<int> material;  // with the filling of the last group
+  std::vector<int> material;  // includes padding of the last group
   Materials materials;
-  double wave_speed = 0;  // c_p = √((K + 4G/3)/ρ0), the greatest of all materials, m/s
+  double wave_speed = 0;  // c_p = √((K + 4G/3)/ρ0), maximum over materials, m/s
 
   int groups() const { return static_cast<int>(sites.size()); }
   LawsInUse laws() const { return materials.in_use(); }
-  /// CFL h/(c_p + |v|max), s. [Lee2016] Eq. 44 has the spacing for h and waits for the wave in the strained body; |v|max
-  /// stands for how fast it is being strained.
+  /// CFL h/(c_p + |v|max), s. [Lee2016] Eq. 44 uses the spacing instead of h and the wave speed of the strained body;
+  /// here
+  /// |v|max bounds the effect of strain.
   double step_size() const;
-  /// Adds the strain energies of particles to a snapshot that has begun.
+  /// Allocates the strain energies of a begun snapshot.
   static void begin(Snapshot& out) { out.strain_energy.resize(out.size()); }
   void begin_motion(Snapshot& out) const { common_.begin_motion(out), begin(out); }
-  /// Stores motion and strain energy only.
+  /// Stores only motion and strain energy.
   void store_motion(Snapshot& out, int i, const Mat<double, Dim>& F, double J) const;
-  /// A particle with the deformation F and the volume ratio J that its stress comes from.
+  /// Stores particle i; its stress and energy follow from the deformation gradient F and the volume ratio J.
   void store(Snapshot& out, int i, const Mat<double, Dim>& F, double J) const;
 
  private:
@@ -54,7 +54,7 @@ class InitialConfiguration {
 /// Radius of interaction of a total-Lagrangian method, m.
 double initial_support(const SolverInput& input);
 
-/// The constant h of these methods.
+/// The constant h/dp of these methods.
 constexpr MethodConstant smoothing_length(const Formulation& m, int dim, double least) {
   const double h = dim == 3 && m.h_over_dp_3d > 0 ? m.h_over_dp_3d : m.h_over_dp;
   return {"h", h, least, 3.0, "smoothing length over the spacing", true, true};

@@ -12,59 +12,57 @@
 
 namespace taut {
 
-/// What acts on particles from outside and follows them: loads of regions and gravity
-/// (engine/scene/scene.hpp), and the viscous force −c m v of a scene that is to come to rest. A damping of c
-/// = 2 ω, ω the slowest mode that the loads excite, brings it to rest soonest; where it comes to rest does
-/// not depend on c, which is 0 in scenes of motion. None of it acts on what is held or driven.
-///
-/// In each step: `set_time`, then `act` and `count` for each new velocity before it is used, or where a
-/// scheme has stages, `acceleration` in each of them and `count` at the end.
+/// Loads on regions, gravity (engine/scene/scene.hpp) and, in static scenes, the damping force −c m v. They do not
+/// act on clamped or driven particles. The equilibrium does not depend on c; c = 2 ω of the slowest excited mode is
+/// fastest.
+/// In each step call `set_time`, then `act` and `count` for each new velocity before it is used. A scheme with stages
+/// calls `acceleration` in each stage and `count` at the end.
 template <int Dim>
 class Loads {
  public:
   using V = Vec<double, Dim>;
 
-  /// Throws SceneError where all particles of a region are held, or driven to the end.
+  /// Throws SceneError if all particles of a region are clamped, or driven to the end.
   Loads(const Scene& scene, const InitialParticles& initial);
 
-  /// Tractions act on the face instead of the outermost layer, for methods whose neighbours are those of the
-  /// start: see solver/face_loads.hpp. A region that is no layer keeps what it has. `surface` is S by id,
-  /// `reach` that of the method's gradient, m.
+  /// Makes tractions act on the face instead of the outermost layer (solver/face_loads.hpp), for methods with initial
+  /// neighbours. Regions that are not a layer stay unchanged. `surface`: S by id; `reach`: range of the method's
+  /// gradient, m.
   void act_on_faces(const Scene& scene, const InitialParticles& initial, FaceRule rule,
                     const std::vector<Point>& surface, double reach);
 
-  /// Forces and their densities are spread by these volumes, by id, m^Dim, in place of those of the cells, for a method
-  /// whose particles are as heavy as they are: so a density moves all alike, as gravity does.
+  /// Distributes forces and force densities by these volumes (by id, m^Dim) instead of the cells. With volumes in
+  /// proportion to the particles' masses, a force density accelerates all particles alike, as gravity does.
   void spread_by(const std::vector<double>& volume, const Scene& scene, const InitialParticles& initial);
 
   bool active() const { return active_; }
 
-  /// `t`, s, is the middle of the time that the velocities of a step go through. Not for use inside a pass:
-  /// expressions serve one thread.
+  /// `t`: middle of the interval that the velocity update spans, s. Do not call inside a pass: expressions are not
+  /// thread-safe.
   void set_time(double t);
 
-  /// On particle i, m/s²: of gravity alone where it is held or driven, which does not feel loads.
+  /// Acceleration of particle i by loads and gravity, m/s²; by gravity alone if it is clamped or driven.
   V pull(const Particles<Dim>& s, int i, bool free) const { return free && active_ ? push(s, i) : g_; }
 
-  /// What they add to the acceleration of particle i at its present velocity, m/s².
+  /// Acceleration of particle i by loads, gravity and damping at its current velocity, m/s².
   V acceleration(const Particles<Dim>& s, int i) const { return push(s, i) - damping_ * s.v[i]; }
 
-  /// Adds what they do to `v`, the velocity that particle i would take after `dt` without them. The viscous
-  /// force is that of the mean of the old and the new velocity.
+  /// Adds the effect of a step of `dt`, s, to `v`, the velocity of particle i without loads. Damping uses the mean of
+  /// the old and new velocity.
   void act(const Particles<Dim>& s, int i, double dt, V& v) {
     const double half = 0.5 * damping_ * dt * s.mobile[i];
     v += (dt * s.mobile[i]) * push(s, i);
     v = (1 / (1 + half)) * (v - half * s.v[i]);
   }
-  /// Notes the work of a step of `dt` in which particle i had the velocity `mean`.
+  /// Records the work of a step of `dt`, s, during which particle i had the velocity `mean`, m/s.
   void count(const Particles<Dim>& s, int i, double dt, const V& mean) {
     work_[s.id[i]] += dt * s.mobile[i] * s.m[i] * dot(push(s, i), mean);
     damped_[s.id[i]] += dt * s.mobile[i] * s.m[i] * damping_ * dot(mean, mean);
   }
 
-  /// Of loads and gravity so far, J (per metre depth in 2D).
+  /// Work of loads and gravity so far, J (per metre depth in 2D).
   double work() const { return std::accumulate(work_.begin(), work_.end(), 0.0); }
-  /// What the viscous force has taken so far, J (per metre depth in 2D).
+  /// Energy removed by damping so far, J (per metre depth in 2D).
   double damped() const { return std::accumulate(damped_.begin(), damped_.end(), 0.0); }
 
   template <class Archive>
@@ -75,8 +73,8 @@ class Loads {
  private:
   struct Region {
     std::function<double(double)> ramp;
-    std::vector<std::pair<int, V>> shares;  // id, N at a factor of 1
-    double now = 0;                         // the factor
+    std::vector<std::pair<int, V>> shares;  // id, N at ramp factor 1
+    double now = 0;                         // ramp factor
   };
 
   V push(const Particles<Dim>& s, int i) const { return g_ + (1 / s.m[i]) * force_[s.id[i]]; }
@@ -89,7 +87,7 @@ class Loads {
   V g_{};               // m/s²
   double damping_ = 0;  // c, 1/s
   std::vector<Region> regions_;
-  std::vector<V> force_;               // [id] of all regions, N
+  std::vector<V> force_;               // [id] sum over all regions, N
   std::vector<double> work_, damped_;  // [id] J
 };
 

@@ -13,16 +13,16 @@
 
 namespace taut {
 
-/// Access of probes to their solver.
+/// Interface through which probes read from their solver.
 template <int Dim>
 class ProbeSource {
  public:
   using V = Vec<double, Dim>;
 
   virtual ~ProbeSource() = default;
-  virtual ContactsOfFaces<Dim>* faces() = 0;  // from which gaps are measured; may be null
+  virtual ContactsOfFaces<Dim>* faces() = 0;  // faces that gaps are measured from; may be null
   virtual V reaction(int i) = 0;              // constraint force on stored particle i over the last step, N
-  virtual V contact_force(const Probe& probe, double dt) = 0;  // over the last step, of `dt`, N
+  virtual V contact_force(const Probe& probe, double dt) = 0;  // over the last step of `dt`, s, N
   /// Snapshot with the current stresses of these stored particles.
   virtual const Snapshot& shown(const std::vector<int>& stored) = 0;
 };
@@ -30,7 +30,7 @@ class ProbeSource {
 template <int Dim>
 struct ProbeRow;
 
-/// A probe during a run; each kind uses some of the members.
+/// State of a probe during a run; each kind uses some of the members.
 template <int Dim>
 struct ProbeFollower {
   Probe probe;
@@ -49,12 +49,12 @@ struct ProbeSetUp {
   double reach;  // of material points, m
 };
 
-/// Particles as probes see them.
+/// Particles in the form that probes read.
 template <int Dim>
 struct ProbeView {
   const Particles<Dim>& s;
-  const std::vector<int>& where;        // [id] place in the solver's order
-  const std::vector<int>& first;        // [body] its first particle
+  const std::vector<int>& where;        // [id] storage index
+  const std::vector<int>& first;        // [body] first particle
   const std::vector<double>& diameter;  // [id] m
   double support;                       // range of `pairs`, m
 
@@ -72,22 +72,22 @@ struct ProbeStep : ProbeView<Dim> {
   const Snapshot* shown;              // with the stresses of the particles of rows with `takes_stress`
   double time, dt;                    // s; dt is 0 at the start
   const std::vector<double>& before;  // values of the probes before this one
-  bool is_look;                       // every so many steps, for values that are expensive
+  bool is_look;                       // every few steps, for expensive values
 };
 
 /// A kind of probe.
 template <int Dim>
 struct ProbeRow {
   Probe::Kind kind;
-  /// Finds the particles of the probe; null if it needs none. Throws SceneError if the scene has none.
+  /// Finds the particles of the probe; may be null. Throws SceneError if the scene contains none.
   void (*set_up)(ProbeFollower<Dim>&, const ProbeSetUp&);
   double (*value)(ProbeFollower<Dim>&, const ProbeStep<Dim>&);
-  /// Called after a neighbour search, which may have stored the particles in another order; may be null.
+  /// Called after a neighbour search, which may have changed the storage order; may be null.
   void (*rebuilt)(ProbeFollower<Dim>&, const ProbeView<Dim>&, const Neighbors&) = nullptr;
   bool takes_stress = false;
 };
 
-/// The row of the kind. Throws SceneError if there is none.
+/// Row of the probe's kind. Throws SceneError if the kind is unknown.
 template <int Dim>
 const ProbeRow<Dim>& probe_row(const Probe& probe);
 

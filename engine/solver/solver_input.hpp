@@ -13,10 +13,10 @@
 
 namespace taut {
 
-/// The constants of a method by name: those of the settings, and for the rest their defaults; lengths in m.
+/// Constants of a method by name, from the settings or their defaults; lengths in m.
 using ConstantValues = std::map<std::string_view, double>;
 
-/// `all`, and with them the values of the rows of a family.
+/// Constants of a family: the common ones, and the values of the family's own rows.
 template <class C>
 C constants_of(const std::vector<ConstantRow<C>>& rows, const Constants& all, const ConstantValues& values) {
   C c{all};
@@ -24,20 +24,20 @@ C constants_of(const std::vector<ConstantRow<C>>& rows, const Constants& all, co
   return c;
 }
 
-/// What a solver is made from.
+/// Input of a solver.
 struct SolverInput {
   const Formulation& method;
   const Scene& scene;
   const InitialParticles& initial;
   Constants constants;
   std::vector<Elasticity> materials;  // in the order of Scene::materials
-  Law law;                            // of a method whose law is free
+  Law law;                            // for methods with a choice of laws
   ContactLaw contact;                 // never `published`
-  bool keeps_neighbors;  // see FamilyRow; contact acts between parts of one body that were far apart
+  bool keeps_neighbors;  // see FamilyRow; if true, distant parts of one body act on each other by contact
   Stepping stepping;
   int threads;
-  InstructionSet kernels{};    // the greatest allowed
-  ConstantValues values = {};  // for the constants of the family
+  InstructionSet kernels{};    // the best one allowed
+  ConstantValues values = {};  // of the family
 };
 
 }  // namespace taut
