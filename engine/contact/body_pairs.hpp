@@ -10,12 +10,11 @@
 
 namespace taut {
 
-/// Candidates of contact between two bodies: pairs of particles that may come within `reach` before the next
-/// search, flat, by particle. Only particles in the widened box of another body are searched.
+/// Contact candidates of two bodies: pairs that may come within `reach` before the next search, by particle.
 template <int Dim>
 class BodyPairs {
  public:
-  /// Pairs up to reach + skin are listed: they hold until a particle has gone half the skin.
+  /// Lists pairs up to reach + skin, valid until a particle has moved half the skin, m.
   BodyPairs(double reach, double skin) : reach_(reach + skin), skin_(skin) {}
 
   double lasts_for() const { return 0.5 * skin_; }  // m, of the fastest particle
@@ -40,7 +39,7 @@ class BodyPairs {
           if (dot(d, d) < reach_ * reach_) j.push_back(other);
         }
       });
-      // in the order of creation, which mirrored bodies share: what is mirrored stays so to the last bit
+      // sorted by id, as mirrored bodies are, so that symmetric runs stay symmetric to the last bit
       std::sort(j.begin() + from, j.end(), [&](int a, int b) { return s.id[a] < s.id[b]; });
     }
     while (next <= s.size()) begin[next++] = static_cast<int>(j.size());
@@ -71,8 +70,8 @@ class BodyPairs {
 
   double reach_, skin_;  // m
   CellGrid<Dim> grid_;
-  std::vector<int> candidates_;  // in rising order
-  std::vector<int> stored_;      // the same in the order of the grid's cells
+  std::vector<int> candidates_;  // ascending
+  std::vector<int> stored_;      // the same in grid order
   std::vector<Vec<double, Dim>> x_;
 };
 

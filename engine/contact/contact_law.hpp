@@ -5,13 +5,13 @@
 
 namespace taut {
 
-/// A law of contact between bodies, by its name in scene files. terms/contact_laws.hpp lists the laws.
+/// Name of a contact law in scene files; terms/contact_laws.hpp lists the laws.
 struct ContactLaw {
   std::string_view name;
 
   auto operator<=>(const ContactLaw&) const = default;
 
-  // laws that are named in code; any other one is ContactLaw{"its name"}
+  // laws named in code; others are ContactLaw{"name"}
   static const ContactLaw published;  // the law of the method's paper
   static const ContactLaw sph, impulse, penalty, lennard_jones, surface;
 };

@@ -14,11 +14,10 @@
 
 namespace taut {
 
-/// Contact between overlapping faces in 2D, by the law of terms/surface_contact.hpp. Each node of a face is pushed to
-/// its closest point of the other face, which is pushed back. That force goes to the ends of its segment by ξ, and from
-/// nodes to particles by their weights. A node presses with the length of its face that lies over the other one. Both
-/// momenta are conserved, and the force is the slope of an energy except where facing_share changes at a corner that
-/// turns. A body that folds meets itself.
+/// Contact between overlapping faces in 2D (terms/surface_contact.hpp). Each node is pushed towards its closest point
+/// on the other face; the reaction acts on the segment's ends, weighted by ξ, and passes to particles by their
+/// weights in nodes. A node counts with its length that lies over the other face. Conserves both momenta; the force
+/// derives from an energy except where facing_share changes at a turning corner. Also acts between folds of one body.
 class FaceContacts final : public ContactMechanism<2> {
  public:
   using V = Vec<double, 2>;
@@ -27,7 +26,7 @@ class FaceContacts final : public ContactMechanism<2> {
 
   bool search(const Particles<2>& s, const WallContacts<2>& walls, std::optional<double> way) override;
 
-  /// Uses one thread: a touching face has too few nodes for a second one.
+  /// Uses one thread: touching faces have few nodes.
   void evaluate(const Particles<2>& s, double dt, WallContacts<2>& walls, std::vector<V>& force,
                 int threads) override;
   double energy(const Particles<2>& s, const WallContacts<2>& walls) override;
@@ -35,8 +34,8 @@ class FaceContacts final : public ContactMechanism<2> {
   V between(const Particles<2>& s, int a, int b) const override;
   V of_wall(const Particles<2>& s, int a, int wall, const WallContacts<2>& walls) const override;
 
-  /// Least signed distance of a node of one of two bodies from a face of the other, m, negative where they overlap;
-  /// `reach` if they are further apart.
+  /// Least signed distance between nodes of one body and faces of the other, m, negative if they overlap; at most
+  /// `reach`.
   double gap(const Particles<2>& s, int a, int b);
 
   void serialize(Saver& archive, int particles, const WallContacts<2>& walls) override {
@@ -51,8 +50,8 @@ class FaceContacts final : public ContactMechanism<2> {
 
  private:
   // in spacings
-  static constexpr double reach = 1;   // a node that is further behind a face is not of this contact
-  static constexpr double tie = 1e-6;  // of distances that are the same but for round-off
+  static constexpr double reach = 1;   // greatest depth of this contact
+  static constexpr double tie = 1e-6;  // distances equal up to round-off
 
   void refuse_thin(const Scene& scene) const;
   void place_watched(const Particles<2>& s);
@@ -70,9 +69,9 @@ class FaceContacts final : public ContactMechanism<2> {
   MovingFaces faces_;
   std::vector<double> M_;  // [node] K + 4G/3, Pa
   FaceCandidates candidates_;
-  // [node] N; apart, so that each is summed in the order of nodes, which mirrored bodies share
-  std::vector<V> own_force_;  // from what the nodes of its own body meet
-  std::vector<V> reaction_;   // from nodes of other bodies
+  // [node] N; summed separately in node order, as in mirrored bodies
+  std::vector<V> own_force_;  // from contacts of nodes of the same body
+  std::vector<V> reaction_;   // reactions to nodes of other bodies
 };
 
 }  // namespace taut

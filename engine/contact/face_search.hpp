@@ -11,8 +11,7 @@
 
 namespace taut {
 
-/// Nodes, each with segments of one body near it: those of entry k are segment[begin[k]] …
-/// segment[begin[k + 1] − 1], in rising order.
+/// Nodes with near segments of one body each; entry k has segment[begin[k]] … segment[begin[k + 1] − 1], ascending.
 struct NearFaces {
   std::vector<int> node, begin{0}, segment;
 
@@ -28,8 +27,8 @@ class FaceSearch {
  public:
   using V = Vec<double, 2>;
 
-  /// Lists those `wanted(node, segment)` that are less than `listed`, m, from their node; how far the nearest
-  /// other one is, m, up to `horizon`.
+  /// Lists segments with `wanted(node, segment)` nearer than `listed`, m. Returns the distance of the nearest
+  /// unlisted one, m, at most `horizon`.
   template <class Wanted>
   double operator()(const MovingFaces& faces, const std::vector<int>& nodes, const std::vector<int>& segments,
                     double listed, double horizon, const Wanted& wanted, NearFaces& out) {
@@ -48,7 +47,7 @@ class FaceSearch {
           const V d = x - middles_[at];
           const double apart2 = dot(d, d);
           if (apart2 >= (beyond + half) * (beyond + half) || !wanted(node, segments[at])) continue;
-          const double distance = std::sqrt(apart2) - half;  // no nearer than that
+          const double distance = std::sqrt(apart2) - half;  // lower bound
           if (distance < listed)
             out.segment.push_back(segments[at]);
           else
@@ -62,8 +61,7 @@ class FaceSearch {
   }
 
  private:
-  /// The middles of the segments, and the nodes behind them so that they are in the grid too. The length of
-  /// the longest segment, m.
+  /// Sorts the segments' midpoints, then the nodes, into the grid. Returns the length of the longest segment, m.
   double sort_middles(const MovingFaces& faces, const std::vector<int>& nodes,
                       const std::vector<int>& segments, double horizon) {
     middles_.clear();
@@ -80,7 +78,7 @@ class FaceSearch {
     return longest;
   }
 
-  /// An entry for each body among the segments found last.
+  /// Adds an entry for each body among the segments found last.
   static void enter(const MovingFaces& faces, int node, std::size_t from, NearFaces& out) {
     for (std::size_t k = from; k < out.segment.size(); ++k) {
       const auto body = [&](std::size_t l) { return faces.body_of_segment(out.segment[l]); };

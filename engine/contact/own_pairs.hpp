@@ -14,15 +14,14 @@
 
 namespace taut {
 
-/// Candidates of contact of a body that folds: pairs of its particles that were far apart at the start and have
-/// come near. Only particles that faces move with (layout/outline.hpp) are searched. They keep their places in the
-/// solver's order.
+/// Contact candidates of a body that folds: pairs of its particles at faces (particles_at_faces.hpp) that were
+/// initially far apart and are near now. The storage order must not change.
 template <int Dim>
 class OwnPairs {
  public:
   using V = Vec<double, Dim>;
 
-  /// Pairs nearer than `reach`, m, act.
+  /// `reach`: distance below which pairs act, m.
   OwnPairs(const SolverInput& input, double reach) : dp_(input.constants.dp), reach_(reach) {
     if (!input.keeps_neighbors) return;
     ids_ = particles_at_faces(input.scene, input.initial);
@@ -43,7 +42,7 @@ class OwnPairs {
     return true;
   }
 
-  /// Those of stored particle i are j[begin[i]] … j[begin[i + 1] − 1]; both are empty where there are none.
+  /// Candidates of stored particle i: j[begin[i]] … j[begin[i + 1] − 1]. Both empty if no pair was found.
   std::vector<int> begin, j;
 
   template <class Archive>
@@ -59,8 +58,8 @@ class OwnPairs {
  private:
   // in spacings
   static constexpr double skin = 1;       // longer: fewer searches, more pairs
-  static constexpr double horizon = 4;    // how far a search looks, for how long it may hold
-  static constexpr double far_apart = 4;  // the two faces of a thinner wall do not act on each other
+  static constexpr double horizon = 4;    // search range, which limits how long a search is valid
+  static constexpr double far_apart = 4;  // opposite faces of a thinner wall do not interact
 
   void place(const Particles<Dim>& s) {
     stored_.resize(ids_.size());
@@ -80,7 +79,7 @@ class OwnPairs {
     bound_.restart(beyond - reach_, x_);
   }
 
-  /// What was found, by particle.
+  /// Lists the found pairs by particle.
   void list(int particles) {
     begin.clear();
     j.clear();
@@ -95,12 +94,12 @@ class OwnPairs {
   }
 
   double dp_, reach_;     // m
-  std::vector<int> ids_;  // in rising order
+  std::vector<int> ids_;  // ascending
   PointSearch<Dim> search_;
-  std::vector<V> x_;  // now, m
+  std::vector<V> x_;  // current positions, m
   std::vector<int> stored_;
   MotionBound<Dim> bound_;
-  std::vector<std::pair<int, int>> found_;  // stored i, and j in the order of creation
+  std::vector<std::pair<int, int>> found_;  // storage index of i; number of j in `ids_`
 };
 
 }  // namespace taut

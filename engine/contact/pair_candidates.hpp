@@ -13,12 +13,11 @@
 
 namespace taut {
 
-/// Candidates of contact between particles: pairs of two bodies, pairs of a body that folds, and particles near
-/// walls.
+/// Contact candidates between particles: pairs of two bodies, pairs of a folding body, and particles near walls.
 template <int Dim>
 class PairCandidates {
  public:
-  /// Pairs nearer than a spacing act, pairs of two bodies are listed up to `reach`, m.
+  /// Pairs nearer than a spacing act; pairs of two bodies are listed up to `reach`, m, for probes.
   PairCandidates(const SolverInput& input, bool between_bodies, double reach)
       : between_bodies_(between_bodies),
         dp_(input.constants.dp),
@@ -34,7 +33,7 @@ class PairCandidates {
     return others || own;
   }
 
-  /// Particles that have candidates, in rising order.
+  /// Particles that have candidates, ascending.
   std::vector<int> particles(int count) const {
     std::vector<int> found;
     for (int i = 0; i < count; ++i)
@@ -58,7 +57,7 @@ class PairCandidates {
   /// (particle, wall), by particle.
   const std::vector<std::pair<int, int>>& near_walls() const { return near_walls_; }
 
-  /// Pairs of two bodies in the form in which probes look for neighbours.
+  /// Pairs of two bodies as neighbour lists, for probes.
   Neighbors neighbors(int particles) const {
     Neighbors out;
     out.begin.push_back(0);
@@ -81,7 +80,7 @@ class PairCandidates {
   }
 
  private:
-  /// A longer skin takes fewer searches and more pairs; in spacings.
+  /// In spacings; longer: fewer searches, more pairs.
   static constexpr double skin = 0.5;
 
   void search_others(const Particles<Dim>& s, const WallContacts<Dim>& walls) {
@@ -98,7 +97,7 @@ class PairCandidates {
   BodyPairs<Dim> others_;
   OwnPairs<Dim> own_;
   std::vector<std::pair<int, int>> near_walls_;
-  double travelled_ = 0;  // by the fastest particle since the last search of the others, m
+  double travelled_ = 0;  // path of the fastest particle since the last search of other bodies, m
 };
 
 }  // namespace taut

@@ -7,8 +7,8 @@
 
 namespace taut {
 
-/// The particles that faces move with, by id in rising order: in 2D those of layout/outline.hpp, in 3D those
-/// that lack one of the 26 nearest of a cubic lattice.
+/// Ids of the particles that determine faces, ascending: in 2D those of layout/outline.hpp, in 3D those without all
+/// 26 nearest neighbours of a cubic lattice.
 std::vector<int> particles_at_faces(const Scene& scene, const InitialParticles& initial);
 
 }  // namespace taut
