@@ -9,36 +9,30 @@
 
 namespace taut {
 
-/// How the largest stable time step is looked for.
+/// Parameters of the search for the largest stable time step.
 struct CriticalStepSearch {
-  int steps = 1000;         // steps of the method's default size whose time each trial covers
-  double tolerance = 1e-3;  // of the bracket around the step, as a share of it
+  int steps = 1000;         // duration of each trial in default steps
+  double tolerance = 1e-3;  // relative width of the final bracket
 };
 
-/// The largest time step with which a scene is stable, and the least that is not.
+/// Largest stable and smallest unstable time step of a scene.
 struct CriticalStep {
   std::optional<double> stable;    // s; none: unstable down to 1/16 of the default step
   std::optional<double> unstable;  // s; none: stable up to 256 times the default step
-  double default_step = 0;         // s, the first by the method's own rule
-  double covered = 0;              // s, by each trial at least
+  double default_step = 0;         // s, first step by the method's own rule
+  double covered = 0;              // s, least duration of a trial
   int trials = 0;
-  bool interrupted = false;  // before the bracket was as narrow as asked for
+  bool interrupted = false;  // before the bracket was narrow enough
 };
 
-/// Bisects over fixed time steps; what changes with the time step else is left as it is. Each trial starts
-/// anew and covers the same time: `search.steps` default steps, or the scene up to its end where that is
-/// sooner, but at least 300 steps of its own.
-///
-/// So that what could grow is there to grow, every particle starts with a small random velocity more: up to
-/// 1e-6 c0 along each axis, the same in every trial. A trial is unstable once
-/// - a velocity or an energy is not finite, or a particle is faster than the solver allows (10 c0),
-/// - kinetic and strain energy exceed 100 times what was given (start and work), by more than what all
-///   particles have at 1e-3 c0: 1000 times the random velocity. Below the limit the energy of a leap-frog
-///   swings too, the more the nearer it is: twice, as the verdict of a run has it, would stop short of the
-///   limit by some per cent.
-/// A body that tears is not unstable in this sense: [Zhang2020] Fig. 18 waits for the explosion.
-///
-/// `goes_on` is asked between stretches of steps; false ends the search. Throws what make_simulation throws.
+/// Bisects over fixed time steps. Each trial starts anew and covers `search.steps` default steps or the scene's
+/// duration, whichever is shorter, but at least 300 steps of its own. To excite unstable modes, particles get random
+/// velocities up to 1e-6 c0 along each axis, equal in all trials. A trial is unstable if
+/// - a velocity or energy is not finite, or a particle is faster than the solver allows (10 c0),
+/// - kinetic and strain energy exceed 100 times the given energy (start and work) plus the energy of all particles at
+///   1e-3 c0. The limit is high because below the stability limit the energy of a leap-frog scheme oscillates.
+/// Tearing is not unstable in this sense, as in [Zhang2020] Fig. 18.
+/// `goes_on` is called regularly; false ends the search. Throws as make_simulation.
 CriticalStep find_critical_step(
     const Scene& scene, const Settings& settings, const CriticalStepSearch& search = {},
     const std::function<bool(const CriticalStep&)>& goes_on = [](const CriticalStep&) { return true; });

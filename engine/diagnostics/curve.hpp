@@ -7,53 +7,50 @@
 
 namespace taut {
 
-/// A quantity over time: straight between its samples. The times increase; both spans are equally long.
+/// A quantity over time, linear between samples. Times increase.
 struct Curve {
   std::span<const double> t, y;
-  bool of_steps = false;  // a sample is the mean since the one before, as that of a force
+  bool of_steps = false;  // samples are means since the previous one, as for forces
 
   std::size_t size() const { return t.size(); }
 };
 
-/// The samples before the first that is not finite.
+/// Samples before the first non-finite one.
 Curve finite_part(Curve curve);
 
-/// The value at a time within the curve.
+/// Value at a time within the curve.
 double value_at(const Curve& curve, double time);
 
-/// When the curve passes `level` between the samples before `k` and `k`.
+/// Time at which the curve crosses `level` between samples k − 1 and k.
 double crossing_time(const Curve& curve, std::size_t k, double level);
 
-/// What lies between two crossings of a level.
+/// Part of a curve between two crossings of a level.
 struct HalfCycle {
-  double begin, end;  // times of both
-  double peak;        // greatest deviation from the level, at the vertex of a parabola through three samples
-  double peak_at;     // its time
+  double begin, end;
+  double peak;     // greatest deviation from the level: vertex of a parabola through three samples
+  double peak_at;  // its time
 };
 
-/// Every half cycle that has ended. The first one begins at the start of a curve that starts at the level,
-/// else at the first crossing. Where a curve comes back after less than a twentieth of the peak before, it
-/// has not crossed: it has noise, or touches the level from one side.
+/// Completed half cycles. The first begins at the start if the curve starts at the level, else at the first crossing.
+/// Excursions below 1/20 of the previous peak do not count as crossings: they are noise or tangency.
 std::vector<HalfCycle> half_cycles(const Curve& curve, double level = 0);
 
-/// The level about which a curve swings: its mean over whole periods, from one crossing of that level to
-/// another in the same direction, so that a last cycle that is cut short does not count. None if there is no
-/// whole period.
+/// Mean of the curve over whole periods between equal crossings of this mean. None without a whole period.
 std::optional<double> mean_of_periods(const Curve& curve);
 
-/// ∫ y dt, exact for either kind of samples; begin < end lie within the curve.
+/// ∫ y dt, exact for both kinds of samples; begin < end within the curve.
 double integral(const Curve& curve, double begin, double end);
 
-/// Begin, end and the samples of all curves in between: each curve is straight from one to the next.
+/// Begin, end and all samples of the curves between them, sorted.
 std::vector<double> joint_times(std::span<const Curve> curves, double begin, double end);
 
-/// √(1/(end − begin) ∫ (a − b)² dt), exact; begin < end lie within both curves.
+/// √(1/(end − begin) ∫ (a − b)² dt), exact; begin < end within both curves.
 double rms_difference(const Curve& a, const Curve& b, double begin, double end);
-/// The same with a function of time: three Gauss points between two samples of `a`.
+/// For a function of time: three Gauss points between samples of `a`.
 double rms_difference(const Curve& a, const std::function<double(double)>& b, double begin, double end);
 
-/// The angle by which the point (x, y) turns about the origin from the first sample to `end`, rad,
-/// counter-clockwise positive, full turns counted: between two samples it is less than half a turn.
+/// Angle by which the point (x, y) turns about the origin from the first sample to `end`, rad, counter-clockwise,
+/// including full turns. Between samples it must turn by less than half a turn.
 double turn(const Curve& x, const Curve& y, double end);
 
 }  // namespace taut

@@ -10,32 +10,32 @@
 
 namespace taut {
 
-/// What the numbers of a field count, if they are no quantity: each has a name and a colour of its own.
+/// Objects that a field counts; each has a name and colour of its own.
 enum class Counted : std::uint8_t { nothing, bodies, materials };
 
 /// A quantity per particle that can be drawn or written.
 struct Field {
-  std::string_view key;   // "von_mises", as on the command line
-  std::string_view name;  // "von Mises stress", as on the colour bar
-  std::string_view unit;  // "Pa"; of a pure number empty
+  std::string_view key;   // "von_mises", on the command line
+  std::string_view name;  // "von Mises stress", on the colour bar
+  std::string_view unit;  // "Pa"; empty if dimensionless
   std::string_view help;
-  bool is_signed = false;  // about `middle`: drawn with a diverging colour map by default
+  bool is_signed = false;  // around `middle`: diverging colour map by default
   double (*of_state)(const Snapshot&, std::size_t particle) = nullptr;
-  int least_dim = 2;                               // 3: of scenes in three dimensions only
-  double (*of_map)(const LinearMap& F) = nullptr;  // in place of `of_state`, see affine_fit.hpp
-  double middle = 0;                               // of a signed field
+  int least_dim = 2;                               // 3: only in 3D
+  double (*of_map)(const LinearMap& F) = nullptr;  // replaces `of_state`, see affine_fit.hpp
+  double middle = 0;
   Counted counts = Counted::nothing;
 
-  /// At one particle; for many of them `evaluate` is quicker.
+  /// At one particle; `evaluate` is faster for many.
   double value(const Snapshot& now, std::size_t particle) const;
 };
 
-/// Every field of scenes in `dim` dimensions, in the order in which they are listed; in three all there are.
+/// Fields of scenes in `dim` dimensions in listing order; `dim` = 3 includes all.
 std::span<const Field> fields(int dim = 3);
-/// nullptr if there is none of that name in so many dimensions.
+/// nullptr if there is none with this key in `dim` dimensions.
 const Field* find_field(std::string_view key, int dim = 3);
 std::vector<double> evaluate(const Field& field, const Snapshot& snapshot);
-/// Several at once, which fits the affine maps once for all that need them.
+/// Evaluates several fields with one fit of the affine maps.
 std::vector<std::vector<double>> evaluate(std::span<const Field* const> fields, const Snapshot& snapshot);
 
 }  // namespace taut

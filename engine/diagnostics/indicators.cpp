@@ -6,14 +6,14 @@
 namespace taut {
 namespace {
 
-constexpr double least_strain = 1e-8;  // over Young's modulus: stress of round-off
+constexpr double least_strain = 1e-8;  // round-off stress over Young's modulus
 
 }  // namespace
 
 void IndicatorRecord::take(const Reading& now, double time) {
   last = now.share();
   greatest_whole = std::max(greatest_whole, now.whole);
-  if (!(now.part > greatest_part)) return;  // nor what is no number
+  if (!(now.part > greatest_part)) return;  // also skips NaN
   greatest_part = now.part;
   at = time;
 }

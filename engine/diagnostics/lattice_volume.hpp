@@ -6,10 +6,9 @@
 
 namespace taut {
 
-/// Volume of what lies between the particles of a body at places `x`, n × dim, m^dim: of the squares or cubes
-/// of the lattice along the axes that they were laid on, each a (bi- or trilinear) map of its corners,
-/// whatever a method takes its density for. In a body whose particles stand on its faces that is all of it,
-/// else what the centres of the outermost cells enclose. 0 of a body that is no such lattice.
+/// Volume of a body on an axis-aligned lattice with particles at positions `x` (n × dim, m), m^dim: the sum over its
+/// squares or cubes, each a bilinear or trilinear map. Covers the whole body if its particles lie on the faces, else
+/// up to the centres of the outermost cells. 0 if the body has no such lattice.
 double lattice_volume(const Snapshot& now, int body, std::span<const double> x);
 
 }  // namespace taut

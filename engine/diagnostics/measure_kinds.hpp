@@ -17,7 +17,7 @@
 
 namespace taut {
 
-/// What a reference says over time, of each probe of a measure: a table or an exact solution, or neither.
+/// Reference over time for each probe of a measure: a table, an exact solution, or neither.
 struct ReferenceCurves {
   std::vector<Curve> table;
   const std::vector<Solution>* exact = nullptr;
@@ -30,21 +30,21 @@ struct ReferenceCurves {
   }
 };
 
-/// What a measure is made from.
+/// Data for one measure.
 struct MeasureSource {
   const Measure* measure = nullptr;
-  std::vector<Curve> curve;                          // of each probe, none of them empty
-  std::optional<Curve> free;                         // of the probe `free`
-  ReferenceCurves reference;                         // none where there is no reference
-  std::optional<double> reference_value;             // the same
-  const SampleLine* line = nullptr;                  // of a measure of a line
-  const std::vector<LineSample>* samples = nullptr;  // of the line
-  const Snapshot* now = nullptr;                     // the present state, if it is known
-  double until = 0;                                  // s
-  bool turns = true;                                 // an extreme at the end is not the last word
+  std::vector<Curve> curve;   // [probe], not empty
+  std::optional<Curve> free;  // series of the probe `free`
+  ReferenceCurves reference;  // may be empty
+  std::optional<double> reference_value;
+  const SampleLine* line = nullptr;  // for a measure of a line
+  const std::vector<LineSample>* samples = nullptr;
+  const Snapshot* now = nullptr;  // current state, if known
+  double until = 0;               // s
+  bool turns = true;              // an extreme at the end may still grow
 };
 
-/// The number of a measure, or why there is none.
+/// Value of a measure, or the reason why there is none.
 struct Measured {
   std::optional<double> value;
   std::string why;
@@ -53,7 +53,7 @@ struct Measured {
   explicit Measured(std::string reason) : why(std::move(reason)) {}
 };
 
-/// Written like a value.
+/// Returns a reason, formatted with fmt.
 template <class... Args>
 Measured none(fmt::format_string<Args...> why, Args&&... args) {
   return Measured(fmt::format(why, std::forward<Args>(args)...));
@@ -62,7 +62,6 @@ inline Measured too_short(double wanted, double reached) {
   return none("the run ends at {:g} s, before {:g} s", reached, wanted);
 }
 
-/// Why a measure that needs one has no value.
 inline constexpr const char* no_reference = "there is no reference to compare with";
 
 /// A kind of measure. A new one is a function and a row in measure_kinds.cpp.
@@ -71,20 +70,19 @@ struct MeasureKind {
   using Reference = std::optional<double> (*)(const MeasureSource&);
 
   std::string_view name, help;
-  /// Of a scene file, beside `name`, `of` and `unit`, first what it is made from. `probes` stands for one
-  /// probe for each axis.
+  /// Keys in a scene file beside `name`, `of` and `unit`, the source first. `probes`: one probe per axis.
   std::vector<std::string_view> keys;
-  bool number = false, table = false, solution = false;  // what a reference has for it
+  bool number = false, table = false, solution = false;  // possible kinds of reference
   Value value;
-  Reference reference;  // what it is compared with; asked where a reference is there
+  Reference reference;  // called only if the scene has a reference
 };
 
-/// Every kind, in the order in which they are listed.
+/// All kinds in listing order.
 std::span<const MeasureKind> measure_kinds();
-/// nullptr if there is none of that name.
+/// nullptr if the name is unknown.
 const MeasureKind* find_measure_kind(std::string_view name);
 
-/// A difference from a reference, which there must be for a value: the reference of the measure itself is 0.
+/// The kind's value is a difference from a reference, whose own value is therefore 0.
 constexpr bool is_difference(std::string_view kind) {
   return kind == "rmse" || kind == "path_error" || kind.starts_with("line_") || kind.starts_with("field_");
 }

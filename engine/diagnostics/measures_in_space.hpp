@@ -9,28 +9,27 @@
 
 namespace taut {
 
-/// How far fields of a body are from an exact solution, over the greatest size of the solution.
+/// Errors of a body's fields against an exact solution, relative to the greatest |exact|.
 struct FieldError {
-  double rms = 0;       // √ of the mean over the particles of |field − exact|²
+  double rms = 0;       // √ of the mean |field − exact|² over the particles
   double greatest = 0;  // |field − exact|
 };
 
-/// Of the measure's body and fields, components of one vector, at particles that are not held; `exact` has
-/// one function of the place at the start and the time for each field. Where rigid motion is free, the small
-/// one u = t + ω × X nearest to the difference is taken off it first. None where the solution is 0
-/// everywhere. Throws SceneError for a field that does not exist.
+/// Error of the measure's fields, components of one vector, at the unclamped particles of its body. `exact`: one
+/// function of initial position and time per field. With `rigid_motion_free`, first subtracts the nearest small rigid
+/// motion u = t + ω × X. None if the solution is 0 everywhere. Throws SceneError for an unknown field.
 std::optional<FieldError> field_error(const Measure& measure, const Snapshot& now,
                                       const std::vector<Solution>& exact);
 
-/// Along a line at its times: √ of the mean of (field − reference)², and that over the same of the reference.
+/// RMS of field − reference over a line and its times; and relative to the RMS of the reference.
 Measured line_rmse(const MeasureSource& source);
 Measured line_error(const MeasureSource& source);
 
-/// Over a body at the end, as shares of the greatest size of the reference (field_error).
+/// field_error at the end of the run.
 Measured field_rmse(const MeasureSource& source);
 Measured greatest_field_error(const MeasureSource& source);
 
-/// Of a body at the end, over its volume at the start (lattice_volume.hpp).
+/// Relative volume change of a body at the end (lattice_volume.hpp).
 Measured volume_change(const MeasureSource& source);
 
 }  // namespace taut

@@ -19,71 +19,54 @@
 
 namespace taut {
 
-/// From best to worst; the verdict of a run is the worst that ever held.
+/// Ordered from best to worst; the verdict of a run is its worst so far.
 enum class Verdict { stable, hourglass, penetrated, fractured, diverged };
 std::string_view name(Verdict);
-/// None if there is no verdict of that name.
+/// None if the name is unknown.
 std::optional<Verdict> find_verdict(std::string_view name);
-/// From `stable` to the worst; and without `stable`.
+/// All verdicts in order; and without `stable`.
 std::vector<std::string> names_of_verdicts();
 std::vector<std::string> names_of_failures();
 
-/// Hourglass error (engine/diagnostics/indicators.hpp) from which particles zigzag. What the papers show as
-/// smooth stays below 0.012: `enog` on plate, rings and ball-plate 0.0004, 0.0015, 0.0027 ([Zhang2024] Fig.
-/// 3, 12, 18), the `tic` methods on the rotating plate 0.012 ([Khayyer2024] Fig. 9, 10). What they show to
-/// zigzag is above 0.04: `og` on the plate 0.081 at 0.012 s ([Zhang2024] Fig. 6), `oas` on the rings 0.09,
-/// 0.13 and 0.17 at 0.06, 0.07 and 0.08 c0, and on ball-plate 0.12 (Fig. 12-14, 18), no artificial stress at
-/// the surface 0.10 ([Khayyer2024] Fig. 13), `pf` and `tl` on the rotating plate 0.19 and 0.042 ([Lee2016]
-/// Fig. 11). 0.03 lies between. Smooth bending counts only where it is as sharp as the spacing: strips of one
-/// to three rows bent to a radius of 1, 2, 4 and 8 dp give 0.06 to 0.09, 0.011 to 0.014, 0.002 to 0.003 and
-/// below 0.001. It is the mean over a body that is judged: creases add to it by their share of the particles.
-/// The checkerboard shares of the stress are not judged: without any zigzag they are high where stress is low
-/// or its fronts are sharp, as for `enog` on ball-plate with 0.35 of the pressure, and wherever they are high
-/// for another reason the hourglass error is above 0.03 too.
+/// Hourglass error (indicators.hpp) from which particles zigzag, averaged over a body. Smooth results in the papers
+/// stay below 0.012 ([Zhang2024] Fig. 3, 12, 18; [Khayyer2024] Fig. 9, 10), zigzags exceed 0.04 ([Zhang2024] Fig. 6,
+/// 12–14, 18; [Khayyer2024] Fig. 13; [Lee2016] Fig. 11). Smooth bending reaches the threshold only at radii of about
+/// one spacing. Checkerboard shares are not judged: they are also high where stress is low or has sharp fronts.
 inline constexpr double hourglass_threshold = 0.03;
 
-/// Where bonds are drawn out further than the method follows its law of elasticity.
+/// Bonds stretched beyond the method's law of elasticity.
 struct BeyondLaw {
-  double share = 0;  // of the bonds, the greatest so far
+  double share = 0;  // of all bonds, greatest so far
   double since = 0;  // s
 };
 
-/// Judges a run at given times.
-///
-/// hourglass: the hourglass error is above its threshold.
-/// penetrated: a particle lies inside another body, or inside a far part of its own; see Penetration.
-/// connectivity: a bond joins two particles of one body that are at most 1.5 dp apart as they are laid; it is
-///   broken while it is longer than max(support, 2 dp), since a method that searches its neighbours has lost
-///   it then. Where they are kept a body of three rows and more may be drawn out as far as its law allows: a
-///   bond of that length is broken if it stands out, stretched over 1.5 times as much as what goes on straight
-///   from its ends. Cracks one row apart, between which all bonds are opened alike, are not seen so.
-///   Fractured = more pieces of the graph of unbroken bonds than at the start ("at the start", not "bodies":
-///   a body may consist of parts), or a broken bond whose ends are more than 8 unbroken bonds apart: a crack
-///   at least five particles deep. A ring that is cut once stays one piece.
-/// energy: the run diverged when a value is not finite, or when an energy departs from the energy that the scene
-///   received. Received = energy at the start plus the work of drives, loads and gravity, at its greatest so far.
-///   - Kinetic, or kinetic + strain, above twice the received energy. For methods with searched neighbours the
-///     strain energy counts only while at least a tenth of the received energy moves: their forces do not derive
-///     from it.
-///   - Strain energy below its start by a tenth of the received energy, at two observations in a row, for methods
-///     with initial neighbours: a law without a minimum of its energy.
-///   Neither is judged before the received energy exceeds the round-off of the scene, see floor_.
-///   In a closed scene the energy of the common motion at the start does not count.
+/// Judges a run from observed states.
+/// - hourglass: the hourglass error exceeds its threshold.
+/// - penetrated: a particle lies inside another body or a far part of its own; see Penetration.
+/// - fractured: the graph of unbroken bonds has more pieces than at the start, or a bond is broken whose ends are
+///   more than 8 unbroken bonds apart, a crack at least five particles deep. A bond joins particles of a body
+///   initially at most 1.5 dp apart. It is broken while longer than max(support, 2 dp); with initial neighbours it
+///   must also be stretched 1.5 times as much as its straight continuations. Cracks one row apart then stay
+///   undetected.
+/// - diverged: a value is not finite, or an energy contradicts the received energy: the initial energy plus the
+///   greatest work of drives, loads and gravity. Kinetic, or kinetic + strain, energy must not exceed twice the
+///   received energy; with searched neighbours strain counts only if a tenth of the received energy is kinetic. With
+///   initial neighbours strain energy must not fall below its start by a tenth of the received energy twice in a row.
+///   In closed scenes the initial common motion does not count. Received energies below `floor_` are not judged.
 class Judge {
  public:
   Judge(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors, int threads = 1);
   Judge(const Scene& scene, const Simulation& simulation);
-  /// Takes the state at one time into account and remembers when each failure began. Without readings its
-  /// zigzags are not judged.
+  /// Evaluates one state and records when each failure began. Without readings, hourglass is not judged.
   void observe(const Snapshot& now, const Balance& balance, const Readings& readings = {});
 
   Verdict verdict() const;
-  /// The first time of each failure, s; those that never held are absent.
+  /// First time of each failure that occurred, s.
   const std::map<Verdict, double>& since() const { return since_; }
-  int pieces() const { return pieces_; }  // of the graph of unbroken bonds, when last observed
+  int pieces() const { return pieces_; }  // of the graph of unbroken bonds, as last observed
   const BeyondLaw& beyond_law() const { return beyond_law_; }
 
-  /// What it has seen so far; the rest comes from the start.
+  /// Archives what was observed; the rest follows from the start.
   template <class Archive>
   void serialize(Archive& archive) {
     for (Bond& bond : bonds_) archive(bond.broken);
@@ -99,9 +82,9 @@ class Judge {
  private:
   struct Bond {
     int i, j;
-    bool broken;  // when last observed
+    bool broken;
   };
-  /// True if a bond broke or healed since.
+  /// Returns whether a bond broke or healed.
   bool update_broken(const Snapshot& now);
   template <int Dim>
   bool update_broken_in(const Snapshot& now);
@@ -115,24 +98,23 @@ class Judge {
   bool bypassed(int bond, std::vector<int>& seen) const;
 
   std::vector<Bond> bonds_;
-  std::vector<int> first_of_;  // [particles + 1] where in bonds_of_ those of each begin
-  std::vector<int> bonds_of_;  // indices
+  std::vector<int> first_of_;  // [particle + 1] begin of its indices in bonds_of_
+  std::vector<int> bonds_of_;
   std::size_t particles_ = 0;
-  double longest_ = 0;  // m, up to which a bond is never broken
+  double longest_ = 0;  // m, greatest length of an unbroken bond
   bool keeps_neighbors_ = false;
-  double closed_mass_ = 0;   // kg, of all; 0 where something acts from outside
+  double closed_mass_ = 0;   // kg, total; 0 if the scene is not closed
   Point start_momentum_{};   // kg m/s
   double start_energy_ = 0;  // J
-  double given_energy_ = 0;  // J, greatest so far
-  double least_strain_ = 0;  // J, strain energy at the start if negative (round-off), else 0
-  /// Received energy from which energies are judged, J: speeds of 1e-6 c0, or ten times the round-off of the strain
-  /// energy at the start.
+  double given_energy_ = 0;  // J, greatest received energy so far
+  double least_strain_ = 0;  // J, initial strain energy if negative (round-off), else 0
+  /// Received energy above which energies are judged, J: of speeds of 1e-6 c0, or ten times the initial round-off.
   double floor_ = 0;
-  bool fell_ = false;  // the strain energy, when last observed
+  bool fell_ = false;  // strain energy fell, as last observed
   int start_pieces_ = 0;
   int pieces_ = 0;
   double lawful_stretch_ = std::numeric_limits<double>::infinity();
-  double shortest_ = 0;  // m, of a bond before any displacement
+  double shortest_ = 0;  // m, shortest initial bond
   BeyondLaw beyond_law_;
   Penetration penetration_;
   std::map<Verdict, double> since_;
