@@ -72,7 +72,7 @@ Kick<Dim> Common<Dim>::kick(double dt, double t) {
 
 namespace {
 
-/// Component-wise median velocity of each body, m/s; robust against a few outliers.
+/// Component-wise median of each body, m/s; robust against outliers.
 template <int Dim>
 std::vector<Vec<double, Dim>> middle_velocities(const Particles<Dim>& s, int bodies) {
   std::vector<Vec<double, Dim>> middle(bodies);
@@ -90,7 +90,7 @@ std::vector<Vec<double, Dim>> middle_velocities(const Particles<Dim>& s, int bod
 
 }  // namespace
 
-/// Throws NumericalError that names the diverged particle with the lowest id.
+/// Reports the diverged particle with the lowest id.
 template <int Dim>
 void Common<Dim>::refuse_speeds() const {
   const double limit = greatest_mach_number * constants.c0,
@@ -124,7 +124,7 @@ double Common<Dim>::fastest() const {
   return std::sqrt(fastest2);
 }
 
-/// Checks a loaded state: each particle occurs once, with its body and material.
+/// Each particle occurs once, with its body and material.
 template <int Dim>
 bool Common<Dim>::are_of_this_scene() const {
   std::vector<bool> seen(size());
@@ -137,7 +137,6 @@ bool Common<Dim>::are_of_this_scene() const {
   return true;
 }
 
-/// Checks that the loaded positions and velocities are finite.
 template <int Dim>
 bool Common<Dim>::are_numbers() const {
   for (int i = 0; i < size(); ++i)

@@ -18,22 +18,20 @@
 
 namespace taut {
 
-/// A run has diverged if a particle is faster, relative to its body, than this multiple of c0. Bodies may fly or spin
-/// faster.
+/// Speed of a particle relative to its body, over c0, above which a run has diverged.
 inline constexpr double greatest_mach_number = 10;
-/// The same limit for the velocity of a whole body; time steps shorten as it moves faster.
+/// The same limit for a whole body, which may fly or spin.
 inline constexpr double greatest_mach_number_of_bodies = 1000;
 /// A saved state with more steps is damaged.
 inline constexpr long most_steps = 1L << 53;
 
-/// State and services that every simulation has: particles, external actions, contact, probes and time.
+/// State and services of every simulation.
 template <int Dim>
 class Common {
  public:
   using V = Vec<double, Dim>;
 
-  /// Particles in creation order at their positions in the reference configuration. `support`: radius of interaction,
-  /// m.
+  /// Stores the particles in creation order. `support`: radius of interaction, m.
   Common(const SolverInput& input, double support);
 
   Constants constants;
@@ -50,20 +48,20 @@ class Common {
   int size() const { return particles.size(); }
   int threads_now() const { return stepping ? team.threads() : run.threads; }
 
-  /// Moves the particles to their starting positions, after the scheme has stored the reference configuration.
+  /// Moves the particles to their start; call when the reference configuration is stored.
   void go_to_start();
 
-  /// `by_speed`, s, shortened if a stiffened contact limits the step; or the step of the settings, if given.
+  /// `by_speed`, s, reduced for stiff contact; or the fixed step of the settings.
   double fixed_or(double by_speed) const {
     constexpr double spare = 1.5;
     return constants.step > 0 ? constants.step
                               : by_speed / std::sqrt(std::max(1.0, contact.stiffening() / spare));
   }
 
-  /// Kick for a pass that computes the velocities of a step of `dt`, s; they belong to the time `t`.
+  /// For velocities of a step of `dt`, s, that belong to time `t`, s.
   Kick<Dim> kick(double dt, double t);
-  /// Impulse law: changes the new velocities so that bodies in contact stop approaching. `follow(i, change)` corrects
-  /// dependent data. The positions have already moved with the new velocities for `gone`, s.
+  /// Impulse law: stops the approach of bodies in contact; see Contact::stop_approach. `follow(i, change)` updates
+  /// dependent data.
   template <class Follow>
   void stop_approach(double gone, const Follow& follow) {
     Particles<Dim>& p = particles;
@@ -86,7 +84,7 @@ class Common {
     run.time += dt;
     ++run.steps;
   }
-  /// Sets `vmax` from the greatest v² of a step. Throws NumericalError if it is out of bounds.
+  /// Takes the greatest v² of a step. Throws NumericalError if it is out of bounds.
   void set_greatest_speed(double v2) {
     vmax = std::sqrt(v2);
     refuse_divergence();
@@ -95,25 +93,24 @@ class Common {
     if (!is_within_bounds(vmax)) refuse_speeds();
   }
 
-  /// For methods that search no neighbours except contacts.
+  /// For methods that search contacts only.
   void show_contacts_to_probes() {
     probes.rebuilt(particles, contact.neighbors(size()), Contact<Dim>::reach * constants.dp);
   }
-  /// Contact force on the first body of `probe` from the other body or wall, over the last step of `dt`, N.
+  /// Force on the first body of `probe` over the last step of `dt`, s, N.
   V contact_force(const Probe& probe, double dt) const {
     return (1 / dt) * contact.impulse(probe.bodies[0], probe.wall < 0 ? probe.bodies[1] : -1, probe.wall);
   }
 
-  /// Fills the totals of a snapshot and allocates positions, velocities and masses.
+  /// Fills the totals and allocates positions, velocities and masses.
   void begin_motion(Snapshot& out) const;
-  /// Stores position, velocity and mass of particle i.
   void store_motion(Snapshot& out, int i) const;
-  /// Fills a snapshot except for the changing fields of particles.
+  /// Fills everything except changing particle fields.
   void begin_snapshot(Snapshot& out) const;
-  /// Stores particle i with its density, kg/m³, pressure and deviatoric stress, Pa; s_zz in 2D.
+  /// `rho` in kg/m³; `p`, `s` and `s_zz` (2D only) in Pa.
   void store(Snapshot& out, int i, double rho, double p, const Sym<double, Dim>& s, double s_zz) const;
 
-  /// `method` archives the method's own fields.
+  /// `method` archives the method's fields.
   template <class Archive, class Method>
   void serialize(Archive& archive, const Method& method) {
     archive.match(initial.size());
@@ -136,7 +133,7 @@ class Common {
   }
 
  private:
-  /// `speed` in m/s; false for NaN.
+  /// m/s; false for NaN.
   bool is_within_bounds(double speed) const {
     return speed >= 0 && speed <= greatest_mach_number * constants.c0;
   }

@@ -12,8 +12,8 @@
 
 namespace taut {
 
-/// Guides: particles that cannot move along some axes (rollers, symmetry planes, sliding edges). Constraint forces do
-/// no work. An active drive overrides a guide.
+/// Particles that cannot move along some axes: rollers, symmetry planes. Constraint forces do no work. Active drives
+/// override guides.
 template <int Dim>
 class Guides {
  public:
@@ -23,7 +23,7 @@ class Guides {
   /// Bit k: particle `id` does not move along axis k.
   unsigned char axes(int id) const { return active() ? along_[id] : 0; }
 
-  /// Sets the constrained components of `v`, a new velocity of particle `id`, to 0.
+  /// Sets the constrained components of `v` to 0.
   void hold(int id, Vec<double, Dim>& v) const {
     if (!active() || along_[id] == 0) return;
     for (int k = 0; k < Dim; ++k)
@@ -42,10 +42,9 @@ class Guides {
   std::vector<unsigned char> along_;  // [id] bit k: axis k
 };
 
-/// Particles with prescribed velocity up to some time (Drive in engine/scene/scene.hpp). They act on their
-/// neighbours; their density and stress evolve where those of clamped particles do (strains_what_is_held in
-/// methods/ul_split/).
-/// In each step call `set_time`, then `replace` for each new velocity before it is used.
+/// Particles with prescribed velocity up to some time (Drive in engine/scene/scene.hpp). Their density and stress
+/// evolve like those of clamped particles (strains_what_is_held in methods/ul_split/).
+/// In each step call `set_time`, then `replace` for each new velocity.
 template <int Dim>
 class Drives {
  public:
@@ -53,22 +52,20 @@ class Drives {
 
   Drives(const Scene& scene, const InitialParticles& initial);
 
-  /// False if the scene has no drives or all have ended.
+  /// False without drives or after their end.
   bool active() const { return active_; }
   int number_of_active() const { return static_cast<int>(std::ranges::count_if(drives_, &Timed::on)); }
 
-  /// `t`: time of the new velocities, s. Use the end of the step if positions advance by the mean of old and new
-  /// velocity, the middle if they advance by the new velocity; both integrate prescribed positions to second order.
-  /// Do not call inside a pass: expressions are not thread-safe.
+  /// `t`: end of the step if positions advance by the mean of old and new velocity, its middle if by the new
+  /// velocity, s. Both are of second order. Not thread-safe.
   void set_time(double t);
 
-  /// The drive of this particle acts until the end of the run.
+  /// Driven until the end of the run.
   bool lasts(int id) const { return !drives_.empty() && drive_[id] >= 0 && drives_[drive_[id]].lasts(); }
   bool moves(int id) const { return active_ && drive_[id] >= 0 && drives_[drive_[id]].on; }
   const V& velocity(int id) const { return drives_[drive_[id]].now; }  // m/s, of a driven particle
 
-  /// Replaces `v`, the velocity of particle i without a drive, by its prescribed velocity, if any. Work of the drive:
-  /// the momentum it adds, times the mean of old and new velocity.
+  /// Replaces `v` by the prescribed velocity, if any. Work: added momentum times the mean of old and new velocity.
   void replace(const Particles<Dim>& s, int i, V& v) {
     const int id = s.id[i];
     if (!moves(id)) return;
@@ -77,7 +74,7 @@ class Drives {
     v = given;
   }
 
-  /// Work of all drives so far, J (per metre depth in 2D).
+  /// J (per metre depth in 2D).
   double work() const { return std::accumulate(work_.begin(), work_.end(), 0.0); }
 
   template <class Archive>
@@ -90,8 +87,8 @@ class Drives {
 
  private:
   struct Timed {
-    std::array<std::function<double(double)>, 3> velocity;  // m/s, of the time in s
-    double until;                                           // s; infinite if it never ends
+    std::array<std::function<double(double)>, 3> velocity;  // m/s of s
+    double until;                                           // s; may be infinite
     bool on = true;
     V now{};  // m/s
 
@@ -100,13 +97,12 @@ class Drives {
 
   bool active_ = false;
   std::vector<Timed> drives_;
-  std::vector<int> drive_;    // [id] index into drives_, or -1
+  std::vector<int> drive_;    // [id] index, or -1
   std::vector<double> work_;  // [id] J
 };
 
-/// Reaction forces, computed only if a probe measures them: momentum change of a particle minus all recorded
-/// impulses.
-/// In each step call `begin`, then `add` for internal and contact impulses on each particle, clamped or not.
+/// Reaction forces, computed only for probes: momentum change minus recorded impulses. In each step call `begin`,
+/// then `add` for internal and contact impulses on all particles.
 template <int Dim>
 class Reactions {
  public:
@@ -118,18 +114,18 @@ class Reactions {
 
   bool active() const { return active_; }
 
-  /// Begins a step of `dt`, s, from the velocities `v`. The storage order must not change until the end of the step.
+  /// Begins a step of `dt`, s, from velocities `v`. The storage order must then stay.
   void begin(const std::vector<V>& v, double dt) {
     v_ = v;
     dt_ = dt;
     impulse_.assign(v.size(), V{});
   }
-  double dt() const { return dt_; }          // s; 0 before the first step
+  double dt() const { return dt_; }          // s; initially 0
   V* impulses() { return impulse_.data(); }  // [i] N s
-  /// Records an impulse on particle i, N s (per metre depth in 2D).
+  /// N s (per metre depth in 2D).
   void add(int i, const V& impulse) { impulse_[i] += impulse; }
 
-  /// Mean unexplained force on particle i over the step, N: its momentum change minus all recorded impulses.
+  /// Mean force on particle i that no recorded impulse explains, N.
   V missing(const Particles<Dim>& s, int i) const {
     return (1 / dt_) * (s.m[i] * (s.v[i] - v_[i]) - impulse_[i]);
   }

@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// External actions on particles (drives, guides, loads, gravity, damping) and the measurement of reaction forces.
+/// All external actions on particles, and the measurement of reaction forces.
 template <int Dim>
 struct External {
   using V = Vec<double, Dim>;
@@ -26,7 +26,7 @@ struct External {
 
   bool active() const { return drives.active() || loads.active() || guides.active(); }
 
-  /// Call once per step of `dt`, s, before `act`. `t`: time of the new velocities, s.
+  /// Call once per step before `act`. `t`: time of the new velocities, s.
   void set_time(double dt, double t, const Particles<Dim>& p) {
     const int before = drives.number_of_active();
     drives.set_time(t);
@@ -34,7 +34,7 @@ struct External {
     loads.set_time(t - 0.5 * dt);
     if (reactions.active()) reactions.begin(p.v, dt);
   }
-  /// Applies external actions to `v`, the new velocity of particle i without them, and records their work.
+  /// Applies external actions to `v`, the velocity of particle i without them, and records their work.
   void act(const Particles<Dim>& p, int i, double dt, V& v) {
     if (drives.moves(p.id[i])) return drives.replace(p, i, v);
     const bool loaded = loads.active();
@@ -45,8 +45,7 @@ struct External {
 
   Steering<Dim> steering() const { return {drives.active() || guides.active() ? axes_.data() : nullptr}; }
 
-  /// Reaction force of the clamp, guide or drive on particle i over the last step, N: includes its weight, excludes
-  /// loads.
+  /// Force of the clamp, guide or drive on particle i over the last step, N; includes its weight, not loads.
   V reaction(const Particles<Dim>& p, int i) const {
     const int id = p.id[i];
     const bool free = p.mobile[i] != 0 && !drives.moves(id);

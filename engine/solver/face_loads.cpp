@@ -17,12 +17,11 @@ namespace {
 template <int Dim>
 using Place = Eigen::Vector<double, Dim>;
 
-constexpr double layer_reach = 2.1;  // dp, range for the direction of a layer
-constexpr double close_reach = 2.2;  // dp, range for neighbours along the face
-constexpr double aside = 0.75;       // dp, greatest offset along the face of a particle "below" another one
+constexpr double layer_reach = 2.1;  // dp, for the direction of a layer
+constexpr double close_reach = 2.2;  // dp, along the face
+constexpr double aside = 0.75;       // dp, greatest offset of a particle below another one
 
-constexpr double least_scaled =
-    0.5;  // smallest n · S of a column that can share a force, relative to its area
+constexpr double least_scaled = 0.5;  // least n · S over area of a column that can share a force
 
 template <int Dim>
 Place<Dim> place(const Point& p) {
@@ -42,17 +41,17 @@ Place<Dim> way(const InitialParticles& initial, int i, int j) {
   return place<Dim>(initial.x[j]) - place<Dim>(initial.x[i]);
 }
 
-/// Index of particle i in the layer, or −1.
+/// Index in the layer, or −1.
 int position(const std::vector<int>& layer, int i) {
   const auto found = std::ranges::lower_bound(layer, i);
   return found != layer.end() && *found == i ? static_cast<int>(found - layer.begin()) : -1;
 }
 
-/// Unit vector across the layer, away from the rest of the body; 0 if i does not lie in a layer.
+/// Unit normal of the layer, outwards; 0 if i has none.
 template <int Dim>
 Place<Dim> outwards(int i, const InitialParticles& initial, std::span<const int> near,
                     const std::vector<int>& layer, double spacing) {
-  constexpr double thin = 0.1;  // variance across the layer relative to the variance along it
+  constexpr double thin = 0.1;  // ratio of variances across and along the layer
   Eigen::Matrix<double, Dim, Dim> spread = Eigen::Matrix<double, Dim, Dim>::Zero();
   Place<Dim> away = Place<Dim>::Zero();
   for (const int j : near) {
@@ -70,7 +69,7 @@ Place<Dim> outwards(int i, const InitialParticles& initial, std::span<const int>
   return side > 0 ? n : Place<Dim>(-n);
 }
 
-/// Area of the face relative to the layer below it, from the distances to the neighbours of i in the layer.
+/// Ratio of the areas of face and layer at particle k.
 template <int Dim>
 double stretch(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
                std::span<const int> near, double spacing) {
@@ -87,15 +86,15 @@ double stretch(const FaceLayer& layer, std::size_t k, const InitialParticles& in
   return std::pow(inside > 0 ? outside / inside : 1, Dim - 1);
 }
 
-/// The particles below a particle of the layer, down to the middle between its face and the opposite face.
+/// Particles below a layer particle, down to the middle of the body.
 struct Column {
-  bool thin = false;  // the gradients of its particles may reach the opposite face
-  double middle = std::numeric_limits<double>::infinity();  // depth of the middle, m; infinite unless thin
+  bool thin = false;                                        // its gradients may reach the opposite face
+  double middle = std::numeric_limits<double>::infinity();  // depth, m; infinite unless thin
   double area = 0;                                          // Σ n · S, m^(dim − 1)
-  int at_middle = 0;                                        // number of particles near the middle
+  int at_middle = 0;                                        // number of particles there
 };
 
-/// The particle farthest below i within the range of `near`, and its depth, m.
+/// Deepest particle below i in range of `near`, and its depth, m.
 template <int Dim>
 std::pair<int, double> deepest(int i, const Place<Dim>& n, const InitialParticles& initial,
                                const NeighborsOfOne<Dim>& near, double spacing) {
@@ -108,7 +107,7 @@ std::pair<int, double> deepest(int i, const Place<Dim>& n, const InitialParticle
   return known;
 }
 
-/// `near` is the range of a face's influence, so that two faces interact if they are closer than twice this range.
+/// `near` is the reach of a face: closer than twice this reach, two faces interact.
 template <int Dim>
 Column column(int i, const Place<Dim>& n, const InitialParticles& initial, const NeighborsOfOne<Dim>& near,
               double spacing) {
@@ -147,7 +146,7 @@ std::map<int, Below> below(const FaceLayer& layer, const InitialParticles& initi
   return all;
 }
 
-/// Nearest particle beside i in the direction of the unit vector `along`; −1 if none.
+/// Nearest particle in the unit direction `along`; −1 if none.
 template <int Dim>
 int beside(int i, const Place<Dim>& along, const InitialParticles& initial, const NeighborsOfOne<Dim>& near,
            double spacing) {
@@ -163,7 +162,7 @@ int beside(int i, const Place<Dim>& along, const InitialParticles& initial, cons
   return found;
 }
 
-/// Unit vectors along the face in which particle k of the layer may have neighbours.
+/// Unit directions along the face to possible neighbours.
 template <int Dim>
 std::vector<Place<Dim>> directions(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
                                    const NeighborsOfOne<Dim>& near) {
@@ -182,8 +181,8 @@ std::vector<Place<Dim>> directions(const FaceLayer& layer, std::size_t k, const 
   }
 }
 
-/// Factors for the areas of the layer's particles: the end correction of the midpoint rule at corners and edges.
-/// Without it the moment of a traction linear along the face has a relative error of 1/n².
+/// Factors of area: end correction of the midpoint rule, without which the moment of a linear traction is wrong by
+/// 1/n².
 template <int Dim>
 std::vector<double> end_weights(const FaceLayer& layer, const InitialParticles& initial,
                                 const NeighborsOfOne<Dim>& near, double spacing) {
@@ -201,10 +200,10 @@ std::vector<double> end_weights(const FaceLayer& layer, const InitialParticles& 
   return weights;
 }
 
-/// Checks whether some normals are about perpendicular to the first one.
+/// Some normals are about perpendicular.
 template <int Dim>
 bool are_of_two_faces(const std::vector<Point>& normals) {
-  constexpr double across = 0.3;  // greatest |n · m|; opposite faces do not meet
+  constexpr double across = 0.3;  // greatest |n · m|
   const auto first = std::ranges::find_if(normals, [](const Point& n) { return n != Point{}; });
   return std::ranges::any_of(normals, [&](const Point& n) {
     return n != Point{} && std::abs(place<Dim>(n).dot(place<Dim>(*first))) < across;

@@ -9,16 +9,15 @@
 
 namespace taut {
 
-/// Initial configuration of total-Lagrangian methods, whose particles act on their initial neighbours by a law of
-/// elasticity. Unlike in the papers, particles lie at cell centres, half a spacing inside the face, unless
-/// Body::on_boundary is set.
+/// Initial configuration of total-Lagrangian methods. Unlike in the papers, particles lie at cell centres, half a
+/// spacing inside the face, unless Body::on_boundary is set.
 template <int Dim>
 class InitialConfiguration {
  public:
   using V = Vec<double, Dim>;
 
-  /// Moves the particles to their start and makes loads act on faces. Throws SceneError if a body is too thin.
-  /// `normalised`: see TlDisplacementConstants.
+  /// Moves particles to their start and loads to faces. Throws SceneError if a body is too thin. `normalised`: see
+  /// TlDisplacementConstants.
   InitialConfiguration(Common<Dim>& common, const SolverInput& input,
                        GradientCorrection gradient = GradientCorrection::corrected, double normalised = 0);
 
@@ -26,22 +25,20 @@ class InitialConfiguration {
   std::vector<double> V0;  // m^Dim
   InitialPairs<Dim> pairs;
   std::vector<Sites<Dim>> sites;
-  std::vector<int> material;  // includes padding of the last group
+  std::vector<int> material;  // padded to whole groups
   Materials materials;
-  double wave_speed = 0;  // c_p = √((K + 4G/3)/ρ0), maximum over materials, m/s
+  double wave_speed = 0;  // greatest c_p = √((K + 4G/3)/ρ0), m/s
 
   int groups() const { return static_cast<int>(sites.size()); }
   LawsInUse laws() const { return materials.in_use(); }
-  /// CFL h/(c_p + |v|max), s. [Lee2016] Eq. 44 uses the spacing instead of h and the wave speed of the strained body;
-  /// here
-  /// |v|max bounds the effect of strain.
+  /// CFL h/(c_p + |v|max), s. [Lee2016] Eq. 44 uses the spacing and the wave speed of the strained body, which |v|max
+  /// replaces here.
   double step_size() const;
-  /// Allocates the strain energies of a begun snapshot.
+  /// Allocates strain energies.
   static void begin(Snapshot& out) { out.strain_energy.resize(out.size()); }
   void begin_motion(Snapshot& out) const { common_.begin_motion(out), begin(out); }
-  /// Stores only motion and strain energy.
   void store_motion(Snapshot& out, int i, const Mat<double, Dim>& F, double J) const;
-  /// Stores particle i; its stress and energy follow from the deformation gradient F and the volume ratio J.
+  /// `F`, `J`: deformation gradient and volume ratio for stress and energy.
   void store(Snapshot& out, int i, const Mat<double, Dim>& F, double J) const;
 
  private:
@@ -51,7 +48,7 @@ class InitialConfiguration {
   Common<Dim>& common_;
 };
 
-/// Radius of interaction of a total-Lagrangian method, m.
+/// m.
 double initial_support(const SolverInput& input);
 
 /// The constant h/dp of these methods.

@@ -19,18 +19,15 @@
 
 namespace taut {
 
-/// Correction of gradients on initial pairs; see gradient_correction.
 enum class GradientCorrection : std::uint8_t { corrected, normalised };
 
-/// Pairs of initial neighbours within a body, listed from both sides. They never change, so their constants are
-/// computed once:
+/// Pairs of initial neighbours within a body, listed from both sides, with constants:
 ///   k_ij = V_i V_j ∇_i W(X_i − X_j) = −k_ji,
 ///   ∇f at i = [Σ_j (f_j − f_i) ⊗ k_ij] B_i,     force on i = Σ_j (V_i P_i B_i + V_j P_j B_j) k_ij.
-/// With symmetric B this is the force of [Lee2016] Eq. 29c and [TranDuc2023] §2.3, (R_j σ_j N_j + R_i σ_i N_i) ∇W:
-/// minus the derivative of Σ V_i ψ(F_i) by the positions, equal and opposite for each pair to the last bit.
-/// In k_ij a particle on a face counts as a whole cell, but V in V P B is only the part inside the body. Differences
-/// are then central from the first inner layer on and a uniform stress acts only at the faces, both to second order
-/// (summation by parts). With partial cells in k_ij too, stresses would converge with order ½.
+/// With symmetric B the force is that of [Lee2016] Eq. 29c and [TranDuc2023] §2.3: minus the derivative of Σ V_i
+/// ψ(F_i), equal and opposite to the last bit.
+/// In k_ij a particle on a face counts as a whole cell, in V P B only with its part inside the body. Then a uniform
+/// stress acts only at faces, to second order (summation by parts).
 template <int Dim>
 struct InitialPairs {
   std::vector<int> begin, j;        // pairs of i: begin[i] … begin[i + 1] − 1; j ascends
@@ -40,9 +37,8 @@ struct InitialPairs {
   int size() const { return static_cast<int>(B.size()); }
 };
 
-/// Pairs for passes over four particles at a time, with `Width` constants per pair, the first Dim being k_ij; 0 in
-/// lanes without a neighbour. Groups with equal neighbourhoods, as inside a lattice, share their constants. Plain
-/// data.
+/// Pairs for passes over four particles, with `Width` constants per pair, k_ij first; 0 in lanes without neighbour.
+/// Equal neighbourhoods share constants. Plain data.
 template <int Dim, int Width = Dim>
 struct PairLanesView {
   struct Group {
@@ -56,14 +52,14 @@ struct PairLanesView {
   const LaneSlot* slots = nullptr;
   const Constants* constants = nullptr;
 
-  /// Calls `f`(slot, constants) for each neighbour slot of the four particles.
+  /// Calls `f`(slot, constants) for each slot.
   template <class F>
   [[gnu::always_inline]] void for_each(int group, const F& f) const {
     const Group& own = groups[group];
     for (int b = 0; b < own.size; ++b) f(slots[own.slots + b], constants[own.constants + b]);
   }
 
-  /// Σ_j (f_j − f_i) ⊗ k_ij of the vector field in the first columns.
+  /// Σ_j (f_j − f_i) ⊗ k_ij of the vector in the first columns.
   template <int N>
   Mat<Pack, Dim> difference_sum(const ColumnsView<N>& f, int group) const {
     const int first = lanes * group;
@@ -92,7 +88,7 @@ struct PairLanesView {
     });
     return sum;
   }
-  /// sum += d ⊗ k_ij, with the first Dim components of d.
+  /// sum += d ⊗ k_ij.
   template <int N>
   static void add_dyad(Mat<Pack, Dim>& sum, const Vec<Pack, N>& d, const Constants& of_pair) {
 #pragma GCC unroll 3
@@ -102,7 +98,7 @@ struct PairLanesView {
   }
 };
 
-/// Owns the data of PairLanesView.
+/// Owner of a PairLanesView.
 template <int Dim, int Width = Dim>
 class PairLanes {
  public:
@@ -110,7 +106,7 @@ class PairLanes {
   using Constants = typename View::Constants;
 
   PairLanes() = default;
-  /// `constants(p)` returns the array of constants of pair p; called from `threads` threads.
+  /// `constants(p)` returns the constants of pair p; called by `threads` threads.
   template <class Of>
   PairLanes(const InitialPairs<Dim>& pairs, int threads, const Of& constants);
 
@@ -134,11 +130,11 @@ inline constexpr TermInfo internal_force_info{
     "solver/initial_pairs.hpp:pair_sum",
     "pairs of the start: the force is minus the derivative of the energy"};
 
-/// Gradient correction B:
+/// Correction B of gradients.
 /// - corrected: B_i = [Σ_j (X_j − X_i) ⊗ k_ij]⁻¹, exact for linear fields. [Lee2016] Eq. 21, [TranDuc2023] §2.3
-/// - normalised: B_i = I/(V_i S), S = 1 + share (Σ_j V_j W_ij − 1), the sum including i. [Zhang2020] below Eq. 11
-/// Differs from [Zhang2020], which normalises "the integral" without an equation: here the gradient is normalised and
-/// the force derives from the energy, which conserves linear momentum.
+/// - normalised: B_i = I/(V_i S), S = 1 + share (Σ_j V_j W_ij − 1) with i itself. [Zhang2020] below Eq. 11
+/// The paper normalises "the integral" without an equation. Here the force derives from an energy, which conserves
+/// momentum.
 template <int Dim>
 Sym<double, Dim> gradient_correction(GradientCorrection gradient, const Mat<double, Dim>& moment, double V,
                                      double S) {
@@ -153,7 +149,7 @@ Sym<double, Dim> gradient_correction(GradientCorrection gradient, const Mat<doub
   return B;
 }
 
-/// X_i − X_j rounded to 2⁻⁴³ h: the same for all particles inside a lattice, despite rounded positions.
+/// X_i − X_j to within 2⁻⁴³ h, equal for all particles inside a lattice.
 template <int Dim>
 Vec<double, Dim> difference_on_grid(const Vec<double, Dim>& X_i, const Vec<double, Dim>& X_j, double h) {
   const double pitch = std::ldexp(1.0, std::ilogb(h) - 42);
@@ -162,15 +158,13 @@ Vec<double, Dim> difference_on_grid(const Vec<double, Dim>& X_i, const Vec<doubl
   return d;
 }
 
-/// Greatest distance of a pair, m. Lattice neighbours exactly at the end of the support are excluded, whatever the
-/// rounding, because a kernel need not vanish there.
+/// Greatest distance, m. Excludes lattice neighbours at the end of the support, where a kernel need not vanish.
 template <class K>
 double reach_of_pairs(double h) {
   return (1 - 1e-9) * K::support * h;
 }
 
-/// Makes the pairs of the particles at X, with cells V, m^Dim. `near`: their neighbours in the body within
-/// reach_of_pairs.
+/// `V`: cells, m^Dim; `near`: neighbours within reach_of_pairs.
 template <class K, int Dim>
 InitialPairs<Dim> make_initial_pairs(const NeighborLists& near, const std::vector<Vec<double, Dim>>& X,
                                      const std::vector<double>& V, double h, GradientCorrection gradient,
@@ -190,7 +184,7 @@ InitialPairs<Dim> make_initial_pairs(const NeighborLists& near, const std::vecto
       const double r = std::sqrt(dot(d, d));
       const Vec<double, Dim> k = (V[i] * V[j] * scale_dW * K::dw(r / h) / r) * d;
       sum_W += V[j] * scale_W * K::w(r / h);
-      add_outer(moment, 1.0, X[j] - X[i], k);  // uses unrounded positions: exact for linear fields
+      add_outer(moment, 1.0, X[j] - X[i], k);  // exact for linear fields at unrounded positions
       pairs.k[p] = k;
     }
     pairs.B[i] = gradient_correction(gradient, moment, V[i], 1 + share * (sum_W - 1));

@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// Computes new velocities from internal, contact and external forces. Plain data for passes; made by Common::kick.
+/// Computes new velocities from all forces. Plain data for passes; made by Common::kick.
 template <int Dim>
 struct Kick {
   using V = Vec<double, Dim>;
@@ -15,10 +15,10 @@ struct Kick {
   int size;   // particles
   V *x, *v;   // m, m/s
   const double *m, *mobile;
-  const V* contact;  // [i] N; null: no contact
-  V* impulse;        // [i] N s, for reaction probes; null: none needed
+  const V* contact;  // [i] N; may be null
+  V* impulse;        // [i] N s, for probes; may be null
   void* outside;
-  /// Adds loads, guides and drives to `v`, the new velocity of particle i without them; null if the scene has none.
+  /// Applies loads, guides and drives to `v`; may be null.
   void (*act)(void* outside, int i, double dt, V& v);
 
   [[gnu::always_inline]] const V& by_acceleration(int i, V a) const {
@@ -29,7 +29,7 @@ struct Kick {
     return take(i, next);
   }
 
-  /// Adds contact forces to the forces of four particles from `first` on; the last group may be incomplete.
+  /// For four particles, of which the last may not exist.
   [[gnu::always_inline]] void add_contact(int first, Vec<Pack, Dim>& force) const {
     if (!contact) return;
     const double* const of_contact = &contact[first][0];
@@ -39,15 +39,13 @@ struct Kick {
     separate(rows, columns);
     for (int k = 0; k < Dim; ++k) force[k] += columns[k];
   }
-  /// Records internal and contact impulses for reaction probes, before particles move. Requires `impulse`. `force` in
-  /// N.
+  /// Records internal forces (N) and contact for probes, before particles move. Requires `impulse`.
   void note(int first, Vec<Pack, Dim> force) const {
     if (contact) force += four_of(contact + first, size - first);
     for (int lane = 0; lane < std::min(lanes, size - first); ++lane)
       impulse[first + lane] += dt * lane_of(force, lane);
   }
-  /// Adds `change` to v of four particles, then moves x by `after`, s, times the new v. Returns v² of each, m²/s².
-  /// The last group may be incomplete.
+  /// Adds `change` to v of four particles, then moves x for `after`, s. Returns v², m²/s².
   [[gnu::always_inline]] Pack by_changes(int first, const Pack (&change)[Dim], double after) const {
     Pack rows[Dim], columns[Dim], v2{};
     if (act || first + lanes > size) {
@@ -60,7 +58,7 @@ struct Kick {
       return v2;
     }
     interleave(change, rows);
-    double* const x_at = reinterpret_cast<double*>(&x[first]);  // of `lanes` particles, row by row
+    double* const x_at = reinterpret_cast<double*>(&x[first]);  // row by row
     double* const v_at = reinterpret_cast<double*>(&v[first]);
 #pragma GCC unroll 3
     for (int k = 0; k < Dim; ++k) {
@@ -72,7 +70,7 @@ struct Kick {
     for (const Pack& of_four : columns) v2 += of_four * of_four;
     return v2;
   }
-  /// Advances v of four particles by `force` and contact; x stays. `mobility` = mobile/m, 1/kg.
+  /// Advances only v of four particles. `mobility` = mobile/m, 1/kg.
   [[gnu::always_inline]] Vec<Pack, Dim> by_forces(int first, const Pack& mobility,
                                                   Vec<Pack, Dim> force) const {
     if (contact) force += four_of(contact + first, size - first);
@@ -94,15 +92,15 @@ struct Kick {
   }
 };
 
-/// Constraints of guides and drives on velocities, for passes.
+/// Constraints on velocities by guides and drives, for passes.
 template <int Dim>
 struct Steering {
   static constexpr unsigned char driven = 1 << 7;
 
-  const unsigned char* axes;  // [id] bit k: guided along axis k; or `driven`. Null: none
+  const unsigned char* axes;  // [id] bit k: guided along axis k; `driven`. May be null
 
   bool drives(int id) const { return axes && (axes[id] & driven) != 0; }
-  /// Sets the guided components of `v` to 0. The particle must not be driven.
+  /// Sets guided components to 0; not for driven particles.
   void hold(int id, Vec<double, Dim>& v) const {
     if (!axes) return;
     for (int k = 0; k < Dim; ++k)

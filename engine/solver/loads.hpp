@@ -12,57 +12,53 @@
 
 namespace taut {
 
-/// Loads on regions, gravity (engine/scene/scene.hpp) and, in static scenes, the damping force −c m v. They do not
-/// act on clamped or driven particles. The equilibrium does not depend on c; c = 2 ω of the slowest excited mode is
-/// fastest.
-/// In each step call `set_time`, then `act` and `count` for each new velocity before it is used. A scheme with stages
-/// calls `acceleration` in each stage and `count` at the end.
+/// Loads on regions, gravity (engine/scene/scene.hpp) and damping −c m v of static scenes, on free particles. The
+/// equilibrium does not depend on c; c = 2 ω of the slowest excited mode is fastest.
+/// In each step call `set_time`, then `act` and `count` for each new velocity; with stages `acceleration` in each,
+/// `count` at the end.
 template <int Dim>
 class Loads {
  public:
   using V = Vec<double, Dim>;
 
-  /// Throws SceneError if all particles of a region are clamped, or driven to the end.
+  /// Throws SceneError if all particles of a region are clamped or driven to the end.
   Loads(const Scene& scene, const InitialParticles& initial);
 
-  /// Makes tractions act on the face instead of the outermost layer (solver/face_loads.hpp), for methods with initial
-  /// neighbours. Regions that are not a layer stay unchanged. `surface`: S by id; `reach`: range of the method's
-  /// gradient, m.
+  /// Moves tractions from the outermost layer to the face (solver/face_loads.hpp), for methods with initial
+  /// neighbours. Other regions stay. `surface`: S by id; `reach`: of the gradient, m.
   void act_on_faces(const Scene& scene, const InitialParticles& initial, FaceRule rule,
                     const std::vector<Point>& surface, double reach);
 
-  /// Distributes forces and force densities by these volumes (by id, m^Dim) instead of the cells. With volumes in
-  /// proportion to the particles' masses, a force density accelerates all particles alike, as gravity does.
+  /// Distributes forces and densities by these volumes (by id, m^Dim), not by cells. With volumes like masses, a
+  /// density accelerates all particles alike.
   void spread_by(const std::vector<double>& volume, const Scene& scene, const InitialParticles& initial);
 
   bool active() const { return active_; }
 
-  /// `t`: middle of the interval that the velocity update spans, s. Do not call inside a pass: expressions are not
-  /// thread-safe.
+  /// `t`: middle of the velocity update, s. Not thread-safe.
   void set_time(double t);
 
-  /// Acceleration of particle i by loads and gravity, m/s²; by gravity alone if it is clamped or driven.
+  /// m/s², without damping; only gravity if not `free`.
   V pull(const Particles<Dim>& s, int i, bool free) const { return free && active_ ? push(s, i) : g_; }
 
-  /// Acceleration of particle i by loads, gravity and damping at its current velocity, m/s².
+  /// m/s², at the current velocity.
   V acceleration(const Particles<Dim>& s, int i) const { return push(s, i) - damping_ * s.v[i]; }
 
-  /// Adds the effect of a step of `dt`, s, to `v`, the velocity of particle i without loads. Damping uses the mean of
-  /// the old and new velocity.
+  /// Applies a step to `v`. Damping uses the mean of old and new velocity.
   void act(const Particles<Dim>& s, int i, double dt, V& v) {
     const double half = 0.5 * damping_ * dt * s.mobile[i];
     v += (dt * s.mobile[i]) * push(s, i);
     v = (1 / (1 + half)) * (v - half * s.v[i]);
   }
-  /// Records the work of a step of `dt`, s, during which particle i had the velocity `mean`, m/s.
+  /// Records the work of a step at velocity `mean`, m/s.
   void count(const Particles<Dim>& s, int i, double dt, const V& mean) {
     work_[s.id[i]] += dt * s.mobile[i] * s.m[i] * dot(push(s, i), mean);
     damped_[s.id[i]] += dt * s.mobile[i] * s.m[i] * damping_ * dot(mean, mean);
   }
 
-  /// Work of loads and gravity so far, J (per metre depth in 2D).
+  /// J (per metre depth in 2D).
   double work() const { return std::accumulate(work_.begin(), work_.end(), 0.0); }
-  /// Energy removed by damping so far, J (per metre depth in 2D).
+  /// Energy removed by damping, J (per metre depth in 2D).
   double damped() const { return std::accumulate(damped_.begin(), damped_.end(), 0.0); }
 
   template <class Archive>
@@ -87,7 +83,7 @@ class Loads {
   V g_{};               // m/s²
   double damping_ = 0;  // c, 1/s
   std::vector<Region> regions_;
-  std::vector<V> force_;               // [id] sum over all regions, N
+  std::vector<V> force_;               // [id] sum of regions, N
   std::vector<double> work_, damped_;  // [id] J
 };
 

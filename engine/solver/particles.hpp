@@ -7,8 +7,7 @@
 
 namespace taut {
 
-/// Particle data common to all methods, in storage order: sorted by cell if the method searches neighbours, else by
-/// creation.
+/// Particle data of all methods, in storage order: by cell with searched neighbours, else by creation.
 template <int Dim>
 struct Particles {
   using V = Vec<double, Dim>;
@@ -16,9 +15,9 @@ struct Particles {
   std::vector<V> x, v;         // m, m/s
   std::vector<double> m;       // kg (per metre depth in 2D)
   std::vector<double> mobile;  // 1, or 0 where clamped
-  std::vector<int> id;         // index in creation order
+  std::vector<int> id;         // creation order
   std::vector<int> body;
-  std::vector<int> material;  // index into the materials of the scene
+  std::vector<int> material;  // index into Scene::materials
 
   int size() const { return static_cast<int>(x.size()); }
 
@@ -30,7 +29,7 @@ struct Particles {
   }
 };
 
-/// Reorders each array: row order[i] moves to i. Empty arrays stay empty.
+/// Moves row order[i] to i. Empty arrays stay empty.
 template <class... Arrays>
 void reorder(const std::vector<int>& order, int threads, Arrays&... arrays) {
   const auto one = [&](auto& array) {

@@ -13,23 +13,21 @@ namespace taut {
 template <int Dim>
 class ProbeRecorder {
  public:
-  /// `support`: radius of interaction, m. Throws SceneError if the point of a probe is outside its body.
+  /// `support`: radius of interaction, m. Throws SceneError if a point is outside its body.
   ProbeRecorder(const Scene& scene, const InitialParticles& initial, double support);
 
-  /// Updates the storage indices and the data that change only with a neighbour search.
+  /// Call after a neighbour search.
   void rebuilt(const Particles<Dim>& s, const Neighbors& neighbors, double support);
-  /// Appends a row to `series`.
   void record(const Particles<Dim>& s, double time, ProbeSource<Dim>& source, Series& series);
 
   std::size_t size() const { return followers_.size(); }
-  /// Checks that `where_` matches the current storage order.
+  /// `where_` matches the storage order.
   bool follows(const Particles<Dim>& s) const {
     for (int i = 0; i < s.size(); ++i)
       if (where_[s.id[i]] != i) return false;
     return true;
   }
 
-  /// Archives the members that change with the storage order.
   template <class Archive>
   void serialize(Archive& archive) {
     archive.fixed(where_);
@@ -46,9 +44,9 @@ class ProbeRecorder {
   std::vector<ProbeFollower<Dim>> followers_;
   std::vector<int> where_;        // [id] storage index
   std::vector<int> first_;        // [body] first particle
-  std::vector<double> diameter_;  // [id] size of its whole cell, the contact distance of pair laws, m
+  std::vector<double> diameter_;  // [id] whole cell: contact distance of pair laws, m
   double support_ = 0;
-  std::vector<int> stressed_;  // ids of the particles whose stress is recorded
+  std::vector<int> stressed_;  // [id] for stress probes
 };
 
 }  // namespace taut

@@ -11,7 +11,7 @@
 
 namespace taut {
 
-/// Series of the scene's probes: one row per step.
+/// Probe values, one row per step.
 struct Series {
   std::vector<double> time;                // s
   std::vector<std::vector<double>> value;  // [probe][step]
@@ -29,47 +29,45 @@ struct Series {
   }
 };
 
-/// Progress of a simulation and facts about its method.
 struct RunState {
   double time = 0;  // s
   long steps = 0;
   Series series;
-  long pairs = 0;                // directed neighbour pairs after the last rebuild
+  long pairs = 0;                // directed, at the last rebuild
   double support = 0;            // radius of interaction, m
-  bool keeps_neighbors = false;  // neighbours within a body are the initial ones
-  /// Greatest stretch of a neighbour pair up to which the method follows its law of elasticity.
+  bool keeps_neighbors = false;  // initial neighbours within bodies
+  /// Greatest stretch of a pair within the law of elasticity.
   double lawful_stretch = std::numeric_limits<double>::infinity();
   int threads = 1;  // maximum
 };
 
-/// A running simulation. Virtual functions advance many steps; none is called inside a loop over particles.
+/// A running simulation. No virtual function is called inside a loop over particles.
 class Simulation {
  public:
   virtual ~Simulation() = default;
 
-  /// Steps until the first step at or past time `t`, s; output never shortens a step. Throws NumericalError if a
-  /// value is no longer finite; `snapshot` then returns the last snapshot taken before.
+  /// Advances to the first step at or past `t`, s; steps are never shortened for output. Throws NumericalError if a
+  /// value is not finite; `snapshot` then returns the last earlier snapshot.
   void advance_to(double t) { advance(t, std::numeric_limits<double>::infinity()); }
   /// As `advance_to`, but makes no step that ends at or past `short_of`, s.
   virtual void advance(double t, double short_of) = 0;
   /// Makes `advance` return after the current step once `stop` is not 0. `stop` must outlive the simulation.
   void heed(const std::atomic<int>& stop) { stop_ = &stop; }
 
-  /// Returns the state that the next steps depend on, and the series so far, as bytes for `load`.
+  /// State for `load`, including the series.
   virtual std::string save() = 0;
-  /// Restores a state of the same scene, settings and checkpoint format. On the same kind of machine, later steps are
-  /// bit-identical. Throws UsageError for any other state and leaves the simulation unusable. Even a forged state
-  /// causes no access outside the arrays.
+  /// Continues from a state of the same scene, settings and checkpoint format, bit-identical on the same kind of
+  /// machine. Throws UsageError for other states and is then unusable. Even forged states cause no access outside
+  /// arrays.
   virtual void load(std::string_view state) = 0;
 
-  /// Particles after the last step, computed on request. After NumericalError: the last snapshot before it.
+  /// State after the last step, made on request; after NumericalError an earlier one.
   const Snapshot& snapshot() const {
     if (outdated_) take_snapshot(snapshot_);
     outdated_ = false;
     return snapshot_;
   }
-  /// Current positions, velocities, masses and energies; other fields may be empty. Never more expensive than
-  /// `snapshot`.
+  /// Positions, velocities, masses and energies; cheaper than `snapshot`, other fields may be empty.
   const Snapshot& motion() const { return outdated_ && take_motion(motion_) ? motion_ : snapshot(); }
   const Series& series() const { return run_state().series; }
   double time() const { return run_state().time; }  // s
@@ -83,18 +81,18 @@ class Simulation {
  protected:
   virtual const RunState& run_state() const = 0;
   virtual void take_snapshot(Snapshot& out) const = 0;
-  /// Returns false if energies need the stresses.
+  /// False if energies need stresses.
   virtual bool take_motion(Snapshot& /*out*/) const { return false; }
   bool asked_to_stop() const { return stop_->load(std::memory_order_relaxed) != 0; }
   bool has_snapshot() const { return !snapshot_.m.empty(); }
 
-  mutable Snapshot snapshot_;  // the last one requested
+  mutable Snapshot snapshot_;  // last request
   mutable bool outdated_ = true;
 
  private:
   static inline const std::atomic<int> never_{0};
 
-  mutable Snapshot motion_;  // motion fields only
+  mutable Snapshot motion_;
   const std::atomic<int>* stop_ = &never_;
 };
 

@@ -13,10 +13,10 @@
 
 namespace taut {
 
-/// Constants of a method by name, from the settings or their defaults; lengths in m.
+/// By name, from settings or defaults; lengths in m.
 using ConstantValues = std::map<std::string_view, double>;
 
-/// Constants of a family: the common ones, and the values of the family's own rows.
+/// Adds the values of a family's rows to the common constants.
 template <class C>
 C constants_of(const std::vector<ConstantRow<C>>& rows, const Constants& all, const ConstantValues& values) {
   C c{all};
@@ -24,19 +24,18 @@ C constants_of(const std::vector<ConstantRow<C>>& rows, const Constants& all, co
   return c;
 }
 
-/// Input of a solver.
 struct SolverInput {
   const Formulation& method;
   const Scene& scene;
   const InitialParticles& initial;
   Constants constants;
   std::vector<Elasticity> materials;  // in the order of Scene::materials
-  Law law;                            // for methods with a choice of laws
+  Law law;                            // if the method allows a choice
   ContactLaw contact;                 // never `published`
-  bool keeps_neighbors;  // see FamilyRow; if true, distant parts of one body act on each other by contact
+  bool keeps_neighbors;               // see FamilyRow; distant parts of a body then interact by contact
   Stepping stepping;
   int threads;
-  InstructionSet kernels{};    // the best one allowed
+  InstructionSet kernels{};    // best allowed
   ConstantValues values = {};  // of the family
 };
 

@@ -4,11 +4,11 @@
 
 namespace taut {
 
-/// Speed in the CFL condition with searched neighbours, m/s, maximum over materials: c0 ([Zhang2024] Eq. 22,
-/// [Khayyer2024] Eq. 26) if G/K is at most `known`, the papers' value. Above, c0 is scaled by √((K + ζG)/ρ0) relative
-/// to its value at `known`. ζ = 4/3 gives the compression wave; `enog` uses the greater ζ of its Laplacian.
+/// Speed in the CFL condition with searched neighbours, m/s, greatest of all materials: c0 ([Zhang2024] Eq. 22,
+/// [Khayyer2024] Eq. 26) if G/K is at most `known`, as in the papers; else scaled with √((K + ζG)/ρ0). ζ = 4/3:
+/// compression wave; `enog`: greater ζ.
 double step_speed(const SolverInput& input, double zeta, double known);
-/// As above with ζ = 4/3 and `known` = G/K at ν = 0, [Khayyer2024] §4.3.
+/// With ζ = 4/3 and G/K at ν = 0, [Khayyer2024] §4.3.
 double step_speed(const SolverInput& input);
 
 }  // namespace taut
