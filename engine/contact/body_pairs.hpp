@@ -10,14 +10,14 @@
 
 namespace taut {
 
-/// Contact candidates of two bodies: pairs that may come within `reach` before the next search, by particle.
+/// Contact candidates of two bodies by particle.
 template <int Dim>
 class BodyPairs {
  public:
-  /// Lists pairs up to reach + skin, valid until a particle has moved half the skin, m.
+  /// Lists pairs up to reach + skin, m.
   BodyPairs(double reach, double skin) : reach_(reach + skin), skin_(skin) {}
 
-  double lasts_for() const { return 0.5 * skin_; }  // m, of the fastest particle
+  double lasts_for() const { return 0.5 * skin_; }  // m, path of the fastest particle
 
   void search(const Particles<Dim>& s) {
     choose_candidates(s);
@@ -39,7 +39,7 @@ class BodyPairs {
           if (dot(d, d) < reach_ * reach_) j.push_back(other);
         }
       });
-      // sorted by id, as mirrored bodies are, so that symmetric runs stay symmetric to the last bit
+      // by id, as in mirrored bodies: symmetric runs stay symmetric to the last bit
       std::sort(j.begin() + from, j.end(), [&](int a, int b) { return s.id[a] < s.id[b]; });
     }
     while (next <= s.size()) begin[next++] = static_cast<int>(j.size());
@@ -71,7 +71,7 @@ class BodyPairs {
   double reach_, skin_;  // m
   CellGrid<Dim> grid_;
   std::vector<int> candidates_;  // ascending
-  std::vector<int> stored_;      // the same in grid order
+  std::vector<int> stored_;      // in grid order
   std::vector<Vec<double, Dim>> x_;
 };
 

@@ -5,14 +5,14 @@
 
 namespace taut {
 
-/// Name of a contact law in scene files; terms/contact_laws.hpp lists the laws.
+/// Name in scene files; see terms/contact_laws.hpp.
 struct ContactLaw {
   std::string_view name;
 
   auto operator<=>(const ContactLaw&) const = default;
 
-  // laws named in code; others are ContactLaw{"name"}
-  static const ContactLaw published;  // the law of the method's paper
+  // laws named in code
+  static const ContactLaw published;  // law of the method's paper
   static const ContactLaw sph, impulse, penalty, lennard_jones, surface;
 };
 

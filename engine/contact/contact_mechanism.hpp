@@ -17,22 +17,21 @@ class FacetContacts;
 template <int Dim>
 using ContactsOfFaces = std::conditional_t<Dim == 3, FacetContacts, FaceContacts>;
 
-/// How bodies, folds of one body and walls interact: between particles (pair_contacts.hpp), between faces
-/// (face_contacts.hpp, in 3D facet_contacts.hpp), or, with this class, not at all.
-/// A search lists candidates that may touch before the next search. The geometry selects those that touch now. A law
-/// (terms/contact_laws.hpp) gives their force, energy or impulse.
+/// Contact mechanism: between particles (pair_contacts.hpp), between faces (face_contacts.hpp, in 3D
+/// facet_contacts.hpp), or none, this class. A search lists candidates, the geometry selects those that touch, a law
+/// (terms/contact_laws.hpp) gives the force, energy or impulse.
 template <int Dim>
 class ContactMechanism {
  public:
   using V = Vec<double, Dim>;
 
-  /// Range of pairs for gap probes, in spacings.
+  /// For gap probes, in spacings.
   static constexpr double reach = 2;
 
   virtual ~ContactMechanism() = default;
 
-  /// Lists candidates if the fastest particle, about to move `way`, m, may leave the range of the last search, or,
-  /// without `way`, because the storage order changed. Returns whether it searched.
+  /// Searches if the fastest particle may leave the last search's range on its next `way`, m, or, without `way`,
+  /// after reordering. Returns whether it searched.
   virtual bool search(const Particles<Dim>& /*particles*/, const WallContacts<Dim>& /*walls*/,
                       std::optional<double> /*way*/) {
     return false;
@@ -40,30 +39,29 @@ class ContactMechanism {
   /// Particles that may get a force before the next search, ascending.
   const std::vector<int>& touching() const { return touching_; }
 
-  /// Sets the forces on `touching`, N (per metre depth in 2D), and records the walls' impulses in `dt`, s.
+  /// Sets forces on `touching`, N (per metre depth in 2D), and records impulses of walls over `dt`, s.
   virtual void evaluate(const Particles<Dim>& /*particles*/, double /*dt*/, WallContacts<Dim>& /*walls*/,
                         std::vector<V>& /*force*/, int /*threads*/) {}
   /// J (per metre depth in 2D).
   virtual double energy(const Particles<Dim>&, const WallContacts<Dim>&) { return 0; }
-  /// Largest ratio of contact stiffness to material stiffness, at least 1, as last evaluated.
+  /// See Contact::stiffening.
   virtual double stiffening() const { return 1; }
-  /// Force on body `a` by body `b` or by a wall, N (per metre depth in 2D), as last evaluated.
+  /// Force on `a` by `b` or a wall, N (per metre depth in 2D), as last evaluated.
   virtual V between(const Particles<Dim>& /*particles*/, int /*a*/, int /*b*/) const { return {}; }
   virtual V of_wall(const Particles<Dim>& /*particles*/, int /*a*/, int /*wall*/,
                     const WallContacts<Dim>& /*walls*/) const {
     return {};
   }
 
-  /// The law gives impulses instead of forces.
   virtual bool has_impulses() const { return false; }
-  /// Sets the impulses on `touching`, N s (per metre depth in 2D); see Contact::stop_approach. `inverse_mass` by
-  /// particle, 1/kg.
+  /// Sets impulses on `touching`, N s (per metre depth in 2D); see Contact::stop_approach. `inverse_mass`: [particle]
+  /// 1/kg.
   virtual void stop_approach(const Particles<Dim>& /*particles*/, double /*dt*/, WallContacts<Dim>& /*walls*/,
                              const std::vector<double>& /*inverse_mass*/, std::vector<V>& /*impulse*/) {}
-  /// Impulse on body `a` by body `b`, or by `wall` if not negative, in the last step, N s.
+  /// See Contact::impulse.
   virtual V impulse(int /*a*/, int /*b*/, int /*wall*/) const { return {}; }
 
-  /// Pairs of two bodies as neighbour lists, for probes.
+  /// See Contact::neighbors.
   virtual Neighbors neighbors(int particles) const {
     Neighbors none;
     none.begin.assign(particles + 1, 0);

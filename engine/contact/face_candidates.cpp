@@ -28,9 +28,9 @@ bool FaceCandidates::search(const Particles<2>& s, MovingFaces& faces, const Wal
   return true;
 }
 
-/// Also lists the nodes near walls, valid equally long.
+/// Also lists nodes near walls.
 void FaceCandidates::search_others(const MovingFaces& faces, const WallContacts<2>& walls) {
-  constexpr double margin = horizon + 2;  // 2: a segment's end lies within its length
+  constexpr double margin = horizon + 2;  // + 2: one end of a segment lies within its length
   const std::vector<char> near = near_other_bodies<2>(faces.places(), faces.outline().body, margin * dp_);
   std::vector<int> nodes, segments;
   std::ranges::copy_if(all_nodes_, std::back_inserter(nodes), [&](int n) { return near[n]; });
@@ -49,8 +49,7 @@ void FaceCandidates::search_others(const MovingFaces& faces, const WallContacts<
 }
 
 /// No side of the node can face this segment before the next search (facet_candidates.hpp:find). Initially close
-/// faces count only once they begin to face each other: right angles are frequent there and would cause searches
-/// every few steps.
+/// faces count only when they begin to face each other, because right angles there would cause many searches.
 bool FaceCandidates::looks_aside(const MovingFaces& faces, int node, int segment) const {
   const auto& [a, b] = faces.segment(segment).node;
   const V D = faces.x0(node) - 0.5 * (faces.x0(a) + faces.x0(b));
@@ -78,7 +77,7 @@ void FaceCandidates::search_own(const Particles<2>& s, const MovingFaces& faces)
   own_bound_.restart(beyond - (reach_ + turn_slack) * dp_, behind_);
 }
 
-/// Lists all candidate nodes and the adjacent ones, with their segments and particles.
+/// Lists candidate and adjacent nodes, their segments and particles.
 void FaceCandidates::watch(const MovingFaces& faces) {
   std::vector<bool> seen(faces.size());
   const auto with_neighbors = [&](int n) {

@@ -14,8 +14,7 @@
 
 namespace taut {
 
-/// Contact candidates of faces in 2D: nodes with segments of other bodies or of their own body if it may fold
-/// (initially farther than `far_apart`), and nodes near walls.
+/// Contact candidates in 2D: nodes with segments of other bodies or of their own folding body, and nodes near walls.
 class FaceCandidates {
  public:
   using V = Vec<double, 2>;
@@ -33,10 +32,9 @@ class FaceCandidates {
 
   NearFaces other_faces, own_faces;
   std::vector<std::pair<int, int>> near_wall;        // (node, wall)
-  std::vector<int> watched_nodes, watched_segments;  // of all candidates, ascending
-  std::vector<int> particles;                        // of the watched nodes, ascending
+  std::vector<int> watched_nodes, watched_segments;  // of candidates, ascending
+  std::vector<int> particles;                        // of watched nodes, ascending
 
-  /// See ContactMechanism::search.
   bool search(const Particles<2>& s, MovingFaces& faces, const WallContacts<2>& walls,
               std::optional<double> way);
 
@@ -54,10 +52,10 @@ class FaceCandidates {
   static constexpr double skin = 1;          // longer: fewer searches, more pairs
   static constexpr double horizon = 4;       // search range, which limits how long a search is valid
   static constexpr double far_apart = 3;     // opposite faces of a thinner wall do not interact
-  static constexpr double aside = 0.5;       // normals with a greater cosine: far from facing each other
-  static constexpr double close_by = 4;      // initially closer faces face each other only if the body
-  static constexpr double folded = -0.1;     // has folded: cosine of normals below this
-  static constexpr double turn_slack = 0.5;  // for nodes that turn around the particles behind them
+  static constexpr double aside = 0.5;       // limit for the cosine of normals
+  static constexpr double close_by = 4;      // initially; such faces count only
+  static constexpr double folded = -0.1;     // below this cosine of normals
+  static constexpr double turn_slack = 0.5;  // for nodes that turn around their particles
 
   void search_others(const MovingFaces& faces, const WallContacts<2>& walls);
   void search_own(const Particles<2>& s, const MovingFaces& faces);
@@ -65,13 +63,13 @@ class FaceCandidates {
   void watch(const MovingFaces& faces);
 
   double dp_;                         // m
-  double reach_;                      // range of contact, in spacings
+  double reach_;                      // of contact, in spacings
   bool meets_itself_, meets_others_;  // others: bodies or walls
   std::vector<int> all_nodes_, all_segments_;
   FaceSearch find_;
-  std::vector<V> normal_;  // [segment] at the last search
+  std::vector<V> normal_;  // [segment] at a search
   MotionBound<2> others_bound_, own_bound_;
-  std::vector<V> behind_;  // [node] position of its main particle, m
+  std::vector<V> behind_;  // [node] main particle, m
 };
 
 }  // namespace taut

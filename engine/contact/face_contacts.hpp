@@ -14,10 +14,9 @@
 
 namespace taut {
 
-/// Contact between overlapping faces in 2D (terms/surface_contact.hpp). Each node is pushed towards its closest point
-/// on the other face; the reaction acts on the segment's ends, weighted by ξ, and passes to particles by their
-/// weights in nodes. A node counts with its length that lies over the other face. Conserves both momenta; the force
-/// derives from an energy except where facing_share changes at a turning corner. Also acts between folds of one body.
+/// Contact of faces in 2D (terms/surface_contact.hpp). Nodes are pushed towards their closest point on the other
+/// face; the reaction acts on the segment's ends by ξ. A node counts with its length over the other face. Conserves
+/// both momenta; derives from an energy except where facing_share changes at a turning corner.
 class FaceContacts final : public ContactMechanism<2> {
  public:
   using V = Vec<double, 2>;
@@ -26,7 +25,7 @@ class FaceContacts final : public ContactMechanism<2> {
 
   bool search(const Particles<2>& s, const WallContacts<2>& walls, std::optional<double> way) override;
 
-  /// Uses one thread: touching faces have few nodes.
+  /// One thread: touching faces have few nodes.
   void evaluate(const Particles<2>& s, double dt, WallContacts<2>& walls, std::vector<V>& force,
                 int threads) override;
   double energy(const Particles<2>& s, const WallContacts<2>& walls) override;
@@ -34,8 +33,7 @@ class FaceContacts final : public ContactMechanism<2> {
   V between(const Particles<2>& s, int a, int b) const override;
   V of_wall(const Particles<2>& s, int a, int wall, const WallContacts<2>& walls) const override;
 
-  /// Least signed distance between nodes of one body and faces of the other, m, negative if they overlap; at most
-  /// `reach`.
+  /// Least distance of nodes and faces of two bodies, m, negative if they overlap; at most `reach`.
   double gap(const Particles<2>& s, int a, int b);
 
   void serialize(Saver& archive, int particles, const WallContacts<2>& walls) override {
@@ -50,8 +48,8 @@ class FaceContacts final : public ContactMechanism<2> {
 
  private:
   // in spacings
-  static constexpr double reach = 1;   // greatest depth of this contact
-  static constexpr double tie = 1e-6;  // distances equal up to round-off
+  static constexpr double reach = 1;   // greatest depth
+  static constexpr double tie = 1e-6;  // round-off
 
   void refuse_thin(const Scene& scene) const;
   void place_watched(const Particles<2>& s);
@@ -69,9 +67,9 @@ class FaceContacts final : public ContactMechanism<2> {
   MovingFaces faces_;
   std::vector<double> M_;  // [node] K + 4G/3, Pa
   FaceCandidates candidates_;
-  // [node] N; summed separately in node order, as in mirrored bodies
-  std::vector<V> own_force_;  // from contacts of nodes of the same body
-  std::vector<V> reaction_;   // reactions to nodes of other bodies
+  // [node] N, each summed in node order, which mirrored bodies share
+  std::vector<V> own_force_;  // by its own body's nodes
+  std::vector<V> reaction_;   // to other bodies' nodes
 };
 
 }  // namespace taut

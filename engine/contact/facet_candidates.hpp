@@ -16,14 +16,13 @@
 
 namespace taut {
 
-/// Contact candidates of facets: pairs of two bodies, pairs of one folding body that were initially farther than
-/// `far_apart` (or `far_inside`, through the body), and facets near walls. A search is valid until particles have
-/// moved by the difference between its range and the range of contact.
+/// Contact candidates in 3D: facet pairs of two bodies or of one folding body, and facets near walls. A search is
+/// valid until the particles behind facets have moved by the difference between its range and the range of contact.
 class FacetCandidates {
  public:
   using V = Vec<double, 3>;
 
-  /// `reach`: greatest distance of the midpoints of acting facets, m.
+  /// `reach`: range of contact of facet midpoints, m.
   FacetCandidates(const SolverInput& input, const MovingFacets& facets, double reach)
       : dp_(input.constants.dp),
         reach_(reach),
@@ -34,10 +33,9 @@ class FacetCandidates {
     for (int f = 0; f < facets.size(); ++f) normal_.push_back(facets[f].normal);
   }
 
-  /// Ascending pairs of facets, in both orders; pairs of facet and wall.
+  /// Ascending; `pairs` in both orders; near_wall: (facet, wall).
   std::vector<std::pair<int, int>> pairs, near_wall;
 
-  /// See ContactMechanism::search.
   bool search(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls,
               std::optional<double> way) {
     const bool others = meets_others_ && !(way && others_bound_.holds(*way));
@@ -70,17 +68,18 @@ class FacetCandidates {
 
  private:
   // in spacings
-  static constexpr double skin = 1.4;        // longer: fewer searches, more pairs
-  static constexpr double horizon = 4.25;    // search range, which limits how long a search is valid
-  static constexpr double cluster = 4;       // size of facet clusters
-  static constexpr double far_apart = 4;     // initial distance along a bending face or across a gap
-  static constexpr double far_inside = 8;    // opposite faces of a thinner wall do not interact
-  static constexpr double flat = 1e-6;       // round-off of facets in one plane
-  static constexpr double aside = 0.5;       // normals with a greater cosine: far from facing each other
-  static constexpr double turn_slack = 0.5;  // for facets that turn around the particles behind them
+  static constexpr double skin = 1.4;      // longer: fewer searches, more pairs
+  static constexpr double horizon = 4.25;  // search range, which limits how long a search is valid
+  static constexpr double cluster = 4;     // size
+  static constexpr double far_apart = 4;   // initially, along a bending face or across a gap
+  static constexpr double far_inside =
+      8;                                // initially, through the body; thinner walls do not touch themselves
+  static constexpr double flat = 1e-6;  // round-off
+  static constexpr double aside = 0.5;  // limit for the cosine of normals
+  static constexpr double turn_slack = 0.5;  // for facets that turn around their particles
 
   void search_others(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
-    constexpr double margin = horizon + 2;  // 2: from two particles to their faces
+    constexpr double margin = horizon + 2;  // + 2: from two particles to their faces
     const std::vector<char> near = near_other_bodies<3>(behind_, near_.bodies(), margin * dp_);
     std::vector<int> candidates = near_.order();
     std::erase_if(candidates, [&](int f) { return !near[f]; });
@@ -102,9 +101,8 @@ class FacetCandidates {
     own_bound_.restart(find<PairsOf::one_body>(facets, near_.order(), wanted, own_), behind_);
   }
 
-  /// Lists pairs. Returns by how much the nearest unlisted pair may approach, m. Facets with similar normals are not
-  /// counted: before they act (facing_share) they must turn by 44°, which takes longer than until the next search. If
-  /// they do turn, they act from that search on.
+  /// Returns by how much the nearest unlisted pair may approach, m. Skips facets with similar normals: to act on each
+  /// other (facing_share) they must turn by 44°, for which points hardly move far enough before the next search.
   template <PairsOf kind, class Wanted>
   double find(const MovingFacets& facets, const std::vector<int>& candidates, const Wanted& wanted,
               std::vector<std::pair<int, int>>& list) {
@@ -117,9 +115,9 @@ class FacetCandidates {
     return beyond - reach_ - turn_slack * dp_;
   }
 
-  /// Lists the found pairs in both orders, sorted.
+  /// Sorts the found pairs in both orders.
   void list_both_ways(std::vector<std::pair<int, int>>& list) {
-    std::vector<int> end(near_.size() + 1);  // [facet] end of its pairs
+    std::vector<int> end(near_.size() + 1);  // [facet] end of pairs
     for (const auto& [f, g] : found_) ++end[f + 1], ++end[g + 1];
     std::partial_sum(end.begin(), end.end(), end.begin());
     const std::vector<int> begin = end;
@@ -129,7 +127,6 @@ class FacetCandidates {
       std::sort(list.begin() + begin[f], list.begin() + begin[f + 1]);
   }
 
-  /// Checks the order made by `list_both_ways`.
   static bool are_both_ways(const std::vector<std::pair<int, int>>& list) {
     return std::ranges::is_sorted(list) && std::ranges::all_of(list, [&](const auto& pair) {
              return std::ranges::binary_search(list, std::pair(pair.second, pair.first));
@@ -144,9 +141,9 @@ class FacetCandidates {
   double dp_, reach_;                 // m
   bool meets_itself_, meets_others_;  // others: bodies or walls
   FacetPairs near_;
-  std::vector<int> nodes_;  // of all facets
+  std::vector<int> nodes_;  // all
   std::vector<V> normal_;   // [facet] initial
-  std::vector<V> behind_;   // [facet] position of the particle behind it, m
+  std::vector<V> behind_;   // [facet] particle behind it, m
   std::vector<std::pair<int, int>> others_, own_, found_;
   MotionBound<3> others_bound_, own_bound_;
 };

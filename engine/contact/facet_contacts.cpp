@@ -39,7 +39,7 @@ bool FacetContacts::search(const Particles<3>& s, const WallContacts<3>& walls, 
   return searched;
 }
 
-/// Lists rows, watched facets, their nodes and particles from the candidates.
+/// Updates the lists after a search.
 void FacetContacts::list() {
   rows_.clear();
   begin_.assign(1, 0);
@@ -66,7 +66,7 @@ void FacetContacts::list() {
   touching_ = facets_.particles_of(nodes_);
 }
 
-/// f(row of the other facet, pair) for those of `count` rows at `first` that contribute to the mean of `row`.
+/// f(other row, pair) for those of `count` rows that count in the mean of `row`.
 template <class F>
 void FacetContacts::for_each_pair(int row, const int* first, int count, const F& f) const {
   const MovingFacets::Place& own = facets_[rows_[row].facet];
@@ -96,8 +96,7 @@ void FacetContacts::for_each_pair(int row, const int* first, int count, const F&
   }
 }
 
-/// f(facet, wall, depth, projected share, k): the mirror image lies twice as deep; the facet owns half of the energy.
-/// Walls need no hardening.
+/// f(facet, wall, depth, projected share, k). The mirror image is twice as deep and has half of the energy.
 template <class F>
 void FacetContacts::for_each_wall(const WallContacts<3>& walls, const F& f) const {
   for (const auto& [facet, wall] : candidates_.near_wall) {
@@ -109,7 +108,7 @@ void FacetContacts::for_each_wall(const WallContacts<3>& walls, const F& f) cons
   }
 }
 
-/// Updates facets and touches to the positions `s`.
+/// Updates all geometry to `s`.
 void FacetContacts::place(const Particles<3>& s) {
   facets_.place(s, nodes_, watched_, threads_);
   near_.resize(other_.size());
@@ -142,7 +141,7 @@ auto FacetContacts::measured(int r) -> Touch {
   return touch;
 }
 
-/// Slope of the energies of this facet and of the facets it contributes to, in its own position.
+/// Slope of all energies in this facet's place.
 MovingFacets::Slope FacetContacts::slope_of(int r) const {
   const Touch& own = touches_[r];
   const double area = facets_[rows_[r].facet].area, M = M_[rows_[r].facet];
@@ -161,7 +160,7 @@ MovingFacets::Slope FacetContacts::slope_of(int r) const {
                          per_weight * pair.share * pair.weight * near_slope(pair.p, reach_at(pair.p)) +
                          per_radius * lateral_radius_slope(pair.p, dp_) - 2 * pair.p * per_l2;
     slope.middle += per_p * pair.middle + (2 * per_l2) * pair.d;
-    const double square = 2 - 2 * pair.cosine;  // |difference of the two normals|²
+    const double square = 2 - 2 * pair.cosine;  // |n_g − n_f|²
     slope.normal += (per_share * projected_slope(pair.cosine) + per_p * pair.p / square) * at.normal -
                     (per_p / std::sqrt(square)) * pair.d;
     slope.area += per_other * weight_of(pair);
@@ -182,7 +181,7 @@ void FacetContacts::evaluate(const Particles<3>& s, double dt, WallContacts<3>& 
   for_each_wall(walls, [&](int facet, int wall, double depth, double share, double k) {
     const V& normal = walls.normal(wall);
     const double area = area_of(facet), slope = projected_slope(dot(facets_[facet].normal, normal));
-    // 2: from the facet and from its image
+    // 2: facet and image
     facets_.push(facet,
                  {.middle = (-2 * surface_force(depth, area * share, k)) * normal,
                   .normal = (surface_energy(depth, area, k) * slope) * normal},
@@ -207,7 +206,7 @@ double FacetContacts::energy(const Particles<3>& s, const WallContacts<3>& walls
     sum += hard_energy(-touches_[r].height, area_of(rows_[r].facet) * covered_share(touches_[r].cover),
                        touches_[r].k, dp_);
   for_each_wall(walls, [&](int facet, int, double depth, double share, double k) {
-    sum += surface_energy(depth, area_of(facet) * share, k);  // both passes, half for the image
+    sum += surface_energy(depth, area_of(facet) * share, k);  // half of two passes
   });
   return sum;
 }

@@ -13,9 +13,8 @@
 
 namespace taut {
 
-/// Contact between overlapping faces in 3D (terms/surface_contact.hpp). Forces derive from an energy of all facets.
-/// The depth of a facet refers to the weighted mean of the facets around it of another body, or of a fold of its own
-/// body.
+/// Contact of faces in 3D (terms/surface_contact.hpp). Forces derive from an energy. A facet's depth refers to the
+/// mean of another body's facets (or a fold's) around it.
 class FacetContacts final : public ContactMechanism<3> {
  public:
   using V = Vec<double, 3>;
@@ -33,7 +32,7 @@ class FacetContacts final : public ContactMechanism<3> {
   V between(const Particles<3>& s, int a, int b) const override;
   V of_wall(const Particles<3>& s, int a, int wall, const WallContacts<3>& walls) const override;
 
-  /// Least height of facets of one body over a face of the other, m, negative if they overlap; at most a spacing.
+  /// Least height of facets over the other body's face, m, negative if they overlap; at most a spacing.
   double gap(const Particles<3>& s, int a, int b);
 
   void serialize(Saver& archive, int particles, const WallContacts<3>& walls) override {
@@ -46,30 +45,30 @@ class FacetContacts final : public ContactMechanism<3> {
 
  private:
   // in spacings
-  static constexpr double before = 1, behind = 1.5;  // range of a face in front of and behind a facet
-  static constexpr double radius = 1.5;              // greatest lateral range of the mean
-  static constexpr double apart = 2.13;              // √(behind² + radius²), range of acting facets
+  static constexpr double before = 1, behind = 1.5;  // range along the normal
+  static constexpr double radius = 1.5;              // lateral range
+  static constexpr double apart = 2.13;              // √(behind² + radius²)
   double reach_at(double p) const { return (p < 0 ? behind : before) * dp_; }
 
-  /// A facet with the near facets of one body.
+  /// A facet and one body near it.
   struct Row {
     int facet, body;
   };
-  /// Geometry and law of a row at the current positions.
+  /// Current geometry and law of a row.
   struct Touch {
-    int near = 0;              // number of the body's facets in range
-    double cover = 0;          // sum of their weights W
-    double height = 0, M = 0;  // weighted means of p, m, and M, Pa
+    int near = 0;              // facets in range
+    double cover = 0;          // Σ W
+    double height = 0, M = 0;  // means of p, m, and M, Pa, weighted by W
     double k = 0;              // Pa/m
     // slopes of the energy in `cover`, J, and in the means, over `cover`, N and m³
     double per_sum = 0, per_p = 0, per_M = 0;
-    double per_weight(double p, double modulus) const {  // slope in the W of one facet, J
+    double per_weight(double p, double modulus) const {  // slope in one W, J
       return per_sum + per_p * (p - height) + per_M * (modulus - M);
     }
   };
   struct Pair {
     V d, middle;                                        // x_f − x_g, m; (n_g − n_f)/|n_g − n_f|
-    double p, l2, radius, cosine, share, weight, near;  // for W: R, s, w and c
+    double p, l2, radius, cosine, share, weight, near;  // W = s w c, with radius R
   };
 
   double weight_of(const Pair& pair) const { return pair.share * pair.weight * pair.near; }  // 1/m²
@@ -91,19 +90,19 @@ class FacetContacts final : public ContactMechanism<3> {
   void for_each_wall(const WallContacts<3>& walls, const F& f) const;
 
   double dp_, stiffness_;
-  double hardening_ = 1;  // largest ratio to the stiffness at first touch, as last evaluated
+  double hardening_ = 1;  // stiffness over stiffness at first touch, greatest
   int threads_ = 1;
   MovingFacets facets_;
   std::vector<double> M_;  // [facet] K + 4G/3, Pa
   FacetCandidates candidates_;
 
   std::vector<Row> rows_;                    // by facet, then body
-  std::vector<int> begin_, other_;           // [row] rows of the near facets, ascending
+  std::vector<int> begin_, other_;           // [row] near rows, ascending
   std::vector<Touch> touches_;               // [row]
-  std::vector<int> near_;                    // rows currently in range, indexed like `other_`
+  std::vector<int> near_;                    // rows in range, indexed like `other_`
   std::vector<MovingFacets::Slope> slopes_;  // [row]
-  std::vector<int> watched_;                 // facets with current positions, ascending
-  std::vector<int> nodes_;                   // nodes of `watched_`
+  std::vector<int> watched_;                 // ascending
+  std::vector<int> nodes_;                   // of `watched_`
   std::vector<V> force_;                     // [node] N
 };
 

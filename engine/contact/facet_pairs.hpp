@@ -12,21 +12,20 @@
 
 namespace taut {
 
-/// Pairs that a search finds.
 enum class PairsOf {
-  one_body,    // initially farther apart than a limit
+  one_body,    // initially farther apart than `far`
   two_bodies,  // all
 };
 
-/// Facets as columns with `lanes` readable entries after the last facet.
+/// Each column ends with `lanes` readable extra entries.
 struct FacetColumns {
   const double* now[3];    // m
   const double* start[3];  // m
   const double* normal[3];
 };
 
-/// Finds facets among first … last − 1 with midpoints nearer to facet p than √near2 now and farther than √far2
-/// initially, and a cosine of normals below `cosine`. Stores indices and squared distances, m². Returns their number.
+/// Finds midpoints among first … last − 1 nearer to facet p than √near2, initially farther than √far2, with cosine of
+/// normals below `cosine`. Stores indices and squared distances, m². Returns their number.
 inline int find_near_facets(const FacetColumns& facets, int p, int first, int last, double near2, double far2,
                             double cosine, int* found, double* distance2) {
   int count = 0;
@@ -48,14 +47,14 @@ inline int find_near_facets(const FacetColumns& facets, int p, int first, int la
   return count;
 }
 
-/// Finds pairs of near facets with different directions: first tests clusters by bounding boxes and spread of
-/// normals, then facets, four at a time. All pairs of clusters are tested.
+/// Finds near facet pairs with different normals, first between clusters (by boxes and spread of normals), then four
+/// facets at a time.
 class FacetPairs {
  public:
   using V = Vec<double, 3>;
 
   FacetPairs() = default;
-  /// A cluster contains the facets in a cell of this width, m, that initially face the same way.
+  /// `width`: size of clusters, whose facets initially face the same way, m.
   FacetPairs(const MovingFacets& facets, double width) {
     using Key = std::tuple<int, int, bool, std::array<double, 3>>;
     std::vector<Key> key;
@@ -79,19 +78,18 @@ class FacetPairs {
   }
 
   int size() const { return static_cast<int>(body_.size()); }
-  /// All facets by cluster.
+  /// By cluster.
   const std::vector<int>& order() const { return order_; }
-  const V& start(int facet) const { return start_[facet]; }  // initial midpoint, m
+  const V& start(int facet) const { return start_[facet]; }  // initial, m
   const std::vector<int>& bodies() const { return body_; }   // [facet]
 
   struct Limits {
     double listed, horizon;  // m
-    double far;              // initial distance of two facets of one body, m
-    double cosine;           // upper limit for the cosine of normals
+    double far;              // initial distance in one body, m
+    double cosine;           // of normals, upper limit
   };
-  /// Calls found(f, g) once for each pair with `wanted(f, g)` nearer than `listed`. Returns the distance of the
-  /// nearest unlisted one, m, at most `horizon`. `candidates` must be in `order()`, facets at their current
-  /// positions.
+  /// Calls found(f, g) once for each pair with `wanted(f, g)` nearer than `listed`. Returns the least other distance,
+  /// m, at most `horizon`. `candidates` must follow `order()`.
   template <PairsOf kind, class Wanted, class Found>
   double find(const MovingFacets& facets, const std::vector<int>& candidates, const Limits& limits,
               const Wanted& wanted, const Found& found) {

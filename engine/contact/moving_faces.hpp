@@ -13,38 +13,36 @@
 
 namespace taut {
 
-/// The half of one of a node's two sides that belongs to the node, where it lies over a segment and faces it.
+/// Half of a side of a node, as far as it lies over a segment and faces it.
 struct FacingHalf {
   int side = Outline::none;
-  double half = 0;              // initial length, m
-  double share = 0, slope = 0;  // facing_share and its slope
-  std::array<double, 2>
-      at{};  // position on the side of its crossing with each segment end: 0 at the node, 1 at the other end
-  std::array<double, 2> over{1, 1};  // share of the half within each end
+  double half = 0;                   // initial, m
+  double share = 0, slope = 0;       // facing_share and slope
+  std::array<double, 2> at{};        // crossing with each segment end: 0 at the node, 1 at its other end
+  std::array<double, 2> over{1, 1};  // share within each end
   std::array<double, 2> rise{};      // slope of `over` in `at`
-  double past = 1;                   // beyond an end: 1 − share that faces the next face
-  double past_slope = 0;             // slope of `past` in the cosine of the two faces
-  int next = Outline::none;          // the next face beyond that end
+  double past = 1;                   // 1 − share that faces the next face, beyond an end
+  double past_slope = 0;             // slope of `past` in the cosine
+  int next = Outline::none;          // next face beyond the end
 
   double covered() const { return over[0] * over[1]; }
   double area() const { return half * share * covered() * past; }  // m
 };
 
-/// The closest point of a segment to a node.
+/// Closest point of a segment to a node.
 struct Foot {
   int node = Outline::none, segment = Outline::none;
-  double xi = 0;                                          // from the first end to the second
+  double xi = 0;                                          // first to second end
   double distance2 = 0;                                   // m²
-  double rank = std::numeric_limits<double>::infinity();  // m; the smallest wins
-  double weight = 1;                                      // 0.5 for each of two equally near segments
+  double rank = std::numeric_limits<double>::infinity();  // m; least wins
+  double weight = 1;                                      // 0.5 if two segments are equally near
   std::array<FacingHalf, 2> halves{};
   Vec<double, 2> offset{}, normal{};  // node − point, m; outwards
 
   double area() const { return weight * (halves[0].area() + halves[1].area()); }  // m
 };
 
-/// Current positions of the faces of layout/outline.hpp. A node is a weighted mean of particles; forces on it are
-/// distributed to them with the same weights.
+/// Current faces of layout/outline.hpp. Nodes are weighted means of particles; their forces use the same weights.
 class MovingFaces {
  public:
   using V = Vec<double, 2>;
@@ -63,7 +61,6 @@ class MovingFaces {
   const Outline& outline() const { return outline_; }
   int size() const { return outline_.size(); }
   const Outline::Segment& segment(int k) const { return outline_.segments[k]; }
-  /// One segment begins where the other ends.
   bool beside(int k, int l) const {
     const auto &a = outline_.segments[k].node, &b = outline_.segments[l].node;
     return a[0] == b[1] || a[1] == b[0];
@@ -75,14 +72,13 @@ class MovingFaces {
     return x;
   }
 
-  /// Call after a change of the storage order.
+  /// Call after reordering particles.
   void renumber(const Particles<2>& s) {
     const std::vector<int> where = s.places_of_ids();
     stored_.clear();
     for (const PointWeight& share : outline_.shares) stored_.push_back(where[share.particle]);
   }
 
-  /// Moves a node to the current mean of its particles.
   void place(const Particles<2>& s, int node) {
     V x{};
     for_each_share(node, [&](int i, double weight) { x += weight * s.x[i]; });
@@ -92,7 +88,7 @@ class MovingFaces {
     for (int n = 0; n < size(); ++n) place(s, n);
     for (int k = 0; k < static_cast<int>(normal_.size()); ++k) set_normal(k);
   }
-  /// Requires current positions of its nodes.
+  /// Requires placed nodes.
   void set_normal(int k) {
     const auto& [node, length, sense] = outline_.segments[k];
     const V t = place_[node[1]] - place_[node[0]];
@@ -100,25 +96,25 @@ class MovingFaces {
     normal_[k] = {factor * t[1], -factor * t[0]};
   }
   const std::vector<V>& places() const { return place_; }  // [node] m
-  /// Position of the particle with the largest weight for each node, m.
+  /// Main particle of each node, m.
   void follow(const Particles<2>& s, std::vector<V>& x) const {
     x.clear();
     for (const int share : behind_) x.push_back(s.x[stored_[share]]);
   }
 
-  /// f(i, weight) for each stored particle of a node.
+  /// f(i, weight) for stored particles of a node.
   template <class F>
   void for_each_share(int node, const F& f) const {
     for (int k = outline_.begin[node]; k < outline_.begin[node + 1]; ++k)
       f(stored_[k], outline_.shares[k].weight);
   }
 
-  /// Unit vector, outwards.
+  /// Outwards.
   const V& normal_of(int k) const { return normal_[k]; }
 
   bool has_sharp_end(int k) const { return sharp_[k][0] || sharp_[k][1]; }
 
-  /// Squared distance of a node from a segment, m².
+  /// m².
   double distance2(int node, int k) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
@@ -126,7 +122,7 @@ class MovingFaces {
     return dot(offset, offset);
   }
 
-  /// Initial length of the node's half sides that faces a face with this normal, m.
+  /// Initial length of the node that faces this normal, m.
   double facing(int node, const V& normal) const {
     double area = 0;
     for (const int k : outline_.beside[node])
@@ -135,8 +131,7 @@ class MovingFaces {
     return area;
   }
 
-  /// Forces on the nodes, give(n, f), N (per metre depth in 2D), by the turning of a node's sides, from an `energy`
-  /// per length.
+  /// Forces by turning sides, give(n, f), N (per metre depth in 2D); `energy` per length.
   template <class Give>
   void push_facing(int node, const V& normal, double energy, const Give& give) const {
     for (const int k : outline_.beside[node])
@@ -145,10 +140,10 @@ class MovingFaces {
           turn(k, normal, energy * 0.5 * outline_.segments[k].length * slope, give);
   }
 
-  /// Replaces `best` by the segment's closest point if its rank is smaller and the node faces it. The rank grows, by
-  /// up to half a segment length, if no side faces the segment straight: two corners that meet are then pushed apart
-  /// by the faces in front, not through the equally near adjacent faces. Beyond a sharp end, the node's side acts
-  /// with its length over the segment and its depth at the end.
+  /// Replaces `best` if this segment's point ranks lower and the node faces it. The rank adds up to half a segment
+  /// length if no side faces the segment straight. Meeting corners are thus pushed back by the faces in front, not by
+  /// adjacent faces equally near. Beyond a sharp end, the side acts with its length over the segment and its depth at
+  /// the end.
   void measure(int node, int k, Foot& best) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
@@ -165,7 +160,7 @@ class MovingFaces {
     one = facing_half(foot, outline_.beside[node][0]);
     two = facing_half(foot, outline_.beside[node][1]);
     if (!(foot.area() > 0)) return;
-    if (is_beyond(foot)) (one.area() > two.area() ? two : one) = {};  // the other side comes in over the end
+    if (is_beyond(foot)) (one.area() > two.area() ? two : one) = {};  // the other side enters over the end
     const double straight = std::max(one.share, two.share);
     const double distance = is_beyond(foot) ? std::abs(touch(foot).depth) : std::sqrt(foot.distance2);
     foot.rank = distance + 0.5 * (1 - straight) * outline_.segments[k].length;
@@ -173,11 +168,11 @@ class MovingFaces {
   }
 
   struct Touch {
-    double depth;  // of the node or its side behind the face, m; negative in front
-    V out;         // unit vector of the force on a node behind the face
+    double depth;  // of the node or side, m; negative in front
+    V out;         // unit vector of the force
   };
-  /// At an end that is not sharp, the mean normal of its two segments decides which side is inside. A node across it,
-  /// just past a tip, counts as beside the face.
+  /// At an end that is not sharp, the mean normal of both segments tells the inside. Nodes across it, past a tip, are
+  /// outside.
   Touch touch(const Foot& foot) const {
     if (is_beyond(foot)) {
       const FacingHalf& half = foot.halves[foot.halves[0].side == Outline::none ? 1 : 0];
@@ -195,8 +190,8 @@ class MovingFaces {
     return {distance, (-1 / distance) * foot.offset};
   }
 
-  /// Forces from the energy of a node at its foot, with stiffness k: own(n, f) on the node's face, other(n, f) on the
-  /// segment's face, N (per metre depth in 2D). They contain the slopes of depth, overlap and facing.
+  /// Forces own(n, f) on the node's face and other(n, f) on the segment's face, N (per metre depth in 2D); k:
+  /// stiffness. They follow the slopes of depth, overlap and facing.
   template <class Own, class Other>
   void push(const Foot& foot, const Touch& touch, double k, const Own& own, const Other& other) const {
     const std::array<int, 2>& end = outline_.segments[foot.segment].node;
@@ -229,14 +224,13 @@ class MovingFaces {
   }
 
  private:
-  /// The foot lies on the segment's line, past an end.
   static bool is_beyond(const Foot& foot) { return foot.xi < 0 || foot.xi > 1; }
 
   int other_end(int node, int side) const {
     const auto& ends = outline_.segments[side].node;
     return ends[ends[0] == node ? 1 : 0];
   }
-  /// Vector from the node to the other end of its side.
+  /// From a node to its side's other end.
   V way(int node, int side) const { return place_[other_end(node, side)] - place_[node]; }
 
   FacingHalf facing_half(const Foot& foot, int side) const {
@@ -254,9 +248,9 @@ class MovingFaces {
     for (const int e : {0, 1}) {
       if (!sharp_[k][e]) continue;
       h.at[e] = -dot(t, place_[node] - place_[ends[e]]) / along;
-      const bool ahead = (along > 0) == (e == 0);  // the side comes in over this end
+      const bool ahead = (along > 0) == (e == 0);  // the side enters over this end
       const double u = std::clamp(ahead ? 1 - 2 * h.at[e] : 2 * h.at[e], 0.0, 1.0);
-      h.over[e] = u * u * (3 - 2 * u);  // slope 0 at both ends: equal faces on each other do not slide
+      h.over[e] = u * u * (3 - 2 * u);  // flat at 0 and 1: equal faces do not slide
       h.rise[e] = (ahead ? -12 : 12) * u * (1 - u);
     }
     if (xi >= 0 && xi <= 1) return h;
@@ -267,13 +261,13 @@ class MovingFaces {
     return h;
   }
 
-  /// Depth of a side behind the segment where it crosses the line across its end e, m.
+  /// Depth of a side where it crosses end e, m.
   double depth_at(const Foot& foot, const FacingHalf& h, int e) const {
     const V place = place_[foot.node] + h.at[e] * way(foot.node, h.side);
     return -dot(place - place_[outline_.segments[foot.segment].node[e]], foot.normal);
   }
 
-  /// Slope of the depth, with segment t, its end e, side w from x to z, r = n·w/t·w, crossing s:
+  /// Segment t, its end e, side w from x to z, crossing s, r = n·w/t·w:
   ///   δdepth = −(n − r t)·((1 − s) δx + s δz − δe) − r depth n·δt
   template <class Own, class Other>
   void push_at_end(const Foot& foot, const FacingHalf& h, double depth, double size, const Own& own,
@@ -290,8 +284,7 @@ class MovingFaces {
     other(ends[0], (-r * depth * size) * foot.normal);
   }
 
-  /// By the slope of the energy in s: δs = −(t·((1 − s) δx + s δz − δe) − depth n·δt)/t·w, with the side's depth at
-  /// the end.
+  /// δs = −(t·((1 − s) δx + s δz − δe) − depth n·δt)/t·w.
   template <class Own, class Other>
   void push_along(const Foot& foot, const FacingHalf& h, int e, double slope, const Own& own,
                   const Other& other) const {
@@ -305,7 +298,7 @@ class MovingFaces {
     other(ends[0], turning * foot.normal);
   }
 
-  /// By the slope of the energy in the cosine of two normals: δn = −t n·δt/|t|².
+  /// δn = −t n·δt/|t|²; `slope` in the cosine of the normals.
   template <class Give>
   void turn(int side, const V& normal, double slope, const Give& give) const {
     const auto& ends = outline_.segments[side].node;
@@ -318,7 +311,7 @@ class MovingFaces {
     turn(side, normal_of(segment), slope, own), turn(segment, normal_of(side), slope, other);
   }
 
-  /// Sharp ends: the face turns outwards by more than 60 degrees.
+  /// Ends where the face turns outwards by over 60°.
   void find_sharp_ends() {
     for (int k = 0; k < static_cast<int>(outline_.segments.size()); ++k) {
       std::array<bool, 2>& sharp = sharp_.emplace_back();
@@ -340,8 +333,8 @@ class MovingFaces {
 
   Outline outline_;
   std::vector<std::array<bool, 2>> sharp_;  // [segment][end]
-  std::vector<int> stored_;                 // [share] storage index of its particle
-  std::vector<int> behind_;                 // [node] its share with the largest weight
+  std::vector<int> stored_;                 // [share] storage index
+  std::vector<int> behind_;                 // [node] greatest share
   std::vector<V> place_;                    // [node] m
   std::vector<V> normal_;                   // [segment] as normal_of
 };

@@ -12,7 +12,7 @@
 
 namespace taut {
 
-/// Indices of the non-zero entries.
+/// Indices of non-zero entries.
 inline std::vector<int> indices_of(const std::vector<char>& seen) {
   std::vector<int> indices;
   for (std::size_t k = 0; k < seen.size(); ++k)
@@ -20,24 +20,23 @@ inline std::vector<int> indices_of(const std::vector<char>& seen) {
   return indices;
 }
 
-/// Current positions of the facets of layout/surface_mesh.hpp. A node is a weighted mean of particles, a facet lies
-/// over the mean of its nodes; forces are distributed with the same weights.
+/// Current facets of layout/surface_mesh.hpp. Nodes are weighted means of particles, facets lie over the mean of
+/// their nodes; forces use the same weights.
 class MovingFacets {
  public:
   using V = Vec<double, 3>;
 
   struct Place {
-    V middle{}, normal{};  // m; unit vector, outwards
+    V middle{}, normal{};  // m; outwards
     double area = 0;       // m²
   };
-  /// Slope of an energy in each member of Place, N, N m, N/m.
+  /// Slope of an energy in these, N, N m, N/m.
   struct Slope {
     V middle{}, normal{};
     double area = 0;
   };
 
   MovingFacets() = default;
-  /// Facets at their initial positions.
   explicit MovingFacets(SurfaceMesh mesh) : mesh_(std::move(mesh)), place_(mesh_.facets.size()) {
     for (const Point& x : mesh_.x) x_.push_back({x[0], x[1], x[2]});
     for (int facet = 0; facet < size(); ++facet) place(facet);
@@ -46,21 +45,21 @@ class MovingFacets {
   const SurfaceMesh& mesh() const { return mesh_; }
   int size() const { return static_cast<int>(mesh_.facets.size()); }
   int body(int facet) const { return mesh_.facets[facet].body; }
-  /// Nodes of these facets, ascending.
+  /// Ascending.
   std::vector<int> nodes_of(const std::vector<int>& facets) const {
     std::vector<char> seen(mesh_.size());
     for (const int facet : facets)
       for (const int node : mesh_.facets[facet].node) seen[node] = true;
     return indices_of(seen);
   }
-  /// Stored particles of these nodes, ascending.
+  /// Stored particles, ascending.
   std::vector<int> particles_of(const std::vector<int>& nodes) const {
     std::vector<char> seen(stored_.empty() ? 0 : 1 + *std::ranges::max_element(stored_));
     for (const int node : nodes) for_each_share(node, [&](int i, double) { seen[i] = true; });
     return indices_of(seen);
   }
 
-  /// Call after a change of the storage order.
+  /// Call after reordering particles.
   void renumber(const Particles<3>& s) {
     const std::vector<int> where = s.places_of_ids();
     stored_.clear();
@@ -69,13 +68,13 @@ class MovingFacets {
     for (const SurfaceMesh::Facet& facet : mesh_.facets) behind_.push_back(where[facet.particle]);
   }
 
-  /// Position of the particle behind each facet, m.
+  /// Particle behind each facet, m.
   void follow(const Particles<3>& s, std::vector<V>& x) const {
     x.clear();
     for (const int i : behind_) x.push_back(s.x[i]);
   }
 
-  /// Moves these facets, and `nodes`, all their nodes, to the current positions of their particles.
+  /// `nodes`: all nodes of `facets`.
   void place(const Particles<3>& s, const std::vector<int>& nodes, const std::vector<int>& facets,
              int threads) {
     parallel_for(static_cast<int>(nodes.size()), threads, [&](int k) {
@@ -87,13 +86,13 @@ class MovingFacets {
   }
   const Place& operator[](int facet) const { return place_[facet]; }
 
-  /// f(i, weight) for each stored particle of a node.
+  /// f(i, weight) for stored particles of a node.
   template <class F>
   void for_each_share(int node, const F& f) const {
     for (int k = mesh_.begin[node]; k < mesh_.begin[node + 1]; ++k) f(stored_[k], mesh_.shares[k].weight);
   }
 
-  /// Adds the forces on a facet's nodes from an energy with this slope, N.
+  /// Adds forces on nodes by an energy of this slope, N.
   void push(int facet, const Slope& slope, std::vector<V>& force) const {
     const Place& place = place_[facet];
     const auto& n = mesh_.facets[facet].node;
@@ -130,8 +129,8 @@ class MovingFacets {
   }
 
   SurfaceMesh mesh_;
-  std::vector<int> stored_;  // [share] storage index of its particle
-  std::vector<int> behind_;  // [facet] storage index of the particle behind it
+  std::vector<int> stored_;  // [share] storage index
+  std::vector<int> behind_;  // [facet] storage index
   std::vector<V> x_;         // [node] m
   std::vector<Place> place_;
 };

@@ -14,14 +14,14 @@
 
 namespace taut {
 
-/// Contact candidates of a body that folds: pairs of its particles at faces (particles_at_faces.hpp) that were
-/// initially far apart and are near now. The storage order must not change.
+/// Contact candidates of a folding body: its particles at faces (particles_at_faces.hpp), initially far apart, now
+/// near. Requires constant storage order.
 template <int Dim>
 class OwnPairs {
  public:
   using V = Vec<double, Dim>;
 
-  /// `reach`: distance below which pairs act, m.
+  /// `reach`: range of contact, m.
   OwnPairs(const SolverInput& input, double reach) : dp_(input.constants.dp), reach_(reach) {
     if (!input.keeps_neighbors) return;
     ids_ = particles_at_faces(input.scene, input.initial);
@@ -32,7 +32,6 @@ class OwnPairs {
     }
   }
 
-  /// See ContactMechanism::search.
   bool search(const Particles<Dim>& s, std::optional<double> way) {
     if (ids_.empty() || (way && bound_.holds(*way))) return false;
     place(s);
@@ -42,7 +41,7 @@ class OwnPairs {
     return true;
   }
 
-  /// Candidates of stored particle i: j[begin[i]] … j[begin[i + 1] − 1]. Both empty if no pair was found.
+  /// For stored particle i: j[begin[i]] … j[begin[i + 1] − 1]; may both be empty.
   std::vector<int> begin, j;
 
   template <class Archive>
@@ -79,7 +78,6 @@ class OwnPairs {
     bound_.restart(beyond - reach_, x_);
   }
 
-  /// Lists the found pairs by particle.
   void list(int particles) {
     begin.clear();
     j.clear();
@@ -96,10 +94,10 @@ class OwnPairs {
   double dp_, reach_;     // m
   std::vector<int> ids_;  // ascending
   PointSearch<Dim> search_;
-  std::vector<V> x_;  // current positions, m
+  std::vector<V> x_;  // current, m
   std::vector<int> stored_;
   MotionBound<Dim> bound_;
-  std::vector<std::pair<int, int>> found_;  // storage index of i; number of j in `ids_`
+  std::vector<std::pair<int, int>> found_;  // storage index of i, index of j in `ids_`
 };
 
 }  // namespace taut

@@ -13,18 +13,17 @@
 
 namespace taut {
 
-/// Contact candidates between particles: pairs of two bodies, pairs of a folding body, and particles near walls.
+/// Contact candidates: particle pairs of two bodies or of a folding body, and particles near walls.
 template <int Dim>
 class PairCandidates {
  public:
-  /// Pairs nearer than a spacing act; pairs of two bodies are listed up to `reach`, m, for probes.
+  /// `reach`: range of pairs of two bodies, for probes, m; contact acts within a spacing.
   PairCandidates(const SolverInput& input, bool between_bodies, double reach)
       : between_bodies_(between_bodies),
         dp_(input.constants.dp),
         others_(reach, skin * dp_),
         own_(input, dp_) {}
 
-  /// See ContactMechanism::search.
   bool search(const Particles<Dim>& s, const WallContacts<Dim>& walls, std::optional<double> way) {
     travelled_ += way.value_or(0);
     const bool others = !way || ((between_bodies_ || walls.any()) && travelled_ > others_.lasts_for());
@@ -33,7 +32,7 @@ class PairCandidates {
     return others || own;
   }
 
-  /// Particles that have candidates, ascending.
+  /// Ascending.
   std::vector<int> particles(int count) const {
     std::vector<int> found;
     for (int i = 0; i < count; ++i)
@@ -45,7 +44,6 @@ class PairCandidates {
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
   }
-  /// Calls f(j) for each candidate of particle i.
   template <class F>
   void for_each(int i, const F& f) const {
     const auto visit = [&](const auto& list) {
@@ -54,10 +52,10 @@ class PairCandidates {
     if (between_bodies_) visit(others_);
     if (!own_.begin.empty()) visit(own_);
   }
-  /// (particle, wall), by particle.
+  /// (particle, wall).
   const std::vector<std::pair<int, int>>& near_walls() const { return near_walls_; }
 
-  /// Pairs of two bodies as neighbour lists, for probes.
+  /// See Contact::neighbors.
   Neighbors neighbors(int particles) const {
     Neighbors out;
     out.begin.push_back(0);
@@ -97,7 +95,7 @@ class PairCandidates {
   BodyPairs<Dim> others_;
   OwnPairs<Dim> own_;
   std::vector<std::pair<int, int>> near_walls_;
-  double travelled_ = 0;  // path of the fastest particle since the last search of other bodies, m
+  double travelled_ = 0;  // m, of the fastest particle since searching other bodies
 };
 
 }  // namespace taut

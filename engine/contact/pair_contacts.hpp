@@ -11,11 +11,11 @@
 
 namespace taut {
 
-/// Contact between particles of two bodies, or distant parts of one body, that are less than a spacing apart. Forces
-/// or impulses act along the pair, equal and opposite to the last bit. A wall acts as the particle's mirror image.
-/// Differs from [Khayyer2024] Eq. 53–54, where a force stops the approach of the old velocities only. Faces under a
-/// pressure p then creep into each other at about p/(ρ c0) at any resolution. Here the new velocities are stopped
-/// before positions follow them. The paper gives no contact distance; here it is one spacing, as between two layers.
+/// Contact of particles less than a spacing apart, of two bodies or distant parts of one. Acts along the pair, equal
+/// and opposite to the last bit. Walls act as mirror images.
+/// Differs from [Khayyer2024] Eq. 53–54, whose force stops only the old velocities: under a pressure p, faces creep
+/// into each other at about p/(ρ c0). Here the new velocities are stopped before positions follow. The paper gives no
+/// contact distance.
 template <int Dim>
 class PairContacts final : public ContactMechanism<Dim> {
  public:
@@ -26,7 +26,7 @@ class PairContacts final : public ContactMechanism<Dim> {
 
   bool search(const Particles<Dim>& s, const WallContacts<Dim>& walls, std::optional<double> way) override;
 
-  /// Uses one thread: touching faces have few particles.
+  /// One thread: touching faces have few particles.
   void evaluate(const Particles<Dim>& s, double dt, WallContacts<Dim>& walls, std::vector<V>& force,
                 int threads) override;
   double energy(const Particles<Dim>& s, const WallContacts<Dim>& walls) override;
@@ -49,7 +49,7 @@ class PairContacts final : public ContactMechanism<Dim> {
   }
 
  private:
-  /// Contact modulus of two particles, Pa.
+  /// Pa.
   double modulus(const Particles<Dim>& s, int i, int j) const;
   template <class F>
   void for_each_touch(const Particles<Dim>& s, int i, double gone, const F& f) const;
@@ -63,10 +63,10 @@ class PairContacts final : public ContactMechanism<Dim> {
 
   const ContactLawRow& law_;
   double dp_;              // m
-  double stiffness_;       // factor of K1 K2/(K1 + K2)
+  double stiffness_;       // over K1 K2/(K1 + K2)
   std::vector<double> K_;  // [id] Pa
   PairCandidates<Dim> candidates_;
-  std::vector<std::vector<V>> given_;  // [body][body, then wall] N s in the last step; empty without probes
+  std::vector<std::vector<V>> given_;  // [body][body, then wall] N s, last step; empty without probes
 };
 
 }  // namespace taut

@@ -7,8 +7,8 @@
 
 namespace taut {
 
-/// Ids of the particles that determine faces, ascending: in 2D those of layout/outline.hpp, in 3D those without all
-/// 26 nearest neighbours of a cubic lattice.
+/// Ids of particles that determine faces, ascending: in 2D from layout/outline.hpp, in 3D without all 26 lattice
+/// neighbours.
 std::vector<int> particles_at_faces(const Scene& scene, const InitialParticles& initial);
 
 }  // namespace taut

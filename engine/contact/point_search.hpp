@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Points as columns with `lanes` readable entries after the last point.
+/// Each column ends with `lanes` readable extra entries.
 template <int Dim>
 struct PointColumns {
   const double* now[Dim];    // m
@@ -18,8 +18,8 @@ struct PointColumns {
   const double* body;
 };
 
-/// Finds points among first … last − 1 of the same body as p, nearer than √near2 now and farther than √far2
-/// initially. Stores indices and squared distances, m². Returns their number.
+/// Finds points among first … last − 1 of p's body nearer than √near2, initially farther than √far2. Stores indices
+/// and squared distances, m². Returns their number.
 template <int Dim>
 int find_near_points(const PointColumns<Dim>& points, int p, int first, int last, double near2, double far2,
                      int* found, double* distance2) {
@@ -42,13 +42,12 @@ int find_near_points(const PointColumns<Dim>& points, int p, int first, int last
   return count;
 }
 
-/// Finds pairs of near points of one body.
 template <int Dim>
 class PointSearch {
  public:
   using V = Vec<double, Dim>;
 
-  /// Adds a point with its initial position, m. Add bodies in ascending order.
+  /// `start`, m; bodies must ascend.
   void add(const V& start, int body) {
     X_.push_back(start);
     body_.push_back(body);
@@ -56,9 +55,8 @@ class PointSearch {
   int size() const { return static_cast<int>(X_.size()); }
   const std::vector<int>& bodies() const { return body_; }
 
-  /// Calls found(a, b) once for each pair nearer than `listed`, m, and initially farther than `far`, m. Returns the
-  /// distance of the nearest unlisted such pair, m, at most `horizon`. `x`: current positions; their order determines
-  /// the order of calls.
+  /// Calls found(a, b) once for each pair nearer than `listed`, initially farther than `far`, m. Returns the least
+  /// other distance, m, at most `horizon`. `x`: current positions, whose order orders the calls.
   template <class Found>
   double find(const std::vector<V>& x, double listed, double horizon, double far, const Found& found) {
     if (x.empty()) return horizon;
@@ -85,7 +83,6 @@ class PointSearch {
   }
 
  private:
-  /// Sorts the points by grid cell into columns.
   void sort_columns(const std::vector<V>& x, double horizon) {
     order_ = grid_.sort(x, horizon);
     const std::size_t n = x.size();

@@ -9,8 +9,8 @@
 
 namespace taut {
 
-/// Rigid frictionless walls (half-spaces). A wall acts like the particle's mirror image under the contact law, so
-/// that a body behaves as against its mirror image. Records the walls' impulses.
+/// Rigid frictionless half-spaces. A wall acts on a particle like its mirror image, and so like an equal body that
+/// meets it. Records impulses.
 template <int Dim>
 class WallContacts {
  public:
@@ -26,12 +26,12 @@ class WallContacts {
 
   bool any() const { return !planes_.empty(); }
   int count() const { return static_cast<int>(planes_.size()); }
-  const V& normal(int wall) const { return planes_[wall].normal; }  // towards the bodies
-  double height(int wall, const V& x) const {                       // of x above the wall, m
+  const V& normal(int wall) const { return planes_[wall].normal; }  // towards bodies
+  double height(int wall, const V& x) const {                       // m, of x
     return dot(x - planes_[wall].at, planes_[wall].normal);
   }
 
-  /// Records an impulse, N s, on a particle at x.
+  /// N s, on a particle at x.
   void book(const V& x, const V& impulse) {
     for (int k = 0; k < Dim; ++k) given_.linear[k] += impulse[k];
     given_.angular[2] += x[0] * impulse[1] - x[1] * impulse[0];
@@ -49,7 +49,7 @@ class WallContacts {
 
  private:
   struct Plane {
-    V at, normal;  // m; unit vector
+    V at, normal;  // m; unit
   };
 
   std::vector<Plane> planes_;
