@@ -24,22 +24,22 @@
 namespace taut {
 namespace {
 
-// includes lattice neighbours up to √4 dp, excludes √5 dp
+// √4 dp is in range, √5 dp is not
 constexpr double reach = 2.1;  // dp
 
-/// Least share of e_i outside the quadratics. Lattice surfaces have 0.53, particles beside a corner 0.49, corners 0.
+/// Least share of e_i that quadratics leave; lattice surfaces leave 0.53, corners 0.
 constexpr double least_left = 0.3;
 
-/// κ: with n_k lattice points at distance √k dp, the fit to all points but i has weights ω = a + b k with Σ n_k ω = 1
-/// and Σ n_k k ω = 0. The row 1 − Σ ω has norm √(1 + a), and the checkerboard gives 1 − Σ (−1)^k n_k ω: in 2D (a =
-/// 3/8, b = −1/8) 2, in 3D (a = 37/170, b = −13/170) 128/85.
+/// κ: with n_k lattice points at distance √k dp, the fit without i has weights ω = a + b k, Σ n_k ω = 1, Σ n_k k ω =
+/// 0. The row has norm √(1 + a) and maps the checkerboard to 1 − Σ (−1)^k n_k ω: 2D a = 3/8, b = −1/8, 2; 3D a =
+/// 37/170, b = −13/170, 128/85.
 double scale(int dim) { return dim == 3 ? std::sqrt(207.0 / 170) * 85 / 128 : std::sqrt(11.0 / 8) / 2; }
 
 bool alike(const Snapshot& now, std::size_t i, std::size_t j) {
   return now.material[i] == now.material[j] && now.held[i] == now.held[j];
 }
 
-/// Similar particles in range of each particle, itself first.
+/// Similar particles in range, the particle itself first.
 struct Neighborhoods {
   std::vector<std::size_t> begin;  // [particle + 1]
   std::vector<int> all;
@@ -47,7 +47,7 @@ struct Neighborhoods {
   std::span<int> operator[](std::size_t i) { return {&all[begin[i]], begin[i + 1] - begin[i]}; }
 };
 
-/// Removes neighbours across a slot: opening of a slot is no zigzag.
+/// Excludes neighbours across a slot, whose opening is no zigzag.
 void leave_out_beyond_slots(const Snapshot& start, double spacing, int threads, Neighborhoods& near) {
   const auto squared = [&](int i, int j) {
     const double r = distance_between(start.initial(static_cast<std::size_t>(i)),
@@ -94,7 +94,7 @@ Neighborhoods neighborhoods(const Snapshot& start, double spacing, int threads) 
   return near;
 }
 
-/// [particle of `near`][monomial] monomials up to degree 2 about its first particle, in units of dp.
+/// [particle of `near`][monomial] up to degree 2, about the first particle, in dp.
 Eigen::MatrixXd quadratics(const Snapshot& start, std::span<const int> near, double spacing) {
   const int dim = start.dim;
   const Point xi = start.initial(static_cast<std::size_t>(near[0]));
@@ -111,12 +111,12 @@ Eigen::MatrixXd quadratics(const Snapshot& start, std::span<const int> near, dou
   return M;
 }
 
-/// κ (I − P) e_i / |(I − P) e_i|; empty if too little is left.
+/// Empty if quadratics leave too little.
 Eigen::VectorXd row(const Eigen::MatrixXd& quadratics, double kappa) {
   const Eigen::VectorXd e_i = Eigen::VectorXd::Unit(quadratics.rows(), 0);
   const Gram G = quadratics.transpose().lazyProduct(quadratics);
   const Gram fast = solved_by_gram(G, quadratics.row(0).transpose());
-  // in a thin body monomials may be linearly dependent
+  // in thin bodies monomials may be dependent
   const Eigen::VectorXd coefficients =
       fast.size() > 0 ? Eigen::VectorXd(fast) : Eigen::VectorXd(least_squares(quadratics, e_i).x);
   const Eigen::VectorXd left = e_i - quadratics.lazyProduct(coefficients);
@@ -124,7 +124,7 @@ Eigen::VectorXd row(const Eigen::MatrixXd& quadratics, double kappa) {
   return kappa / left.norm() * left;
 }
 
-/// Positions of `near` relative to its first particle, rounded so that equal surroundings compare equal.
+/// Positions relative to the first particle, rounded to compare equal.
 std::vector<int> surroundings(const Snapshot& start, std::span<const int> near, double spacing) {
   constexpr double fine = 1e6;  // parts of a spacing
   const Point xi = start.initial(static_cast<std::size_t>(near[0]));
@@ -137,19 +137,19 @@ std::vector<int> surroundings(const Snapshot& start, std::span<const int> near, 
   return places;
 }
 
-/// Rows of all particles that have one. In 3D equal rows share weights, because a lattice has few different ones.
+/// In 3D equal rows share weights: a lattice has few different ones.
 class Rows {
  public:
-  /// Entries reuse the memory of `near`.
+  /// Rows reuse the memory of `near`.
   Rows(const Snapshot& start, double spacing, Neighborhoods& near)
       : start_(start), spacing_(spacing), kappa_(scale(start.dim)), near_(near) {}
 
-  /// Parts of a row that threads can make in parallel.
+  /// Parts of a row made in parallel.
   struct Made {
     std::vector<int> surroundings;           // in 3D
-    std::optional<Eigen::VectorXd> weights;  // none if another row probably has the same
+    std::optional<Eigen::VectorXd> weights;  // none if probably shared
   };
-  /// `near` begins with the particle itself; sorted here in 3D.
+  /// `near`: the particle first; sorts the others in 3D.
   Made make(std::span<int> near) const {
     if (start_.dim == 2) return {{}, weights(near)};
     std::ranges::sort(near.begin() + 1, near.end());
@@ -180,7 +180,7 @@ class Rows {
   Eigen::VectorXd weights(std::span<const int> near) const {
     return row(quadratics(start_, near, spacing_), kappa_);
   }
-  /// Index of the first weight; −1 if there are none.
+  /// First index, or −1.
   int add_weights(const Eigen::VectorXd& w) {
     if (w.size() == 0) return -1;
     make_room(part_.weight, static_cast<std::size_t>(w.size()), part_.first_weight.size(), start_.size());
@@ -192,7 +192,7 @@ class Rows {
     return std::hash<std::string_view>()(
         {reinterpret_cast<const char*>(places.data()), places.size() * sizeof(int)});
   }
-  /// Row with the same surroundings; −1 if none.
+  /// Row with equal surroundings, or −1.
   int known(const std::vector<int>& places) const {
     for (auto [at, end] = known_.equal_range(hash_of(places)); at != end; ++at) {
       const auto row = static_cast<std::size_t>(at->second);

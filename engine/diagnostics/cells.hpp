@@ -9,37 +9,35 @@
 
 namespace taut {
 
-/// Shapes of particle cells at one time: parallelograms, in 3D parallelepipeds.
+/// Parallelograms, in 3D parallelepipeds, at one time.
 struct CellShapes {
   std::vector<std::size_t> particle;  // [cell]
   std::vector<double> centre;         // [cell] dim coordinates, m
   std::vector<double> edge;           // [cell] dim vectors, m
 };
 
-/// The part of the body that each particle represents. Initially a rectangle or box with sides half-way to adjacent
-/// neighbours; later its image under the affine map that best fits (least squares) the motion of the initial
-/// neighbours within 1.6 spacings. Independent of the method; gaps between cells are of second order in the spacing.
-/// Particles on the boundary of a body have the half, quarter or eighth of a cell that lies inside.
+/// The part of a body that each particle represents: initially a box with sides half-way to adjacent neighbours, or
+/// half, quarter or eighth of it on the boundary. Moves with the affine map that fits the initial neighbours within
+/// 1.6 spacings best. Gaps between cells are of second order.
 class Cells {
  public:
-  /// `x0`: n × dim, m; `diameter`: m.
+  /// `x0`: n × dim, m; `diameter` in m.
   Cells(int dim, std::span<const double> x0, std::span<const double> diameter, std::span<const int> body);
 
-  /// Takes the cell ends from `all`, of which particle k is shown[k]; the other particles of `all` are cut away.
+  /// Takes cell ends from `all`, where particle k is shown[k]. The rest of `all` is cut away.
   void take_ends(const Cells& all, std::span<const std::size_t> shown);
 
-  /// Cells at positions `x`, n × dim, m. In 3D omits cells that are covered on all sides.
+  /// `x`: n × dim, m. In 3D omits covered cells.
   CellShapes at(std::span<const double> x) const;
 
  private:
-  /// Extent along one axis of an initial cell.
   struct Side {
     Point axis{};              // unit vector
-    double low = 0, high = 0;  // ends relative to the particle, m
+    double low = 0, high = 0;  // ends from the particle, m
   };
   struct Cell {
     std::array<Side, 3> sides;
-    std::array<double, 9> inverse{};  // of the moment Σ X_ij ⊗ X_ij, 1/m²
+    std::array<double, 9> inverse{};  // of Σ X_ij ⊗ X_ij, 1/m²
     double spacing = 0;               // m
     bool inside = false;              // covered on all sides
   };
@@ -55,7 +53,7 @@ class Cells {
 
   std::size_t dim_;
   std::vector<double> x0_;
-  std::vector<std::size_t> first_, neighbor_;  // neighbours of i: first_[i] … first_[i + 1] − 1
+  std::vector<std::size_t> first_, neighbor_;  // of i: first_[i] … first_[i + 1] − 1
   std::vector<Cell> cells_;
 };
 

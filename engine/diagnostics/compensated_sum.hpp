@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// Four sums with compensated round-off (Knuth 1969), one per lane, so that exactly conserved momenta show no drift.
+/// Four compensated sums (Knuth 1969), one per lane, to show momenta conserved to round-off.
 class CompensatedSums {
  public:
   void operator+=(const Pack& term) {

@@ -6,10 +6,10 @@
 namespace taut {
 namespace {
 
-/// Energy minus the received work.
+/// Minus received work.
 double energy(const Balance& sums) { return sums.kinetic + sums.strain - sums.work + sums.damped; }
 
-/// Change of a momentum since the start, minus the given impulse.
+/// Minus the given impulse.
 double change(const Point& now, const Point& given, const Point& start) {
   return std::hypot(now[0] - given[0] - start[0], now[1] - given[1] - start[1], now[2] - given[2] - start[2]);
 }

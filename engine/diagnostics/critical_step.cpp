@@ -13,14 +13,14 @@
 namespace taut {
 namespace {
 
-constexpr double kick = 1e-6;                   // random velocity / c0
-constexpr double allowed_speed = 1e-3;          // speed whose energy counts as noise / c0
-constexpr double allowed_energy = 100;          // relative to the given energy
-constexpr int stretch = 16;                     // steps between checks of the energy
-constexpr int least_steps = 300;                // of a trial: shows a step 1e-4 beyond the leap-frog limit
-constexpr double most = 256, least = 1.0 / 16;  // relative to the default step
+constexpr double kick = 1e-6;                   // of c0
+constexpr double allowed_speed = 1e-3;          // of c0; energy that counts as noise
+constexpr double allowed_energy = 100;          // over the given energy
+constexpr int stretch = 16;                     // steps between energy checks
+constexpr int least_steps = 300;                // of a trial; shows 1e-4 beyond the leap-frog limit
+constexpr double most = 256, least = 1.0 / 16;  // of the default step
 
-/// Pseudo-random number from −1 to 1, a hash of the position (SplitMix64).
+/// Hash of the position, from −1 to 1 (SplitMix64).
 double noise(const Point& x, std::uint64_t component) {
   std::uint64_t bits = component;
   for (const double coordinate : x) {
@@ -48,7 +48,6 @@ Scene shaken(Scene scene) {
   return scene;
 }
 
-/// Tests whether the energy of a run exceeds the given energy.
 class EnergyLimit {
  public:
   EnergyLimit(const Scene& scene, const Simulation& start) {
@@ -90,7 +89,6 @@ class Bisection {
   }
 
  private:
-  /// A stable or an unstable step is missing.
   bool open(double share) const {
     return !result_.interrupted && !(result_.stable && result_.unstable) && share <= most && share >= least;
   }
@@ -104,7 +102,7 @@ class Bisection {
     (stable ? result_.stable : result_.unstable) = settings_.step;
   }
 
-  /// Returns whether the trial stays stable.
+  /// Whether the trial stays stable.
   bool covers() {
     try {
       const auto simulation = make_simulation(scene_, settings_);

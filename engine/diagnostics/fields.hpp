@@ -10,32 +10,32 @@
 
 namespace taut {
 
-/// Objects that a field counts; each has a name and colour of its own.
+/// Countable objects with own name and colour.
 enum class Counted : std::uint8_t { nothing, bodies, materials };
 
-/// A quantity per particle that can be drawn or written.
+/// A quantity per particle.
 struct Field {
-  std::string_view key;   // "von_mises", on the command line
-  std::string_view name;  // "von Mises stress", on the colour bar
-  std::string_view unit;  // "Pa"; empty if dimensionless
+  std::string_view key;   // as on the command line
+  std::string_view name;  // as on the colour bar
+  std::string_view unit;  // empty if dimensionless
   std::string_view help;
-  bool is_signed = false;  // around `middle`: diverging colour map by default
+  bool is_signed = false;  // diverging colours around `middle`
   double (*of_state)(const Snapshot&, std::size_t particle) = nullptr;
-  int least_dim = 2;                               // 3: only in 3D
-  double (*of_map)(const LinearMap& F) = nullptr;  // replaces `of_state`, see affine_fit.hpp
+  int least_dim = 2;                               // 3: in 3D only
+  double (*of_map)(const LinearMap& F) = nullptr;  // instead of `of_state`; see affine_fit.hpp
   double middle = 0;
   Counted counts = Counted::nothing;
 
-  /// At one particle; `evaluate` is faster for many.
+  /// For many particles, `evaluate` is faster.
   double value(const Snapshot& now, std::size_t particle) const;
 };
 
-/// Fields of scenes in `dim` dimensions in listing order; `dim` = 3 includes all.
+/// In listing order; 3 includes all.
 std::span<const Field> fields(int dim = 3);
-/// nullptr if there is none with this key in `dim` dimensions.
+/// nullptr if unknown in `dim` dimensions.
 const Field* find_field(std::string_view key, int dim = 3);
 std::vector<double> evaluate(const Field& field, const Snapshot& snapshot);
-/// Evaluates several fields with one fit of the affine maps.
+/// Fits the affine maps only once.
 std::vector<std::vector<double>> evaluate(std::span<const Field* const> fields, const Snapshot& snapshot);
 
 }  // namespace taut

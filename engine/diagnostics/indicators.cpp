@@ -6,14 +6,14 @@
 namespace taut {
 namespace {
 
-constexpr double least_strain = 1e-8;  // round-off stress over Young's modulus
+constexpr double least_strain = 1e-8;  // round-off, times Young's modulus
 
 }  // namespace
 
 void IndicatorRecord::take(const Reading& now, double time) {
   last = now.share();
   greatest_whole = std::max(greatest_whole, now.whole);
-  if (!(now.part > greatest_part)) return;  // also skips NaN
+  if (!(now.part > greatest_part)) return;  // or NaN
   greatest_part = now.part;
   at = time;
 }

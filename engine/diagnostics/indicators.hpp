@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// A measure of failure: `part` relative to `whole`.
+/// Measure of failure: `part` of a `whole`.
 struct Indicator {
   std::string_view key;  // in history.csv and run.json
   std::string_view part, whole;
@@ -21,35 +21,31 @@ inline constexpr std::array indicators = {
               "rms von Mises stress"},
 };
 
-/// One indicator at one time.
 struct Reading {
-  double part = 0, whole = 0;  // in the same unit, see Indicator
-  /// 0 if both are 0.
+  double part = 0, whole = 0;  // same unit
   double share() const { return part == 0 ? 0 : part / whole; }
 };
 /// In the order of `indicators`.
 using Readings = std::array<Reading, indicators.size()>;
 
-/// One indicator over a run.
 struct IndicatorRecord {
   double greatest_part = 0, greatest_whole = 0;
-  double at = 0;    // s, time of the greatest part
+  double at = 0;    // s, of the greatest part
   double last = 0;  // share
-  /// Greatest part over greatest whole, so that noise in a body that has become stress-free counts little.
+  /// Relative to the greatest whole, so that noise in unloaded bodies counts little.
   double greatest() const { return Reading{greatest_part, greatest_whole}.share(); }
   void take(const Reading& now, double time);
 };
 
-/// Measures the indicators of a state from the alternating part of a field, r(q)_i = Σ_j w_ij q_j (AlternatingPart).
-/// Smooth fields add almost nothing. rms is over the particles that have a row.
-/// - hourglass_error = rms |r(x)| / dp. It equals rms |Σ_j w_ij E_ij| / dp with the error vectors E_ij = F_i X_ij −
-///   x_ij of [Ganzenmueller2015], for any F_i. A zigzag of amplitude a gives a/dp, quadratic maps give 0. A particle
-///   counts at most one spacing, because displacements beside a crack are meaningless. Differs from the paper's mean
-///   of |½ (E_ij − E_ji)| / |X_ij|, which smooth fields affect if F is one-sided.
+/// Measures the alternating parts r(q)_i = Σ_j w_ij q_j of fields (AlternatingPart); rms over particles with a row.
+/// - hourglass_error = rms |r(x)| / dp = rms |Σ_j w_ij E_ij| / dp with error vectors E_ij = F_i X_ij − x_ij of
+///   [Ganzenmueller2015], for any F_i. A zigzag of amplitude a gives a/dp, quadratic maps 0. A particle counts at
+///   most one spacing, because displacements at cracks mean nothing. The paper's mean |½ (E_ij − E_ji)| / |X_ij|
+///   depends on smooth fields if F is one-sided.
 /// - pressure_checkerboard = rms r(p) / rms p.
-/// - von_mises_checkerboard = rms √(3/2 r(s):r(s)) / rms √(3/2 s:s). It uses the components because the von Mises
-///   stress has kinks.
-/// A pure checkerboard gives 1, noise 0.59 (3D: 0.73). The stress scale is at least 1e-8 E, to ignore round-off.
+/// - von_mises_checkerboard = rms √(3/2 r(s):r(s)) / rms √(3/2 s:s), by components, because von Mises stress has
+///   kinks.
+/// A pure checkerboard gives 1, noise 0.59 (3D: 0.73). Stresses below 1e-8 E are round-off.
 /// [Ganzenmueller2015] G. C. Ganzenmüller: An hourglass control algorithm for Lagrangian smooth particle
 /// hydrodynamics. Computer Methods in Applied Mechanics and Engineering 286 (2015) 87–106.
 class IndicatorGauge {

@@ -12,13 +12,13 @@
 namespace taut {
 namespace {
 
-using LatticeSite = std::array<int, 3>;  // plane numbers of a particle along each axis
+using LatticeSite = std::array<int, 3>;  // plane numbers
 using Vector = Eigen::Vector3d;
-using Corners = std::array<Vector, 8>;  // bit k of the index: upper corner along axis k
+using Corners = std::array<Vector, 8>;  // bit k: upper corner along axis k
 
-/// Plane number of each particle along one axis. A gap between parts of a body skips a number, because it is no cell.
+/// Plane number of each particle along one axis. Gaps in a body skip a number.
 std::vector<int> planes(const std::vector<double>& x, double apart) {
-  constexpr double widest = 1.5;  // relative to the least distance of two planes
+  constexpr double widest = 1.5;  // of the least plane distance
   std::vector<double> sorted = x, first;
   std::ranges::sort(sorted);
   for (const double at : sorted)
@@ -54,14 +54,14 @@ std::map<LatticeSite, std::size_t> sites(const Snapshot& now, int body) {
   return at;
 }
 
-/// ∫ det of the trilinear map over [0, 1]³, exact with two Gauss points per axis.
+/// ∫ det of the trilinear map; two Gauss points per axis are exact.
 double volume(const Corners& corner) {
   const double offset = 0.5 / std::sqrt(3.0);
   double sum = 0;
   for (unsigned point = 0; point < 8; ++point) {
     Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
     for (unsigned c = 0; c < 8; ++c) {
-      double value[3];  // hat function of the corner along each axis
+      double value[3];  // hat function of the corner
       for (unsigned k = 0; k < 3; ++k) {
         const double at = 0.5 + ((point >> k & 1) ? offset : -offset);
         value[k] = (c >> k & 1) ? at : 1 - at;

@@ -9,11 +9,10 @@
 
 namespace taut {
 
-/// Field along a line at one time.
 struct LineSample {
   double time = 0;            // s
-  long step = 0;              // the first step that ends at or after the requested time
-  std::vector<double> value;  // [point] in the field's unit; NaN outside the body
+  long step = 0;              // the first that ends at or after the requested time
+  std::vector<double> value;  // [point]; NaN outside the body
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -21,21 +20,20 @@ struct LineSample {
   }
 };
 
-/// Point k of a line from `from` to `to`; a material point if the line is not `in_space`.
+/// From `from` to `to`; initial position unless `in_space`.
 Point line_point(const SampleLine& line, int k);
 double length_of(const SampleLine& line);  // m
 
-/// Samples the lines of a scene.
 class LineRecorder {
  public:
-  /// `start`: state at t = 0; `support`: radius of interaction, m. Throws SceneError if a line leaves its body.
+  /// `start`: at t = 0; `support`: radius of interaction, m. Throws SceneError if a line leaves its body.
   LineRecorder(const Scene& scene, const Snapshot& start, double support);
 
-  /// Next time to be sampled, s; infinity if none.
+  /// Next time to sample, s; may be infinite.
   double next() const;
-  /// Records the samples due by the time of `now`, from `now`.
+  /// Records all samples due at the time of `now`.
   void sample(const Snapshot& now);
-  /// [line][sample] by time.
+  /// [line][sample].
   const std::vector<std::vector<LineSample>>& samples() const { return samples_; }
 
   template <class Archive>
@@ -48,12 +46,12 @@ class LineRecorder {
   bool fit_the_scene() const;
 
   using Points = std::vector<std::vector<PointWeight>>;
-  /// Points at initial positions if `scene` is given, else at current ones.
+  /// At initial positions if `scene` is given, else current.
   Points points_of(const SampleLine& line, const Snapshot& now, const Scene* scene) const;
 
   std::vector<SampleLine> lines_;
   double reach_;                // m
-  std::vector<Points> points_;  // [line][point] material points
+  std::vector<Points> points_;  // [line][point], if material
   std::vector<std::vector<LineSample>> samples_;
 };
 

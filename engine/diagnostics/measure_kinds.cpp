@@ -13,9 +13,9 @@ namespace taut {
 namespace {
 
 using Source = MeasureSource;
-using Value = std::optional<double>;  // a reference value
+using Value = std::optional<double>;  // of a reference
 
-/// Interval covered by run and reference; none before the run has reached its end.
+/// Covered by run and reference; none before its end.
 std::optional<std::pair<double, double>> common_time(const Source& source) {
   if (source.reference.empty()) return std::nullopt;
   const double begin = std::max(source.curve.front().t.front(), source.reference.begin());
@@ -25,14 +25,13 @@ std::optional<std::pair<double, double>> common_time(const Source& source) {
   return end > begin ? std::optional(std::pair(begin, end)) : std::nullopt;
 }
 
-/// Reason why common_time returned none.
 Measured without_common_time(const Source& source) {
   if (source.reference.empty()) return none(no_reference);
   const double end = std::min(source.until, source.reference.end()), reached = source.curve.front().t.back();
   return reached < end ? too_short(end, reached) : none("the run and its reference do not overlap in time");
 }
 
-/// Applies `number` to the half cycles about the measure's level if at least `needed` exist.
+/// Applies `number` to at least `needed` half cycles about the level.
 template <class Number>
 Measured of_half_cycles(const Source& source, std::size_t needed, const Number& number) {
   const Curve& curve = source.curve.front();
@@ -64,13 +63,12 @@ Measured peak_time(const Source& s) {
 }
 
 double decay_of(const std::vector<HalfCycle>& cycles) {
-  const std::size_t periods = (cycles.size() - 1) / 2;  // between first and last peak of one sign
+  const std::size_t periods = (cycles.size() - 1) / 2;  // between peaks of one sign
   return 1 - std::pow(cycles[2 * periods].peak / cycles.front().peak, 1 / static_cast<double>(periods));
 }
 
 Measured decay(const Source& source) { return of_half_cycles(source, 3, decay_of); }
 
-/// Integration interval.
 std::pair<double, double> span_of(const Source& source) {
   return {source.measure->from, source.measure->until.value_or(source.until)};
 }
@@ -100,7 +98,7 @@ Measured rmse(const Source& source) {
   return difference / std::abs(source.measure->scale);
 }
 
-/// Evaluated at the rows of a table, because curved paths are not linear between them, or at the steps.
+/// At the rows of a table, since paths are curved, or at the steps.
 Measured path_error(const Source& source) {
   const auto time = common_time(source);
   if (!time) return without_common_time(source);
@@ -116,7 +114,7 @@ Measured path_error(const Source& source) {
   return greatest ? Measured(*greatest) : none("no time of the reference is within the run");
 }
 
-/// Two directions perpendicular to the axis; first, second and axis are right-handed.
+/// Right-handed with the axis.
 std::pair<Point, Point> directions_across(const Point& axis) {
   const Eigen::Vector3d a(axis.data());
   const Eigen::Vector3d first = a.unitOrthogonal(), second = a.cross(first);
@@ -130,7 +128,7 @@ std::vector<double> component(const std::vector<Curve>& point, const Point& alon
   return y;
 }
 
-/// In 3D projects the point along the axis. The curves must have equal times.
+/// In 3D along the axis. The curves must have equal times.
 Value turn_until(const std::vector<Curve>& point, const Point& axis, double until) {
   if (!std::ranges::all_of(point, [=](const Curve& c) { return c.t.back() >= until; })) return std::nullopt;
   if (point.size() < 3) return turn(point[0], point[1], until);
@@ -144,7 +142,7 @@ Measured turn_of_point(const Source& source) {
   return angle ? Measured(*angle) : too_short(source.until, source.curve.front().t.back());
 }
 
-/// An exact solution is evaluated at the run's steps.
+/// Evaluates exact solutions at the run's steps.
 Value turn_of_reference(const Source& source) {
   const ReferenceCurves& reference = source.reference;
   if (reference.empty()) return std::nullopt;
@@ -167,12 +165,11 @@ Measured value_then(const Source& source) {
   return curve.t.back() < time ? too_short(time, curve.t.back()) : Measured(value_at(curve, time));
 }
 
-/// A number, or the solution at the measure's time.
 Value given_then(const Source& source) {
   return source.reference.exact ? source.reference.at(0, source.measure->time) : source.reference_value;
 }
 
-/// No value if the extreme is at the end and may still grow. Errors (`turns` false) always count.
+/// None if the extreme is at the end and may grow. Errors (`turns` false) always count.
 Measured extreme(const Source& source, double value) {
   const auto &t = source.curve[0].t, &y = source.curve[0].y;
   if (!source.turns || y.back() != value) return value;
@@ -203,8 +200,7 @@ Measured last_below(const Source& source) {
   return crossing_time(curve, above, threshold);
 }
 
-/// With `free`: none while bodies touch, if they never touched, or while the ratio is negative, because they may
-/// touch again.
+/// None while bodies touch, before they have, or for negative ratios: bodies may touch again.
 Measured final_ratio(const Source& source) {
   const double ratio = source.curve[0].y.back() / source.measure->scale;
   if (!source.free) return ratio;
@@ -228,7 +224,7 @@ Measured frequency(const Source& source) {
 }
 
 Measured at_rest(const Source& source) {
-  constexpr double last = 0.1, still = 1e-3;  // share of the run; share of the greatest |value|
+  constexpr double last = 0.1, still = 1e-3;  // of the run; of the greatest |value|
   const Curve& curve = source.curve.front();
   if (curve.t.back() < source.until) return too_short(source.until, curve.t.back());
   double size = 0, low = curve.y.back(), high = low;
@@ -245,10 +241,9 @@ Measured at_rest(const Source& source) {
       (high - low) / size);
 }
 
-/// For differences, whose value is their own error.
+/// Reference of a difference.
 Value zero(const Source& source) { return source.reference.empty() ? std::nullopt : Value(0); }
 
-/// A number, or the solution at the end of the run.
 Value as_given(const Source& source) {
   return source.reference.exact ? source.reference.at(0, source.until) : source.reference_value;
 }

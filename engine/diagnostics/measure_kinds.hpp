@@ -17,7 +17,7 @@
 
 namespace taut {
 
-/// Reference over time for each probe of a measure: a table, an exact solution, or neither.
+/// Table or exact solution for each probe, or neither.
 struct ReferenceCurves {
   std::vector<Curve> table;
   const std::vector<Solution>* exact = nullptr;
@@ -30,21 +30,20 @@ struct ReferenceCurves {
   }
 };
 
-/// Data for one measure.
 struct MeasureSource {
   const Measure* measure = nullptr;
-  std::vector<Curve> curve;   // [probe], not empty
-  std::optional<Curve> free;  // series of the probe `free`
+  std::vector<Curve> curve;   // [probe] not empty
+  std::optional<Curve> free;  // of the probe `free`
   ReferenceCurves reference;  // may be empty
   std::optional<double> reference_value;
-  const SampleLine* line = nullptr;  // for a measure of a line
+  const SampleLine* line = nullptr;  // may be null
   const std::vector<LineSample>* samples = nullptr;
-  const Snapshot* now = nullptr;  // current state, if known
+  const Snapshot* now = nullptr;  // may be null
   double until = 0;               // s
   bool turns = true;              // an extreme at the end may still grow
 };
 
-/// Value of a measure, or the reason why there is none.
+/// Value, or reason why there is none.
 struct Measured {
   std::optional<double> value;
   std::string why;
@@ -53,7 +52,6 @@ struct Measured {
   explicit Measured(std::string reason) : why(std::move(reason)) {}
 };
 
-/// Returns a reason, formatted with fmt.
 template <class... Args>
 Measured none(fmt::format_string<Args...> why, Args&&... args) {
   return Measured(fmt::format(why, std::forward<Args>(args)...));
@@ -64,25 +62,25 @@ inline Measured too_short(double wanted, double reached) {
 
 inline constexpr const char* no_reference = "there is no reference to compare with";
 
-/// A kind of measure. A new one is a function and a row in measure_kinds.cpp.
+/// A new kind is a function and a row in measure_kinds.cpp.
 struct MeasureKind {
   using Value = Measured (*)(const MeasureSource&);
   using Reference = std::optional<double> (*)(const MeasureSource&);
 
   std::string_view name, help;
-  /// Keys in a scene file beside `name`, `of` and `unit`, the source first. `probes`: one probe per axis.
+  /// In a scene file beside `name`, `of` and `unit`; the source first. `probes`: one per axis.
   std::vector<std::string_view> keys;
-  bool number = false, table = false, solution = false;  // possible kinds of reference
+  bool number = false, table = false, solution = false;  // possible references
   Value value;
-  Reference reference;  // called only if the scene has a reference
+  Reference reference;  // called if the scene has one
 };
 
-/// All kinds in listing order.
+/// In listing order.
 std::span<const MeasureKind> measure_kinds();
-/// nullptr if the name is unknown.
+/// nullptr if unknown.
 const MeasureKind* find_measure_kind(std::string_view name);
 
-/// The kind's value is a difference from a reference, whose own value is therefore 0.
+/// Differences have the reference 0.
 constexpr bool is_difference(std::string_view kind) {
   return kind == "rmse" || kind == "path_error" || kind.starts_with("line_") || kind.starts_with("field_");
 }

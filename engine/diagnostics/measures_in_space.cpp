@@ -23,14 +23,13 @@ std::vector<const Field*> fields_of(const Measure& measure, int dim) {
   return found;
 }
 
-/// Comparison at one particle.
 struct Site {
-  Point X{};           // initial position, m
-  Point difference{};  // field − exact by component
+  Point X{};           // m
+  Point difference{};  // field − exact
   double mass = 0;
 };
 
-/// Subtracts the small motion t + ω × X that minimises Σ m |difference|², in 2D.
+/// Subtracts the motion t + ω × X of least Σ m |difference|², in 2D.
 void take_plane_motion_off(std::vector<Site>& sites) {
   double mass = 0;
   Point centre{}, mean{};
@@ -57,7 +56,7 @@ void take_plane_motion_off(std::vector<Site>& sites) {
 
 Eigen::Vector3d vector(const Point& p) { return {p[0], p[1], p[2]}; }
 
-/// In 3D: ω solves Σ m (r² I − r rᵀ) ω = Σ m r × difference, r from the mass centre.
+/// 3D: Σ m (r² I − r rᵀ) ω = Σ m r × difference, r from the mass centre.
 void take_space_motion_off(std::vector<Site>& sites) {
   double mass = 0;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(), mean = centre, moment = centre;
@@ -73,7 +72,7 @@ void take_space_motion_off(std::vector<Site>& sites) {
     moment += site.mass * r.cross(vector(site.difference));
     inertia += site.mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
   }
-  // least squares, because rotation about a straight body is undetermined
+  // a straight body has no rotation about itself
   const Eigen::Vector3d omega = least_squares(inertia, moment).x;
   for (Site& site : sites) {
     const Eigen::Vector3d motion = mean + omega.cross(vector(site.X) - centre);
@@ -114,13 +113,12 @@ namespace {
 
 using Source = MeasureSource;
 
-/// RMS of field − reference and of the reference over a line.
+/// RMS of field − reference and of the reference.
 struct LineSquares {
-  double difference = 0, reference = 0;  // √ of the mean
+  double difference = 0, reference = 0;
 };
 
-/// Evaluates the reference at the sampled step's time; a table has one time. None before the last sample or if a
-/// point left the body.
+/// A table has one time. None before the last sample, or if a point left the body.
 std::optional<LineSquares> line_squares(const Source& source) {
   if (source.reference.empty() || !source.samples) return std::nullopt;
   const SampleLine& line = *source.line;
@@ -147,7 +145,7 @@ Measured without_line(const Source& source) {
                                   : none("the line has no samples, or one of its points has left the body");
 }
 
-/// None before the end of the run.
+/// None before the end.
 std::optional<FieldError> error_at_end(const Source& source) {
   if (!source.reference.exact || !source.now || source.now->time < source.until) return std::nullopt;
   return field_error(*source.measure, *source.now, *source.reference.exact);

@@ -17,11 +17,11 @@ namespace {
 
 constexpr std::size_t padding = 4;
 
-/// `n` evenly spaced values minus their line of best fit, multiplied by the window.
+/// `n` even samples minus their linear fit, times the window.
 std::vector<double> windowed(const Curve& curve, double begin, double end, std::size_t n) {
   std::vector<double> window(n), y(n);
   double weights = 0, sum = 0, moment = 0,
-         square = 0;  // sums of the window, and weighted sums of y, s y, s², s from −1 to 1
+         square = 0;  // of the window; of y, s y, s², with s from −1 to 1
   const auto place = [n](std::size_t k) { return 2 * static_cast<double>(k) / static_cast<double>(n) - 1; };
   for (std::size_t k = 0; k < n; ++k) {
     const double share = static_cast<double>(k) / static_cast<double>(n);
@@ -33,18 +33,18 @@ std::vector<double> windowed(const Curve& curve, double begin, double end, std::
     square += window[k] * place(k) * place(k);
   }
   const double mean = sum / weights,
-               slope = square > 0 ? moment / square : 0;  // the window is even about s = 0
+               slope = square > 0 ? moment / square : 0;  // even window
   for (std::size_t k = 0; k < n; ++k) y[k] = window[k] * (y[k] - mean - slope * place(k));
   return y;
 }
 
-/// Offset of the vertex of the parabola through three equidistant values from the middle one.
+/// Offset of the vertex through three equidistant values.
 double vertex(double left, double middle, double right) {
   const double bend = left - 2 * middle + right;
   return bend < 0 ? 0.5 * (left - right) / bend : 0;
 }
 
-/// Greatest height within 1/(end − begin) on both sides, which removes the window's zeros.
+/// Greatest height within 1/(end − begin), to remove the window's zeros.
 template <class Height>
 std::vector<double> without_zeros(std::size_t n, const Height& height) {
   std::vector<double> hull(n);
@@ -54,7 +54,7 @@ std::vector<double> without_zeros(std::size_t n, const Height& height) {
   return hull;
 }
 
-/// Distinguishes lines from the rest of a spectrum.
+/// Distinguishes lines from other parts of a spectrum.
 class Lines {
  public:
   explicit Lines(std::vector<double> hull)
@@ -65,16 +65,14 @@ class Lines {
       below_[k] = least;
       most = std::max(most, hull_[k]);
     }
-    highest_ =
-        static_cast<std::size_t>(std::ranges::max_element(hull_) - hull_.begin()) + padding;  // its middle
+    highest_ = static_cast<std::size_t>(std::ranges::max_element(hull_) - hull_.begin()) + padding;  // middle
     floor_ = 1e-9 * most;
     least = std::numeric_limits<double>::infinity();
     for (std::size_t k = hull_.size(); k-- > 0;) above_[k] = least = std::min(least, hull_[k]);
   }
 
-  /// A line falls to half of its height on both sides beyond its width; a trend falls on one side only, an impact on
-  /// neither. For few periods, without room below, nothing slower may be higher and the faster side must fall at
-  /// once.
+  /// Beyond its width a line falls to half on both sides, a trend on one side, an impact on none. With few periods,
+  /// no lower frequency may be higher, and the upper side must fall at once.
   bool have(std::size_t k, double height) const {
     if (height <= floor_ || height <= of_highest(k) || k + width >= hull_.size()) return false;
     if (k <= slowest + width)
@@ -86,7 +84,7 @@ class Lines {
   static constexpr std::size_t width = 3 * padding, slowest = 2 * padding;
 
  private:
-  /// Twice the greatest side lobe near k of the highest line, |sin(π d)/(π d (1 − d²))|², d in 1/(end − begin).
+  /// Twice the greatest side lobe of the highest line near k, |sin(π d)/(π d (1 − d²))|², d in 1/(end − begin).
   double of_highest(std::size_t k) const {
     const double d = std::abs(static_cast<double>(k) - static_cast<double>(highest_)) / padding;
     if (d <= 2) return 0;
@@ -95,7 +93,7 @@ class Lines {
   }
 
   std::vector<double> hull_, below_,
-      above_;  // least up to an index from `slowest` on; least from an index on
+      above_;  // minima from `slowest` up to an index, and from an index on
   std::size_t highest_ = 0;
   double floor_ = 0;
 };

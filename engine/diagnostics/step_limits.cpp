@@ -15,7 +15,7 @@
 namespace taut {
 namespace {
 
-/// V B W′ of a method on an unbounded square or cubic lattice with spacing 1.
+/// V B W′ on an unbounded lattice with spacing 1.
 template <const TlDisplacementFormulation& M, int Dim>
 class Lattice {
  public:
@@ -35,7 +35,7 @@ class Lattice {
 
   /// Greatest |κ(q)|.
   double greatest_wave_number() const {
-    constexpr int waves = Dim == 2 ? 64 : 32;  // per axis, from 0 to π; enough for a flat maximum
+    constexpr int waves = Dim == 2 ? 64 : 32;  // per axis, from 0 to π; the maximum is flat
     constexpr double step = std::numbers::pi / waves;
     double greatest = 0;
     for (int a = 0; a <= waves; ++a)
@@ -77,7 +77,7 @@ class Lattice {
     return std::sqrt(std::inner_product(sum.begin(), sum.end(), sum.begin(), 0.0));
   }
 
-  double h_;  // relative to the spacing
+  double h_;  // over the spacing
   double scale_ = 1;
 };
 

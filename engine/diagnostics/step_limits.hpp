@@ -8,20 +8,18 @@
 
 namespace taut {
 
-/// A theoretical limit of the time step.
+/// Theoretical limit.
 struct StepLimit {
   std::string_view name, source;
   double step;  // s
 };
 
-/// Limits for small waves in an unbounded square or cubic lattice of the first body's material with the scene's
-/// spacing; none for methods other than a law on initial neighbours with one leap-frog step.
-/// - sharp: Δt = 2/(c_p max |κ(q)|) over all q of the lattice, with the method's gradient of a plane wave κ(q) = Σ_j
-///   V B W′ e_ij sin(q·X_ij). With nearest neighbours only, two per axis, it is (ρ/|m W′|) √(ρ/d(K + 4G/3)) in d
-///   dimensions.
-/// - [Zhang2020] Eq. 15b, for its method in 2D: (ρ/|m W′|) √(ρ (1 − 2ν)/((3 − 4ν) E/(1 + ν))), sufficient if only the
-///   four nearest neighbours are in the support. Its G is twice the shear modulus, E/(1 + ν). Here W′ is normalised
-///   if gradients are; the paper does not specify this.
+/// Limits for small waves in an unbounded square or cubic lattice of the first body's material. None unless the
+/// method is one leap-frog step of a law on initial neighbours.
+/// - sharp: Δt = 2/(c_p max |κ(q)|) over plane waves q with gradient κ(q) = Σ_j V B W′ e_ij sin(q·X_ij). With two
+///   nearest neighbours per axis in d dimensions: (ρ/|m W′|) √(ρ/d(K + 4G/3)).
+/// - [Zhang2020] Eq. 15b, 2D, for normalised gradients: (ρ/|m W′|) √(ρ (1 − 2ν)/((3 − 4ν) E/(1 + ν))), sufficient for
+///   four neighbours. Its G is E/(1 + ν), twice the shear modulus. W′ is normalised here; the paper does not say.
 std::vector<StepLimit> step_limits(const Scene& scene, const Settings& settings);
 
 }  // namespace taut

@@ -22,7 +22,7 @@ constexpr std::array<std::pair<Verdict, std::string_view>, 5> verdicts = {{
     {Verdict::diverged, "diverged"},
 }};
 
-/// Vector from particle i to j at positions `x`.
+/// From i to j at positions `x`.
 template <int Dim>
 std::array<double, Dim> between(const std::vector<double>& x, int i, int j) {
   std::array<double, Dim> d;
@@ -64,7 +64,7 @@ Judge::Judge(const Scene& scene, const Snapshot& start, double support, bool kee
       longest_(std::max(support, 2 * scene.spacing)),
       keeps_neighbors_(keeps_neighbors),
       penetration_(start, scene.spacing, threads) {
-  // 1.5 dp: the eight nearest of a square lattice, the six of a hexagonal one, no second row
+  // eight neighbours on a square lattice, six on a hexagonal one, no second row
   const auto add = [this](int i, int j) { bonds_.push_back({i, j, false}); };
   for_each_close_pair(start, 1.5 * scene.spacing, add, threads);
   bonds_.shrink_to_fit();
@@ -82,7 +82,7 @@ Judge::Judge(const Scene& scene, const Snapshot& start, double support, bool kee
   start_momentum_ = at_start.linear_momentum;
   start_energy_ = given_energy_ = motion(at_start) + at_start.strain;
   least_strain_ = std::min(at_start.strain, 0.0);
-  constexpr double rounding = 1e-12;  // relative to the kinetic energy that motion() subtracts
+  constexpr double rounding = 1e-12;  // of the kinetic energy that motion() subtracts
   constexpr double margin = 1e4, of_start = 10;
   floor_ = margin * energy_of_rounding(scene, start) + rounding * at_start.kinetic - of_start * least_strain_;
 }
@@ -106,10 +106,10 @@ Judge::Judge(const Scene& scene, const Simulation& simulation)
 
 void Judge::observe(const Snapshot& now, const Balance& balance, const Readings& readings) {
   const double kinetic = motion(balance), energy = kinetic + balance.strain;
-  // the angular scale contains all positions, the energies all other values
+  // the angular scale contains all positions, energies all else
   const bool finite = std::isfinite(energy) && std::isfinite(balance.angular_scale);
   given_energy_ = std::max(given_energy_, start_energy_ + balance.work);
-  constexpr double small_part = 0.1;  // relative to the received energy
+  constexpr double small_part = 0.1;  // of the received energy
   const bool moves = keeps_neighbors_ || kinetic > small_part * given_energy_;
   const bool doubled = std::max(moves ? energy : 0, kinetic) > 2 * given_energy_;
   const bool fell = keeps_neighbors_ && balance.strain < least_strain_ - small_part * given_energy_;
@@ -127,7 +127,7 @@ void Judge::observe(const Snapshot& now, const Balance& balance, const Readings&
     since_.emplace(Verdict::fractured, now.time);
 }
 
-/// Kinetic energy, J; in a closed scene relative to the initial common motion.
+/// J; in closed scenes relative to the initial common motion.
 double Judge::motion(const Balance& balance) const {
   if (closed_mass_ == 0) return balance.kinetic;
   double own = balance.kinetic;
@@ -174,11 +174,10 @@ double Judge::squared_stretch(const Bond& bond, const Snapshot& now) {
   return dot(x, x) / dot(X, X);
 }
 
-/// A crack stretches a bond but not its straight continuations (within 26°, initially and now); smooth deformation
-/// stretches both.
+/// A crack stretches a bond but not its continuations within 26°; smooth deformation stretches both.
 template <int Dim>
 bool Judge::stands_out(const Bond& bond, const Snapshot& now) const {
-  constexpr double jump = 1.5, straight = 0.9;  // ratio of stretches; cosine
+  constexpr double jump = 1.5, straight = 0.9;  // of stretches; cosine
   const auto go_on = [](const std::array<double, Dim>& a, const std::array<double, Dim>& b) {
     const double along = dot(a, b);
     return along < 0 && along * along > straight * straight * dot(a, a) * dot(b, b);
@@ -219,13 +218,13 @@ int Judge::count_pieces() const {
 }
 
 bool Judge::has_crack() const {
-  std::vector<int> seen(particles_, -1);  // [particle] last bond from which it was reached
+  std::vector<int> seen(particles_, -1);  // [particle] last bond that reached it
   for (std::size_t b = 0; b < bonds_.size(); ++b)
     if (bonds_[b].broken && !bypassed(static_cast<int>(b), seen)) return true;
   return false;
 }
 
-/// At most `around` unbroken bonds connect the ends of a bond.
+/// At most `around` unbroken bonds connect its ends.
 bool Judge::bypassed(int bond, std::vector<int>& seen) const {
   constexpr int around = 8;
   const auto [start, goal, broken] = bonds_[static_cast<std::size_t>(bond)];

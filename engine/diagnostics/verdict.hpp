@@ -19,54 +19,51 @@
 
 namespace taut {
 
-/// Ordered from best to worst; the verdict of a run is its worst so far.
+/// From best to worst; a run has its worst verdict.
 enum class Verdict { stable, hourglass, penetrated, fractured, diverged };
 std::string_view name(Verdict);
-/// None if the name is unknown.
+/// None if unknown.
 std::optional<Verdict> find_verdict(std::string_view name);
-/// All verdicts in order; and without `stable`.
+/// In order; and without `stable`.
 std::vector<std::string> names_of_verdicts();
 std::vector<std::string> names_of_failures();
 
-/// Hourglass error (indicators.hpp) from which particles zigzag, averaged over a body. Smooth results in the papers
-/// stay below 0.012 ([Zhang2024] Fig. 3, 12, 18; [Khayyer2024] Fig. 9, 10), zigzags exceed 0.04 ([Zhang2024] Fig. 6,
-/// 12–14, 18; [Khayyer2024] Fig. 13; [Lee2016] Fig. 11). Smooth bending reaches the threshold only at radii of about
-/// one spacing. Checkerboard shares are not judged: they are also high where stress is low or has sharp fronts.
+/// Hourglass error (indicators.hpp) from which particles zigzag. Smooth results in papers stay below 0.012
+/// ([Zhang2024] Fig. 3, 12, 18; [Khayyer2024] Fig. 9, 10), zigzags exceed 0.04 ([Zhang2024] Fig. 6, 12–14, 18;
+/// [Khayyer2024] Fig. 13; [Lee2016] Fig. 11). Smooth bending exceeds it only at radii of about a spacing.
+/// Checkerboards are not judged: low stress and sharp fronts raise them too.
 inline constexpr double hourglass_threshold = 0.03;
 
-/// Bonds stretched beyond the method's law of elasticity.
 struct BeyondLaw {
-  double share = 0;  // of all bonds, greatest so far
+  double share = 0;  // of bonds, greatest value
   double since = 0;  // s
 };
 
 /// Judges a run from observed states.
 /// - hourglass: the hourglass error exceeds its threshold.
 /// - penetrated: a particle lies inside another body or a far part of its own; see Penetration.
-/// - fractured: the graph of unbroken bonds has more pieces than at the start, or a bond is broken whose ends are
-///   more than 8 unbroken bonds apart, a crack at least five particles deep. A bond joins particles of a body
-///   initially at most 1.5 dp apart. It is broken while longer than max(support, 2 dp); with initial neighbours it
-///   must also be stretched 1.5 times as much as its straight continuations. Cracks one row apart then stay
-///   undetected.
-/// - diverged: a value is not finite, or an energy contradicts the received energy: the initial energy plus the
-///   greatest work of drives, loads and gravity. Kinetic, or kinetic + strain, energy must not exceed twice the
-///   received energy; with searched neighbours strain counts only if a tenth of the received energy is kinetic. With
-///   initial neighbours strain energy must not fall below its start by a tenth of the received energy twice in a row.
-///   In closed scenes the initial common motion does not count. Received energies below `floor_` are not judged.
+/// - fractured: the graph of unbroken bonds has more pieces than initially, or the ends of a broken bond are more
+///   than 8 unbroken bonds apart. Bonds join particles of a body initially within 1.5 dp. They are broken while
+///   longer than max(support, 2 dp) and, with initial neighbours, stretched 1.5 times as much as their continuations,
+///   which misses cracks one row apart.
+/// - diverged: a value is not finite, or energy contradicts the received energy, the initial energy plus the greatest
+///   work of drives, loads and gravity. Kinetic (+ strain) energy above twice the received energy; with searched
+///   neighbours strain counts only while a tenth of the received energy is kinetic. With initial neighbours also
+///   strain energy a tenth of the received energy below its start, twice in a row. Ignores the initial common motion
+///   of closed scenes, and energies below `floor_`.
 class Judge {
  public:
   Judge(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors, int threads = 1);
   Judge(const Scene& scene, const Simulation& simulation);
-  /// Evaluates one state and records when each failure began. Without readings, hourglass is not judged.
+  /// Records when each failure began. Without readings, hourglass is not judged.
   void observe(const Snapshot& now, const Balance& balance, const Readings& readings = {});
 
   Verdict verdict() const;
-  /// First time of each failure that occurred, s.
+  /// First time of each failure, s.
   const std::map<Verdict, double>& since() const { return since_; }
-  int pieces() const { return pieces_; }  // of the graph of unbroken bonds, as last observed
+  int pieces() const { return pieces_; }  // of the graph of unbroken bonds
   const BeyondLaw& beyond_law() const { return beyond_law_; }
 
-  /// Archives what was observed; the rest follows from the start.
   template <class Archive>
   void serialize(Archive& archive) {
     for (Bond& bond : bonds_) archive(bond.broken);
@@ -84,7 +81,7 @@ class Judge {
     int i, j;
     bool broken;
   };
-  /// Returns whether a bond broke or healed.
+  /// Whether a bond broke or healed.
   bool update_broken(const Snapshot& now);
   template <int Dim>
   bool update_broken_in(const Snapshot& now);
@@ -98,23 +95,23 @@ class Judge {
   bool bypassed(int bond, std::vector<int>& seen) const;
 
   std::vector<Bond> bonds_;
-  std::vector<int> first_of_;  // [particle + 1] begin of its indices in bonds_of_
+  std::vector<int> first_of_;  // [particle + 1] begin in bonds_of_
   std::vector<int> bonds_of_;
   std::size_t particles_ = 0;
-  double longest_ = 0;  // m, greatest length of an unbroken bond
+  double longest_ = 0;  // m; shorter bonds are unbroken
   bool keeps_neighbors_ = false;
-  double closed_mass_ = 0;   // kg, total; 0 if the scene is not closed
+  double closed_mass_ = 0;   // kg; 0 unless closed
   Point start_momentum_{};   // kg m/s
   double start_energy_ = 0;  // J
-  double given_energy_ = 0;  // J, greatest received energy so far
-  double least_strain_ = 0;  // J, initial strain energy if negative (round-off), else 0
-  /// Received energy above which energies are judged, J: of speeds of 1e-6 c0, or ten times the initial round-off.
+  double given_energy_ = 0;  // J, greatest received
+  double least_strain_ = 0;  // J, initial strain energy if negative, else 0
+  /// Least received energy to judge, J: speeds of 1e-6 c0 plus ten times the initial round-off.
   double floor_ = 0;
-  bool fell_ = false;  // strain energy fell, as last observed
+  bool fell_ = false;  // strain energy, as last observed
   int start_pieces_ = 0;
   int pieces_ = 0;
   double lawful_stretch_ = std::numeric_limits<double>::infinity();
-  double shortest_ = 0;  // m, shortest initial bond
+  double shortest_ = 0;  // m, initially
   BeyondLaw beyond_law_;
   Penetration penetration_;
   std::map<Verdict, double> since_;
