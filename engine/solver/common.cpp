@@ -90,7 +90,7 @@ std::vector<Vec<double, Dim>> middle_velocities(const Particles<Dim>& s, int bod
 
 }  // namespace
 
-/// Reports the diverged particle with the lowest id.
+/// Names the diverged particle with the lowest id.
 template <int Dim>
 void Common<Dim>::refuse_speeds() const {
   const double limit = greatest_mach_number * constants.c0,
@@ -124,7 +124,7 @@ double Common<Dim>::fastest() const {
   return std::sqrt(fastest2);
 }
 
-/// Each particle occurs once, with its body and material.
+/// Each particle must occur once.
 template <int Dim>
 bool Common<Dim>::are_of_this_scene() const {
   std::vector<bool> seen(size());

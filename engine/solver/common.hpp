@@ -18,9 +18,9 @@
 
 namespace taut {
 
-/// Speed of a particle relative to its body, over c0, above which a run has diverged.
+/// A run has diverged if a particle's speed relative to its body exceeds this multiple of c0.
 inline constexpr double greatest_mach_number = 10;
-/// The same limit for a whole body, which may fly or spin.
+/// The limit for the speed of whole bodies.
 inline constexpr double greatest_mach_number_of_bodies = 1000;
 /// A saved state with more steps is damaged.
 inline constexpr long most_steps = 1L << 53;
@@ -48,20 +48,19 @@ class Common {
   int size() const { return particles.size(); }
   int threads_now() const { return stepping ? team.threads() : run.threads; }
 
-  /// Moves the particles to their start; call when the reference configuration is stored.
+  /// Call after storing the reference configuration.
   void go_to_start();
 
-  /// `by_speed`, s, reduced for stiff contact; or the fixed step of the settings.
+  /// Returns `by_speed`, s, reduced for stiff contact, or the fixed step of the settings.
   double fixed_or(double by_speed) const {
     constexpr double spare = 1.5;
     return constants.step > 0 ? constants.step
                               : by_speed / std::sqrt(std::max(1.0, contact.stiffening() / spare));
   }
 
-  /// For velocities of a step of `dt`, s, that belong to time `t`, s.
+  /// For the velocities of a step of `dt`, s, at time `t`, s.
   Kick<Dim> kick(double dt, double t);
-  /// Impulse law: stops the approach of bodies in contact; see Contact::stop_approach. `follow(i, change)` updates
-  /// dependent data.
+  /// Impulse law; see Contact::stop_approach. `follow(i, change)` updates data that depend on v.
   template <class Follow>
   void stop_approach(double gone, const Follow& follow) {
     Particles<Dim>& p = particles;
@@ -93,24 +92,23 @@ class Common {
     if (!is_within_bounds(vmax)) refuse_speeds();
   }
 
-  /// For methods that search contacts only.
+  /// For methods that search only contacts.
   void show_contacts_to_probes() {
     probes.rebuilt(particles, contact.neighbors(size()), Contact<Dim>::reach * constants.dp);
   }
-  /// Force on the first body of `probe` over the last step of `dt`, s, N.
+  /// Force on the first body of `probe` over the last step, N; `dt` in s.
   V contact_force(const Probe& probe, double dt) const {
     return (1 / dt) * contact.impulse(probe.bodies[0], probe.wall < 0 ? probe.bodies[1] : -1, probe.wall);
   }
 
-  /// Fills the totals and allocates positions, velocities and masses.
+  /// Allocates the fields of store_motion and sets the totals.
   void begin_motion(Snapshot& out) const;
   void store_motion(Snapshot& out, int i) const;
-  /// Fills everything except changing particle fields.
+  /// Sets everything but the changing fields of particles.
   void begin_snapshot(Snapshot& out) const;
   /// `rho` in kg/m³; `p`, `s` and `s_zz` (2D only) in Pa.
   void store(Snapshot& out, int i, double rho, double p, const Sym<double, Dim>& s, double s_zz) const;
 
-  /// `method` archives the method's fields.
   template <class Archive, class Method>
   void serialize(Archive& archive, const Method& method) {
     archive.match(initial.size());

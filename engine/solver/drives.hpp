@@ -12,8 +12,7 @@
 
 namespace taut {
 
-/// Particles that cannot move along some axes: rollers, symmetry planes. Constraint forces do no work. Active drives
-/// override guides.
+/// Rollers and symmetry planes. Constraint forces do no work. Active drives override guides.
 template <int Dim>
 class Guides {
  public:
@@ -30,7 +29,7 @@ class Guides {
       if (along_[id] >> k & 1) v[k] = 0;
   }
 
-  /// The components of `force` along the constrained axes.
+  /// The constrained components of `force`.
   Vec<double, Dim> along(int id, const Vec<double, Dim>& force) const {
     Vec<double, Dim> kept{};
     for (int k = 0; k < Dim && active(); ++k)
@@ -39,12 +38,12 @@ class Guides {
   }
 
  private:
-  std::vector<unsigned char> along_;  // [id] bit k: axis k
+  std::vector<unsigned char> along_;  // see `axes`
 };
 
-/// Particles with prescribed velocity up to some time (Drive in engine/scene/scene.hpp). Their density and stress
-/// evolve like those of clamped particles (strains_what_is_held in methods/ul_split/).
-/// In each step call `set_time`, then `replace` for each new velocity.
+/// Particles with prescribed velocity (Drive in engine/scene/scene.hpp). Their density and stress evolve like those
+/// of clamped particles (strains_what_is_held in methods/ul_split/). In each step call `set_time`, then `replace` for
+/// each new velocity.
 template <int Dim>
 class Drives {
  public:
@@ -56,8 +55,8 @@ class Drives {
   bool active() const { return active_; }
   int number_of_active() const { return static_cast<int>(std::ranges::count_if(drives_, &Timed::on)); }
 
-  /// `t`: end of the step if positions advance by the mean of old and new velocity, its middle if by the new
-  /// velocity, s. Both are of second order. Not thread-safe.
+  /// `t`, s: end of the step if positions advance by the mean of old and new velocity, middle if by the new one, both
+  /// of second order. Expressions are not thread-safe.
   void set_time(double t);
 
   /// Driven until the end of the run.
@@ -65,7 +64,7 @@ class Drives {
   bool moves(int id) const { return active_ && drive_[id] >= 0 && drives_[drive_[id]].on; }
   const V& velocity(int id) const { return drives_[drive_[id]].now; }  // m/s, of a driven particle
 
-  /// Replaces `v` by the prescribed velocity, if any. Work: added momentum times the mean of old and new velocity.
+  /// Replaces `v` if prescribed. Its work is the added momentum times the mean of old and new velocity.
   void replace(const Particles<Dim>& s, int i, V& v) {
     const int id = s.id[i];
     if (!moves(id)) return;
@@ -87,7 +86,7 @@ class Drives {
 
  private:
   struct Timed {
-    std::array<std::function<double(double)>, 3> velocity;  // m/s of s
+    std::array<std::function<double(double)>, 3> velocity;  // m/s; argument in s
     double until;                                           // s; may be infinite
     bool on = true;
     V now{};  // m/s
@@ -101,8 +100,8 @@ class Drives {
   std::vector<double> work_;  // [id] J
 };
 
-/// Reaction forces, computed only for probes: momentum change minus recorded impulses. In each step call `begin`,
-/// then `add` for internal and contact impulses on all particles.
+/// Reaction forces for probes: momentum change minus recorded impulses. In each step call `begin`, then `add` for
+/// internal and contact impulses.
 template <int Dim>
 class Reactions {
  public:
@@ -114,7 +113,7 @@ class Reactions {
 
   bool active() const { return active_; }
 
-  /// Begins a step of `dt`, s, from velocities `v`. The storage order must then stay.
+  /// Begins a step of `dt`, s. Until its end the storage order must stay.
   void begin(const std::vector<V>& v, double dt) {
     v_ = v;
     dt_ = dt;
@@ -125,7 +124,7 @@ class Reactions {
   /// N s (per metre depth in 2D).
   void add(int i, const V& impulse) { impulse_[i] += impulse; }
 
-  /// Mean force on particle i that no recorded impulse explains, N.
+  /// Mean force on particle i that recorded impulses do not explain, N.
   V missing(const Particles<Dim>& s, int i) const {
     return (1 / dt_) * (s.m[i] * (s.v[i] - v_[i]) - impulse_[i]);
   }

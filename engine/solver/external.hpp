@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// All external actions on particles, and the measurement of reaction forces.
+/// External actions on particles, and their reaction forces.
 template <int Dim>
 struct External {
   using V = Vec<double, Dim>;
@@ -26,7 +26,7 @@ struct External {
 
   bool active() const { return drives.active() || loads.active() || guides.active(); }
 
-  /// Call once per step before `act`. `t`: time of the new velocities, s.
+  /// `t`: time of the new velocities, s. Call before `act`.
   void set_time(double dt, double t, const Particles<Dim>& p) {
     const int before = drives.number_of_active();
     drives.set_time(t);
@@ -34,7 +34,7 @@ struct External {
     loads.set_time(t - 0.5 * dt);
     if (reactions.active()) reactions.begin(p.v, dt);
   }
-  /// Applies external actions to `v`, the velocity of particle i without them, and records their work.
+  /// Applies external actions to `v`, a new velocity without them, and records their work.
   void act(const Particles<Dim>& p, int i, double dt, V& v) {
     if (drives.moves(p.id[i])) return drives.replace(p, i, v);
     const bool loaded = loads.active();
@@ -45,7 +45,7 @@ struct External {
 
   Steering<Dim> steering() const { return {drives.active() || guides.active() ? axes_.data() : nullptr}; }
 
-  /// Force of the clamp, guide or drive on particle i over the last step, N; includes its weight, not loads.
+  /// Force of clamp, guide or drive over the last step, N; includes the weight, not loads.
   V reaction(const Particles<Dim>& p, int i) const {
     const int id = p.id[i];
     const bool free = p.mobile[i] != 0 && !drives.moves(id);

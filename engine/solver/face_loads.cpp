@@ -21,7 +21,7 @@ constexpr double layer_reach = 2.1;  // dp, for the direction of a layer
 constexpr double close_reach = 2.2;  // dp, along the face
 constexpr double aside = 0.75;       // dp, greatest offset of a particle below another one
 
-constexpr double least_scaled = 0.5;  // least n · S over area of a column that can share a force
+constexpr double least_scaled = 0.5;  // least ratio of n · S to area of a column that shares a force
 
 template <int Dim>
 Place<Dim> place(const Point& p) {
@@ -47,11 +47,11 @@ int position(const std::vector<int>& layer, int i) {
   return found != layer.end() && *found == i ? static_cast<int>(found - layer.begin()) : -1;
 }
 
-/// Unit normal of the layer, outwards; 0 if i has none.
+/// Outward unit normal of the layer; 0 if none.
 template <int Dim>
 Place<Dim> outwards(int i, const InitialParticles& initial, std::span<const int> near,
                     const std::vector<int>& layer, double spacing) {
-  constexpr double thin = 0.1;  // ratio of variances across and along the layer
+  constexpr double thin = 0.1;  // variance across over variance along the layer
   Eigen::Matrix<double, Dim, Dim> spread = Eigen::Matrix<double, Dim, Dim>::Zero();
   Place<Dim> away = Place<Dim>::Zero();
   for (const int j : near) {
@@ -69,7 +69,7 @@ Place<Dim> outwards(int i, const InitialParticles& initial, std::span<const int>
   return side > 0 ? n : Place<Dim>(-n);
 }
 
-/// Ratio of the areas of face and layer at particle k.
+/// Ratio of face area to layer area.
 template <int Dim>
 double stretch(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
                std::span<const int> near, double spacing) {
@@ -86,7 +86,7 @@ double stretch(const FaceLayer& layer, std::size_t k, const InitialParticles& in
   return std::pow(inside > 0 ? outside / inside : 1, Dim - 1);
 }
 
-/// Particles below a layer particle, down to the middle of the body.
+/// Particles below a layer particle, down to the middle of a thin body.
 struct Column {
   bool thin = false;                                        // its gradients may reach the opposite face
   double middle = std::numeric_limits<double>::infinity();  // depth, m; infinite unless thin
@@ -94,7 +94,7 @@ struct Column {
   int at_middle = 0;                                        // number of particles there
 };
 
-/// Deepest particle below i in range of `near`, and its depth, m.
+/// Deepest particle below i and its depth, m.
 template <int Dim>
 std::pair<int, double> deepest(int i, const Place<Dim>& n, const InitialParticles& initial,
                                const NeighborsOfOne<Dim>& near, double spacing) {
@@ -107,7 +107,7 @@ std::pair<int, double> deepest(int i, const Place<Dim>& n, const InitialParticle
   return known;
 }
 
-/// `near` is the reach of a face: closer than twice this reach, two faces interact.
+/// `near`: reach of a face. Faces interact if closer than twice this reach.
 template <int Dim>
 Column column(int i, const Place<Dim>& n, const InitialParticles& initial, const NeighborsOfOne<Dim>& near,
               double spacing) {
@@ -146,7 +146,7 @@ std::map<int, Below> below(const FaceLayer& layer, const InitialParticles& initi
   return all;
 }
 
-/// Nearest particle in the unit direction `along`; −1 if none.
+/// Nearest particle in direction `along`, or −1.
 template <int Dim>
 int beside(int i, const Place<Dim>& along, const InitialParticles& initial, const NeighborsOfOne<Dim>& near,
            double spacing) {
@@ -162,7 +162,7 @@ int beside(int i, const Place<Dim>& along, const InitialParticles& initial, cons
   return found;
 }
 
-/// Unit directions along the face to possible neighbours.
+/// Unit directions of possible neighbours along the face.
 template <int Dim>
 std::vector<Place<Dim>> directions(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
                                    const NeighborsOfOne<Dim>& near) {
@@ -181,8 +181,8 @@ std::vector<Place<Dim>> directions(const FaceLayer& layer, std::size_t k, const 
   }
 }
 
-/// Factors of area: end correction of the midpoint rule, without which the moment of a linear traction is wrong by
-/// 1/n².
+/// End correction of the midpoint rule for the layer's areas; without it the moment of a linear traction has an error
+/// of 1/n².
 template <int Dim>
 std::vector<double> end_weights(const FaceLayer& layer, const InitialParticles& initial,
                                 const NeighborsOfOne<Dim>& near, double spacing) {
@@ -200,7 +200,7 @@ std::vector<double> end_weights(const FaceLayer& layer, const InitialParticles& 
   return weights;
 }
 
-/// Some normals are about perpendicular.
+/// Checks for normals almost perpendicular to the first one.
 template <int Dim>
 bool are_of_two_faces(const std::vector<Point>& normals) {
   constexpr double across = 0.3;  // greatest |n · m|

@@ -9,15 +9,14 @@
 
 namespace taut {
 
-/// Initial configuration of total-Lagrangian methods. Unlike in the papers, particles lie at cell centres, half a
-/// spacing inside the face, unless Body::on_boundary is set.
+/// Total-Lagrangian methods. Unlike in the papers, particles lie half a spacing inside faces unless Body::on_boundary
+/// is set.
 template <int Dim>
 class InitialConfiguration {
  public:
   using V = Vec<double, Dim>;
 
-  /// Moves particles to their start and loads to faces. Throws SceneError if a body is too thin. `normalised`: see
-  /// TlDisplacementConstants.
+  /// Also moves particles to their start and lets loads act on faces. Throws SceneError if a body is too thin.
   InitialConfiguration(Common<Dim>& common, const SolverInput& input,
                        GradientCorrection gradient = GradientCorrection::corrected, double normalised = 0);
 
@@ -31,14 +30,12 @@ class InitialConfiguration {
 
   int groups() const { return static_cast<int>(sites.size()); }
   LawsInUse laws() const { return materials.in_use(); }
-  /// CFL h/(c_p + |v|max), s. [Lee2016] Eq. 44 uses the spacing and the wave speed of the strained body, which |v|max
-  /// replaces here.
+  /// CFL h/(c_p + |v|max), s. [Lee2016] Eq. 44 has the spacing for h and the wave speed of the strained body.
   double step_size() const;
-  /// Allocates strain energies.
   static void begin(Snapshot& out) { out.strain_energy.resize(out.size()); }
   void begin_motion(Snapshot& out) const { common_.begin_motion(out), begin(out); }
   void store_motion(Snapshot& out, int i, const Mat<double, Dim>& F, double J) const;
-  /// `F`, `J`: deformation gradient and volume ratio for stress and energy.
+  /// F, J: deformation gradient and volume ratio.
   void store(Snapshot& out, int i, const Mat<double, Dim>& F, double J) const;
 
  private:
@@ -48,7 +45,7 @@ class InitialConfiguration {
   Common<Dim>& common_;
 };
 
-/// m.
+/// Radius of interaction, m.
 double initial_support(const SolverInput& input);
 
 /// The constant h/dp of these methods.

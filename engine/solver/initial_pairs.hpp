@@ -21,24 +21,22 @@ namespace taut {
 
 enum class GradientCorrection : std::uint8_t { corrected, normalised };
 
-/// Pairs of initial neighbours within a body, listed from both sides, with constants:
-///   k_ij = V_i V_j ∇_i W(X_i − X_j) = −k_ji,
-///   ∇f at i = [Σ_j (f_j − f_i) ⊗ k_ij] B_i,     force on i = Σ_j (V_i P_i B_i + V_j P_j B_j) k_ij.
-/// With symmetric B the force is that of [Lee2016] Eq. 29c and [TranDuc2023] §2.3: minus the derivative of Σ V_i
-/// ψ(F_i), equal and opposite to the last bit.
-/// In k_ij a particle on a face counts as a whole cell, in V P B only with its part inside the body. Then a uniform
-/// stress acts only at faces, to second order (summation by parts).
+/// Pairs of initial neighbours within a body, from both sides: k_ij = V_i V_j ∇_i W(X_i − X_j) = −k_ji, and B of
+/// gradient_correction. Forces (internal_force_info) are equal and opposite to the last bit; [TranDuc2023] §2.3 has
+/// the same.
+/// V in k_ij is the whole cell even on a face, in forces only the part inside. Then a uniform stress acts at faces
+/// only, to second order (summation by parts).
 template <int Dim>
 struct InitialPairs {
-  std::vector<int> begin, j;        // pairs of i: begin[i] … begin[i + 1] − 1; j ascends
+  std::vector<int> begin, j;        // begin[i] … begin[i + 1] − 1; j ascends
   std::vector<Vec<double, Dim>> k;  // m^(Dim − 1)
   std::vector<Sym<double, Dim>> B;  // [particle] 1/m^Dim
 
   int size() const { return static_cast<int>(B.size()); }
 };
 
-/// Pairs for passes over four particles, with `Width` constants per pair, k_ij first; 0 in lanes without neighbour.
-/// Equal neighbourhoods share constants. Plain data.
+/// Pairs for passes over four particles, `Width` constants each, k_ij first; 0 in lanes without neighbour. Equal
+/// neighbourhoods share them. Plain data.
 template <int Dim, int Width = Dim>
 struct PairLanesView {
   struct Group {
@@ -52,14 +50,14 @@ struct PairLanesView {
   const LaneSlot* slots = nullptr;
   const Constants* constants = nullptr;
 
-  /// Calls `f`(slot, constants) for each slot.
+  /// Calls `f`(slot, constants).
   template <class F>
   [[gnu::always_inline]] void for_each(int group, const F& f) const {
     const Group& own = groups[group];
     for (int b = 0; b < own.size; ++b) f(slots[own.slots + b], constants[own.constants + b]);
   }
 
-  /// Σ_j (f_j − f_i) ⊗ k_ij of the vector in the first columns.
+  /// Σ_j (f_j − f_i) ⊗ k_ij of the first columns.
   template <int N>
   Mat<Pack, Dim> difference_sum(const ColumnsView<N>& f, int group) const {
     const int first = lanes * group;
@@ -88,7 +86,6 @@ struct PairLanesView {
     });
     return sum;
   }
-  /// sum += d ⊗ k_ij.
   template <int N>
   static void add_dyad(Mat<Pack, Dim>& sum, const Vec<Pack, N>& d, const Constants& of_pair) {
 #pragma GCC unroll 3
@@ -98,7 +95,7 @@ struct PairLanesView {
   }
 };
 
-/// Owner of a PairLanesView.
+/// Owns a PairLanesView.
 template <int Dim, int Width = Dim>
 class PairLanes {
  public:
@@ -106,7 +103,7 @@ class PairLanes {
   using Constants = typename View::Constants;
 
   PairLanes() = default;
-  /// `constants(p)` returns the constants of pair p; called by `threads` threads.
+  /// `constants(p)` returns the array of pair p; must be thread-safe.
   template <class Of>
   PairLanes(const InitialPairs<Dim>& pairs, int threads, const Of& constants);
 
@@ -130,11 +127,10 @@ inline constexpr TermInfo internal_force_info{
     "solver/initial_pairs.hpp:pair_sum",
     "pairs of the start: the force is minus the derivative of the energy"};
 
-/// Correction B of gradients.
+/// Correction B:
 /// - corrected: B_i = [Σ_j (X_j − X_i) ⊗ k_ij]⁻¹, exact for linear fields. [Lee2016] Eq. 21, [TranDuc2023] §2.3
-/// - normalised: B_i = I/(V_i S), S = 1 + share (Σ_j V_j W_ij − 1) with i itself. [Zhang2020] below Eq. 11
-/// The paper normalises "the integral" without an equation. Here the force derives from an energy, which conserves
-/// momentum.
+/// - normalised: B_i = I/(V_i S), S = 1 + share (Σ_j V_j W_ij − 1) with i itself. [Zhang2020] below Eq. 11, which
+///   prints no equation; here the force derives from an energy, to conserve momentum.
 template <int Dim>
 Sym<double, Dim> gradient_correction(GradientCorrection gradient, const Mat<double, Dim>& moment, double V,
                                      double S) {
@@ -158,13 +154,13 @@ Vec<double, Dim> difference_on_grid(const Vec<double, Dim>& X_i, const Vec<doubl
   return d;
 }
 
-/// Greatest distance, m. Excludes lattice neighbours at the end of the support, where a kernel need not vanish.
+/// m. Excludes lattice neighbours at the end of the support, where kernels may not vanish.
 template <class K>
 double reach_of_pairs(double h) {
   return (1 - 1e-9) * K::support * h;
 }
 
-/// `V`: cells, m^Dim; `near`: neighbours within reach_of_pairs.
+/// `V`: cells, m^Dim; `near`: within reach_of_pairs.
 template <class K, int Dim>
 InitialPairs<Dim> make_initial_pairs(const NeighborLists& near, const std::vector<Vec<double, Dim>>& X,
                                      const std::vector<double>& V, double h, GradientCorrection gradient,
@@ -184,7 +180,7 @@ InitialPairs<Dim> make_initial_pairs(const NeighborLists& near, const std::vecto
       const double r = std::sqrt(dot(d, d));
       const Vec<double, Dim> k = (V[i] * V[j] * scale_dW * K::dw(r / h) / r) * d;
       sum_W += V[j] * scale_W * K::w(r / h);
-      add_outer(moment, 1.0, X[j] - X[i], k);  // exact for linear fields at unrounded positions
+      add_outer(moment, 1.0, X[j] - X[i], k);  // unrounded: exact for linear fields
       pairs.k[p] = k;
     }
     pairs.B[i] = gradient_correction(gradient, moment, V[i], 1 + share * (sum_W - 1));

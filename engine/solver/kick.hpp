@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// Computes new velocities from all forces. Plain data for passes; made by Common::kick.
+/// New velocities from all forces. Plain data for passes; made by Common::kick.
 template <int Dim>
 struct Kick {
   using V = Vec<double, Dim>;
@@ -18,7 +18,7 @@ struct Kick {
   const V* contact;  // [i] N; may be null
   V* impulse;        // [i] N s, for probes; may be null
   void* outside;
-  /// Applies loads, guides and drives to `v`; may be null.
+  /// Applies external actions to `v`; may be null.
   void (*act)(void* outside, int i, double dt, V& v);
 
   [[gnu::always_inline]] const V& by_acceleration(int i, V a) const {
@@ -29,7 +29,7 @@ struct Kick {
     return take(i, next);
   }
 
-  /// For four particles, of which the last may not exist.
+  /// The last group of four may be incomplete.
   [[gnu::always_inline]] void add_contact(int first, Vec<Pack, Dim>& force) const {
     if (!contact) return;
     const double* const of_contact = &contact[first][0];
@@ -39,13 +39,13 @@ struct Kick {
     separate(rows, columns);
     for (int k = 0; k < Dim; ++k) force[k] += columns[k];
   }
-  /// Records internal forces (N) and contact for probes, before particles move. Requires `impulse`.
+  /// Records internal forces, N, and contact. Requires `impulse`; call before particles move.
   void note(int first, Vec<Pack, Dim> force) const {
     if (contact) force += four_of(contact + first, size - first);
     for (int lane = 0; lane < std::min(lanes, size - first); ++lane)
       impulse[first + lane] += dt * lane_of(force, lane);
   }
-  /// Adds `change` to v of four particles, then moves x for `after`, s. Returns v², m²/s².
+  /// Adds `change` to v, then moves x by `after`, s, times v. Returns v², m²/s².
   [[gnu::always_inline]] Pack by_changes(int first, const Pack (&change)[Dim], double after) const {
     Pack rows[Dim], columns[Dim], v2{};
     if (act || first + lanes > size) {
@@ -70,7 +70,7 @@ struct Kick {
     for (const Pack& of_four : columns) v2 += of_four * of_four;
     return v2;
   }
-  /// Advances only v of four particles. `mobility` = mobile/m, 1/kg.
+  /// x stays. `mobility` = mobile/m, 1/kg.
   [[gnu::always_inline]] Vec<Pack, Dim> by_forces(int first, const Pack& mobility,
                                                   Vec<Pack, Dim> force) const {
     if (contact) force += four_of(contact + first, size - first);
@@ -92,15 +92,15 @@ struct Kick {
   }
 };
 
-/// Constraints on velocities by guides and drives, for passes.
+/// Constraints by guides and drives, for passes.
 template <int Dim>
 struct Steering {
   static constexpr unsigned char driven = 1 << 7;
 
-  const unsigned char* axes;  // [id] bit k: guided along axis k; `driven`. May be null
+  const unsigned char* axes;  // [id] bit k: guided along axis k, or `driven`; may be null
 
   bool drives(int id) const { return axes && (axes[id] & driven) != 0; }
-  /// Sets guided components to 0; not for driven particles.
+  /// Sets guided components to 0. The particle must not be driven.
   void hold(int id, Vec<double, Dim>& v) const {
     if (!axes) return;
     for (int k = 0; k < Dim; ++k)

@@ -12,45 +12,44 @@
 
 namespace taut {
 
-/// Loads on regions, gravity (engine/scene/scene.hpp) and damping −c m v of static scenes, on free particles. The
-/// equilibrium does not depend on c; c = 2 ω of the slowest excited mode is fastest.
-/// In each step call `set_time`, then `act` and `count` for each new velocity; with stages `acceleration` in each,
+/// Loads, gravity (engine/scene/scene.hpp) and damping −c m v, on free particles only. Static scenes settle fastest
+/// with c = 2 ω of the slowest excited mode.
+/// In each step call `set_time`, then `act` and `count` for each velocity, or `acceleration` in each stage and
 /// `count` at the end.
 template <int Dim>
 class Loads {
  public:
   using V = Vec<double, Dim>;
 
-  /// Throws SceneError if all particles of a region are clamped or driven to the end.
+  /// Throws SceneError if a region is clamped or driven to the end.
   Loads(const Scene& scene, const InitialParticles& initial);
 
-  /// Moves tractions from the outermost layer to the face (solver/face_loads.hpp), for methods with initial
-  /// neighbours. Other regions stay. `surface`: S by id; `reach`: of the gradient, m.
+  /// Moves tractions from the outermost layer to the face; see face_shares. Regions that are not a layer stay.
   void act_on_faces(const Scene& scene, const InitialParticles& initial, FaceRule rule,
                     const std::vector<Point>& surface, double reach);
 
-  /// Distributes forces and densities by these volumes (by id, m^Dim), not by cells. With volumes like masses, a
-  /// density accelerates all particles alike.
+  /// Distributes forces and force densities by `volume` (by id, m^Dim). If it is in proportion to mass, densities
+  /// accelerate all particles alike.
   void spread_by(const std::vector<double>& volume, const Scene& scene, const InitialParticles& initial);
 
   bool active() const { return active_; }
 
-  /// `t`: middle of the velocity update, s. Not thread-safe.
+  /// `t`: middle of the velocity update, s. Expressions are not thread-safe.
   void set_time(double t);
 
-  /// m/s², without damping; only gravity if not `free`.
+  /// m/s², undamped; only gravity if not `free`.
   V pull(const Particles<Dim>& s, int i, bool free) const { return free && active_ ? push(s, i) : g_; }
 
-  /// m/s², at the current velocity.
+  /// m/s².
   V acceleration(const Particles<Dim>& s, int i) const { return push(s, i) - damping_ * s.v[i]; }
 
-  /// Applies a step to `v`. Damping uses the mean of old and new velocity.
+  /// Applies a step to `v`, with damping of the mean velocity.
   void act(const Particles<Dim>& s, int i, double dt, V& v) {
     const double half = 0.5 * damping_ * dt * s.mobile[i];
     v += (dt * s.mobile[i]) * push(s, i);
     v = (1 / (1 + half)) * (v - half * s.v[i]);
   }
-  /// Records the work of a step at velocity `mean`, m/s.
+  /// Records the work at velocity `mean`, m/s.
   void count(const Particles<Dim>& s, int i, double dt, const V& mean) {
     work_[s.id[i]] += dt * s.mobile[i] * s.m[i] * dot(push(s, i), mean);
     damped_[s.id[i]] += dt * s.mobile[i] * s.m[i] * damping_ * dot(mean, mean);

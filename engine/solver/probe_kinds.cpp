@@ -27,7 +27,7 @@ using Points = std::vector<PointWeight>;
 Points point(const ProbeSetUp& in, const Probe& probe, const Point& at) {
   const auto& [scene, initial, reach] = in;
   const int body = probe.bodies[0], begin = initial.first[body], end = initial.first[body + 1];
-  constexpr double farthest = 1.5;  // spacings: reaches corners of oblique faces
+  constexpr double farthest = 1.5;  // spacings; reaches corners of oblique faces
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = begin; i < end; ++i) {
     double squared = 0;
@@ -116,7 +116,7 @@ void follow_constrained(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
                       " is held or driven along its component");
 }
 
-/// Two bodies: particles of equal index are images. One body: the image lies at the mirrored position.
+/// Equal indices in two bodies; mirrored positions in one body.
 template <int Dim>
 void follow_images(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
   const auto& [scene, initial, reach] = in;
@@ -130,7 +130,7 @@ void follow_images(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
                       " and " + std::to_string(of_b) + " particles");
   if (a != b) return;
   using Cell = std::array<long, 3>;
-  // quarter spacing: by round-off an image lies in an adjacent cell
+  // a quarter of a spacing: images lie in the cell or, by round-off, in an adjacent one
   const auto cell = [side = 0.25 * scene.spacing](const Point& x) {
     return Cell{std::lround(x[0] / side), std::lround(x[1] / side), std::lround(x[2] / side)};
   };
@@ -185,7 +185,7 @@ Vec<double, Dim> place(const ProbeFollower<Dim>& f, const ProbeView<Dim>& now) {
   return now.place(f.at) + f.beside;
 }
 
-/// Mass-weighted mean of a component of `of` [stored].
+/// Mass-weighted; `of`: [stored particle].
 template <int Dim>
 double mean(const ProbeFollower<Dim>& f, const ProbeView<Dim>& now, const std::vector<Vec<double, Dim>>& of) {
   double moment = 0, mass = 0;
@@ -238,7 +238,7 @@ double mirror_asymmetry(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
   return f.last;
 }
 
-/// −π to π from the initial direction, right-handed about the axis.
+/// −π to π, right-handed about the axis.
 template <int Dim>
 double angle(const ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
   const Point& a = f.probe.turns_about;
@@ -253,7 +253,7 @@ double angle(const ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
 }
 template <int Dim>
 double turn(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
-  // the last value, less than half a turn away, gives the whole turns
+  // whole turns: less than half a turn since the last value
   f.last = f.last + std::remainder(angle(f, now) - f.last, 2 * std::numbers::pi);
   return f.last;
 }

@@ -13,7 +13,6 @@
 
 namespace taut {
 
-/// Solver data for probes.
 template <int Dim>
 class ProbeSource {
  public:
@@ -30,14 +29,14 @@ class ProbeSource {
 template <int Dim>
 struct ProbeRow;
 
-/// Probe during a run; each kind uses some members.
+/// A probe during a run.
 template <int Dim>
 struct ProbeFollower {
   Probe probe;
   const ProbeRow<Dim>* row = nullptr;
-  std::vector<PointWeight> at, to;         // material points, or a body's particles
-  Vec<double, Dim> beside{}, to_beside{};  // offset from a point's single particle, m
-  std::vector<std::pair<int, int>> pairs;  // stored particles of two bodies within `support`
+  std::vector<PointWeight> at, to;         // material points or a body's particles
+  Vec<double, Dim> beside{}, to_beside{};  // offset from a single particle, m
+  std::vector<std::pair<int, int>> pairs;  // stored particles within `support`
   std::vector<int> image;                  // [particle] id of its mirror image
   double last = 0;                         // m or rad
 };
@@ -69,7 +68,7 @@ struct ProbeStep : ProbeView<Dim> {
   const Snapshot* shown;              // stresses for rows with `takes_stress`
   double time, dt;                    // s; initially dt = 0
   const std::vector<double>& before;  // of earlier probes
-  bool is_look;                       // every few steps, for expensive values
+  bool is_look;                       // true every few steps, for expensive values
 };
 
 template <int Dim>
@@ -78,7 +77,7 @@ struct ProbeRow {
   /// Finds the particles; may be null. Throws SceneError if there are none.
   void (*set_up)(ProbeFollower<Dim>&, const ProbeSetUp&);
   double (*value)(ProbeFollower<Dim>&, const ProbeStep<Dim>&);
-  /// Called after a neighbour search, which may reorder particles; may be null.
+  /// Called after a neighbour search, which may reorder; may be null.
   void (*rebuilt)(ProbeFollower<Dim>&, const ProbeView<Dim>&, const Neighbors&) = nullptr;
   bool takes_stress = false;
 };

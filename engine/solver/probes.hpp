@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// Records the probes of a scene at every step.
+/// Records a scene's probes at each step.
 template <int Dim>
 class ProbeRecorder {
  public:
@@ -44,9 +44,9 @@ class ProbeRecorder {
   std::vector<ProbeFollower<Dim>> followers_;
   std::vector<int> where_;        // [id] storage index
   std::vector<int> first_;        // [body] first particle
-  std::vector<double> diameter_;  // [id] whole cell: contact distance of pair laws, m
+  std::vector<double> diameter_;  // [id] contact distance of pair laws, m
   double support_ = 0;
-  std::vector<int> stressed_;  // [id] for stress probes
+  std::vector<int> stressed_;  // ids for stress probes
 };
 
 }  // namespace taut

@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// Algorithm and fields of one method; refers to Common, which ParticleSimulation owns.
+/// One method; ParticleSimulation owns the Common part that it refers to.
 template <int Dim>
 class Scheme {
  public:
@@ -18,9 +18,9 @@ class Scheme {
   virtual double step_size() const = 0;  // s
   virtual void step(double dt) = 0;
 
-  /// Stores these groups of four, ascending, in a snapshot from Common::begin_snapshot.
+  /// Stores ascending groups of four in a snapshot from Common::begin_snapshot.
   virtual void show(Snapshot& out, std::span<const int> groups) const = 0;
-  /// For Simulation::motion. Returns false if energies need stresses.
+  /// For Simulation::motion; false if energies need stresses.
   virtual bool show_motion(Snapshot& /*out*/) const { return false; }
 
   /// See Common::contact_force.

@@ -35,39 +35,38 @@ struct RunState {
   Series series;
   long pairs = 0;                // directed, at the last rebuild
   double support = 0;            // radius of interaction, m
-  bool keeps_neighbors = false;  // initial neighbours within bodies
-  /// Greatest stretch of a pair within the law of elasticity.
+  bool keeps_neighbors = false;  // within bodies
+  /// Greatest stretch within the law of elasticity.
   double lawful_stretch = std::numeric_limits<double>::infinity();
   int threads = 1;  // maximum
 };
 
-/// A running simulation. No virtual function is called inside a loop over particles.
+/// A running simulation. Virtual functions are never called inside loops over particles.
 class Simulation {
  public:
   virtual ~Simulation() = default;
 
-  /// Advances to the first step at or past `t`, s; steps are never shortened for output. Throws NumericalError if a
-  /// value is not finite; `snapshot` then returns the last earlier snapshot.
+  /// Steps until the first step at or past `t`, s, unshortened. Throws NumericalError if a value is not finite;
+  /// `snapshot` is then an earlier one.
   void advance_to(double t) { advance(t, std::numeric_limits<double>::infinity()); }
-  /// As `advance_to`, but makes no step that ends at or past `short_of`, s.
+  /// Makes no step that ends at or past `short_of`, s.
   virtual void advance(double t, double short_of) = 0;
-  /// Makes `advance` return after the current step once `stop` is not 0. `stop` must outlive the simulation.
+  /// Makes `advance` return after the current step when `stop` is not 0; it must outlive the simulation.
   void heed(const std::atomic<int>& stop) { stop_ = &stop; }
 
   /// State for `load`, including the series.
   virtual std::string save() = 0;
   /// Continues from a state of the same scene, settings and checkpoint format, bit-identical on the same kind of
-  /// machine. Throws UsageError for other states and is then unusable. Even forged states cause no access outside
-  /// arrays.
+  /// machine. Throws UsageError for others and is then unusable. Forged states cause no access outside arrays.
   virtual void load(std::string_view state) = 0;
 
-  /// State after the last step, made on request; after NumericalError an earlier one.
+  /// Made on request; after NumericalError an earlier one.
   const Snapshot& snapshot() const {
     if (outdated_) take_snapshot(snapshot_);
     outdated_ = false;
     return snapshot_;
   }
-  /// Positions, velocities, masses and energies; cheaper than `snapshot`, other fields may be empty.
+  /// Positions, velocities, masses and energies; other fields may be empty.
   const Snapshot& motion() const { return outdated_ && take_motion(motion_) ? motion_ : snapshot(); }
   const Series& series() const { return run_state().series; }
   double time() const { return run_state().time; }  // s

@@ -13,10 +13,10 @@
 
 namespace taut {
 
-/// By name, from settings or defaults; lengths in m.
+/// Constants by name; lengths in m.
 using ConstantValues = std::map<std::string_view, double>;
 
-/// Adds the values of a family's rows to the common constants.
+/// Adds a family's constants.
 template <class C>
 C constants_of(const std::vector<ConstantRow<C>>& rows, const Constants& all, const ConstantValues& values) {
   C c{all};
@@ -30,9 +30,9 @@ struct SolverInput {
   const InitialParticles& initial;
   Constants constants;
   std::vector<Elasticity> materials;  // in the order of Scene::materials
-  Law law;                            // if the method allows a choice
+  Law law;                            // if selectable
   ContactLaw contact;                 // never `published`
-  bool keeps_neighbors;               // see FamilyRow; distant parts of a body then interact by contact
+  bool keeps_neighbors;               // see FamilyRow
   Stepping stepping;
   int threads;
   InstructionSet kernels{};    // best allowed

@@ -4,11 +4,11 @@
 
 namespace taut {
 
-/// Speed in the CFL condition with searched neighbours, m/s, greatest of all materials: c0 ([Zhang2024] Eq. 22,
-/// [Khayyer2024] Eq. 26) if G/K is at most `known`, as in the papers; else scaled with √((K + ζG)/ρ0). ζ = 4/3:
-/// compression wave; `enog`: greater ζ.
+/// Speed for the CFL condition with searched neighbours, m/s, greatest of all materials: c0 ([Zhang2024] Eq. 22,
+/// [Khayyer2024] Eq. 26), for G/K above `known` scaled with √((K + ζG)/ρ0). ζ = 4/3: compression wave; `enog`:
+/// greater.
 double step_speed(const SolverInput& input, double zeta, double known);
-/// With ζ = 4/3 and G/K at ν = 0, [Khayyer2024] §4.3.
+/// ζ = 4/3, G/K at ν = 0, [Khayyer2024] §4.3.
 double step_speed(const SolverInput& input);
 
 }  // namespace taut
