@@ -10,14 +10,14 @@
 
 namespace taut {
 
-/// Contact candidates of two bodies by particle.
+/// Contact candidates of two bodies, by particle.
 template <int Dim>
 class BodyPairs {
  public:
   /// Lists pairs up to reach + skin, m.
   BodyPairs(double reach, double skin) : reach_(reach + skin), skin_(skin) {}
 
-  double lasts_for() const { return 0.5 * skin_; }  // m, path of the fastest particle
+  double lasts_for() const { return 0.5 * skin_; }  // m, of the fastest particle
 
   void search(const Particles<Dim>& s) {
     choose_candidates(s);
@@ -27,7 +27,7 @@ class BodyPairs {
     const std::vector<int>& order = grid_.sort(x_, reach_);
     stored_.resize(x_.size());
     for (std::size_t k = 0; k < order.size(); ++k) stored_[k] = candidates_[order[k]];
-    int next = 0;  // particle whose list begins next
+    int next = 0;  // next list to begin
     for (const int i : candidates_) {
       while (next <= i) begin[next++] = static_cast<int>(j.size());
       const auto from = static_cast<std::ptrdiff_t>(j.size());
@@ -39,7 +39,7 @@ class BodyPairs {
           if (dot(d, d) < reach_ * reach_) j.push_back(other);
         }
       });
-      // by id, as in mirrored bodies: symmetric runs stay symmetric to the last bit
+      // by id, as in mirrored bodies, for bit-exact symmetry
       std::sort(j.begin() + from, j.end(), [&](int a, int b) { return s.id[a] < s.id[b]; });
     }
     while (next <= s.size()) begin[next++] = static_cast<int>(j.size());

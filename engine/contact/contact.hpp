@@ -10,39 +10,39 @@
 
 namespace taut {
 
-/// Contact of bodies, folds and walls by one mechanism.
-/// In each step: `prepare`; move positions; `evaluate`; add `force` if `acting`; `stop_approach` (impulse law). Call
-/// `search` after reordering particles.
+/// Contact of bodies, folds and walls. Forces in N, impulses in N s, energies in J (per metre depth in 2D).
+/// In each step: `prepare`; move positions; `evaluate`; add `force` if `acting`; `stop_approach`. After reordering
+/// particles: `search`.
 template <int Dim>
 class Contact {
  public:
   using V = Vec<double, Dim>;
 
-  /// For gap probes, in spacings.
+  /// Range of gap probes, in spacings.
   static constexpr double reach = ContactMechanism<Dim>::reach;
 
   explicit Contact(const SolverInput& input);
 
-  /// Particles of two bodies interact only by this contact.
+  /// Particles of two bodies interact by contact only.
   bool between_bodies() const { return between_bodies_; }
   bool acting() const { return !mechanism_->touching().empty(); }
 
-  /// Searches if a particle may leave the last search's range on its next `way`, m. Returns whether it searched.
+  /// Searches if a particle moving by `way`, m, may leave the last range. Returns whether it searched.
   bool prepare(const Particles<Dim>& s, double way);
   void search(const Particles<Dim>& s);
 
   /// `dt`: duration of the forces, s.
   void evaluate(const Particles<Dim>& s, double dt, int threads);
 
-  /// Greatest stiffness relative to the material, at least 1, as last evaluated.
+  /// Greatest ratio to the material's stiffness, at least 1.
   double stiffening() const { return mechanism_->stiffening(); }
 
-  /// N (per metre depth in 2D), as last evaluated. Requires `acting`.
+  /// As last evaluated. Requires `acting`.
   const V& force(int i) const { return force_[i]; }
 
-  /// Impulse law: calls `change(i, impulse)`, N s (per metre depth in 2D), for touching particles, with impulses from
-  /// the state before the first call. They act where the forces acted, `gone`, s, before the present positions, which
-  /// conserves angular momentum. `inverse_mass(i)` in 1/kg, 0 for immovable particles.
+  /// Impulse law: calls `change(i, impulse)` for touching particles. Impulses follow from the state before the first
+  /// call and act where the forces acted, `gone`, s, ago, to conserve angular momentum. `inverse_mass(i)`: 1/kg, 0 if
+  /// immovable.
   template <class InverseMass, class Change>
   void stop_approach(const Particles<Dim>& s, double gone, const InverseMass& inverse_mass,
                      const Change& change) {
@@ -53,18 +53,18 @@ class Contact {
     for (const int i : mechanism_->touching()) change(i, impulse_[i]);
   }
 
-  /// Impulse by body `other`, or by `wall` if ≥ 0, in the last step, N s (per metre depth in 2D); only for probes.
+  /// On `body` in the last step, by `other` or, if ≥ 0, by `wall`. For probes only.
   V impulse(int body, int other, int wall) const;
 
-  /// Total impulses of walls on bodies.
+  /// Total impulses on bodies.
   const Impulse& of_walls() const { return walls_.given(); }
 
-  /// J (per metre depth in 2D); 0 for impulses.
+  /// 0 for impulses.
   double energy(const Particles<Dim>& s) const { return mechanism_->energy(s, walls_); }
 
   /// Pairs of two bodies, for probes.
   Neighbors neighbors(int particles) const { return mechanism_->neighbors(particles); }
-  /// Null if gaps are measured between particles.
+  /// Null if particles determine gaps.
   ContactsOfFaces<Dim>* faces() { return faces_; }
 
   template <class Archive>
@@ -78,7 +78,7 @@ class Contact {
  private:
   struct Probed {
     int body, other, wall;
-    V impulse;  // N s, last step
+    V impulse;  // last step
   };
   void reset_forces(int particles) { force_.assign(acting() ? particles : 0, V{}); }
   void find_impulses(const Particles<Dim>& s, double gone);
@@ -86,10 +86,10 @@ class Contact {
   bool between_bodies_ = false;
   WallContacts<Dim> walls_;
   std::unique_ptr<ContactMechanism<Dim>> mechanism_;
-  ContactsOfFaces<Dim>* faces_ = nullptr;  // mechanism or null
-  std::vector<V> force_;                   // N
-  std::vector<double> inverse_mass_;       // 1/kg
-  std::vector<V> impulse_;                 // N s
+  ContactsOfFaces<Dim>* faces_ = nullptr;  // may be null
+  std::vector<V> force_;
+  std::vector<double> inverse_mass_;  // 1/kg
+  std::vector<V> impulse_;
   std::vector<Probed> probed_;
 };
 

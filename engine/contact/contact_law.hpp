@@ -11,8 +11,8 @@ struct ContactLaw {
 
   auto operator<=>(const ContactLaw&) const = default;
 
-  // laws named in code
-  static const ContactLaw published;  // law of the method's paper
+  // laws that code names
+  static const ContactLaw published;  // of the method's paper
   static const ContactLaw sph, impulse, penalty, lennard_jones, surface;
 };
 

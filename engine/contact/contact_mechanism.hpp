@@ -17,21 +17,20 @@ class FacetContacts;
 template <int Dim>
 using ContactsOfFaces = std::conditional_t<Dim == 3, FacetContacts, FaceContacts>;
 
-/// Contact mechanism: between particles (pair_contacts.hpp), between faces (face_contacts.hpp, in 3D
-/// facet_contacts.hpp), or none, this class. A search lists candidates, the geometry selects those that touch, a law
-/// (terms/contact_laws.hpp) gives the force, energy or impulse.
+/// Contact between particles (pair_contacts.hpp), between faces (face_contacts.hpp, in 3D facet_contacts.hpp), or
+/// none, this class. A search lists candidates, the geometry selects those that touch, a law (terms/contact_laws.hpp)
+/// gives the force, energy or impulse. Units as in Contact.
 template <int Dim>
 class ContactMechanism {
  public:
   using V = Vec<double, Dim>;
 
-  /// For gap probes, in spacings.
   static constexpr double reach = 2;
 
   virtual ~ContactMechanism() = default;
 
-  /// Searches if the fastest particle may leave the last search's range on its next `way`, m, or, without `way`,
-  /// after reordering. Returns whether it searched.
+  /// Searches if the fastest particle, moving by `way`, m, may leave the last range, or without `way`, after
+  /// reordering. Returns whether it searched.
   virtual bool search(const Particles<Dim>& /*particles*/, const WallContacts<Dim>& /*walls*/,
                       std::optional<double> /*way*/) {
     return false;
@@ -39,14 +38,12 @@ class ContactMechanism {
   /// Particles that may get a force before the next search, ascending.
   const std::vector<int>& touching() const { return touching_; }
 
-  /// Sets forces on `touching`, N (per metre depth in 2D), and records impulses of walls over `dt`, s.
+  /// Sets forces on `touching`, and records impulses of walls over `dt`, s.
   virtual void evaluate(const Particles<Dim>& /*particles*/, double /*dt*/, WallContacts<Dim>& /*walls*/,
                         std::vector<V>& /*force*/, int /*threads*/) {}
-  /// J (per metre depth in 2D).
   virtual double energy(const Particles<Dim>&, const WallContacts<Dim>&) { return 0; }
-  /// See Contact::stiffening.
   virtual double stiffening() const { return 1; }
-  /// Force on `a` by `b` or a wall, N (per metre depth in 2D), as last evaluated.
+  /// Force on `a`, as last evaluated.
   virtual V between(const Particles<Dim>& /*particles*/, int /*a*/, int /*b*/) const { return {}; }
   virtual V of_wall(const Particles<Dim>& /*particles*/, int /*a*/, int /*wall*/,
                     const WallContacts<Dim>& /*walls*/) const {
@@ -54,14 +51,11 @@ class ContactMechanism {
   }
 
   virtual bool has_impulses() const { return false; }
-  /// Sets impulses on `touching`, N s (per metre depth in 2D); see Contact::stop_approach. `inverse_mass`: [particle]
-  /// 1/kg.
+  /// See Contact::stop_approach. `inverse_mass`: [particle] 1/kg.
   virtual void stop_approach(const Particles<Dim>& /*particles*/, double /*dt*/, WallContacts<Dim>& /*walls*/,
                              const std::vector<double>& /*inverse_mass*/, std::vector<V>& /*impulse*/) {}
-  /// See Contact::impulse.
   virtual V impulse(int /*a*/, int /*b*/, int /*wall*/) const { return {}; }
 
-  /// See Contact::neighbors.
   virtual Neighbors neighbors(int particles) const {
     Neighbors none;
     none.begin.assign(particles + 1, 0);

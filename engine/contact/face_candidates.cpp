@@ -28,9 +28,9 @@ bool FaceCandidates::search(const Particles<2>& s, MovingFaces& faces, const Wal
   return true;
 }
 
-/// Also lists nodes near walls.
+/// Also finds nodes near walls.
 void FaceCandidates::search_others(const MovingFaces& faces, const WallContacts<2>& walls) {
-  constexpr double margin = horizon + 2;  // + 2: one end of a segment lies within its length
+  constexpr double margin = horizon + 2;  // 2: distance from a segment to its ends
   const std::vector<char> near = near_other_bodies<2>(faces.places(), faces.outline().body, margin * dp_);
   std::vector<int> nodes, segments;
   std::ranges::copy_if(all_nodes_, std::back_inserter(nodes), [&](int n) { return near[n]; });
@@ -49,7 +49,7 @@ void FaceCandidates::search_others(const MovingFaces& faces, const WallContacts<
 }
 
 /// No side of the node can face this segment before the next search (facet_candidates.hpp:find). Initially close
-/// faces count only when they begin to face each other, because right angles there would cause many searches.
+/// faces, often at right angles, count only when they begin to face each other.
 bool FaceCandidates::looks_aside(const MovingFaces& faces, int node, int segment) const {
   const auto& [a, b] = faces.segment(segment).node;
   const V D = faces.x0(node) - 0.5 * (faces.x0(a) + faces.x0(b));
@@ -77,7 +77,7 @@ void FaceCandidates::search_own(const Particles<2>& s, const MovingFaces& faces)
   own_bound_.restart(beyond - (reach_ + turn_slack) * dp_, behind_);
 }
 
-/// Lists candidate and adjacent nodes, their segments and particles.
+/// Lists nodes of candidates, adjacent nodes, their segments and particles.
 void FaceCandidates::watch(const MovingFaces& faces) {
   std::vector<bool> seen(faces.size());
   const auto with_neighbors = [&](int n) {

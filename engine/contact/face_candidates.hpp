@@ -14,7 +14,7 @@
 
 namespace taut {
 
-/// Contact candidates in 2D: nodes with segments of other bodies or of their own folding body, and nodes near walls.
+/// Contact candidates in 2D: nodes with segments of other bodies or their own folding body, and nodes near walls.
 class FaceCandidates {
  public:
   using V = Vec<double, 2>;
@@ -52,10 +52,10 @@ class FaceCandidates {
   static constexpr double skin = 1;          // longer: fewer searches, more pairs
   static constexpr double horizon = 4;       // search range, which limits how long a search is valid
   static constexpr double far_apart = 3;     // opposite faces of a thinner wall do not interact
-  static constexpr double aside = 0.5;       // limit for the cosine of normals
-  static constexpr double close_by = 4;      // initially; such faces count only
-  static constexpr double folded = -0.1;     // below this cosine of normals
-  static constexpr double turn_slack = 0.5;  // for nodes that turn around their particles
+  static constexpr double aside = 0.5;       // cosine of normals, at most
+  static constexpr double close_by = 4;      // initially; such faces need
+  static constexpr double folded = -0.1;     // a cosine of normals below this
+  static constexpr double turn_slack = 0.5;  // rotation of nodes about particles
 
   void search_others(const MovingFaces& faces, const WallContacts<2>& walls);
   void search_own(const Particles<2>& s, const MovingFaces& faces);
@@ -63,13 +63,13 @@ class FaceCandidates {
   void watch(const MovingFaces& faces);
 
   double dp_;                         // m
-  double reach_;                      // of contact, in spacings
+  double reach_;                      // in spacings
   bool meets_itself_, meets_others_;  // others: bodies or walls
   std::vector<int> all_nodes_, all_segments_;
   FaceSearch find_;
-  std::vector<V> normal_;  // [segment] at a search
+  std::vector<V> normal_;  // [segment]
   MotionBound<2> others_bound_, own_bound_;
-  std::vector<V> behind_;  // [node] main particle, m
+  std::vector<V> behind_;  // [node] its main particle, m
 };
 
 }  // namespace taut

@@ -12,7 +12,7 @@ namespace taut {
 
 namespace {
 
-/// K + 4G/3, Pa; weighted mean at material interfaces.
+/// K + 4G/3, Pa; a weighted mean at material interfaces.
 double modulus(const Outline& outline, int node, const SolverInput& input) {
   double sum = 0, weights = 0, least = std::numeric_limits<double>::infinity(), most = 0;
   for (int k = outline.begin[node]; k < outline.begin[node + 1]; ++k) {
@@ -58,11 +58,11 @@ void FaceContacts::place_watched(const Particles<2>& s) {
   for (const int k : candidates_.watched_segments) faces_.set_normal(k);
 }
 
-/// f(node, foot, touch) for listed nodes that face a segment, at least up to `reach`. Inside a corner, equally far
-/// from both sides, each side counts half, for symmetry.
+/// f(node, foot, touch) for listed nodes that face a segment, at least up to `reach`. Inside a corner equally near
+/// sides count half each, for symmetry.
 template <class F>
 void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
-  std::vector<double> distance2;  // of each segment, m²
+  std::vector<double> distance2;  // [segment] m²
   for (std::size_t k = 0; k < near.node.size(); ++k) {
     const int n = near.node[k];
     const auto segments = std::span(near.segment).subspan(near.begin[k], near.begin[k + 1] - near.begin[k]);
@@ -70,9 +70,9 @@ void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
     distance2.clear();
     for (const int l : segments) distance2.push_back(faces_.distance2(n, l));
     const auto nearest = std::ranges::min_element(distance2) - distance2.begin();
-    const auto is_sharp = [&](int l) { return faces_.has_sharp_end(l); };  // contact beyond its end
+    const auto is_sharp = [&](int l) { return faces_.has_sharp_end(l); };  // may act beyond its end
     if (distance2[nearest] >= power<2>(reach * dp_) && std::ranges::none_of(segments, is_sharp)) continue;
-    faces_.measure(n, segments[nearest], foot);  // first, to exclude most others
+    faces_.measure(n, segments[nearest], foot);  // excludes most others
     for (std::ptrdiff_t l = 0; l < std::ssize(segments); ++l)
       if (l != nearest && (distance2[l] < foot.rank * foot.rank || is_sharp(segments[l])))
         faces_.measure(n, segments[l], foot);
@@ -95,7 +95,7 @@ void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
   }
 }
 
-/// f(node, wall, depth, area, k). The mirror image is twice as deep and has half of the energy.
+/// f(node, wall, depth, area, k). The mirror image is twice as deep and has half the energy.
 template <class F>
 void FaceContacts::for_each_wall(const WallContacts<2>& walls, const F& f) const {
   for (const auto& [n, wall] : candidates_.near_wall) {
@@ -151,7 +151,7 @@ double FaceContacts::energy(const Particles<2>& s, const WallContacts<2>& walls)
     });
   }
   for_each_wall(walls, [&](int, int, double depth, double area, double k) {
-    sum += surface_energy(depth, area, k);  // half of two passes
+    sum += surface_energy(depth, area, k);  // two passes, half for the image
   });
   return sum;
 }

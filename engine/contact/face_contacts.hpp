@@ -14,9 +14,9 @@
 
 namespace taut {
 
-/// Contact of faces in 2D (terms/surface_contact.hpp). Nodes are pushed towards their closest point on the other
-/// face; the reaction acts on the segment's ends by ξ. A node counts with its length over the other face. Conserves
-/// both momenta; derives from an energy except where facing_share changes at a turning corner.
+/// Contact of faces in 2D (terms/surface_contact.hpp). Nodes are pushed to the closest point of the other face, with
+/// their length over it; the reaction acts on segment ends by ξ. Conserves both momenta, and energy unless
+/// facing_share changes at a turning corner.
 class FaceContacts final : public ContactMechanism<2> {
  public:
   using V = Vec<double, 2>;
@@ -25,7 +25,7 @@ class FaceContacts final : public ContactMechanism<2> {
 
   bool search(const Particles<2>& s, const WallContacts<2>& walls, std::optional<double> way) override;
 
-  /// One thread: touching faces have few nodes.
+  /// Touching faces have too few nodes for several threads.
   void evaluate(const Particles<2>& s, double dt, WallContacts<2>& walls, std::vector<V>& force,
                 int threads) override;
   double energy(const Particles<2>& s, const WallContacts<2>& walls) override;
@@ -33,7 +33,7 @@ class FaceContacts final : public ContactMechanism<2> {
   V between(const Particles<2>& s, int a, int b) const override;
   V of_wall(const Particles<2>& s, int a, int wall, const WallContacts<2>& walls) const override;
 
-  /// Least distance of nodes and faces of two bodies, m, negative if they overlap; at most `reach`.
+  /// Least distance of nodes and faces, m, negative if they overlap; at most `reach`.
   double gap(const Particles<2>& s, int a, int b);
 
   void serialize(Saver& archive, int particles, const WallContacts<2>& walls) override {
@@ -67,9 +67,9 @@ class FaceContacts final : public ContactMechanism<2> {
   MovingFaces faces_;
   std::vector<double> M_;  // [node] K + 4G/3, Pa
   FaceCandidates candidates_;
-  // [node] N, each summed in node order, which mirrored bodies share
-  std::vector<V> own_force_;  // by its own body's nodes
-  std::vector<V> reaction_;   // to other bodies' nodes
+  // [node] N, summed by node, as in mirrored bodies
+  std::vector<V> own_force_;  // from nodes of the same body
+  std::vector<V> reaction_;   // from nodes of other bodies
 };
 
 }  // namespace taut

@@ -11,7 +11,7 @@
 
 namespace taut {
 
-/// Nodes with near segments of one body; entry k: segment[begin[k]] … segment[begin[k + 1] − 1], ascending.
+/// Nodes with near segments of one body each: segment[begin[k]] … segment[begin[k + 1] − 1], ascending.
 struct NearFaces {
   std::vector<int> node, begin{0}, segment;
 
@@ -26,8 +26,8 @@ class FaceSearch {
  public:
   using V = Vec<double, 2>;
 
-  /// Lists segments with `wanted(node, segment)` nearer than `listed`, m. Returns the least other distance, m, at
-  /// most `horizon`.
+  /// Lists segments that are `wanted(node, segment)` and nearer than `listed`, m. Returns the next distance, m, up to
+  /// `horizon`.
   template <class Wanted>
   double operator()(const MovingFaces& faces, const std::vector<int>& nodes, const std::vector<int>& segments,
                     double listed, double horizon, const Wanted& wanted, NearFaces& out) {
@@ -60,7 +60,7 @@ class FaceSearch {
   }
 
  private:
-  /// Sorts midpoints of segments, then nodes, by cell. Returns the greatest length, m.
+  /// Midpoints of segments, then nodes, by cell. Returns the greatest length, m.
   double sort_middles(const MovingFaces& faces, const std::vector<int>& nodes,
                       const std::vector<int>& segments, double horizon) {
     middles_.clear();
@@ -77,7 +77,6 @@ class FaceSearch {
     return longest;
   }
 
-  /// One entry for each body.
   static void enter(const MovingFaces& faces, int node, std::size_t from, NearFaces& out) {
     for (std::size_t k = from; k < out.segment.size(); ++k) {
       const auto body = [&](std::size_t l) { return faces.body_of_segment(out.segment[l]); };

@@ -16,13 +16,13 @@
 
 namespace taut {
 
-/// Contact candidates in 3D: facet pairs of two bodies or of one folding body, and facets near walls. A search is
-/// valid until the particles behind facets have moved by the difference between its range and the range of contact.
+/// Contact candidates in 3D: facets of two bodies or one folding body, and facets near walls. A search is valid until
+/// particles behind facets have moved by the difference of its range and the range of contact.
 class FacetCandidates {
  public:
   using V = Vec<double, 3>;
 
-  /// `reach`: range of contact of facet midpoints, m.
+  /// `reach`: range of contact, m.
   FacetCandidates(const SolverInput& input, const MovingFacets& facets, double reach)
       : dp_(input.constants.dp),
         reach_(reach),
@@ -33,7 +33,7 @@ class FacetCandidates {
     for (int f = 0; f < facets.size(); ++f) normal_.push_back(facets[f].normal);
   }
 
-  /// Ascending; `pairs` in both orders; near_wall: (facet, wall).
+  /// (facet, facet) in both orders, (facet, wall); ascending.
   std::vector<std::pair<int, int>> pairs, near_wall;
 
   bool search(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls,
@@ -68,18 +68,17 @@ class FacetCandidates {
 
  private:
   // in spacings
-  static constexpr double skin = 1.4;      // longer: fewer searches, more pairs
-  static constexpr double horizon = 4.25;  // search range, which limits how long a search is valid
-  static constexpr double cluster = 4;     // size
-  static constexpr double far_apart = 4;   // initially, along a bending face or across a gap
-  static constexpr double far_inside =
-      8;                                // initially, through the body; thinner walls do not touch themselves
-  static constexpr double flat = 1e-6;  // round-off
-  static constexpr double aside = 0.5;  // limit for the cosine of normals
-  static constexpr double turn_slack = 0.5;  // for facets that turn around their particles
+  static constexpr double skin = 1.4;        // longer: fewer searches, more pairs
+  static constexpr double horizon = 4.25;    // search range, which limits how long a search is valid
+  static constexpr double cluster = 4;       // size
+  static constexpr double far_apart = 4;     // initially, along a bending face or across a gap
+  static constexpr double far_inside = 8;    // initially, through the body
+  static constexpr double flat = 1e-6;       // round-off
+  static constexpr double aside = 0.5;       // cosine of normals, at most
+  static constexpr double turn_slack = 0.5;  // rotation of facets about particles
 
   void search_others(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
-    constexpr double margin = horizon + 2;  // + 2: from two particles to their faces
+    constexpr double margin = horizon + 2;  // 2: distance of two particles from faces
     const std::vector<char> near = near_other_bodies<3>(behind_, near_.bodies(), margin * dp_);
     std::vector<int> candidates = near_.order();
     std::erase_if(candidates, [&](int f) { return !near[f]; });
@@ -101,8 +100,8 @@ class FacetCandidates {
     own_bound_.restart(find<PairsOf::one_body>(facets, near_.order(), wanted, own_), behind_);
   }
 
-  /// Returns by how much the nearest unlisted pair may approach, m. Skips facets with similar normals: to act on each
-  /// other (facing_share) they must turn by 44°, for which points hardly move far enough before the next search.
+  /// Returns by how much the nearest unlisted pair may approach, m. Facets with similar normals are skipped: to
+  /// interact (facing_share) they must turn by 44° first.
   template <PairsOf kind, class Wanted>
   double find(const MovingFacets& facets, const std::vector<int>& candidates, const Wanted& wanted,
               std::vector<std::pair<int, int>>& list) {
@@ -115,9 +114,9 @@ class FacetCandidates {
     return beyond - reach_ - turn_slack * dp_;
   }
 
-  /// Sorts the found pairs in both orders.
+  /// Sorts found pairs, in both orders.
   void list_both_ways(std::vector<std::pair<int, int>>& list) {
-    std::vector<int> end(near_.size() + 1);  // [facet] end of pairs
+    std::vector<int> end(near_.size() + 1);  // [facet]
     for (const auto& [f, g] : found_) ++end[f + 1], ++end[g + 1];
     std::partial_sum(end.begin(), end.end(), end.begin());
     const std::vector<int> begin = end;
@@ -142,8 +141,8 @@ class FacetCandidates {
   bool meets_itself_, meets_others_;  // others: bodies or walls
   FacetPairs near_;
   std::vector<int> nodes_;  // all
-  std::vector<V> normal_;   // [facet] initial
-  std::vector<V> behind_;   // [facet] particle behind it, m
+  std::vector<V> normal_;   // [facet]
+  std::vector<V> behind_;   // [facet] particle behind, m
   std::vector<std::pair<int, int>> others_, own_, found_;
   MotionBound<3> others_bound_, own_bound_;
 };

@@ -39,7 +39,6 @@ bool FacetContacts::search(const Particles<3>& s, const WallContacts<3>& walls, 
   return searched;
 }
 
-/// Updates the lists after a search.
 void FacetContacts::list() {
   rows_.clear();
   begin_.assign(1, 0);
@@ -66,7 +65,7 @@ void FacetContacts::list() {
   touching_ = facets_.particles_of(nodes_);
 }
 
-/// f(other row, pair) for those of `count` rows that count in the mean of `row`.
+/// f(other row, pair) for each of `count` rows that counts in the mean of `row`.
 template <class F>
 void FacetContacts::for_each_pair(int row, const int* first, int count, const F& f) const {
   const MovingFacets::Place& own = facets_[rows_[row].facet];
@@ -96,7 +95,7 @@ void FacetContacts::for_each_pair(int row, const int* first, int count, const F&
   }
 }
 
-/// f(facet, wall, depth, projected share, k). The mirror image is twice as deep and has half of the energy.
+/// f(facet, wall, depth, projected share, k). The mirror image is twice as deep and has half the energy.
 template <class F>
 void FacetContacts::for_each_wall(const WallContacts<3>& walls, const F& f) const {
   for (const auto& [facet, wall] : candidates_.near_wall) {
@@ -108,7 +107,6 @@ void FacetContacts::for_each_wall(const WallContacts<3>& walls, const F& f) cons
   }
 }
 
-/// Updates all geometry to `s`.
 void FacetContacts::place(const Particles<3>& s) {
   facets_.place(s, nodes_, watched_, threads_);
   near_.resize(other_.size());
@@ -141,7 +139,7 @@ auto FacetContacts::measured(int r) -> Touch {
   return touch;
 }
 
-/// Slope of all energies in this facet's place.
+/// Slope of all energies in this facet's position.
 MovingFacets::Slope FacetContacts::slope_of(int r) const {
   const Touch& own = touches_[r];
   const double area = facets_[rows_[r].facet].area, M = M_[rows_[r].facet];
@@ -206,7 +204,7 @@ double FacetContacts::energy(const Particles<3>& s, const WallContacts<3>& walls
     sum += hard_energy(-touches_[r].height, area_of(rows_[r].facet) * covered_share(touches_[r].cover),
                        touches_[r].k, dp_);
   for_each_wall(walls, [&](int facet, int, double depth, double share, double k) {
-    sum += surface_energy(depth, area_of(facet) * share, k);  // half of two passes
+    sum += surface_energy(depth, area_of(facet) * share, k);  // two passes, half for the image
   });
   return sum;
 }

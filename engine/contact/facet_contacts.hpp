@@ -13,8 +13,8 @@
 
 namespace taut {
 
-/// Contact of faces in 3D (terms/surface_contact.hpp). Forces derive from an energy. A facet's depth refers to the
-/// mean of another body's facets (or a fold's) around it.
+/// Contact of faces in 3D (terms/surface_contact.hpp), derived from an energy. The depth of a facet refers to the
+/// mean of the other body's (or fold's) facets around it.
 class FacetContacts final : public ContactMechanism<3> {
  public:
   using V = Vec<double, 3>;
@@ -32,7 +32,7 @@ class FacetContacts final : public ContactMechanism<3> {
   V between(const Particles<3>& s, int a, int b) const override;
   V of_wall(const Particles<3>& s, int a, int wall, const WallContacts<3>& walls) const override;
 
-  /// Least height of facets over the other body's face, m, negative if they overlap; at most a spacing.
+  /// Least height of a facet above the other body, m, negative if they overlap; at most a spacing.
   double gap(const Particles<3>& s, int a, int b);
 
   void serialize(Saver& archive, int particles, const WallContacts<3>& walls) override {
@@ -50,25 +50,25 @@ class FacetContacts final : public ContactMechanism<3> {
   static constexpr double apart = 2.13;              // √(behind² + radius²)
   double reach_at(double p) const { return (p < 0 ? behind : before) * dp_; }
 
-  /// A facet and one body near it.
+  /// A facet near one body.
   struct Row {
     int facet, body;
   };
-  /// Current geometry and law of a row.
+  /// Geometry and law of a row.
   struct Touch {
     int near = 0;              // facets in range
     double cover = 0;          // Σ W
     double height = 0, M = 0;  // means of p, m, and M, Pa, weighted by W
     double k = 0;              // Pa/m
-    // slopes of the energy in `cover`, J, and in the means, over `cover`, N and m³
+    // slopes in `cover`, J, and in the means, over `cover`, N and m³
     double per_sum = 0, per_p = 0, per_M = 0;
-    double per_weight(double p, double modulus) const {  // slope in one W, J
+    double per_weight(double p, double modulus) const {  // in one W, J
       return per_sum + per_p * (p - height) + per_M * (modulus - M);
     }
   };
   struct Pair {
     V d, middle;                                        // x_f − x_g, m; (n_g − n_f)/|n_g − n_f|
-    double p, l2, radius, cosine, share, weight, near;  // W = s w c, with radius R
+    double p, l2, radius, cosine, share, weight, near;  // W = s w c; R
   };
 
   double weight_of(const Pair& pair) const { return pair.share * pair.weight * pair.near; }  // 1/m²
@@ -90,16 +90,16 @@ class FacetContacts final : public ContactMechanism<3> {
   void for_each_wall(const WallContacts<3>& walls, const F& f) const;
 
   double dp_, stiffness_;
-  double hardening_ = 1;  // stiffness over stiffness at first touch, greatest
+  double hardening_ = 1;  // greatest stiffness over stiffness at first touch
   int threads_ = 1;
   MovingFacets facets_;
   std::vector<double> M_;  // [facet] K + 4G/3, Pa
   FacetCandidates candidates_;
 
   std::vector<Row> rows_;                    // by facet, then body
-  std::vector<int> begin_, other_;           // [row] near rows, ascending
+  std::vector<int> begin_, other_;           // [row] near rows
   std::vector<Touch> touches_;               // [row]
-  std::vector<int> near_;                    // rows in range, indexed like `other_`
+  std::vector<int> near_;                    // rows in range, from the same index
   std::vector<MovingFacets::Slope> slopes_;  // [row]
   std::vector<int> watched_;                 // ascending
   std::vector<int> nodes_;                   // of `watched_`

@@ -13,19 +13,19 @@
 namespace taut {
 
 enum class PairsOf {
-  one_body,    // initially farther apart than `far`
+  one_body,    // initially farther than `far`
   two_bodies,  // all
 };
 
-/// Each column ends with `lanes` readable extra entries.
+/// Columns with `lanes` extra entries.
 struct FacetColumns {
   const double* now[3];    // m
   const double* start[3];  // m
   const double* normal[3];
 };
 
-/// Finds midpoints among first … last − 1 nearer to facet p than √near2, initially farther than √far2, with cosine of
-/// normals below `cosine`. Stores indices and squared distances, m². Returns their number.
+/// Finds midpoints among first … last − 1 nearer to facet p than √near2, initially farther than √far2, with normals
+/// below `cosine`. Stores indices and squared distances, m². Returns their number.
 inline int find_near_facets(const FacetColumns& facets, int p, int first, int last, double near2, double far2,
                             double cosine, int* found, double* distance2) {
   int count = 0;
@@ -47,14 +47,13 @@ inline int find_near_facets(const FacetColumns& facets, int p, int first, int la
   return count;
 }
 
-/// Finds near facet pairs with different normals, first between clusters (by boxes and spread of normals), then four
-/// facets at a time.
+/// Finds near facets with different normals, first by clusters, their boxes and spread of normals.
 class FacetPairs {
  public:
   using V = Vec<double, 3>;
 
   FacetPairs() = default;
-  /// `width`: size of clusters, whose facets initially face the same way, m.
+  /// `width`: size of clusters of equal initial direction, m.
   FacetPairs(const MovingFacets& facets, double width) {
     using Key = std::tuple<int, int, bool, std::array<double, 3>>;
     std::vector<Key> key;
@@ -78,18 +77,18 @@ class FacetPairs {
   }
 
   int size() const { return static_cast<int>(body_.size()); }
-  /// By cluster.
+  /// Cluster by cluster.
   const std::vector<int>& order() const { return order_; }
   const V& start(int facet) const { return start_[facet]; }  // initial, m
   const std::vector<int>& bodies() const { return body_; }   // [facet]
 
   struct Limits {
     double listed, horizon;  // m
-    double far;              // initial distance in one body, m
-    double cosine;           // of normals, upper limit
+    double far;              // initially, in one body, m
+    double cosine;           // of normals, at most
   };
-  /// Calls found(f, g) once for each pair with `wanted(f, g)` nearer than `listed`. Returns the least other distance,
-  /// m, at most `horizon`. `candidates` must follow `order()`.
+  /// Calls found(f, g) once for each pair `wanted(f, g)` nearer than `listed`. Returns the next distance, m, up to
+  /// `horizon`. `candidates`: in `order()`.
   template <PairsOf kind, class Wanted, class Found>
   double find(const MovingFacets& facets, const std::vector<int>& candidates, const Limits& limits,
               const Wanted& wanted, const Found& found) {
@@ -116,7 +115,6 @@ class FacetPairs {
     double spread;  // greatest deviation from it
   };
 
-  /// Tolerance against rounding.
   static constexpr double room = 1e-9;
 
   bool may_meet(int a, int b, double apart2, double cosine) const {
@@ -127,7 +125,7 @@ class FacetPairs {
       gap2 += gap * gap;
     }
     if (gap2 > apart2 * (1 + room)) return false;
-    // lower bound of n_f · n_g
+    // least n_f · n_g
     const double least = dot(A.normal, B.normal) - A.spread * std::sqrt(dot(B.normal, B.normal)) -
                          B.spread * std::sqrt(dot(A.normal, A.normal)) - A.spread * B.spread;
     return least < cosine + room;
@@ -151,7 +149,6 @@ class FacetPairs {
     }
   }
 
-  /// Fills the columns and clusters for a search.
   void gather(const MovingFacets& facets, const std::vector<int>& candidates) {
     const std::size_t n = candidates.size();
     for (auto* columns : {&now_, &then_, &normal_})
@@ -192,7 +189,6 @@ class FacetPairs {
   std::vector<V> start_;  // [facet] m
   std::vector<int> body_, cluster_;
   std::vector<int> order_;
-  // search data
   std::array<std::vector<double>, 3> now_, then_;  // [candidate] m
   std::array<std::vector<double>, 3> normal_;      // [candidate]
   FacetColumns columns_{};

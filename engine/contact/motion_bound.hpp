@@ -11,28 +11,27 @@
 
 namespace taut {
 
-/// Tells when points must be searched again: `holds` while no two points of a body can have approached by more than
-/// the free distance. The bound is twice the greatest path, or, when that is used up, twice the greatest deviation
-/// from the body's rigid motion.
+/// `holds` is true while points of one body cannot have approached by more than the free distance: by twice the
+/// greatest path, or else by twice the greatest deviation from rigid motion.
 template <int Dim>
 class MotionBound {
  public:
   using V = Vec<double, Dim>;
 
-  /// `free`: allowed approach, m; `x`: positions by body, m.
+  /// `free`: m; `x`: positions by body, m.
   void restart(double free, std::vector<V> x) {
     free_ = free;
     gone_ = 0;
     from_ = std::move(x);
   }
 
-  /// Call before moving by at most `way`, m. If false, ask `still_holds`.
+  /// Call before moving by `way`, m, at most. If false, call `still_holds`.
   bool holds(double way) {
     gone_ += way;
     return 2 * gone_ <= free_;
   }
 
-  /// `x`: positions before that motion; `body`: ascending. If false, search.
+  /// `x`: positions before that motion. If false, search.
   bool still_holds(const std::vector<V>& x, const std::vector<int>& body, double way) {
     gone_ = 0;
     const std::size_t n = x.size();
@@ -58,7 +57,7 @@ class MotionBound {
       }
     }
     gone_ = std::sqrt(gone_);
-    constexpr double worthwhile = 0.75;  // of `free_`; with less left, this test would run every step
+    constexpr double worthwhile = 0.75;  // of `free_`; else this test runs every step
     return 2 * gone_ <= worthwhile * free_ && holds(way);
   }
 

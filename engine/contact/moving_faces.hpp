@@ -13,17 +13,17 @@
 
 namespace taut {
 
-/// Half of a side of a node, as far as it lies over a segment and faces it.
+/// The node's half of a side, where it lies over a segment and faces it.
 struct FacingHalf {
   int side = Outline::none;
   double half = 0;                   // initial, m
-  double share = 0, slope = 0;       // facing_share and slope
-  std::array<double, 2> at{};        // crossing with each segment end: 0 at the node, 1 at its other end
-  std::array<double, 2> over{1, 1};  // share within each end
+  double share = 0, slope = 0;       // facing_share and its slope
+  std::array<double, 2> at{};        // crossing of segment ends: 0 at the node, 1 at its other end
+  std::array<double, 2> over{1, 1};  // share of the half within each end
   std::array<double, 2> rise{};      // slope of `over` in `at`
-  double past = 1;                   // 1 − share that faces the next face, beyond an end
+  double past = 1;                   // beyond an end: 1 − facing_share of the next face
   double past_slope = 0;             // slope of `past` in the cosine
-  int next = Outline::none;          // next face beyond the end
+  int next = Outline::none;
 
   double covered() const { return over[0] * over[1]; }
   double area() const { return half * share * covered() * past; }  // m
@@ -32,17 +32,17 @@ struct FacingHalf {
 /// Closest point of a segment to a node.
 struct Foot {
   int node = Outline::none, segment = Outline::none;
-  double xi = 0;                                          // first to second end
+  double xi = 0;                                          // from the first end
   double distance2 = 0;                                   // m²
   double rank = std::numeric_limits<double>::infinity();  // m; least wins
-  double weight = 1;                                      // 0.5 if two segments are equally near
+  double weight = 1;                                      // 0.5 for two equally near segments
   std::array<FacingHalf, 2> halves{};
   Vec<double, 2> offset{}, normal{};  // node − point, m; outwards
 
   double area() const { return weight * (halves[0].area() + halves[1].area()); }  // m
 };
 
-/// Current faces of layout/outline.hpp. Nodes are weighted means of particles; their forces use the same weights.
+/// Current faces of layout/outline.hpp. Nodes are weighted means of particles, which take forces by the same weights.
 class MovingFaces {
  public:
   using V = Vec<double, 2>;
@@ -109,7 +109,6 @@ class MovingFaces {
       f(stored_[k], outline_.shares[k].weight);
   }
 
-  /// Outwards.
   const V& normal_of(int k) const { return normal_[k]; }
 
   bool has_sharp_end(int k) const { return sharp_[k][0] || sharp_[k][1]; }
@@ -122,7 +121,7 @@ class MovingFaces {
     return dot(offset, offset);
   }
 
-  /// Initial length of the node that faces this normal, m.
+  /// Initial length of the node's sides that faces `normal`, m.
   double facing(int node, const V& normal) const {
     double area = 0;
     for (const int k : outline_.beside[node])
@@ -131,7 +130,7 @@ class MovingFaces {
     return area;
   }
 
-  /// Forces by turning sides, give(n, f), N (per metre depth in 2D); `energy` per length.
+  /// Forces give(n, f) that turn a node's sides, N per metre depth; `energy` per length.
   template <class Give>
   void push_facing(int node, const V& normal, double energy, const Give& give) const {
     for (const int k : outline_.beside[node])
@@ -140,10 +139,9 @@ class MovingFaces {
           turn(k, normal, energy * 0.5 * outline_.segments[k].length * slope, give);
   }
 
-  /// Replaces `best` if this segment's point ranks lower and the node faces it. The rank adds up to half a segment
-  /// length if no side faces the segment straight. Meeting corners are thus pushed back by the faces in front, not by
-  /// adjacent faces equally near. Beyond a sharp end, the side acts with its length over the segment and its depth at
-  /// the end.
+  /// Replaces `best` by this segment's closest point if the node faces it and its rank is lower. The rank adds up to
+  /// half a segment length to faces not met straight, so that corners are pushed back by faces in front. Beyond a
+  /// sharp end the side acts, with its length over the segment and its depth at the end.
   void measure(int node, int k, Foot& best) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
@@ -160,7 +158,7 @@ class MovingFaces {
     one = facing_half(foot, outline_.beside[node][0]);
     two = facing_half(foot, outline_.beside[node][1]);
     if (!(foot.area() > 0)) return;
-    if (is_beyond(foot)) (one.area() > two.area() ? two : one) = {};  // the other side enters over the end
+    if (is_beyond(foot)) (one.area() > two.area() ? two : one) = {};  // it enters over the end
     const double straight = std::max(one.share, two.share);
     const double distance = is_beyond(foot) ? std::abs(touch(foot).depth) : std::sqrt(foot.distance2);
     foot.rank = distance + 0.5 * (1 - straight) * outline_.segments[k].length;
@@ -168,11 +166,10 @@ class MovingFaces {
   }
 
   struct Touch {
-    double depth;  // of the node or side, m; negative in front
-    V out;         // unit vector of the force
+    double depth;  // m, negative in front
+    V out;         // direction of the force
   };
-  /// At an end that is not sharp, the mean normal of both segments tells the inside. Nodes across it, past a tip, are
-  /// outside.
+  /// At blunt ends the mean normal of both segments tells the inside. Nodes across it, past a tip, are outside.
   Touch touch(const Foot& foot) const {
     if (is_beyond(foot)) {
       const FacingHalf& half = foot.halves[foot.halves[0].side == Outline::none ? 1 : 0];
@@ -190,8 +187,8 @@ class MovingFaces {
     return {distance, (-1 / distance) * foot.offset};
   }
 
-  /// Forces own(n, f) on the node's face and other(n, f) on the segment's face, N (per metre depth in 2D); k:
-  /// stiffness. They follow the slopes of depth, overlap and facing.
+  /// Forces own(n, f) on the node's face, other(n, f) on the segment's, N per metre depth, from slopes of depth,
+  /// overlap and facing. `k`: stiffness.
   template <class Own, class Other>
   void push(const Foot& foot, const Touch& touch, double k, const Own& own, const Other& other) const {
     const std::array<int, 2>& end = outline_.segments[foot.segment].node;
@@ -230,7 +227,6 @@ class MovingFaces {
     const auto& ends = outline_.segments[side].node;
     return ends[ends[0] == node ? 1 : 0];
   }
-  /// From a node to its side's other end.
   V way(int node, int side) const { return place_[other_end(node, side)] - place_[node]; }
 
   FacingHalf facing_half(const Foot& foot, int side) const {
@@ -250,7 +246,7 @@ class MovingFaces {
       h.at[e] = -dot(t, place_[node] - place_[ends[e]]) / along;
       const bool ahead = (along > 0) == (e == 0);  // the side enters over this end
       const double u = std::clamp(ahead ? 1 - 2 * h.at[e] : 2 * h.at[e], 0.0, 1.0);
-      h.over[e] = u * u * (3 - 2 * u);  // flat at 0 and 1: equal faces do not slide
+      h.over[e] = u * u * (3 - 2 * u);  // flat at 0 and 1, so that equal faces do not slide
       h.rise[e] = (ahead ? -12 : 12) * u * (1 - u);
     }
     if (xi >= 0 && xi <= 1) return h;
@@ -267,7 +263,7 @@ class MovingFaces {
     return -dot(place - place_[outline_.segments[foot.segment].node[e]], foot.normal);
   }
 
-  /// Segment t, its end e, side w from x to z, crossing s, r = n·w/t·w:
+  /// For segment t with end e, side w from x to z, crossing s and r = n·w/t·w:
   ///   δdepth = −(n − r t)·((1 − s) δx + s δz − δe) − r depth n·δt
   template <class Own, class Other>
   void push_at_end(const Foot& foot, const FacingHalf& h, double depth, double size, const Own& own,
@@ -298,7 +294,7 @@ class MovingFaces {
     other(ends[0], turning * foot.normal);
   }
 
-  /// δn = −t n·δt/|t|²; `slope` in the cosine of the normals.
+  /// δn = −t n·δt/|t|²; `slope` in the cosine.
   template <class Give>
   void turn(int side, const V& normal, double slope, const Give& give) const {
     const auto& ends = outline_.segments[side].node;
@@ -311,7 +307,7 @@ class MovingFaces {
     turn(side, normal_of(segment), slope, own), turn(segment, normal_of(side), slope, other);
   }
 
-  /// Ends where the face turns outwards by over 60°.
+  /// Where the face turns outwards by over 60°.
   void find_sharp_ends() {
     for (int k = 0; k < static_cast<int>(outline_.segments.size()); ++k) {
       std::array<bool, 2>& sharp = sharp_.emplace_back();
@@ -334,7 +330,7 @@ class MovingFaces {
   Outline outline_;
   std::vector<std::array<bool, 2>> sharp_;  // [segment][end]
   std::vector<int> stored_;                 // [share] storage index
-  std::vector<int> behind_;                 // [node] greatest share
+  std::vector<int> behind_;                 // [node] share of the main particle
   std::vector<V> place_;                    // [node] m
   std::vector<V> normal_;                   // [segment] as normal_of
 };

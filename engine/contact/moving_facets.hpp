@@ -20,8 +20,8 @@ inline std::vector<int> indices_of(const std::vector<char>& seen) {
   return indices;
 }
 
-/// Current facets of layout/surface_mesh.hpp. Nodes are weighted means of particles, facets lie over the mean of
-/// their nodes; forces use the same weights.
+/// Current facets of layout/surface_mesh.hpp, over the means of their nodes, which are weighted means of particles;
+/// forces use the same weights.
 class MovingFacets {
  public:
   using V = Vec<double, 3>;
@@ -30,7 +30,7 @@ class MovingFacets {
     V middle{}, normal{};  // m; outwards
     double area = 0;       // m²
   };
-  /// Slope of an energy in these, N, N m, N/m.
+  /// Slopes of an energy, N, N m, N/m.
   struct Slope {
     V middle{}, normal{};
     double area = 0;
@@ -74,7 +74,7 @@ class MovingFacets {
     for (const int i : behind_) x.push_back(s.x[i]);
   }
 
-  /// `nodes`: all nodes of `facets`.
+  /// `nodes`: of these facets.
   void place(const Particles<3>& s, const std::vector<int>& nodes, const std::vector<int>& facets,
              int threads) {
     parallel_for(static_cast<int>(nodes.size()), threads, [&](int k) {
@@ -92,7 +92,7 @@ class MovingFacets {
     for (int k = mesh_.begin[node]; k < mesh_.begin[node + 1]; ++k) f(stored_[k], mesh_.shares[k].weight);
   }
 
-  /// Adds forces on nodes by an energy of this slope, N.
+  /// Adds forces by an energy of this slope, N.
   void push(int facet, const Slope& slope, std::vector<V>& force) const {
     const Place& place = place_[facet];
     const auto& n = mesh_.facets[facet].node;
@@ -102,7 +102,7 @@ class MovingFacets {
     const V turn = slope.normal + mesh_.facets[facet].bulge * slope.middle;
     const V along = turn - dot(turn, place.normal) * place.normal;
     const V half =
-        0.5 * ((1 / place.area) * along + slope.area * place.normal);  // half the slope in the vector area
+        0.5 * ((1 / place.area) * along + slope.area * place.normal);  // half the slope in vector area
     const V first = cross(x_[n[3]] - x_[n[1]], half), second = cross(half, x_[n[2]] - x_[n[0]]);
     force[n[0]] += first, force[n[2]] -= first;
     force[n[1]] += second, force[n[3]] -= second;

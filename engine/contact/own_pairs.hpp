@@ -14,8 +14,8 @@
 
 namespace taut {
 
-/// Contact candidates of a folding body: its particles at faces (particles_at_faces.hpp), initially far apart, now
-/// near. Requires constant storage order.
+/// Contact candidates of a folding body: particles at faces (particles_at_faces.hpp), initially far apart. Requires
+/// constant storage order.
 template <int Dim>
 class OwnPairs {
  public:
@@ -41,7 +41,7 @@ class OwnPairs {
     return true;
   }
 
-  /// For stored particle i: j[begin[i]] … j[begin[i + 1] − 1]; may both be empty.
+  /// j[begin[i]] … j[begin[i + 1] − 1] for stored particle i; may both be empty.
   std::vector<int> begin, j;
 
   template <class Archive>

@@ -13,11 +13,11 @@
 
 namespace taut {
 
-/// Contact candidates: particle pairs of two bodies or of a folding body, and particles near walls.
+/// Contact candidates: pairs of two bodies or of a folding body, and particles near walls.
 template <int Dim>
 class PairCandidates {
  public:
-  /// `reach`: range of pairs of two bodies, for probes, m; contact acts within a spacing.
+  /// `reach`: for pairs of two bodies, m; contact needs one spacing.
   PairCandidates(const SolverInput& input, bool between_bodies, double reach)
       : between_bodies_(between_bodies),
         dp_(input.constants.dp),
@@ -55,7 +55,6 @@ class PairCandidates {
   /// (particle, wall).
   const std::vector<std::pair<int, int>>& near_walls() const { return near_walls_; }
 
-  /// See Contact::neighbors.
   Neighbors neighbors(int particles) const {
     Neighbors out;
     out.begin.push_back(0);
@@ -95,7 +94,7 @@ class PairCandidates {
   BodyPairs<Dim> others_;
   OwnPairs<Dim> own_;
   std::vector<std::pair<int, int>> near_walls_;
-  double travelled_ = 0;  // m, of the fastest particle since searching other bodies
+  double travelled_ = 0;  // m, since the last search of other bodies
 };
 
 }  // namespace taut

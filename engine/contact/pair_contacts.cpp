@@ -44,8 +44,8 @@ void PairContacts<Dim>::for_each_touch(const Particles<Dim>& s, int i, double go
   });
 }
 
-/// Calls f(i, wall, x, r) for particles that touched their mirror image `gone`, s, ago, at x; r: distance of the
-/// image, negative inside.
+/// Calls f(i, wall, x, r) for particles that touched their image `gone`, s, ago, at x; r: distance of the image,
+/// negative inside.
 template <int Dim>
 template <class F>
 void PairContacts<Dim>::for_each_wall_touch(const Particles<Dim>& s, const WallContacts<Dim>& walls,
@@ -78,7 +78,7 @@ void PairContacts<Dim>::evaluate(const Particles<Dim>& s, double dt, WallContact
 template <int Dim>
 double PairContacts<Dim>::energy(const Particles<Dim>& s, const WallContacts<Dim>& walls) {
   const auto stored = law_.energy;
-  double twice = 0;  // both sides of a pair; images have half
+  double twice = 0;  // pairs are visited from both sides; images own half
   if (!stored) return twice;
   for (const int i : touching_)
     for_each_touch(s, i, 0,

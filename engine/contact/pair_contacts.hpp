@@ -11,11 +11,11 @@
 
 namespace taut {
 
-/// Contact of particles less than a spacing apart, of two bodies or distant parts of one. Acts along the pair, equal
-/// and opposite to the last bit. Walls act as mirror images.
-/// Differs from [Khayyer2024] Eq. 53–54, whose force stops only the old velocities: under a pressure p, faces creep
-/// into each other at about p/(ρ c0). Here the new velocities are stopped before positions follow. The paper gives no
-/// contact distance.
+/// Contact of particles less than a spacing apart, along the pair, equal and opposite to the last bit. Walls act as
+/// mirror images.
+/// Differs from [Khayyer2024] Eq. 53–54, where a force stops the old velocities: faces under a pressure p creep into
+/// each other at about p/(ρ c0). Here new velocities are stopped before positions follow. The paper gives no
+/// distance.
 template <int Dim>
 class PairContacts final : public ContactMechanism<Dim> {
  public:
@@ -26,7 +26,7 @@ class PairContacts final : public ContactMechanism<Dim> {
 
   bool search(const Particles<Dim>& s, const WallContacts<Dim>& walls, std::optional<double> way) override;
 
-  /// One thread: touching faces have few particles.
+  /// Touching faces have too few particles for several threads.
   void evaluate(const Particles<Dim>& s, double dt, WallContacts<Dim>& walls, std::vector<V>& force,
                 int threads) override;
   double energy(const Particles<Dim>& s, const WallContacts<Dim>& walls) override;
@@ -66,7 +66,7 @@ class PairContacts final : public ContactMechanism<Dim> {
   double stiffness_;       // over K1 K2/(K1 + K2)
   std::vector<double> K_;  // [id] Pa
   PairCandidates<Dim> candidates_;
-  std::vector<std::vector<V>> given_;  // [body][body, then wall] N s, last step; empty without probes
+  std::vector<std::vector<V>> given_;  // [body][body, then wall] N s, for probes
 };
 
 }  // namespace taut

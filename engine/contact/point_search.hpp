@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Each column ends with `lanes` readable extra entries.
+/// Columns with `lanes` extra entries.
 template <int Dim>
 struct PointColumns {
   const double* now[Dim];    // m
@@ -55,8 +55,8 @@ class PointSearch {
   int size() const { return static_cast<int>(X_.size()); }
   const std::vector<int>& bodies() const { return body_; }
 
-  /// Calls found(a, b) once for each pair nearer than `listed`, initially farther than `far`, m. Returns the least
-  /// other distance, m, at most `horizon`. `x`: current positions, whose order orders the calls.
+  /// Calls found(a, b) once for each pair nearer than `listed`, initially farther than `far`, m. Returns the next
+  /// distance, m, up to `horizon`. The order of `x` determines the order of calls.
   template <class Found>
   double find(const std::vector<V>& x, double listed, double horizon, double far, const Found& found) {
     if (x.empty()) return horizon;
@@ -97,7 +97,6 @@ class PointSearch {
 
   std::vector<V> X_;       // m
   std::vector<int> body_;  // ascending
-  // search data
   CellGrid<Dim> grid_;
   std::vector<int> order_;
   std::array<std::vector<double>, Dim> now_, start_;  // m

@@ -9,8 +9,8 @@
 
 namespace taut {
 
-/// Rigid frictionless half-spaces. A wall acts on a particle like its mirror image, and so like an equal body that
-/// meets it. Records impulses.
+/// Rigid frictionless half-spaces. A wall acts on a particle like its mirror image, so like an equal body. Records
+/// impulses.
 template <int Dim>
 class WallContacts {
  public:
@@ -49,7 +49,7 @@ class WallContacts {
 
  private:
   struct Plane {
-    V at, normal;  // m; unit
+    V at, normal;  // m; unit vector
   };
 
   std::vector<Plane> planes_;
