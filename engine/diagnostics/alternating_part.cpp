@@ -47,7 +47,7 @@ struct Neighborhoods {
   std::span<int> operator[](std::size_t i) { return {&all[begin[i]], begin[i + 1] - begin[i]}; }
 };
 
-/// Excludes neighbours across a slot, whose opening is no zigzag.
+/// Excludes neighbours across a slot: its opening is no zigzag.
 void leave_out_beyond_slots(const Snapshot& start, double spacing, int threads, Neighborhoods& near) {
   const auto squared = [&](int i, int j) {
     const double r = distance_between(start.initial(static_cast<std::size_t>(i)),
@@ -124,7 +124,7 @@ Eigen::VectorXd row(const Eigen::MatrixXd& quadratics, double kappa) {
   return kappa / left.norm() * left;
 }
 
-/// Positions relative to the first particle, rounded to compare equal.
+/// Positions about the first particle, rounded to compare equal.
 std::vector<int> surroundings(const Snapshot& start, std::span<const int> near, double spacing) {
   constexpr double fine = 1e6;  // parts of a spacing
   const Point xi = start.initial(static_cast<std::size_t>(near[0]));
@@ -137,19 +137,19 @@ std::vector<int> surroundings(const Snapshot& start, std::span<const int> near, 
   return places;
 }
 
-/// In 3D equal rows share weights: a lattice has few different ones.
+/// Collects the rows. In 3D equal rows share weights, since lattices have few different ones.
 class Rows {
  public:
   /// Rows reuse the memory of `near`.
   Rows(const Snapshot& start, double spacing, Neighborhoods& near)
       : start_(start), spacing_(spacing), kappa_(scale(start.dim)), near_(near) {}
 
-  /// Parts of a row made in parallel.
+  /// Part of a row that is made in parallel.
   struct Made {
     std::vector<int> surroundings;           // in 3D
     std::optional<Eigen::VectorXd> weights;  // none if probably shared
   };
-  /// `near`: the particle first; sorts the others in 3D.
+  /// `near` begins with the particle; sorted in 3D.
   Made make(std::span<int> near) const {
     if (start_.dim == 2) return {{}, weights(near)};
     std::ranges::sort(near.begin() + 1, near.end());

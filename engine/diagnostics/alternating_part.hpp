@@ -7,12 +7,11 @@
 namespace taut {
 
 /// Alternating part of a field, r_i = Σ_j w_ij q_j, over i and the particles j of its body and material, clamped or
-/// not like i, initially within 2.1 dp. The weights depend on the initial configuration only, for any method:
+/// not like i, initially within 2.1 dp. Weights depend on the initial configuration only:
 ///   w_i = κ (I − P) e_i / |(I − P) e_i|,
-/// e_i the unit vector of i, P the projection on quadratic polynomials. Quadratic fields give 0, smooth ones O(dp⁴),
-/// at surfaces O(dp³), and noise of variance 1 gives κ². κ maps the checkerboard (−1)^(a+b+c) on a lattice to itself.
-/// The mode across a surface shows in its second row only. Clamped particles and those with too few neighbours
-/// (corners) have no row.
+/// with e_i the unit vector of i and P the projection on quadratic polynomials. Quadratic fields give 0, smooth ones
+/// O(dp⁴), O(dp³) at surfaces, and noise of variance 1 gives κ². κ maps the checkerboard (−1)^(a+b+c) to itself. A
+/// mode across a surface appears in the second row only. Clamped particles and corners have no row.
 struct AlternatingPart {
   std::vector<int> begin;         // [row + 1] first entry
   std::vector<int> j;             // [entry] particle
@@ -31,7 +30,7 @@ AlternatingPart alternating_part(const Snapshot& start, double spacing, int thre
 struct SquareSums {
   double x = 0, p = 0, von_mises = 0;
 };
-/// Sums over particles that have a row.
+/// Sums over particles with a row.
 struct AlternatingSums {
   SquareSums part;   // alternating parts; x at most one spacing each
   SquareSums whole;  // fields; x is 0

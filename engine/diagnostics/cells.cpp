@@ -53,8 +53,8 @@ std::span<const std::size_t> Cells::neighbors(std::size_t i) const {
   return std::span(neighbor_).subspan(first_[i], first_[i + 1] - first_[i]);
 }
 
-/// 3D: towards the nearest and the most perpendicular neighbour. 2D: the cross that fits adjacent neighbours best,
-/// since ring layers are staggered.
+/// 3D: towards the nearest and the most perpendicular neighbour. 2D: best fit to adjacent neighbours, since ring
+/// layers are staggered.
 void Cells::find_axes(std::size_t i) {
   std::array<Vector, 3> axes{Vector::UnitX(), Vector::UnitY(), Vector::UnitZ()};
   Vector across = Vector::Zero();

@@ -16,18 +16,18 @@ struct CellShapes {
   std::vector<double> edge;           // [cell] dim vectors, m
 };
 
-/// The part of a body that each particle represents: initially a box with sides half-way to adjacent neighbours, or
-/// half, quarter or eighth of it on the boundary. Moves with the affine map that fits the initial neighbours within
-/// 1.6 spacings best. Gaps between cells are of second order.
+/// The part of a body that each particle represents: initially a box half-way to adjacent neighbours, or the part of
+/// it inside the body. Moves with the best affine map of the initial neighbours within 1.6 spacings. Gaps are of
+/// second order.
 class Cells {
  public:
   /// `x0`: n × dim, m; `diameter` in m.
   Cells(int dim, std::span<const double> x0, std::span<const double> diameter, std::span<const int> body);
 
-  /// Takes cell ends from `all`, where particle k is shown[k]. The rest of `all` is cut away.
+  /// Copies cell ends from `all`, where particle k is shown[k].
   void take_ends(const Cells& all, std::span<const std::size_t> shown);
 
-  /// `x`: n × dim, m. In 3D omits covered cells.
+  /// `x`: n × dim, m. In 3D without covered cells.
   CellShapes at(std::span<const double> x) const;
 
  private:

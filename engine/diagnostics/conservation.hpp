@@ -8,18 +8,18 @@
 
 namespace taut {
 
-/// Greatest relative drifts, corrected for walls; none if the scene exchanges the quantity with its surroundings.
+/// Greatest relative drifts, corrected for walls; none for quantities that the scene exchanges with its surroundings.
 struct Conservation {
   std::optional<double> linear_momentum;   // over greatest Σ|m v|
   std::optional<double> angular_momentum;  // over greatest Σ m|x||v|
   /// |E + D − W − E0| over greatest E0 + W; W: work of drives, loads and gravity, D: energy removed by damping. None
-  /// for round-off energies.
+  /// for round-off.
   std::optional<double> energy;
   /// Greatest gain and loss, both ≥ 0.
   std::optional<double> energy_gained, energy_lost;
 };
 
-/// By clamps, guides, drives, loads, gravity or damping.
+/// Changes momentum without record: by clamps, guides, drives, loads, gravity or damping.
 bool exchanges_momentum(const Scene& scene, const Snapshot& start);
 
 class ConservationWatch {

@@ -15,9 +15,9 @@ namespace {
 
 constexpr double kick = 1e-6;                   // of c0
 constexpr double allowed_speed = 1e-3;          // of c0; energy that counts as noise
-constexpr double allowed_energy = 100;          // over the given energy
+constexpr double allowed_energy = 100;          // multiple of the given energy
 constexpr int stretch = 16;                     // steps between energy checks
-constexpr int least_steps = 300;                // of a trial; shows 1e-4 beyond the leap-frog limit
+constexpr int least_steps = 300;                // shows steps 1e-4 beyond the leap-frog limit
 constexpr double most = 256, least = 1.0 / 16;  // of the default step
 
 /// Hash of the position, from −1 to 1 (SplitMix64).
@@ -102,7 +102,6 @@ class Bisection {
     (stable ? result_.stable : result_.unstable) = settings_.step;
   }
 
-  /// Whether the trial stays stable.
   bool covers() {
     try {
       const auto simulation = make_simulation(scene_, settings_);

@@ -23,14 +23,12 @@ struct CriticalStep {
   bool interrupted = false;  // before reaching `tolerance`
 };
 
-/// Bisects over fixed steps. Each trial covers `search.steps` default steps or the scene, whichever is shorter, but
-/// at least 300 own steps. Particles get equal random velocities up to 1e-6 c0 along each axis in all trials. A trial
-/// is unstable if
-/// - a velocity or energy is not finite, or a particle is faster than 10 c0,
-/// - kinetic and strain energy exceed 100 times the given energy (start and work) plus that of 1e-3 c0. The limit is
-///   high because the energy of a leap-frog oscillates.
-/// Tearing is no instability here, as in [Zhang2020] Fig. 18. `goes_on` returns false to end the search. Throws as
-/// make_simulation.
+/// Bisects over fixed steps. Trials cover `search.steps` default steps or the scene, whichever is shorter, but at
+/// least 300 steps. Particles get random velocities up to 1e-6 c0, the same in all trials. A trial is unstable if a
+/// velocity or energy is not finite, or a particle is faster than 10 c0. It is also unstable if kinetic and strain
+/// energy exceed 100 times the given energy (start and work) plus the energy of speeds of 1e-3 c0. Tearing is
+/// allowed, as in [Zhang2020] Fig. 18.
+/// The search ends when `goes_on` returns false. Throws as make_simulation.
 CriticalStep find_critical_step(
     const Scene& scene, const Settings& settings, const CriticalStepSearch& search = {},
     const std::function<bool(const CriticalStep&)>& goes_on = [](const CriticalStep&) { return true; });

@@ -10,7 +10,7 @@ namespace taut {
 /// A quantity over increasing times, linear between samples.
 struct Curve {
   std::span<const double> t, y;
-  bool of_steps = false;  // samples are means since the previous one, like forces
+  bool of_steps = false;  // samples are means since the previous one
 
   std::size_t size() const { return t.size(); }
 };
@@ -23,18 +23,18 @@ double value_at(const Curve& curve, double time);
 /// Crossing of `level` between samples k − 1 and k.
 double crossing_time(const Curve& curve, std::size_t k, double level);
 
-/// Between two crossings of a level.
+/// Part of a curve between two crossings of a level.
 struct HalfCycle {
   double begin, end;
   double peak;     // greatest deviation, a vertex through three samples
   double peak_at;  // its time
 };
 
-/// Complete half cycles. The first begins at a start on the level, else at the first crossing. Less than 1/20 of the
-/// previous peak is noise or tangency.
+/// Complete half cycles, from a start at the level or the first crossing. Excursions below 1/20 of the previous peak
+/// are noise or tangency.
 std::vector<HalfCycle> half_cycles(const Curve& curve, double level = 0);
 
-/// Mean over whole periods between crossings of this mean; none without a whole period.
+/// Mean over whole periods between crossings of this mean, or none.
 std::optional<double> mean_of_periods(const Curve& curve);
 
 /// ∫ y dt, exact; begin < end within the curve.
@@ -48,8 +48,8 @@ double rms_difference(const Curve& a, const Curve& b, double begin, double end);
 /// RMS with three Gauss points between samples of `a`.
 double rms_difference(const Curve& a, const std::function<double(double)>& b, double begin, double end);
 
-/// Turn of the point (x, y) about the origin until `end`, rad, counter-clockwise, with full turns; below half a turn
-/// per sample.
+/// Angle by which (x, y) turns about the origin until `end`, rad, counter-clockwise, with full turns; below half a
+/// turn per sample.
 double turn(const Curve& x, const Curve& y, double end);
 
 }  // namespace taut

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Countable objects with own name and colour.
+/// Objects that a field counts, each with a name and colour.
 enum class Counted : std::uint8_t { nothing, bodies, materials };
 
 /// A quantity per particle.
@@ -22,7 +22,7 @@ struct Field {
   bool is_signed = false;  // diverging colours around `middle`
   double (*of_state)(const Snapshot&, std::size_t particle) = nullptr;
   int least_dim = 2;                               // 3: in 3D only
-  double (*of_map)(const LinearMap& F) = nullptr;  // instead of `of_state`; see affine_fit.hpp
+  double (*of_map)(const LinearMap& F) = nullptr;  // instead of `of_state`
   double middle = 0;
   Counted counts = Counted::nothing;
 

@@ -37,15 +37,15 @@ struct IndicatorRecord {
   void take(const Reading& now, double time);
 };
 
-/// Measures the alternating parts r(q)_i = Σ_j w_ij q_j of fields (AlternatingPart); rms over particles with a row.
-/// - hourglass_error = rms |r(x)| / dp = rms |Σ_j w_ij E_ij| / dp with error vectors E_ij = F_i X_ij − x_ij of
-///   [Ganzenmueller2015], for any F_i. A zigzag of amplitude a gives a/dp, quadratic maps 0. A particle counts at
-///   most one spacing, because displacements at cracks mean nothing. The paper's mean |½ (E_ij − E_ji)| / |X_ij|
-///   depends on smooth fields if F is one-sided.
+/// Alternating parts r(q)_i = Σ_j w_ij q_j of fields (AlternatingPart); rms over particles with a row.
+/// - hourglass_error = rms |r(x)| / dp = rms |Σ_j w_ij E_ij| / dp with the error vectors E_ij = F_i X_ij − x_ij of
+///   [Ganzenmueller2015], for any F_i. A zigzag of amplitude a gives a/dp. Particles count at most one spacing, since
+///   displacements at cracks mean nothing. The paper's mean |½ (E_ij − E_ji)| / |X_ij| includes smooth fields if F is
+///   one-sided.
 /// - pressure_checkerboard = rms r(p) / rms p.
 /// - von_mises_checkerboard = rms √(3/2 r(s):r(s)) / rms √(3/2 s:s), by components, because von Mises stress has
 ///   kinks.
-/// A pure checkerboard gives 1, noise 0.59 (3D: 0.73). Stresses below 1e-8 E are round-off.
+/// Pure checkerboards give 1, noise 0.59 (3D: 0.73). Stresses below 1e-8 E are round-off.
 /// [Ganzenmueller2015] G. C. Ganzenmüller: An hourglass control algorithm for Lagrangian smooth particle
 /// hydrodynamics. Computer Methods in Applied Mechanics and Engineering 286 (2015) 87–106.
 class IndicatorGauge {

@@ -52,7 +52,7 @@ void add_squares(Fields<Dim>& sum, const Fields<Dim>& q) {
   for (int a = 0; a < Fields<Dim>::packs; ++a) sum.of[a] += q.of[a] * q.of[a];
 }
 
-/// To x, p and 3/2 s:s.
+/// Combines squares to x, p and 3/2 s:s.
 template <int Dim>
 void put_by_kind(double x, const Fields<Dim>& squares, double* out) {
   using F = Fields<Dim>;

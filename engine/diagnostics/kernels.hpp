@@ -28,17 +28,16 @@ struct AlternatingView {
   const int *begin, *j, *first_weight;
   const double* weight;
 };
-/// Of p²/2K + s:s/4G, Pa.
+/// Divisors of p²/2K + s:s/4G, Pa.
 struct StrainDivisors {
   double twice_K, four_G;
 };
 
 /// Sums for a row of history.csv, bit-identical for all instruction sets.
 struct HistoryKernels {
-  /// Squares of alternating x (at most `spacing`² each), p and stress, then of all; see AlternatingSums.
+  /// See AlternatingSums: three sums of alternating parts, x at most `spacing`² each, then of fields.
   void (*alternating_sums)(const AlternatingView& part, const SnapshotView& now, double spacing, double* out);
-  /// Kinetic and strain energy, scales of linear and angular momentum; linear; angular momentum: 4 + 3 + 3 numbers.
-  /// `materials`: by material.
+  /// 4 + 3 + 3 numbers: kinetic and strain energy, scales of linear and angular momentum; linear; angular momentum.
   void (*balance)(const SnapshotView& now, const StrainDivisors* materials, double contact_energy,
                   double* out);
 };

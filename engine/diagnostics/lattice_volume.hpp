@@ -6,8 +6,8 @@
 
 namespace taut {
 
-/// Volume between particles at `x` (n × dim, m) of a body on an axis-aligned lattice, m^dim: sum of bi- or trilinear
-/// cells. Ends at the outermost particles. 0 if there is no such lattice.
+/// Volume between the particles of an axis-aligned lattice at `x` (n × dim, m), m^dim, by bi- or trilinear cells; 0
+/// for other bodies.
 double lattice_volume(const Snapshot& now, int body, std::span<const double> x);
 
 }  // namespace taut

@@ -11,7 +11,7 @@ namespace taut {
 
 struct LineSample {
   double time = 0;            // s
-  long step = 0;              // the first that ends at or after the requested time
+  long step = 0;              // ends at or just after the requested time
   std::vector<double> value;  // [point]; NaN outside the body
 
   template <class Archive>
@@ -20,18 +20,18 @@ struct LineSample {
   }
 };
 
-/// From `from` to `to`; initial position unless `in_space`.
+/// Point k between `from` and `to`; initial position unless `in_space`.
 Point line_point(const SampleLine& line, int k);
 double length_of(const SampleLine& line);  // m
 
 class LineRecorder {
  public:
-  /// `start`: at t = 0; `support`: radius of interaction, m. Throws SceneError if a line leaves its body.
+  /// `support`: radius of interaction, m. Throws SceneError if a line leaves its body.
   LineRecorder(const Scene& scene, const Snapshot& start, double support);
 
   /// Next time to sample, s; may be infinite.
   double next() const;
-  /// Records all samples due at the time of `now`.
+  /// Records samples due at the time of `now`.
   void sample(const Snapshot& now);
   /// [line][sample].
   const std::vector<std::vector<LineSample>>& samples() const { return samples_; }
@@ -46,7 +46,7 @@ class LineRecorder {
   bool fit_the_scene() const;
 
   using Points = std::vector<std::vector<PointWeight>>;
-  /// At initial positions if `scene` is given, else current.
+  /// At initial positions if `scene` is given, else at current ones.
   Points points_of(const SampleLine& line, const Snapshot& now, const Scene* scene) const;
 
   std::vector<SampleLine> lines_;

@@ -15,7 +15,7 @@ namespace {
 using Source = MeasureSource;
 using Value = std::optional<double>;  // of a reference
 
-/// Covered by run and reference; none before its end.
+/// Interval of run and reference; none before the end.
 std::optional<std::pair<double, double>> common_time(const Source& source) {
   if (source.reference.empty()) return std::nullopt;
   const double begin = std::max(source.curve.front().t.front(), source.reference.begin());
@@ -31,7 +31,7 @@ Measured without_common_time(const Source& source) {
   return reached < end ? too_short(end, reached) : none("the run and its reference do not overlap in time");
 }
 
-/// Applies `number` to at least `needed` half cycles about the level.
+/// Requires `needed` half cycles about the level.
 template <class Number>
 Measured of_half_cycles(const Source& source, std::size_t needed, const Number& number) {
   const Curve& curve = source.curve.front();
@@ -98,7 +98,7 @@ Measured rmse(const Source& source) {
   return difference / std::abs(source.measure->scale);
 }
 
-/// At the rows of a table, since paths are curved, or at the steps.
+/// Compares at the rows of a table, since paths are curved, or at the steps.
 Measured path_error(const Source& source) {
   const auto time = common_time(source);
   if (!time) return without_common_time(source);
@@ -114,7 +114,7 @@ Measured path_error(const Source& source) {
   return greatest ? Measured(*greatest) : none("no time of the reference is within the run");
 }
 
-/// Right-handed with the axis.
+/// Directions right-handed with the axis.
 std::pair<Point, Point> directions_across(const Point& axis) {
   const Eigen::Vector3d a(axis.data());
   const Eigen::Vector3d first = a.unitOrthogonal(), second = a.cross(first);
@@ -128,7 +128,7 @@ std::vector<double> component(const std::vector<Curve>& point, const Point& alon
   return y;
 }
 
-/// In 3D along the axis. The curves must have equal times.
+/// In 3D seen along the axis. The curves must have equal times.
 Value turn_until(const std::vector<Curve>& point, const Point& axis, double until) {
   if (!std::ranges::all_of(point, [=](const Curve& c) { return c.t.back() >= until; })) return std::nullopt;
   if (point.size() < 3) return turn(point[0], point[1], until);
@@ -142,7 +142,7 @@ Measured turn_of_point(const Source& source) {
   return angle ? Measured(*angle) : too_short(source.until, source.curve.front().t.back());
 }
 
-/// Evaluates exact solutions at the run's steps.
+/// Uses the run's steps for exact solutions.
 Value turn_of_reference(const Source& source) {
   const ReferenceCurves& reference = source.reference;
   if (reference.empty()) return std::nullopt;
@@ -200,7 +200,7 @@ Measured last_below(const Source& source) {
   return crossing_time(curve, above, threshold);
 }
 
-/// None while bodies touch, before they have, or for negative ratios: bodies may touch again.
+/// None while bodies touch, before they have touched, or for negative ratios, because bodies may touch again.
 Measured final_ratio(const Source& source) {
   const double ratio = source.curve[0].y.back() / source.measure->scale;
   if (!source.free) return ratio;

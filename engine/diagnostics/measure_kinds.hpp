@@ -43,7 +43,7 @@ struct MeasureSource {
   bool turns = true;              // an extreme at the end may still grow
 };
 
-/// Value, or reason why there is none.
+/// Value, or the reason why there is none.
 struct Measured {
   std::optional<double> value;
   std::string why;
@@ -68,7 +68,7 @@ struct MeasureKind {
   using Reference = std::optional<double> (*)(const MeasureSource&);
 
   std::string_view name, help;
-  /// In a scene file beside `name`, `of` and `unit`; the source first. `probes`: one per axis.
+  /// Keys beside `name`, `of` and `unit`, the source first. `probes`: one per axis.
   std::vector<std::string_view> keys;
   bool number = false, table = false, solution = false;  // possible references
   Value value;
@@ -80,7 +80,7 @@ std::span<const MeasureKind> measure_kinds();
 /// nullptr if unknown.
 const MeasureKind* find_measure_kind(std::string_view name);
 
-/// Differences have the reference 0.
+/// Kinds whose value is a difference, with reference 0.
 constexpr bool is_difference(std::string_view kind) {
   return kind == "rmse" || kind == "path_error" || kind.starts_with("line_") || kind.starts_with("field_");
 }

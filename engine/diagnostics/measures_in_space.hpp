@@ -9,27 +9,27 @@
 
 namespace taut {
 
-/// Relative to the greatest |exact|.
+/// Errors relative to the greatest |exact|.
 struct FieldError {
-  double rms = 0;       // of |field − exact|
-  double greatest = 0;  // |field − exact|
+  double rms = 0;  // √ of the mean square
+  double greatest = 0;
 };
 
-/// Error of vector fields at unclamped particles of the measure's body. `exact`: functions of initial position and
-/// time. Subtracts the best small rigid motion t + ω × X if it is free. None if the solution is 0. Throws SceneError
-/// for an unknown field.
+/// Error of vector fields at unclamped particles of a body. `exact`: functions of initial position and time.
+/// Subtracts the best small rigid motion t + ω × X if free. None if `exact` is 0. Throws SceneError for an unknown
+/// field.
 std::optional<FieldError> field_error(const Measure& measure, const Snapshot& now,
                                       const std::vector<Solution>& exact);
 
-/// RMS of field − reference over line and times; the second relative to the reference.
+/// RMS of field − reference, and its ratio to the RMS of the reference.
 Measured line_rmse(const MeasureSource& source);
 Measured line_error(const MeasureSource& source);
 
-/// See field_error, at the end of the run.
+/// field_error at the end of the run.
 Measured field_rmse(const MeasureSource& source);
 Measured greatest_field_error(const MeasureSource& source);
 
-/// Relative, at the end (lattice_volume.hpp).
+/// Relative volume change at the end (lattice_volume.hpp).
 Measured volume_change(const MeasureSource& source);
 
 }  // namespace taut

@@ -19,7 +19,7 @@ namespace {
 // in spacings
 constexpr double near = 1.5;   // eight neighbours on a square lattice, six on a hexagonal one
 constexpr double far = 4;      // initially, as for contact
-constexpr double reach = 2.5;  // of lists; below `far`, so that small strain lists none
+constexpr double reach = 2.5;  // of lists; below `far`, so that they stay empty at small strain
 constexpr double skin = reach - near;
 
 constexpr double shallow(int dim) { return dim == 3 ? 0.41 : 0.29; }  // see penetration.hpp
@@ -59,7 +59,7 @@ std::array<Vec<double, 3>, 98> spread_directions() {
 
 template <>
 struct Around<3> {
-  std::bitset<98> has_one;  // [direction] a particle lies within half of `widest_inside`
+  std::bitset<98> has_one;  // [direction] near a particle
 
   void clear() { has_one.reset(); }
   void add(const Vec<double, 3>& d) {
@@ -134,7 +134,7 @@ class Cells {
   std::vector<Stored> stored_;  // by cell
 };
 
-/// Particles in the box around `some`, widened by `margin`, m.
+/// Particles in the box of `some`, widened by `margin`, m.
 template <int Dim>
 std::vector<int> particles_around(const Snapshot& now, const std::vector<int>& some, double margin) {
   constexpr double infinite = std::numeric_limits<double>::infinity();

@@ -7,21 +7,20 @@
 
 namespace taut {
 
-/// Between neighbouring directions, rad, sorted here; a full turn for fewer than two.
+/// Widest angle between neighbouring directions, rad, sorted here; a full turn for fewer than two.
 double widest_gap(std::span<double> directions);
 
-/// Finds particles inside a far part: its particles within 1.5 dp leave no gap wider than 2π/3 around them (3D: no
-/// empty cone of this width). Far are other bodies, and particles initially more than 4 dp away. Touching faces, even
-/// interlocked, leave gaps near π. Ignores particles nearer than 0.29 dp (3D: 0.41 dp), the depth where the gap
-/// behind a surface reaches 2π/3.
-/// Tests surface particles, which initially have such a gap, near a far surface particle: outlines of overlapping
-/// parts cross. Misses a body inside another if no crossing is observed.
-/// Lists candidates out to 2.5 dp, again when two particles may have approached by 1 dp, the diagonal of the box of
-/// displacements. The result does not depend on when.
+/// Finds particles inside a far part: its particles within 1.5 dp leave no gap wider than 2π/3 around them (3D: empty
+/// cone). Far are other bodies, and particles initially more than 4 dp away. Touching faces leave gaps near π.
+/// Ignores neighbours within 0.29 dp (3D: 0.41 dp), where the gap behind a surface reaches 2π/3.
+/// Tests surface particles, which initially have such a gap, near far surface particles, because outlines of
+/// overlapping parts cross. Misses a body inside another without an observed crossing.
+/// Lists candidates out to 2.5 dp, until two particles may have approached by 1 dp, the diagonal of the box of
+/// displacements.
 class Penetration {
  public:
   Penetration(const Snapshot& start, double spacing, int threads = 1);
-  /// Number of such particles.
+  /// Returns the number of such particles.
   int operator()(const Snapshot& now);
 
  private:

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t padding = 4;
 
-/// `n` even samples minus their linear fit, times the window.
+/// `n` even samples minus a linear fit, windowed.
 std::vector<double> windowed(const Curve& curve, double begin, double end, std::size_t n) {
   std::vector<double> window(n), y(n);
   double weights = 0, sum = 0, moment = 0,
@@ -65,14 +65,15 @@ class Lines {
       below_[k] = least;
       most = std::max(most, hull_[k]);
     }
-    highest_ = static_cast<std::size_t>(std::ranges::max_element(hull_) - hull_.begin()) + padding;  // middle
+    highest_ =
+        static_cast<std::size_t>(std::ranges::max_element(hull_) - hull_.begin()) + padding;  // its middle
     floor_ = 1e-9 * most;
     least = std::numeric_limits<double>::infinity();
     for (std::size_t k = hull_.size(); k-- > 0;) above_[k] = least = std::min(least, hull_[k]);
   }
 
-  /// Beyond its width a line falls to half on both sides, a trend on one side, an impact on none. With few periods,
-  /// no lower frequency may be higher, and the upper side must fall at once.
+  /// Beyond its width a line falls to half on both sides, a trend on one, an impact on none. With few periods, no
+  /// lower frequency may be higher, and the upper side must fall at once.
   bool have(std::size_t k, double height) const {
     if (height <= floor_ || height <= of_highest(k) || k + width >= hull_.size()) return false;
     if (k <= slowest + width)
@@ -84,7 +85,7 @@ class Lines {
   static constexpr std::size_t width = 3 * padding, slowest = 2 * padding;
 
  private:
-  /// Twice the greatest side lobe of the highest line near k, |sin(π d)/(π d (1 − d²))|², d in 1/(end − begin).
+  /// Twice the greatest side lobe of the highest line near k: |sin(π d)/(π d (1 − d²))|², d in 1/(end − begin).
   double of_highest(std::size_t k) const {
     const double d = std::abs(static_cast<double>(k) - static_cast<double>(highest_)) / padding;
     if (d <= 2) return 0;

@@ -64,7 +64,7 @@ Judge::Judge(const Scene& scene, const Snapshot& start, double support, bool kee
       longest_(std::max(support, 2 * scene.spacing)),
       keeps_neighbors_(keeps_neighbors),
       penetration_(start, scene.spacing, threads) {
-  // eight neighbours on a square lattice, six on a hexagonal one, no second row
+  // eight neighbours on a square lattice, six on a hexagonal one
   const auto add = [this](int i, int j) { bonds_.push_back({i, j, false}); };
   for_each_close_pair(start, 1.5 * scene.spacing, add, threads);
   bonds_.shrink_to_fit();
