@@ -26,8 +26,8 @@ class FaceSearch {
  public:
   using V = Vec<double, 2>;
 
-  /// Lists segments that are `wanted(node, segment)` and nearer than `listed`, m. Returns the next distance, m, up to
-  /// `horizon`.
+  /// Lists segments that are `wanted(node, segment)` and nearer than `listed`, m. Returns the distance of the nearest
+  /// other one, m, up to `horizon`.
   template <class Wanted>
   double operator()(const MovingFaces& faces, const std::vector<int>& nodes, const std::vector<int>& segments,
                     double listed, double horizon, const Wanted& wanted, NearFaces& out) {
@@ -60,7 +60,7 @@ class FaceSearch {
   }
 
  private:
-  /// Midpoints of segments, then nodes, by cell. Returns the greatest length, m.
+  /// Sorts midpoints of segments, then nodes, by cell. Returns the greatest length, m.
   double sort_middles(const MovingFaces& faces, const std::vector<int>& nodes,
                       const std::vector<int>& segments, double horizon) {
     middles_.clear();

@@ -87,8 +87,8 @@ class FacetPairs {
     double far;              // initially, in one body, m
     double cosine;           // of normals, at most
   };
-  /// Calls found(f, g) once for each pair `wanted(f, g)` nearer than `listed`. Returns the next distance, m, up to
-  /// `horizon`. `candidates`: in `order()`.
+  /// Calls found(f, g) once for each pair `wanted(f, g)` nearer than `listed`. Returns the distance of the nearest
+  /// other one, m, up to `horizon`. `candidates`: in `order()`.
   template <PairsOf kind, class Wanted, class Found>
   double find(const MovingFacets& facets, const std::vector<int>& candidates, const Limits& limits,
               const Wanted& wanted, const Found& found) {

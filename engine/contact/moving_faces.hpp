@@ -307,7 +307,7 @@ class MovingFaces {
     turn(side, normal_of(segment), slope, own), turn(segment, normal_of(side), slope, other);
   }
 
-  /// Where the face turns outwards by over 60°.
+  /// Marks ends where the face turns outwards by over 60°.
   void find_sharp_ends() {
     for (int k = 0; k < static_cast<int>(outline_.segments.size()); ++k) {
       std::array<bool, 2>& sharp = sharp_.emplace_back();

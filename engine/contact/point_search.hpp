@@ -55,8 +55,8 @@ class PointSearch {
   int size() const { return static_cast<int>(X_.size()); }
   const std::vector<int>& bodies() const { return body_; }
 
-  /// Calls found(a, b) once for each pair nearer than `listed`, initially farther than `far`, m. Returns the next
-  /// distance, m, up to `horizon`. The order of `x` determines the order of calls.
+  /// Calls found(a, b) once for each pair nearer than `listed`, initially farther than `far`, m. Returns the distance
+  /// of the nearest other one, m, up to `horizon`. The order of `x` determines the order of calls.
   template <class Found>
   double find(const std::vector<V>& x, double listed, double horizon, double far, const Found& found) {
     if (x.empty()) return horizon;

@@ -9,8 +9,8 @@
 
 namespace taut {
 
-/// Rigid frictionless half-spaces. A wall acts on a particle like its mirror image, so like an equal body. Records
-/// impulses.
+/// Rigid frictionless half-spaces. A wall acts on a particle like its mirror image, so a body behaves as if it met
+/// its own image. Records impulses.
 template <int Dim>
 class WallContacts {
  public:

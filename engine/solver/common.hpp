@@ -20,7 +20,7 @@ namespace taut {
 
 /// A run has diverged if a particle's speed relative to its body exceeds this multiple of c0.
 inline constexpr double greatest_mach_number = 10;
-/// The limit for the speed of whole bodies.
+/// The same limit for whole bodies, which may fly or spin fast.
 inline constexpr double greatest_mach_number_of_bodies = 1000;
 /// A saved state with more steps is damaged.
 inline constexpr long most_steps = 1L << 53;
@@ -48,7 +48,7 @@ class Common {
   int size() const { return particles.size(); }
   int threads_now() const { return stepping ? team.threads() : run.threads; }
 
-  /// Call after storing the reference configuration.
+  /// Moves the particles to their starting positions. Call after storing the reference configuration.
   void go_to_start();
 
   /// Returns `by_speed`, s, reduced for stiff contact, or the fixed step of the settings.
@@ -58,7 +58,7 @@ class Common {
                               : by_speed / std::sqrt(std::max(1.0, contact.stiffening() / spare));
   }
 
-  /// For the velocities of a step of `dt`, s, at time `t`, s.
+  /// Kick for the velocities of a step of `dt`, s, at time `t`, s.
   Kick<Dim> kick(double dt, double t);
   /// Impulse law; see Contact::stop_approach. `follow(i, change)` updates data that depend on v.
   template <class Follow>

@@ -12,7 +12,8 @@
 
 namespace taut {
 
-/// Rollers and symmetry planes. Constraint forces do no work. Active drives override guides.
+/// Particles that cannot move along some axes (rollers, symmetry planes). Constraint forces do no work. Active drives
+/// override guides.
 template <int Dim>
 class Guides {
  public:
@@ -41,9 +42,9 @@ class Guides {
   std::vector<unsigned char> along_;  // see `axes`
 };
 
-/// Particles with prescribed velocity (Drive in engine/scene/scene.hpp). Their density and stress evolve like those
-/// of clamped particles (strains_what_is_held in methods/ul_split/). In each step call `set_time`, then `replace` for
-/// each new velocity.
+/// Particles with prescribed velocity (Drive in engine/scene/scene.hpp). Their density and stress evolve as for
+/// clamped particles (strains_what_is_held in methods/ul_split/). In each step call `set_time`, then `replace` for
+/// each new velocity before its use.
 template <int Dim>
 class Drives {
  public:
@@ -55,8 +56,8 @@ class Drives {
   bool active() const { return active_; }
   int number_of_active() const { return static_cast<int>(std::ranges::count_if(drives_, &Timed::on)); }
 
-  /// `t`, s: end of the step if positions advance by the mean of old and new velocity, middle if by the new one, both
-  /// of second order. Expressions are not thread-safe.
+  /// `t`, s: end of the step if positions advance by the mean of old and new velocity, its middle if by the new one;
+  /// both give prescribed positions to second order. Expressions are not thread-safe.
   void set_time(double t);
 
   /// Driven until the end of the run.
@@ -113,7 +114,7 @@ class Reactions {
 
   bool active() const { return active_; }
 
-  /// Begins a step of `dt`, s. Until its end the storage order must stay.
+  /// Begins a step of `dt`, s, from velocities `v`. Until its end the storage order must stay.
   void begin(const std::vector<V>& v, double dt) {
     v_ = v;
     dt_ = dt;

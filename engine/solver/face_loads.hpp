@@ -19,8 +19,8 @@ struct FaceLayer {
   bool has_edge = false;        // not a layer: two faces meet at an edge
 };
 
-/// `id`: particles of the load's region. Empty unless all lie with their neighbours on a line (3D: plane) beside the
-/// body.
+/// Layer of a load's region with particles `id`. Empty unless each lies with its neighbours in the region on a line
+/// (3D: plane), with the rest of the body on one side.
 FaceLayer face_layer(const Load& load, const InitialParticles& initial, std::vector<int> id, double spacing);
 
 /// Particle id and force, N.
@@ -30,9 +30,10 @@ using FaceShare = std::pair<int, Point>;
 /// −0.5 and 0 dp in the layers from outside.
 /// - uniform: f_j = t (n · S_j). Uniform stress is an equilibrium to round-off. Force and moment are exact for
 ///   uniform t on a whole side of a rectangle or box.
-/// - by_column: particles below a layer particle share its force like n · S_j, with the end correction of the
-///   midpoint rule. The force of a linear t is exact. If Σ n · S is below half of the area, the layer takes all.
-/// In thin bodies, S_j includes the opposite face. Both rules then use the nearer half of the column and apply
+/// - by_column: particles below a layer particle share its force in proportion to n · S_j, with the end correction of
+///   the midpoint rule. The force of a linear t is exact, corners are not in equilibrium. If Σ n · S is below half of
+///   the area, the layer takes all.
+/// In thin bodies, S_j includes the opposite face. Both rules then use the nearer half of the column and apply the
 /// missing area at its middle, which the opposite face balances.
 enum class FaceRule : std::uint8_t { uniform, by_column };
 /// `surface`: S by id; `reach`: of the gradient, m.

@@ -9,14 +9,15 @@
 
 namespace taut {
 
-/// Total-Lagrangian methods. Unlike in the papers, particles lie half a spacing inside faces unless Body::on_boundary
-/// is set.
+/// Initial configuration of total-Lagrangian methods. Unlike in the papers, particles lie half a spacing inside faces
+/// unless Body::on_boundary is set.
 template <int Dim>
 class InitialConfiguration {
  public:
   using V = Vec<double, Dim>;
 
   /// Also moves particles to their start and lets loads act on faces. Throws SceneError if a body is too thin.
+  /// `normalised`: see TlDisplacementConstants.
   InitialConfiguration(Common<Dim>& common, const SolverInput& input,
                        GradientCorrection gradient = GradientCorrection::corrected, double normalised = 0);
 

@@ -22,8 +22,7 @@ namespace taut {
 enum class GradientCorrection : std::uint8_t { corrected, normalised };
 
 /// Pairs of initial neighbours within a body, from both sides: k_ij = V_i V_j ∇_i W(X_i − X_j) = −k_ji, and B of
-/// gradient_correction. Forces (internal_force_info) are equal and opposite to the last bit; [TranDuc2023] §2.3 has
-/// the same.
+/// gradient_correction. Forces (internal_force_info, also [TranDuc2023] §2.3) are equal and opposite to the last bit.
 /// V in k_ij is the whole cell even on a face, in forces only the part inside. Then a uniform stress acts at faces
 /// only, to second order (summation by parts).
 template <int Dim>
@@ -50,7 +49,7 @@ struct PairLanesView {
   const LaneSlot* slots = nullptr;
   const Constants* constants = nullptr;
 
-  /// Calls `f`(slot, constants).
+  /// Calls `f`(slot, constants) for each neighbour slot.
   template <class F>
   [[gnu::always_inline]] void for_each(int group, const F& f) const {
     const Group& own = groups[group];
@@ -95,7 +94,7 @@ struct PairLanesView {
   }
 };
 
-/// Owns a PairLanesView.
+/// Owns the data of a PairLanesView.
 template <int Dim, int Width = Dim>
 class PairLanes {
  public:
@@ -154,7 +153,8 @@ Vec<double, Dim> difference_on_grid(const Vec<double, Dim>& X_i, const Vec<doubl
   return d;
 }
 
-/// m. Excludes lattice neighbours at the end of the support, where kernels may not vanish.
+/// Greatest distance of a pair, m. Excludes lattice neighbours at the end of the support, where kernels may not
+/// vanish.
 template <class K>
 double reach_of_pairs(double h) {
   return (1 - 1e-9) * K::support * h;

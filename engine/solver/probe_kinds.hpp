@@ -77,7 +77,7 @@ struct ProbeRow {
   /// Finds the particles; may be null. Throws SceneError if there are none.
   void (*set_up)(ProbeFollower<Dim>&, const ProbeSetUp&);
   double (*value)(ProbeFollower<Dim>&, const ProbeStep<Dim>&);
-  /// Called after a neighbour search, which may reorder; may be null.
+  /// Called after a neighbour search, which may reorder particles; may be null.
   void (*rebuilt)(ProbeFollower<Dim>&, const ProbeView<Dim>&, const Neighbors&) = nullptr;
   bool takes_stress = false;
 };

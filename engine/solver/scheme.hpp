@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// One method; ParticleSimulation owns the Common part that it refers to.
+/// Algorithm and fields of one method; refers to Common, which ParticleSimulation owns.
 template <int Dim>
 class Scheme {
  public:

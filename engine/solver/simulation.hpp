@@ -33,10 +33,10 @@ struct RunState {
   double time = 0;  // s
   long steps = 0;
   Series series;
-  long pairs = 0;                // directed, at the last rebuild
+  long pairs = 0;                // directed neighbour pairs at the last rebuild
   double support = 0;            // radius of interaction, m
-  bool keeps_neighbors = false;  // within bodies
-  /// Greatest stretch within the law of elasticity.
+  bool keeps_neighbors = false;  // initial neighbours within bodies
+  /// Greatest stretch of a pair within the law of elasticity.
   double lawful_stretch = std::numeric_limits<double>::infinity();
   int threads = 1;  // maximum
 };
@@ -46,10 +46,10 @@ class Simulation {
  public:
   virtual ~Simulation() = default;
 
-  /// Steps until the first step at or past `t`, s, unshortened. Throws NumericalError if a value is not finite;
-  /// `snapshot` is then an earlier one.
+  /// Steps until the first step at or past `t`, s; output never shortens a step. Throws NumericalError if a value is
+  /// not finite.
   void advance_to(double t) { advance(t, std::numeric_limits<double>::infinity()); }
-  /// Makes no step that ends at or past `short_of`, s.
+  /// As `advance_to`, but makes no step that ends at or past `short_of`, s.
   virtual void advance(double t, double short_of) = 0;
   /// Makes `advance` return after the current step when `stop` is not 0; it must outlive the simulation.
   void heed(const std::atomic<int>& stop) { stop_ = &stop; }
@@ -60,7 +60,7 @@ class Simulation {
   /// machine. Throws UsageError for others and is then unusable. Forged states cause no access outside arrays.
   virtual void load(std::string_view state) = 0;
 
-  /// Made on request; after NumericalError an earlier one.
+  /// State after the last step, made on request; after NumericalError the last snapshot before it.
   const Snapshot& snapshot() const {
     if (outdated_) take_snapshot(snapshot_);
     outdated_ = false;

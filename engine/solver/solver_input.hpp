@@ -16,7 +16,7 @@ namespace taut {
 /// Constants by name; lengths in m.
 using ConstantValues = std::map<std::string_view, double>;
 
-/// Adds a family's constants.
+/// Common constants with the values of a family's rows.
 template <class C>
 C constants_of(const std::vector<ConstantRow<C>>& rows, const Constants& all, const ConstantValues& values) {
   C c{all};
@@ -30,9 +30,9 @@ struct SolverInput {
   const InitialParticles& initial;
   Constants constants;
   std::vector<Elasticity> materials;  // in the order of Scene::materials
-  Law law;                            // if selectable
+  Law law;                            // for methods with a choice of laws
   ContactLaw contact;                 // never `published`
-  bool keeps_neighbors;               // see FamilyRow
+  bool keeps_neighbors;               // see FamilyRow; distant parts of a body then interact by contact
   Stepping stepping;
   int threads;
   InstructionSet kernels{};    // best allowed
