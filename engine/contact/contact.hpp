@@ -27,14 +27,14 @@ class Contact {
   bool between_bodies() const { return between_bodies_; }
   bool acting() const { return !mechanism_->touching().empty(); }
 
-  /// Searches if a particle moving by `way`, m, may leave the last range. Returns whether it searched.
+  /// Searches if a particle moving by `way`, m, may leave the range of the last search. Returns whether it searched.
   bool prepare(const Particles<Dim>& s, double way);
   void search(const Particles<Dim>& s);
 
   /// `dt`: duration of the forces, s.
   void evaluate(const Particles<Dim>& s, double dt, int threads);
 
-  /// Greatest ratio to the material's stiffness, at least 1.
+  /// Greatest ratio of contact stiffness to the material's stiffness, at least 1.
   double stiffening() const { return mechanism_->stiffening(); }
 
   /// As last evaluated. Requires `acting`.
@@ -53,10 +53,10 @@ class Contact {
     for (const int i : mechanism_->touching()) change(i, impulse_[i]);
   }
 
-  /// On `body` in the last step, by `other` or, if ≥ 0, by `wall`. For probes only.
+  /// Impulse on `body` in the last step, by `other` or, if ≥ 0, by `wall`. For probes only.
   V impulse(int body, int other, int wall) const;
 
-  /// Total impulses on bodies.
+  /// Total impulses of walls on bodies.
   const Impulse& of_walls() const { return walls_.given(); }
 
   /// 0 for impulses.

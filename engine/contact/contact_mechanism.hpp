@@ -17,20 +17,20 @@ class FacetContacts;
 template <int Dim>
 using ContactsOfFaces = std::conditional_t<Dim == 3, FacetContacts, FaceContacts>;
 
-/// Contact between particles (pair_contacts.hpp), between faces (face_contacts.hpp, in 3D facet_contacts.hpp), or
-/// none, this class. A search lists candidates, the geometry selects those that touch, a law (terms/contact_laws.hpp)
-/// gives the force, energy or impulse. Units as in Contact.
+/// Contact between particles (pair_contacts.hpp), between faces (face_contacts.hpp, in 3D facet_contacts.hpp), or, in
+/// this base class, none. A search lists candidates, the geometry selects those that touch, a law
+/// (terms/contact_laws.hpp) gives the force, energy or impulse. Units as in Contact.
 template <int Dim>
 class ContactMechanism {
  public:
   using V = Vec<double, Dim>;
 
-  static constexpr double reach = 2;
+  static constexpr double reach = 2;  // spacings, see Contact::reach
 
   virtual ~ContactMechanism() = default;
 
-  /// Searches if the fastest particle, moving by `way`, m, may leave the last range, or without `way`, after
-  /// reordering. Returns whether it searched.
+  /// Searches if the fastest particle, moving by `way`, m, may leave the range of the last search, or, without `way`,
+  /// after reordering. Returns whether it searched.
   virtual bool search(const Particles<Dim>& /*particles*/, const WallContacts<Dim>& /*walls*/,
                       std::optional<double> /*way*/) {
     return false;

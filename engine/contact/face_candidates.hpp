@@ -52,10 +52,10 @@ class FaceCandidates {
   static constexpr double skin = 1;          // longer: fewer searches, more pairs
   static constexpr double horizon = 4;       // search range, which limits how long a search is valid
   static constexpr double far_apart = 3;     // opposite faces of a thinner wall do not interact
-  static constexpr double aside = 0.5;       // cosine of normals, at most
-  static constexpr double close_by = 4;      // initially; such faces need
-  static constexpr double folded = -0.1;     // a cosine of normals below this
-  static constexpr double turn_slack = 0.5;  // rotation of nodes about particles
+  static constexpr double aside = 0.5;       // greatest cosine of the normals of a candidate
+  static constexpr double close_by = 4;      // initial distance; closer faces need a cosine
+  static constexpr double folded = -0.1;     // below this one
+  static constexpr double turn_slack = 0.5;  // for rotation of nodes about their particles
 
   void search_others(const MovingFaces& faces, const WallContacts<2>& walls);
   void search_own(const Particles<2>& s, const MovingFaces& faces);
@@ -67,7 +67,7 @@ class FaceCandidates {
   bool meets_itself_, meets_others_;  // others: bodies or walls
   std::vector<int> all_nodes_, all_segments_;
   FaceSearch find_;
-  std::vector<V> normal_;  // [segment]
+  std::vector<V> normal_;  // [segment] at a search
   MotionBound<2> others_bound_, own_bound_;
   std::vector<V> behind_;  // [node] its main particle, m
 };

@@ -70,12 +70,12 @@ class FacetCandidates {
   // in spacings
   static constexpr double skin = 1.4;        // longer: fewer searches, more pairs
   static constexpr double horizon = 4.25;    // search range, which limits how long a search is valid
-  static constexpr double cluster = 4;       // size
-  static constexpr double far_apart = 4;     // initially, along a bending face or across a gap
-  static constexpr double far_inside = 8;    // initially, through the body
-  static constexpr double flat = 1e-6;       // round-off
-  static constexpr double aside = 0.5;       // cosine of normals, at most
-  static constexpr double turn_slack = 0.5;  // rotation of facets about particles
+  static constexpr double cluster = 4;       // size of clusters
+  static constexpr double far_apart = 4;     // initial distance along a bending face or across a gap
+  static constexpr double far_inside = 8;    // initial distance through the body
+  static constexpr double flat = 1e-6;       // round-off of facets in one plane
+  static constexpr double aside = 0.5;       // greatest cosine of the normals of a candidate
+  static constexpr double turn_slack = 0.5;  // for rotation of facets about their particles
 
   void search_others(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
     constexpr double margin = horizon + 2;  // 2: distance of two particles from faces

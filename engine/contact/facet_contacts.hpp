@@ -45,7 +45,7 @@ class FacetContacts final : public ContactMechanism<3> {
 
  private:
   // in spacings
-  static constexpr double before = 1, behind = 1.5;  // range along the normal
+  static constexpr double before = 1, behind = 1.5;  // range in front of and behind a facet
   static constexpr double radius = 1.5;              // lateral range
   static constexpr double apart = 2.13;              // √(behind² + radius²)
   double reach_at(double p) const { return (p < 0 ? behind : before) * dp_; }
@@ -60,9 +60,9 @@ class FacetContacts final : public ContactMechanism<3> {
     double cover = 0;          // Σ W
     double height = 0, M = 0;  // means of p, m, and M, Pa, weighted by W
     double k = 0;              // Pa/m
-    // slopes in `cover`, J, and in the means, over `cover`, N and m³
+    // slopes of the energy in `cover`, J, and in the means, over `cover`, N and m³
     double per_sum = 0, per_p = 0, per_M = 0;
-    double per_weight(double p, double modulus) const {  // in one W, J
+    double per_weight(double p, double modulus) const {  // slope in one W, J
       return per_sum + per_p * (p - height) + per_M * (modulus - M);
     }
   };
@@ -97,7 +97,7 @@ class FacetContacts final : public ContactMechanism<3> {
   FacetCandidates candidates_;
 
   std::vector<Row> rows_;                    // by facet, then body
-  std::vector<int> begin_, other_;           // [row] near rows
+  std::vector<int> begin_, other_;           // [row] rows of near facets
   std::vector<Touch> touches_;               // [row]
   std::vector<int> near_;                    // rows in range, from the same index
   std::vector<MovingFacets::Slope> slopes_;  // [row]

@@ -17,7 +17,7 @@ enum class PairsOf {
   two_bodies,  // all
 };
 
-/// Columns with `lanes` extra entries.
+/// Columns with `lanes` readable entries after the last one.
 struct FacetColumns {
   const double* now[3];    // m
   const double* start[3];  // m
@@ -84,8 +84,8 @@ class FacetPairs {
 
   struct Limits {
     double listed, horizon;  // m
-    double far;              // initially, in one body, m
-    double cosine;           // of normals, at most
+    double far;              // initial distance in one body, m
+    double cosine;           // greatest cosine of normals
   };
   /// Calls found(f, g) once for each pair `wanted(f, g)` nearer than `listed`. Returns the distance of the nearest
   /// other one, m, up to `horizon`. `candidates`: in `order()`.
@@ -115,7 +115,7 @@ class FacetPairs {
     double spread;  // greatest deviation from it
   };
 
-  static constexpr double room = 1e-9;
+  static constexpr double room = 1e-9;  // tolerance of rounding
 
   bool may_meet(int a, int b, double apart2, double cosine) const {
     const Cluster &A = clusters_[a], &B = clusters_[b];

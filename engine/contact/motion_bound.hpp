@@ -18,7 +18,7 @@ class MotionBound {
  public:
   using V = Vec<double, Dim>;
 
-  /// `free`: m; `x`: positions by body, m.
+  /// `free`: allowed approach of two points, m; `x`: positions by body, m.
   void restart(double free, std::vector<V> x) {
     free_ = free;
     gone_ = 0;
@@ -57,7 +57,7 @@ class MotionBound {
       }
     }
     gone_ = std::sqrt(gone_);
-    constexpr double worthwhile = 0.75;  // of `free_`; else this test runs every step
+    constexpr double worthwhile = 0.75;  // share of `free_`; with less left this test would run every step
     return 2 * gone_ <= worthwhile * free_ && holds(way);
   }
 

@@ -88,7 +88,7 @@ class MovingFaces {
     for (int n = 0; n < size(); ++n) place(s, n);
     for (int k = 0; k < static_cast<int>(normal_.size()); ++k) set_normal(k);
   }
-  /// Requires placed nodes.
+  /// Requires current positions of its nodes.
   void set_normal(int k) {
     const auto& [node, length, sense] = outline_.segments[k];
     const V t = place_[node[1]] - place_[node[0]];
@@ -96,7 +96,7 @@ class MovingFaces {
     normal_[k] = {factor * t[1], -factor * t[0]};
   }
   const std::vector<V>& places() const { return place_; }  // [node] m
-  /// Main particle of each node, m.
+  /// Position of the main particle of each node, m.
   void follow(const Particles<2>& s, std::vector<V>& x) const {
     x.clear();
     for (const int share : behind_) x.push_back(s.x[stored_[share]]);
@@ -280,7 +280,7 @@ class MovingFaces {
     other(ends[0], (-r * depth * size) * foot.normal);
   }
 
-  /// δs = −(t·((1 − s) δx + s δz − δe) − depth n·δt)/t·w.
+  /// Applies the slope of the energy in s: δs = −(t·((1 − s) δx + s δz − δe) − depth n·δt)/t·w.
   template <class Own, class Other>
   void push_along(const Foot& foot, const FacingHalf& h, int e, double slope, const Own& own,
                   const Other& other) const {
@@ -294,7 +294,7 @@ class MovingFaces {
     other(ends[0], turning * foot.normal);
   }
 
-  /// δn = −t n·δt/|t|²; `slope` in the cosine.
+  /// Applies the slope of an energy in the cosine of two normals: δn = −t n·δt/|t|².
   template <class Give>
   void turn(int side, const V& normal, double slope, const Give& give) const {
     const auto& ends = outline_.segments[side].node;

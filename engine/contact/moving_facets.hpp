@@ -68,13 +68,13 @@ class MovingFacets {
     for (const SurfaceMesh::Facet& facet : mesh_.facets) behind_.push_back(where[facet.particle]);
   }
 
-  /// Particle behind each facet, m.
+  /// Position of the particle behind each facet, m.
   void follow(const Particles<3>& s, std::vector<V>& x) const {
     x.clear();
     for (const int i : behind_) x.push_back(s.x[i]);
   }
 
-  /// `nodes`: of these facets.
+  /// `nodes`: all nodes of `facets`.
   void place(const Particles<3>& s, const std::vector<int>& nodes, const std::vector<int>& facets,
              int threads) {
     parallel_for(static_cast<int>(nodes.size()), threads, [&](int k) {

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Columns with `lanes` extra entries.
+/// Columns with `lanes` readable entries after the last one.
 template <int Dim>
 struct PointColumns {
   const double* now[Dim];    // m

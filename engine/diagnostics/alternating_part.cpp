@@ -111,7 +111,7 @@ Eigen::MatrixXd quadratics(const Snapshot& start, std::span<const int> near, dou
   return M;
 }
 
-/// Empty if quadratics leave too little.
+/// κ (I − P) e_i / |(I − P) e_i|; empty if quadratics leave too little.
 Eigen::VectorXd row(const Eigen::MatrixXd& quadratics, double kappa) {
   const Eigen::VectorXd e_i = Eigen::VectorXd::Unit(quadratics.rows(), 0);
   const Gram G = quadratics.transpose().lazyProduct(quadratics);
@@ -180,7 +180,7 @@ class Rows {
   Eigen::VectorXd weights(std::span<const int> near) const {
     return row(quadratics(start_, near, spacing_), kappa_);
   }
-  /// First index, or −1.
+  /// Index of the first weight, or −1.
   int add_weights(const Eigen::VectorXd& w) {
     if (w.size() == 0) return -1;
     make_room(part_.weight, static_cast<std::size_t>(w.size()), part_.first_weight.size(), start_.size());

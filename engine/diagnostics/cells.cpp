@@ -16,7 +16,7 @@ namespace {
 using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
 
-constexpr double adjacent = 1.35;  // spacings, of cells that share a side
+constexpr double adjacent = 1.35;  // spacings, greatest distance of cells that share a side
 constexpr double torn = 1.5;       // stretch of neighbours that cover no more
 constexpr double straight = 0.8;   // cosine between neighbour and axis
 

@@ -15,7 +15,7 @@ struct Curve {
   std::size_t size() const { return t.size(); }
 };
 
-/// Up to the first non-finite sample.
+/// Samples before the first non-finite one.
 Curve finite_part(Curve curve);
 
 double value_at(const Curve& curve, double time);

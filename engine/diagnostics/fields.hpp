@@ -30,7 +30,7 @@ struct Field {
   double value(const Snapshot& now, std::size_t particle) const;
 };
 
-/// In listing order; 3 includes all.
+/// Fields in listing order; `dim` = 3 includes all.
 std::span<const Field> fields(int dim = 3);
 /// nullptr if unknown in `dim` dimensions.
 const Field* find_field(std::string_view key, int dim = 3);

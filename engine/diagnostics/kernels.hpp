@@ -35,7 +35,7 @@ struct StrainDivisors {
 
 /// Sums for a row of history.csv, bit-identical for all instruction sets.
 struct HistoryKernels {
-  /// See AlternatingSums: three sums of alternating parts, x at most `spacing`² each, then of fields.
+  /// Three sums of AlternatingSums::part, x at most `spacing`² each, then those of `whole`.
   void (*alternating_sums)(const AlternatingView& part, const SnapshotView& now, double spacing, double* out);
   /// 4 + 3 + 3 numbers: kinetic and strain energy, scales of linear and angular momentum; linear; angular momentum.
   void (*balance)(const SnapshotView& now, const StrainDivisors* materials, double contact_energy,

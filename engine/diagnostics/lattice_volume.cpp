@@ -18,7 +18,7 @@ using Corners = std::array<Vector, 8>;  // bit k: upper corner along axis k
 
 /// Plane number of each particle along one axis. Gaps in a body skip a number.
 std::vector<int> planes(const std::vector<double>& x, double apart) {
-  constexpr double widest = 1.5;  // of the least plane distance
+  constexpr double widest = 1.5;  // relative to the least plane distance
   std::vector<double> sorted = x, first;
   std::ranges::sort(sorted);
   for (const double at : sorted)

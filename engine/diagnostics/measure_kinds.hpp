@@ -75,7 +75,7 @@ struct MeasureKind {
   Reference reference;  // called if the scene has one
 };
 
-/// In listing order.
+/// Kinds in listing order.
 std::span<const MeasureKind> measure_kinds();
 /// nullptr if unknown.
 const MeasureKind* find_measure_kind(std::string_view name);

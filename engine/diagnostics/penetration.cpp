@@ -112,7 +112,7 @@ class Cells {
     }
   }
 
-  /// `x` must lie among the particles.
+  /// Calls visit(j) within `radius` of x, which must lie among the particles.
   template <class Visit>
   void for_each_around(const Vec<double, Dim>& x, Visit visit) const {
     grid_.for_each_row(x, [&](int first, int last) {

@@ -21,7 +21,7 @@ constexpr std::size_t padding = 4;
 std::vector<double> windowed(const Curve& curve, double begin, double end, std::size_t n) {
   std::vector<double> window(n), y(n);
   double weights = 0, sum = 0, moment = 0,
-         square = 0;  // of the window; of y, s y, s², with s from −1 to 1
+         square = 0;  // sums of the window, y, s y and s², with s from −1 to 1
   const auto place = [n](std::size_t k) { return 2 * static_cast<double>(k) / static_cast<double>(n) - 1; };
   for (std::size_t k = 0; k < n; ++k) {
     const double share = static_cast<double>(k) / static_cast<double>(n);
@@ -33,7 +33,7 @@ std::vector<double> windowed(const Curve& curve, double begin, double end, std::
     square += window[k] * place(k) * place(k);
   }
   const double mean = sum / weights,
-               slope = square > 0 ? moment / square : 0;  // even window
+               slope = square > 0 ? moment / square : 0;  // the window is even about s = 0
   for (std::size_t k = 0; k < n; ++k) y[k] = window[k] * (y[k] - mean - slope * place(k));
   return y;
 }

@@ -77,7 +77,7 @@ class Lattice {
     return std::sqrt(std::inner_product(sum.begin(), sum.end(), sum.begin(), 0.0));
   }
 
-  double h_;  // over the spacing
+  double h_;  // relative to the spacing
   double scale_ = 1;
 };
 

@@ -24,7 +24,7 @@ enum class Verdict { stable, hourglass, penetrated, fractured, diverged };
 std::string_view name(Verdict);
 /// None if unknown.
 std::optional<Verdict> find_verdict(std::string_view name);
-/// In order; and without `stable`.
+/// Verdicts in order; and without `stable`.
 std::vector<std::string> names_of_verdicts();
 std::vector<std::string> names_of_failures();
 
@@ -35,7 +35,7 @@ std::vector<std::string> names_of_failures();
 inline constexpr double hourglass_threshold = 0.03;
 
 struct BeyondLaw {
-  double share = 0;  // of bonds, greatest value
+  double share = 0;  // greatest share of bonds
   double since = 0;  // s
 };
 
@@ -80,7 +80,7 @@ class Judge {
     int i, j;
     bool broken;
   };
-  /// Whether a bond broke or healed.
+  /// Returns whether a bond broke or healed.
   bool update_broken(const Snapshot& now);
   template <int Dim>
   bool update_broken_in(const Snapshot& now);
