@@ -17,7 +17,7 @@ class BodyPairs {
   /// Lists pairs up to reach + skin, m.
   BodyPairs(double reach, double skin) : reach_(reach + skin), skin_(skin) {}
 
-  double lasts_for() const { return 0.5 * skin_; }  // m, of the fastest particle
+  double lasts_for() const { return 0.5 * skin_; }  // m, valid path of the fastest particle
 
   void search(const Particles<Dim>& s) {
     choose_candidates(s);

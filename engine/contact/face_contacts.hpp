@@ -33,7 +33,7 @@ class FaceContacts final : public ContactMechanism<2> {
   V between(const Particles<2>& s, int a, int b) const override;
   V of_wall(const Particles<2>& s, int a, int wall, const WallContacts<2>& walls) const override;
 
-  /// Least distance of nodes and faces, m, negative if they overlap; at most `reach`.
+  /// Least distance between nodes and faces of two bodies, m, negative if they overlap; at most `reach`.
   double gap(const Particles<2>& s, int a, int b);
 
   void serialize(Saver& archive, int particles, const WallContacts<2>& walls) override {
@@ -49,7 +49,7 @@ class FaceContacts final : public ContactMechanism<2> {
  private:
   // in spacings
   static constexpr double reach = 1;   // greatest depth
-  static constexpr double tie = 1e-6;  // round-off
+  static constexpr double tie = 1e-6;  // round-off of equal distances
 
   void refuse_thin(const Scene& scene) const;
   void place_watched(const Particles<2>& s);

@@ -17,7 +17,7 @@ namespace taut {
 template <int Dim>
 class PairCandidates {
  public:
-  /// `reach`: for pairs of two bodies, m; contact needs one spacing.
+  /// `reach`: range of pairs of two bodies, for probes, m. Contact acts within one spacing.
   PairCandidates(const SolverInput& input, bool between_bodies, double reach)
       : between_bodies_(between_bodies),
         dp_(input.constants.dp),
@@ -32,7 +32,7 @@ class PairCandidates {
     return others || own;
   }
 
-  /// Ascending.
+  /// Particles with candidates, ascending.
   std::vector<int> particles(int count) const {
     std::vector<int> found;
     for (int i = 0; i < count; ++i)

@@ -31,7 +31,7 @@ class WallContacts {
     return dot(x - planes_[wall].at, planes_[wall].normal);
   }
 
-  /// N s, on a particle at x.
+  /// Records an impulse, N s, on a particle at x.
   void book(const V& x, const V& impulse) {
     for (int k = 0; k < Dim; ++k) given_.linear[k] += impulse[k];
     given_.angular[2] += x[0] * impulse[1] - x[1] * impulse[0];

@@ -12,8 +12,8 @@ struct Balance {
   Point angular_momentum{};        // about the origin, kg m²/s; in 2D only z
   double momentum_scale = 0;       // Σ |m v|
   double angular_scale = 0;        // Σ m |x| |v|
-  double work = 0;                 // of drives, loads and gravity, J
-  double damped = 0;               // energy removed by damping, J
+  double work = 0;                 // work of drives, loads and gravity, J (per metre depth in 2D)
+  double damped = 0;               // energy removed by damping, J (per metre depth in 2D)
   Impulse of_walls;
 };
 

@@ -9,16 +9,16 @@
 
 namespace taut {
 
-/// Parallelograms, in 3D parallelepipeds, at one time.
+/// Shapes of cells at one time: parallelograms, in 3D parallelepipeds.
 struct CellShapes {
   std::vector<std::size_t> particle;  // [cell]
   std::vector<double> centre;         // [cell] dim coordinates, m
   std::vector<double> edge;           // [cell] dim vectors, m
 };
 
-/// The part of a body that each particle represents: initially a box half-way to adjacent neighbours, or the part of
-/// it inside the body. Moves with the best affine map of the initial neighbours within 1.6 spacings. Gaps are of
-/// second order.
+/// The part of a body that each particle represents: initially a box with sides half-way to adjacent neighbours, or
+/// the part of it inside the body. Moves with the best affine map of the initial neighbours within 1.6 spacings. Gaps
+/// are of second order.
 class Cells {
  public:
   /// `x0`: n × dim, m; `diameter` in m.
@@ -27,7 +27,7 @@ class Cells {
   /// Copies cell ends from `all`, where particle k is shown[k].
   void take_ends(const Cells& all, std::span<const std::size_t> shown);
 
-  /// `x`: n × dim, m. In 3D without covered cells.
+  /// Shapes at positions `x`, n × dim, m; in 3D without covered cells.
   CellShapes at(std::span<const double> x) const;
 
  private:

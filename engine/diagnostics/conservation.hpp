@@ -10,16 +10,16 @@ namespace taut {
 
 /// Greatest relative drifts, corrected for walls; none for quantities that the scene exchanges with its surroundings.
 struct Conservation {
-  std::optional<double> linear_momentum;   // over greatest Σ|m v|
-  std::optional<double> angular_momentum;  // over greatest Σ m|x||v|
-  /// |E + D − W − E0| over greatest E0 + W; W: work of drives, loads and gravity, D: energy removed by damping. None
-  /// for round-off.
+  std::optional<double> linear_momentum;   // |Δp| over greatest Σ|m v|
+  std::optional<double> angular_momentum;  // |ΔL| over greatest Σ m|x||v|
+  /// Greatest |E + D − W − E0| over greatest E0 + W; W: work of drives, loads and gravity, D: energy removed by
+  /// damping. None if energies are only round-off.
   std::optional<double> energy;
   /// Greatest gain and loss, both ≥ 0.
   std::optional<double> energy_gained, energy_lost;
 };
 
-/// Changes momentum without record: by clamps, guides, drives, loads, gravity or damping.
+/// The scene changes momentum without record: by clamps, guides, drives, loads, gravity or damping.
 bool exchanges_momentum(const Scene& scene, const Snapshot& start);
 
 class ConservationWatch {

@@ -10,7 +10,7 @@
 namespace taut {
 
 struct CriticalStepSearch {
-  int steps = 1000;         // length of a trial, default steps
+  int steps = 1000;         // duration of a trial in default steps
   double tolerance = 1e-3;  // relative width of the bracket
 };
 

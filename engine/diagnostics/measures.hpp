@@ -21,9 +21,9 @@ struct MeasureResult {
   std::string why;
 };
 
-/// Evaluates the scene's measures (measure_kinds.hpp) for law `law`. Series are linear between steps and end before
-/// their first non-finite value; peaks are vertices of parabolas. Throws SceneError for an unknown kind, probe or
-/// field.
+/// Evaluates the scene's measures (measure_kinds.hpp) against the reference of law `law`. Series are linear between
+/// steps and end before their first non-finite value; peaks are vertices of parabolas. Throws SceneError for an
+/// unknown kind, probe or field.
 std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std::string_view law,
                                    const std::vector<std::vector<LineSample>>& lines = {},
                                    const Snapshot* now = nullptr);

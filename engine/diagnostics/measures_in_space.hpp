@@ -16,8 +16,8 @@ struct FieldError {
 };
 
 /// Error of vector fields at unclamped particles of a body. `exact`: functions of initial position and time.
-/// Subtracts the best small rigid motion t + ω × X if free. None if `exact` is 0. Throws SceneError for an unknown
-/// field.
+/// Subtracts the best small rigid motion t + ω × X if rigid motion is free. None if `exact` is 0. Throws SceneError
+/// for an unknown field.
 std::optional<FieldError> field_error(const Measure& measure, const Snapshot& now,
                                       const std::vector<Solution>& exact);
 

@@ -10,9 +10,9 @@ namespace taut {
 /// Widest angle between neighbouring directions, rad, sorted here; a full turn for fewer than two.
 double widest_gap(std::span<double> directions);
 
-/// Finds particles inside a far part: its particles within 1.5 dp leave no gap wider than 2π/3 around them (3D: empty
-/// cone). Far are other bodies, and particles initially more than 4 dp away. Touching faces leave gaps near π.
-/// Ignores neighbours within 0.29 dp (3D: 0.41 dp), where the gap behind a surface reaches 2π/3.
+/// Finds particles inside a far part: its particles within 1.5 dp leave no gap wider than 2π/3 around them (3D: no
+/// empty cone of that width). Far are other bodies, and particles initially more than 4 dp away. Touching faces leave
+/// gaps near π. Neighbours within 0.29 dp (3D: 0.41 dp), where the gap behind a surface reaches 2π/3, do not count.
 /// Tests surface particles, which initially have such a gap, near far surface particles, because outlines of
 /// overlapping parts cross. Misses a body inside another without an observed crossing.
 /// Lists candidates out to 2.5 dp, until two particles may have approached by 1 dp, the diagonal of the box of

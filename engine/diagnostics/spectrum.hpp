@@ -8,7 +8,8 @@
 namespace taut {
 
 /// Frequency of the highest peak of a curve within `band`, Hz; `begin`, `end` in s. None for less than two periods or
-/// without peak. Trends, impacts, round-off, side lobes and amplitudes below 3e-5 are not peaks.
+/// if there is no peak. Trends, impacts, round-off, side lobes and amplitudes below 3e-5 of the highest are not
+/// peaks.
 /// Uses even samples minus a line, a Hann window, fourfold zero padding, and a parabola through logarithms. Lines
 /// closer than 2/(end − begin) merge.
 std::optional<double> peak_frequency(const Curve& curve, double begin, double end,

@@ -28,14 +28,14 @@ std::optional<Verdict> find_verdict(std::string_view name);
 std::vector<std::string> names_of_verdicts();
 std::vector<std::string> names_of_failures();
 
-/// Hourglass error (indicators.hpp) from which particles zigzag, between smooth results of the papers, below 0.012
-/// ([Zhang2024] Fig. 3, 12, 18; [Khayyer2024] Fig. 9, 10), and zigzags, above 0.04 ([Zhang2024] Fig. 6, 12–14, 18;
-/// [Lee2016] Fig. 11). Smooth bending exceeds it at radii of about a spacing. Checkerboards are not judged: low
-/// stress raises them too.
+/// Hourglass error (indicators.hpp) from which particles zigzag. Smooth results in the papers stay below 0.012
+/// ([Zhang2024] Fig. 3, 12, 18; [Khayyer2024] Fig. 9, 10), zigzags exceed 0.04 ([Zhang2024] Fig. 6, 12–14, 18;
+/// [Khayyer2024] Fig. 13; [Lee2016] Fig. 11). Smooth bending exceeds it at radii of about a spacing. Checkerboards
+/// are not judged: low stress raises them too.
 inline constexpr double hourglass_threshold = 0.03;
 
 struct BeyondLaw {
-  double share = 0;  // greatest share of bonds
+  double share = 0;  // greatest share of bonds stretched beyond the law of elasticity
   double since = 0;  // s
 };
 
@@ -99,14 +99,14 @@ class Judge {
   std::size_t particles_ = 0;
   double longest_ = 0;  // m; shorter bonds are unbroken
   bool keeps_neighbors_ = false;
-  double closed_mass_ = 0;   // kg; 0 unless closed
+  double closed_mass_ = 0;   // kg; 0 unless the scene is closed
   Point start_momentum_{};   // kg m/s
   double start_energy_ = 0;  // J
   double given_energy_ = 0;  // J, greatest received
   double least_strain_ = 0;  // J, initial strain energy if negative, else 0
   /// Least received energy to judge, J: speeds of 1e-6 c0 plus ten times the initial round-off.
   double floor_ = 0;
-  bool fell_ = false;  // strain energy, as last observed
+  bool fell_ = false;  // strain energy fell, as last observed
   int start_pieces_ = 0;
   int pieces_ = 0;
   double lawful_stretch_ = std::numeric_limits<double>::infinity();
