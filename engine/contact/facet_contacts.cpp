@@ -65,7 +65,7 @@ void FacetContacts::list() {
   touching_ = facets_.particles_of(nodes_);
 }
 
-/// f(other row, pair) for each of `count` rows that counts in the mean of `row`.
+/// f(other row, pair) for each of `count` rows that contributes to the mean of `row`.
 template <class F>
 void FacetContacts::for_each_pair(int row, const int* first, int count, const F& f) const {
   const MovingFacets::Place& own = facets_[rows_[row].facet];

@@ -17,8 +17,8 @@ using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
 
 constexpr double adjacent = 1.35;  // spacings, greatest distance of cells that share a side
-constexpr double torn = 1.5;       // stretch of neighbours that cover no more
-constexpr double straight = 0.8;   // cosine between neighbour and axis
+constexpr double torn = 1.5;       // stretch from which a neighbour covers no more
+constexpr double straight = 0.8;   // least cosine between the direction of a neighbour and an axis
 
 Vector vector(const Point& a) { return {a[0], a[1], a[2]}; }
 Point point(const Vector& a) { return {a[0], a[1], a[2]}; }

@@ -40,16 +40,15 @@ double crossing_time(const Curve& curve, std::size_t k, double level) {
 }
 
 std::vector<HalfCycle> half_cycles(const Curve& curve, double level) {
-  constexpr double round_off = 1e-9;  // over the greatest value; less counts as 0
-  constexpr double least = 1.0 / 20;  // over the previous peak
+  constexpr double round_off = 1e-9;  // relative to the greatest value; less counts as 0
+  constexpr double least = 1.0 / 20;  // relative to the previous peak
   std::vector<HalfCycle> found;
   const auto deviation = [&](std::size_t k) { return curve.y[k] - level; };
   double greatest = 0;
   for (std::size_t k = 0; k < curve.size(); ++k) greatest = std::max(greatest, std::abs(deviation(k)));
   double begin = curve.t.empty() ? 0 : curve.t.front();
-  std::size_t top = 0,
-              over = 0;     // peak samples of the current and a possible next half cycle; 0: none
-  std::size_t crossed = 0;  // first sample of the next one
+  std::size_t top = 0, over = 0;  // peaks: current and next half cycle; 0: none
+  std::size_t crossed = 0;        // first sample of the next one
   const auto end_half_cycle = [&] {
     const auto [time, peak] = vertex(curve, top);
     const double end = crossing_time(curve, crossed, level);

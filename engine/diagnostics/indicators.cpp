@@ -6,7 +6,7 @@
 namespace taut {
 namespace {
 
-constexpr double least_strain = 1e-8;  // round-off, times Young's modulus
+constexpr double least_strain = 1e-8;  // strain of round-off: times Young's modulus, a stress
 
 }  // namespace
 

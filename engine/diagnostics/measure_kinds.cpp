@@ -15,7 +15,7 @@ namespace {
 using Source = MeasureSource;
 using Value = std::optional<double>;  // of a reference
 
-/// Interval of run and reference; none before the end.
+/// Interval that run and reference cover; none before the run has reached its end.
 std::optional<std::pair<double, double>> common_time(const Source& source) {
   if (source.reference.empty()) return std::nullopt;
   const double begin = std::max(source.curve.front().t.front(), source.reference.begin());
@@ -31,7 +31,7 @@ Measured without_common_time(const Source& source) {
   return reached < end ? too_short(end, reached) : none("the run and its reference do not overlap in time");
 }
 
-/// Requires `needed` half cycles about the level.
+/// Returns number(half cycles) if there are at least `needed` about the level.
 template <class Number>
 Measured of_half_cycles(const Source& source, std::size_t needed, const Number& number) {
   const Curve& curve = source.curve.front();
@@ -142,7 +142,7 @@ Measured turn_of_point(const Source& source) {
   return angle ? Measured(*angle) : too_short(source.until, source.curve.front().t.back());
 }
 
-/// Uses the run's steps for exact solutions.
+/// Evaluates exact solutions at the run's steps.
 Value turn_of_reference(const Source& source) {
   const ReferenceCurves& reference = source.reference;
   if (reference.empty()) return std::nullopt;

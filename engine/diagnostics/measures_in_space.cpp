@@ -113,7 +113,7 @@ namespace {
 
 using Source = MeasureSource;
 
-/// RMS of field − reference and of the reference.
+/// RMS over a line of field − reference and of the reference.
 struct LineSquares {
   double difference = 0, reference = 0;
 };

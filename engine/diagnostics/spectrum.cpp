@@ -20,8 +20,7 @@ constexpr std::size_t padding = 4;
 /// `n` even samples minus a linear fit, windowed.
 std::vector<double> windowed(const Curve& curve, double begin, double end, std::size_t n) {
   std::vector<double> window(n), y(n);
-  double weights = 0, sum = 0, moment = 0,
-         square = 0;  // sums of the window, y, s y and s², with s from −1 to 1
+  double weights = 0, sum = 0, moment = 0, square = 0;  // sums: window, y, s y, s²; s: −1 to 1
   const auto place = [n](std::size_t k) { return 2 * static_cast<double>(k) / static_cast<double>(n) - 1; };
   for (std::size_t k = 0; k < n; ++k) {
     const double share = static_cast<double>(k) / static_cast<double>(n);
@@ -93,8 +92,7 @@ class Lines {
     return 2 * side * side * hull_[highest_];
   }
 
-  std::vector<double> hull_, below_,
-      above_;  // minima from `slowest` up to an index, and from an index on
+  std::vector<double> hull_, below_, above_;  // minima up to and from an index
   std::size_t highest_ = 0;
   double floor_ = 0;
 };

@@ -127,7 +127,7 @@ void Judge::observe(const Snapshot& now, const Balance& balance, const Readings&
     since_.emplace(Verdict::fractured, now.time);
 }
 
-/// J; in closed scenes relative to the initial common motion.
+/// Kinetic energy, J; in closed scenes relative to the initial common motion.
 double Judge::motion(const Balance& balance) const {
   if (closed_mass_ == 0) return balance.kinetic;
   double own = balance.kinetic;
@@ -224,7 +224,7 @@ bool Judge::has_crack() const {
   return false;
 }
 
-/// At most `around` unbroken bonds connect its ends.
+/// Whether at most `around` unbroken bonds connect its ends.
 bool Judge::bypassed(int bond, std::vector<int>& seen) const {
   constexpr int around = 8;
   const auto [start, goal, broken] = bonds_[static_cast<std::size_t>(bond)];

@@ -162,7 +162,7 @@ int beside(int i, const Place<Dim>& along, const InitialParticles& initial, cons
   return found;
 }
 
-/// Unit directions of possible neighbours along the face.
+/// Unit vectors along the face towards possible neighbours.
 template <int Dim>
 std::vector<Place<Dim>> directions(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
                                    const NeighborsOfOne<Dim>& near) {
@@ -200,7 +200,7 @@ std::vector<double> end_weights(const FaceLayer& layer, const InitialParticles& 
   return weights;
 }
 
-/// Checks for normals almost perpendicular to the first one.
+/// Whether some normals are almost perpendicular to the first one.
 template <int Dim>
 bool are_of_two_faces(const std::vector<Point>& normals) {
   constexpr double across = 0.3;  // greatest |n · m|

@@ -116,7 +116,7 @@ void follow_constrained(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
                       " is held or driven along its component");
 }
 
-/// Equal indices in two bodies; mirrored positions in one body.
+/// Images are particles of equal index in two bodies, or at mirrored positions in one body.
 template <int Dim>
 void follow_images(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
   const auto& [scene, initial, reach] = in;
@@ -185,7 +185,7 @@ Vec<double, Dim> place(const ProbeFollower<Dim>& f, const ProbeView<Dim>& now) {
   return now.place(f.at) + f.beside;
 }
 
-/// Mass-weighted; `of`: [stored particle].
+/// Mass-weighted mean of a component; `of`: [stored particle].
 template <int Dim>
 double mean(const ProbeFollower<Dim>& f, const ProbeView<Dim>& now, const std::vector<Vec<double, Dim>>& of) {
   double moment = 0, mass = 0;
@@ -238,7 +238,7 @@ double mirror_asymmetry(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
   return f.last;
 }
 
-/// −π to π, right-handed about the axis.
+/// Angle from −π to π, right-handed about the axis.
 template <int Dim>
 double angle(const ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
   const Point& a = f.probe.turns_about;
