@@ -30,7 +30,7 @@ bool FaceCandidates::search(const Particles<2>& s, MovingFaces& faces, const Wal
 
 /// Also finds nodes near walls.
 void FaceCandidates::search_others(const MovingFaces& faces, const WallContacts<2>& walls) {
-  constexpr double margin = horizon + 2;  // 2: distance from a segment to its ends
+  constexpr double margin = horizon + 2;  // 2: one end of a segment lies within its length
   const std::vector<char> near = near_other_bodies<2>(faces.places(), faces.outline().body, margin * dp_);
   std::vector<int> nodes, segments;
   std::ranges::copy_if(all_nodes_, std::back_inserter(nodes), [&](int n) { return near[n]; });

@@ -53,8 +53,8 @@ class FaceCandidates {
   static constexpr double horizon = 4;       // search range, which limits how long a search is valid
   static constexpr double far_apart = 3;     // opposite faces of a thinner wall do not interact
   static constexpr double aside = 0.5;       // greatest cosine of the normals of a candidate
-  static constexpr double close_by = 4;      // initial distance; closer faces need a cosine
-  static constexpr double folded = -0.1;     // below this one
+  static constexpr double close_by = 4;      // initial distance; closer faces need a cosine below `folded`
+  static constexpr double folded = -0.1;     // see `close_by`
   static constexpr double turn_slack = 0.5;  // for rotation of nodes about their particles
 
   void search_others(const MovingFaces& faces, const WallContacts<2>& walls);

@@ -58,8 +58,8 @@ void FaceContacts::place_watched(const Particles<2>& s) {
   for (const int k : candidates_.watched_segments) faces_.set_normal(k);
 }
 
-/// f(node, foot, touch) for listed nodes that face a segment, at least up to `reach`. Inside a corner equally near
-/// sides count half each, for symmetry.
+/// f(node, foot, touch) for listed nodes that face a segment, at least up to `reach`. Inside a corner, two equally
+/// near sides count half each, for symmetry.
 template <class F>
 void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
   std::vector<double> distance2;  // [segment] m²

@@ -98,7 +98,7 @@ auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParti
   const auto is_driven = [&](int id) {
     return initial.drive[id] >= 0 && !lets_go(scene.bodies[body].drives[initial.drive[id]], scene);
   };
-  std::vector<int> loaded;  // includes driven particles
+  std::vector<int> loaded;  // particles driven to the end only for tractions and densities
   double volume = 0;        // of particles that are free at some time
   for (int id = initial.first[body]; id < initial.first[body + 1]; ++id) {
     if (initial.held[id] || load.where(initial.cell(id)) == 0) continue;
