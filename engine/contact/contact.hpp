@@ -62,7 +62,6 @@ class Contact {
   /// 0 for impulses.
   double energy(const Particles<Dim>& s) const { return mechanism_->energy(s, walls_); }
 
-  /// Pairs of two bodies, for probes.
   Neighbors neighbors(int particles) const { return mechanism_->neighbors(particles); }
   /// Null if particles determine gaps.
   ContactsOfFaces<Dim>* faces() { return faces_; }
@@ -86,7 +85,7 @@ class Contact {
   bool between_bodies_ = false;
   WallContacts<Dim> walls_;
   std::unique_ptr<ContactMechanism<Dim>> mechanism_;
-  ContactsOfFaces<Dim>* faces_ = nullptr;  // may be null
+  ContactsOfFaces<Dim>* faces_ = nullptr;
   std::vector<V> force_;
   std::vector<double> inverse_mass_;  // 1/kg
   std::vector<V> impulse_;

@@ -28,7 +28,6 @@ bool FaceCandidates::search(const Particles<2>& s, MovingFaces& faces, const Wal
   return true;
 }
 
-/// Also finds nodes near walls.
 void FaceCandidates::search_others(const MovingFaces& faces, const WallContacts<2>& walls) {
   constexpr double margin = horizon + 2;  // 2: one end of a segment lies within its length
   const std::vector<char> near = near_other_bodies<2>(faces.places(), faces.outline().body, margin * dp_);

@@ -50,11 +50,9 @@ class FacetContacts final : public ContactMechanism<3> {
   static constexpr double apart = 2.13;              // √(behind² + radius²)
   double reach_at(double p) const { return (p < 0 ? behind : before) * dp_; }
 
-  /// A facet near one body.
   struct Row {
     int facet, body;
   };
-  /// Geometry and law of a row.
   struct Touch {
     int near = 0;              // facets in range
     double cover = 0;          // Σ W

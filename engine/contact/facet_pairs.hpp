@@ -110,8 +110,8 @@ class FacetPairs {
 
  private:
   struct Cluster {
-    V low, high;    // m
-    V normal;       // mean normal
+    V low, high;  // m
+    V normal;
     double spread;  // greatest deviation from it
   };
 

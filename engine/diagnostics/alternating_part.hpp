@@ -18,7 +18,6 @@ struct AlternatingPart {
   std::vector<int> first_weight;  // [row]; equal rows may share weights
   std::vector<double> weight;
   int rows() const { return static_cast<int>(begin.size()) - 1; }
-  /// w_ij of one row.
   const double* weights(int row) const {
     return &weight[static_cast<std::size_t>(first_weight[static_cast<std::size_t>(row)])];
   }

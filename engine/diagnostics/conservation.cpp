@@ -6,10 +6,8 @@
 namespace taut {
 namespace {
 
-/// Energy minus received work.
 double energy(const Balance& sums) { return sums.kinetic + sums.strain - sums.work + sums.damped; }
 
-/// Change of momentum minus the given impulse.
 double change(const Point& now, const Point& given, const Point& start) {
   return std::hypot(now[0] - given[0] - start[0], now[1] - given[1] - start[1], now[2] - given[2] - start[2]);
 }

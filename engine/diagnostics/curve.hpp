@@ -26,8 +26,8 @@ double crossing_time(const Curve& curve, std::size_t k, double level);
 /// Part of a curve between two crossings of a level.
 struct HalfCycle {
   double begin, end;
-  double peak;     // greatest deviation, a vertex through three samples
-  double peak_at;  // its time
+  double peak;  // greatest deviation, a vertex through three samples
+  double peak_at;
 };
 
 /// Complete half cycles, from a start at the level or the first crossing. Excursions below 1/20 of the previous peak

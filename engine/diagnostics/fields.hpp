@@ -13,7 +13,6 @@ namespace taut {
 /// Objects that a field counts, each with a name and colour.
 enum class Counted : std::uint8_t { nothing, bodies, materials };
 
-/// A quantity per particle.
 struct Field {
   std::string_view key;   // as on the command line
   std::string_view name;  // as on the colour bar

@@ -43,7 +43,6 @@ struct MeasureSource {
   bool turns = true;              // an extreme at the end may still grow
 };
 
-/// Value, or the reason why there is none.
 struct Measured {
   std::optional<double> value;
   std::string why;

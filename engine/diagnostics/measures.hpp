@@ -16,8 +16,8 @@ struct MeasureResult {
   std::string name, kind, unit;
   std::optional<double> value;      // if none, see `why`
   std::optional<double> reference;  // none for these parameters or this law; 0 for differences
-  std::string reference_name;       // may be empty
-  std::optional<double> error;      // relative; absolute if the reference is 0
+  std::string reference_name;
+  std::optional<double> error;  // relative; absolute if the reference is 0
   std::string why;
 };
 

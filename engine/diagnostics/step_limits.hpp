@@ -8,7 +8,6 @@
 
 namespace taut {
 
-/// A theoretical limit.
 struct StepLimit {
   std::string_view name, source;
   double step;  // s

@@ -22,7 +22,6 @@ namespace taut {
 /// From best to worst; a run has its worst verdict.
 enum class Verdict { stable, hourglass, penetrated, fractured, diverged };
 std::string_view name(Verdict);
-/// None if unknown.
 std::optional<Verdict> find_verdict(std::string_view name);
 /// Verdicts in order; and without `stable`.
 std::vector<std::string> names_of_verdicts();

@@ -124,7 +124,6 @@ double Common<Dim>::fastest() const {
   return std::sqrt(fastest2);
 }
 
-/// Each particle must occur once.
 template <int Dim>
 bool Common<Dim>::are_of_this_scene() const {
   std::vector<bool> seen(size());

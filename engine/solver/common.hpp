@@ -25,7 +25,6 @@ inline constexpr double greatest_mach_number_of_bodies = 1000;
 /// A saved state with more steps is damaged.
 inline constexpr long most_steps = 1L << 53;
 
-/// State and services of every simulation.
 template <int Dim>
 class Common {
  public:

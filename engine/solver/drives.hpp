@@ -39,7 +39,7 @@ class Guides {
   }
 
  private:
-  std::vector<unsigned char> along_;  // see `axes`
+  std::vector<unsigned char> along_;
 };
 
 /// Particles with prescribed velocity (Drive in engine/scene/scene.hpp). Their density and stress evolve as for

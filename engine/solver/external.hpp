@@ -9,7 +9,6 @@
 
 namespace taut {
 
-/// External actions on particles, and their reaction forces.
 template <int Dim>
 struct External {
   using V = Vec<double, Dim>;

@@ -91,7 +91,7 @@ struct Column {
   bool thin = false;                                        // its gradients may reach the opposite face
   double middle = std::numeric_limits<double>::infinity();  // depth, m; infinite unless thin
   double area = 0;                                          // Σ n · S, m^(dim − 1)
-  int at_middle = 0;                                        // number of particles there
+  int at_middle = 0;
 };
 
 /// Deepest particle below i and its depth, m.

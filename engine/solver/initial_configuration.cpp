@@ -9,7 +9,6 @@
 namespace taut {
 namespace {
 
-/// Calls `f`(Kernel<name>{}).
 template <class F>
 auto with_kernel(KernelName name, const F& f) {
   switch (name) {

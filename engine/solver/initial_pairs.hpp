@@ -49,7 +49,6 @@ struct PairLanesView {
   const LaneSlot* slots = nullptr;
   const Constants* constants = nullptr;
 
-  /// Calls `f`(slot, constants) for each neighbour slot.
   template <class F>
   [[gnu::always_inline]] void for_each(int group, const F& f) const {
     const Group& own = groups[group];
@@ -94,7 +93,6 @@ struct PairLanesView {
   }
 };
 
-/// Owns the data of a PairLanesView.
 template <int Dim, int Width = Dim>
 class PairLanes {
  public:

@@ -12,8 +12,8 @@ struct Kick {
   using V = Vec<double, Dim>;
 
   double dt;  // s
-  int size;   // particles
-  V *x, *v;   // m, m/s
+  int size;
+  V *x, *v;  // m, m/s
   const double *m, *mobile;
   const V* contact;  // [i] N; may be null
   V* impulse;        // [i] N s, for probes; may be null

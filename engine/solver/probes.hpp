@@ -9,7 +9,6 @@
 
 namespace taut {
 
-/// Records a scene's probes at each step.
 template <int Dim>
 class ProbeRecorder {
  public:
