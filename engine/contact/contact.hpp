@@ -62,6 +62,7 @@ class Contact {
   /// 0 for impulses.
   double energy(const Particles<Dim>& s) const { return mechanism_->energy(s, walls_); }
 
+  /// Pairs of two bodies, for probes.
   Neighbors neighbors(int particles) const { return mechanism_->neighbors(particles); }
   /// Null if particles determine gaps.
   ContactsOfFaces<Dim>* faces() { return faces_; }

@@ -332,7 +332,7 @@ class MovingFaces {
   std::vector<int> stored_;                 // [share] storage index
   std::vector<int> behind_;                 // [node] share of the main particle
   std::vector<V> place_;                    // [node] m
-  std::vector<V> normal_;
+  std::vector<V> normal_;                   // [segment]
 };
 
 }  // namespace taut
