@@ -27,7 +27,7 @@ double stress_xz(const Snapshot& now, std::size_t i) { return now.deviator(i).xz
 double stress_yz(const Snapshot& now, std::size_t i) { return now.deviator(i).yz; }
 double stress_zz(const Snapshot& now, std::size_t i) { return now.stress(i).zz; }
 
-/// The `Rank`-th greatest eigenvalue of the stress; in 2D σ_zz is one of the three.
+/// `Rank`-th greatest principal stress, with σ_zz in 2D.
 template <int Rank>
 double principal(const Snapshot& now, std::size_t i) {
   const StressTensor t = now.stress(i);
@@ -67,7 +67,7 @@ Eigen::Matrix3d matrix(const LinearMap& map) {
 
 double volume_ratio(const LinearMap& F) { return matrix(F).determinant(); }
 
-/// Hencky's strain in the axes of space, e = ½ ln(F Fᵀ): those of the Cauchy stress. Its trace is ln J.
+/// Hencky strain ½ ln(F Fᵀ) in spatial axes; trace ln J.
 Eigen::Matrix3d logarithmic_strain(const LinearMap& map) {
   const Eigen::Matrix3d F = matrix(map);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> stretch(F * F.transpose());
@@ -80,13 +80,12 @@ double strain(const LinearMap& F) {
   return logarithmic_strain(F)(A, B);
 }
 
-/// The strain of a bar in tension that keeps its volume.
+/// Equals the axial strain of a bar in isochoric tension.
 double equivalent_strain(const LinearMap& F) {
   const Eigen::Matrix3d e = logarithmic_strain(F);
   return std::sqrt(2.0 / 3.0) * (e - e.trace() / 3 * Eigen::Matrix3d::Identity()).norm();
 }
 
-/// A field of the affine map of a particle's neighbours.
 constexpr Field of_map(std::string_view key, std::string_view name, std::string_view help, bool is_signed,
                        double (*value)(const LinearMap&), int least_dim = 2, double middle = 0) {
   return {key, name, "", help, is_signed, nullptr, least_dim, value, middle, Counted::nothing};

@@ -7,18 +7,18 @@
 namespace taut {
 namespace {
 
-/// Share of the root mean square of a patch that counts: a zigzag of 0.1 dp in a patch is judged like one of 0.03 dp in a
-/// body. Patches of the runs that the papers show as smooth stay below 0.02 dp; those that zigzag exceed 0.14 dp.
-constexpr double share_of_patch = 0.3;
+/// Weight of a patch: a zigzag of 0.1 dp in a patch is judged like one of 0.03 dp in a body. Patches stay below 0.02 dp in
+/// runs that the papers show as smooth, and exceed 0.14 dp in those that zigzag.
+constexpr double weight_of_patch = 0.3;
 
-constexpr double least_strain = 1e-8;  // over Young's modulus: stress of round-off
+constexpr double least_strain = 1e-8;  // strain of round-off: times Young's modulus, a stress
 
 }  // namespace
 
 void IndicatorRecord::take(const Reading& now, double time) {
   last = now.share();
   greatest_whole = std::max(greatest_whole, now.whole);
-  if (!(now.part > greatest_part)) return;  // nor what is no number
+  if (!(now.part > greatest_part)) return;  // or NaN
   greatest_part = now.part;
   at = time;
   particle = now.particle;
@@ -52,7 +52,7 @@ Reading IndicatorGauge::hourglass(const std::vector<double>& squared) const {
     for (int k = part_.begin[row]; k < part_.begin[row + 1]; ++k) {
       if (const int other = row_of_[part_.j[k]]; other >= 0) sum += squared[other], ++count;
     }
-    if (const double mean = share_of_patch * share_of_patch * sum / count; mean > greatest)
+    if (const double mean = weight_of_patch * weight_of_patch * sum / count; mean > greatest)
       greatest = mean, worst.particle = part_.j[part_.begin[row]];
   }
   worst.part = std::sqrt(greatest);

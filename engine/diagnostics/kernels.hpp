@@ -6,7 +6,6 @@
 
 namespace taut {
 
-/// Plain data of a Snapshot.
 struct SnapshotView {
   std::size_t size;
   const double *x, *v, *m, *rho, *p, *s;
@@ -27,26 +26,23 @@ inline SnapshotView view_of(const Snapshot& now, std::size_t first, std::size_t 
           .material = now.material.data() + first};
 }
 inline SnapshotView view_of(const Snapshot& now) { return view_of(now, 0, now.size()); }
-/// Plain data of an AlternatingPart.
 struct AlternatingView {
   int rows;
   const int *begin, *j, *first_weight;
   const double* weight;
 };
-/// The divisors of the strain energy p²/2K + s:s/4G, Pa.
+/// Divisors of p²/2K + s:s/4G, Pa.
 struct StrainDivisors {
   double twice_K, four_G;
 };
 
-/// The sums over all particles in a row of history.csv; the same to the last bit for any instruction set.
+/// Sums for a row of history.csv, bit-identical for all instruction sets.
 struct HistoryKernels {
-  /// Sums of squares of the alternating parts of x (with `spacing`² at most), p and stress, and of p and stress
-  /// themselves: out[0 … 2] and out[3 … 5], see AlternatingSums.
-  /// `squared`: [row] squares of the alternating part of x.
+  /// Three sums of AlternatingSums::part, x at most `spacing`² each, then those of `whole`. `squared`: [row]
+  /// AlternatingSums::x.
   void (*alternating_sums)(const AlternatingView& part, const SnapshotView& now, double spacing, double* out,
                            double* squared);
-  /// Kinetic and strain energy, scales of linear and angular momentum; linear momentum; angular momentum: 4, 3 and 3
-  /// numbers. `materials` by material.
+  /// 4 + 3 + 3 numbers: kinetic and strain energy, scales of linear and angular momentum; linear; angular momentum.
   void (*balance)(const SnapshotView& now, const StrainDivisors* materials, double contact_energy,
                   double* out);
 };

@@ -7,28 +7,20 @@
 
 namespace taut {
 
-/// The widest angle between neighbours of these directions (rad, sorted here); a full turn of fewer than two.
+/// Widest angle between neighbouring directions, rad, sorted here; a full turn for fewer than two.
 double widest_gap(std::span<double> directions);
 
-/// Finds particles that have gone through a surface: a particle lies inside a far part when the particles of
-/// that part within 1.5 dp leave no gap wider than 2π/3 around it; in 3D no empty cone as wide as that: each
-/// of 98 directions spread over the sphere has one of them within π/3. Far are particles of another body, and
-/// those of its own that were more than 4 dp away at the start. A face that touches another one has it on one
-/// side: the gap is near π, dented or interlocked by a row too. Behind two particles of a surface that are 1
-/// dp apart the gap is 2π/3 at a depth of 0.29 dp; in 3D behind the middle of four it is at 0.41 dp. One that is
-/// nearer than that tells no direction: of two faces that touch particle on particle the one is a hair behind the other.
-///
-/// Only particles of a surface are asked, those that their own neighbours of the start leave such a gap, and
-/// of them only those with a far one of a surface within 1.5 dp: where two parts overlap their outlines
-/// cross. A body that is inside another without a crossing at any time it is looked at is not found.
-///
-/// Whom to ask, and about whom, is listed out to 2.5 dp, and again only when two particles can have come 1 dp
-/// nearer: by the diagonal of the box of all displacements since, which a common motion leaves small. In a
-/// body that is strained little nobody is asked. What is found does not depend on when the lists were made.
+/// Finds particles inside a far part: its particles within 1.5 dp leave no gap wider than 2π/3 around them (3D: no
+/// empty cone of that width). Far are other bodies, and particles initially more than 4 dp away. Touching faces leave
+/// gaps near π. Neighbours within 0.29 dp (3D: 0.41 dp), where the gap behind a surface reaches 2π/3, do not count.
+/// Tests surface particles, which initially have such a gap, near far surface particles, because outlines of
+/// overlapping parts cross. Misses a body inside another without an observed crossing.
+/// Lists candidates out to 2.5 dp, until two particles may have approached by 1 dp, the diagonal of the box of
+/// displacements.
 class Penetration {
  public:
   Penetration(const Snapshot& start, double spacing, int threads = 1);
-  /// How many particles of a surface lie inside a far part, close behind its surface.
+  /// Returns the number of such particles.
   int operator()(const Snapshot& now);
 
  private:
@@ -50,11 +42,11 @@ class Penetration {
   bool is_inside(const Snapshot& now, const Asked& asked, Around& around) const;
 
   double spacing_;            // m
-  std::vector<int> surface_;  // its particles, in rising order
+  std::vector<int> surface_;  // ascending
   std::vector<bool> on_surface_;
-  std::vector<double> at_search_;  // Snapshot::x; empty before the first
+  std::vector<double> at_search_;  // Snapshot::x; initially empty
   std::vector<Asked> asked_;
-  std::vector<int> near_;  // far particles that may be near
+  std::vector<int> near_;  // far candidates
 };
 
 }  // namespace taut

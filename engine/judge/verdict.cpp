@@ -21,7 +21,7 @@ constexpr std::array<std::pair<Verdict, std::string_view>, 5> verdicts = {{
     {Verdict::diverged, "diverged"},
 }};
 
-/// The vector from one particle to another, of the places `x`.
+/// From i to j at positions `x`.
 template <int Dim>
 std::array<double, Dim> between(const std::vector<double>& x, int i, int j) {
   std::array<double, Dim> d;
@@ -65,7 +65,7 @@ Judge::Judge(const Scene& scene, const Snapshot& start, double support, bool kee
       energies_(scene, start, support, keeps_neighbors),
       penetration_(start, scene.spacing, threads) {
   for (const Material& material : scene.materials) compliance_.push_back(1 / material.youngs_modulus);
-  // 1.5 dp: the eight nearest of a square lattice (√2 dp), the six of a hexagonal one, no second row
+  // eight neighbours on a square lattice, six on a hexagonal one
   const auto add = [this](int i, int j) { bonds_.push_back({i, j, false}); };
   for_each_close_pair(start, 1.5 * scene.spacing, add, threads);
   bonds_.shrink_to_fit();
@@ -97,7 +97,7 @@ Judge::Judge(const Scene& scene, const Simulation& simulation)
 }
 
 void Judge::observe(const Snapshot& now, const Balance& balance, const Readings& readings) {
-  // the angular scale contains every position, the energies every other value
+  // the angular scale contains all positions, energies all else
   const bool finite = std::isfinite(balance.kinetic + balance.strain) && std::isfinite(balance.angular_scale);
   if (!finite || energies_.diverges(now)) since_.try_emplace(Verdict::diverged, now.time);
   if (!finite) return;
@@ -151,8 +151,8 @@ double Judge::compliance(const Bond& bond, const Snapshot& now) const {
   return compliance_[now.material[bond.i]] + compliance_[now.material[bond.j]];
 }
 
-/// A crack stretches a bond, but not the bonds that continue it within 26°, at the start and now. A smooth
-/// displacement stretches all of them alike, a uniform traction in proportion to their compliance.
+/// A crack stretches a bond but not its continuations within 26°. Smooth deformation stretches both, in proportion to
+/// their compliance.
 template <int Dim>
 bool Judge::stands_out(const Bond& bond, const Snapshot& now) const {
   constexpr double jump = 1.5, straight = 0.9;  // of stretches; cosine
@@ -196,13 +196,13 @@ int Judge::count_pieces() const {
 }
 
 bool Judge::has_crack() const {
-  std::vector<int> seen(particles_, -1);  // the last bond from which a particle was reached
+  std::vector<int> seen(particles_, -1);  // [particle] last bond that reached it
   for (std::size_t b = 0; b < bonds_.size(); ++b)
     if (bonds_[b].broken && !bypassed(static_cast<int>(b), seen)) return true;
   return false;
 }
 
-/// Whether some way of at most `around` unbroken bonds leads from one end of a bond to the other.
+/// Whether at most `around` unbroken bonds connect its ends.
 bool Judge::bypassed(int bond, std::vector<int>& seen) const {
   constexpr int around = 8;
   const auto [start, goal, broken] = bonds_[static_cast<std::size_t>(bond)];
