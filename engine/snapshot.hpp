@@ -7,18 +7,18 @@
 
 namespace taut {
 
-/// What bodies were given from outside.
+/// Impulse received from outside.
 struct Impulse {
   Point linear{};   // N s (per metre depth in 2D)
-  Point angular{};  // about the origin, N m s; in 2D only the last component
+  Point angular{};  // about the origin, N m s; in 2D only z
 };
 
-/// The components of a stress, Pa. In 2D xz and yz are 0.
+/// Stress components, Pa; xz and yz are 0 in 2D.
 struct StressTensor {
   double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
 };
 
-/// The particles at one time, in the order of their creation, whatever order the solver keeps them in.
+/// All particles at one time, in order of creation. In 2D, masses and energies are per metre depth.
 struct Snapshot {
   int dim = 2;
   double time = 0;  // s
@@ -26,21 +26,20 @@ struct Snapshot {
   std::vector<double> x0;   // initial position, n × dim, m
   std::vector<double> x;    // position, n × dim, m
   std::vector<double> v;    // velocity, n × dim, m/s
-  std::vector<double> m;    // mass (per metre depth in 2D), kg
+  std::vector<double> m;    // mass, kg
   std::vector<double> rho;  // density, kg/m³
   std::vector<double> p;    // pressure, positive in compression, Pa
   std::vector<double> s;    // deviatoric stress xx, xy, yy, zz (2D) or xx, xy, xz, yy, yz, zz (3D), Pa
-  std::vector<double>
-      strain_energy;          // of methods that have one of their own, J (per metre depth in 2D); else empty
-  double contact_energy = 0;  // of the contacts of bodies, J (per metre depth in 2D)
-  double work = 0;            // of driven particles, loads and gravity so far, J (per metre depth in 2D)
-  double damped = 0;          // taken by the scene's damping so far, J (per metre depth in 2D)
-  Impulse of_walls;           // so far
-  std::vector<double> diameter;  // of a particle as drawn: V0^(1/dim), m
-  std::vector<int> body;         // index into Scene::bodies
-  std::vector<int> material;     // index into Scene::materials
+  std::vector<double> strain_energy;  // J; empty for methods that do not define it
+  double contact_energy = 0;          // stored in contacts, J
+  double work = 0;                    // done by drives, loads and gravity so far, J
+  double damped = 0;                  // energy removed by Scene::damping so far, J
+  Impulse of_walls;                   // from all walls so far
+  std::vector<double> diameter;       // as drawn: V0^(1/dim), m
+  std::vector<int> body;              // index into Scene::bodies
+  std::vector<int> material;          // index into Scene::materials
   std::vector<unsigned char> held;
-  std::vector<unsigned char> driven;  // of a region that the scene moves up to some time
+  std::vector<unsigned char> driven;  // in a region that is driven at some time
 
   std::size_t size() const { return m.size(); }
 
@@ -60,7 +59,7 @@ struct Snapshot {
     return sigma;
   }
 
-  /// Room for the fields of n particles but `strain_energy`.
+  /// Allocates the fields of n particles, except `strain_energy`.
   void resize(int dimensions, std::size_t n) {
     dim = dimensions;
     const auto d = static_cast<std::size_t>(dim);
