@@ -4,14 +4,14 @@
 
 namespace taut {
 
-/// A cuboid in 3D.
+/// A rectangle or cuboid.
 struct Box final : ShapeBase {
   Point low{}, high{};
 
   Box() = default;
   Box(const Point& low, const Point& high) : low(low), high(high) {}
 
-  /// Along an axis, about dp wide, where particles stand on the faces.
+  /// Number of cells, about dp wide, for particles on the faces.
   long cells(std::size_t axis, double dp) const;
 
   Bounds bounds() const override { return {low, high}; }
