@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// What gives the stress for the deformation gradient; engine/materials/.
+/// Elastic laws, see engine/materials/.
 enum class Law : std::uint8_t {
   none,
   neo_hookean,
@@ -14,15 +14,15 @@ enum class Law : std::uint8_t {
   rotated_piola,
 };
 
-/// Volume ratio and cofactor of F may be unknowns of their own; the other laws take them from F.
+/// Whether volume ratio and cofactor of F may be unknowns; other laws compute them from F.
 constexpr bool takes_volume_ratio(Law law) { return law == Law::neo_hookean || law == Law::mooney_rivlin; }
 
-/// The laws that a user may choose in place of the published one, among those with a LawRow::choice.
+/// Laws that users may choose, among those with LawRow::choice.
 enum class OtherLaws : std::uint8_t { none, all, with_volume_ratio };
 
-/// The switches of every method on the initial configuration.
+/// Switches of the methods with an initial configuration.
 struct ElasticSwitches {
-  Law law = Law::neo_hookean;  // the published one
+  Law law = Law::neo_hookean;  // published
   OtherLaws others = OtherLaws::none;
 };
 

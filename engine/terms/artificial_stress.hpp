@@ -6,9 +6,8 @@
 #include "engine/core/tensor.hpp"
 #include "engine/term_info.hpp"
 
-/// Gray's artificial stress: tension is met by a small repulsion between close particles.
-/// [Zhang2024] names it for SPH-OAS with neither equations nor values; these are Gray, Monaghan, Swift
-/// (2001): ε = 0.3, n = 4, R of both particles over ρ².
+/// Gray's artificial stress: close particles in tension repel each other. [Zhang2024] gives no equations or values
+/// for SPH-OAS; these are from Gray, Monaghan, Swift (2001): ε = 0.3, n = 4, R of both particles over ρ².
 namespace taut {
 
 /// σ⁺ = Σ_k max(σ_k, 0) n_k ⊗ n_k over the principal stresses.
@@ -22,8 +21,7 @@ inline Sym<double, 2> positive_part(const Sym<double, 2>& sigma) {
   const double scale = 0.5 * greatest / radius;  // greatest · n ⊗ n = ½ greatest (I + deviator/radius)
   return {scale * (radius + half), scale * sigma(0, 1), scale * (radius - half)};
 }
-/// In 3D each positive principal stress is found with its axis by Jacobi's rotations. Ours: the paper that
-/// names the stress has no instance in 3D, and prints a rotation of the plane.
+/// Jacobi's rotations; ours, since the paper has no 3D.
 inline Sym<double, 3> positive_part(const Sym<double, 3>& sigma) {
   const Principal principal = principal_axes(sigma);
   Sym<double, 3> positive{};
@@ -31,7 +29,7 @@ inline Sym<double, 3> positive_part(const Sym<double, 3>& sigma) {
     if (principal.value[k] > 0) add_outer(positive, principal.value[k], principal.axis[k]);
   return positive;
 }
-/// As the stress divergence of [Khayyer2024] has it: without correction, with it, and with tensile control.
+/// Forms of [Khayyer2024]: uncorrected, corrected, with tensile control.
 inline constexpr TermInfo repulsion_info{
     "artificial stress", "dv/dt = ε Σ (W/W(dp))ⁿ of the stress divergence of −σ⁺", "[Khayyer2024] Eq. 17–21",
     "terms/artificial_stress.hpp:positive_part",
