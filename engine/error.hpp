@@ -5,14 +5,14 @@
 
 namespace taut {
 
-/// An invalid command line or value given to the library. The message states what is allowed.
+/// Invalid command line or value. The message states what is allowed.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// An invalid scene. `key` is the dotted path of the wrong value ("body.left.velocity"). The scene's reader adds the
-/// place in the file, which the engine does not know.
+/// Invalid scene. `key` is the dotted path of the wrong value ("body.left.velocity"); the reader adds the place in
+/// the file.
 class SceneError : public std::runtime_error {
  public:
   SceneError(std::string key, const std::string& what) : SceneError("", 0, 0, std::move(key), what) {}
@@ -25,7 +25,7 @@ class SceneError : public std::runtime_error {
   std::string key;
 };
 
-/// A simulation produced a value that is not finite.
+/// A value became infinite or NaN.
 class NumericalError : public std::runtime_error {
  public:
   NumericalError(long step, double time, long particle, std::string field, const std::string& what)
@@ -37,7 +37,7 @@ class NumericalError : public std::runtime_error {
   std::string field;
 };
 
-/// A failure to write output.
+/// Output could not be written.
 class OutputError : public std::runtime_error {
  public:
   OutputError(std::string path, const std::string& what) : std::runtime_error(what), path(std::move(path)) {}

@@ -6,19 +6,19 @@
 
 namespace taut {
 
-/// A rigid wall; `normal` points to the bodies.
+/// `normal` points to the bodies.
 struct WallFace {
   std::array<double, 3> at{}, normal{};  // m; unit vector
 };
 
-/// Input of a renderer: particles and one coloured field at one time. The caller owns the arrays of n particles.
+/// Input of a renderer: one coloured field at one time, n particles. The caller owns the arrays.
 struct FrameView {
   int dim = 2;
   double time = 0;                   // s
   std::span<const double> x;         // positions, n × dim, m
   std::span<const double> diameter;  // m
   std::span<const double> value;     // coloured field, in `unit`
-  std::span<const double> cell;  // edge vectors of each particle's cell, n × dim vectors, m; empty = round
+  std::span<const double> cell;      // edge vectors of cells, n × dim vectors, m; empty = round
   std::span<const WallFace> walls;
   std::string_view field;   // "von Mises stress"
   std::string_view unit;    // "Pa"

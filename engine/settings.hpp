@@ -9,19 +9,22 @@ namespace taut {
 /// Method of a scene that names none.
 inline constexpr std::string_view default_method = "oenog";
 
-enum class Stepping { dual, single };  // cached pair geometry between advection steps [Zhang2024] §5, or none
+enum class Stepping {
+  dual,
+  single
+};  // whether pair geometry is cached between advection steps [Zhang2024] §5
 
-/// Upper bound of the instruction set; the best supported one is used. All produce identical bytes.
+/// Upper bound; the best supported set is used. All give identical bytes.
 enum class InstructionSet { baseline, x86_64_v3, x86_64_v4 };
 
-/// Settings of a run; default members select the method's published defaults.
+/// Settings of a run; defaults select the method's published values.
 struct Settings {
   std::string method{default_method};
   std::map<std::string, double> constants;  // method constants by name, e.g. {"zeta", 4.0}
-  std::string law;  // elastic law, if the method allows a choice (MethodInfo::laws); empty = its first
+  std::string law;                          // elastic law, if the method allows a choice; empty = its first
   Stepping stepping = Stepping::dual;
   double cfl = 0;   // time step × fastest wave speed / h (oenog: / dp); 0 = the method's default
-  double step = 0;  // fixed time step, s; 0 = from cfl
+  double step = 0;  // fixed, s; 0 = from cfl
   int threads = 0;  // 0 = all cores, fewer in small scenes
   InstructionSet instruction_set = InstructionSet::x86_64_v4;
 };

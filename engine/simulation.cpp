@@ -15,7 +15,6 @@
 namespace taut {
 namespace {
 
-/// Throws UsageError if the method lacks a constant or the value is out of bounds.
 void check_constants(const MethodInfo& method, const Settings& settings, int dim) {
   const std::vector<MethodConstant> constants = method_constants(method.formulation, dim);
   for (const auto& [name, value] : settings.constants) {
@@ -32,7 +31,6 @@ void check_constants(const MethodInfo& method, const Settings& settings, int dim
   }
 }
 
-/// Elastic constants of a material; `parameters` of its law have defaults.
 Elasticity elasticity(const Material& material, std::span<const LawParameter> parameters) {
   Elasticity e{material.density, material.sound_speed(), material.bulk_modulus(), material.shear_modulus()};
   for (std::size_t k = 0; k < parameters.size(); ++k) {
@@ -54,7 +52,6 @@ bool same(const Material& a, const Material& b) {
          a.poisson_ratio == b.poisson_ratio && a.bulk_modulus() == b.bulk_modulus() && a.of_laws == b.of_laws;
 }
 
-/// Throws SceneError if the method does not support the scene's dimension.
 void check_dimension(const Scene& scene, const MethodInfo& method) {
   if (scene.dim <= method.formulation.greatest_dim) return;
   std::string others;
@@ -65,7 +62,6 @@ void check_dimension(const Scene& scene, const MethodInfo& method) {
                                       method.name, others));
 }
 
-/// Comma-separated names of the methods that allow several materials.
 std::string of_several(int dim) {
   std::string names;
   for (const MethodInfo& method : methods())
@@ -74,7 +70,6 @@ std::string of_several(int dim) {
   return names;
 }
 
-/// Throws SceneError if the method allows one material and the scene has several.
 void check_materials(const Scene& scene, const InitialParticles& initial, const MethodInfo& method) {
   if (method.several_materials) return;
   const int first = initial.material.front();
@@ -89,7 +84,6 @@ void check_materials(const Scene& scene, const InitialParticles& initial, const 
   }
 }
 
-/// Throws SceneError for displacements if the method has no initial configuration.
 void check_displacements(const Scene& scene, const MethodInfo& method) {
   if (method.keeps_neighbors) return;
   for (const Body& body : scene.bodies)
@@ -102,14 +96,14 @@ void check_displacements(const Scene& scene, const MethodInfo& method) {
                              "use a method with initial neighbours, such as tl or oenog");
 }
 
-/// Throws SceneError for a body that starts inside a wall: if a particle is behind its face, or if an undisplaced
-/// shape is more than `greatest_depth` spacings behind it. Clamped regions are exempt.
+/// Throws SceneError if a particle starts behind a wall's face, or an undisplaced shape more than `greatest_depth`
+/// spacings behind. Clamped regions are exempt.
 void check_walls(const Scene& scene, const InitialParticles& initial) {
   const double dp = scene.spacing;
   for (const Wall& wall : scene.walls) {
     for (int i = 0; i < initial.size(); ++i) {
       const Body& body = scene.bodies[initial.body[i]];
-      Point deep = initial.at_start(i);  // then moved below the particle, behind the face
+      Point deep = initial.at_start(i);  // then below it, behind the face
       double height = 0;
       for (std::size_t k = 0; k < 3; ++k) height += (deep[k] - wall.at[k]) * wall.normal[k];
       if (initial.held[i] || height > dp) continue;
@@ -131,7 +125,6 @@ void check_walls(const Scene& scene, const InitialParticles& initial) {
   }
 }
 
-/// Constants common to all methods.
 Constants common_constants(const std::vector<Elasticity>& materials, const InitialParticles& initial,
                            const Scene& scene, const Settings& settings, const MethodInfo& method,
                            const ConstantValues& values) {
@@ -146,7 +139,6 @@ Constants common_constants(const std::vector<Elasticity>& materials, const Initi
   return c;
 }
 
-/// Default number of threads: all cores, fewer for small scenes.
 int useful_threads(int particles) {
   constexpr int least_particles = 300;  // per thread
   return std::clamp(particles / least_particles, 1, cores());

@@ -7,18 +7,17 @@
 
 namespace taut {
 
-/// Impulse received from outside.
 struct Impulse {
   Point linear{};   // N s (per metre depth in 2D)
   Point angular{};  // about the origin, N m s; in 2D only z
 };
 
-/// Stress components, Pa; xz and yz are 0 in 2D.
+/// Pa
 struct StressTensor {
   double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
 };
 
-/// All particles at one time, in order of creation. In 2D, masses and energies are per metre depth.
+/// Particles in order of creation. In 2D, masses and energies are per metre depth.
 struct Snapshot {
   int dim = 2;
   double time = 0;  // s
@@ -32,8 +31,8 @@ struct Snapshot {
   std::vector<double> s;    // deviatoric stress xx, xy, yy, zz (2D) or xx, xy, xz, yy, yz, zz (3D), Pa
   std::vector<double> strain_energy;  // J; empty for methods that do not define it
   double contact_energy = 0;          // stored in contacts, J
-  double work = 0;                    // done by drives, loads and gravity so far, J
-  double damped = 0;                  // energy removed by Scene::damping so far, J
+  double work = 0;                    // of drives, loads and gravity so far, J
+  double damped = 0;                  // by Scene::damping so far, J
   Impulse of_walls;                   // from all walls so far
   std::vector<double> diameter;       // as drawn: V0^(1/dim), m
   std::vector<int> body;              // index into Scene::bodies
@@ -59,7 +58,7 @@ struct Snapshot {
     return sigma;
   }
 
-  /// Allocates the fields of n particles, except `strain_energy`.
+  /// All but `strain_energy`.
   void resize(int dimensions, std::size_t n) {
     dim = dimensions;
     const auto d = static_cast<std::size_t>(dim);

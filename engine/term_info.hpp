@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// A term of a method: equation, source, function and test. Defined below its function.
+/// Equation, source, function and test of a term. Defined below its function.
 struct TermInfo {
   std::string_view what;      // "stress rate"
   std::string_view formula;   // in Unicode
@@ -13,7 +13,7 @@ struct TermInfo {
   std::string_view test;      // name of its test case
 };
 
-/// Names where a method's paper restates a term whose TermInfo cites another paper.
+/// Where a method's paper states a term whose TermInfo cites another one.
 struct Citation {
   std::string_view what;    // TermInfo::what
   std::string_view source;  // replaces TermInfo::source

@@ -16,7 +16,6 @@
 namespace taut {
 namespace {
 
-/// Warns about bodies whose shapes the lattice does not fit.
 void warn_about_masses(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   constexpr double tolerated = 0.02;
   std::vector<double> volume(scene.bodies.size());  // [body], undeformed, m^dim
@@ -36,8 +35,7 @@ void warn_about_masses(std::vector<std::string>& warnings, const Scene& scene, c
   }
 }
 
-/// Warns about supersonic bodies, mostly unit errors such as a modulus in MPa. In a closed scene, speeds are relative
-/// to the common motion.
+/// Supersonic speeds are mostly unit errors. In a closed scene, speeds are relative to the common motion.
 void warn_about_speeds(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   const auto dim = static_cast<std::size_t>(start.dim);
   Point common{};  // m/s
@@ -63,7 +61,7 @@ void warn_about_speeds(std::vector<std::string>& warnings, const Scene& scene, c
 
 void warn_about_contacts(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   constexpr double of_motion = 1e-3;
-  constexpr double of_stiffness = 1e-9;  // energy of a uniform strain of about 1e-5
+  constexpr double of_stiffness = 1e-9;  // of a uniform strain of about 1e-5
   const double kinetic = balance(start, scene).kinetic, stored = start.contact_energy;  // J
   double stiffness = 0;                                                                 // J
   for (std::size_t i = 0; i < start.size(); ++i) {
@@ -78,11 +76,11 @@ void warn_about_contacts(std::vector<std::string>& warnings, const Scene& scene,
                   stored, share));
 }
 
-/// Warns if `sph` may join two bodies: less than two spacings apart and within the kernel support.
+/// `sph` may join bodies less than two spacings apart and within the kernel support.
 void warn_about_joined_bodies(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start,
                               double support) {
-  constexpr double parts = 2 - 1e-6;         // spacings; at this distance bodies separate with every method
-  std::optional<std::pair<int, int>> first;  // first body pair in scene order
+  constexpr double parts = 2 - 1e-6;         // spacings; bodies this far apart separate
+  std::optional<std::pair<int, int>> first;  // in scene order
   double nearest = std::min(support, parts * scene.spacing);
   for_each_meeting_pair(start, nearest, [&](int i, int j) {
     const std::pair bodies(start.body[static_cast<std::size_t>(i)], start.body[static_cast<std::size_t>(j)]);
@@ -105,7 +103,7 @@ void warn_about_joined_bodies(std::vector<std::string>& warnings, const Scene& s
 
 std::string warning_about_reactions(const Scene& scene, const MethodInfo& method) {
   const auto is_reaction = [](const Probe& probe) { return probe.kind == Probe::Kind::reaction; };
-  // pair forces of [Khayyer2024] §3.4 are not equal and opposite
+  // [Khayyer2024] §3.4: pair forces are not equal and opposite
   const auto* cauchy = as<UlCauchyFormulation>(method.formulation);
   if (!cauchy || !cauchy->tensile_control || std::ranges::none_of(scene.probes, is_reaction)) return "";
   return fmt::format(

@@ -20,7 +20,7 @@ namespace taut {
 template <class T>
 concept Count = std::integral<T> && !std::same_as<T, bool>;
 
-/// Whether `value` is an index into `bound` elements; checks pairs componentwise.
+/// For pairs componentwise.
 template <Count T, Count Bound>
 bool is_below(T value, Bound bound) {
   return std::cmp_greater_equal(value, 0) && std::cmp_less(value, bound);
@@ -30,7 +30,7 @@ bool is_below(const std::pair<T, T>& pair, const std::pair<Bound, Bound>& bound)
   return is_below(pair.first, bound.first) && is_below(pair.second, bound.second);
 }
 
-/// Whether `begin` lists the begins of `rows` rows in a list of `entries`, then `entries`.
+/// Whether `begin` holds `rows` offsets into a list, then its length `entries`.
 template <Count T>
 bool are_rows(const std::vector<T>& begin, std::size_t rows, std::size_t entries) {
   return begin.size() == rows + 1 && begin.front() == 0 && std::cmp_equal(begin.back(), entries) &&
@@ -39,8 +39,8 @@ bool are_rows(const std::vector<T>& begin, std::size_t rows, std::size_t entries
 
 /// Common part of Saver and Loader: `archive(a, b, …)` visits values in a fixed order. A class lists its members in
 /// `serialize(Archive&)`; trivially copyable types need none. Files are valid for one machine and build only.
-/// Loaded data is untrusted, even if its checksum is right. Values used to address memory must be listed with
-/// `fixed`, `indices`, `rows` or `check`; bytewise copies must contain numbers only.
+/// Loaded data is untrusted, even with a right checksum. Values used to address memory must be listed with `fixed`,
+/// `indices`, `rows` or `check`; bytewise copies must contain numbers only.
 template <class Side>
 class Archive {
  public:
@@ -49,18 +49,18 @@ class Archive {
     (one(values), ...);
   }
 
-  /// Lists that must have their present length when loaded.
+  /// The length must match when loaded.
   template <class... T>
   void fixed(std::vector<T>&... lists) {
     (one_fixed(lists), ...);
   }
-  /// Indices below `bound`, or index pairs with a pair of bounds.
+  /// Indices below `bound`, or pairs of them.
   template <class T, class Bound>
   void indices(std::vector<T>& list, const Bound& bound) {
     one(list);
     check("an index", [&] { return are_below(list, bound); });
   }
-  /// `count` rows of indices below `bound`: row i is list[width · begin[i]] … list[width · begin[i + 1] − 1].
+  /// Row i is list[width · begin[i]] … list[width · begin[i + 1] − 1], indices below `bound`.
   template <class T, class Bound>
   void rows(std::vector<int>& begin, std::size_t count, std::vector<T>& list, const Bound& bound,
             std::size_t width = 1) {
@@ -120,7 +120,7 @@ class Archive {
     check("the length of a list", [&] { return size == values.size(); });
     elements(values, size);
   }
-  /// Grows a short list element by element, so that an invalid length allocates no memory.
+  /// Grows element by element, so that an invalid length allocates no memory.
   template <class T>
   void elements(std::vector<T>& values, std::size_t size) {
     if constexpr (is_copied<T>) {
@@ -187,7 +187,7 @@ class Saver : public Archive<Saver> {
   std::string bytes_;
 };
 
-/// Throws UsageError for bytes that a Saver did not write for the same list of values.
+/// Throws UsageError for bytes that no Saver wrote for the same values.
 class Loader : public Archive<Loader> {
  public:
   static constexpr bool loads = true;

@@ -7,7 +7,7 @@
 
 namespace taut {
 
-/// N numbers per particle, column by column, so that four consecutive particles form a pack.
+/// N numbers per particle, column by column: four consecutive particles form a pack.
 template <int N>
 struct ColumnsView {
   double* all = nullptr;
@@ -37,7 +37,7 @@ class Columns : public ColumnsView<N> {
   std::vector<double> numbers_;
 };
 
-/// Converts four vectors from columns (x0 x1 x2 x3, y0 …) to rows (x0 y0 x1 …).
+/// Four vectors, from columns (x0 x1 x2 x3, y0 …) to rows (x0 y0 x1 …).
 inline void interleave(const Pack (&columns)[2], Pack (&rows)[2]) {
   const auto& [x, y] = columns;
   rows[0] = __builtin_shufflevector(x, y, 0, 4, 1, 5);
@@ -64,7 +64,6 @@ inline void separate(const Pack (&rows)[3], Pack (&columns)[3]) {
   columns[2] = __builtin_shufflevector(__builtin_shufflevector(a, b, 2, 5, 5, 5), c, 0, 1, 4, 7);
 }
 
-/// First Dim columns of four particles.
 template <int Dim, int N>
 Vec<Pack, Dim> vector_at(const ColumnsView<N>& columns, int first) {
   Vec<Pack, Dim> v;
@@ -84,7 +83,7 @@ void put(const Mat<Pack, Dim>& A, const ColumnsView<Dim * Dim>& columns, int fir
     for (int b = 0; b < Dim; ++b) store(A(a, b), columns[a * Dim + b] + first);
 }
 
-/// Loads four consecutive vectors; lanes from `count` on are 0.
+/// Lanes from `count` on are 0.
 template <int Dim>
 Vec<Pack, Dim> four_of(const Vec<double, Dim>* rows, int count) {
   Vec<Pack, Dim> v{};

@@ -9,9 +9,9 @@
 
 namespace taut {
 
-/// x^(−1/3) to a relative 4e-16 for |x| from 1e-300 to 1e300; odd in x. Faster than std::cbrt, and bit-identical on
-/// all machines. A third of the exponent is right within 3 %. Each round raises the error r of x y³ = 1 − r to the
-/// fourth power: (1 − r)^(−1/3) = 1 + r/3 + 2r²/9 + 14r³/81 + …
+/// x^(−1/3) to a relative 4e-16 for |x| from 1e-300 to 1e300; odd. Faster than std::cbrt, bit-identical on all
+/// machines. Each round raises the error r of x y³ = 1 − r to the fourth power: (1 − r)^(−1/3) = 1 + r/3 + 2r²/9 +
+/// 14r³/81 + …
 inline double inverse_cube_root(double x) {
   constexpr std::uint64_t guess = 0x553ef0ff289dd796u;  // Moroz et al., Energies 14 (2021) 1058
   const double a = std::abs(x);
@@ -22,7 +22,7 @@ inline double inverse_cube_root(double x) {
   }
   return std::copysign(y, x);
 }
-/// May differ in the last bit: the first value uses half of the bits.
+/// May differ in the last bit.
 inline Pack inverse_cube_root(const Pack& x) {
   constexpr long long guess = 0x553ef0ff289dd796, third = 0x55555556;
   constexpr long long sign = std::numeric_limits<long long>::min();

@@ -5,15 +5,14 @@
 #include "engine/core/machine.hpp"
 #include "engine/settings.hpp"
 
-/// Kernels are loops over particles and pairs on plain data. Each kernels.cpp is compiled once per instruction set
-/// and makes tables of pointers to its kernels. Special builds rename the namespace with the macro `taut`
-/// (engine/CMakeLists.txt), so that the linker shares no inline functions.
+/// Kernels: loops on plain data, compiled once per instruction set (kernels.cpp). Special builds rename the namespace
+/// with the macro `taut` (engine/CMakeLists.txt), so that the linker shares no inline functions.
 namespace taut {
 
-/// Values from 100 on differ from those of Family.
+/// From 100 on, unlike Family.
 enum class SharedKernels { neighbor_search = 100, history_row };
 
-/// Kernel table of this build; null if there is none. `Key`: a Family or SharedKernels. Specialised in kernels.cpp.
+/// Kernel table of this build, or null. `Key`: a Family or SharedKernels. Specialised in kernels.cpp.
 template <int Key>
 const void* kernels_of(int dim, std::string_view method);
 
@@ -32,8 +31,8 @@ const void* kernels_of(int dim, std::string_view method);
 
 namespace taut {
 
-/// Kernel table for the machine's best instruction set up to `allowed`. Types have equal names and layouts in all
-/// builds. `with_v4`: kernels for x86-64-v4 exist.
+/// Kernel table for the machine's best instruction set up to `allowed`; types have equal layouts in all builds.
+/// `with_v4`: kernels for x86-64-v4 exist.
 template <auto Key, class Kernels, bool with_v4 = false>
 const Kernels& best_kernels(int dim, std::string_view method = "",
                             InstructionSet allowed = InstructionSet::x86_64_v4) {

@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// Median (the upper of two) of at least one number; reorders them.
+/// Upper median of at least one number; reorders them.
 double median(std::span<double> some);
 
 }  // namespace taut

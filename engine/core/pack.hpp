@@ -5,13 +5,13 @@
 
 namespace taut {
 
-/// Four doubles: four neighbours of one particle, or one neighbour of each of four. A compiler vector type: terms
-/// written for T serve double and Pack. Without AVX results are bit-identical.
+/// Four neighbours of one particle, or one neighbour of each of four. A compiler vector type: terms written for T
+/// serve double and Pack. Without AVX results are bit-identical.
 inline constexpr int lanes = 4;
 typedef double Pack __attribute__((vector_size(lanes * sizeof(double))));
 typedef long long PackIndex __attribute__((vector_size(lanes * sizeof(long long))));
 
-/// Replaces a factor that the calling pass includes elsewhere.
+/// A factor that the calling pass includes elsewhere.
 inline constexpr Pack one = {1, 1, 1, 1};
 
 /// Not aligned.
@@ -25,7 +25,7 @@ inline Pack load(const double* from, int count) {
 }
 inline void store(const Pack& a, double* to) { *reinterpret_cast<UnalignedPack*>(to) = a; }
 
-/// A Pack in an array; without AVX, GCC aligns a bare Pack less.
+/// Without AVX, GCC aligns a bare Pack less.
 struct AlignedPack {
   alignas(lanes * sizeof(double)) Pack value;
 };
@@ -74,7 +74,7 @@ T max(const T& a, const T& b) {
   return a > b ? a : b;
 }
 #ifdef __AVX__
-// single instructions, bit-identical to the templates, also for NaN
+// bit-identical to the templates, also for NaN
 inline Pack min(const Pack& a, const Pack& b) { return __builtin_ia32_minpd256(a, b); }
 inline Pack max(const Pack& a, const Pack& b) { return __builtin_ia32_maxpd256(a, b); }
 #endif
@@ -94,8 +94,7 @@ T power(const T& a) {
   for (int k = 1; k < N; ++k) r *= a;
   return r;
 }
-/// aⁿ for a, n ≥ 0 without a library call, which would spill the registers of a loop: squares for the integer part of
-/// n, roots for the rest.
+/// a, n ≥ 0. Squares and roots, since a library call would spill a loop's registers.
 inline Pack power(const Pack& a, double n) {
   if (n == 4) return (a * a) * (a * a);
   const auto whole = static_cast<unsigned>(n);
@@ -119,7 +118,7 @@ T filled(double value) {
     return value;
 }
 
-/// Bit l is the comparison's result in lane l.
+/// Bit l is the result in lane l.
 inline unsigned lanes_where(const PackIndex& a) {
 #ifdef __AVX__
   return static_cast<unsigned>(__builtin_ia32_movmskpd256((Pack)a));
@@ -141,8 +140,8 @@ inline Pack halves(const double* a, const double* b) {
 #endif
 }
 
-/// Reads columns of four table rows as packs. Rows are aligned to 16 bytes and have an even number of doubles. Two
-/// neighbouring columns cost little more than one.
+/// Columns of four table rows, which are aligned to 16 bytes and have an even number of doubles. Two neighbouring
+/// columns cost little more than one.
 struct RowsOfFour {
   const double* at[lanes];
 
@@ -157,7 +156,7 @@ struct RowsOfFour {
   }
 };
 
-/// Transposes the first `Columns` of rows j[0…3]: out[k] is column k.
+/// Transposes rows j[0…3]: out[k] is column k.
 template <int Columns, int Stride = Columns>
 [[gnu::always_inline]] inline void gather(const double* table, const int* j, Pack* out) {
   static_assert(Stride % 2 == 0);

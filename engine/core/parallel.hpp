@@ -13,7 +13,7 @@ namespace taut {
 /// NaN if either is NaN.
 inline double greater(double a, double b) { return b <= a || a != a ? a : b; }
 
-/// Several chunks per thread, so that a delayed thread does not delay all, but none too short to pay.
+/// Several chunks per thread balance the load; too short ones do not pay.
 inline int chunks_of(int n, int threads) {
   constexpr int of_each = 4, least = 32;
   return threads == 1 ? 1 : std::clamp(n / least, 1, std::min(of_each * threads, Threads::most_chunks));
@@ -45,7 +45,7 @@ void parallel_for(int n, const Threads& threads, const F& f) {
 /// Inlines all calls of f; otherwise the compiler passes packs through memory.
 template <class F>
 [[gnu::flatten, gnu::noinline]] void inlined_loop(const F& f, int first, int last) {
-  const F own = f;  // local copy, so that its values stay in registers: no store can alias them
+  const F own = f;  // a local copy stays in registers: no store can alias it
   for (int i = first; i < last; ++i) own(i);
 }
 template <class F>
@@ -62,8 +62,7 @@ void parallel_pass(int n, const Threads& threads, const F& f) {
   parallel_chunks(n, threads, [&](int, int first, int last) { inlined_loop(f, first, last); });
 }
 
-/// Calls take(i, make(i)) for i = 0 … n−1: `make` on `threads` threads, `take` on one thread in order. Few results
-/// exist at a time.
+/// Calls take(i, make(i)): `make` on `threads` threads, `take` on one, in order. Few results exist at a time.
 template <class Make, class Take>
 void make_in_order(int n, int threads, const Make& make, const Take& take) {
   constexpr int most = 1024;
@@ -75,7 +74,7 @@ void make_in_order(int n, int threads, const Make& make, const Take& take) {
   }
 }
 
-/// Greatest of 0 and all f(i); NaN if any is NaN. Independent of the number of threads.
+/// At least 0; NaN if any is NaN. Independent of `threads`.
 template <class F>
 double parallel_max(int n, const Threads& threads, const F& f) {
   std::atomic<double> result = 0;

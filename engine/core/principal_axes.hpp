@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// A = Σ_k value_k axis_k ⊗ axis_k with orthonormal axes, unsorted.
+/// A = Σ_k value_k axis_k ⊗ axis_k, unsorted, orthonormal axes.
 struct Principal {
   double value[3];
   Vec<double, 3> axis[3];

@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// A particle's row of `Width` doubles, padded to whole packs; rows that fill cache lines are aligned to them.
+/// Padded to whole packs; rows that fill cache lines are aligned to them.
 constexpr int row_width(int columns) { return (columns + lanes - 1) / lanes * lanes; }
 constexpr std::size_t row_alignment(int columns) { return row_width(columns) % (2 * lanes) == 0 ? 64 : 32; }
 template <int Width>

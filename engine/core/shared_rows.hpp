@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Consecutive rows of constants that stores bit-identical rows once: particles inside a lattice share one row.
+/// Rows of constants; stores bit-identical rows once, since particles inside a lattice share one.
 template <class T>
 class SharedRows {
  public:
@@ -18,7 +18,7 @@ class SharedRows {
   /// `rows`: expected number of rows.
   explicit SharedRows(int rows) : rows_(static_cast<std::size_t>(rows)) {}
 
-  /// Hash for `add`; may run in parallel.
+  /// May run in parallel.
   static std::size_t hash_of(const std::vector<T>& row) {
     return std::hash<std::string_view>()(bytes_of(row));
   }
@@ -41,7 +41,7 @@ class SharedRows {
   const T& operator[](int k) const { return all_[k]; }
   /// An empty row may begin at the end.
   const T* from(int k) const { return all_.data() + k; }
-  /// Call after the last `add`: frees the search table.
+  /// Frees the search table; no `add` may follow.
   void close() { table_ = std::vector<Known>(); }  // {} would keep the capacity
 
  private:
@@ -58,7 +58,7 @@ class SharedRows {
     return size <= all_.size() - static_cast<std::size_t>(begin) &&
            std::string_view(there, bytes.size()) == bytes;
   }
-  // open addressing, linear probing; the size is a power of two
+  // open addressing with linear probing
   std::size_t first_of(std::size_t hash) const { return hash & (table_.size() - 1); }
   std::size_t next(std::size_t at) const { return first_of(at + 1); }
   void grow() {

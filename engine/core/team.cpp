@@ -8,9 +8,9 @@ namespace taut {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-// Time that a helper spins before it sleeps: waking takes as long as a loop of a small scene.
+// Spinning time before sleep: waking takes as long as a loop of a small scene.
 constexpr std::chrono::microseconds patience{100};
-constexpr int looks = 50;  // spins between clock reads, or before the owner yields
+constexpr int looks = 50;  // between clock reads, or before the owner yields
 
 void pause() {
 #if defined(__x86_64__)

@@ -12,9 +12,9 @@
 
 namespace taut {
 
-/// Helper threads that share the loops of their owner. The owner works too and waits only for chunks that helpers
-/// have begun, so a descheduled helper delays nothing (an OpenMP region would wait for it). Each thread begins with
-/// the same chunks in every loop of equal size, for its cache.
+/// Helper threads that share their owner's loops. The owner works too and waits only for chunks already begun, so
+/// that a descheduled helper delays nothing, unlike in OpenMP. Each thread begins with the same chunks in every loop,
+/// for its cache.
 class Team {
  public:
   static constexpr int most_threads = 1000, most_chunks = Threads::most_chunks;
@@ -27,11 +27,11 @@ class Team {
 
   /// Team of the calling thread; helpers start at first use.
   static Team& own();
-  /// Calls work(of, chunk) once per chunk, in any order. Nested loops run on the calling thread alone.
+  /// Calls work(of, chunk) once per chunk, in any order. Nested loops run on the calling thread.
   void run(int threads, int chunks, Work work, const void* of);
 
  private:
-  /// A job packed into one word; `number` is a serial number.
+  /// Packed into one word; `number` counts jobs.
   struct Job {
     std::uint64_t number;
     int threads, chunks;
@@ -47,7 +47,7 @@ class Team {
   std::uint64_t jobs_ = 0;
   Work work_ = nullptr;  // null between jobs
   const void* of_ = nullptr;
-  /// [chunk] last job whose chunk was taken. A late helper finds all chunks of its job taken.
+  /// [chunk] last job that took it: a late helper finds its job taken
   std::unique_ptr<std::atomic<std::uint64_t>[]> taken_;
   alignas(64) std::atomic<std::uint64_t> job_{0};
   alignas(64) std::atomic<int> left_{0};  // unfinished chunks

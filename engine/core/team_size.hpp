@@ -5,10 +5,9 @@
 
 namespace taut {
 
-/// Chooses the number of threads of the next step: all, or one where more do not help. Results do not depend on it.
-/// Times blocks of steps. After a block on one thread, tries the team and keeps it while its blocks are no slower.
-/// Then one thread continues until the trial has cost a fiftieth of the time, and twice as long after each repeated
-/// failure.
+/// Number of threads of the next step: all, or one where more do not help. Results do not depend on it. Times blocks
+/// of steps: after a block on one thread, tries the team and keeps it while it is no slower. Then one thread
+/// continues until the trial has cost 1/`worth` of the time, twice as long after each repeated failure.
 class TeamSize {
  public:
   explicit TeamSize(int most) : most_(most) {}
@@ -23,7 +22,7 @@ class TeamSize {
     step_took(now - last_);
     last_ = now;
   }
-  /// Records a step of `time`, s.
+  /// `time` in s.
   void step_took(double time) {
     taken_ += time;
     ++steps_;
@@ -37,11 +36,11 @@ class TeamSize {
   }
 
  private:
-  static constexpr int most_steps = 16;         // per block, so that some rebuilds are included
+  static constexpr int most_steps = 16;         // per block, includes some rebuilds
   static constexpr int least_steps = 4;         // per block that lasts `long_enough`
   static constexpr double long_enough = 0.1;    // s
   static constexpr int often = 100;             // team blocks between two on one thread
-  static constexpr double worth = 50;           // a failed trial may cost 1/worth of the time
+  static constexpr double worth = 50;           // limits the cost of a failed trial to 1/worth of the time
   static constexpr double most_patience = 1e3;  // blocks
 
   void block_alone_done() {
@@ -70,13 +69,13 @@ class TeamSize {
 
   int most_;
   int alone_ = 1;           // remaining blocks on one thread
-  int block_ = 0;           // steps of the last block on one thread
+  int block_ = 0;           // of the last block on one thread
   double block_alone_ = 0;  // its duration, s
   int well_ = 0;            // team blocks since then
-  double patience_ = 1;     // minimum of blocks on one thread after a failed trial
+  double patience_ = 1;     // least `alone_` after a failed trial
   int steps_ = 0;           // of the current block
   double taken_ = 0;        // its duration so far, s
-  double last_ = 0;         // end of the last step, s
+  double last_ = 0;         // s, end of the last step
 };
 
 }  // namespace taut

@@ -4,7 +4,7 @@
 
 #include "engine/core/pack.hpp"
 
-/// Small vectors and tensors over T = double or Pack; Eigen's change alignment with the instruction set.
+/// T = double or Pack. Eigen's types change alignment with the instruction set.
 namespace taut {
 
 /// Equal in all builds; without AVX a bare Pack is aligned less.
@@ -86,7 +86,7 @@ struct Mat {
   }
 };
 
-/// Upper triangle row by row: xx, xy, yy or xx, xy, xz, yy, yz, zz.
+/// Upper triangle: xx, xy, yy or xx, xy, xz, yy, yz, zz.
 template <class T, int Dim>
 struct Sym {
   static constexpr int size = Dim * (Dim + 1) / 2;
@@ -278,7 +278,7 @@ Mat<T, 3> tensor_cross(const Mat<T, 3>& A, const Mat<T, 3>& B) {
   return C;
 }
 
-/// Inverse; 0 if not clearly positive definite, as for a particle without neighbours.
+/// 0 if not clearly positive definite, as for a particle without neighbours.
 inline Sym<double, 2> inverse(const Sym<double, 2>& a) {
   const double det = a(0, 0) * a(1, 1) - a(0, 1) * a(0, 1);
   const double scale = trace(a) * trace(a);

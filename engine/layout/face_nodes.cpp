@@ -10,10 +10,10 @@
 namespace taut {
 namespace {
 
-// reach of averaged particles, spacings: small values smooth faces less
+// spacings; small values smooth faces less
 constexpr double least_reach = 2, greatest_reach = 4, reach_step = 0.25;
-/// Limit of Σ weight², by which nodes are lighter than particles; lighter nodes get a greater reach. 2.5 at a lattice
-/// face, (3/2)² + (1/2)² from two layers.
+/// Limit of Σ weight², by which nodes are lighter than particles; above it the reach grows. 2.5 at a lattice face,
+/// (3/2)² + (1/2)² from two layers.
 constexpr double greatest_square = 3;
 
 }  // namespace
@@ -31,7 +31,7 @@ ParticlesAround::Cell ParticlesAround::cell_of(const Point& x) const {
   return cell;
 }
 
-/// Particles within `greatest_reach` of x, ascending.
+/// Ascending.
 std::vector<int> ParticlesAround::near(const Point& x) const {
   std::vector<int> found;
   const Cell middle = cell_of(x);

@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// Points on faces that move with weighted means of particles.
+/// Points on faces, each a weighted mean of particles.
 struct FaceNodes {
   std::vector<Point> x;             // [node] reference position, on the face, m
   std::vector<int> begin{0};        // [node] its first share; then their number
@@ -23,12 +23,11 @@ struct FaceNodes {
   }
 };
 
-/// Computes the shares of one body's nodes.
 class ParticlesAround {
  public:
   ParticlesAround(const InitialParticles& initial, int body, double dp);
 
-  /// Shares from the smallest reach that keeps Σ weight² low. Empty if too few particles are near, or all in a plane.
+  /// Smallest reach with low Σ weight². Empty if too few particles are near, or all in a plane.
   std::vector<PointWeight> shares_of(const Point& x) const;
 
  private:

@@ -16,24 +16,24 @@
 namespace taut {
 namespace {
 
-constexpr double edge_tolerance = 1e-6;        // of dp; particles this close to an edge are inside
-constexpr double greatest_place_number = 1e9;  ///< lattice sites tested for one body
+constexpr double edge_tolerance = 1e-6;        // of dp; closer to an edge is inside
+constexpr double greatest_place_number = 1e9;  ///< lattice sites per body
 
-/// Estimate; counts overlaps of shapes repeatedly.
+/// Counts overlaps of shapes repeatedly.
 double expected_number(const Body& body, int dim, double dp) {
   double volume = 0;
   for (const Shape& shape : body.shapes) volume += shape->measure(dim);
   return volume / std::pow(dp, dim);
 }
 
-/// Index of the first shape that contains x, or their number.
+/// Or their number, if none.
 std::size_t first_that_holds(const std::vector<Shape>& shapes, const Point& x, int dim, double tolerance) {
   const auto found =
       std::ranges::find_if(shapes, [&](const Shape& s) { return s->holds(x, dim, tolerance); });
   return static_cast<std::size_t>(found - shapes.begin());
 }
 
-/// Bounds of all shapes along the first one's lattice.
+/// Along the lattice of the first shape.
 Bounds lattice_bounds_of(const Body& body) {
   const Shape& first = body.shapes.front();
   Bounds all = first->lattice_bounds();
@@ -43,7 +43,7 @@ Bounds lattice_bounds_of(const Body& body) {
   return all;
 }
 
-/// A cut-out that removes no particle is most likely a mistake.
+/// Cut-outs that remove nothing are most likely mistakes.
 void refuse_idle_cuts(const Body& body, const std::vector<long>& cut) {
   for (std::size_t k = 0; k < cut.size(); ++k)
     if (cut[k] == 0)
@@ -52,13 +52,13 @@ void refuse_idle_cuts(const Body& body, const std::vector<long>& cut) {
                                                              "'; correct or remove it");
 }
 
-/// Lattice sites around a body, in lattice coordinates.
+/// Before the first shape rotates them.
 struct LatticeRows {
   Point anchor{};
   std::array<double, 3> pitch{};
   std::array<long, 3> from{}, to{};
-  std::size_t along = 0;  // hexagonal: axis of the rows
-  double staggered = 0;   // hexagonal: alternating offset of rows, pitches
+  std::size_t along = 0;  // hexagonal rows
+  double staggered = 0;   // offset of hexagonal rows, pitches
 
   Point at(long i, long j, long k, int dim) const {
     const std::array<long, 3> n{i, j, k};
@@ -97,7 +97,7 @@ LatticeRows rows_of(const Body& body, int dim, double dp) {
   return rows;
 }
 
-/// Lattice sites in the union of the shapes minus cut-outs, half a pitch off the first anchor.
+/// Half a pitch off the first anchor, in the union of shapes minus cut-outs.
 std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
   const LatticeRows rows = rows_of(body, dim, dp);
   std::vector<InitialSite> sites;
@@ -120,7 +120,7 @@ std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
   return sites;
 }
 
-/// Particles from face to face; V0 is the part of the cell inside.
+/// V0 is the part of the cell inside.
 std::vector<InitialSite> sites_on_boundary(const Box& box, int dim, double dp) {
   long last[3] = {0, 0, 0};
   double pitch[3] = {1, 1, 1};
@@ -148,14 +148,14 @@ std::vector<InitialSite> sites_on_boundary(const Box& box, int dim, double dp) {
   return sites;
 }
 
-/// Particles placed by a one-shape body; empty = filled by the lattice.
+/// Empty = filled by the lattice.
 std::vector<InitialSite> own_sites(const Body& body, int dim, double dp) {
   if (body.shapes.size() != 1 || !body.without.empty()) return {};
   if (body.on_boundary) return sites_on_boundary(*body.shapes.front().as<Box>(), dim, dp);
   return body.shapes.front()->sites(dim, dp);
 }
 
-/// Jitters along the lattice axes, but not off faces. Equal numbers with every compiler.
+/// Along the lattice axes, not off faces; equal numbers with every compiler.
 void jitter_sites(std::vector<InitialSite>& sites, const Jitter& jitter, const Shape& first, int dim,
                   double dp) {
   if (jitter.share == 0) return;
@@ -185,7 +185,7 @@ std::vector<InitialSite> body_sites(const Body& as_given, const Scene& scene) {
 
 double value_of(const Expression& f, const Point& x) { return f ? f(x) : 0; }
 
-/// A region without particles is most likely a mistake.
+/// Empty regions are most likely mistakes.
 template <class Region>
 void refuse_empty(const std::vector<Region>& regions, const std::vector<InitialSite>& sites, const Body& body,
                   const std::string& key) {
@@ -216,7 +216,7 @@ void refuse_idle_hold(const Body& body, const std::vector<InitialSite>& sites) {
   if (!by_component && is_idle(body.held)) refuse("held");
 }
 
-/// Weights along n cells, in cells. An end that is not `free` may be a plane of symmetry.
+/// Weights in cells. An end that is not `free` may be a plane of symmetry.
 std::vector<double> shares_along(long n, const bool (&free)[2]) {
   std::vector<double> share(static_cast<std::size_t>(n) + 1, 1.0);
   share.front() = share.back() = 0.5;
@@ -235,7 +235,7 @@ unsigned char guide_at(const Body& body, const Point& x) {
   return static_cast<unsigned char>(guide);
 }
 
-/// Whether all unclamped particles of a box face are guided along its normal or along all other axes.
+/// Whether all unclamped particles of a face are guided along its normal or along all other axes.
 template <class OnFace>
 bool may_mirror(const InitialParticles& layout, int first, int axis, int dim, const OnFace& on_face) {
   const unsigned normal = 1u << axis, others = ((1u << dim) - 1) & ~normal;
@@ -249,7 +249,7 @@ bool may_mirror(const InitialParticles& layout, int first, int axis, int dim, co
   return guided;
 }
 
-/// Volumes of a box with particles on its faces, in the order of sites_on_boundary.
+/// Volumes of a box with particles on its faces.
 void weigh_box(InitialParticles& layout, const Body& body, int first, int dim, double dp) {
   const Box& box = *body.shapes.front().as<Box>();
   long stride = 1;  // to the next particle along the axis
@@ -270,7 +270,7 @@ void weigh_box(InitialParticles& layout, const Body& body, int first, int dim, d
   }
 }
 
-/// Throws SceneError for requests that no particle meets or can meet.
+/// Throws SceneError for requests that cannot be met.
 void check_sites(const Body& body, const std::vector<InitialSite>& sites) {
   if (sites.empty())
     throw SceneError(

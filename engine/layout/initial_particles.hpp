@@ -6,20 +6,20 @@
 
 namespace taut {
 
-/// Particles of a scene at t = 0, body after body.
+/// Body after body.
 struct InitialParticles {
   int dim = 2;
   std::vector<Point> x, v;            // reference position, m; velocity, m/s
-  std::vector<Point> middle;          // of their cells, m, for tests of regions and images; empty = x
+  std::vector<Point> middle;          // of cells, m, for tests of regions and images; empty = x
   std::vector<Point> start;           // starting position, m; empty = x
   std::vector<double> V0;             // m^dim
-  std::vector<double> inside;         // V0 / cell volume: < 1 on a face, slightly > 1 next to a free one
+  std::vector<double> inside;         // V0 / cell: < 1 on a face, slightly > 1 next to a free one
   std::vector<int> body;              // index into Scene::bodies
   std::vector<int> material;          // index into Scene::materials
   std::vector<int> drive;             // index into the body's drives, or -1
   std::vector<unsigned char> held;    // 1: clamped
   std::vector<unsigned char> guided;  // bit k: fixed along axis k; empty = none
-  // image of each particle under a rotation that maps the layout onto itself; itself if there is none
+  // image under a symmetry rotation of the body, or itself
   std::vector<int> turned;
   std::vector<int> first;  // first particle of each body, then the total
 
@@ -36,12 +36,12 @@ struct InitialParticles {
 
 inline constexpr double greatest_particle_number = 20e6;
 
-/// Fills bodies with a square (cubic) lattice, and round bodies of one shape with layers (RoundLayout) of exact mass.
-/// Along n cells of a box with particles on its faces, these have ½ − δ, 1 + δ, 1 … of a cell, δ = n/(12 (n − 1)).
-/// This integrates degree 2 exactly (Simpson's rule for n = 2 and 3, Gregory's for many), so that mass, moments of
-/// inertia and bending stiffness are exact. Faces that may be planes of symmetry, guided along the normal or all
-/// other axes, keep half cells. Then jitters (volumes stay), reflects, rotates and displaces. Throws SceneError: no
-/// particles, too many, overlapping bodies.
+/// Fills bodies with a square (cubic) lattice, or whole round bodies with layers (RoundLayout) of exact mass. Along n
+/// cells of a box with particles on its faces, these have ½ − δ, 1 + δ, 1 … of a cell, δ = n/(12 (n − 1)): exact for
+/// degree 2 (Simpson's rule for n = 2 and 3, Gregory's for many), so for mass, moments of inertia and bending
+/// stiffness. Faces guided along the normal or all other axes may be planes of symmetry and keep half cells. Then
+/// jitters (volumes stay), reflects, rotates and displaces. Throws SceneError: no particles, too many, overlapping
+/// bodies.
 InitialParticles make_initial_particles(const Scene& scene);
 
 }  // namespace taut

@@ -29,7 +29,6 @@ bool solve(Equations& A, std::size_t n) {
   return true;
 }
 
-/// Distances of particles on faces, m.
 Point pitch_on_boundary(const Box& box, double dp, int dim) {
   Point pitch{};
   for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
@@ -37,7 +36,7 @@ Point pitch_on_boundary(const Box& box, double dp, int dim) {
   return pitch;
 }
 
-/// Multilinear weights along the layout's axes; empty if particles around the point are not such a lattice.
+/// Multilinear; empty if the particles around the point are no lattice.
 std::vector<PointWeight> point_in_cell(const std::vector<Point>& x, int begin, int end, const Point& at,
                                        const Body& body, double dp, int dim) {
   constexpr double round_off = 1e-9;
@@ -100,7 +99,7 @@ std::vector<PointWeight> point_of(const std::vector<Point>& x, const std::vector
   return point;
 }
 
-/// `point` if all its particles count, else a point of particles that do and are linked to `nearest`.
+/// `point` if all its particles count, else one of those that do and are linked to `nearest`.
 template <class Counts>
 std::vector<PointWeight> point_of_those(std::vector<PointWeight> point, std::vector<int> near, int nearest,
                                         const Surroundings& all, const Point& at, const Counts& counts) {

@@ -12,11 +12,10 @@ struct PointWeight {
   double weight;
 };
 
-/// Radius of particles that define a point, m; two spacings at least, since beyond a face fewer are collinear.
+/// m; two spacings at least, since beyond a face fewer are collinear.
 constexpr double reach_of_points(double support, double dp) { return std::max(support, 2 * dp); }
 
-/// Weights of a material point by moving least squares, exact for linear fields even on faces, half a spacing outside
-/// the particles:
+/// Moving least squares, exact for linear fields even on faces, half a spacing outside the particles:
 ///   w_k = W_k (1, d_k)·A⁻¹·(1, 0),  A = Σ W_k (1, d_k) ⊗ (1, d_k),  d_k = X_k − X.
 /// Uses particles begin … end − 1 within `reach`, m. Empty if too few or collinear.
 std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
@@ -25,16 +24,15 @@ std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, 
 /// Greatest step between linked neighbours, spacings: across a cell's diagonal, not a slot.
 inline constexpr double link_of_neighbors = 1.8;
 
-/// Particles linked to the one nearest to `at` by steps of at most `link`, m; ascending.
+/// Linked to the one nearest to `at` by steps up to `link`, m; ascending.
 std::vector<int> linked_to_nearest(const std::vector<Point>& x, const std::vector<int>& some, const Point& at,
                                    double link);
 
-/// Excludes particles beyond a slot, not linked to the nearest one. With Body::on_boundary interpolates in a lattice
-/// cell: at a particle the point is that particle, so that clamped points stay.
+/// Without particles beyond a slot. With Body::on_boundary interpolates in a lattice cell, so that points on clamped
+/// particles are clamped.
 std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
                                         double reach, const Scene& scene, int body);
 
-/// Particles of a body that define its points.
 struct Surroundings {
   const std::vector<Point>& x;  // m
   const std::vector<unsigned char>& held;
@@ -42,19 +40,18 @@ struct Surroundings {
   const std::vector<int>& material;
   int begin, end;
   double reach;  // m
-  double link;   // greatest step between linked particles, m; infinite = all
+  double link;   // step between linked particles, m; infinite = any
   int dim;
 };
 
-/// Replaces a `point` with clamped or driven particles, which have no stress of their own in most methods, or of
-/// several materials: linear extrapolation from free particles of the nearest free one's material, or that one alone.
-/// Uses driven particles if none is free; empty if all are clamped.
+/// Replaces a `point` with several materials, or with clamped or driven particles, which mostly have no stress of
+/// their own: extrapolates linearly from free particles of the nearest free one's material. Uses driven particles if
+/// none is free; empty if all are clamped.
 std::vector<PointWeight> point_of_stress(std::vector<PointWeight> point, const Surroundings& all,
                                          const Point& at);
 
-/// Replaces a `point` at kinks of the displacement. If the nearest particle is clamped or driven, uses particles that
-/// move with it; at an interface, those of the nearest one's material. `moves_with[i]`: number of the joint motion, 0
-/// = free.
+/// Replaces a `point` at kinks of the displacement. Uses particles that move with the nearest one if that is clamped
+/// or driven, else those of its material. `moves_with[i]`: number of the joint motion, 0 = free.
 std::vector<PointWeight> point_of_motion(std::vector<PointWeight> point, const Surroundings& all,
                                          const std::vector<int>& moves_with, const Point& at);
 

@@ -16,7 +16,7 @@ bool any_holds(const std::vector<Shape>& shapes, const Point& x, double toleranc
   return std::ranges::any_of(shapes, [&](const Shape& shape) { return shape->holds(x, 2, tolerance); });
 }
 
-/// Whether another shape contains x, or an earlier one `middle`, as for coincident faces.
+/// Whether another shape contains x, or an earlier one `middle`, for coincident faces.
 bool covered(const std::vector<Shape>& shapes, std::size_t own, const Point& x, const Point& middle,
              double dp) {
   const double thin = 1e-6 * dp;
@@ -26,7 +26,7 @@ bool covered(const std::vector<Shape>& shapes, std::size_t own, const Point& x, 
   return false;
 }
 
-/// Whether a segment of shape or cut-out `own` bounds the body; the solid is behind it.
+/// Whether a segment of shape or cut-out `own` bounds the body.
 bool is_face(const Body& body, bool cut, std::size_t own, const Point& a, const Point& b, double dp) {
   const double off = 1e-3 * dp / distance_between(a, b, 2);  // 1e-3 dp
   const Point middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0};
@@ -43,7 +43,7 @@ bool needs_clipping(const Body& body) {
   return std::ranges::any_of(body.shapes, is_other) || std::ranges::any_of(body.without, is_other);
 }
 
-/// Clipped outline, for shapes whose sides are not multiples of the spacing.
+/// For shapes whose sides are not multiples of the spacing.
 std::vector<Chain> whole_outline(const Body& body, int dim, double dp) {
   const auto one = [](const std::vector<Shape>& shapes) {
     return shapes.size() == 1 ? shapes.front() : Shape(Combined{Combination::together, shapes});
@@ -105,7 +105,7 @@ class OutlineMaker {
     }
   }
 
-  /// Node of a chain point, created at first use; shared where chains meet.
+  /// Created at first use; shared where chains meet.
   int node_at(int& known, int b, const Point& laid, const ParticlesAround& particles) {
     if (known != Outline::none) return known;
     const Point x = placed(scene_.bodies[as_index(b)], laid, scene_.dim);

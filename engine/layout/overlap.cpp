@@ -27,7 +27,7 @@ class ParticleGrid {
     const auto [a, b, c] = cell(x);
     at_.emplace(key(a, b, c), i);
   }
-  /// Visits particles in the cell of x and adjacent cells.
+  /// Visits the cell of x and adjacent ones.
   template <class Visit>
   void for_each_near(const Point& x, const Visit& visit) const {
     const auto [a, b, c] = cell(x);
@@ -108,7 +108,7 @@ void refuse_close_particles(const InitialParticles& layout, const Scene& scene) 
   }
 }
 
-/// Maps starting positions of a displaced body to its layout, by the nearest particle and the displacement gradient.
+/// From the start of a displaced body to its layout, by the nearest particle and the displacement gradient.
 class LaidPlaces {
  public:
   LaidPlaces(const InitialParticles& layout, const Scene& scene, std::size_t b)
@@ -116,7 +116,7 @@ class LaidPlaces {
     for (int i = layout.first[b]; i < layout.first[b + 1]; ++i) grid_.add(layout.at_start(i), i);
   }
 
-  /// Empty if no particle is near.
+  /// Empty if none is near.
   std::optional<Point> operator()(const Point& y) const {
     int nearest = -1;
     double least = reach * spacing_;
@@ -135,7 +135,7 @@ class LaidPlaces {
   }
 
  private:
-  static constexpr double reach = 1.5;  // spacings: finds particles up to 70 % stretch
+  static constexpr double reach = 1.5;  // spacings: enough for 70 % stretch
 
   Mat<double, 3> gradient(const Point& X) const {
     const double way = 1e-3 * spacing_;
@@ -155,7 +155,7 @@ class LaidPlaces {
   ParticleGrid grid_;
 };
 
-/// Throws SceneError for particles of `a` inside `b`.
+/// Particles of `a` inside `b`.
 void refuse_particles_inside(const InitialParticles& layout, const Scene& scene, std::size_t a, std::size_t b,
                              const Bounds& box) {
   std::optional<LaidPlaces> laid;

@@ -19,7 +19,7 @@ using Cell = std::array<long, dim>;
 
 bool stands_on_boundary(const Body& body) { return body.on_boundary && body.without.empty(); }
 
-/// Lattice before reflection and rotation: cell n is centred at anchor + (n + ½) pitch.
+/// Before reflection and rotation; cell n is centred at anchor + (n + ½) pitch.
 struct Cells {
   Shape first;
   Point anchor{}, pitch{};
@@ -48,17 +48,17 @@ struct Cells {
   }
 };
 
-/// Empty if no shape layers the body.
+/// If a shape layers the body.
 FacePatches own_patches(const Body& body, double dp) {
   return body.shapes.size() == 1 && body.without.empty() ? body.shapes.front()->patches(dp) : FacePatches{};
 }
 
-/// Faces of a body before reflection and rotation.
+/// Before reflection and rotation.
 class Faces {
  public:
   Faces(const Body& laid, double dp) : body_(laid), dp_(dp) {}
 
-  /// Point of a face near x, to 1e-6 spacings; x if none is found. `outside` is outwards of x.
+  /// Point of a face near x, to 1e-6 spacings, or x. `outside` is outwards of x.
   Point nearest(const Point& x, const Point& outside) const {
     const std::optional<Point> at = down_the_height(x);
     return at && is_face(*at) ? *at : on_the_line(x, outside);
@@ -73,7 +73,7 @@ class Faces {
           (is_filled({x[0] + a * dp_, x[1] + b * dp_, x[2] + c * dp_}) ? filled : empty) = true;
     return filled && empty;
   }
-  /// First face outwards of a solid x, or inwards of an outside one; x if none is near.
+  /// First face outwards of a solid x, or inwards; x if none is near.
   Point on_the_line(const Point& x, const Point& outside) const {
     const double length = distance_between(outside, x, dim);
     if (!(length > 0)) return x;
@@ -123,8 +123,7 @@ class Faces {
     return std::nullopt;
   }
 
-  /// Signed distance to the nearest face, m, negative inside: the tolerance from which `holds` is true. Also 0 on
-  /// seams of shapes.
+  /// Signed distance to a face, m, negative inside, by the tolerance of `holds`; 0 on seams of shapes, too.
   double height(const Point& x) const {
     if (on_face(x)) return 0;
     double low = -2 * farthest * dp_, high = 2 * farthest * dp_;
@@ -188,7 +187,7 @@ class BodyMesh {
   };
   struct Node {
     Point x{};
-    std::vector<PointWeight> shares;  // empty if too few particles are near
+    std::vector<PointWeight> shares;
   };
 
   void take(const FacePatches& patches) {
@@ -198,7 +197,7 @@ class BodyMesh {
     }
   }
 
-  /// Facets with corners as nodes, anticlockwise in the lattice.
+  /// Facets of corners, anticlockwise in the lattice.
   void find_facets() {
     std::vector<Cell> filled;  // [particle]
     for (int i = first_; i < initial_.first[as_index(index_) + 1]; ++i)
@@ -234,13 +233,13 @@ class BodyMesh {
     return corners;
   }
 
-  /// Corner where lattice-aligned faces meet: the nearest point of one face may miss the others.
+  /// Corner of lattice-aligned faces: the nearest point of one may miss the others.
   std::optional<Point> on_rim(const Cell& cell, const Point& outwards) const {
     if (std::ranges::count(outwards, 0.0) > dim - 2) return std::nullopt;
     Point off{};  // pitches
     for (std::size_t a = 0; a < dim; ++a) {
       if (outwards[a] == 0) continue;
-      std::array<double, 2> way{};  // to the face, half a cell and a whole one from the rim
+      std::array<double, 2> way{};  // half a cell and a whole one from the rim
       for (std::size_t n = 0; n < way.size(); ++n) {
         Point beside{};
         for (std::size_t b = 0; b < dim; ++b)
@@ -271,7 +270,7 @@ class BodyMesh {
     return faces_.nearest(cells_.corner(cell), cells_.corner(cell, outwards));
   }
 
-  /// Adds nodes at place(k), before reflection and rotation.
+  /// Nodes at place(k), before reflection and rotation.
   template <class Place>
   void add_nodes(int number, int threads, const Place& place) {
     const auto make = [&](int k) {
@@ -300,7 +299,7 @@ class BodyMesh {
       return facet;
     };
     make_in_order(static_cast<int>(facets_.size()), threads, make, [&](int, const SurfaceMesh::Facet& facet) {
-      constexpr double least_area = 0.01;  // dp²; smaller ones are remnants of lattice steps
+      constexpr double least_area = 0.01;  // dp²; drops remnants of lattice steps
       if (facet.area > least_area * dp_ * dp_) out_.facets.push_back(facet);
     });
   }

@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// Faces of all bodies in 3D: quadrilaterals with nodes at the corners.
+/// Faces of all bodies in 3D.
 struct SurfaceMesh : FaceNodes {
   struct Facet {
     std::array<int, 4> node{};  // anticlockwise, seen from outside
@@ -25,12 +25,12 @@ struct SurfaceMesh : FaceNodes {
 /// ½ (x2 − x0) × (x3 − x1), m², outwards.
 Point vector_area(const std::array<Point, 4>& corner);
 
-/// Takes the patches of layered shapes (FacePatches). Otherwise makes a facet of each face of one lattice cell only
-/// and moves its corners to the nearest face of the shapes, which smooths lattice steps. Mirrored bodies have exact
-/// mirror images, in the same order. Omits facets where a body is too thin to locate its faces. Empty in 2D.
+/// Takes the patches of layered shapes, or the faces between a lattice cell and none, with corners moved to the
+/// nearest face of the shapes, which smooths lattice steps. Mirrored bodies have exact mirror images. Omits facets
+/// where a body is too thin to locate its faces. Empty in 2D.
 SurfaceMesh make_surface_mesh(const Scene& scene, const InitialParticles& initial, int threads = 1);
 
-/// Whether no body consists of particles listed one by one.
+/// False if a body has particles listed one by one.
 bool can_have_surface_mesh(const Scene& scene);
 
 }  // namespace taut

@@ -10,7 +10,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Creates each indexed node of patches once.
 class Nodes {
  public:
   using Index = std::array<long, 3>;
@@ -35,7 +34,7 @@ long layers_of(double inner, double outer, double dp) {
   return std::max(1L, std::lround((outer - inner) / dp));
 }
 
-/// Surface of a centred cube of side 2 n with n × n cells per face, lines at equal angles from the centre.
+/// Surface of a cube of side 2 n, n × n cells per face, lines at equal angles from its centre.
 class RoundCube {
  public:
   using Place = std::array<long, 3>;  // the greatest |component| is n
@@ -65,7 +64,7 @@ class RoundCube {
     return on_face(axis, side, 2 * p, 2 * q);
   }
 
-  /// Unit vector. Adds squares in order of size, for exact symmetry.
+  /// Adds squares in order of size, for exact symmetry.
   Point direction(const Place& place) const {
     Point way{};
     std::array<double, 3> square{};
@@ -105,7 +104,6 @@ Point from_centre(const Point& centre, double r, const Point& way) {
   return {centre[0] + r * way[0], centre[1] + r * way[1], centre[2] + r * way[2]};
 }
 
-/// Equal slices of a hollow cylinder.
 struct Slices {
   Ring ring;
   long layers, around, number;
@@ -133,7 +131,7 @@ struct Slices {
          along[0] * u[1] - along[1] * u[0]};
   }
 
-  /// Maps x of a slice to space, `pitches` from the end.
+  /// Maps x of a slice to space.
   Point place(const Point& x, double pitches) const {
     Point at{};
     for (std::size_t k = 0; k < 3; ++k)

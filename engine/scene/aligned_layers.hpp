@@ -6,9 +6,8 @@
 
 namespace taut {
 
-// Particles of hollow round 3D bodies in layers of equal numbers, aligned radially. Neighbours are arranged as in a
-// cubic lattice, except at the eight corners of the cube that forms a hollow ball. Volumes are those of the cells, so
-// that the mass is exact. Cube symmetries hold to the last bit.
+// Particles of hollow round 3D bodies in aligned layers. Neighbours are arranged as in a cubic lattice, except at the
+// eight corners of the cube that forms a hollow ball. The mass is exact; cube symmetries hold to the last bit.
 
 std::vector<InitialSite> aligned_sites(const Ring& shell, double dp);
 FacePatches aligned_patches(const Ring& shell, double dp);

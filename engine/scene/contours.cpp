@@ -18,7 +18,7 @@ double distance_to_segment(const Point& x, const Point& a, const Point& b) {
   return distance_between(x, {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), 0}, 2);
 }
 
-/// Numbers each grid side that a face crosses and stores where the face goes from there.
+/// Stores where a face goes from each grid side that it crosses.
 class March {
  public:
   March(const PlaceGrid& grid, const std::function<bool(long, long)>& inside,
@@ -52,8 +52,7 @@ class March {
     long to = 0;
   };
 
-  /// Goes round a square anticlockwise. A face begins on a side that leaves the solid and ends on the nearest side
-  /// before it that enters.
+  /// Anticlockwise, a face begins on a side that leaves the solid and ends on the nearest side before it that enters.
   void visit(const PlaceGrid& grid, const std::function<Point(const Point&, const Point&)>& face, long i,
              long j) {
     constexpr std::array<std::array<long, 2>, 4> corners = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
@@ -80,7 +79,7 @@ class March {
   std::map<long, Way> next_;  // by side number
 };
 
-/// Marks the points between `first` and `last` that stay.
+/// Marks points that stay.
 void mark(const Chain& chain, std::size_t first, std::size_t last, double tolerance,
           std::vector<char>& stays) {
   std::vector<std::array<std::size_t, 2>> open = {{first, last}};
@@ -101,7 +100,6 @@ void mark(const Chain& chain, std::size_t first, std::size_t last, double tolera
   }
 }
 
-/// Points that simplification keeps.
 std::vector<char> points_that_stay(const Chain& chain, double tolerance) {
   std::vector<char> stays(chain.size());
   const auto farthest_from = [&](const Point& x) {
@@ -118,7 +116,7 @@ std::vector<char> points_that_stay(const Chain& chain, double tolerance) {
   return stays;
 }
 
-/// Kept points with sharp turns.
+/// Points with sharp turns.
 std::vector<std::size_t> corners_of(const Chain& chain, const std::vector<char>& stays) {
   constexpr double sharp = 40 * std::numbers::pi / 180;
   std::vector<std::size_t> kept, corners;
@@ -133,7 +131,7 @@ std::vector<std::size_t> corners_of(const Chain& chain, const std::vector<char>&
   return corners;
 }
 
-/// Adds points from one point of the chain to another, excluding the end.
+/// Excludes the end.
 void add_evenly(const Chain& chain, std::size_t from, std::size_t to, double dp, std::size_t least,
                 Chain& result) {
   const std::size_t n = chain.size();
@@ -152,7 +150,7 @@ void add_evenly(const Chain& chain, std::size_t from, std::size_t to, double dp,
   }
 }
 
-/// Adds a margin of two squares, so that faces at the border are found.
+/// With a margin of two squares.
 PlaceGrid grid_over(const Bounds& box, double pitch) {
   PlaceGrid grid{.low = {box.low[0] - 2 * pitch, box.low[1] - 2 * pitch, 0}, .pitch = pitch};
   grid.columns = static_cast<long>(std::ceil((box.high[0] - box.low[0]) / pitch)) + 5;
@@ -244,7 +242,7 @@ std::vector<Chain> combined(Combination how, const std::vector<std::vector<Chain
   Paths paths;
   for (std::size_t k = 0; k < solids.size(); ++k)
     paths = k == 0 ? paths_of(solids[k]) : with(type, paths, paths_of(solids[k]));
-  // coincident curved faces have chords between different points: drops slivers
+  // chords of coincident curved faces differ: drops slivers
   constexpr double thin = 0.1;  // of dp
   std::erase_if(paths, [&](const Path& path) {
     double around = 0;

@@ -15,9 +15,9 @@
 
 namespace taut {
 
-/// Function of the position in the initial configuration, evaluated at set-up only.
+/// Function of the reference position, evaluated at set-up only. A region is where it is not 0; empty = 0.
 using Expression = std::function<double(const Point&)>;
-/// Function of the position in the initial configuration and of the time, s.
+/// Function of the reference position and the time, s.
 using Solution = std::function<double(const Point&, double)>;
 
 struct Material {
@@ -38,57 +38,57 @@ struct Material {
 /// A region of another material.
 struct Part {
   int material = 0;  // index into Scene::materials
-  Expression where;  // not 0 at its particles
+  Expression where;
 };
 
-/// A region with prescribed velocity up to a time; free afterwards.
+/// A region with prescribed velocity until a time.
 struct Drive {
-  Expression where;                                       // not 0 at its particles
-  std::array<std::function<double(double)>, 3> velocity;  // m/s, of the time in s; empty = 0
+  Expression where;
+  std::array<std::function<double(double)>, 3> velocity;  // m/s, of the time in s
   std::optional<double> until;                            // s; none = never released
 };
 
-/// External forces that move with the particles of a region. Loads add up; clamped and driven particles feel none.
+/// External forces that move with a region's particles. Loads add up; clamped and driven particles feel none.
 struct Load {
   enum class Kind : std::uint8_t {
-    force,  // N (per metre depth in 2D), by volume over the particles that are not always clamped or driven
+    force,          // N (per metre depth in 2D), by volume over particles not always clamped or driven
     force_density,  // N/m³ of initial volume
     traction,       // Pa, on the outer face of a layer one spacing deep; see solver/face_loads.hpp
   };
-  Expression where;  // not 0 at its particles
+  Expression where;
   Kind kind{};
-  std::array<Expression, 3> value;     // empty = 0
+  std::array<Expression, 3> value;
   std::function<double(double)> ramp;  // factor, of the time in s; empty = 1
 };
 
 std::string_view name(Load::Kind kind);
 
-/// A rigid half-space. It acts by the contact law; with `sph`, by the penalty law.
+/// A rigid half-space; acts by the contact law, or the penalty law for `sph`.
 struct Wall {
   std::string name;
   Point at{};      // on its face, m
-  Point normal{};  // unit vector towards the bodies
+  Point normal{};  // unit vector towards bodies
 };
 
-/// Fills bodies that do not place their own particles; dp² (dp³) per particle.
+/// For bodies that do not place their own particles; dp² (dp³) per particle.
 enum class Lattice : std::uint8_t {
   square,     // 3D: cubic
-  hexagonal,  // 2D: equilateral triangles, rows along the longer side of the first shape
+  hexagonal,  // 2D: triangular, rows along the longer side of the first shape
 };
 std::string_view name(Lattice lattice);
-/// Row distance of a hexagonal lattice, √(√3/2) spacings; its inverse is the distance in a row.
+/// Distance of rows, √(√3/2) spacings; the inverse is the distance in a row.
 inline constexpr double hexagonal_row = 0.93060485910209959893;
 
-/// Right-handed rotation by `angle`, degrees.
+/// Right-handed; `angle` in degrees.
 struct Rotation {
   Point axis{0, 0, 1};  // unit vector; z in 2D
   Point about{};        // m
   double angle = 0;
 };
-/// The rotated point; exact to the last bit for quarter turns and mirror images.
+/// Bit-exact for quarter turns and mirror images.
 Point rotated(const Rotation& rotation, const Point& x);
 
-/// Moves each free coordinate of a layout at random, uniformly within ± `share` spacings.
+/// Random displacement of each free coordinate, uniform within ± `share` spacings.
 struct Jitter {
   static constexpr double least_unusable = 0.5;  // share at which particles of a square lattice can coincide
   double share = 0;
@@ -100,35 +100,35 @@ struct Body {
   std::vector<Shape> shapes;   // united; the first one anchors the lattice
   std::vector<Shape> without;  // cut out
   Lattice lattice = Lattice::square;
-  bool on_boundary = false;            // of one box: outermost particles are on its faces
+  bool on_boundary = false;            // of one box: particles on its faces
   int material = 0;                    // index into Scene::materials
-  std::vector<Part> parts;             // the last one that contains a particle counts
-  std::vector<Drive> drives;           // the last one that contains a particle counts
-  std::vector<Load> loads;             // all that contain a particle add up
-  std::array<Expression, 3> velocity;  // initial velocity, m/s; empty = 0
-  Expression held;                     // not 0 at clamped particles; empty = none
-  std::array<Expression, 3> guided;    // not 0 at particles that are fixed along this axis; empty = none
+  std::vector<Part> parts;             // the last one with a particle counts
+  std::vector<Drive> drives;           // the last one with a particle counts
+  std::vector<Load> loads;             // all with a particle add up
+  std::array<Expression, 3> velocity;  // initial velocity, m/s
+  Expression held;                     // clamped region
+  std::array<Expression, 3> guided;    // region that is fixed along this axis
   std::array<bool, 3> mirror{};        // reflects the layout along these axes about the first shape's centre
-  std::optional<Rotation> rotation;    // of the layout, after reflection
-  std::array<Expression, 3> displacement;  // from the reference configuration to the start, m; empty = 0
+  std::optional<Rotation> rotation;    // after reflection
+  std::array<Expression, 3> displacement;  // from the reference position to the start, m
 };
 
-/// Whether x is in the body, or at most `tolerance` outside; ignores the displacement.
+/// Whether x is in the body, or at most `tolerance` outside; ignores displacements.
 bool holds(const Body& body, const Point& x, int dim, double tolerance);
 
-/// The body before reflection and rotation, shifted such that x → −x reflects it into place.
+/// The body before reflection (x → −x) and rotation, shifted accordingly.
 Body as_laid(Body body, int dim);
-/// Maps a point of as_laid(body) to its place.
+/// From as_laid(body) to its place.
 Point placed(const Body& body, Point x, int dim);
 /// Inverse of `placed`.
 Point laid_at(const Body& body, Point x, int dim);
 
-/// A component of the Cauchy stress, positive in tension, or an invariant, Pa.
+/// Component of the Cauchy stress, positive in tension, or invariant, Pa.
 enum class StressPart : std::uint8_t { xx, yy, zz, xy, xz, yz, von_mises, pressure };
 
 /// A quantity sampled in every step. Forces are means over the last step, 0 at the start, in 2D per metre depth.
 struct Probe {
-  /// Kind of probe, by its name in scene files; each has a row in solver/probe_kinds.cpp.
+  /// Has its name in scene files and a row in solver/probe_kinds.cpp. Most are of `bodies[0]`, component `axis`.
   struct Kind {
     std::string_view name;
     bool is_force = false;
@@ -137,20 +137,20 @@ struct Probe {
 
     // kinds that the code names
     static const Kind displacement, position,
-        velocity;                // of material point `at` of `bodies[0]`, component `axis`
-    static const Kind distance;  // between material points `at` and `to` of `bodies[0]`, m
-    static const Kind mean_velocity, mean_position;  // mass-weighted, of `bodies[0]`, component `axis`
-    static const Kind greatest_position;             // of any particle of `bodies[0]`, component `axis`, m
-    // least distance between particles of `bodies[0]` and `bodies[1]` minus their mean diameter, or between faces, m
+        velocity;                                    // of material point `at`
+    static const Kind distance;                      // between material points `at` and `to`, m
+    static const Kind mean_velocity, mean_position;  // mass-weighted
+    static const Kind greatest_position;             // of any particle, m
+    // between particles of `bodies[0]` and `bodies[1]` minus their mean diameter, or between faces, m
     static const Kind gap;
     // largest |x_a − mirror(x_b)| of two bodies of equal layout, or of one symmetric body, plane ⊥ axis, m
     static const Kind mirror_asymmetry;
-    // angle of material point `at` of `bodies[0]` about `turns_about` since the start, including whole turns, rad
+    // angle of material point `at` about `turns_about` since the start, including whole turns, rad
     static const Kind turn;
-    static const Kind stress;  // `part` at material point `at` of `bodies[0]`, Pa
-    // constraint force on the particles of `bodies[0]` that are clamped, guided or driven, component `axis`, N
+    static const Kind stress;  // `part` at material point `at`, Pa
+    // constraint force on clamped, guided or driven particles, N
     static const Kind reaction;
-    static const Kind contact_force;  // on `bodies[0]`, from `bodies[1]` or else `wall`, component `axis`, N
+    static const Kind contact_force;  // on `bodies[0]`, from `bodies[1]` or else `wall`, N
     static const Kind expression;     // `value` of the preceding probes
   };
   std::string name;
@@ -160,9 +160,9 @@ struct Probe {
   int axis = 0;
   Point turns_about{0, 0, 1};  // axis through the origin, unit vector; z in 2D
   StressPart part{};
-  Expression where;  // reaction: not 0 at its particles; empty = all
+  Expression where;  // region of a reaction; empty = all
   int wall = -1;     // index into Scene::walls
-  /// Function of the preceding probes' values and the time, s.
+  /// Of the preceding probes' values and the time, s.
   std::function<double(const std::vector<double>&, double)> value;
   bool of_forces = false;  // `value` depends on forces only
 };
@@ -175,29 +175,29 @@ inline constexpr Probe::Kind Probe::Kind::displacement{"displacement"}, Probe::K
     Probe::Kind::stress{"stress"}, Probe::Kind::reaction{"reaction", true},
     Probe::Kind::contact_force{"contact_force", true}, Probe::Kind::expression{"expression"};
 
-/// Whether samples are means over a step, not values at their times.
+/// Whether samples are means over steps.
 inline bool is_of_steps(const Probe& probe) { return probe.kind.is_force || probe.of_forces; }
 
-/// Evenly spaced points on a straight line in a body, where a field is sampled.
+/// Evenly spaced points in a body where a field is sampled.
 struct SampleLine {
   std::string name;
   int body = 0;           // index into Scene::bodies
   std::string field;      // key
   Point from{}, to{};     // first and last point, m
-  bool in_space = false;  // points fixed in space instead of material points
+  bool in_space = false;  // fixed in space, not material
   int points = 0;
   std::vector<double> times;  // s, increasing
 };
 
-/// A number computed from probes, with its unit in run.json.
+/// A number computed from probes.
 struct Measure {
   std::string name;
-  std::string kind;                 // see diagnostics/measure_kinds.hpp, also for the members that it uses
+  std::string kind;                 // see diagnostics/measure_kinds.hpp
   std::vector<std::string> probes;  // of a point: one per axis
   std::string line;
   int body = 0;                     // index into Scene::bodies
   std::vector<std::string> fields;  // keys of the compared components
-  bool rigid_motion_free = false;   // ignores a small rigid motion, for loads that leave it open
+  bool rigid_motion_free = false;   // ignores a small rigid motion, which loads leave open
   std::string unit;
   double threshold = 0;
   double scale = 1;
@@ -208,16 +208,16 @@ struct Measure {
   std::optional<double> until;   // s; none = the end of the run
   double time = 0;               // s
   std::string free;              // probe of the gap between separating bodies; may be empty
-  Point axis{0, 0, 1};           // of a turn in 3D, unit vector
+  Point axis{0, 0, 1};           // unit vector of a turn in 3D
 };
 
-/// Independent solution, linearly interpolated: time and a column per probe, or distance along a line and a column.
+/// Independent solution, linearly interpolated: a column per probe over time, or one along a line.
 struct ReferenceTable {
   std::vector<double> t;                   // s, or m along a line
   std::vector<std::vector<double>> value;  // [probe], the probe's unit
 };
 
-/// Independent values for the measures of the scene, for one law.
+/// Independent values for the measures of a scene, for one law.
 struct Reference {
   std::string name;                       // "finite elements, 2d deviator, ..."; lists all sources
   std::map<std::string, double> value{};  // by measure, in its unit
@@ -235,7 +235,7 @@ struct Reference {
   }
 };
 
-/// A simulation as plain data; expressions are evaluated or bound.
+/// Plain data; expressions are evaluated or bound.
 struct Scene {
   std::string name;
   std::string title;
@@ -248,8 +248,8 @@ struct Scene {
   std::vector<Body> bodies;
   std::vector<Wall> walls;
   ContactLaw contact = ContactLaw::published;
-  std::array<std::function<double(double)>, 3> gravity;  // m/s², of the time in s; empty = 0
-  double damping = 0;  // c, 1/s, of a force −c m v for scenes that come to rest; see solver/loads.hpp
+  std::array<std::function<double(double)>, 3> gravity;  // m/s², of the time in s
+  double damping = 0;  // c, 1/s, of a force −c m v, for scenes that come to rest; see solver/loads.hpp
   std::vector<Probe> probes;
   std::vector<SampleLine> lines;
   std::vector<Measure> measures;
@@ -257,9 +257,9 @@ struct Scene {
   std::map<std::string, Reference> references;
 };
 
-/// Whether the drive ends before the run; an end with the run does not count, as the last step overshoots.
+/// Whether the drive ends before the run; not at its end, as the last step overshoots.
 bool lets_go(const Drive& drive, const Scene& scene);
-/// Index of the last region that contains x; −1 = none.
+/// Last region that contains x; −1 = none.
 template <class Region>
 int last_that_holds(const std::vector<Region>& regions, const Point& x) {
   int k = static_cast<int>(regions.size()) - 1;
@@ -269,15 +269,15 @@ int last_that_holds(const std::vector<Region>& regions, const Point& x) {
 bool has_drives(const Scene& scene);
 bool has_displacements(const Scene& scene);
 bool starts_as_laid(const Body& body);
-/// Starting position of the particle at reference position x.
+/// Starting position for reference position x.
 Point displaced(const Body& body, const Point& x);
 bool has_guides(const Scene& scene);
 bool has_gravity(const Scene& scene);
 /// Loads or gravity.
 bool has_loads(const Scene& scene);
 
-/// The spacing nearest to `spacing` that divides the thinnest extent of the first shape into whole particles
-/// (hexagonal: rows); unchanged if the shape has none.
+/// The nearest spacing that divides the thinnest extent of the first shape into whole particles (hexagonal: rows);
+/// unchanged without such an extent.
 double fitted_spacing(const Body& first, int dim, double spacing);
 
 }  // namespace taut

@@ -21,7 +21,6 @@ struct Bounds {
 
 Bounds joined(Bounds a, const Bounds& b);
 
-/// Bounding box of the corners of a box, moved by `place`.
 template <class Place>
 Bounds bounds_of_placed(const Bounds& box, const Place& place) {
   Bounds all;
@@ -35,10 +34,10 @@ Bounds bounds_of_placed(const Bounds& box, const Place& place) {
   return all;
 }
 
-/// Closed chain of points on a face, m.
+/// Closed, on a face, m.
 using Chain = std::vector<Point>;
 
-/// Faces of a 3D body: quadrilaterals with corners exactly on them.
+/// Faces in 3D: quadrilaterals with corners exactly on the body's.
 struct FacePatches {
   struct Patch {
     std::array<int, 4> node{};  // anticlockwise, seen from outside
@@ -51,15 +50,14 @@ struct FacePatches {
 struct InitialSite {
   Point x{};                      // m
   double V0 = 0;                  // m^dim
-  int turned = -1;                // next site under the symmetry rotation of a round body; -1 = none
+  int turned = -1;                // next site under a round body's symmetry rotation; -1 = none
   double inside = 1;              // fraction of the cell inside the body
   std::array<bool, 3> on_face{};  // on a face normal to this axis
-  Point middle{};                 // x without jitter, m; decides which regions contain it
+  Point middle{};                 // x without jitter, m; decides membership of regions
 };
 
-/// Interface of the shapes in engine/scene/shapes/. Lengths are in m; components beyond `dim` are ignored.
-/// A shape can place particles in layers along its faces: lattice steps at curved faces cause strain errors that do
-/// not fall with the spacing.
+/// Lengths are in m; components beyond `dim` are ignored. A shape can place particles in layers along its faces:
+/// lattice steps there cause strain errors that do not fall with the spacing.
 struct ShapeBase {
   virtual ~ShapeBase() = default;
   bool operator==(const ShapeBase&) const = default;
@@ -71,25 +69,25 @@ struct ShapeBase {
   /// Area or volume, m^dim; an upper bound if not exact.
   virtual double measure(int dim) const = 0;
   virtual bool has_exact_measure() const;
-  /// Extent that must hold a whole number of particles, m; 0 = none.
+  /// To be divided into whole particles, m; 0 = none.
   virtual double thinnest(int dim) const;
-  /// Centre of reflections and rotations.
+  /// Of reflections and rotations.
   virtual Point middle() const;
-  /// Corner of the lattice of a body with this first shape.
+  /// Corner of the lattice if this is the first shape.
   virtual Point anchor() const;
-  /// Particles of a body of this shape alone; empty = filled by the lattice.
+  /// Particles of a body of this shape alone; empty = lattice.
   virtual std::vector<InitialSite> sites(int dim, double dp) const;
-  /// Faces in 2D: points on them about dp apart and at corners, solid on the left. Empty in 3D.
+  /// 2D faces: points about dp apart and at corners, solid on the left. Empty in 3D.
   virtual std::vector<Chain> outline(int dim, double dp) const;
-  /// Faces in 3D of a shape that places its particles; else empty.
+  /// 3D faces, if the shape places its particles.
   virtual FacePatches patches(double dp) const;
-  /// For rotated lattices: lattice to space, space to lattice, and bounds along the lattice axes.
+  /// For rotated lattices: to space, to lattice, bounds in the lattice.
   virtual Point from_lattice(const Point& x) const;
   virtual Point to_lattice(const Point& x) const;
   virtual Bounds lattice_bounds() const;
 };
 
-/// A shape of any kind; copies share it.
+/// Any kind of shape; copies share it.
 class Shape {
  public:
   template <std::derived_from<ShapeBase> S>
@@ -100,7 +98,7 @@ class Shape {
         }) {}
 
   const ShapeBase* operator->() const { return base_.get(); }
-  /// nullptr if it is another kind.
+  /// nullptr for another kind.
   template <class S>
   const S* as() const {
     return dynamic_cast<const S*>(base_.get());

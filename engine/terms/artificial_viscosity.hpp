@@ -5,9 +5,8 @@
 
 namespace taut {
 
-/// Π = α h c̄/ρ̄ (u·r)/(r² + (0.1 h)²) for approaching pairs, else 0, m⁵/(kg s²). Σ m_j Π ∇_i W is an acceleration,
-/// repulsive since Π ≤ 0. [Khayyer2024] Eq. 15, 16. `approach` = −u·r, m²/s. Departure from [TranDuc2023] §2.2: it
-/// lacks 1/ρ̄, so that the units are wrong, and the value 0.01.
+/// Π, m⁵/(kg s²); Σ m_j Π ∇_i W is an acceleration, repulsive since Π ≤ 0. `approach` = −u·r, m²/s. Departure from
+/// [TranDuc2023] §2.2: it lacks 1/ρ̄, so that units are wrong, and the value 0.01.
 template <class T>
 T artificial_viscosity(const T& approach, const T& r2, const T& c_mean, const T& rho_mean, double alpha,
                        double h) {

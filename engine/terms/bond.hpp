@@ -9,23 +9,20 @@
 #include "engine/core/tensor.hpp"
 #include "engine/term_info.hpp"
 
-/// Functions of one bond and one particle of `oenog`, derived in methods/bonded/THEORY.md from the energy
-///   E = Σ_i [ V_i W(F_i) + G V0_i Σ_j w_ij (φ(s_ij) − φ_c(s°_ij)) ],   F_i = Σ_j (x_j − x_i) ⊗ g_ij,
-///   s = λ² = |x_j − x_i|²/r0_ij²,   s° = e·C_i e,   C = Fᵀ F,   e = X_ij/r0_ij,
-/// with the forces
-///   f_i = Σ_j k_ij φ′(λ_ij)/λ_ij (x_j − x_i) + Σ_j (T_i g_ij − T_j g_ji),   k_ij = G (V0_i w_ij + V0_j w_ji)/r0_ij²,
-///   T_i = V_i ∂W/∂F − G V0_i F_i Σ_j w_ij φ′(λ°)/λ° e ⊗ e.
+/// Terms of `oenog`, derived in methods/bonded/THEORY.md, with
+///   F_i = Σ_j (x_j − x_i) ⊗ g_ij,   s = λ² = |x_j − x_i|²/r0_ij²,   s° = e·C_i e,   C = Fᵀ F,   e = X_ij/r0_ij,
+///   k_ij = G (V0_i w_ij + V0_j w_ji)/r0_ij².
 namespace taut {
 
-/// Modulus in place of G in bonds and their cancelled part, Pa. Bonds have λ = G. If the law's λ is negative
-/// (negative Poisson's ratio), the remainder after cancelling would soften in tension. So the bonds' bulk modulus is
-/// limited to 2 (3D: 2.5) times the law's, its value at λ = 0.
+/// Modulus in place of G in bonds and their cancelled part, Pa. Bonds have λ = G: for a law with negative λ
+/// (Poisson's ratio < 0) cancelling leaves a body that softens in tension. So the bonds' bulk modulus is at most 2
+/// (3D: 2.5) times the law's.
 template <int Dim>
 double bond_modulus(double K, double G) {
   return std::min(G, Dim == 2 ? K + G / 3 : 1.5 * K);
 }
 
-/// φ = (2 s² − 3 s + 1/s)/24, s = λ²
+/// φ, s = λ²
 template <class T>
 T bond_energy(const T& s) {
   return (1.0 / 24) * (s * (2 * s - 3) + 1 / s);
@@ -34,7 +31,7 @@ inline constexpr TermInfo bond_energy_info{
     "energy", "E = Σ_i [ V_i W(F_i) + G V0_i Σ_j w_ij (φ(s_ij) − φ_c(s°_ij)) ]", "ours",
     "terms/bond.hpp:bond_energy", "bond: a linear displacement has the neo-Hookean energy and stress"};
 
-/// 3 φ′(λ)/λ from s = λ² and ½/s
+/// 3 φ′(λ)/λ
 template <class T>
 T three_bond_slopes(const T& s, const T& half_inverse) {
   return s - 0.75 - half_inverse * half_inverse;
@@ -49,17 +46,16 @@ inline constexpr TermInfo bond_force_info{
     "ours, from [Zhang2024] Eq. 20", "terms/bond.hpp:bond_slope",
     "bond: the slopes are those of the energies, and rise"};
 
-/// φ″(λ) without the offset, from s = λ² and ½/s; φ″ = 1 at rest.
+/// φ″(λ) without the offset, which makes φ″ = 1 at rest.
 inline constexpr double bond_stiffness_offset = -0.25;
 template <class T>
 T bond_stiffness(const T& s, const T& half_inverse) {
   return s + half_inverse * half_inverse;
 }
 
-/// Values of s where φ_c = φ; φ_c is linear outside.
+/// Range of s with φ_c = φ; φ_c is linear outside.
 template <int Dim>
 inline constexpr std::array<double, 2> cancelled_range = {0.25, Dim == 2 ? 6.25 : 4};
-/// Limits s of F to this range.
 template <int Dim, class T>
 T within_cancelled(const T& s) {
   constexpr auto range = cancelled_range<Dim>;
@@ -78,7 +74,7 @@ template <int Dim>
 double cancelled_slope_rate(double s) {
   return s == within_cancelled<Dim>(s) ? (1 + 0.5 / (s * s * s)) / 3 : 0;
 }
-/// cancelled_slope of s and t, each times 3 times its third; shares one division, which would dominate the cost.
+/// cancelled_slope of s and t, each times 3 times its third; one division, which would dominate the cost.
 template <int Dim, class T>
 [[gnu::always_inline]] inline std::array<T, 2> cancelled_pulls(const T& s, const T& t, const T& third_of_s,
                                                                const T& third_of_t) {
@@ -92,13 +88,13 @@ inline constexpr TermInfo cancelled_info{"cancelled",
                                          "ours", "terms/bond.hpp:cancelled_slope",
                                          "bond: a linear displacement has the neo-Hookean energy and stress"};
 
-/// Stiffness with the part (K + 4G/3)(1 − 2J)³ of W, relative to rest.
+/// Stiffness due to the part (K + 4G/3)(1 − 2J)³ of W, relative to rest.
 template <class T>
 T closing_stiffness(const T& J) {
   return 1 + 24 * max(1 - 2 * J, T{});
 }
 
-/// Neo-Hookean energy W (2D: plane strain), continued below J = ½. T: one particle or four.
+/// Neo-Hookean W (2D: plane strain), continued below J = ½. T: one particle or four.
 template <class T>
 struct ClosedNeoHookean {
   T K, G;  // Pa
@@ -113,7 +109,7 @@ struct ClosedNeoHookean {
   template <int Dim>
   Mat<T, Dim> piola(const Mat<T, Dim>& F, const T& cube_root) const {
     const T t = half_trace(F), J = determinant(F), shear = G * cube_root * cube_root;
-    const T of_c = (-1.0 / 3) * shear * power<3>(cube_root) * (2 * t + (3 - Dim));  // 1/c = cube_root³
+    const T of_c = (-1.0 / 3) * shear * power<3>(cube_root) * (2 * t + (3 - Dim));
     const T of_J = K * (J - 1) - 6 * wave_modulus() * power<2>(shut(J)) + of_c * in_place_of(J).slope;
     return shear * F + of_J * cofactor(F);
   }
@@ -135,7 +131,7 @@ struct ClosedNeoHookean {
     const T below = 0.25 / (0.75 - min(J, filled<T>(0.5)));
     return {J < 0.5 ? 0.25 + 0.25 * below : J, J < 0.5 ? below * below : one};
   }
-  /// ½ tr C (2D: in the plane)
+  /// 2D: in the plane
   template <int Dim>
   static T half_trace(const Mat<T, Dim>& F) {
     return 0.5 * trace(right_cauchy_green(F));

@@ -7,14 +7,14 @@
 
 namespace taut {
 
-/// Determines which methods can run with a contact law.
+/// Determines which methods can run with a law.
 enum class ContactBetween {
   particles,      // pairs of two bodies or a fold, less than a spacing apart; all methods
   faces,          // methods with initial neighbours
   all_neighbors,  // the method's own sums; methods that search neighbours
 };
 
-/// A contact law. Its header defines its row; contact_laws.hpp lists all rows.
+/// Defined in the header of a law, listed in contact_laws.hpp.
 struct ContactLawRow {
   ContactLaw law;
   std::string_view help;
@@ -23,11 +23,11 @@ struct ContactLawRow {
   // initial gap of touching faces, spacings: particles of oblique faces touch first
   double touching = 0.1;
 
-  // Laws between particles have a force and its energy, or an impulse; `sph` has a force for walls. Force along a
-  // pair, N, and energy, J (both per metre depth in 2D), for r < dp, m; K: contact modulus, Pa.
+  // Either a force and its energy, or an impulse; `sph` has a force for walls. Along a pair, N, and J (per metre
+  // depth in 2D), for r < dp, m; K: contact modulus, Pa.
   double (*force)(double r, double dp, double K, int dim) = nullptr;
   double (*energy)(double r, double dp, double K, int dim) = nullptr;
-  // Impulse along a pair, N s (per metre depth in 2D); inverse masses in 1/kg.
+  // N s (per metre depth in 2D); inverse masses in 1/kg.
   double (*impulse)(double closing_speed, double inv_m_i, double inv_m_j) = nullptr;
 };
 

@@ -5,15 +5,15 @@
 
 namespace taut {
 
-/// (ρ_j − ρ_i) V_j ∇_i W: its sum over j, times L_i, is ∇ρ, kg/m⁴. [Khayyer2024] Eq. 35
+/// Summed over j, times L_i: ∇ρ, kg/m⁴. [Khayyer2024] Eq. 35
 template <class T, int Dim>
 Vec<T, Dim> density_gradient_term(const T& rho_i, const T& rho_j, const T& V_j, const T& dW,
                                   const Vec<T, Dim>& e_ij) {
   return T((rho_j - rho_i) * V_j * dW) * e_ij;
 }
 
-/// ψ_ij (r·∇_i W)/r² V_j, ψ_ij = 2 (ρ_j − ρ_i) − (∇ρ_i + ∇ρ_j)·(x_j − x_i), kg/m⁵: its sum over j, times δ h c0, is
-/// dρ/dt; 0 for linear ρ. [Khayyer2024] Eq. 33, 34, where ρ_ij is this difference (in Eq. 16 a mean).
+/// kg/m⁵; ψ_ij = 2 (ρ_j − ρ_i) − (∇ρ_i + ∇ρ_j)·(x_j − x_i), 0 for linear ρ. The ρ_ij of [Khayyer2024] Eq. 34 is this
+/// difference, in Eq. 16 a mean.
 template <class T, int Dim>
 T density_diffusion_term(const T& rho_i, const T& rho_j, const Vec<T, Dim>& gradient_i,
                          const Vec<T, Dim>& gradient_j, const T& V_j, const T& dW, const T& r,

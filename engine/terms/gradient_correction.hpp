@@ -6,8 +6,7 @@
 /// L_i·∇_i W replaces ∇_i W, so that the gradient of a linear field is exact.
 namespace taut {
 
-/// Adds one neighbour to M = −Σ V_j r_ij ⊗ ∇_i W, dimensionless. [Zhang2024] Eq. 27 with the sign of Eq. 14
-/// (velocity_gradient.hpp); [Khayyer2024] §3.1
+/// Adds one neighbour to M = −Σ V_j r_ij ⊗ ∇_i W. [Zhang2024] Eq. 27 with the sign of Eq. 14
 template <class T, int Dim>
 void add_gradient_moment(Sym<T, Dim>& M, const T& V_j, const T& dW, const T& r, const Vec<T, Dim>& e_ij) {
   add_outer(M, T(-V_j * dW * r), e_ij);
@@ -18,13 +17,12 @@ inline constexpr TermInfo stress_recovery_info{
     "terms/gradient_correction.hpp:add_gradient_moment",
     "velocity gradient: exact for a linear field after correction, on irregular particles"};
 
-/// Least det M/(tr M)^Dim, ¼ (3D: 1/27) inside a lattice. Below, neighbours are nearly collinear (3D: coplanar), and
-/// M⁻¹ grows without limit.
+/// Least det M/(tr M)^Dim, ¼ (3D: 1/27) inside a lattice: M⁻¹ grows without limit as neighbours become collinear (3D:
+/// coplanar).
 template <int Dim>
 inline constexpr double least_moment = Dim == 2 ? 1e-2 : 1e-3;
 
-/// L = M⁻¹; 0 without neighbours or if they are nearly collinear. Departure from [Khayyer2024]: without this bound a
-/// bent row of particles diverges.
+/// L = M⁻¹ or 0. Departure from [Khayyer2024]: without the bound a bent row of particles diverges.
 template <int Dim>
 Sym<double, Dim> gradient_correction(const Sym<double, Dim>& M) {
   double scale = trace(M);

@@ -7,16 +7,15 @@
 
 namespace taut {
 
-/// Contact modulus stiffness · K1 K2/(K1 + K2), Pa. [TranDuc2023] Eq. 2.13 has stiffness = 1 with u/dp as strain. The
-/// face is half a spacing from the centre, so that the strain is twice that: with stiffness = 2 the layer between two
-/// faces is as stiff as the material. Symmetric to the last bit, exact for K1 = K2.
+/// Contact modulus, Pa. [TranDuc2023] Eq. 2.13 has stiffness = 1 with strain u/dp. Faces are half a spacing from the
+/// centre, so that the strain is twice that: with 2 the layer between two faces is as stiff as the material.
+/// Symmetric to the last bit, exact for K1 = K2.
 inline double contact_modulus(double K1, double K2, double stiffness) {
   const double softer = std::min(K1, K2), harder = std::max(K1, K2);
   return stiffness * (softer * (harder / (softer + harder)));
 }
 
-/// Force along the pair, N (per metre depth in 2D): K dp^(d−2) (dp − r) for r < dp, else 0; K: contact modulus, Pa.
-/// [TranDuc2023] Eq. 2.13–2.15
+/// N (per metre depth in 2D); K: contact modulus, Pa. [TranDuc2023] Eq. 2.13–2.15
 inline double penalty_force(double r, double dp, double K, int dim) {
   const double area = dim == 3 ? dp : 1;
   return K * area * std::max(dp - r, 0.0);

@@ -3,9 +3,8 @@
 #include "engine/core/pack.hpp"
 #include "engine/term_info.hpp"
 
-/// Riemann problem of a pair along e_ij (from j to i), left state i: U_L = −v_i·e_ij, U_R = −v_j·e_ij, U_L − U_R is
-/// the closing speed. [Zhang2024] prints neither U* nor P*; these are of a linearised solver with limited
-/// dissipation.
+/// Riemann problem along e_ij (from j to i), left state i: U_L = −v_i·e_ij, U_R = −v_j·e_ij, closing speed U_L − U_R.
+/// [Zhang2024] prints neither U* nor P*; these are of a linearised solver.
 namespace taut {
 
 struct Dissipation {
@@ -14,9 +13,9 @@ struct Dissipation {
   double least;    // least β
 };
 
-/// P* = ½ (p_i + p_j) + ½ β ρ0 c0 (U_L − U_R), Pa, symmetric in i and j. [Zhang2024] Eq. 12. β = 1 is the linearised
-/// solver; the paper's reference has the limiter β = min(3 max(U_L − U_R, 0)/c0, 1). The paper prints no β: its
-/// results follow with the limiter for `og`, with β = 1 for `enog` and `oas`, which diverge otherwise.
+/// P* = ½ (p_i + p_j) + ½ β ρ0 c0 (U_L − U_R), Pa. β = 1 is the linearised solver, β = min(3 max(U_L − U_R, 0)/c0, 1)
+/// the limiter of the paper's reference. The paper prints no β: it is reproduced by the limiter for `og` and by β = 1
+/// for `enog` and `oas`, which diverge otherwise.
 template <class T>
 T riemann_pressure(const T& p_i, const T& p_j, const T& closing_speed, const Dissipation& d) {
   T impedance = filled<T>(d.rho0_c0);
@@ -27,8 +26,7 @@ inline constexpr TermInfo riemann_pressure_info{"pressure force", "dv/dt = −2 
                                                 "[Zhang2024] Eq. 12", "terms/riemann.hpp:riemann_pressure",
                                                 "riemann: P* is symmetric in the two states"};
 
-/// V_j (v_ij·e_ij) ∂W/∂r, 1/s: its sum over j, times ρ_i, is dρ_i/dt. [Zhang2024] Eq. 11 without the pressures in U*,
-/// see `pressure_diffusion_term`.
+/// 1/s, without the pressures in U* (`pressure_diffusion_term`).
 template <class T>
 T compression_term(const T& V_j, const T& dW, const T& closing_speed) {
   return -V_j * dW * closing_speed;
@@ -37,8 +35,8 @@ inline constexpr TermInfo compression_info{
     "continuity", "dρ/dt = ρ_i Σ V_j v_ij·∇W", "[Zhang2024] Eq. 11", "terms/riemann.hpp:compression_term",
     "riemann: what closes grows denser, whatever the order of the pair"};
 
-/// Pressure part of U*, V_j · 2 · share (p_i − p_j)/(2 ρ0 c0) ∂W/∂r, 1/s. [Zhang2024] Eq. 11. By default share = 0,
-/// as in the authors' program: it would diffuse pressure gradients and soften bending.
+/// Pressure part of U*, 1/s. [Zhang2024] Eq. 11. By default share = 0, as in the authors' program: it would diffuse
+/// pressure gradients and soften bending.
 template <class T>
 T pressure_diffusion_term(const T& V_j, const T& dW, const T& p_i, const T& p_j, double share, double rho0,
                           double c0) {

@@ -7,9 +7,8 @@
 namespace taut {
 
 /// Jaumann rate of the deviatoric stress, Pa/s; increment if L dt replaces L:
-///   ds/dt = 2G (D − tr D/n I) + ω s − s ω,   D = ½ (L + Lᵀ),  ω = ½ (L − Lᵀ),
-/// n = d [Zhang2024] Eq. 7 or 3 [Khayyer2024] Eq. 6. Departure: [Zhang2024] lacks the rotation terms; the stress
-/// would not be objective.
+///   ds/dt = 2G (D − tr D/n I) + ω s − s ω,   D = ½ (L + Lᵀ),  ω = ½ (L − Lᵀ).
+/// Departure: [Zhang2024] lacks the rotation terms and would not be objective.
 template <Deviator deviator, int Dim>
 Sym<double, Dim> jaumann_rate(const Mat<double, Dim>& L, const Sym<double, Dim>& s, double G) {
   constexpr double n = deviator == Deviator::in_plane ? Dim : 3;
@@ -38,9 +37,8 @@ inline constexpr TermInfo jaumann_rate_info{"stress rate", "ds/dt = 2G (D − tr
                                             "[Zhang2024] Eq. 7", "terms/stress_rate.hpp:jaumann_rate",
                                             "stress rate: by hand for stretch and shear, for both deviators"};
 
-/// Deviatoric stress after a time dt, s → R s Rᵀ + 2G (D − tr D/n I) dt, R = (I − ½ dt ω)⁻¹ (I + ½ dt ω). A rigid
-/// rotation keeps the size of s for any dt. Departure: with [Khayyer2024] Eq. 24, s + dt ds/dt, s grows by 1 + 2 (ω
-/// dt)² per step.
+/// s → R s Rᵀ + 2G (D − tr D/n I) dt, R = (I − ½ dt ω)⁻¹ (I + ½ dt ω): a rigid rotation keeps the size of s for any
+/// dt. Departure: with [Khayyer2024] Eq. 24 s grows by 1 + 2 (ω dt)² per step.
 template <Deviator deviator>
 Sym<double, 2> turned_stress(const Mat<double, 2>& L, const Sym<double, 2>& s, double G, double dt) {
   const double half = 0.25 * dt * (L(0, 1) - L(1, 0)), scale = 1 / (1 + half * half);

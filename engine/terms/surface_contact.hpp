@@ -9,9 +9,8 @@
 
 namespace taut {
 
-/// Pressure per depth between two faces, Pa/m: k = ½ s M1 M2/(M1 + M2)/dp, M = K + 4G/3. With s = 2 they overlap by
-/// the compression of two spacings of material. A greater s overlaps less but needs shorter steps: `oenog` in 2D is
-/// stable up to s = 6. Symmetric to the last bit.
+/// k, Pa/m, M = K + 4G/3: with s = 2 faces overlap by the compression of two spacings of material. A greater s
+/// overlaps less but needs shorter steps: `oenog` in 2D is stable up to s = 6. Symmetric to the last bit.
 inline double surface_stiffness(double M1, double M2, double stiffness, double dp) {
   const double softer = std::min(M1, M2), harder = std::max(M1, M2);
   return 0.5 * stiffness * (softer * (harder / (softer + harder))) / dp;
@@ -23,16 +22,16 @@ inline double surface_stiffness_slope(double M1, double M2, double stiffness, do
   return 0.5 * stiffness * share * share / dp;
 }
 
-/// Contact stiffness relative to the material, at least 1.
+/// Relative to the material, at least 1.
 inline double stiffer_than_material(double stiffness) { return std::max(1.0, stiffness / 2); }
 
-/// J (per metre depth in 2D), of a piece of a face, m (m² in 3D), at `depth`, m, behind another face: ½ · ½ k δ² A,
-/// as each of two overlapping faces counts for half.
+/// J (per metre depth in 2D), of a piece of a face, m (m² in 3D), at `depth`, m, behind another: ½ · ½ k δ² A, as
+/// both faces count for half.
 inline double surface_energy(double depth, double area, double k) {
   return depth > 0 ? 0.25 * k * area * depth * depth : 0;
 }
 
-/// Derivative ½ k δ A, N (per metre depth in 2D), which separates the faces. Ours
+/// N (per metre depth in 2D); separates the faces.
 inline double surface_force(double depth, double area, double k) {
   return depth > 0 ? 0.5 * k * area * depth : 0;
 }
@@ -48,24 +47,20 @@ inline constexpr ContactLawRow surface_contact{
     .touching = 0,
 };
 
-/// Share of a piece that counts, by the cosine of the outward normals: 1 up to 60° from facing, 0 from 76° on. At a
-/// corner, only the side that faces the other face counts.
+/// Share of a piece by the cosine of the outward normals: 1 up to 60° from facing, 0 from 76° on, for the other side
+/// of a corner.
 inline double facing_share(double cosine) { return std::clamp(-4 * cosine - 1, 0.0, 1.0); }
 inline double facing_slope(double cosine) { return cosine > -0.5 && cosine < -0.25 ? -4 : 0; }
 
-// In 3D the depth of a facet f behind another face is a mean over facets g of that face,
+// In 3D the depth of a facet f behind a face is a mean over its facets g,
 //   δ = −Σ_g W p / Σ_g W,   p = (x_f − x_g) · (n_g − n_f)/|n_g − n_f|,   W = A_g s(n_f · n_g) w(ℓ²) c(p),
-// with the height p over the plane half way between them, the projected share s, the weight w of the lateral distance
-// ℓ, ℓ² = |x_f − x_g|² − p², within a radius R(p), and the share c of near heights. With ½ (n_g − n_f) in p, pressed
-// facets would tilt to lie less deep.
-//
-// δ is exact for parallel flat faces and of third order for round ones. It is objective and smooth: the force is the
-// energy's gradient, which conserves momenta and energy. A nearest point would jump from facet to facet.
-//
-// Σ_g W, the cover of f, is 1 amid the other face and ½ over its rim; `covered_share` of the energy counts. Ours
+// with the height p over the plane half way between, the projected share s, the weight w of the lateral distance ℓ <
+// R(p), ℓ² = |x_f − x_g|² − p², and the share c of near heights. With ½ (n_g − n_f) in p, pressed facets would tilt.
+// δ is exact for parallel flat faces, objective and smooth: the force is the energy's gradient, which conserves
+// momenta and energy. A nearest point would jump from facet to facet.
+// Σ_g W, the cover of f, is 1 amid the face and ½ over its rim; `covered_share` of the energy counts.
 
-/// R, m, at height p, m: 1.5 spacings above, 1.05 from one spacing deep on. Less lets edges and corners through; more
-/// includes the rim of a step, behind which no body lies.
+/// m. A smaller R lets edges and corners through; a greater one includes rims of steps.
 inline double lateral_radius(double p, double dp) {
   const double t = std::clamp(-p / dp, 0.0, 1.0);
   return (1.5 - 0.45 * t * t * (3 - 2 * t)) * dp;
@@ -75,7 +70,7 @@ inline double lateral_radius_slope(double p, double dp) {  // dR/dp
   return 0.45 * 6 * t * (1 - t);
 }
 
-/// w, 1/m², at lateral distance ℓ < radius, m; ∫ w dA = 1.
+/// 1/m², ∫ w dA = 1.
 inline double lateral_weight(double l2, double radius) {
   const double u = 1 - l2 / (radius * radius);
   return u > 0 ? 3 / (std::numbers::pi * radius * radius) * u * u : 0;
@@ -89,8 +84,7 @@ inline double lateral_slope_in_radius(double l2, double radius) {  // dw/dR, 1/m
   return u > 0 ? 6 / (std::numbers::pi * square * radius) * u * (2 - 3 * u) : 0;
 }
 
-/// Stiffens contact towards a depth of one spacing, ½ · ½ k δ² (1 + δ²/dp²) A, as the pressure under an edge is
-/// unbounded.
+/// Stiffens towards δ = dp, ½ · ½ k δ² (1 + δ²/dp²) A: the pressure under an edge is unbounded.
 inline double hard_energy(double depth, double area, double k, double dp) {
   const double u = depth / dp;
   return (1 + u * u) * surface_energy(depth, area, k);
@@ -99,11 +93,11 @@ inline double hard_force(double depth, double area, double k, double dp) {
   const double u = depth / dp;
   return (1 + 2 * u * u) * surface_force(depth, area, k);
 }
-/// s: `facing_share` of the facet's projection on the other normal, so that edges press no harder than flat faces.
+/// s: projection on the other normal, so that edges press no harder than flat faces.
 inline double projected_share(double cosine) { return -cosine * facing_share(cosine); }
 inline double projected_slope(double cosine) { return -facing_share(cosine) - cosine * facing_slope(cosine); }
 
-/// c of the height p, m: 1 up to 0.7 of the reach, m; 0 beyond it.
+/// c
 inline double near_share(double p, double reach) {
   const double t = std::clamp((1 - std::abs(p) / reach) / 0.3, 0.0, 1.0);
   return t * t * (3 - 2 * t);
@@ -113,7 +107,7 @@ inline double near_slope(double p, double reach) {  // 1/m
   return (p < 0 ? 1 : -1) * 6 / (0.3 * reach) * t * (1 - t);
 }
 
-/// Full from a cover of 0.85 on, so that uneven facets count fully.
+/// Full from 0.85 on, so that uneven facets count fully.
 inline double covered_share(double cover) {
   const double t = std::clamp((cover - 0.15) / 0.7, 0.0, 1.0);
   return t * t * (3 - 2 * t);
@@ -128,9 +122,9 @@ inline double covered_bend(double cover) {
   return t > 0 && t < 1 ? 6 / 0.49 * (1 - 2 * t) : 0;
 }
 
-/// Greatest stiffness over that at first touch, ½ k A: from the depth, and from the cover as edges and corners slide
-/// past each other. Per spacing the cover changes by less than 1.2, its slope by about 4; doubled, as facets share
-/// nodes. Also for a cover that is about to count. With the first part alone some tilted boxes gain energy.
+/// Greatest stiffness relative to first touch, ½ k A: from the depth, and from the cover as edges and corners slide
+/// past each other, without which tilted boxes gain energy. Per spacing the cover changes by at most 1.2, its slope
+/// by 4; doubled, as facets share nodes.
 inline double hardening(double depth, double cover, double dp) {
   constexpr double soon = 0.1, first = 0.2, steepest = 1.2, bend = 4;
   if (cover < soon) return 1;

@@ -4,14 +4,13 @@
 
 namespace taut {
 
-/// A rectangle or cuboid.
 struct Box final : ShapeBase {
   Point low{}, high{};
 
   Box() = default;
   Box(const Point& low, const Point& high) : low(low), high(high) {}
 
-  /// Number of cells, about dp wide, for particles on the faces.
+  /// About dp wide, for particles on the faces.
   long cells(std::size_t axis, double dp) const;
 
   Bounds bounds() const override { return {low, high}; }

@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// Combination of at least one shape, with lattice and middle of the first.
+/// At least one shape; lattice and middle of the first.
 struct Combined final : ShapeBase {
   Combination how{};
   std::vector<Shape> shapes;
@@ -61,7 +61,7 @@ struct Combined final : ShapeBase {
   }
   std::vector<Chain> outline(int dim, double dp) const override {
     if (dim != 2) return {};
-    constexpr double finely = 0.125;  // where curved faces cross, chords limit the accuracy
+    constexpr double finely = 0.125;  // chords limit the accuracy of crossings
     std::vector<std::vector<Chain>> solids;
     for (const Shape& shape : shapes) solids.push_back(shape->outline(dim, finely * dp));
     return evenly_spaced(combined(how, solids, dp), dp);

@@ -9,8 +9,8 @@
 
 namespace taut {
 
-/// Particles listed one by one; each fills a square (cube). Faces are where the indicator of the particles, smoothed
-/// by a cubic spline of radius 2 `size_`, is ½: half a spacing outside.
+/// Particles listed one by one; each fills a square (cube). At faces the indicator of the particles, smoothed by a
+/// cubic spline, is ½: half a spacing outside.
 class GivenParticles final : public ShapeBase {
  public:
   GivenParticles(std::vector<Point> places, std::vector<double> volumes, int dim)
@@ -68,7 +68,6 @@ class GivenParticles final : public ShapeBase {
   }
 
  private:
-  /// Cubic spline of radius 2, 1 at 0.
   static double spline(double r) {
     if (r >= 2) return 0;
     return r < 1 ? 1 - 1.5 * r * r + 0.75 * r * r * r : 0.25 * (2 - r) * (2 - r) * (2 - r);
@@ -80,7 +79,7 @@ class GivenParticles final : public ShapeBase {
       cell[k] = static_cast<long>(std::floor(x[k] / (reach * size_)));
     return cell;
   }
-  /// Calls visit(particle) near x, which excludes the shift.
+  /// Near x without the shift.
   template <class Visit>
   void around(const Point& x, const Visit& visit) const {
     const std::array<long, 3> middle = cell_of(x);

@@ -7,8 +7,8 @@
 
 namespace taut {
 
-/// Points of a box where an expression is not 0. The outline misses steps below a quarter of dp. `holds` tests a
-/// tolerance along the axes.
+/// Where an expression is not 0, in a box. The outline misses steps below a quarter of dp; tolerances are tested
+/// along the axes.
 struct Implicit final : ShapeBase {
   Box within;
   Expression inside;

@@ -6,11 +6,11 @@
 
 namespace taut {
 
-/// Region inside an odd number of closed contours, 2D; no sides may cross.
+/// Inside an odd number of closed contours, 2D; no sides may cross.
 class Polygon final : public ShapeBase {
  public:
-  /// With a centre, points are relative to it, rotation and reflection are about it, and the lattice is symmetric
-  /// about it. Otherwise the box gives the middle and the lattice's corner.
+  /// With a centre, points are relative to it, and rotation, reflection and lattice are about it; otherwise the box
+  /// determines them.
   Polygon(std::vector<Chain> contours, const std::optional<Point>& centre = {});
 
   Bounds bounds() const override;
@@ -32,10 +32,10 @@ class Polygon final : public ShapeBase {
   bool about_centre_;
   Bounds box_;                             // of the contours
   double area_ = 0;                        // m²
-  std::vector<std::vector<Side>> strips_;  // sides in each of equal strips of the box, from below
+  std::vector<std::vector<Side>> strips_;  // sides in equal strips of the box, from below
 };
 
-/// Where sides of the contours cross or overlap; none if they do not.
+/// Where sides cross or overlap, if any.
 std::optional<Point> crossing(const std::vector<Chain>& contours);
 
 }  // namespace taut

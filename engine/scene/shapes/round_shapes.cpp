@@ -10,7 +10,7 @@
 namespace taut {
 namespace {
 
-/// The k-th of n points; symmetric in y to the last bit, since angles go from −π to π.
+/// Symmetric in y to the last bit: angles from −π to π.
 Point on_circle(const Point& centre, double r, long k, long n) {
   const double angle =
       2 * std::numbers::pi * static_cast<double>(2 * k <= n ? k : k - n) / static_cast<double>(n);
@@ -24,10 +24,9 @@ Chain circle(const Point& centre, double r, long n, bool against) {
   return chain;
 }
 
-/// Number of points about dp apart.
 long number_around(double r, double dp) { return std::max(1L, std::lround(2 * std::numbers::pi * r / dp)); }
 
-/// Number of particles per layer, from the innermost.
+/// Per layer, from the innermost.
 std::vector<long> numbers_of(const Ring& ring, double dp) {
   const long layers = std::max(1L, std::lround((ring.outer - ring.inner) / dp));
   const double thickness = (ring.outer - ring.inner) / static_cast<double>(layers);
@@ -40,11 +39,11 @@ std::vector<long> numbers_of(const Ring& ring, double dp) {
   return numbers;
 }
 
-/// The k-th layer around the centre has 6 k particles.
+/// Layer k has 6 k particles.
 constexpr int sectors = 6;
 long layers_of(const Disc& disc, double dp) { return std::max(0L, std::lround(disc.radius / dp - 0.5)); }
 
-/// Adds `n` particles that share `area`, m², of a body with `fold`-fold symmetry.
+/// `area` of all `n`, m²; `fold`: rotational symmetry.
 void add_layer(std::vector<InitialSite>& sites, const Point& centre, double r, long n, double area,
                long fold) {
   const int first = static_cast<int>(sites.size());
@@ -53,8 +52,8 @@ void add_layer(std::vector<InitialSite>& sites, const Point& centre, double r, l
                      fold > 1 ? first + static_cast<int>((k + n / fold) % n) : -1});
 }
 
-/// Small holes distort the cells of aligned layers, where bonds are chosen by distance. Breathing hollow balls: at
-/// inner = 0.6 outer the error is 1.4 % (lattice: 4.7 %), at 0.35 outer 5 % (lattice: 0.8 %).
+/// Small holes distort the cells of aligned layers. Error of breathing hollow balls: at inner = 0.6 outer 1.4 %
+/// (lattice: 4.7 %), at 0.35 outer 5 % (lattice: 0.8 %).
 RoundLayout default_layout_in_3d(double inner, double outer, bool keeps_neighbors) {
   const bool fits = keeps_neighbors && inner >= 0.6 * outer * (1 - 1e-9);
   return fits ? RoundLayout::aligned : RoundLayout::lattice;

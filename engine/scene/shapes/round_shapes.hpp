@@ -7,16 +7,16 @@
 
 namespace taut {
 
-/// Layout of a round body. With initial neighbours, layers that fit its faces are best; neighbour search with one
-/// smoothing length needs equal distances in all directions.
+/// With initial neighbours, layers that fit the faces are best; searched neighbours need equal distances in all
+/// directions.
 enum class RoundLayout : std::uint8_t {
-  aligned,  // equal numbers on all layers; hollow bodies only
-  spaced,   // particles about dp apart on each layer
+  aligned,  // equally many per layer; hollow bodies only
+  spaced,   // about dp apart on each layer
   lattice,
 };
 std::string_view name(RoundLayout);
 
-/// Whether the hole is large enough: distances on the inner face are at least a third of those on the outer.
+/// Whether distances on the inner face are at least a third of those on the outer.
 bool can_be_aligned(double inner, double outer);
 
 /// Area or volume.
@@ -31,7 +31,7 @@ struct Disc final : ShapeBase {
   Disc(const Point& centre, double radius, RoundLayout layout = RoundLayout::lattice)
       : centre(centre), radius(radius), layout(layout) {}
 
-  /// 2D default, for initial or searched neighbours.
+  /// 2D, for initial or searched neighbours.
   static RoundLayout default_layout(bool keeps_neighbors);
 
   Bounds bounds() const override;
@@ -41,7 +41,7 @@ struct Disc final : ShapeBase {
   double thinnest(int) const override { return 2 * radius; }
   Point middle() const override { return centre; }
   Point anchor() const override { return bounds().middle(); }
-  /// Particles: 1 in the centre and 6, 12, 18 … on the layers, a hexagonal lattice made round.
+  /// 1 in the centre and 6, 12, 18 … on the layers, a hexagonal lattice made round.
   std::vector<InitialSite> sites(int dim, double dp) const override;
   std::vector<Chain> outline(int dim, double dp) const override;
   bool operator==(const Disc&) const = default;
@@ -66,16 +66,15 @@ struct Ring final : ShapeBase {
   Point middle() const override { return centre; }
   Point anchor() const override { return bounds().middle(); }
   /// Layers at r = inner + (k + ½) dp, beginning on the positive x axis. Aligned: a polar grid, dp apart at mean
-  /// radius. Spaced: about dp apart on each layer. 3D, aligned only: each layer is a cube's six faces made round,
-  /// with n × n particles of mean volume dp³.
+  /// radius. 3D, aligned only: a cube's six faces made round, n × n particles each, mean volume dp³.
   std::vector<InitialSite> sites(int dim, double dp) const override;
-  /// A point at the angle of each particle of the innermost and outermost layer.
+  /// At the angles of the innermost and outermost particles.
   std::vector<Chain> outline(int dim, double dp) const override;
   FacePatches patches(double dp) const override;
   bool operator==(const Ring&) const = default;
 };
 
-/// A round bar, hollow if `inner` > 0; 3D only.
+/// Hollow if `inner` > 0; 3D only.
 struct Cylinder final : ShapeBase {
   Point from{}, to{};
   double radius = 0, inner = 0;
@@ -95,7 +94,7 @@ struct Cylinder final : ShapeBase {
   double thinnest(int dim) const override;
   Point middle() const override { return Bounds{from, to}.middle(); }
   Point anchor() const override { return from; }
-  /// Aligned hollow cylinder: slices about dp apart, each a 2D ring.
+  /// Aligned: slices about dp apart, each a 2D ring.
   std::vector<InitialSite> sites(int dim, double dp) const override;
   FacePatches patches(double dp) const override;
   bool operator==(const Cylinder&) const = default;

@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// A rotated shape; its lattice or layers rotate with it.
+/// Its lattice or layers rotate with it.
 struct Turned final : ShapeBase {
   Shape shape;
   Rotation rotation;
