@@ -10,7 +10,7 @@
 namespace taut {
 namespace {
 
-// spacings; small values smooth faces less
+// spacings; a small reach smooths faces less
 constexpr double least_reach = 2, greatest_reach = 4, reach_step = 0.25;
 /// Limit of Σ weight², by which nodes are lighter than particles; above it the reach grows. 2.5 at a lattice face,
 /// (3/2)² + (1/2)² from two layers.
@@ -31,7 +31,6 @@ ParticlesAround::Cell ParticlesAround::cell_of(const Point& x) const {
   return cell;
 }
 
-/// Ascending.
 std::vector<int> ParticlesAround::near(const Point& x) const {
   std::vector<int> found;
   const Cell middle = cell_of(x);

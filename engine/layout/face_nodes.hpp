@@ -27,7 +27,7 @@ class ParticlesAround {
  public:
   ParticlesAround(const InitialParticles& initial, int body, double dp);
 
-  /// Smallest reach with low Σ weight². Empty if too few particles are near, or all in a plane.
+  /// Returns shares of the smallest reach with low Σ weight². Empty if too few particles are near, or all in a plane.
   std::vector<PointWeight> shares_of(const Point& x) const;
 
  private:

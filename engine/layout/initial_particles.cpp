@@ -19,21 +19,20 @@ namespace {
 constexpr double edge_tolerance = 1e-6;        // of dp; closer to an edge is inside
 constexpr double greatest_place_number = 1e9;  ///< lattice sites per body
 
-/// Counts overlaps of shapes repeatedly.
+/// Estimate; counts overlaps of shapes repeatedly.
 double expected_number(const Body& body, int dim, double dp) {
   double volume = 0;
   for (const Shape& shape : body.shapes) volume += shape->measure(dim);
   return volume / std::pow(dp, dim);
 }
 
-/// Or their number, if none.
+/// Index of the first shape that holds x, or their number.
 std::size_t first_that_holds(const std::vector<Shape>& shapes, const Point& x, int dim, double tolerance) {
   const auto found =
       std::ranges::find_if(shapes, [&](const Shape& s) { return s->holds(x, dim, tolerance); });
   return static_cast<std::size_t>(found - shapes.begin());
 }
 
-/// Along the lattice of the first shape.
 Bounds lattice_bounds_of(const Body& body) {
   const Shape& first = body.shapes.front();
   Bounds all = first->lattice_bounds();
@@ -43,7 +42,7 @@ Bounds lattice_bounds_of(const Body& body) {
   return all;
 }
 
-/// Cut-outs that remove nothing are most likely mistakes.
+/// A cut-out that removes nothing is most likely a mistake.
 void refuse_idle_cuts(const Body& body, const std::vector<long>& cut) {
   for (std::size_t k = 0; k < cut.size(); ++k)
     if (cut[k] == 0)
@@ -52,7 +51,7 @@ void refuse_idle_cuts(const Body& body, const std::vector<long>& cut) {
                                                              "'; correct or remove it");
 }
 
-/// Before the first shape rotates them.
+/// Lattice sites before the first shape rotates them.
 struct LatticeRows {
   Point anchor{};
   std::array<double, 3> pitch{};
@@ -97,7 +96,7 @@ LatticeRows rows_of(const Body& body, int dim, double dp) {
   return rows;
 }
 
-/// Half a pitch off the first anchor, in the union of shapes minus cut-outs.
+/// Fills the union of shapes minus cut-outs, half a pitch off the first anchor.
 std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
   const LatticeRows rows = rows_of(body, dim, dp);
   std::vector<InitialSite> sites;
@@ -120,7 +119,7 @@ std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
   return sites;
 }
 
-/// V0 is the part of the cell inside.
+/// Particles from face to face; V0 is the part of the cell inside.
 std::vector<InitialSite> sites_on_boundary(const Box& box, int dim, double dp) {
   long last[3] = {0, 0, 0};
   double pitch[3] = {1, 1, 1};
@@ -148,14 +147,14 @@ std::vector<InitialSite> sites_on_boundary(const Box& box, int dim, double dp) {
   return sites;
 }
 
-/// Empty = filled by the lattice.
+/// Sites of a body that the lattice does not fill.
 std::vector<InitialSite> own_sites(const Body& body, int dim, double dp) {
   if (body.shapes.size() != 1 || !body.without.empty()) return {};
   if (body.on_boundary) return sites_on_boundary(*body.shapes.front().as<Box>(), dim, dp);
   return body.shapes.front()->sites(dim, dp);
 }
 
-/// Along the lattice axes, not off faces; equal numbers with every compiler.
+/// Jitters along the lattice axes, not off faces; equal numbers with every compiler.
 void jitter_sites(std::vector<InitialSite>& sites, const Jitter& jitter, const Shape& first, int dim,
                   double dp) {
   if (jitter.share == 0) return;
@@ -185,7 +184,7 @@ std::vector<InitialSite> body_sites(const Body& as_given, const Scene& scene) {
 
 double value_of(const Expression& f, const Point& x) { return f ? f(x) : 0; }
 
-/// Empty regions are most likely mistakes.
+/// An empty region is most likely a mistake.
 template <class Region>
 void refuse_empty(const std::vector<Region>& regions, const std::vector<InitialSite>& sites, const Body& body,
                   const std::string& key) {
@@ -198,7 +197,7 @@ void refuse_empty(const std::vector<Region>& regions, const std::vector<InitialS
   }
 }
 
-/// So is a `held` that is 0 everywhere.
+/// A `held` that is 0 everywhere is most likely a mistake.
 void refuse_idle_hold(const Body& body, const std::vector<InitialSite>& sites) {
   const auto is_idle = [&](const Expression& where) {
     return where &&
@@ -249,7 +248,7 @@ bool may_mirror(const InitialParticles& layout, int first, int axis, int dim, co
   return guided;
 }
 
-/// Volumes of a box with particles on its faces.
+/// Weights the particles of a box with particles on its faces.
 void weigh_box(InitialParticles& layout, const Body& body, int first, int dim, double dp) {
   const Box& box = *body.shapes.front().as<Box>();
   long stride = 1;  // to the next particle along the axis

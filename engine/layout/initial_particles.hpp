@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// Body after body.
+/// Particles of all bodies, body after body.
 struct InitialParticles {
   int dim = 2;
   std::vector<Point> x, v;            // reference position, m; velocity, m/s
@@ -36,8 +36,8 @@ struct InitialParticles {
 
 inline constexpr double greatest_particle_number = 20e6;
 
-/// Fills bodies with a square (cubic) lattice, or whole round bodies with layers (RoundLayout) of exact mass. Along n
-/// cells of a box with particles on its faces, these have ½ − δ, 1 + δ, 1 … of a cell, δ = n/(12 (n − 1)): exact for
+/// Fills bodies with a square (cubic) lattice, or whole round bodies with layers (RoundLayout) of exact mass. In a
+/// box with particles on its faces, n cells become ½ − δ, 1 + δ, 1 … of a cell, δ = n/(12 (n − 1)). This is exact for
 /// degree 2 (Simpson's rule for n = 2 and 3, Gregory's for many), so for mass, moments of inertia and bending
 /// stiffness. Faces guided along the normal or all other axes may be planes of symmetry and keep half cells. Then
 /// jitters (volumes stay), reflects, rotates and displaces. Throws SceneError: no particles, too many, overlapping

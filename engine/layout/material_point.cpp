@@ -14,7 +14,7 @@ constexpr std::size_t most = 4;  // 1 and three components
 using Basis = std::array<double, most>;
 using Equations = std::array<std::array<double, most + 1>, most>;
 
-/// Right side in the last column; false if singular.
+/// Solves for the right side in the last column; false if singular.
 bool solve(Equations& A, std::size_t n) {
   constexpr double least_pivot = 1e-9;  // relative; 0 across a line of particles
   const double scale = A[0][0];
@@ -36,7 +36,7 @@ Point pitch_on_boundary(const Box& box, double dp, int dim) {
   return pitch;
 }
 
-/// Multilinear; empty if the particles around the point are no lattice.
+/// Multilinear weights; empty if the particles around the point are no lattice.
 std::vector<PointWeight> point_in_cell(const std::vector<Point>& x, int begin, int end, const Point& at,
                                        const Body& body, double dp, int dim) {
   constexpr double round_off = 1e-9;

@@ -12,10 +12,10 @@ struct PointWeight {
   double weight;
 };
 
-/// m; two spacings at least, since beyond a face fewer are collinear.
+/// Radius of the particles around a point, m; at least two spacings, since fewer are collinear beyond a face.
 constexpr double reach_of_points(double support, double dp) { return std::max(support, 2 * dp); }
 
-/// Moving least squares, exact for linear fields even on faces, half a spacing outside the particles:
+/// Weights by moving least squares, exact for linear fields even on faces, half a spacing outside the particles:
 ///   w_k = W_k (1, d_k)·A⁻¹·(1, 0),  A = Σ W_k (1, d_k) ⊗ (1, d_k),  d_k = X_k − X.
 /// Uses particles begin … end − 1 within `reach`, m. Empty if too few or collinear.
 std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
@@ -24,11 +24,11 @@ std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, 
 /// Greatest step between linked neighbours, spacings: across a cell's diagonal, not a slot.
 inline constexpr double link_of_neighbors = 1.8;
 
-/// Linked to the one nearest to `at` by steps up to `link`, m; ascending.
+/// Particles linked to the one nearest to `at` by steps up to `link`, m; ascending.
 std::vector<int> linked_to_nearest(const std::vector<Point>& x, const std::vector<int>& some, const Point& at,
                                    double link);
 
-/// Without particles beyond a slot. With Body::on_boundary interpolates in a lattice cell, so that points on clamped
+/// Ignores particles beyond a slot. With Body::on_boundary interpolates in a lattice cell, so that points on clamped
 /// particles are clamped.
 std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
                                         double reach, const Scene& scene, int body);

@@ -43,7 +43,7 @@ bool needs_clipping(const Body& body) {
   return std::ranges::any_of(body.shapes, is_other) || std::ranges::any_of(body.without, is_other);
 }
 
-/// For shapes whose sides are not multiples of the spacing.
+/// Clips shapes whose sides are not multiples of the spacing.
 std::vector<Chain> whole_outline(const Body& body, int dim, double dp) {
   const auto one = [](const std::vector<Shape>& shapes) {
     return shapes.size() == 1 ? shapes.front() : Shape(Combined{Combination::together, shapes});
@@ -63,7 +63,6 @@ class OutlineMaker {
   }
 
  private:
-  /// Reflects and rotates like the layout.
   void add(int b) {
     const Body body = as_laid(scene_.bodies[as_index(b)], scene_.dim);
     const ParticlesAround particles(initial_, b, scene_.spacing);
@@ -105,7 +104,7 @@ class OutlineMaker {
     }
   }
 
-  /// Created at first use; shared where chains meet.
+  /// Node of a chain point, created at first use; shared where chains meet.
   int node_at(int& known, int b, const Point& laid, const ParticlesAround& particles) {
     if (known != Outline::none) return known;
     const Point x = placed(scene_.bodies[as_index(b)], laid, scene_.dim);

@@ -18,7 +18,6 @@ namespace {
 
 constexpr double least_distance = 0.5;  // between bodies, spacings
 
-/// Hash grid.
 class ParticleGrid {
  public:
   ParticleGrid(double side, int dim) : side_(side), depth_(dim == 3 ? 1 : 0) {}
@@ -67,7 +66,6 @@ std::string place_text(const Point& x, int dim) {
                                               other, place_text(at, scene.dim), why));
 }
 
-/// [body] of starting positions.
 std::vector<Bounds> boxes_at_start(const InitialParticles& layout) {
   std::vector<Bounds> boxes(layout.first.size() - 1);
   for (std::size_t b = 0; b < boxes.size(); ++b)
@@ -108,7 +106,7 @@ void refuse_close_particles(const InitialParticles& layout, const Scene& scene) 
   }
 }
 
-/// From the start of a displaced body to its layout, by the nearest particle and the displacement gradient.
+/// Maps the start of a displaced body to its layout, by the nearest particle and the displacement gradient.
 class LaidPlaces {
  public:
   LaidPlaces(const InitialParticles& layout, const Scene& scene, std::size_t b)
@@ -116,7 +114,7 @@ class LaidPlaces {
     for (int i = layout.first[b]; i < layout.first[b + 1]; ++i) grid_.add(layout.at_start(i), i);
   }
 
-  /// Empty if none is near.
+  /// Empty if no particle is near.
   std::optional<Point> operator()(const Point& y) const {
     int nearest = -1;
     double least = reach * spacing_;
@@ -155,7 +153,7 @@ class LaidPlaces {
   ParticleGrid grid_;
 };
 
-/// Particles of `a` inside `b`.
+/// Throws SceneError for particles of `a` inside `b`.
 void refuse_particles_inside(const InitialParticles& layout, const Scene& scene, std::size_t a, std::size_t b,
                              const Bounds& box) {
   std::optional<LaidPlaces> laid;

@@ -19,7 +19,7 @@ using Cell = std::array<long, dim>;
 
 bool stands_on_boundary(const Body& body) { return body.on_boundary && body.without.empty(); }
 
-/// Before reflection and rotation; cell n is centred at anchor + (n + ½) pitch.
+/// Lattice before reflection and rotation; cell n is centred at anchor + (n + ½) pitch.
 struct Cells {
   Shape first;
   Point anchor{}, pitch{};
@@ -48,17 +48,16 @@ struct Cells {
   }
 };
 
-/// If a shape layers the body.
 FacePatches own_patches(const Body& body, double dp) {
   return body.shapes.size() == 1 && body.without.empty() ? body.shapes.front()->patches(dp) : FacePatches{};
 }
 
-/// Before reflection and rotation.
+/// Faces of a body before reflection and rotation.
 class Faces {
  public:
   Faces(const Body& laid, double dp) : body_(laid), dp_(dp) {}
 
-  /// Point of a face near x, to 1e-6 spacings, or x. `outside` is outwards of x.
+  /// Point of a face near x, to 1e-6 spacings, or x itself. `outside` is outwards of x.
   Point nearest(const Point& x, const Point& outside) const {
     const std::optional<Point> at = down_the_height(x);
     return at && is_face(*at) ? *at : on_the_line(x, outside);
@@ -73,7 +72,7 @@ class Faces {
           (is_filled({x[0] + a * dp_, x[1] + b * dp_, x[2] + c * dp_}) ? filled : empty) = true;
     return filled && empty;
   }
-  /// First face outwards of a solid x, or inwards; x if none is near.
+  /// First face outwards of a solid x, or inwards of another one; x if none is near.
   Point on_the_line(const Point& x, const Point& outside) const {
     const double length = distance_between(outside, x, dim);
     if (!(length > 0)) return x;
@@ -123,7 +122,8 @@ class Faces {
     return std::nullopt;
   }
 
-  /// Signed distance to a face, m, negative inside, by the tolerance of `holds`; 0 on seams of shapes, too.
+  /// Signed distance to a face, m, negative inside: the tolerance from which `holds` is true. Also 0 on seams of
+  /// shapes.
   double height(const Point& x) const {
     if (on_face(x)) return 0;
     double low = -2 * farthest * dp_, high = 2 * farthest * dp_;
@@ -197,7 +197,7 @@ class BodyMesh {
     }
   }
 
-  /// Facets of corners, anticlockwise in the lattice.
+  /// Makes facets of corners, anticlockwise in the lattice.
   void find_facets() {
     std::vector<Cell> filled;  // [particle]
     for (int i = first_; i < initial_.first[as_index(index_) + 1]; ++i)
@@ -233,7 +233,7 @@ class BodyMesh {
     return corners;
   }
 
-  /// Corner of lattice-aligned faces: the nearest point of one may miss the others.
+  /// Corner where lattice-aligned faces meet: the nearest point of one may miss the others.
   std::optional<Point> on_rim(const Cell& cell, const Point& outwards) const {
     if (std::ranges::count(outwards, 0.0) > dim - 2) return std::nullopt;
     Point off{};  // pitches
@@ -270,7 +270,7 @@ class BodyMesh {
     return faces_.nearest(cells_.corner(cell), cells_.corner(cell, outwards));
   }
 
-  /// Nodes at place(k), before reflection and rotation.
+  /// Adds nodes at place(k), before reflection and rotation.
   template <class Place>
   void add_nodes(int number, int threads, const Place& place) {
     const auto make = [&](int k) {

@@ -25,7 +25,7 @@ struct SurfaceMesh : FaceNodes {
 /// ½ (x2 − x0) × (x3 − x1), m², outwards.
 Point vector_area(const std::array<Point, 4>& corner);
 
-/// Takes the patches of layered shapes, or the faces between a lattice cell and none, with corners moved to the
+/// Takes the patches of layered shapes, or the faces of lattice cells without a neighbour, with corners moved to the
 /// nearest face of the shapes, which smooths lattice steps. Mirrored bodies have exact mirror images. Omits facets
 /// where a body is too thin to locate its faces. Empty in 2D.
 SurfaceMesh make_surface_mesh(const Scene& scene, const InitialParticles& initial, int threads = 1);

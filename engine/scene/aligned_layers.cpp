@@ -34,7 +34,7 @@ long layers_of(double inner, double outer, double dp) {
   return std::max(1L, std::lround((outer - inner) / dp));
 }
 
-/// Surface of a cube of side 2 n, n × n cells per face, lines at equal angles from its centre.
+/// Surface of a cube of side 2 n, n × n cells per face, with lines at equal angles from its centre.
 class RoundCube {
  public:
   using Place = std::array<long, 3>;  // the greatest |component| is n
@@ -64,7 +64,7 @@ class RoundCube {
     return on_face(axis, side, 2 * p, 2 * q);
   }
 
-  /// Adds squares in order of size, for exact symmetry.
+  /// Returns a unit vector. Adds squares in order of size, for exact symmetry.
   Point direction(const Place& place) const {
     Point way{};
     std::array<double, 3> square{};
@@ -74,7 +74,7 @@ class RoundCube {
     for (double& component : way) component /= length;
     return way;
   }
-  /// Bit-identical for symmetric cells.
+  /// Returns the solid angle of a cell, bit-identical for symmetric cells.
   double solid_angle(long p, long q) const {
     p = std::max(p, n_ - 1 - p), q = std::max(q, n_ - 1 - q);
     if (p < q) std::swap(p, q);
@@ -206,7 +206,6 @@ FacePatches aligned_patches(const Cylinder& pipe, double dp) {
   FacePatches faces;
   Nodes nodes(faces);
   const auto place = [&](const Nodes::Index& n) { return slices.place(slices.corner(n[0], n[1]), n[2]); };
-  /// Corners are {layer, turn, slice}.
   const auto add = [&](int site, std::array<Nodes::Index, 4> corners, bool turned) {
     FacePatches::Patch patch{.site = site};
     for (std::size_t k = 0; k < corners.size(); ++k) {

@@ -6,7 +6,7 @@
 
 namespace taut {
 
-// Particles of hollow round 3D bodies in aligned layers. Neighbours are arranged as in a cubic lattice, except at the
+// Aligned layers of particles in hollow round 3D bodies. Neighbours are arranged as in a cubic lattice, except at the
 // eight corners of the cube that forms a hollow ball. The mass is exact; cube symmetries hold to the last bit.
 
 std::vector<InitialSite> aligned_sites(const Ring& shell, double dp);

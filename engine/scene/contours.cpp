@@ -52,7 +52,8 @@ class March {
     long to = 0;
   };
 
-  /// Anticlockwise, a face begins on a side that leaves the solid and ends on the nearest side before it that enters.
+  /// Visits a square anticlockwise: a face begins on a side that leaves the solid and ends on the nearest side before
+  /// it that enters.
   void visit(const PlaceGrid& grid, const std::function<Point(const Point&, const Point&)>& face, long i,
              long j) {
     constexpr std::array<std::array<long, 2>, 4> corners = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
@@ -116,7 +117,7 @@ std::vector<char> points_that_stay(const Chain& chain, double tolerance) {
   return stays;
 }
 
-/// Points with sharp turns.
+/// Returns the points with sharp turns.
 std::vector<std::size_t> corners_of(const Chain& chain, const std::vector<char>& stays) {
   constexpr double sharp = 40 * std::numbers::pi / 180;
   std::vector<std::size_t> kept, corners;
@@ -131,7 +132,7 @@ std::vector<std::size_t> corners_of(const Chain& chain, const std::vector<char>&
   return corners;
 }
 
-/// Excludes the end.
+/// Adds points from `from` on, without `to`.
 void add_evenly(const Chain& chain, std::size_t from, std::size_t to, double dp, std::size_t least,
                 Chain& result) {
   const std::size_t n = chain.size();
@@ -150,7 +151,7 @@ void add_evenly(const Chain& chain, std::size_t from, std::size_t to, double dp,
   }
 }
 
-/// With a margin of two squares.
+/// Grid with a margin of two squares.
 PlaceGrid grid_over(const Bounds& box, double pitch) {
   PlaceGrid grid{.low = {box.low[0] - 2 * pitch, box.low[1] - 2 * pitch, 0}, .pitch = pitch};
   grid.columns = static_cast<long>(std::ceil((box.high[0] - box.low[0]) / pitch)) + 5;
@@ -242,7 +243,7 @@ std::vector<Chain> combined(Combination how, const std::vector<std::vector<Chain
   Paths paths;
   for (std::size_t k = 0; k < solids.size(); ++k)
     paths = k == 0 ? paths_of(solids[k]) : with(type, paths, paths_of(solids[k]));
-  // chords of coincident curved faces differ: drops slivers
+  // drops slivers between chords of coincident curved faces
   constexpr double thin = 0.1;  // of dp
   std::erase_if(paths, [&](const Path& path) {
     double around = 0;

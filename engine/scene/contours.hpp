@@ -22,22 +22,22 @@ struct PlaceGrid {
   }
 };
 
-/// Marching squares: closed chains, solid on the left, through face(in, out) between neighbours. Parts that touch at
-/// a corner are separate; beyond the grid all is outside.
+/// Closed chains, solid on the left, through face(in, out) between neighbours, by marching squares. Parts that touch
+/// at a corner are separate. Points beyond the grid are outside.
 std::vector<Chain> contours(const PlaceGrid& grid, const std::function<bool(long, long)>& inside,
                             const std::function<Point(const Point&, const Point&)>& face);
 
-/// Bisects `inside` to 1e-9 of the pitch.
+/// Contours of `inside`, bisected to 1e-9 of the pitch.
 std::vector<Chain> contours(const PlaceGrid& grid, const std::function<bool(const Point&)>& inside);
 
 /// Drops points that deviate at most `tolerance`, m [Douglas, Peucker 1973].
 Chain simplified(const Chain& chain, double tolerance);
 
-/// Points about dp apart and at corners, which turn by 40° after simplification to 0.1 dp.
+/// Returns points about dp apart and at corners, where the chain simplified to 0.1 dp turns by more than 40°.
 Chain evenly_spaced(const Chain& chain, double dp);
 std::vector<Chain> evenly_spaced(const std::vector<Chain>& chains, double dp);
 
-/// Misses steps below a quarter of dp.
+/// Contours of `inside` in a box; misses steps below a quarter of dp.
 std::vector<Chain> evenly_spaced_contours(const Bounds& box, const std::function<bool(const Point&)>& inside,
                                           double dp);
 
@@ -46,7 +46,7 @@ enum class Combination : std::uint8_t {
   common,      // intersection
   difference,  // the first without the others
 };
-/// Accurate to 1e-5 dp; drops parts thinner than 0.1 dp.
+/// Combines solids, given by their faces, to an accuracy of 1e-5 dp; drops parts thinner than 0.1 dp.
 std::vector<Chain> combined(Combination how, const std::vector<std::vector<Chain>>& solids, double dp);
 
 }  // namespace taut

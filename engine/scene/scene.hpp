@@ -15,7 +15,7 @@
 
 namespace taut {
 
-/// Function of the reference position, evaluated at set-up only. A region is where it is not 0; empty = 0.
+/// Function of the reference position, evaluated at set-up only; empty = 0. A region is where it is not 0.
 using Expression = std::function<double(const Point&)>;
 /// Function of the reference position and the time, s.
 using Solution = std::function<double(const Point&, double)>;
@@ -41,7 +41,7 @@ struct Part {
   Expression where;
 };
 
-/// A region with prescribed velocity until a time.
+/// A region with prescribed velocity up to a time.
 struct Drive {
   Expression where;
   std::array<std::function<double(double)>, 3> velocity;  // m/s, of the time in s
@@ -63,29 +63,29 @@ struct Load {
 
 std::string_view name(Load::Kind kind);
 
-/// A rigid half-space; acts by the contact law, or the penalty law for `sph`.
+/// A rigid half-space. It acts by the contact law; with `sph`, by the penalty law.
 struct Wall {
   std::string name;
   Point at{};      // on its face, m
   Point normal{};  // unit vector towards bodies
 };
 
-/// For bodies that do not place their own particles; dp² (dp³) per particle.
+/// Lattice of bodies that do not place their own particles; dp² (dp³) per particle.
 enum class Lattice : std::uint8_t {
   square,     // 3D: cubic
   hexagonal,  // 2D: triangular, rows along the longer side of the first shape
 };
 std::string_view name(Lattice lattice);
-/// Distance of rows, √(√3/2) spacings; the inverse is the distance in a row.
+/// Distance of hexagonal rows in spacings, √(√3/2); its inverse is the distance in a row.
 inline constexpr double hexagonal_row = 0.93060485910209959893;
 
-/// Right-handed; `angle` in degrees.
+/// Right-handed rotation; `angle` in degrees.
 struct Rotation {
   Point axis{0, 0, 1};  // unit vector; z in 2D
   Point about{};        // m
   double angle = 0;
 };
-/// Bit-exact for quarter turns and mirror images.
+/// Rotates x; exact to the last bit for quarter turns and mirror images.
 Point rotated(const Rotation& rotation, const Point& x);
 
 /// Random displacement of each free coordinate, uniform within ± `share` spacings.
@@ -118,7 +118,7 @@ bool holds(const Body& body, const Point& x, int dim, double tolerance);
 
 /// The body before reflection (x → −x) and rotation, shifted accordingly.
 Body as_laid(Body body, int dim);
-/// From as_laid(body) to its place.
+/// Maps a point of as_laid(body) to its place.
 Point placed(const Body& body, Point x, int dim);
 /// Inverse of `placed`.
 Point laid_at(const Body& body, Point x, int dim);
@@ -128,20 +128,20 @@ enum class StressPart : std::uint8_t { xx, yy, zz, xy, xz, yz, von_mises, pressu
 
 /// A quantity sampled in every step. Forces are means over the last step, 0 at the start, in 2D per metre depth.
 struct Probe {
-  /// Has its name in scene files and a row in solver/probe_kinds.cpp. Most are of `bodies[0]`, component `axis`.
+  /// Kind of probe, with its name in scene files; see solver/probe_kinds.cpp. Unless stated, of `bodies[0]`,
+  /// component `axis`.
   struct Kind {
     std::string_view name;
     bool is_force = false;
 
     bool operator==(const Kind&) const = default;
 
-    // kinds that the code names
     static const Kind displacement, position,
         velocity;                                    // of material point `at`
     static const Kind distance;                      // between material points `at` and `to`, m
     static const Kind mean_velocity, mean_position;  // mass-weighted
     static const Kind greatest_position;             // of any particle, m
-    // between particles of `bodies[0]` and `bodies[1]` minus their mean diameter, or between faces, m
+    // least distance between particles of `bodies[0]` and `bodies[1]` minus their mean diameter, or between faces, m
     static const Kind gap;
     // largest |x_a − mirror(x_b)| of two bodies of equal layout, or of one symmetric body, plane ⊥ axis, m
     static const Kind mirror_asymmetry;
@@ -162,7 +162,7 @@ struct Probe {
   StressPart part{};
   Expression where;  // region of a reaction; empty = all
   int wall = -1;     // index into Scene::walls
-  /// Of the preceding probes' values and the time, s.
+  /// Function of the preceding probes' values and the time, s.
   std::function<double(const std::vector<double>&, double)> value;
   bool of_forces = false;  // `value` depends on forces only
 };
@@ -175,10 +175,10 @@ inline constexpr Probe::Kind Probe::Kind::displacement{"displacement"}, Probe::K
     Probe::Kind::stress{"stress"}, Probe::Kind::reaction{"reaction", true},
     Probe::Kind::contact_force{"contact_force", true}, Probe::Kind::expression{"expression"};
 
-/// Whether samples are means over steps.
+/// Whether samples are means over a step.
 inline bool is_of_steps(const Probe& probe) { return probe.kind.is_force || probe.of_forces; }
 
-/// Evenly spaced points in a body where a field is sampled.
+/// Evenly spaced points in a body at which a field is sampled.
 struct SampleLine {
   std::string name;
   int body = 0;           // index into Scene::bodies
@@ -235,7 +235,7 @@ struct Reference {
   }
 };
 
-/// Plain data; expressions are evaluated or bound.
+/// A simulation as plain data; expressions are evaluated or bound.
 struct Scene {
   std::string name;
   std::string title;
@@ -253,13 +253,13 @@ struct Scene {
   std::vector<Probe> probes;
   std::vector<SampleLine> lines;
   std::vector<Measure> measures;
-  /// By law ("2d_deviator", "neo_hookean").
+  /// References by law ("2d_deviator", "neo_hookean").
   std::map<std::string, Reference> references;
 };
 
-/// Whether the drive ends before the run; not at its end, as the last step overshoots.
+/// Whether the drive ends before the run. An end with the run does not count, as the last step overshoots.
 bool lets_go(const Drive& drive, const Scene& scene);
-/// Last region that contains x; −1 = none.
+/// Returns the last region that contains x; −1 = none.
 template <class Region>
 int last_that_holds(const std::vector<Region>& regions, const Point& x) {
   int k = static_cast<int>(regions.size()) - 1;
@@ -269,15 +269,14 @@ int last_that_holds(const std::vector<Region>& regions, const Point& x) {
 bool has_drives(const Scene& scene);
 bool has_displacements(const Scene& scene);
 bool starts_as_laid(const Body& body);
-/// Starting position for reference position x.
+/// Returns the start of the particle with reference position x.
 Point displaced(const Body& body, const Point& x);
 bool has_guides(const Scene& scene);
 bool has_gravity(const Scene& scene);
-/// Loads or gravity.
 bool has_loads(const Scene& scene);
 
-/// The nearest spacing that divides the thinnest extent of the first shape into whole particles (hexagonal: rows);
-/// unchanged without such an extent.
+/// Returns the nearest spacing that divides the thinnest extent of the first shape into whole particles (hexagonal:
+/// rows); unchanged without such an extent.
 double fitted_spacing(const Body& first, int dim, double spacing);
 
 }  // namespace taut

@@ -34,7 +34,7 @@ Bounds bounds_of_placed(const Bounds& box, const Place& place) {
   return all;
 }
 
-/// Closed, on a face, m.
+/// Closed chain of points on a face, m.
 using Chain = std::vector<Point>;
 
 /// Faces in 3D: quadrilaterals with corners exactly on the body's.
@@ -56,8 +56,8 @@ struct InitialSite {
   Point middle{};                 // x without jitter, m; decides membership of regions
 };
 
-/// Lengths are in m; components beyond `dim` are ignored. A shape can place particles in layers along its faces:
-/// lattice steps there cause strain errors that do not fall with the spacing.
+/// Interface of all shapes. Lengths are in m; components beyond `dim` are ignored. A shape can place particles in
+/// layers along its faces: lattice steps there cause strain errors that do not fall with the spacing.
 struct ShapeBase {
   virtual ~ShapeBase() = default;
   bool operator==(const ShapeBase&) const = default;
@@ -69,25 +69,25 @@ struct ShapeBase {
   /// Area or volume, m^dim; an upper bound if not exact.
   virtual double measure(int dim) const = 0;
   virtual bool has_exact_measure() const;
-  /// To be divided into whole particles, m; 0 = none.
+  /// Extent that must hold a whole number of particles, m; 0 = none.
   virtual double thinnest(int dim) const;
-  /// Of reflections and rotations.
+  /// Centre of reflections and rotations.
   virtual Point middle() const;
   /// Corner of the lattice if this is the first shape.
   virtual Point anchor() const;
   /// Particles of a body of this shape alone; empty = lattice.
   virtual std::vector<InitialSite> sites(int dim, double dp) const;
-  /// 2D faces: points about dp apart and at corners, solid on the left. Empty in 3D.
+  /// Faces in 2D: points about dp apart and at corners, solid on the left.
   virtual std::vector<Chain> outline(int dim, double dp) const;
-  /// 3D faces, if the shape places its particles.
+  /// Faces in 3D, if the shape places its particles.
   virtual FacePatches patches(double dp) const;
-  /// For rotated lattices: to space, to lattice, bounds in the lattice.
+  /// Transformations of a rotated lattice, and bounds along its axes.
   virtual Point from_lattice(const Point& x) const;
   virtual Point to_lattice(const Point& x) const;
   virtual Bounds lattice_bounds() const;
 };
 
-/// Any kind of shape; copies share it.
+/// A shape of any kind; copies share it.
 class Shape {
  public:
   template <std::derived_from<ShapeBase> S>
@@ -98,7 +98,7 @@ class Shape {
         }) {}
 
   const ShapeBase* operator->() const { return base_.get(); }
-  /// nullptr for another kind.
+  /// Returns nullptr for another kind.
   template <class S>
   const S* as() const {
     return dynamic_cast<const S*>(base_.get());

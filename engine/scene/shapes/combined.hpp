@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// At least one shape; lattice and middle of the first.
+/// Combination of shapes, with lattice and middle of the first.
 struct Combined final : ShapeBase {
   Combination how{};
   std::vector<Shape> shapes;

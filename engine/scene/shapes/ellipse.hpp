@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// `holds` uses the distance to first order.
+/// Ellipse or ellipsoid; `holds` uses the distance to first order.
 struct Ellipse final : ShapeBase {
   Point centre{}, semi_axes{1, 1, 1};
 

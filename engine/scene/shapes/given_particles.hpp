@@ -9,8 +9,8 @@
 
 namespace taut {
 
-/// Particles listed one by one; each fills a square (cube). At faces the indicator of the particles, smoothed by a
-/// cubic spline, is ½: half a spacing outside.
+/// Particles listed one by one; each fills a square (cube). At faces their indicator, smoothed by a cubic spline, is
+/// ½: half a spacing outside.
 class GivenParticles final : public ShapeBase {
  public:
   GivenParticles(std::vector<Point> places, std::vector<double> volumes, int dim)
@@ -79,7 +79,7 @@ class GivenParticles final : public ShapeBase {
       cell[k] = static_cast<long>(std::floor(x[k] / (reach * size_)));
     return cell;
   }
-  /// Near x without the shift.
+  /// Calls visit(particle) near x, without the shift.
   template <class Visit>
   void around(const Point& x, const Visit& visit) const {
     const std::array<long, 3> middle = cell_of(x);

@@ -6,10 +6,10 @@
 
 namespace taut {
 
-/// Inside an odd number of closed contours, 2D; no sides may cross.
+/// Region inside an odd number of closed contours, 2D; no sides may cross.
 class Polygon final : public ShapeBase {
  public:
-  /// With a centre, points are relative to it, and rotation, reflection and lattice are about it; otherwise the box
+  /// Points are relative to a centre, if given; rotation, reflection and lattice are about it. Otherwise the box
   /// determines them.
   Polygon(std::vector<Chain> contours, const std::optional<Point>& centre = {});
 
@@ -35,7 +35,7 @@ class Polygon final : public ShapeBase {
   std::vector<std::vector<Side>> strips_;  // sides in equal strips of the box, from below
 };
 
-/// Where sides cross or overlap, if any.
+/// Returns where sides cross or overlap, if they do.
 std::optional<Point> crossing(const std::vector<Chain>& contours);
 
 }  // namespace taut

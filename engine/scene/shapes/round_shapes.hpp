@@ -7,8 +7,8 @@
 
 namespace taut {
 
-/// With initial neighbours, layers that fit the faces are best; searched neighbours need equal distances in all
-/// directions.
+/// Layout of round bodies. Initial neighbours work best with layers along the faces, searched neighbours with equal
+/// distances in all directions.
 enum class RoundLayout : std::uint8_t {
   aligned,  // equally many per layer; hollow bodies only
   spaced,   // about dp apart on each layer
@@ -31,7 +31,7 @@ struct Disc final : ShapeBase {
   Disc(const Point& centre, double radius, RoundLayout layout = RoundLayout::lattice)
       : centre(centre), radius(radius), layout(layout) {}
 
-  /// 2D, for initial or searched neighbours.
+  /// 2D default, for initial or searched neighbours.
   static RoundLayout default_layout(bool keeps_neighbors);
 
   Bounds bounds() const override;
@@ -41,7 +41,7 @@ struct Disc final : ShapeBase {
   double thinnest(int) const override { return 2 * radius; }
   Point middle() const override { return centre; }
   Point anchor() const override { return bounds().middle(); }
-  /// 1 in the centre and 6, 12, 18 … on the layers, a hexagonal lattice made round.
+  /// Places 1 particle in the centre and 6, 12, 18 … on the layers, a hexagonal lattice made round.
   std::vector<InitialSite> sites(int dim, double dp) const override;
   std::vector<Chain> outline(int dim, double dp) const override;
   bool operator==(const Disc&) const = default;
@@ -65,16 +65,16 @@ struct Ring final : ShapeBase {
   double thinnest(int) const override { return outer - inner; }
   Point middle() const override { return centre; }
   Point anchor() const override { return bounds().middle(); }
-  /// Layers at r = inner + (k + ½) dp, beginning on the positive x axis. Aligned: a polar grid, dp apart at mean
-  /// radius. 3D, aligned only: a cube's six faces made round, n × n particles each, mean volume dp³.
+  /// Layers at r = inner + (k + ½) dp begin on the positive x axis. Aligned layers form a polar grid, dp apart at
+  /// mean radius; in 3D, a cube's six faces made round, with n × n particles each of mean volume dp³.
   std::vector<InitialSite> sites(int dim, double dp) const override;
-  /// At the angles of the innermost and outermost particles.
+  /// Puts points at the angles of the innermost and outermost particles.
   std::vector<Chain> outline(int dim, double dp) const override;
   FacePatches patches(double dp) const override;
   bool operator==(const Ring&) const = default;
 };
 
-/// Hollow if `inner` > 0; 3D only.
+/// A round bar, hollow if `inner` > 0; 3D only.
 struct Cylinder final : ShapeBase {
   Point from{}, to{};
   double radius = 0, inner = 0;
@@ -94,7 +94,7 @@ struct Cylinder final : ShapeBase {
   double thinnest(int dim) const override;
   Point middle() const override { return Bounds{from, to}.middle(); }
   Point anchor() const override { return from; }
-  /// Aligned: slices about dp apart, each a 2D ring.
+  /// Aligned layers: slices about dp apart, each a 2D ring.
   std::vector<InitialSite> sites(int dim, double dp) const override;
   FacePatches patches(double dp) const override;
   bool operator==(const Cylinder&) const = default;

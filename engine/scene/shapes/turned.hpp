@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// Its lattice or layers rotate with it.
+/// A rotated shape with its lattice or layers.
 struct Turned final : ShapeBase {
   Shape shape;
   Rotation rotation;
