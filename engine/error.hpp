@@ -25,7 +25,7 @@ class SceneError : public std::runtime_error {
   std::string key;
 };
 
-/// A value became infinite or NaN.
+/// A particle has an infinite or NaN value.
 class NumericalError : public std::runtime_error {
  public:
   NumericalError(long step, double time, long particle, std::string field, const std::string& what)

@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// `normal` points to the bodies.
+/// A wall; `normal` points to the bodies.
 struct WallFace {
   std::array<double, 3> at{}, normal{};  // m; unit vector
 };

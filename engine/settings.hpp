@@ -14,7 +14,7 @@ enum class Stepping {
   single
 };  // whether pair geometry is cached between advection steps [Zhang2024] §5
 
-/// Upper bound; the best supported set is used. All give identical bytes.
+/// Upper bound; the best supported set is used. All produce identical bytes.
 enum class InstructionSet { baseline, x86_64_v3, x86_64_v4 };
 
 /// Settings of a run; defaults select the method's published values.

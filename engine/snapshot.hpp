@@ -12,12 +12,11 @@ struct Impulse {
   Point angular{};  // about the origin, N m s; in 2D only z
 };
 
-/// Pa
 struct StressTensor {
   double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
 };
 
-/// Particles in order of creation. In 2D, masses and energies are per metre depth.
+/// All particles in order of creation. In 2D, masses and energies are per metre depth.
 struct Snapshot {
   int dim = 2;
   double time = 0;  // s
@@ -58,7 +57,7 @@ struct Snapshot {
     return sigma;
   }
 
-  /// All but `strain_energy`.
+  /// Allocates all fields except `strain_energy`.
   void resize(int dimensions, std::size_t n) {
     dim = dimensions;
     const auto d = static_cast<std::size_t>(dim);

@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// Equation, source, function and test of a term. Defined below its function.
+/// A term's equation, source, function and test. Defined below its function.
 struct TermInfo {
   std::string_view what;      // "stress rate"
   std::string_view formula;   // in Unicode
@@ -13,7 +13,7 @@ struct TermInfo {
   std::string_view test;      // name of its test case
 };
 
-/// Where a method's paper states a term whose TermInfo cites another one.
+/// Source of a term in a method's own paper, where TermInfo cites another one.
 struct Citation {
   std::string_view what;    // TermInfo::what
   std::string_view source;  // replaces TermInfo::source

@@ -20,7 +20,7 @@ namespace taut {
 template <class T>
 concept Count = std::integral<T> && !std::same_as<T, bool>;
 
-/// For pairs componentwise.
+/// Whether `value` is a valid index; pairs componentwise.
 template <Count T, Count Bound>
 bool is_below(T value, Bound bound) {
   return std::cmp_greater_equal(value, 0) && std::cmp_less(value, bound);
@@ -49,7 +49,7 @@ class Archive {
     (one(values), ...);
   }
 
-  /// The length must match when loaded.
+  /// Lists that must have the same length when loaded.
   template <class... T>
   void fixed(std::vector<T>&... lists) {
     (one_fixed(lists), ...);
@@ -187,7 +187,7 @@ class Saver : public Archive<Saver> {
   std::string bytes_;
 };
 
-/// Throws UsageError for bytes that no Saver wrote for the same values.
+/// Reads values. Throws UsageError for bytes that no Saver wrote for them.
 class Loader : public Archive<Loader> {
  public:
   static constexpr bool loads = true;
@@ -212,7 +212,7 @@ class Loader : public Archive<Loader> {
     if (size > 0) std::memcpy(to, rest_.data(), size);
     rest_.remove_prefix(size);
   }
-  /// `least`: minimum size of an element, bytes.
+  /// `least`: size of the smallest element, bytes.
   std::size_t length(std::size_t, std::size_t least) {
     std::uint64_t n = 0;
     bytes(&n, sizeof n);

@@ -37,7 +37,7 @@ class Columns : public ColumnsView<N> {
   std::vector<double> numbers_;
 };
 
-/// Four vectors, from columns (x0 x1 x2 x3, y0 …) to rows (x0 y0 x1 …).
+/// Converts four vectors from columns (x0 x1 x2 x3, y0 …) to rows (x0 y0 x1 …).
 inline void interleave(const Pack (&columns)[2], Pack (&rows)[2]) {
   const auto& [x, y] = columns;
   rows[0] = __builtin_shufflevector(x, y, 0, 4, 1, 5);
@@ -83,7 +83,7 @@ void put(const Mat<Pack, Dim>& A, const ColumnsView<Dim * Dim>& columns, int fir
     for (int b = 0; b < Dim; ++b) store(A(a, b), columns[a * Dim + b] + first);
 }
 
-/// Lanes from `count` on are 0.
+/// Loads four vectors; lanes from `count` on are 0.
 template <int Dim>
 Vec<Pack, Dim> four_of(const Vec<double, Dim>* rows, int count) {
   Vec<Pack, Dim> v{};

@@ -22,7 +22,7 @@ inline double inverse_cube_root(double x) {
   }
   return std::copysign(y, x);
 }
-/// May differ in the last bit.
+/// For four numbers; the last bit may differ.
 inline Pack inverse_cube_root(const Pack& x) {
   constexpr long long guess = 0x553ef0ff289dd796, third = 0x55555556;
   constexpr long long sign = std::numeric_limits<long long>::min();

@@ -5,8 +5,8 @@
 
 namespace taut {
 
-/// Reserves room for `more` entries, extrapolated from `done` to `all` contributions: each reallocation holds the
-/// list twice.
+/// Reserves room for `more` entries, extrapolated from `done` to `all` contributions, since each reallocation holds
+/// the list twice.
 template <class List>
 void make_room(List& list, std::size_t more, std::size_t done, std::size_t all) {
   constexpr std::size_t telling = 16;  // extrapolates after 1/16 of all

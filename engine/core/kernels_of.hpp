@@ -5,11 +5,11 @@
 #include "engine/core/machine.hpp"
 #include "engine/settings.hpp"
 
-/// Kernels: loops on plain data, compiled once per instruction set (kernels.cpp). Special builds rename the namespace
-/// with the macro `taut` (engine/CMakeLists.txt), so that the linker shares no inline functions.
+/// Kernels are loops on plain data, compiled once per instruction set (kernels.cpp). Special builds rename the
+/// namespace with the macro `taut` (engine/CMakeLists.txt), so that the linker shares no inline functions.
 namespace taut {
 
-/// From 100 on, unlike Family.
+/// Values from 100 on differ from those of Family.
 enum class SharedKernels { neighbor_search = 100, history_row };
 
 /// Kernel table of this build, or null. `Key`: a Family or SharedKernels. Specialised in kernels.cpp.

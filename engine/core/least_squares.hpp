@@ -11,7 +11,7 @@ struct LeastSquares {
 };
 LeastSquares least_squares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
-/// Up to the 15 fourth-degree monomials in 3D.
+/// Matrix up to the size of the 15 fourth-degree monomials in 3D.
 using Gram = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 15, 15>;
 
 /// G⁻¹ B for G = Aᵀ A. Empty if A lacks full rank or half of the digits could be lost.

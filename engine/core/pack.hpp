@@ -5,19 +5,18 @@
 
 namespace taut {
 
-/// Four neighbours of one particle, or one neighbour of each of four. A compiler vector type: terms written for T
-/// serve double and Pack. Without AVX results are bit-identical.
+/// Pack: four neighbours of one particle, or one neighbour of each of four. As a compiler vector it shares terms,
+/// written for T, with double. Results are bit-identical without AVX.
 inline constexpr int lanes = 4;
 typedef double Pack __attribute__((vector_size(lanes * sizeof(double))));
 typedef long long PackIndex __attribute__((vector_size(lanes * sizeof(long long))));
 
-/// A factor that the calling pass includes elsewhere.
+/// Replaces a factor that the calling pass includes elsewhere.
 inline constexpr Pack one = {1, 1, 1, 1};
 
-/// Not aligned.
 typedef double UnalignedPack __attribute__((vector_size(lanes * sizeof(double)), aligned(sizeof(double))));
 inline Pack load(const double* from) { return *reinterpret_cast<const UnalignedPack*>(from); }
-/// Lanes from `count` on are 0.
+/// Loads `count` doubles; other lanes are 0.
 inline Pack load(const double* from, int count) {
   Pack a{};
   for (int lane = 0; lane < lanes && lane < count; ++lane) a[lane] = from[lane];
@@ -25,12 +24,12 @@ inline Pack load(const double* from, int count) {
 }
 inline void store(const Pack& a, double* to) { *reinterpret_cast<UnalignedPack*>(to) = a; }
 
-/// Without AVX, GCC aligns a bare Pack less.
+/// Pack in an array: without AVX, GCC aligns a bare one less.
 struct AlignedPack {
   alignas(lanes * sizeof(double)) Pack value;
 };
 
-/// Relative error 6e-8 for magnitudes from 1e-37 to 1e38.
+/// Pack of floats: relative error 6e-8 from 1e-37 to 1e38.
 struct HalfPack {
   typedef float Floats __attribute__((vector_size(lanes * sizeof(float))));
   alignas(lanes * sizeof(float)) Floats value;
@@ -78,9 +77,9 @@ T max(const T& a, const T& b) {
 inline Pack min(const Pack& a, const Pack& b) { return __builtin_ia32_minpd256(a, b); }
 inline Pack max(const Pack& a, const Pack& b) { return __builtin_ia32_maxpd256(a, b); }
 #endif
-/// NaN if either is NaN.
+/// Maximum; NaN if either is NaN.
 inline Pack max_or_nan(const Pack& a, const Pack& b) { return ((b <= a) | (a != a)) ? a : b; }
-/// NaN if any lane is NaN.
+/// Greatest lane; NaN if any is NaN.
 inline double greatest(const Pack& a) {
   double most = a[0];
   for (int lane = 1; lane < lanes; ++lane)
@@ -94,7 +93,7 @@ T power(const T& a) {
   for (int k = 1; k < N; ++k) r *= a;
   return r;
 }
-/// a, n ≥ 0. Squares and roots, since a library call would spill a loop's registers.
+/// aⁿ, a, n ≥ 0, by squares and roots: a library call would spill a loop's registers.
 inline Pack power(const Pack& a, double n) {
   if (n == 4) return (a * a) * (a * a);
   const auto whole = static_cast<unsigned>(n);
@@ -140,8 +139,8 @@ inline Pack halves(const double* a, const double* b) {
 #endif
 }
 
-/// Columns of four table rows, which are aligned to 16 bytes and have an even number of doubles. Two neighbouring
-/// columns cost little more than one.
+/// Reads columns of four rows. Rows are aligned to 16 bytes, with an even number of doubles. Two neighbouring columns
+/// cost little more than one.
 struct RowsOfFour {
   const double* at[lanes];
 

@@ -10,16 +10,16 @@
 
 namespace taut {
 
-/// NaN if either is NaN.
+/// Maximum; NaN if either is NaN.
 inline double greater(double a, double b) { return b <= a || a != a ? a : b; }
 
-/// Several chunks per thread balance the load; too short ones do not pay.
+/// Number of chunks: several per thread balance the load; too short ones do not pay.
 inline int chunks_of(int n, int threads) {
   constexpr int of_each = 4, least = 32;
   return threads == 1 ? 1 : std::clamp(n / least, 1, std::min(of_each * threads, Threads::most_chunks));
 }
 
-/// Calls f(chunk, first, last) for chunks_of(n, threads) ranges of 0 … n−1.
+/// Calls f(chunk, first, last) for ranges of 0 … n−1.
 template <class F>
 void parallel_chunks(int n, const Threads& threads, const F& f) {
   struct Loop {
@@ -56,7 +56,7 @@ template <class F>
   return most;
 }
 
-/// parallel_for for the loops that dominate a step.
+/// parallel_for for loops that dominate a step.
 template <class F>
 void parallel_pass(int n, const Threads& threads, const F& f) {
   parallel_chunks(n, threads, [&](int, int first, int last) { inlined_loop(f, first, last); });
@@ -74,7 +74,7 @@ void make_in_order(int n, int threads, const Make& make, const Take& take) {
   }
 }
 
-/// At least 0; NaN if any is NaN. Independent of `threads`.
+/// Maximum of 0 and all f(i), NaN if any is NaN; independent of `threads`.
 template <class F>
 double parallel_max(int n, const Threads& threads, const F& f) {
   std::atomic<double> result = 0;

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Rows of constants; stores bit-identical rows once, since particles inside a lattice share one.
+/// Rows of constants. Bit-identical rows are stored once: particles inside a lattice share one.
 template <class T>
 class SharedRows {
  public:
@@ -18,7 +18,7 @@ class SharedRows {
   /// `rows`: expected number of rows.
   explicit SharedRows(int rows) : rows_(static_cast<std::size_t>(rows)) {}
 
-  /// May run in parallel.
+  /// Hash for `add`; may run in parallel.
   static std::size_t hash_of(const std::vector<T>& row) {
     return std::hash<std::string_view>()(bytes_of(row));
   }

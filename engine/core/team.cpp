@@ -8,7 +8,7 @@ namespace taut {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-// Spinning time before sleep: waking takes as long as a loop of a small scene.
+// Time to spin before sleep: waking takes as long as a loop of a small scene.
 constexpr std::chrono::microseconds patience{100};
 constexpr int looks = 50;  // between clock reads, or before the owner yields
 

@@ -31,7 +31,7 @@ class Team {
   void run(int threads, int chunks, Work work, const void* of);
 
  private:
-  /// Packed into one word; `number` counts jobs.
+  /// A job packed into one word; `number` counts jobs.
   struct Job {
     std::uint64_t number;
     int threads, chunks;

@@ -5,9 +5,9 @@
 
 namespace taut {
 
-/// Number of threads of the next step: all, or one where more do not help. Results do not depend on it. Times blocks
-/// of steps: after a block on one thread, tries the team and keeps it while it is no slower. Then one thread
-/// continues until the trial has cost 1/`worth` of the time, twice as long after each repeated failure.
+/// Chooses the number of threads of the next step: all, or one where more do not help. Results do not depend on it.
+/// After a block of steps on one thread, tries the team and keeps it while it is no slower. Then one thread continues
+/// until the trial has cost 1/`worth` of the time, twice as long after each repeated failure.
 class TeamSize {
  public:
   explicit TeamSize(int most) : most_(most) {}
@@ -22,7 +22,7 @@ class TeamSize {
     step_took(now - last_);
     last_ = now;
   }
-  /// `time` in s.
+  /// Records a step of `time`, s.
   void step_took(double time) {
     taken_ += time;
     ++steps_;

@@ -4,10 +4,10 @@
 
 #include "engine/core/pack.hpp"
 
-/// T = double or Pack. Eigen's types change alignment with the instruction set.
+/// Tensors over T = double or Pack. Eigen's types change alignment with the instruction set.
 namespace taut {
 
-/// Equal in all builds; without AVX a bare Pack is aligned less.
+/// Alignment that is equal in all builds; without AVX a bare Pack is aligned less.
 template <class T>
 inline constexpr std::size_t alignment_of = sizeof(T) == sizeof(Pack) ? sizeof(Pack) : alignof(T);
 
@@ -53,7 +53,7 @@ Vec<T, 3> cross(const Vec<T, 3>& a, const Vec<T, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Row by row.
+/// Full tensor, row by row.
 template <class T, int Dim>
 struct Mat {
   alignas(alignment_of<T>) T c[Dim][Dim];
@@ -207,7 +207,7 @@ template <class T, int Dim>
   return product(A, B);
 }
 
-/// In general not symmetric.
+/// A · B, in general not symmetric.
 template <class T, int Dim>
 [[gnu::always_inline]] inline Mat<T, Dim> product(const Sym<T, Dim>& A, const Sym<T, Dim>& B) {
   Mat<T, Dim> C;
@@ -278,7 +278,7 @@ Mat<T, 3> tensor_cross(const Mat<T, 3>& A, const Mat<T, 3>& B) {
   return C;
 }
 
-/// 0 if not clearly positive definite, as for a particle without neighbours.
+/// Inverse; 0 if not clearly positive definite, as for a particle without neighbours.
 inline Sym<double, 2> inverse(const Sym<double, 2>& a) {
   const double det = a(0, 0) * a(1, 1) - a(0, 1) * a(0, 1);
   const double scale = trace(a) * trace(a);

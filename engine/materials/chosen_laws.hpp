@@ -13,13 +13,13 @@ namespace taut {
 template <const auto& M, Law L>
 constexpr bool may_run_with = L == M.law || may_be_given(M, LawOf<L>::row);
 
-/// Laws of four particles; with `several`, their materials may differ.
+/// Laws of four particles; with `several`, of different materials.
 template <class L, bool several = true>
 struct LawsOfFour {
   const L* laws;         // [material]
   const int* materials;  // of all particles
 
-  /// `f`(law), a Pack or a tensor of packs, for a group.
+  /// Returns `f`(law), a Pack or a tensor of packs.
   template <class F>
   [[gnu::always_inline]] auto operator()(int group, const F& f) const {
     const int* const of = materials + static_cast<std::ptrdiff_t>(lanes) * group;
@@ -38,12 +38,12 @@ struct LawsOfFour {
   }
 };
 
-/// Laws of a run as plain data: one law, known at run time, with constants per material.
+/// Laws of a run as plain data, with constants per material.
 struct LawsInUse {
   Law law;
   const void* laws;  // LawOf<law> [material]
 
-  /// Calls `pass`(laws) with LawOf<law> [material]; compiled per law, since a call per particle would be slow.
+  /// Calls `pass`(laws), compiled per law: a call per particle would be slow.
   template <const auto& M, class Pass>
   auto visit(const Pass& pass) const {
     return visit_among<M>(pass, Laws{});
@@ -61,7 +61,6 @@ struct LawsInUse {
   }
 };
 
-/// Owns the laws of a run.
 class Materials {
  public:
   Materials(Law law, const std::vector<Elasticity>& materials) : law_(law) { take(materials, Laws{}); }

@@ -4,7 +4,6 @@
 
 namespace taut {
 
-/// Elastic laws, see engine/materials/.
 enum class Law : std::uint8_t {
   none,
   neo_hookean,
@@ -14,13 +13,12 @@ enum class Law : std::uint8_t {
   rotated_piola,
 };
 
-/// Whether volume ratio and cofactor of F may be unknowns; other laws compute them from F.
+/// Whether volume ratio and cofactor of F may be unknowns.
 constexpr bool takes_volume_ratio(Law law) { return law == Law::neo_hookean || law == Law::mooney_rivlin; }
 
-/// Laws that users may choose, among those with LawRow::choice.
+/// Laws with LawRow::choice that users may choose.
 enum class OtherLaws : std::uint8_t { none, all, with_volume_ratio };
 
-/// Switches of the methods with an initial configuration.
 struct ElasticSwitches {
   Law law = Law::neo_hookean;  // published
   OtherLaws others = OtherLaws::none;

@@ -10,14 +10,13 @@
 ///   P = piola(F, J)       first Piola–Kirchhoff stress, N per initial m²
 ///   ψ = energy(F, J)      J per initial m³, 0 at rest
 ///   σ = cauchy(F, J)      Pa
-///   stiffness_bound(F, J) upper bound of ρ0 c², Pa, c per initial length; stiffness.hpp
-/// and a specialisation of LawOf. J is det F or an unknown ([Lee2016] Eq. 33c). A law that takes_volume_ratio also
-/// has
+///   stiffness_bound(F, J) upper bound of ρ0 c², Pa, c per initial length
+/// and a LawOf. J is det F or an unknown ([Lee2016] Eq. 33c). A law that takes_volume_ratio also has
 ///   P = piola(F, H, J)    H: cof F or an unknown ([Lee2016] Eq. 12)
 ///   slopes(F, H, j), shear_energy(F, H, j) of the shear part, j = det F.
 namespace taut {
 
-/// With the component normal to the plane.
+/// Cauchy stress with the component normal to the plane.
 template <int Dim>
 struct Cauchy {
   Sym<double, Dim> sigma;  // Pa
@@ -28,7 +27,7 @@ double beside_plane(double zz) {
   return Dim == 2 ? zz : 0;
 }
 
-/// Each specialisation derives from its law's struct and has a LawRow `row`.
+/// Derives from the law's struct and has a LawRow `row`.
 template <Law law>
 struct LawOf;
 
@@ -60,7 +59,6 @@ Mat<T, 2> stress_of_cofactor(const Mat<T, 2>& F, const Mat<T, 2>& H) {
   return combination(1.0, cofactor(H), determinant(F), cofactor(F));
 }
 
-/// E = ½ (Fᵀ F − I)
 template <class T, int Dim>
 Sym<T, Dim> green_strain(const Mat<T, Dim>& F) {
   Sym<T, Dim> E;
@@ -74,7 +72,7 @@ Sym<T, Dim> green_strain(const Mat<T, Dim>& F) {
   return E;
 }
 
-/// Hooke's law, 2G ε + (K − 2G/3) tr ε I, Pa; plane strain in 2D.
+/// 2G ε + (K − 2G/3) tr ε I, Pa; plane strain in 2D.
 template <class T, int Dim>
 Sym<T, Dim> hooke(const Sym<T, Dim>& strain, double K, double G) {
   Sym<T, Dim> stress = filled<T>(2 * G) * strain;
@@ -82,7 +80,7 @@ Sym<T, Dim> hooke(const Sym<T, Dim>& strain, double K, double G) {
   for (int k = 0; k < Dim; ++k) stress(k, k) += volumetric;
   return stress;
 }
-/// ½ ε : (2G ε + (K − 2G/3) tr ε I), J/m³
+/// J/m³
 template <int Dim>
 double hooke_energy(const Sym<double, Dim>& strain, double K, double G) {
   double squares = 0;
@@ -91,7 +89,7 @@ double hooke_energy(const Sym<double, Dim>& strain, double K, double G) {
   return G * squares + (0.5 * K - G / 3) * trace(strain) * trace(strain);
 }
 
-/// σ = P Fᵀ/J, symmetric for objective laws
+/// σ = P Fᵀ/J, symmetric for objective laws.
 template <int Dim>
 Sym<double, Dim> push_forward(const Mat<double, Dim>& P, const Mat<double, Dim>& F, double J) {
   Sym<double, Dim> sigma{};

@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// A law's parameter besides K and G: an optional key of [material].
+/// A parameter besides K and G: an optional key of [material].
 struct LawParameter {
   std::string_view key;
   double value;      // default

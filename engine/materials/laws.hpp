@@ -42,7 +42,6 @@ constexpr bool may_be_given(const ElasticSwitches& m, const LawRow& row) {
 
 constexpr const LawRow& law_row(Law law) { return *std::ranges::find(Laws::rows, law, &LawRow::law); }
 
-/// Law with a material's constants.
 template <Law L>
 LawOf<L> law_of(const Elasticity& e) {
   constexpr std::size_t own = LawOf<L>::row.parameters.size();

@@ -10,17 +10,16 @@
 namespace taut {
 
 /// Nearly incompressible Mooney–Rivlin, [Lee2016] Eq. 8–12:
-///   ψ = ζ (j^(−2/3) F:F − 3) + ξ (j^(−2) (H:H)^(3/2) − 3√3) + K/2 (J − 1)²,   H = cof F, j = det F,
-///   P = Σ_F + Σ_H ⨯ F + (Σ_j + K (J − 1)) H,   Σ_F = 2ζ j^(−2/3) F,   Σ_H = 3ξ j^(−2) |H| H,
-///   Σ_j = −⅔ζ j^(−5/3) F:F − 2ξ j^(−3) |H|³.
-/// For small strains G = 2ζ + 3√3 ξ. `cofactor_share` is the share of ξ: 0 is neo-Hookean, 1 is [Lee2016] §8.7. Plane
-/// strain: F_zz = 1, H_zz = det F. Departures: constants make the energy 0 at rest; j = det F even where J is an
-/// unknown, see NeoHookean.
+///   ψ = ζ (j^(−2/3) F:F − 3) + ξ (j^(−2) (H:H)^(3/2) − 3√3) + K/2 (J − 1)²,
+///   P = Σ_F + Σ_H ⨯ F + (Σ_j + K (J − 1)) H.
+/// For small strains G = 2ζ + 3√3 ξ; a `cofactor_share` of 0 is neo-Hookean, 1 is [Lee2016] §8.7. Plane strain: F_zz
+/// = 1, H_zz = det F. Departures: constants make the energy 0 at rest; j = det F even where J is an unknown, see
+/// NeoHookean.
 struct MooneyRivlin {
   double K, G;            // Pa
   double cofactor_share;  // 3√3 ξ/G
 
-  /// Of the shear part: Σ_F/F, Σ_H/H and Σ_j, Pa.
+  /// Σ_F/F, Σ_H/H and Σ_j of the shear part, Pa.
   template <class T>
   struct Slopes {
     T F, H, j;

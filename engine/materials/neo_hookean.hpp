@@ -6,10 +6,8 @@
 
 namespace taut {
 
-/// Nearly incompressible neo-Hookean, [Lee2016] Eq. 8–12 with ξ = 0 and 2ζ = G:
-///   ψ = G/2 (j^(−2/3) F:F − 3) + K/2 (J − 1)²,   j = det F,
-///   P = G j^(−2/3) F + (K (J − 1) − G/3 j^(−5/3) F:F) H,   H = cof F.
-/// In plane strain F:F includes F_zz² = 1. Departure: the paper has J for j even where J is an unknown. If
+/// Nearly incompressible neo-Hookean, [Lee2016] Eq. 8–12 with ξ = 0 and 2ζ = G: ψ = G/2 (j^(−2/3) F:F − 3) + K/2 (J −
+/// 1)². In plane strain F:F includes F_zz² = 1. Departure: the paper has J for j even where J is an unknown. If
 /// dissipation separates J from det F, the deviator then resists volume changes with stiffness −4G/3, and collisions
 /// diverge.
 struct NeoHookean {
@@ -19,7 +17,7 @@ struct NeoHookean {
   static T square(const Mat<T, Dim>& F) {
     return contraction(F, F) + (3 - Dim);
   }
-  /// Of the shear part: Σ_F/F, Σ_H/H and Σ_j, Pa.
+  /// Σ_F/F, Σ_H/H and Σ_j of the shear part, Pa.
   template <class T>
   struct Slopes {
     T F, H, j;

@@ -11,7 +11,7 @@ T greatest_eigenvalue(const Sym<T, 2>& A) {
   return 0.5 * (A(0, 0) + A(1, 1)) + root(T(half * half + A(0, 1) * A(0, 1)));
 }
 
-/// q + 2p c, c = cos(θ/3), 4c³ − 3c = cos θ = det(A − q I)/(2p³). Newton's method, from above, starts within 1e-3.
+/// q + 2p cos(θ/3), cos θ = det(A − q I)/(2p³). Newton's method, from above, starts within 1e-3.
 template <class T>
 T greatest_eigenvalue(const Sym<T, 3>& A) {
   const T one = filled<T>(1), q = trace(A) / 3;
@@ -27,7 +27,7 @@ T greatest_eigenvalue(const Sym<T, 3>& A) {
   return q + 2 * p * c;
 }
 
-/// Descending; in 2D, plane strain, the last is the 1 normal to the plane.
+/// Principal stretches, descending; in 2D the last is the 1 normal to the plane.
 template <class T>
 using PrincipalStretches = Vec<T, 3>;
 
