@@ -17,7 +17,6 @@ constexpr double reach = 1.6;  // of neighbours, spacings
 
 Layout layout_of(const Snapshot& now) { return {now.dim, now.x0, now.diameter, now.body}; }
 
-/// Removes particles that are too far.
 void keep_near(const Layout& start, std::size_t i, std::vector<std::size_t>& found, std::size_t begin,
                double nearest) {
   const auto far = [&](std::size_t j) { return start.distance(i, j) > reach * nearest; };

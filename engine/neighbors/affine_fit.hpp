@@ -10,10 +10,9 @@
 
 namespace taut {
 
-/// Row by row.
+/// Linear map, row by row.
 using LinearMap = std::array<double, 9>;
 
-/// Initial positions and bodies of particles.
 struct Layout {
   int dim = 2;
   std::span<const double> x0;        // n × dim, m
@@ -39,10 +38,9 @@ FirstNeighbors first_neighbors(const Layout& start);
 /// Regularised inverse of Σ X ⊗ X over neighbours, 1/m²; in 2D without the third axis.
 LinearMap inverse_moment(const LinearMap& moment, int dim);
 
-/// Least-squares affine map of each particle's first neighbours from the start to now, F = 1 + Σ (x_ij − X_ij) ⊗ X_ij
-/// (Σ X_ij ⊗ X_ij)⁻¹. Exact for affine motions with any method; meaningless where a body has torn. In 2D F_zz = 1.
+/// Least-squares affine map of each particle's first neighbours, F = 1 + Σ (x_ij − X_ij) ⊗ X_ij (Σ X_ij ⊗ X_ij)⁻¹.
+/// Exact for affine motions with any method; meaningless where a body has torn. In 2D F_zz = 1.
 std::vector<LinearMap> affine_maps(const Snapshot& now);
-/// Searches all particles.
 LinearMap affine_map(const Snapshot& now, std::size_t i);
 
 }  // namespace taut

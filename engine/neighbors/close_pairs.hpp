@@ -40,8 +40,8 @@ class PlacesInCells {
   std::vector<int> order_;
 };
 
-/// Calls visit(i, j), i < j, for all pairs with `wanted`(i, j) at most `reach`, m, apart; `x` is n × Dim. Searches on
-/// `threads` threads, visits on one; the order does not depend on `threads`.
+/// Calls visit(i, j), i < j, for all pairs with `wanted`(i, j) at most `reach`, m, apart; `x` is n × Dim. Visits on
+/// one thread, in an order that does not depend on `threads`.
 template <int Dim, class Wanted, class Visit>
 void for_each_pair_within(const std::vector<double>& x, double reach, const Wanted& wanted,
                           const Visit& visit, int threads = 1) {
@@ -63,7 +63,7 @@ void for_each_pair_within(const std::vector<double>& x, double reach, const Want
   });
 }
 
-/// Pairs within a body, initial positions.
+/// Visits pairs within a body, by initial positions.
 template <class Visit>
 void for_each_close_pair(const Snapshot& start, double reach, const Visit& visit, int threads = 1) {
   const auto of_one = [&](int i, int j) { return start.body[i] == start.body[j]; };
@@ -71,7 +71,7 @@ void for_each_close_pair(const Snapshot& start, double reach, const Visit& visit
                  : for_each_pair_within<2>(start.x0, reach, of_one, visit, threads);
 }
 
-/// Pairs of two bodies, current positions.
+/// Visits pairs of two bodies, by current positions.
 template <class Visit>
 void for_each_meeting_pair(const Snapshot& now, double reach, const Visit& visit) {
   const auto of_two = [&](int i, int j) { return now.body[i] != now.body[j]; };

@@ -18,9 +18,9 @@ struct NeighborLists {
   std::size_t find(int i, int other) const;
 };
 
-/// Particles of the same body nearer than `reach`, m, in the reference configuration.
+/// Particles of the same body nearer than `reach`, m.
 NeighborLists initial_neighbors(const InitialParticles& initial, double reach, int threads = 1);
-/// Without particles beyond a slot, see linked.hpp.
+/// Excludes particles beyond a slot, see linked.hpp.
 NeighborLists linked_neighbors(const InitialParticles& initial, double reach, double spacing,
                                int threads = 1);
 

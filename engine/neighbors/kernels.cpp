@@ -30,7 +30,6 @@ std::size_t room_for(const SearchFields<Dim>& f, int i) {
   return most;
 }
 
-/// Tests four candidates at once.
 template <int Dim>
 int find(const SearchFields<Dim>& f, int first, int last, int* count, int* found, std::size_t room,
          std::size_t& size) {

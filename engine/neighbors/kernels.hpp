@@ -6,7 +6,6 @@
 
 namespace taut {
 
-/// Plain data of a CellGrid.
 template <int Dim>
 struct CellsView {
   Vec<double, Dim> origin{};
@@ -19,7 +18,7 @@ struct CellsView {
     for (int k = 0; k < Dim; ++k) c += stride[k] * static_cast<int>((x[k] - origin[k]) / size);
     return c;
   }
-  /// Calls f(first, last) for ranges that include all neighbours of x.
+  /// Calls f(first, last) for ranges with all neighbours of x.
   template <class F>
   void for_each_row(const Vec<double, Dim>& x, const F& f) const {
     const int c = cell_of(x);

@@ -8,9 +8,9 @@
 
 #include "engine/core/columns.hpp"
 
-/// Neighbours of four consecutive particles, one per lane. Along lattice rows or layers their neighbours are mostly
-/// consecutive too, and one load per column gathers them. Each lane sums over its neighbours in their order, so that
-/// the result does not depend on the grouping.
+/// Neighbours of four consecutive particles, one per lane. Along lattice rows or layers they are mostly consecutive
+/// too, and one load per column gathers them. Each lane sums in the order of its neighbours, so that the result does
+/// not depend on the grouping.
 namespace taut {
 
 /// One neighbour per lane; equal neighbourhoods have equal slots.
@@ -19,7 +19,7 @@ struct LaneSlot {
   int in_line;      // 1: neighbours are consecutive
 };
 
-/// Loads columns of a slot's neighbours, for the group that begins with `first`.
+/// Loads columns at a slot's neighbours.
 template <int N>
 [[gnu::always_inline]] inline void gather(const ColumnsView<N>& columns, int first, const LaneSlot& slot,
                                           Pack (&out)[N]) {
@@ -39,7 +39,7 @@ template <int N>
 struct LaneSlots {
   using Taken = std::array<int, lanes>;
   std::vector<LaneSlot> slots;
-  /// Index of each lane's neighbour; −1: none. Such a lane loads any particle: the pair's factor must be 0.
+  /// Index of each lane's neighbour, or −1: then any particle is loaded, and the pair's factor must be 0.
   std::vector<Taken> taken;
 };
 
@@ -59,7 +59,7 @@ inline std::vector<LaneSlots::Taken> in_turn(const Neighbors& neighbors) {
   }
 }
 
-/// Equal distances in storage.
+/// Slots of equal distances in storage.
 inline std::vector<LaneSlots::Taken> by_distance(const Neighbors& neighbors) {
   std::vector<LaneSlots::Taken> taken;
   std::size_t at[lanes] = {};
@@ -102,8 +102,8 @@ inline LaneSlot slot(int first, const Neighbors& neighbors, const LaneSlots::Tak
 
 }  // namespace lane_neighbors
 
-/// Slots of the group that begins with `first`, from ascending neighbours; `size` is the length of the columns. Takes
-/// the cheaper of two choices: neighbours that are not consecutive cost twice.
+/// Slots of the group that begins with `first`, from ascending neighbours. Takes the cheaper of two choices;
+/// neighbours that are not consecutive cost twice.
 inline LaneSlots lane_slots(int first, const std::array<std::vector<int>, lanes>& neighbors, int size) {
   LaneSlots best;
   std::size_t least = 0;

@@ -10,9 +10,8 @@
 
 namespace taut {
 
-/// Moves linked items to the front, in their order, and returns their number. Items beyond a slot are not linked: no
-/// step leads to them from an item beside the place. Squared distances in spacings: from_place(one), between(one,
-/// other).
+/// Moves linked items to the front, in order, and returns their number. Items beyond a slot are not linked: no step
+/// leads to them from an item beside the place. Squared distances, in spacings: from_place(one), between(one, other).
 template <class T, class FromPlace, class Between>
 std::size_t bring_linked_to_front(std::span<T> near, const FromPlace& from_place, const Between& between) {
   constexpr double link2 = link_of_neighbors * link_of_neighbors;
@@ -29,7 +28,6 @@ std::size_t bring_linked_to_front(std::span<T> near, const FromPlace& from_place
   return static_cast<std::size_t>(std::remove_if(near.begin(), near.end(), is_beyond) - near.begin());
 }
 
-/// Removes unlinked items.
 template <class T, class FromPlace, class Between>
 void leave_out_unlinked(std::vector<T>& near, const FromPlace& from_place, const Between& between) {
   const std::size_t linked = bring_linked_to_front(std::span<T>(near), from_place, between);

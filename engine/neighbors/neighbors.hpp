@@ -13,8 +13,8 @@
 
 namespace taut {
 
-/// Cells at least as wide as the support, bordered by empty ones. With particles in the order of cells, x fastest,
-/// three adjacent cells are one range of memory.
+/// Cells at least as wide as the support, with a border. If particles are in the order of cells, x fastest, three
+/// adjacent cells are one range of memory.
 template <int Dim>
 class CellGrid {
  public:

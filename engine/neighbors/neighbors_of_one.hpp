@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// initial_neighbors for one particle at a time: lists of all would dominate the memory for a wide reach.
+/// initial_neighbors for one particle: lists of all with a wide reach would dominate the memory.
 template <int Dim>
 class NeighborsOfOne {
  public:
@@ -21,7 +21,7 @@ class NeighborsOfOne {
     std::ranges::transform(order_, x_.begin(), [this](int id) { return place(id); });
   }
 
-  /// Ascending.
+  /// Ascending ids.
   std::vector<int> operator()(int i) const {
     std::vector<int> near;
     near.reserve(Dim == 3 ? 256 : 64);

@@ -21,7 +21,7 @@ inline Sym<double, 2> positive_part(const Sym<double, 2>& sigma) {
   const double scale = 0.5 * greatest / radius;
   return {scale * (radius + half), scale * sigma(0, 1), scale * (radius - half)};
 }
-/// Ours: the paper has no 3D.
+/// In 3D, ours: the paper has no 3D.
 inline Sym<double, 3> positive_part(const Sym<double, 3>& sigma) {
   const Principal principal = principal_axes(sigma);
   Sym<double, 3> positive{};
@@ -29,7 +29,7 @@ inline Sym<double, 3> positive_part(const Sym<double, 3>& sigma) {
     if (principal.value[k] > 0) add_outer(positive, principal.value[k], principal.axis[k]);
   return positive;
 }
-/// Uncorrected, corrected, with tensile control.
+/// TermInfos of uncorrected, corrected and tensile-controlled methods.
 inline constexpr TermInfo repulsion_info{
     "artificial stress", "dv/dt = ε Σ (W/W(dp))ⁿ of the stress divergence of −σ⁺", "[Khayyer2024] Eq. 17–21",
     "terms/artificial_stress.hpp:positive_part",
@@ -43,13 +43,13 @@ inline constexpr TermInfo surface_repulsion_info{
     "[Khayyer2024] Eq. 18–21, 31", "terms/artificial_stress.hpp:positive_part",
     "artificial stress: the positive part against principal stresses chosen by hand"};
 
-/// R, Pa m⁶/kg²
+/// R = −ε σ⁺/ρ², Pa m⁶/kg²
 template <int Dim>
 Sym<double, Dim> artificial_stress(const Sym<double, Dim>& sigma, double rho, double epsilon) {
   return (-epsilon / (rho * rho)) * positive_part(sigma);
 }
 
-/// Summed over j: acceleration, m/s².
+/// Term j of an acceleration, m/s².
 template <class T, int Dim>
 Vec<T, Dim> artificial_stress_term(const Sym<T, Dim>& R_i, const Sym<T, Dim>& R_j, const T& m_j,
                                    const T& closeness, const T& dW, const Vec<T, Dim>& e_ij) {

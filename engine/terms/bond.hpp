@@ -31,12 +31,12 @@ inline constexpr TermInfo bond_energy_info{
     "energy", "E = Σ_i [ V_i W(F_i) + G V0_i Σ_j w_ij (φ(s_ij) − φ_c(s°_ij)) ]", "ours",
     "terms/bond.hpp:bond_energy", "bond: a linear displacement has the neo-Hookean energy and stress"};
 
-/// 3 φ′(λ)/λ
+/// 3 φ′(λ)/λ from s and ½/s
 template <class T>
 T three_bond_slopes(const T& s, const T& half_inverse) {
   return s - 0.75 - half_inverse * half_inverse;
 }
-/// φ′(λ)/λ: times k_ij (x_j − x_i) the force on i.
+/// φ′(λ)/λ; times k_ij (x_j − x_i) the force on i.
 template <class T>
 T bond_slope(const T& s) {
   return (1.0 / 3) * three_bond_slopes(s, T(0.5 / s));
@@ -46,7 +46,7 @@ inline constexpr TermInfo bond_force_info{
     "ours, from [Zhang2024] Eq. 20", "terms/bond.hpp:bond_slope",
     "bond: the slopes are those of the energies, and rise"};
 
-/// φ″(λ) without the offset, which makes φ″ = 1 at rest.
+/// φ″(λ) without the offset; with it φ″ = 1 at rest.
 inline constexpr double bond_stiffness_offset = -0.25;
 template <class T>
 T bond_stiffness(const T& s, const T& half_inverse) {
@@ -74,7 +74,7 @@ template <int Dim>
 double cancelled_slope_rate(double s) {
   return s == within_cancelled<Dim>(s) ? (1 + 0.5 / (s * s * s)) / 3 : 0;
 }
-/// cancelled_slope of s and t, each times 3 times its third; one division, which would dominate the cost.
+/// Products of cancelled_slope of s and t with three times their thirds; one division, which would dominate the cost.
 template <int Dim, class T>
 [[gnu::always_inline]] inline std::array<T, 2> cancelled_pulls(const T& s, const T& t, const T& third_of_s,
                                                                const T& third_of_t) {
@@ -88,7 +88,7 @@ inline constexpr TermInfo cancelled_info{"cancelled",
                                          "ours", "terms/bond.hpp:cancelled_slope",
                                          "bond: a linear displacement has the neo-Hookean energy and stress"};
 
-/// Stiffness due to the part (K + 4G/3)(1 − 2J)³ of W, relative to rest.
+/// Stiffness with the part (K + 4G/3)(1 − 2J)³ of W, relative to rest.
 template <class T>
 T closing_stiffness(const T& J) {
   return 1 + 24 * max(1 - 2 * J, T{});
@@ -131,7 +131,7 @@ struct ClosedNeoHookean {
     const T below = 0.25 / (0.75 - min(J, filled<T>(0.5)));
     return {J < 0.5 ? 0.25 + 0.25 * below : J, J < 0.5 ? below * below : one};
   }
-  /// 2D: in the plane
+  /// ½ tr C, in 2D in the plane
   template <int Dim>
   static T half_trace(const Mat<T, Dim>& F) {
     return 0.5 * trace(right_cauchy_green(F));

@@ -7,14 +7,14 @@
 
 namespace taut {
 
-/// Determines which methods can run with a law.
+/// What a law acts between; determines which methods can run with it.
 enum class ContactBetween {
   particles,      // pairs of two bodies or a fold, less than a spacing apart; all methods
   faces,          // methods with initial neighbours
   all_neighbors,  // the method's own sums; methods that search neighbours
 };
 
-/// Defined in the header of a law, listed in contact_laws.hpp.
+/// A contact law, defined in its own header and listed in contact_laws.hpp.
 struct ContactLawRow {
   ContactLaw law;
   std::string_view help;
@@ -23,11 +23,11 @@ struct ContactLawRow {
   // initial gap of touching faces, spacings: particles of oblique faces touch first
   double touching = 0.1;
 
-  // Either a force and its energy, or an impulse; `sph` has a force for walls. Along a pair, N, and J (per metre
-  // depth in 2D), for r < dp, m; K: contact modulus, Pa.
+  // Force along a pair, N, with its energy, J (per metre depth in 2D), for r < dp, m; K: contact modulus, Pa. For
+  // particles, or in `sph` for walls.
   double (*force)(double r, double dp, double K, int dim) = nullptr;
   double (*energy)(double r, double dp, double K, int dim) = nullptr;
-  // N s (per metre depth in 2D); inverse masses in 1/kg.
+  // Impulse instead of a force, N s (per metre depth in 2D); inverse masses in 1/kg.
   double (*impulse)(double closing_speed, double inv_m_i, double inv_m_j) = nullptr;
 };
 

@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// Pa, positive in compression.
+/// Pressure, Pa, positive in compression.
 template <class T>
 T pressure(const T& rho, double rho0, double c0) {
   return c0 * c0 * (rho - rho0);

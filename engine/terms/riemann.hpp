@@ -26,7 +26,7 @@ inline constexpr TermInfo riemann_pressure_info{"pressure force", "dv/dt = −2 
                                                 "[Zhang2024] Eq. 12", "terms/riemann.hpp:riemann_pressure",
                                                 "riemann: P* is symmetric in the two states"};
 
-/// 1/s, without the pressures in U* (`pressure_diffusion_term`).
+/// Term j of dρ_i/dt over ρ_i, 1/s. Departure: the pressures in U* are in `pressure_diffusion_term`.
 template <class T>
 T compression_term(const T& V_j, const T& dW, const T& closing_speed) {
   return -V_j * dW * closing_speed;

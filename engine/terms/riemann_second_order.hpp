@@ -6,19 +6,19 @@
 #include "engine/core/tensor.hpp"
 #include "engine/term_info.hpp"
 
-/// Velocities are reconstructed half way: no dissipation of linear velocity.
+/// Riemann problem with velocities reconstructed half way, so that linear velocity is not damped.
 namespace taut {
 
-/// m/s; D: symmetric part of ∇u. [Khayyer2024] Eq. 37, 44
+/// Closing speed, m/s; D: symmetric part of ∇u. [Khayyer2024] Eq. 37, 44
 template <class T, int Dim>
 T reconstructed_closing_speed(const T& closing_speed, const Sym<T, Dim>& D_i, const Sym<T, Dim>& D_j,
                               const T& r, const Vec<T, Dim>& e_ij) {
   return closing_speed + 0.5 * r * dot(e_ij, (D_i + D_j) * e_ij);
 }
 
-/// p**, C_ij = (c_i ρ_i √ρ_i + c_j ρ_j √ρ_j)/(√ρ_i + √ρ_j), Pa; `impedance` is c ρ √ρ. Departure: the force is −p**
-/// V_j ∇_i W, as Eq. 39 implies; with the factor 2 of Eq. 43 the highest lattice mode grows at the paper's CFL
-/// number.
+/// p** = C_ij (u_i − u_j), Pa, C_ij = (c_i ρ_i √ρ_i + c_j ρ_j √ρ_j)/(√ρ_i + √ρ_j); `impedance` is c ρ √ρ. Departure:
+/// the force is −p** V_j ∇_i W, as Eq. 39 implies; with the factor 2 of Eq. 43 the highest lattice mode grows at the
+/// paper's CFL number.
 template <class T>
 T riemann_dissipation(const T& closing_speed, const T& impedance_i, const T& impedance_j, const T& root_rho_i,
                       const T& root_rho_j) {

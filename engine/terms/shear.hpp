@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// N/m³; summed over j and divided by ρ_i: shear acceleration.
+/// Term j of a sum that over ρ_i is the shear acceleration; N/m³.
 template <class T, int Dim>
 Vec<T, Dim> nested_shear_term(const Sym<T, Dim>& s_i, const Sym<T, Dim>& s_j, const T& V_j, const T& dW,
                               const Vec<T, Dim>& e_ij) {
@@ -15,8 +15,9 @@ inline constexpr TermInfo nested_shear_info{"shear force", "dv/dt = Σ m_j (s_i 
                                             "[Zhang2024] Eq. 13", "terms/shear.hpp:nested_shear_term",
                                             "force: what j does to i, i does to j in the other direction"};
 
-/// Summed over j, times ζ: ∇²v, 1/(m s). [Zhang2024] Eq. 19. 0 for rigid rotation. In the continuum (∇²v + 2 ∇∇·v)/(d
-/// + 2): ζ = d + 2 would be consistent, the published 0.7 d + 2.1 is calibrated, and ∇∇·v adds bulk stiffness.
+/// Term j of a sum that times ζ is ∇²v, 1/(m s). [Zhang2024] Eq. 19. Rigid rotation gives 0. In the continuum it is
+/// (∇²v + 2 ∇∇·v)/(d + 2): ζ = d + 2 would be consistent, the published 0.7 d + 2.1 is calibrated, and ∇∇·v adds bulk
+/// stiffness.
 template <class T, int Dim>
 Vec<T, Dim> laplacian_term(const Vec<T, Dim>& v_ij, const T& V_j, const T& dW, const T& inv_r,
                            const Vec<T, Dim>& e_ij) {
@@ -27,7 +28,7 @@ inline constexpr TermInfo laplacian_info{
     "terms/shear.hpp:laplacian_term",
     "laplacian: in the continuum it is (∇²v + 2 ∇∇·v)/(d + 2), the plain one ∇²v"};
 
-/// Summed over j: ∇²v, 1/(m s). Not 0 for rigid rotation.
+/// Term j of ∇²v, 1/(m s). Rigid rotation does not give 0.
 template <class T, int Dim>
 Vec<T, Dim> laplacian_term_nonconservative(const Vec<T, Dim>& v_ij, const T& V_j, const T& dW,
                                            const T& inv_r) {

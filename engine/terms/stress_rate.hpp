@@ -37,8 +37,8 @@ inline constexpr TermInfo jaumann_rate_info{"stress rate", "ds/dt = 2G (D − tr
                                             "[Zhang2024] Eq. 7", "terms/stress_rate.hpp:jaumann_rate",
                                             "stress rate: by hand for stretch and shear, for both deviators"};
 
-/// s → R s Rᵀ + 2G (D − tr D/n I) dt, R = (I − ½ dt ω)⁻¹ (I + ½ dt ω): a rigid rotation keeps the size of s for any
-/// dt. Departure: with [Khayyer2024] Eq. 24 s grows by 1 + 2 (ω dt)² per step.
+/// Stress after dt, s → R s Rᵀ + 2G (D − tr D/n I) dt, R = (I − ½ dt ω)⁻¹ (I + ½ dt ω). A rigid rotation keeps the
+/// size of s. Departure: with [Khayyer2024] Eq. 24 s grows by 1 + 2 (ω dt)² per step.
 template <Deviator deviator>
 Sym<double, 2> turned_stress(const Mat<double, 2>& L, const Sym<double, 2>& s, double G, double dt) {
   const double half = 0.25 * dt * (L(0, 1) - L(1, 0)), scale = 1 / (1 + half * half);

@@ -9,8 +9,8 @@
 
 namespace taut {
 
-/// k, Pa/m, M = K + 4G/3: with s = 2 faces overlap by the compression of two spacings of material. A greater s
-/// overlaps less but needs shorter steps: `oenog` in 2D is stable up to s = 6. Symmetric to the last bit.
+/// Stiffness k, Pa/m. With s = 2 faces overlap by the compression of two spacings of material. A greater s overlaps
+/// less but needs shorter steps: `oenog` in 2D is stable up to s = 6. Symmetric to the last bit.
 inline double surface_stiffness(double M1, double M2, double stiffness, double dp) {
   const double softer = std::min(M1, M2), harder = std::max(M1, M2);
   return 0.5 * stiffness * (softer * (harder / (softer + harder))) / dp;
@@ -22,16 +22,16 @@ inline double surface_stiffness_slope(double M1, double M2, double stiffness, do
   return 0.5 * stiffness * share * share / dp;
 }
 
-/// Relative to the material, at least 1.
+/// Contact stiffness relative to the material, at least 1.
 inline double stiffer_than_material(double stiffness) { return std::max(1.0, stiffness / 2); }
 
-/// J (per metre depth in 2D), of a piece of a face, m (m² in 3D), at `depth`, m, behind another: ½ · ½ k δ² A, as
-/// both faces count for half.
+/// Energy, J (per metre depth in 2D), of a piece of a face, m (m² in 3D), at `depth`, m, behind another: ½ · ½ k δ²
+/// A, as both faces count for half.
 inline double surface_energy(double depth, double area, double k) {
   return depth > 0 ? 0.25 * k * area * depth * depth : 0;
 }
 
-/// N (per metre depth in 2D); separates the faces.
+/// Force that separates the faces, N (per metre depth in 2D).
 inline double surface_force(double depth, double area, double k) {
   return depth > 0 ? 0.5 * k * area * depth : 0;
 }
@@ -47,8 +47,8 @@ inline constexpr ContactLawRow surface_contact{
     .touching = 0,
 };
 
-/// Share of a piece by the cosine of the outward normals: 1 up to 60° from facing, 0 from 76° on, for the other side
-/// of a corner.
+/// Share of a piece by the cosine of the outward normals: 1 up to 60° from facing, 0 from 76° on, as at the other
+/// side of a corner.
 inline double facing_share(double cosine) { return std::clamp(-4 * cosine - 1, 0.0, 1.0); }
 inline double facing_slope(double cosine) { return cosine > -0.5 && cosine < -0.25 ? -4 : 0; }
 
@@ -60,7 +60,7 @@ inline double facing_slope(double cosine) { return cosine > -0.5 && cosine < -0.
 // momenta and energy. A nearest point would jump from facet to facet.
 // Σ_g W, the cover of f, is 1 amid the face and ½ over its rim; `covered_share` of the energy counts.
 
-/// m. A smaller R lets edges and corners through; a greater one includes rims of steps.
+/// R, m. A smaller one lets edges and corners through; a greater one includes rims of steps.
 inline double lateral_radius(double p, double dp) {
   const double t = std::clamp(-p / dp, 0.0, 1.0);
   return (1.5 - 0.45 * t * t * (3 - 2 * t)) * dp;
@@ -70,7 +70,7 @@ inline double lateral_radius_slope(double p, double dp) {  // dR/dp
   return 0.45 * 6 * t * (1 - t);
 }
 
-/// 1/m², ∫ w dA = 1.
+/// w, 1/m²; ∫ w dA = 1.
 inline double lateral_weight(double l2, double radius) {
   const double u = 1 - l2 / (radius * radius);
   return u > 0 ? 3 / (std::numbers::pi * radius * radius) * u * u : 0;
@@ -84,7 +84,7 @@ inline double lateral_slope_in_radius(double l2, double radius) {  // dw/dR, 1/m
   return u > 0 ? 6 / (std::numbers::pi * square * radius) * u * (2 - 3 * u) : 0;
 }
 
-/// Stiffens towards δ = dp, ½ · ½ k δ² (1 + δ²/dp²) A: the pressure under an edge is unbounded.
+/// Energy that stiffens towards δ = dp, ½ · ½ k δ² (1 + δ²/dp²) A: the pressure under an edge is unbounded.
 inline double hard_energy(double depth, double area, double k, double dp) {
   const double u = depth / dp;
   return (1 + u * u) * surface_energy(depth, area, k);
@@ -93,11 +93,11 @@ inline double hard_force(double depth, double area, double k, double dp) {
   const double u = depth / dp;
   return (1 + 2 * u * u) * surface_force(depth, area, k);
 }
-/// s: projection on the other normal, so that edges press no harder than flat faces.
+/// s, the share projected on the other normal, so that edges press no harder than flat faces.
 inline double projected_share(double cosine) { return -cosine * facing_share(cosine); }
 inline double projected_slope(double cosine) { return -facing_share(cosine) - cosine * facing_slope(cosine); }
 
-/// c
+/// c, the share of height p.
 inline double near_share(double p, double reach) {
   const double t = std::clamp((1 - std::abs(p) / reach) / 0.3, 0.0, 1.0);
   return t * t * (3 - 2 * t);
@@ -107,7 +107,7 @@ inline double near_slope(double p, double reach) {  // 1/m
   return (p < 0 ? 1 : -1) * 6 / (0.3 * reach) * t * (1 - t);
 }
 
-/// Full from 0.85 on, so that uneven facets count fully.
+/// Share of the energy, 1 from a cover of 0.85 on, so that uneven facets count fully.
 inline double covered_share(double cover) {
   const double t = std::clamp((cover - 0.15) / 0.7, 0.0, 1.0);
   return t * t * (3 - 2 * t);

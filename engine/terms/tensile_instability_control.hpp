@@ -7,7 +7,7 @@
 /// [Khayyer2024] §3.4. Pair forces differ, so momentum is not conserved.
 namespace taut {
 
-/// Summed over j, including i.
+/// Term j of C, including i itself.
 template <class T>
 T colour_term(const T& W, const T& V_j) {
   return W * V_j;
@@ -17,7 +17,7 @@ inline constexpr TermInfo surface_info{
     "terms/tensile_instability_control.hpp:colour_term",
     "colour function: 1 inside a lattice, below 0.9 on its face, above one row deeper"};
 
-/// N/m³
+/// Force per volume, N/m³.
 inline Vec<double, 2> tensile_control(const Mat<double, 2>& R_L, const Vec<double, 2>& sum_V_gradient) {
   return 2.0 * (R_L * sum_V_gradient);
 }

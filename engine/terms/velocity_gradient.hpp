@@ -15,7 +15,7 @@ inline constexpr TermInfo velocity_gradient_info{
     "velocity gradient", "L = −Σ V_j v_ij ⊗ ∇W", "[Zhang2024] Eq. 14",
     "terms/velocity_gradient.hpp:add_velocity_gradient",
     "velocity gradient: exact for a linear field after correction, on irregular particles"};
-/// With the density rate from ∇û or from masses.
+/// TermInfos that add the density rate, from ∇û or from masses.
 inline constexpr TermInfo transported_gradient_info{
     "velocity gradient", "∇û = Σ V_j û_ji ⊗ ∇W, dρ/dt = −ρ tr ∇û", "[Khayyer2024] Eq. 8, 13",
     "terms/velocity_gradient.hpp:add_velocity_gradient",
