@@ -12,7 +12,8 @@ inline constexpr std::string_view default_method = "oenog";
 enum class Stepping {
   dual,
   single
-};  // whether pair geometry is cached between advection steps [Zhang2024] §5
+  // Whether pair geometry is cached between advection steps, [Zhang2024] §5.
+};
 
 /// Upper bound; the best supported set is used. All produce identical bytes.
 enum class InstructionSet { baseline, x86_64_v3, x86_64_v4 };

@@ -103,7 +103,7 @@ void check_walls(const Scene& scene, const InitialParticles& initial) {
   for (const Wall& wall : scene.walls) {
     for (int i = 0; i < initial.size(); ++i) {
       const Body& body = scene.bodies[initial.body[i]];
-      Point deep = initial.at_start(i);  // then below it, behind the face
+      Point deep = initial.at_start(i);  // a particle, then the point below it
       double height = 0;
       for (std::size_t k = 0; k < 3; ++k) height += (deep[k] - wall.at[k]) * wall.normal[k];
       if (initial.held[i] || height > dp) continue;

@@ -8,7 +8,7 @@
 namespace taut {
 
 struct Impulse {
-  Point linear{};   // N s (per metre depth in 2D)
+  Point linear{};   // N s (2D: N s/m)
   Point angular{};  // about the origin, N m s; in 2D only z
 };
 
@@ -41,10 +41,10 @@ struct Snapshot {
 
   std::size_t size() const { return m.size(); }
 
-  Point initial(std::size_t i) const { return point(x0, i); }  // m
-  Point position(std::size_t i) const { return point(x, i); }  // m
-  Point velocity(std::size_t i) const { return point(v, i); }  // m/s
-  StressTensor deviator(std::size_t i) const {                 // Pa
+  Point initial(std::size_t i) const { return point(x0, i); }
+  Point position(std::size_t i) const { return point(x, i); }
+  Point velocity(std::size_t i) const { return point(v, i); }
+  StressTensor deviator(std::size_t i) const {
     if (const double* c = &s[i * stored(dim)]; dim == 3)
       return {c[0], c[3], c[5], c[1], c[2], c[4]};
     else

@@ -76,7 +76,6 @@ void warn_about_contacts(std::vector<std::string>& warnings, const Scene& scene,
                   stored, share));
 }
 
-/// Two bodies may be joined by `sph` if less than two spacings apart and within the kernel support.
 void warn_about_joined_bodies(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start,
                               double support) {
   constexpr double parts = 2 - 1e-6;         // spacings; bodies this far apart separate

@@ -38,9 +38,9 @@ bool are_rows(const std::vector<T>& begin, std::size_t rows, std::size_t entries
 }
 
 /// Common part of Saver and Loader: `archive(a, b, …)` visits values in a fixed order. A class lists its members in
-/// `serialize(Archive&)`; trivially copyable types need none. Files are valid for one machine and build only.
-/// Loaded data is untrusted, even with a right checksum. Values used to address memory must be listed with `fixed`,
-/// `indices`, `rows` or `check`; bytewise copies must contain numbers only.
+/// `serialize(Archive&)`; trivially copyable types need none. Loaded data is untrusted, even with a right checksum:
+/// values used to address memory must be listed with `fixed`, `indices`, `rows` or `check`, and bytewise copies must
+/// contain numbers only.
 template <class Side>
 class Archive {
  public:

@@ -13,8 +13,7 @@
 namespace taut {
 
 /// Helper threads that share their owner's loops. The owner works too and waits only for chunks already begun, so
-/// that a descheduled helper delays nothing, unlike in OpenMP. Each thread begins with the same chunks in every loop,
-/// for its cache.
+/// that a descheduled helper delays nothing. Each thread begins with the same chunks in every loop, for its cache.
 class Team {
  public:
   static constexpr int most_threads = 1000, most_chunks = Threads::most_chunks;

@@ -188,7 +188,6 @@ template <class T, int Dim, template <class, int> class Tensor>
     }
   return C;
 }
-/// A Bᵀ
 template <class T, int Dim>
 [[gnu::always_inline]] inline Mat<T, Dim> product_transposed(const Mat<T, Dim>& A, const Mat<T, Dim>& B) {
   Mat<T, Dim> C;
@@ -222,7 +221,6 @@ template <class T, int Dim>
   return C;
 }
 
-/// ½ (A + Aᵀ)
 template <class T, int Dim>
 Sym<T, Dim> symmetric_part(const Mat<T, Dim>& A) {
   Sym<T, Dim> S;

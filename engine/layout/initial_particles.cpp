@@ -51,7 +51,6 @@ void refuse_idle_cuts(const Body& body, const std::vector<long>& cut) {
                                                              "'; correct or remove it");
 }
 
-/// Lattice sites before the first shape rotates them.
 struct LatticeRows {
   Point anchor{};
   std::array<double, 3> pitch{};
@@ -154,7 +153,6 @@ std::vector<InitialSite> own_sites(const Body& body, int dim, double dp) {
   return body.shapes.front()->sites(dim, dp);
 }
 
-/// Jitters along the lattice axes, not off faces; equal numbers with every compiler.
 void jitter_sites(std::vector<InitialSite>& sites, const Jitter& jitter, const Shape& first, int dim,
                   double dp) {
   if (jitter.share == 0) return;
@@ -197,7 +195,6 @@ void refuse_empty(const std::vector<Region>& regions, const std::vector<InitialS
   }
 }
 
-/// A `held` that is 0 everywhere is most likely a mistake.
 void refuse_idle_hold(const Body& body, const std::vector<InitialSite>& sites) {
   const auto is_idle = [&](const Expression& where) {
     return where &&
@@ -215,7 +212,6 @@ void refuse_idle_hold(const Body& body, const std::vector<InitialSite>& sites) {
   if (!by_component && is_idle(body.held)) refuse("held");
 }
 
-/// Weights in cells. An end that is not `free` may be a plane of symmetry.
 std::vector<double> shares_along(long n, const bool (&free)[2]) {
   std::vector<double> share(static_cast<std::size_t>(n) + 1, 1.0);
   share.front() = share.back() = 0.5;
@@ -311,7 +307,6 @@ void append(InitialParticles& layout, const Scene& scene, int b) {
                            "' are both held and driven; 'held' and the 'where' of 'driven' must not overlap");
     layout.guided.push_back(held ? 0 : guide_at(body, site.middle));
     const auto is_free = [&](int k) { return !held && (layout.guided.back() >> k & 1) == 0; };
-    // jitter would move guided particles off a rotated face
     const bool stays = drive >= 0 || (body.rotation && layout.guided.back() != 0);
     Point x = site.x, v{};
     for (int k = 0; k < scene.dim; ++k)

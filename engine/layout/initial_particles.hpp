@@ -37,11 +37,10 @@ struct InitialParticles {
 inline constexpr double greatest_particle_number = 20e6;
 
 /// Fills bodies with a square (cubic) lattice, or whole round bodies with layers (RoundLayout) of exact mass. In a
-/// box with particles on its faces, n cells become ½ − δ, 1 + δ, 1 … of a cell, δ = n/(12 (n − 1)). This is exact for
-/// degree 2 (Simpson's rule for n = 2 and 3, Gregory's for many), so for mass, moments of inertia and bending
-/// stiffness. Faces guided along the normal or all other axes may be planes of symmetry and keep half cells. Then
-/// jitters (volumes stay), reflects, rotates and displaces. Throws SceneError: no particles, too many, overlapping
-/// bodies.
+/// box with particles on its faces, n cells become ½ − δ, 1 + δ, 1 … of a cell, δ = n/(12 (n − 1)): exact for degree
+/// 2 (Simpson's rule for n = 2 and 3, Gregory's for many), so for mass, moments of inertia and bending stiffness.
+/// Faces guided along the normal or all other axes may be planes of symmetry and keep half cells. Then jitters
+/// (volumes stay), reflects, rotates and displaces. Throws SceneError: no particles, too many, overlapping bodies.
 InitialParticles make_initial_particles(const Scene& scene);
 
 }  // namespace taut

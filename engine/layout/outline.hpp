@@ -15,7 +15,7 @@ struct Outline : FaceNodes {
 
   struct Segment {
     std::array<int, 2> node{};
-    double length = 0;  // reference, m
+    double length = 0;  // in the reference configuration, m
     double sense = 1;   // outward normal: sense (t_y, −t_x), t from first to second node
   };
 

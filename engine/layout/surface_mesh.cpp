@@ -63,7 +63,6 @@ class Faces {
     return at && is_face(*at) ? *at : on_the_line(x, outside);
   }
 
-  /// Whether solid and void are both around x.
   bool is_face(const Point& x) const {
     bool filled = false, empty = false;
     for (const double a : {-aside, aside})

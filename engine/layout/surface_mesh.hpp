@@ -14,8 +14,8 @@ struct SurfaceMesh : FaceNodes {
   struct Facet {
     std::array<int, 4> node{};  // anticlockwise, seen from outside
     int body = 0;
-    int particle = 0;  // behind it
-    double area = 0;   // of its vector area, reference, m²
+    int particle = 0;  // behind the facet
+    double area = 0;   // length of its vector area, reference configuration, m²
     double bulge = 0;  // of the face over the mean of the corners, outwards, m
   };
   std::vector<Facet> facets;  // by body

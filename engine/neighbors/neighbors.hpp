@@ -70,13 +70,13 @@ class CellGrid {
       return cells;
     };
     while (count() > most) size *= 1.5;
-    if (!(size < 1e5 * farthest)) refuse();      // NaN support
-    const double farthest_cell = 0x1p44 * size;  // beyond, rounding exceeds cells
+    if (!(size < 1e5 * farthest)) refuse();      // if the support is NaN
+    const double farthest_cell = 0x1p44 * size;  // farther away, rounding exceeds a cell
     for (int k = 0; k < Dim; ++k)
       if (std::max(std::abs(low[k]), std::abs(high[k])) > farthest_cell) refuse();
     cells_ = 1;
     for (int k = 0; k < Dim; ++k) {
-      cells_at_.origin[k] = low[k] - 1.5 * size;  // not one cell: rounding could reach the border
+      cells_at_.origin[k] = low[k] - 1.5 * size;  // more than one cell, since rounding could reach the border
       cells_at_.stride[k] = cells_;
       cells_ *= static_cast<int>(along(k));
     }

@@ -80,7 +80,6 @@ class March {
   std::map<long, Way> next_;  // by side number
 };
 
-/// Marks points that stay.
 void mark(const Chain& chain, std::size_t first, std::size_t last, double tolerance,
           std::vector<char>& stays) {
   std::vector<std::array<std::size_t, 2>> open = {{first, last}};
@@ -117,7 +116,6 @@ std::vector<char> points_that_stay(const Chain& chain, double tolerance) {
   return stays;
 }
 
-/// Returns the points with sharp turns.
 std::vector<std::size_t> corners_of(const Chain& chain, const std::vector<char>& stays) {
   constexpr double sharp = 40 * std::numbers::pi / 180;
   std::vector<std::size_t> kept, corners;

@@ -44,14 +44,14 @@ struct Part {
 /// A region with prescribed velocity up to a time.
 struct Drive {
   Expression where;
-  std::array<std::function<double(double)>, 3> velocity;  // m/s, of the time in s
+  std::array<std::function<double(double)>, 3> velocity;  // m/s, of the time in s; empty = 0
   std::optional<double> until;                            // s; none = never released
 };
 
 /// External forces that move with a region's particles. Loads add up; clamped and driven particles feel none.
 struct Load {
   enum class Kind : std::uint8_t {
-    force,          // N (per metre depth in 2D), by volume over particles not always clamped or driven
+    force,          // N (2D: N/m), by volume over particles not always clamped or driven
     force_density,  // N/m³ of initial volume
     traction,       // Pa, on the outer face of a layer one spacing deep; see solver/face_loads.hpp
   };
@@ -248,7 +248,7 @@ struct Scene {
   std::vector<Body> bodies;
   std::vector<Wall> walls;
   ContactLaw contact = ContactLaw::published;
-  std::array<std::function<double(double)>, 3> gravity;  // m/s², of the time in s
+  std::array<std::function<double(double)>, 3> gravity;  // m/s², of the time in s; empty = 0
   double damping = 0;  // c, 1/s, of a force −c m v, for scenes that come to rest; see solver/loads.hpp
   std::vector<Probe> probes;
   std::vector<SampleLine> lines;

@@ -10,19 +10,19 @@ namespace taut {
 /// Distance, in spacings, below which the force stays constant: it is unbounded.
 inline constexpr double lennard_jones_core = 0.1;
 
-/// Scale p̄, J (per metre depth in 2D): initially as stiff as the penalty law with modulus K, Pa.
+/// Scale p̄, J (2D: J/m): initially as stiff as the penalty law with modulus K, Pa.
 inline double lennard_jones_scale(double dp, double K, int dim) {
   return 0.5 * K * dp * dp * (dim == 3 ? dp : 1);
 }
 
-/// Force, N (per metre depth in 2D), n1 = 6, n2 = 4. Departure: the paper leaves p̄ open and has k h_i + k h_j for
-/// dp; here bodies touch at one spacing, as under other laws.
+/// Force, N (2D: N/m), n1 = 6, n2 = 4. Departure: the paper leaves p̄ open and has k h_i + k h_j for dp; here bodies
+/// touch at one spacing, as under other laws.
 inline double lennard_jones_force(double r, double dp, double K, int dim) {
   const double near = std::max(r, lennard_jones_core * dp), l2 = dp * dp / (near * near);
   return l2 > 1 ? lennard_jones_scale(dp, K, dim) * l2 * l2 * (l2 - 1) / near : 0;
 }
 
-/// Energy, J (per metre depth in 2D).
+/// Energy, J (2D: J/m).
 inline double lennard_jones_energy(double r, double dp, double K, int dim) {
   const double near = std::max(r, lennard_jones_core * dp), l2 = dp * dp / (near * near);
   if (!(l2 > 1)) return 0;

@@ -15,13 +15,13 @@ inline double contact_modulus(double K1, double K2, double stiffness) {
   return stiffness * (softer * (harder / (softer + harder)));
 }
 
-/// Force, N (per metre depth in 2D); K: contact modulus, Pa. [TranDuc2023] Eq. 2.13–2.15
+/// Force, N (2D: N/m); K: contact modulus, Pa. [TranDuc2023] Eq. 2.13–2.15
 inline double penalty_force(double r, double dp, double K, int dim) {
   const double area = dim == 3 ? dp : 1;
   return K * area * std::max(dp - r, 0.0);
 }
 
-/// Energy, J (per metre depth in 2D).
+/// Energy, J (2D: J/m).
 inline double penalty_energy(double r, double dp, double K, int dim) {
   return 0.5 * penalty_force(r, dp, K, dim) * std::max(dp - r, 0.0);
 }

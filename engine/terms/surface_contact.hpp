@@ -25,13 +25,13 @@ inline double surface_stiffness_slope(double M1, double M2, double stiffness, do
 /// Contact stiffness relative to the material, at least 1.
 inline double stiffer_than_material(double stiffness) { return std::max(1.0, stiffness / 2); }
 
-/// Energy, J (per metre depth in 2D), of a piece of a face, m (m² in 3D), at `depth`, m, behind another: ½ · ½ k δ²
-/// A, as both faces count for half.
+/// Energy, J (2D: J/m), of a piece of a face, m (m² in 3D), at `depth`, m, behind another: ½ · ½ k δ² A, as both
+/// faces count for half.
 inline double surface_energy(double depth, double area, double k) {
   return depth > 0 ? 0.25 * k * area * depth * depth : 0;
 }
 
-/// Force that separates the faces, N (per metre depth in 2D).
+/// Force that separates the faces, N (2D: N/m).
 inline double surface_force(double depth, double area, double k) {
   return depth > 0 ? 0.5 * k * area * depth : 0;
 }
