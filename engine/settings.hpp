@@ -9,11 +9,8 @@ namespace taut {
 /// Method of a scene that names none.
 inline constexpr std::string_view default_method = "oenog";
 
-enum class Stepping {
-  dual,
-  single
-  // Whether pair geometry is cached between advection steps, [Zhang2024] §5.
-};
+/// Whether pair geometry is cached between advection steps, [Zhang2024] §5.
+enum class Stepping { dual, single };
 
 /// Upper bound; the best supported set is used. All produce identical bytes.
 enum class InstructionSet { baseline, x86_64_v3, x86_64_v4 };

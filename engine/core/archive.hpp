@@ -38,9 +38,9 @@ bool are_rows(const std::vector<T>& begin, std::size_t rows, std::size_t entries
 }
 
 /// Common part of Saver and Loader: `archive(a, b, …)` visits values in a fixed order. A class lists its members in
-/// `serialize(Archive&)`; trivially copyable types need none. Loaded data is untrusted, even with a right checksum:
-/// values used to address memory must be listed with `fixed`, `indices`, `rows` or `check`, and bytewise copies must
-/// contain numbers only.
+/// `serialize(Archive&)`; trivially copyable types need none. A state is valid for one machine and build only.
+/// Loaded data is untrusted, even with a right checksum: values used to address memory must be listed with `fixed`,
+/// `indices`, `rows` or `check`, and bytewise copies must contain numbers only.
 template <class Side>
 class Archive {
  public:
@@ -54,13 +54,13 @@ class Archive {
   void fixed(std::vector<T>&... lists) {
     (one_fixed(lists), ...);
   }
-  /// Indices below `bound`, or pairs of them.
+  /// Indices below `bound`, or pairs of them with a pair of bounds.
   template <class T, class Bound>
   void indices(std::vector<T>& list, const Bound& bound) {
     one(list);
     check("an index", [&] { return are_below(list, bound); });
   }
-  /// Row i is list[width · begin[i]] … list[width · begin[i + 1] − 1], indices below `bound`.
+  /// `count` rows of indices below `bound`: row i is list[width · begin[i]] … list[width · begin[i + 1] − 1].
   template <class T, class Bound>
   void rows(std::vector<int>& begin, std::size_t count, std::vector<T>& list, const Bound& bound,
             std::size_t width = 1) {
@@ -200,7 +200,7 @@ class Loader : public Archive<Loader> {
     (*this)(found);
     if (!(found == value)) fail("the number of particles or probes");
   }
-  /// Throws UsageError if bytes remain.
+  /// Call last: throws UsageError if bytes remain.
   void finish() const {
     if (!rest_.empty()) fail("its length");
   }

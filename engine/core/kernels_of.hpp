@@ -9,10 +9,11 @@
 /// namespace with the macro `taut` (engine/CMakeLists.txt), so that the linker shares no inline functions.
 namespace taut {
 
-/// Values from 100 on differ from those of Family.
+/// Kernels outside the families; values from 100 on differ from Family.
 enum class SharedKernels { neighbor_search = 100, history_row };
 
-/// Kernel table of this build, or null. `Key`: a Family or SharedKernels. Specialised in kernels.cpp.
+/// Kernel table of this build, or null. `Key` is a Family or SharedKernels; `method` selects within a family.
+/// Specialised in kernels.cpp.
 template <int Key>
 const void* kernels_of(int dim, std::string_view method);
 

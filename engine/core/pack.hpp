@@ -5,8 +5,8 @@
 
 namespace taut {
 
-/// Pack: four neighbours of one particle, or one neighbour of each of four. As a compiler vector it shares terms,
-/// written for T, with double. Results are bit-identical without AVX.
+/// Four doubles: four neighbours of one particle, or one neighbour of each of four. As a compiler vector, Pack shares
+/// terms, written for T, with double. Results are bit-identical without AVX.
 inline constexpr int lanes = 4;
 typedef double Pack __attribute__((vector_size(lanes * sizeof(double))));
 typedef long long PackIndex __attribute__((vector_size(lanes * sizeof(long long))));
@@ -93,7 +93,7 @@ T power(const T& a) {
   for (int k = 1; k < N; ++k) r *= a;
   return r;
 }
-/// aⁿ, a, n ≥ 0, by squares and roots: a library call would spill a loop's registers.
+/// aⁿ for a, n ≥ 0, by squares and roots: a library call would spill a loop's registers.
 inline Pack power(const Pack& a, double n) {
   if (n == 4) return (a * a) * (a * a);
   const auto whole = static_cast<unsigned>(n);

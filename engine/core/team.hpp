@@ -26,7 +26,8 @@ class Team {
 
   /// Team of the calling thread; helpers start at first use.
   static Team& own();
-  /// Calls work(of, chunk) once per chunk, in any order. Nested loops run on the calling thread.
+  /// Calls work(of, chunk) once per chunk, in any order, on at most `threads` threads. Nested loops run on the
+  /// calling thread.
   void run(int threads, int chunks, Work work, const void* of);
 
  private:
@@ -46,7 +47,7 @@ class Team {
   std::uint64_t jobs_ = 0;
   Work work_ = nullptr;  // null between jobs
   const void* of_ = nullptr;
-  /// [chunk] last job that took it: a late helper finds its job taken
+  /// [chunk] last job whose chunk was taken. A late helper finds all of its job taken.
   std::unique_ptr<std::atomic<std::uint64_t>[]> taken_;
   alignas(64) std::atomic<std::uint64_t> job_{0};
   alignas(64) std::atomic<int> left_{0};  // unfinished chunks

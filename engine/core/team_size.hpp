@@ -5,9 +5,9 @@
 
 namespace taut {
 
-/// Chooses the number of threads of the next step: all, or one where more do not help. After a block of steps on one
-/// thread, tries the team and keeps it while it is no slower. Then one thread continues until the trial has cost
-/// 1/`worth` of the time, twice as long after each repeated failure.
+/// Chooses the number of threads of the next step: all, or one where more do not help. Results do not depend on it.
+/// After a block of steps on one thread, tries the team and keeps it while it is no slower. Then one thread continues
+/// until the trial has cost 1/`worth` of the time, twice as long after each repeated failure.
 class TeamSize {
  public:
   explicit TeamSize(int most) : most_(most) {}
@@ -40,7 +40,7 @@ class TeamSize {
   static constexpr int least_steps = 4;         // per block that lasts `long_enough`
   static constexpr double long_enough = 0.1;    // s
   static constexpr int often = 100;             // team blocks between two on one thread
-  static constexpr double worth = 50;           // 1 / greatest cost of failed trials
+  static constexpr double worth = 50;           // a failed trial may cost 1/worth of the time
   static constexpr double most_patience = 1e3;  // blocks
 
   void block_alone_done() {
@@ -69,11 +69,11 @@ class TeamSize {
 
   int most_;
   int alone_ = 1;           // remaining blocks on one thread
-  int block_ = 0;           // of the last block on one thread
+  int block_ = 0;           // steps of the last block on one thread
   double block_alone_ = 0;  // its duration, s
   int well_ = 0;            // team blocks since then
   double patience_ = 1;     // least `alone_` after a failed trial
-  int steps_ = 0;           // of the current block
+  int steps_ = 0;           // steps of the current block
   double taken_ = 0;        // its duration so far, s
   double last_ = 0;         // s, end of the last step
 };

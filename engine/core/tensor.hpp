@@ -86,7 +86,7 @@ struct Mat {
   }
 };
 
-/// Upper triangle: xx, xy, yy or xx, xy, xz, yy, yz, zz.
+/// Symmetric tensor, upper triangle: xx, xy, yy or xx, xy, xz, yy, yz, zz.
 template <class T, int Dim>
 struct Sym {
   static constexpr int size = Dim * (Dim + 1) / 2;
@@ -260,7 +260,7 @@ T determinant(const Mat<T, 3>& A) {
          A(0, 2) * (A(1, 0) * A(2, 1) - A(1, 1) * A(2, 0));
 }
 
-/// [A ⨯ B]_iI = ε_ijk ε_IJK A_jJ B_kK: cof F = ½ F ⨯ F. [Lee2016] below Eq. 1
+/// Tensor cross product [A ⨯ B]_iI = ε_ijk ε_IJK A_jJ B_kK: cof F = ½ F ⨯ F. [Lee2016] below Eq. 1
 template <class T>
 Mat<T, 3> tensor_cross(const Mat<T, 3>& A, const Mat<T, 3>& B) {
   Mat<T, 3> C;
@@ -276,7 +276,7 @@ Mat<T, 3> tensor_cross(const Mat<T, 3>& A, const Mat<T, 3>& B) {
   return C;
 }
 
-/// Inverse; 0 if not clearly positive definite, as for a particle without neighbours.
+/// Inverse of a symmetric tensor; 0 if not clearly positive definite, as for a particle without neighbours.
 inline Sym<double, 2> inverse(const Sym<double, 2>& a) {
   const double det = a(0, 0) * a(1, 1) - a(0, 1) * a(0, 1);
   const double scale = trace(a) * trace(a);
