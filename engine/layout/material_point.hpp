@@ -12,7 +12,8 @@ struct PointWeight {
   double weight;
 };
 
-/// Radius of the particles around a point, m; at least two spacings, since fewer are collinear beyond a face.
+/// Radius of the particles around a point, m; at least two spacings, so that they are not collinear at a face or
+/// corner.
 constexpr double reach_of_points(double support, double dp) { return std::max(support, 2 * dp); }
 
 /// Weights by moving least squares, exact for linear fields even on faces, half a spacing outside the particles:
@@ -28,8 +29,8 @@ inline constexpr double link_of_neighbors = 1.8;
 std::vector<int> linked_to_nearest(const std::vector<Point>& x, const std::vector<int>& some, const Point& at,
                                    double link);
 
-/// Ignores particles beyond a slot. With Body::on_boundary interpolates in a lattice cell, so that points on clamped
-/// particles are clamped.
+/// Ignores particles beyond a slot, not linked to the nearest one. With Body::on_boundary interpolates in a lattice
+/// cell, so that points on clamped particles are clamped.
 std::vector<PointWeight> material_point(const std::vector<Point>& x, int begin, int end, const Point& at,
                                         double reach, const Scene& scene, int body);
 
@@ -40,18 +41,18 @@ struct Surroundings {
   const std::vector<int>& material;
   int begin, end;
   double reach;  // m
-  double link;   // step between linked particles, m; infinite = any
+  double link;   // greatest step between linked particles, m; infinite = any
   int dim;
 };
 
-/// Replaces a `point` with several materials, or with clamped or driven particles, which mostly have no stress of
-/// their own: extrapolates linearly from free particles of the nearest free one's material. Uses driven particles if
-/// none is free; empty if all are clamped.
+/// Replaces a `point` with particles of several materials, or with clamped or driven ones, which mostly have no
+/// stress of their own. Extrapolates linearly from free particles of the nearest free one's material, or from driven
+/// ones if none is free. Empty if all are clamped.
 std::vector<PointWeight> point_of_stress(std::vector<PointWeight> point, const Surroundings& all,
                                          const Point& at);
 
-/// Replaces a `point` at kinks of the displacement. Uses particles that move with the nearest one if that is clamped
-/// or driven, else those of its material. `moves_with[i]`: number of the joint motion, 0 = free.
+/// Replaces a `point` at kinks of the displacement. If the nearest particle is clamped or driven, uses particles that
+/// move with it, else particles of its material. `moves_with[i]`: number of the joint motion, 0 = free.
 std::vector<PointWeight> point_of_motion(std::vector<PointWeight> point, const Surroundings& all,
                                          const std::vector<int>& moves_with, const Point& at);
 

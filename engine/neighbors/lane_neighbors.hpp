@@ -15,7 +15,7 @@ namespace taut {
 
 /// One neighbour per lane; equal neighbourhoods have equal slots.
 struct LaneSlot {
-  int step[lanes];  // from the first particle to each neighbour
+  int step[lanes];  // offset in storage from the group's first particle
   int in_line;      // 1: neighbours are consecutive
 };
 

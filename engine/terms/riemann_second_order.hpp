@@ -9,7 +9,7 @@
 /// Riemann problem with velocities reconstructed half way, so that linear velocity is not damped.
 namespace taut {
 
-/// Closing speed, m/s; D: symmetric part of ∇u. [Khayyer2024] Eq. 37, 44
+/// Closing speed of the reconstructed velocities, m/s; D: symmetric part of ∇u. [Khayyer2024] Eq. 37, 44
 template <class T, int Dim>
 T reconstructed_closing_speed(const T& closing_speed, const Sym<T, Dim>& D_i, const Sym<T, Dim>& D_j,
                               const T& r, const Vec<T, Dim>& e_ij) {

@@ -9,8 +9,9 @@
 
 namespace taut {
 
-/// Stiffness k, Pa/m. With s = 2 faces overlap by the compression of two spacings of material. A greater s overlaps
-/// less but needs shorter steps: `oenog` in 2D is stable up to s = 6. Symmetric to the last bit.
+/// Stiffness k, Pa/m, of two materials with M = K + 4G/3. With s = 2 faces overlap by the compression of two spacings
+/// of material. A greater s overlaps less but needs shorter steps: `oenog` in 2D is stable up to s = 6. Symmetric to
+/// the last bit.
 inline double surface_stiffness(double M1, double M2, double stiffness, double dp) {
   const double softer = std::min(M1, M2), harder = std::max(M1, M2);
   return 0.5 * stiffness * (softer * (harder / (softer + harder))) / dp;
@@ -47,8 +48,8 @@ inline constexpr ContactLawRow surface_contact{
     .touching = 0,
 };
 
-/// Share of a piece by the cosine of the outward normals: 1 up to 60° from facing, 0 from 76° on, as at the other
-/// side of a corner.
+/// Share of a piece by the cosine of the outward normals: 1 up to 60° from facing, 0 from 76° on, so that at a corner
+/// only the side that faces the other body counts.
 inline double facing_share(double cosine) { return std::clamp(-4 * cosine - 1, 0.0, 1.0); }
 inline double facing_slope(double cosine) { return cosine > -0.5 && cosine < -0.25 ? -4 : 0; }
 
