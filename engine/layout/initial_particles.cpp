@@ -51,11 +51,12 @@ void refuse_idle_cuts(const Body& body, const std::vector<long>& cut) {
                                                              "'; correct or remove it");
 }
 
+/// Lattice sites before the first shape rotates them.
 struct LatticeRows {
   Point anchor{};
   std::array<double, 3> pitch{};
   std::array<long, 3> from{}, to{};
-  std::size_t along = 0;  // hexagonal rows
+  std::size_t along = 0;  // axis of hexagonal rows
   double staggered = 0;   // offset of hexagonal rows, pitches
 
   Point at(long i, long j, long k, int dim) const {
@@ -118,7 +119,7 @@ std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
   return sites;
 }
 
-/// Particles from face to face; V0 is the part of the cell inside.
+/// Particles from face to face; their V0 is the part of the cell inside.
 std::vector<InitialSite> sites_on_boundary(const Box& box, int dim, double dp) {
   long last[3] = {0, 0, 0};
   double pitch[3] = {1, 1, 1};
@@ -153,6 +154,7 @@ std::vector<InitialSite> own_sites(const Body& body, int dim, double dp) {
   return body.shapes.front()->sites(dim, dp);
 }
 
+/// Jitters along the lattice axes, not off faces; equal numbers with every compiler.
 void jitter_sites(std::vector<InitialSite>& sites, const Jitter& jitter, const Shape& first, int dim,
                   double dp) {
   if (jitter.share == 0) return;
@@ -212,6 +214,7 @@ void refuse_idle_hold(const Body& body, const std::vector<InitialSite>& sites) {
   if (!by_component && is_idle(body.held)) refuse("held");
 }
 
+/// Weights of n + 1 particles, in cells. An end that is not `free` may be a plane of symmetry.
 std::vector<double> shares_along(long n, const bool (&free)[2]) {
   std::vector<double> share(static_cast<std::size_t>(n) + 1, 1.0);
   share.front() = share.back() = 0.5;
@@ -222,7 +225,7 @@ std::vector<double> shares_along(long n, const bool (&free)[2]) {
   return share;
 }
 
-/// Bit k: fixed along axis k.
+/// Bit k: the particle at x is fixed along axis k.
 unsigned char guide_at(const Body& body, const Point& x) {
   unsigned guide = 0;
   for (unsigned k = 0; k < body.guided.size(); ++k)
@@ -265,7 +268,6 @@ void weigh_box(InitialParticles& layout, const Body& body, int first, int dim, d
   }
 }
 
-/// Throws SceneError for requests that cannot be met.
 void check_sites(const Body& body, const std::vector<InitialSite>& sites) {
   if (sites.empty())
     throw SceneError(
@@ -307,6 +309,7 @@ void append(InitialParticles& layout, const Scene& scene, int b) {
                            "' are both held and driven; 'held' and the 'where' of 'driven' must not overlap");
     layout.guided.push_back(held ? 0 : guide_at(body, site.middle));
     const auto is_free = [&](int k) { return !held && (layout.guided.back() >> k & 1) == 0; };
+    // jitter would move guided particles off a rotated face
     const bool stays = drive >= 0 || (body.rotation && layout.guided.back() != 0);
     Point x = site.x, v{};
     for (int k = 0; k < scene.dim; ++k)

@@ -106,7 +106,7 @@ void refuse_close_particles(const InitialParticles& layout, const Scene& scene) 
   }
 }
 
-/// Maps the start of a displaced body to its layout, by the nearest particle and the displacement gradient.
+/// Maps starting positions of a displaced body to its layout, by the nearest particle and the displacement gradient.
 class LaidPlaces {
  public:
   LaidPlaces(const InitialParticles& layout, const Scene& scene, std::size_t b)

@@ -71,7 +71,7 @@ class Faces {
           (is_filled({x[0] + a * dp_, x[1] + b * dp_, x[2] + c * dp_}) ? filled : empty) = true;
     return filled && empty;
   }
-  /// First face outwards of a solid x, or inwards of another one; x if none is near.
+  /// First face outwards of a solid x, or inwards of an outside one; x if none is near.
   Point on_the_line(const Point& x, const Point& outside) const {
     const double length = distance_between(outside, x, dim);
     if (!(length > 0)) return x;

@@ -38,7 +38,7 @@ struct LawsOfFour {
   }
 };
 
-/// Laws of a run as plain data, with constants per material.
+/// Law of a run as plain data, with constants per material.
 struct LawsInUse {
   Law law;
   const void* laws;  // LawOf<law> [material]

@@ -27,7 +27,7 @@ double beside_plane(double zz) {
   return Dim == 2 ? zz : 0;
 }
 
-/// Derives from the law's struct and has a LawRow `row`.
+/// Derived from the law's struct; has a LawRow `row`.
 template <Law law>
 struct LawOf;
 
@@ -80,7 +80,7 @@ Sym<T, Dim> hooke(const Sym<T, Dim>& strain, double K, double G) {
   for (int k = 0; k < Dim; ++k) stress(k, k) += volumetric;
   return stress;
 }
-/// J/m³
+/// ½ ε : hooke(ε), J/m³
 template <int Dim>
 double hooke_energy(const Sym<double, Dim>& strain, double K, double G) {
   double squares = 0;

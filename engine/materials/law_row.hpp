@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// A parameter besides K and G: an optional key of [material].
+/// Parameter of a law besides K and G: an optional key of [material].
 struct LawParameter {
   std::string_view key;
   double value;      // default

@@ -33,7 +33,7 @@ inline bool is_half_turn(const Mat<double, 3>& R, const Mat<double, 3>& F) {
   return determinant(F) > 0 && !(trace(U) > 0 && minors > 0);
 }
 
-/// R of F = R U if det F > 0; in 2D R ∝ F + cof F. [TranDuc2023] §2.3 iterates to the same R.
+/// Rotation nearest to F, R of F = R U if det F > 0; in 2D R ∝ F + cof F. [TranDuc2023] §2.3 iterates to the same R.
 template <class T>
 Mat<T, 2> nearest_rotation(const Mat<T, 2>& F) {
   const T c = F(0, 0) + F(1, 1), s = F(1, 0) - F(0, 1);
@@ -45,7 +45,7 @@ Mat<T, 2> nearest_rotation(const Mat<T, 2>& F) {
 
 /// Müller's iteration, [TranDuc2023] §2.3: ω = Σ_k R_k × F_k/(|Σ_k R_k · F_k| + ε),  R ← exp(ω) R. Departures: the
 /// paper lacks the bars, without which rotations beyond 90° diverge; if the torque vanishes because two axes are
-/// turned by 180°, restarts from another rotation.
+/// turned by 180°, the iteration restarts from another rotation.
 inline Mat<double, 3> nearest_rotation(const Mat<double, 3>& F) {
   Mat<double, 3> R{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   constexpr int most = 100;
