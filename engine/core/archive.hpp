@@ -212,7 +212,7 @@ class Loader : public Archive<Loader> {
     if (size > 0) std::memcpy(to, rest_.data(), size);
     rest_.remove_prefix(size);
   }
-  /// `least`: size of the smallest element, bytes.
+  /// `least`: minimum size of an element, bytes.
   std::size_t length(std::size_t, std::size_t least) {
     std::uint64_t n = 0;
     bytes(&n, sizeof n);

@@ -116,7 +116,7 @@ struct Body {
 /// Whether x is in the body, or at most `tolerance` outside; ignores displacements.
 bool holds(const Body& body, const Point& x, int dim, double tolerance);
 
-/// The body before reflection (x → −x) and rotation, shifted accordingly.
+/// The body before rotation and reflection, shifted such that x → −x reflects it into place.
 Body as_laid(Body body, int dim);
 /// Maps a point of as_laid(body) to its place.
 Point placed(const Body& body, Point x, int dim);

@@ -75,7 +75,7 @@ struct ShapeBase {
   virtual Point middle() const;
   /// Corner of the lattice if this is the first shape.
   virtual Point anchor() const;
-  /// Particles of a body of this shape alone; empty = lattice.
+  /// Particles of a body of this shape alone; empty if the lattice fills it.
   virtual std::vector<InitialSite> sites(int dim, double dp) const;
   /// Faces in 2D: points about dp apart and at corners, solid on the left.
   virtual std::vector<Chain> outline(int dim, double dp) const;
