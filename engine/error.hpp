@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// Invalid command line or value. The message states what is allowed.
+/// Invalid command line or value. The message states the allowed values.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

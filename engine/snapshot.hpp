@@ -30,9 +30,9 @@ struct Snapshot {
   std::vector<double> s;    // deviatoric stress xx, xy, yy, zz (2D) or xx, xy, xz, yy, yz, zz (3D), Pa
   std::vector<double> strain_energy;  // J; empty for methods that do not define it
   double contact_energy = 0;          // stored in contacts, J
-  double work = 0;                    // of drives, loads and gravity so far, J
-  double damped = 0;                  // by Scene::damping so far, J
-  Impulse of_walls;                   // from all walls so far
+  double work = 0;                    // total of drives, loads and gravity, J
+  double damped = 0;                  // total removed by Scene::damping, J
+  Impulse of_walls;                   // total from all walls
   std::vector<double> diameter;       // as drawn: V0^(1/dim), m
   std::vector<int> body;              // index into Scene::bodies
   std::vector<int> material;          // index into Scene::materials
