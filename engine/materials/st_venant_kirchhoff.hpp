@@ -5,8 +5,8 @@
 
 namespace taut {
 
-/// St Venant–Kirchhoff: Hooke's law between the second Piola–Kirchhoff stress S and the Green–Lagrange strain
-/// E, P = F S. Softens without end in compression: for large rotations with moderate strains.
+/// P = F S, Hooke's law between S and E. Softens without limit in compression: for large rotations with moderate
+/// strains.
 struct StVenantKirchhoff {
   double K, G;  // Pa
 

@@ -5,8 +5,7 @@
 
 namespace taut {
 
-/// p = c0² (ρ − ρ0)                                                          [Zhang2024] Eq. 4
-/// Pa, positive in compression.
+/// Pressure, Pa, positive in compression.
 template <class T>
 T pressure(const T& rho, double rho0, double c0) {
   return c0 * c0 * (rho - rho0);

@@ -3,13 +3,11 @@
 #include "engine/core/tensor.hpp"
 #include "engine/term_info.hpp"
 
-/// In the inner region the stress divergence of a particle in tension takes differences instead of sums: with
-/// R = −σ⁺, σ⁺ the tensile part, σ_i·L_i becomes (σ_i + 2 R_i)·L_i.              [Khayyer2024] §3.4
-/// Linear momentum is not conserved there, since the pair forces of i and j differ.
+/// In the inner region, particles in tension take stress differences: σ_i·L_i becomes (σ_i + 2 R_i)·L_i.
+/// [Khayyer2024] §3.4. Pair forces differ, so momentum is not conserved.
 namespace taut {
 
-/// Adds to C = Σ_j W V_j, the particle itself included: below 0.9 it is one of the surface; 1.
-/// [Khayyer2024] Eq. 52
+/// Term j of C, including i itself.
 template <class T>
 T colour_term(const T& W, const T& V_j) {
   return W * V_j;
@@ -19,7 +17,7 @@ inline constexpr TermInfo surface_info{
     "terms/tensile_instability_control.hpp:colour_term",
     "colour function: 1 inside a lattice, below 0.9 on its face, above one row deeper"};
 
-/// 2 R_i·L_i·Σ V_j ∇_i W, force per volume of an inner particle, N/m³.          [Khayyer2024] Eq. 50, 51
+/// Force per volume, N/m³.
 inline Vec<double, 2> tensile_control(const Mat<double, 2>& R_L, const Vec<double, 2>& sum_V_gradient) {
   return 2.0 * (R_L * sum_V_gradient);
 }
