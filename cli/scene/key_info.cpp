@@ -17,7 +17,6 @@ std::string bounded(std::string_view name, const NumberRange& bounds) {
   return text;
 }
 
-/// Of one value, without its unit.
 std::string one_text(const KeyType& type) {
   using Kind = KeyType::Kind;
   if (!type.shown.empty()) return std::string(type.shown);

@@ -56,7 +56,7 @@ void see_files_from(const std::filesystem::path& folder, TomlValue& scene);
 /// is missing; the message calls it `what`.
 std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path& folder,
                                  std::string_view what);
-/// Needs the scene's bodies.
+/// Reads [render]; needs the scene's bodies.
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing);
 TomlValue drawing_table(const Drawing& drawing);
 
