@@ -11,17 +11,17 @@ namespace taut::cli {
 
 class Options;
 
-/// The drawing options of a command as typed; what is left out stands in the scene.
+/// Drawing options of a command; others keep the scene's values.
 struct DrawingOptions {
   std::map<std::string, std::optional<std::string>, std::less<>> typed;  // by key
 
   bool any() const;
 };
 
-/// An option for every key of drawing that says how a picture looks.
+/// Declares an option for every key of style.
 void declare_drawing_options(Options& command, DrawingOptions& options);
 
-/// What `drawing` becomes with the options. Throws UsageError.
+/// Throws UsageError.
 Drawing with_options(Drawing drawing, const DrawingOptions& options);
 
 }  // namespace taut::cli

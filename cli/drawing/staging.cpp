@@ -78,7 +78,7 @@ void Staging::find_cells() {
     cells_->take_ends(Cells(origins_.dim, origins_.x0, origins_.diameter, origins_.body), shown_);
 }
 
-/// The centre of mass of the body that is followed.
+/// Centre of mass of the followed body.
 Point Staging::middle(const FrameView& particles) const {
   Point sum{};
   double mass = 0;

@@ -93,8 +93,8 @@ std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
 
 /// Smallest significant difference of a field, in its unit. Smaller ones, such as stress in free flight, are noise.
 double round_off(const Field& field, const Scene& scene) {
-  constexpr double strain = 1e-9, in_single_precision = 1e-6;  // drawn values have single precision
-  double stiffest = 0;                                         // Pa
+  constexpr double strain = 1e-9, in_single_precision = 1e-6;
+  double stiffest = 0;  // Pa
   for (const Material& material : scene.materials) stiffest = std::max(stiffest, material.youngs_modulus);
   if (field.unit == "Pa") return strain * stiffest;
   if (field.unit == "m") return strain * scene.spacing;
