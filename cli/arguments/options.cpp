@@ -138,7 +138,7 @@ bool Options::read(const std::vector<std::string>& words) try {
 } catch (const CLI::CallForHelp&) {
   return false;
 } catch (const CLI::ParseError& e) {
-  refuse_unknown();  // first, because a misspelt option also makes "SCENE is required"
+  refuse_unknown();  // a misspelt option also makes "SCENE is required"
   throw UsageError(what_is_wrong(*app_, e) + "; see `" + app_->get_name() + " --help`");
 }
 

@@ -22,7 +22,7 @@ class Option {
   Option& required(bool is_required = true);
   /// `check` returns a problem, or "".
   Option& check(std::string (*check)(const std::string& value));
-  /// The option takes one word each time, instead of all words that follow.
+  /// Takes one word each time, instead of all words that follow.
   Option& one_word_each();
   /// Like one_word_each(); commas separate values.
   Option& comma_separated();
@@ -56,11 +56,11 @@ class Options {
   explicit Options(const Texts& texts);
   ~Options();
 
-  /// `target` is text, int, double, an optional of these, or a vector of texts or doubles. `placeholder` represents
-  /// the value in --help. Only vectors may be repeated.
+  /// `target` is text, int, double, an optional of these, or a vector of texts or doubles. `placeholder` is for
+  /// --help. Only vectors may be repeated.
   template <class Target>
   Option add(std::string_view name, std::string_view placeholder, Target& target, std::string_view help);
-  /// Passes the text to `take` after all words were read.
+  /// Calls `take` after all words were read.
   Option add(std::string_view name, std::string_view placeholder,
              const std::function<void(const std::string&)>& take, std::string_view help);
   Option add(std::string_view name, std::string_view placeholder,

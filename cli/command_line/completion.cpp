@@ -20,16 +20,13 @@ bool is_option(const std::string& word) { return word.size() > 1 && word[0] == '
 
 std::string up_to_end_of_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// Finds the option or argument of the last word.
 class CommandLine {
  public:
   CommandLine(const Options& command, const Words& words) : options_(command.all()) {
     for (std::size_t k = 0; k + 1 < words.size(); ++k) take(words[k]);
   }
 
-  /// Option whose value comes next.
   const std::optional<Option>& open_option() const { return open_; }
-  /// Next positional argument.
   std::optional<Option> next_argument() const {
     std::size_t place = 0;
     for (const Option& option : options_) {
@@ -51,7 +48,7 @@ class CommandLine {
         next.push_back(option);
     return next;
   }
-  /// Scene of the typed SCENE or run folder, with the typed method, if it can be read.
+  /// Scene of the typed words, if it can be read.
   std::optional<SceneFile> scene() const try {
     if (arguments_.empty()) return std::nullopt;
     std::vector<Setting> settings;
@@ -132,7 +129,7 @@ Completion complete_name(std::span<const Command> commands) {
   return completion;
 }
 
-/// Excludes words that a shell would split or execute, because bash does not quote all completions.
+/// Shells would split or execute such words, and bash does not quote all completions.
 bool is_plain(const std::string& word) {
   return std::ranges::none_of(word, [](unsigned char c) {
     return c <= ' ' ||

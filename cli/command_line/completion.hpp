@@ -17,11 +17,10 @@ struct Completion {
   std::string files;  // see Choices
 };
 
-/// Completions of the last word of `typed`, which may be empty; `typed` excludes `taut`. Empty for invalid words.
+/// Completes the last word of `typed`, which may be empty; `typed` excludes `taut`. Wrong words have no completions.
 Completion complete(std::span<const Command> commands, const std::vector<std::string>& typed);
 
-/// Answer to `taut --complete WORDS`: a line with the pattern of files, then for each word a line with text, tab and
-/// help.
+/// For `taut --complete WORDS`: a line with the pattern of files, then a line per word with text, tab and help.
 std::string answer_to_shell(std::span<const Command> commands, const std::vector<std::string>& typed);
 
 }  // namespace taut::cli

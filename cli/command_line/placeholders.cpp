@@ -88,7 +88,7 @@ const Placeholder* find_placeholder(std::string_view name) {
   return found == std::end(table) ? nullptr : found;
 }
 
-/// Words of a drawing key; empty if the placeholder is of no such key.
+/// Empty if `placeholder` is of no drawing key.
 Words drawing_names(std::string_view placeholder) {
   const auto keys = drawing_keys();
   const auto key = std::ranges::find_if(keys, [placeholder](const DrawingKey& each) {

@@ -14,8 +14,8 @@ struct Choices {
   std::string files;
 };
 
-/// Choices for a placeholder of --help: FIELD, a list "FIELD,...", "LOW:HIGH|auto" or "panel.png". Numbers have none.
-/// `scene` adds names of the scene; nullptr if unknown.
+/// For placeholders such as FIELD, "FIELD,...", "LOW:HIGH|auto" and "panel.png". Numbers have no choices. `scene`, if
+/// known, adds its names.
 Choices choices(std::string_view placeholder, const std::string& typed, const SceneFile* scene);
 
 }  // namespace taut::cli

@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// Runs the command named first in `arguments` and returns its exit code. Reports all errors on `streams.err`.
+/// Returns the exit code; reports all errors on `streams.err`.
 int run_program(std::span<const Command> commands, const std::vector<std::string>& arguments,
                 Streams streams);
 

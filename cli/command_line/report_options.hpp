@@ -17,11 +17,11 @@ struct ReportOptions {
 
   void declare_json(Options& command);
   void declare_junit(Options& command);
-  /// Writes the JUnit file, if any. On GitHub, prints annotations to `err`. Throws OutputError.
+  /// Writes the JUnit file, if any, and on GitHub annotations to `err`. Throws OutputError.
   void publish(const TestReport& report, std::ostream& err) const;
 };
 
-/// Starts the JSON object of a command with `taut`, `answer` and `format`.
+/// Object with the keys `taut`, `answer` and `format`.
 Json json_answer(std::string_view command);
 
 }  // namespace taut::cli

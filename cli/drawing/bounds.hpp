@@ -10,10 +10,10 @@
 
 namespace taut::cli {
 
-/// Range and view over all frames of a sequence. Ignores non-finite values.
+/// Range and view of a sequence of frames, without non-finite values.
 class SequenceBounds {
  public:
-  /// In 3D, the camera sets the plane of the view.
+  /// The camera sets the plane of the view.
   explicit SequenceBounds(const std::optional<render::Camera>& camera = {});
 
   void add_values(std::span<const double> values);
@@ -22,19 +22,19 @@ class SequenceBounds {
   void add(const FrameView& particles);
 
   /// Clips at most 1 % of the values above `round_off` at each end, and no end that widens the range by less than a
-  /// quarter. Never empty; symmetric about `middle`, if given.
+  /// quarter. Never empty; symmetric about `middle`.
   render::Range range(std::optional<double> middle, double round_off = 0) const;
-  /// Has a margin of 5 % of the longer side.
+  /// With a margin of 5 % of the longer side.
   render::View view() const;
-  /// Centred at the origin, the centre of the followed body, and half as large again to show its surroundings.
+  /// About the origin, the centre of the followed body, and half as large again.
   render::View view_about_origin() const;
-  /// A view that contains everything from all directions.
+  /// Contains everything from all directions.
   struct Orbit {
     render::View view;  // centred at the origin
     render::Vector middle;
   };
   Orbit orbit() const;
-  /// Coordinate of the nearest particle towards the camera, m.
+  /// Greatest coordinate towards the camera, m.
   double front() const;
 
  private:
@@ -48,7 +48,7 @@ class SequenceBounds {
   std::optional<render::CameraAxes> axes_;
 };
 
-/// Sets an open colour map by the field, and open range and view by `shown`.
+/// Sets open members of `drawing`.
 Drawing fitted(Drawing drawing, const SequenceBounds& shown);
 
 }  // namespace taut::cli

@@ -22,7 +22,7 @@ std::vector<double> ColorFormula::values(std::span<const std::vector<double>> of
   return all;
 }
 
-/// A formula has no unit; a diverging map, if chosen, centres it at 0.
+/// A formula has no unit; a diverging map centres it at 0.
 ColorMeaning meaning(const Drawing& drawing) {
   const Field& field = *drawing.field;
   const render::Colormap* map = drawing.look.colormap;

@@ -26,37 +26,35 @@ struct ColorFormula {
   static constexpr std::array<const char*, 6> places{"x", "y", "z", "X", "Y", "Z"};
   using Function = std::function<double(const std::vector<double>&, double t)>;
 
-  std::vector<const Field*> fields;  // used by the expression
-  Function function;                 // of the values of `fields`, then `places`, and the time
+  std::vector<const Field*> fields;
+  Function function;  // of the fields, `places` and the time
 
-  /// Value of each particle. `of_fields` has the values of each field; x and x0 have `dim` coordinates per particle,
-  /// m.
+  /// One value per particle. `of_fields` has the values of each field; x and x0 have `dim` coordinates each, m.
   std::vector<double> values(std::span<const std::vector<double>> of_fields, int dim,
                              std::span<const double> x, std::span<const double> x0, double time) const;
 };
 
-/// Contents and style of a run's pictures. Open members have defaults: viridis, or a diverging map for signed fields;
-/// range and view of everything shown. A 3D scene has a camera instead of a view.
+/// What a picture shows, and how. Open members have defaults: viridis, or a diverging map for signed fields; range
+/// and view of everything shown. A 3D scene has a camera instead of a view.
 struct Drawing {
-  const Field* field = find_field("von_mises");  // colours the particles if `formula` is empty
+  const Field* field = find_field("von_mises");  // if `formula` is empty
   render::Look look{};
   int frames = 60;               // after t = 0, evenly spaced
   std::optional<Style> style{};  // default: discs in 2D, spheres in 3D
-  std::string cut{};             // expression that hides particles where it is not 0 initially, or empty
-  std::string follow{};          // body whose centre of mass stays in the middle, or empty
+  std::string cut{};             // expression; not 0 at the start: hidden
+  std::string follow{};          // body whose centre stays in the middle
 
-  std::string formula{};  // colours the particles, or empty
-  bool orbit = false;     // 3D: the camera circles the scene once during the run
+  std::string formula{};  // colours the particles; or empty
+  bool orbit = false;     // 3D: the camera circles the scene once
 
   // set by `suit` (cli/scene)
   Expression is_cut{};
   std::optional<int> followed{};  // index into Scene::bodies
   std::vector<WallFace> walls{};
-  double round_off = 0;  // minimum width of an automatic range, in the unit of the colours
+  double round_off = 0;  // minimum width of an open range, in the unit of the colours
   ColorFormula of_formula{};
 };
 
-/// Meaning of the colours.
 struct ColorMeaning {
   std::string_view name, unit;
   std::optional<double> middle;  // neutral value of a signed field
@@ -67,7 +65,7 @@ std::vector<double> color_values(const Drawing& drawing, const Snapshot& snapsho
 
 std::vector<std::string> names_of_fields();
 std::vector<std::string> names_of_fields(int dim);
-/// Throws UsageError, with the nearest name, for a field unknown in `dim` dimensions.
+/// Throws UsageError for a field unknown in `dim` dimensions.
 const Field& known_field(const std::string& key, int dim = 3);
 
 }  // namespace taut::cli

@@ -8,7 +8,7 @@
 namespace taut::cli {
 namespace {
 
-/// The result refers to both arguments.
+/// Refers to both arguments.
 FrameView view_of(const Snapshot& snapshot, std::span<const double> value) {
   FrameView view;
   view.dim = snapshot.dim;
@@ -19,7 +19,7 @@ FrameView view_of(const Snapshot& snapshot, std::span<const double> value) {
   return view;
 }
 
-/// The result refers to all arguments.
+/// Refers to all arguments.
 FrameView with_texts(FrameView view, const Drawing& drawing, const Captions& captions) {
   const ColorMeaning colors = meaning(drawing);
   view.field = colors.name;
@@ -29,8 +29,8 @@ FrameView with_texts(FrameView view, const Drawing& drawing, const Captions& cap
   return view;
 }
 
-/// Number of threads, limited by the memory of their pictures. A picture of spheres needs four samples of 8 bytes per
-/// pixel, and as much again in OpenGL.
+/// Limited by the memory of the pictures: spheres need four samples of 8 bytes per pixel, and as much again in
+/// OpenGL.
 int pictures_at_once(const Drawing& drawing, int threads) {
   constexpr double bytes_of_pixel = 70;
   const render::Size size = drawing.look.size.value_or(render::Size{});
@@ -72,7 +72,7 @@ Frames::Frames(const Drawing& drawing, Origins origins, std::filesystem::path fo
       captions_(std::move(captions)),
       seconds_(seconds),
       renderers_(static_cast<std::size_t>(pictures_at_once(drawing_, threads))),
-      // one thread is the caller
+      // including the caller
       work_(renderers_.size() > 1 ? static_cast<int>(renderers_.size()) : 0) {
   const render::Look& look = drawing_.look;
   if ((look.range || !look.categories.empty()) && look.view) begin_drawing(SequenceBounds());

@@ -23,38 +23,35 @@ namespace taut::cli {
 
 /// "frame_00012.png"
 std::string frame_name(int number);
-/// Returns true for names from `frame_name`, also of unfinished files.
+/// Also unfinished files.
 bool is_frame(const std::filesystem::path& path);
 
-/// Texts beside each picture.
 struct Captions {
   std::string title, method;
-  double until = 0;  // last time, s; determines the unit of times
+  double until = 0;  // s; determines the unit of times
 };
 
-/// Sets open members for this snapshot alone.
+/// Sets open members for this snapshot.
 Drawing fitted(const Drawing& drawing, const Snapshot& snapshot);
-/// Draws a frame; the drawing must have no open members.
+/// The drawing must have no open members.
 render::Image draw_picture(const Drawing& drawing, const Captions& captions, const Snapshot& snapshot);
 
-/// Draws the frames of a run: at once if range and view are known, else at the end, with a common range and view.
-/// Several threads draw beside the caller, which waits only if OrderedWork has no room. A frame is written only after
-/// all earlier ones. `memory_of_pictures` limits the number of threads.
+/// Draws frames at once if range and view are known, else all at the end with a common range and view. Threads draw
+/// beside the caller; frames are written in order.
 class Frames {
  public:
-  static constexpr double memory_of_pictures = 1e9;  // bytes, including OpenGL
+  static constexpr double memory_of_pictures = 1e9;  // bytes, with OpenGL; limits the number of threads
 
-  /// Throws if pictures cannot be drawn. `origins` belong to all particles added later. `finish` adds the time of all
-  /// threads to `seconds`.
+  /// Throws if no picture can be drawn. `finish` adds the time of all threads to `seconds`.
   Frames(const Drawing& drawing, Origins origins, std::filesystem::path folder, Captions captions,
          int threads, Seconds& seconds);
 
   void add(const Snapshot& snapshot);
-  /// `particles` are all of the run, with values of the field, without texts.
+  /// All particles of the run, with values, without texts.
   void add(const FrameView& particles);
-  /// Draws the stored frames; calls `go_on` before each. Returns false if stopped.
+  /// Calls `go_on` before each frame. Returns false if stopped.
   bool draw_kept(const std::function<bool(int drawn)>& go_on);
-  /// Waits for the frames being drawn. Like `add`, throws their first error.
+  /// Like `add`, throws the first error of a frame.
   void finish();
 
   int kept() const { return static_cast<int>(kept_.size()); }
@@ -79,7 +76,7 @@ class Frames {
   }
 
  private:
-  /// Data of a frame. Single precision could not separate particles far from the origin.
+  /// Single precision could not separate particles far from the origin.
   struct Kept {
     double time;   // s
     Point origin;  // m
@@ -90,7 +87,6 @@ class Frames {
       archive(time, origin, x, value);
     }
   };
-  /// Camera on its orbit.
   struct Standpoint {
     render::Camera camera;
     render::View view;
@@ -113,13 +109,13 @@ class Frames {
   int dim_ = 2;
   std::vector<double> diameter_;  // m
   std::vector<Kept> kept_;
-  std::optional<render::Vector> orbited_;  // centre of the camera's orbit, m
+  std::optional<render::Vector> orbited_;  // centre of the orbit, m
   int drawn_ = 0;                          // including frames being drawn
   std::atomic<int> written_ = 0;
-  std::atomic<double> drawing_time_ = 0, writing_time_ = 0;  // s, not yet added to `seconds_`
-  /// One per thread, empty until range and view are known and it draws.
+  std::atomic<double> drawing_time_ = 0, writing_time_ = 0;  // s, not yet in `seconds_`
+  /// One per thread, made when needed.
   std::vector<std::optional<render::Renderer>> renderers_;
-  OrderedWork work_;  // last member, because its threads use the others
+  OrderedWork work_;  // last, because its threads use the others
 };
 
 }  // namespace taut::cli

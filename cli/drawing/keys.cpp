@@ -34,7 +34,7 @@ DrawingValue get_color(const Drawing& drawing) {
   return drawing.formula.empty() ? std::string(drawing.field->key) : "=" + drawing.formula;
 }
 
-/// Resets range and colour map, which are for one field.
+/// Resets range and colour map, which belong to a field.
 std::string set_color(Drawing& drawing, const DrawingValue& value) {
   const std::string& text = word(value);
   if (DrawingValue(text) == get_color(drawing)) return "";
@@ -173,7 +173,6 @@ std::string set_frames(Drawing& drawing, const DrawingValue& value) {
 
 DrawingValue get_frames(const Drawing& drawing) { return Numbers{static_cast<double>(drawing.frames)}; }
 
-/// Creates the camera if there is none.
 render::Camera& camera_of(Drawing& drawing) {
   auto& camera = drawing.look.camera;
   return camera ? *camera : camera.emplace();
@@ -247,7 +246,7 @@ DrawingValue get_text(const Drawing& drawing) {
   return text.empty() ? std::string(nothing) : text;
 }
 
-/// Returns nullopt for wrong numbers.
+/// nullopt for wrong numbers.
 std::optional<Numbers> typed_numbers(const DrawingKey::Numbers& key, std::string_view text) {
   Numbers values;
   for (std::size_t k = 0; k < key.count; ++k) {
@@ -262,7 +261,7 @@ std::optional<Numbers> typed_numbers(const DrawingKey::Numbers& key, std::string
   return values;
 }
 
-/// Returns nullopt for a wrong value. Throws UsageError for an unknown name.
+/// nullopt for a wrong value. Throws UsageError for an unknown name.
 std::optional<DrawingValue> typed_value(const DrawingKey& key, const std::string& text) {
   if (text == automatic && key.placeholder.ends_with("|auto")) return left_open();
   if (key.of_text) return text;

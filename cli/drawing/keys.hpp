@@ -18,8 +18,7 @@ inline constexpr std::string_view nothing = "none";
 /// Word for an open value.
 inline constexpr std::string_view automatic = "auto";
 
-/// A property of pictures: a key of [render], an option of drawing commands, and a session command. Its value is a
-/// word, numbers, or a text.
+/// A key of [render], an option of drawing commands and a session command. Its value is a word, numbers, or a text.
 struct DrawingKey {
   struct Words {
     std::string_view kind;                          // "field"
@@ -40,15 +39,14 @@ struct DrawingKey {
   std::string_view name;         // "range" for --range
   std::string_view placeholder;  // ends in "|auto" if allowed
   std::string_view help;
-  std::string_view session_help = {};  // empty: no session command
+  std::string_view session_help = {};  // empty: none
   bool may_be_open = false;            // "auto" allowed in scene files
-  bool of_runs = false;                // number of pictures, not their style
+  bool of_runs = false;                // number of pictures, not style
   Words words = {};
   bool of_text = false;           // free text; "none" if empty
   std::string_view pattern = {};  // of other texts; `typed` explains it
   Numbers numbers = {};
-  /// Returns an error message for scene files, or sets the value and returns "". Whether a value fits the scene is
-  /// checked by `suit` (cli/scene).
+  /// Sets the value, or returns an error message for scene files. `suit` (cli/scene) checks if it fits the scene.
   std::string (*set)(Drawing&, const DrawingValue&);
   DrawingValue (*get)(const Drawing&);
 
@@ -59,7 +57,7 @@ struct DrawingKey {
 std::span<const DrawingKey> drawing_keys();
 const DrawingKey& drawing_key(std::string_view name);
 
-/// Sets a key to a typed value. Throws UsageError and then changes nothing.
+/// Throws UsageError and then changes nothing.
 void set_typed(Drawing& drawing, const DrawingKey& key, const std::string& text);
 
 }  // namespace taut::cli

@@ -11,14 +11,12 @@ namespace taut::cli {
 
 class Options;
 
-/// Drawing options of a command; others keep the scene's values.
 struct DrawingOptions {
   std::map<std::string, std::optional<std::string>, std::less<>> typed;  // by key
 
   bool any() const;
 };
 
-/// Declares an option for every key of style.
 void declare_drawing_options(Options& command, DrawingOptions& options);
 
 /// Throws UsageError.

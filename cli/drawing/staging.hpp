@@ -11,7 +11,7 @@
 
 namespace taut::cli {
 
-/// Initial state of a run's particles, in the order of their creation.
+/// Initial particles, in the order of creation.
 struct Origins {
   int dim = 2;
   std::vector<double> x0;        // n × dim, m
@@ -23,35 +23,35 @@ struct Origins {
 };
 
 Origins origins_of(const Snapshot& snapshot);
-/// Initial particles of a scene. Throws SceneError.
+/// Throws SceneError.
 Origins origins_of(const Scene& scene);
 
-/// Particles of one picture. view() refers to its arrays.
+/// `view` refers to its arrays.
 struct StagedParticles {
   int dim = 2;
   double time = 0;  // s
   std::vector<double> x{}, diameter{}, value{}, cell{};
-  Point origin{};                 // of the coordinates, in the scene, m
+  Point origin{};                 // of the coordinates, m
   std::vector<WallFace> walls{};  // relative to `origin`
 
   FrameView view() const;
 };
 
-/// Selects the particles of a drawing: without those in the cut, relative to the followed body. A cut uses initial
-/// positions, so its face deforms with the body.
+/// Removes particles in the cut and centres the followed body. A cut uses initial positions, so its face deforms with
+/// the body.
 class Staging {
  public:
-  /// Throws UsageError if the cut removes all particles.
+  /// Throws UsageError if no particle is left.
   Staging(const Drawing& drawing, Origins origins);
 
   int dim() const { return origins_.dim; }
   std::size_t size() const { return shown_.size(); }
 
-  /// `particles` are all particles of the run.
+  /// All particles of the run.
   StagedParticles operator()(const FrameView& particles) const;
-  /// Adds walls and, in style `cells`, replaces the particles by the visible cells.
+  /// Adds walls and, in style `cells`, replaces particles by visible cells.
   StagedParticles dressed(StagedParticles staged) const;
-  /// Adds the values, and the positions that an automatic view must contain.
+  /// Adds values, and the positions of an open view.
   void extend(SequenceBounds& bounds, const StagedParticles& staged) const;
 
  private:

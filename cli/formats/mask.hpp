@@ -25,15 +25,15 @@ inline constexpr int greatest_mask_side = 4096;  // pixels
 enum class MaskOf : std::uint8_t { darkness, alpha };
 Mask read_mask(const std::filesystem::path& png, MaskOf of);
 
-/// Paints an SVG file by librsvg: the area of its paths in any colour, `rows` pixels high, or less if the picture
-/// would be too large. Throws UsageError if it is unreadable or empty.
+/// Area of the paths of an SVG file in any colour (librsvg), `rows` pixels high, or less if too large. Throws
+/// UsageError if the file is unreadable or empty.
 Mask paint_svg(const std::filesystem::path& svg, int rows);
 
-/// Removes empty margins.
+/// Without empty margins.
 Mask cropped(const Mask& mask);
 
-/// Closed contours at `threshold`, linearly interpolated between pixels. Coordinates in pixels from the lower left
-/// corner, y up; the solid is on the left.
+/// Closed contours at `threshold`, interpolated linearly, in pixels from the lower left corner, y up; the solid is on
+/// the left.
 std::vector<Chain> faces_of(const Mask& mask, double threshold);
 
 }  // namespace taut::cli

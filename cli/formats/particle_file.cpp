@@ -105,7 +105,7 @@ std::vector<std::string_view> tags_of(std::string_view xml) {
   return tags;
 }
 
-/// File content up to the arrays; empty if they do not begin within 64 KiB.
+/// Content up to the arrays; empty if longer than 64 KiB.
 std::string header_of(std::ifstream& file) {
   std::string text(1 << 16, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
@@ -145,7 +145,7 @@ void ParticleFile::read_header() {
   std::optional<std::size_t> size;
   for (const std::string_view tag : tags_of(header)) {
     if (tag.starts_with("<Piece")) size = number<std::size_t>(value_of(tag, "NumberOfPoints"));
-    if (tag.starts_with("<Verts")) break;  // end of the particle data
+    if (tag.starts_with("<Verts")) break;
     if (!tag.starts_with("<DataArray")) continue;
     const std::string_view name = value_of(tag, "Name").value_or("");
     if (name == time_name) time = number<double>(tag.substr(tag.find('>') + 1));
@@ -184,7 +184,7 @@ std::vector<double> ParticleFile::read_as(const Array& array) const {
   std::ifstream file(path_, std::ios::binary | std::ios::ate);
   const auto length =
       static_cast<std::uint64_t>(std::max<std::streamoff>(file ? std::streamoff(file.tellg()) : 0, 0));
-  // zlib compresses at most 1000-fold; limits memory for damaged sizes
+  // zlib compresses at most 1000-fold
   if (array.offset >= length || array.components > 9 || size_ > 1024 * length)
     fail("is truncated or damaged");
   const std::size_t count = array.components * size_;

@@ -10,14 +10,14 @@
 
 namespace taut::cli {
 
-/// VTK PolyData file (.vtp) for ParaView, compressed: positions (z = 0 in 2D), a vertex per particle, time, `fields`,
-/// diameter, velocity, body, material (numbers from 0) and held (1: clamped). Measured values have double precision.
+/// Compressed VTK PolyData (.vtp) for ParaView: positions (z = 0 in 2D), a vertex each, time, `fields`, diameter,
+/// velocity, body, material (numbers from 0), held (1: clamped). Measured values have double precision.
 std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* const> fields);
 
-/// Reads files of `particle_file_text`; arrays are loaded on demand.
+/// Loads arrays on demand.
 class ParticleFile {
  public:
-  /// Throws UsageError if the file is missing or invalid.
+  /// Throws UsageError for a missing or invalid file.
   explicit ParticleFile(std::filesystem::path path);
 
   double time() const { return time_; }  // s
@@ -26,7 +26,7 @@ class ParticleFile {
   bool has(const std::string& field) const;
   std::vector<double> positions(int dim) const;  // n × dim, m
   std::vector<double> diameter() const;          // m
-  /// Throws UsageError with the saved fields if `key` is none of them.
+  /// Throws UsageError with the saved fields.
   std::vector<double> field(const std::string& key) const;
 
  private:

@@ -11,7 +11,6 @@
 namespace taut::cli {
 namespace {
 
-/// A temporary folder; the destructor removes it.
 class Scratch {
  public:
   Scratch() {
@@ -33,7 +32,7 @@ class Scratch {
   std::filesystem::path folder_;
 };
 
-/// Paints the whole canvas, `rows` pixels high, or less if it would be too large.
+/// The whole canvas, `rows` pixels high, or less if too large.
 Mask paint(const std::filesystem::path& svg, int rows) {
   const Scratch scratch;
   const std::string side = std::to_string(greatest_mask_side);

@@ -29,7 +29,6 @@ std::string compressed(std::span<const std::byte> block) {
   return text;
 }
 
-/// Takes numbers from the front of a text.
 class Numbers {
  public:
   explicit Numbers(std::string_view text) : text_(text) {}

@@ -38,7 +38,6 @@ std::string names_of_keys(std::span<const KeyInfo> keys) {
   return join(names);
 }
 
-/// Kinds of references of a measure, for `list measures`.
 std::string compared_with(const MeasureKind& kind) {
   Texts compared;
   if (kind.number) compared.emplace_back("number");
@@ -70,7 +69,7 @@ Topic topic_of(const MeasureKind& kind) {
           rows_of(keys_of_measure(kind)), ""};
 }
 
-/// Each text once, with the kinds that have the key.
+/// Each text once, with its kinds.
 template <class Kinds, class Keys>
 Rows keys_of_kinds(const Kinds& kinds, const Keys& keys_of_kind) {
   Rows rows{{"key", "takes", "default", "what", "of"}};
@@ -111,7 +110,6 @@ Topic measure_keys() {
   return {"keys of measures", "", "", keys_of_kinds(measure_kinds(), keys_of_measure), ""};
 }
 
-/// Lists that keys refer to.
 std::vector<Topic> lists() {
   return {{"methods", "METHOD", "methods; `taut describe METHOD` shows their constants", method_rows(), ""},
           {"laws", "LAW", "laws of elasticity; a reference can also be for 2d-deviator", law_rows(), ""},
@@ -120,7 +118,7 @@ std::vector<Topic> lists() {
           {"colormaps", "colour map", "colour maps of the fields", colormap_rows(), ""}};
 }
 
-/// One topic per row: "speed", "a field", and the row below the header.
+/// One topic per row.
 void add_rows(std::vector<Topic>& topics, std::string_view what, const Rows& rows) {
   for (std::size_t r = 1; r < rows.size(); ++r)
     topics.push_back({rows[r].front(), "", text(what), {rows.front(), rows[r]}, ""});
@@ -140,7 +138,6 @@ std::vector<Topic> all_topics() {
   return all;
 }
 
-/// Places of keys with this name.
 std::vector<Topic> topics_of_key(std::string_view name) {
   Rows rows = key_rows();
   std::erase_if(rows, [&](const Texts& row) { return row != rows.front() && row.front() != name; });
@@ -158,7 +155,7 @@ std::string indented(std::string_view lines) {
   return result;
 }
 
-/// Escapes Markdown except vertical bars, which markdown_table() escapes.
+/// markdown_table() escapes vertical bars.
 std::string plain(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -170,7 +167,7 @@ std::string plain(const std::string& text) {
 
 std::string code(const std::string& text) { return "`" + text + "`"; }
 
-/// Formats names as code for markdown_table().
+/// Names as code, other cells plain.
 Rows marked_up(Rows rows) {
   for (std::size_t r = 1; r < rows.size(); ++r) {
     const std::string name = rows[r].front();

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-/// Reference of the scene and sweep language, from the tables used by the readers.
+/// Reference of the language, from the tables used by the readers.
 namespace taut::cli {
 
 /// A section, a list such as the shapes, one shape, ...
@@ -27,7 +27,7 @@ struct LanguageFile {
 LanguageFile scene_language();
 LanguageFile sweep_language();
 
-/// Topics called `name`; keys only if nothing else has this name. Several for a probe and a measure of one name.
+/// Keys only if nothing else has this name. Several for a probe and a measure of one name.
 std::vector<Topic> find_topics(std::string_view name);
 /// Names of all topics except keys.
 std::vector<std::string> topic_names();
@@ -48,7 +48,7 @@ Rows contact_rows();
 Rows field_rows();
 Rows colormap_rows();
 Rows method_rows();
-/// Keys of all sections and kinds.
+/// Of all sections and kinds.
 Rows key_rows();
 
 /// Example for a section or shape, or empty.

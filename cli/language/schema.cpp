@@ -10,8 +10,8 @@
 #include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/methods/catalogue.hpp"
 
-/// Taplo, the completion in TOML editors, ignores if/then and tables with allOf. Keys of a kind are therefore under oneOf;
-/// if/then only adds checks.
+/// Taplo, the completion in TOML editors, ignores if/then and tables with allOf. Therefore oneOf lists the keys of
+/// kinds; if/then only adds checks.
 namespace taut::cli {
 namespace {
 
@@ -140,8 +140,8 @@ Json schema_of(const KeyInfo& key, int dim) {
   return schema;
 }
 
-/// Sets of keys of which a table must have exactly one: {bodies} or {body, wall}. Keys of a set share a default,
-/// which names a key of each other set.
+/// A table must have one of these sets of keys: {bodies} or {body, wall}. Keys of a set share a default, which names
+/// a key of each other set.
 std::vector<Keys> alternatives_to(const KeyInfo& first, std::span<const KeyInfo> keys) {
   const std::string named = std::string(first.by_default) + " ";
   const auto is_named = [&](const KeyInfo& key) {
@@ -160,7 +160,7 @@ std::vector<Keys> alternatives_to(const KeyInfo& first, std::span<const KeyInfo>
   return sets;
 }
 
-/// All combinations of one set from each group of alternatives.
+/// One set from each group of alternatives.
 std::vector<Keys> choices(std::span<const KeyInfo> keys) {
   std::vector<Keys> all;
   Keys known;
@@ -230,7 +230,7 @@ Json section_schema(std::string_view name) {
   return kinds.empty() ? table_schema(keys_of(name), 0) : Json{{"oneOf", array_of(std::move(kinds))}};
 }
 
-/// Bounds that hold in 2D and 3D.
+/// The bounds hold in 2D and 3D.
 Json constant_schema(const MethodConstant& constant, const std::vector<MethodConstant>& in_3d) {
   NumberRange bounds{constant.low, constant.high};
   const auto other = std::ranges::find(in_3d, constant.name, &MethodConstant::name);
@@ -250,7 +250,7 @@ Json constants_schema(const MethodInfo& method) {
   return {{"properties", constants}, {"additionalProperties", false}};
 }
 
-/// Constants and laws of each method, as a chain of if/then/else.
+/// A chain of if/then/else by method.
 Json checks_of_methods() {
   Json checks;
   for (const MethodInfo& method : methods()) {

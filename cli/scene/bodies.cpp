@@ -20,7 +20,6 @@ TomlValue array_of(std::vector<TomlValue> items) {
   return array;
 }
 
-/// Throws SceneError if the vector `key` is missing.
 const std::vector<TomlValue>& components(TomlCursor& cursor, const std::string& key, int dim) {
   const std::size_t number = static_cast<std::size_t>(dim);
   const TomlValue& value = cursor.need(key);
@@ -72,7 +71,7 @@ void read_lattice(TomlCursor& cursor, int dim, Body& body) {
                 "lattice; remove one of them");
 }
 
-/// Reads one expression, or one per component; an empty text leaves its component free.
+/// An empty component leaves its axis free.
 void read_held(TomlCursor& cursor, int dim, Body& body) {
   if (!cursor.find("held")) cursor.table().set("held", TomlValue(0.0));
   const TomlValue& value = cursor.need("held");
@@ -92,7 +91,6 @@ void read_held(TomlCursor& cursor, int dim, Body& body) {
   };
 }
 
-/// `what` names one of the tables in messages.
 std::vector<TomlCursor> tables(TomlCursor& body, std::string_view key, const std::string& what) {
   if (!body.find(key)) body.table().set(std::string(key), array_of({}));
   TomlValue& value = *body.find(key);
@@ -153,7 +151,7 @@ void read_loads(TomlCursor& cursor, const Scene& scene, Body& body) {
       key = name(kind);
       load.kind = kind;
     }
-    if (key.empty()) entry.need("force");  // reports the missing key
+    if (key.empty()) entry.need("force");
     std::size_t axis = 0;
     for (const TomlValue& component : components(entry, key, scene.dim))
       load.value[axis++] = entry.function_of(component, key);

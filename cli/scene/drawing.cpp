@@ -22,7 +22,7 @@ TomlValue toml_of(const DrawingKey& key, const DrawingValue& value) {
   return key.numbers.count == 1 ? array.items.front() : array;
 }
 
-/// A word for keys of words and for "auto", else numbers.
+/// A word for "auto" and for keys of words, else numbers.
 DrawingValue given(TomlCursor& render, const DrawingKey& key) {
   if (key.takes_words() || key.of_text) return render.text(key.name);
   const TomlValue& value = render.need(key.name);
@@ -52,9 +52,8 @@ void read_key(TomlCursor& render, const DrawingKey& key, Drawing& drawing) {
     render.fail(render.need(key.name), key.name, wrong);
 }
 
-/// A conflict between drawing and scene.
 struct Mismatch {
-  std::vector<std::string_view> keys;  // at least one was given
+  std::vector<std::string_view> keys;  // one of them was given
   std::string what;
 };
 
@@ -91,7 +90,7 @@ std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
   return std::nullopt;
 }
 
-/// Smallest significant difference of a field, in its unit. Smaller ones, such as stress in free flight, are noise.
+/// Smallest significant difference of a field, in its unit; stress in free flight is smaller.
 double round_off(const Field& field, const Scene& scene) {
   constexpr double strain = 1e-9, in_single_precision = 1e-6;
   double stiffest = 0;  // Pa
@@ -167,7 +166,7 @@ void suit(Drawing& drawing, const SceneFile& file) {
 
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing) {
   TomlCursor render = root.section("render", "[render]", keys_of("render"));
-  // words first; also the order in which defaults are added
+  // words first
   for (const bool words : {true, false})
     for (const DrawingKey& key : drawing_keys())
       if (key.takes_words() == words) read_key(render, key, drawing);

@@ -21,7 +21,6 @@
 namespace taut::cli {
 namespace {
 
-/// `used` locks the parser and its variables.
 struct Formula {
   mu::Parser parser;
   Names names;
@@ -33,14 +32,14 @@ struct Formula {
   }
 };
 
-// muParser's own limits; beyond them it throws no std::exception
+// muParser's limits; beyond them it throws no std::exception
 constexpr std::size_t longest_text = 20000, longest_name = 100;
 
 std::string in_quotes(const std::string& text) { return "'" + shown(text) + "'"; }
 
 void check_length(const std::string& text, const Names& names) {
   const auto too_long = [](std::size_t length) { return length > longest_name; };
-  std::size_t word = 0;  // length of the name up to here
+  std::size_t word = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool of_name = std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '_';
     const bool begins = word > 0 || !std::isdigit(static_cast<unsigned char>(text[i]));
@@ -67,7 +66,7 @@ std::vector<std::string> known_names(const Formula& formula) {
   return known;
 }
 
-/// Needed because muParser would accept the assignment `a = 1`.
+/// muParser would accept the assignment `a = 1`.
 void refuse_assignment(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '=') continue;
@@ -85,7 +84,7 @@ struct Unit {
   std::string_view name;
   double factor;
 };
-/// Units that users may write after a number, with factors to SI.
+/// Units after a number, with factors to SI.
 constexpr Unit units[] = {
     {"m", 1},       {"km", 1e3},       {"cm", 1e-2},    {"mm", 1e-3}, {"um", 1e-6},
     {"µm", 1e-6},   {"nm", 1e-9},      {"s", 1},        {"ms", 1e-3}, {"us", 1e-6},
@@ -114,7 +113,6 @@ void refuse_unit(const std::string& text) {
                         static_cast<std::size_t>(rest.data() - text.data()));
 }
 
-/// Throws for operators of other languages.
 void refuse_words(const std::string& text, const std::string& token) {
   constexpr std::pair<std::string_view, std::string_view> words[] = {
       {"and", "&&"},  {"or", "||"},  {"AND", "&&"},  {"OR", "||"}, {"if", "CONDITION ? A : B"},
@@ -242,7 +240,6 @@ std::set<std::string> names_in(const std::string& text) {
   } catch (const mu::ParserError&) {
     // evaluation reports the error
   } catch (const ExpressionError&) {
-    // evaluation reports the error
   }
   return names;
 }

@@ -18,11 +18,11 @@ struct NumberRange {
 constexpr NumberRange above(double low) { return {.low = low, .open_low = true}; }
 constexpr NumberRange at_least(double low) { return {.low = low}; }
 
-/// Type of a key's value, source of LANGUAGE.md and the JSON Schema.
+/// LANGUAGE.md and the JSON Schema are generated from it.
 struct KeyType {
   enum class Kind : std::uint8_t {
     number,  // or an expression in quotes
-    whole,   // whole number, or an expression
+    whole,
     flag,
     text,
     word,    // one of `words`, or of `names()`
@@ -36,13 +36,13 @@ struct KeyType {
   std::string_view shown = {};  // in LANGUAGE.md: "METHOD"; empty for the usual text of the kind
   std::string_view unit = {};
   NumberRange bounds = {};
-  std::array<std::string_view, 8> words = {};     // or fewer
+  std::array<std::string_view, 8> words = {};
   std::vector<std::string> (*names)() = nullptr;  // alternative to `words`
   std::string_view section = {};                  // of a table; a number with a section can also be a table
   std::string_view pattern = {};                  // of a text: a regular expression
-  std::size_t longest = any_size;                 // of a text
-  std::size_t size = 0;                           // of a vector; 0: one component per axis
-  std::string_view other = {};                    // also allowed: "auto"; "=EXPRESSION" for any text with =
+  std::size_t longest = any_size;
+  std::size_t size = 0;         // of a vector; 0: one component per axis
+  std::string_view other = {};  // also allowed: "auto"; "=EXPRESSION" for any text with =
   Form form = Form::one;
   std::size_t depth = 1;                   // nesting of a list
   std::size_t least = 0, most = any_size;  // items of the innermost array
@@ -94,7 +94,7 @@ constexpr KeyType whole(double low, double high) {
 }
 constexpr KeyType flag() { return {.kind = KeyType::Kind::flag}; }
 constexpr KeyType text(std::string_view shown = "text") { return {.shown = shown}; }
-/// A text for pictures and tables (TomlCursor::line).
+/// For TomlCursor::line.
 constexpr KeyType line(std::string_view pattern = "^[^\\u0000-\\u001f\\u007f]*$") {
   return {.shown = "text", .pattern = pattern, .longest = 200};
 }
@@ -116,7 +116,6 @@ constexpr KeyType vector_of(std::size_t size, std::string_view shown, std::strin
                             NumberRange bounds = {}) {
   return {.kind = KeyType::Kind::vector, .shown = shown, .unit = unit, .bounds = bounds, .size = size};
 }
-/// A number, or a table with the keys of `section`.
 constexpr KeyType number_or_table(std::string_view shown, std::string_view section) {
   return {.kind = KeyType::Kind::number, .shown = shown, .section = section};
 }
@@ -134,11 +133,10 @@ struct KeyInfo {
   std::string_view help;
 };
 
-/// Name of keys that the user names.
+/// Stands for names that the user chooses.
 inline constexpr std::string_view any_name = "NAME";
 inline constexpr KeyInfo named_by_user[] = {{any_name, {}, "", ""}};
 
-/// A table of a scene or sweep file.
 struct Section {
   std::string_view name;    // "driven"
   std::string_view header;  // "[[body]]"
@@ -146,10 +144,9 @@ struct Section {
   std::span<const KeyInfo> keys;
 };
 
-/// The first section is the file itself. Each kind of shape, probe and measure has further keys.
+/// The first section is the file itself. Kinds of shapes, probes and measures have further keys.
 std::span<const Section> scene_sections();
 std::span<const Section> sweep_sections();
-/// Throws std::logic_error for an unknown name.
 const Section& find_section(std::string_view name);
 std::span<const KeyInfo> keys_of(std::string_view section);
 

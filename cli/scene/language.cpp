@@ -13,7 +13,7 @@
 #include "engine/methods/catalogue.hpp"
 #include "engine/settings.hpp"
 
-/// The language of scene and sweep files. Further keys of shapes, probes and measures are defined with their kinds.
+/// The language of scene and sweep files. Further keys are defined with kinds of shapes, probes and measures.
 namespace taut::cli {
 namespace {
 
@@ -268,7 +268,6 @@ constexpr KeyInfo history_keys[] = {
     {any_name, types::text(), "", "label of the axis of a column of history.csv: tip = \"tip, m\""},
 };
 
-/// Keys of a material, including the parameters of the laws.
 std::vector<KeyInfo> all_material_keys() {
   std::vector<KeyInfo> keys(std::begin(material_keys), std::end(material_keys));
   static std::vector<std::string> texts;

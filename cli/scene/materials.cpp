@@ -20,7 +20,6 @@ void read_bulk_modulus(TomlCursor& cursor, Material& material) {
   material.given_bulk_modulus = cursor.positive(key);
 }
 
-/// Optional parameters of laws, other than K and G.
 void read_law_parameters(TomlCursor& cursor, Material& material) {
   for (const LawRow& law : laws()) {
     for (const LawParameter& parameter : law.parameters) {

@@ -79,7 +79,7 @@ void read_threshold(TomlCursor& cursor, const Scene&, Measure& measure) {
 
 void read_scale(TomlCursor& cursor, const Scene&, Measure& measure) {
   measure.scale = cursor.number("scale", measure.scale);
-  // an expression may be 0 for some parameters; the measure then has no value
+  // may be 0 for some parameters; the measure then has no value
   if (measure.scale == 0 && cursor.need("scale").kind != TomlValue::Kind::text)
     cursor.fail(cursor.need("scale"), "scale",
                 "scale is 0; it must not be 0, because the result is divided by it");
@@ -130,7 +130,7 @@ void read_free(TomlCursor& cursor, const Scene& scene, Measure& measure) {
 struct MeasureKey : KeyInfo {
   void (*read)(TomlCursor&, const Scene&, Measure&);
 };
-/// Read before `numbers`, whose expressions can use the material of these objects.
+/// Read before `numbers`, whose expressions use the material of these objects.
 constexpr std::array objects = {
     MeasureKey{{"probe", types::text("name of a probe"), "", "probe that gives the series"}, read_probe_of},
     MeasureKey{{"probes", types::text("PROBE").list(2, 3), "",
@@ -180,7 +180,6 @@ void read_keys(std::span<const MeasureKey> keys, const MeasureKind& kind, TomlCu
   }
 }
 
-/// Body whose material the numbers can use.
 const Body& measured_body(const Measure& measure, const Scene& scene) {
   int body = measure.body;
   if (!measure.line.empty()) body = scene.lines[index_of(scene.lines, measure.line)].body;
@@ -189,7 +188,6 @@ const Body& measured_body(const Measure& measure, const Scene& scene) {
   return scene.bodies[static_cast<std::size_t>(body)];
 }
 
-/// Throws std::logic_error for an unknown name.
 const KeyInfo& measure_key(std::string_view name) {
   const auto* key = std::ranges::find(objects, name, &MeasureKey::name);
   if (key != objects.end()) return *key;

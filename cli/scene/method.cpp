@@ -29,7 +29,7 @@ std::vector<std::string> names_of_contacts() {
   return names;
 }
 
-/// Chooses from `names`: by the setting, else by the file, else the first.
+/// The setting, else the value in the file, else the first name.
 std::string chosen(TomlCursor& root, const std::string& key, const std::vector<std::string>& names,
                    const std::optional<std::string>& change) {
   root.text(key, names.front());
@@ -78,7 +78,7 @@ void check_constants(TomlCursor& section, const MethodInfo& method, int dim) {
   }
 }
 
-/// Constants by the settings, else by the file, else the method's defaults in this dimension.
+/// The setting, else the value in the file, else the method's default in this dimension.
 void read_constants(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, int dim,
                     const Changes& changes, Settings& settings) {
   TomlCursor section = root.section("method_constants", "[method_constants]", named_by_user);
@@ -105,7 +105,7 @@ std::vector<std::string> names_of_elastic_laws() {
   return names;
 }
 
-/// Empty if the file has no law. Its own method must support the law.
+/// Empty if the file has no law; its method must support it.
 std::string law_of_file(TomlCursor& root, const MethodInfo& of_file) {
   const TomlValue* given = root.find("law");
   if (!given) return "";
@@ -115,8 +115,8 @@ std::string law_of_file(TomlCursor& root, const MethodInfo& of_file) {
   return law;
 }
 
-/// Elastic law by the settings, else by the file, else the method's first. If the method does not support the file's
-/// law, `remark` reports it.
+/// The setting, else the file's law, else the method's first. `remark` reports a law that the method does not
+/// support.
 void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, const Changes& changes,
               Settings& settings, std::string& remark) {
   settings.law = law_of_file(root, of_file);
@@ -141,7 +141,7 @@ void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& met
     root.table().set("law", TomlValue(settings.law));
 }
 
-/// Below this, the motion of a particle in one step is lost to rounding.
+/// Smaller steps lose particle motion to rounding.
 constexpr double least_cfl = 1e-6;
 
 std::string check_cfl(double cfl) {

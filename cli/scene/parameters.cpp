@@ -37,7 +37,7 @@ bool within_bounds(const Parameter& parameter, double value) {
   return !(parameter.low && value < *parameter.low) && !(parameter.high && value > *parameter.high);
 }
 
-/// `names` and `defaults` are the values so far, with and without settings.
+/// Values so far: `names` with, `defaults` without settings.
 Parameter read_parameter(TomlCursor& entry, const std::string& name, const Changes& changes,
                          const Names& names, const Names& defaults) {
   Parameter parameter;

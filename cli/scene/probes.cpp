@@ -89,7 +89,7 @@ std::vector<int> probe_bodies(TomlCursor& cursor, const ProbeKind& kind, const S
 void refuse_point_on_axis(TomlCursor& cursor, const Probe& probe) {
   const Point &a = probe.turns_about, &x = probe.at;
   const double along = a[0] * x[0] + a[1] * x[1] + a[2] * x[2];
-  double away = 0, size = 0;  // squared distances from the axis and from the origin, m²
+  double away = 0, size = 0;  // m², from the axis and the origin
   for (std::size_t k = 0; k < 3; ++k) {
     away += (x[k] - along * a[k]) * (x[k] - along * a[k]);
     size += x[k] * x[k];
@@ -124,8 +124,8 @@ int wall_index(TomlCursor& cursor, const Scene& scene) {
   return static_cast<int>(wall);
 }
 
-/// The probe gets the bodies of the first probe in its expression, and the material constants if all bodies involved
-/// have the same material.
+/// The probe belongs to the bodies of the first probe used. Material constants are known if all bodies have one
+/// material.
 void read_probes_in(TomlCursor& cursor, const Scene& scene, Probe& probe) {
   const TomlValue& value = cursor.need("value");
   const std::set<std::string> used = names_in(value.kind == TomlValue::Kind::text ? value.text : "0");

@@ -11,7 +11,6 @@
 namespace taut::cli {
 namespace {
 
-/// Splits a line of a CSV file without quotes.
 std::vector<std::string> cells(std::string_view line) {
   std::vector<std::string> result(1);
   for (const char c : line) {
@@ -23,14 +22,13 @@ std::vector<std::string> cells(std::string_view line) {
   return result;
 }
 
-/// Rows of a CSV file.
 struct Rows {
   std::string file;
   std::string text;
   std::size_t next = 0;
   int line = 0;
 
-  /// Next line that is no comment, or none at the end. Skips a byte order mark.
+  /// Skips comments and a byte order mark; empty at the end.
   std::optional<std::vector<std::string>> read() {
     if (constexpr std::string_view mark = "\xEF\xBB\xBF"; next == 0 && text.starts_with(mark))
       next = mark.size();
@@ -64,7 +62,7 @@ std::size_t column_of(const Rows& rows, const std::vector<std::string>& head, co
             "; its columns: " + join(head));
 }
 
-/// Searches beside the scene, then in the scene folders, so that the scene.toml of a run finds shipped files.
+/// Scene folders are searched, too, so that the scene.toml of a run finds shipped files.
 std::filesystem::path find_file(const std::filesystem::path& folder, const std::string& file) {
   std::error_code error;
   if (std::filesystem::is_regular_file(folder / file, error))
@@ -75,7 +73,7 @@ std::filesystem::path find_file(const std::filesystem::path& folder, const std::
   return (folder / file).lexically_normal();
 }
 
-/// Shortens a path in a scene folder, so that runs do not depend on its location.
+/// Removes the scene folder, so that runs do not depend on its location.
 std::string known_as(const std::filesystem::path& file) {
   std::error_code error;
   for (const std::filesystem::path& scenes : scene_folders()) {
@@ -85,7 +83,6 @@ std::string known_as(const std::filesystem::path& file) {
   return file.string();
 }
 
-/// Makes absolute paths of `file` keys inside `value` relative to `folder`.
 void see_files_of(TomlValue& value, const std::filesystem::path& folder) {
   for (TomlValue& item : value.items) see_files_of(item, folder);
   for (TomlEntry& entry : value.entries) {

@@ -11,7 +11,6 @@
 namespace taut::cli {
 namespace {
 
-/// Names in run.json of laws with possible references.
 std::vector<std::string_view> material_laws() {
   std::vector<std::string_view> names{in_plane_law};
   for (const LawRow& law : laws())
@@ -19,7 +18,7 @@ std::vector<std::string_view> material_laws() {
   return names;
 }
 
-/// Accepts the name in scene files (neo-hookean) and in run.json (neo_hookean).
+/// Accepts neo-hookean and, as in run.json, neo_hookean.
 std::string read_law(TomlCursor& reference) {
   const std::string given = reference.text("law");
   std::vector<std::string> known;
@@ -31,14 +30,14 @@ std::string read_law(TomlCursor& reference) {
 }
 
 bool alike(double a, double b) {
-  constexpr double tolerance = 1e-9;  // relative
+  constexpr double tolerance = 1e-9;
   return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
 }
 
-/// Whether the parts of a reference hold for the current parameters.
+/// Which parts hold for the current parameters.
 struct Validity {
-  bool values = false;  // and tables: need the parameters in `when`, and the scene's defaults for the others
-  bool solutions = false;  // need only the parameters in `when`
+  bool values = false;     // and tables: need `when` and defaults for other parameters
+  bool solutions = false;  // need `when` only
 };
 
 Validity validity(TomlCursor& reference, const std::vector<Parameter>& parameters) {
@@ -98,7 +97,6 @@ std::map<std::string, double> read_values(TomlCursor& reference, const Scene& sc
   return values;
 }
 
-/// Throws if the kind of the measure does not take `what`.
 const Measure& measure_taking(bool MeasureKind::*what, std::string_view named, TomlCursor& cursor,
                               const TomlEntry& entry, const Scene& scene) {
   const Measure& measure = known_measure(cursor, entry, scene);
@@ -111,7 +109,6 @@ const Measure& measure_taking(bool MeasureKind::*what, std::string_view named, T
                   join_with_or(kinds) + " can");
 }
 
-/// One `column`, or `columns` for several probes.
 std::vector<std::string> column_names(TomlCursor& entry, const Measure& measure) {
   const std::size_t number = std::max(std::size_t{1}, measure.probes.size());  // 1 for a line
   if (number == 1) return {entry.text("column")};
@@ -124,7 +121,7 @@ std::vector<std::string> column_names(TomlCursor& entry, const Measure& measure)
   return names;
 }
 
-/// The line must have one time, and the table must cover its length.
+/// The line must have one time, and the table cover its length.
 void check_covers(TomlCursor& entry, const ReferenceTable& table, const SampleLine& line) {
   const TomlValue& file = entry.need("file");
   if (line.times.size() > 1)
@@ -161,7 +158,7 @@ std::map<std::string, ReferenceTable> read_tables(TomlCursor& reference, const S
   return tables;
 }
 
-/// One expression, or an array for a measure of several probes or fields.
+/// One expression, or one per probe or field.
 std::map<std::string, std::vector<Solution>> read_solutions(TomlCursor& reference, const Scene& scene) {
   std::map<std::string, std::vector<Solution>> solutions;
   TomlValue* table = reference.find("solutions");
@@ -184,7 +181,6 @@ std::map<std::string, std::vector<Solution>> read_solutions(TomlCursor& referenc
   return solutions;
 }
 
-/// Whether the key `methods`, if given, contains `method`.
 bool is_for(TomlCursor& reference, const std::string& method) {
   const TomlValue* value = reference.find("methods");
   if (!value) return true;
@@ -206,21 +202,21 @@ void refuse_second_curve(TomlCursor& cursor, const TomlValue& value, const Refer
                   "the measure '" + entry.first + "' has a table and a solution; remove one of them");
 }
 
-/// The values and tables, or the solutions, of a [[reference]] that holds.
+/// Values and tables, or solutions, of a valid [[reference]].
 struct Part {
   std::string law;
   bool of_method;
-  int of_parameters;  // 2: valid for these only, 1: for those of `when`, 0: for any
+  int of_parameters;  // 2: only these, 1: those of `when`, 0: any
   const TomlValue* from;
   Reference what;
 };
 
-/// A part for the method precedes one for any method; then the part for fewer parameter values comes first.
+/// Parts for the method come first, then parts for fewer parameter values.
 bool counts_before(const Part& a, const Part& b) {
   return std::pair(a.of_method, a.of_parameters) > std::pair(b.of_method, b.of_parameters);
 }
 
-/// Merges the parts of one law, the most specific first, measure by measure.
+/// Merges the parts of one law by measure; the first part of a measure counts.
 class Merged {
  public:
   void add(const Part& part) {
@@ -228,7 +224,7 @@ class Merged {
     take(part, part.what.table, merged_.table);
     take(part, part.what.solution, merged_.solution);
   }
-  /// A [[reference]] that has the same rank as another one for a measure, else null.
+  /// Second [[reference]] of the same rank for a measure, or null.
   const TomlValue* ambiguous() const { return ambiguous_; }
   const std::string& ambiguous_measure() const { return measure_; }
   Reference finish() {
@@ -257,7 +253,7 @@ class Merged {
 
   Reference merged_;
   std::vector<std::string> names_;
-  std::map<std::string, const Part*> owner_;  // by measure
+  std::map<std::string, const Part*> owner_;
   const TomlValue* ambiguous_ = nullptr;
   std::string measure_;
 };

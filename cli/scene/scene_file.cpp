@@ -14,7 +14,6 @@
 namespace taut::cli {
 namespace {
 
-/// Entries of [[list]] are named in the path.
 void collect_places(const TomlValue& value, const std::string& path,
                     std::map<std::string, FilePlace>& places) {
   if (!path.empty()) places.emplace(path, value.place);
@@ -27,11 +26,11 @@ void collect_places(const TomlValue& value, const std::string& path,
   }
 }
 
-/// Requested spacing, m, before it is fitted to the first body.
+/// m, before it is fitted to the first body.
 double asked_spacing(TomlValue tree, const Changes& changes, TomlSource& source) {
   SceneFile file;
   TomlCursor root(tree, "", "the scene", keys_of("scene"), {}, source);
-  root.refuse_unknown_keys();  // first, else a misspelt table would be reported as missing
+  root.refuse_unknown_keys();  // else a misspelt table would be reported as missing
   read_parameters(root, changes, {}, file);
   const TomlValue& spacing = root.need("spacing");
   const std::set<std::string> unknown_yet = names_that_need_dp(root, changes);
@@ -84,7 +83,7 @@ std::string check_seed(double seed) {
              : "jitter_seed = " + exact(seed) + " must be a whole number from 1 to " + exact(greatest);
 }
 
-/// Number `key` after settings. `check` returns an error message or "".
+/// `check` returns an error message or "".
 double checked_number(TomlCursor& root, const char* key, double otherwise,
                       const std::optional<std::string>& change, std::string (*check)(double)) {
   double value = root.number(key, otherwise);
@@ -98,7 +97,6 @@ double checked_number(TomlCursor& root, const char* key, double otherwise,
   return value;
 }
 
-/// Returns true if the name dp occurs.
 bool has_spacing(const std::string& expression) {
   const auto in_a_name = [&](std::size_t k) {
     return k < expression.size() &&
@@ -128,7 +126,7 @@ void read_jitter(TomlCursor& root, const Changes& changes, Jitter& jitter) {
       static_cast<int>(checked_number(root, "jitter_seed", jitter.seed, changes.jitter_seed, check_seed));
 }
 
-/// Skips parameters with `default`: in a resolved scene, a setting may have replaced the expression that used them.
+/// Ignores parameters with `default`: in a resolved scene, a setting may have replaced their use.
 void refuse_unused_parameters(TomlCursor& root, const TomlValue& original, const TomlSource& source) {
   const TomlEntry* parameters = original.find("parameters");
   if (!parameters) return;
@@ -138,7 +136,7 @@ void refuse_unused_parameters(TomlCursor& root, const TomlValue& original, const
                 "the parameter '" + entry.key + "' is unused; remove it or use it in an expression");
 }
 
-/// Reads the file with spacing dp. The constructor reads what `fitted` needs; `finish` reads the rest.
+/// Reads the file with spacing dp: first what `fitted` needs, the rest in `finish`.
 class SceneReading {
  public:
   SceneReading(double dp, const std::filesystem::path& path, const TomlValue& original,
@@ -163,7 +161,7 @@ class SceneReading {
     return fitted_spacing(scene.bodies.front(), scene.dim, scene.spacing);
   }
 
-  /// Must be called only once.
+  /// Call once.
   SceneFile finish() {
     read_walls(root_, file_.scene);
     read_probes(root_, file_.scene);
@@ -188,7 +186,6 @@ class SceneReading {
   TomlCursor root_;
 };
 
-/// Throws if the spacing exceeds twice the one fitted to the first body.
 void refuse_too_coarse(double asked, double fitted, const TomlValue& tree, const Changes& changes,
                        const TomlSource& source) {
   constexpr double coarse = 2;

@@ -24,11 +24,11 @@ struct Parameter {
   double default_value = 0;         // without settings
 };
 
-/// One `--set name=value`. The name is a parameter, "method.CONSTANT", method, spacing, until, cfl, stepping,
-/// contact, law, jitter or jitter_seed. The value is a number, a name, or an expression of earlier parameters.
+/// The name is a parameter, "method.CONSTANT", method, spacing, until, cfl, stepping, contact, law, jitter or
+/// jitter_seed. The value is a number, a word, or an expression of earlier parameters.
 struct Setting {
   std::string name, value;
-  FilePlace place = {};  // in a sweep file; unknown for the command line
+  FilePlace place = {};  // unknown for the command line
 };
 Setting parse_setting(const std::string& assignment);
 std::string text_of(const Setting& setting);
@@ -37,34 +37,32 @@ struct SceneFile {
   std::filesystem::path path;
   std::string text;
   Scene scene;
-  Settings settings;  // method, all its constants, stepping, cfl
+  Settings settings;
   Drawing drawing;
-  double spacing_asked = 0;       // m; the scene's spacing is the nearest one that divides the first body
+  double spacing_asked = 0;       // m; the scene's spacing divides the first body
   std::string remark;             // warning, one line or empty
   std::optional<double> history;  // interval of history.csv, s
   std::vector<Parameter> parameters;
-  std::map<std::string, std::string> unmet_references;  // by measure: "holds for other methods"
-  TomlValue tree;                                       // the file with all defaults and settings
-  std::map<std::string, FilePlace> places;              // by dotted path: "spacing", "body.left.velocity"
+  std::map<std::string, std::string> unmet_references;  // "holds for other methods", by measure
+  TomlValue tree;                                       // with all defaults and settings
+  std::map<std::string, FilePlace> places;              // by dotted path: "body.left.velocity"
 };
 
-/// The last of several settings of one name counts. Throws SceneError with file, line and column, and UsageError for
-/// wrong settings.
+/// The last setting of a name counts. Throws SceneError with file, line and column, UsageError for settings.
 SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings = {});
-/// Reads the stored text again, because a pipe can be read only once.
+/// A pipe can be read only once.
 SceneFile read_again(const SceneFile& scene, const std::vector<Setting>& settings = {});
-/// Names that --set and --grid accept.
+/// For --set and --grid.
 std::vector<std::string> names_to_set(const SceneFile& scene);
-/// Words allowed for the setting `name`; empty if it takes numbers.
+/// Allowed words; empty if `name` takes numbers.
 std::vector<std::string> texts_to_set(std::string_view name);
-/// Fills in what a drawing takes from the scene: legend, walls, followed body, cut, formula, default camera. Throws
-/// UsageError if the drawing does not fit the scene.
+/// Sets what a drawing takes from the scene. Throws UsageError if it does not fit the scene.
 void suit(Drawing& drawing, const SceneFile& scene);
-/// Adds file, line and column to an error thrown by the engine for this scene.
+/// Adds the place to an error of the engine.
 SceneError locate(const SceneFile& scene, const SceneError& error);
-/// The scene as TOML with all defaults and the current history and drawing, to be read from `folder`.
+/// TOML with all defaults and the current history and drawing, to be read from `folder`.
 std::string resolved_text(const SceneFile& scene, const std::filesystem::path& folder);
-/// Removes [render] except `frames`, because a drawing can change after the run. Throws SceneError for invalid TOML.
+/// Removes [render] except `frames`. Throws SceneError for invalid TOML.
 std::string undrawn(const std::string& scene);
 
 }  // namespace taut::cli

@@ -17,8 +17,8 @@
 #include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/scene/scene.hpp"
 
-/// Readers of the sections of a scene file: they fill the scene and write defaults and settings back into the file's
-/// table.
+/// Readers of sections of a scene file. They fill the scene, write defaults and settings into the file's table, and
+/// throw SceneError for wrong values in the file, UsageError for wrong settings.
 namespace taut::cli {
 
 struct Changes {
@@ -27,19 +27,16 @@ struct Changes {
   std::map<std::string, std::string> constants;  // of the method
 };
 Changes by_target(const std::vector<Setting>& settings);
-/// Throws UsageError for a name that is neither a parameter nor a constant of the method.
 void check_names(const Changes& changes, const SceneFile& file);
-/// Throws UsageError if the value is not finite.
 double changed_number(std::string_view name, const std::string& text, const Names& names);
-/// Also throws if the value is not greater than 0.
 double changed_positive(std::string_view name, const std::string& text, const Names& names);
 
-/// Makes the parameters names of `root`. Without `dp`, skips parameters that depend on it.
+/// Makes the parameters names of `root`. Without `dp`, skips those that depend on it.
 void read_parameters(TomlCursor& root, const Changes& changes, std::optional<double> dp, SceneFile& file);
 std::set<std::string> names_that_need_dp(TomlCursor& root, const Changes& changes);
 void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file);
-/// Defines `touching`, the gap below which bodies touch, m. Repeat after reading the bodies: they can change the
-/// published contact law.
+/// Defines `touching`, the gap below which bodies touch, m. Repeat after reading the bodies, which can change the
+/// published law.
 void name_touching(TomlCursor& root, const SceneFile& file);
 /// Reads gravity and damping.
 void read_outside(TomlCursor& root, Scene& scene);
@@ -50,17 +47,16 @@ void read_probes(TomlCursor& root, Scene& scene);
 void read_lines(TomlCursor& root, Scene& scene);
 void read_measures(TomlCursor& root, Scene& scene);
 void read_references(TomlCursor& root, SceneFile& file);
-/// Makes absolute paths of tables and shapes relative to `folder`.
+/// Makes file paths relative to `folder`.
 void see_files_from(const std::filesystem::path& folder, TomlValue& scene);
-/// Finds the file of the key `file` in `folder` or a scene folder and writes its path back. Throws SceneError if it
-/// is missing; the message calls it `what`.
+/// Finds the file of the key `file` in `folder` or a scene folder and writes its path back. `what` is for messages.
 std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path& folder,
                                  std::string_view what);
-/// Reads [render]; needs the scene's bodies.
+/// Needs the bodies.
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing);
 TomlValue drawing_table(const Drawing& drawing);
 
-/// Reads the increasing column `lead` and `columns` of a CSV file. Throws SceneError with the place in that file.
+/// The column `lead` must increase. Errors have the place in the CSV file.
 ReferenceTable read_table(const std::filesystem::path& path, const std::string& lead,
                           const std::vector<std::string>& columns);
 struct ColumnTable {
@@ -71,7 +67,7 @@ struct ColumnTable {
 };
 ColumnTable read_columns(const std::filesystem::path& path, const std::vector<std::string>& needed,
                          const std::vector<std::string>& optional);
-/// Throws SceneError if the file is missing, unreadable or larger than `most_bytes`.
+/// At most `most_bytes`.
 std::string file_text(const std::filesystem::path& path, std::size_t most_bytes = 4 << 20);
 
 inline const std::vector<std::string> axis_names = {"x", "y", "z"};
@@ -81,12 +77,12 @@ enum class Layers : std::uint8_t {
   that_fit_faces,  // methods with initial neighbours
   evenly_spaced,   // methods that search neighbours
   of_lattice,      // the body has a hexagonal lattice
-  none             // cut-outs and combined shapes
+  none             // cut-outs, combined shapes
 };
 struct ShapeSetting {
   int dim = 2;
-  double dp = 0;                 // m
-  std::filesystem::path folder;  // of the scene file
+  double dp = 0;  // m
+  std::filesystem::path folder;
   Layers layers{};
   bool alone = false;  // only shape of its body, without cut-outs
 };
@@ -94,43 +90,42 @@ struct ShapeKind {
   std::string_view name;
   int dim;  // 0: 2D and 3D
   std::string_view help;
-  std::span<const KeyInfo> keys;  // in addition to those of every shape
+  std::span<const KeyInfo> keys;  // beside those of every shape
   std::string_view otherwise;     // nearest type in the other dimension
   Shape (*read)(TomlCursor&, const ShapeSetting&);
 };
 std::span<const ShapeKind> shape_kinds();
 
-/// Reads one table, or an array of tables.
+/// One table or an array of tables.
 std::vector<Shape> read_shapes(TomlCursor& body, std::string_view key, const ShapeSetting& setting);
-/// Reads the key `rotate`: degrees (2D only), or { angle, about, axis }; turns about `middle` by default.
+/// The key `rotate`: degrees (2D only) or { angle, about, axis }, by default about `middle`.
 std::optional<Rotation> read_rotation(TomlCursor& cursor, int dim, const Point& middle);
 
-/// Throws SceneError if `name` is too long for an expression.
 void check_name_length(const TomlCursor& table, FilePlace place, std::string_view key,
                        const std::string& name);
-/// Throws SceneError for a key that is an invalid or reserved name in expressions.
+/// The key must be an identifier and not reserved.
 void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string_view kind);
-/// Reads the key `name`: letters, digits, '_' and '-', none of `taken`.
+/// The key `name`: letters, digits, '_' and '-', none of `taken`.
 std::string label(TomlCursor& entry, const std::vector<std::string>& taken);
-/// Adds c0, E, nu, rho, K and G to the names of an expression.
+/// Adds c0, E, nu, rho, K, G.
 void add_names(Names& names, const Material& material);
 
-/// Unit vector of the key `axis`, by default z; always z in 2D.
+/// Unit vector; by default, and always in 2D, z.
 Point turning_axis(TomlCursor& cursor, const Scene& scene);
 
 struct ProbeKind {
   std::string_view name;
   std::string_view unit, help;
-  std::vector<KeyInfo> keys;  // in addition to `name` and `of`
+  std::vector<KeyInfo> keys;  // beside `name` and `of`
 
   Probe::Kind kind() const { return {name}; }
   bool takes(std::string_view key) const;
 };
 std::span<const ProbeKind> probe_kinds();
-/// Unit of a probe's values; empty for expressions. Forces in 2D are per metre of depth.
+/// Empty for expressions. Forces in 2D are per metre of depth.
 std::string_view unit_of(const Probe& probe, int dim);
 
-/// Keys in addition to `name`, `of` and `unit`.
+/// Beside `name`, `of` and `unit`.
 std::vector<KeyInfo> keys_of_measure(const MeasureKind& kind);
 
 struct ContactChoice {
@@ -139,14 +134,13 @@ struct ContactChoice {
 };
 std::span<const ContactChoice> contact_choices();
 
-/// Name in run.json of the law of methods without out-of-plane stress. Scenes cannot choose it.
+/// Law of methods without out-of-plane stress, which scenes cannot choose.
 inline constexpr std::string_view in_plane_law = "2d_deviator";
-/// Converts a name in run.json (neo_hookean) to the name in scene files (neo-hookean).
+/// neo_hookean → neo-hookean.
 std::string law_name(std::string_view material_law);
 
 int body_index(TomlCursor& cursor, const TomlValue& value, std::string_view key, const Scene& scene);
 
-/// Calls read(cursor) for each table of [[key]].
 template <class Read>
 void read_each(TomlCursor& root, const std::string& key, const Read& read) {
   int number = 0;
@@ -165,7 +159,7 @@ std::vector<std::string> names_of(const Items& items) {
   return names;
 }
 
-/// Returns the number of items if none is called `name`.
+/// Number of items if none is called `name`.
 template <class Items>
 std::size_t index_of(const Items& items, std::string_view name) {
   std::size_t i = 0;

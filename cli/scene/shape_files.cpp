@@ -22,7 +22,7 @@ struct Frame {
   Point low{};                  // lower left corner of the picture, m
 };
 
-/// Side of a pixel, m, from the key `height` or `width`.
+/// Side of a pixel, m.
 double read_size(TomlCursor& shape, double rows, double columns) {
   const TomlValue *height = shape.find("height"), *width = shape.find("width");
   if (height && width)
@@ -42,7 +42,7 @@ void read_where(TomlCursor& shape, Frame& frame) {
     frame.low = shape.point("low", 2);
 }
 
-/// The points are relative to the centre, if given.
+/// Relative to the centre, if given.
 Shape polygon_of(TomlCursor& shape, const Mask& mask, double threshold, const Frame& frame) {
   constexpr std::size_t most_points = 1000000;
   std::vector<Chain> contours = faces_of(mask, threshold);
@@ -65,7 +65,7 @@ Shape polygon_of(TomlCursor& shape, const Mask& mask, double threshold, const Fr
   return Polygon(std::move(contours), frame.centre);
 }
 
-/// Reports a UsageError of `read` at the key `file`.
+/// Reports a UsageError at the key `file`.
 template <class Read>
 auto with_place(TomlCursor& shape, const Read& read) {
   try {
@@ -124,7 +124,7 @@ GivenSites saved_sites(const std::filesystem::path& path, std::optional<int> wan
   return given;
 }
 
-/// Limits the box that the face search must cover, and the coordinates that cell numbers can represent.
+/// Limits the box of the face search and the coordinates of cell numbers.
 void refuse_far(const GivenSites& given, const std::filesystem::path& file, const ShapeSetting& setting) {
   constexpr double most_sides = 1e6, farthest = 1e9, most_times = 1e6;  // in dp; in dp^dim
   const double cell = std::pow(setting.dp, setting.dim);
@@ -151,7 +151,7 @@ void refuse_far(const GivenSites& given, const std::filesystem::path& file, cons
               volume, setting.dp, cell));
 }
 
-/// The spacing determines the neighbours, so it must match the given particles.
+/// The spacing determines the neighbours, so it must fit the particles.
 void refuse_other_spacing(std::vector<double> volumes, const std::filesystem::path& file,
                           const ShapeSetting& setting) {
   const auto middle = volumes.begin() + static_cast<std::ptrdiff_t>(volumes.size() / 2);
@@ -177,10 +177,10 @@ void refuse_twins(const std::vector<Point>& places, const std::filesystem::path&
                       places[order[k]][0], places[order[k]][1], places[order[k]][2]));
 }
 
-/// Median distance from a particle to its nearest neighbour, m, in a sample of about 1000.
+/// Median distance to the nearest neighbour, m, of about 1000 particles.
 double usual_distance(std::vector<Point> places) {
   constexpr std::size_t asked = 1000;
-  std::size_t longest = 0;  // axis with the largest extent, along which the search is fastest
+  std::size_t longest = 0;  // axis of largest extent, for a fast search
   double length = -1;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto [low, high] = std::ranges::minmax(places, {}, [k](const Point& x) { return x[k]; });
@@ -207,8 +207,7 @@ double usual_distance(std::vector<Point> places) {
   return *middle;
 }
 
-/// Particles without volumes get the volume of a cell. Lattices have distances of 1 to 1.12 dp, disordered particles
-/// down to 0.75.
+/// Each particle gets the volume of a cell. Distances are 1 to 1.12 dp in lattices, down to 0.75 in disorder.
 void refuse_other_mass(double apart, const std::filesystem::path& file, const ShapeSetting& setting) {
   if (std::isfinite(apart) && (apart < 0.7 * setting.dp || apart > 1.3 * setting.dp))
     throw SceneError(file.string(), 0, 0, "",

@@ -7,7 +7,7 @@
 
 namespace taut::cli {
 
-// Readers of single types of shapes; `type` and `rotate` are read elsewhere (shapes.cpp).
+// `type` and `rotate` are read in shapes.cpp.
 
 Shape read_polygon(TomlCursor& shape, const ShapeSetting& setting);
 Shape read_ellipse(TomlCursor& shape, const ShapeSetting& setting);
@@ -16,9 +16,9 @@ Shape read_particles(TomlCursor& shape, const ShapeSetting& setting);
 Shape read_svg(TomlCursor& shape, const ShapeSetting& setting);
 Shape read_mask_file(TomlCursor& shape, const ShapeSetting& setting);
 
-/// Throws SceneError if a component is not greater than 0.
+/// Components must be greater than 0.
 Point positive_point(TomlCursor& shape, std::string_view key, int dim);
-/// Throws SceneError unless low < high along every axis.
+/// low < high along every axis.
 Box read_low_and_high(TomlCursor& shape, int dim);
 
 }  // namespace taut::cli

@@ -38,8 +38,7 @@ std::vector<fs::path> folders_of_user() {
   return folders;
 }
 
-/// A build has `scenes` beside the program; an installation can be moved. Without /proc the program's location is
-/// unknown.
+/// A build has `scenes` beside the program. Without /proc its location is unknown.
 std::vector<fs::path> places_of_shipped() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
@@ -47,7 +46,7 @@ std::vector<fs::path> places_of_shipped() {
   return {program.parent_path() / "scenes", program.parent_path().parent_path() / "share/taut/scenes"};
 }
 
-/// Names of the .toml files in this subfolder of all scene folders.
+/// Names of .toml files in a subfolder of all scene folders.
 std::set<std::string> names_below(const std::string& folder) {
   std::set<std::string> names;
   for (const fs::path& scenes : scene_folders()) {
@@ -65,7 +64,6 @@ void refuse_no_folder() {
   throw UsageError(message + "\nSet the environment variable TAUT_SCENES to the folder that contains them");
 }
 
-/// Throws UsageError if the file was removed meanwhile.
 fs::path file_of(const std::string& name) {
   std::error_code error;
   for (const fs::path& scenes : scene_folders())
@@ -92,7 +90,7 @@ std::vector<std::string> scene_names() {
 }
 
 fs::path find_scene(const std::string& scene) {
-  // a run folder often has the name of its scene, so scene names precede folders
+  // a run folder often has the name of its scene
   std::error_code error;
   const bool exists = fs::exists(scene, error);
   if (exists && !fs::is_directory(scene, error)) return scene;

@@ -14,18 +14,18 @@
 
 namespace taut::cli {
 
-/// State shared by the cursors of a file.
+/// Shared by the cursors of a file.
 struct TomlSource {
   std::string file;
   int dim = 3;                 // of the scene
-  std::set<std::string> used;  // names in expressions read so far
+  std::set<std::string> used;  // in expressions read so far
 };
 
-/// Typed access to one table of a scene file. It writes defaults into the table and throws SceneError with the place
-/// of a wrong value. Reading a key that is not in `keys` throws std::logic_error.
+/// Typed access to a table of a scene file. Writes defaults into the table. Throws SceneError with the place of a
+/// wrong value, std::logic_error for a key that is not in `keys`.
 class TomlCursor {
  public:
-  /// `path` is the dotted path ("body.left"), `what` the name in messages ("body 'left'").
+  /// `path` is dotted ("body.left"), `what` is for messages ("body 'left'").
   TomlCursor(TomlValue& table, std::string path, std::string what, std::span<const KeyInfo> keys, Names names,
              TomlSource& source);
 
@@ -38,9 +38,9 @@ class TomlCursor {
   void also_takes(std::span<const KeyInfo> keys);
   void also_takes(const KeyInfo& key) { also_takes({&key, 1}); }
 
-  /// Returns nullptr if the key is missing.
+  /// Returns nullptr if missing.
   TomlValue* find(std::string_view key);
-  /// Throws SceneError if the key is missing.
+  /// Must exist.
   TomlValue& need(std::string_view key);
 
   std::string text(std::string_view key);
@@ -53,46 +53,46 @@ class TomlCursor {
   double number(std::string_view key, double otherwise);
   double positive(std::string_view key);
   int whole(std::string_view key, int otherwise, int low, int high);
-  /// Returns false if the key is missing, without writing a default.
+  /// False if missing; this default is not written.
   bool flag(std::string_view key);
   std::vector<double> numbers(std::string_view key, std::size_t size);
   Point point(std::string_view key, int dim);
 
-  /// A finite number, or an expression with a finite value.
+  /// A finite number, or an expression with such a value.
   double value_of(const TomlValue& value, std::string_view key);
-  /// Function of position that throws SceneError for non-finite values. Empty for the number 0.
+  /// Function of position; throws SceneError for non-finite values. Empty for the number 0.
   Expression function_of(const TomlValue& value, std::string_view key);
-  /// Like function_of, but of time t, s.
+  /// Function of time t, s; otherwise like function_of.
   std::function<double(double)> function_of_time(const TomlValue& value, std::string_view key);
-  /// Like function_of, but of position and time; never empty.
+  /// Function of position and time; never empty.
   Solution solution(const TomlValue& value, std::string_view key);
-  /// Function of the values of `probes` and of time t, s. Probes whose names are no identifiers cannot be used.
+  /// Function of probes and time t, s. Probes whose names are no identifiers cannot be used.
   std::function<double(const std::vector<double>&, double)> function_of_probes(
       const TomlValue& value, std::string_view key, const std::vector<std::string>& probes);
   std::string text_of(const TomlValue& value, std::string_view key);
 
   TomlCursor enter(TomlValue& value, std::string_view key, std::string what, std::span<const KeyInfo> keys);
-  /// Adds the table `key` if it is missing.
+  /// Adds a missing table.
   TomlCursor section(std::string_view key, std::string what, std::span<const KeyInfo> keys);
-  /// Tables of [[key]]; empty if missing.
+  /// Empty if missing.
   std::span<TomlValue> list(std::string_view key);
 
   [[noreturn]] void fail(FilePlace place, std::string_view key, const std::string& message) const;
   [[noreturn]] void fail(const TomlValue& value, std::string_view key, const std::string& message) const;
-  /// Throws for the name `given`, which is not in `known`.
+  /// Reports the name `given`.
   [[noreturn]] void fail_unknown(const TomlValue& value, std::string_view key, std::string_view kind,
                                  std::string_view given, const std::vector<std::string>& known) const;
-  /// Marks the names in an expression as used.
+  /// Marks names as used.
   void note_names(const std::string& text);
-  /// Throws for the first key that is not allowed.
+  /// Throws for a key that is not allowed.
   void refuse_unknown_keys() const;
-  /// Also throws for the first key that was never read.
+  /// Also throws for a key that was never read.
   void finish() const;
 
  private:
   [[noreturn]] void fail_expression(const TomlValue& value, std::string_view key,
                                     const ExpressionError& error) const;
-  /// Adds a check for finite values to `compile`(text, names); `show` prints the arguments.
+  /// Checks for finite values; `show` prints the arguments.
   template <class... Arguments, class Compile, class Show>
   std::function<double(Arguments...)> function(const TomlValue& value, std::string_view key,
                                                const Compile& compile, const Show& show);
@@ -107,7 +107,7 @@ class TomlCursor {
   std::vector<std::string> keys_;
 };
 
-/// Returns true for letters, digits and '_' with no digit first.
+/// Letters, digits and '_', no digit first.
 bool is_identifier(std::string_view name);
 
 }  // namespace taut::cli

@@ -14,28 +14,28 @@ struct FilePlace {
 
 struct TomlEntry;
 
-/// A value of a TOML file; tables keep the order of the file.
+/// Tables keep the order of the file.
 struct TomlValue {
   enum class Kind { table, array, text, number, boolean, date };
   Kind kind = Kind::table;
   FilePlace place;
   std::string text;
-  bool verbatim = false;  // text: one line without escapes, so that columns match
+  bool verbatim = false;  // text without escapes on one line, so that columns match
   double number = 0;
   bool whole = false;  // number without point and exponent
   bool flag = false;
   bool section = false;          // table under its own [header], not { key = value }
-  std::list<TomlEntry> entries;  // of a table; a list, so that appending keeps pointers valid
-  std::vector<TomlValue> items;  // of an array
+  std::list<TomlEntry> entries;  // a list, so that pointers stay valid
+  std::vector<TomlValue> items;
 
   TomlValue() = default;
   explicit TomlValue(double of_number);
   explicit TomlValue(std::string of_text);
 
-  /// Returns nullptr if there is no such key.
+  /// Returns nullptr if missing.
   TomlEntry* find(std::string_view key);
   const TomlEntry* find(std::string_view key) const;
-  /// Replaces the value of `key` and keeps its place, or appends it with the table's place.
+  /// A replaced value keeps its place; a new one gets the table's.
   void set(std::string_view key, TomlValue value);
   /// "a number", "a table", ...
   std::string_view kind_name() const;
@@ -43,15 +43,15 @@ struct TomlValue {
 
 struct TomlEntry {
   std::string key;
-  FilePlace place;  // of the key
+  FilePlace place;
   TomlValue value;
   bool known = false;  // has been read
 };
 
-/// Throws SceneError with the place of the error.
+/// Throws SceneError with the place.
 TomlValue parse_toml(std::string_view text, const std::string& file);
 
-/// Numbers read back exactly; reading and printing again gives the same text.
+/// Numbers read back exactly; printing again gives the same text.
 std::string print_toml(const TomlValue& root);
 
 }  // namespace taut::cli

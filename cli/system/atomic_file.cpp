@@ -41,14 +41,14 @@ bool waits_for_the_disk() {
   return !asked || std::string_view(asked) != "off";
 }
 
-/// Returns 0 or an errno; 0 also if the file system cannot sync.
+/// Returns 0 or an errno; 0 if the file system cannot sync.
 int sync(int descriptor) {
   if (!waits_for_the_disk()) return 0;
   if (::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP) return 0;
   return errno;
 }
 
-/// Returns 0 or an errno; 0 also if `path` may not be read.
+/// Returns 0 or an errno; 0 if `path` may not be read.
 int sync(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return errno == EACCES ? 0 : errno;
@@ -72,8 +72,8 @@ bool still_named(int descriptor, const std::string& path) {
          own.st_ino == named.st_ino;
 }
 
-/// Creates and locks a new file. Removes an abandoned file or link of this name; waits for a file that another
-/// process is writing. Returns −1 and sets errno on failure.
+/// Creates and locks a file. Removes an abandoned file or link, waits for another writer. Returns −1 with errno on
+/// failure.
 int open_new(const std::string& path) {
   constexpr int most = 1000;  // attempts
   for (int k = 0; k < most; ++k) {
@@ -81,12 +81,12 @@ int open_new(const std::string& path) {
     if (descriptor < 0 && errno != EEXIST) return descriptor;
     if (descriptor >= 0) {
       wait_for_lock(descriptor);
-      if (still_named(descriptor, path)) return descriptor;  // no other process removed it as abandoned
+      if (still_named(descriptor, path)) return descriptor;  // not removed as abandoned
       ::close(descriptor);
       continue;
     }
     const int other = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    if (other < 0 && errno == ENOENT) continue;  // it has been renamed
+    if (other < 0 && errno == ENOENT) continue;  // renamed meanwhile
     if (other >= 0) wait_for_lock(other);
     const bool left_behind = other < 0 || still_named(other, path);
     if (left_behind && ::unlink(path.c_str()) != 0 && errno != ENOENT) {
@@ -101,7 +101,7 @@ int open_new(const std::string& path) {
   return -1;
 }
 
-/// A temporary folder beside `folder`, on the same file system; the destructor removes it.
+/// A temporary folder beside `folder`.
 class Beside {
  public:
   Beside(const fs::path& folder, const char* what)
@@ -121,12 +121,11 @@ class Beside {
   fs::path path_;
 };
 
-/// Returns 0 or an errno.
 int rename_folder(const fs::path& from, const fs::path& to) {
   return std::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
-/// Returns 0 or an errno. If the file system cannot exchange folders, `folder` is missing for a moment.
+/// Without exchange in the file system, `folder` is missing for a moment.
 int put_in_place(const fs::path& fresh, const fs::path& folder) {
   if (!fs::exists(folder)) return rename_folder(fresh, folder);
   if (::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) return 0;
@@ -146,7 +145,7 @@ void write_atomically(const fs::path& path, std::string_view text, Kept kept) {
   if (descriptor < 0) fail(path, errno);
   int error = write_all(descriptor, text);
   if (error == 0 && kept == Kept::on_disk) error = sync(descriptor);
-  // close() of a copy reports late errors and keeps the lock
+  // reports late errors; the lock stays
   if (const int other = ::dup(descriptor); other >= 0 && ::close(other) != 0 && error == 0) error = errno;
   if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
   if (error != 0) ::unlink(temporary.c_str());
@@ -173,7 +172,7 @@ std::vector<fs::path> make_folders(const fs::path& folder) {
   std::error_code error;
   fs::path inner = folder.has_filename() ? folder : folder.parent_path();  // "a/b/" is "a/b"
   for (; !inner.empty() && !fs::exists(inner, error); inner = inner.parent_path()) made.push_back(inner);
-  // retry: another process may remove an empty folder meanwhile
+  // another process may remove an empty folder
   constexpr int most = 100;
   for (int k = 0; k < most; ++k)
     if (fs::create_directories(folder, error);
@@ -188,7 +187,7 @@ void make_folder_of(const fs::path& file) { make_folders(fs::absolute(file).pare
 
 std::optional<std::string> read_whole(const fs::path& path) {
   std::error_code error;
-  if (!fs::is_regular_file(path, error)) return std::nullopt;  // a device has no end
+  if (!fs::is_regular_file(path, error)) return std::nullopt;  // a device may have no end
   std::ifstream file(path, std::ios::binary);
   if (!file) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(file), {});
@@ -223,7 +222,7 @@ AppendFile::~AppendFile() { ::close(descriptor_); }
 void AppendFile::append(std::string_view line) {
   const std::string text = std::string(line) + '\n';
   if (const int error = write_all(descriptor_, text)) {
-    // remove the incomplete line; report the first error in any case
+    // removes the incomplete line
     if (::ftruncate(descriptor_, length_) != 0) fail(path_, error);
     fail(path_, error);
   }
@@ -231,7 +230,7 @@ void AppendFile::append(std::string_view line) {
 }
 
 void write_whole_folder(const fs::path& folder, const std::vector<fs::path>& files) {
-  // removes the '/' of "a/b/"
+  // removes a last '/'
   const fs::path target = (fs::absolute(folder) / "").lexically_normal().parent_path();
   const Beside fresh(target, "tmp");
   std::error_code error;

@@ -9,16 +9,15 @@
 
 namespace taut::cli {
 
-/// `on_disk` survives power cuts, but waits for the disk: for files that cannot be made again, or that mark others as
+/// `on_disk` survives power cuts but waits for the disk: for files that cannot be made again or mark others as
 /// complete.
 enum class Kept { from_crashes, on_disk };
 
-/// Writes a temporary file and renames it, so other processes see the old or the new file. Throws OutputError and
-/// leaves no temporary file.
+/// Renames a complete temporary file, so other processes see the old or the new file. Throws OutputError.
 void write_atomically(const std::filesystem::path& path, std::string_view text,
                       Kept kept = Kept::from_crashes);
 
-/// Locks a file that another program writes, so that other writers wait. Throws OutputError.
+/// Locks a file that another program writes. Throws OutputError.
 class WriteTurn {
  public:
   explicit WriteTurn(const std::filesystem::path& path);
@@ -31,20 +30,19 @@ class WriteTurn {
   int descriptor_;
 };
 
-/// Waits until a file or folder is on disk; returns if it does not exist. Throws OutputError.
+/// Accepts a missing path. Throws OutputError.
 void put_on_disk(const std::filesystem::path& path);
 
-/// Creates a folder and its parents on disk. Returns the new ones, innermost first. Throws OutputError.
+/// Returns the new folders, innermost first; they are on disk. Throws OutputError.
 std::vector<std::filesystem::path> make_folders(const std::filesystem::path& folder);
 
-/// Creates the parent folder of `file`. Throws OutputError.
+/// Throws OutputError.
 void make_folder_of(const std::filesystem::path& file);
 
-/// Returns nullopt for an unreadable file, a folder or a device.
+/// Returns nullopt for unreadable files, folders and devices.
 std::optional<std::string> read_whole(const std::filesystem::path& path);
 
-/// A file that grows by whole lines. Each line is written at once, and an incomplete one is removed, so crashes and
-/// full disks leave no partial line.
+/// A file that grows by whole lines, even if the program crashes or the disk is full.
 class AppendFile {
  public:
   enum class Start { empty, as_it_is };
@@ -55,11 +53,11 @@ class AppendFile {
 
   /// Adds a line end. Throws OutputError.
   void append(std::string_view line);
-  /// Size of the complete lines, bytes.
+  /// Bytes of complete lines.
   std::int64_t length() const { return length_; }
-  /// Throws UsageError if the file is shorter, in bytes.
+  /// Throws UsageError if the file is shorter.
   void check_holds(std::int64_t length) const;
-  /// Truncates the file to `length` bytes. Throws UsageError if it is shorter.
+  /// Throws UsageError if the file is shorter.
   void cut(std::int64_t length);
   void put_on_disk() const;
 
@@ -69,8 +67,8 @@ class AppendFile {
   std::int64_t length_ = 0;
 };
 
-/// Fills a folder with copies of `files` and removes its old content. Other processes see the old or the new folder,
-/// also after a power cut. Throws OutputError and keeps the old folder.
+/// Fills a folder with copies of `files` only. Other processes see the old or the new folder, also after a power cut.
+/// Throws OutputError.
 void write_whole_folder(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
 }  // namespace taut::cli

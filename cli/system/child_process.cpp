@@ -31,19 +31,19 @@ sigset_t interrupting_signals() {
   return set;
 }
 
-/// A child would never get locks that other threads hold.
+/// Locks held by other threads would stay locked in the child.
 void check_no_threads() {
-  std::error_code no_proc;  // then threads cannot be counted
+  std::error_code no_proc;
   const std::filesystem::directory_iterator threads("/proc/self/task", no_proc);
   if (!no_proc && std::distance(begin(threads), end(threads)) > 1)
     throw std::logic_error("a process with several threads cannot be forked");
 }
 
-/// Prepares the child; SIGINT and SIGHUP stay blocked.
+/// SIGINT and SIGHUP stay blocked in the child.
 void settle(pid_t parent, int output) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(1);  // the parent has died
-  // until `work` sets a handler, SIGTERM ends the child
+  // SIGTERM ends the child until `work` sets a handler
   std::signal(SIGTERM, SIG_DFL);
   sigset_t terminate;
   sigemptyset(&terminate);
@@ -59,7 +59,7 @@ ChildProcess::ChildProcess(const std::function<int()>& work) {
   check_no_threads();
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(errno);
-  std::cout.flush();  // else the child would print it again
+  std::cout.flush();  // else printed twice
   std::cerr.flush();
   const sigset_t blocked = interrupting_signals();
   sigset_t before;
@@ -72,7 +72,7 @@ ChildProcess::ChildProcess(const std::function<int()>& work) {
     const int code = work();
     std::cout.flush();
     std::cerr.flush();
-    ::_exit(code);  // skips destructors of the parent's objects
+    ::_exit(code);  // no destructors of the parent's objects
   }
   ::sigprocmask(SIG_SETMASK, &before, nullptr);
   ::close(ends[1]);

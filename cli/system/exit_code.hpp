@@ -14,21 +14,20 @@ enum ExitCode : int {
   exit_wrong_input = 2,
   exit_diverged = 3,  // also for a verdict as bad as --fail-on
   exit_not_written = 4,
-  exit_bug = 70,  // a bug of taut; EX_SOFTWARE of sysexits.h
+  exit_bug = 70,  // EX_SOFTWARE of sysexits.h
 };
 
-/// Exit code after a signal, as in shells.
+/// As in shells.
 constexpr int exit_by_signal(int signal) { return 128 + signal; }
 
-/// An error for the user.
 struct Failure {
   std::string message;
   int code;
 };
-/// Describes the exception that is being handled.
+/// Of the exception being handled.
 Failure current_failure();
 
-/// Returns the exit code of `action` or of its exception, whose message goes to `err`.
+/// Prints an exception to `err` and returns its exit code.
 int guarded(const std::function<int()>& action, std::ostream& err);
 
 }  // namespace taut::cli

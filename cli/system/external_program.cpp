@@ -22,7 +22,7 @@ namespace taut::cli {
 namespace {
 
 constexpr std::size_t most_errors = 4096;  // bytes kept of stderr
-constexpr int patience = 100;              // ms between checks for interrupts
+constexpr int patience = 100;              // ms between checks
 
 class Pipe {
  public:
@@ -48,7 +48,6 @@ class Pipe {
   std::array<int, 2> ends_{};
 };
 
-/// Returns 0 or an errno.
 int spawn(const std::vector<std::string>& arguments, const fs::path& folder, int errors, pid_t& process) {
   std::vector<char*> raw;
   for (const std::string& argument : arguments) raw.push_back(const_cast<char*>(argument.c_str()));
@@ -64,7 +63,7 @@ int spawn(const std::vector<std::string>& arguments, const fs::path& folder, int
   return error;
 }
 
-/// Reads stderr until its end, and stops the program on an interrupt.
+/// An interrupt stops the program.
 void follow(pid_t process, int errors, const Interrupts& interrupts, ProcessResult& result) {
   std::array<char, 1024> buffer{};
   while (true) {

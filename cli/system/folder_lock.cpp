@@ -26,14 +26,14 @@ namespace {
 struct Kind {
   const char* file;
   short lock;  // F_WRLCK or F_RDLCK
-  bool stays;  // the file remains after unlocking
+  bool stays;  // after unlocking
 };
 constexpr std::array kinds = {Kind{run_lock_name, F_WRLCK, false},  // in the order of FolderLock::Of
                               Kind{"sweep.lock", F_WRLCK, true}, Kind{"sweep.lock", F_RDLCK, true}};
 
 const Kind& kind(FolderLock::Of of) { return kinds[static_cast<std::size_t>(of)]; }
 
-/// Locks the open file, not the process, so that running children hold the lock, too.
+/// Locks the open file, so that running children hold the lock, too.
 int lock(int descriptor, short type) {
   struct flock whole {};
   whole.l_type = type;
@@ -48,11 +48,11 @@ bool knows_no_locks(int error) {
   return std::ranges::find(all, error) != all.end();
 }
 
-/// Lock holder; one line of the file per member.
+/// One line of the file per member.
 struct Holder {
   std::string command, process, host, since;
 
-  /// Returns true if the process has ended on this machine, so that only a dying child holds the lock.
+  /// True if the process ended on this machine; then only a dying child holds the lock.
   bool has_ended() const {
     pid_t id = 0;
     std::from_chars(process.data(), process.data() + process.size(), id);
@@ -60,13 +60,12 @@ struct Holder {
   }
 };
 
-/// Removes control characters, which terminals obey.
+/// Removes control characters.
 std::string printable(std::string text) {
   std::erase_if(text, [](char c) { return c < ' ' || c == 127; });
   return text;
 }
 
-/// Missing lines become empty.
 Holder read_holder(int descriptor) {
   std::array<char, 1024> text{};
   const ssize_t size = ::pread(descriptor, text.data(), text.size(), 0);
@@ -107,7 +106,7 @@ FolderLock::FolderLock(const fs::path& folder, Of of, std::string_view command, 
 }
 
 FolderLock::~FolderLock() {
-  // still locked, so no other process uses this file
+  // still locked: no other process uses this file
   if (!kind(of_).stays && is_still_there()) ::unlink(file_.c_str());
   ::close(descriptor_);
   std::error_code filled;
@@ -115,7 +114,7 @@ FolderLock::~FolderLock() {
     if (!fs::remove(folder, filled)) break;
 }
 
-/// Waits briefly, because children of a killed program need a moment to end.
+/// Children of a killed program need a moment to end.
 int FolderLock::acquire() {
   using namespace std::chrono_literals;
   for (auto waited = 0ms;; waited += 20ms) {
@@ -131,11 +130,11 @@ int FolderLock::try_once() {
     open();
     const int error = lock(descriptor_, kind(of_).lock);
     if (error != 0 || is_still_there()) return error;
-    ::close(descriptor_);  // the former holder removed the file; others lock a new one
+    ::close(descriptor_);  // the former holder removed the file
   }
 }
 
-/// Refuses links and pipes: the folder may belong to another user.
+/// No links or pipes: the folder may belong to another user.
 void FolderLock::open() {
   const auto fail = [this](const std::string& reason) { throw OutputError(file_.string(), reason); };
   constexpr int how = O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
@@ -145,7 +144,7 @@ void FolderLock::open() {
     const std::vector<fs::path> made = make_folders(file_.parent_path());
     made_.insert(made_.begin(), made.begin(), made.end());
     descriptor_ = ::open(file_.c_str(), how, 0666);
-    if (descriptor_ < 0 && errno != ENOENT) break;  // the former holder may have removed the folder
+    if (descriptor_ < 0 && errno != ENOENT) break;  // the folder may be gone
   }
   if (descriptor_ < 0) fail(std::string("cannot be opened: ") + std::strerror(errno));
   struct stat found {};
@@ -154,7 +153,7 @@ void FolderLock::open() {
   fail("is not a lock file of taut");
 }
 
-/// Returns whether the path still names the locked file.
+/// The path still names the locked file.
 bool FolderLock::is_still_there() const {
   struct stat ours {
   }, there{};
@@ -162,7 +161,7 @@ bool FolderLock::is_still_there() const {
          ours.st_ino == there.st_ino && ours.st_dev == there.st_dev;
 }
 
-/// Writes nothing for parts of a sweep, because several can hold the lock.
+/// Writes nothing for parts of a sweep, which share the lock.
 void FolderLock::say_who(std::string_view command) const {
   std::array<char, 32> since{};
   const std::time_t now = std::time(nullptr);
@@ -173,7 +172,7 @@ void FolderLock::say_who(std::string_view command) const {
                            "\n" + since.data() + "\n";
   const bool told = ::ftruncate(descriptor_, 0) == 0 &&
                     (of_ == Of::part_of_sweep || ::pwrite(descriptor_, text.data(), text.size(), 0) > 0);
-  static_cast<void>(told);  // on a full disk the lock works without the text
+  static_cast<void>(told);  // on a full disk the lock works without text
 }
 
 }  // namespace taut::cli

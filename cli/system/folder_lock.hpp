@@ -8,20 +8,19 @@
 
 namespace taut::cli {
 
-/// Lock on a file in a folder, which keeps other writers out. The file names the holder. The lock ends with the
-/// process, and works between machines if the file system supports that. Without any locks, prints a warning.
+/// Excludes other writers from a folder by a lock file, which names the holder. The lock ends with the process and
+/// works between machines if the file system supports it. Prints a warning if there are no locks.
 class FolderLock {
  public:
   enum class Of {
     run,            // excludes all others; the file is removed
     sweep,          // excludes all others; the file stays
-    part_of_sweep,  // excludes whole-sweep writers, but not writers of other parts
+    part_of_sweep,  // excludes whole-sweep writers only
   };
 
-  /// Creates the folder if missing; `command` is shown to other processes. Throws UsageError if the folder is locked,
-  /// OutputError if it cannot be written to.
+  /// Creates a missing folder. Throws UsageError if it is locked, OutputError if it cannot be written to.
   FolderLock(const std::filesystem::path& folder, Of of, std::string_view command, std::ostream& err);
-  /// Removes the folders that it created, if empty.
+  /// Removes empty folders that it created.
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;

@@ -7,14 +7,14 @@
 namespace taut::cli {
 namespace {
 
-// the only state that the signal handler uses
+// state of the signal handler
 std::atomic<int> last_signal = 0;
 std::atomic<bool> at_once = false;
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
 extern "C" void on_signal(int number) {
   if (at_once.load()) {
-    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, "\n", 1);  // after a progress bar
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, "\n", 1);  // after a bar
     ::_exit(exit_by_signal(number));
   }
   if (last_signal.load() == 0)
@@ -48,7 +48,7 @@ Interrupts::~Interrupts() {
 
 Interrupts::AtOnce::AtOnce() {
   at_once.store(true);
-  if (asked()) ::_exit(exit_code());  // earlier signal
+  if (asked()) ::_exit(exit_code());
 }
 Interrupts::AtOnce::~AtOnce() { at_once.store(false); }
 

@@ -5,9 +5,8 @@
 
 namespace taut::cli {
 
-/// While an object exists, the first Ctrl-C, SIGTERM or SIGHUP only sets a flag, so that a run can stop after its
-/// step. A second one ends the program, except SIGHUP, which shells send twice. SIGPIPE is ignored. Files are always
-/// whole, because they are renamed when complete.
+/// During its lifetime, the first Ctrl-C, SIGTERM or SIGHUP only sets a flag, so that a run can stop after its step.
+/// A second one ends the program, except SIGHUP, which shells send twice. SIGPIPE is ignored.
 class Interrupts {
  public:
   Interrupts();
@@ -15,8 +14,7 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
 
-  /// While an object exists, the first signal, or an earlier one, ends the program: for long work that checks no flag
-  /// and has not touched files.
+  /// During its lifetime, the first signal, or an earlier one, ends the program: for long work that checks no flag.
   class AtOnce {
    public:
     AtOnce();
@@ -25,13 +23,13 @@ class Interrupts {
     AtOnce& operator=(const AtOnce&) = delete;
   };
 
-  /// Stays set after the object is gone, until the next one, so that no signal is missed.
+  /// Stays set until the next object, so that no signal is missed.
   static bool asked() { return flag() != 0; }
-  /// SIGTERM or SIGHUP: end the program, not only the current command.
+  /// SIGTERM or SIGHUP.
   static bool asked_to_end();
   /// 128 + signal.
   static int exit_code();
-  /// The signal, or 0, for checks during long work.
+  /// The signal, or 0.
   static const std::atomic<int>& flag();
 
  private:

@@ -11,12 +11,12 @@
 
 namespace taut::cli {
 
-/// Runs pieces of work in threads. The first halves run in any order, the second halves in the order of `add`. After
-/// a failure, no further second half runs.
+/// Runs pieces of work in threads: first halves in any order, second halves in the order of `add`. After a failure no
+/// second half runs.
 class OrderedWork {
  public:
   using SecondHalf = std::function<void()>;
-  /// `worker`, from 0, differs between concurrent pieces.
+  /// `worker` counts from 0 and differs between concurrent pieces.
   using Piece = std::function<SecondHalf(int worker)>;
 
   /// With 0 workers, `add` does all work.
@@ -26,11 +26,11 @@ class OrderedWork {
   OrderedWork(const OrderedWork&) = delete;
   OrderedWork& operator=(const OrderedWork&) = delete;
 
-  /// Number of unfinished pieces at which `add` waits.
+  /// Unfinished pieces at which `add` waits.
   int room() const { return 3 * static_cast<int>(workers_.size()); }
-  /// Throws the first exception of a piece.
+  /// Throws the first error of a piece.
   void add(Piece piece);
-  /// Waits for all pieces. Throws like `add`.
+  /// Throws like `add`.
   void finish();
 
  private:
@@ -41,8 +41,8 @@ class OrderedWork {
   std::mutex mutex_;  // for all members below
   std::condition_variable changed_;
   std::deque<Piece> waiting_;
-  std::map<long, SecondHalf> seconds_;     // by number of the piece
-  long added_ = 0, begun_ = 0, done_ = 0;  // numbers of pieces
+  std::map<long, SecondHalf> seconds_;     // by piece
+  long added_ = 0, begun_ = 0, done_ = 0;  // pieces
   bool is_closing_ = false;
   std::exception_ptr failure_;
   std::vector<std::thread> workers_;

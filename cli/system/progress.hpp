@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// Shows progress on stderr: a bar on a terminal, lines in a log file, or nothing.
+/// A bar on a terminal, lines in a log file, or nothing.
 class Progress {
  public:
   enum class Style { none, lines, bar };
@@ -18,16 +18,14 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Shows `what` on a terminal before the work begins.
+  /// Shows `what` before the work begins, on a terminal.
   void prepare(const std::string& what);
-  /// `done_before` is the share done by an earlier run.
+  /// `done_before` is the share of an earlier run.
   void begin(const std::string& what, double done_before = 0);
-  /// `share` is 0 to 1. May be called at any rate. Warns after a second if the work will take half a day, in every
-  /// style.
+  /// `share` is 0 to 1; any rate of calls. Warns after a second if the work takes half a day, in every style.
   void show(double share, const std::string& detail);
-  /// Removes the bar before other output.
+  /// Needed before other output.
   void clear();
-  /// Prints the last line.
   void end(const std::string& detail);
 
  private:
@@ -40,25 +38,23 @@ class Progress {
   Style style_;
   std::string what_;
   Stopwatch since_begin_, since_shown_;
-  int quarters_ = 0;  // quarters with a printed line
+  int quarters_ = 0;  // printed quarters
   bool bar_shown_ = false;
   bool warned_ = false;
   double done_before_ = 0;
 };
 
-/// "0:12 left" for work with the shares `share` and `before` done, the difference in `elapsed` s; empty if too little
-/// is done.
+/// "0:12 left": the share rose from `before` to `share` in `elapsed` s. Empty if too little is done.
 std::string time_left(double share, double before, double elapsed);
 
-/// "17 hours" for work whose part `done` took `elapsed` s; empty below half a day or if it is too early.
+/// "17 hours"; empty below half a day, and in the first second.
 std::string long_time_left(double done, double left, double elapsed);
 
-/// "rings, 4398 particles [####......] 40 %  0:12 left  2.1 M particle-steps/s". If `width` is too small, omits the
-/// detail, then shortens the name.
+/// "rings, 4398 particles [####......] 40 %  0:12 left  2.1 M particle-steps/s". If too wide, omits the detail, then
+/// shortens the name.
 std::string bar_line(const std::string& what, double share, const std::string& left,
                      const std::string& detail, std::size_t width);
 
-/// A bar only if `err` is stderr on a terminal.
 Progress::Style progress_style(const std::ostream& err, bool quiet);
 
 }  // namespace taut::cli

@@ -13,7 +13,7 @@
 namespace taut::cli {
 namespace {
 
-/// Greatest instruction set supported by this machine; kernels without such a build use the next one.
+/// Greatest instruction set of this machine; kernels without such a build use the next one.
 std::string_view instruction_set() {
   return has_x86_64_v4() ? "x86-64-v4" : has_x86_64_v3() ? "x86-64-v3" : "baseline";
 }

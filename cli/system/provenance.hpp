@@ -15,8 +15,8 @@ struct FileFormat {
   int number;
 };
 
-/// Raise a number when a reader of the old format would misread the new one; for checkpoint.bin also when a
-/// `serialize` or the bytes of a step change.
+/// Raise a number if old readers would misread the new format; for checkpoint.bin also if a `serialize` or the bytes
+/// of a step change.
 inline constexpr std::array<FileFormat, 7> file_formats{{{"run.json", 1},
                                                          {"results.json", 1},
                                                          {"results.csv", 1},
@@ -31,15 +31,14 @@ consteval int format_of(std::string_view file) {
   throw "no such kind of file";
 }
 
-/// Output of `taut --version`; the first line has name, version and commit.
+/// The first line has name, version and commit.
 std::string version_text();
 
 std::string host_name();
 
-/// Describes the build, and the process since construction.
+/// The build, and the process since construction.
 class Provenance {
  public:
-  /// The object for run.json.
   Json to_json() const;
 
  private:

@@ -6,10 +6,10 @@
 
 namespace taut::cli {
 
-/// Returns nullopt if there is no terminal.
+/// nullopt without a terminal.
 std::optional<std::size_t> terminal_columns(int file_descriptor);
 
-/// Width for wrapped text: COLUMNS if set, else the terminal's; nullopt for a file or pipe.
+/// COLUMNS if set, else the terminal's width; nullopt for files and pipes.
 std::optional<std::size_t> text_columns(const std::ostream& out);
 
 }  // namespace taut::cli

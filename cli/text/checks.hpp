@@ -4,13 +4,12 @@
 
 namespace taut::cli {
 
-// Checks of an option's text. Each returns the problem, or "". CLI11's own checks show bounds of doubles with 309
-// digits.
+// Each returns a problem, or "". CLI11's checks show bounds of doubles with 309 digits.
 std::string positive_number(const std::string& text);
 std::string not_negative_number(const std::string& text);
 std::string positive_whole_number(const std::string& text);
 std::string whole_number(const std::string& text);
-/// A picture is a PNG file, so other extensions are refused.
+/// Pictures are PNG files.
 std::string png_name(const std::string& text);
 /// "name=value"
 std::string assignment(const std::string& text);

@@ -12,7 +12,7 @@
 namespace taut::cli {
 namespace {
 
-/// Columns of UTF-8 text on a terminal; continuation bytes take none.
+/// Continuation bytes of UTF-8 take no column.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(
       std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
@@ -86,7 +86,6 @@ std::string wrapped(const std::string& text, std::size_t indent, std::size_t col
 
 namespace {
 
-/// Returns at least one line.
 std::vector<std::string> lines_of(const std::string& text, std::size_t columns) {
   std::vector<std::string> lines;
   std::istringstream whole(wrapped(text, 0, columns));
@@ -123,7 +122,7 @@ std::string in_columns(const std::vector<std::vector<std::string>>& rows, int in
     for (const auto& row : rows) text += table_line(row, padded, indent);
     return text;
   }
-  // the widest column gets the remaining width
+  // the widest column gets the rest
   constexpr std::size_t least = 24;
   const auto widest = static_cast<std::size_t>(std::ranges::max_element(full) - full.begin());
   const std::size_t others = all - full[widest] - 2;

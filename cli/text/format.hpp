@@ -9,7 +9,7 @@
 
 namespace taut::cli {
 
-/// Returns nullopt if `text` as a whole is no number; accepts inf and nan.
+/// nullopt if `text` as a whole is no number; accepts inf and nan.
 template <class Number>
 std::optional<Number> parsed(std::string_view text) {
   Number value{};
@@ -18,7 +18,7 @@ std::optional<Number> parsed(std::string_view text) {
   return error == std::errc() && end == last ? std::optional(value) : std::nullopt;
 }
 
-/// Shortest text that reads back as the same number.
+/// Shortest text that reads back exactly.
 std::string exact(double value);
 /// At most four digits.
 std::string brief(double value);
@@ -37,10 +37,10 @@ std::string join_with_or(std::vector<std::string> words);
 /// The same on every machine (FNV-1a).
 std::uint64_t hash_of(std::string_view text);
 
-/// Aligned columns with two blanks between them. A table wider than `columns` wraps its widest column.
+/// Two blanks between columns. A wider table wraps its widest column.
 std::string in_columns(const std::vector<std::vector<std::string>>& rows, int indent = 2,
                        std::optional<std::size_t> columns = {});
-/// Breaks lines at `columns`; no newline at the end.
+/// No newline at the end.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t columns);
 
 /// "NAME_00012.EXTENSION"

@@ -60,7 +60,7 @@ Json from_library(const Library& value) {
   throw UsageError("'" + file + "' " + what);
 }
 
-/// Rejects repeated keys and deep nesting while parsing.
+/// Rejects repeated keys and deep nesting.
 class Watch {
  public:
   explicit Watch(const std::string& file) : file_(file) {}

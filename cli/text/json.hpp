@@ -54,19 +54,19 @@ class Json {
   const std::string& text() const { return std::get<std::string>(value_); }
   const std::vector<Json>& items() const { return std::get<std::vector<Json>>(value_); }
   const std::vector<Member>& members() const { return std::get<std::vector<Member>>(value_); }
-  /// Returns nullptr if there is no such member.
+  /// Returns nullptr if missing.
   const Json* find(std::string_view key) const;
 
   /// Adds a missing member. Null becomes an object.
   Json& operator[](std::string_view key);
   /// Null becomes an array.
   void add(Json item);
-  /// Returns a copy with the missing members from `other`.
+  /// Copy with the missing members of `other`.
   Json with(const Json& other) const;
 
-  /// One line, or with `indent` one value per line. Replaces invalid UTF-8.
+  /// With `indent`, one value per line. Replaces invalid UTF-8.
   std::string dump(int indent = -1) const;
-  /// Values without members or items, by JSON pointer: "/measures/period/value".
+  /// By JSON pointer: "/measures/period/value".
   std::vector<Member> leaves() const;
 
   const auto& value() const { return value_; }
@@ -77,7 +77,7 @@ class Json {
       value_;
 };
 
-/// Throws UsageError for text that is not JSON, repeats a key, or is nested more than 64 levels deep.
+/// Throws UsageError for text that is not JSON, repeats a key, or has more than 64 levels.
 Json parse_json(const std::string& text, const std::string& file);
 
 /// A number if the text is a JSON number.

@@ -10,11 +10,10 @@
 
 namespace taut::cli {
 
-/// Typed access to a JSON value. Throws UsageError with file, path ("measures.period.value"), actual and allowed
-/// value.
+/// Throws UsageError with path ("measures.period.value"), actual and allowed value.
 class JsonCursor {
  public:
-  /// Both arguments must outlive the cursor.
+  /// The arguments must outlive the cursor.
   JsonCursor(const Json& value, const std::string& file, std::string path = "");
 
   const std::string& path() const { return path_; }
@@ -41,7 +40,7 @@ class JsonCursor {
   std::string path_;
 };
 
-/// Checks every key that taut writes into run.json; a value can also be null. Ignores other keys. Throws UsageError.
+/// Checks the keys that taut writes; all values can be null. Throws UsageError.
 Json parse_run_json(const std::string& text, const std::string& file,
                     const std::vector<std::string>& verdicts);
 

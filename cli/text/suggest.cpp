@@ -15,7 +15,7 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-/// Counts insertions, deletions, replacements and swaps of neighbours.
+/// Swapping neighbours counts as one edit.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last, last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -32,7 +32,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-/// Nearest first.
 using Ranked = std::vector<std::pair<std::size_t, std::string>>;
 Ranked ranked(std::string_view name, const std::vector<std::string>& candidates) {
   const std::string given = lower_case(name);

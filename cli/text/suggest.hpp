@@ -6,14 +6,13 @@
 
 namespace taut::cli {
 
-/// At most five candidates, best first, that contain `name` or are few edits away. Swapping neighbouring letters is
-/// one edit; the case does not count.
+/// At most five candidates, best first, that contain `name` or are few edits away.
 std::vector<std::string> nearest(std::string_view name, const std::vector<std::string>& candidates);
 
 /// " (did you mean 'a' or 'b'?)", or "" if no candidate is near.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
 
-/// Ends a message with did_you_mean() and up to eight names; without a near name, at least the five nearest.
+/// did_you_mean() with all names, if at most eight; the five nearest names if none is near.
 std::string known_names(std::string_view given, const std::vector<std::string>& names);
 
 /// "unknown method 'enogg' (did you mean 'enog'?)".

@@ -6,7 +6,6 @@
 
 namespace taut::cli {
 
-/// A check, picture or run.
 struct TestCase {
   enum class Result { passed, failed, error };
   std::string name;
@@ -21,10 +20,10 @@ struct TestReport {
   std::vector<TestCase> cases;
 };
 
-/// One test suite. Replaces bytes and letters that XML cannot contain.
+/// Replaces letters that XML cannot contain.
 std::string junit_xml(const TestReport& report);
 
-/// At most ten failures and errors, the limit of GitHub Actions per step.
+/// At most ten, the limit of GitHub Actions per step.
 std::string github_annotations(const TestReport& report);
 
 }  // namespace taut::cli
