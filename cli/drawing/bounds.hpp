@@ -22,19 +22,19 @@ class SequenceBounds {
   void add(const FrameView& particles);
 
   /// Clips at most 1 % of the values above `round_off` at each end, and no end that widens the range by less than a
-  /// quarter. Never empty; symmetric about `middle`.
+  /// quarter. Never empty; symmetric about `middle`, if given.
   render::Range range(std::optional<double> middle, double round_off = 0) const;
   /// With a margin of 5 % of the longer side.
   render::View view() const;
-  /// About the origin, the centre of the followed body, and half as large again.
+  /// Centred at the origin, the centre of the followed body, and half as large again.
   render::View view_about_origin() const;
-  /// Contains everything from all directions.
+  /// A view that contains everything from all directions.
   struct Orbit {
     render::View view;  // centred at the origin
     render::Vector middle;
   };
   Orbit orbit() const;
-  /// Greatest coordinate towards the camera, m.
+  /// Coordinate of the nearest particle towards the camera, m.
   double front() const;
 
  private:
@@ -48,7 +48,7 @@ class SequenceBounds {
   std::optional<render::CameraAxes> axes_;
 };
 
-/// Sets open members of `drawing`.
+/// Sets the open members of `drawing`.
 Drawing fitted(Drawing drawing, const SequenceBounds& shown);
 
 }  // namespace taut::cli

@@ -34,18 +34,18 @@ struct ColorFormula {
                              std::span<const double> x, std::span<const double> x0, double time) const;
 };
 
-/// What a picture shows, and how. Open members have defaults: viridis, or a diverging map for signed fields; range
-/// and view of everything shown. A 3D scene has a camera instead of a view.
+/// What pictures show, and how. Open members have defaults: viridis, or a diverging map for signed fields; range and
+/// view of everything shown. A 3D scene has a camera instead of a view.
 struct Drawing {
-  const Field* field = find_field("von_mises");  // if `formula` is empty
+  const Field* field = find_field("von_mises");  // colours the particles if `formula` is empty
   render::Look look{};
   int frames = 60;               // after t = 0, evenly spaced
   std::optional<Style> style{};  // default: discs in 2D, spheres in 3D
-  std::string cut{};             // expression; not 0 at the start: hidden
-  std::string follow{};          // body whose centre stays in the middle
+  std::string cut{};             // expression that hides particles where it is not 0 at the start
+  std::string follow{};          // body whose centre of mass stays in the middle
 
-  std::string formula{};  // colours the particles; or empty
-  bool orbit = false;     // 3D: the camera circles the scene once
+  std::string formula{};  // expression that colours the particles, or empty
+  bool orbit = false;     // 3D: the camera circles the scene once during the run
 
   // set by `suit` (cli/scene)
   Expression is_cut{};

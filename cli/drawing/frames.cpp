@@ -8,7 +8,7 @@
 namespace taut::cli {
 namespace {
 
-/// Refers to both arguments.
+/// The result refers to both arguments.
 FrameView view_of(const Snapshot& snapshot, std::span<const double> value) {
   FrameView view;
   view.dim = snapshot.dim;
@@ -19,7 +19,7 @@ FrameView view_of(const Snapshot& snapshot, std::span<const double> value) {
   return view;
 }
 
-/// Refers to all arguments.
+/// The result refers to all arguments.
 FrameView with_texts(FrameView view, const Drawing& drawing, const Captions& captions) {
   const ColorMeaning colors = meaning(drawing);
   view.field = colors.name;
@@ -72,7 +72,7 @@ Frames::Frames(const Drawing& drawing, Origins origins, std::filesystem::path fo
       captions_(std::move(captions)),
       seconds_(seconds),
       renderers_(static_cast<std::size_t>(pictures_at_once(drawing_, threads))),
-      // including the caller
+      // with one thread, the caller draws
       work_(renderers_.size() > 1 ? static_cast<int>(renderers_.size()) : 0) {
   const render::Look& look = drawing_.look;
   if ((look.range || !look.categories.empty()) && look.view) begin_drawing(SequenceBounds());

@@ -23,21 +23,21 @@ namespace taut::cli {
 
 /// "frame_00012.png"
 std::string frame_name(int number);
-/// Also unfinished files.
+/// True also for unfinished files.
 bool is_frame(const std::filesystem::path& path);
 
 struct Captions {
   std::string title, method;
-  double until = 0;  // s; determines the unit of times
+  double until = 0;  // last time, s; determines the unit of all times
 };
 
-/// Sets open members for this snapshot.
+/// Sets the open members for this snapshot.
 Drawing fitted(const Drawing& drawing, const Snapshot& snapshot);
 /// The drawing must have no open members.
 render::Image draw_picture(const Drawing& drawing, const Captions& captions, const Snapshot& snapshot);
 
 /// Draws frames at once if range and view are known, else all at the end with a common range and view. Threads draw
-/// beside the caller; frames are written in order.
+/// beside the caller; the frames are written in order.
 class Frames {
  public:
   static constexpr double memory_of_pictures = 1e9;  // bytes, with OpenGL; limits the number of threads
@@ -47,11 +47,11 @@ class Frames {
          int threads, Seconds& seconds);
 
   void add(const Snapshot& snapshot);
-  /// All particles of the run, with values, without texts.
+  /// `particles` are all of the run, with values and without texts.
   void add(const FrameView& particles);
   /// Calls `go_on` before each frame. Returns false if stopped.
   bool draw_kept(const std::function<bool(int drawn)>& go_on);
-  /// Like `add`, throws the first error of a frame.
+  /// Throws the first error of a frame, like `add`.
   void finish();
 
   int kept() const { return static_cast<int>(kept_.size()); }
@@ -113,7 +113,7 @@ class Frames {
   int drawn_ = 0;                          // including frames being drawn
   std::atomic<int> written_ = 0;
   std::atomic<double> drawing_time_ = 0, writing_time_ = 0;  // s, not yet in `seconds_`
-  /// One per thread, made when needed.
+  /// One per thread, made when it draws.
   std::vector<std::optional<render::Renderer>> renderers_;
   OrderedWork work_;  // last, because its threads use the others
 };

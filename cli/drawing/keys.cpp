@@ -246,7 +246,7 @@ DrawingValue get_text(const Drawing& drawing) {
   return text.empty() ? std::string(nothing) : text;
 }
 
-/// nullopt for wrong numbers.
+/// Returns nullopt for wrong numbers.
 std::optional<Numbers> typed_numbers(const DrawingKey::Numbers& key, std::string_view text) {
   Numbers values;
   for (std::size_t k = 0; k < key.count; ++k) {
@@ -261,7 +261,7 @@ std::optional<Numbers> typed_numbers(const DrawingKey::Numbers& key, std::string
   return values;
 }
 
-/// nullopt for a wrong value. Throws UsageError for an unknown name.
+/// Returns nullopt for a wrong value. Throws UsageError for an unknown name.
 std::optional<DrawingValue> typed_value(const DrawingKey& key, const std::string& text) {
   if (text == automatic && key.placeholder.ends_with("|auto")) return left_open();
   if (key.of_text) return text;

@@ -39,7 +39,7 @@ struct DrawingKey {
   std::string_view name;         // "range" for --range
   std::string_view placeholder;  // ends in "|auto" if allowed
   std::string_view help;
-  std::string_view session_help = {};  // empty: none
+  std::string_view session_help = {};  // empty: no session command
   bool may_be_open = false;            // "auto" allowed in scene files
   bool of_runs = false;                // number of pictures, not style
   Words words = {};

@@ -11,7 +11,7 @@
 
 namespace taut::cli {
 
-/// Initial particles, in the order of creation.
+/// Initial particles of a run, in the order of creation.
 struct Origins {
   int dim = 2;
   std::vector<double> x0;        // n × dim, m
@@ -31,7 +31,7 @@ struct StagedParticles {
   int dim = 2;
   double time = 0;  // s
   std::vector<double> x{}, diameter{}, value{}, cell{};
-  Point origin{};                 // of the coordinates, m
+  Point origin{};                 // of the coordinates, in the scene, m
   std::vector<WallFace> walls{};  // relative to `origin`
 
   FrameView view() const;
@@ -47,11 +47,11 @@ class Staging {
   int dim() const { return origins_.dim; }
   std::size_t size() const { return shown_.size(); }
 
-  /// All particles of the run.
+  /// `particles` are all particles of the run.
   StagedParticles operator()(const FrameView& particles) const;
   /// Adds walls and, in style `cells`, replaces particles by visible cells.
   StagedParticles dressed(StagedParticles staged) const;
-  /// Adds values, and the positions of an open view.
+  /// Adds the values, and the positions that an open view must contain.
   void extend(SequenceBounds& bounds, const StagedParticles& staged) const;
 
  private:

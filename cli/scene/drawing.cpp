@@ -90,7 +90,7 @@ std::optional<Mismatch> mismatch(const Drawing& drawing, const Scene& scene) {
   return std::nullopt;
 }
 
-/// Smallest significant difference of a field, in its unit; stress in free flight is smaller.
+/// Smallest significant difference of a field, in its unit; noise, such as stress in free flight, is smaller.
 double round_off(const Field& field, const Scene& scene) {
   constexpr double strain = 1e-9, in_single_precision = 1e-6;
   double stiffest = 0;  // Pa
@@ -166,7 +166,7 @@ void suit(Drawing& drawing, const SceneFile& file) {
 
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing) {
   TomlCursor render = root.section("render", "[render]", keys_of("render"));
-  // words first
+  // words first, then numbers
   for (const bool words : {true, false})
     for (const DrawingKey& key : drawing_keys())
       if (key.takes_words() == words) read_key(render, key, drawing);

@@ -35,7 +35,7 @@ Solution compile_in_time(const std::string& text, const Names& names);
 std::function<double(const std::vector<double>&, double)> compile_of_values(
     const std::string& text, Names names, const std::vector<std::string>& values);
 
-/// Excludes functions; empty if `text` is invalid.
+/// Names without functions, known or not; empty if `text` is invalid.
 std::set<std::string> names_in(const std::string& text);
 
 /// sin, cos, sqrt, ...

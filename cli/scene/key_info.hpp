@@ -94,7 +94,7 @@ constexpr KeyType whole(double low, double high) {
 }
 constexpr KeyType flag() { return {.kind = KeyType::Kind::flag}; }
 constexpr KeyType text(std::string_view shown = "text") { return {.shown = shown}; }
-/// For TomlCursor::line.
+/// A text for TomlCursor::line.
 constexpr KeyType line(std::string_view pattern = "^[^\\u0000-\\u001f\\u007f]*$") {
   return {.shown = "text", .pattern = pattern, .longest = 200};
 }

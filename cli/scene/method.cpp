@@ -29,7 +29,7 @@ std::vector<std::string> names_of_contacts() {
   return names;
 }
 
-/// The setting, else the value in the file, else the first name.
+/// Returns the setting, else the value in the file, else the first name.
 std::string chosen(TomlCursor& root, const std::string& key, const std::vector<std::string>& names,
                    const std::optional<std::string>& change) {
   root.text(key, names.front());
@@ -78,7 +78,7 @@ void check_constants(TomlCursor& section, const MethodInfo& method, int dim) {
   }
 }
 
-/// The setting, else the value in the file, else the method's default in this dimension.
+/// Sets each constant to the setting, else the value in the file, else the method's default in this dimension.
 void read_constants(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, int dim,
                     const Changes& changes, Settings& settings) {
   TomlCursor section = root.section("method_constants", "[method_constants]", named_by_user);
@@ -115,8 +115,8 @@ std::string law_of_file(TomlCursor& root, const MethodInfo& of_file) {
   return law;
 }
 
-/// The setting, else the file's law, else the method's first. `remark` reports a law that the method does not
-/// support.
+/// Sets the law to the setting, else the file's law, else the method's first. `remark` reports a file's law that the
+/// method does not support.
 void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, const Changes& changes,
               Settings& settings, std::string& remark) {
   settings.law = law_of_file(root, of_file);

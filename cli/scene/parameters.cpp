@@ -37,7 +37,7 @@ bool within_bounds(const Parameter& parameter, double value) {
   return !(parameter.low && value < *parameter.low) && !(parameter.high && value > *parameter.high);
 }
 
-/// Values so far: `names` with, `defaults` without settings.
+/// `names` and `defaults` are the earlier parameters with and without settings.
 Parameter read_parameter(TomlCursor& entry, const std::string& name, const Changes& changes,
                          const Names& names, const Names& defaults) {
   Parameter parameter;

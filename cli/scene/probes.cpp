@@ -124,8 +124,7 @@ int wall_index(TomlCursor& cursor, const Scene& scene) {
   return static_cast<int>(wall);
 }
 
-/// The probe belongs to the bodies of the first probe used. Material constants are known if all bodies have one
-/// material.
+/// Takes the bodies of the first probe in the expression, and the material constants if all bodies have one material.
 void read_probes_in(TomlCursor& cursor, const Scene& scene, Probe& probe) {
   const TomlValue& value = cursor.need("value");
   const std::set<std::string> used = names_in(value.kind == TomlValue::Kind::text ? value.text : "0");

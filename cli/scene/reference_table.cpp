@@ -28,7 +28,7 @@ struct Rows {
   std::size_t next = 0;
   int line = 0;
 
-  /// Skips comments and a byte order mark; empty at the end.
+  /// Next row, without comments and byte order mark; nullopt at the end.
   std::optional<std::vector<std::string>> read() {
     if (constexpr std::string_view mark = "\xEF\xBB\xBF"; next == 0 && text.starts_with(mark))
       next = mark.size();
@@ -62,7 +62,7 @@ std::size_t column_of(const Rows& rows, const std::vector<std::string>& head, co
             "; its columns: " + join(head));
 }
 
-/// Scene folders are searched, too, so that the scene.toml of a run finds shipped files.
+/// Also searches the scene folders, so that the scene.toml of a run finds shipped files.
 std::filesystem::path find_file(const std::filesystem::path& folder, const std::string& file) {
   std::error_code error;
   if (std::filesystem::is_regular_file(folder / file, error))
@@ -73,7 +73,7 @@ std::filesystem::path find_file(const std::filesystem::path& folder, const std::
   return (folder / file).lexically_normal();
 }
 
-/// Removes the scene folder, so that runs do not depend on its location.
+/// Removes the scene folder from a path, so that runs do not depend on its location.
 std::string known_as(const std::filesystem::path& file) {
   std::error_code error;
   for (const std::filesystem::path& scenes : scene_folders()) {

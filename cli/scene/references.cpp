@@ -36,8 +36,8 @@ bool alike(double a, double b) {
 
 /// Which parts hold for the current parameters.
 struct Validity {
-  bool values = false;     // and tables: need `when` and defaults for other parameters
-  bool solutions = false;  // need `when` only
+  bool values = false;     // and tables: hold for the parameters in `when` and the defaults of the others
+  bool solutions = false;  // hold for the parameters in `when` and any others
 };
 
 Validity validity(TomlCursor& reference, const std::vector<Parameter>& parameters) {
@@ -121,7 +121,7 @@ std::vector<std::string> column_names(TomlCursor& entry, const Measure& measure)
   return names;
 }
 
-/// The line must have one time, and the table cover its length.
+/// The line must have one time, and the table must cover its length.
 void check_covers(TomlCursor& entry, const ReferenceTable& table, const SampleLine& line) {
   const TomlValue& file = entry.need("file");
   if (line.times.size() > 1)
@@ -206,12 +206,12 @@ void refuse_second_curve(TomlCursor& cursor, const TomlValue& value, const Refer
 struct Part {
   std::string law;
   bool of_method;
-  int of_parameters;  // 2: only these, 1: those of `when`, 0: any
+  int of_parameters;  // 2: for these values, 1: for those of `when`, 0: for any
   const TomlValue* from;
   Reference what;
 };
 
-/// Parts for the method come first, then parts for fewer parameter values.
+/// Parts for the method come first, then parts for more specific parameters.
 bool counts_before(const Part& a, const Part& b) {
   return std::pair(a.of_method, a.of_parameters) > std::pair(b.of_method, b.of_parameters);
 }

@@ -26,7 +26,7 @@ void collect_places(const TomlValue& value, const std::string& path,
   }
 }
 
-/// m, before it is fitted to the first body.
+/// Requested spacing, m, not yet fitted to the first body.
 double asked_spacing(TomlValue tree, const Changes& changes, TomlSource& source) {
   SceneFile file;
   TomlCursor root(tree, "", "the scene", keys_of("scene"), {}, source);
@@ -126,7 +126,7 @@ void read_jitter(TomlCursor& root, const Changes& changes, Jitter& jitter) {
       static_cast<int>(checked_number(root, "jitter_seed", jitter.seed, changes.jitter_seed, check_seed));
 }
 
-/// Ignores parameters with `default`: in a resolved scene, a setting may have replaced their use.
+/// Ignores parameters with `default`: in a resolved scene, a setting may have replaced the expression that used them.
 void refuse_unused_parameters(TomlCursor& root, const TomlValue& original, const TomlSource& source) {
   const TomlEntry* parameters = original.find("parameters");
   if (!parameters) return;
@@ -161,7 +161,7 @@ class SceneReading {
     return fitted_spacing(scene.bodies.front(), scene.dim, scene.spacing);
   }
 
-  /// Call once.
+  /// Must be called only once.
   SceneFile finish() {
     read_walls(root_, file_.scene);
     read_probes(root_, file_.scene);

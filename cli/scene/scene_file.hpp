@@ -39,7 +39,7 @@ struct SceneFile {
   Scene scene;
   Settings settings;
   Drawing drawing;
-  double spacing_asked = 0;       // m; the scene's spacing divides the first body
+  double spacing_asked = 0;       // m; the scene has the nearest spacing that divides the first body
   std::string remark;             // warning, one line or empty
   std::optional<double> history;  // interval of history.csv, s
   std::vector<Parameter> parameters;
@@ -50,19 +50,19 @@ struct SceneFile {
 
 /// The last setting of a name counts. Throws SceneError with file, line and column, UsageError for settings.
 SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings = {});
-/// A pipe can be read only once.
+/// Reads the stored text again, because a pipe can be read only once.
 SceneFile read_again(const SceneFile& scene, const std::vector<Setting>& settings = {});
-/// For --set and --grid.
+/// Names for --set and --grid.
 std::vector<std::string> names_to_set(const SceneFile& scene);
-/// Allowed words; empty if `name` takes numbers.
+/// Words that the setting `name` allows; empty if it takes numbers.
 std::vector<std::string> texts_to_set(std::string_view name);
-/// Sets what a drawing takes from the scene. Throws UsageError if it does not fit the scene.
+/// Sets what a drawing takes from the scene. Throws UsageError if the drawing does not fit the scene.
 void suit(Drawing& drawing, const SceneFile& scene);
-/// Adds the place to an error of the engine.
+/// Adds file, line and column to an error of the engine.
 SceneError locate(const SceneFile& scene, const SceneError& error);
-/// TOML with all defaults and the current history and drawing, to be read from `folder`.
+/// Writes TOML with all defaults and the current history and drawing, to be read from `folder`.
 std::string resolved_text(const SceneFile& scene, const std::filesystem::path& folder);
-/// Removes [render] except `frames`. Throws SceneError for invalid TOML.
+/// Removes [render] except `frames`, because a drawing can change after the run. Throws SceneError for invalid TOML.
 std::string undrawn(const std::string& scene);
 
 }  // namespace taut::cli

@@ -47,12 +47,12 @@ void read_probes(TomlCursor& root, Scene& scene);
 void read_lines(TomlCursor& root, Scene& scene);
 void read_measures(TomlCursor& root, Scene& scene);
 void read_references(TomlCursor& root, SceneFile& file);
-/// Makes file paths relative to `folder`.
+/// Makes absolute paths of files relative to `folder`.
 void see_files_from(const std::filesystem::path& folder, TomlValue& scene);
 /// Finds the file of the key `file` in `folder` or a scene folder and writes its path back. `what` is for messages.
 std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path& folder,
                                  std::string_view what);
-/// Needs the bodies.
+/// Needs the scene's bodies.
 void read_drawing(TomlCursor& root, const Scene& scene, Drawing& drawing);
 TomlValue drawing_table(const Drawing& drawing);
 
@@ -67,7 +67,7 @@ struct ColumnTable {
 };
 ColumnTable read_columns(const std::filesystem::path& path, const std::vector<std::string>& needed,
                          const std::vector<std::string>& optional);
-/// At most `most_bytes`.
+/// Content of a file of at most `most_bytes`.
 std::string file_text(const std::filesystem::path& path, std::size_t most_bytes = 4 << 20);
 
 inline const std::vector<std::string> axis_names = {"x", "y", "z"};
@@ -96,21 +96,21 @@ struct ShapeKind {
 };
 std::span<const ShapeKind> shape_kinds();
 
-/// One table or an array of tables.
+/// Reads one table or an array of tables.
 std::vector<Shape> read_shapes(TomlCursor& body, std::string_view key, const ShapeSetting& setting);
-/// The key `rotate`: degrees (2D only) or { angle, about, axis }, by default about `middle`.
+/// Reads the key `rotate`: degrees (2D only) or { angle, about, axis }, by default about `middle`.
 std::optional<Rotation> read_rotation(TomlCursor& cursor, int dim, const Point& middle);
 
 void check_name_length(const TomlCursor& table, FilePlace place, std::string_view key,
                        const std::string& name);
-/// The key must be an identifier and not reserved.
+/// Throws for a key that is reserved or no identifier.
 void check_new_name(const TomlCursor& table, const TomlEntry& entry, std::string_view kind);
-/// The key `name`: letters, digits, '_' and '-', none of `taken`.
+/// Reads the key `name`: letters, digits, '_' and '-', none of `taken`.
 std::string label(TomlCursor& entry, const std::vector<std::string>& taken);
-/// Adds c0, E, nu, rho, K, G.
+/// Adds c0, E, nu, rho, K and G of the material.
 void add_names(Names& names, const Material& material);
 
-/// Unit vector; by default, and always in 2D, z.
+/// Unit vector of the key `axis`; z by default and always in 2D.
 Point turning_axis(TomlCursor& cursor, const Scene& scene);
 
 struct ProbeKind {
@@ -125,7 +125,7 @@ std::span<const ProbeKind> probe_kinds();
 /// Empty for expressions. Forces in 2D are per metre of depth.
 std::string_view unit_of(const Probe& probe, int dim);
 
-/// Beside `name`, `of` and `unit`.
+/// Keys beside `name`, `of` and `unit`.
 std::vector<KeyInfo> keys_of_measure(const MeasureKind& kind);
 
 struct ContactChoice {
@@ -136,7 +136,7 @@ std::span<const ContactChoice> contact_choices();
 
 /// Law of methods without out-of-plane stress, which scenes cannot choose.
 inline constexpr std::string_view in_plane_law = "2d_deviator";
-/// neo_hookean → neo-hookean.
+/// Converts neo_hookean to neo-hookean.
 std::string law_name(std::string_view material_law);
 
 int body_index(TomlCursor& cursor, const TomlValue& value, std::string_view key, const Scene& scene);
@@ -159,7 +159,7 @@ std::vector<std::string> names_of(const Items& items) {
   return names;
 }
 
-/// Number of items if none is called `name`.
+/// Returns the number of items if none is called `name`.
 template <class Items>
 std::size_t index_of(const Items& items, std::string_view name) {
   std::size_t i = 0;

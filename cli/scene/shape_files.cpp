@@ -42,7 +42,7 @@ void read_where(TomlCursor& shape, Frame& frame) {
     frame.low = shape.point("low", 2);
 }
 
-/// Relative to the centre, if given.
+/// The points are relative to the centre, if given.
 Shape polygon_of(TomlCursor& shape, const Mask& mask, double threshold, const Frame& frame) {
   constexpr std::size_t most_points = 1000000;
   std::vector<Chain> contours = faces_of(mask, threshold);
@@ -65,7 +65,7 @@ Shape polygon_of(TomlCursor& shape, const Mask& mask, double threshold, const Fr
   return Polygon(std::move(contours), frame.centre);
 }
 
-/// Reports a UsageError at the key `file`.
+/// Reports a UsageError of `read` at the key `file`.
 template <class Read>
 auto with_place(TomlCursor& shape, const Read& read) {
   try {
@@ -78,7 +78,7 @@ auto with_place(TomlCursor& shape, const Read& read) {
 struct GivenSites {
   std::vector<Point> places;    // m
   std::vector<double> volumes;  // m², m³
-  bool weighed = true;          // else all volumes are dp^dim
+  bool weighed = true;          // false: all volumes are dp^dim
 };
 
 GivenSites tabled_sites(const std::filesystem::path& file, const ShapeSetting& setting) {
@@ -124,7 +124,7 @@ GivenSites saved_sites(const std::filesystem::path& path, std::optional<int> wan
   return given;
 }
 
-/// Limits the box of the face search and the coordinates of cell numbers.
+/// Limits the box of the face search, and coordinates, which must fit into cell numbers.
 void refuse_far(const GivenSites& given, const std::filesystem::path& file, const ShapeSetting& setting) {
   constexpr double most_sides = 1e6, farthest = 1e9, most_times = 1e6;  // in dp; in dp^dim
   const double cell = std::pow(setting.dp, setting.dim);
@@ -177,7 +177,7 @@ void refuse_twins(const std::vector<Point>& places, const std::filesystem::path&
                       places[order[k]][0], places[order[k]][1], places[order[k]][2]));
 }
 
-/// Median distance to the nearest neighbour, m, of about 1000 particles.
+/// Median distance to the nearest neighbour, m, in a sample of about 1000 particles.
 double usual_distance(std::vector<Point> places) {
   constexpr std::size_t asked = 1000;
   std::size_t longest = 0;  // axis of largest extent, for a fast search
@@ -207,7 +207,8 @@ double usual_distance(std::vector<Point> places) {
   return *middle;
 }
 
-/// Each particle gets the volume of a cell. Distances are 1 to 1.12 dp in lattices, down to 0.75 in disorder.
+/// Without volumes, each particle gets a cell's volume. Distances are 1 to 1.12 dp in lattices, down to 0.75 dp in
+/// disorder.
 void refuse_other_mass(double apart, const std::filesystem::path& file, const ShapeSetting& setting) {
   if (std::isfinite(apart) && (apart < 0.7 * setting.dp || apart > 1.3 * setting.dp))
     throw SceneError(file.string(), 0, 0, "",

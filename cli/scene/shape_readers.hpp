@@ -16,9 +16,9 @@ Shape read_particles(TomlCursor& shape, const ShapeSetting& setting);
 Shape read_svg(TomlCursor& shape, const ShapeSetting& setting);
 Shape read_mask_file(TomlCursor& shape, const ShapeSetting& setting);
 
-/// Components must be greater than 0.
+/// Throws SceneError unless all components are greater than 0.
 Point positive_point(TomlCursor& shape, std::string_view key, int dim);
-/// low < high along every axis.
+/// Throws SceneError unless low < high along every axis.
 Box read_low_and_high(TomlCursor& shape, int dim);
 
 }  // namespace taut::cli

@@ -17,7 +17,7 @@ Shape read_box(TomlCursor& shape, const ShapeSetting& setting) {
   return read_low_and_high(shape, setting.dim);
 }
 
-/// A hexagonal lattice allows only "lattice".
+/// A body with a hexagonal lattice allows only the layout "lattice".
 RoundLayout read_layout(TomlCursor& shape, std::vector<RoundLayout> allowed, RoundLayout otherwise,
                         Layers layers) {
   if (layers == Layers::of_lattice) allowed = {RoundLayout::lattice}, otherwise = RoundLayout::lattice;
@@ -28,7 +28,7 @@ RoundLayout read_layout(TomlCursor& shape, std::vector<RoundLayout> allowed, Rou
   return allowed[static_cast<std::size_t>(std::ranges::find(names, chosen) - names.begin())];
 }
 
-/// Aligned layers need a large hole.
+/// Throws SceneError if the hole is too small for aligned layers.
 RoundLayout read_layout_of_hollow(TomlCursor& shape, const std::vector<RoundLayout>& allowed,
                                   RoundLayout otherwise, bool can_be_aligned, Layers layers) {
   const RoundLayout layout = read_layout(shape, allowed, otherwise, layers);
@@ -65,7 +65,7 @@ Shape read_disc(TomlCursor& shape, const ShapeSetting& setting) {
   return disc;
 }
 
-/// Hollow with the key `inner`.
+/// The key `inner` makes the cylinder hollow.
 Shape read_cylinder(TomlCursor& shape, const ShapeSetting& setting) {
   Cylinder cylinder{shape.point("from", setting.dim), shape.point("to", setting.dim),
                     shape.positive("radius")};

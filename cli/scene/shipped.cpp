@@ -38,7 +38,7 @@ std::vector<fs::path> folders_of_user() {
   return folders;
 }
 
-/// A build has `scenes` beside the program. Without /proc its location is unknown.
+/// A build has `scenes` beside the program. Without /proc, the program's location is unknown.
 std::vector<fs::path> places_of_shipped() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
@@ -90,7 +90,7 @@ std::vector<std::string> scene_names() {
 }
 
 fs::path find_scene(const std::string& scene) {
-  // a run folder often has the name of its scene
+  // run folders often have the name of their scene, so a scene precedes a folder
   std::error_code error;
   const bool exists = fs::exists(scene, error);
   if (exists && !fs::is_directory(scene, error)) return scene;

@@ -6,17 +6,17 @@
 
 namespace taut::cli {
 
-/// In search order: TAUT_SCENES (separated by ':'), then `scenes` beside the program or the installed
+/// Scene folders in search order: TAUT_SCENES (separated by ':'), then `scenes` beside the program or the installed
 /// share/taut/scenes. Throws UsageError for a missing folder of TAUT_SCENES.
 std::vector<std::filesystem::path> scene_folders();
-/// Sorted; gallery/ last as "gallery/NAME". Throws UsageError without scene folders.
+/// Sorted names, those of gallery/ last as "gallery/NAME". Throws UsageError without scene folders.
 std::vector<std::string> scene_names();
-/// A path or a name. Throws UsageError with the nearest names.
+/// `scene` is a path or a name. Throws UsageError with the nearest names.
 std::filesystem::path find_scene(const std::string& scene);
 
 /// Sorted names of files in studies/.
 std::vector<std::string> study_names();
-/// A path or a name. Throws UsageError with the nearest names.
+/// `sweep` is a path or a name. Throws UsageError with the nearest names.
 std::filesystem::path find_sweep(const std::string& sweep);
 
 }  // namespace taut::cli

@@ -14,15 +14,15 @@
 
 namespace taut::cli {
 
-/// Shared by the cursors of a file.
+/// Data shared by the cursors of a file.
 struct TomlSource {
   std::string file;
   int dim = 3;                 // of the scene
-  std::set<std::string> used;  // in expressions read so far
+  std::set<std::string> used;  // names in expressions read so far
 };
 
-/// Typed access to a table of a scene file. Writes defaults into the table. Throws SceneError with the place of a
-/// wrong value, std::logic_error for a key that is not in `keys`.
+/// Typed access to a table of a scene file, which writes defaults into the table. Throws SceneError with the place of
+/// a wrong value, std::logic_error for a key that is not in `keys`.
 class TomlCursor {
  public:
   /// `path` is dotted ("body.left"), `what` is for messages ("body 'left'").
@@ -40,7 +40,7 @@ class TomlCursor {
 
   /// Returns nullptr if missing.
   TomlValue* find(std::string_view key);
-  /// Must exist.
+  /// Throws SceneError if missing.
   TomlValue& need(std::string_view key);
 
   std::string text(std::string_view key);
@@ -53,7 +53,7 @@ class TomlCursor {
   double number(std::string_view key, double otherwise);
   double positive(std::string_view key);
   int whole(std::string_view key, int otherwise, int low, int high);
-  /// False if missing; this default is not written.
+  /// Returns false if missing, without writing this default.
   bool flag(std::string_view key);
   std::vector<double> numbers(std::string_view key, std::size_t size);
   Point point(std::string_view key, int dim);
@@ -66,20 +66,20 @@ class TomlCursor {
   std::function<double(double)> function_of_time(const TomlValue& value, std::string_view key);
   /// Function of position and time; never empty.
   Solution solution(const TomlValue& value, std::string_view key);
-  /// Function of probes and time t, s. Probes whose names are no identifiers cannot be used.
+  /// Function of probes and time t, s. The expression cannot use probes whose names are no identifiers.
   std::function<double(const std::vector<double>&, double)> function_of_probes(
       const TomlValue& value, std::string_view key, const std::vector<std::string>& probes);
   std::string text_of(const TomlValue& value, std::string_view key);
 
   TomlCursor enter(TomlValue& value, std::string_view key, std::string what, std::span<const KeyInfo> keys);
-  /// Adds a missing table.
+  /// Adds the table if it is missing.
   TomlCursor section(std::string_view key, std::string what, std::span<const KeyInfo> keys);
-  /// Empty if missing.
+  /// Empty if the key is missing.
   std::span<TomlValue> list(std::string_view key);
 
   [[noreturn]] void fail(FilePlace place, std::string_view key, const std::string& message) const;
   [[noreturn]] void fail(const TomlValue& value, std::string_view key, const std::string& message) const;
-  /// Reports the name `given`.
+  /// Throws for the unknown name `given`.
   [[noreturn]] void fail_unknown(const TomlValue& value, std::string_view key, std::string_view kind,
                                  std::string_view given, const std::vector<std::string>& known) const;
   /// Marks names as used.
@@ -92,7 +92,7 @@ class TomlCursor {
  private:
   [[noreturn]] void fail_expression(const TomlValue& value, std::string_view key,
                                     const ExpressionError& error) const;
-  /// Checks for finite values; `show` prints the arguments.
+  /// Checks that values are finite; `show` prints the arguments.
   template <class... Arguments, class Compile, class Show>
   std::function<double(Arguments...)> function(const TomlValue& value, std::string_view key,
                                                const Compile& compile, const Show& show);
@@ -107,7 +107,7 @@ class TomlCursor {
   std::vector<std::string> keys_;
 };
 
-/// Letters, digits and '_', no digit first.
+/// True for letters, digits and '_', no digit first.
 bool is_identifier(std::string_view name);
 
 }  // namespace taut::cli

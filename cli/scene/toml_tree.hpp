@@ -7,7 +7,7 @@
 
 namespace taut::cli {
 
-/// 1-based; 0 = unknown.
+/// Place in a file, 1-based; 0 = unknown.
 struct FilePlace {
   int line = 0, column = 0;
 };
@@ -48,7 +48,7 @@ struct TomlEntry {
   bool known = false;  // has been read
 };
 
-/// Throws SceneError with the place.
+/// Throws SceneError with the place of the error.
 TomlValue parse_toml(std::string_view text, const std::string& file);
 
 /// Numbers read back exactly; printing again gives the same text.

@@ -72,8 +72,8 @@ bool still_named(int descriptor, const std::string& path) {
          own.st_ino == named.st_ino;
 }
 
-/// Creates and locks a file. Removes an abandoned file or link, waits for another writer. Returns −1 with errno on
-/// failure.
+/// Creates and locks a file. Removes an abandoned file or link, and waits for another writer. Returns −1 with errno
+/// on failure.
 int open_new(const std::string& path) {
   constexpr int most = 1000;  // attempts
   for (int k = 0; k < most; ++k) {
@@ -81,12 +81,12 @@ int open_new(const std::string& path) {
     if (descriptor < 0 && errno != EEXIST) return descriptor;
     if (descriptor >= 0) {
       wait_for_lock(descriptor);
-      if (still_named(descriptor, path)) return descriptor;  // not removed as abandoned
+      if (still_named(descriptor, path)) return descriptor;  // no other process has removed it as abandoned
       ::close(descriptor);
       continue;
     }
     const int other = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    if (other < 0 && errno == ENOENT) continue;  // renamed meanwhile
+    if (other < 0 && errno == ENOENT) continue;  // the other writer has renamed it
     if (other >= 0) wait_for_lock(other);
     const bool left_behind = other < 0 || still_named(other, path);
     if (left_behind && ::unlink(path.c_str()) != 0 && errno != ENOENT) {
@@ -101,7 +101,7 @@ int open_new(const std::string& path) {
   return -1;
 }
 
-/// A temporary folder beside `folder`.
+/// A temporary folder beside `folder`, removed by the destructor.
 class Beside {
  public:
   Beside(const fs::path& folder, const char* what)
@@ -125,7 +125,7 @@ int rename_folder(const fs::path& from, const fs::path& to) {
   return std::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
-/// Without exchange in the file system, `folder` is missing for a moment.
+/// Returns 0 or an errno. If the file system cannot exchange folders, `folder` is missing for a moment.
 int put_in_place(const fs::path& fresh, const fs::path& folder) {
   if (!fs::exists(folder)) return rename_folder(fresh, folder);
   if (::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) return 0;
@@ -145,7 +145,7 @@ void write_atomically(const fs::path& path, std::string_view text, Kept kept) {
   if (descriptor < 0) fail(path, errno);
   int error = write_all(descriptor, text);
   if (error == 0 && kept == Kept::on_disk) error = sync(descriptor);
-  // reports late errors; the lock stays
+  // closing a copy reports late errors and keeps the lock
   if (const int other = ::dup(descriptor); other >= 0 && ::close(other) != 0 && error == 0) error = errno;
   if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
   if (error != 0) ::unlink(temporary.c_str());
@@ -172,7 +172,7 @@ std::vector<fs::path> make_folders(const fs::path& folder) {
   std::error_code error;
   fs::path inner = folder.has_filename() ? folder : folder.parent_path();  // "a/b/" is "a/b"
   for (; !inner.empty() && !fs::exists(inner, error); inner = inner.parent_path()) made.push_back(inner);
-  // another process may remove an empty folder
+  // retry, because another process may remove an empty folder
   constexpr int most = 100;
   for (int k = 0; k < most; ++k)
     if (fs::create_directories(folder, error);
@@ -222,7 +222,7 @@ AppendFile::~AppendFile() { ::close(descriptor_); }
 void AppendFile::append(std::string_view line) {
   const std::string text = std::string(line) + '\n';
   if (const int error = write_all(descriptor_, text)) {
-    // removes the incomplete line
+    // the incomplete line is removed
     if (::ftruncate(descriptor_, length_) != 0) fail(path_, error);
     fail(path_, error);
   }

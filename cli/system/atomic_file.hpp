@@ -13,11 +13,11 @@ namespace taut::cli {
 /// complete.
 enum class Kept { from_crashes, on_disk };
 
-/// Renames a complete temporary file, so other processes see the old or the new file. Throws OutputError.
+/// Writes a temporary file and renames it, so other processes see the old or the new file. Throws OutputError.
 void write_atomically(const std::filesystem::path& path, std::string_view text,
                       Kept kept = Kept::from_crashes);
 
-/// Locks a file that another program writes. Throws OutputError.
+/// Locks a file that another program writes, so that other writers wait. Throws OutputError.
 class WriteTurn {
  public:
   explicit WriteTurn(const std::filesystem::path& path);
@@ -30,10 +30,10 @@ class WriteTurn {
   int descriptor_;
 };
 
-/// Accepts a missing path. Throws OutputError.
+/// Waits for the disk; accepts a missing path. Throws OutputError.
 void put_on_disk(const std::filesystem::path& path);
 
-/// Returns the new folders, innermost first; they are on disk. Throws OutputError.
+/// Returns the new folders, innermost first, after they are on disk. Throws OutputError.
 std::vector<std::filesystem::path> make_folders(const std::filesystem::path& folder);
 
 /// Throws OutputError.
@@ -42,7 +42,7 @@ void make_folder_of(const std::filesystem::path& file);
 /// Returns nullopt for unreadable files, folders and devices.
 std::optional<std::string> read_whole(const std::filesystem::path& path);
 
-/// A file that grows by whole lines, even if the program crashes or the disk is full.
+/// A file that grows by whole lines: crashes and full disks leave no partial line.
 class AppendFile {
  public:
   enum class Start { empty, as_it_is };
@@ -53,11 +53,11 @@ class AppendFile {
 
   /// Adds a line end. Throws OutputError.
   void append(std::string_view line);
-  /// Bytes of complete lines.
+  /// Size of the complete lines, bytes.
   std::int64_t length() const { return length_; }
   /// Throws UsageError if the file is shorter.
   void check_holds(std::int64_t length) const;
-  /// Throws UsageError if the file is shorter.
+  /// Keeps the first `length` bytes. Throws UsageError if the file is shorter.
   void cut(std::int64_t length);
   void put_on_disk() const;
 

@@ -31,7 +31,7 @@ sigset_t interrupting_signals() {
   return set;
 }
 
-/// Locks held by other threads would stay locked in the child.
+/// A child would never get locks that other threads hold.
 void check_no_threads() {
   std::error_code no_proc;
   const std::filesystem::directory_iterator threads("/proc/self/task", no_proc);
@@ -59,7 +59,7 @@ ChildProcess::ChildProcess(const std::function<int()>& work) {
   check_no_threads();
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(errno);
-  std::cout.flush();  // else printed twice
+  std::cout.flush();  // else the child would print it again
   std::cerr.flush();
   const sigset_t blocked = interrupting_signals();
   sigset_t before;

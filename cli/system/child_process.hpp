@@ -7,10 +7,10 @@
 namespace taut::cli {
 
 /// Runs a function in a forked process, so that a crash there only gives an exit code. The parent must have one
-/// thread. The child dies with its parent. It ignores Ctrl-C and SIGHUP; the parent must call `ask_to_stop`, once.
+/// thread. The child dies with its parent, but ignores Ctrl-C and SIGHUP; the parent must call `ask_to_stop`, once.
 class ChildProcess {
  public:
-  /// `work` returns the exit code. Throws UsageError if no process can be started.
+  /// `work` returns the exit code; its output is kept. Throws UsageError if no process can be started.
   explicit ChildProcess(const std::function<int()>& work);
   ~ChildProcess();  // kills a running child
   ChildProcess(const ChildProcess&) = delete;
@@ -18,14 +18,14 @@ class ChildProcess {
 
   /// Readable on output or end of the child.
   int descriptor() const { return output_; }
-  /// Needs a readable `descriptor`. Returns false at the end.
+  /// Call if `descriptor` is readable. Returns false after the end of the child.
   bool read_output();
   /// Sends SIGTERM.
   void ask_to_stop() const;
 
   struct End {
     int code = 0;
-    int signal = 0;  // 0 if none killed it
+    int signal = 0;  // that killed the child, or 0
     std::string output;
   };
   End wait();

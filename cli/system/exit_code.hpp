@@ -17,17 +17,17 @@ enum ExitCode : int {
   exit_bug = 70,  // EX_SOFTWARE of sysexits.h
 };
 
-/// As in shells.
+/// Exit code after a signal, as in shells.
 constexpr int exit_by_signal(int signal) { return 128 + signal; }
 
 struct Failure {
   std::string message;
   int code;
 };
-/// Of the exception being handled.
+/// Describes the exception being handled.
 Failure current_failure();
 
-/// Prints an exception to `err` and returns its exit code.
+/// Returns the exit code of `action`. Prints an exception to `err` and returns its code.
 int guarded(const std::function<int()>& action, std::ostream& err);
 
 }  // namespace taut::cli

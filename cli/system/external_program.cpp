@@ -22,7 +22,7 @@ namespace taut::cli {
 namespace {
 
 constexpr std::size_t most_errors = 4096;  // bytes kept of stderr
-constexpr int patience = 100;              // ms between checks
+constexpr int patience = 100;              // ms between checks for interrupts
 
 class Pipe {
  public:
@@ -63,7 +63,7 @@ int spawn(const std::vector<std::string>& arguments, const fs::path& folder, int
   return error;
 }
 
-/// An interrupt stops the program.
+/// Reads stderr to its end. An interrupt stops the program.
 void follow(pid_t process, int errors, const Interrupts& interrupts, ProcessResult& result) {
   std::array<char, 1024> buffer{};
   while (true) {

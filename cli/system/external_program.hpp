@@ -28,8 +28,8 @@ struct Maker {
 /// "a/movie.mp4" → "a/movie.part.mp4": programs take the format from the extension.
 std::filesystem::path unfinished(const std::filesystem::path& file);
 
-/// `maker` writes unfinished(file), which is renamed at the end. Returns exit_fine or the code of an interrupt.
-/// Throws OutputError without a file if the program is missing or fails.
+/// Runs `maker`, which writes unfinished(file), and renames this file. Returns exit_fine or the code of an interrupt.
+/// Throws OutputError if the program is missing or fails.
 int make_file(const Maker& maker, const std::vector<std::string>& arguments,
               const std::filesystem::path& folder, const std::filesystem::path& file);
 

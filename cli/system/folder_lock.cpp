@@ -26,7 +26,7 @@ namespace {
 struct Kind {
   const char* file;
   short lock;  // F_WRLCK or F_RDLCK
-  bool stays;  // after unlocking
+  bool stays;  // the file remains after unlocking
 };
 constexpr std::array kinds = {Kind{run_lock_name, F_WRLCK, false},  // in the order of FolderLock::Of
                               Kind{"sweep.lock", F_WRLCK, true}, Kind{"sweep.lock", F_RDLCK, true}};
@@ -48,11 +48,11 @@ bool knows_no_locks(int error) {
   return std::ranges::find(all, error) != all.end();
 }
 
-/// One line of the file per member.
+/// Lock holder; the file has one line per member.
 struct Holder {
   std::string command, process, host, since;
 
-  /// True if the process ended on this machine; then only a dying child holds the lock.
+  /// True if the process ended on this machine: only a dying child still holds the lock.
   bool has_ended() const {
     pid_t id = 0;
     std::from_chars(process.data(), process.data() + process.size(), id);
@@ -60,7 +60,7 @@ struct Holder {
   }
 };
 
-/// Removes control characters.
+/// Removes control characters, which terminals obey.
 std::string printable(std::string text) {
   std::erase_if(text, [](char c) { return c < ' ' || c == 127; });
   return text;
@@ -114,7 +114,7 @@ FolderLock::~FolderLock() {
     if (!fs::remove(folder, filled)) break;
 }
 
-/// Children of a killed program need a moment to end.
+/// Waits, because children of a killed program need a moment to end.
 int FolderLock::acquire() {
   using namespace std::chrono_literals;
   for (auto waited = 0ms;; waited += 20ms) {
@@ -130,11 +130,11 @@ int FolderLock::try_once() {
     open();
     const int error = lock(descriptor_, kind(of_).lock);
     if (error != 0 || is_still_there()) return error;
-    ::close(descriptor_);  // the former holder removed the file
+    ::close(descriptor_);  // the former holder removed the file; others lock a new one
   }
 }
 
-/// No links or pipes: the folder may belong to another user.
+/// Refuses links and pipes: the folder may belong to another user.
 void FolderLock::open() {
   const auto fail = [this](const std::string& reason) { throw OutputError(file_.string(), reason); };
   constexpr int how = O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
@@ -144,7 +144,7 @@ void FolderLock::open() {
     const std::vector<fs::path> made = make_folders(file_.parent_path());
     made_.insert(made_.begin(), made.begin(), made.end());
     descriptor_ = ::open(file_.c_str(), how, 0666);
-    if (descriptor_ < 0 && errno != ENOENT) break;  // the folder may be gone
+    if (descriptor_ < 0 && errno != ENOENT) break;  // the former holder may have removed the folder
   }
   if (descriptor_ < 0) fail(std::string("cannot be opened: ") + std::strerror(errno));
   struct stat found {};
@@ -153,7 +153,7 @@ void FolderLock::open() {
   fail("is not a lock file of taut");
 }
 
-/// The path still names the locked file.
+/// Returns whether the path still names the locked file.
 bool FolderLock::is_still_there() const {
   struct stat ours {
   }, there{};

@@ -15,12 +15,13 @@ class FolderLock {
   enum class Of {
     run,            // excludes all others; the file is removed
     sweep,          // excludes all others; the file stays
-    part_of_sweep,  // excludes whole-sweep writers only
+    part_of_sweep,  // excludes writers of the whole sweep only
   };
 
-  /// Creates a missing folder. Throws UsageError if it is locked, OutputError if it cannot be written to.
+  /// Creates a missing folder; `command` is for other processes. Throws UsageError if another process holds the lock,
+  /// OutputError if the folder cannot be written to.
   FolderLock(const std::filesystem::path& folder, Of of, std::string_view command, std::ostream& err);
-  /// Removes empty folders that it created.
+  /// Removes the folders that it created, if empty.
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;

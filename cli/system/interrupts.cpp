@@ -7,14 +7,14 @@
 namespace taut::cli {
 namespace {
 
-// state of the signal handler
+// the only state that the signal handler uses
 std::atomic<int> last_signal = 0;
 std::atomic<bool> at_once = false;
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
 extern "C" void on_signal(int number) {
   if (at_once.load()) {
-    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, "\n", 1);  // after a bar
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, "\n", 1);  // ends the progress line
     ::_exit(exit_by_signal(number));
   }
   if (last_signal.load() == 0)

@@ -5,8 +5,8 @@
 
 namespace taut::cli {
 
-/// During its lifetime, the first Ctrl-C, SIGTERM or SIGHUP only sets a flag, so that a run can stop after its step.
-/// A second one ends the program, except SIGHUP, which shells send twice. SIGPIPE is ignored.
+/// While an object exists, the first Ctrl-C, SIGTERM or SIGHUP only sets a flag, so that a run can stop after its
+/// step. A second one ends the program, except SIGHUP, which shells send twice. SIGPIPE is ignored.
 class Interrupts {
  public:
   Interrupts();
@@ -14,7 +14,8 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
 
-  /// During its lifetime, the first signal, or an earlier one, ends the program: for long work that checks no flag.
+  /// While an object exists, the first signal, or an earlier one, ends the program: for long work that checks no
+  /// flag.
   class AtOnce {
    public:
     AtOnce();
@@ -23,13 +24,13 @@ class Interrupts {
     AtOnce& operator=(const AtOnce&) = delete;
   };
 
-  /// Stays set until the next object, so that no signal is missed.
+  /// Keeps its value until the next object, so that no signal is missed.
   static bool asked() { return flag() != 0; }
-  /// SIGTERM or SIGHUP.
+  /// By SIGTERM or SIGHUP: the program must end, not only the command.
   static bool asked_to_end();
   /// 128 + signal.
   static int exit_code();
-  /// The signal, or 0.
+  /// The signal, or 0; long work can check it.
   static const std::atomic<int>& flag();
 
  private:

@@ -26,7 +26,7 @@ class OrderedWork {
   OrderedWork(const OrderedWork&) = delete;
   OrderedWork& operator=(const OrderedWork&) = delete;
 
-  /// Unfinished pieces at which `add` waits.
+  /// Number of unfinished pieces at which `add` waits.
   int room() const { return 3 * static_cast<int>(workers_.size()); }
   /// Throws the first error of a piece.
   void add(Piece piece);
@@ -41,8 +41,8 @@ class OrderedWork {
   std::mutex mutex_;  // for all members below
   std::condition_variable changed_;
   std::deque<Piece> waiting_;
-  std::map<long, SecondHalf> seconds_;     // by piece
-  long added_ = 0, begun_ = 0, done_ = 0;  // pieces
+  std::map<long, SecondHalf> seconds_;     // by number of the piece
+  long added_ = 0, begun_ = 0, done_ = 0;  // numbers of pieces
   bool is_closing_ = false;
   std::exception_ptr failure_;
   std::vector<std::thread> workers_;

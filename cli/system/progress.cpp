@@ -12,7 +12,7 @@ namespace taut::cli {
 namespace {
 
 constexpr double bar_interval = 0.1;     // s between redraws
-constexpr double sure_after = 1.0;       // s before an estimate
+constexpr double sure_after = 1.0;       // s before the length is estimated
 constexpr double long_work = 12 * 3600;  // s
 constexpr double line_interval = 10.0;   // minimum s between lines, except at quarters
 
@@ -33,7 +33,7 @@ std::string time_left(double share, double before, double elapsed) {
 }
 
 std::string long_time_left(double done, double left, double elapsed) {
-  // the first run of a sweep may be the slowest
+  // the first run of a sweep may take longer than others
   if (!(done > 0) || elapsed < sure_after) return "";
   const double seconds = elapsed * left / done;
   if (seconds < long_work) return "";
@@ -93,7 +93,7 @@ void Progress::show(double share, const std::string& detail) {
     draw_bar(share, detail);
     since_shown_ = {};
   }
-  // ever rarer, for short logs
+  // lines become rarer, so that long runs have short logs
   const bool overdue = silence >= std::max(line_interval, 0.1 * since_begin_.seconds());
   const int quarters = std::min(static_cast<int>(4 * share), 3);
   if (style_ == Style::lines && (quarters > quarters_ || overdue)) {

@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// A bar on a terminal, lines in a log file, or nothing.
+/// Progress on stderr: a bar on a terminal, lines in a log file, or nothing.
 class Progress {
  public:
   enum class Style { none, lines, bar };
@@ -20,11 +20,11 @@ class Progress {
 
   /// Shows `what` before the work begins, on a terminal.
   void prepare(const std::string& what);
-  /// `done_before` is the share of an earlier run.
+  /// `done_before` is the share done by an earlier run.
   void begin(const std::string& what, double done_before = 0);
-  /// `share` is 0 to 1; any rate of calls. Warns after a second if the work takes half a day, in every style.
+  /// `share` is 0 to 1. Warns after a second, in every style, if the work takes half a day. Frequent calls are cheap.
   void show(double share, const std::string& detail);
-  /// Needed before other output.
+  /// Removes the bar before other output.
   void clear();
   void end(const std::string& detail);
 
@@ -38,7 +38,7 @@ class Progress {
   Style style_;
   std::string what_;
   Stopwatch since_begin_, since_shown_;
-  int quarters_ = 0;  // printed quarters
+  int quarters_ = 0;  // quarters with a printed line
   bool bar_shown_ = false;
   bool warned_ = false;
   double done_before_ = 0;

@@ -31,12 +31,12 @@ consteval int format_of(std::string_view file) {
   throw "no such kind of file";
 }
 
-/// The first line has name, version and commit.
+/// Text of --version; the first line has name, version and commit.
 std::string version_text();
 
 std::string host_name();
 
-/// The build, and the process since construction.
+/// Origin of a record: the build, and the process since construction.
 class Provenance {
  public:
   Json to_json() const;

@@ -14,7 +14,7 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-/// Sum over threads.
+/// CPU time of all threads.
 class CpuStopwatch {
  public:
   double seconds() const { return now() - start_; }
@@ -41,7 +41,7 @@ class Timed {
   Stopwatch watch_;
 };
 
-/// Wall clock, s. `render` and `write` are sums over threads; `write` includes history rows and verdicts.
+/// Wall clock of a run, s. `render` and `write` are sums over threads; `write` includes history rows and verdicts.
 struct Seconds {
   double setup = 0, solve = 0, render = 0, write = 0;
 };

@@ -6,10 +6,10 @@
 
 namespace taut::cli {
 
-/// nullopt without a terminal.
+/// Returns nullopt if there is no terminal.
 std::optional<std::size_t> terminal_columns(int file_descriptor);
 
-/// COLUMNS if set, else the terminal's width; nullopt for files and pipes.
+/// Returns COLUMNS if set, else the terminal's width; nullopt for files and pipes.
 std::optional<std::size_t> text_columns(const std::ostream& out);
 
 }  // namespace taut::cli
