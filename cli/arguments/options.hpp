@@ -22,7 +22,7 @@ class Option {
   Option& required(bool is_required = true);
   /// `check` returns a problem, or "".
   Option& check(std::string (*check)(const std::string& value));
-  /// Takes one word each time, instead of all words that follow.
+  /// The option takes one word each time, instead of all words that follow.
   Option& one_word_each();
   /// Like one_word_each(); commas separate values.
   Option& comma_separated();

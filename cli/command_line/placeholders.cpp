@@ -18,7 +18,7 @@ Words shipped_scenes(const SceneFile*) { return scene_names(); }
 
 Words sweep_names(const SceneFile*) {
   Words names = study_names();
-  for (const std::string& scene : scene_names()) names.push_back(scene);  // for --grid
+  for (const std::string& scene : scene_names()) names.push_back(scene);
   return names;
 }
 
@@ -79,7 +79,7 @@ constexpr Placeholder table[] = {
     {"NAME=VALUES", settable_names, ""},
     {"DIR", nullptr, "*/"},
     {"FILE", nullptr, "*"},
-    {"A", nullptr, "*.png"},  // picture or folder
+    {"A", nullptr, "*.png"},
     {"B", nullptr, "*.png"},
 };
 
@@ -166,7 +166,7 @@ void add_alternative(Choices& choices, std::string_view name, const std::string&
 }  // namespace
 
 Choices choices(std::string_view placeholder, const std::string& typed, const SceneFile* scene) {
-  drop_end(placeholder, " ...");  // repeatable
+  drop_end(placeholder, " ...");
   Choices result;
   for (const std::string_view name : alternatives(placeholder)) add_alternative(result, name, typed, scene);
   return result;

@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// Returns the exit code; reports all errors on `streams.err`.
+/// Returns the exit code and reports all errors on `streams.err`.
 int run_program(std::span<const Command> commands, const std::vector<std::string>& arguments,
                 Streams streams);
 

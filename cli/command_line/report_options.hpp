@@ -21,7 +21,7 @@ struct ReportOptions {
   void publish(const TestReport& report, std::ostream& err) const;
 };
 
-/// Object with the keys `taut`, `answer` and `format`.
+/// Starts a JSON object with the keys `taut`, `answer` and `format`.
 Json json_answer(std::string_view command);
 
 }  // namespace taut::cli

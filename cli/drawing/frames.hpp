@@ -51,7 +51,6 @@ class Frames {
   void add(const FrameView& particles);
   /// Calls `go_on` before each frame. Returns false if stopped.
   bool draw_kept(const std::function<bool(int drawn)>& go_on);
-  /// Throws the first error of a frame, like `add`.
   void finish();
 
   int kept() const { return static_cast<int>(kept_.size()); }

@@ -12,7 +12,7 @@ namespace taut::cli {
 class Options;
 
 struct DrawingOptions {
-  std::map<std::string, std::optional<std::string>, std::less<>> typed;  // by key
+  std::map<std::string, std::optional<std::string>, std::less<>> typed;
 
   bool any() const;
 };

@@ -21,7 +21,7 @@ struct Mask {
 
 inline constexpr int greatest_mask_side = 4096;  // pixels
 
-/// Darkness over white, or opacity. Throws UsageError if the file is unreadable or too large.
+/// Darkness over white, or opacity.
 enum class MaskOf : std::uint8_t { darkness, alpha };
 Mask read_mask(const std::filesystem::path& png, MaskOf of);
 
@@ -29,7 +29,7 @@ Mask read_mask(const std::filesystem::path& png, MaskOf of);
 /// UsageError if the file is unreadable or empty.
 Mask paint_svg(const std::filesystem::path& svg, int rows);
 
-/// Without empty margins.
+/// Removes empty margins.
 Mask cropped(const Mask& mask);
 
 /// Closed contours at `threshold`, interpolated linearly, in pixels from the lower left corner, y up; the solid is on

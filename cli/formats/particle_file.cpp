@@ -15,7 +15,7 @@
 namespace taut::cli {
 namespace {
 
-// arrays that are no fields; field keys are lower case with '_'
+// arrays that are no fields, whose keys are lower case with '_'
 constexpr std::string_view points_name = "Points";
 constexpr std::string_view diameter_name = "diameter";
 constexpr std::string_view velocity_name = "velocity";
@@ -28,7 +28,7 @@ std::string attribute(std::string_view key, std::string_view value) {
   return text.append(key).append("=\"").append(value).append("\"");
 }
 
-/// XML and appended bytes.
+/// XML of the arrays, followed by their bytes.
 class Writer {
  public:
   void line(std::string_view text) { (xml_ += text) += '\n'; }
@@ -97,7 +97,7 @@ std::optional<Number> number(std::optional<std::string_view> text) {
   return text ? parsed<Number>(*text) : std::nullopt;
 }
 
-/// Each tag with the text after it.
+/// Each tag, with the text after it.
 std::vector<std::string_view> tags_of(std::string_view xml) {
   std::vector<std::string_view> tags;
   for (std::size_t at = xml.find('<'); at != std::string_view::npos; at = xml.find('<', at + 1))
@@ -105,7 +105,7 @@ std::vector<std::string_view> tags_of(std::string_view xml) {
   return tags;
 }
 
-/// Content up to the arrays; empty if longer than 64 KiB.
+/// Content of the file up to the arrays; empty if longer than 64 KiB.
 std::string header_of(std::ifstream& file) {
   std::string text(1 << 16, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
@@ -184,7 +184,7 @@ std::vector<double> ParticleFile::read_as(const Array& array) const {
   std::ifstream file(path_, std::ios::binary | std::ios::ate);
   const auto length =
       static_cast<std::uint64_t>(std::max<std::streamoff>(file ? std::streamoff(file.tellg()) : 0, 0));
-  // zlib compresses at most 1000-fold
+  // zlib compresses at most 1000-fold, so a larger size is damaged
   if (array.offset >= length || array.components > 9 || size_ > 1024 * length)
     fail("is truncated or damaged");
   const std::size_t count = array.components * size_;

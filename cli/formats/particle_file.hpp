@@ -14,7 +14,7 @@ namespace taut::cli {
 /// velocity, body, material (numbers from 0), held (1: clamped). Measured values have double precision.
 std::string particle_file_text(const Snapshot& snapshot, std::span<const Field* const> fields);
 
-/// Loads arrays on demand.
+/// Reader of these files; loads arrays on demand.
 class ParticleFile {
  public:
   /// Throws UsageError for a missing or invalid file.
@@ -26,7 +26,7 @@ class ParticleFile {
   bool has(const std::string& field) const;
   std::vector<double> positions(int dim) const;  // n × dim, m
   std::vector<double> diameter() const;          // m
-  /// Throws UsageError with the saved fields.
+  /// Throws UsageError if the file lacks the field.
   std::vector<double> field(const std::string& key) const;
 
  private:

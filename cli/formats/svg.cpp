@@ -32,7 +32,7 @@ class Scratch {
   std::filesystem::path folder_;
 };
 
-/// The whole canvas, `rows` pixels high, or less if too large.
+/// Paints the whole canvas, `rows` pixels high, or less if too large.
 Mask paint(const std::filesystem::path& svg, int rows) {
   const Scratch scratch;
   const std::string side = std::to_string(greatest_mask_side);

@@ -7,7 +7,7 @@
 
 namespace taut::cli {
 
-/// An array in VTK's XML files: number of blocks, block size, size of a partial last block, compressed size of each
+/// Array in VTK's XML files: number of blocks, block size, size of a partial last block, compressed size of each
 /// block (8 bytes each), then the blocks (zlib).
 std::string to_zlib_blocks(std::span<const std::byte> bytes);
 

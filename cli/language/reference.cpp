@@ -118,7 +118,6 @@ std::vector<Topic> lists() {
           {"colormaps", "colour map", "colour maps of the fields", colormap_rows(), ""}};
 }
 
-/// One topic per row.
 void add_rows(std::vector<Topic>& topics, std::string_view what, const Rows& rows) {
   for (std::size_t r = 1; r < rows.size(); ++r)
     topics.push_back({rows[r].front(), "", text(what), {rows.front(), rows[r]}, ""});
@@ -167,7 +166,7 @@ std::string plain(const std::string& text) {
 
 std::string code(const std::string& text) { return "`" + text + "`"; }
 
-/// Names as code, other cells plain.
+/// Formats names as code.
 Rows marked_up(Rows rows) {
   for (std::size_t r = 1; r < rows.size(); ++r) {
     const std::string name = rows[r].front();

@@ -10,9 +10,9 @@
 /// Reference of the language, from the tables used by the readers.
 namespace taut::cli {
 
-/// A section, a list such as the shapes, one shape, ...
+/// A section, a list such as the shapes, or one shape, ...
 struct Topic {
-  std::string name;    // "body"
+  std::string name;
   std::string header;  // "[[body]]"
   std::string help;
   std::vector<std::vector<std::string>> rows;  // the first row is the header
@@ -20,14 +20,14 @@ struct Topic {
 };
 
 struct LanguageFile {
-  std::string name;                // "scene-file"
+  std::string name;
   std::vector<std::string> rules;  // paragraphs
   std::vector<Topic> topics;
 };
 LanguageFile scene_language();
 LanguageFile sweep_language();
 
-/// Keys only if nothing else has this name. Several for a probe and a measure of one name.
+/// Finds keys only if nothing else has this name. Returns several if a probe and a measure share a name.
 std::vector<Topic> find_topics(std::string_view name);
 /// Names of all topics except keys.
 std::vector<std::string> topic_names();
@@ -48,7 +48,7 @@ Rows contact_rows();
 Rows field_rows();
 Rows colormap_rows();
 Rows method_rows();
-/// Of all sections and kinds.
+/// Keys of all sections and kinds.
 Rows key_rows();
 
 /// Example for a section or shape, or empty.

@@ -160,7 +160,7 @@ std::vector<Keys> alternatives_to(const KeyInfo& first, std::span<const KeyInfo>
   return sets;
 }
 
-/// One set from each group of alternatives.
+/// All combinations of one set from each group.
 std::vector<Keys> choices(std::span<const KeyInfo> keys) {
   std::vector<Keys> all;
   Keys known;
@@ -250,7 +250,7 @@ Json constants_schema(const MethodInfo& method) {
   return {{"properties", constants}, {"additionalProperties", false}};
 }
 
-/// A chain of if/then/else by method.
+/// A chain of if/then/else over the methods.
 Json checks_of_methods() {
   Json checks;
   for (const MethodInfo& method : methods()) {

@@ -35,7 +35,6 @@ int write_all(int descriptor, std::string_view text) {
   return 0;
 }
 
-/// Returns false for TAUT_FSYNC=off.
 bool waits_for_the_disk() {
   static const char* const asked = std::getenv("TAUT_FSYNC");
   return !asked || std::string_view(asked) != "off";
@@ -75,13 +74,13 @@ bool still_named(int descriptor, const std::string& path) {
 /// Creates and locks a file. Removes an abandoned file or link, and waits for another writer. Returns −1 with errno
 /// on failure.
 int open_new(const std::string& path) {
-  constexpr int most = 1000;  // attempts
+  constexpr int most = 1000;
   for (int k = 0; k < most; ++k) {
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0 && errno != EEXIST) return descriptor;
     if (descriptor >= 0) {
       wait_for_lock(descriptor);
-      if (still_named(descriptor, path)) return descriptor;  // no other process has removed it as abandoned
+      if (still_named(descriptor, path)) return descriptor;
       ::close(descriptor);
       continue;
     }
@@ -222,7 +221,6 @@ AppendFile::~AppendFile() { ::close(descriptor_); }
 void AppendFile::append(std::string_view line) {
   const std::string text = std::string(line) + '\n';
   if (const int error = write_all(descriptor_, text)) {
-    // the incomplete line is removed
     if (::ftruncate(descriptor_, length_) != 0) fail(path_, error);
     fail(path_, error);
   }
@@ -230,7 +228,6 @@ void AppendFile::append(std::string_view line) {
 }
 
 void write_whole_folder(const fs::path& folder, const std::vector<fs::path>& files) {
-  // removes a last '/'
   const fs::path target = (fs::absolute(folder) / "").lexically_normal().parent_path();
   const Beside fresh(target, "tmp");
   std::error_code error;

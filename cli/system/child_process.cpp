@@ -42,7 +42,7 @@ void check_no_threads() {
 /// SIGINT and SIGHUP stay blocked in the child.
 void settle(pid_t parent, int output) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(1);  // the parent has died
+  if (::getppid() != parent) ::_exit(1);
   // SIGTERM ends the child until `work` sets a handler
   std::signal(SIGTERM, SIG_DFL);
   sigset_t terminate;

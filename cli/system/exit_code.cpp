@@ -50,7 +50,7 @@ int guarded(const std::function<int()>& action, std::ostream& err) {
   try {
     return action();
   } catch (const SceneError&) {
-    err << current_failure().message << '\n';  // as in compilers
+    err << current_failure().message << '\n';
     return exit_wrong_input;
   } catch (...) {
     const Failure failure = current_failure();

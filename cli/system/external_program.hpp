@@ -10,9 +10,9 @@ namespace taut::cli {
 
 struct ProcessResult {
   bool found = true;
-  bool stopped = false;  // by an interrupt
-  int code = 0;          // exit code, or 128 + signal
-  std::string errors;    // end of stderr
+  bool stopped = false;
+  int code = 0;        // exit code, or 128 + signal
+  std::string errors;  // end of stderr
 };
 
 /// Runs a program from PATH in `folder`, without shell, stdin and stdout. An interrupt stops it.

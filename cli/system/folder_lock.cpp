@@ -25,7 +25,7 @@ namespace {
 
 struct Kind {
   const char* file;
-  short lock;  // F_WRLCK or F_RDLCK
+  short lock;
   bool stays;  // the file remains after unlocking
 };
 constexpr std::array kinds = {Kind{run_lock_name, F_WRLCK, false},  // in the order of FolderLock::Of

@@ -41,8 +41,8 @@ class OrderedWork {
   std::mutex mutex_;  // for all members below
   std::condition_variable changed_;
   std::deque<Piece> waiting_;
-  std::map<long, SecondHalf> seconds_;     // by number of the piece
-  long added_ = 0, begun_ = 0, done_ = 0;  // numbers of pieces
+  std::map<long, SecondHalf> seconds_;  // by number of the piece
+  long added_ = 0, begun_ = 0, done_ = 0;
   bool is_closing_ = false;
   std::exception_ptr failure_;
   std::vector<std::thread> workers_;

@@ -38,7 +38,7 @@ class Progress {
   Style style_;
   std::string what_;
   Stopwatch since_begin_, since_shown_;
-  int quarters_ = 0;  // quarters with a printed line
+  int quarters_ = 0;
   bool bar_shown_ = false;
   bool warned_ = false;
   double done_before_ = 0;

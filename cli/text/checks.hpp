@@ -4,7 +4,7 @@
 
 namespace taut::cli {
 
-// Each returns a problem, or "". CLI11's checks show bounds of doubles with 309 digits.
+// Each check returns a problem, or "". CLI11's own checks show bounds of doubles with 309 digits.
 std::string positive_number(const std::string& text);
 std::string not_negative_number(const std::string& text);
 std::string positive_whole_number(const std::string& text);

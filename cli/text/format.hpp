@@ -9,7 +9,7 @@
 
 namespace taut::cli {
 
-/// nullopt if `text` as a whole is no number; accepts inf and nan.
+/// Returns nullopt if `text` as a whole is no number; accepts inf and nan.
 template <class Number>
 std::optional<Number> parsed(std::string_view text) {
   Number value{};
@@ -37,7 +37,7 @@ std::string join_with_or(std::vector<std::string> words);
 /// The same on every machine (FNV-1a).
 std::uint64_t hash_of(std::string_view text);
 
-/// Two blanks between columns. A wider table wraps its widest column.
+/// Separates columns by two blanks. A table wider than `columns` wraps its widest column.
 std::string in_columns(const std::vector<std::vector<std::string>>& rows, int indent = 2,
                        std::optional<std::size_t> columns = {});
 /// No newline at the end.

@@ -61,12 +61,12 @@ class Json {
   Json& operator[](std::string_view key);
   /// Null becomes an array.
   void add(Json item);
-  /// Copy with the missing members of `other`.
+  /// Returns a copy with the missing members of `other`.
   Json with(const Json& other) const;
 
   /// With `indent`, one value per line. Replaces invalid UTF-8.
   std::string dump(int indent = -1) const;
-  /// By JSON pointer: "/measures/period/value".
+  /// All leaf values by JSON pointer: "/measures/period/value".
   std::vector<Member> leaves() const;
 
   const auto& value() const { return value_; }

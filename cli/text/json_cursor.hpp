@@ -10,7 +10,7 @@
 
 namespace taut::cli {
 
-/// Throws UsageError with path ("measures.period.value"), actual and allowed value.
+/// Typed access to JSON. Throws UsageError with the path ("measures.period.value"), the actual and the allowed value.
 class JsonCursor {
  public:
   /// The arguments must outlive the cursor.
@@ -25,7 +25,7 @@ class JsonCursor {
   std::vector<JsonCursor> items() const;
   /// "" for null.
   std::string text() const;
-  /// A number is returned as text.
+  /// Returns a number as text.
   std::string number_or_text() const;
 
   void check_object() const;

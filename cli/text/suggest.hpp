@@ -12,7 +12,7 @@ std::vector<std::string> nearest(std::string_view name, const std::vector<std::s
 /// " (did you mean 'a' or 'b'?)", or "" if no candidate is near.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
 
-/// did_you_mean() with all names, if at most eight; the five nearest names if none is near.
+/// did_you_mean() with all names if they are at most eight, or the five nearest names if none is near.
 std::string known_names(std::string_view given, const std::vector<std::string>& names);
 
 /// "unknown method 'enogg' (did you mean 'enog'?)".
