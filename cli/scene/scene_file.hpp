@@ -52,7 +52,6 @@ struct SceneFile {
 SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings = {});
 /// Reads the stored text again, because a pipe can be read only once.
 SceneFile read_again(const SceneFile& scene, const std::vector<Setting>& settings = {});
-/// Names for --set and --grid.
 std::vector<std::string> names_to_set(const SceneFile& scene);
 /// Words that the setting `name` allows; empty if it takes numbers.
 std::vector<std::string> texts_to_set(std::string_view name);

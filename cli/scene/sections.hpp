@@ -24,7 +24,7 @@ namespace taut::cli {
 struct Changes {
   std::optional<std::string> method, stepping, contact, law, cfl, spacing, until, jitter, jitter_seed;
   std::map<std::string, std::string> parameters;
-  std::map<std::string, std::string> constants;  // of the method
+  std::map<std::string, std::string> constants;
 };
 Changes by_target(const std::vector<Setting>& settings);
 void check_names(const Changes& changes, const SceneFile& file);
@@ -36,7 +36,7 @@ void read_parameters(TomlCursor& root, const Changes& changes, std::optional<dou
 std::set<std::string> names_that_need_dp(TomlCursor& root, const Changes& changes);
 void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file);
 /// Defines `touching`, the gap below which bodies touch, m. Repeat after reading the bodies, which can change the
-/// published law.
+/// published contact law.
 void name_touching(TomlCursor& root, const SceneFile& file);
 /// Reads gravity and damping.
 void read_outside(TomlCursor& root, Scene& scene);

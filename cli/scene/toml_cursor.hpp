@@ -40,7 +40,6 @@ class TomlCursor {
 
   /// Returns nullptr if missing.
   TomlValue* find(std::string_view key);
-  /// Throws SceneError if missing.
   TomlValue& need(std::string_view key);
 
   std::string text(std::string_view key);
@@ -79,10 +78,8 @@ class TomlCursor {
 
   [[noreturn]] void fail(FilePlace place, std::string_view key, const std::string& message) const;
   [[noreturn]] void fail(const TomlValue& value, std::string_view key, const std::string& message) const;
-  /// Throws for the unknown name `given`.
   [[noreturn]] void fail_unknown(const TomlValue& value, std::string_view key, std::string_view kind,
                                  std::string_view given, const std::vector<std::string>& known) const;
-  /// Marks names as used.
   void note_names(const std::string& text);
   /// Throws for a key that is not allowed.
   void refuse_unknown_keys() const;

@@ -25,7 +25,7 @@ struct TomlValue {
   bool whole = false;  // number without point and exponent
   bool flag = false;
   bool section = false;          // table under its own [header], not { key = value }
-  std::list<TomlEntry> entries;  // a list, so that pointers stay valid
+  std::list<TomlEntry> entries;  // of a table; a list, so that pointers to entries stay valid
   std::vector<TomlValue> items;
 
   TomlValue() = default;
