@@ -47,7 +47,7 @@ class Option {
 class Options {
  public:
   struct Texts {
-    std::string program;  // "taut run"
+    std::string program;
     std::string summary;
     std::string examples;  // whole lines
     std::string help_flag = "show this text";
@@ -66,7 +66,6 @@ class Options {
   Option add(std::string_view name, std::string_view placeholder,
              const std::function<void(const std::vector<std::string>&)>& take, std::string_view help);
   Option add_flag(std::string_view name, bool& target, std::string_view help);
-  /// `name` is the placeholder.
   template <class Target>
   Option add_argument(std::string_view name, Target& target, std::string_view help) {
     return add(name, " ", target, help);

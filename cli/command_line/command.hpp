@@ -9,7 +9,6 @@ namespace taut::cli {
 
 class Options;
 
-/// `taut NAME ...`.
 struct Command {
   std::string_view name;
   std::string_view summary;

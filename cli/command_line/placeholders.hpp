@@ -14,8 +14,7 @@ struct Choices {
   std::string files;
 };
 
-/// For placeholders such as FIELD, "FIELD,...", "LOW:HIGH|auto" and "panel.png". Numbers have no choices. `scene`, if
-/// known, adds its names.
+/// For placeholders such as FIELD, "FIELD,...", "LOW:HIGH|auto" and "panel.png"; `scene` adds its names, if known.
 Choices choices(std::string_view placeholder, const std::string& typed, const SceneFile* scene);
 
 }  // namespace taut::cli

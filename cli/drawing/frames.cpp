@@ -29,8 +29,7 @@ FrameView with_texts(FrameView view, const Drawing& drawing, const Captions& cap
   return view;
 }
 
-/// Limited by the memory of the pictures: spheres need four samples of 8 bytes per pixel, and as much again in
-/// OpenGL.
+/// Limited by the memory of pictures: spheres need four samples of 8 bytes per pixel, and the same in OpenGL.
 int pictures_at_once(const Drawing& drawing, int threads) {
   constexpr double bytes_of_pixel = 70;
   const render::Size size = drawing.look.size.value_or(render::Size{});

@@ -21,7 +21,6 @@
 
 namespace taut::cli {
 
-/// "frame_00012.png"
 std::string frame_name(int number);
 /// True also for unfinished files.
 bool is_frame(const std::filesystem::path& path);

@@ -21,7 +21,7 @@ inline constexpr std::string_view automatic = "auto";
 /// A key of [render], an option of drawing commands and a session command. Its value is a word, numbers, or a text.
 struct DrawingKey {
   struct Words {
-    std::string_view kind;                          // "field"
+    std::string_view kind;
     std::vector<std::string> (*names)() = nullptr;  // all but "auto"
     bool or_formula = false;                        // also "=EXPRESSION"
 

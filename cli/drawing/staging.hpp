@@ -37,8 +37,8 @@ struct StagedParticles {
   FrameView view() const;
 };
 
-/// Removes particles in the cut and centres the followed body. A cut uses initial positions, so its face deforms with
-/// the body.
+/// Removes particles in the cut and centres the followed body. A cut uses initial positions and deforms with the
+/// body.
 class Staging {
  public:
   /// Throws UsageError if no particle is left.

@@ -21,7 +21,7 @@ struct Mask {
 
 inline constexpr int greatest_mask_side = 4096;  // pixels
 
-/// Darkness over white, or opacity.
+/// Darkness over white, or opacity. Throws UsageError if the file is unreadable or too large.
 enum class MaskOf : std::uint8_t { darkness, alpha };
 Mask read_mask(const std::filesystem::path& png, MaskOf of);
 
@@ -32,7 +32,7 @@ Mask paint_svg(const std::filesystem::path& svg, int rows);
 /// Removes empty margins.
 Mask cropped(const Mask& mask);
 
-/// Closed contours at `threshold`, interpolated linearly, in pixels from the lower left corner, y up; the solid is on
+/// Closed contours at `threshold`, interpolated linearly, in pixels from the lower left corner, y up, the solid to
 /// the left.
 std::vector<Chain> faces_of(const Mask& mask, double threshold);
 

@@ -21,7 +21,7 @@ struct Topic {
 
 struct LanguageFile {
   std::string name;
-  std::vector<std::string> rules;  // paragraphs
+  std::vector<std::string> rules;
   std::vector<Topic> topics;
 };
 LanguageFile scene_language();

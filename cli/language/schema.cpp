@@ -10,8 +10,8 @@
 #include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/methods/catalogue.hpp"
 
-/// Taplo, the completion in TOML editors, ignores if/then and tables with allOf. Therefore oneOf lists the keys of
-/// kinds; if/then only adds checks.
+/// Taplo, the completion in TOML editors, ignores if/then and allOf tables: oneOf lists keys of kinds, if/then adds
+/// checks.
 namespace taut::cli {
 namespace {
 

@@ -53,7 +53,7 @@ void read_key(TomlCursor& render, const DrawingKey& key, Drawing& drawing) {
 }
 
 struct Mismatch {
-  std::vector<std::string_view> keys;  // one of them was given
+  std::vector<std::string_view> keys;
   std::string what;
 };
 

@@ -38,7 +38,6 @@ std::function<double(const std::vector<double>&, double)> compile_of_values(
 /// Names without functions, known or not; empty if `text` is invalid.
 std::set<std::string> names_in(const std::string& text);
 
-/// sin, cos, sqrt, ...
 std::vector<std::string> function_names();
 
 }  // namespace taut::cli

@@ -25,9 +25,9 @@ struct KeyType {
     whole,
     flag,
     text,
-    word,    // one of `words`, or of `names()`
-    vector,  // `size` numbers
-    table,   // a table with the keys of `section`
+    word,  // one of `words`, or of `names()`
+    vector,
+    table,  // a table with the keys of `section`
   };
   enum class Form : std::uint8_t { one, list, one_or_list };
   static constexpr std::size_t any_size = static_cast<std::size_t>(-1);
@@ -127,7 +127,7 @@ constexpr KeyType table(std::string_view section, std::string_view shown) {
 }  // namespace types
 
 struct KeyInfo {
-  std::string_view name;  // or `any_name`
+  std::string_view name;
   KeyType type;
   std::string_view by_default;  // empty: required; "or X": the key X can replace it
   std::string_view help;
@@ -138,7 +138,7 @@ inline constexpr std::string_view any_name = "NAME";
 inline constexpr KeyInfo named_by_user[] = {{any_name, {}, "", ""}};
 
 struct Section {
-  std::string_view name;    // "driven"
+  std::string_view name;
   std::string_view header;  // "[[body]]"
   std::string_view help;
   std::span<const KeyInfo> keys;

@@ -115,8 +115,7 @@ std::string law_of_file(TomlCursor& root, const MethodInfo& of_file) {
   return law;
 }
 
-/// Sets the law to the setting, else the file's law, else the method's first. `remark` reports a file's law that the
-/// method does not support.
+/// Sets the law to the setting, else the file's law, else the method's first. `remark` reports an unsupported law.
 void read_law(TomlCursor& root, const MethodInfo& of_file, const MethodInfo& method, const Changes& changes,
               Settings& settings, std::string& remark) {
   settings.law = law_of_file(root, of_file);

@@ -110,7 +110,7 @@ const Measure& measure_taking(bool MeasureKind::*what, std::string_view named, T
 }
 
 std::vector<std::string> column_names(TomlCursor& entry, const Measure& measure) {
-  const std::size_t number = std::max(std::size_t{1}, measure.probes.size());  // 1 for a line
+  const std::size_t number = std::max(std::size_t{1}, measure.probes.size());
   if (number == 1) return {entry.text("column")};
   const TomlValue& value = entry.need("columns");
   if (value.kind != TomlValue::Kind::array || value.items.size() != number)

@@ -161,7 +161,6 @@ class SceneReading {
     return fitted_spacing(scene.bodies.front(), scene.dim, scene.spacing);
   }
 
-  /// Must be called only once.
   SceneFile finish() {
     read_walls(root_, file_.scene);
     read_probes(root_, file_.scene);

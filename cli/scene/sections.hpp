@@ -35,10 +35,9 @@ double changed_positive(std::string_view name, const std::string& text, const Na
 void read_parameters(TomlCursor& root, const Changes& changes, std::optional<double> dp, SceneFile& file);
 std::set<std::string> names_that_need_dp(TomlCursor& root, const Changes& changes);
 void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file);
-/// Defines `touching`, the gap below which bodies touch, m. Repeat after reading the bodies, which can change the
-/// published contact law.
+/// Defines `touching`, the gap below which bodies touch, m. Bodies can change the published contact law: repeat after
+/// them.
 void name_touching(TomlCursor& root, const SceneFile& file);
-/// Reads gravity and damping.
 void read_outside(TomlCursor& root, Scene& scene);
 void read_materials(TomlCursor& root, Scene& scene);
 void read_bodies(TomlCursor& root, bool keeps_neighbors, SceneFile& file);
@@ -61,7 +60,7 @@ ReferenceTable read_table(const std::filesystem::path& path, const std::string& 
                           const std::vector<std::string>& columns);
 struct ColumnTable {
   std::vector<std::vector<double>> columns;  // needed, then optional; a missing one is empty
-  std::vector<int> lines;                    // line number of each row
+  std::vector<int> lines;
 
   std::size_t rows() const { return lines.size(); }
 };
@@ -116,7 +115,7 @@ Point turning_axis(TomlCursor& cursor, const Scene& scene);
 struct ProbeKind {
   std::string_view name;
   std::string_view unit, help;
-  std::vector<KeyInfo> keys;  // beside `name` and `of`
+  std::vector<KeyInfo> keys;
 
   Probe::Kind kind() const { return {name}; }
   bool takes(std::string_view key) const;

@@ -207,8 +207,8 @@ double usual_distance(std::vector<Point> places) {
   return *middle;
 }
 
-/// Without volumes, each particle gets a cell's volume. Distances are 1 to 1.12 dp in lattices, down to 0.75 dp in
-/// disorder.
+/// Each particle gets a cell's volume. Distances are 1 to 1.12 dp in lattices, down to 0.75 dp in disordered
+/// particles.
 void refuse_other_mass(double apart, const std::filesystem::path& file, const ShapeSetting& setting) {
   if (std::isfinite(apart) && (apart < 0.7 * setting.dp || apart > 1.3 * setting.dp))
     throw SceneError(file.string(), 0, 0, "",

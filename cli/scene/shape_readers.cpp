@@ -14,7 +14,7 @@ namespace {
 
 using Kind = TomlValue::Kind;
 
-constexpr std::size_t most_points = 10000;  // of a polygon
+constexpr std::size_t most_points = 10000;
 
 std::string corner_text(const Point& x) { return fmt::format("({:.6g}, {:.6g}) m", x[0], x[1]); }
 

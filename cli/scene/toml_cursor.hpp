@@ -17,7 +17,7 @@ namespace taut::cli {
 /// Data shared by the cursors of a file.
 struct TomlSource {
   std::string file;
-  int dim = 3;                 // of the scene
+  int dim = 3;
   std::set<std::string> used;  // names in expressions read so far
 };
 

@@ -9,7 +9,7 @@
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
 
-#ifndef TOML_HEADER_ONLY  // pkg-config may select the library
+#ifndef TOML_HEADER_ONLY  // pkg-config may define it
 #define TOML_HEADER_ONLY 1
 #endif
 #define TOML_ENABLE_FORMATTERS 0

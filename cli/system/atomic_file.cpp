@@ -71,8 +71,7 @@ bool still_named(int descriptor, const std::string& path) {
          own.st_ino == named.st_ino;
 }
 
-/// Creates and locks a file. Removes an abandoned file or link, and waits for another writer. Returns −1 with errno
-/// on failure.
+/// Creates and locks a file; removes an abandoned one, waits for another writer. Returns −1 with errno on failure.
 int open_new(const std::string& path) {
   constexpr int most = 1000;
   for (int k = 0; k < most; ++k) {

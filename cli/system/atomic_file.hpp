@@ -9,8 +9,7 @@
 
 namespace taut::cli {
 
-/// `on_disk` survives power cuts but waits for the disk: for files that cannot be made again or mark others as
-/// complete.
+/// `on_disk` survives power cuts but is slow: for files that cannot be made again or mark others as complete.
 enum class Kept { from_crashes, on_disk };
 
 /// Writes a temporary file and renames it, so other processes see the old or the new file. Throws OutputError.
@@ -67,8 +66,7 @@ class AppendFile {
   std::int64_t length_ = 0;
 };
 
-/// Fills a folder with copies of `files` only. Other processes see the old or the new folder, also after a power cut.
-/// Throws OutputError.
+/// Fills a folder with copies of `files` only; others see the old or the new folder. Throws OutputError.
 void write_whole_folder(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
 }  // namespace taut::cli

@@ -12,7 +12,7 @@ class ChildProcess {
  public:
   /// `work` returns the exit code; its output is kept. Throws UsageError if no process can be started.
   explicit ChildProcess(const std::function<int()>& work);
-  ~ChildProcess();  // kills a running child
+  ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
@@ -20,7 +20,6 @@ class ChildProcess {
   int descriptor() const { return output_; }
   /// Call if `descriptor` is readable. Returns false after the end of the child.
   bool read_output();
-  /// Sends SIGTERM.
   void ask_to_stop() const;
 
   struct End {

@@ -22,7 +22,7 @@ ProcessResult run_process(const std::vector<std::string>& arguments, const std::
 struct Maker {
   std::string name;
   std::string purpose;  // "movies"
-  std::string package;  // in Debian
+  std::string package;
 };
 
 /// "a/movie.mp4" → "a/movie.part.mp4": programs take the format from the extension.

@@ -14,8 +14,7 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
 
-  /// While an object exists, the first signal, or an earlier one, ends the program: for long work that checks no
-  /// flag.
+  /// While an object exists, a first or earlier signal ends the program: for long work that checks no flag.
   class AtOnce {
    public:
     AtOnce();

@@ -11,8 +11,7 @@
 
 namespace taut::cli {
 
-/// Runs pieces of work in threads: first halves in any order, second halves in the order of `add`. After a failure no
-/// second half runs.
+/// Runs pieces of work in threads: first halves in any order, second halves in the order of `add`, until a failure.
 class OrderedWork {
  public:
   using SecondHalf = std::function<void()>;
@@ -30,7 +29,6 @@ class OrderedWork {
   int room() const { return 3 * static_cast<int>(workers_.size()); }
   /// Throws the first error of a piece.
   void add(Piece piece);
-  /// Throws like `add`.
   void finish();
 
  private:
@@ -38,7 +36,7 @@ class OrderedWork {
   void do_seconds(std::unique_lock<std::mutex>& lock);
   void throw_failure() const;
 
-  std::mutex mutex_;  // for all members below
+  std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Piece> waiting_;
   std::map<long, SecondHalf> seconds_;  // by number of the piece

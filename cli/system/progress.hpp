@@ -50,8 +50,7 @@ std::string time_left(double share, double before, double elapsed);
 /// "17 hours"; empty below half a day, and in the first second.
 std::string long_time_left(double done, double left, double elapsed);
 
-/// "rings, 4398 particles [####......] 40 %  0:12 left  2.1 M particle-steps/s". If too wide, omits the detail, then
-/// shortens the name.
+/// "rings, 4398 particles [####......] 40 %  0:12 left  2.1 M particle-steps/s", without detail if too wide.
 std::string bar_line(const std::string& what, double share, const std::string& left,
                      const std::string& detail, std::size_t width);
 

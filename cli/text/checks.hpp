@@ -11,7 +11,6 @@ std::string positive_whole_number(const std::string& text);
 std::string whole_number(const std::string& text);
 /// Pictures are PNG files.
 std::string png_name(const std::string& text);
-/// "name=value"
 std::string assignment(const std::string& text);
 
 }  // namespace taut::cli

@@ -21,7 +21,7 @@ std::size_t width(const std::string& text) {
 }  // namespace
 
 std::string exact(double value) {
-  if (std::isnan(value)) return "nan";  // never -nan
+  if (std::isnan(value)) return "nan";
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
   return {text.data(), end};

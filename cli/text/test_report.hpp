@@ -15,7 +15,7 @@ struct TestCase {
 };
 
 struct TestReport {
-  std::string command;  // "check"
+  std::string command;
   std::string subject;  // run folder or title
   std::vector<TestCase> cases;
 };
