@@ -35,8 +35,8 @@ double changed_positive(std::string_view name, const std::string& text, const Na
 void read_parameters(TomlCursor& root, const Changes& changes, std::optional<double> dp, SceneFile& file);
 std::set<std::string> names_that_need_dp(TomlCursor& root, const Changes& changes);
 void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file);
-/// Defines `touching`, the gap below which bodies touch, m. Bodies can change the published contact law: repeat after
-/// them.
+/// Defines `touching`, the gap below which bodies touch, m. Repeat after read_bodies: bodies can change the published
+/// contact law.
 void name_touching(TomlCursor& root, const SceneFile& file);
 void read_outside(TomlCursor& root, Scene& scene);
 void read_materials(TomlCursor& root, Scene& scene);

@@ -66,7 +66,8 @@ class AppendFile {
   std::int64_t length_ = 0;
 };
 
-/// Fills a folder with copies of `files` only; others see the old or the new folder. Throws OutputError.
+/// Fills a folder with copies of `files` only. Others see the old or the new folder, also after a power cut. Throws
+/// OutputError.
 void write_whole_folder(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
 }  // namespace taut::cli

@@ -15,8 +15,8 @@ struct FileFormat {
   int number;
 };
 
-/// Raise a number if old readers would misread the new format; for checkpoint.bin also if a `serialize` or step
-/// changes.
+/// Raise a number if old readers would misread the new format; for checkpoint.bin also if a `serialize` or the bytes
+/// of a step change.
 inline constexpr std::array<FileFormat, 7> file_formats{{{"run.json", 1},
                                                          {"results.json", 1},
                                                          {"results.csv", 1},
