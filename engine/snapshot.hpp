@@ -12,6 +12,7 @@ struct Impulse {
   Point angular{};  // about the origin, N m s; in 2D only z
 };
 
+/// Stress, Pa. In 2D xz and yz are 0.
 struct StressTensor {
   double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
 };

@@ -78,7 +78,6 @@ void check(const JsonCursor& value, Kind kind, const std::vector<std::string>& v
   if (kind == Kind::choice_of_verdict) value.choice(verdicts);
 }
 
-/// The values at `key` from its `part` on.
 void check_below(const JsonCursor& value, const KeyOfRun& key, std::size_t part,
                  const std::vector<std::string>& verdicts) {
   if (part == key.path.size()) return check(value, key.kind, verdicts);
