@@ -16,18 +16,18 @@
 
 namespace taut {
 
-/// A law of elasticity that a user may choose for a method.
+/// An elastic law available for a method.
 struct LawChoice {
   std::string_view name;          // "st-venant-kirchhoff"
-  std::string_view material_law;  // the reference to compare with
+  std::string_view material_law;  // reference to compare with
   Law law;
 };
 
-/// Meaning of the strain energy that a run reports.
+/// Meaning of the reported strain energy.
 enum class StrainEnergy {
-  potential,  // of the forces: a change of the total energy is dissipated or created by the method
-  of_stress,  // of a stress from its rate, which is no potential of the forces
-  recovered,  // of a stress that is recovered for display and that no force uses
+  potential,  // potential of the forces: a change of the total energy is an error or dissipation of the method
+  of_stress,  // computed from an integrated stress; no potential of the forces
+  recovered,  // computed from a stress that is recovered for display; no force uses it
 };
 StrainEnergy strain_energy(const Formulation& m);
 
@@ -37,45 +37,43 @@ struct MethodInfo {
   std::string_view name;
   std::string_view paper;
   std::string_view summary;
-  std::string_view material_law;  // the reference to compare with: "2d_deviator" or "neo_hookean"
-  std::vector<LawChoice> laws;    // of elasticity, which may be chosen; the first is the published one
-  Law law;                        // the published one; none: the stress follows from its rate
+  std::string_view material_law;  // reference to compare with: "2d_deviator" or "neo_hookean"
+  std::vector<LawChoice> laws;    // available elastic laws; the first is the published one
+  Law law;                        // published elastic law; none: the stress is integrated
   std::string_view conserves;
   std::vector<TermInfo> terms;
   std::vector<MethodConstant> constants;  // in 2D
   double cfl;                             // default acoustic CFL number
-  ContactLaw contact;                     // the published one
-  std::vector<ContactLaw> contact_laws;   // those that the method can run with
-  bool keeps_neighbors;                   // see FamilyRow; contact then acts between parts of one body, too
-  bool several_materials;                 // in one scene
+  ContactLaw contact;                     // published law
+  std::vector<ContactLaw> contact_laws;   // available laws
+  bool keeps_neighbors;    // see FamilyRow; if true, contact also acts between parts of one body
+  bool several_materials;  // several materials allowed in a scene
 };
 
-/// Every method by name, in the order in which they are listed.
+/// All methods, in listing order.
 std::span<const MethodInfo> methods();
-/// nullptr if there is none of that name.
+/// Returns nullptr for an unknown name.
 const MethodInfo* find_method(std::string_view name);
-/// The constants that a user may set, with their defaults in this dimension.
+/// User-settable constants with their defaults in dimension `dim`.
 std::vector<MethodConstant> method_constants(const Formulation& m, int dim);
-/// Those of the settings, and for the rest their defaults, with the spacing `dp`, m.
+/// Values of the constants from the settings, otherwise the defaults. `dp`: particle spacing, m.
 ConstantValues constant_values(const Formulation& m, int dim, double dp, const Settings& settings);
 
-/// Every law of elasticity.
+/// All elastic laws.
 std::span<const LawRow> laws();
-/// The one that the method runs with; nullptr for a method without one. Throws UsageError for a law that the
-/// method does not have.
+/// Elastic law of the run; nullptr if the method has none. Throws UsageError if the method lacks the law in the
+/// settings.
 const LawRow* law_row(const MethodInfo& method, const Settings& settings);
-/// Why the method cannot run with the law of this name (LawRow::choice); empty where it can.
+/// Returns why the method cannot use the law with this name (LawRow::choice); empty if it can.
 std::string reason_against_law(const MethodInfo& method, std::string_view law);
-/// The reference to compare a run with these settings with. Throws UsageError for a law that the method does
-/// not have.
+/// Reference to compare the run with. Throws UsageError if the method lacks the law in the settings.
 std::string_view material_law(const MethodInfo& method, const Settings& settings, int dim = 2);
-/// Every law of contact, in the order in which they are offered.
+/// All contact laws, in listing order.
 std::span<const ContactLawRow> contact_rows();
-/// How the bodies of the scene act on each other with this method, never `published`. Throws SceneError for a
-/// law that the method cannot run with.
+/// Contact law of a run; never `published`. Throws SceneError if the method cannot use the scene's law.
 ContactLaw contact_law(const Scene& scene, const MethodInfo& method);
-/// How they do under `published`: by the law of the method, or by the penalty where that is `surface` and the
-/// scene has bodies without faces.
+/// Contact law for `published`: the method's own, or `penalty` if that is `surface` and the scene has bodies without
+/// faces.
 ContactLaw published_contact(const Scene& scene, const MethodInfo& method);
 
 }  // namespace taut

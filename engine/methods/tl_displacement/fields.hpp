@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// Plain data of a total-Lagrangian method whose only unknowns are the positions, for its passes.
+/// Data of the methods whose only unknowns are positions, for their passes.
 template <int Dim>
 struct TlDisplacementFields {
   using V = Vec<double, Dim>;

@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// The loops of a method; passes.hpp documents them.
+/// Loops of a method, documented in passes.hpp.
 template <int Dim>
 struct TlDisplacementKernels {
   using Fields = TlDisplacementFields<Dim>;

@@ -6,10 +6,9 @@
 
 namespace taut {
 
-/// Total-Lagrangian methods whose only unknowns are the positions: the deformation gradient comes from them
-/// at every step. [Lee2016] Eq. 34, [TranDuc2023] §2.3, [Zhang2020]. The forces are those of an energy,
-/// unless the law has none, and time goes in position Verlet steps (the leap-frog of [Zhang2020] Eq. 10, 11
-/// with its forces at mid-step), so that the energy has no drift. There is no dissipation.
+/// Total-Lagrangian methods whose only unknowns are positions: F is computed from them in each step. [Lee2016] Eq.
+/// 34, [TranDuc2023] §2.3, [Zhang2020]. The forces derive from an energy unless the law has none. Position Verlet,
+/// the leap-frog of [Zhang2020] Eq. 10, 11 with forces at mid-step, keeps the energy free of drift. No dissipation.
 template <int Dim>
 class TlDisplacement final : public Scheme<Dim> {
  public:
@@ -37,7 +36,7 @@ class TlDisplacement final : public Scheme<Dim> {
   PairLanes<Dim> pair_lanes_;
   Columns<Dim> displacement_;
   Columns<Dim * Dim> stress_;
-  TlDisplacementFields<Dim> f_;  // pointers to all of these
+  TlDisplacementFields<Dim> f_;  // pointers to the members above
 };
 
 }  // namespace taut

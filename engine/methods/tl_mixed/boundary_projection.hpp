@@ -9,39 +9,39 @@
 
 namespace taut {
 
-/// A particle with components of the velocity that are prescribed, and what the corrected kernel sees there:
-/// f(X_B) = Σ_a V_a W̃_a(X_B) f_a, exact for linear f.                          [Lee2016] Eq. 23, Appendix B
+/// A particle with prescribed velocity components and its interpolation by the corrected kernel, f(X_B) = Σ_a V_a
+/// W̃_a(X_B) f_a, which is exact for linear f. [Lee2016] Eq. 23, Appendix B
 struct BoundaryPoint {
-  std::vector<std::pair<int, double>> w;  // a, among the particles of the projection; V_a W̃_a(X_B)
+  std::vector<std::pair<int, double>> w;  // index a in the projection; V_a W̃_a(X_B)
   unsigned axes = 0;                      // bit k: component k is prescribed
   Point velocity{};                       // m/s
 };
 
-/// The velocities nearest to given ones, in the mean square over the mass, that are the prescribed ones where
-/// the kernel interpolates at the points and have the same linear and angular momentum:
+/// Changes velocities least, in the mass-weighted mean square, such that the interpolated velocity has the prescribed
+/// value at each point and both momenta are unchanged:
 ///   v̂_a = v_a + Σ_B V_a/m_a W̃_a(X_B) β_B + β_lin + β_ang × Z_a,
 ///   (i) v̂(X_B) = v_B,   (ii) Σ m_a v̂_a = Σ m_a v_a,   (iii) Σ m_a Z_a × v̂_a = Σ m_a Z_a × v_a.
-/// [Lee2016] Appendix B, B.6 restored; its V_B β_B is β_B/ρ0 here. Both momenta are kept, so that particles
-/// on the boundary must have been given their own velocities before, which is what they push with.
+/// [Lee2016] Appendix B, with the missing B.6; its V_B β_B is β_B/ρ0 here. Boundary particles must receive their own
+/// prescribed velocities first, because the projection conserves momentum.
 ///
-/// The matrix of (i), one for each component, is of the reference configuration and sparse: factored once.
-/// The 6 unknowns of (ii), (iii) follow by a Schur complement each time.
+/// The matrices of (i), one per component, are sparse, depend on the reference configuration only and are factored
+/// once. A Schur complement gives the 6 unknowns of (ii), (iii) in each call.
 class BoundaryProjection {
  public:
-  /// Of particles of one body, of masses m. Throws SceneError where points cannot be told apart.
+  /// Takes particles of one body with masses m, kg. Throws SceneError if the points are linearly dependent.
   BoundaryProjection(std::vector<BoundaryPoint> points, std::vector<double> m);
   ~BoundaryProjection();
   BoundaryProjection(BoundaryProjection&&) noexcept;
 
-  /// `v` of the particles, m/s, moments about Z, m.
+  /// Projects the velocities `v`, m/s, of particles at Z, m.
   void operator()(std::vector<Point>& v, std::vector<Point> Z) const;
-  /// The points, whose prescribed velocities may change.
+  /// Points, with mutable prescribed velocities.
   std::vector<BoundaryPoint>& points() { return points_; }
-  /// Σ V_a W̃_a(X_B) f_a, component by component.
+  /// Σ V_a W̃_a(X_B) f_a.
   Point interpolated(const BoundaryPoint& point, const std::vector<Point>& f) const;
 
  private:
-  struct Factor;  // of a component
+  struct Factor;  // for one component
 
   std::vector<BoundaryPoint> points_;
   std::vector<double> m_;

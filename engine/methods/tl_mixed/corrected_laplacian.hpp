@@ -8,23 +8,21 @@
 
 namespace taut {
 
-/// L[f]_i = Σ_j w_ij (f_j − f_i) on the pairs of the start, with
+/// Weights w_ij of the Laplacian L[f]_i = Σ_j w_ij (f_j − f_i) on initial pairs, multiplied by `scale`, m²:
 ///   w_ij = V_j (ΔW + α_i·r_ij + β_i r_ij²),   r_ij = X_i − X_j,            [Lee2016] Eq. A.1, A.2
-/// and α, β such that L of a linear field is 0 and that of |X − X_i|² is 2 Dim (A.3–A.5, printed for 3D).
-/// ΔW = W″ + (Dim − 1) W′/r. The w_ij are stored times `scale`, m². Where the neighbours hardly tell |X −
-/// X_i|² from a linear field, β is 0 and the second condition is left out: those at the corner of a lattice
-/// that are all within dp along each axis do not at all, jittered ones so little that w_ij would shrink the step
-/// a thousandfold. Not symmetric: Σ V_i L[f]_i ≠ 0.
+/// α and β make L of a linear field 0 and L of |X − X_i|² equal to 2 Dim (A.3–A.5, printed for 3D).
+/// ΔW = W″ + (Dim − 1) W′/r. β is 0 where the neighbours hardly distinguish |X − X_i|² from a linear field, as
+/// at corners of (jittered) lattices; the step would otherwise become tiny. Not symmetric: Σ V_i L[f]_i ≠ 0.
 template <class K, int Dim>
 std::vector<double> corrected_laplacian(const InitialPairs<Dim>& pairs,
                                         const std::vector<Vec<double, Dim>>& X, const std::vector<double>& V,
                                         double h, double scale, int threads = 1) {
   constexpr int N = Dim + 1;
-  // of Σ V r⁴, of what no linear field has: on lattices 0.03 at least, at corners, and 1 inside
+  // minimum share of Σ V r⁴ that no linear field represents; lattices have 0.03 at corners and 1 inside
   constexpr double least_told = 0.02;
   std::vector<double> w(pairs.j.size());
   parallel_for(pairs.size(), threads, [&](int i) {
-    // lengths in h, so that the rows of the system are of one size; the last column is the right side
+    // lengths in h scale the rows alike; the last column is the right-hand side
     double A[N][N + 1] = {};
     A[Dim][N] = 2 * Dim;
     const auto basis = [&](int p, double(&r)[N]) {
@@ -73,8 +71,8 @@ inline constexpr TermInfo corrected_laplacian_info{
     "methods/tl_mixed/corrected_laplacian.hpp:corrected_laplacian",
     "corrected Laplacian: 0 of linear fields, 2 d of the square of the distance, at surfaces too"};
 
-/// V_j w_ji/V_i of each pair, so that L*[f]_i = Σ_j (V_j w_ji/V_i f_j − w_ij f_i) is the adjoint of L:
-/// Σ V_i g_i L[f]_i = Σ V_i f_i L*[g]_i.
+/// Weights V_j w_ji/V_i of the adjoint L*[f]_i = Σ_j (V_j w_ji/V_i f_j − w_ij f_i):
+///   Σ V_i g_i L[f]_i = Σ V_i f_i L*[g]_i.
 template <int Dim>
 std::vector<double> adjoint_weights(const InitialPairs<Dim>& pairs, const std::vector<double>& w,
                                     const std::vector<double>& V, int threads) {
@@ -89,8 +87,7 @@ std::vector<double> adjoint_weights(const InitialPairs<Dim>& pairs, const std::v
   return adjoint;
 }
 
-/// k_ij, w_ij, and what L[U] of a neighbour counts in the second Laplacian: as in L*, or with `adjoint` = 0
-/// in L.
+/// Pair constants k_ij, w_ij and the neighbour's weight in the second Laplacian: adjoint, or w_ij for `adjoint` = 0.
 template <int Dim>
 using LaplacianLanes = PairLanes<Dim, Dim + 2>;
 template <int Dim>
@@ -108,7 +105,7 @@ LaplacianLanes<Dim> with_laplacian(const InitialPairs<Dim>& pairs, const std::ve
           }};
 }
 
-/// Σ_j (f_j − f_i) ⊗ k_ij of the first Dim fields, and L of all.
+/// Σ_j (f_j − f_i) ⊗ k_ij of the first Dim fields, and L of all fields.
 template <int Dim, int N>
 struct DifferencesAndLaplacian {
   Mat<Pack, Dim> differences;
@@ -130,7 +127,7 @@ DifferencesAndLaplacian<Dim, N> differences_and_laplacian(const LaplacianView<Di
   return sum;
 }
 
-/// L*[U], or L[U] without the adjoint.
+/// L*[U], or L[U] with `adjoint` = 0.
 template <int Dim, int N>
 Vec<Pack, N> second_laplacian(const LaplacianView<Dim>& pairs, const ColumnsView<N>& U, int group) {
   const int first = lanes * group;
@@ -144,9 +141,8 @@ Vec<Pack, N> second_laplacian(const LaplacianView<Dim>& pairs, const ColumnsView
   return sum;
 }
 
-/// The spectral radius of dp⁴ L*[L[·]], from below but for a per cent or two: 100 rounds of power iteration.
-/// 40 inside a cubic lattice with 26 neighbours, 75 at the edges of three layers of particles in the middle
-/// of cells. The same for any number of threads.
+/// Spectral radius of dp⁴ L*[L[·]] by 100 power iterations, one or two per cent low. It is 40 inside a cubic lattice
+/// with 26 neighbours. Independent of the number of threads.
 template <int Dim>
 double biharmonic_spectral_radius(const LaplacianView<Dim>& pairs, int particles, int threads) {
   constexpr int fields = 2;

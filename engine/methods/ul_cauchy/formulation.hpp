@@ -5,28 +5,28 @@
 
 namespace taut {
 
-/// What each pair contributes to (1/ρ) ∇·σ.
+/// Contribution of a pair to (1/ρ) ∇·σ.
 enum class PairStress : std::uint8_t {
   product,  // m_j (σ_i + σ_j)/(ρ_i ρ_j), [Khayyer2024] Eq. 9
   squares,  // m_j (σ_i/ρ_i² + σ_j/ρ_j²), [TranDuc2023] Eq. 2.3
 };
 
-/// Where the rate of density comes from.
+/// Form of the density rate.
 enum class Continuity : std::uint8_t {
   velocity_gradient,  // −ρ tr ∇û, [Khayyer2024] Eq. 8, 29
   masses,             // Σ m_j u_ij·∇W, [TranDuc2023] §2.2
 };
 
-/// What damps the velocities of pairs.
+/// Damping of pair velocities.
 enum class Viscosity : std::uint8_t {
   none,
   artificial,  // [Khayyer2024] Eq. 15, 16
-  riemann,     // from a Riemann problem of second order, [Khayyer2024] Eq. 39–45
+  riemann,     // second-order Riemann problem, [Khayyer2024] Eq. 39–45
 };
 
 struct UlCauchySwitches {
   bool artificial_stress = false;    // Gray's
-  double epsilon = 0, exponent = 0;  // of the same
+  double epsilon = 0, exponent = 0;  // of the artificial stress
   PairStress pair_stress = PairStress::product;
   Continuity continuity = Continuity::velocity_gradient;
   Viscosity viscosity = Viscosity::none;
@@ -43,26 +43,26 @@ struct UlCauchyFormulation : Formulation, UlCauchySwitches {
 struct UlCauchyConstants : Constants {
   double alpha = 0;                      // artificial viscosity
   double riemann_factor = 0;             // dissipation of the second-order Riemann term
-  double geometry = 0;                   // where in the step ∇u is taken: 0 its start, 1 its end
-  double xsph = 0;                       // share of the mean velocity around in the transport velocity
+  double geometry = 0;                   // point of the step at which ∇u is taken: 0 start, 1 end
+  double xsph = 0;                       // share of the local mean in the transport velocity
   double delta = 0;                      // density diffusion
   double epsilon = 0, exponent = 0;      // artificial stress
-  double surface_colour = 0;             // colour function below which a particle is of the surface
-  double vicinity = 0;                   // reach of the surface, spacings
-  double surface_artificial_stress = 0;  // share of it where there is no tensile control
-  double step_speed = 0;                 // m/s, which steps follow
+  double surface_colour = 0;             // colour function limit of surface particles
+  double vicinity = 0;                   // reach of the surface, in spacings
+  double surface_artificial_stress = 0;  // its share where TIC is off
+  double step_speed = 0;                 // wave speed in the step limit, m/s
 };
 
-/// The stress that every method keeps for each particle is one that it computes with.
+/// True: forces of all methods use the stored stress.
 constexpr bool carries_stress(const UlCauchyFormulation&) { return true; }
 
 constexpr bool consistent(const UlCauchyFormulation& m) {
-  // ∇ρ and ∇u of the second-order terms are corrected ones, and so is what TIC switches to
+  // second-order terms and TIC need corrected gradients
   const bool second_order = m.density_diffusion || m.viscosity == Viscosity::riemann || m.tensile_control;
   return m.artificial_stress == (m.epsilon > 0) && (m.corrected || !second_order) &&
-         (!m.tensile_control || m.artificial_stress) &&             // which the surface keeps
+         (!m.tensile_control || m.artificial_stress) &&             // TIC keeps it at surfaces
          (m.pair_stress == PairStress::product || !m.corrected) &&  // no paper has both
-         m.greatest_dim == 2;                                       // of the passes
+         m.greatest_dim == 2;                                       // limit of the passes
 }
 
 }  // namespace taut

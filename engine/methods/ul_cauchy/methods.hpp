@@ -2,14 +2,14 @@
 
 #include "engine/methods/ul_cauchy/formulation.hpp"
 
-/// The step-by-step improvement of [Khayyer2024], and methods of [TranDuc2023]. AV: artificial viscosity, AS:
-/// artificial stress, R: second-order Riemann term in place of AV, TIC: tensile instability control in place of AS
-/// inside, d (δ): density diffusion.
+/// The step-by-step improvements of [Khayyer2024], and methods of [TranDuc2023]. AV: artificial viscosity, AS:
+/// artificial stress, R: second-order Riemann term instead of AV, TIC: tensile instability control instead of AS
+/// inside a body, d (δ): density diffusion.
 namespace taut {
 
 inline constexpr Citation khayyer2024_citations[] = {{"pressure", "[Khayyer2024] Eq. 5", ""}};
 
-/// What all of them share, [Khayyer2024] §2.
+/// Common data of these methods, [Khayyer2024] §2.
 constexpr UlCauchyFormulation ladder(Formulation step, UlCauchySwitches switches) {
   step.family = Family::ul_cauchy;
   step.greatest_dim = 2;
@@ -96,9 +96,8 @@ inline constexpr Citation tranduc2023_citations[] = {
      "naive: the current configuration, a clamped plate of two materials and a disc that hits it"},
 };
 
-/// The current-configuration methods of [TranDuc2023] §2.2, with its kernel of §2.1 and its penalty contact. The paper
-/// names them by the "artificial stresses", among which it counts the viscosity (§3.1: a, ε and n are their
-/// parameters): ccb has neither, ccbwat both.
+/// Current-configuration methods of [TranDuc2023] §2.2, with its kernel (§2.1) and penalty contact. The paper's
+/// "artificial stresses" include the viscosity (§3.1: a, ε and n are their parameters): ccb has neither, ccbwat both.
 constexpr UlCauchyFormulation current_configuration(Formulation m, UlCauchySwitches switches = {}) {
   m.family = Family::ul_cauchy;
   m.greatest_dim = 2;

@@ -5,10 +5,10 @@
 #include "engine/core/rows.hpp"
 #include "engine/methods/ul_split/formulation.hpp"
 
-/// Plain data of the updated-Lagrangian methods with pressure and shear apart, for their passes.
+/// Data of the updated-Lagrangian methods with separate pressure and shear, for their passes.
 namespace taut {
 
-/// The row that every pass gathers of a neighbour: velocity (or any other vector), pressure, volume.
+/// Row of a neighbour that every pass gathers: velocity (or another vector), pressure, volume.
 template <int Dim>
 struct FlowRow : Row<Dim + 2> {
   using Row<Dim + 2>::c;
@@ -25,7 +25,7 @@ struct Flow {
   T V;            // m^Dim
 };
 
-/// A symmetric tensor and a scalar of a particle, as the passes gather them.
+/// Gathered symmetric tensor and scalar of a particle.
 template <int Dim>
 struct TensorRow : Row<Sym<double, Dim>::size + 1> {
   using Row<Sym<double, Dim>::size + 1>::c;
@@ -87,24 +87,24 @@ template <int Dim>
 struct PairGeometry {
   Vec<Pack, Dim> gradient;  // ∇_i W = ∂W/∂r e_ij, 1/m^(Dim+1)
   Pack inverse_slope;       // 1/(∂W/∂r)
-  Pack inverse_distance;    // (1/r)/(∂W/∂r); 0 for pairs of two bodies: no shear between them
+  Pack inverse_distance;    // (1/r)/(∂W/∂r); 0 between bodies: no shear
 };
 
-/// The geometry of all pairs, pack by pack, cached till the next rebuild; 0 in padding lanes. Gradients are opposite in
-/// (i, j) and (j, i) to the last bit. In 3D, where pairs are many, it is kept in single precision, in the units of
-/// the kernel, so that numbers have room whatever a metre is to the spacing; sums over pairs are in double.
+/// Geometry of all pairs, cached until the next rebuild; 0 in padding lanes. Gradients of (i, j) and (j, i) are
+/// exactly opposite. In 3D the cache saves memory by single precision, in kernel units, which fit its range for any
+/// spacing. Sums over pairs are in double precision.
 template <int Dim>
 struct PairCache {
   static constexpr bool halved = Dim == 3;
   using Kept = std::conditional_t<halved, HalfPack, AlignedPack>;
-  /// Of −r ∂W/∂r in those units, below which a pair at the edge of the kernel, or in one place, has no geometry:
-  /// the inverses would be too great.
+  /// Lower bound of −r ∂W/∂r in these units. Below it, at the edge of the kernel or at coincident particles, the
+  /// geometry is 0, because its inverses would overflow.
   static constexpr double least = halved ? 1e-30 : 0;
 
-  Kept* gradients;  // Dim of each pack
+  Kept* gradients;  // Dim per pack
   Kept *inverse_slopes, *inverse_distances;
-  Kept* closeness_of;        // where the method has artificial stress
-  double steepness, length;  // of the kernel, 1/m^(Dim+1), m; 1 where it is not halved
+  Kept* closeness_of;        // with artificial stress only
+  double steepness, length;  // kernel units, 1/m^(Dim+1), m; 1 unless halved
 
   void set(int b, const PairGeometry<Dim>& pairs) const {
     for (int k = 0; k < Dim; ++k) pack_into(gradients[Dim * b + k], pairs.gradient[k] * (1 / steepness));
@@ -132,12 +132,12 @@ struct PairCache {
   }
 };
 
-/// Pack `pack` of the neighbours of i has one of another body, on which i acts as on one of its own.
+/// A pack of neighbours of i with particles of other bodies that interact with i as with its own body's.
 struct MixedPack {
   int i, pack;
 };
 
-/// Fields of all particles and pairs; arrays that a method does not use are null.
+/// Fields of all particles and pairs; unused arrays are null.
 template <int Dim>
 struct UlSplitFields {
   using V = Vec<double, Dim>;
@@ -151,19 +151,19 @@ struct UlSplitFields {
   double *rho, *drho;     // kg/m³ and its rate
   V *a_shear, *da_shear;  // accumulated shear acceleration, m/s², and its rate
   S *s, *ds;              // deviatoric stress, Pa, and its rate
-  bool sph_contact;       // particles of several bodies act on each other as those of one
+  bool sph_contact;       // particles interact across bodies as in one body
 
   // gathered by the passes
-  FlowRow<Dim>* flow;         // at the middle of the step: v, p, V
+  FlowRow<Dim>* flow;         // mid-step v, p, V
   FlowRow<Dim>* flow_new;     // with the new velocity
   TensorRow<Dim>* stress;     // s
   TensorRow<Dim>* repulsion;  // artificial stress R and mass
-  // of methods whose stress is only shown, at the last rebuild: correction of the kernel gradient, and volume
+  // kernel gradient correction and volume at the last rebuild, for recovered stress
   TensorRow<Dim>* recovery;
 
-  // of the last rebuild
+  // from the last rebuild
   const int *begin, *j;  // neighbours, see Neighbors
-  int* meets;            // 1: not all neighbours of i are of its own body
+  int* meets;            // 1: i has neighbours in other bodies
   PairCache<Dim> pairs;
   const MixedPack* mixed;
   int mixed_count;

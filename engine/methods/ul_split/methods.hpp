@@ -2,8 +2,8 @@
 
 #include "engine/methods/ul_split/formulation.hpp"
 
-/// [Zhang2024]: its own method, ENOG, and those that it compares with. The artificial stress it names without
-/// equations or values; those are of Gray, Monaghan, Swift (2001).
+/// Methods of [Zhang2024] and those it compares with. The paper names the artificial stress without equations or
+/// values; these are from Gray, Monaghan, Swift (2001).
 namespace taut {
 
 inline constexpr UlSplitFormulation og{
