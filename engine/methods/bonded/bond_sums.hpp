@@ -8,17 +8,17 @@
 
 namespace taut {
 
-/// Sums of the stress pass over the bonds of four particles.
+/// Sums over the bonds of four particles.
 template <int Dim>
 struct BondSums {
   Mat<Pack, Dim> A{};      // Σ_j (x_j − x_i) ⊗ a_ij
   Vec<Pack, Dim> force{};  // N
   Pack energy{};           // J; if requested
-  Pack stiffest{};         // greatest s + 1/(4s²)
+  Pack stiffest{};         // maximum s + 1/(4s²)
 };
 
-/// Returns the sums, with damping. `places`: x and x + 3 τ v; with d = x_j − x_i and `ahead` the same of x + 3 τ v,
-/// d·ahead/r0² = s + 3 τ q̇, which replaces s in 3 φ′/λ = s − ¾ − 1/(4s²). r² is at least `least_r2`, in m².
+/// Returns the sums with damping. `places`: x and x + 3 τ v; the product of their differences over r0² is s + 3 τ q̇,
+/// which replaces s in 3 φ′/λ = s − ¾ − 1/(4s²). r² is at least `least_r2`, m².
 template <bool WithEnergy, int Dim, class Storage>
 [[gnu::always_inline]] inline BondSums<Dim> bond_sums(const PackedBondsView<Dim, Storage>& bonds,
                                                       const ColumnsView<2 * Dim>& places, int group,

@@ -14,7 +14,7 @@
 
 namespace taut {
 
-/// W of one particle: the own law of the family or the chosen one.
+/// Energy and stress by the default or the chosen law.
 struct LawOfOne {
   const std::vector<Elasticity>& materials;
   bool own;
@@ -32,7 +32,7 @@ struct LawOfOne {
   }
 };
 
-/// Sites of Interfaces in storage order, computed one by one: there are few (THEORY.md, Interfaces).
+/// Sites of Interfaces in storage order (THEORY.md, Interfaces).
 template <int Dim>
 class InterfaceSites {
  public:
@@ -40,24 +40,24 @@ class InterfaceSites {
   using Square = Mat<double, Dim>;
 
   InterfaceSites() = default;
-  /// For particles stored in the order of `ids`.
+  /// `ids`: particle ids in storage order.
   InterfaceSites(const BondedSetup& setup, const std::vector<int>& ids);
 
-  /// Replaces Q of the particles that have a site and adds the forces of their kinks to the bond forces.
+  /// Replaces Q of particles with a site and adds their kink forces to the bond forces.
   template <class Column, class Law>
   void pass(const Column& x, const Law& law, int threads, Columns<Dim * Dim>& Q,
             std::vector<Vec<Pack, Dim>>& bond_force);
-  /// Returns the energy of particle i minus the energy it would have within its own material alone, in J.
+  /// Returns the energy of particle i minus its energy without the interface, J.
   template <class Column, class Law>
   double energy_of_kink(int i, const Column& x, const Law& law) const;
 
  private:
   struct StoredSiteBond {
     int j;
-    Direction g, e;                 // 1/m; direction at the start
+    Direction g, e;                 // 1/m; initial direction
     double per_r0_squared;          // 1/m²
     double strength, own_strength;  // J, see SiteBond
-    int pull;                       // index in pulls_ of a bond across, else −1
+    int pull;                       // index in pulls_ if across, else −1
   };
   struct Kink {
     int j;
@@ -73,7 +73,7 @@ class InterfaceSites {
   struct Deformations {
     Square mean, own, other, across;
   };
-  /// A particle of a group takes weight × pulls_[pull].
+  /// Adds weight × pulls_[pull] to a lane.
   struct PullShare {
     int pull, lane;
     double weight;
@@ -81,7 +81,7 @@ class InterfaceSites {
   struct GroupShares {
     int group, begin, end;
   };
-  /// Energy of a bond across as a function of s, s° of F_across and s° of F_own, and its slopes in each.
+  /// Energy of a bond across as a function of s, s° of F_across and s° of F_own, with its derivatives.
   struct AcrossEnergy {
     double energy, of_s, of_across, of_own;
   };
@@ -143,7 +143,7 @@ InterfaceSites<Dim>::InterfaceSites(const BondedSetup& setup, const std::vector<
   share_out();
 }
 
-/// Sorts the shares by group, so that no two threads add to one group.
+/// Sorts the shares by group, so that each group belongs to one thread.
 template <int Dim>
 void InterfaceSites<Dim>::share_out() {
   struct Part {
@@ -190,7 +190,7 @@ auto InterfaceSites<Dim>::deformations(const StoredSite& site, const Column& x) 
   return of;
 }
 
-/// Without φ(s), the energy of the spring in PackedBonds.
+/// Excludes φ(s), which is the energy of the spring.
 template <int Dim>
 auto InterfaceSites<Dim>::energy_across(const StoredSiteBond& bond, double s, double across, double own)
     -> AcrossEnergy {

@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// The loops of a method; passes.hpp documents them.
+/// See passes.hpp.
 template <int Dim>
 struct BondedKernels {
   using Fields = BondedFields<Dim>;

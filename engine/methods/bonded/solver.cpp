@@ -37,9 +37,9 @@ Bonded<Dim>::Bonded(Common<Dim>& common, const SolverInput& input, const Kernels
   common_.go_to_start();
   f_.lead = setup.damping_lead;
   make_columns(setup);
-  // in 3D a lattice three particles across, or four near incompressibility, has modes faster than the solid's
+  // thin or nearly incompressible 3D lattices have modes faster than the solid's
   if (setup.bonds.off_lattice || Dim == 3) find_layout_frequency();
-  // columns: at a corner no choice of bonds leaves a uniform stress without force
+  // by column, because uniform stress leaves forces at corners
   if (has_loads(input.scene))
     loads.act_on_faces(input.scene, with_rigid_held(common_.initial, setup.bonds), FaceRule::by_column,
                        surface(setup.bonds), common_.run.support);
@@ -127,8 +127,8 @@ void Bonded<Dim>::bind_fields() {
     if (const auto* halved = std::get_if<1>(&bonds_)) f_.halved_bonds = halved->view();
 }
 
-/// Time step, in s (THEORY.md, Stability limit): shorter once stiffened bonds and particles, and the layout, use up most
-/// of the margin that a `cfl` of 0.64 leaves to the limit of 0.97.
+/// Time step, s (THEORY.md, Stability limit). It decreases once stiffening and the layout exceed most of the margin
+/// between `cfl` = 0.64 and 0.97.
 template <int Dim>
 double Bonded<Dim>::step_size() const {
   constexpr double spare = 1.5;
@@ -138,7 +138,7 @@ double Bonded<Dim>::step_size() const {
 
 template <int Dim>
 void Bonded<Dim>::find_layout_frequency() {
-  constexpr double small = 1e-5, limit = 0.97;  // spacings; cfl at the limit of a lattice
+  constexpr double small = 1e-5, limit = 0.97;  // in spacings; stability limit of a lattice
   const int n = p_.size(), threads = common_.threads_now();
   const std::vector<double> mobility(mobility_[0], mobility_[0] + n);
   std::vector<V> displaced = p_.x;
@@ -174,7 +174,7 @@ void Bonded<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Adds the reactions of bonds into clamps to the rigid particles: for the work of drives and for reaction probes.
+/// Adds the reaction forces of bonds into clamps to the rigid particles, for drives and reaction probes.
 template <int Dim>
 void Bonded<Dim>::pull_at_clamps() {
   const auto pull_at = [&](int i, const V& pull) {
@@ -197,7 +197,7 @@ void Bonded<Dim>::renew_recovered() const {
                                   common_.run.threads, f_.halved);
 }
 
-/// Returns the fields with `places` of the particles now; those of the steps are half a step behind.
+/// Returns the fields with current `places`; those of the step lag by half a step.
 template <int Dim>
 BondedFields<Dim> Bonded<Dim>::fields_now(Columns<2 * Dim>& places) const {
   places.resize(places_.size());

@@ -13,8 +13,8 @@
 
 namespace taut {
 
-/// Returns the greatest eigenvalue of a symmetric tridiagonal matrix: above it all pivots of T − λ are negative. NaN if
-/// an entry is NaN. `beside` has one entry less than the diagonal.
+/// Returns the maximum eigenvalue of a symmetric tridiagonal matrix, by bisection; NaN for NaN entries. `beside`:
+/// off-diagonal.
 inline double greatest_eigenvalue(const std::vector<double>& diagonal, const std::vector<double>& beside) {
   const std::size_t n = diagonal.size();
   const auto is_above = [&](double lambda) {
@@ -36,7 +36,7 @@ inline double greatest_eigenvalue(const std::vector<double>& diagonal, const std
   return 0.5 * (low + high);
 }
 
-/// Returns a pseudo-random number from −1 to 1, the same with every compiler (splitmix64 of k).
+/// Pseudo-random number in −1 … 1, independent of the compiler (splitmix64 of k).
 inline double scattered(std::uint64_t k) {
   k = (k + 1) * 0x9e3779b97f4a7c15;
   k = (k ^ k >> 30) * 0xbf58476d1ce4e5b9;
@@ -44,7 +44,7 @@ inline double scattered(std::uint64_t k) {
   return static_cast<double>(k ^ k >> 31) * 0x1p-63 - 1;
 }
 
-/// Returns Σ a_i · b_i, the same for any number of threads.
+/// Σ a_i · b_i, independent of the number of threads.
 template <int Dim>
 double dot(const std::vector<Vec<double, Dim>>& a, const std::vector<Vec<double, Dim>>& b, int threads) {
   constexpr int stretch = 1024;
@@ -56,9 +56,8 @@ double dot(const std::vector<Vec<double, Dim>>& a, const std::vector<Vec<double,
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-/// Returns the greatest eigenvalue of a symmetric operator apply(u, out) on fields of n vectors, to about 0.5 % from
-/// below, by Lanczos steps from a fixed start. Vectors are orthogonal to the last two only: round-off then repeats
-/// eigenvalues, but adds no greater one.
+/// Returns the maximum eigenvalue of a symmetric operator apply(u, out) on n vectors, to 0.5 % from below, by Lanczos
+/// steps from a fixed start. Without full reorthogonalisation eigenvalues may repeat, but not exceed the maximum.
 template <int Dim, class Apply>
 double greatest_eigenvalue(int n, int threads, const Apply& apply) {
   constexpr int least = 14, most = 30;  // steps
@@ -85,9 +84,9 @@ double greatest_eigenvalue(int n, int threads, const Apply& apply) {
   }
 }
 
-/// Returns ω² of the highest mode about the present positions, in 1/s²: the greatest eigenvalue of M^(−½) K M^(−½), K by
-/// differences of forces. `mobility`: 1/m in 1/kg, 0 of constrained particles; forces(u, out) computes the forces, in N,
-/// at displacements u of length `small` at most.
+/// Returns the highest ω², 1/s², at the present positions: the maximum eigenvalue of M^(−½) K M^(−½), with K from
+/// differences of forces. `mobility`: 1/m, 0 if constrained, 1/kg; forces(u, out): forces, N, at displacements |u| ≤
+/// `small`.
 template <int Dim, class Forces>
 double highest_frequency_squared(const std::vector<double>& mobility, double small, int threads,
                                  const Forces& forces) {
